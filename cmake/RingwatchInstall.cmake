@@ -1,0 +1,15 @@
+# Installs the headers, the libraries and the package files for find_package(ringwatch).
+include(CMakePackageConfigHelpers)
+get_property(folders GLOBAL PROPERTY RINGWATCH_FOLDERS)
+foreach(folder IN LISTS folders)
+  install(TARGETS ringwatch_${folder} EXPORT ringwatchTargets)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ringwatch/${folder}
+    FILES_MATCHING PATTERN "*.h")
+endforeach()
+install(TARGETS ringwatch EXPORT ringwatchTargets)
+install(EXPORT ringwatchTargets NAMESPACE ringwatch:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ringwatch)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/ringwatchConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/ringwatchConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ringwatch)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/ringwatchConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/ringwatchConfig.cmake ${PROJECT_BINARY_DIR}/ringwatchConfigVersion.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ringwatch)

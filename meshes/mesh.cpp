@@ -1,0 +1,1 @@
+#include <ringwatch/meshes/mesh.h>

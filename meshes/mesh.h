@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <ringwatch/elements/registry.h>
+
+namespace ringwatch {
+
+/// Node vectors, 3×N: a column per node.
+using NodeVectors = Eigen::Matrix3Xd;
+
+/// Elements of one type.
+struct MeshBlock {
+  ElementType type;
+  std::vector<std::int32_t> connectivity;  // element after element, VTK node order, indices into Mesh::X
+  std::vector<std::int64_t> ids;           // the elements' numbers in the file, or 0, 1, … when generated
+
+  int nodesPerElement() const { return elementInfo(type).nodes; }
+  std::size_t elementCount() const { return connectivity.size() / static_cast<std::size_t>(nodesPerElement()); }
+  const std::int32_t* element(std::size_t e) const { return connectivity.data() + e * static_cast<std::size_t>(nodesPerElement()); }
+};
+
+/// An element, by block and by position in the block.
+struct ElementRef {
+  std::int32_t block = 0;
+  std::int32_t element = 0;
+  friend auto operator<=>(const ElementRef&, const ElementRef&) = default;
+};
+
+/// Nodes, blocks of one element type each, and named sets. No physics.
+struct Mesh {
+  NodeVectors X;                      // reference positions, 3×N, m
+  std::vector<std::int64_t> nodeIds;  // the nodes' numbers in the file, or 0, 1, … when generated
+  std::vector<MeshBlock> blocks;
+  std::map<std::string, std::vector<std::int32_t>> nodeSets;
+  std::map<std::string, std::vector<ElementRef>> elementSets;
+
+  std::size_t nodeCount() const { return static_cast<std::size_t>(X.cols()); }
+  std::size_t elementCount() const {
+    std::size_t n = 0;
+    for (const MeshBlock& block : blocks) n += block.elementCount();
+    return n;
+  }
+};
+
+}  // namespace ringwatch
