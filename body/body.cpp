@@ -1,0 +1,236 @@
+#include <ringwatch/body/body.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <ringwatch/base/error.h>
+
+namespace ringwatch {
+
+std::int64_t BlockMatrix::find(std::int32_t row, std::int32_t col) const {
+  const auto begin = column.begin() + rowBegin[static_cast<std::size_t>(row)];
+  const auto end = column.begin() + rowBegin[static_cast<std::size_t>(row) + 1];
+  const auto it = std::lower_bound(begin, end, col);
+  return it != end && *it == col ? it - column.begin() : -1;
+}
+
+Body::Body(Mesh mesh, const Material& material, const BodyOptions& options)
+    : Body(std::move(mesh), std::vector<Material>{material}, options) {}
+
+Body::Body(Mesh mesh, const std::vector<Material>& materialOfBlock, const BodyOptions& options)
+    : mesh_(std::move(mesh)),
+      options_(options),
+      materials_(materialOfBlock),
+      constraints_(mesh_.nodeCount()),
+      externalForce_(NodeVectors::Zero(3, mesh_.X.cols())) {
+  if (mesh_.blocks.empty()) throw InputError("the mesh has no volume elements: a body needs at least one");
+  // One material serves all blocks.
+  if (materials_.size() == 1) materials_.resize(mesh_.blocks.size(), materials_.front());
+  if (materials_.size() != mesh_.blocks.size())
+    throw InputError(joinText(materials_.size(), " materials for ", mesh_.blocks.size(), " blocks: give one, or one a block"));
+  for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
+    const auto rule = options_.rules.find(std::string(elementInfo(mesh_.blocks[b].type).name));
+    blocks_.push_back(makeElementBlock(mesh_, mesh_.blocks[b], materials_[b], rule == options_.rules.end() ? "" : rule->second));
+  }
+  lumpMass();
+  indexSlots();
+}
+
+void Body::lumpMass() {
+  lumpedMass_ = Eigen::VectorXd::Zero(nodeCount());
+  double expected = 0;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const ElementInfo& element = blocks_[b]->element();
+    const double density = blocks_[b]->material().density;
+    const int n = element.nodes;
+    // Reference shape values and gradients at the points of the mass rule.
+    std::vector<double> N(static_cast<std::size_t>(n));
+    std::vector<std::array<double, 3>> dN(static_cast<std::size_t>(n));
+    std::vector<double> mass(static_cast<std::size_t>(n));
+    for (std::int32_t e = 0; e < blocks_[b]->elementCount(); ++e) {
+      const auto nodes = blocks_[b]->nodesOf(e);
+      double volume = 0;
+      std::fill(mass.begin(), mass.end(), 0.0);
+      for (const QuadraturePoint& point : element.massRule.points) {
+        element.shape(point.xi, N.data());
+        element.shapeGradient(point.xi, reinterpret_cast<double(*)[3]>(dN.data()));
+        Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+        for (int a = 0; a < n; ++a)
+          J += mesh_.X.col(nodes[static_cast<std::size_t>(a)]) * Eigen::RowVector3d::Map(dN[static_cast<std::size_t>(a)].data());
+        const double w = J.determinant() * point.weight;
+        volume += w;
+        for (int a = 0; a < n; ++a) mass[static_cast<std::size_t>(a)] += density * w * N[static_cast<std::size_t>(a)];
+      }
+      if (!(volume > 0))
+        throw NumericalError(joinText(element.name, " element ", mesh_.blocks[b].ids.empty() ? e : mesh_.blocks[b].ids[static_cast<std::size_t>(e)],
+                                      ": volume ", volume, " m3 must be > 0"));
+      if (options_.lumping == Lumping::equal) std::fill(mass.begin(), mass.end(), density * volume / n);
+      for (int a = 0; a < n; ++a) lumpedMass_[nodes[static_cast<std::size_t>(a)]] += mass[static_cast<std::size_t>(a)];
+      volume_ += volume;
+      expected += density * volume;
+    }
+  }
+  for (std::int32_t i = 0; i < nodeCount(); ++i)
+    if (!(lumpedMass_[i] > 0)) throw NumericalError(joinText("node ", i, ": lumped mass ", lumpedMass_[i], " kg must be > 0"));
+  if (std::abs(totalMass() - expected) > 1e-12 * expected)
+    throw NumericalError(joinText("lumped mass ", totalMass(), " kg differs from density x volume ", expected, " kg"));
+}
+
+void Body::indexSlots() {
+  std::vector<std::int64_t> count(mesh_.nodeCount() + 1, 0);
+  for (const auto& block : blocks_) {
+    for (const Patch& patch : block->layout().patches) patches_.push_back({block.get(), patch, slotCount_ + patch.nodeBegin});
+    for (std::int32_t node : block->layout().nodes) ++count[static_cast<std::size_t>(node) + 1];
+    slotCount_ += static_cast<std::int64_t>(block->layout().nodes.size());
+  }
+  for (std::size_t i = 1; i < count.size(); ++i) count[i] += count[i - 1];
+  nodeSlotBegin_ = count;
+  nodeSlot_.resize(static_cast<std::size_t>(slotCount_));
+  std::int64_t slot = 0;
+  for (const auto& block : blocks_)
+    for (std::int32_t node : block->layout().nodes) nodeSlot_[static_cast<std::size_t>(count[static_cast<std::size_t>(node)]++)] = slot++;
+}
+
+void Body::addBodyForce(const Eigen::Vector3d& acceleration) { externalForce_ += acceleration * lumpedMass_.transpose(); }
+
+template <class AddPatch>
+void Body::sumOverPatches(NodeVectors& result, Workspace& workspace, const AddPatch& addPatch) const {
+  workspace.slots.resize(static_cast<std::size_t>(4 * slotCount_));
+  result.resize(3, nodeCount());
+  double* slots = workspace.slots.data();
+  parallelFor(0, static_cast<std::int64_t>(patches_.size()), threads(), [&](std::int64_t p) {
+    const PatchRef& ref = patches_[static_cast<std::size_t>(p)];
+    double* own = slots + 4 * ref.firstSlot;
+    std::fill(own, own + 4 * static_cast<std::ptrdiff_t>(ref.patch.nodeEnd - ref.patch.nodeBegin), 0.0);
+    addPatch(ref, own);
+  });
+  constexpr std::int64_t chunk = 2048;
+  const std::int64_t nodes = nodeCount();
+  parallelFor(0, (nodes + chunk - 1) / chunk, threads(), [&](std::int64_t c) {
+    const std::int64_t end = std::min(nodes, (c + 1) * chunk);
+    for (std::int64_t i = c * chunk; i < end; ++i) {
+      double sum[3] = {0, 0, 0};
+      for (std::int64_t s = nodeSlotBegin_[static_cast<std::size_t>(i)]; s < nodeSlotBegin_[static_cast<std::size_t>(i) + 1]; ++s) {
+        const double* row = slots + 4 * nodeSlot_[static_cast<std::size_t>(s)];
+        for (int k = 0; k < 3; ++k) sum[k] += row[k];
+      }
+      for (int k = 0; k < 3; ++k) result(k, i) = sum[k];
+    }
+  });
+}
+
+void Body::internalForce(const NodeVectors& x, NodeVectors& f, Workspace& workspace) const {
+  sumOverPatches(f, workspace, [&](const PatchRef& ref, double* slots) { ref.block->forcePatch(ref.patch, x.data(), slots); });
+}
+
+void Body::tangentProduct(const NodeVectors& x, const NodeVectors& v, NodeVectors& Kv, Workspace& workspace) const {
+  sumOverPatches(Kv, workspace,
+                 [&](const PatchRef& ref, double* slots) { ref.block->tangentProductPatch(ref.patch, x.data(), v.data(), slots); });
+}
+
+double Body::energy(const NodeVectors& x, Workspace& workspace) const {
+  workspace.partial.resize(patches_.size());
+  parallelFor(0, static_cast<std::int64_t>(patches_.size()), threads(), [&](std::int64_t p) {
+    const PatchRef& ref = patches_[static_cast<std::size_t>(p)];
+    workspace.partial[static_cast<std::size_t>(p)] = ref.block->energyPatch(ref.patch, x.data());
+  });
+  double sum = 0;
+  for (double part : workspace.partial) sum += part;
+  return sum;
+}
+
+Eigen::MatrixXd Body::elementTangent(ElementRef ref, const NodeVectors& x) const {
+  const ElementBlock& block = *blocks_.at(static_cast<std::size_t>(ref.block));
+  const std::int32_t place = block.layout().batchOfElement.at(static_cast<std::size_t>(ref.element));
+  const int size = 3 * block.element().nodes, lane = place % PatchLayout::lanes;
+  AlignedVector<NativePack> K(static_cast<std::size_t>(size * size));
+  block.tangentBatch(place / PatchLayout::lanes, x.data(), reinterpret_cast<double*>(K.data()));
+  Eigen::MatrixXd result(size, size);
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j) result(i, j) = K[static_cast<std::size_t>(i * size + j)][lane];
+  return result;
+}
+
+BlockMatrix Body::assembleBlocks(const NodeVectors& x) const {
+  BlockMatrix matrix;
+  std::vector<std::vector<std::int32_t>> neighbours(mesh_.nodeCount());
+  for (const auto& block : blocks_)
+    for (std::int32_t e = 0; e < block->elementCount(); ++e)
+      for (std::int32_t i : block->nodesOf(e)) {
+        auto& list = neighbours[static_cast<std::size_t>(i)];
+        list.insert(list.end(), block->nodesOf(e).begin(), block->nodesOf(e).end());
+      }
+  matrix.rowBegin.push_back(0);
+  for (auto& list : neighbours) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    matrix.column.insert(matrix.column.end(), list.begin(), list.end());
+    matrix.rowBegin.push_back(static_cast<std::int64_t>(matrix.column.size()));
+    std::vector<std::int32_t>().swap(list);
+  }
+  matrix.block.assign(matrix.column.size(), Eigen::Matrix3d::Zero());
+  // Tangents of a chunk of batches in parallel, then their sums in order: the same bits for any number of threads.
+  constexpr std::int32_t chunk = 256;
+  for (const auto& block : blocks_) {
+    const int n = block->element().nodes, size = 3 * n;
+    const auto packs = static_cast<std::size_t>(size * size);
+    AlignedVector<NativePack> K(packs * chunk);
+    for (std::int32_t first = 0; first < block->layout().batchCount(); first += chunk) {
+      const std::int32_t count = std::min(chunk, block->layout().batchCount() - first);
+      parallelFor(0, count, threads(), [&](std::int64_t i) {
+        block->tangentBatch(first + static_cast<std::int32_t>(i), x.data(), reinterpret_cast<double*>(K.data() + packs * static_cast<std::size_t>(i)));
+      });
+      for (std::int32_t i = 0; i < count * PatchLayout::lanes; ++i) {
+        const std::int32_t e = block->layout().elements[static_cast<std::size_t>(first * PatchLayout::lanes + i)];
+        if (e < 0) continue;
+        const NativePack* k = K.data() + packs * static_cast<std::size_t>(i / PatchLayout::lanes);
+        const int lane = i % PatchLayout::lanes;
+        const auto nodes = block->nodesOf(e);
+        for (int a = 0; a < n; ++a)
+          for (int b = 0; b < n; ++b) {
+            Eigen::Matrix3d& target = matrix.block[static_cast<std::size_t>(matrix.find(nodes[static_cast<std::size_t>(a)], nodes[static_cast<std::size_t>(b)]))];
+            for (int r = 0; r < 3; ++r)
+              for (int c = 0; c < 3; ++c) target(r, c) += k[(3 * a + r) * size + 3 * b + c][lane];
+          }
+      }
+    }
+  }
+  return matrix;
+}
+
+Eigen::SparseMatrix<double> Body::assembleTangent(const NodeVectors& x) const {
+  const BlockMatrix blocks = assembleBlocks(x);
+  Eigen::SparseMatrix<double> K(3 * nodeCount(), 3 * nodeCount());
+  Eigen::VectorXi sizes(3 * nodeCount());
+  for (std::int32_t i = 0; i < nodeCount(); ++i)
+    sizes.segment<3>(3 * i).setConstant(static_cast<int>(3 * (blocks.rowBegin[static_cast<std::size_t>(i) + 1] - blocks.rowBegin[static_cast<std::size_t>(i)])));
+  K.reserve(sizes);
+  // Symmetric: row i of blocks gives column i.
+  for (std::int32_t i = 0; i < nodeCount(); ++i)
+    for (int c = 0; c < 3; ++c)
+      for (std::int64_t s = blocks.rowBegin[static_cast<std::size_t>(i)]; s < blocks.rowBegin[static_cast<std::size_t>(i) + 1]; ++s)
+        for (int r = 0; r < 3; ++r)
+          K.insert(3 * blocks.column[static_cast<std::size_t>(s)] + r, 3 * i + c) = blocks.block[static_cast<std::size_t>(s)](c, r);
+  K.makeCompressed();
+  return K;
+}
+
+Body::LeastDeterminant Body::leastDeterminant(const NodeVectors& x) const {
+  LeastDeterminant least{std::numeric_limits<double>::infinity(), {}};
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const ElementBlock& block = *blocks_[b];
+    std::vector<double> values(block.layout().elements.size());
+    parallelFor(0, block.layout().batchCount(), threads(), [&](std::int64_t batch) {
+      block.minimumDeterminantBatch(static_cast<std::int32_t>(batch), x.data(), values.data() + batch * PatchLayout::lanes);
+    });
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (block.layout().elements[i] >= 0 && !(values[i] >= least.value)) {
+        least = {values[i], {static_cast<std::int32_t>(b), block.layout().elements[i]}};
+        if (std::isnan(values[i])) return least;
+      }
+  }
+  return least;
+}
+
+}  // namespace ringwatch

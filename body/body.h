@@ -1,0 +1,134 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/SparseCore>
+
+#include <ringwatch/base/parallel.h>
+#include <ringwatch/body/constraints.h>
+#include <ringwatch/body/element_block.h>
+
+namespace ringwatch {
+
+/// How an element's mass goes to its nodes.
+enum class Lumping {
+  rowSum,  ///< m_a = ρ ∫ N_a dV, row sums of the consistent mass
+  equal    ///< mass over node count, as the source has it
+};
+
+struct BodyOptions {
+  std::map<std::string, std::string> rules;  // element name -> quadrature rule name; the default rule where absent
+  Lumping lumping = Lumping::rowSum;
+  int threads = 0;  // 0: all that OpenMP offers
+};
+
+/// Symmetric 3×3 blocks by node pair in compressed rows, N/m: both triangles are stored.
+struct BlockMatrix {
+  std::vector<std::int64_t> rowBegin;  // N+1
+  std::vector<std::int32_t> column;    // ascending within a row; holds the diagonal
+  std::vector<Eigen::Matrix3d> block;
+
+  /// Position of block (row, col); -1 when absent.
+  std::int64_t find(std::int32_t row, std::int32_t col) const;
+};
+
+/// Mesh + material + density made computable. Knows no time. All passes are const and keep their scratch memory in a
+/// Workspace that the caller owns, so that threads can share a body.
+class Body {
+ public:
+  /// Scratch memory of the passes; reuse it from call to call. One a thread of the caller.
+  struct Workspace {
+    AlignedVector<double> slots;
+    std::vector<double> partial;
+  };
+
+  /// Throws InputError for an unknown rule, NumericalError for an element whose volume or nodal mass is not positive or
+  /// when the lumped mass does not add up to density × volume (to 1e-12).
+  Body(Mesh mesh, const Material& material, const BodyOptions& options = {});
+  Body(Mesh mesh, const std::vector<Material>& materialOfBlock, const BodyOptions& options = {});
+
+  const Mesh& mesh() const { return mesh_; }
+  std::int32_t nodeCount() const { return static_cast<std::int32_t>(mesh_.nodeCount()); }
+  const std::vector<std::unique_ptr<ElementBlock>>& blocks() const { return blocks_; }
+  /// Lumped mass of each node, kg.
+  const Eigen::VectorXd& lumpedMass() const { return lumpedMass_; }
+  double totalMass() const { return lumpedMass_.sum(); }
+  /// Volume at rest, m³.
+  double volume() const { return volume_; }
+  int threads() const { return options_.threads; }
+
+  Constraints& constraints() { return constraints_; }
+  const Constraints& constraints() const { return constraints_; }
+  /// Dead nodal forces, 3×N, N.
+  NodeVectors& externalForce() { return externalForce_; }
+  const NodeVectors& externalForce() const { return externalForce_; }
+  /// Adds mass × acceleration to the nodal forces; acceleration in m/s².
+  void addBodyForce(const Eigen::Vector3d& acceleration);
+
+  /// Internal force ∂(strain energy)/∂x at positions x (3×N, m), N. The equation of motion is m a = externalForce - f.
+  void internalForce(const NodeVectors& x, NodeVectors& f, Workspace& workspace) const;
+  /// K(x) v with the exact tangent K = ∂f/∂x.
+  void tangentProduct(const NodeVectors& x, const NodeVectors& v, NodeVectors& Kv, Workspace& workspace) const;
+  /// Strain energy, J.
+  double energy(const NodeVectors& x, Workspace& workspace) const;
+  /// Exact tangent of one element, 3n×3n, N/m.
+  Eigen::MatrixXd elementTangent(ElementRef element, const NodeVectors& x) const;
+  /// Exact tangent of all elements as node blocks.
+  BlockMatrix assembleBlocks(const NodeVectors& x) const;
+  /// Exact tangent, 3N×3N, degree of freedom 3·node + component; constrained ones are kept.
+  Eigen::SparseMatrix<double> assembleTangent(const NodeVectors& x) const;
+  /// Least det F over all elements and quadrature points, with its element.
+  struct LeastDeterminant {
+    double value;
+    ElementRef element;
+  };
+  LeastDeterminant leastDeterminant(const NodeVectors& x) const;
+
+  /// Calls visit(block index, batch, K) for every batch, in parallel, with the packed tangents of
+  /// ElementBlock::tangentBatch; visit writes to places of its own.
+  template <class Visit>
+  void forEachTangentBatch(const NodeVectors& x, const Visit& visit) const {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const ElementBlock& block = *blocks_[b];
+      const auto size = static_cast<std::size_t>(9 * block.element().nodes * block.element().nodes);
+      const std::int32_t batches = block.layout().batchCount();
+      constexpr std::int32_t chunk = 64;
+      parallelFor(0, (batches + chunk - 1) / chunk, threads(), [&](std::int64_t c) {
+        AlignedVector<NativePack> K(size);
+        const auto end = std::min<std::int32_t>(batches, static_cast<std::int32_t>(c + 1) * chunk);
+        for (auto batch = static_cast<std::int32_t>(c) * chunk; batch < end; ++batch) {
+          block.tangentBatch(batch, x.data(), reinterpret_cast<double*>(K.data()));
+          visit(b, batch, K.data());
+        }
+      });
+    }
+  }
+
+ private:
+  struct PatchRef {
+    const ElementBlock* block;
+    Patch patch;
+    std::int64_t firstSlot;  // of the patch, counted over all blocks
+  };
+  void lumpMass();
+  void indexSlots();
+  template <class AddPatch>
+  void sumOverPatches(NodeVectors& result, Workspace& workspace, const AddPatch& addPatch) const;
+
+  Mesh mesh_;
+  BodyOptions options_;
+  std::vector<std::unique_ptr<ElementBlock>> blocks_;
+  std::vector<Material> materials_;
+  Eigen::VectorXd lumpedMass_;
+  double volume_ = 0;
+  Constraints constraints_;
+  NodeVectors externalForce_;
+  std::vector<PatchRef> patches_;
+  std::int64_t slotCount_ = 0;
+  std::vector<std::int64_t> nodeSlotBegin_;  // N+1
+  std::vector<std::int64_t> nodeSlot_;       // slots of each node, ascending
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,90 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <ringwatch/base/aligned.h>
+#include <ringwatch/base/pack.h>
+#include <ringwatch/materials/registry.h>
+#include <ringwatch/meshes/mesh.h>
+
+namespace ringwatch {
+
+/// A group of elements that lie close together, handled by one thread at a time. Element kernels add nodal values into
+/// the patch's own slots (one row of 4 numbers for each node of the patch); the body then sums the slots of each node in
+/// a fixed order. That needs no atomics and gives the same bits for any number of threads.
+struct Patch {
+  std::int32_t batchBegin, batchEnd;  // batches of `lanes` elements
+  std::int32_t nodeBegin, nodeEnd;    // into PatchLayout::nodes; also the patch's slots, counted within the block
+};
+
+/// The elements of a block ordered along a space-filling curve, cut into patches and, within them, into batches.
+struct PatchLayout {
+  static constexpr int lanes = nativeWidth;
+  std::vector<Patch> patches;
+  std::vector<std::int32_t> nodes;           // mesh nodes of each patch
+  std::vector<std::int32_t> elements;        // [batch][lane] position in the mesh block; -1 for a lane without element
+  std::vector<std::uint16_t> localNodes;     // [batch][node][lane] position in the patch's node list
+  std::vector<std::int32_t> batchOfElement;  // by position in the mesh block: batch * lanes + lane
+
+  std::int32_t batchCount() const { return static_cast<std::int32_t>(elements.size() / lanes); }
+};
+PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block);
+
+/// The virtual face of the elements of one type, law and quadrature rule. One virtual call a patch or batch, never an
+/// element; the arithmetic is in ElementBatch. Positions and other nodal vectors are 3×N, column by column.
+class ElementBlock {
+ public:
+  virtual ~ElementBlock() = default;
+  ElementBlock(const ElementBlock&) = delete;
+  ElementBlock& operator=(const ElementBlock&) = delete;
+
+  const ElementInfo& element() const { return *element_; }
+  const QuadratureRule& rule() const { return *rule_; }
+  const Material& material() const { return material_; }
+  const PatchLayout& layout() const { return layout_; }
+  std::int32_t elementCount() const { return static_cast<std::int32_t>(layout_.batchOfElement.size()); }
+  /// Nodes of an element, by position in the mesh block.
+  std::span<const std::int32_t> nodesOf(std::int32_t e) const {
+    const auto n = static_cast<std::size_t>(element_->nodes);
+    return {connectivity_.data() + static_cast<std::size_t>(e) * n, n};
+  }
+
+  /// Adds the internal force ∂energy/∂x, N, of the patch into its slots, which must be zero before.
+  virtual void forcePatch(const Patch& patch, const double* x, double* slots) const = 0;
+  /// Adds K(x) v of the patch into its slots; K the exact tangent ∂force/∂x, N/m.
+  virtual void tangentProductPatch(const Patch& patch, const double* x, const double* v, double* slots) const = 0;
+  /// Strain energy of the patch, J.
+  virtual double energyPatch(const Patch& patch, const double* x) const = 0;
+  /// Exact tangents of the elements of a batch: K[(row * 3n + column) * lanes + lane], rows and columns 3·node + component,
+  /// N/m. Lanes without an element get zeros.
+  virtual void tangentBatch(std::int32_t batch, const double* x, double* K) const = 0;
+  /// Least determinant of F over the quadrature points of each element of a batch: determinants[lane].
+  virtual void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const = 0;
+
+  /// Volume at rest of each element of a batch, m³: volumes[lane].
+  virtual void volumeBatch(std::int32_t batch, double* volumes) const = 0;
+
+ protected:
+  ElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material, const QuadratureRule& rule)
+      : element_(&elementInfo(block.type)),
+        rule_(&rule),
+        material_(material),
+        layout_(layOutPatches(mesh, block)),
+        connectivity_(block.connectivity) {}
+
+ private:
+  const ElementInfo* element_;
+  const QuadratureRule* rule_;
+  Material material_;
+  PatchLayout layout_;
+  std::vector<std::int32_t> connectivity_;
+};
+
+/// The block for a mesh block: picks ElementBatch<element, law>. Throws InputError when the element has no rule of that
+/// name ("" is the default), NumericalError when an element has a Jacobian determinant <= 0 at a quadrature point.
+std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material,
+                                               std::string_view ruleName = {});
+
+}  // namespace ringwatch

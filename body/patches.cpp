@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <ringwatch/body/element_block.h>
+
+namespace ringwatch {
+namespace {
+
+/// Spreads the lower 21 bits of v so that two zero bits follow each.
+std::uint64_t spreadBits(std::uint64_t v) {
+  v &= 0x1fffff;
+  v = (v | v << 32) & 0x1f00000000ffffULL;
+  v = (v | v << 16) & 0x1f0000ff0000ffULL;
+  v = (v | v << 8) & 0x100f00f00f00f00fULL;
+  v = (v | v << 4) & 0x10c30c30c30c30c3ULL;
+  v = (v | v << 2) & 0x1249249249249249ULL;
+  return v;
+}
+
+/// Elements along a Morton curve through their centroids: neighbours in the list are neighbours in space.
+std::vector<std::int32_t> mortonOrder(const Mesh& mesh, const MeshBlock& block) {
+  const std::size_t count = block.elementCount();
+  const int n = block.nodesPerElement();
+  const Eigen::Vector3d low = mesh.X.rowwise().minCoeff(), size = mesh.X.rowwise().maxCoeff() - low;
+  const double extent = std::max(size.maxCoeff(), std::numeric_limits<double>::min());
+  std::vector<std::pair<std::uint64_t, std::int32_t>> keyed(count);
+  for (std::size_t e = 0; e < count; ++e) {
+    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+    for (int a = 0; a < n; ++a) centroid += mesh.X.col(block.element(e)[a]);
+    const Eigen::Vector3d unit = (centroid / n - low) / extent;
+    std::uint64_t key = 0;
+    for (int c = 0; c < 3; ++c) key |= spreadBits(static_cast<std::uint64_t>(std::clamp(unit[c], 0.0, 1.0) * 2097151.0)) << c;
+    keyed[e] = {key, static_cast<std::int32_t>(e)};
+  }
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<std::int32_t> order(count);
+  for (std::size_t e = 0; e < count; ++e) order[e] = keyed[e].second;
+  return order;
+}
+
+}  // namespace
+
+PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block) {
+  // Rows of positions and slots of a patch, 64 bytes a node, are to stay in a first-level cache of 32 to 48 kB.
+  constexpr std::int32_t maxNodes = 448;
+  constexpr int lanes = PatchLayout::lanes;
+  const int n = block.nodesPerElement();
+  const std::vector<std::int32_t> order = mortonOrder(mesh, block);
+  PatchLayout layout;
+  layout.batchOfElement.resize(order.size());
+  layout.elements.reserve(order.size() + lanes);
+  layout.localNodes.reserve((order.size() + lanes) * static_cast<std::size_t>(n));
+  std::vector<std::int32_t> localOf(mesh.nodeCount(), -1);
+
+  std::size_t next = 0;
+  while (next < order.size()) {
+    Patch patch{};
+    patch.batchBegin = layout.batchCount();
+    patch.nodeBegin = static_cast<std::int32_t>(layout.nodes.size());
+    auto nodesInPatch = [&] { return static_cast<std::int32_t>(layout.nodes.size()) - patch.nodeBegin; };
+    while (next < order.size() && nodesInPatch() + lanes * n <= std::max(maxNodes, lanes * n)) {
+      const std::size_t taken = std::min<std::size_t>(lanes, order.size() - next);
+      const std::size_t base = layout.localNodes.size();
+      layout.localNodes.resize(base + static_cast<std::size_t>(n * lanes));
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const bool present = lane < taken;
+        const std::int32_t e = order[next + (present ? lane : 0)];
+        if (present) layout.batchOfElement[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(layout.elements.size());
+        layout.elements.push_back(present ? e : -1);
+        for (int a = 0; a < n; ++a) {
+          const std::int32_t node = block.element(static_cast<std::size_t>(e))[a];
+          std::int32_t& local = localOf[static_cast<std::size_t>(node)];
+          if (local < 0) {
+            local = nodesInPatch();
+            layout.nodes.push_back(node);
+          }
+          layout.localNodes[base + static_cast<std::size_t>(a * lanes) + lane] = static_cast<std::uint16_t>(local);
+        }
+      }
+      next += taken;
+    }
+    patch.batchEnd = layout.batchCount();
+    patch.nodeEnd = static_cast<std::int32_t>(layout.nodes.size());
+    for (std::int32_t i = patch.nodeBegin; i < patch.nodeEnd; ++i) localOf[static_cast<std::size_t>(layout.nodes[static_cast<std::size_t>(i)])] = -1;
+    layout.patches.push_back(patch);
+  }
+  return layout;
+}
+
+}  // namespace ringwatch

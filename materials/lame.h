@@ -1,0 +1,22 @@
+#pragma once
+#include <cmath>
+
+namespace ringwatch {
+
+/// Lamé's constants, Pa.
+struct Lame {
+  double lambda;
+  double mu;
+};
+
+/// λ = E ν / ((1+ν)(1-2ν)), μ = E / (2(1+ν)); E in Pa, -1 < ν < 0.5.
+inline Lame lameConstants(double young, double poisson) {
+  return {young * poisson / ((1 + poisson) * (1 - 2 * poisson)), young / (2 * (1 + poisson))};
+}
+
+/// Speed of a pressure wave in the undeformed material, √((λ+2μ)/ρ), m/s; all laws here agree on it at rest.
+inline double pressureWaveSpeed(Lame constants, double density) {
+  return std::sqrt((constants.lambda + 2 * constants.mu) / density);
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,87 @@
+#pragma once
+#include <string_view>
+
+#include <ringwatch/base/matrix3.h>
+#include <ringwatch/materials/lame.h>
+
+namespace ringwatch {
+
+/// St. Venant–Kirchhoff, E = (FᵀF - I)/2, S = λ tr(E) I + 2μ E:
+///   W = μ E:E + λ/2 tr²E,   P = F S,   dP = dF S + F (λ tr(dE) I + 2μ dE),  dE = sym(Fᵀ dF).
+struct StVenantKirchhoff {
+  static constexpr std::string_view name = "stvk";
+  static constexpr std::string_view help = "St. Venant-Kirchhoff: linear in the Green strain; softens and collapses under strong compression";
+  static constexpr bool objective = true;
+  Lame constants;
+
+  /// Energy density, J/m³, of the deformation gradient F.
+  template <class S>
+  RINGWATCH_INLINE S energy(const Matrix3<S>& F) const {
+    const Matrix3<S> E = greenStrain(F);
+    const S t = trace(E);
+    return S(constants.mu) * innerProduct(E, E) + S(0.5 * constants.lambda) * t * t;
+  }
+  /// First Piola–Kirchhoff stress P = ∂W/∂F, Pa.
+  template <class S>
+  RINGWATCH_INLINE Matrix3<S> stress(const Matrix3<S>& F) const {
+    return F * secondStress(greenStrain(F));
+  }
+  /// dF ↦ dP = ∂P/∂F : dF, exact.
+  template <class S>
+  struct Linearization {
+    const StVenantKirchhoff& law;
+    Matrix3<S> F, secondStress;
+    RINGWATCH_INLINE Matrix3<S> operator()(const Matrix3<S>& dF) const {
+      const Matrix3<S> a = transposeTimes(F, dF);
+      return dF * secondStress + F * law.secondStress(symmetricPart(a));
+    }
+  };
+  template <class S>
+  RINGWATCH_INLINE Linearization<S> linearize(const Matrix3<S>& F) const {
+    return {*this, F, secondStress(greenStrain(F))};
+  }
+
+  /// E = (FᵀF - I)/2
+  template <class S>
+  RINGWATCH_INLINE static Matrix3<S> greenStrain(const Matrix3<S>& F) {
+    const S h(0.5), one(1);
+    Matrix3<S> E;
+    auto c = [&](int i, int j) { return F(0, i) * F(0, j) + F(1, i) * F(1, j) + F(2, i) * F(2, j); };
+    E.m[0] = h * (c(0, 0) - one);
+    E.m[4] = h * (c(1, 1) - one);
+    E.m[8] = h * (c(2, 2) - one);
+    E.m[1] = E.m[3] = h * c(0, 1);
+    E.m[2] = E.m[6] = h * c(0, 2);
+    E.m[5] = E.m[7] = h * c(1, 2);
+    return E;
+  }
+  /// S = λ tr(E) I + 2μ E for a symmetric E, Pa.
+  template <class S>
+  RINGWATCH_INLINE Matrix3<S> secondStress(const Matrix3<S>& E) const {
+    const S twoMu(2 * constants.mu), t = S(constants.lambda) * trace(E);
+    Matrix3<S> r;
+    r.m[0] = t + twoMu * E.m[0];
+    r.m[4] = t + twoMu * E.m[4];
+    r.m[8] = t + twoMu * E.m[8];
+    r.m[1] = r.m[3] = twoMu * E.m[1];
+    r.m[2] = r.m[6] = twoMu * E.m[2];
+    r.m[5] = r.m[7] = twoMu * E.m[5];
+    return r;
+  }
+
+ private:
+  template <class S>
+  RINGWATCH_INLINE static Matrix3<S> symmetricPart(const Matrix3<S>& a) {
+    const S h(0.5);
+    Matrix3<S> r;
+    r.m[0] = a.m[0];
+    r.m[4] = a.m[4];
+    r.m[8] = a.m[8];
+    r.m[1] = r.m[3] = h * (a.m[1] + a.m[3]);
+    r.m[2] = r.m[6] = h * (a.m[2] + a.m[6]);
+    r.m[5] = r.m[7] = h * (a.m[5] + a.m[7]);
+    return r;
+  }
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,77 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/energy_balance.h>
+#include <ringwatch/monitor/metrics.h>
+
+namespace ringwatch {
+
+struct MonitorOptions {
+  double limit = 2.0;                     ///< the integrator's largest stable h·omega on the imaginary axis
+  bool bracket = true;                    ///< keep safe and optimistic
+  std::string metric = "reduced-1-ring";  ///< the source's way: a metric with a margin; "" for none
+  double margin = 0.1;                    ///< of the metric's step: h_metric (1 - margin)
+  int every = 1;                          ///< steps between evaluations
+  double energyTolerance = 0.05;          ///< balance error over the largest energy so far that is reported
+};
+
+enum class Verdict {
+  certified,     ///< h <= safe: proven stable for the tangent at this state
+  notCertified,  ///< safe < h <= optimistic: neither proven stable nor proven unstable
+  violated       ///< h > optimistic: proven above the critical step of the tangent at this state
+};
+std::string_view verdictName(Verdict verdict);
+
+/// Something that happened, reported once when it begins.
+enum class EventKind { violated, energyBalance, inverted, nonFinite, indefinite };
+std::string_view eventName(EventKind kind);
+struct MonitorEvent {
+  EventKind kind;
+  std::int64_t step;
+  double time;                        // s
+  double value;                       // h over the optimistic step; balance error over energy; det F; -; lambda, rad²/s²
+  std::optional<ElementRef> element;  // where, when it is an element's doing
+  std::string text;                   // one line for people
+};
+
+/// What the monitor knows after a step.
+struct MonitorReport {
+  std::int64_t step = 0;
+  double time = 0;               // s
+  double h = 0;                  // s, the step the run takes
+  bool fresh = false;            // evaluated at this very state, or `every` steps have not passed
+  std::optional<CriticalStep> bracket;
+  std::optional<double> metricStep;  // s, an estimate, margin applied
+  Verdict verdict = Verdict::notCertified;
+  std::vector<MonitorEvent> newEvents;  // begun at this step
+};
+
+/// Keeps the bracket of the critical step current along a run. Reports; never stops a run itself.
+class StabilityMonitor {
+ public:
+  /// The body must outlive the monitor. Throws InputError for an unknown metric, margin outside [0, 1) or every < 1.
+  StabilityMonitor(const Body& body, const MonitorOptions& options);
+  ~StabilityMonitor();
+
+  /// Looks at positions x and velocities v (3×N) before step number `step` of size h is taken from them. Energies are those
+  /// of an EnergyBalance, when kept.
+  const MonitorReport& observe(std::int64_t step, double time, const NodeVectors& x, const NodeVectors& v, double h,
+                               const Energies* energies = nullptr);
+  /// All events so far.
+  const std::vector<MonitorEvent>& events() const;
+  const MonitorOptions& options() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The bracket at one state from scratch, both sides as tight as the methods give without a run's history.
+/// limit: the integrator's largest stable h·omega.
+CriticalStep criticalStep(const Body& body, const NodeVectors& x, double limit);
+
+}  // namespace ringwatch
