@@ -1,0 +1,157 @@
+// Pack against plain numbers, lane by lane, for every width and number type.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+#include <ringwatch/base/pack.h>
+#include <tests/support/random.h>
+
+namespace ringwatch {
+namespace {
+
+template <class P>
+class PackTest : public ::testing::Test {
+ public:
+  using Number = std::remove_cvref_t<decltype(P{}[0])>;
+  static constexpr int lanes = P::width;
+
+  P random(double low, double high) {
+    P p{};
+    for (int i = 0; i < lanes; ++i) p.set(i, static_cast<Number>(random_.uniform(low, high)));
+    return p;
+  }
+  /// expected(lane) for all lanes of p, to the last bit.
+  template <class Expected>
+  static void expectLanes(const P& p, const Expected& expected) {
+    for (int i = 0; i < lanes; ++i) EXPECT_EQ(p[i], static_cast<Number>(expected(i))) << "lane " << i;
+  }
+  test::Random random_{1};
+};
+using Packs = ::testing::Types<Pack<double, 2>, Pack<double, 4>, Pack<double, 8>, Pack<float, 4>, Pack<float, 8>,
+                               Pack<float, 16>>;
+TYPED_TEST_SUITE(PackTest, Packs);
+
+TYPED_TEST(PackTest, ScalarFillsAllLanes) {
+  this->expectLanes(TypeParam(2.5f), [](int) { return 2.5f; });
+}
+
+TYPED_TEST(PackTest, LoadAndStoreAreInverse) {
+  using T = typename TestFixture::Number;
+  std::vector<T> in(TestFixture::lanes + 1), out(in.size());
+  for (std::size_t i = 0; i < in.size(); ++i) in[i] = static_cast<T>(i) + T(0.25);
+  // From an address that is no multiple of the pack's size.
+  const TypeParam p = TypeParam::load(in.data() + 1);
+  this->expectLanes(p, [&](int i) { return in[static_cast<std::size_t>(i) + 1]; });
+  p.store(out.data() + 1);
+  for (std::size_t i = 1; i < in.size(); ++i) EXPECT_EQ(out[i], in[i]);
+}
+
+TYPED_TEST(PackTest, ArithmeticIsThatOfItsLanes) {
+  for (int trial = 0; trial < 100; ++trial) {
+    const TypeParam a = this->random(-3, 3), b = this->random(0.5, 3);
+    this->expectLanes(a + b, [&](int i) { return a[i] + b[i]; });
+    this->expectLanes(a - b, [&](int i) { return a[i] - b[i]; });
+    this->expectLanes(a * b, [&](int i) { return a[i] * b[i]; });
+    this->expectLanes(a / b, [&](int i) { return a[i] / b[i]; });
+    this->expectLanes(-a, [&](int i) { return -a[i]; });
+    TypeParam c = a;
+    this->expectLanes(c += b, [&](int i) { return a[i] + b[i]; });
+    c = a;
+    this->expectLanes(c -= b, [&](int i) { return a[i] - b[i]; });
+    c = a;
+    this->expectLanes(c *= b, [&](int i) { return a[i] * b[i]; });
+  }
+}
+
+TYPED_TEST(PackTest, FunctionsAreThoseOfItsLanes) {
+  for (int trial = 0; trial < 100; ++trial) {
+    const TypeParam a = this->random(-3, 3), b = this->random(-3, 3), p = this->random(0, 10);
+    this->expectLanes(math::sqrt(p), [&](int i) { return math::sqrt(p[i]); });
+    this->expectLanes(math::log(p), [&](int i) { return math::log(p[i]); });
+    this->expectLanes(math::abs(a), [&](int i) { return math::abs(a[i]); });
+    this->expectLanes(math::max(a, b), [&](int i) { return math::max(a[i], b[i]); });
+    this->expectLanes(math::min(a, b), [&](int i) { return math::min(a[i], b[i]); });
+  }
+  // Special values.
+  EXPECT_TRUE(std::isnan(math::sqrt(TypeParam(-1))[0]));
+  EXPECT_TRUE(std::isnan(math::log(TypeParam(-1))[TestFixture::lanes - 1]));
+  EXPECT_TRUE(std::isinf((TypeParam(1) / TypeParam(0))[0]));
+}
+
+TYPED_TEST(PackTest, ComparisonsAndSelectGoLaneByLane) {
+  for (int trial = 0; trial < 100; ++trial) {
+    const TypeParam a = this->random(-1, 1);
+    TypeParam b = this->random(-1, 1);
+    b.set(trial % TestFixture::lanes, a[trial % TestFixture::lanes]);  // an equal pair
+    this->expectLanes(select(a < b, a, b), [&](int i) { return a[i] < b[i] ? a[i] : b[i]; });
+    this->expectLanes(select(a > b, a, -b), [&](int i) { return a[i] > b[i] ? a[i] : -b[i]; });
+    this->expectLanes(select(a <= b, a, -b), [&](int i) { return a[i] <= b[i] ? a[i] : -b[i]; });
+    this->expectLanes(select(a >= b, a, -b), [&](int i) { return a[i] >= b[i] ? a[i] : -b[i]; });
+    this->expectLanes(select(a == b, TypeParam(1), TypeParam(0)), [&](int i) { return a[i] == b[i] ? 1 : 0; });
+  }
+}
+
+TYPED_TEST(PackTest, AnyAndAllSeeEveryLane) {
+  const TypeParam zero(0);
+  EXPECT_FALSE(anyOf(zero > zero));
+  EXPECT_TRUE(allOf(zero == zero));
+  for (int lane = 0; lane < TestFixture::lanes; ++lane) {
+    TypeParam one(0);
+    one.set(lane, 1);
+    EXPECT_TRUE(anyOf(one > zero)) << lane;
+    EXPECT_FALSE(allOf(one > zero)) << lane;
+    EXPECT_FALSE(allOf(one == zero)) << lane;
+  }
+}
+
+/// Rows for every lane, some of them shared.
+template <int width>
+std::array<std::uint16_t, width> rowsWithRepeats(test::Random& random, int rows) {
+  std::array<std::uint16_t, width> row;
+  for (auto& r : row) r = static_cast<std::uint16_t>(random.index(rows));
+  row[width - 1] = row[0];
+  return row;
+}
+
+TYPED_TEST(PackTest, LoadRowsTransposesTheRowOfEachLane) {
+  using T = typename TestFixture::Number;
+  constexpr int width = TestFixture::lanes, rows = 7;
+  std::vector<T> table(4 * rows);
+  for (std::size_t i = 0; i < table.size(); ++i) table[i] = static_cast<T>(this->random_.uniform(-1, 1));
+  for (int trial = 0; trial < 50; ++trial) {
+    const auto row = rowsWithRepeats<width>(this->random_, rows);
+    TypeParam c[3];
+    loadRows(table.data(), row.data(), c);
+    for (int k = 0; k < 3; ++k)
+      this->expectLanes(c[k], [&](int i) { return table[4u * row[static_cast<std::size_t>(i)] + static_cast<unsigned>(k)]; });
+  }
+}
+
+TYPED_TEST(PackTest, AddRowsAddsLaneAfterLaneEvenWhereLanesShareARow) {
+  using T = typename TestFixture::Number;
+  constexpr int width = TestFixture::lanes, rows = 3;
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<T> table(4 * rows, T(1)), expected = table;
+    const auto row = rowsWithRepeats<width>(this->random_, rows);
+    const TypeParam c[3] = {this->random(-1, 1), this->random(-1, 1), this->random(-1, 1)};
+    addRows(table.data(), row.data(), c);
+    for (unsigned i = 0; i < width; ++i)
+      for (unsigned k = 0; k < 3; ++k) expected[4u * row[i] + k] += c[k][static_cast<int>(i)];
+    EXPECT_EQ(table, expected);  // the padding stays too
+  }
+}
+
+TYPED_TEST(PackTest, AllLanesInOneRowAddUp) {
+  using T = typename TestFixture::Number;
+  std::vector<T> table(8, T(0));
+  const std::array<std::uint16_t, TestFixture::lanes> row{};  // all zero
+  const TypeParam c[3] = {TypeParam(1), TypeParam(2), TypeParam(3)};
+  addRows(table.data(), row.data(), c);
+  for (unsigned k = 0; k < 3; ++k) EXPECT_EQ(table[k], static_cast<T>((k + 1) * TestFixture::lanes));
+  for (unsigned k = 3; k < 8; ++k) EXPECT_EQ(table[k], T(0));
+}
+
+}  // namespace
+}  // namespace ringwatch
