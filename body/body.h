@@ -24,14 +24,13 @@ struct BodyOptions {
   int threads = 0;  // 0: all that OpenMP offers
 };
 
-/// Symmetric 3×3 blocks by node pair in compressed rows, N/m: both triangles are stored.
+/// A symmetric matrix of 3×3 blocks by node pair in compressed rows, N/m; both triangles are stored.
 struct BlockMatrix {
   std::vector<std::int64_t> rowBegin;  // N+1
   std::vector<std::int32_t> column;    // ascending within a row; holds the diagonal
   std::vector<Eigen::Matrix3d> block;
-
-  /// Position of block (row, col); -1 when absent.
-  std::int64_t find(std::int32_t row, std::int32_t col) const;
+  /// Where the blocks of each element are: [mesh block][(element * n + a) * n + b], positions in `block`.
+  std::vector<std::vector<std::int32_t>> elementBlocks;
 };
 
 /// Mesh + material + density made computable. Knows no time. All passes are const and keep their scratch memory in a
@@ -75,8 +74,10 @@ class Body {
   double energy(const NodeVectors& x, Workspace& workspace) const;
   /// Exact tangent of one element, 3n×3n, N/m.
   Eigen::MatrixXd elementTangent(ElementRef element, const NodeVectors& x) const;
-  /// Exact tangent of all elements as node blocks.
-  BlockMatrix assembleBlocks(const NodeVectors& x) const;
+  /// Exact tangent of all elements as node blocks. The pattern is made when `matrix` is empty and reused else.
+  void assembleBlocks(const NodeVectors& x, BlockMatrix& matrix) const;
+  /// Lumped mass that an element gives to its nodes, kg: mass[n].
+  void elementLumpedMass(ElementRef element, double* mass) const;
   /// Exact tangent, 3N×3N, degree of freedom 3·node + component; constrained ones are kept.
   Eigen::SparseMatrix<double> assembleTangent(const NodeVectors& x) const;
   /// Least det F over all elements and quadrature points, with its element.
@@ -113,6 +114,7 @@ class Body {
     std::int64_t firstSlot;  // of the patch, counted over all blocks
   };
   void lumpMass();
+  void makePattern(BlockMatrix& matrix) const;
   void indexSlots();
   template <class AddPatch>
   void sumOverPatches(NodeVectors& result, Workspace& workspace, const AddPatch& addPatch) const;

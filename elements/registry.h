@@ -26,6 +26,17 @@ constexpr ElementType elementTypeOf(TypeList<Es...>) {
 template <class E>
 inline constexpr ElementType elementTypeOf = detail::elementTypeOf<E>(Elements{});
 
+namespace detail {
+template <class... Es>
+constexpr int mostNodes(TypeList<Es...>) {
+  int most = 0;
+  ((most = Es::nodes > most ? Es::nodes : most), ...);
+  return most;
+}
+}  // namespace detail
+/// Nodes of the largest element, for arrays on the stack.
+inline constexpr int maxElementNodes = detail::mostNodes(Elements{});
+
 /// What code that does not know an element at compile time needs of it.
 struct ElementInfo {
   ElementType type;

@@ -1,0 +1,35 @@
+#include <ringwatch/monitor/energy_balance.h>
+
+namespace ringwatch {
+
+void EnergyBalance::record(const NodeVectors& x, const NodeVectors& internalForce) {
+  if (!started_) {
+    firstX_ = x;
+    started_ = true;
+  } else if (body_.constraints().moving()) {
+    const NodeVectors& moved = body_.constraints().velocity();
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      if (moved.data()[i] != 0)
+        prescribedWork_ += 0.5 * (force_.data()[i] + internalForce.data()[i]) * (x.data()[i] - x_.data()[i]);
+  }
+  x_ = x;
+  if (body_.constraints().moving()) force_ = internalForce;
+}
+
+Energies EnergyBalance::energies(const NodeVectors& v) {
+  Energies e;
+  e.kinetic = 0.5 * (v.colwise().squaredNorm() * body_.lumpedMass())(0, 0);
+  e.strain = body_.energy(x_, workspace_);
+  // Dead forces at moved components do no work on the body that their support does not take back.
+  NodeVectors load = body_.externalForce();
+  body_.constraints().clearConstrained(load);
+  e.externalWork = prescribedWork_ + load.cwiseProduct(x_ - firstX_).sum();
+  if (!hasReference_) {
+    referenceEnergy_ = e.kinetic + e.strain - e.externalWork;
+    hasReference_ = true;
+  }
+  e.balanceError = e.kinetic + e.strain - e.externalWork - referenceEnergy_;
+  return e;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,247 @@
+#include <ringwatch/monitor/nodal_bound.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <ringwatch/monitor/extreme_eigenvalues.h>
+#include <ringwatch/monitor/scaled_tangent.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr int lanes = PatchLayout::lanes;
+constexpr double rounding = 1e-11;  // of the packed eigenvalues, relative to the spectral radius
+
+using P = NativePack;
+
+/// Inverse of the Cholesky factor of D: lower triangle, 00, 10, 11, 20, 21, 22.
+RINGWATCH_INLINE void inverseCholesky(const Symmetric3<P>& D, P w[6]) {
+  const P l00 = math::sqrt(D.m[0]);
+  const P i00 = P(1.0) / l00, l10 = D.m[5] * i00, l20 = D.m[4] * i00;
+  const P i11 = P(1.0) / math::sqrt(D.m[1] - l10 * l10);
+  const P l21 = (D.m[3] - l20 * l10) * i11;
+  const P i22 = P(1.0) / math::sqrt(D.m[2] - l20 * l20 - l21 * l21);
+  w[0] = i00;
+  w[2] = i11;
+  w[5] = i22;
+  w[1] = -(l10 * i00) * i11;
+  w[4] = -(l21 * i11) * i22;
+  w[3] = -(l20 * i00 + l21 * w[1]) * i22;
+}
+
+RINGWATCH_INLINE Symmetric3<P> inverse(const Symmetric3<P>& a) {
+  Symmetric3<P> c;
+  c.m[0] = a.m[1] * a.m[2] - a.m[3] * a.m[3];
+  c.m[1] = a.m[0] * a.m[2] - a.m[4] * a.m[4];
+  c.m[2] = a.m[0] * a.m[1] - a.m[5] * a.m[5];
+  c.m[3] = a.m[4] * a.m[5] - a.m[0] * a.m[3];
+  c.m[4] = a.m[5] * a.m[3] - a.m[1] * a.m[4];
+  c.m[5] = a.m[3] * a.m[4] - a.m[2] * a.m[5];
+  return (P(1.0) / (a.m[0] * c.m[0] + a.m[5] * c.m[5] + a.m[4] * c.m[4])) * c;
+}
+
+/// Trace 1 over the element, and no direction below a thousandth of its node's mean: positive definite beyond doubt.
+RINGWATCH_INLINE void normalise(Symmetric3<P>* shapes, int n) {
+  P sum(0.0);
+  for (int a = 0; a < n; ++a) {
+    const P floor = P(1e-3 / 3) * shapes[a].trace() + P(1e-200);
+    for (int c = 0; c < 3; ++c) shapes[a].m[c] += floor;
+    sum += shapes[a].trace();
+  }
+  const P scale = P(1.0) / sum;
+  for (int a = 0; a < n; ++a) shapes[a] = scale * shapes[a];
+}
+
+/// Zeroes the rows and columns of constrained degrees of freedom.
+void clearConstrained(const Body& body, const ElementBlock& block, std::int32_t batch, P* K) {
+  if (!body.constraints().any()) return;
+  const int n = block.element().nodes;
+  P factor[3 * maxElementNodes];
+  forEachLane(block, batch, [&](int lane, std::int32_t e) {
+    const auto nodes = block.nodesOf(e);
+    for (int a = 0; a < n; ++a)
+      for (int c = 0; c < 3; ++c) factor[3 * a + c].set(lane, freeFactor(body, nodes[static_cast<std::size_t>(a)], c));
+  });
+  scaleSymmetric(K, 3 * n, factor);
+}
+
+}  // namespace
+
+NodalBound::NodalBound(const Body& body) : body_(body) {
+  std::vector<std::int64_t> count(static_cast<std::size_t>(body.nodeCount()) + 1, 0);
+  auto forEachIncidence = [&](auto&& visit) {
+    for (std::size_t b = 0; b < body.blocks().size(); ++b) {
+      const ElementBlock& block = *body.blocks()[b];
+      const int n = block.element().nodes;
+      for (std::int32_t e = 0; e < block.elementCount(); ++e) {
+        const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(e)];
+        const auto nodes = block.nodesOf(e);
+        for (int a = 0; a < n; ++a)
+          visit(nodes[static_cast<std::size_t>(a)], Incidence{static_cast<std::int32_t>(b), (place / lanes * n + a) * lanes + place % lanes});
+      }
+    }
+  };
+  forEachIncidence([&](std::int32_t node, Incidence) { ++count[static_cast<std::size_t>(node) + 1]; });
+  for (std::size_t i = 1; i < count.size(); ++i) count[i] += count[i - 1];
+  incidenceBegin_ = count;
+  incidence_.resize(static_cast<std::size_t>(count.back()));
+  forEachIncidence([&](std::int32_t node, Incidence i) { incidence_[static_cast<std::size_t>(count[static_cast<std::size_t>(node)]++)] = i; });
+  for (const auto& block : body.blocks()) {
+    const auto batches = static_cast<std::size_t>(block->layout().batchCount());
+    shapes_.emplace_back(batches * static_cast<std::size_t>(block->element().nodes));
+    values_.emplace_back(batches);
+  }
+  const std::size_t packs = (static_cast<std::size_t>(body.nodeCount()) + lanes - 1) / lanes;
+  sums_.resize(packs);
+  factors_.resize(packs);
+  nodal_.resize(packs * lanes);
+}
+
+void NodalBound::startShapes(const NodeVectors& x) {
+  body_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
+    const ElementBlock& block = *body_.blocks()[b];
+    const int n = block.element().nodes, size = 3 * n;
+    clearConstrained(body_, block, batch, K);
+    Symmetric3<P>* shapes = shapes_[b].data() + static_cast<std::ptrdiff_t>(batch) * n;
+    for (int a = 0; a < n; ++a) {
+      Symmetric3<P> k;
+      for (int r = 0; r < 3; ++r)
+        for (int c = r; c < 3; ++c) k(r, c) = K[(3 * a + r) * size + 3 * a + c];
+      // |K_aa|^½ as (K_aa² + ε²)^¼: an indefinite block counts by its size.
+      Symmetric3<P> squared = square(k);
+      const P floor = P(1e-4) * squared.trace() + P(1e-200);
+      for (int c = 0; c < 3; ++c) squared.m[c] += floor;
+      shapes[a] = squareRoot(squareRoot(squared));
+    }
+    normalise(shapes, n);
+  });
+}
+
+void NodalBound::evaluateElements(const NodeVectors& x) {
+  body_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
+    const ElementBlock& block = *body_.blocks()[b];
+    const int n = block.element().nodes, size = 3 * n;
+    clearConstrained(body_, block, batch, K);
+    // K_ab ← L_a⁻¹ K_ab L_b⁻ᵀ, D_a = L_a L_aᵀ; the lower triangle is enough.
+    P w[maxElementNodes][6], work[12 * maxElementNodes];
+    for (int a = 0; a < n; ++a) inverseCholesky(shapes_[b][static_cast<std::size_t>(batch * n + a)], w[a]);
+    for (int a = 0; a < n; ++a)
+      for (int c = 0; c < n && c <= a; ++c) {
+        P* block00 = K + (3 * a) * size + 3 * c;
+        for (int j = 0; j < 3; ++j) {  // rows
+          P& k0 = block00[j];
+          P& k1 = block00[size + j];
+          P& k2 = block00[2 * size + j];
+          k2 = w[a][3] * k0 + w[a][4] * k1 + w[a][5] * k2;
+          k1 = w[a][1] * k0 + w[a][2] * k1;
+          k0 = w[a][0] * k0;
+        }
+        for (int i = 0; i < 3; ++i) {  // columns
+          P* row = block00 + i * size;
+          row[2] = w[c][3] * row[0] + w[c][4] * row[1] + w[c][5] * row[2];
+          row[1] = w[c][1] * row[0] + w[c][2] * row[1];
+          row[0] = w[c][0] * row[0];
+        }
+      }
+    const auto extremes = extremeEigenvalues(K, size, work, false);
+    // select() on the comparison keeps NaN: it must not pass for zero.
+    const P l = extremes.largest + P(rounding) * extremes.scale;
+    values_[b][static_cast<std::size_t>(batch)] = select(l < P(0.0), P(0.0), l);
+  });
+  for (const auto& block : body_.blocks()) evaluations_ += block->elementCount();
+}
+
+double NodalBound::sumAtNodes() {
+  const std::int32_t nodes = body_.nodeCount();
+  parallelFor(0, static_cast<std::int64_t>(sums_.size()), body_.threads(), [&](std::int64_t pack) {
+    Symmetric3<P> S;
+    for (P& entry : S.m) entry = P(0.0);
+    for (int lane = 0; lane < lanes; ++lane) {
+      const auto node = static_cast<std::int32_t>(pack) * lanes + lane;
+      if (node >= nodes) continue;
+      double sum[6] = {0, 0, 0, 0, 0, 0};
+      for (std::int64_t k = incidenceBegin_[static_cast<std::size_t>(node)]; k < incidenceBegin_[static_cast<std::size_t>(node) + 1]; ++k) {
+        const Incidence& at = incidence_[static_cast<std::size_t>(k)];
+        const auto block = static_cast<std::size_t>(at.block);
+        const int l = at.place % lanes;
+        const Symmetric3<P>& D = shapes_[block][static_cast<std::size_t>(at.place / lanes)];
+        const double value = values_[block][static_cast<std::size_t>(at.place / lanes / body_.blocks()[block]->element().nodes)][l];
+        for (int c = 0; c < 6; ++c) sum[c] += value * D.m[c][l];
+      }
+      const double inverseMass = 1 / body_.lumpedMass()[node];
+      // Constrained components leave the problem: their rows and columns count nothing.
+      const double free[3] = {freeFactor(body_, node, 0), freeFactor(body_, node, 1), freeFactor(body_, node, 2)};
+      const double keep[6] = {free[0], free[1], free[2], free[1] * free[2], free[0] * free[2], free[0] * free[1]};
+      for (int c = 0; c < 6; ++c) S.m[c].set(lane, keep[c] == 0 ? 0.0 : inverseMass * sum[c]);
+    }
+    sums_[static_cast<std::size_t>(pack)] = S;
+    P A[9], work[12];
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j <= i; ++j) A[3 * i + j] = S(i, j);
+    const auto extremes = extremeEigenvalues(A, 3, work, false);
+    (extremes.largest + P(rounding) * extremes.scale).store(nodal_.data() + pack * lanes);
+  });
+  double bound = 0;
+  for (std::int32_t i = 0; i < nodes; ++i) {
+    if (std::isnan(nodal_[static_cast<std::size_t>(i)])) return std::numeric_limits<double>::quiet_NaN();
+    bound = std::max(bound, nodal_[static_cast<std::size_t>(i)]);
+  }
+  return bound;
+}
+
+void NodalBound::sweepShapes(double bound) {
+  const std::int32_t nodes = body_.nodeCount();
+  parallelFor(0, static_cast<std::int64_t>(sums_.size()), body_.threads(), [&](std::int64_t pack) {
+    Symmetric3<P> S = P(1 / bound) * sums_[static_cast<std::size_t>(pack)];
+    for (int lane = 0; lane < lanes; ++lane) {
+      const auto node = static_cast<std::int32_t>(pack) * lanes + lane;
+      if (node >= nodes)
+        for (int c = 0; c < 3; ++c) S.m[c].set(lane, 1.0);
+      else
+        for (int c = 0; c < 3; ++c)
+          if (freeFactor(body_, node, c) == 0) S.m[c].set(lane, 1.0);
+    }
+    const P floor = P(1e-5) * S.trace() + P(1e-8);
+    for (int c = 0; c < 3; ++c) S.m[c] += floor;
+    factors_[static_cast<std::size_t>(pack)] = inverse(squareRoot(S));
+  });
+  for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
+    const ElementBlock& block = *body_.blocks()[b];
+    const int n = block.element().nodes;
+    parallelFor(0, block.layout().batchCount(), body_.threads(), [&](std::int64_t batch) {
+      Symmetric3<P>* shapes = shapes_[b].data() + batch * n;
+      for (int a = 0; a < n; ++a) {
+        Symmetric3<P> R;
+        forEachLane(block, static_cast<std::int32_t>(batch), [&](int lane, std::int32_t e) {
+          const std::int32_t node = block.nodesOf(e)[static_cast<std::size_t>(a)];
+          const Symmetric3<P>& from = factors_[static_cast<std::size_t>(node / lanes)];
+          for (int c = 0; c < 6; ++c) R.m[c].set(lane, from.m[c][node % lanes]);
+        });
+        shapes[a] = congruence(R, shapes[a]);
+      }
+      normalise(shapes, n);
+    });
+  }
+}
+
+UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps) {
+  evaluations_ = 0;
+  if (!started_) startShapes(x);
+  started_ = true;
+  double best = std::numeric_limits<double>::infinity();
+  for (int sweep = 0;; ++sweep) {
+    evaluateElements(x);
+    const double bound = sumAtNodes();
+    if (std::isnan(bound)) {
+      started_ = false;
+      return {bound};
+    }
+    best = std::min(best, bound);
+    if (sweep == sweeps || !(bound > 0)) break;
+    sweepShapes(bound);
+  }
+  return {best};
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,53 @@
+#include <ringwatch/monitor/rayleigh.h>
+
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+
+#include <ringwatch/monitor/mass_scaled_operator.h>
+
+namespace ringwatch {
+
+LowerBound rayleighLowerBound(const Body& body, const NodeVectors& x, NodeVectors& start, int products) {
+  body.constraints().clearConstrained(start);
+  const double norm = start.norm();
+  if (!(norm > 0)) return {0};
+  MassScaledOperator op(body, x);
+  start /= norm;
+  const int steps = std::max(1, products - 1);
+  std::vector<NodeVectors> basis{start};
+  Eigen::VectorXd diagonal(steps), subdiagonal(steps);
+  NodeVectors w(3, start.cols());
+  int size = 0;
+  for (; size < steps; ++size) {
+    const auto k = static_cast<std::size_t>(size);
+    op.perform_op(basis[k].data(), w.data());
+    diagonal[size] = w.cwiseProduct(basis[k]).sum();
+    // Full orthogonalisation: a handful of vectors, and the Ritz vector stays what it claims to be.
+    for (const NodeVectors& q : basis) w -= w.cwiseProduct(q).sum() * q;
+    subdiagonal[size] = w.norm();
+    if (!(subdiagonal[size] > 1e-12 * std::abs(diagonal[0])) || size + 1 == steps) {
+      ++size;
+      break;
+    }
+    basis.push_back(w / subdiagonal[size]);
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(size, size);
+  for (int i = 0; i < size; ++i) {
+    T(i, i) = diagonal[i];
+    if (i + 1 < size) T(i, i + 1) = T(i + 1, i) = subdiagonal[i];
+  }
+  solver.compute(T);
+  if (solver.info() == Eigen::Success) {
+    start.setZero();
+    for (int i = 0; i < size; ++i) start += solver.eigenvectors()(i, size - 1) * basis[static_cast<std::size_t>(i)];
+  }
+  // The quotient itself, from one more product: whatever went before, this is a proven lower bound to rounding.
+  start /= start.norm();
+  op.perform_op(start.data(), w.data());
+  const double quotient = w.cwiseProduct(start).sum();
+  return {quotient - 1e-12 * w.norm()};
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,96 @@
+#include <ringwatch/monitor/reduced_ring.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/extreme_eigenvalues.h>
+#include <ringwatch/monitor/scaled_tangent.h>
+
+namespace ringwatch {
+namespace {
+
+/// Rounding of the packed eigenvalues, relative to the spectral radius; taken off a proven lower bound.
+constexpr double rounding = 1e-11;
+
+}  // namespace
+
+const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool wantLowest) {
+  body_.assembleBlocks(x, matrix_);
+  result_.largest.resize(body_.blocks().size());
+  result_.highest = result_.lowest = 0;
+  // Mass scaling once, on the assembled blocks: entry (i,j) becomes K_ij / √(m_i m_j), zero where constrained.
+  const Eigen::VectorXd inverseRoot = body_.lumpedMass().cwiseSqrt().cwiseInverse();
+  parallelFor(0, body_.nodeCount(), body_.threads(), [&](std::int64_t i) {
+    for (std::int64_t s = matrix_.rowBegin[static_cast<std::size_t>(i)]; s < matrix_.rowBegin[static_cast<std::size_t>(i) + 1]; ++s) {
+      const std::int32_t j = matrix_.column[static_cast<std::size_t>(s)];
+      auto& entry = matrix_.block[static_cast<std::size_t>(s)];
+      entry *= inverseRoot[i] * inverseRoot[j];
+      if (body_.constraints().any())
+        for (int r = 0; r < 3; ++r)
+          for (int c = 0; c < 3; ++c)
+            entry(r, c) *= freeFactor(body_, static_cast<std::int32_t>(i), r) * freeFactor(body_, j, c);
+    }
+  });
+  for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
+    const ElementBlock& block = *body_.blocks()[b];
+    const int n = block.element().nodes, size = 3 * n;
+    auto& largest = result_.largest[b];
+    largest.resize(static_cast<std::size_t>(block.elementCount()));
+    std::vector<double> least(wantLowest ? largest.size() : 0), scale(largest.size());
+    constexpr std::int32_t chunk = 64;
+    const std::int32_t batches = block.layout().batchCount();
+    parallelFor(0, (batches + chunk - 1) / chunk, body_.threads(), [&](std::int64_t c) {
+      AlignedVector<NativePack> A(static_cast<std::size_t>(size * size)), work(static_cast<std::size_t>(4 * size));
+      const std::int32_t end = std::min(batches, static_cast<std::int32_t>(c + 1) * chunk);
+      for (auto batch = static_cast<std::int32_t>(c) * chunk; batch < end; ++batch) {
+        forEachLane(block, batch, [&](int lane, std::int32_t e) {
+          const std::int32_t* position = matrix_.elementBlocks[b].data() + static_cast<std::ptrdiff_t>(e) * n * n;
+          for (int i = 0; i < n; ++i)
+            for (int j = 0; j <= i; ++j) {
+              const auto& entry = matrix_.block[static_cast<std::size_t>(position[i * n + j])];
+              for (int r = 0; r < 3; ++r)
+                for (int k = 0; k < 3; ++k) A[static_cast<std::size_t>((3 * i + r) * size + 3 * j + k)].set(lane, entry(r, k));
+            }
+        });
+        const auto extremes = extremeEigenvalues(A.data(), size, work.data(), wantLowest);
+        forEachLane(block, batch, [&](int lane, std::int32_t e) {
+          const auto place = static_cast<std::size_t>(e);
+          largest[place] = extremes.largest[lane];
+          scale[place] = extremes.scale[lane];
+          if (wantLowest) least[place] = extremes.least[lane];
+        });
+      }
+    });
+    for (std::size_t e = 0; e < largest.size(); ++e) {
+      const ElementRef here{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
+      const double proven = largest[e] - rounding * scale[e];
+      if (proven > result_.highest || std::isnan(proven)) {
+        result_.highest = proven;
+        result_.highestElement = here;
+      }
+      // Only a clearly negative value proves that the tangent is indefinite.
+      if (wantLowest && least[e] + rounding * scale[e] < result_.lowest) {
+        result_.lowest = least[e];
+        result_.lowestElement = here;
+      }
+    }
+  }
+  return result_;
+}
+
+NodeVectors ReducedRing::topVector(ElementRef ref) const {
+  const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(ref.block)];
+  const int n = block.element().nodes;
+  const std::int32_t* position = matrix_.elementBlocks[static_cast<std::size_t>(ref.block)].data() + static_cast<std::ptrdiff_t>(ref.element) * n * n;
+  Eigen::MatrixXd A(3 * n, 3 * n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) A.block<3, 3>(3 * i, 3 * j) = matrix_.block[static_cast<std::size_t>(position[i * n + j])];
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A);
+  NodeVectors v = NodeVectors::Zero(3, body_.nodeCount());
+  if (solver.info() != Eigen::Success) return v;
+  const auto nodes = block.nodesOf(ref.element);
+  for (int i = 0; i < n; ++i) v.col(nodes[static_cast<std::size_t>(i)]) = solver.eigenvectors().col(3 * n - 1).segment<3>(3 * i);
+  return v;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,35 @@
+#pragma once
+#include <vector>
+
+#include <ringwatch/body/body.h>
+
+namespace ringwatch {
+
+/// The reduced 1-ring of an element: rows and columns of M^-½ K M^-½ at the element's own nodes, cut from the assembled
+/// node and edge blocks (source, section 3.4). A principal submatrix, so by Cauchy's interlacing theorem its largest
+/// eigenvalue never exceeds that of the whole, and its least one is never below: both are proven one-sided bounds.
+class ReducedRing {
+ public:
+  explicit ReducedRing(const Body& body) : body_(body) {}
+
+  struct Result {
+    std::vector<std::vector<double>> largest;  // [block][element], rad²/s²
+    double highest = 0;                        // largest of all, lowered by rounding: a proven lower bound
+    ElementRef highestElement;
+    double lowest = 0;  // least eigenvalue of any ring, when wanted
+    ElementRef lowestElement;
+  };
+  /// All rings at positions x (3×N, m).
+  const Result& evaluate(const NodeVectors& x, bool wantLowest = false);
+  /// The last evaluation.
+  const Result& last() const { return result_; }
+  /// The top eigenvector of one ring of the last evaluation, put into a 3×N vector, in mass-scaled coordinates.
+  NodeVectors topVector(ElementRef element) const;
+
+ private:
+  const Body& body_;
+  BlockMatrix matrix_;
+  Result result_;
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,25 @@
+#pragma once
+#include <ringwatch/body/body.h>
+
+namespace ringwatch {
+
+/// 1 for a free degree of freedom, 0 for a constrained one: constrained rows and columns leave the stability problem.
+RINGWATCH_INLINE double freeFactor(const Body& body, std::int32_t node, int component) {
+  return body.constraints().any() && body.constraints().isConstrained(node, component) ? 0.0 : 1.0;
+}
+
+/// K ← diag(s) K diag(s) for the elements of a batch. s: 3n packs.
+RINGWATCH_INLINE void scaleSymmetric(NativePack* K, int size, const NativePack* s) {
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j) K[i * size + j] *= s[i] * s[j];
+}
+
+/// Calls set(lane, nodes) for the elements of a batch; empty lanes repeat the batch's first element.
+template <class Set>
+void forEachLane(const ElementBlock& block, std::int32_t batch, const Set& set) {
+  constexpr int lanes = PatchLayout::lanes;
+  const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
+  for (int lane = 0; lane < lanes; ++lane) set(lane, elements[lane] < 0 ? elements[0] : elements[lane]);
+}
+
+}  // namespace ringwatch
