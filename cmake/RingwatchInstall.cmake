@@ -6,8 +6,18 @@ foreach(folder IN LISTS folders)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ringwatch/${folder}
     FILES_MATCHING PATTERN "*.h")
 endforeach()
-install(TARGETS ringwatch EXPORT ringwatchTargets)
+install(TARGETS ringwatch ringwatch_abi EXPORT ringwatchTargets)
+if(TARGET ringwatch_app)
+  install(TARGETS ringwatch_app RUNTIME)
+endif()
 install(EXPORT ringwatchTargets NAMESPACE ringwatch:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ringwatch)
+
+# The packages that ringwatch_find_package found here are found again there.
+get_property(packages GLOBAL PROPERTY RINGWATCH_PACKAGES)
+set(RINGWATCH_DEPENDENCIES "")
+foreach(package IN LISTS packages)
+  string(APPEND RINGWATCH_DEPENDENCIES "find_dependency(${package})\n")
+endforeach()
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/ringwatchConfig.cmake.in
   ${PROJECT_BINARY_DIR}/ringwatchConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ringwatch)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/ringwatchConfigVersion.cmake COMPATIBILITY SameMinorVersion)

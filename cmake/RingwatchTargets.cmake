@@ -17,16 +17,51 @@ target_compile_options(ringwatch_options INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(ringwatch_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-uninitialized -Wno-maybe-uninitialized>)
 endif()
-# Instruction sets are set for every file alike: mixing them by file breaks the ABI. -ffp-contract=fast lets
-# the compiler fuse a*b+c; -ffast-math stays off, since it voids NaN checks and proven bounds.
-if(RINGWATCH_NATIVE)
-  target_compile_options(ringwatch_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-march=native>)
-endif()
+# -ffp-contract=fast lets the compiler fuse a*b+c; -ffast-math stays off, since it voids NaN checks and proven bounds.
 target_compile_options(ringwatch_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=fast -fno-math-errno>)
-if(RINGWATCH_SANITIZE)
-  target_compile_options(ringwatch_options INTERFACE -fsanitize=${RINGWATCH_SANITIZE} -fno-omit-frame-pointer)
-  target_link_options(ringwatch_options INTERFACE -fsanitize=${RINGWATCH_SANITIZE})
+
+# What all code that ends up in one program must agree on. The instruction set decides how Eigen aligns and allocates and
+# how wide a pack is, so a program that mixes two of them breaks; the same goes for sanitizers. Hence these flags are for
+# every file alike, and the installed package hands them on to whoever links it.
+add_library(ringwatch_abi INTERFACE)
+add_library(ringwatch::abi ALIAS ringwatch_abi)
+set_target_properties(ringwatch_abi PROPERTIES EXPORT_NAME abi)
+if(RINGWATCH_NATIVE)
+  target_compile_options(ringwatch_abi INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-march=native>)
 endif()
+if(RINGWATCH_SANITIZE)
+  target_compile_options(ringwatch_abi INTERFACE
+    $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=${RINGWATCH_SANITIZE} -fno-omit-frame-pointer>)
+  target_link_options(ringwatch_abi INTERFACE -fsanitize=${RINGWATCH_SANITIZE})
+endif()
+
+# ringwatch_find_package(NAME [VERSION] …): find_package for every folder of this tree, and for whoever finds the
+# installed ringwatch. Takes what find_package takes; what is only linked by programs and tests does not belong here.
+macro(ringwatch_find_package)
+  find_package(${ARGN} REQUIRED GLOBAL)
+  string(REPLACE ";" " " ringwatch_package "${ARGN}")
+  set_property(GLOBAL APPEND PROPERTY RINGWATCH_PACKAGES "${ringwatch_package}")
+endmacro()
+
+# `check_headers` compiles every header alone, with nothing but what its folder links.
+if(RINGWATCH_BUILD_TESTS)
+  add_custom_target(check_headers)
+endif()
+function(ringwatch_check_headers name)
+  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.h)
+  set(sources "")
+  foreach(header IN LISTS headers)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/headers/${header}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "#include <ringwatch/${name}/${header}>\n")
+    list(APPEND sources ${source})
+  endforeach()
+  if(sources)
+    add_library(ringwatch_${name}_headers OBJECT EXCLUDE_FROM_ALL ${sources})
+    target_link_libraries(ringwatch_${name}_headers PRIVATE ringwatch_${name} ringwatch_options)
+    target_compile_options(ringwatch_${name}_headers PRIVATE -O0 -g0)
+    add_dependencies(check_headers ringwatch_${name}_headers)
+  endif()
+endfunction()
 
 function(ringwatch_folder name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
@@ -37,15 +72,18 @@ function(ringwatch_folder name)
     target_include_directories(${target} PUBLIC
       $<BUILD_INTERFACE:${RINGWATCH_INCLUDE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_compile_features(${target} PUBLIC cxx_std_20)
-    target_link_libraries(${target} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS} $<BUILD_INTERFACE:ringwatch_options>)
+    target_link_libraries(${target} PUBLIC ringwatch_abi ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS} $<BUILD_INTERFACE:ringwatch_options>)
   else()
     add_library(${target} INTERFACE)
     target_include_directories(${target} INTERFACE
       $<BUILD_INTERFACE:${RINGWATCH_INCLUDE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_compile_features(${target} INTERFACE cxx_std_20)
-    target_link_libraries(${target} INTERFACE ${ARG_LINKS})
+    target_link_libraries(${target} INTERFACE ringwatch_abi ${ARG_LINKS})
   endif()
   add_library(ringwatch::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   set_property(GLOBAL APPEND PROPERTY RINGWATCH_FOLDERS ${name})
+  if(RINGWATCH_BUILD_TESTS)
+    ringwatch_check_headers(${name})
+  endif()
 endfunction()

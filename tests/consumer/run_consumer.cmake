@@ -1,0 +1,15 @@
+# cmake -D WAY=find_package|add_subdirectory -D SOURCE=… -D BUILD=… -D WORK=… … -P run_consumer.cmake
+# Installs the build tree into a folder of its own if need be, then configures, builds and runs the outside project.
+file(REMOVE_RECURSE ${WORK})
+set(configure ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/outside -B ${WORK}/build -G ${GENERATOR}
+  -D CMAKE_CXX_COMPILER=${COMPILER})
+if(WAY STREQUAL "find_package")
+  execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix
+    OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  list(APPEND configure -D CMAKE_PREFIX_PATH=${WORK}/prefix -D CMAKE_BUILD_TYPE=${BUILD_TYPE})
+else()
+  list(APPEND configure -D OUTSIDE_RINGWATCH_SOURCE=${SOURCE} -D CMAKE_BUILD_TYPE=Debug)
+endif()
+execute_process(COMMAND ${configure} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --target outside COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${WORK}/build/outside COMMAND_ERROR_IS_FATAL ANY)
