@@ -28,7 +28,7 @@ RINGWATCH_INLINE Matrix3<S> closestRotation(const Matrix3<S>& F) {
   }
   // One more, signed step: brings x from 1e-9 to rounding, and a dual number's derivative with it.
   const S slope = S(4) * (x * x - I) * x - J8;
-  const auto unique = slope > S(1e-9) * I * x;
+  const auto unique = slope > S(1e-5) * I * x;  // below, rounding spoils R
   x -= select(unique, (((x * x - I2) * x - J8) * x + c0) / select(unique, slope, S(1)), S(0));
   const S denominator = (x * x - I) * x - S(2) * J;
   const S scale = S(1) / select(unique, denominator, S(1));
