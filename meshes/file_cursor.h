@@ -1,0 +1,151 @@
+#pragma once
+#include <charconv>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <ringwatch/base/error.h>
+
+namespace ringwatch::detail {
+
+/// The bytes of a file. Throws InputError when it is missing, a folder, or cannot be read.
+std::string readWholeFile(const std::filesystem::path& path);
+
+/// The word in quotes for an error message: unprintable bytes as '?', cut after 40 characters, so that it stays one line.
+std::string quoted(std::string_view word);
+
+/// Reads the bytes of a mesh file: words and numbers of lines, or raw values. Every failure is an InputError that
+/// begins with the file and the line (the byte in a binary file).
+class FileCursor {
+ public:
+  FileCursor(std::string_view text, std::string source) : text_(text), source_(std::move(source)) {}
+
+  bool binary = false;     // raw values between the section lines
+  bool swapBytes = false;  // the file comes from a machine of the other byte order
+  char comment = '\0';     // the rest of a line after it is skipped
+
+  std::size_t position() const { return position_; }
+  std::size_t remaining() const { return text_.size() - position_; }
+  bool endsWithNewline() const { return !text_.empty() && text_.back() == '\n'; }
+
+  /// "file:line" or "file: byte n" of a position.
+  std::string where(std::size_t position) const;
+  [[noreturn]] void fail(const std::string& what) const { failAt(position_, what); }
+  [[noreturn]] void failAt(std::size_t position, const std::string& what) const {
+    throw InputError(where(position) + ": " + what);
+  }
+
+  /// Skips blanks and line ends (and comments). False at the end of the file.
+  bool skipSpace() {
+    for (; position_ < text_.size(); ++position_) {
+      const char c = text_[position_];
+      if (c == comment && comment != '\0') {
+        skipComment();
+        if (position_ == text_.size()) return false;
+      } else if (c != ' ' && c != '\t' && c != '\n' && c != '\r') {
+        return true;
+      }
+    }
+    return false;
+  }
+  /// The next line that is not empty, without its line end.
+  std::string_view line(std::string_view what);
+  /// The next line must be exactly this.
+  void expectLine(std::string_view expected);
+  /// The next word of the current line.
+  std::string_view word(std::string_view what) {
+    skipBlanks();
+    const std::size_t begin = position_;
+    while (position_ < text_.size() && !isSpace(text_[position_]) && (comment == '\0' || text_[position_] != comment))
+      ++position_;
+    if (begin == position_) failMissing(what);
+    return text_.substr(begin, position_ - begin);
+  }
+  bool atLineEnd() {
+    skipBlanks();
+    return position_ == text_.size() || text_[position_] == '\n' ||
+           (comment != '\0' && text_[position_] == comment);
+  }
+
+  std::int64_t integerText(std::string_view what) {
+    skipBlanks();
+    const char* begin = text_.data() + position_;
+    const char* end = text_.data() + text_.size();
+    std::int64_t value = 0;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error != std::errc() || !endsWord(stop)) failNumber(what, "an integer");
+    position_ = static_cast<std::size_t>(stop - text_.data());
+    return value;
+  }
+  double numberText(std::string_view what) {
+    skipBlanks();
+    const char* begin = text_.data() + position_;
+    const char* end = text_.data() + text_.size();
+    if (begin != end && *begin == '+') ++begin;
+    double value = 0;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error == std::errc::result_out_of_range && endsWord(stop)) {
+      // from_chars does not tell a number too small, which is zero enough, from one too large.
+      value = std::strtod(std::string(begin, stop).c_str(), nullptr);
+      if (std::abs(value) > 1) failNumber(what, "a number that a double can hold");
+    } else if (error != std::errc() || !endsWord(stop)) {
+      failNumber(what, "a number");
+    }
+    position_ = static_cast<std::size_t>(stop - text_.data());
+    return value;
+  }
+  template <class T>
+  T raw(std::string_view what) {
+    if (remaining() < sizeof(T)) fail(joinText("the file ends where ", what, " is expected"));
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, text_.data() + position_, sizeof(T));
+    if (swapBytes)
+      for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(bytes[i], bytes[sizeof(T) - 1 - i]);
+    T value;
+    std::memcpy(&value, bytes, sizeof(T));
+    position_ += sizeof(T);
+    return value;
+  }
+
+  // A record is a line in a text file and nothing in a binary one; its fields are words or raw values.
+  void beginRecord(std::string_view what) {
+    if (!binary && !skipSpace()) fail(joinText("the file ends where ", what, " is expected; is it cut short?"));
+  }
+  void endRecord() {
+    if (binary) return;
+    if (!atLineEnd()) {
+      const std::size_t begin = position_;
+      const std::string extra = quoted(word("more"));
+      failAt(begin, joinText("unexpected ", extra, " at the end of the line"));
+    }
+  }
+  std::int64_t int32(std::string_view what) { return binary ? raw<std::int32_t>(what) : integerText(what); }
+  std::int64_t int64(std::string_view what) { return binary ? raw<std::int64_t>(what) : integerText(what); }
+  double real(std::string_view what) { return binary ? raw<double>(what) : numberText(what); }
+
+  /// A count of things that take at least so many bytes each, so that no absurd count is ever allocated.
+  std::size_t checkedCount(std::int64_t value, std::size_t bytesEach, std::string_view what, std::size_t at) const;
+
+ private:
+  static bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+  bool endsWord(const char* stop) const {
+    return stop == text_.data() + text_.size() || isSpace(*stop) || (comment != '\0' && *stop == comment);
+  }
+  void skipBlanks() {
+    while (position_ < text_.size() && isSpace(text_[position_]) && text_[position_] != '\n') ++position_;
+  }
+  void skipComment() {
+    while (position_ < text_.size() && text_[position_] != '\n') ++position_;
+  }
+  [[noreturn]] void failMissing(std::string_view what) const;
+  [[noreturn]] void failNumber(std::string_view what, std::string_view kind);
+
+  std::string_view text_;
+  std::string source_;
+  std::size_t position_ = 0;
+};
+
+}  // namespace ringwatch::detail

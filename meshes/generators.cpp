@@ -1,0 +1,220 @@
+#include <ringwatch/meshes/generators.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/nearest_name.h>
+#include <ringwatch/meshes/quality.h>
+
+namespace ringwatch {
+namespace {
+
+// Kuhn's split: one tetrahedron for each order in which x, y and z can be walked from corner 0 to corner 7.
+constexpr std::uint8_t kuhn[] = {0, 1, 3, 7, 0, 1, 7, 5, 0, 2, 7, 3, 0, 2, 6, 7, 0, 4, 5, 7, 0, 4, 7, 6};
+// One tetrahedron in the middle and one at each of four corners; the face diagonals match when cells alternate.
+constexpr std::uint8_t fiveEven[] = {0, 3, 6, 5, 1, 0, 5, 3, 2, 3, 6, 0, 4, 5, 0, 6, 7, 6, 3, 5};
+constexpr std::uint8_t fiveOdd[] = {1, 2, 4, 7, 0, 1, 2, 4, 3, 2, 1, 7, 5, 4, 7, 1, 6, 7, 4, 2};
+constexpr std::uint8_t wholeCell[] = {0, 1, 3, 2, 4, 5, 7, 6};
+
+constexpr CellSplit splits[] = {
+    {"tet4", 6, false, kuhn, kuhn},
+    {"tet4", 5, false, fiveEven, fiveOdd},
+    {"hex8", 1, false, wholeCell, wholeCell},
+};
+
+std::string splitChoices(std::string_view element) {
+  std::string text;
+  for (const CellSplit& split : splits)
+    if (split.element == element) text += joinText(text.empty() ? "" : " or ", split.elementsPerCell);
+  return text;
+}
+
+const CellSplit& findSplit(std::string_view element, int perCell) {
+  const CellSplit* named = nullptr;
+  for (const CellSplit& split : splits) {
+    if (split.element != element) continue;
+    if (perCell == 0 || split.elementsPerCell == perCell) return split;
+    named = &split;
+  }
+  if (named != nullptr)
+    throw InputError(joinText("split = ", perCell, ": ", element, " has ", splitChoices(element), " elements a cell"));
+  std::vector<std::string_view> names;
+  for (const CellSplit& split : splits) names.push_back(split.element);
+  throw InputError(joinText("element = \"", element, "\": there is no way to cut a cell into these; the nearest is \"",
+                            nearestName(element, names), "\""));
+}
+
+/// The nodes and elements of a box of cells in index space; the caller places the nodes.
+struct Grid {
+  std::array<int, 3> cells;
+  std::array<std::int64_t, 3> nodes{};
+  std::int64_t cornerNodes = 0;
+
+  explicit Grid(const std::array<int, 3>& count, const CellSplit& split) : cells(count) {
+    double total = 1, cellTotal = 1;
+    for (int k = 0; k < 3; ++k) {
+      nodes[k] = std::int64_t{count[k]} + 1;
+      total *= static_cast<double>(nodes[k]);
+      cellTotal *= count[k];
+    }
+    if (split.centre) total += cellTotal;
+    constexpr double limit = std::numeric_limits<std::int32_t>::max();
+    if (total > limit || cellTotal * split.elementsPerCell > limit)
+      throw InputError(joinText("cells = [", count[0], ", ", count[1], ", ", count[2], "]: that is ", total, " nodes and ",
+                                cellTotal * split.elementsPerCell, " elements; at most ", limit, " are possible"));
+    cornerNodes = nodes[0] * nodes[1] * nodes[2];
+  }
+  std::int64_t node(std::int64_t i, std::int64_t j, std::int64_t k) const { return i + nodes[0] * (j + nodes[1] * k); }
+};
+
+Mesh fillElements(const Grid& grid, const CellSplit& split) {
+  const ElementInfo* info = findElementByName(split.element);
+  const auto [nx, ny, nz] = grid.cells;
+  const std::int64_t cellCount = std::int64_t{nx} * ny * nz;
+  Mesh mesh;
+  mesh.X.setZero(3, grid.cornerNodes + (split.centre ? cellCount : 0));
+  mesh.nodeIds.resize(mesh.nodeCount());
+  for (std::size_t n = 0; n < mesh.nodeCount(); ++n) mesh.nodeIds[n] = static_cast<std::int64_t>(n);
+  MeshBlock block{info->type, {}, {}};
+  block.connectivity.reserve(static_cast<std::size_t>(cellCount) * split.even.size());
+  std::int64_t cell = 0;
+  for (int k = 0; k < nz; ++k)
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i, ++cell)
+        for (const std::uint8_t corner : (i + j + k) % 2 == 0 ? split.even : split.odd)
+          block.connectivity.push_back(static_cast<std::int32_t>(
+              corner == 8 ? grid.cornerNodes + cell
+                          : grid.node(i + (corner & 1), j + ((corner >> 1) & 1), k + ((corner >> 2) & 1))));
+  std::vector<ElementRef>& all = mesh.elementSets["all"];
+  const std::size_t count = block.elementCount();
+  for (std::size_t e = 0; e < count; ++e) {
+    block.ids.push_back(static_cast<std::int64_t>(e));
+    all.push_back({0, static_cast<std::int32_t>(e)});
+  }
+  mesh.blocks.push_back(std::move(block));
+  return mesh;
+}
+
+void placeCentres(Mesh& mesh, const Grid& grid) {
+  if (static_cast<std::int64_t>(mesh.nodeCount()) == grid.cornerNodes) return;
+  std::int64_t cell = 0;
+  for (int k = 0; k < grid.cells[2]; ++k)
+    for (int j = 0; j < grid.cells[1]; ++j)
+      for (int i = 0; i < grid.cells[0]; ++i, ++cell) {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (int c = 0; c < 8; ++c) sum += mesh.X.col(grid.node(i + (c & 1), j + ((c >> 1) & 1), k + (c >> 2)));
+        mesh.X.col(grid.cornerNodes + cell) = sum / 8;
+      }
+}
+
+void requirePositiveElements(const Mesh& mesh, const std::string& reason) {
+  for (const MeshBlock& block : mesh.blocks) {
+    const ElementInfo& info = elementInfo(block.type);
+    const JacobianProbe probe(info);
+    for (std::size_t e = 0; e < block.elementCount(); ++e) {
+      const JacobianRange range = probe.range(mesh.X, block.element(e));
+      if (!(range.min > 0))
+        throw InputError(joinText(reason, " turns element ", e, " (", info.name, ") inside out: its Jacobian determinant is ",
+                                  range.min, "; it must be above 0"));
+    }
+  }
+}
+
+void requirePositive(std::string_view name, double value) {
+  if (!(value > 0) || !std::isfinite(value)) throw InputError(joinText(name, " = ", value, ": it must be above 0"));
+}
+
+}  // namespace
+
+std::span<const CellSplit> allCellSplits() { return splits; }
+
+Mesh generateBar(const BarOptions& options) {
+  for (int k = 0; k < 3; ++k) {
+    requirePositive("size", options.size[k]);
+    requirePositive("cells", options.cells[k]);
+    if (!std::isfinite(options.origin[k])) throw InputError(joinText("origin = ", options.origin[k], ": it must be finite"));
+  }
+  if (!(options.jitter >= 0 && options.jitter < 0.5))
+    throw InputError(joinText("jitter = ", options.jitter, ": it must be 0 or more and below 0.5"));
+  if (!(options.grading >= 1) || !std::isfinite(options.grading))
+    throw InputError(joinText("grading = ", options.grading, ": it must be 1 or more"));
+  const CellSplit& split = findSplit(options.element, options.split);
+  const Grid grid(options.cells, split);
+
+  std::array<std::vector<double>, 3> line;
+  for (int k = 0; k < 3; ++k) {
+    const int n = options.cells[k];
+    const double ratio = k == 0 && n > 1 ? std::pow(options.grading, 1.0 / (n - 1)) : 1.0;
+    line[k].assign(static_cast<std::size_t>(n) + 1, 0.0);
+    for (int i = 0; i <= n; ++i)
+      line[k][i] = ratio == 1.0 ? double(i) / n : (std::pow(ratio, i) - 1) / (std::pow(ratio, n) - 1);
+    for (double& t : line[k]) t = options.origin[k] + options.size[k] * t;
+    line[k].back() = options.origin[k] + options.size[k];
+    for (int i = 0; i < n; ++i)
+      if (!(line[k][i + 1] > line[k][i]))
+        throw InputError(joinText(k == 0 && ratio != 1 ? "grading" : "cells", " = ", k == 0 && ratio != 1 ? options.grading : n,
+                                  ": cell ", i, " has no length left; use fewer cells or a smaller grading"));
+  }
+
+  Mesh mesh = fillElements(grid, split);
+  // std::uniform_real_distribution differs between standard libraries; the engine itself does not.
+  std::mt19937_64 engine(options.seed);
+  const auto uniform = [&] { return 2.0 * (static_cast<double>(engine() >> 11) * 0x1p-53) - 1.0; };
+  static constexpr const char* faceNames[3][2] = {{"x-min", "x-max"}, {"y-min", "y-max"}, {"z-min", "z-max"}};
+  for (int k = 0; k <= grid.cells[2]; ++k)
+    for (int j = 0; j <= grid.cells[1]; ++j)
+      for (int i = 0; i <= grid.cells[0]; ++i) {
+        const int index[3] = {i, j, k};
+        const auto node = static_cast<std::int32_t>(grid.node(i, j, k));
+        for (int axis = 0; axis < 3; ++axis) {
+          const std::vector<double>& t = line[axis];
+          const int at = index[axis], last = grid.cells[axis];
+          double x = t[at];
+          if (at == 0) mesh.nodeSets[faceNames[axis][0]].push_back(node);
+          if (at == last) mesh.nodeSets[faceNames[axis][1]].push_back(node);
+          if (options.jitter > 0) {
+            const double draw = uniform();  // drawn for every node, so that the sequence does not depend on the shape
+            if (at > 0 && at < last) x += options.jitter * draw * std::min(t[at] - t[at - 1], t[at + 1] - t[at]);
+          }
+          mesh.X(axis, node) = x;
+        }
+      }
+  placeCentres(mesh, grid);
+  requirePositiveElements(mesh, options.jitter > 0 ? joinText("jitter = ", options.jitter) : "this shape");
+  return mesh;
+}
+
+Mesh generateCube(double edge, int cells, BarOptions rest) {
+  rest.size = {edge, edge, edge};
+  rest.cells = {cells, cells, cells};
+  return generateBar(rest);
+}
+
+Mesh generateBall(const BallOptions& options) {
+  requirePositive("radius", options.radius);
+  requirePositive("cells", options.cells);
+  const CellSplit& split = findSplit(options.element, options.split);
+  const Grid grid({options.cells, options.cells, options.cells}, split);
+  Mesh mesh = fillElements(grid, split);
+  const int n = options.cells;
+  std::vector<std::int32_t>& surface = mesh.nodeSets["surface"];
+  for (int k = 0; k <= n; ++k)
+    for (int j = 0; j <= n; ++j)
+      for (int i = 0; i <= n; ++i) {
+        const double x = 2.0 * i / n - 1, y = 2.0 * j / n - 1, z = 2.0 * k / n - 1;
+        const double xx = x * x, yy = y * y, zz = z * z;
+        const auto node = static_cast<std::int32_t>(grid.node(i, j, k));
+        mesh.X.col(node) = options.radius * Eigen::Vector3d(x * std::sqrt(1 - yy / 2 - zz / 2 + yy * zz / 3),
+                                                            y * std::sqrt(1 - zz / 2 - xx / 2 + zz * xx / 3),
+                                                            z * std::sqrt(1 - xx / 2 - yy / 2 + xx * yy / 3));
+        if (i == 0 || j == 0 || k == 0 || i == n || j == n || k == n) surface.push_back(node);
+      }
+  placeCentres(mesh, grid);
+  requirePositiveElements(mesh, joinText("cells = ", options.cells));
+  return mesh;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,59 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <ringwatch/meshes/mesh.h>
+
+namespace ringwatch {
+
+/// One way to cut a box-shaped cell into elements. A new one is a row of the table in generators.cpp.
+struct CellSplit {
+  std::string_view element;  // name of the element, as in `Elements`
+  int elementsPerCell;
+  bool centre;  // the cell gets a node of its own in its middle, corner number 8
+  /// Corners i + 2j + 4k of the cell, element after element, in the element's (VTK) node order.
+  std::span<const std::uint8_t> even;
+  /// The same for cells of odd i + j + k, where a split must alternate to match its neighbours; else equal to even.
+  std::span<const std::uint8_t> odd;
+};
+
+/// Every split whose element the library has; the first one of an element is its usual one.
+std::span<const CellSplit> allCellSplits();
+
+/// A box of nx × ny × nz cells.
+struct BarOptions {
+  std::array<double, 3> size{1, 1, 1};    // m, each > 0
+  std::array<int, 3> cells{1, 1, 1};      // along x, y, z, each > 0
+  std::array<double, 3> origin{0, 0, 0};  // the corner with the smallest coordinates, m
+  std::string element = "tet4";
+  int split = 0;           // elements a cell (tet4: 6 or 5); 0 takes the element's usual split
+  double jitter = 0;       // largest displacement of a node along each axis, as a fraction of the local cell size, < 0.5
+  std::uint64_t seed = 1;  // of the jitter
+  double grading = 1;      // length of the last cell over that of the first along x, ≥ 1
+};
+
+/// The box. Nodes: x fastest, then y, z, then the middles of the cells. Node sets "x-min" … "z-max" hold the faces, the
+/// element set "all" every element. Jitter moves inner nodes freely and nodes of the surface within it, so that the box
+/// keeps its shape; it depends on the seed alone, not on the machine.
+/// Throws InputError naming the parameter, its value and its range, or the element that the jitter inverts.
+Mesh generateBar(const BarOptions& options);
+
+/// A ball of radius `radius` around the origin.
+struct BallOptions {
+  double radius = 1;  // m, > 0
+  int cells = 4;      // across the diameter, > 0
+  std::string element = "tet4";
+  int split = 0;
+};
+
+/// A cube of cells mapped smoothly onto the ball: x ← x √(1 − y²/2 − z²/2 + y²z²/3), and so on round (Nowell). Node set
+/// "surface", element set "all". Throws InputError like `generateBar`.
+Mesh generateBall(const BallOptions& options);
+
+/// A cube: `generateBar` with equal sizes and counts; edge in m.
+Mesh generateCube(double edge, int cells, BarOptions rest = {});
+
+}  // namespace ringwatch

@@ -1,0 +1,187 @@
+#include <ringwatch/meshes/quality.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include <Eigen/Dense>
+
+namespace ringwatch {
+
+JacobianProbe::JacobianProbe(const ElementInfo& info) : nodes_(info.nodes) {
+  const auto add = [&](const double xi[3], double weight) {
+    Point point{std::vector<double>(static_cast<std::size_t>(3 * nodes_)), weight};
+    info.shapeGradient(xi, reinterpret_cast<double(*)[3]>(point.gradient.data()));
+    Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+    for (int a = 0; a < nodes_; ++a)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) J(i, j) += info.referenceNodes[static_cast<std::size_t>(a)][static_cast<std::size_t>(i)] * point.gradient[static_cast<std::size_t>(3 * a + j)];
+    // An isoparametric element maps its own reference to itself; where it does not, the map is singular.
+    if (weight != 0 || std::abs(J.determinant() - 1) < 1e-6) points_.push_back(std::move(point));
+  };
+  for (const QuadraturePoint& q : info.rules[0].points) add(q.xi, q.weight);
+  if (info.constantGradient) return;
+  std::set<int> corners;
+  for (const auto& face : info.faces)
+    for (const int corner : face)
+      if (corner >= 0) corners.insert(corner);
+  for (const int corner : corners) add(info.referenceNodes[static_cast<std::size_t>(corner)].data(), 0);
+}
+
+Eigen::Matrix3d JacobianProbe::jacobian(const Point& point, const NodeVectors& x, const std::int32_t* nodes) const {
+  Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+  for (int a = 0; a < nodes_; ++a)
+    J.noalias() += x.col(nodes[a]) * Eigen::Map<const Eigen::RowVector3d>(point.gradient.data() + 3 * a);
+  return J;
+}
+
+JacobianRange JacobianProbe::range(const NodeVectors& x, const std::int32_t* nodes) const {
+  JacobianRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const Point& point : points_) {
+    const double det = jacobian(point, x, nodes).determinant();
+    if (std::isnan(det)) return {det, det};
+    range.min = std::min(range.min, det);
+    range.max = std::max(range.max, det);
+  }
+  return range;
+}
+
+double JacobianProbe::volume(const NodeVectors& x, const std::int32_t* nodes) const {
+  double sum = 0;
+  for (const Point& point : points_)
+    if (point.weight != 0) sum += point.weight * jacobian(point, x, nodes).determinant();
+  return sum;
+}
+
+double JacobianProbe::minScaledJacobian(const NodeVectors& x, const std::int32_t* nodes) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Point& point : points_) {
+    const Eigen::Matrix3d J = jacobian(point, x, nodes);
+    const double lengths = J.col(0).norm() * J.col(1).norm() * J.col(2).norm();
+    least = std::min(least, lengths > 0 ? J.determinant() / lengths : 0.0);
+  }
+  return least;
+}
+
+namespace {
+
+ElementQuality measure(const ElementInfo& info, const JacobianProbe& probe, const std::int32_t* nodes, const NodeVectors& x) {
+  ElementQuality q;
+  const auto at = [&](int a) -> Eigen::Vector3d { return x.col(nodes[a]); };
+  q.volume = probe.volume(x, nodes);
+  q.minEdge = std::numeric_limits<double>::infinity();
+  for (const auto& edge : info.edges) {
+    const double length = (at(edge[1]) - at(edge[0])).norm();
+    q.minEdge = std::min(q.minEdge, length);
+    q.maxEdge = std::max(q.maxEdge, length);
+  }
+  double maxArea = 0, areaSum = 0;
+  std::vector<Eigen::Vector3d> areas;  // outward, by half the cross product of the diagonals
+  for (const auto& face : info.faces) {
+    const Eigen::Vector3d a = face[3] < 0 ? Eigen::Vector3d(at(face[1]) - at(face[0])) : Eigen::Vector3d(at(face[2]) - at(face[0]));
+    const Eigen::Vector3d b = face[3] < 0 ? Eigen::Vector3d(at(face[2]) - at(face[0])) : Eigen::Vector3d(at(face[3]) - at(face[1]));
+    areas.push_back(a.cross(b) / 2);
+    maxArea = std::max(maxArea, areas.back().norm());
+    areaSum += areas.back().norm();
+  }
+  const bool tetrahedron = info.faces.size() == 4 && info.edges.size() == 6;
+  q.minHeight = maxArea > 0 ? (tetrahedron ? 3 : 1) * std::abs(q.volume) / maxArea : 0;
+  if (!tetrahedron) {
+    q.minScaledJacobian = probe.minScaledJacobian(x, nodes);
+    return q;
+  }
+  double corner[4] = {1, 1, 1, 1};
+  for (const auto& edge : info.edges) {
+    const double length = (at(edge[1]) - at(edge[0])).norm();
+    corner[edge[0]] *= length;
+    corner[edge[1]] *= length;
+  }
+  const double largest = *std::max_element(corner, corner + 4);
+  q.minScaledJacobian = largest > 0 ? std::numbers::sqrt2 * 6 * q.volume / largest : 0;
+  q.minDihedral = 180;
+  q.maxDihedral = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      // The angle inside is π minus the angle between the outward normals; atan2 keeps slivers exact.
+      const double angle =
+          180 - std::atan2(areas[i].cross(areas[j]).norm(), areas[i].dot(areas[j])) * 180 / std::numbers::pi;
+      q.minDihedral = std::min(q.minDihedral, angle);
+      q.maxDihedral = std::max(q.maxDihedral, angle);
+    }
+  // Circumradius from the products of opposite edges: with s half their sum, R = √(s(s−a)(s−b)(s−c)) / 6V.
+  const auto length = [&](int a, int b) { return (at(a) - at(b)).norm(); };
+  const double a = length(0, 1) * length(2, 3), b = length(0, 2) * length(1, 3), c = length(0, 3) * length(1, 2);
+  const double s = (a + b + c) / 2, product = s * (s - a) * (s - b) * (s - c);
+  const double volume = std::abs(q.volume);
+  // 3 r / R = 3·(3V/ΣA)·(6V/√product)
+  q.radiusRatio = product > 0 && areaSum > 0 ? 54 * volume * volume / (areaSum * std::sqrt(product)) : 0;
+  return q;
+}
+
+struct Measure {
+  const char* name;
+  const char* unit;
+  double ElementQuality::* member;
+};
+constexpr Measure measures[] = {{"volume", "m³", &ElementQuality::volume},
+                                {"min-height", "m", &ElementQuality::minHeight},
+                                {"min-edge", "m", &ElementQuality::minEdge},
+                                {"max-edge", "m", &ElementQuality::maxEdge},
+                                {"scaled-jacobian", "", &ElementQuality::minScaledJacobian},
+                                {"min-dihedral", "°", &ElementQuality::minDihedral},
+                                {"max-dihedral", "°", &ElementQuality::maxDihedral},
+                                {"radius-ratio", "", &ElementQuality::radiusRatio}};
+
+}  // namespace
+
+ElementQuality elementQuality(const MeshBlock& block, std::size_t e, const NodeVectors& x) {
+  const ElementInfo& info = elementInfo(block.type);
+  return measure(info, JacobianProbe(info), block.element(e), x);
+}
+
+std::vector<std::vector<ElementQuality>> meshQuality(const Mesh& mesh) { return meshQuality(mesh, mesh.X); }
+
+std::vector<std::vector<ElementQuality>> meshQuality(const Mesh& mesh, const NodeVectors& x) {
+  std::vector<std::vector<ElementQuality>> all;
+  for (const MeshBlock& block : mesh.blocks) {
+    const ElementInfo& info = elementInfo(block.type);
+    const JacobianProbe probe(info);
+    std::vector<ElementQuality>& rows = all.emplace_back();
+    rows.reserve(block.elementCount());
+    for (std::size_t e = 0; e < block.elementCount(); ++e) rows.push_back(measure(info, probe, block.element(e), x));
+  }
+  return all;
+}
+
+std::vector<QualitySummary> summarizeQuality(const std::vector<std::vector<ElementQuality>>& quality) {
+  std::vector<QualitySummary> summaries;
+  for (const Measure& m : measures) {
+    QualitySummary s{m.name, m.unit, 0, 0, 0, 0, {}, {}};
+    for (std::size_t b = 0; b < quality.size(); ++b)
+      for (std::size_t e = 0; e < quality[b].size(); ++e) {
+        const double value = quality[b][e].*m.member;
+        if (std::isnan(value)) continue;
+        const ElementRef ref{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
+        if (s.count == 0 || value < s.min) s.min = value, s.minElement = ref;
+        if (s.count == 0 || value > s.max) s.max = value, s.maxElement = ref;
+        s.mean += value;
+        ++s.count;
+      }
+    if (s.count == 0) continue;
+    s.mean /= static_cast<double>(s.count);
+    summaries.push_back(std::move(s));
+  }
+  return summaries;
+}
+
+double meshVolume(const Mesh& mesh) {
+  double sum = 0;
+  for (const MeshBlock& block : mesh.blocks) {
+    const JacobianProbe probe(elementInfo(block.type));
+    for (std::size_t e = 0; e < block.elementCount(); ++e) sum += probe.volume(mesh.X, block.element(e));
+  }
+  return sum;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,73 @@
+#pragma once
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <ringwatch/meshes/mesh.h>
+
+namespace ringwatch {
+
+/// Smallest and largest Jacobian determinant ∂X/∂ξ of an element, m³.
+struct JacobianRange {
+  double min = 0, max = 0;
+};
+
+/// Evaluates the Jacobian determinant of elements of one type at their quadrature points (default rule) and, for elements
+/// whose gradient varies, at their corners. A corner where the reference map itself is singular (the apex of a pyramid)
+/// is left out.
+class JacobianProbe {
+ public:
+  explicit JacobianProbe(const ElementInfo& info);
+  /// x: 3×N positions, nodes: indices of the element's nodes. NaN positions give NaN.
+  JacobianRange range(const NodeVectors& x, const std::int32_t* nodes) const;
+  /// Σ w det J over the default rule: the signed volume, m³.
+  double volume(const NodeVectors& x, const std::int32_t* nodes) const;
+  /// Smallest of det J / (|J₁||J₂||J₃|) over the points, J_k the columns of J: 1 for a brick (Knupp's scaled Jacobian at
+  /// the corners of a hexahedron).
+  double minScaledJacobian(const NodeVectors& x, const std::int32_t* nodes) const;
+
+ private:
+  struct Point {
+    std::vector<double> gradient;  // 3 a node
+    double weight;                 // 0 at corners
+  };
+  Eigen::Matrix3d jacobian(const Point& point, const NodeVectors& x, const std::int32_t* nodes) const;
+  std::vector<Point> points_;
+  int nodes_;
+};
+
+/// Shape measures of one element. NaN where a measure does not apply to the element.
+struct ElementQuality {
+  double volume = 0;     // signed, by the element's default rule, m³
+  double minHeight = 0;  // m. Tetrahedra: 3V/A_max, exact. Others: V/A_max; the extent H over the largest face lies
+                         // between V/A_max and 3V/A_max, so this is its safe end, and exact for bricks
+  double minEdge = 0, maxEdge = 0;          // m
+  double minScaledJacobian = 0;             // at quadrature points and corners; tetrahedra: √2·6V / max over the corners of
+                                            // the product of the three edges there (1: regular); others: `JacobianProbe`
+  double minDihedral = std::numeric_limits<double>::quiet_NaN();  // tetrahedra only, degrees
+  double maxDihedral = std::numeric_limits<double>::quiet_NaN();
+  double radiusRatio = std::numeric_limits<double>::quiet_NaN();  // tetrahedra only: 3 r_in / R_circ, 1: regular
+};
+
+/// The measures of element e of a block at positions x (3×N, m).
+ElementQuality elementQuality(const MeshBlock& block, std::size_t e, const NodeVectors& x);
+
+/// The measures of every element: [block][element].
+std::vector<std::vector<ElementQuality>> meshQuality(const Mesh& mesh);
+std::vector<std::vector<ElementQuality>> meshQuality(const Mesh& mesh, const NodeVectors& x);
+
+/// Smallest, largest and mean value of a measure, and where the extremes are. count = 0: no element has this measure.
+struct QualitySummary {
+  std::string name, unit;
+  std::size_t count = 0;
+  double min = 0, max = 0, mean = 0;
+  ElementRef minElement, maxElement;
+};
+
+/// A summary of every measure that at least one element has, in the order of `ElementQuality`.
+std::vector<QualitySummary> summarizeQuality(const std::vector<std::vector<ElementQuality>>& quality);
+
+/// Sum of the signed volumes, m³.
+double meshVolume(const Mesh& mesh);
+
+}  // namespace ringwatch
