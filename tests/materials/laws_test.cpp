@@ -1,0 +1,248 @@
+// What every constitutive law must satisfy. A law enrols by its line in materials/registry.h.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include <ringwatch/base/dual.h>
+#include <ringwatch/base/pack.h>
+#include <ringwatch/materials/registry.h>
+#include <tests/support/deformations.h>
+#include <tests/support/registry_types.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr double young = 30e3, poisson = 0.3;
+
+/// Size of the terms that a stress is summed from: what rounding is measured against, Pa.
+double stressScale(const Eigen::Matrix3d& F) { return young * std::max(1.0, std::pow(F.norm(), 3)); }
+
+template <class LawType>
+class LawTest : public ::testing::Test {
+ public:
+  const LawType law{lameConstants(young, poisson)};
+
+  /// The largest difference of stress(F) and the dual-number derivative of energy, over stressScale.
+  Eigen::Matrix3d stressByDual(const Eigen::Matrix3d& F) const {
+    Eigen::Matrix3d P;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        Matrix3<Dual> d = test::toMatrix3<Dual>(F);
+        d(i, j).derivative = 1;
+        P(i, j) = law.energy(d).derivative;
+      }
+    return P;
+  }
+  Eigen::Matrix3d stress(const Eigen::Matrix3d& F) const { return test::toEigen(law.stress(test::toMatrix3(F))); }
+  Eigen::Matrix3d linearized(const Eigen::Matrix3d& F, const Eigen::Matrix3d& dF) const {
+    return test::toEigen(law.linearize(test::toMatrix3(F))(test::toMatrix3(dF)));
+  }
+  double energy(const Eigen::Matrix3d& F) const { return law.energy(test::toMatrix3(F)); }
+  /// ∂P/∂F, rows and columns 3i + j.
+  Eigen::Matrix<double, 9, 9> modulus(const Eigen::Matrix3d& F) const {
+    Eigen::Matrix<double, 9, 9> A;
+    const auto linearization = law.linearize(test::toMatrix3(F));
+    for (int c = 0; c < 9; ++c) {
+      Matrix3<double> unit = Matrix3<double>::zero();
+      unit.m[c] = 1;
+      const Matrix3<double> dP = linearization(unit);
+      for (int r = 0; r < 9; ++r) A(r, c) = dP.m[r];
+    }
+    return A;
+  }
+  /// Deformations on which the law is defined.
+  std::vector<test::Deformation> domain() const {
+    const Eigen::Matrix3d mirrored = Eigen::Vector3d(1.5, 1, -0.5).asDiagonal();
+    return test::deformations(7, 40, std::isfinite(energy(mirrored)));
+  }
+};
+TYPED_TEST_SUITE(LawTest, test::TestTypesOf<Laws>, test::RegistryNames);
+
+TYPED_TEST(LawTest, HasNoEnergyAndNoStressAtRest) {
+  EXPECT_NEAR(this->energy(Eigen::Matrix3d::Identity()), 0, 1e-25 * young);
+  EXPECT_NEAR(this->stress(Eigen::Matrix3d::Identity()).norm(), 0, 1e-15 * young);
+  if (!TypeParam::objective) return;
+  test::Random random(3);
+  for (int i = 0; i < 100; ++i) {
+    const Eigen::Matrix3d Q = random.rotation();
+    EXPECT_NEAR(this->energy(Q), 0, 3e-15 * young);
+    EXPECT_NEAR(this->stress(Q).norm(), 0, 5e-15 * young);
+  }
+}
+
+TYPED_TEST(LawTest, StressIsTheDerivativeOfEnergy) {
+  for (const auto& [kind, F] : this->domain())
+    EXPECT_LE((this->stress(F) - this->stressByDual(F)).norm(), 1e-12 * stressScale(F)) << kind << "\n" << F;
+}
+
+TYPED_TEST(LawTest, LinearizationIsTheDerivativeOfStress) {
+  test::Random random(4);
+  for (const auto& [kind, F] : this->domain()) {
+    const Eigen::Matrix3d dF = random.matrix(1);
+    Matrix3<Dual> d = test::toMatrix3<Dual>(F);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) d(i, j).derivative = dF(i, j);
+    const Matrix3<Dual> P = this->law.stress(d);
+    Eigen::Matrix3d expected;
+    for (int i = 0; i < 9; ++i) expected(i / 3, i % 3) = P.m[i].derivative;
+    const Eigen::Matrix3d dP = this->linearized(F, dF);
+    const double scale = std::max(stressScale(F), expected.norm());
+    EXPECT_LE((dP - expected).norm(), 1e-12 * scale) << kind << "\n" << F;
+  }
+}
+
+TYPED_TEST(LawTest, ModulusIsSymmetric) {
+  for (const auto& [kind, F] : this->domain()) {
+    const auto A = this->modulus(F);
+    EXPECT_LE((A - A.transpose()).norm(), 1e-12 * A.norm()) << kind << "\n" << F;
+  }
+}
+
+TYPED_TEST(LawTest, LinearizationIsLinear) {
+  test::Random random(5);
+  for (const auto& [kind, F] : this->domain()) {
+    const Eigen::Matrix3d a = random.matrix(1), b = random.matrix(1);
+    const Eigen::Matrix3d together = this->linearized(F, 2 * a - b);
+    const Eigen::Matrix3d apart = 2 * this->linearized(F, a) - this->linearized(F, b);
+    EXPECT_LE((together - apart).norm(), 1e-12 * this->modulus(F).norm()) << kind;
+  }
+}
+
+TYPED_TEST(LawTest, DoesNotSeeRotationsOfTheFrame) {
+  if (!TypeParam::objective) GTEST_SKIP() << "the law does not claim it";
+  test::Random random(6);
+  for (const auto& [kind, F] : this->domain()) {
+    const Eigen::Matrix3d Q = random.rotation();
+    EXPECT_NEAR(this->energy(Q * F), this->energy(F), 1e-13 * stressScale(F) * F.norm()) << kind;
+    EXPECT_LE((this->stress(Q * F) - Q * this->stress(F)).norm(), 1e-12 * stressScale(F)) << kind;
+    const Eigen::Matrix3d dF = random.matrix(1);
+    EXPECT_LE((this->linearized(Q * F, Q * dF) - Q * this->linearized(F, dF)).norm(), 1e-11 * this->modulus(F).norm())
+        << kind;
+  }
+}
+
+TYPED_TEST(LawTest, DoesNotPreferADirection) {
+  test::Random random(7);
+  for (const auto& [kind, F] : this->domain()) {
+    const Eigen::Matrix3d Q = random.rotation();
+    // A law that sees rotations is isotropic when both sides turn.
+    const Eigen::Matrix3d turned = TypeParam::objective ? Eigen::Matrix3d(F * Q) : Eigen::Matrix3d(Q.transpose() * F * Q);
+    EXPECT_NEAR(this->energy(turned), this->energy(F), 1e-13 * stressScale(F) * F.norm()) << kind;
+  }
+}
+
+TYPED_TEST(LawTest, BalancesMoments) {
+  // P Fᵀ is symmetric for objective laws, P itself for those of small strain.
+  for (const auto& [kind, F] : this->domain()) {
+    const Eigen::Matrix3d P = this->stress(F), kirchhoff = TypeParam::objective ? Eigen::Matrix3d(P * F.transpose()) : P;
+    EXPECT_LE((kirchhoff - kirchhoff.transpose()).norm(), 1e-12 * stressScale(F) * F.norm()) << kind;
+  }
+}
+
+TYPED_TEST(LawTest, IsLinearElasticToFirstOrderAtRest) {
+  const Lame c = lameConstants(young, poisson);
+  test::Random random(8);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Matrix3d H = random.matrix(1), e = 0.5 * (H + H.transpose());
+    const Eigen::Matrix3d hooke = 2 * c.mu * e + c.lambda * e.trace() * Eigen::Matrix3d::Identity();
+    EXPECT_LE((this->linearized(Eigen::Matrix3d::Identity(), H) - hooke).norm(), 1e-13 * young);
+    // And by values: the difference falls with the square of the strain.
+    const double h = 1e-4;
+    EXPECT_LE((this->stress(Eigen::Matrix3d::Identity() + h * H) - h * hooke).norm(), 50 * h * h * young);
+  }
+}
+
+TYPED_TEST(LawTest, PacksGiveWhatPlainNumbersGive) {
+  const auto cases = this->domain();
+  test::Random random(9);
+  for (std::size_t first = 0; first + NativePack::width <= cases.size(); first += NativePack::width) {
+    // A different deformation in each lane.
+    Matrix3<NativePack> F, dF;
+    const Eigen::Matrix3d direction = random.matrix(1);
+    for (int i = 0; i < 9; ++i) {
+      dF.m[i] = NativePack(direction(i / 3, i % 3));
+      for (int lane = 0; lane < NativePack::width; ++lane)
+        F.m[i].set(lane, cases[first + static_cast<std::size_t>(lane)].F(i / 3, i % 3));
+    }
+    const NativePack W = this->law.energy(F);
+    const Matrix3<NativePack> P = this->law.stress(F), dP = this->law.linearize(F)(dF);
+    for (int lane = 0; lane < NativePack::width; ++lane) {
+      const auto& [kind, Fs] = cases[first + static_cast<std::size_t>(lane)];
+      const Eigen::Matrix3d Ps = this->stress(Fs), dPs = this->linearized(Fs, direction);
+      EXPECT_NEAR(W[lane], this->energy(Fs), 1e-14 * stressScale(Fs) * Fs.norm()) << kind;
+      for (int i = 0; i < 9; ++i) {
+        EXPECT_NEAR(P.m[i][lane], Ps(i / 3, i % 3), 1e-13 * stressScale(Fs)) << kind;
+        EXPECT_NEAR(dP.m[i][lane], dPs(i / 3, i % 3), 1e-12 * std::max(stressScale(Fs), dPs.norm())) << kind;
+      }
+    }
+  }
+}
+
+TYPED_TEST(LawTest, OneLaneDoesNotDisturbAnother) {
+  // A deformation that is far off, or not a number, in lane 0 leaves the other lanes as they are.
+  const auto good = test::deformations(10, 1, false)[2].F;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double bad : {0.0, -2.0, 1e30, nan}) {
+    Matrix3<NativePack> F = test::toMatrix3<NativePack>(good);
+    for (int i = 0; i < 9; ++i) F.m[i].set(0, i % 4 == 0 ? bad : 0.0);
+    const Matrix3<NativePack> P = this->law.stress(F);
+    for (int lane = 1; lane < NativePack::width; ++lane)
+      for (int i = 0; i < 9; ++i)
+        EXPECT_NEAR(P.m[i][lane], this->stress(good)(i / 3, i % 3), 1e-13 * stressScale(good)) << bad;
+  }
+}
+
+TYPED_TEST(LawTest, PropagatesNotANumber) {
+  Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+  F(1, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(this->stress(F).allFinite());
+  EXPECT_FALSE(std::isfinite(this->energy(F)));
+}
+
+TEST(NeoHookean, IsNotANumberForInvertedElements) {
+  const NeoHookean law{lameConstants(young, poisson)};
+  Matrix3<double> F = Matrix3<double>::identity();
+  F.m[8] = -0.5;
+  EXPECT_TRUE(std::isnan(law.energy(F)));
+  EXPECT_TRUE(std::isnan(law.stress(F).m[0]));
+}
+
+TEST(StVenantKirchhoff, PullsAsInTheClosedForm) {
+  // Uniaxial strain: P = (λ + 2μ) s (s² - 1)/2.
+  const Lame c = lameConstants(young, poisson);
+  const StVenantKirchhoff law{c};
+  for (const double s : {0.4, 0.58, 1.0, 1.7, 2.5}) {
+    Matrix3<double> F = Matrix3<double>::identity();
+    F.m[0] = s;
+    EXPECT_NEAR(law.stress(F).m[0], (c.lambda + 2 * c.mu) * s * (s * s - 1) / 2, 1e-15 * young * 20);
+  }
+}
+
+TEST(NeoHookean, PullsAsInTheClosedForm) {
+  // Uniaxial strain: P = μ (s - 1/s) + λ ln(s)/s.
+  const Lame c = lameConstants(young, poisson);
+  const NeoHookean law{c};
+  for (const double s : {0.1, 0.5, 1.0, 1.7, 2.5}) {
+    Matrix3<double> F = Matrix3<double>::identity();
+    F.m[0] = s;
+    EXPECT_NEAR(law.stress(F).m[0], c.mu * (s - 1 / s) + c.lambda * std::log(s) / s, 1e-14 * young * 20);
+  }
+}
+
+TEST(Corotational, IsLinearElasticInATurningFrame) {
+  const Lame c = lameConstants(young, poisson);
+  const Corotational law{c};
+  const LinearElastic linear{c};
+  test::Random random(11);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Matrix3d Q = random.rotation(), H = random.matrix(0.1);
+    const Eigen::Matrix3d U = Eigen::Matrix3d::Identity() + 0.5 * (H + H.transpose());
+    const Eigen::Matrix3d expected = Q * test::toEigen(linear.stress(test::toMatrix3(U)));
+    EXPECT_LE((test::toEigen(law.stress(test::toMatrix3(Q * U))) - expected).norm(), 1e-13 * young);
+  }
+}
+
+}  // namespace
+}  // namespace ringwatch
