@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/extreme_eigenvalues.h>
 #include <ringwatch/monitor/nodal_bound.h>

@@ -41,11 +41,11 @@ RINGWATCH_INLINE Symmetric3<P> inverse(const Symmetric3<P>& a) {
   return (P(1.0) / (a.m[0] * c.m[0] + a.m[5] * c.m[5] + a.m[4] * c.m[4])) * c;
 }
 
-/// Trace 1 over the element, and no direction below a thousandth of its node's mean: positive definite beyond doubt.
+/// Trace 1 over the element, and a floor under every direction: positive definite beyond rounding.
 RINGWATCH_INLINE void normalise(Symmetric3<P>* shapes, int n) {
   P sum(0.0);
   for (int a = 0; a < n; ++a) {
-    const P floor = P(1e-3 / 3) * shapes[a].trace() + P(1e-200);
+    const P floor = P(1e-7) * shapes[a].trace() + P(1e-200);
     for (int c = 0; c < 3; ++c) shapes[a].m[c] += floor;
     sum += shapes[a].trace();
   }
@@ -68,7 +68,7 @@ void clearConstrained(const Body& body, const ElementBlock& block, std::int32_t 
 
 }  // namespace
 
-NodalBound::NodalBound(const Body& body) : body_(body) {
+NodalBound::NodalBound(const Body& body) : body_(&body) {
   std::vector<std::int64_t> count(static_cast<std::size_t>(body.nodeCount()) + 1, 0);
   auto forEachIncidence = [&](auto&& visit) {
     for (std::size_t b = 0; b < body.blocks().size(); ++b) {
@@ -98,31 +98,32 @@ NodalBound::NodalBound(const Body& body) : body_(body) {
   nodal_.resize(packs * lanes);
 }
 
-void NodalBound::startShapes(const NodeVectors& x) {
-  body_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
-    const ElementBlock& block = *body_.blocks()[b];
+void NodalBound::startShapes(const NodeVectors& x, Start start) {
+  body_->forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
+    const ElementBlock& block = *body_->blocks()[b];
     const int n = block.element().nodes, size = 3 * n;
-    clearConstrained(body_, block, batch, K);
+    clearConstrained(*body_, block, batch, K);
     Symmetric3<P>* shapes = shapes_[b].data() + static_cast<std::ptrdiff_t>(batch) * n;
     for (int a = 0; a < n; ++a) {
       Symmetric3<P> k;
       for (int r = 0; r < 3; ++r)
         for (int c = r; c < 3; ++c) k(r, c) = K[(3 * a + r) * size + 3 * a + c];
-      // |K_aa|^½ as (K_aa² + ε²)^¼: an indefinite block counts by its size.
+      // |K_aa| as (K_aa² + ε²)^½: an indefinite block counts by its size.
       Symmetric3<P> squared = square(k);
       const P floor = P(1e-4) * squared.trace() + P(1e-200);
       for (int c = 0; c < 3; ++c) squared.m[c] += floor;
-      shapes[a] = squareRoot(squareRoot(squared));
+      shapes[a] = squareRoot(squared);
+      if (start == Start::rootOfStiffness) shapes[a] = squareRoot(shapes[a]);
     }
     normalise(shapes, n);
   });
 }
 
 void NodalBound::evaluateElements(const NodeVectors& x) {
-  body_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
-    const ElementBlock& block = *body_.blocks()[b];
+  body_->forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
+    const ElementBlock& block = *body_->blocks()[b];
     const int n = block.element().nodes, size = 3 * n;
-    clearConstrained(body_, block, batch, K);
+    clearConstrained(*body_, block, batch, K);
     // K_ab ← L_a⁻¹ K_ab L_b⁻ᵀ, D_a = L_a L_aᵀ; the lower triangle is enough.
     P w[maxElementNodes][6], work[12 * maxElementNodes];
     for (int a = 0; a < n; ++a) inverseCholesky(shapes_[b][static_cast<std::size_t>(batch * n + a)], w[a]);
@@ -149,12 +150,12 @@ void NodalBound::evaluateElements(const NodeVectors& x) {
     const P l = extremes.largest + P(rounding) * extremes.scale;
     values_[b][static_cast<std::size_t>(batch)] = select(l < P(0.0), P(0.0), l);
   });
-  for (const auto& block : body_.blocks()) evaluations_ += block->elementCount();
+  for (const auto& block : body_->blocks()) evaluations_ += block->elementCount();
 }
 
 double NodalBound::sumAtNodes() {
-  const std::int32_t nodes = body_.nodeCount();
-  parallelFor(0, static_cast<std::int64_t>(sums_.size()), body_.threads(), [&](std::int64_t pack) {
+  const std::int32_t nodes = body_->nodeCount();
+  parallelFor(0, static_cast<std::int64_t>(sums_.size()), body_->threads(), [&](std::int64_t pack) {
     Symmetric3<P> S;
     for (P& entry : S.m) entry = P(0.0);
     for (int lane = 0; lane < lanes; ++lane) {
@@ -166,12 +167,12 @@ double NodalBound::sumAtNodes() {
         const auto block = static_cast<std::size_t>(at.block);
         const int l = at.place % lanes;
         const Symmetric3<P>& D = shapes_[block][static_cast<std::size_t>(at.place / lanes)];
-        const double value = values_[block][static_cast<std::size_t>(at.place / lanes / body_.blocks()[block]->element().nodes)][l];
+        const double value = values_[block][static_cast<std::size_t>(at.place / lanes / body_->blocks()[block]->element().nodes)][l];
         for (int c = 0; c < 6; ++c) sum[c] += value * D.m[c][l];
       }
-      const double inverseMass = 1 / body_.lumpedMass()[node];
+      const double inverseMass = 1 / body_->lumpedMass()[node];
       // Constrained components leave the problem: their rows and columns count nothing.
-      const double free[3] = {freeFactor(body_, node, 0), freeFactor(body_, node, 1), freeFactor(body_, node, 2)};
+      const double free[3] = {freeFactor(*body_, node, 0), freeFactor(*body_, node, 1), freeFactor(*body_, node, 2)};
       const double keep[6] = {free[0], free[1], free[2], free[1] * free[2], free[0] * free[2], free[0] * free[1]};
       for (int c = 0; c < 6; ++c) S.m[c].set(lane, keep[c] == 0 ? 0.0 : inverseMass * sum[c]);
     }
@@ -181,7 +182,7 @@ double NodalBound::sumAtNodes() {
       for (int j = 0; j <= i; ++j) A[3 * i + j] = S(i, j);
     const auto extremes = extremeEigenvalues(A, 3, work, false);
     (extremes.largest + P(rounding) * extremes.scale).store(nodal_.data() + pack * lanes);
-  });
+  }, 64);
   double bound = 0;
   for (std::int32_t i = 0; i < nodes; ++i) {
     if (std::isnan(nodal_[static_cast<std::size_t>(i)])) return std::numeric_limits<double>::quiet_NaN();
@@ -191,8 +192,8 @@ double NodalBound::sumAtNodes() {
 }
 
 void NodalBound::sweepShapes(double bound) {
-  const std::int32_t nodes = body_.nodeCount();
-  parallelFor(0, static_cast<std::int64_t>(sums_.size()), body_.threads(), [&](std::int64_t pack) {
+  const std::int32_t nodes = body_->nodeCount();
+  parallelFor(0, static_cast<std::int64_t>(sums_.size()), body_->threads(), [&](std::int64_t pack) {
     Symmetric3<P> S = P(1 / bound) * sums_[static_cast<std::size_t>(pack)];
     for (int lane = 0; lane < lanes; ++lane) {
       const auto node = static_cast<std::int32_t>(pack) * lanes + lane;
@@ -200,16 +201,16 @@ void NodalBound::sweepShapes(double bound) {
         for (int c = 0; c < 3; ++c) S.m[c].set(lane, 1.0);
       else
         for (int c = 0; c < 3; ++c)
-          if (freeFactor(body_, node, c) == 0) S.m[c].set(lane, 1.0);
+          if (freeFactor(*body_, node, c) == 0) S.m[c].set(lane, 1.0);
     }
     const P floor = P(1e-5) * S.trace() + P(1e-8);
     for (int c = 0; c < 3; ++c) S.m[c] += floor;
     factors_[static_cast<std::size_t>(pack)] = inverse(squareRoot(S));
-  });
-  for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
-    const ElementBlock& block = *body_.blocks()[b];
+  }, 64);
+  for (std::size_t b = 0; b < body_->blocks().size(); ++b) {
+    const ElementBlock& block = *body_->blocks()[b];
     const int n = block.element().nodes;
-    parallelFor(0, block.layout().batchCount(), body_.threads(), [&](std::int64_t batch) {
+    parallelFor(0, block.layout().batchCount(), body_->threads(), [&](std::int64_t batch) {
       Symmetric3<P>* shapes = shapes_[b].data() + batch * n;
       for (int a = 0; a < n; ++a) {
         Symmetric3<P> R;
@@ -221,13 +222,13 @@ void NodalBound::sweepShapes(double bound) {
         shapes[a] = congruence(R, shapes[a]);
       }
       normalise(shapes, n);
-    });
+    }, 64);
   }
 }
 
-UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps) {
+UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps, Start start) {
   evaluations_ = 0;
-  if (!started_) startShapes(x);
+  if (!started_) startShapes(x, start);
   started_ = true;
   double best = std::numeric_limits<double>::infinity();
   for (int sweep = 0;; ++sweep) {

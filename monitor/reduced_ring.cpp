@@ -30,7 +30,7 @@ const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool want
           for (int c = 0; c < 3; ++c)
             entry(r, c) *= freeFactor(body_, static_cast<std::int32_t>(i), r) * freeFactor(body_, j, c);
     }
-  });
+  }, 256);
   for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
     const ElementBlock& block = *body_.blocks()[b];
     const int n = block.element().nodes, size = 3 * n;

@@ -28,11 +28,18 @@ class Bracketer {
     const bool byRing = !(quotient.value > rings.highest);
     const LowerBound lower{byRing ? rings.highest : quotient.value};
 
-    // Shapes follow the deformation with a few sweeps; when the bracket stays wide they start afresh.
+    // Shapes follow the deformation with a few sweeps; when the bracket stays wide they start afresh, from either start.
     UpperBound upper = bound_.evaluate(x, warm ? warmSweeps : coldSweeps);
-    if (warm && upper.value > wideBracket * lower.value) {
-      bound_.reset();
-      upper.value = std::min(upper.value, bound_.evaluate(x, coldSweeps).value);
+    const bool tired = warm && ++sinceFresh_ >= freshEvery;
+    for (const NodalBound::Start start : {NodalBound::Start::stiffness, NodalBound::Start::rootOfStiffness}) {
+      if (!(upper.value > wideBracket * lower.value) || (warm && !tired)) break;
+      sinceFresh_ = 0;
+      NodalBound other(bound_);
+      other.reset();
+      const UpperBound value = other.evaluate(x, coldSweeps, start);
+      if (!(value.value < upper.value)) continue;
+      upper = value;
+      bound_ = std::move(other);
     }
     step_ = {safeStep(upper, limit), optimisticStep(lower, limit), rings.highestElement, "nodal-bound",
              byRing ? "reduced-1-ring" : "rayleigh-quotient", rings.lowest, rings.lowestElement};
@@ -43,12 +50,14 @@ class Bracketer {
  private:
   static constexpr int coldSweeps = 20, warmSweeps = 3;
   static constexpr int coldProducts = 20, warmProducts = 4;
-  static constexpr double wideBracket = 1.10;  // in lambda: 5 % of the step
+  static constexpr double wideBracket = 1.06;  // in lambda: 3 % of the step
+  static constexpr int freshEvery = 10;        // evaluations between two attempts to start afresh
 
   ReducedRing ring_;
   NodalBound bound_;
   const Body& body_;
   NodeVectors top_;
+  int sinceFresh_ = freshEvery;
   CriticalStep step_{};
 };
 

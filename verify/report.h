@@ -1,0 +1,57 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace ringwatch {
+
+/// What a study found, in a form that tests, the command line's tables, its JSON and its pictures all read.
+
+/// A table of results.
+struct StudyTable {
+  using Cell = std::variant<std::string, double, std::int64_t>;
+  std::string name;                  // short, unique within the report: a JSON key
+  std::string title;                 // one line for people
+  std::vector<std::string> columns;  // with units, e.g. "h (s)"
+  std::vector<std::vector<Cell>> rows;
+};
+
+/// A statement that holds or does not.
+struct StudyCheck {
+  std::string name;       // what is claimed
+  double measured;        // what was found
+  double expected;        // what theory or another program says
+  double tolerance;       // |measured - expected| allowed, or the bound's slack
+  bool passed;
+};
+
+/// Curves for a picture.
+struct StudyFigure {
+  struct Curve {
+    std::string label;
+    std::vector<double> x, y;
+  };
+  std::string name;  // file name without extension
+  std::string title, xLabel, yLabel;
+  bool logX = false, logY = false;
+  std::vector<Curve> curves;
+};
+
+struct StudyReport {
+  std::string study;
+  std::vector<StudyTable> tables;
+  std::vector<StudyCheck> checks;
+  std::vector<StudyFigure> figures;
+
+  bool passed() const {
+    for (const StudyCheck& check : checks)
+      if (!check.passed) return false;
+    return true;
+  }
+};
+
+/// How much work a study may do: quick for every test run (seconds), full for the command line.
+enum class StudyEffort { quick, full };
+
+}  // namespace ringwatch
