@@ -14,6 +14,10 @@ install(EXPORT ringwatchTargets NAMESPACE ringwatch:: DESTINATION ${CMAKE_INSTAL
 
 # The packages that ringwatch_find_package found here are found again there.
 get_property(packages GLOBAL PROPERTY RINGWATCH_PACKAGES)
+if(RINGWATCH_WITH_VTK AND RINGWATCH_VTK_COMPONENTS)
+  list(JOIN RINGWATCH_VTK_COMPONENTS " " components)
+  list(APPEND packages "VTK 9.0 COMPONENTS ${components}")
+endif()
 set(RINGWATCH_DEPENDENCIES "")
 foreach(package IN LISTS packages)
   string(APPEND RINGWATCH_DEPENDENCIES "find_dependency(${package})\n")

@@ -10,7 +10,8 @@ int main() {
   ringwatch::Mesh mesh;
   mesh.X.resize(3, tet->nodes);
   for (int a = 0; a < tet->nodes; ++a)
-    for (int i = 0; i < 3; ++i) mesh.X(i, a) = tet->referenceNodes[static_cast<std::size_t>(a)][static_cast<std::size_t>(i)];
+    for (int i = 0; i < 3; ++i)
+      mesh.X(i, a) = tet->referenceNodes[static_cast<std::size_t>(a)][static_cast<std::size_t>(i)];
   mesh.blocks.push_back({tet->type, {0, 1, 2, 3}, {0}});
   std::printf("%zu nodes, %zu element of type %s\n", mesh.nodeCount(), mesh.elementCount(), tet->name.data());
   return mesh.nodeCount() == 4 && mesh.elementCount() == 1 ? 0 : 1;
