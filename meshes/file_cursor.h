@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -50,6 +52,13 @@ class FileCursor {
       }
     }
     return false;
+  }
+  void skipOne() { ++position_; }
+  void seek(std::size_t position) { position_ = position; }
+  /// Moves to the next place that holds the text; false, and to the end, when there is none.
+  bool skipTo(std::string_view text) {
+    position_ = std::min(text_.find(text, position_), text_.size());
+    return position_ < text_.size();
   }
   /// The next line that is not empty, without its line end.
   std::string_view line(std::string_view what);

@@ -1,0 +1,137 @@
+#include <ringwatch/meshes/adjacency.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace ringwatch {
+
+CompressedRows<ElementNode> nodeElements(const Mesh& mesh) {
+  CompressedRows<ElementNode> rows;
+  rows.offsets.assign(mesh.nodeCount() + 1, 0);
+  for (const MeshBlock& block : mesh.blocks)
+    for (const std::int32_t n : block.connectivity) ++rows.offsets[static_cast<std::size_t>(n) + 1];
+  std::partial_sum(rows.offsets.begin(), rows.offsets.end(), rows.offsets.begin());
+  rows.values.resize(rows.offsets.back());
+  std::vector<std::size_t> next(rows.offsets.begin(), rows.offsets.end() - 1);
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const MeshBlock& block = mesh.blocks[b];
+    const int width = block.nodesPerElement();
+    for (std::size_t e = 0; e < block.elementCount(); ++e)
+      for (int a = 0; a < width; ++a)
+        rows.values[next[static_cast<std::size_t>(block.element(e)[a])]++] = {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e), a};
+  }
+  return rows;
+}
+
+CompressedRows<std::int32_t> nodeNeighbours(const Mesh& mesh) {
+  const CompressedRows<ElementNode> incidence = nodeElements(mesh);
+  CompressedRows<std::int32_t> rows;
+  rows.offsets.reserve(mesh.nodeCount() + 1);
+  std::vector<std::int32_t> own;
+  for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
+    own.clear();
+    for (const ElementNode& at : incidence.row(n)) {
+      const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(at.block)];
+      const std::int32_t* nodes = block.element(static_cast<std::size_t>(at.element));
+      own.insert(own.end(), nodes, nodes + block.nodesPerElement());
+    }
+    std::sort(own.begin(), own.end());
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+    std::erase(own, static_cast<std::int32_t>(n));
+    rows.values.insert(rows.values.end(), own.begin(), own.end());
+    rows.offsets.push_back(rows.values.size());
+  }
+  return rows;
+}
+
+std::vector<std::size_t> blockOffsets(const Mesh& mesh) {
+  std::vector<std::size_t> offsets{0};
+  for (const MeshBlock& block : mesh.blocks) offsets.push_back(offsets.back() + block.elementCount());
+  return offsets;
+}
+
+FaceNeighbours faceNeighbours(const Mesh& mesh) {
+  struct Entry {
+    std::array<std::int32_t, 4> key;  // corner nodes, sorted; a triangle begins with -1
+    ElementFace face;
+  };
+  std::vector<Entry> entries;
+  FaceNeighbours result;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const MeshBlock& block = mesh.blocks[b];
+    const auto faces = elementInfo(block.type).faces;
+    for (std::size_t e = 0; e < block.elementCount(); ++e) {
+      for (std::size_t f = 0; f < faces.size(); ++f) {
+        Entry entry{{}, {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e), static_cast<std::int32_t>(f)}};
+        for (std::size_t k = 0; k < 4; ++k) entry.key[k] = faces[f][k] < 0 ? -1 : block.element(e)[faces[f][k]];
+        std::sort(entry.key.begin(), entry.key.end());
+        entries.push_back(entry);
+      }
+      result.rows.offsets.push_back(result.rows.offsets.back() + faces.size());
+    }
+  }
+  result.rows.values.resize(entries.size());
+  std::sort(entries.begin(), entries.end(), [](const Entry& p, const Entry& q) { return p.key != q.key ? p.key < q.key : p.face < q.face; });
+  const std::vector<std::size_t> first = blockOffsets(mesh);
+  const auto slot = [&](const ElementFace& f) -> ElementFace& {
+    const std::size_t row = first[static_cast<std::size_t>(f.block)] + static_cast<std::size_t>(f.element);
+    return result.rows.values[result.rows.offsets[row] + static_cast<std::size_t>(f.face)];
+  };
+  for (std::size_t i = 0, j; i < entries.size(); i = j) {
+    for (j = i + 1; j < entries.size() && entries[j].key == entries[i].key;) ++j;
+    if (j - i == 2) {
+      slot(entries[i].face) = entries[i + 1].face;
+      slot(entries[i + 1].face) = entries[i].face;
+    } else if (j - i > 2) {
+      for (std::size_t k = i; k < j; ++k) result.overfull.push_back(entries[k].face);
+    }
+  }
+  std::sort(result.overfull.begin(), result.overfull.end());
+  return result;
+}
+
+std::vector<ElementFace> boundaryFaces(const Mesh& mesh) {
+  const FaceNeighbours neighbours = faceNeighbours(mesh);
+  std::vector<ElementFace> faces;
+  std::size_t row = 0;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+    for (std::size_t e = 0; e < mesh.blocks[b].elementCount(); ++e, ++row)
+      for (std::size_t f = 0; f < neighbours.rows.row(row).size(); ++f) {
+        const ElementFace face{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e), static_cast<std::int32_t>(f)};
+        if (neighbours.rows.row(row)[f].element < 0 && !std::binary_search(neighbours.overfull.begin(), neighbours.overfull.end(), face))
+          faces.push_back(face);
+      }
+  return faces;
+}
+
+MeshParts connectedParts(const Mesh& mesh) {
+  std::vector<std::int32_t> parent(mesh.nodeCount());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](std::int32_t n) {
+    while (parent[static_cast<std::size_t>(n)] != n)
+      n = parent[static_cast<std::size_t>(n)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(n)])];
+    return n;
+  };
+  std::vector<bool> used(mesh.nodeCount());
+  for (const MeshBlock& block : mesh.blocks)
+    for (std::size_t e = 0; e < block.elementCount(); ++e)
+      for (int a = 0; a < block.nodesPerElement(); ++a) {
+        used[static_cast<std::size_t>(block.element(e)[a])] = true;
+        const std::int32_t p = root(block.element(e)[0]), q = root(block.element(e)[a]);
+        parent[static_cast<std::size_t>(std::max(p, q))] = std::min(p, q);  // so a root is the first node of its part
+      }
+  MeshParts parts;
+  parts.partOfNode.assign(mesh.nodeCount(), -1);
+  for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
+    if (!used[n]) continue;
+    const std::int32_t r = root(static_cast<std::int32_t>(n));
+    parts.partOfNode[n] = r == static_cast<std::int32_t>(n) ? parts.count++ : parts.partOfNode[static_cast<std::size_t>(r)];
+  }
+  for (const MeshBlock& block : mesh.blocks)
+    for (std::size_t e = 0; e < block.elementCount(); ++e)
+      parts.partOfElement.push_back(parts.partOfNode[static_cast<std::size_t>(block.element(e)[0])]);
+  return parts;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,232 @@
+#include <ringwatch/meshes/check.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/meshes/quality.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr double degenerateLimit = 1e-12;  // of the longest edge cubed; slivers of real meshes stay above 1e-8
+
+enum class Handedness { right, left, neither };
+
+/// The permutation of an element's nodes that mirrors it: exchanges two natural coordinates, or reverses one, whichever
+/// maps the reference nodes onto themselves.
+std::vector<int> mirrorPermutation(const ElementInfo& info) {
+  const auto matching = [&](auto mirror) {
+    std::vector<int> permutation;
+    for (const auto& node : info.referenceNodes) {
+      const std::array<double, 3> image = mirror(node);
+      for (int b = 0; b < info.nodes; ++b) {
+        const auto& other = info.referenceNodes[static_cast<std::size_t>(b)];
+        double distance = 0;
+        for (std::size_t k = 0; k < 3; ++k) distance = std::max(distance, std::abs(other[k] - image[k]));
+        if (distance < 1e-9) {
+          permutation.push_back(b);
+          break;
+        }
+      }
+    }
+    if (permutation.size() != info.referenceNodes.size()) permutation.clear();
+    return permutation;
+  };
+  for (const auto& [i, j] : {std::pair<std::size_t, std::size_t>{0, 1}, {1, 2}, {0, 2}}) {
+    const auto p = matching([&, a = i, b = j](std::array<double, 3> x) {
+      std::swap(x[a], x[b]);
+      return x;
+    });
+    if (!p.empty()) return p;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto p = matching([&](std::array<double, 3> x) {
+      x[k] = -x[k];
+      return x;
+    });
+    if (!p.empty()) return p;
+  }
+  throw NumericalError(joinText(info.name, " has no mirror symmetry"));
+}
+
+double longestEdge(const ElementInfo& info, const NodeVectors& x, const std::int32_t* nodes) {
+  double squared = 0;
+  for (const auto& edge : info.edges) squared = std::max(squared, (x.col(nodes[edge[1]]) - x.col(nodes[edge[0]])).squaredNorm());
+  return std::sqrt(squared);
+}
+
+bool nodesInRange(const Mesh& mesh, const std::int32_t* nodes, int count) {
+  return std::all_of(nodes, nodes + count, [&](std::int32_t n) { return n >= 0 && static_cast<std::size_t>(n) < mesh.nodeCount(); });
+}
+
+std::vector<bool> usedNodes(const Mesh& mesh) {
+  std::vector<bool> used(mesh.nodeCount());
+  for (const MeshBlock& block : mesh.blocks)
+    for (const std::int32_t n : block.connectivity)
+      if (n >= 0 && static_cast<std::size_t>(n) < used.size()) used[static_cast<std::size_t>(n)] = true;
+  return used;
+}
+
+std::int64_t nodeId(const Mesh& mesh, std::int32_t n) {
+  return n >= 0 && static_cast<std::size_t>(n) < mesh.nodeIds.size() ? mesh.nodeIds[static_cast<std::size_t>(n)] : n;
+}
+
+/// True when every element of every block is turned the other way round.
+bool isMirrored(const Mesh& mesh) {
+  for (const MeshBlock& block : mesh.blocks) {
+    const ElementInfo& info = elementInfo(block.type);
+    const JacobianProbe probe(info);
+    for (std::size_t e = 0; e < block.elementCount(); ++e)
+      if (!nodesInRange(mesh, block.element(e), info.nodes) || !(probe.range(mesh.X, block.element(e)).max < 0)) return false;
+  }
+  return mesh.elementCount() > 0;
+}
+
+void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
+  const std::vector<bool> used = usedNodes(mesh);
+  const auto kept = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+  const std::size_t dropped = used.size() - kept;
+  if (dropped == 0) return;
+  const auto first = static_cast<std::int32_t>(std::find(used.begin(), used.end(), false) - used.begin());
+  if (notes != nullptr)
+    notes->push_back(joinText(source, ": ", dropped, " nodes that no element uses are dropped, the first is node ", nodeId(mesh, first)));
+  std::vector<std::int32_t> newIndex(used.size(), -1);
+  std::int32_t next = 0;
+  for (std::size_t n = 0; n < used.size(); ++n) {
+    if (!used[n]) continue;
+    mesh.X.col(next) = mesh.X.col(static_cast<Eigen::Index>(n)).eval();
+    mesh.nodeIds[static_cast<std::size_t>(next)] = mesh.nodeIds[n];
+    newIndex[n] = next++;
+  }
+  mesh.X.conservativeResize(3, next);
+  mesh.nodeIds.resize(kept);
+  for (MeshBlock& block : mesh.blocks)
+    for (std::int32_t& n : block.connectivity)
+      if (n >= 0 && static_cast<std::size_t>(n) < used.size()) n = newIndex[static_cast<std::size_t>(n)];
+  for (auto& [name, nodes] : mesh.nodeSets) {
+    std::erase_if(nodes, [&](std::int32_t n) { return newIndex[static_cast<std::size_t>(n)] < 0; });
+    for (std::int32_t& n : nodes) n = newIndex[static_cast<std::size_t>(n)];
+  }
+}
+
+}  // namespace
+
+std::string_view problemName(MeshProblem::Kind kind) {
+  switch (kind) {
+    case MeshProblem::Kind::inverted: return "inverted";
+    case MeshProblem::Kind::degenerate: return "degenerate";
+    case MeshProblem::Kind::missingNode: return "missing-node";
+    case MeshProblem::Kind::repeatedNode: return "repeated-node";
+    case MeshProblem::Kind::nonFinite: return "non-finite";
+    case MeshProblem::Kind::unusedNode: return "unused-node";
+    case MeshProblem::Kind::duplicateElement: return "duplicate-element";
+  }
+  return "";
+}
+
+std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
+  std::vector<MeshProblem> problems;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const MeshBlock& block = mesh.blocks[b];
+    const ElementInfo& info = elementInfo(block.type);
+    const JacobianProbe probe(info);
+    const std::size_t count = block.elementCount(), width = static_cast<std::size_t>(info.nodes);
+    const auto report = [&](std::size_t e, MeshProblem::Kind kind, double value, const std::string& what) {
+      const std::int64_t id = e < block.ids.size() ? block.ids[e] : static_cast<std::int64_t>(e);
+      MeshProblem problem{kind, static_cast<std::int32_t>(b), static_cast<std::int64_t>(e), id, {}, value, {}};
+      problem.text = joinText("element ", id, " (", info.name, ", nodes");
+      for (std::size_t a = 0; a < width; ++a) {
+        problem.nodes.push_back(nodeId(mesh, block.element(e)[a]));
+        problem.text += joinText(" ", problem.nodes.back());
+      }
+      problem.text += ") " + what;
+      problems.push_back(std::move(problem));
+    };
+    std::vector<std::int32_t> sorted(block.connectivity);
+    for (std::size_t e = 0; e < count; ++e) {
+      const std::int32_t* nodes = block.element(e);
+      std::int32_t* own = sorted.data() + e * width;
+      std::sort(own, own + width);
+      if (!nodesInRange(mesh, nodes, info.nodes)) {
+        const std::int32_t missing = own[0] < 0 ? own[0] : own[width - 1];
+        report(e, MeshProblem::Kind::missingNode, missing, joinText("refers to a node that the mesh does not have (index ", missing, " of ", mesh.nodeCount(), ")"));
+        continue;
+      }
+      if (const std::int32_t* twice = std::adjacent_find(own, own + width); twice != own + width) {
+        report(e, MeshProblem::Kind::repeatedNode, static_cast<double>(nodeId(mesh, *twice)),
+               joinText("holds node ", nodeId(mesh, *twice), " more than once; its nodes must differ"));
+        continue;
+      }
+      const JacobianRange range = probe.range(mesh.X, nodes);
+      const double length = longestEdge(info, mesh.X, nodes);
+      // J is compared as a volume: det J times the reference volume. A NaN belongs to its node, reported below.
+      const double least = degenerateLimit * length * length * length / info.referenceVolume;
+      if (range.min < -least)
+        report(e, MeshProblem::Kind::inverted, range.min, joinText("is inverted: its Jacobian determinant is ", range.min, " m³; it must be above 0"));
+      else if (range.min <= least)
+        report(e, MeshProblem::Kind::degenerate, range.min,
+               joinText("is degenerate: its Jacobian determinant is ", range.min, " m³ with a longest edge of ", length, " m; it must be above ", least));
+    }
+    std::vector<std::int32_t> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    const auto key = [&](std::int32_t e) { return sorted.data() + static_cast<std::size_t>(e) * width; };
+    std::sort(order.begin(), order.end(), [&](std::int32_t p, std::int32_t q) {
+      const int c = [&] {
+        for (std::size_t a = 0; a < width; ++a)
+          if (key(p)[a] != key(q)[a]) return key(p)[a] < key(q)[a] ? -1 : 1;
+        return 0;
+      }();
+      return c != 0 ? c < 0 : p < q;
+    });
+    for (std::size_t i = 1; i < count; ++i)
+      if (std::equal(key(order[i]), key(order[i]) + width, key(order[i - 1])) && nodesInRange(mesh, key(order[i]), info.nodes)) {
+        const auto other = static_cast<std::size_t>(order[i - 1]);
+        const std::int64_t otherId = other < block.ids.size() ? block.ids[other] : static_cast<std::int64_t>(other);
+        report(static_cast<std::size_t>(order[i]), MeshProblem::Kind::duplicateElement, static_cast<double>(otherId),
+               joinText("has the same nodes as element ", otherId));
+      }
+  }
+  const std::vector<bool> used = usedNodes(mesh);
+  for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
+    const std::int64_t id = nodeId(mesh, static_cast<std::int32_t>(n));
+    const auto index = static_cast<std::int64_t>(n);
+    for (int k = 0; k < 3; ++k)
+      if (const double x = mesh.X(k, index); !std::isfinite(x)) {
+        problems.push_back({MeshProblem::Kind::nonFinite, -1, index, id, {id}, x,
+                            joinText("node ", id, " has the coordinate ", "xyz"[k], " = ", x, "; it must be finite")});
+        break;
+      }
+    if (!used[n])
+      problems.push_back({MeshProblem::Kind::unusedNode, -1, index, id, {id}, static_cast<double>(id), joinText("node ", id, " belongs to no element")});
+  }
+  return problems;
+}
+
+void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
+  if (mesh.elementCount() == 0) throw InputError(source + ": there are no elements; a mesh of at least one is needed");
+  dropUnusedNodes(mesh, source, notes);
+  if (isMirrored(mesh)) {
+    for (MeshBlock& block : mesh.blocks) {
+      const std::vector<int> mirror = mirrorPermutation(elementInfo(block.type));
+      std::vector<std::int32_t> before(mirror.size());
+      for (std::size_t e = 0; e < block.elementCount(); ++e) {
+        std::int32_t* nodes = block.connectivity.data() + e * mirror.size();
+        std::copy(nodes, nodes + mirror.size(), before.begin());
+        for (std::size_t a = 0; a < mirror.size(); ++a) nodes[a] = before[static_cast<std::size_t>(mirror[a])];
+      }
+    }
+    if (notes != nullptr)
+      notes->push_back(joinText(source, ": all ", mesh.elementCount(), " elements are of the other handedness and were turned round"));
+  }
+  const std::vector<MeshProblem> problems = checkMesh(mesh);
+  if (problems.empty()) return;
+  constexpr std::size_t shown = 3;
+  std::string text = joinText(source, ": ", problems.size(), problems.size() == 1 ? " problem: " : " problems: ");
+  for (std::size_t i = 0; i < std::min(shown, problems.size()); ++i) text += (i > 0 ? "; " : "") + problems[i].text;
+  if (problems.size() > shown) text += joinText("; … run `ringwatch mesh check ", source, "` for all of them");
+  throw InputError(text);
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,77 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <ringwatch/meshes/check.h>
+#include <ringwatch/meshes/mesh.h>
+
+namespace ringwatch::detail {
+
+/// An element type of a mesh file.
+struct FileElement {
+  int gmshType;
+  std::string_view name;
+  int dimension;
+  int nodes;
+  int vtkCellType;
+  /// Where VTK's node order differs: VTK node i is node permutation[i] of gmsh. Empty: the orders agree.
+  std::span<const std::uint8_t> permutation;
+};
+/// nullptr for a type that is not known.
+const FileElement* findGmshElement(int gmshType);
+const FileElement* findVtkElement(int vtkCellType);
+
+/// Collects what a reader finds, with its position in the file, and makes the Mesh of it: numbers become indices, volume
+/// elements become blocks in order of first appearance, groups become sets. Throws InputError, with the position, on
+/// repeated or missing nodes, coordinates that are not finite, and volume elements that the library does not have.
+class MeshBuilder {
+ public:
+  using Where = std::function<std::string(std::size_t position)>;
+  MeshBuilder(std::string source, Where nodeWhere, Where elementWhere)
+      : source_(std::move(source)), nodeWhere_(std::move(nodeWhere)), elementWhere_(std::move(elementWhere)) {}
+
+  void addNode(std::int64_t id, double x, double y, double z, std::size_t position) {
+    nodeIds_.push_back(id);
+    coordinates_.insert(coordinates_.end(), {x, y, z});
+    nodePositions_.push_back(position);
+  }
+  std::size_t nodeCount() const { return nodeIds_.size(); }
+
+  /// A new group (a combination of set names); -1 stands for none.
+  int addGroup(std::vector<std::string> names) {
+    groups_.push_back(std::move(names));
+    return static_cast<int>(groups_.size()) - 1;
+  }
+  /// nodes: in the file's order (gmshOrder: permuted to VTK's). Elements of surfaces, lines and points leave only their
+  /// nodes in the sets of their group.
+  void addElement(const FileElement& type, std::int64_t id, const std::int64_t* nodes, int group, std::size_t position,
+                  bool gmshOrder);
+  void addToNodeSet(const std::string& name, std::int64_t nodeId) { nodeSetIds_[name].push_back(nodeId); }
+
+  /// problems: when given, missing nodes (index -1 in the mesh) and non-finite coordinates are put there instead of thrown.
+  Mesh finish(std::vector<std::string>* notes, std::vector<MeshProblem>* problems);
+
+ private:
+  struct Elements {
+    const FileElement* type;
+    const ElementInfo* info;  // nullptr: not a volume element, or not one that the library has
+    std::vector<std::int64_t> nodes, ids;
+    std::vector<int> groups;
+    std::vector<std::size_t> positions;
+    std::size_t count = 0;
+  };
+  std::string source_;
+  Where nodeWhere_, elementWhere_;
+  std::vector<std::int64_t> nodeIds_;
+  std::vector<double> coordinates_;
+  std::vector<std::size_t> nodePositions_;
+  std::vector<std::vector<std::string>> groups_;
+  std::vector<Elements> elements_;
+  std::map<std::string, std::vector<std::int64_t>> nodeSetIds_;
+};
+
+}  // namespace ringwatch::detail
