@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/LU>
+
 #include <ringwatch/base/error.h>
 
 namespace ringwatch {
@@ -36,20 +38,31 @@ void Body::elementLumpedMass(ElementRef ref, double* mass) const {
   const double density = block.material().density;
   const auto nodes = block.nodesOf(ref.element);
   const int n = element.nodes;
-  double N[maxElementNodes], dN[maxElementNodes][3];
+  double N[maxElementNodes], dN[maxElementNodes][3], diagonal[maxElementNodes];
   std::fill(mass, mass + n, 0.0);
+  std::fill(diagonal, diagonal + n, 0.0);
   for (const QuadraturePoint& point : element.massRule.points) {
     element.shape(point.xi, N);
     element.shapeGradient(point.xi, dN);
     Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
     for (int a = 0; a < n; ++a) J += mesh_.X.col(nodes[static_cast<std::size_t>(a)]) * Eigen::RowVector3d::Map(dN[a]);
     const double w = density * J.determinant() * point.weight;
-    for (int a = 0; a < n; ++a) mass[a] += w * N[a];
+    for (int a = 0; a < n; ++a) {
+      mass[a] += w * N[a];
+      diagonal[a] += w * N[a] * N[a];
+    }
   }
   if (options_.lumping == Lumping::equal) {
     double sum = 0;
     for (int a = 0; a < n; ++a) sum += mass[a];
     std::fill(mass, mass + n, sum / n);
+  } else if (options_.lumping == Lumping::diagonalScaling || !element.positiveRowSums) {
+    double sum = 0, trace = 0;
+    for (int a = 0; a < n; ++a) {
+      sum += mass[a];
+      trace += diagonal[a];
+    }
+    for (int a = 0; a < n; ++a) mass[a] = diagonal[a] * (sum / trace);
   }
 }
 
@@ -59,19 +72,24 @@ void Body::lumpMass() {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ElementBlock& block = *blocks_[b];
     const double density = block.material().density;
+    double blockMass = 0, ruleVolume = 0;
     for (std::int32_t e = 0; e < block.elementCount(); ++e) {
       elementLumpedMass({static_cast<std::int32_t>(b), e}, mass);
       const auto nodes = block.nodesOf(e);
-      for (std::size_t a = 0; a < nodes.size(); ++a) lumpedMass_[nodes[a]] += mass[a];
-    }
-    // The volume comes from the stiffness rule, the mass from the mass rule: two ways to the same number.
-    for (std::int32_t batch = 0; batch < block.layout().batchCount(); ++batch) {
-      block.volumeBatch(batch, volumes);
-      for (double volume : volumes) {
-        volume_ += volume;
-        expected += density * volume;
+      for (std::size_t a = 0; a < nodes.size(); ++a) {
+        lumpedMass_[nodes[a]] += mass[a];
+        blockMass += mass[a];
       }
     }
+    volume_ += blockMass / density;
+    // The volume of the stiffness rule and the mass rule's: two ways to the same number, except for quadratic elements
+    // with curved sides, whose Jacobian a rule made for straight ones does not integrate exactly.
+    const bool exact = block.element().order == 1 || block.rule().points.size() >= block.element().massRule.points.size();
+    for (std::int32_t batch = 0; batch < block.layout().batchCount(); ++batch) {
+      block.volumeBatch(batch, volumes);
+      for (double volume : volumes) ruleVolume += volume;
+    }
+    expected += exact ? density * ruleVolume : blockMass;
   }
   for (std::int32_t i = 0; i < nodeCount(); ++i)
     if (!(lumpedMass_[i] > 0)) throw NumericalError(joinText("node ", i, ": lumped mass ", lumpedMass_[i], " kg must be > 0"));

@@ -11,7 +11,8 @@ namespace ringwatch {
 /// entries of the registries; the quadrature rule is data.
 ///
 /// With D = Σ_a x_a ⊗ ∂N_a/∂ξ and the Jacobian J = ∂X/∂ξ: F = D J⁻¹. A force is f_a = Σ_q w_q det(J) P J⁻ᵀ ∂N_a/∂ξ.
-/// J⁻¹ and w det(J) are stored for each quadrature point, 10 numbers.
+/// J⁻¹ and w det(J) are stored for each quadrature point, 10 numbers. Rules with a share at the mean deformation gradient
+/// (LameShares) add one more evaluation with the mean gradients ∂N_a/∂X, stored by element.
 template <class Element, class LawType>
 class ElementBatch final : public ElementBlock {
  public:
@@ -20,7 +21,10 @@ class ElementBatch final : public ElementBlock {
   static constexpr int lanes = PatchLayout::lanes;
 
   ElementBatch(const Mesh& mesh, const MeshBlock& block, const Material& material, const QuadratureRule& rule)
-      : ElementBlock(mesh, block, material, rule), law_(std::get<LawType>(material.law)) {
+      : ElementBlock(mesh, block, material, rule),
+        law_(shareOf(material, rule.shares.pointLambda, rule.shares.pointMu)),
+        meanLaw_(shareOf(material, rule.shares.meanLambda, rule.shares.meanMu)),
+        mean_(rule.shares.mean()) {
     tabulate(mesh, block);
   }
 
@@ -36,6 +40,11 @@ class ElementBatch final : public ElementBlock {
         const Matrix3<P> F = gradient(position, q) * J1;
         scatter(timesTranspose(geometry[9] * law.stress(F), J1), q, force);
       }
+      if constexpr (offersMean)
+        if (mean_) {
+          const P* g = meanGradientsOf(batch);
+          scatterMean(g[3 * n] * meanLaw_.stress(meanGradient(position, g)), g, force);
+        }
       add(slots, batch, force);
     });
   }
@@ -55,6 +64,12 @@ class ElementBatch final : public ElementBlock {
         const Matrix3<P> F = gradient(position, q) * J1, dF = gradient(direction, q) * J1;
         scatter(timesTranspose(geometry[9] * law.linearize(F)(dF), J1), q, force);
       }
+      if constexpr (offersMean)
+        if (mean_) {
+          const P* g = meanGradientsOf(batch);
+          const Matrix3<P> F = meanGradient(position, g), dF = meanGradient(direction, g);
+          scatterMean(g[3 * n] * meanLaw_.linearize(F)(dF), g, force);
+        }
       add(slots, batch, force);
     });
   }
@@ -68,6 +83,11 @@ class ElementBatch final : public ElementBlock {
       const P* geometry = geometryOf(batch);
       for (int q = 0; q < points_; ++q, geometry += 10)
         sum += geometry[9] * law.energy(gradient(position, q) * inverseJacobian(geometry));
+      if constexpr (offersMean)
+        if (mean_) {
+          const P* g = meanGradientsOf(batch);
+          sum += g[3 * n] * meanLaw_.energy(meanGradient(position, g));
+        }
     });
     double total = 0;
     for (int lane = 0; lane < lanes; ++lane) total += sum[lane];
@@ -83,30 +103,20 @@ class ElementBatch final : public ElementBlock {
     const P* geometry = geometryOf(batch);
     for (int q = 0; q < points_; ++q, geometry += 10) {
       const Matrix3<P> J1 = inverseJacobian(geometry);
-      const auto linearization = law.linearize(gradient(position, q) * J1);
       // g_a = J⁻ᵀ ∂N_a/∂ξ, the gradient in reference coordinates.
       P g[n][3];
       for (int a = 0; a < n; ++a)
         for (int j = 0; j < 3; ++j)
           g[a][j] = P(dN(q, a, 0)) * J1(0, j) + P(dN(q, a, 1)) * J1(1, j) + P(dN(q, a, 2)) * J1(2, j);
-      // modulus[(k,K)] = ∂P/∂F_kK · w det J
-      Matrix3<P> modulus[9];
-      for (int c = 0; c < 9; ++c) {
-        Matrix3<P> unit = Matrix3<P>::zero();
-        unit.m[c] = P(1.0);
-        modulus[c] = geometry[9] * linearization(unit);
-      }
-      for (int b = 0; b < n; ++b)
-        for (int column = 0; column < 3; ++column) {
-          Matrix3<P> t;  // Σ_K modulus_(column,K) g_bK
-          for (int i = 0; i < 9; ++i)
-            t.m[i] = modulus[3 * column].m[i] * g[b][0] + modulus[3 * column + 1].m[i] * g[b][1] +
-                     modulus[3 * column + 2].m[i] * g[b][2];
-          for (int a = 0; a < n; ++a)
-            for (int row = 0; row < 3; ++row)
-              k[(3 * a + row) * 3 * n + 3 * b + column] += t(row, 0) * g[a][0] + t(row, 1) * g[a][1] + t(row, 2) * g[a][2];
-        }
+      addTangent(law.linearize(gradient(position, q) * J1), geometry[9], g, k);
     }
+    if constexpr (offersMean)
+      if (mean_) {
+        const P* stored = meanGradientsOf(batch);
+        P g[n][3];
+        for (int i = 0; i < 3 * n; ++i) g[i / 3][i % 3] = stored[i];
+        addTangent(meanLaw_.linearize(meanGradient(position, stored)), stored[3 * n], g, k);
+      }
   }
 
   void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const override {
@@ -118,6 +128,8 @@ class ElementBatch final : public ElementBlock {
       const P d = determinant(gradient(position, q) * inverseJacobian(geometry));
       least = q == 0 ? d : math::min(least, d);
     }
+    if constexpr (offersMean)
+      if (mean_) least = math::min(least, determinant(meanGradient(position, meanGradientsOf(batch))));
     least.store(determinants);
   }
 
@@ -130,6 +142,60 @@ class ElementBatch final : public ElementBlock {
   static constexpr int maxPatchNodes = 1024;
 
  private:
+  static constexpr bool offersMean = [] {
+    for (const QuadratureRule& rule : Element::rules)
+      if (rule.shares.mean()) return true;
+    return false;
+  }();
+  /// The material's law with a share of each of Lamé's constants.
+  static LawType shareOf(const Material& material, double lambdaShare, double muShare) {
+    LawType law = std::get<LawType>(material.law);
+    if constexpr (requires { law.constants.lambda* law.constants.mu; }) {
+      law.constants.lambda *= lambdaShare;
+      law.constants.mu *= muShare;
+    } else if (lambdaShare != muShare) {
+      throw InputError(joinText(Element::name, ": rules that treat pressure and shear apart need a law linear in Lamé's constants; ",
+                                LawType::name, " is none"));
+    }
+    return law;
+  }
+  /// k += w g ⊗ (∂P/∂F) g
+  template <class Linearization>
+  static void addTangent(const Linearization& linearization, const P& weight, const P (&g)[n][3], P* k) {
+    // modulus[(k,K)] = ∂P/∂F_kK · w
+    Matrix3<P> modulus[9];
+    for (int c = 0; c < 9; ++c) {
+      Matrix3<P> unit = Matrix3<P>::zero();
+      unit.m[c] = P(1.0);
+      modulus[c] = weight * linearization(unit);
+    }
+    for (int b = 0; b < n; ++b)
+      for (int column = 0; column < 3; ++column) {
+        Matrix3<P> t;  // Σ_K modulus_(column,K) g_bK
+        for (int i = 0; i < 9; ++i)
+          t.m[i] = modulus[3 * column].m[i] * g[b][0] + modulus[3 * column + 1].m[i] * g[b][1] +
+                   modulus[3 * column + 2].m[i] * g[b][2];
+        for (int a = 0; a < n; ++a)
+          for (int row = 0; row < 3; ++row)
+            k[(3 * a + row) * 3 * n + 3 * b + column] += t(row, 0) * g[a][0] + t(row, 1) * g[a][1] + t(row, 2) * g[a][2];
+      }
+  }
+  /// Mean gradients ∂N_a/∂X of a batch, row by row, then the volume.
+  const P* meanGradientsOf(std::int32_t batch) const {
+    return meanGradients_.data() + static_cast<std::ptrdiff_t>(batch) * (3 * n + 1);
+  }
+  RINGWATCH_INLINE static Matrix3<P> meanGradient(const P (&x)[n][3], const P* g) {
+    Matrix3<P> r = Matrix3<P>::zero();
+    for (int a = 0; a < n; ++a)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) r(i, j) += x[a][i] * g[3 * a + j];
+    return r;
+  }
+  RINGWATCH_INLINE static void scatterMean(const Matrix3<P>& T, const P* g, P (&force)[n][3]) {
+    for (int a = 0; a < n; ++a)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) force[a][i] += T(i, j) * g[3 * a + j];
+  }
   /// Copies the patch's nodes into rows of four, once, and calls kernel(rows, batch) for its batches.
   template <class Kernel>
   void overPatch(const Patch& patch, const double* x, const Kernel& kernel) const {
@@ -215,10 +281,13 @@ class ElementBatch final : public ElementBlock {
   }
 
   void tabulate(const Mesh& mesh, const MeshBlock& block);
+  void tabulateMean();
 
-  LawType law_;
+  LawType law_, meanLaw_;
+  bool mean_;
   int points_ = 0;
   std::vector<double> shapeGradients_;  // [q][a][j] = ∂N_a/∂ξ_j
+  AlignedVector<P> meanGradients_;      // [batch][3n + 1], see meanGradientsOf; empty without a mean share
   AlignedVector<P> geometry_;           // [batch][q][10]: J⁻¹ row by row, w det(J); zero weight in lanes without element
 };
 
@@ -248,6 +317,29 @@ void ElementBatch<Element, LawType>::tabulate(const Mesh& mesh, const MeshBlock&
         geometry[9].set(lane, e < 0 ? 0.0 : det[lane] * rule().points[static_cast<std::size_t>(q)].weight);
       }
     }
+  }
+  if (mean_) tabulateMean();
+}
+
+template <class Element, class LawType>
+void ElementBatch<Element, LawType>::tabulateMean() {
+  constexpr auto size = static_cast<std::size_t>(3 * n + 1);
+  meanGradients_.assign(static_cast<std::size_t>(layout().batchCount()) * size, P(0.0));
+  for (std::int32_t batch = 0; batch < layout().batchCount(); ++batch) {
+    P* g = meanGradients_.data() + static_cast<std::size_t>(batch) * size;
+    const P* geometry = geometryOf(batch);
+    for (int q = 0; q < points_; ++q, geometry += 10) {
+      const Matrix3<P> J1 = inverseJacobian(geometry);
+      for (int a = 0; a < n; ++a)
+        for (int j = 0; j < 3; ++j)
+          g[3 * a + j] +=
+              geometry[9] * (P(dN(q, a, 0)) * J1(0, j) + P(dN(q, a, 1)) * J1(1, j) + P(dN(q, a, 2)) * J1(2, j));
+      g[3 * n] += geometry[9];
+    }
+    // Lanes without an element have no volume; their gradients stay zero.
+    const auto present = g[3 * n] > P(0.0);
+    const P inverse = select(present, P(1.0) / select(present, g[3 * n], P(1.0)), P(0.0));
+    for (int i = 0; i < 3 * n; ++i) g[i] *= inverse;
   }
 }
 

@@ -14,6 +14,7 @@ struct Tet4 {
   static constexpr int vtkCellType = 10;
   static constexpr int gmshType = 4;
   static constexpr bool constantGradient = true;
+  static constexpr bool positiveRowSums = true;
   static constexpr double referenceVolume = 1.0 / 6.0;
   static constexpr std::array<std::array<double, 3>, nodes> referenceNodes{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   /// Corner nodes of each face, seen from outside counter-clockwise; -1 fills triangles.

@@ -14,7 +14,8 @@ struct CellSplit {
   std::string_view element;  // name of the element, as in `Elements`
   int elementsPerCell;
   bool centre;  // the cell gets a node of its own in its middle, corner number 8
-  /// Corners i + 2j + 4k of the cell, element after element, in the element's (VTK) node order.
+  /// Corners i + 2j + 4k of the cell, element after element, in the element's (VTK) node order. Quadratic elements get
+  /// nodes in the middle of their edges by themselves.
   std::span<const std::uint8_t> even;
   /// The same for cells of odd i + j + k, where a split must alternate to match its neighbours; else equal to even.
   std::span<const std::uint8_t> odd;
@@ -40,6 +41,11 @@ struct BarOptions {
 /// keeps its shape; it depends on the seed alone, not on the machine.
 /// Throws InputError naming the parameter, its value and its range, or the element that the jitter inverts.
 Mesh generateBar(const BarOptions& options);
+
+/// A bar that holds every linear element, faces shared without gaps, in sections along x: wedges (axis z), hexahedra, one
+/// layer of pyramids with a few tetrahedra, tetrahedra (Kuhn's split), wedges (axis x). Triangles meet triangles and
+/// quadrilaterals quadrilaterals throughout. element and split of the options are not used; at least 5 cells along x.
+Mesh generateMixedBar(const BarOptions& options);
 
 /// A ball of radius `radius` around the origin.
 struct BallOptions {
