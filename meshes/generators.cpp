@@ -305,21 +305,29 @@ Mesh generateBall(const BallOptions& options) {
   Grid grid({options.cells, options.cells, options.cells}, split);
   Mesh mesh = fillElements(grid, split);
   const int n = options.cells;
+  static constexpr const char* sides[3][2] = {{"x0", "x1"}, {"y0", "y1"}, {"z0", "z1"}};
   for (int k = 0; k <= n; ++k)
     for (int j = 0; j <= n; ++j)
-      for (int i = 0; i <= n; ++i)
-        mesh.X.col(grid.node(i, j, k)) = Eigen::Vector3d(2.0 * i / n - 1, 2.0 * j / n - 1, 2.0 * k / n - 1);
+      for (int i = 0; i <= n; ++i) {
+        const double x = 2.0 * i / n - 1, y = 2.0 * j / n - 1, z = 2.0 * k / n - 1;
+        const double xx = x * x, yy = y * y, zz = z * z;
+        const auto node = static_cast<std::int32_t>(grid.node(i, j, k));
+        mesh.X.col(node) = options.radius * Eigen::Vector3d(x * std::sqrt(1 - yy / 2 - zz / 2 + yy * zz / 3),
+                                                            y * std::sqrt(1 - zz / 2 - xx / 2 + zz * xx / 3),
+                                                            z * std::sqrt(1 - xx / 2 - yy / 2 + xx * yy / 3));
+        const int index[3] = {i, j, k};
+        for (int axis = 0; axis < 3; ++axis) {
+          if (index[axis] == 0) mesh.nodeSets[sides[axis][0]].push_back(node);
+          if (index[axis] == n) mesh.nodeSets[sides[axis][1]].push_back(node);
+        }
+      }
   placeCentres(mesh, grid);
   finishElements(mesh);
-  // All nodes are mapped, so middles of edges come to lie on the sphere too and quadratic elements are curved.
-  std::vector<std::int32_t>& surface = mesh.nodeSets["surface"];
-  for (Eigen::Index node = 0; node < mesh.X.cols(); ++node) {
-    const double x = mesh.X(0, node), y = mesh.X(1, node), z = mesh.X(2, node), xx = x * x, yy = y * y, zz = z * z;
-    if (std::max({xx, yy, zz}) == 1) surface.push_back(static_cast<std::int32_t>(node));
-    mesh.X.col(node) = options.radius * Eigen::Vector3d(x * std::sqrt(1 - yy / 2 - zz / 2 + yy * zz / 3),
-                                                        y * std::sqrt(1 - zz / 2 - xx / 2 + zz * xx / 3),
-                                                        z * std::sqrt(1 - xx / 2 - yy / 2 + xx * yy / 3));
-  }
+  std::vector<std::int32_t> surface;
+  for (const auto& [name, nodes] : mesh.nodeSets) surface.insert(surface.end(), nodes.begin(), nodes.end());
+  std::sort(surface.begin(), surface.end());
+  surface.erase(std::unique(surface.begin(), surface.end()), surface.end());
+  mesh.nodeSets = {{"surface", std::move(surface)}};
   requirePositiveElements(mesh, joinText("cells = ", options.cells));
   return mesh;
 }

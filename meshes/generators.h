@@ -56,7 +56,8 @@ struct BallOptions {
 };
 
 /// A cube of cells mapped smoothly onto the ball: x ← x √(1 − y²/2 − z²/2 + y²z²/3), and so on round (Nowell). Node set
-/// "surface", element set "all". Throws InputError like `generateBar`.
+/// "surface", element set "all". Quadratic elements have straight sides: an element with two curved faces in the sphere
+/// would be flat along their common edge. Throws InputError like `generateBar`.
 Mesh generateBall(const BallOptions& options);
 
 /// A cube: `generateBar` with equal sizes and counts; edge in m.
