@@ -27,9 +27,9 @@ std::vector<MeshProblem> checkMeshFile(const std::filesystem::path& path, std::v
 /// The formats that `writeMesh` knows.
 enum class MeshFormat { byExtension, msh41, msh41Binary, msh22, msh22Binary, vtu };
 
-/// Writes a mesh; the file appears whole or not at all. byExtension: .msh (4.1, text) or .vtu. MSH 4.1 and .vtu keep all
-/// sets; MSH 2.2 allows an element one set only, so the smallest one that holds it is kept. Node sets are written to MSH
-/// as point elements. Numbers below 1, which MSH does not allow, or repeated ones, are replaced by index + 1.
+/// Writes a mesh; the file appears whole or not at all. byExtension: .msh (4.1, text) or .vtu. MSH 4.1 and .vtu keep
+/// all sets; MSH 2.2 allows an element one set only, so the smallest one that holds it is kept. Node sets are written
+/// to MSH as point elements. Numbers below 1, which MSH does not allow, or repeated ones, are replaced by index + 1.
 /// Throws InputError for another extension or where the file cannot be written.
 void writeMesh(const Mesh& mesh, const std::filesystem::path& path, MeshFormat format = MeshFormat::byExtension);
 
