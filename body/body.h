@@ -14,8 +14,8 @@ namespace ringwatch {
 
 /// How an element's mass goes to its nodes.
 enum class Lumping {
-  rowSum,           ///< m_a = ρ ∫ N_a dV, row sums of the consistent mass; diagonal scaling for elements without positive ones
-  equal,            ///< mass over node count, as the source has it
+  rowSum,  ///< m_a = ρ ∫ N_a dV, row sums of the consistent mass; diagonal scaling for elements without positive ones
+  equal,   ///< mass over node count, as the source has it
   diagonalScaling,  ///< diagonal of the consistent mass, scaled to the element's mass (Hinton, Rock & Zienkiewicz 1976)
 };
 

@@ -11,12 +11,12 @@
 
 namespace ringwatch {
 
-/// The hot loops: all elements of one type and law, structure-of-arrays, one lane an element. `Element` and `LawType` are
-/// entries of the registries; the quadrature rule is data.
+/// The hot loops: all elements of one type and law, structure-of-arrays, one lane an element. `Element` and `LawType`
+/// are entries of the registries; the quadrature rule is data.
 ///
 /// With D = Σ_a x_a ⊗ ∂N_a/∂ξ and the Jacobian J = ∂X/∂ξ: F = D J⁻¹. A force is f_a = Σ_q w_q det(J) P J⁻ᵀ ∂N_a/∂ξ.
-/// J⁻¹ and w det(J) are stored for each quadrature point, 10 numbers. Rules with a share at the mean deformation gradient
-/// (LameShares) add one more evaluation with the mean gradients ∂N_a/∂X, stored by element.
+/// J⁻¹ and w det(J) are stored for each quadrature point, 10 numbers. Rules with a share at the mean deformation
+/// gradient (LameShares) add one more evaluation with the mean gradients ∂N_a/∂X, stored by element.
 template <class Element, class LawType>
 class ElementBatch final : public ElementBlock {
  public:
@@ -123,7 +123,8 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  void anchorOf(const std::int32_t* elements, const double* x, DeformationWatch& watch, TangentDrift* drift) const override {
+  void anchorOf(const std::int32_t* elements, const double* x, DeformationWatch& watch,
+                TangentDrift* drift) const override {
     AlignedVector<P> gathered;
     gatherGeometry(elements, gathered);
     P position[n][3];
@@ -133,8 +134,11 @@ class ElementBatch final : public ElementBlock {
       const Matrix3<P> F = gradient(position, q) * inverseJacobian(geometry);
       for (int lane = 0; lane < lanes; ++lane) {
         if (elements[lane] < 0) continue;
-        const std::size_t place = static_cast<std::size_t>(layout().batchOfElement[static_cast<std::size_t>(elements[lane])]);
-        float* anchor = watch.anchor.data() + (place / lanes * static_cast<std::size_t>(points_) + static_cast<std::size_t>(q)) * 9 * lanes + place % lanes;
+        const std::size_t place =
+            static_cast<std::size_t>(layout().batchOfElement[static_cast<std::size_t>(elements[lane])]);
+        float* anchor = watch.anchor.data() +
+                        (place / lanes * static_cast<std::size_t>(points_) + static_cast<std::size_t>(q)) * 9 * lanes +
+                        place % lanes;
         Matrix3<double> own;
         for (int i = 0; i < 9; ++i) {
           own.m[i] = F.m[i][lane];
@@ -161,7 +165,8 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  void lookAtPatch(std::int32_t patchIndex, const double* x, DeformationWatch& watch, std::vector<std::int32_t>& left) const override {
+  void lookAtPatch(std::int32_t patchIndex, const double* x, DeformationWatch& watch,
+                   std::vector<std::int32_t>& left) const override {
     const Patch& patch = layout().patches[static_cast<std::size_t>(patchIndex)];
     alignas(64) double rows[4 * maxPatchNodes];
     gatherRows(patch, x, rows);
@@ -172,7 +177,8 @@ class ElementBatch final : public ElementBlock {
       if (group.slack >= 0 && relativeMotion(watch, group, rows) <= group.slack) continue;
       group.slack = lookAtGroup(watch, group, rows, left);
       for (std::int32_t i = group.nodeBegin; i < group.nodeEnd; ++i)
-        std::copy_n(rows + 4 * watch.groupNodes[static_cast<std::size_t>(i)], 4, watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
+        std::copy_n(rows + 4 * watch.groupNodes[static_cast<std::size_t>(i)], 4,
+                    watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
     }
   }
 
@@ -223,7 +229,8 @@ class ElementBatch final : public ElementBlock {
       law.constants.lambda *= lambdaShare;
       law.constants.mu *= muShare;
     } else if (lambdaShare != muShare) {
-      throw InputError(joinText(Element::name, ": rules that treat pressure and shear apart need a law linear in Lamé's constants; ",
+      throw InputError(joinText(Element::name,
+                                ": rules that treat pressure and shear apart need a law linear in Lamé's constants; ",
                                 LawType::name, " is none"));
     }
     return law;
@@ -246,7 +253,8 @@ class ElementBatch final : public ElementBlock {
                    modulus[3 * column + 2].m[i] * g[b][2];
         for (int a = 0; a < n; ++a)
           for (int row = 0; row < 3; ++row)
-            k[(3 * a + row) * 3 * n + 3 * b + column] += t(row, 0) * g[a][0] + t(row, 1) * g[a][1] + t(row, 2) * g[a][2];
+            k[(3 * a + row) * 3 * n + 3 * b + column] +=
+                t(row, 0) * g[a][0] + t(row, 1) * g[a][1] + t(row, 2) * g[a][2];
       }
   }
   /// Mean gradients ∂N_a/∂X of a batch, row by row, then the volume.
@@ -309,12 +317,14 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  /// Largest distance that a node of the group has moved since the last look, against the group's first node; component by
-  /// component, hence never too small.
-  static double relativeMotion(const DeformationWatch& watch, const DeformationWatch::Group& group, const double* rows) {
+  /// Largest distance that a node of the group has moved since the last look, against the group's first node; component
+  /// by component, hence never too small.
+  static double relativeMotion(const DeformationWatch& watch, const DeformationWatch::Group& group,
+                               const double* rows) {
     const std::uint16_t* node = watch.groupNodes.data();
     auto moved = [&](std::int32_t i) {
-      return detail::loadRow(rows + 4 * node[i]) - detail::loadRow(watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
+      return detail::loadRow(rows + 4 * node[i]) -
+             detail::loadRow(watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
     };
     const detail::Row4 translation = moved(group.nodeBegin);
     detail::Row4 largest{}, poison{};  // a NaN would pass the comparison unseen
@@ -328,7 +338,8 @@ class ElementBatch final : public ElementBlock {
   }
 
   /// Compares every element of the group with its ball; returns how far nodes may move before the next look.
-  double lookAtGroup(const DeformationWatch& watch, const DeformationWatch::Group& group, const double* rows, std::vector<std::int32_t>& left) const {
+  double lookAtGroup(const DeformationWatch& watch, const DeformationWatch::Group& group, const double* rows,
+                     std::vector<std::int32_t>& left) const {
     double slack = std::numeric_limits<double>::infinity();
     for (std::int32_t batch = group.batchBegin; batch < group.batchEnd; ++batch) {
       P position[n][3];
@@ -353,7 +364,8 @@ class ElementBatch final : public ElementBlock {
       // The anchor's rounding to single precision belongs to the distance.
       const P distance = math::sqrt(distance2) + P(1e-7) * math::sqrt(size2);
       for (int lane = 0; lane < lanes; ++lane) {
-        const std::int32_t e = layout().elements[static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane)];
+        const std::int32_t e =
+            layout().elements[static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane)];
         if (e < 0) continue;
         const auto place = static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane);
         const double room = static_cast<double>(watch.radius[place]) - distance[lane];
@@ -409,7 +421,9 @@ class ElementBatch final : public ElementBlock {
   }
 
   double dN(int q, int a, int j) const { return shapeGradients_[static_cast<std::size_t>((q * n + a) * 3 + j)]; }
-  const P* geometryOf(std::int32_t batch) const { return geometry_.data() + static_cast<std::ptrdiff_t>(batch) * points_ * 10; }
+  const P* geometryOf(std::int32_t batch) const {
+    return geometry_.data() + static_cast<std::ptrdiff_t>(batch) * points_ * 10;
+  }
   RINGWATCH_INLINE static Matrix3<P> inverseJacobian(const P* geometry) {
     Matrix3<P> r;
     for (int i = 0; i < 9; ++i) r.m[i] = geometry[i];
@@ -459,7 +473,7 @@ class ElementBatch final : public ElementBlock {
   int points_ = 0;
   std::vector<double> shapeGradients_;  // [q][a][j] = ∂N_a/∂ξ_j
   AlignedVector<P> meanGradients_;      // [batch][3n + 1], see meanGradientsOf; empty without a mean share
-  AlignedVector<P> geometry_;           // [batch][q][10]: J⁻¹ row by row, w det(J); zero weight in lanes without element
+  AlignedVector<P> geometry_;  // [batch][q][10]: J⁻¹ row by row, w det(J); zero weight in lanes without element
 };
 
 template <class Element, class LawType>
@@ -467,8 +481,9 @@ void ElementBatch<Element, LawType>::tabulate(const Mesh& mesh, const MeshBlock&
   points_ = static_cast<int>(rule().points.size());
   shapeGradients_.resize(static_cast<std::size_t>(points_ * n * 3));
   for (int q = 0; q < points_; ++q)
-    Element::shapeGradient(rule().points[static_cast<std::size_t>(q)].xi,
-                           reinterpret_cast<double(*)[3]>(shapeGradients_.data() + static_cast<std::ptrdiff_t>(q) * n * 3));
+    Element::shapeGradient(
+        rule().points[static_cast<std::size_t>(q)].xi,
+        reinterpret_cast<double(*)[3]>(shapeGradients_.data() + static_cast<std::ptrdiff_t>(q) * n * 3));
   const std::int32_t batches = layout().batchCount();
   geometry_.resize(static_cast<std::size_t>(batches) * static_cast<std::size_t>(points_) * 10);
   for (std::int32_t batch = 0; batch < batches; ++batch) {
@@ -481,10 +496,12 @@ void ElementBatch<Element, LawType>::tabulate(const Mesh& mesh, const MeshBlock&
       const Matrix3<P> J1 = inverse(J);
       for (int i = 0; i < 9; ++i) geometry[i] = J1.m[i];
       for (int lane = 0; lane < lanes; ++lane) {
-        const std::int32_t e = layout().elements[static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane)];
+        const std::int32_t e =
+            layout().elements[static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane)];
         if (e >= 0 && !(det[lane] > 0))
-          throw NumericalError(joinText(Element::name, " element ", block.ids.empty() ? e : block.ids[static_cast<std::size_t>(e)],
-                                        ": Jacobian determinant ", det[lane], " at quadrature point ", q, " must be > 0"));
+          throw NumericalError(
+              joinText(Element::name, " element ", block.ids.empty() ? e : block.ids[static_cast<std::size_t>(e)],
+                       ": Jacobian determinant ", det[lane], " at quadrature point ", q, " must be > 0"));
         geometry[9].set(lane, e < 0 ? 0.0 : det[lane] * rule().points[static_cast<std::size_t>(q)].weight);
       }
     }
@@ -504,10 +521,13 @@ void ElementBatch<Element, LawType>::meanGradients(const P* geometry, P* g) cons
     for (int i = 0; i < 3 * n; ++i) g[i] += geometry[9] * own[i / 3][i % 3];
     g[3 * n] += geometry[9];
   }
-  // Lanes without an element have no volume; their gradients stay zero.
+  // Lanes without an element have no volume; they repeat the first lane's gradients, as positions do.
   const auto present = g[3 * n] > P(0.0);
-  const P inverse = select(present, P(1.0) / select(present, g[3 * n], P(1.0)), P(0.0));
-  for (int i = 0; i < 3 * n; ++i) g[i] *= inverse;
+  const P inverse = P(1.0) / select(present, g[3 * n], P(1.0));
+  for (int i = 0; i < 3 * n; ++i) {
+    const P own = g[i] * inverse;
+    g[i] = select(present, own, P(own[0]));
+  }
 }
 
 }  // namespace ringwatch

@@ -18,16 +18,16 @@ struct Hex20 {
   static constexpr bool positiveRowSums = false;
   static constexpr double referenceVolume = 8.0;
   static constexpr std::array<std::array<double, 3>, nodes> referenceNodes{
-      {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1},
-       {-1, 1, 1},   {0, -1, -1}, {1, 0, -1}, {0, 1, -1},  {-1, 0, -1}, {0, -1, 1}, {1, 0, 1},
-       {0, 1, 1},    {-1, 0, 1},  {-1, -1, 0}, {1, -1, 0}, {1, 1, 0},   {-1, 1, 0}}};
+      {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1},  {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1},
+       {-1, 1, 1},   {0, -1, -1}, {1, 0, -1},  {0, 1, -1},  {-1, 0, -1}, {0, -1, 1}, {1, 0, 1},
+       {0, 1, 1},    {-1, 0, 1},  {-1, -1, 0}, {1, -1, 0},  {1, 1, 0},   {-1, 1, 0}}};
   static constexpr std::array<std::array<int, 4>, 6> faces{
       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
   static constexpr std::array<std::array<int, 2>, 12> edges{
       {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
-  /// Corners Π_j (1 + ξ_j ξ_aj) (Σ_j ξ_j ξ_aj - 2)/8; middles Π_j p_j/4 with p_j = 1 - ξ_j² along the edge, 1 + ξ_j ξ_aj
-  /// across it.
+  /// Corners Π_j (1 + ξ_j ξ_aj) (Σ_j ξ_j ξ_aj - 2)/8; middles Π_j p_j/4 with p_j = 1 - ξ_j² along the edge, 1 + ξ_j
+  /// ξ_aj across it.
   template <class S>
   RINGWATCH_HOST_DEVICE static constexpr void shape(const S xi[3], S N[nodes]) {
     for (int a = 0; a < nodes; ++a) {
@@ -46,7 +46,8 @@ struct Hex20 {
       for (int j = 0; j < 3; ++j) sum = sum + S(referenceNodes[a][j]) * xi[j];
       for (int j = 0; j < 3; ++j) {
         const S others = p[(j + 1) % 3] * p[(j + 2) % 3];
-        dN[a][j] = a < 8 ? S(0.125) * others * (dp[j] * sum + p[j] * S(referenceNodes[a][j])) : S(0.25) * others * dp[j];
+        dN[a][j] =
+            a < 8 ? S(0.125) * others * (dp[j] * sum + p[j] * S(referenceNodes[a][j])) : S(0.25) * others * dp[j];
       }
     }
   }

@@ -58,8 +58,8 @@ struct Pyramid5 {
                                                               {{jacobi, -jacobi, 0.25}, 1.0 / 3},
                                                               {{-jacobi, jacobi, 0.25}, 1.0 / 3},
                                                               {{jacobi, jacobi, 0.25}, 1.0 / 3}}};
-  // The source's points, (±8/5 √(2/15), ±8/5 √(2/15), -2/3) and (0, 0, 2/5) with weights 81/100 and 125/27, are those of
-  // Felippa's collapsed coordinates on [-1, 1]³; brought here by the map above with z = (1 + ζ)/2.
+  // The source's points, (±8/5 √(2/15), ±8/5 √(2/15), -2/3) and (0, 0, 2/5) with weights 81/100 and 125/27, are those
+  // of Felippa's collapsed coordinates on [-1, 1]³; brought here by the map above with z = (1 + ζ)/2.
   static constexpr double felippa = 0.48686449556014765641;  // 5/6 · 8/5 √(2/15)
   static constexpr std::array<QuadraturePoint, 5> fivePoints{{{{-felippa, -felippa, 1.0 / 6}, 9.0 / 32},
                                                               {{felippa, -felippa, 1.0 / 6}, 9.0 / 32},

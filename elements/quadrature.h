@@ -45,12 +45,12 @@ inline constexpr std::array<double, 3> x3{-p3, 0.0, p3}, w3{5.0 / 9.0, 8.0 / 9.0
 
 /// The n×n×n product rule on [-1, 1]³, first coordinate fastest.
 template <std::size_t n>
-constexpr std::array<QuadraturePoint, n * n * n> gaussCube(const std::array<double, n>& x, const std::array<double, n>& w) {
+constexpr std::array<QuadraturePoint, n * n * n> gaussCube(const std::array<double, n>& x,
+                                                           const std::array<double, n>& w) {
   std::array<QuadraturePoint, n * n * n> points{};
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < n; ++i)
-        points[(k * n + j) * n + i] = {{x[i], x[j], x[k]}, w[i] * w[j] * w[k]};
+      for (std::size_t i = 0; i < n; ++i) points[(k * n + j) * n + i] = {{x[i], x[j], x[k]}, w[i] * w[j] * w[k]};
   return points;
 }
 

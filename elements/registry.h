@@ -54,10 +54,11 @@ struct ElementInfo {
   bool positiveRowSums;
   std::span<const std::array<double, 3>> referenceNodes;
   std::span<const std::array<int, 4>> faces;  // corner nodes
-  std::span<const std::array<int, 2>> edges;  // corner nodes; in a quadratic element the middle of edges[i] is node corners + i
+  std::span<const std::array<int, 2>>
+      edges;  // corner nodes; in a quadratic element the middle of edges[i] is node corners + i
   std::span<const QuadratureRule> rules;  // the first is the default
   QuadratureRule massRule;
-  void (*shape)(const double xi[3], double* N);               // N[nodes]
+  void (*shape)(const double xi[3], double* N);                // N[nodes]
   void (*shapeGradient)(const double xi[3], double (*dN)[3]);  // dN[nodes][3]
 };
 

@@ -6,8 +6,9 @@
 
 namespace ringwatch {
 
-/// Ten-node tetrahedron, quadratic. Natural coordinates (r, s, t) on the unit tetrahedron; VTK node order: corners, then
-/// the middles of `edges`. Row sums of its mass are negative at the corners, so its mass is lumped by diagonal scaling.
+/// Ten-node tetrahedron, quadratic. Natural coordinates (r, s, t) on the unit tetrahedron; VTK node order: corners,
+/// then the middles of `edges`. Row sums of its mass are negative at the corners, so its mass is lumped by diagonal
+/// scaling.
 struct Tet10 {
   static constexpr std::string_view name = "tet10";
   static constexpr int nodes = 10;
@@ -27,7 +28,8 @@ struct Tet10 {
                                                                             {0, 0, 0.5},
                                                                             {0.5, 0, 0.5},
                                                                             {0, 0.5, 0.5}}};
-  static constexpr std::array<std::array<int, 4>, 4> faces{{{0, 2, 1, -1}, {0, 1, 3, -1}, {1, 2, 3, -1}, {0, 3, 2, -1}}};
+  static constexpr std::array<std::array<int, 4>, 4> faces{
+      {{0, 2, 1, -1}, {0, 1, 3, -1}, {1, 2, 3, -1}, {0, 3, 2, -1}}};
   static constexpr std::array<std::array<int, 2>, 6> edges{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
   /// Corners L_a (2 L_a - 1), middles 4 L_a L_b, with the volume coordinates L = (1 - r - s - t, r, s, t)

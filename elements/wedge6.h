@@ -60,10 +60,13 @@ struct Wedge6 {
       {{{1.0 / 3, 1.0 / 3, -gauss::p2}, 0.5}, {{1.0 / 3, 1.0 / 3, gauss::p2}, 0.5}}};
   static constexpr std::array<QuadratureRule, 3> rules{
       {{"gauss-3x2", "three points on the triangle by two along the axis, full rank", sixPoints},
-       {"source", "two points, as in the source's table 2.1; one spurious mode: the triangles turn against each other",
-        twoPoints, {}, 1},
-       {"selective", "gauss-3x2 for shear, the mean strain of the element for pressure: no volumetric locking", sixPoints,
-        selectiveShares}}};
+       {"source",
+        "two points, as in the source's table 2.1; one spurious mode: the triangles turn against each other",
+        twoPoints,
+        {},
+        1},
+       {"selective", "gauss-3x2 for shear, the mean strain of the element for pressure: no volumetric locking",
+        sixPoints, selectiveShares}}};
   static constexpr QuadratureRule massRule{"gauss-3x2", "exact for masses", sixPoints};
 };
 

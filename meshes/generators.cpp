@@ -1,7 +1,7 @@
 #include <ringwatch/meshes/generators.h>
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <unordered_map>
@@ -25,10 +25,12 @@ constexpr std::uint8_t wedges[] = {0, 1, 3, 4, 5, 7, 0, 3, 2, 4, 7, 6};
 // Prisms along x; their triangles are those of Kuhn's split.
 constexpr std::uint8_t wedgesAlongX[] = {0, 2, 6, 1, 3, 7, 0, 6, 4, 1, 7, 5};
 // A pyramid on each face, the apex in the middle.
-constexpr std::uint8_t pyramids[] = {0, 1, 3, 2, 8, 6, 7, 5, 4, 8, 4, 5, 1, 0, 8, 5, 7, 3, 1, 8, 7, 6, 2, 3, 8, 6, 4, 0, 2, 8};
+constexpr std::uint8_t pyramids[] = {0, 1, 3, 2, 8, 6, 7, 5, 4, 8, 4, 5, 1, 0, 8,
+                                     5, 7, 3, 1, 8, 7, 6, 2, 3, 8, 6, 4, 0, 2, 8};
 // From hexahedra (at the face of low x) to Kuhn's tetrahedra (at the face of high x): pyramids on five faces, two
 // tetrahedra on the sixth.
-constexpr std::uint8_t transitionPyramids[] = {0, 1, 3, 2, 8, 6, 7, 5, 4, 8, 4, 5, 1, 0, 8, 7, 6, 2, 3, 8, 6, 4, 0, 2, 8};
+constexpr std::uint8_t transitionPyramids[] = {0, 1, 3, 2, 8, 6, 7, 5, 4, 8, 4, 5, 1,
+                                               0, 8, 7, 6, 2, 3, 8, 6, 4, 0, 2, 8};
 constexpr std::uint8_t transitionTets[] = {1, 7, 3, 8, 1, 5, 7, 8};
 
 constexpr CellSplit splits[] = {
@@ -106,7 +108,8 @@ Mesh fillElements(Grid& grid, const CellSplit& split) {
       for (int i = 0; i < nx; ++i, ++cell) {
         if (split.centre) grid.centres.push_back({i, j, k});
         for (const std::uint8_t corner : (i + j + k) % 2 == 0 ? split.even : split.odd)
-          block.connectivity.push_back(static_cast<std::int32_t>(corner == 8 ? grid.cornerNodes + cell : grid.corner(i, j, k, corner)));
+          block.connectivity.push_back(
+              static_cast<std::int32_t>(corner == 8 ? grid.cornerNodes + cell : grid.corner(i, j, k, corner)));
       }
   mesh.blocks.push_back(std::move(block));
   return mesh;
@@ -141,7 +144,8 @@ void finishElements(Mesh& mesh) {
         for (const auto& edge : info.edges) {
           const auto [low, high] = std::minmax(nodes[edge[0]], nodes[edge[1]]);
           const std::uint64_t key = static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
-          const auto [entry, isNew] = middleOfEdge.try_emplace(key, corners + static_cast<std::int32_t>(middles.size()));
+          const auto [entry, isNew] =
+              middleOfEdge.try_emplace(key, corners + static_cast<std::int32_t>(middles.size()));
           if (isNew) middles.push_back({low, high});
           whole.push_back(entry->second);
         }
@@ -188,7 +192,8 @@ Mesh fillMixed(Grid& grid) {
                                      {{"wedge6", wedgesAlongX}}};
   Mesh mesh;
   mesh.X.setZero(3, grid.cornerNodes + std::int64_t{ny} * nz);
-  for (const char* name : {"tet4", "hex8", "wedge6", "pyramid5"}) mesh.blocks.push_back({findElementByName(name)->type, {}, {}});
+  for (const char* name : {"tet4", "hex8", "wedge6", "pyramid5"})
+    mesh.blocks.push_back({findElementByName(name)->type, {}, {}});
   for (int k = 0; k < nz; ++k)
     for (int j = 0; j < ny; ++j)
       for (int i = 0; i < nx; ++i) {
@@ -198,7 +203,8 @@ Mesh fillMixed(Grid& grid) {
           for (MeshBlock& block : mesh.blocks)
             if (elementInfo(block.type).name == part.element)
               for (const std::uint8_t corner : part.pattern)
-                block.connectivity.push_back(static_cast<std::int32_t>(corner == 8 ? centre : grid.corner(i, j, k, corner)));
+                block.connectivity.push_back(
+                    static_cast<std::int32_t>(corner == 8 ? centre : grid.corner(i, j, k, corner)));
       }
   return mesh;
 }
@@ -291,7 +297,8 @@ Mesh generateBar(const BarOptions& options) { return makeBar(options, false); }
 
 Mesh generateMixedBar(const BarOptions& options) {
   if (options.cells[0] < 5)
-    throw InputError(joinText("cells = ", options.cells[0], ": a mixed bar needs at least 5 along x, one for each of its sections"));
+    throw InputError(
+        joinText("cells = ", options.cells[0], ": a mixed bar needs at least 5 along x, one for each of its sections"));
   return makeBar(options, true);
 }
 

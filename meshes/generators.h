@@ -42,9 +42,10 @@ struct BarOptions {
 /// Throws InputError naming the parameter, its value and its range, or the element that the jitter inverts.
 Mesh generateBar(const BarOptions& options);
 
-/// A bar that holds every linear element, faces shared without gaps, in sections along x: wedges (axis z), hexahedra, one
-/// layer of pyramids with a few tetrahedra, tetrahedra (Kuhn's split), wedges (axis x). Triangles meet triangles and
-/// quadrilaterals quadrilaterals throughout. element and split of the options are not used; at least 5 cells along x.
+/// A bar that holds every linear element, faces shared without gaps, in sections along x: wedges (axis z), hexahedra,
+/// one layer of pyramids with a few tetrahedra, tetrahedra (Kuhn's split), wedges (axis x). Triangles meet triangles
+/// and quadrilaterals quadrilaterals throughout. element and split of the options are not used; at least 5 cells along
+/// x.
 Mesh generateMixedBar(const BarOptions& options);
 
 /// A ball of radius `radius` around the origin.

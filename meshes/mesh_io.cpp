@@ -42,8 +42,9 @@ Mesh read(const fs::path& path, detail::Notes* notes, detail::Problems* problems
     throw InputError(path.string() + ":1: begins with " + begin + "; a legacy VTK file begins with # vtk DataFile");
   if (extension == ".vtu")
     throw InputError(path.string() + ":1: begins with " + begin + "; a .vtu file begins with <VTKFile");
-  throw InputError(path.string() + ":1: not a known mesh format, it begins with " + begin +
-                   "; known are MSH 2 and 4 (.msh), TetGen (.node and .ele), .vtu, legacy .vtk and Abaqus or CalculiX decks (.inp)");
+  throw InputError(
+      path.string() + ":1: not a known mesh format, it begins with " + begin +
+      "; known are MSH 2 and 4 (.msh), TetGen (.node and .ele), .vtu, legacy .vtk and Abaqus or CalculiX decks (.inp)");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace detail {
 namespace {
 
 constexpr double young = 30e3, poisson = 0.3, density = 1000;
-constexpr double edge = 0.03;                      // m, of the cubes below
+constexpr double edge = 0.03;                       // m, of the cubes below
 constexpr double forceScale = young * 0.01 * 0.01;  // N, order one strain on a face of 1 cm
 
 /// Uniform in [-1, 1], the same on every machine.
@@ -58,7 +58,8 @@ Mesh oneElement(const ElementInfo& info, double jitter) {
   const int corners = cornerCount(info);
   for (int a = 0; a < info.nodes; ++a) {
     mesh.X.col(a) = 0.01 * Eigen::Vector3d::Map(info.referenceNodes[static_cast<std::size_t>(a)].data());
-    if (a < corners) mesh.X.col(a) += 0.01 * jitter * Eigen::Vector3d(draw(), draw(), draw());
+    if (a < corners)
+      mesh.X.col(a) += 0.01 * jitter * Eigen::Vector3d(draw(), draw(), draw());
     else {
       const auto& ends = info.edges[static_cast<std::size_t>(a - corners)];
       mesh.X.col(a) = (mesh.X.col(ends[0]) + mesh.X.col(ends[1])) / 2;
@@ -90,8 +91,11 @@ void checkBelow(StudyReport& report, std::string name, double measured, double b
 }
 
 void studyShapes(StudyReport& report) {
-  StudyTable table{"shapes", "Shape functions, volume and mass of a distorted cube (largest errors, relative)",
-                   {"element", "sum of shapes - 1", "gradient of linear fields", "volume", "mass", "least nodal mass share"}, {}};
+  StudyTable table{
+      "shapes",
+      "Shape functions, volume and mass of a distorted cube (largest errors, relative)",
+      {"element", "sum of shapes - 1", "gradient of linear fields", "volume", "mass", "least nodal mass share"},
+      {}};
   for (const ElementInfo& info : allElements()) {
     Draw draw(3);
     double unity = 0, completeness = 0;
@@ -133,18 +137,23 @@ void studyShapes(StudyReport& report) {
 }
 
 void studyRank(StudyReport& report) {
-  StudyTable table{"rank", "Zero modes of a free element at rest (6 rigid ones; eigenvalues below 1e-10 of the largest)",
-                   {"element", "rule", "points", "zero modes", "spurious", "declared", "zero modes, distorted", "verdict"}, {}};
+  StudyTable table{
+      "rank",
+      "Zero modes of a free element at rest (6 rigid ones; eigenvalues below 1e-10 of the largest)",
+      {"element", "rule", "points", "zero modes", "spurious", "declared", "zero modes, distorted", "verdict"},
+      {}};
   for (const ElementRule& c : allElementRules()) {
     const auto zeroModes = [&](double jitter) {
       const Body body(oneElement(*c.element, jitter), makeMaterial("stvk", young, poisson, density), c.options());
       const Eigen::MatrixXd K = body.elementTangent({0, 0}, body.mesh().X);
-      const Eigen::VectorXd lambda = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues();
+      const Eigen::VectorXd lambda =
+          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues();
       return static_cast<std::int64_t>((lambda.array().abs() < 1e-10 * lambda.maxCoeff()).count());
     };
     const std::int64_t regular = zeroModes(0), distorted = zeroModes(0.1), declared = c.rule->spuriousModes;
-    table.rows.push_back({std::string(c.element->name), std::string(c.rule->name), static_cast<std::int64_t>(c.rule->points.size()),
-                          regular, regular - 6, declared, distorted, std::string(regular == 6 ? "full rank" : "deficient")});
+    table.rows.push_back({std::string(c.element->name), std::string(c.rule->name),
+                          static_cast<std::int64_t>(c.rule->points.size()), regular, regular - 6, declared, distorted,
+                          std::string(regular == 6 ? "full rank" : "deficient")});
     checkNear(report, c.name() + ": zero modes", static_cast<double>(regular), static_cast<double>(6 + declared), 0);
     if (declared == 0) checkNear(report, c.name() + ": zero modes, distorted", static_cast<double>(distorted), 6, 0);
   }
@@ -170,7 +179,8 @@ PatchErrors constantStrain(const Mesh& mesh, const BodyOptions& options) {
   NodeVectors start = exact;
   Draw draw(9);
   for (std::int32_t node = 0; node < body.nodeCount(); ++node) {
-    if (boundary[static_cast<std::size_t>(node)]) body.constraints().fix(node);
+    if (boundary[static_cast<std::size_t>(node)])
+      body.constraints().fix(node);
     else {
       errors.force = std::max(errors.force, f.col(node).cwiseAbs().maxCoeff() / forceScale);
       start.col(node) += 2e-4 * Eigen::Vector3d(draw(), draw(), draw());
@@ -181,8 +191,8 @@ PatchErrors constantStrain(const Mesh& mesh, const BodyOptions& options) {
   return errors;
 }
 
-/// A displacement quadratic in X has constant stress divergence under the linear law; an element with complete quadratics
-/// and straight sides holds it exactly. Largest force left at an inner node, relative to the load there.
+/// A displacement quadratic in X has constant stress divergence under the linear law; an element with complete
+/// quadratics and straight sides holds it exactly. Largest force left at an inner node, relative to the load there.
 double linearStrain(const ElementRule& c, double jitter) {
   const Mesh mesh = jitteredCube(c.element->name, jitter);
   const Material material = makeMaterial("linear", young, poisson, density);
@@ -204,7 +214,8 @@ double linearStrain(const ElementRule& c, double jitter) {
     for (int k = 0; k < 3; ++k) gradDiv += 2 * Q[k](k, i);
     divergence[i] = lame.mu * 2 * Q[i].trace() + (lame.lambda + lame.mu) * gradDiv;
   }
-  const NodeVectors load = consistentBodyForce(mesh, [&](const Eigen::Vector3d&) { return Eigen::Vector3d(-divergence); });
+  const NodeVectors load =
+      consistentBodyForce(mesh, [&](const Eigen::Vector3d&) { return Eigen::Vector3d(-divergence); });
   NodeVectors f;
   Body::Workspace workspace;
   body.internalForce(x, f, workspace);
@@ -218,8 +229,11 @@ double linearStrain(const ElementRule& c, double jitter) {
 }  // namespace
 
 void studyPatch(StudyReport& report) {
-  StudyTable table{"patch", "Patch test, St. Venant-Kirchhoff at 10 % strain: force at inner nodes / (E cm²), position error / edge",
-                   {"mesh", "rule", "force", "position"}, {}};
+  StudyTable table{
+      "patch",
+      "Patch test, St. Venant-Kirchhoff at 10 % strain: force at inner nodes / (E cm²), position error / edge",
+      {"mesh", "rule", "force", "position"},
+      {}};
   for (const ElementRule& c : allElementRules()) {
     if (c.rule->spuriousModes > 0) continue;
     const PatchErrors errors = constantStrain(jitteredCube(c.element->name), c.options());
@@ -235,21 +249,26 @@ void studyPatch(StudyReport& report) {
     checkBelow(report, name + ": patch test, position", errors.position, 1e-11);
   }
   report.tables.push_back(std::move(table));
-  StudyTable quadratic{"patch-linear-strain", "Linear strain in quadratic elements: force left at inner nodes / largest load",
-                       {"element", "rule", "mesh", "force"}, {}};
+  StudyTable quadratic{"patch-linear-strain",
+                       "Linear strain in quadratic elements: force left at inner nodes / largest load",
+                       {"element", "rule", "mesh", "force"},
+                       {}};
   for (const ElementRule& c : allElementRules()) {
     if (c.element->order < 2) continue;
     // Serendipity elements lose complete quadratics when distorted (Arnold, Boffi & Falk 2002); tetrahedra keep them.
     const double jitter = c.element->faces.size() == 4 ? 0.2 : 0.0, error = linearStrain(c, jitter);
-    quadratic.rows.push_back({std::string(c.element->name), std::string(c.rule->name), std::string(jitter > 0 ? "distorted" : "regular"), error});
+    quadratic.rows.push_back({std::string(c.element->name), std::string(c.rule->name),
+                              std::string(jitter > 0 ? "distorted" : "regular"), error});
     checkBelow(report, c.name() + ": linear strain", error, 1e-11);
   }
   report.tables.push_back(std::move(quadratic));
 }
 
 void studyDerivatives(StudyReport& report) {
-  StudyTable table{"derivatives", "Energy, force and tangent at a state strained by 15 % (relative errors)",
-                   {"element", "rule", "law", "force - energy'", "tangent - force'", "asymmetry", "rotation"}, {}};
+  StudyTable table{"derivatives",
+                   "Energy, force and tangent at a state strained by 15 % (relative errors)",
+                   {"element", "rule", "law", "force - energy'", "tangent - force'", "asymmetry", "rotation"},
+                   {}};
   for (const ElementRule& c : allElementRules()) {
     const Mesh mesh = jitteredCube(c.element->name);
     const NodeVectors x = strained(mesh, 4e-4);
@@ -262,14 +281,17 @@ void studyDerivatives(StudyReport& report) {
       body.internalForce(x, f, workspace);
       body.tangentProduct(x, v, Kv, workspace);
       // Central differences, the h² of their error taken out by a second step width.
-      const auto energySlope = [&](double h) { return (body.energy(x + h * v, workspace) - body.energy(x - h * v, workspace)) / (2 * h); };
+      const auto energySlope = [&](double h) {
+        return (body.energy(x + h * v, workspace) - body.energy(x - h * v, workspace)) / (2 * h);
+      };
       const auto forceSlope = [&](double h) {
         body.internalForce(x + h * v, ahead, workspace);
         body.internalForce(x - h * v, behind, workspace);
         return NodeVectors((ahead - behind) / (2 * h));
       };
       const double h = 4e-6, slope = (4 * energySlope(h) - energySlope(2 * h)) / 3;
-      const double forceError = std::abs(slope - f.cwiseProduct(v).sum()) / std::sqrt(f.squaredNorm() * v.squaredNorm());
+      const double forceError =
+          std::abs(slope - f.cwiseProduct(v).sum()) / std::sqrt(f.squaredNorm() * v.squaredNorm());
       difference = (4 * forceSlope(h) - forceSlope(2 * h)) / 3 - Kv;
       const double tangentError = difference.norm() / Kv.norm();
       const Eigen::MatrixXd K = body.elementTangent({0, 0}, x);
@@ -278,7 +300,8 @@ void studyDerivatives(StudyReport& report) {
       body.internalForce(R * x, ahead, workspace);
       const bool objective = law.name != LinearElastic::name;
       const double rotation = objective ? (ahead - R * f).norm() / f.norm() : std::nan("");
-      table.rows.push_back({std::string(c.element->name), std::string(c.rule->name), std::string(law.name), forceError, tangentError, asymmetry, rotation});
+      table.rows.push_back({std::string(c.element->name), std::string(c.rule->name), std::string(law.name), forceError,
+                            tangentError, asymmetry, rotation});
       const std::string name = c.name() + " " + std::string(law.name);
       checkBelow(report, name + ": force is the slope of the energy", forceError, 1e-8);
       checkBelow(report, name + ": tangent is the slope of the force", tangentError, 1e-8);

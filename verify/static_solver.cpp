@@ -72,7 +72,8 @@ const QuadratureRule& finestRule(const ElementInfo& element) {
   return *finest;
 }
 
-NodeVectors consistentBodyForce(const Mesh& mesh, const std::function<Eigen::Vector3d(const Eigen::Vector3d& X)>& force) {
+NodeVectors consistentBodyForce(const Mesh& mesh,
+                                const std::function<Eigen::Vector3d(const Eigen::Vector3d& X)>& force) {
   NodeVectors f = NodeVectors::Zero(3, mesh.X.cols());
   double N[maxElementNodes], dN[maxElementNodes][3];
   for (const MeshBlock& block : mesh.blocks) {
@@ -110,16 +111,19 @@ NodeVectors consistentTraction(const Mesh& mesh, const std::function<bool(const 
                          [&](int a) { return onFace(Eigen::Vector3d(mesh.X.col(nodes[a]))); }))
           continue;
         const auto corner = [&](int i) {
-          return Eigen::Vector3d(Eigen::Vector3d::Map(info.referenceNodes[static_cast<std::size_t>(face[static_cast<std::size_t>(i)])].data()));
+          return Eigen::Vector3d(Eigen::Vector3d::Map(
+              info.referenceNodes[static_cast<std::size_t>(face[static_cast<std::size_t>(i)])].data()));
         };
         // Points (u, v) on [0, 1]² by three Gauss points each way; a triangle is the square with one side collapsed.
         for (std::size_t i = 0; i < 3; ++i)
           for (std::size_t j = 0; j < 3; ++j) {
-            const double u = 0.5 * (1 + gauss::x3[i]), v = 0.5 * (1 + gauss::x3[j]), w = 0.25 * gauss::w3[i] * gauss::w3[j];
+            const double u = 0.5 * (1 + gauss::x3[i]), v = 0.5 * (1 + gauss::x3[j]),
+                         w = 0.25 * gauss::w3[i] * gauss::w3[j];
             Eigen::Vector3d xi, du, dv;
             double factor = w;
             if (corners == 4) {
-              xi = (1 - u) * (1 - v) * corner(0) + u * (1 - v) * corner(1) + u * v * corner(2) + (1 - u) * v * corner(3);
+              xi =
+                  (1 - u) * (1 - v) * corner(0) + u * (1 - v) * corner(1) + u * v * corner(2) + (1 - u) * v * corner(3);
               du = (1 - v) * (corner(1) - corner(0)) + v * (corner(2) - corner(3));
               dv = (1 - u) * (corner(3) - corner(0)) + u * (corner(2) - corner(1));
             } else {
@@ -155,7 +159,8 @@ NearestMode nearestMode(const Body& body, const NodeVectors& x, const NodeVector
   Eigen::VectorXd u = dofs.gather(guess);
   u /= std::sqrt(u.dot(mass.cwiseProduct(u)));
   const Eigen::VectorXd first = u;
-  // One step at the guess, which a rigid or neighbouring mode cannot win, then at the Rayleigh quotient: cubic convergence.
+  // One step at the guess, which a rigid or neighbouring mode cannot win, then at the Rayleigh quotient: cubic
+  // convergence.
   double shift = guessedLambda, lambda = u.dot(K * u);
   NearestMode result;
   for (int i = 0; i < 12; ++i) {

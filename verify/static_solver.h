@@ -33,8 +33,8 @@ struct StaticOptions {
 };
 struct StaticSolution {
   bool converged = false;
-  NodeVectors x;        // equilibrium positions, 3×N, m; only when converged
-  int iterations = 0;   // Newton iterations, all steps together
+  NodeVectors x;       // equilibrium positions, 3×N, m; only when converged
+  int iterations = 0;  // Newton iterations, all steps together
 };
 /// Static equilibrium of internal and external force by Newton's method with the exact tangent. Constrained components
 /// stay where `start` (3×N, m) has them; the others begin there.
@@ -44,17 +44,19 @@ StaticSolution solveStatic(const Body& body, const NodeVectors& start, const Sta
 const QuadratureRule& finestRule(const ElementInfo& element);
 
 /// Consistent nodal forces, 3×N, N, of a body force b(X) in N/m³.
-NodeVectors consistentBodyForce(const Mesh& mesh, const std::function<Eigen::Vector3d(const Eigen::Vector3d& X)>& force);
-/// Consistent nodal forces, 3×N, N, of a dead traction t(X) in Pa on the element faces whose corners all satisfy `onFace`.
+NodeVectors consistentBodyForce(const Mesh& mesh,
+                                const std::function<Eigen::Vector3d(const Eigen::Vector3d& X)>& force);
+/// Consistent nodal forces, 3×N, N, of a dead traction t(X) in Pa on the element faces whose corners all satisfy
+/// `onFace`.
 NodeVectors consistentTraction(const Mesh& mesh, const std::function<bool(const Eigen::Vector3d& X)>& onFace,
                                const std::function<Eigen::Vector3d(const Eigen::Vector3d& X)>& traction);
 
 /// The vibration nearest to a guessed mode, by Rayleigh quotient iteration on K u = ω² M u at positions x.
 struct NearestMode {
   bool converged = false;
-  double lambda = 0;  // ω², rad²/s²; only when converged
-  NodeVectors mode;   // 3×N; only when converged
-  double overlap = 0; // |cosine| between guess and mode in the mass inner product
+  double lambda = 0;   // ω², rad²/s²; only when converged
+  NodeVectors mode;    // 3×N; only when converged
+  double overlap = 0;  // |cosine| between guess and mode in the mass inner product
 };
 NearestMode nearestMode(const Body& body, const NodeVectors& x, const NodeVectors& guess, double guessedLambda);
 

@@ -18,8 +18,9 @@ using ::testing::HasSubstr;
 
 class InpTest : public ::testing::Test {
  public:
-  std::filesystem::path path = std::filesystem::path(::testing::TempDir()) /
-                               (std::string("deck-") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".inp");
+  std::filesystem::path path =
+      std::filesystem::path(::testing::TempDir()) /
+      (std::string("deck-") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".inp");
   std::vector<std::string> notes;
   Mesh read(const std::string& deck) {
     std::ofstream(path) << deck;

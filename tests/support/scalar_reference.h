@@ -41,7 +41,8 @@ class ScalarReference {
   }
 
   void force(const NodeVectors& x, NodeVectors& f) const {
-    sumOverElements(x, f, [&](std::size_t, const Matrix3<double>& F, const Point& point) { return lawAt(point).stress(F); });
+    sumOverElements(x, f,
+                    [&](std::size_t, const Matrix3<double>& F, const Point& point) { return lawAt(point).stress(F); });
   }
   void tangentProduct(const NodeVectors& x, const NodeVectors& v, NodeVectors& Kv) const {
     sumOverElements(x, Kv, [&](std::size_t e, const Matrix3<double>& F, const Point& point) {

@@ -21,7 +21,8 @@ const StudyTable& table(const std::string& name) {
 
 TEST(ElementStudy, EveryCheckPasses) {
   for (const StudyCheck& check : report().checks)
-    EXPECT_TRUE(check.passed) << check.name << ": " << check.measured << " against " << check.expected << " ± " << check.tolerance;
+    EXPECT_TRUE(check.passed) << check.name << ": " << check.measured << " against " << check.expected << " ± "
+                              << check.tolerance;
   EXPECT_TRUE(report().passed());
 }
 
@@ -37,9 +38,12 @@ TEST(ElementStudy, ShowsTheDeficientRules) {
   for (const auto& row : table("rank").rows) {
     const std::string rule = std::get<std::string>(row[0]) + " " + std::get<std::string>(row[1]);
     const std::int64_t spurious = std::get<std::int64_t>(row[4]);
-    if (rule == "wedge6 source") EXPECT_EQ(spurious, 1);
-    else if (rule == "hex20 gauss-2x2x2") EXPECT_EQ(spurious, 6);
-    else EXPECT_EQ(spurious, 0) << rule;
+    if (rule == "wedge6 source")
+      EXPECT_EQ(spurious, 1);
+    else if (rule == "hex20 gauss-2x2x2")
+      EXPECT_EQ(spurious, 6);
+    else
+      EXPECT_EQ(spurious, 0) << rule;
     deficient += std::get<std::string>(row[7]) == "deficient";
   }
   EXPECT_EQ(deficient, 2);

@@ -1,5 +1,6 @@
-// Wedges and pyramids against the numbers of independent programs, to the digits that they printed: single elements, and
-// bars of 0.2 × 0.04 × 0.04 m clamped at x = 0 (E = 30 kPa, nu = 0.3, rho = 1000 kg/m3, St. Venant–Kirchhoff; GetFEM 5.4.2).
+// Wedges and pyramids against the numbers of independent programs, to the digits that they printed: single elements,
+// and bars of 0.2 × 0.04 × 0.04 m clamped at x = 0 (E = 30 kPa, nu = 0.3, rho = 1000 kg/m3, St. Venant–Kirchhoff;
+// GetFEM 5.4.2).
 #include <gtest/gtest.h>
 
 #include <array>
@@ -48,7 +49,8 @@ INSTANTIATE_TEST_SUITE_P(GetFem, ReferenceWedgeOrPyramidTest, ::testing::ValuesI
 TEST_P(ReferenceWedgeOrPyramidTest, HasTheVolumeAndTheLumpedMasses) {
   EXPECT_NEAR(body.volume(), expected().volume, 1e-12 * expected().volume);
   for (std::size_t a = 0; a < expected().lumpedMass.size(); ++a)
-    EXPECT_NEAR(body.lumpedMass()[static_cast<Eigen::Index>(a)], expected().lumpedMass[a], 2e-12 * expected().lumpedMass[a]);
+    EXPECT_NEAR(body.lumpedMass()[static_cast<Eigen::Index>(a)], expected().lumpedMass[a],
+                2e-12 * expected().lumpedMass[a]);
 }
 
 TEST_P(ReferenceWedgeOrPyramidTest, HasTheInternalForce) {
@@ -94,12 +96,13 @@ struct Cantilever {
   double smallZ, largeX, largeZ;  // tip displacement under 1e-3 N and 0.3 N, m
 };
 class ReferenceCantileverTest : public ::testing::TestWithParam<Cantilever> {};
-INSTANTIATE_TEST_SUITE_P(Bars, ReferenceCantileverTest,
-                         ::testing::Values(Cantilever{"wedge6", 2, -3.672122187e-4, -2.536326319e-2, -8.892545802e-2},
-                                           Cantilever{"wedge6", 4, -4.061092236e-4, -2.931616485e-2, -9.510617339e-2},
-                                           Cantilever{"pyramid5", 2, -3.394148599e-4, -2.267257056e-2, -8.453181137e-2},
-                                           Cantilever{"pyramid5", 4, -3.971877444e-4, -2.846686192e-2, -9.388526275e-2}),
-                         [](const auto& test) { return std::string(test.param.element) + "_" + std::to_string(test.param.cells); });
+INSTANTIATE_TEST_SUITE_P(
+    Bars, ReferenceCantileverTest,
+    ::testing::Values(Cantilever{"wedge6", 2, -3.672122187e-4, -2.536326319e-2, -8.892545802e-2},
+                      Cantilever{"wedge6", 4, -4.061092236e-4, -2.931616485e-2, -9.510617339e-2},
+                      Cantilever{"pyramid5", 2, -3.394148599e-4, -2.267257056e-2, -8.453181137e-2},
+                      Cantilever{"pyramid5", 4, -3.971877444e-4, -2.846686192e-2, -9.388526275e-2}),
+    [](const auto& test) { return std::string(test.param.element) + "_" + std::to_string(test.param.cells); });
 
 TEST_P(ReferenceCantileverTest, BendsAsInTheReferencePrograms) {
   const Cantilever& expected = GetParam();
@@ -126,19 +129,21 @@ struct Frequencies {
 class ReferenceFrequencyTest : public ::testing::TestWithParam<Frequencies> {};
 INSTANTIATE_TEST_SUITE_P(Bars, ReferenceFrequencyTest,
                          ::testing::Values(Frequencies{"wedge6",
-                                                       {0.92574416, 1.2010296, 4.2284852, 4.9086386, 5.9605447, 6.9362148,
-                                                        11.544778, 12.544461, 13.451765, 18.858983}},
+                                                       {0.92574416, 1.2010296, 4.2284852, 4.9086386, 5.9605447,
+                                                        6.9362148, 11.544778, 12.544461, 13.451765, 18.858983}},
                                            Frequencies{"pyramid5",
-                                                       {0.96342263, 0.96342263, 4.1639514, 5.1258367, 5.1258367, 6.9109172,
-                                                        12.112658, 12.112658, 12.426392, 19.953869}}),
+                                                       {0.96342263, 0.96342263, 4.1639514, 5.1258367, 5.1258367,
+                                                        6.9109172, 12.112658, 12.112658, 12.426392, 19.953869}}),
                          [](const auto& test) { return std::string(test.param.element); });
 
 TEST_P(ReferenceFrequencyTest, RingsAsInTheReferencePrograms) {
   const Body body = clampedBar(GetParam().element, 2);
   const FreeDofs dofs(body);
   const Eigen::VectorXd scale = dofs.gather(body.lumpedMass().cwiseSqrt().cwiseInverse().transpose().replicate(3, 1));
-  const Eigen::MatrixXd K = scale.asDiagonal() * Eigen::MatrixXd(dofs.reduce(body.assembleTangent(body.mesh().X))) * scale.asDiagonal();
-  const Eigen::VectorXd lambda = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::MatrixXd K =
+      scale.asDiagonal() * Eigen::MatrixXd(dofs.reduce(body.assembleTangent(body.mesh().X))) * scale.asDiagonal();
+  const Eigen::VectorXd lambda =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues();
   for (std::size_t i = 0; i < GetParam().hertz.size(); ++i) {
     const double hertz = std::sqrt(lambda[static_cast<Eigen::Index>(i)]) / (2 * std::numbers::pi);
     EXPECT_NEAR(hertz, GetParam().hertz[i], 6e-8 * GetParam().hertz[i]) << i;
@@ -191,7 +196,9 @@ INSTANTIATE_TEST_SUITE_P(Bars, ReferenceCriticalStepTest,
                                            Critical{"wedge6", 4, 1.086226950e-03, 1.086227484e-03},
                                            Critical{"pyramid5", 2, 1.837232643e-03, 1.837233754e-03},
                                            Critical{"pyramid5", 4, 9.246170413e-04, 9.246170415e-04}),
-                         [](const auto& test) { return std::string(test.param.element) + "_" + std::to_string(test.param.cells); });
+                         [](const auto& test) {
+                           return std::string(test.param.element) + "_" + std::to_string(test.param.cells);
+                         });
 
 TEST_P(ReferenceCriticalStepTest, IsThatOfTheReferenceProgram) {
   for (const bool clamped : {false, true}) {
