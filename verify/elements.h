@@ -11,7 +11,7 @@ namespace ringwatch {
 ///  - a manufactured solution (linear law, and St. Venant–Kirchhoff at large strain): rates in L2 and H1, theory: order
 ///  + 1
 ///    and order, within 0.1;
-///  - natural frequencies: a free rod (ν = 0, exact), a ball (Lamb 1882: breathing and first torsional mode), a
+///  - natural frequencies: a free rod (ν = 0, exact), a ball of linear elements (Lamb 1882, breathing mode), a
 ///  cantilever
 ///    against Timoshenko's beam, statically; all with the observed order where the answer is exact;
 ///  - locking: the tip deflection of a cantilever at ν = 0.3, 0.45, 0.49, 0.499;

@@ -149,7 +149,7 @@ NodeVectors consistentTraction(const Mesh& mesh, const std::function<bool(const 
   return f;
 }
 
-NearestMode nearestMode(const Body& body, const NodeVectors& x, const NodeVectors& guess, double guessedLambda) {
+NearestMode nearestMode(const Body& body, const NodeVectors& x, const NodeVectors& guess) {
   const FreeDofs dofs(body);
   const Eigen::VectorXd mass = dofs.gather(body.lumpedMass().transpose().replicate(3, 1));
   const Eigen::SparseMatrix<double> K = dofs.reduce(body.assembleTangent(x));
@@ -159,12 +159,11 @@ NearestMode nearestMode(const Body& body, const NodeVectors& x, const NodeVector
   Eigen::VectorXd u = dofs.gather(guess);
   u /= std::sqrt(u.dot(mass.cwiseProduct(u)));
   const Eigen::VectorXd first = u;
-  // One step at the guess, which a rigid or neighbouring mode cannot win, then at the Rayleigh quotient: cubic
-  // convergence.
-  double shift = guessedLambda, lambda = u.dot(K * u);
+  // Each step shifts by the last Rayleigh quotient: cubic convergence.
+  double lambda = u.dot(K * u);
   NearestMode result;
   for (int i = 0; i < 12; ++i) {
-    const Eigen::SparseMatrix<double> shifted = K - shift * M;
+    const Eigen::SparseMatrix<double> shifted = K - lambda * M;
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(shifted);
     if (solver.info() != Eigen::Success) break;  // the shift is the eigenvalue to the last bit
     Eigen::VectorXd next = solver.solve(mass.cwiseProduct(u));
@@ -173,7 +172,6 @@ NearestMode nearestMode(const Body& body, const NodeVectors& x, const NodeVector
     u = next;
     const double before = lambda;
     lambda = u.dot(K * u);
-    shift = lambda;
     if (std::abs(lambda - before) <= 1e-12 * std::abs(lambda)) {
       result.converged = true;
       break;

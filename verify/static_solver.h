@@ -58,6 +58,6 @@ struct NearestMode {
   NodeVectors mode;    // 3×N; only when converged
   double overlap = 0;  // |cosine| between guess and mode in the mass inner product
 };
-NearestMode nearestMode(const Body& body, const NodeVectors& x, const NodeVectors& guess, double guessedLambda);
+NearestMode nearestMode(const Body& body, const NodeVectors& x, const NodeVectors& guess);
 
 }  // namespace ringwatch
