@@ -37,13 +37,8 @@ TEST(ElementStudy, ShowsTheDeficientRules) {
   int deficient = 0;
   for (const auto& row : table("rank").rows) {
     const std::string rule = std::get<std::string>(row[0]) + " " + std::get<std::string>(row[1]);
-    const std::int64_t spurious = std::get<std::int64_t>(row[4]);
-    if (rule == "wedge6 source")
-      EXPECT_EQ(spurious, 1);
-    else if (rule == "hex20 gauss-2x2x2")
-      EXPECT_EQ(spurious, 6);
-    else
-      EXPECT_EQ(spurious, 0) << rule;
+    const std::int64_t expected = rule == "wedge6 source" ? 1 : rule == "hex20 gauss-2x2x2" ? 6 : 0;
+    EXPECT_EQ(std::get<std::int64_t>(row[4]), expected) << rule;
     deficient += std::get<std::string>(row[7]) == "deficient";
   }
   EXPECT_EQ(deficient, 2);

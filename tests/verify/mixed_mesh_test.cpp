@@ -48,11 +48,11 @@ TEST(MixedMesh, SharesFacesAndHoldsEveryLinearElement) {
   }
 }
 
-struct Run {
+struct FallReport {
   double worstBalance = 0;  // largest balance error over the largest energy
   int brackets = 0;
 };
-Run fall(const Mesh& mesh) {
+FallReport fall(const Mesh& mesh) {
   Body body(mesh, makeMaterial("stvk", 30e3, 0.3, 1000));
   for (const std::int32_t node : mesh.nodeSets.at("x-min")) body.constraints().fix(node);
   body.addBodyForce({0, 0, -1});
@@ -64,7 +64,7 @@ Run fall(const Mesh& mesh) {
   const double h = 0.5 * criticalStep(body, state.x, 2).safe;
   const int steps = static_cast<int>(0.5 / h);
   double largest = 0, error = 0;
-  Run run;
+  FallReport run;
   for (int i = 0; i <= steps; ++i) {
     if (i % 50 == 0) {
       const MonitorReport& report = monitor.observe(i, state.time, state.x, state.v, h);
@@ -91,13 +91,13 @@ Run fall(const Mesh& mesh) {
 }
 
 TEST(MixedMesh, RunsWithAValidBracketAndTheEnergyBalanceOfSingleTypeRuns) {
-  const Run mixed = fall(generateMixedBar(barOptions()));
+  const FallReport mixed = fall(generateMixedBar(barOptions()));
   EXPECT_GT(mixed.brackets, 5);
   double worstSingle = 0;
   for (const char* element : {"tet4", "hex8", "wedge6", "pyramid5"}) {
     BarOptions options = barOptions();
     options.element = element;
-    const Run single = fall(generateBar(options));
+    const FallReport single = fall(generateBar(options));
     RecordProperty(element, std::to_string(single.worstBalance));
     worstSingle = std::max(worstSingle, single.worstBalance);
   }
