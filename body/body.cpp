@@ -23,10 +23,12 @@ Body::Body(Mesh mesh, const std::vector<Material>& materialOfBlock, const BodyOp
   // One material serves all blocks.
   if (materials_.size() == 1) materials_.resize(mesh_.blocks.size(), materials_.front());
   if (materials_.size() != mesh_.blocks.size())
-    throw InputError(joinText(materials_.size(), " materials for ", mesh_.blocks.size(), " blocks: give one, or one a block"));
+    throw InputError(
+        joinText(materials_.size(), " materials for ", mesh_.blocks.size(), " blocks: give one, or one a block"));
   for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
     const auto rule = options_.rules.find(std::string(elementInfo(mesh_.blocks[b].type).name));
-    blocks_.push_back(makeElementBlock(mesh_, mesh_.blocks[b], materials_[b], rule == options_.rules.end() ? "" : rule->second));
+    blocks_.push_back(
+        makeElementBlock(mesh_, mesh_.blocks[b], materials_[b], rule == options_.rules.end() ? "" : rule->second));
   }
   lumpMass();
   indexSlots();
@@ -38,20 +40,31 @@ void Body::elementLumpedMass(ElementRef ref, double* mass) const {
   const double density = block.material().density;
   const auto nodes = block.nodesOf(ref.element);
   const int n = element.nodes;
-  double N[maxElementNodes], dN[maxElementNodes][3];
+  double N[maxElementNodes], dN[maxElementNodes][3], diagonal[maxElementNodes];
   std::fill(mass, mass + n, 0.0);
+  std::fill(diagonal, diagonal + n, 0.0);
   for (const QuadraturePoint& point : element.massRule.points) {
     element.shape(point.xi, N);
     element.shapeGradient(point.xi, dN);
     Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
     for (int a = 0; a < n; ++a) J += mesh_.X.col(nodes[static_cast<std::size_t>(a)]) * Eigen::RowVector3d::Map(dN[a]);
     const double w = density * J.determinant() * point.weight;
-    for (int a = 0; a < n; ++a) mass[a] += w * N[a];
+    for (int a = 0; a < n; ++a) {
+      mass[a] += w * N[a];
+      diagonal[a] += w * N[a] * N[a];
+    }
   }
   if (options_.lumping == Lumping::equal) {
     double sum = 0;
     for (int a = 0; a < n; ++a) sum += mass[a];
     std::fill(mass, mass + n, sum / n);
+  } else if (options_.lumping == Lumping::diagonalScaling || !element.positiveRowSums) {
+    double sum = 0, trace = 0;
+    for (int a = 0; a < n; ++a) {
+      sum += mass[a];
+      trace += diagonal[a];
+    }
+    for (int a = 0; a < n; ++a) mass[a] = diagonal[a] * (sum / trace);
   }
 }
 
@@ -61,22 +74,29 @@ void Body::lumpMass() {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ElementBlock& block = *blocks_[b];
     const double density = block.material().density;
+    double blockMass = 0, ruleVolume = 0;
     for (std::int32_t e = 0; e < block.elementCount(); ++e) {
       elementLumpedMass({static_cast<std::int32_t>(b), e}, mass);
       const auto nodes = block.nodesOf(e);
-      for (std::size_t a = 0; a < nodes.size(); ++a) lumpedMass_[nodes[a]] += mass[a];
-    }
-    // The volume comes from the stiffness rule, the mass from the mass rule: two ways to the same number.
-    for (std::int32_t batch = 0; batch < block.layout().batchCount(); ++batch) {
-      block.volumeBatch(batch, volumes);
-      for (double volume : volumes) {
-        volume_ += volume;
-        expected += density * volume;
+      for (std::size_t a = 0; a < nodes.size(); ++a) {
+        lumpedMass_[nodes[a]] += mass[a];
+        blockMass += mass[a];
       }
     }
+    volume_ += blockMass / density;
+    // The volume of the stiffness rule and the mass rule's: two ways to the same number, except for quadratic elements
+    // with curved sides, whose Jacobian a rule made for straight ones does not integrate exactly.
+    const bool exact =
+        block.element().order == 1 || block.rule().points.size() >= block.element().massRule.points.size();
+    for (std::int32_t batch = 0; batch < block.layout().batchCount(); ++batch) {
+      block.volumeBatch(batch, volumes);
+      for (double volume : volumes) ruleVolume += volume;
+    }
+    expected += exact ? density * ruleVolume : blockMass;
   }
   for (std::int32_t i = 0; i < nodeCount(); ++i)
-    if (!(lumpedMass_[i] > 0)) throw NumericalError(joinText("node ", i, ": lumped mass ", lumpedMass_[i], " kg must be > 0"));
+    if (!(lumpedMass_[i] > 0))
+      throw NumericalError(joinText("node ", i, ": lumped mass ", lumpedMass_[i], " kg must be > 0"));
   if (!(std::abs(totalMass() - expected) <= 1e-10 * expected))
     throw NumericalError(joinText("lumped mass ", totalMass(), " kg differs from density x volume ", expected, " kg"));
 }
@@ -84,7 +104,8 @@ void Body::lumpMass() {
 void Body::indexSlots() {
   std::vector<std::int64_t> count(mesh_.nodeCount() + 1, 0);
   for (const auto& block : blocks_) {
-    for (const Patch& patch : block->layout().patches) patches_.push_back({block.get(), patch, slotCount_ + patch.nodeBegin});
+    for (const Patch& patch : block->layout().patches)
+      patches_.push_back({block.get(), patch, slotCount_ + patch.nodeBegin});
     for (std::int32_t node : block->layout().nodes) ++count[static_cast<std::size_t>(node) + 1];
     slotCount_ += static_cast<std::int64_t>(block->layout().nodes.size());
   }
@@ -93,10 +114,13 @@ void Body::indexSlots() {
   nodeSlot_.resize(static_cast<std::size_t>(slotCount_));
   std::int64_t slot = 0;
   for (const auto& block : blocks_)
-    for (std::int32_t node : block->layout().nodes) nodeSlot_[static_cast<std::size_t>(count[static_cast<std::size_t>(node)]++)] = slot++;
+    for (std::int32_t node : block->layout().nodes)
+      nodeSlot_[static_cast<std::size_t>(count[static_cast<std::size_t>(node)]++)] = slot++;
 }
 
-void Body::addBodyForce(const Eigen::Vector3d& acceleration) { externalForce_ += acceleration * lumpedMass_.transpose(); }
+void Body::addBodyForce(const Eigen::Vector3d& acceleration) {
+  externalForce_ += acceleration * lumpedMass_.transpose();
+}
 
 template <class AddPatch>
 void Body::sumOverPatches(NodeVectors& result, Workspace& workspace, const AddPatch& addPatch) const {
@@ -115,7 +139,8 @@ void Body::sumOverPatches(NodeVectors& result, Workspace& workspace, const AddPa
     const std::int64_t end = std::min(nodes, (c + 1) * chunk);
     for (std::int64_t i = c * chunk; i < end; ++i) {
       double sum[3] = {0, 0, 0};
-      for (std::int64_t s = nodeSlotBegin_[static_cast<std::size_t>(i)]; s < nodeSlotBegin_[static_cast<std::size_t>(i) + 1]; ++s) {
+      for (std::int64_t s = nodeSlotBegin_[static_cast<std::size_t>(i)];
+           s < nodeSlotBegin_[static_cast<std::size_t>(i) + 1]; ++s) {
         const double* row = slots + 4 * nodeSlot_[static_cast<std::size_t>(s)];
         for (int k = 0; k < 3; ++k) sum[k] += row[k];
       }
@@ -125,12 +150,14 @@ void Body::sumOverPatches(NodeVectors& result, Workspace& workspace, const AddPa
 }
 
 void Body::internalForce(const NodeVectors& x, NodeVectors& f, Workspace& workspace) const {
-  sumOverPatches(f, workspace, [&](const PatchRef& ref, double* slots) { ref.block->forcePatch(ref.patch, x.data(), slots); });
+  sumOverPatches(f, workspace,
+                 [&](const PatchRef& ref, double* slots) { ref.block->forcePatch(ref.patch, x.data(), slots); });
 }
 
 void Body::tangentProduct(const NodeVectors& x, const NodeVectors& v, NodeVectors& Kv, Workspace& workspace) const {
-  sumOverPatches(Kv, workspace,
-                 [&](const PatchRef& ref, double* slots) { ref.block->tangentProductPatch(ref.patch, x.data(), v.data(), slots); });
+  sumOverPatches(Kv, workspace, [&](const PatchRef& ref, double* slots) {
+    ref.block->tangentProductPatch(ref.patch, x.data(), v.data(), slots);
+  });
 }
 
 double Body::energy(const NodeVectors& x, Workspace& workspace) const {
@@ -182,7 +209,8 @@ void Body::makePattern(BlockMatrix& matrix) const {
       const auto nodes = block->nodesOf(static_cast<std::int32_t>(e));
       for (std::size_t a = 0; a < n; ++a) {
         const auto row = static_cast<std::size_t>(nodes[a]);
-        const auto begin = matrix.column.begin() + matrix.rowBegin[row], end = matrix.column.begin() + matrix.rowBegin[row + 1];
+        const auto begin = matrix.column.begin() + matrix.rowBegin[row],
+                   end = matrix.column.begin() + matrix.rowBegin[row + 1];
         for (std::size_t b = 0; b < n; ++b)
           positions[(static_cast<std::size_t>(e) * n + a) * n + b] =
               static_cast<std::int32_t>(std::lower_bound(begin, end, nodes[b]) - matrix.column.begin());
@@ -230,14 +258,17 @@ Eigen::SparseMatrix<double> Body::assembleTangent(const NodeVectors& x) const {
   Eigen::SparseMatrix<double> K(3 * nodeCount(), 3 * nodeCount());
   Eigen::VectorXi sizes(3 * nodeCount());
   for (std::int32_t i = 0; i < nodeCount(); ++i)
-    sizes.segment<3>(3 * i).setConstant(static_cast<int>(3 * (blocks.rowBegin[static_cast<std::size_t>(i) + 1] - blocks.rowBegin[static_cast<std::size_t>(i)])));
+    sizes.segment<3>(3 * i).setConstant(static_cast<int>(
+        3 * (blocks.rowBegin[static_cast<std::size_t>(i) + 1] - blocks.rowBegin[static_cast<std::size_t>(i)])));
   K.reserve(sizes);
   // Symmetric: row i of blocks gives column i.
   for (std::int32_t i = 0; i < nodeCount(); ++i)
     for (int c = 0; c < 3; ++c)
-      for (std::int64_t s = blocks.rowBegin[static_cast<std::size_t>(i)]; s < blocks.rowBegin[static_cast<std::size_t>(i) + 1]; ++s)
+      for (std::int64_t s = blocks.rowBegin[static_cast<std::size_t>(i)];
+           s < blocks.rowBegin[static_cast<std::size_t>(i) + 1]; ++s)
         for (int r = 0; r < 3; ++r)
-          K.insert(3 * blocks.column[static_cast<std::size_t>(s)] + r, 3 * i + c) = blocks.block[static_cast<std::size_t>(s)](c, r);
+          K.insert(3 * blocks.column[static_cast<std::size_t>(s)] + r, 3 * i + c) =
+              blocks.block[static_cast<std::size_t>(s)](c, r);
   K.makeCompressed();
   return K;
 }
@@ -248,7 +279,8 @@ Body::LeastDeterminant Body::leastDeterminant(const NodeVectors& x) const {
     const ElementBlock& block = *blocks_[b];
     std::vector<double> values(block.layout().elements.size());
     parallelFor(0, block.layout().batchCount(), threads(), [&](std::int64_t batch) {
-      block.minimumDeterminantBatch(static_cast<std::int32_t>(batch), x.data(), values.data() + batch * PatchLayout::lanes);
+      block.minimumDeterminantBatch(static_cast<std::int32_t>(batch), x.data(),
+                                    values.data() + batch * PatchLayout::lanes);
     });
     for (std::size_t i = 0; i < values.size(); ++i)
       if (block.layout().elements[i] >= 0 && !(values[i] >= least.value)) {

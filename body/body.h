@@ -14,8 +14,9 @@ namespace ringwatch {
 
 /// How an element's mass goes to its nodes.
 enum class Lumping {
-  rowSum,  ///< m_a = ρ ∫ N_a dV, row sums of the consistent mass
-  equal    ///< mass over node count, as the source has it
+  rowSum,  ///< m_a = ρ ∫ N_a dV, row sums of the consistent mass; diagonal scaling for elements without positive ones
+  equal,   ///< mass over node count, as the source has it
+  diagonalScaling,  ///< diagonal of the consistent mass, scaled to the element's mass (Hinton, Rock & Zienkiewicz 1976)
 };
 
 struct BodyOptions {
@@ -44,7 +45,7 @@ class Body {
   };
 
   /// Throws InputError for an unknown rule, NumericalError for an element whose volume or nodal mass is not positive or
-  /// when the lumped mass does not add up to density × volume (to 1e-12).
+  /// when the lumped mass does not add up to density × volume.
   Body(Mesh mesh, const Material& material, const BodyOptions& options = {});
   Body(Mesh mesh, const std::vector<Material>& materialOfBlock, const BodyOptions& options = {});
 

@@ -11,11 +11,12 @@
 
 namespace ringwatch {
 
-/// The hot loops: all elements of one type and law, structure-of-arrays, one lane an element. `Element` and `LawType` are
-/// entries of the registries; the quadrature rule is data.
+/// The hot loops: all elements of one type and law, structure-of-arrays, one lane an element. `Element` and `LawType`
+/// are entries of the registries; the quadrature rule is data.
 ///
 /// With D = Σ_a x_a ⊗ ∂N_a/∂ξ and the Jacobian J = ∂X/∂ξ: F = D J⁻¹. A force is f_a = Σ_q w_q det(J) P J⁻ᵀ ∂N_a/∂ξ.
-/// J⁻¹ and w det(J) are stored for each quadrature point, 10 numbers.
+/// J⁻¹ and w det(J) are stored for each quadrature point, 10 numbers. Rules with a share at the mean deformation
+/// gradient (LameShares) add one more evaluation with the mean gradients ∂N_a/∂X, stored by element.
 template <class Element, class LawType>
 class ElementBatch final : public ElementBlock {
  public:
@@ -24,7 +25,10 @@ class ElementBatch final : public ElementBlock {
   static constexpr int lanes = PatchLayout::lanes;
 
   ElementBatch(const Mesh& mesh, const MeshBlock& block, const Material& material, const QuadratureRule& rule)
-      : ElementBlock(mesh, block, material, rule), law_(std::get<LawType>(material.law)) {
+      : ElementBlock(mesh, block, material, rule),
+        law_(shareOf(material, rule.shares.pointLambda, rule.shares.pointMu)),
+        meanLaw_(shareOf(material, rule.shares.meanLambda, rule.shares.meanMu)),
+        mean_(rule.shares.mean()) {
     tabulate(mesh, block);
   }
 
@@ -40,6 +44,11 @@ class ElementBatch final : public ElementBlock {
         const Matrix3<P> F = gradient(position, q) * J1;
         scatter(timesTranspose(geometry[9] * law.stress(F), J1), q, force);
       }
+      if constexpr (offersMean)
+        if (mean_) {
+          const P* g = meanGradientsOf(batch);
+          scatterMean(g[3 * n] * meanLaw_.stress(meanGradient(position, g)), g, force);
+        }
       add(slots, batch, force);
     });
   }
@@ -59,6 +68,12 @@ class ElementBatch final : public ElementBlock {
         const Matrix3<P> F = gradient(position, q) * J1, dF = gradient(direction, q) * J1;
         scatter(timesTranspose(geometry[9] * law.linearize(F)(dF), J1), q, force);
       }
+      if constexpr (offersMean)
+        if (mean_) {
+          const P* g = meanGradientsOf(batch);
+          const Matrix3<P> F = meanGradient(position, g), dF = meanGradient(direction, g);
+          scatterMean(g[3 * n] * meanLaw_.linearize(F)(dF), g, force);
+        }
       add(slots, batch, force);
     });
   }
@@ -72,6 +87,11 @@ class ElementBatch final : public ElementBlock {
       const P* geometry = geometryOf(batch);
       for (int q = 0; q < points_; ++q, geometry += 10)
         sum += geometry[9] * law.energy(gradient(position, q) * inverseJacobian(geometry));
+      if constexpr (offersMean)
+        if (mean_) {
+          const P* g = meanGradientsOf(batch);
+          sum += g[3 * n] * meanLaw_.energy(meanGradient(position, g));
+        }
     });
     double total = 0;
     for (int lane = 0; lane < lanes; ++lane) total += sum[lane];
@@ -103,7 +123,8 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  void anchorOf(const std::int32_t* elements, const double* x, DeformationWatch& watch, TangentDrift* drift) const override {
+  void anchorOf(const std::int32_t* elements, const double* x, DeformationWatch& watch,
+                TangentDrift* drift) const override {
     AlignedVector<P> gathered;
     gatherGeometry(elements, gathered);
     P position[n][3];
@@ -113,8 +134,11 @@ class ElementBatch final : public ElementBlock {
       const Matrix3<P> F = gradient(position, q) * inverseJacobian(geometry);
       for (int lane = 0; lane < lanes; ++lane) {
         if (elements[lane] < 0) continue;
-        const std::size_t place = static_cast<std::size_t>(layout().batchOfElement[static_cast<std::size_t>(elements[lane])]);
-        float* anchor = watch.anchor.data() + (place / lanes * static_cast<std::size_t>(points_) + static_cast<std::size_t>(q)) * 9 * lanes + place % lanes;
+        const std::size_t place =
+            static_cast<std::size_t>(layout().batchOfElement[static_cast<std::size_t>(elements[lane])]);
+        float* anchor = watch.anchor.data() +
+                        (place / lanes * static_cast<std::size_t>(points_) + static_cast<std::size_t>(q)) * 9 * lanes +
+                        place % lanes;
         Matrix3<double> own;
         for (int i = 0; i < 9; ++i) {
           own.m[i] = F.m[i][lane];
@@ -127,7 +151,9 @@ class ElementBatch final : public ElementBlock {
         const double distance = det > 0 ? 2 * det / size2 : 0;
         all.inversionDistance = q == 0 ? distance : std::min(all.inversionDistance, distance);
         all.determinant = std::min(all.determinant, det);
-        if constexpr (requires { law_.drift(own); }) {
+        if (mean_) {
+          drift[lane] = TangentDrift{};  // the share at the mean is not in the law's bound
+        } else if constexpr (requires { law_.drift(own); }) {
           const auto here = law_.drift(own);
           all.known = true;
           all.kappa = std::max(all.kappa, here.kappa);
@@ -139,7 +165,8 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  void lookAtPatch(std::int32_t patchIndex, const double* x, DeformationWatch& watch, std::vector<std::int32_t>& left) const override {
+  void lookAtPatch(std::int32_t patchIndex, const double* x, DeformationWatch& watch,
+                   std::vector<std::int32_t>& left) const override {
     const Patch& patch = layout().patches[static_cast<std::size_t>(patchIndex)];
     alignas(64) double rows[4 * maxPatchNodes];
     gatherRows(patch, x, rows);
@@ -150,7 +177,8 @@ class ElementBatch final : public ElementBlock {
       if (group.slack >= 0 && relativeMotion(watch, group, rows) <= group.slack) continue;
       group.slack = lookAtGroup(watch, group, rows, left);
       for (std::int32_t i = group.nodeBegin; i < group.nodeEnd; ++i)
-        std::copy_n(rows + 4 * watch.groupNodes[static_cast<std::size_t>(i)], 4, watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
+        std::copy_n(rows + 4 * watch.groupNodes[static_cast<std::size_t>(i)], 4,
+                    watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
     }
   }
 
@@ -175,6 +203,8 @@ class ElementBatch final : public ElementBlock {
       const P d = determinant(gradient(position, q) * inverseJacobian(geometry));
       least = q == 0 ? d : math::min(least, d);
     }
+    if constexpr (offersMean)
+      if (mean_) least = math::min(least, determinant(meanGradient(position, meanGradientsOf(batch))));
     least.store(determinants);
   }
 
@@ -187,8 +217,65 @@ class ElementBatch final : public ElementBlock {
   static constexpr int maxPatchNodes = 1024;
 
  private:
+  static constexpr bool offersMean = [] {
+    for (const QuadratureRule& rule : Element::rules)
+      if (rule.shares.mean()) return true;
+    return false;
+  }();
+  /// The material's law with a share of each of Lamé's constants.
+  static LawType shareOf(const Material& material, double lambdaShare, double muShare) {
+    LawType law = std::get<LawType>(material.law);
+    if constexpr (requires { law.constants.lambda* law.constants.mu; }) {
+      law.constants.lambda *= lambdaShare;
+      law.constants.mu *= muShare;
+    } else if (lambdaShare != muShare) {
+      throw InputError(joinText(Element::name,
+                                ": rules that treat pressure and shear apart need a law linear in Lamé's constants; ",
+                                LawType::name, " is none"));
+    }
+    return law;
+  }
+  /// k += w g ⊗ (∂P/∂F) g
+  template <class Linearization>
+  static void addTangent(const Linearization& linearization, const P& weight, const P (&g)[n][3], P* k) {
+    // modulus[(k,K)] = ∂P/∂F_kK · w
+    Matrix3<P> modulus[9];
+    for (int c = 0; c < 9; ++c) {
+      Matrix3<P> unit = Matrix3<P>::zero();
+      unit.m[c] = P(1.0);
+      modulus[c] = weight * linearization(unit);
+    }
+    for (int b = 0; b < n; ++b)
+      for (int column = 0; column < 3; ++column) {
+        Matrix3<P> t;  // Σ_K modulus_(column,K) g_bK
+        for (int i = 0; i < 9; ++i)
+          t.m[i] = modulus[3 * column].m[i] * g[b][0] + modulus[3 * column + 1].m[i] * g[b][1] +
+                   modulus[3 * column + 2].m[i] * g[b][2];
+        for (int a = 0; a < n; ++a)
+          for (int row = 0; row < 3; ++row)
+            k[(3 * a + row) * 3 * n + 3 * b + column] +=
+                t(row, 0) * g[a][0] + t(row, 1) * g[a][1] + t(row, 2) * g[a][2];
+      }
+  }
+  /// Mean gradients ∂N_a/∂X of a batch, row by row, then the volume.
+  const P* meanGradientsOf(std::int32_t batch) const {
+    return meanGradients_.data() + static_cast<std::ptrdiff_t>(batch) * (3 * n + 1);
+  }
+  RINGWATCH_INLINE static Matrix3<P> meanGradient(const P (&x)[n][3], const P* g) {
+    Matrix3<P> r = Matrix3<P>::zero();
+    for (int a = 0; a < n; ++a)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) r(i, j) += x[a][i] * g[3 * a + j];
+    return r;
+  }
+  RINGWATCH_INLINE static void scatterMean(const Matrix3<P>& T, const P* g, P (&force)[n][3]) {
+    for (int a = 0; a < n; ++a)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) force[a][i] += T(i, j) * g[3 * a + j];
+  }
   void tangent(const std::int32_t* elements, const P* geometry, const double* x, double* K) const {
     const LawType law = law_;
+    [[maybe_unused]] const P* first = geometry;
     P position[n][3];
     loadFromMesh(x, elements, position);
     P* k = reinterpret_cast<P*>(K);
@@ -198,24 +285,15 @@ class ElementBatch final : public ElementBlock {
       const auto linearization = law.linearize(gradient(position, q) * J1);
       P g[n][3];
       referenceGradients(geometry, q, g);
-      // modulus[(k,K)] = ∂P/∂F_kK · w det J
-      Matrix3<P> modulus[9];
-      for (int c = 0; c < 9; ++c) {
-        Matrix3<P> unit = Matrix3<P>::zero();
-        unit.m[c] = P(1.0);
-        modulus[c] = geometry[9] * linearization(unit);
-      }
-      for (int b = 0; b < n; ++b)
-        for (int column = 0; column < 3; ++column) {
-          Matrix3<P> t;  // Σ_K modulus_(column,K) g_bK
-          for (int i = 0; i < 9; ++i)
-            t.m[i] = modulus[3 * column].m[i] * g[b][0] + modulus[3 * column + 1].m[i] * g[b][1] +
-                     modulus[3 * column + 2].m[i] * g[b][2];
-          for (int a = 0; a < n; ++a)
-            for (int row = 0; row < 3; ++row)
-              k[(3 * a + row) * 3 * n + 3 * b + column] += t(row, 0) * g[a][0] + t(row, 1) * g[a][1] + t(row, 2) * g[a][2];
-        }
+      addTangent(linearization, geometry[9], g, k);
     }
+    if constexpr (offersMean)
+      if (mean_) {
+        P stored[3 * n + 1], g[n][3];
+        meanGradients(first, stored);
+        for (int i = 0; i < 3 * n; ++i) g[i / 3][i % 3] = stored[i];
+        addTangent(meanLaw_.linearize(meanGradient(position, stored)), stored[3 * n], g, k);
+      }
   }
 
   /// g_a = J⁻ᵀ ∂N_a/∂ξ, the gradients in reference coordinates.
@@ -239,12 +317,14 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  /// Largest distance that a node of the group has moved since the last look, against the group's first node; component by
-  /// component, hence never too small.
-  static double relativeMotion(const DeformationWatch& watch, const DeformationWatch::Group& group, const double* rows) {
+  /// Largest distance that a node of the group has moved since the last look, against the group's first node; component
+  /// by component, hence never too small.
+  static double relativeMotion(const DeformationWatch& watch, const DeformationWatch::Group& group,
+                               const double* rows) {
     const std::uint16_t* node = watch.groupNodes.data();
     auto moved = [&](std::int32_t i) {
-      return detail::loadRow(rows + 4 * node[i]) - detail::loadRow(watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
+      return detail::loadRow(rows + 4 * node[i]) -
+             detail::loadRow(watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
     };
     const detail::Row4 translation = moved(group.nodeBegin);
     detail::Row4 largest{}, poison{};  // a NaN would pass the comparison unseen
@@ -258,7 +338,8 @@ class ElementBatch final : public ElementBlock {
   }
 
   /// Compares every element of the group with its ball; returns how far nodes may move before the next look.
-  double lookAtGroup(const DeformationWatch& watch, const DeformationWatch::Group& group, const double* rows, std::vector<std::int32_t>& left) const {
+  double lookAtGroup(const DeformationWatch& watch, const DeformationWatch::Group& group, const double* rows,
+                     std::vector<std::int32_t>& left) const {
     double slack = std::numeric_limits<double>::infinity();
     for (std::int32_t batch = group.batchBegin; batch < group.batchEnd; ++batch) {
       P position[n][3];
@@ -283,7 +364,8 @@ class ElementBatch final : public ElementBlock {
       // The anchor's rounding to single precision belongs to the distance.
       const P distance = math::sqrt(distance2) + P(1e-7) * math::sqrt(size2);
       for (int lane = 0; lane < lanes; ++lane) {
-        const std::int32_t e = layout().elements[static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane)];
+        const std::int32_t e =
+            layout().elements[static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane)];
         if (e < 0) continue;
         const auto place = static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane);
         const double room = static_cast<double>(watch.radius[place]) - distance[lane];
@@ -339,7 +421,9 @@ class ElementBatch final : public ElementBlock {
   }
 
   double dN(int q, int a, int j) const { return shapeGradients_[static_cast<std::size_t>((q * n + a) * 3 + j)]; }
-  const P* geometryOf(std::int32_t batch) const { return geometry_.data() + static_cast<std::ptrdiff_t>(batch) * points_ * 10; }
+  const P* geometryOf(std::int32_t batch) const {
+    return geometry_.data() + static_cast<std::ptrdiff_t>(batch) * points_ * 10;
+  }
   RINGWATCH_INLINE static Matrix3<P> inverseJacobian(const P* geometry) {
     Matrix3<P> r;
     for (int i = 0; i < 9; ++i) r.m[i] = geometry[i];
@@ -381,11 +465,15 @@ class ElementBatch final : public ElementBlock {
   }
 
   void tabulate(const Mesh& mesh, const MeshBlock& block);
+  /// Mean gradients of the elements whose geometry is given, as `meanGradientsOf` has them.
+  void meanGradients(const P* geometry, P* g) const;
 
-  LawType law_;
+  LawType law_, meanLaw_;
+  bool mean_;
   int points_ = 0;
   std::vector<double> shapeGradients_;  // [q][a][j] = ∂N_a/∂ξ_j
-  AlignedVector<P> geometry_;           // [batch][q][10]: J⁻¹ row by row, w det(J); zero weight in lanes without element
+  AlignedVector<P> meanGradients_;      // [batch][3n + 1], see meanGradientsOf; empty without a mean share
+  AlignedVector<P> geometry_;  // [batch][q][10]: J⁻¹ row by row, w det(J); zero weight in lanes without element
 };
 
 template <class Element, class LawType>
@@ -393,8 +481,9 @@ void ElementBatch<Element, LawType>::tabulate(const Mesh& mesh, const MeshBlock&
   points_ = static_cast<int>(rule().points.size());
   shapeGradients_.resize(static_cast<std::size_t>(points_ * n * 3));
   for (int q = 0; q < points_; ++q)
-    Element::shapeGradient(rule().points[static_cast<std::size_t>(q)].xi,
-                           reinterpret_cast<double(*)[3]>(shapeGradients_.data() + static_cast<std::ptrdiff_t>(q) * n * 3));
+    Element::shapeGradient(
+        rule().points[static_cast<std::size_t>(q)].xi,
+        reinterpret_cast<double(*)[3]>(shapeGradients_.data() + static_cast<std::ptrdiff_t>(q) * n * 3));
   const std::int32_t batches = layout().batchCount();
   geometry_.resize(static_cast<std::size_t>(batches) * static_cast<std::size_t>(points_) * 10);
   for (std::int32_t batch = 0; batch < batches; ++batch) {
@@ -407,13 +496,37 @@ void ElementBatch<Element, LawType>::tabulate(const Mesh& mesh, const MeshBlock&
       const Matrix3<P> J1 = inverse(J);
       for (int i = 0; i < 9; ++i) geometry[i] = J1.m[i];
       for (int lane = 0; lane < lanes; ++lane) {
-        const std::int32_t e = layout().elements[static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane)];
+        const std::int32_t e =
+            layout().elements[static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane)];
         if (e >= 0 && !(det[lane] > 0))
-          throw NumericalError(joinText(Element::name, " element ", block.ids.empty() ? e : block.ids[static_cast<std::size_t>(e)],
-                                        ": Jacobian determinant ", det[lane], " at quadrature point ", q, " must be > 0"));
+          throw NumericalError(
+              joinText(Element::name, " element ", block.ids.empty() ? e : block.ids[static_cast<std::size_t>(e)],
+                       ": Jacobian determinant ", det[lane], " at quadrature point ", q, " must be > 0"));
         geometry[9].set(lane, e < 0 ? 0.0 : det[lane] * rule().points[static_cast<std::size_t>(q)].weight);
       }
     }
+  }
+  if (!mean_) return;
+  meanGradients_.resize(static_cast<std::size_t>(batches) * (3 * n + 1));
+  for (std::int32_t batch = 0; batch < batches; ++batch)
+    meanGradients(geometryOf(batch), meanGradients_.data() + static_cast<std::size_t>(batch) * (3 * n + 1));
+}
+
+template <class Element, class LawType>
+void ElementBatch<Element, LawType>::meanGradients(const P* geometry, P* g) const {
+  for (int i = 0; i <= 3 * n; ++i) g[i] = P(0.0);
+  for (int q = 0; q < points_; ++q, geometry += 10) {
+    P own[n][3];
+    referenceGradients(geometry, q, own);
+    for (int i = 0; i < 3 * n; ++i) g[i] += geometry[9] * own[i / 3][i % 3];
+    g[3 * n] += geometry[9];
+  }
+  // Lanes without an element have no volume; they repeat the first lane's gradients, as positions do.
+  const auto present = g[3 * n] > P(0.0);
+  const P inverse = P(1.0) / select(present, g[3 * n], P(1.0));
+  for (int i = 0; i < 3 * n; ++i) {
+    const P own = g[i] * inverse;
+    g[i] = select(present, own, P(own[0]));
   }
 }
 

@@ -14,6 +14,7 @@ struct Hex8 {
   static constexpr int vtkCellType = 12;
   static constexpr int gmshType = 5;
   static constexpr bool constantGradient = false;
+  static constexpr bool positiveRowSums = true;
   static constexpr double referenceVolume = 8.0;
   static constexpr std::array<std::array<double, 3>, nodes> referenceNodes{
       {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
@@ -43,8 +44,17 @@ struct Hex8 {
 
   static constexpr auto gauss2 = gaussCube(gauss::x2, gauss::w2);
   static constexpr auto gauss3 = gaussCube(gauss::x3, gauss::w3);
-  static constexpr std::array<QuadratureRule, 2> rules{
-      {{"gauss-2x2x2", "full rank, the usual choice", gauss2}, {"gauss-3x3x3", "27 points, for strongly distorted elements", gauss3}}};
+  /// One evaluation at the mean (Flanagan & Belytschko 1981) with a tenth of μ left at eight points to hold the
+  /// hourglass modes.
+  static constexpr LameShares hourglassShares{0, 0.1, 1, 0.9};
+  static constexpr std::array<QuadratureRule, 4> rules{
+      {{"gauss-2x2x2", "full rank, the usual choice", gauss2},
+       {"gauss-3x3x3", "27 points, for strongly distorted elements", gauss3},
+       {"selective", "gauss-2x2x2 for shear, the mean strain of the element for pressure: no volumetric locking",
+        gauss2, selectiveShares},
+       {"hourglass",
+        "the mean strain of the element, hourglass modes held by a tenth of the shear stiffness at 2x2x2 points",
+        gauss2, hourglassShares}}};
   static constexpr QuadratureRule massRule = rules[0];
 };
 

@@ -7,8 +7,20 @@ namespace {
 
 template <class E>
 ElementInfo describe() {
-  return {elementTypeOf<E>, E::name, E::nodes, E::order, E::vtkCellType, E::gmshType, E::referenceVolume,
-          E::constantGradient, E::referenceNodes, E::faces, E::edges, E::rules, E::massRule,
+  return {elementTypeOf<E>,
+          E::name,
+          E::nodes,
+          E::order,
+          E::vtkCellType,
+          E::gmshType,
+          E::referenceVolume,
+          E::constantGradient,
+          E::positiveRowSums,
+          E::referenceNodes,
+          E::faces,
+          E::edges,
+          E::rules,
+          E::massRule,
           [](const double xi[3], double* N) { E::shape(xi, N); },
           [](const double xi[3], double(*dN)[3]) { E::shapeGradient(xi, dN); }};
 }

@@ -4,13 +4,17 @@
 #include <string_view>
 
 #include <ringwatch/base/type_list.h>
+#include <ringwatch/elements/hex20.h>
 #include <ringwatch/elements/hex8.h>
+#include <ringwatch/elements/pyramid5.h>
+#include <ringwatch/elements/tet10.h>
 #include <ringwatch/elements/tet4.h>
+#include <ringwatch/elements/wedge6.h>
 
 namespace ringwatch {
 
 /// Every element of the library, one line each. Blocks, readers, writers, studies and generic tests iterate this list.
-using Elements = TypeList<Tet4, Hex8>;
+using Elements = TypeList<Tet4, Hex8, Wedge6, Pyramid5, Tet10, Hex20>;
 
 /// Position of an element in `Elements`.
 enum class ElementType : std::uint8_t {};
@@ -47,14 +51,21 @@ struct ElementInfo {
   int gmshType;
   double referenceVolume;
   bool constantGradient;
+  bool positiveRowSums;
   std::span<const std::array<double, 3>> referenceNodes;
-  std::span<const std::array<int, 4>> faces;
-  std::span<const std::array<int, 2>> edges;
+  std::span<const std::array<int, 4>> faces;  // corner nodes
+  std::span<const std::array<int, 2>>
+      edges;  // corner nodes; in a quadratic element the middle of edges[i] is node corners + i
   std::span<const QuadratureRule> rules;  // the first is the default
   QuadratureRule massRule;
-  void (*shape)(const double xi[3], double* N);               // N[nodes]
+  void (*shape)(const double xi[3], double* N);                // N[nodes]
   void (*shapeGradient)(const double xi[3], double (*dN)[3]);  // dN[nodes][3]
 };
+
+/// Corners of an element; the nodes beyond them are the middles of its edges.
+inline int cornerCount(const ElementInfo& element) {
+  return element.order == 1 ? element.nodes : element.nodes - static_cast<int>(element.edges.size());
+}
 
 /// All elements, in the order of `ElementType`.
 std::span<const ElementInfo> allElements();

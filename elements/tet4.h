@@ -14,10 +14,13 @@ struct Tet4 {
   static constexpr int vtkCellType = 10;
   static constexpr int gmshType = 4;
   static constexpr bool constantGradient = true;
+  static constexpr bool positiveRowSums = true;
   static constexpr double referenceVolume = 1.0 / 6.0;
-  static constexpr std::array<std::array<double, 3>, nodes> referenceNodes{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  static constexpr std::array<std::array<double, 3>, nodes> referenceNodes{
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   /// Corner nodes of each face, seen from outside counter-clockwise; -1 fills triangles.
-  static constexpr std::array<std::array<int, 4>, 4> faces{{{0, 2, 1, -1}, {0, 1, 3, -1}, {1, 2, 3, -1}, {0, 3, 2, -1}}};
+  static constexpr std::array<std::array<int, 4>, 4> faces{
+      {{0, 2, 1, -1}, {0, 1, 3, -1}, {1, 2, 3, -1}, {0, 3, 2, -1}}};
   static constexpr std::array<std::array<int, 2>, 6> edges{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
   /// N_a(ξ)
@@ -41,10 +44,11 @@ struct Tet4 {
   // Keast 1986, rule 1: degree 2. Of use for mass; the stiffness is constant.
   static constexpr double keastA = 0.58541019662496845446, keastB = 0.13819660112501051518;
   static constexpr std::array<QuadraturePoint, 4> fourPoints{{{{keastB, keastB, keastB}, 1.0 / 24.0},
-                                                             {{keastA, keastB, keastB}, 1.0 / 24.0},
-                                                             {{keastB, keastA, keastB}, 1.0 / 24.0},
-                                                             {{keastB, keastB, keastA}, 1.0 / 24.0}}};
-  static constexpr std::array<QuadratureRule, 1> rules{{{"gauss-1", "one point, exact for linear tetrahedra", onePoint}}};
+                                                              {{keastA, keastB, keastB}, 1.0 / 24.0},
+                                                              {{keastB, keastA, keastB}, 1.0 / 24.0},
+                                                              {{keastB, keastB, keastA}, 1.0 / 24.0}}};
+  static constexpr std::array<QuadratureRule, 1> rules{
+      {{"gauss-1", "one point, exact for linear tetrahedra", onePoint}}};
   static constexpr QuadratureRule massRule{"keast-4", "four points, degree 2", fourPoints};
 };
 

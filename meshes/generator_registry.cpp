@@ -19,6 +19,8 @@ constexpr GeneratorParameter size3{"size", "m",  "lengths along x, y, z", K::num
                                    false,  false};
 constexpr GeneratorParameter cells3{"cells", "",  "cells along x, y, z", K::integer, 3, {20, 4, 4}, "", 1, mostCells,
                                     true,    true};
+constexpr GeneratorParameter mixedCells3{
+    "cells", "", "cells along x (5 or more), y, z", K::integer, 3, {20, 4, 4}, "", 1, mostCells, true, true};
 constexpr GeneratorParameter size1{"size", "m", "length of an edge", K::number, 1, {0.05}, "", 0, inf, false, false};
 constexpr GeneratorParameter cells1{"cells", "",  "cells along each edge", K::integer, 1, {5}, "", 1, mostCells,
                                     true,    true};
@@ -50,12 +52,14 @@ constexpr GeneratorParameter cellsAcross{
 constexpr GeneratorParameter barParameters[] = {size3, cells3, origin, element, split, jitter, seed, grading};
 constexpr GeneratorParameter cubeParameters[] = {size1, cells1, origin, element, split, jitter, seed, grading};
 constexpr GeneratorParameter gradedParameters[] = {size3, cells3, origin, element, split, jitter, seed, steepGrading};
+constexpr GeneratorParameter mixedParameters[] = {size3, mixedCells3, origin, jitter, seed, grading};
 constexpr GeneratorParameter ballParameters[] = {radius, cellsAcross, element, split};
 
 constexpr GeneratorInfo generators[] = {
     {"bar", "a box of cells", barParameters},
     {"cube", "a box with equal edges", cubeParameters},
     {"graded", "a box with small elements toward its face x-min", gradedParameters},
+    {"mixed", "a bar of wedges, hexahedra, pyramids and tetrahedra that share faces", mixedParameters},
     {"ball", "a ball, a cube of cells mapped onto it", ballParameters},
 };
 
@@ -90,6 +94,7 @@ class Values {
       check(*parameter, value);
     }
   }
+  bool has(std::string_view name) const { return find(name) != nullptr; }
   double number(std::string_view name, std::size_t k = 0) const {
     const auto given = arguments_.find(name);
     if (given == arguments_.end()) return find(name)->defaults[k];
@@ -140,8 +145,10 @@ class Values {
 BarOptions boxOptions(const Values& values) {
   BarOptions o;
   for (std::size_t k = 0; k < 3; ++k) o.origin[k] = values.number("origin", k);
-  o.element = values.text("element");
-  o.split = static_cast<int>(values.number("split"));
+  if (values.has("element")) {
+    o.element = values.text("element");
+    o.split = static_cast<int>(values.number("split"));
+  }
   o.jitter = values.number("jitter");
   o.seed = static_cast<std::uint64_t>(values.number("seed"));
   o.grading = values.number("grading");
@@ -190,7 +197,7 @@ Mesh generateMesh(std::string_view kind, const GeneratorArguments& arguments) {
       options.size[k] = values.number("size", k);
       options.cells[k] = static_cast<int>(values.number("cells", k));
     }
-    return generateBar(options);
+    return info->name == "mixed" ? generateMixedBar(options) : generateBar(options);
   } catch (const InputError& error) {
     throw InputError(joinText(info->name, ": ", error.what()));
   }

@@ -1,8 +1,10 @@
 #include <ringwatch/meshes/generators.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <unordered_map>
 #include <vector>
 
 #include <ringwatch/base/error.h>
@@ -18,11 +20,28 @@ constexpr std::uint8_t kuhn[] = {0, 1, 3, 7, 0, 1, 7, 5, 0, 2, 7, 3, 0, 2, 6, 7,
 constexpr std::uint8_t fiveEven[] = {0, 3, 6, 5, 1, 0, 5, 3, 2, 3, 6, 0, 4, 5, 0, 6, 7, 6, 3, 5};
 constexpr std::uint8_t fiveOdd[] = {1, 2, 4, 7, 0, 1, 2, 4, 3, 2, 1, 7, 5, 4, 7, 1, 6, 7, 4, 2};
 constexpr std::uint8_t wholeCell[] = {0, 1, 3, 2, 4, 5, 7, 6};
+// Prisms along z, cut by the plane through corners 0, 3, 4 and 7.
+constexpr std::uint8_t wedges[] = {0, 1, 3, 4, 5, 7, 0, 3, 2, 4, 7, 6};
+// Prisms along x; their triangles are those of Kuhn's split.
+constexpr std::uint8_t wedgesAlongX[] = {0, 2, 6, 1, 3, 7, 0, 6, 4, 1, 7, 5};
+// A pyramid on each face, the apex in the middle.
+constexpr std::uint8_t pyramids[] = {0, 1, 3, 2, 8, 6, 7, 5, 4, 8, 4, 5, 1, 0, 8,
+                                     5, 7, 3, 1, 8, 7, 6, 2, 3, 8, 6, 4, 0, 2, 8};
+// From hexahedra (at the face of low x) to Kuhn's tetrahedra (at the face of high x): pyramids on five faces, two
+// tetrahedra on the sixth.
+constexpr std::uint8_t transitionPyramids[] = {0, 1, 3, 2, 8, 6, 7, 5, 4, 8, 4, 5, 1,
+                                               0, 8, 7, 6, 2, 3, 8, 6, 4, 0, 2, 8};
+constexpr std::uint8_t transitionTets[] = {1, 7, 3, 8, 1, 5, 7, 8};
 
 constexpr CellSplit splits[] = {
     {"tet4", 6, false, kuhn, kuhn},
     {"tet4", 5, false, fiveEven, fiveOdd},
     {"hex8", 1, false, wholeCell, wholeCell},
+    {"wedge6", 2, false, wedges, wedges},
+    {"pyramid5", 6, true, pyramids, pyramids},
+    {"tet10", 6, false, kuhn, kuhn},
+    {"tet10", 5, false, fiveEven, fiveOdd},
+    {"hex20", 1, false, wholeCell, wholeCell},
 };
 
 std::string splitChoices(std::string_view element) {
@@ -52,6 +71,7 @@ struct Grid {
   std::array<int, 3> cells;
   std::array<std::int64_t, 3> nodes{};
   std::int64_t cornerNodes = 0;
+  std::vector<std::array<int, 3>> centres;  // cells with a node in their middle, in the order of these nodes
 
   explicit Grid(const std::array<int, 3>& count, const CellSplit& split) : cells(count) {
     double total = 1, cellTotal = 1;
@@ -69,46 +89,124 @@ struct Grid {
     cornerNodes = nodes[0] * nodes[1] * nodes[2];
   }
   std::int64_t node(std::int64_t i, std::int64_t j, std::int64_t k) const { return i + nodes[0] * (j + nodes[1] * k); }
+  /// Corner c = x + 2y + 4z of a cell.
+  std::int64_t corner(int i, int j, int k, int c) const { return node(i + (c & 1), j + ((c >> 1) & 1), k + (c >> 2)); }
 };
 
-Mesh fillElements(const Grid& grid, const CellSplit& split) {
+/// Elements by their corners; `finishElements` makes them whole.
+Mesh fillElements(Grid& grid, const CellSplit& split) {
   const ElementInfo* info = findElementByName(split.element);
   const auto [nx, ny, nz] = grid.cells;
   const std::int64_t cellCount = std::int64_t{nx} * ny * nz;
   Mesh mesh;
   mesh.X.setZero(3, grid.cornerNodes + (split.centre ? cellCount : 0));
-  mesh.nodeIds.resize(mesh.nodeCount());
-  for (std::size_t n = 0; n < mesh.nodeCount(); ++n) mesh.nodeIds[n] = static_cast<std::int64_t>(n);
   MeshBlock block{info->type, {}, {}};
   block.connectivity.reserve(static_cast<std::size_t>(cellCount) * split.even.size());
   std::int64_t cell = 0;
   for (int k = 0; k < nz; ++k)
     for (int j = 0; j < ny; ++j)
-      for (int i = 0; i < nx; ++i, ++cell)
+      for (int i = 0; i < nx; ++i, ++cell) {
+        if (split.centre) grid.centres.push_back({i, j, k});
         for (const std::uint8_t corner : (i + j + k) % 2 == 0 ? split.even : split.odd)
-          block.connectivity.push_back(static_cast<std::int32_t>(
-              corner == 8 ? grid.cornerNodes + cell
-                          : grid.node(i + (corner & 1), j + ((corner >> 1) & 1), k + ((corner >> 2) & 1))));
-  std::vector<ElementRef>& all = mesh.elementSets["all"];
-  const std::size_t count = block.elementCount();
-  for (std::size_t e = 0; e < count; ++e) {
-    block.ids.push_back(static_cast<std::int64_t>(e));
-    all.push_back({0, static_cast<std::int32_t>(e)});
-  }
+          block.connectivity.push_back(
+              static_cast<std::int32_t>(corner == 8 ? grid.cornerNodes + cell : grid.corner(i, j, k, corner)));
+      }
   mesh.blocks.push_back(std::move(block));
   return mesh;
 }
 
 void placeCentres(Mesh& mesh, const Grid& grid) {
-  if (static_cast<std::int64_t>(mesh.nodeCount()) == grid.cornerNodes) return;
-  std::int64_t cell = 0;
-  for (int k = 0; k < grid.cells[2]; ++k)
-    for (int j = 0; j < grid.cells[1]; ++j)
-      for (int i = 0; i < grid.cells[0]; ++i, ++cell) {
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (int c = 0; c < 8; ++c) sum += mesh.X.col(grid.node(i + (c & 1), j + ((c >> 1) & 1), k + (c >> 2)));
-        mesh.X.col(grid.cornerNodes + cell) = sum / 8;
+  for (std::size_t c = 0; c < grid.centres.size(); ++c) {
+    const auto [i, j, k] = grid.centres[c];
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int corner = 0; corner < 8; ++corner) sum += mesh.X.col(grid.corner(i, j, k, corner));
+    mesh.X.col(grid.cornerNodes + static_cast<std::int64_t>(c)) = sum / 8;
+  }
+}
+
+/// Numbers nodes and elements, fills the set "all", and gives quadratic elements nodes in the middle of their edges. A
+/// middle is in the node sets that hold both ends.
+void finishElements(Mesh& mesh) {
+  std::unordered_map<std::uint64_t, std::int32_t> middleOfEdge;
+  std::vector<std::array<std::int32_t, 2>> middles;
+  const auto corners = static_cast<std::int32_t>(mesh.nodeCount());
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    MeshBlock& block = mesh.blocks[b];
+    const ElementInfo& info = elementInfo(block.type);
+    const auto width = static_cast<std::size_t>(cornerCount(info));
+    const std::size_t count = block.connectivity.size() / width;
+    if (info.order > 1) {
+      std::vector<std::int32_t> whole;
+      whole.reserve(count * static_cast<std::size_t>(info.nodes));
+      for (std::size_t e = 0; e < count; ++e) {
+        const std::int32_t* nodes = block.connectivity.data() + e * width;
+        whole.insert(whole.end(), nodes, nodes + width);
+        for (const auto& edge : info.edges) {
+          const auto [low, high] = std::minmax(nodes[edge[0]], nodes[edge[1]]);
+          const std::uint64_t key = static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
+          const auto [entry, isNew] =
+              middleOfEdge.try_emplace(key, corners + static_cast<std::int32_t>(middles.size()));
+          if (isNew) middles.push_back({low, high});
+          whole.push_back(entry->second);
+        }
       }
+      block.connectivity = std::move(whole);
+    }
+    std::vector<ElementRef>& all = mesh.elementSets["all"];
+    for (std::size_t e = 0; e < count; ++e) {
+      block.ids.push_back(static_cast<std::int64_t>(all.size()));
+      all.push_back({static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)});
+    }
+  }
+  mesh.X.conservativeResize(3, corners + static_cast<Eigen::Index>(middles.size()));
+  for (std::size_t m = 0; m < middles.size(); ++m)
+    mesh.X.col(corners + static_cast<Eigen::Index>(m)) = (mesh.X.col(middles[m][0]) + mesh.X.col(middles[m][1])) / 2;
+  if (!middles.empty())
+    for (auto& [name, nodes] : mesh.nodeSets) {
+      std::vector<bool> inside(static_cast<std::size_t>(corners));
+      for (const std::int32_t node : nodes) inside[static_cast<std::size_t>(node)] = true;
+      for (std::size_t m = 0; m < middles.size(); ++m)
+        if (inside[static_cast<std::size_t>(middles[m][0])] && inside[static_cast<std::size_t>(middles[m][1])])
+          nodes.push_back(corners + static_cast<std::int32_t>(m));
+    }
+  mesh.nodeIds.resize(mesh.nodeCount());
+  for (std::size_t n = 0; n < mesh.nodeCount(); ++n) mesh.nodeIds[n] = static_cast<std::int64_t>(n);
+}
+
+/// Hexahedra, pyramids, tetrahedra and wedges along x in five sections, see `generateMixedBar`.
+Mesh fillMixed(Grid& grid) {
+  const auto [nx, ny, nz] = grid.cells;
+  struct Part {
+    std::string_view element;
+    std::span<const std::uint8_t> pattern;
+  };
+  const int transition = (nx * 2 + 2) / 5;  // 2 of 5 cells
+  const auto sectionOf = [&](int i) {
+    if (i == transition) return 2;
+    return i < transition ? (2 * i < transition ? 0 : 1) : (2 * (i - transition) <= nx - transition ? 3 : 4);
+  };
+  const std::vector<Part> parts[] = {{{"wedge6", wedges}},
+                                     {{"hex8", wholeCell}},
+                                     {{"pyramid5", transitionPyramids}, {"tet4", transitionTets}},
+                                     {{"tet4", kuhn}},
+                                     {{"wedge6", wedgesAlongX}}};
+  Mesh mesh;
+  mesh.X.setZero(3, grid.cornerNodes + std::int64_t{ny} * nz);
+  for (const char* name : {"tet4", "hex8", "wedge6", "pyramid5"})
+    mesh.blocks.push_back({findElementByName(name)->type, {}, {}});
+  for (int k = 0; k < nz; ++k)
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i) {
+        const auto centre = grid.cornerNodes + static_cast<std::int64_t>(grid.centres.size());
+        if (i == transition) grid.centres.push_back({i, j, k});
+        for (const Part& part : parts[sectionOf(i)])
+          for (MeshBlock& block : mesh.blocks)
+            if (elementInfo(block.type).name == part.element)
+              for (const std::uint8_t corner : part.pattern)
+                block.connectivity.push_back(
+                    static_cast<std::int32_t>(corner == 8 ? centre : grid.corner(i, j, k, corner)));
+      }
+  return mesh;
 }
 
 void requirePositiveElements(const Mesh& mesh, const std::string& reason) {
@@ -132,7 +230,9 @@ void requirePositive(std::string_view name, double value) {
 
 std::span<const CellSplit> allCellSplits() { return splits; }
 
-Mesh generateBar(const BarOptions& options) {
+namespace {
+
+Mesh makeBar(const BarOptions& options, bool mixed) {
   for (int k = 0; k < 3; ++k) {
     requirePositive("size", options.size[k]);
     requirePositive("cells", options.cells[k]);
@@ -143,8 +243,8 @@ Mesh generateBar(const BarOptions& options) {
     throw InputError(joinText("jitter = ", options.jitter, ": it must be 0 or more and below 0.5"));
   if (!(options.grading >= 1) || !std::isfinite(options.grading))
     throw InputError(joinText("grading = ", options.grading, ": it must be 1 or more"));
-  const CellSplit& split = findSplit(options.element, options.split);
-  const Grid grid(options.cells, split);
+  const CellSplit& split = mixed ? findSplit("tet4", 6) : findSplit(options.element, options.split);
+  Grid grid(options.cells, split);
 
   std::array<std::vector<double>, 3> line;
   for (int k = 0; k < 3; ++k) {
@@ -162,7 +262,7 @@ Mesh generateBar(const BarOptions& options) {
                                   " has no length left; use fewer cells or a smaller grading"));
   }
 
-  Mesh mesh = fillElements(grid, split);
+  Mesh mesh = mixed ? fillMixed(grid) : fillElements(grid, split);
   // std::uniform_real_distribution differs between standard libraries; the engine itself does not.
   std::mt19937_64 engine(options.seed);
   const auto uniform = [&] { return 2.0 * (static_cast<double>(engine() >> 11) * 0x1p-53) - 1.0; };
@@ -186,8 +286,20 @@ Mesh generateBar(const BarOptions& options) {
         }
       }
   placeCentres(mesh, grid);
+  finishElements(mesh);
   requirePositiveElements(mesh, options.jitter > 0 ? joinText("jitter = ", options.jitter) : "this shape");
   return mesh;
+}
+
+}  // namespace
+
+Mesh generateBar(const BarOptions& options) { return makeBar(options, false); }
+
+Mesh generateMixedBar(const BarOptions& options) {
+  if (options.cells[0] < 5)
+    throw InputError(
+        joinText("cells = ", options.cells[0], ": a mixed bar needs at least 5 along x, one for each of its sections"));
+  return makeBar(options, true);
 }
 
 Mesh generateCube(double edge, int cells, BarOptions rest) {
@@ -200,10 +312,10 @@ Mesh generateBall(const BallOptions& options) {
   requirePositive("radius", options.radius);
   requirePositive("cells", options.cells);
   const CellSplit& split = findSplit(options.element, options.split);
-  const Grid grid({options.cells, options.cells, options.cells}, split);
+  Grid grid({options.cells, options.cells, options.cells}, split);
   Mesh mesh = fillElements(grid, split);
   const int n = options.cells;
-  std::vector<std::int32_t>& surface = mesh.nodeSets["surface"];
+  static constexpr const char* sides[3][2] = {{"x0", "x1"}, {"y0", "y1"}, {"z0", "z1"}};
   for (int k = 0; k <= n; ++k)
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i <= n; ++i) {
@@ -213,9 +325,19 @@ Mesh generateBall(const BallOptions& options) {
         mesh.X.col(node) = options.radius * Eigen::Vector3d(x * std::sqrt(1 - yy / 2 - zz / 2 + yy * zz / 3),
                                                             y * std::sqrt(1 - zz / 2 - xx / 2 + zz * xx / 3),
                                                             z * std::sqrt(1 - xx / 2 - yy / 2 + xx * yy / 3));
-        if (i == 0 || j == 0 || k == 0 || i == n || j == n || k == n) surface.push_back(node);
+        const int index[3] = {i, j, k};
+        for (int axis = 0; axis < 3; ++axis) {
+          if (index[axis] == 0) mesh.nodeSets[sides[axis][0]].push_back(node);
+          if (index[axis] == n) mesh.nodeSets[sides[axis][1]].push_back(node);
+        }
       }
   placeCentres(mesh, grid);
+  finishElements(mesh);
+  std::vector<std::int32_t> surface;
+  for (const auto& [name, nodes] : mesh.nodeSets) surface.insert(surface.end(), nodes.begin(), nodes.end());
+  std::sort(surface.begin(), surface.end());
+  surface.erase(std::unique(surface.begin(), surface.end()), surface.end());
+  mesh.nodeSets = {{"surface", std::move(surface)}};
   requirePositiveElements(mesh, joinText("cells = ", options.cells));
   return mesh;
 }

@@ -14,7 +14,8 @@ struct CellSplit {
   std::string_view element;  // name of the element, as in `Elements`
   int elementsPerCell;
   bool centre;  // the cell gets a node of its own in its middle, corner number 8
-  /// Corners i + 2j + 4k of the cell, element after element, in the element's (VTK) node order.
+  /// Corners i + 2j + 4k of the cell, element after element, in the element's (VTK) node order. Quadratic elements get
+  /// nodes in the middle of their edges by themselves.
   std::span<const std::uint8_t> even;
   /// The same for cells of odd i + j + k, where a split must alternate to match its neighbours; else equal to even.
   std::span<const std::uint8_t> odd;
@@ -41,6 +42,12 @@ struct BarOptions {
 /// Throws InputError naming the parameter, its value and its range, or the element that the jitter inverts.
 Mesh generateBar(const BarOptions& options);
 
+/// A bar that holds every linear element, faces shared without gaps, in sections along x: wedges (axis z), hexahedra,
+/// one layer of pyramids with a few tetrahedra, tetrahedra (Kuhn's split), wedges (axis x). Triangles meet triangles
+/// and quadrilaterals quadrilaterals throughout. element and split of the options are not used; at least 5 cells along
+/// x.
+Mesh generateMixedBar(const BarOptions& options);
+
 /// A ball of radius `radius` around the origin.
 struct BallOptions {
   double radius = 1;  // m, > 0
@@ -50,7 +57,8 @@ struct BallOptions {
 };
 
 /// A cube of cells mapped smoothly onto the ball: x ← x √(1 − y²/2 − z²/2 + y²z²/3), and so on round (Nowell). Node set
-/// "surface", element set "all". Throws InputError like `generateBar`.
+/// "surface", element set "all". Quadratic elements have straight sides: an element with two curved faces in the sphere
+/// would be flat along their common edge. Throws InputError like `generateBar`.
 Mesh generateBall(const BallOptions& options);
 
 /// A cube: `generateBar` with equal sizes and counts; edge in m.

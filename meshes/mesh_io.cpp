@@ -35,14 +35,16 @@ Mesh read(const fs::path& path, detail::Notes* notes, detail::Problems* problems
   if (text.rfind("$MeshFormat", 0) == 0) return detail::readMsh(path, text, notes, problems);
   if (text.rfind("# vtk DataFile", 0) == 0) return detail::readLegacyVtk(path, text, notes, problems);
   if (startsWithXml(text)) return detail::readVtu(path, text, notes, problems);
+  if (extension == ".inp") return detail::readInp(path, text, notes, problems);
   if (extension == ".msh") return detail::readMsh(path, text, notes, problems);
   const std::string begin = detail::quoted(std::string_view(text).substr(0, text.find_first_of("\r\n")));
   if (extension == ".vtk")
     throw InputError(path.string() + ":1: begins with " + begin + "; a legacy VTK file begins with # vtk DataFile");
   if (extension == ".vtu")
     throw InputError(path.string() + ":1: begins with " + begin + "; a .vtu file begins with <VTKFile");
-  throw InputError(path.string() + ":1: not a known mesh format, it begins with " + begin +
-                   "; known are MSH 2 and 4 (.msh), TetGen (.node and .ele), .vtu and legacy .vtk");
+  throw InputError(
+      path.string() + ":1: not a known mesh format, it begins with " + begin +
+      "; known are MSH 2 and 4 (.msh), TetGen (.node and .ele), .vtu, legacy .vtk and Abaqus or CalculiX decks (.inp)");
 }
 
 }  // namespace

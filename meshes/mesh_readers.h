@@ -12,6 +12,7 @@ using Notes = std::vector<std::string>;
 using Problems = std::vector<MeshProblem>;
 
 Mesh readMsh(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
+Mesh readInp(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
 Mesh readTetgen(const std::filesystem::path& nodeFile, const std::filesystem::path& elementFile, Notes* notes,
                 Problems* problems);
 Mesh readLegacyVtk(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);

@@ -31,6 +31,14 @@ TEST(ElementRegistry, HasTheNumbersOfTheFileFormats) {
   EXPECT_EQ(findElementByName("tet4")->gmshType, 4);
   EXPECT_EQ(findElementByName("hex8")->vtkCellType, 12);
   EXPECT_EQ(findElementByName("hex8")->gmshType, 5);
+  EXPECT_EQ(findElementByName("wedge6")->vtkCellType, 13);
+  EXPECT_EQ(findElementByName("wedge6")->gmshType, 6);
+  EXPECT_EQ(findElementByName("pyramid5")->vtkCellType, 14);
+  EXPECT_EQ(findElementByName("pyramid5")->gmshType, 7);
+  EXPECT_EQ(findElementByName("tet10")->vtkCellType, 24);
+  EXPECT_EQ(findElementByName("tet10")->gmshType, 11);
+  EXPECT_EQ(findElementByName("hex20")->vtkCellType, 25);
+  EXPECT_EQ(findElementByName("hex20")->gmshType, 17);
 }
 
 TEST(ElementRegistry, FindsNothingUnderUnknownNames) {

@@ -147,7 +147,31 @@ TYPED_TEST(ElementTest, EdgesAreDistinctAndThoseOfTheFaces) {
   }
   EXPECT_EQ(edges, ofFaces);
   // Euler: corners - edges + faces = 2.
-  EXPECT_EQ(TypeParam::nodes - static_cast<int>(edges.size()) + static_cast<int>(TypeParam::faces.size()), 2);
+  const ElementInfo& info = elementInfo(elementTypeOf<TypeParam>);
+  EXPECT_EQ(cornerCount(info) - static_cast<int>(edges.size()) + static_cast<int>(TypeParam::faces.size()), 2);
+}
+
+TYPED_TEST(ElementTest, NodesBeyondTheCornersAreTheMiddlesOfTheEdgesInOrder) {
+  const int corners = cornerCount(elementInfo(elementTypeOf<TypeParam>));
+  for (int a = corners; a < TypeParam::nodes; ++a) {
+    const auto& ends = TypeParam::edges[static_cast<std::size_t>(a - corners)];
+    EXPECT_EQ((this->node(ends[0]) + this->node(ends[1])) / 2, this->node(a)) << a;
+  }
+  for (const auto& face : TypeParam::faces)
+    for (const int a : face) EXPECT_LT(a, corners);
+}
+
+TYPED_TEST(ElementTest, QuadraticShapesReproduceQuadraticFields) {
+  if (TypeParam::order < 2) GTEST_SKIP() << "linear";
+  for (const auto& p : this->insidePoints()) {
+    const Eigen::VectorXd N = this->shape(p);
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) {
+        double value = 0;
+        for (int a = 0; a < TypeParam::nodes; ++a) value += N[a] * this->node(a)[i] * this->node(a)[j];
+        EXPECT_NEAR(value, p[i] * p[j], 1e-14) << i << " " << j;
+      }
+  }
 }
 
 TYPED_TEST(ElementTest, JacobianOfTheReferenceElementIsPositive) {

@@ -15,8 +15,11 @@ class ScalarReference {
  public:
   static constexpr int n = Element::nodes;
   ScalarReference(const Mesh& mesh, const LawType& law, const QuadratureRule& rule)
-      : block_(mesh.blocks[0]), law_(law) {
-    for (std::size_t e = 0; e < block_.elementCount(); ++e)
+      : block_(mesh.blocks[0]),
+        law_(share(law, rule.shares.pointLambda, rule.shares.pointMu)),
+        meanLaw_(share(law, rule.shares.meanLambda, rule.shares.meanMu)) {
+    for (std::size_t e = 0; e < block_.elementCount(); ++e) {
+      Point mean{};
       for (const QuadraturePoint& q : rule.points) {
         double dN[n][3];
         Element::shapeGradient(q.xi, dN);
@@ -25,18 +28,27 @@ class ScalarReference {
         Point& point = points_.emplace_back();
         for (int a = 0; a < n; ++a) Eigen::RowVector3d::Map(point.g[a]) = Eigen::RowVector3d::Map(dN[a]) * J.inverse();
         point.weight = J.determinant() * q.weight;
+        for (int i = 0; i < 3 * n; ++i) mean.g[i / 3][i % 3] += point.weight * point.g[i / 3][i % 3];
+        mean.weight += point.weight;
       }
-    pointsPerElement_ = rule.points.size();
+      if (!rule.shares.mean()) continue;
+      for (auto& g : mean.g)
+        for (double& value : g) value /= mean.weight;
+      mean.isMean = true;
+      points_.push_back(mean);
+    }
+    pointsPerElement_ = rule.points.size() + (rule.shares.mean() ? 1 : 0);
   }
 
   void force(const NodeVectors& x, NodeVectors& f) const {
-    sumOverElements(x, f, [&](std::size_t, const Matrix3<double>& F, const Point&) { return law_.stress(F); });
+    sumOverElements(x, f,
+                    [&](std::size_t, const Matrix3<double>& F, const Point& point) { return lawAt(point).stress(F); });
   }
   void tangentProduct(const NodeVectors& x, const NodeVectors& v, NodeVectors& Kv) const {
     sumOverElements(x, Kv, [&](std::size_t e, const Matrix3<double>& F, const Point& point) {
       double ve[n][3];
       gather(v, e, ve);
-      return law_.linearize(F)(gradient(ve, point));
+      return lawAt(point).linearize(F)(gradient(ve, point));
     });
   }
   double energy(const NodeVectors& x) const {
@@ -46,7 +58,7 @@ class ScalarReference {
         const Point& point = points_[e * pointsPerElement_ + q];
         double xe[n][3];
         gather(x, e, xe);
-        sum += point.weight * law_.energy(gradient(xe, point));
+        sum += point.weight * lawAt(point).energy(gradient(xe, point));
       }
     return sum;
   }
@@ -55,7 +67,14 @@ class ScalarReference {
   struct Point {
     double g[n][3];  // ∂N_a/∂X
     double weight;   // w det J
+    bool isMean = false;
   };
+  static LawType share(LawType law, double lambdaShare, double muShare) {
+    law.constants.lambda *= lambdaShare;
+    law.constants.mu *= muShare;
+    return law;
+  }
+  const LawType& lawAt(const Point& point) const { return point.isMean ? meanLaw_ : law_; }
   void gather(const NodeVectors& x, std::size_t e, double (&xe)[n][3]) const {
     for (int a = 0; a < n; ++a) {
       const double* from = x.data() + 3 * static_cast<std::ptrdiff_t>(block_.element(e)[a]);
@@ -92,7 +111,7 @@ class ScalarReference {
   }
 
   const MeshBlock block_;
-  const LawType law_;
+  const LawType law_, meanLaw_;
   std::size_t pointsPerElement_ = 0;
   std::vector<Point> points_;
 };

@@ -1,0 +1,246 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Dense>
+
+#include <ringwatch/meshes/generators.h>
+#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/verify/elements_studies.h>
+#include <ringwatch/verify/static_solver.h>
+
+namespace ringwatch::detail {
+namespace {
+
+constexpr double young = 30e3, density = 1000;
+constexpr double length = 0.2, width = 0.04, radius = 0.05;  // m
+
+Mesh bar(std::string_view element, int cells) {
+  BarOptions options;
+  options.size = {length, width, width};
+  options.cells = {5 * cells, cells, cells};
+  options.element = element;
+  return generateBar(options);
+}
+
+/// The root of a function that changes sign between low and high.
+template <class Function>
+double bisect(double low, double high, const Function& f) {
+  const bool lowSign = f(low) > 0;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = 0.5 * (low + high);
+    ((f(middle) > 0) == lowSign ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// A free vibration with a known answer.
+struct KnownMode {
+  std::string name;
+  double poisson;
+  double lambda;  // ω², rad²/s²
+  bool ball;
+  std::function<NodeVectors(const NodeVectors& X)> guess;
+};
+std::vector<KnownMode> knownModes() {
+  const double rod = std::numbers::pi / length;
+  const Lame lame = lameConstants(young, 0.3);
+  const double cl2 = (lame.lambda + 2 * lame.mu) / density, ct2 = lame.mu / density;
+  // Breathing mode: x cot x = 1 - (c_l/2c_t)² x², x = ω a / c_l (Lamb 1882).
+  const double breathing = bisect(1.0, 3.1, [&](double x) { return x / std::tan(x) - 1 + cl2 / (4 * ct2) * x * x; });
+  return {{"rod, longitudinal, nu = 0", 0.0, rod * rod * young / density, false,
+           [](const NodeVectors& X) {
+             NodeVectors u = NodeVectors::Zero(3, X.cols());
+             u.row(0) = (X.row(0) * (std::numbers::pi / length)).array().cos().matrix();
+             return u;
+           }},
+          {"ball, breathing, nu = 0.3", 0.3, std::pow(breathing / radius, 2) * cl2, true,
+           [breathing](const NodeVectors& X) {
+             // u = j1(k r) in the direction of r, finite at the centre: j1(s)/s = (sin s - s cos s)/s³.
+             NodeVectors u = X;
+             for (Eigen::Index node = 0; node < X.cols(); ++node) {
+               const double t = breathing * X.col(node).norm() / radius;
+               u.col(node) *= t < 1e-3 ? 1.0 / 3 : (std::sin(t) - t * std::cos(t)) / (t * t * t);
+             }
+             return u;
+           }}};
+}
+
+}  // namespace
+
+void studyFrequencies(StudyReport& report, StudyEffort effort) {
+  StudyTable table{"frequencies",
+                   "Free vibrations, lumped mass, against exact answers (rod: cosine; ball: Lamb 1882)",
+                   {"mode", "element", "cells", "frequency (Hz)", "exact (Hz)", "relative error", "rate"},
+                   {}};
+  for (const KnownMode& mode : knownModes()) {
+    const double exact = std::sqrt(mode.lambda) / (2 * std::numbers::pi);
+    for (const ElementInfo& info : allElements()) {
+      if (mode.ball && info.order > 1) continue;  // their straight sides do not follow the sphere
+      std::vector<int> meshes = mode.ball         ? std::vector<int>{6, 10}
+                                : info.order == 1 ? std::vector<int>{2, 4}
+                                                  : std::vector<int>{1, 2};
+      if (effort == StudyEffort::full) meshes.push_back(mode.ball ? 14 : 2 * meshes.back());
+      double before = 0, rate = 0, error = 0;
+      for (std::size_t m = 0; m < meshes.size(); ++m) {
+        BallOptions options;
+        options.radius = radius;
+        options.cells = meshes[m];
+        options.element = info.name;
+        const Body body(mode.ball ? generateBall(options) : bar(info.name, meshes[m]),
+                        makeMaterial("linear", young, mode.poisson, density));
+        const NearestMode found = nearestMode(body, body.mesh().X, mode.guess(body.mesh().X));
+        const double hertz =
+            found.converged && found.overlap > 0.9 ? std::sqrt(found.lambda) / (2 * std::numbers::pi) : std::nan("");
+        error = std::abs(hertz / exact - 1);
+        rate =
+            m == 0 ? std::nan("") : std::log(before / error) / std::log(static_cast<double>(meshes[m]) / meshes[m - 1]);
+        table.rows.push_back({mode.name, std::string(info.name), std::int64_t{meshes[m]}, hertz, exact, error, rate});
+        before = error;
+      }
+      const std::string name = std::string(info.name) + ": " + mode.name;
+      checkBelow(report, name + ", relative error", error, info.order == 1 ? 0.06 : 0.01);
+      report.checks.push_back({name + ", rate of the frequency at least 2 - 0.25", rate, 2, 0.25, rate >= 1.75});
+    }
+  }
+  report.tables.push_back(std::move(table));
+}
+
+namespace {
+
+constexpr double tipForce = 1e-4;  // N, small strain
+
+/// Mean deflection under an even traction, work of the load over its force, m.
+double deflection(const ElementRule& c, int cells, double poisson) {
+  Body body(bar(c.element->name, cells), makeMaterial("linear", young, poisson, density), c.options());
+  for (const std::int32_t node : body.mesh().nodeSets.at("x-min")) body.constraints().fix(node);
+  body.externalForce() = consistentTraction(
+      body.mesh(), [](const Eigen::Vector3d& X) { return X[0] > length * (1 - 1e-9); },
+      [](const Eigen::Vector3d&) { return Eigen::Vector3d(0, 0, -tipForce / (width * width)); });
+  const StaticSolution solution = solveStatic(body, body.mesh().X);
+  if (!solution.converged) return std::nan("");
+  return body.externalForce().cwiseProduct(solution.x - body.mesh().X).sum() / tipForce;
+}
+/// Timoshenko's cantilever with Cowper's shear coefficient (1966) of a rectangle.
+double timoshenko(double poisson) {
+  const double inertia = std::pow(width, 4) / 12, shear = young / (2 * (1 + poisson)),
+               kappa = 10 * (1 + poisson) / (12 + 11 * poisson);
+  return tipForce * (std::pow(length, 3) / (3 * young * inertia) + length / (kappa * shear * width * width));
+}
+/// Seconds of one internal force on one thread, the best of a few.
+double forceSeconds(const Body& body) {
+  using Clock = std::chrono::steady_clock;
+  Body::Workspace workspace;
+  NodeVectors f;
+  double best = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < 5; ++round) {
+    const auto begin = Clock::now();
+    int calls = 0;
+    double elapsed = 0;
+    for (; elapsed < 2e-3; elapsed = std::chrono::duration<double>(Clock::now() - begin).count(), ++calls)
+      body.internalForce(body.mesh().X, f, workspace);
+    best = std::min(best, elapsed / calls);
+  }
+  return best;
+}
+
+}  // namespace
+
+void studyCantilever(StudyReport& report, StudyEffort effort) {
+  const std::vector<double> ratios{0.3, 0.45, 0.49, 0.499};
+  StudyTable locking{"locking",
+                     "Cantilever 0.2 x 0.04 x 0.04 m: tip deflection over Timoshenko's beam",
+                     {"element", "rule", "cells", "nu = 0.3", "nu = 0.45", "nu = 0.49", "nu = 0.499"},
+                     {}};
+  const int cells = effort == StudyEffort::full ? 4 : 2;
+  for (const ElementRule& c : allElementRules()) {
+    if (c.element->order == 1 && c.rule->spuriousModes > 0) continue;
+    std::vector<StudyTable::Cell> row{std::string(c.element->name), std::string(c.rule->name), std::int64_t{cells}};
+    std::vector<double> values;
+    for (const double nu : ratios) {
+      values.push_back(deflection(c, cells, nu) / timoshenko(nu));
+      row.emplace_back(values.back());
+    }
+    locking.rows.push_back(std::move(row));
+    if (c.rule->shares.mean())
+      report.checks.push_back({c.name() + ": deflection at nu = 0.499 over that at 0.3 is at least 0.8",
+                               values[3] / values[0], 1, 0.2, values[3] / values[0] >= 0.8});
+  }
+  report.tables.push_back(std::move(locking));
+
+  const ElementRule best{findElementByName("hex20"), &findElementByName("hex20")->rules[0]};
+  const double reference = deflection(best, 4, 0.3);
+  // Without Poisson's effect the clamped face is the beam's; with it, it also holds back the contraction across.
+  checkNear(report, "hex20 gauss-3x3x3: cantilever over Timoshenko's beam, nu = 0",
+            deflection(best, 4, 0) / timoshenko(0), 1, 0.01);
+  checkNear(report, "hex20 gauss-3x3x3: cantilever over Timoshenko's beam, nu = 0.3", reference / timoshenko(0.3), 1,
+            0.02);
+  StudyTable cost{
+      "cost",
+      "Cantilever, nu = 0.3: tip error against the time that a simulated second takes at the critical step, one thread",
+      {"element", "rule", "cells", "elements", "tip error", "critical step (s)", "force (ns an element)",
+       "time per second (s)"},
+      {}};
+  StudyTable onePercent{"one-percent",
+                        "Time for a simulated second at 1 % tip error, interpolated between meshes (s)",
+                        {"element", "rule", "time per second (s)"},
+                        {}};
+  StudyFigure bySize{"elements-tip-error-size",
+                     "Cantilever: tip error against element size",
+                     "cell size (m)",
+                     "relative tip error",
+                     true,
+                     true,
+                     {}};
+  StudyFigure byTime{"elements-tip-error-time",
+                     "Cantilever: tip error against run time",
+                     "time for a simulated second (s)",
+                     "relative tip error",
+                     true,
+                     true,
+                     {}};
+  for (const ElementRule& c : allElementRules()) {
+    if (!c.isDefault() && !c.rule->shares.mean()) continue;
+    std::vector<int> meshes = c.element->order == 1 ? std::vector<int>{1, 2, 4} : std::vector<int>{1, 2};
+    if (effort == StudyEffort::full) meshes.push_back(c.element->order == 1 ? 8 : 3);
+    StudyFigure::Curve size{c.name(), {}, {}}, time{c.name(), {}, {}};
+    double crossing = std::nan("");
+    for (const int n : meshes) {
+      BodyOptions options = c.options();
+      options.threads = 1;
+      const Body body(bar(c.element->name, n), makeMaterial("stvk", young, 0.3, density), options);
+      const double error = std::abs(deflection(c, n, 0.3) / reference - 1);
+      const GlobalFrequency top = globalFrequency(body, body.mesh().X, 1e-6);
+      const double step = top.converged ? 2 / std::sqrt(top.lambda) : std::nan(""), seconds = forceSeconds(body);
+      const auto count = static_cast<double>(body.mesh().elementCount());
+      const double perSecond = seconds / step;
+      cost.rows.push_back({std::string(c.element->name), std::string(c.rule->name), std::int64_t{n},
+                           static_cast<std::int64_t>(count), error, step, seconds / count * 1e9, perSecond});
+      if (error <= 0.01 && std::isnan(crossing)) {
+        crossing = perSecond;
+        if (!time.x.empty()) {
+          const double t = std::log(0.01 / time.y.back()) / std::log(error / time.y.back());
+          crossing = time.x.back() * std::pow(perSecond / time.x.back(), t);
+        }
+      }
+      size.x.push_back(width / n);
+      size.y.push_back(error);
+      time.x.push_back(perSecond);
+      time.y.push_back(error);
+    }
+    onePercent.rows.push_back(
+        {std::string(c.element->name), std::string(c.rule->name),
+         std::isnan(crossing) ? StudyTable::Cell(std::string("not reached")) : StudyTable::Cell(crossing)});
+    bySize.curves.push_back(std::move(size));
+    byTime.curves.push_back(std::move(time));
+  }
+  report.tables.push_back(std::move(cost));
+  report.tables.push_back(std::move(onePercent));
+  report.figures.push_back(std::move(bySize));
+  report.figures.push_back(std::move(byTime));
+}
+
+}  // namespace ringwatch::detail

@@ -1,0 +1,190 @@
+#include <ringwatch/verify/static_solver.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+
+namespace ringwatch {
+
+FreeDofs::FreeDofs(const Body& body) : number_(static_cast<std::size_t>(3 * body.nodeCount()), -1) {
+  for (std::int32_t node = 0; node < body.nodeCount(); ++node)
+    for (int c = 0; c < 3; ++c)
+      if (!body.constraints().isConstrained(node, c)) number_[static_cast<std::size_t>(3 * node + c)] = count_++;
+}
+Eigen::VectorXd FreeDofs::gather(const NodeVectors& values) const {
+  Eigen::VectorXd result(count_);
+  for (std::size_t i = 0; i < number_.size(); ++i)
+    if (number_[i] >= 0) result[number_[i]] = values.data()[i];
+  return result;
+}
+void FreeDofs::addTo(NodeVectors& values, const Eigen::VectorXd& change) const {
+  for (std::size_t i = 0; i < number_.size(); ++i)
+    if (number_[i] >= 0) values.data()[i] += change[number_[i]];
+}
+Eigen::SparseMatrix<double> FreeDofs::reduce(const Eigen::SparseMatrix<double>& K) const {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(K.nonZeros()));
+  for (int column = 0; column < K.outerSize(); ++column)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(K, column); it; ++it) {
+      const int i = (*this)[it.row()], j = (*this)[column];
+      if (i >= 0 && j >= 0) entries.emplace_back(i, j, it.value());
+    }
+  Eigen::SparseMatrix<double> result(count_, count_);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+StaticSolution solveStatic(const Body& body, const NodeVectors& start, const StaticOptions& options) {
+  const FreeDofs dofs(body);
+  const double size = (body.mesh().X.rowwise().maxCoeff() - body.mesh().X.rowwise().minCoeff()).norm();
+  Body::Workspace workspace;
+  NodeVectors x = start, f;
+  StaticSolution solution;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
+  for (int step = 1; step <= options.loadSteps; ++step) {
+    bool done = false;
+    for (int i = 0; i < options.maxIterations && !done; ++i, ++solution.iterations) {
+      body.internalForce(x, f, workspace);
+      const Eigen::VectorXd residual =
+          dofs.gather(body.externalForce() * (static_cast<double>(step) / options.loadSteps) - f);
+      const Eigen::SparseMatrix<double> K = dofs.reduce(body.assembleTangent(x));
+      if (solution.iterations == 0) solver.analyzePattern(K);
+      solver.factorize(K);
+      if (solver.info() != Eigen::Success) return solution;
+      const Eigen::VectorXd change = solver.solve(residual);
+      if (!change.allFinite()) return solution;
+      dofs.addTo(x, change);
+      done = change.lpNorm<Eigen::Infinity>() <= options.tolerance * size;
+    }
+    if (!done) return solution;
+  }
+  solution.converged = true;
+  solution.x = std::move(x);
+  return solution;
+}
+
+const QuadratureRule& finestRule(const ElementInfo& element) {
+  const QuadratureRule* finest = &element.massRule;
+  for (const QuadratureRule& rule : element.rules)
+    if (rule.points.size() > finest->points.size()) finest = &rule;
+  return *finest;
+}
+
+NodeVectors consistentBodyForce(const Mesh& mesh,
+                                const std::function<Eigen::Vector3d(const Eigen::Vector3d& X)>& force) {
+  NodeVectors f = NodeVectors::Zero(3, mesh.X.cols());
+  double N[maxElementNodes], dN[maxElementNodes][3];
+  for (const MeshBlock& block : mesh.blocks) {
+    const ElementInfo& info = elementInfo(block.type);
+    for (std::size_t e = 0; e < block.elementCount(); ++e) {
+      const std::int32_t* nodes = block.element(e);
+      for (const QuadraturePoint& q : finestRule(info).points) {
+        info.shape(q.xi, N);
+        info.shapeGradient(q.xi, dN);
+        Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+        Eigen::Vector3d X = Eigen::Vector3d::Zero();
+        for (int a = 0; a < info.nodes; ++a) {
+          X += N[a] * mesh.X.col(nodes[a]);
+          J += mesh.X.col(nodes[a]) * Eigen::RowVector3d::Map(dN[a]);
+        }
+        const Eigen::Vector3d b = force(X) * (q.weight * J.determinant());
+        for (int a = 0; a < info.nodes; ++a) f.col(nodes[a]) += N[a] * b;
+      }
+    }
+  }
+  return f;
+}
+
+NodeVectors consistentTraction(const Mesh& mesh, const std::function<bool(const Eigen::Vector3d& X)>& onFace,
+                               const std::function<Eigen::Vector3d(const Eigen::Vector3d& X)>& traction) {
+  NodeVectors f = NodeVectors::Zero(3, mesh.X.cols());
+  double N[maxElementNodes], dN[maxElementNodes][3];
+  for (const MeshBlock& block : mesh.blocks) {
+    const ElementInfo& info = elementInfo(block.type);
+    for (std::size_t e = 0; e < block.elementCount(); ++e) {
+      const std::int32_t* nodes = block.element(e);
+      for (const auto& face : info.faces) {
+        const int corners = face[3] < 0 ? 3 : 4;
+        if (!std::all_of(face.begin(), face.begin() + corners,
+                         [&](int a) { return onFace(Eigen::Vector3d(mesh.X.col(nodes[a]))); }))
+          continue;
+        const auto corner = [&](int i) {
+          return Eigen::Vector3d(Eigen::Vector3d::Map(
+              info.referenceNodes[static_cast<std::size_t>(face[static_cast<std::size_t>(i)])].data()));
+        };
+        // Points (u, v) on [0, 1]² by three Gauss points each way; a triangle is the square with one side collapsed.
+        for (std::size_t i = 0; i < 3; ++i)
+          for (std::size_t j = 0; j < 3; ++j) {
+            const double u = 0.5 * (1 + gauss::x3[i]), v = 0.5 * (1 + gauss::x3[j]),
+                         w = 0.25 * gauss::w3[i] * gauss::w3[j];
+            Eigen::Vector3d xi, du, dv;
+            double factor = w;
+            if (corners == 4) {
+              xi =
+                  (1 - u) * (1 - v) * corner(0) + u * (1 - v) * corner(1) + u * v * corner(2) + (1 - u) * v * corner(3);
+              du = (1 - v) * (corner(1) - corner(0)) + v * (corner(2) - corner(3));
+              dv = (1 - u) * (corner(3) - corner(0)) + u * (corner(2) - corner(1));
+            } else {
+              du = corner(1) - corner(0);
+              dv = corner(2) - corner(0);
+              xi = corner(0) + u * du + v * (1 - u) * dv;
+              factor *= 1 - u;
+            }
+            info.shape(xi.data(), N);
+            info.shapeGradient(xi.data(), dN);
+            Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+            Eigen::Vector3d X = Eigen::Vector3d::Zero();
+            for (int a = 0; a < info.nodes; ++a) {
+              X += N[a] * mesh.X.col(nodes[a]);
+              J += mesh.X.col(nodes[a]) * Eigen::RowVector3d::Map(dN[a]);
+            }
+            const Eigen::Vector3d t = traction(X) * (factor * (J * du).cross(J * dv).norm());
+            for (int a = 0; a < info.nodes; ++a) f.col(nodes[a]) += N[a] * t;
+          }
+      }
+    }
+  }
+  return f;
+}
+
+NearestMode nearestMode(const Body& body, const NodeVectors& x, const NodeVectors& guess) {
+  const FreeDofs dofs(body);
+  const Eigen::VectorXd mass = dofs.gather(body.lumpedMass().transpose().replicate(3, 1));
+  const Eigen::SparseMatrix<double> K = dofs.reduce(body.assembleTangent(x));
+  Eigen::SparseMatrix<double> M(K.rows(), K.cols());
+  M.setIdentity();
+  M.diagonal() = mass;
+  Eigen::VectorXd u = dofs.gather(guess);
+  u /= std::sqrt(u.dot(mass.cwiseProduct(u)));
+  const Eigen::VectorXd first = u;
+  // Each step shifts by the last Rayleigh quotient: cubic convergence.
+  double lambda = u.dot(K * u);
+  NearestMode result;
+  for (int i = 0; i < 12; ++i) {
+    const Eigen::SparseMatrix<double> shifted = K - lambda * M;
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(shifted);
+    if (solver.info() != Eigen::Success) break;  // the shift is the eigenvalue to the last bit
+    Eigen::VectorXd next = solver.solve(mass.cwiseProduct(u));
+    next /= std::sqrt(next.dot(mass.cwiseProduct(next)));
+    if (!next.allFinite()) break;
+    u = next;
+    const double before = lambda;
+    lambda = u.dot(K * u);
+    if (std::abs(lambda - before) <= 1e-12 * std::abs(lambda)) {
+      result.converged = true;
+      break;
+    }
+  }
+  const Eigen::VectorXd residual = K * u - lambda * mass.cwiseProduct(u);
+  result.converged = result.converged || residual.norm() <= 1e-8 * (K * u).norm();
+  if (!result.converged) return result;
+  result.lambda = lambda;
+  result.overlap = std::abs(first.dot(mass.cwiseProduct(u)));
+  result.mode = NodeVectors::Zero(3, body.nodeCount());
+  dofs.addTo(result.mode, u);
+  return result;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,63 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include <Eigen/SparseCore>
+
+#include <ringwatch/body/body.h>
+
+namespace ringwatch {
+
+/// Free degrees of freedom of a body, numbered 0, 1, … in order; constrained ones have -1.
+class FreeDofs {
+ public:
+  explicit FreeDofs(const Body& body);
+  int count() const { return count_; }
+  int operator[](Eigen::Index dof) const { return number_[static_cast<std::size_t>(dof)]; }
+  /// The free entries of a 3×N array.
+  Eigen::VectorXd gather(const NodeVectors& values) const;
+  /// Adds to the free entries of a 3×N array.
+  void addTo(NodeVectors& values, const Eigen::VectorXd& change) const;
+  /// Rows and columns of the free degrees of freedom.
+  Eigen::SparseMatrix<double> reduce(const Eigen::SparseMatrix<double>& K) const;
+
+ private:
+  std::vector<int> number_;
+  int count_ = 0;
+};
+
+struct StaticOptions {
+  int loadSteps = 1;         // external force grows in that many equal steps
+  int maxIterations = 30;    // Newton iterations a step
+  double tolerance = 1e-12;  // of the last Newton correction, relative to the size of the body
+};
+struct StaticSolution {
+  bool converged = false;
+  NodeVectors x;       // equilibrium positions, 3×N, m; only when converged
+  int iterations = 0;  // Newton iterations, all steps together
+};
+/// Static equilibrium of internal and external force by Newton's method with the exact tangent. Constrained components
+/// stay where `start` (3×N, m) has them; the others begin there.
+StaticSolution solveStatic(const Body& body, const NodeVectors& start, const StaticOptions& options = {});
+
+/// The quadrature rule of an element with the most points, for loads and error norms.
+const QuadratureRule& finestRule(const ElementInfo& element);
+
+/// Consistent nodal forces, 3×N, N, of a body force b(X) in N/m³.
+NodeVectors consistentBodyForce(const Mesh& mesh,
+                                const std::function<Eigen::Vector3d(const Eigen::Vector3d& X)>& force);
+/// Consistent nodal forces, 3×N, N, of a dead traction t(X) in Pa on the element faces whose corners all satisfy
+/// `onFace`.
+NodeVectors consistentTraction(const Mesh& mesh, const std::function<bool(const Eigen::Vector3d& X)>& onFace,
+                               const std::function<Eigen::Vector3d(const Eigen::Vector3d& X)>& traction);
+
+/// The vibration nearest to a guessed mode, by Rayleigh quotient iteration on K u = ω² M u at positions x.
+struct NearestMode {
+  bool converged = false;
+  double lambda = 0;   // ω², rad²/s²; only when converged
+  NodeVectors mode;    // 3×N; only when converged
+  double overlap = 0;  // |cosine| between guess and mode in the mass inner product
+};
+NearestMode nearestMode(const Body& body, const NodeVectors& x, const NodeVectors& guess);
+
+}  // namespace ringwatch
