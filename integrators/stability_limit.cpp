@@ -1,0 +1,57 @@
+#include <ringwatch/integrators/stability_limit.h>
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/LU>
+
+namespace ringwatch {
+
+bool isStableAmplification(const Eigen::Matrix2d& T) {
+  constexpr double slack = 1e-12;
+  const double det = T.determinant(), trace = T.trace();
+  return std::abs(det) <= 1 + slack && std::abs(trace) <= 1 + det + slack;  // false for NaN
+}
+
+std::optional<double> declaredLimit(const IntegratorInfo& info, double dampingRatio) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (dampingRatio == 0 || info.imaginaryLimit == infinity) return info.imaginaryLimit;
+  if (info.dampedLimit) return info.dampedLimit(dampingRatio);
+  if (!info.amplification) return std::nullopt;
+  // The fastest eigenvalue of a heavily damped mode is near 2 ξ omega: scan in units of it.
+  const double unit = 1 / (1 + 2 * dampingRatio), scanStep = 0.02, scanEnd = 64;
+  const auto stable = [&](double s) { return isStableAmplification(info.amplification(s * unit, dampingRatio)); };
+  double low = 0, high = scanStep;
+  while (stable(high)) {
+    low = high;
+    high += scanStep;
+    if (high > scanEnd) return infinity;
+  }
+  while (high - low > 1e-12 * high) {
+    const double middle = 0.5 * (low + high);
+    if (middle <= low || middle >= high) break;
+    (stable(middle) ? low : high) = middle;
+  }
+  return low * unit;
+}
+
+std::optional<double> dampedStep(double lambda, const RayleighDamping& damping, const IntegratorInfo& info) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (std::isnan(lambda)) return lambda;
+  if (info.imaginaryLimit == infinity) return infinity;
+  if (!damping.any()) return lambda > 0 ? info.imaginaryLimit / std::sqrt(lambda) : infinity;
+  // A vanishing frequency stands for rigid modes, which mass-proportional damping limits too.
+  const double top = std::sqrt(std::max(lambda, 1e-12 * damping.alpha * damping.alpha));
+  if (top == 0) return infinity;
+  constexpr int modes = 64;
+  double step = infinity;
+  for (int k = modes; k >= 0; --k) {
+    const double omega = k > 0 ? top * k / modes : 1e-6 * top;
+    const std::optional<double> limit = declaredLimit(info, 0.5 * (damping.alpha / omega + damping.beta * omega));
+    if (!limit) return std::nullopt;
+    step = std::min(step, *limit / omega);
+  }
+  return step;
+}
+
+}  // namespace ringwatch
