@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/LU>
+
 #include <ringwatch/base/error.h>
 
 namespace ringwatch {

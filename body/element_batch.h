@@ -1,8 +1,12 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/matrix3.h>
+#include <ringwatch/body/deformation_watch.h>
 #include <ringwatch/body/element_block.h>
 
 namespace ringwatch {
@@ -75,38 +79,88 @@ class ElementBatch final : public ElementBlock {
   }
 
   void tangentBatch(std::int32_t batch, const double* x, double* K) const override {
-    const LawType law = law_;
-    P position[n][3];
-    loadFromMesh(x, batch, position);
-    P* k = reinterpret_cast<P*>(K);
-    for (int i = 0; i < 9 * n * n; ++i) k[i] = P(0.0);
-    const P* geometry = geometryOf(batch);
+    tangent(layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, geometryOf(batch), x, K);
+  }
+
+  void tangentOf(const std::int32_t* elements, const double* x, double* K) const override {
+    AlignedVector<P> geometry;
+    gatherGeometry(elements, geometry);
+    tangent(elements, geometry.data(), x, K);
+  }
+
+  void laplacianOf(const std::int32_t* elements, double* L) const override {
+    AlignedVector<P> gathered;
+    gatherGeometry(elements, gathered);
+    P* l = reinterpret_cast<P*>(L);
+    for (int i = 0; i < n * n; ++i) l[i] = P(0.0);
+    const P* geometry = gathered.data();
     for (int q = 0; q < points_; ++q, geometry += 10) {
-      const Matrix3<P> J1 = inverseJacobian(geometry);
-      const auto linearization = law.linearize(gradient(position, q) * J1);
-      // g_a = J⁻ᵀ ∂N_a/∂ξ, the gradient in reference coordinates.
       P g[n][3];
+      referenceGradients(geometry, q, g);
       for (int a = 0; a < n; ++a)
-        for (int j = 0; j < 3; ++j)
-          g[a][j] = P(dN(q, a, 0)) * J1(0, j) + P(dN(q, a, 1)) * J1(1, j) + P(dN(q, a, 2)) * J1(2, j);
-      // modulus[(k,K)] = ∂P/∂F_kK · w det J
-      Matrix3<P> modulus[9];
-      for (int c = 0; c < 9; ++c) {
-        Matrix3<P> unit = Matrix3<P>::zero();
-        unit.m[c] = P(1.0);
-        modulus[c] = geometry[9] * linearization(unit);
-      }
-      for (int b = 0; b < n; ++b)
-        for (int column = 0; column < 3; ++column) {
-          Matrix3<P> t;  // Σ_K modulus_(column,K) g_bK
-          for (int i = 0; i < 9; ++i)
-            t.m[i] = modulus[3 * column].m[i] * g[b][0] + modulus[3 * column + 1].m[i] * g[b][1] +
-                     modulus[3 * column + 2].m[i] * g[b][2];
-          for (int a = 0; a < n; ++a)
-            for (int row = 0; row < 3; ++row)
-              k[(3 * a + row) * 3 * n + 3 * b + column] += t(row, 0) * g[a][0] + t(row, 1) * g[a][1] + t(row, 2) * g[a][2];
-        }
+        for (int c = 0; c < n; ++c)
+          l[a * n + c] += geometry[9] * (g[a][0] * g[c][0] + g[a][1] * g[c][1] + g[a][2] * g[c][2]);
     }
+  }
+
+  void anchorOf(const std::int32_t* elements, const double* x, DeformationWatch& watch, TangentDrift* drift) const override {
+    AlignedVector<P> gathered;
+    gatherGeometry(elements, gathered);
+    P position[n][3];
+    loadFromMesh(x, elements, position);
+    const P* geometry = gathered.data();
+    for (int q = 0; q < points_; ++q, geometry += 10) {
+      const Matrix3<P> F = gradient(position, q) * inverseJacobian(geometry);
+      for (int lane = 0; lane < lanes; ++lane) {
+        if (elements[lane] < 0) continue;
+        const std::size_t place = static_cast<std::size_t>(layout().batchOfElement[static_cast<std::size_t>(elements[lane])]);
+        float* anchor = watch.anchor.data() + (place / lanes * static_cast<std::size_t>(points_) + static_cast<std::size_t>(q)) * 9 * lanes + place % lanes;
+        Matrix3<double> own;
+        for (int i = 0; i < 9; ++i) {
+          own.m[i] = F.m[i][lane];
+          anchor[i * lanes] = static_cast<float>(own.m[i]);
+        }
+        if constexpr (requires { law_.drift(own); }) {
+          const auto here = law_.drift(own);
+          TangentDrift& all = drift[lane];
+          if (q == 0) all = TangentDrift{};
+          all.known = true;
+          all.kappa = std::max(all.kappa, here.kappa);
+          all.linear = std::max(all.linear, here.linear);
+          all.quadratic = std::max(all.quadratic, here.quadratic);
+          all.negative = std::max(all.negative, here.negative);
+        } else {
+          drift[lane] = TangentDrift{};
+        }
+      }
+    }
+  }
+
+  void lookAtPatch(std::int32_t patchIndex, const double* x, DeformationWatch& watch, std::vector<std::int32_t>& left) const override {
+    const Patch& patch = layout().patches[static_cast<std::size_t>(patchIndex)];
+    alignas(64) double rows[4 * maxPatchNodes];
+    gatherRows(patch, x, rows);
+    const auto first = static_cast<std::size_t>(watch.patchGroups[static_cast<std::size_t>(patchIndex)]);
+    const auto last = static_cast<std::size_t>(watch.patchGroups[static_cast<std::size_t>(patchIndex) + 1]);
+    for (std::size_t g = first; g < last; ++g) {
+      DeformationWatch::Group& group = watch.groups[g];
+      if (group.slack >= 0 && relativeMotion(watch, group, rows) <= group.slack) continue;
+      group.slack = lookAtGroup(watch, group, rows, left);
+      for (std::int32_t i = group.nodeBegin; i < group.nodeEnd; ++i)
+        std::copy_n(rows + 4 * watch.groupNodes[static_cast<std::size_t>(i)], 4, watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
+    }
+  }
+
+  void gradientNormBatch(std::int32_t batch, double* norms) const override {
+    const P* geometry = geometryOf(batch);
+    P largest(0.0);
+    for (int q = 0; q < points_; ++q, geometry += 10) {
+      P g[n][3], sum(0.0);
+      referenceGradients(geometry, q, g);
+      for (int a = 0; a < n; ++a) sum += math::sqrt(g[a][0] * g[a][0] + g[a][1] * g[a][1] + g[a][2] * g[a][2]);
+      largest = math::max(largest, sum);
+    }
+    largest.store(norms);
   }
 
   void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const override {
@@ -130,6 +184,112 @@ class ElementBatch final : public ElementBlock {
   static constexpr int maxPatchNodes = 1024;
 
  private:
+  void tangent(const std::int32_t* elements, const P* geometry, const double* x, double* K) const {
+    const LawType law = law_;
+    P position[n][3];
+    loadFromMesh(x, elements, position);
+    P* k = reinterpret_cast<P*>(K);
+    for (int i = 0; i < 9 * n * n; ++i) k[i] = P(0.0);
+    for (int q = 0; q < points_; ++q, geometry += 10) {
+      const Matrix3<P> J1 = inverseJacobian(geometry);
+      const auto linearization = law.linearize(gradient(position, q) * J1);
+      P g[n][3];
+      referenceGradients(geometry, q, g);
+      // modulus[(k,K)] = ∂P/∂F_kK · w det J
+      Matrix3<P> modulus[9];
+      for (int c = 0; c < 9; ++c) {
+        Matrix3<P> unit = Matrix3<P>::zero();
+        unit.m[c] = P(1.0);
+        modulus[c] = geometry[9] * linearization(unit);
+      }
+      for (int b = 0; b < n; ++b)
+        for (int column = 0; column < 3; ++column) {
+          Matrix3<P> t;  // Σ_K modulus_(column,K) g_bK
+          for (int i = 0; i < 9; ++i)
+            t.m[i] = modulus[3 * column].m[i] * g[b][0] + modulus[3 * column + 1].m[i] * g[b][1] +
+                     modulus[3 * column + 2].m[i] * g[b][2];
+          for (int a = 0; a < n; ++a)
+            for (int row = 0; row < 3; ++row)
+              k[(3 * a + row) * 3 * n + 3 * b + column] += t(row, 0) * g[a][0] + t(row, 1) * g[a][1] + t(row, 2) * g[a][2];
+        }
+    }
+  }
+
+  /// g_a = J⁻ᵀ ∂N_a/∂ξ, the gradients in reference coordinates.
+  void referenceGradients(const P* geometry, int q, P (&g)[n][3]) const {
+    const Matrix3<P> J1 = inverseJacobian(geometry);
+    for (int a = 0; a < n; ++a)
+      for (int j = 0; j < 3; ++j)
+        g[a][j] = P(dN(q, a, 0)) * J1(0, j) + P(dN(q, a, 1)) * J1(1, j) + P(dN(q, a, 2)) * J1(2, j);
+  }
+  /// Geometry of scattered elements; lanes without one repeat the first and weigh nothing.
+  void gatherGeometry(const std::int32_t* elements, AlignedVector<P>& geometry) const {
+    const int count = points_ * 10;
+    geometry.resize(static_cast<std::size_t>(count));
+    for (int lane = 0; lane < lanes; ++lane) {
+      const std::int32_t e = elements[lane] < 0 ? elements[0] : elements[lane];
+      const std::int32_t place = layout().batchOfElement[static_cast<std::size_t>(e)];
+      const P* from = geometryOf(place / lanes);
+      for (int i = 0; i < count; ++i) geometry[static_cast<std::size_t>(i)].set(lane, from[i][place % lanes]);
+      if (elements[lane] < 0)
+        for (int q = 0; q < points_; ++q) geometry[static_cast<std::size_t>(10 * q + 9)].set(lane, 0.0);
+    }
+  }
+
+  /// Largest distance that a node of the group has moved since the last look, against the group's first node; component by
+  /// component, hence never too small.
+  static double relativeMotion(const DeformationWatch& watch, const DeformationWatch::Group& group, const double* rows) {
+    const std::uint16_t* node = watch.groupNodes.data();
+    auto moved = [&](std::int32_t i) {
+      return detail::loadRow(rows + 4 * node[i]) - detail::loadRow(watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
+    };
+    const detail::Row4 translation = moved(group.nodeBegin);
+    detail::Row4 largest{};
+    for (std::int32_t i = group.nodeBegin + 1; i < group.nodeEnd; ++i) {
+      const detail::Row4 d = moved(i) - translation, size = d < 0 ? -d : d;
+      largest = size > largest ? size : largest;
+    }
+    const double m = std::sqrt(largest[0] * largest[0] + largest[1] * largest[1] + largest[2] * largest[2]);
+    return std::isnan(translation[0] + translation[1] + translation[2]) ? std::numeric_limits<double>::infinity() : m;
+  }
+
+  /// Compares every element of the group with its ball; returns how far nodes may move before the next look.
+  double lookAtGroup(const DeformationWatch& watch, const DeformationWatch::Group& group, const double* rows, std::vector<std::int32_t>& left) const {
+    double slack = std::numeric_limits<double>::infinity();
+    for (std::int32_t batch = group.batchBegin; batch < group.batchEnd; ++batch) {
+      P position[n][3];
+      load(rows, batch, position);
+      const P* geometry = geometryOf(batch);
+      const float* anchor = watch.anchor.data() + static_cast<std::ptrdiff_t>(batch) * points_ * 9 * lanes;
+      P distance2(0.0), size2(0.0);
+      for (int q = 0; q < points_; ++q, geometry += 10) {
+        const Matrix3<P> F = gradient(position, q) * inverseJacobian(geometry);
+        P d2(0.0), s2(0.0);
+        for (int i = 0; i < 9; ++i, anchor += lanes) {
+          P a;
+          for (int lane = 0; lane < lanes; ++lane) a.v[lane] = static_cast<double>(anchor[lane]);
+          const P d = F.m[i] - a;
+          d2 += d * d;
+          s2 += a * a;
+        }
+        // A NaN fails the comparison inside max and would pass unseen: keep it.
+        distance2 = select(d2 <= distance2, distance2, d2);
+        size2 = math::max(size2, s2);
+      }
+      // The anchor's rounding to single precision belongs to the distance.
+      const P distance = math::sqrt(distance2) + P(1e-7) * math::sqrt(size2);
+      for (int lane = 0; lane < lanes; ++lane) {
+        const std::int32_t e = layout().elements[static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane)];
+        if (e < 0) continue;
+        const auto place = static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane);
+        const double room = static_cast<double>(watch.radius[place]) - distance[lane];
+        if (!(room >= 0)) left.push_back(e);
+        slack = std::min(slack, room >= 0 ? room / static_cast<double>(watch.gradientNorm[place]) : -1.0);
+      }
+    }
+    return slack;
+  }
+
   /// Copies the patch's nodes into rows of four, once, and calls kernel(rows, batch) for its batches.
   template <class Kernel>
   void overPatch(const Patch& patch, const double* x, const Kernel& kernel) const {
@@ -163,7 +323,9 @@ class ElementBatch final : public ElementBlock {
   }
   /// For single batches: straight from the mesh's node vector. Lanes without an element repeat the batch's first.
   void loadFromMesh(const double* x, std::int32_t batch, P (&out)[n][3]) const {
-    const std::int32_t* elements = layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
+    loadFromMesh(x, layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, out);
+  }
+  void loadFromMesh(const double* x, const std::int32_t* elements, P (&out)[n][3]) const {
     for (int lane = 0; lane < lanes; ++lane) {
       const auto nodes = nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]);
       for (int a = 0; a < n; ++a)

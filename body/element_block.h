@@ -32,6 +32,17 @@ struct PatchLayout {
 };
 PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block);
 
+struct DeformationWatch;
+
+/// How fast an element's highest eigenvalue can grow when its deformation gradients move away from an anchor. With l the
+/// largest eigenvalue of D⁻¹K_e at the anchor, b >= lambda_max(D⁻¹ Σ_q w_q B_qᵀB_q), and |F_q - F0_q| <= δ for all q:
+///   l(F) <= l + (2 √((l + b negative) kappa b) + b linear) δ + b (kappa + quadratic) δ².
+/// `known` is false for a law that gives no such bound; its elements are then evaluated at every look.
+struct TangentDrift {
+  bool known = false;
+  double kappa = 0, linear = 0, quadratic = 0, negative = 0;  // Pa
+};
+
 /// The virtual face of the elements of one type, law and quadrature rule. One virtual call a patch or batch, never an
 /// element; the arithmetic is in ElementBatch. Positions and other nodal vectors are 3×N, column by column.
 class ElementBlock {
@@ -60,6 +71,16 @@ class ElementBlock {
   /// Exact tangents of the elements of a batch: K[(row * 3n + column) * lanes + lane], rows and columns 3·node + component,
   /// N/m. Lanes without an element get zeros.
   virtual void tangentBatch(std::int32_t batch, const double* x, double* K) const = 0;
+  /// The same for any elements of the block, one a lane (-1: none).
+  virtual void tangentOf(const std::int32_t* elements, const double* x, double* K) const = 0;
+  /// Σ_q w_q ∇N_a · ∇N_b of any elements, one a lane: L[(a * n + b) * lanes + lane], m; the matrix Σ w BᵀB is L ⊗ I₃.
+  virtual void laplacianOf(const std::int32_t* elements, double* L) const = 0;
+  /// Anchors the watch of elements at positions x: writes F0 and returns each lane's drift coefficients in drift[lane].
+  virtual void anchorOf(const std::int32_t* elements, const double* x, DeformationWatch& watch, TangentDrift* drift) const = 0;
+  /// Appends the elements of a patch that have left their balls to `left`.
+  virtual void lookAtPatch(std::int32_t patch, const double* x, DeformationWatch& watch, std::vector<std::int32_t>& left) const = 0;
+  /// max_q Σ_a |∂N_a/∂X| of the elements of a batch, 1/m: norms[lane].
+  virtual void gradientNormBatch(std::int32_t batch, double* norms) const = 0;
   /// Least determinant of F over the quadrature points of each element of a batch: determinants[lane].
   virtual void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const = 0;
 

@@ -19,4 +19,11 @@ inline double pressureWaveSpeed(Lame constants, double density) {
   return std::sqrt((constants.lambda + 2 * constants.mu) / density);
 }
 
+/// Coefficients of a law's bound on how fast its tangent ∂P/∂F grows away from a deformation gradient F, Pa. For
+/// |F' - F| <= δ (Frobenius): the square root of the quadratic form of ∂P/∂F plus `negative` |dF|² grows by at most
+/// √kappa δ |dF|, and the rest by at most (linear δ + quadratic δ²) |dF|².
+struct TangentDriftCoefficients {
+  double kappa, linear, quadratic, negative;
+};
+
 }  // namespace ringwatch

@@ -40,6 +40,9 @@ struct LinearElastic {
     return {*this};
   }
 
+  /// The tangent is constant: it does not drift.
+  RINGWATCH_INLINE TangentDriftCoefficients drift(const Matrix3<double>&) const { return {0, 0, 0, 0}; }
+
  private:
   template <class S>
   RINGWATCH_INLINE static Matrix3<S> strain(const Matrix3<S>& F) {

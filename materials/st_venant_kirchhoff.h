@@ -41,6 +41,23 @@ struct StVenantKirchhoff {
     return {*this, F, secondStress(greenStrain(F))};
   }
 
+  /// The material part dE:ℂ:dE of dF:∂P/∂F:dF is a squared norm whose root moves by at most √(λ+2μ) |ΔF| |dF|
+  /// (Cauchy–Schwarz on tr²(ΔFᵀdF) and |sym(ΔFᵀdF)|²); it exceeds the whole by at most max(0, -lambda_min(S)). The
+  /// geometric part dF S : dF moves by lambda_max(ΔS) <= c |ΔE|, c = √((λ+2μ)² + 2λ²), |ΔE| <= |F|₂ δ + δ²/2. Spectral
+  /// norms and eigenvalues are bounded by Gershgorin's circles.
+  RINGWATCH_INLINE TangentDriftCoefficients drift(const Matrix3<double>& F) const {
+    const double lambda = constants.lambda, mu = constants.mu;
+    const double c = math::sqrt((lambda + 2 * mu) * (lambda + 2 * mu) + 2 * lambda * lambda);
+    const Matrix3<double> E = greenStrain(F), S = secondStress(E);
+    double stretch2 = 0, lowest = S.m[0];
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      stretch2 = math::max(stretch2, 1 + 2 * (E(i, i) + math::abs(E(i, j)) + math::abs(E(i, k))));
+      lowest = math::min(lowest, S(i, i) - math::abs(S(i, j)) - math::abs(S(i, k)));
+    }
+    return {lambda + 2 * mu, c * math::sqrt(stretch2), 0.5 * c, math::max(0.0, -lowest)};
+  }
+
   /// E = (FᵀF - I)/2
   template <class S>
   RINGWATCH_INLINE static Matrix3<S> greenStrain(const Matrix3<S>& F) {

@@ -54,6 +54,15 @@ class FileCursor {
     return false;
   }
   void skipOne() { ++position_; }
+  /// Goes behind the next line end.
+  void skipLine() {
+    skipComment();
+    if (position_ < text_.size()) ++position_;
+  }
+  bool startsWith(std::string_view expected) {
+    if (!binary) skipSpace();
+    return text_.substr(position_, expected.size()) == expected;
+  }
   void seek(std::size_t position) { position_ = position; }
   /// Moves to the next place that holds the text; false, and to the end, when there is none.
   bool skipTo(std::string_view text) {

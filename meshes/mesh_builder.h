@@ -24,6 +24,8 @@ struct FileElement {
 /// nullptr for a type that is not known.
 const FileElement* findGmshElement(int gmshType);
 const FileElement* findVtkElement(int vtkCellType);
+/// False for points, lines and surfaces.
+bool isVtkVolumeCell(int vtkCellType);
 
 /// Collects what a reader finds, with its position in the file, and makes the Mesh of it: numbers become indices, volume
 /// elements become blocks in order of first appearance, groups become sets. Throws InputError, with the position, on

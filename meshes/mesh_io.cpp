@@ -33,8 +33,8 @@ Mesh read(const fs::path& path, detail::Notes* notes, detail::Problems* problems
   const std::string text = detail::readWholeFile(path);
   // The content decides; the extension only helps where the content says nothing.
   if (text.rfind("$MeshFormat", 0) == 0) return detail::readMsh(path, text, notes, problems);
-  if (text.rfind("# vtk DataFile", 0) == 0) return detail::readVtk(path, text, false, notes, problems);
-  if (startsWithXml(text)) return detail::readVtk(path, text, true, notes, problems);
+  if (text.rfind("# vtk DataFile", 0) == 0) return detail::readLegacyVtk(path, text, notes, problems);
+  if (startsWithXml(text)) return detail::readVtu(path, text, notes, problems);
   if (extension == ".msh") return detail::readMsh(path, text, notes, problems);
   const std::string begin = detail::quoted(std::string_view(text).substr(0, text.find_first_of("\r\n")));
   if (extension == ".vtk")

@@ -8,8 +8,8 @@
 
 namespace ringwatch {
 
-/// Reads MSH 2 and 4.1 (text and binary), MSH 4.0 (text), TetGen .node/.ele (either file or their common stem), .vtu and
-/// legacy .vtk (these two through VTK, when built with it). Volume elements become blocks, in order of first appearance;
+/// Reads MSH 2 and 4.1 (text and binary), MSH 4.0 (text), TetGen .node/.ele (either file or their common stem), legacy
+/// .vtk, and .vtu (through VTK, when built with it). Volume elements become blocks, in order of first appearance;
 /// physical groups of volumes become element sets; groups of surfaces, lines and points become node sets. Numbers of the
 /// file are kept in `nodeIds` and `ids`; coordinates are taken as m. Parses only: see `loadMesh`.
 /// notes: receives what a user may want to know, one line each. Throws InputError, one line with file, line (byte in a

@@ -13,7 +13,8 @@ using Problems = std::vector<MeshProblem>;
 
 Mesh readMsh(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
 Mesh readTetgen(const std::filesystem::path& nodeFile, const std::filesystem::path& elementFile, Notes* notes, Problems* problems);
-Mesh readVtk(const std::filesystem::path& path, const std::string& text, bool xml, Notes* notes, Problems* problems);
+Mesh readLegacyVtk(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
+Mesh readVtu(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
 void writeMsh(const Mesh& mesh, const std::filesystem::path& path, bool version4, bool binary);
 void writeVtuWithSets(const Mesh& mesh, const std::filesystem::path& path);
 

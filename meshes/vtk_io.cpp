@@ -20,7 +20,7 @@
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkInformation.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkOutputWindow.h>
 #include <vtkPointData.h>
@@ -31,7 +31,6 @@
 #include <vtkTypeInt8Array.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 #endif
@@ -67,7 +66,7 @@ constexpr const char* howToGetVtk =
     "this build is without VTK; install it (Debian: libvtk9-dev) and configure with -DRINGWATCH_WITH_VTK=ON";
 }
 namespace detail {
-Mesh readVtk(const std::filesystem::path& path, const std::string&, bool, Notes*, Problems*) {
+Mesh readVtu(const std::filesystem::path& path, const std::string&, Notes*, Problems*) {
   throw InputError(path.string() + ": cannot read: " + howToGetVtk);
 }
 void writeVtuWithSets(const Mesh&, const std::filesystem::path& path) {
@@ -120,8 +119,14 @@ CaptureWindow* CaptureWindow::New() {
 
 class VtkSession {
  public:
-  VtkSession() : lock_(mutex()), previous_(vtkOutputWindow::GetInstance()) { vtkOutputWindow::SetInstance(window); }
-  ~VtkSession() { vtkOutputWindow::SetInstance(previous_); }
+  VtkSession() : lock_(mutex()), previous_(vtkOutputWindow::GetInstance()), verbosity_(vtkLogger::GetCurrentVerbosityCutoff()) {
+    vtkOutputWindow::SetInstance(window);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  }
+  ~VtkSession() {
+    vtkLogger::SetStderrVerbosity(verbosity_);
+    vtkOutputWindow::SetInstance(previous_);
+  }
   VtkSession(const VtkSession&) = delete;
   VtkSession& operator=(const VtkSession&) = delete;
   vtkNew<CaptureWindow> window;
@@ -133,55 +138,10 @@ class VtkSession {
   }
   std::lock_guard<std::mutex> lock_;
   vtkSmartPointer<vtkOutputWindow> previous_;
+  vtkLogger::Verbosity verbosity_;
 };
 
 /// VTK allocates what a header announces. So the counts are compared with the size of the file first.
-void checkLegacyCounts(const std::filesystem::path& path, const std::string& text) {
-  detail::FileCursor cursor(text, path.string());
-  cursor.line("the version");
-  cursor.line("the title");
-  const std::string_view mode = cursor.line("ASCII or BINARY");
-  if (mode != "ASCII" && mode != "BINARY") cursor.fail(joinText("line 3 is ", detail::quoted(mode), "; it must be ASCII or BINARY"));
-  const bool ascii = mode == "ASCII";
-  // A last line without its end may have lost digits, and a shorter number is still a number.
-  if (ascii && !cursor.endsWithNewline()) cursor.failAt(text.size(), "the last line has no line end; is the file cut short?");
-  const auto kind = cursor.line("DATASET");
-  if (kind.rfind("DATASET UNSTRUCTURED_GRID", 0) != 0)
-    cursor.fail(joinText("found ", detail::quoted(kind), "; only DATASET UNSTRUCTURED_GRID is supported"));
-  std::int64_t cells = -1;
-  bool types = false;
-  for (const std::string_view key : {"POINTS ", "CELLS ", "CELL_TYPES ", "OFFSETS ", "CONNECTIVITY ", "POINT_DATA ", "CELL_DATA ", "FIELD "}) {
-    for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
-      if (at == 0 || text[at - 1] != '\n') continue;
-      const std::size_t end = std::min(text.find('\n', at), text.size());
-      const std::string_view row = std::string_view(text).substr(at, end - at);
-      // Raw bytes may spell a key by chance; a real header is short and printable.
-      if (!ascii && (row.size() > 120 || std::any_of(row.begin(), row.end(), [](char c) { return (c < ' ' && c != '\r' && c != '\t') || c > '~'; }))) continue;
-      detail::FileCursor header(text, path.string());
-      header.seek(at);
-      header.word("a key");
-      if (key == "OFFSETS " || key == "CONNECTIVITY ") continue;
-      if (key == "FIELD ") header.word("a name");
-      const std::int64_t count = header.integerText(joinText("the count of ", key.substr(0, key.size() - 1)));
-      header.checkedCount(count, 1, key.substr(0, key.size() - 1), at);
-      if (key == "CELLS ") {
-        const std::int64_t size = header.integerText("the size of CELLS");
-        header.checkedCount(size, 1, "entries of CELLS", at);
-        cells = count;
-      }
-      if (key == "CELL_TYPES ") {
-        types = true;
-        // VTK 5.x headers count one offset more than there are cells.
-        if (cells >= 0 && count != cells && count != cells - 1)
-          header.failAt(at, joinText("CELL_TYPES announces ", count, " cells, but CELLS ", cells));
-      }
-      if (key == "POINTS ") header.checkedCount(count, ascii ? 6 : 12, "points", at);
-    }
-  }
-  if (cells < 0) throw InputError(path.string() + ": there is no CELLS section; is the file cut short?");
-  if (!types) throw InputError(path.string() + ": there is no CELL_TYPES section; is the file cut short?");
-}
-
 void checkXmlCounts(const std::filesystem::path& path, const std::string& text) {
   const std::string name = path.string();
   std::string_view trimmed(text);
@@ -201,16 +161,6 @@ void checkXmlCounts(const std::filesystem::path& path, const std::string& text) 
                                                      .substr(0, std::string_view(begin, std::min<std::size_t>(20, text.size() - at - key.size())).find('"'))),
                                   "; it must be a count that the file can hold"));
     }
-}
-
-bool isVolumeCell(int type) {
-  if (const detail::FileElement* known = detail::findVtkElement(type)) return known->dimension == 3;
-  switch (type) {  // cells without a fixed order or that gmsh does not have
-    case 0: case 1: case 2: case 3: case 4: case 5: case 6: case 7: case 8: case 9:
-    case 21: case 22: case 23: case 28: case 30: case 34: case 35: case 36: case 51: case 52: case 55: case 56:
-    case 60: case 61: case 62: case 68: case 69: case 70: case 75: case 76: case 77: return false;
-    default: return true;
-  }
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> makeGrid(const Mesh& mesh, const NodeVectors& x) {
@@ -324,25 +274,17 @@ void writeVtuWithSets(const Mesh& mesh, const std::filesystem::path& path) {
   writeGrid(grid, mesh, path);
 }
 
-Mesh readVtk(const std::filesystem::path& path, const std::string& text, bool xml, Notes* notes, Problems* problems) {
+Mesh readVtu(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems) {
   const std::string name = path.string();
   vtkSmartPointer<vtkUnstructuredGrid> grid;
-  xml ? checkXmlCounts(path, text) : checkLegacyCounts(path, text);
+  checkXmlCounts(path, text);
   try {
     const VtkSession session;
-    if (xml) {
-      vtkNew<vtkXMLUnstructuredGridReader> reader;
-      reader->SetFileName(path.c_str());
-      reader->Update();
-      grid = reader->GetOutput();
-      if (reader->GetErrorCode() != 0) session.window->failed = true;
-    } else {
-      vtkNew<vtkUnstructuredGridReader> reader;
-      reader->SetFileName(path.c_str());
-      reader->Update();
-      grid = reader->GetOutput();
-      if (reader->GetErrorCode() != 0) session.window->failed = true;
-    }
+    vtkNew<vtkXMLUnstructuredGridReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    grid = reader->GetOutput();
+    if (reader->GetErrorCode() != 0) session.window->failed = true;
     if (session.window->failed || !session.window->first.empty() || grid == nullptr)
       throw InputError(name + ": VTK cannot read it: " + (session.window->first.empty() ? "the data are corrupt" : session.window->first));
   } catch (const InputError&) {
@@ -405,7 +347,7 @@ Mesh readVtk(const std::filesystem::path& path, const std::string& text, bool xm
     if (begin < 0 || end < begin || end > entries)
       throw InputError(joinText(name, ": cell ", c, " spans entries ", begin, " to ", end, " of the connectivity, which has ", entries));
     const FileElement* known = findVtkElement(type);
-    if (known == nullptr && isVolumeCell(type))
+    if (known == nullptr && detail::isVtkVolumeCell(type))
       throw InputError(joinText(name, ": cell ", c, " is of VTK type ", type, ", which is not supported; tetrahedra (10) and hexahedra (12) are"));
     if (known == nullptr || known->dimension < 3) {
       ++flat;

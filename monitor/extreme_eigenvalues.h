@@ -18,8 +18,9 @@ struct ExtremeEigenvalues {
 
 /// Reduces A (n×n, row by row, lower triangle read, destroyed) to tridiagonal form: diagonal d[n], squared off-diagonal
 /// e2[n-1].
-template <class P>
-RINGWATCH_HOST_DEVICE inline void tridiagonalize(P* A, int n, P* d, P* e2, P* v, P* p) {
+template <int N, class P>
+RINGWATCH_HOST_DEVICE inline void tridiagonalize(P* A, int anyN, P* d, P* e2, P* v, P* p) {
+  const int n = N > 0 ? N : anyN;  // a constant lets the compiler unroll
   for (int k = 0; k + 2 < n; ++k) {
     P norm2(0.0);
     for (int i = k + 1; i < n; ++i) {
@@ -67,8 +68,9 @@ RINGWATCH_HOST_DEVICE inline void tridiagonalize(P* A, int n, P* d, P* e2, P* v,
 }
 
 /// Largest eigenvalue of sign·T, T tridiagonal, by Laguerre's iteration from `start`, which must lie at or above it.
-template <class P>
-RINGWATCH_HOST_DEVICE inline P largestByLaguerre(const P* d, const P* e2, int n, P sign, P start, P scale) {
+template <int N, class P>
+RINGWATCH_HOST_DEVICE inline P largestByLaguerre(const P* d, const P* e2, int anyN, P sign, P start, P scale) {
+  const int n = N > 0 ? N : anyN;
   P lambda = start;
   const P tiny = P(1e-300) + P(1e-16) * scale, enough = P(1e-14) * scale + P(1e-300);
   for (int iteration = 0; iteration < 60; ++iteration) {
@@ -96,11 +98,13 @@ RINGWATCH_HOST_DEVICE inline P largestByLaguerre(const P* d, const P* e2, int n,
   return lambda;
 }
 
-/// Extreme eigenvalues of A (n×n, row by row, destroyed), n >= 1. `work` holds 4n numbers.
-template <class P>
-RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvalues(P* A, int n, P* work, bool wantLeast) {
+/// Extreme eigenvalues of A (n×n, row by row, destroyed), n >= 1, for an N known to the compiler or N = 0. `work` holds 4n
+/// numbers.
+template <int N, class P>
+RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvaluesOf(P* A, int anyN, P* work, bool wantLeast) {
+  const int n = N > 0 ? N : anyN;
   P *d = work, *e2 = work + n, *v = work + 2 * n, *p = work + 3 * n;
-  tridiagonalize(A, n, d, e2, v, p);
+  tridiagonalize<N>(A, n, d, e2, v, p);
   P high = d[0], low = d[0], before(0.0);
   for (int k = 0; k < n; ++k) {
     const P after = k + 1 < n ? math::sqrt(e2[k]) : P(0.0);
@@ -112,9 +116,18 @@ RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvalues(P* A, int 
   const P margin = P(1e-13) * scale + P(1e-300);
   ExtremeEigenvalues<P> result;
   result.scale = scale;
-  result.largest = largestByLaguerre(d, e2, n, P(1.0), high + margin, scale);
-  result.least = wantLeast ? -largestByLaguerre(d, e2, n, P(-1.0), margin - low, scale) : P(0.0);
+  result.largest = largestByLaguerre<N>(d, e2, n, P(1.0), high + margin, scale);
+  result.least = wantLeast ? -largestByLaguerre<N>(d, e2, n, P(-1.0), margin - low, scale) : P(0.0);
   return result;
+}
+
+template <class P>
+RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvalues(P* A, int n, P* work, bool wantLeast) {
+  switch (n) {
+    case 3: return extremeEigenvaluesOf<3>(A, n, work, wantLeast);
+    case 12: return extremeEigenvaluesOf<12>(A, n, work, wantLeast);
+    default: return extremeEigenvaluesOf<0>(A, n, work, wantLeast);
+  }
 }
 
 }  // namespace ringwatch

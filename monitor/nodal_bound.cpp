@@ -53,16 +53,48 @@ RINGWATCH_INLINE void normalise(Symmetric3<P>* shapes, int n) {
   for (int a = 0; a < n; ++a) shapes[a] = scale * shapes[a];
 }
 
+/// K_ab ← L_a⁻¹ K_ab L_b⁻ᵀ, D_a = L_a L_aᵀ, for the lower triangle.
+void scaleByShapes(const Symmetric3<P>* shapes, int n, P* K) {
+  const int size = 3 * n;
+  P w[maxElementNodes][6];
+  for (int a = 0; a < n; ++a) inverseCholesky(shapes[a], w[a]);
+  for (int a = 0; a < n; ++a)
+    for (int c = 0; c <= a; ++c) {
+      P* first = K + (3 * a) * size + 3 * c;
+      for (int j = 0; j < 3; ++j) {  // rows
+        P& k0 = first[j];
+        P& k1 = first[size + j];
+        P& k2 = first[2 * size + j];
+        k2 = w[a][3] * k0 + w[a][4] * k1 + w[a][5] * k2;
+        k1 = w[a][1] * k0 + w[a][2] * k1;
+        k0 = w[a][0] * k0;
+      }
+      for (int i = 0; i < 3; ++i) {  // columns
+        P* row = first + i * size;
+        row[2] = w[c][3] * row[0] + w[c][4] * row[1] + w[c][5] * row[2];
+        row[1] = w[c][1] * row[0] + w[c][2] * row[1];
+        row[0] = w[c][0] * row[0];
+      }
+    }
+}
+
+/// max(0, largest eigenvalue), rounded up; NaN stays: it must not pass for zero.
+RINGWATCH_INLINE P largestRoundedUp(P* K, int size, P* work) {
+  const auto extremes = extremeEigenvalues(K, size, work, false);
+  const P l = extremes.largest + P(rounding) * extremes.scale;
+  return select(l < P(0.0), P(0.0), l);
+}
+
 /// Zeroes the rows and columns of constrained degrees of freedom.
-void clearConstrained(const Body& body, const ElementBlock& block, std::int32_t batch, P* K) {
+void clearConstrained(const Body& body, const ElementBlock& block, const std::int32_t* elements, P* K) {
   if (!body.constraints().any()) return;
   const int n = block.element().nodes;
   P factor[3 * maxElementNodes];
-  forEachLane(block, batch, [&](int lane, std::int32_t e) {
-    const auto nodes = block.nodesOf(e);
+  for (int lane = 0; lane < lanes; ++lane) {
+    const auto nodes = block.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]);
     for (int a = 0; a < n; ++a)
       for (int c = 0; c < 3; ++c) factor[3 * a + c].set(lane, freeFactor(body, nodes[static_cast<std::size_t>(a)], c));
-  });
+  }
   scaleSymmetric(K, 3 * n, factor);
 }
 
@@ -102,7 +134,7 @@ void NodalBound::startShapes(const NodeVectors& x, Start start) {
   body_->forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
     const ElementBlock& block = *body_->blocks()[b];
     const int n = block.element().nodes, size = 3 * n;
-    clearConstrained(*body_, block, batch, K);
+    clearConstrained(*body_, block, block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, K);
     Symmetric3<P>* shapes = shapes_[b].data() + static_cast<std::ptrdiff_t>(batch) * n;
     for (int a = 0; a < n; ++a) {
       Symmetric3<P> k;
@@ -123,32 +155,10 @@ void NodalBound::evaluateElements(const NodeVectors& x) {
   body_->forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
     const ElementBlock& block = *body_->blocks()[b];
     const int n = block.element().nodes, size = 3 * n;
-    clearConstrained(*body_, block, batch, K);
-    // K_ab ← L_a⁻¹ K_ab L_b⁻ᵀ, D_a = L_a L_aᵀ; the lower triangle is enough.
-    P w[maxElementNodes][6], work[12 * maxElementNodes];
-    for (int a = 0; a < n; ++a) inverseCholesky(shapes_[b][static_cast<std::size_t>(batch * n + a)], w[a]);
-    for (int a = 0; a < n; ++a)
-      for (int c = 0; c < n && c <= a; ++c) {
-        P* block00 = K + (3 * a) * size + 3 * c;
-        for (int j = 0; j < 3; ++j) {  // rows
-          P& k0 = block00[j];
-          P& k1 = block00[size + j];
-          P& k2 = block00[2 * size + j];
-          k2 = w[a][3] * k0 + w[a][4] * k1 + w[a][5] * k2;
-          k1 = w[a][1] * k0 + w[a][2] * k1;
-          k0 = w[a][0] * k0;
-        }
-        for (int i = 0; i < 3; ++i) {  // columns
-          P* row = block00 + i * size;
-          row[2] = w[c][3] * row[0] + w[c][4] * row[1] + w[c][5] * row[2];
-          row[1] = w[c][1] * row[0] + w[c][2] * row[1];
-          row[0] = w[c][0] * row[0];
-        }
-      }
-    const auto extremes = extremeEigenvalues(K, size, work, false);
-    // select() on the comparison keeps NaN: it must not pass for zero.
-    const P l = extremes.largest + P(rounding) * extremes.scale;
-    values_[b][static_cast<std::size_t>(batch)] = select(l < P(0.0), P(0.0), l);
+    clearConstrained(*body_, block, block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, K);
+    P work[12 * maxElementNodes];
+    scaleByShapes(shapes_[b].data() + static_cast<std::ptrdiff_t>(batch) * n, n, K);
+    values_[b][static_cast<std::size_t>(batch)] = largestRoundedUp(K, size, work);
   });
   for (const auto& block : body_->blocks()) evaluations_ += block->elementCount();
 }
@@ -238,11 +248,75 @@ UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps, Start start) {
       started_ = false;
       return {bound};
     }
+    last_ = bound;
     best = std::min(best, bound);
     if (sweep == sweeps || !(bound > 0)) break;
     sweepShapes(bound);
   }
   return {best};
+}
+
+Eigen::Matrix3d NodalBound::shape(Incidence at) const {
+  const Symmetric3<P>& D = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
+  Eigen::Matrix3d result;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) result(i, j) = D(i, j)[at.place % lanes];
+  return result;
+}
+
+void NodalBound::setShape(Incidence at, const Eigen::Matrix3d& D) {
+  Symmetric3<P>& target = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) target(i, j).set(at.place % lanes, 0.5 * (D(i, j) + D(j, i)));
+}
+
+void NodalBound::normaliseElement(std::int32_t b, std::int32_t element) {
+  const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(b)];
+  const int n = block.element().nodes;
+  const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(element)];
+  Symmetric3<P>* own = shapes_[static_cast<std::size_t>(b)].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
+  const int lane = place % lanes;
+  double sum = 0;
+  for (int a = 0; a < n; ++a) {
+    const double floor = 1e-7 * (own[a].m[0][lane] + own[a].m[1][lane] + own[a].m[2][lane]) + 1e-200;
+    for (int c = 0; c < 3; ++c) {
+      own[a].m[c].set(lane, own[a].m[c][lane] + floor);
+      sum += own[a].m[c][lane];
+    }
+  }
+  for (int a = 0; a < n; ++a)
+    for (P& entry : own[a].m) entry.set(lane, entry[lane] / sum);
+}
+
+void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, const NodeVectors& x, double* values, double* reach) const {
+  const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(b)];
+  const int n = block.element().nodes, size = 3 * n;
+  Symmetric3<P> own[maxElementNodes];
+  for (int lane = 0; lane < lanes; ++lane) {
+    const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(elements[lane] < 0 ? elements[0] : elements[lane])];
+    const Symmetric3<P>* from = shapes_[static_cast<std::size_t>(b)].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
+    for (int a = 0; a < n; ++a)
+      for (int c = 0; c < 6; ++c) own[a].m[c].set(lane, from[a].m[c][place % lanes]);
+  }
+  P K[9 * maxElementNodes * maxElementNodes], work[12 * maxElementNodes];
+  block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
+  clearConstrained(*body_, block, elements, K);
+  scaleByShapes(own, n, K);
+  largestRoundedUp(K, size, work).store(values);
+  if (!reach) return;
+  P L[maxElementNodes * maxElementNodes];
+  block.laplacianOf(elements, reinterpret_cast<double*>(L));
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j) K[i * size + j] = i % 3 == j % 3 ? L[i / 3 * n + j / 3] : P(0.0);
+  clearConstrained(*body_, block, elements, K);
+  scaleByShapes(own, n, K);
+  largestRoundedUp(K, size, work).store(reach);
+}
+
+double NodalBound::value(ElementRef e) const {
+  const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(e.block)];
+  const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(e.element)];
+  return values_[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(place / lanes)][place % lanes];
 }
 
 }  // namespace ringwatch

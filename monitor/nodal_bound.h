@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <vector>
 
 #include <ringwatch/body/body.h>
@@ -23,6 +24,28 @@ class NodalBound {
   UpperBound evaluate(const NodeVectors& x, int sweeps, Start start = Start::rootOfStiffness);
   /// Forgets the shapes.
   void reset() { started_ = false; }
+  /// The bound with the shapes as they are now: that of the last sweep, which need not be the best.
+  double last() const { return last_; }
+
+  /// An element at a node: which of the block's shapes is its own there.
+  struct Incidence {
+    std::int32_t block;
+    std::int32_t place;  // (batch * n + a) * lanes + lane
+  };
+  std::span<const Incidence> incidences(std::int32_t node) const {
+    const auto i = static_cast<std::size_t>(node);
+    return {incidence_.data() + incidenceBegin_[i], incidence_.data() + incidenceBegin_[i + 1]};
+  }
+  /// Shape of an incidence.
+  Eigen::Matrix3d shape(Incidence at) const;
+  void setShape(Incidence at, const Eigen::Matrix3d& D);
+  /// Trace 1 again over an element after setShape.
+  void normaliseElement(std::int32_t block, std::int32_t element);
+  /// l_e at positions x and, unless nullptr, b = lambda_max(D⁻¹ Σ w BᵀB) of any elements of a block, one a lane (-1: none).
+  void elementValues(std::int32_t block, const std::int32_t* elements, const NodeVectors& x, double* values, double* reach) const;
+  /// l_e of the last sweep.
+  double value(ElementRef e) const;
+
   /// lambda_max(S_i) of every node at the last sweep, rad²/s².
   const std::vector<double>& nodal() const { return nodal_; }
   /// Elements times evaluations in the last call.
@@ -30,10 +53,6 @@ class NodalBound {
 
  private:
   using Pack = NativePack;
-  struct Incidence {
-    std::int32_t block;
-    std::int32_t place;  // (batch * n + a) * lanes + lane
-  };
   void startShapes(const NodeVectors& x, Start start);
   void evaluateElements(const NodeVectors& x);
   double sumAtNodes();
@@ -49,6 +68,7 @@ class NodalBound {
   AlignedVector<Symmetric3<Pack>> factors_;
   std::vector<double> nodal_;
   std::int64_t evaluations_ = 0;
+  double last_ = 0;
 };
 
 }  // namespace ringwatch

@@ -19,10 +19,10 @@ struct StudyTable {
 
 /// A statement that holds or does not.
 struct StudyCheck {
-  std::string name;  // what is claimed
-  double measured;   // what was found
-  double expected;   // what theory or another program says
-  double tolerance;  // |measured - expected| allowed, or the bound's slack
+  std::string name;       // what is claimed
+  double measured;        // what was found
+  double expected;        // what theory or another program says
+  double tolerance;       // |measured - expected| allowed, or the bound's slack
   bool passed;
 };
 

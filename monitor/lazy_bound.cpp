@@ -1,0 +1,362 @@
+#include <ringwatch/monitor/lazy_bound.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <ringwatch/monitor/scaled_tangent.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr int lanes = PatchLayout::lanes;
+
+double largest(const Eigen::Matrix3d& S) { return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly).eigenvalues()[2]; }
+
+/// Largest t with base + t part ≼ sigma I; 0 when base alone is too large.
+double roomFor(const Eigen::Matrix3d& base, const Eigen::Matrix3d& part, double sigma) {
+  const Eigen::LLT<Eigen::Matrix3d> factor(sigma * Eigen::Matrix3d::Identity() - base);
+  if (factor.info() != Eigen::Success) return 0;
+  const Eigen::Matrix3d half = factor.matrixL().solve(part);
+  const double top = largest(factor.matrixL().solve(half.transpose()));
+  return top > 0 ? 1 / (top * (1 + 1e-12)) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+LazyBound::LazyBound(const Body& body, double slack) : body_(body), slack_(slack), shapes_(body) {
+  for (const auto& block : body.blocks()) {
+    const std::size_t places = block->layout().elements.size();
+    blocks_.push_back({DeformationWatch(*block), std::vector<double>(places), std::vector<double>(places), std::vector<double>(places)});
+  }
+}
+
+ElementRef LazyBound::elementAt(NodalBound::Incidence at) const {
+  const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(at.block)];
+  const std::int32_t batch = at.place / lanes / block.element().nodes;
+  return {at.block, block.layout().elements[static_cast<std::size_t>(batch * lanes + at.place % lanes)]};
+}
+
+Eigen::Matrix3d LazyBound::freeProjection(std::int32_t node, const Eigen::Matrix3d& S) const {
+  if (!body_.constraints().any()) return S;
+  Eigen::Matrix3d result = S;
+  for (int c = 0; c < 3; ++c)
+    if (freeFactor(body_, node, c) == 0) {
+      result.row(c).setZero();
+      result.col(c).setZero();
+    }
+  return result;
+}
+
+void LazyBound::setBall(std::int32_t b, std::int32_t element, double value, const TangentDrift& drift) {
+  BlockData& data = blocks_[static_cast<std::size_t>(b)];
+  const std::size_t place = placeOf({b, element});
+  data.value[place] = value;
+  const double gap = data.budget[place] - value, reach = data.reach[place];
+  double radius = -1;
+  if (gap >= 0 && drift.known) {
+    const double linear = 2 * std::sqrt((value + reach * drift.negative) * drift.kappa * reach) + reach * drift.linear;
+    const double quadratic = reach * (drift.kappa + drift.quadratic);
+    const double denominator = linear + std::sqrt(linear * linear + 4 * quadratic * gap);
+    radius = denominator > 0 ? 2 * gap / denominator : std::numeric_limits<double>::infinity();
+  }
+  data.watch.radius[place] = static_cast<float>(std::min(radius * (1 - 1e-6), 1e30));
+}
+
+void LazyBound::evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withReach, std::vector<double>& values) {
+  values.resize(elements.size());
+  // Packs of elements of one block.
+  struct Pack {
+    std::int32_t block;
+    std::int32_t element[lanes];
+    std::size_t at[lanes];
+    int count = 0;
+  };
+  std::vector<Pack> packs;
+  std::vector<std::ptrdiff_t> open(blocks_.size(), -1);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    std::ptrdiff_t& p = open[static_cast<std::size_t>(elements[i].block)];
+    if (p < 0) {
+      p = static_cast<std::ptrdiff_t>(packs.size());
+      packs.push_back({elements[i].block, {}, {}, 0});
+      std::fill(std::begin(packs.back().element), std::end(packs.back().element), -1);
+    }
+    Pack& pack = packs[static_cast<std::size_t>(p)];
+    pack.element[pack.count] = elements[i].element;
+    pack.at[pack.count] = i;
+    if (++pack.count == lanes) p = -1;
+  }
+  parallelFor(0, static_cast<std::int64_t>(packs.size()), body_.threads(), [&](std::int64_t k) {
+    const Pack& pack = packs[static_cast<std::size_t>(k)];
+    double value[lanes], reach[lanes];
+    TangentDrift drift[lanes];
+    BlockData& data = blocks_[static_cast<std::size_t>(pack.block)];
+    const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(pack.block)];
+    shapes_.elementValues(pack.block, pack.element, x, value, withReach ? reach : nullptr);
+    block.anchorOf(pack.element, x.data(), data.watch, drift);
+    for (int lane = 0; lane < pack.count; ++lane) {
+      values[pack.at[lane]] = value[lane];
+      if (withReach) data.reach[placeOf({pack.block, pack.element[lane]})] = reach[lane];
+      setBall(pack.block, pack.element[lane], value[lane], drift[lane]);
+    }
+  }, 8);
+  spent_.evaluated += static_cast<std::int64_t>(elements.size());
+}
+
+void LazyBound::dealBudgets(const NodeVectors& x) {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const ElementBlock& block = *body_.blocks()[b];
+    BlockData& data = blocks_[b];
+    constexpr std::int32_t chunk = 8;
+    const std::int32_t batches = block.layout().batchCount();
+    parallelFor(0, (batches + chunk - 1) / chunk, body_.threads(), [&](std::int64_t c) {
+      const std::int32_t end = std::min(batches, static_cast<std::int32_t>(c + 1) * chunk);
+      for (auto batch = static_cast<std::int32_t>(c) * chunk; batch < end; ++batch) {
+        const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
+        double value[lanes], reach[lanes];
+        TangentDrift drift[lanes];
+        shapes_.elementValues(static_cast<std::int32_t>(b), elements, x, value, reach);
+        block.anchorOf(elements, x.data(), data.watch, drift);
+        for (int lane = 0; lane < lanes; ++lane) {
+          if (elements[lane] < 0) continue;
+          const std::size_t place = static_cast<std::size_t>(batch * lanes + lane);
+          double room = std::numeric_limits<double>::infinity();
+          for (std::int32_t node : block.nodesOf(elements[lane]))
+            if (shapes_.nodal()[static_cast<std::size_t>(node)] > 0)
+              room = std::min(room, sigma_ / shapes_.nodal()[static_cast<std::size_t>(node)]);
+          data.reach[place] = reach[lane];
+          // The value of the last sweep, which the nodal sums were made of, gets the room; this one is the same to rounding.
+          const double swept = shapes_.value({static_cast<std::int32_t>(b), elements[lane]});
+          data.budget[place] = swept > 0 ? swept * room * (1 - 1e-12) : 0;
+          setBall(static_cast<std::int32_t>(b), elements[lane], value[lane], drift[lane]);
+          // Nothing of a wholly constrained element is left in the problem.
+          if (body_.constraints().any() && value[lane] == 0 && reach[lane] <= 1e-200) data.watch.radius[place] = std::numeric_limits<float>::infinity();
+        }
+      }
+    });
+    spent_.evaluated += block.elementCount();
+    data.watch.lookAtAll();
+  }
+}
+
+void LazyBound::retarget(const NodeVectors& x, int sweeps, bool fresh) {
+  if (fresh) shapes_.reset();
+  shapes_.evaluate(x, sweeps);
+  spent_.evaluated += shapes_.evaluations();
+  ++spent_.retargets;
+  lastRetarget_ = updates_;
+}
+
+UpperBound LazyBound::update(const NodeVectors& x) {
+  spent_ = {};
+  ++updates_;
+  constexpr int coldSweeps = 12;
+  if (!started_) {
+    retarget(x, coldSweeps, true);
+    sigma_ = shapes_.last() * (1 + slack_);
+    if (std::isnan(sigma_)) return {sigma_};
+    dealBudgets(x);
+    started_ = true;
+    return {sigma_};
+  }
+  // Who has left its ball?
+  std::vector<ElementRef> gone;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const ElementBlock& block = *body_.blocks()[b];
+    const auto patches = static_cast<std::int64_t>(block.layout().patches.size());
+    std::vector<std::vector<std::int32_t>> left(static_cast<std::size_t>(patches));
+    parallelFor(0, patches, body_.threads(), [&](std::int64_t p) {
+      block.lookAtPatch(static_cast<std::int32_t>(p), x.data(), blocks_[b].watch, left[static_cast<std::size_t>(p)]);
+    });
+    for (const auto& list : left)
+      for (std::int32_t e : list) gone.push_back({static_cast<std::int32_t>(b), e});
+  }
+  std::vector<double> values;
+  evaluate(x, gone, false, values);
+  std::vector<ElementRef> over;
+  for (std::size_t i = 0; i < gone.size(); ++i) {
+    if (std::isnan(values[i])) {
+      started_ = false;
+      return {std::numeric_limits<double>::quiet_NaN()};
+    }
+    if (values[i] > blocks_[static_cast<std::size_t>(gone[i].block)].budget[placeOf(gone[i])]) over.push_back(gone[i]);
+  }
+  // When very many are over, mending one by one costs more than starting afresh.
+  const bool flood = static_cast<double>(over.size()) > 0.05 * static_cast<double>(body_.mesh().elementCount());
+  bool mended = !flood;
+  for (std::size_t i = 0; mended && i < over.size(); ++i) {
+    const std::size_t place = placeOf(over[i]);
+    const BlockData& data = blocks_[static_cast<std::size_t>(over[i].block)];
+    if (data.value[place] <= data.budget[place]) continue;  // a neighbour's repair served it
+    mended = repair(x, over[i], true);
+  }
+  if (!mended) {
+    retarget(x, coldSweeps, true);
+    sigma_ = shapes_.last() * (1 + slack_);
+    dealBudgets(x);
+  }
+  return {sigma_};
+}
+
+bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) {
+  constexpr int growths = 2, sweeps = 3;
+  ++spent_.repairs;
+  std::vector<ElementRef> seed{element}, ring;
+  for (int growth = 0;; ++growth) {
+    // Patch: free nodes of the seed; ring: all elements at them; rim: all free nodes of the ring.
+    std::vector<std::int32_t> patch, rim;
+    auto freeNodesOf = [&](const std::vector<ElementRef>& elements) {
+      std::vector<std::int32_t> nodes;
+      for (ElementRef e : elements)
+        for (std::int32_t node : body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element))
+          if (!body_.constraints().any() || body_.constraints().freeComponents(node) > 0) nodes.push_back(node);
+      std::sort(nodes.begin(), nodes.end());
+      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+      return nodes;
+    };
+    patch = freeNodesOf(seed);
+    ring.clear();
+    for (std::int32_t node : patch)
+      for (const NodalBound::Incidence& at : shapes_.incidences(node)) ring.push_back(elementAt(at));
+    std::sort(ring.begin(), ring.end());
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+    rim = freeNodesOf(ring);
+    auto inRing = [&](ElementRef e) { return std::binary_search(ring.begin(), ring.end(), e); };
+    auto valueOf = [&](ElementRef e) { return blocks_[static_cast<std::size_t>(e.block)].value[placeOf(e)]; };
+
+    // What the elements outside the ring use of sigma at the rim.
+    std::vector<Eigen::Matrix3d> outside(rim.size()), inside(rim.size());
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      outside[i].setZero();
+      for (const NodalBound::Incidence& at : shapes_.incidences(rim[i])) {
+        const ElementRef e = elementAt(at);
+        if (!inRing(e)) outside[i] += blocks_[static_cast<std::size_t>(e.block)].budget[placeOf(e)] * shapes_.shape(at);
+      }
+      outside[i] = freeProjection(rim[i], outside[i] / body_.lumpedMass()[rim[i]]);
+    }
+    std::vector<double> values;
+    for (int sweep = 0;; ++sweep) {
+      evaluate(x, ring, sweep > 0, values);
+      double least = std::numeric_limits<double>::infinity(), need = 0;
+      std::vector<double> room(rim.size());
+      for (std::size_t i = 0; i < rim.size(); ++i) {
+        inside[i].setZero();
+        for (const NodalBound::Incidence& at : shapes_.incidences(rim[i])) {
+          const ElementRef e = elementAt(at);
+          if (inRing(e)) inside[i] += valueOf(e) * shapes_.shape(at);
+        }
+        inside[i] = freeProjection(rim[i], inside[i] / body_.lumpedMass()[rim[i]]);
+        room[i] = roomFor(outside[i], inside[i], sigma_);
+        least = std::min(least, room[i]);
+        need = std::max(need, largest(outside[i] + inside[i]));
+      }
+      const bool last = sweep == sweeps && growth == growths;
+      bool deal = least > 1 + (sweep == sweeps ? 0.05 : 0.25) * slack_;
+      if (!deal && last && mayRaise) {
+        // Everybody else's proof holds for a larger sigma too.
+        sigma_ = std::max(sigma_, need * (1 + 0.5 * slack_));
+        ++spent_.raises;
+        for (std::size_t i = 0; i < rim.size(); ++i) room[i] = roomFor(outside[i], inside[i], sigma_);
+        deal = true;
+      }
+      if (deal) {
+        for (ElementRef e : ring) {
+          double own = std::numeric_limits<double>::infinity();
+          for (std::int32_t node : body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element)) {
+            const auto at = std::lower_bound(rim.begin(), rim.end(), node);
+            if (at != rim.end() && *at == node) own = std::min(own, room[static_cast<std::size_t>(at - rim.begin())]);
+          }
+          BlockData& data = blocks_[static_cast<std::size_t>(e.block)];
+          const std::size_t place = placeOf(e);
+          if (std::isfinite(own)) data.budget[place] = data.value[place] * own * (1 - 1e-12);
+        }
+        std::vector<double> again;
+        evaluate(x, ring, false, again);  // balls for the new budgets
+        // Other elements of the ring's groups were judged against old slacks.
+        for (ElementRef e : ring) {
+          BlockData& data = blocks_[static_cast<std::size_t>(e.block)];
+          const std::int32_t batch = static_cast<std::int32_t>(placeOf(e)) / lanes;
+          auto group = std::upper_bound(data.watch.groups.begin(), data.watch.groups.end(), batch,
+                                        [](std::int32_t at, const DeformationWatch::Group& g) { return at < g.batchEnd; });
+          group->slack = -1;
+        }
+        return true;
+      }
+      if (sweep == sweeps) break;
+      // Shapes at the patch's own nodes: what they gain there costs nobody outside the ring.
+      for (std::int32_t node : patch) {
+        const auto at = static_cast<std::size_t>(std::lower_bound(rim.begin(), rim.end(), node) - rim.begin());
+        Eigen::Matrix3d S = (outside[at] + inside[at]) / sigma_;
+        for (int c = 0; c < 3; ++c)
+          if (freeFactor(body_, node, c) == 0) S(c, c) = 1;
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(S);
+        const Eigen::Vector3d power = solver.eigenvalues().cwiseMax(1e-3).array().pow(-0.25);
+        const Eigen::Matrix3d R = solver.eigenvectors() * power.asDiagonal() * solver.eigenvectors().transpose();
+        for (const NodalBound::Incidence& incidence : shapes_.incidences(node)) shapes_.setShape(incidence, R * shapes_.shape(incidence) * R);
+      }
+      for (ElementRef e : ring) shapes_.normaliseElement(e.block, e.element);
+    }
+    if (growth == growths) return false;
+    seed = ring;
+  }
+}
+
+void LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
+  if (!started_ || !(lower.value > 0)) return;
+  const double allowed = (1 + width) * (1 + width) * lower.value;
+  if (sigma_ <= allowed) return;
+  // Lowering sigma scales every budget; balls shrink at least in proportion to the gaps, since r is concave in the gap.
+  if (updates_ - lastLowering_ >= loweringGap_) {
+    loweringGap_ = updates_ - lastLowering_ < 200 ? std::min(2 * loweringGap_, 640) : 40;
+    lastLowering_ = updates_;
+    const double target = (1 + 0.8 * width) * (1 + 0.8 * width) * lower.value, factor = target / sigma_;
+    sigma_ = target;
+    for (BlockData& data : blocks_) {
+      for (std::size_t place = 0; place < data.budget.size(); ++place) {
+        const double before = data.budget[place] - data.value[place];
+        data.budget[place] *= factor;
+        const double after = data.budget[place] - data.value[place];
+        float& radius = data.watch.radius[place];
+        if (radius > 0 && radius < 1e29F) radius = after > 0 && before > 0 ? static_cast<float>(radius * after / before * (1 - 1e-6)) : -1.0F;
+      }
+      data.watch.lookAtAll();
+    }
+    return;
+  }
+  if (updates_ - lastRetarget_ >= retargetGap_) {
+    retarget(x, 12, true);
+    const double fresh = shapes_.last() * (1 + slack_);
+    retargetGap_ = fresh > 0.97 * sigma_ ? std::min(2 * retargetGap_, 640) : 40;
+    sigma_ = fresh;
+    dealBudgets(x);
+  }
+}
+
+double LazyBound::verify(const NodeVectors& x) const {
+  double excess = -1;
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    for (std::int32_t e = 0; e < body_.blocks()[b]->elementCount(); ++e) {
+      std::int32_t elements[lanes];
+      std::fill(elements, elements + lanes, -1);
+      elements[0] = e;
+      double value[lanes];
+      shapes_.elementValues(static_cast<std::int32_t>(b), elements, x, value, nullptr);
+      const double budget = blocks_[b].budget[placeOf({static_cast<std::int32_t>(b), e})];
+      if (value[0] > 0) excess = std::max(excess, value[0] / budget - 1);
+    }
+  for (std::int32_t node = 0; node < body_.nodeCount(); ++node) {
+    Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
+    for (const NodalBound::Incidence& at : shapes_.incidences(node)) {
+      const ElementRef e = elementAt(at);
+      S += blocks_[static_cast<std::size_t>(e.block)].budget[placeOf(e)] * shapes_.shape(at);
+    }
+    excess = std::max(excess, largest(freeProjection(node, S / body_.lumpedMass()[node])) / sigma_ - 1);
+  }
+  return excess;
+}
+
+}  // namespace ringwatch

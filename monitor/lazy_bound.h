@@ -1,0 +1,63 @@
+#pragma once
+#include <vector>
+
+#include <ringwatch/body/deformation_watch.h>
+#include <ringwatch/monitor/nodal_bound.h>
+
+namespace ringwatch {
+
+/// The block nodal bound kept along a run at little cost. Shapes D_e, a budget for each element and the bound sigma stay
+/// frozen while every element is inside a ball around the deformation gradient at which it was last evaluated:
+///   l_e <= budget_e for all e  and  Σ_(e∋i) budget_e D_(e,a(i)) ≼ sigma m_i I for all i   prove   lambda_max(M⁻¹K) <= sigma.
+/// The radius of a ball follows from the law's drift bound. An element that leaves is evaluated exactly; when it exceeds
+/// its budget, budgets around it are dealt anew, then shapes there, then sigma is raised, which is free for all others.
+class LazyBound {
+ public:
+  /// slack: relative room of sigma above the tight bound at a retarget, which budgets share.
+  explicit LazyBound(const Body& body, double slack = 0.06);
+
+  /// sigma, proven at positions x (3×N, m). NaN when x or the tangent is not finite.
+  UpperBound update(const NodeVectors& x);
+  /// Tells the bound what a lower bound is at x, so that it can follow downwards: sigma is lowered, or shapes start afresh,
+  /// when it lies more than `width` (relative, in the step) above. Steers only; proves nothing.
+  void steer(const NodeVectors& x, LowerBound lower, double width);
+
+  double sigma() const { return sigma_; }
+  /// What the last update spent.
+  struct Spent {
+    std::int64_t evaluated = 0;  // elements
+    int repairs = 0, raises = 0, retargets = 0;
+  };
+  const Spent& spent() const { return spent_; }
+  /// Checks the two statements of the proof at x from nothing but the shapes and budgets; for tests. Returns the largest
+  /// excess, relative: <= 0 when both hold.
+  double verify(const NodeVectors& x) const;
+
+ private:
+  struct BlockData {
+    DeformationWatch watch;
+    std::vector<double> budget, value, reach;  // by place = batch * lanes + lane: budget_e, l_e at the anchor, b_e
+  };
+  void retarget(const NodeVectors& x, int sweeps, bool fresh);
+  void dealBudgets(const NodeVectors& x);
+  void setBall(std::int32_t block, std::int32_t element, double value, const TangentDrift& drift);
+  void evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withReach, std::vector<double>& values);
+  bool repair(const NodeVectors& x, ElementRef element, bool mayRaise);
+  std::size_t placeOf(ElementRef e) const {
+    return static_cast<std::size_t>(body_.blocks()[static_cast<std::size_t>(e.block)]->layout().batchOfElement[static_cast<std::size_t>(e.element)]);
+  }
+  ElementRef elementAt(NodalBound::Incidence at) const;
+  Eigen::Matrix3d freeProjection(std::int32_t node, const Eigen::Matrix3d& S) const;
+
+  const Body& body_;
+  double slack_;
+  NodalBound shapes_;
+  std::vector<BlockData> blocks_;
+  double sigma_ = 0;
+  bool started_ = false;
+  Spent spent_;
+  std::int64_t updates_ = 0, lastRetarget_ = -1000, lastLowering_ = -1000;
+  int retargetGap_ = 40, loweringGap_ = 40;
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,53 @@
+#include <ringwatch/base/atomic_file.h>
+#include <ringwatch/base/nearest_name.h>
+
+#include "tests/meshes/mesh_test_tools.h"
+
+namespace ringwatch {
+namespace {
+
+using namespace test;
+
+TEST(AtomicFile, WritesAndReplacesWholeFiles) {
+  const TemporaryFolder folder;
+  writeFileAtomically(folder / "a.txt", "one");
+  writeFileAtomically(folder / "a.txt", "two");
+  EXPECT_EQ(readBytes(folder / "a.txt"), "two");
+  EXPECT_EQ(folder.fileCount(), 1u);
+}
+
+TEST(AtomicFile, AFailureLeavesTheOldFileAndNothingElse) {
+  const TemporaryFolder folder;
+  writeFileAtomically(folder / "a.txt", "old");
+  const std::string text = errorOf([&] {
+    writeFileAtomically(folder / "a.txt", [](const std::filesystem::path& temporary) {
+      writeBytes(temporary, "half");
+      throw std::runtime_error("the disk is full");
+    });
+  });
+  EXPECT_EQ(text, "cannot write " + (folder / "a.txt").string() + ": the disk is full");
+  EXPECT_EQ(readBytes(folder / "a.txt"), "old");
+  EXPECT_EQ(folder.fileCount(), 1u);
+}
+
+TEST(AtomicFile, NamesWhatIsInTheWay) {
+  const TemporaryFolder folder;
+  writeBytes(folder / "file", "");
+  std::filesystem::create_directory(folder / "sub");
+  EXPECT_NE(errorOf([&] { writeFileAtomically(folder / "none" / "a", ""); }).find("there is no folder"), std::string::npos);
+  EXPECT_NE(errorOf([&] { writeFileAtomically(folder / "file" / "a", ""); }).find("is not a folder"), std::string::npos);
+  EXPECT_NE(errorOf([&] { writeFileAtomically(folder / "sub", ""); }).find("in the way"), std::string::npos);
+}
+
+TEST(NearestName, CountsEdits) {
+  EXPECT_EQ(editDistance("", "abc"), 3u);
+  EXPECT_EQ(editDistance("kitten", "sitting"), 3u);
+  EXPECT_EQ(editDistance("poisson", "posison"), 1u);  // a swap of neighbours
+  const std::vector<std::string_view> names{"size", "cells", "seed"};
+  EXPECT_EQ(nearestName("cell", names), "cells");
+  EXPECT_EQ(nearestName("sede", names), "seed");
+  EXPECT_EQ(nearestName("x", std::vector<std::string>{}), "");
+}
+
+}  // namespace
+}  // namespace ringwatch

@@ -1,0 +1,242 @@
+#include <gmock/gmock.h>
+
+#include <cstring>
+
+#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/mesh_io.h>
+
+#include "tests/meshes/mesh_test_tools.h"
+
+namespace ringwatch {
+namespace {
+
+using namespace test;
+using ::testing::HasSubstr;
+
+std::string msh(const std::string& nodes, const std::string& elements) {
+  return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + nodes + "$EndNodes\n$Elements\n" + elements + "$EndElements\n";
+}
+const std::string goodNodes = "4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";  // lines 5 to 9
+const std::string goodElements = "1\n1 4 0 1 2 3 4\n";                      // lines 12 and 13
+
+struct Case {
+  const char* name;
+  std::string content;
+  std::vector<std::string> said;  // what the message must hold
+};
+
+TEST(BadInput, EveryFaultOfAnMshFileIsNamedWithLineAndValue) {
+  const std::string format41 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+  const std::vector<Case> cases{
+      {"version", "$MeshFormat\n5.3 0 8\n$EndMeshFormat\n", {":2: ", "5.3", "4.1"}},
+      {"data size", "$MeshFormat\n2.2 0 4\n$EndMeshFormat\n", {":2: ", "4", "8"}},
+      {"file type", "$MeshFormat\n2.2 7 8\n$EndMeshFormat\n", {":2: ", "7"}},
+      {"binary 4.0", "$MeshFormat\n4.0 1 8\n$EndMeshFormat\n", {":2: ", "4.1"}},
+      {"byte order", std::string("$MeshFormat\n2.2 1 8\n\x05\0\0\0\n$EndMeshFormat\n", 40), {": byte ", "5"}},
+      {"no format", "hello\n", {":1: ", "hello", "$MeshFormat"}},
+      {"word for a number", msh("4\n1 0 0 0\n2 abc 0 0\n3 0 1 0\n4 0 0 1\n", goodElements), {":7: ", "abc", "number"}},
+      {"number with tail", msh("4\n1 0 0 0\n2 1.0x 0 0\n3 0 1 0\n4 0 0 1\n", goodElements), {":7: ", "1.0x"}},
+      {"overflow", msh("4\n1 0 0 0\n2 1e999 0 0\n3 0 1 0\n4 0 0 1\n", goodElements), {":7: ", "1e999"}},
+      {"NaN", msh("4\n1 0 0 0\n2 1 0 0\n3 0 nan 0\n4 0 0 1\n", goodElements), {":8: ", "coordinate y of node 3", "nan", "finite"}},
+      {"infinity", msh("4\n1 0 0 0\n2 inf 0 0\n3 0 1 0\n4 0 0 1\n", goodElements), {":7: ", "node 2", "inf"}},
+      {"twice", msh("4\n1 0 0 0\n2 1 0 0\n2 0 1 0\n4 0 0 1\n", goodElements), {":8: ", "node 2", "second time"}},
+      {"negative number", msh("4\n1 0 0 0\n-2 1 0 0\n3 0 1 0\n4 0 0 1\n", goodElements), {":7: ", "-2"}},
+      {"negative count", msh("-4\n", goodElements), {":5: ", "-4", "0 or more"}},
+      {"absurd count", msh("4000000000000\n1 0 0 0\n", goodElements), {":5: ", "4000000000000"}},
+      {"count beyond integers", msh("99999999999999999999\n1 0 0 0\n", goodElements), {":5: ", "99999999999999999999"}},
+      {"too few nodes", msh("5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n", goodElements), {":10: ", "EndNodes"}},
+      {"too many nodes", msh("3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n", goodElements), {":9: ", "4 0 0 1", "$EndNodes"}},
+      {"short line", msh("4\n1 0 0 0\n2 1 0\n3 0 1 0\n4 0 0 1\n", goodElements), {":7: ", "line ends", "coordinate z"}},
+      {"long line", msh("4\n1 0 0 0\n2 1 0 0 8\n3 0 1 0\n4 0 0 1\n", goodElements), {":7: ", "8"}},
+      {"missing node", msh(goodNodes, "1\n5 4 0 1 2 3 77\n"), {":13: ", "element 5", "77"}},
+      {"unknown type", msh(goodNodes, "1\n1 777 0 1 2 3 4\n"), {":13: ", "777"}},
+      {"tags", msh(goodNodes, "1\n1 4 -1 1 2 3 4\n"), {":13: ", "-1"}},
+      {"short element", msh(goodNodes, "1\n1 4 0 1 2 3\n"), {":13: ", "line ends"}},
+      {"no volume", msh(goodNodes, "1\n1 2 0 1 2 3\n"), {"no volume elements"}},
+      {"no elements", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + goodNodes + "$EndNodes\n", {"$Elements", "cut short"}},
+      {"second nodes", msh(goodNodes, goodElements) + "$Nodes\n0\n$EndNodes\n", {":15: ", "second $Nodes"}},
+      {"stray line", msh(goodNodes, goodElements) + "stray\n", {":15: ", "stray"}},
+      {"unended section", msh(goodNodes, goodElements) + "$Comments\nwords\n", {":15: ", "$EndComments"}},
+      {"physical name", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 1 solid\n$EndPhysicalNames\n", {":6: ", "solid", "quotes"}},
+      {"wrong total of nodes", format41 + "$Nodes\n1 2 1 1\n3 1 0 1\n1\n0 0 0\n$EndNodes\n", {":5: ", "2", "1"}},
+      {"wrong dimension", format41 + "$Nodes\n1 1 1 1\n3 1 0 1\n1\n0 0 0\n$EndNodes\n$Elements\n1 1 1 1\n2 1 4 1\n1 1 1 1 1\n$EndElements\n", {":12: ", "dimension 2", "tet4"}},
+      {"absurd block", format41 + "$Nodes\n1 1 1 1\n3 1 0 888888888888\n1\n0 0 0\n$EndNodes\n", {":6: ", "888888888888"}},
+      {"absurd entities", format41 + "$Entities\n0 0 0 777777777777\n$EndEntities\n", {":5: ", "777777777777"}},
+  };
+  const TemporaryFolder folder;
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.name);
+    writeBytes(folder / "bad.msh", c.content);
+    const std::string text = errorOf([&] { readMesh(folder / "bad.msh"); });
+    EXPECT_THAT(text, HasSubstr("bad.msh:"));
+    for (const std::string& part : c.said) EXPECT_THAT(text, HasSubstr(part));
+  }
+}
+
+TEST(BadInput, ElementsThatTheLibraryDoesNotHaveAreCountedByType) {
+  const TemporaryFolder folder;
+  writeBytes(folder / "bad.msh", msh(goodNodes, "3\n1 4 0 1 2 3 4\n2 93 0" + [] {
+               std::string nodes;
+               for (int i = 0; i < 125; ++i) nodes += " 1";
+               return nodes;
+             }() + "\n3 29 0 1 2 3 4 1 2 3 4 1 2 3 4 1 2 3 4 1 2 3 4\n"));
+  const std::string text = errorOf([&] { readMesh(folder / "bad.msh"); });
+  for (const char* part : {":14: ", "1 of type hex125", "1 of type tet20", "supported are tet4"}) EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST(BadInput, TetgenFaults) {
+  const std::string nodes = "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n", elements = "1 4 0\n1 1 2 3 4\n";
+  const TemporaryFolder folder;
+  const std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> cases{
+      {"4 2 0 0\n", elements, {"t.node:1: ", "dimension is 2"}},
+      {"5 3 0 0\n1 0 0 0\n2 1.5 0 0\n3 0 1 0\n4 0 0 1\n5 0 0\n", elements, {"t.node:6: ", "coordinate z"}},
+      {"-1 3 0 0\n", elements, {"t.node:1: ", "-1"}},
+      {"3 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n", elements, {"t.node:5: ", "more lines"}},
+      {"4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n3 0 0 1\n", elements, {"t.node:5: ", "node 3", "second"}},
+      {nodes, "1 10 0\n1 1 2 3 4 5 6 7 8 9 10\n", {"t.ele:1: ", "10", "4"}},
+      {nodes, "1 4 0\n1 1 2 3 9\n", {"t.ele:2: ", "node 9"}},
+      {nodes, "1 4 0\n1 1 2 3 four\n", {"t.ele:2: ", "four"}},
+      {nodes, "2 4 0\n1 1 2 3 4\n# a comment\n", {"t.ele:4: ", "cut short"}},
+      {nodes, "1 4 0\n1 1 2 3 4", {"t.ele:2: ", "line end"}},
+      {nodes, "0 4 0\n", {"t.ele", "no volume elements"}},
+  };
+  for (const auto& [nodeText, elementText, said] : cases) {
+    writeBytes(folder / "t.node", nodeText);
+    writeBytes(folder / "t.ele", elementText);
+    const std::string text = errorOf([&] { readMesh(folder / "t.ele"); });
+    for (const std::string& part : said) EXPECT_THAT(text, HasSubstr(part));
+  }
+  std::filesystem::remove(folder / "t.ele");
+  EXPECT_THAT(errorOf([&] { readMesh(folder / "t.node"); }), HasSubstr("t.ele: cannot read"));
+}
+
+TEST(BadInput, FilesThatCannotBeReadOrAreNoMesh) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(errorOf([&] { readMesh(folder / "none.msh"); }), HasSubstr("no such file"));
+  EXPECT_THAT(errorOf([&] { readMesh(folder.path()); }), HasSubstr("folder"));
+  writeBytes(folder / "empty.msh", "");
+  EXPECT_THAT(errorOf([&] { readMesh(folder / "empty.msh"); }), HasSubstr("empty"));
+  writeBytes(folder / "a.stl", "solid\x01 \xFF\nfacet\n");
+  EXPECT_THAT(errorOf([&] { readMesh(folder / "a.stl"); }), HasSubstr("known are"));
+  EXPECT_THAT(errorOf([&] { writeMesh(mixedMesh(), folder / "a.stl"); }), HasSubstr(".msh or .vtu"));
+  EXPECT_THAT(errorOf([&] { writeMesh(mixedMesh(), folder / "nowhere" / "a.msh"); }), HasSubstr("no folder"));
+  Mesh named = mixedMesh();
+  named.nodeSets["a\"b"] = {0};
+  EXPECT_THAT(errorOf([&] { writeMesh(named, folder / "q.msh"); }), HasSubstr("quote"));
+}
+
+/// A file cut anywhere is refused, unless nothing but white space is lost.
+void cutEverywhere(const std::filesystem::path& path, const std::filesystem::path& open, std::size_t stride = 1) {
+  const std::string whole = readBytes(path);
+  const std::size_t needed = whole.find_last_not_of(" \r\n") + 1;
+  ASSERT_NO_THROW(readMesh(open));
+  for (std::size_t size = 0; size < whole.size(); size += stride) {
+    writeBytes(path, whole.substr(0, size));
+    try {
+      readMesh(open);
+      EXPECT_GE(size, needed) << path << " cut to " << size << " of " << whole.size() << " bytes was taken";
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos);
+    }
+  }
+}
+
+/// Bytes changed anywhere never crash; they are refused or give some mesh.
+void changeEverywhere(const std::filesystem::path& path, const std::filesystem::path& open, std::size_t stride = 1) {
+  const std::string whole = readBytes(path);
+  for (std::size_t at = 0; at < whole.size(); at += stride)
+    for (const char c : {'\0', '9', '-', '\xFF', '\n'}) {
+      std::string changed = whole;
+      changed[at] = c;
+      writeBytes(path, changed);
+      try {
+        loadMesh(open);
+      } catch (const InputError& error) {
+        EXPECT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos) << error.what();
+      }
+    }
+}
+
+TEST(BadInput, CutOrChangedMshFilesNeverCrash) {
+  const TemporaryFolder folder;
+  for (const MeshFormat format : {MeshFormat::msh22, MeshFormat::msh22Binary, MeshFormat::msh41, MeshFormat::msh41Binary}) {
+    SCOPED_TRACE(static_cast<int>(format));
+    writeMesh(mixedMesh(), folder / "m.msh", format);
+    cutEverywhere(folder / "m.msh", folder / "m.msh");
+    writeMesh(mixedMesh(), folder / "m.msh", format);
+    changeEverywhere(folder / "m.msh", folder / "m.msh");
+  }
+}
+
+TEST(BadInput, CutOrChangedTetgenFilesNeverCrash) {
+  const TemporaryFolder folder;
+  const std::string nodes = "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n", elements = "1 4 0\n1 1 2 3 4\n";
+  for (const char* name : {"t.node", "t.ele"}) {
+    writeBytes(folder / "t.node", nodes);
+    writeBytes(folder / "t.ele", elements);
+    cutEverywhere(folder / name, folder / "t.ele");
+    writeBytes(folder / "t.node", nodes);
+    writeBytes(folder / "t.ele", elements);
+    changeEverywhere(folder / name, folder / "t.ele");
+  }
+}
+
+constexpr const char* legacy =
+    "# vtk DataFile Version 2.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 double\n0 0 0\n1 0 0\n0 2 0\n0 0 3\n1 1 1\n"
+    "\nCELLS 2 10\n4 0 1 2 3\n4 1 2 3 4\n\nCELL_TYPES 2\n10\n10\n";
+
+std::string legacyBinary() {
+  std::string b = "# vtk DataFile Version 2.0\ntitle\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 double\n";
+  const auto put = [&](auto value) {
+    char raw[sizeof(value)];
+    std::memcpy(raw, &value, sizeof(value));
+    for (std::size_t i = sizeof(value); i-- > 0;) b += raw[i];  // big-endian
+  };
+  for (const double x : {0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3, 1, 1, 1}) put(x);
+  b += "\nCELLS 2 10\n";
+  for (const std::int32_t i : {4, 0, 1, 2, 3, 4, 1, 2, 3, 4}) put(i);
+  b += "\nCELL_TYPES 2\n";
+  for (const std::int32_t i : {10, 10}) put(i);
+  return b + "\n";
+}
+
+TEST(BadInput, CutOrChangedLegacyVtkFilesNeverCrash) {
+  const TemporaryFolder folder;
+  for (const std::string& content : {std::string(legacy), legacyBinary()}) {
+    writeBytes(folder / "m.vtk", content);
+    cutEverywhere(folder / "m.vtk", folder / "m.vtk");
+    writeBytes(folder / "m.vtk", content);
+    changeEverywhere(folder / "m.vtk", folder / "m.vtk");
+  }
+}
+
+#ifdef RINGWATCH_WITH_VTK
+TEST(BadInput, CutOrChangedVtuFilesNeverCrash) {
+  const TemporaryFolder folder;
+  const Mesh mesh = generateBar({.cells = {2, 1, 1}});
+  writeMesh(mesh, folder / "m.vtu");
+  cutEverywhere(folder / "m.vtu", folder / "m.vtu");
+  writeMesh(mesh, folder / "m.vtu");
+  changeEverywhere(folder / "m.vtu", folder / "m.vtu", 7);
+}
+#endif
+
+TEST(BadInput, LegacyVtkFaults) {
+  const TemporaryFolder folder;
+  const auto replaced = [&](const std::string& what, const std::string& by) {
+    std::string text = legacy;
+    text.replace(text.find(what), what.size(), by);
+    writeBytes(folder / "m.vtk", text);
+    return errorOf([&] { readMesh(folder / "m.vtk"); });
+  };
+  EXPECT_THAT(replaced("POINTS 5", "POINTS 500000000000"), HasSubstr("m.vtk:5: the number of POINTS is 500000000000"));
+  EXPECT_THAT(replaced("POINTS 5", "POINTS -5"), HasSubstr("-5"));
+  EXPECT_THAT(replaced("UNSTRUCTURED_GRID", "POLYDATA"), HasSubstr("UNSTRUCTURED_GRID"));
+  EXPECT_THAT(replaced("1 2 3 4\n\n", "1 2 3 8\n\n"), HasSubstr("m.vtk:14: element 1 (tet4) refers to node 8"));
+  EXPECT_THAT(replaced("10\n10\n", "10\n12\n"), HasSubstr("cell 1 (hex8) has 4 nodes; it must have 8"));
+  EXPECT_THAT(replaced("1 1 1", "1 nan 1"), HasSubstr("m.vtk:10: coordinate y of node 4 is nan"));
+  EXPECT_THAT(replaced("10\n10\n", "10\n42\n"), HasSubstr("VTK type 42"));
+}
+
+}  // namespace
+}  // namespace ringwatch

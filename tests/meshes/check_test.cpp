@@ -1,0 +1,129 @@
+#include <ringwatch/meshes/check.h>
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/mesh_io.h>
+#include <ringwatch/meshes/quality.h>
+
+#include "tests/meshes/mesh_test_tools.h"
+
+namespace ringwatch {
+namespace {
+
+using namespace test;
+using ::testing::HasSubstr;
+using Kind = MeshProblem::Kind;
+
+void expectOne(const Mesh& mesh, Kind kind, std::int64_t id) {
+  const auto problems = checkMesh(mesh);
+  ASSERT_EQ(problems.size(), 1u) << problems.back().text;
+  EXPECT_EQ(problems[0].kind, kind) << problems[0].text;
+  EXPECT_EQ(problems[0].id, id);
+  EXPECT_THAT(problems[0].text, HasSubstr(std::to_string(id)));
+  EXPECT_FALSE(problemName(kind).empty());
+  if (kind == Kind::unusedNode) return;
+  Mesh copy = mesh;
+  const std::string text = errorOf([&] { requireSound(copy, "bad.msh"); });
+  EXPECT_THAT(text, HasSubstr("bad.msh: 1 problem: "));
+  EXPECT_THAT(text, HasSubstr(problems[0].text));
+}
+
+TEST(Check, ASoundMeshHasNoProblem) {
+  EXPECT_TRUE(checkMesh(mixedMesh()).empty());
+  Mesh mesh = mixedMesh();
+  std::vector<std::string> notes;
+  requireSound(mesh, "m", &notes);
+  EXPECT_TRUE(notes.empty());
+  expectSame(mesh, mixedMesh());
+}
+
+TEST(Check, EachSeededFaultIsFound) {
+  const Mesh good = mixedMesh();
+  Mesh mesh = good;
+  std::swap(mesh.blocks[1].connectivity[0], mesh.blocks[1].connectivity[1]);
+  expectOne(mesh, Kind::inverted, 101);
+
+  mesh = good;  // both hexahedra share nodes 1, 4, 7, 10: only a corner of one is turned in
+  mesh.X.col(0) << 1.3, 0.9, 0.9;
+  expectOne(mesh, Kind::inverted, 11);
+
+  mesh = good;
+  mesh.X.col(12) << 2, 0.25, 0.5;  // in the plane of the other three
+  expectOne(mesh, Kind::degenerate, 101);
+
+  mesh = good;
+  mesh.blocks[1].connectivity[7] = 99;
+  ASSERT_EQ(checkMesh(mesh).size(), 2u);  // and node 13 is not used any more
+  EXPECT_EQ(checkMesh(mesh)[0].kind, Kind::missingNode);
+  mesh.blocks[1].connectivity[7] = -1;
+  EXPECT_EQ(checkMesh(mesh)[0].kind, Kind::missingNode);
+
+  mesh = good;
+  mesh.blocks[1].connectivity[1] = mesh.blocks[1].connectivity[0];
+  expectOne(mesh, Kind::repeatedNode, 101);
+
+  mesh = good;
+  mesh.X(2, 13) = NAN;
+  expectOne(mesh, Kind::nonFinite, mesh.nodeIds[13]);
+
+  mesh = good;
+  mesh.X.conservativeResize(3, 15);
+  mesh.X.col(14).setZero();
+  mesh.nodeIds.push_back(500);
+  expectOne(mesh, Kind::unusedNode, 500);
+
+  mesh = good;
+  for (const std::int32_t n : {5, 8, 2, 12}) mesh.blocks[1].connectivity.push_back(n);
+  mesh.blocks[1].ids.push_back(300);
+  expectOne(mesh, Kind::duplicateElement, 300);
+}
+
+TEST(Check, HexahedronTurnedInAtOneCornerWithPositiveVolumeIsInverted) {
+  Mesh mesh = generateBar({.cells = {1, 1, 1}, .element = "hex8"});
+  mesh.X.col(7) << 0.3, 0.3, 0.3;  // the corner goes through the diagonal plane of its neighbours
+  EXPECT_GT(meshVolume(mesh), 0);
+  expectOne(mesh, Kind::inverted, 0);
+}
+
+TEST(Check, MixedHandednessIsAnErrorThatNamesCountAndSome) {
+  Mesh mesh = generateBar({.cells = {3, 3, 3}});
+  for (std::size_t e = 0; e < 7; ++e) std::swap(mesh.blocks[0].connectivity[4 * e], mesh.blocks[0].connectivity[4 * e + 1]);
+  EXPECT_EQ(checkMesh(mesh).size(), 7u);
+  const std::string text = errorOf([&] { requireSound(mesh, "bad.msh"); });
+  EXPECT_THAT(text, HasSubstr("bad.msh: 7 problems: element 0 (tet4, nodes"));
+  EXPECT_THAT(text, HasSubstr("run `ringwatch mesh check bad.msh`"));
+}
+
+TEST(Check, SliversAndScalesAreNotDegenerate) {
+  for (const double scale : {1e-9, 1.0, 1e6}) {
+    Mesh mesh = generateBar({.size = {scale, scale, 1e-7 * scale}, .cells = {1, 1, 1}});
+    EXPECT_TRUE(checkMesh(mesh).empty()) << scale;
+  }
+}
+
+TEST(Check, FilesAreListedWithLinesWhereTheParserKnowsThem) {
+  const TemporaryFolder folder;
+  writeBytes(folder / "m.msh",
+             "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 nan 0 1\n6 0 0 0\n$EndNodes\n"
+             "$Elements\n4\n1 4 0 1 2 3 4\n2 4 0 1 2 3 9\n3 4 0 1 2 3 5\n4 4 0 2 1 3 4\n$EndElements\n");
+  const auto problems = checkMeshFile(folder / "m.msh");
+  std::string all;
+  for (const MeshProblem& p : problems) all += p.text + "\n";
+  EXPECT_THAT(all, HasSubstr("m.msh:10: coordinate x of node 5 is nan"));
+  EXPECT_THAT(all, HasSubstr("m.msh:16: element 2 (tet4) refers to node 9"));
+  EXPECT_THAT(all, HasSubstr("element 4 (tet4, nodes 2 1 3 4) is inverted"));
+  EXPECT_THAT(all, HasSubstr("element 4 (tet4, nodes 2 1 3 4) has the same nodes as element 1"));
+  EXPECT_THAT(all, HasSubstr("node 6 belongs to no element"));
+  EXPECT_EQ(problems.size(), 5u) << all;
+}
+
+TEST(Check, AnEmptyMeshIsRefused) {
+  Mesh mesh;
+  EXPECT_THAT(errorOf([&] { requireSound(mesh, "none"); }), HasSubstr("no elements"));
+}
+
+}  // namespace
+}  // namespace ringwatch

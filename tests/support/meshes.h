@@ -1,0 +1,90 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/mesh.h>
+#include <tests/support/random.h>
+
+namespace ringwatch::test {
+
+using Cells = std::array<int, 3>;
+
+/// The generators' usual split of a cell into this element; nullptr for an element that tiles no cell.
+inline const CellSplit* cellSplit(std::string_view element) {
+  for (const CellSplit& split : allCellSplits())
+    if (split.element == element) return &split;
+  return nullptr;
+}
+
+/// A box of nx×ny×nz cells, corner at the origin, nodes moved at random by up to jitter × cell size. An element that tiles
+/// no cell gives a single reference element instead, scaled to the cell.
+inline Mesh gridMesh(std::string_view element, Cells cells, const Eigen::Vector3d& size, double jitter = 0, std::uint64_t seed = 1) {
+  if (cellSplit(element)) {
+    BarOptions options;
+    options.size = {size[0], size[1], size[2]};
+    options.cells = cells;
+    options.element = element;
+    options.jitter = jitter;
+    options.seed = seed;
+    return generateBar(options);
+  }
+  const ElementInfo& info = *findElementByName(element);
+  Random random(seed);
+  Mesh mesh;
+  mesh.X.resize(3, info.nodes);
+  mesh.blocks.push_back({info.type, {}, {0}});
+  for (int a = 0; a < info.nodes; ++a) {
+    const Eigen::Vector3d xi = Eigen::Vector3d::Map(info.referenceNodes[static_cast<std::size_t>(a)].data());
+    const Eigen::Vector3d cell(size[0] / cells[0], size[1] / cells[1], size[2] / cells[2]);
+    mesh.X.col(a) = cell.cwiseProduct(xi + 0.5 * random.vector(jitter));
+    mesh.blocks[0].connectivity.push_back(a);
+    mesh.nodeIds.push_back(a);
+  }
+  return mesh;
+}
+
+/// The bar of the reference programs: 0.2 × 0.04 × 0.04 m, n cells over 0.04 m.
+inline Mesh referenceBar(std::string_view element, int n) { return gridMesh(element, {5 * n, n, n}, {0.2, 0.04, 0.04}); }
+
+/// The first `count` elements of a mesh of one block, with the nodes that they use.
+inline Mesh firstElements(const Mesh& mesh, std::size_t count) {
+  const MeshBlock& from = mesh.blocks[0];
+  Mesh result;
+  result.blocks.push_back({from.type, {}, {}});
+  MeshBlock& block = result.blocks[0];
+  std::map<std::int32_t, std::int32_t> renumbered;
+  std::vector<std::int32_t> used;
+  for (std::size_t i = 0; i < count * static_cast<std::size_t>(from.nodesPerElement()); ++i) {
+    const auto [entry, isNew] = renumbered.try_emplace(from.connectivity[i], static_cast<std::int32_t>(used.size()));
+    if (isNew) used.push_back(from.connectivity[i]);
+    block.connectivity.push_back(entry->second);
+  }
+  for (std::size_t e = 0; e < count; ++e) block.ids.push_back(static_cast<std::int64_t>(e));
+  result.X.resize(3, static_cast<Eigen::Index>(used.size()));
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    result.X.col(static_cast<Eigen::Index>(i)) = mesh.X.col(used[i]);
+    result.nodeIds.push_back(static_cast<std::int64_t>(i));
+  }
+  return result;
+}
+
+/// Nodes whose position satisfies the predicate.
+template <class Predicate>
+std::vector<std::int32_t> nodesWhere(const Mesh& mesh, const Predicate& predicate) {
+  std::vector<std::int32_t> nodes;
+  for (Eigen::Index i = 0; i < mesh.X.cols(); ++i)
+    if (predicate(Eigen::Vector3d(mesh.X.col(i)))) nodes.push_back(static_cast<std::int32_t>(i));
+  return nodes;
+}
+
+inline std::int32_t nodeNearest(const Mesh& mesh, const Eigen::Vector3d& point) {
+  Eigen::Index nearest = 0;
+  (mesh.X.colwise() - point).colwise().squaredNorm().minCoeff(&nearest);
+  return static_cast<std::int32_t>(nearest);
+}
+
+}  // namespace ringwatch::test
