@@ -43,13 +43,30 @@ std::optional<double> dampedStep(double lambda, const RayleighDamping& damping, 
   // A vanishing frequency stands for rigid modes, which mass-proportional damping limits too.
   const double top = std::sqrt(std::max(lambda, 1e-12 * damping.alpha * damping.alpha));
   if (top == 0) return infinity;
-  constexpr int modes = 64;
-  double step = infinity;
-  for (int k = modes; k >= 0; --k) {
-    const double omega = k > 0 ? top * k / modes : 1e-6 * top;
+  const auto stepOf = [&](double omega) -> std::optional<double> {
     const std::optional<double> limit = declaredLimit(info, 0.5 * (damping.alpha / omega + damping.beta * omega));
     if (!limit) return std::nullopt;
-    step = std::min(step, *limit / omega);
+    return *limit / omega;
+  };
+  constexpr int modes = 64;
+  double step = infinity, binding = top;
+  for (int k = modes; k >= 0; --k) {
+    const double omega = k > 0 ? top * k / modes : 1e-6 * top;
+    const std::optional<double> h = stepOf(omega);
+    if (!h) return std::nullopt;
+    if (*h < step) {
+      step = *h;
+      binding = omega;
+    }
+  }
+  if (binding == top && info.dampedLimit) return step;
+  // Closer to the mode that binds, between its neighbours.
+  double low = std::max(binding - top / modes, 1e-6 * top), high = std::min(binding + top / modes, top);
+  for (int iteration = 0; iteration < 25; ++iteration) {
+    const double left = low + (high - low) / 3, right = high - (high - low) / 3, hLeft = *stepOf(left),
+                 hRight = *stepOf(right);
+    step = std::min({step, hLeft, hRight});
+    (hLeft < hRight ? high : low) = hLeft < hRight ? right : left;
   }
   return step;
 }

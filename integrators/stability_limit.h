@@ -26,7 +26,7 @@ std::optional<double> declaredLimit(const IntegratorInfo& info, double dampingRa
 ///   h = 4 / (c + √(c² + 4 lambda)), c = alpha + beta lambda.
 /// So for these two the step of a lower bound of lambda is proven optimistic as well. Other schemes have regions that
 /// are not convex, and with explicit Euler the lowest mode can bind (q <= 2 at omega = 0): for them the least of 65
-/// modes, evenly spaced in omega, is taken.
+/// modes, evenly spaced in omega, is taken and refined between its neighbours. That is a search, not a proof.
 std::optional<double> dampedStep(double lambda, const RayleighDamping& damping, const IntegratorInfo& info);
 
 }  // namespace ringwatch

@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <string>
 
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/verify/oscillator.h>
@@ -18,5 +19,8 @@ StudyReport verifyIntegrators(StudyEffort effort, std::span<const IntegratorEntr
 
 /// The same for one integrator, your own for example.
 StudyReport verifyIntegrator(const IntegratorFactory& make, StudyEffort effort);
+
+/// The declarations as a table in Markdown, a row an integrator: docs/integrators.md holds it.
+std::string integratorTable(std::span<const IntegratorEntry> integrators);
 
 }  // namespace ringwatch

@@ -58,7 +58,7 @@ struct TransitionMatrix {
 TransitionMatrix transitionMatrix(const IntegratorFactory& make, double z, double dampingRatio);
 
 /// Largest z = h·omega up to which the integrator is stable at every smaller step, by scan and bisection of the
-/// spectral radius to 1e-10 relative; 0 when it is unstable from the start (at z = 0.02 already), infinity when stable
+/// spectral radius to 1e-10 relative; 0 when it is unstable from the start, however weakly, infinity when stable
 /// up to `end`. Throws NumericalError when the integrator has no transition matrix.
 double measureStabilityLimit(const IntegratorFactory& make, double dampingRatio = 0, double end = 100);
 
@@ -78,15 +78,18 @@ struct PeriodErrors {
 };
 PeriodErrors periodErrors(const IntegratorFactory& make, double z);
 
-/// Change of the undamped oscillator's energy, relative to its start: the mean of the last period minus the mean of the
-/// first, and the largest deviation from the start in these two.
+/// Behaviour of the undamped oscillator's energy. drift: relative change of the scheme's own quadratic invariant (the
+/// modified energy yᵀ S y, S the symmetric part of J T, which a step multiplies by det T): without the bounded
+/// oscillation that the energy proper has from step to step, so that a drift of one part in 1e9 shows. oscillation:
+/// largest deviation of the energy proper.
 struct EnergyDrift {
   double drift;
   double oscillation;
 };
-/// After `periods` periods, by powers of the transition matrix (needs a one-step method; NaN else).
+/// After `periods` periods, by powers of the transition matrix; the oscillation is that of one period. NaN when the
+/// method is not a one-step map.
 EnergyDrift energyDriftByPowers(const IntegratorFactory& make, double z, double periods);
-/// The same by stepping.
+/// The same by stepping, all periods looked at.
 EnergyDrift energyDriftBySteps(const IntegratorFactory& make, double z, double periods);
 
 /// |state after n steps forward and n steps back - start| over |start|, undamped, n = 100.
@@ -95,8 +98,8 @@ double reversalError(const IntegratorFactory& make, double z);
 double symplecticityDefect(const IntegratorFactory& make, double z);
 
 /// Critical step of a real run, s, by bisection between two steps: the largest h for which `steps` steps from `start`
-/// keep the state finite and the largest velocity below `growth` times what the first tenth of the run reached. `low`
-/// must pass and `high` must fail, else NaN. The system must not change from run to run.
+/// keep the state finite and the largest velocity below `growth` times what the first tenth of the run at `low`
+/// reached. `low` must pass and `high` must fail, else NaN. The system must not change from run to run.
 struct ObservedStepOptions {
   int steps = 2000;
   double growth = 1e3;
