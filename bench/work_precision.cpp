@@ -4,8 +4,8 @@
 //
 //   ringwatch_work_precision [FOLDER] [--quick]
 //
-// Writes FOLDER/work_precision.json, a gnuplot script with its data for each picture, and the pictures when gnuplot is
-// there. Prints which integrator is cheapest for 1 %, 0.1 % and 1e-6.
+// One thread throughout. Writes FOLDER/work_precision.json, a gnuplot script with its data for each picture, and the
+// pictures when gnuplot is there. Prints which integrator is cheapest for 1 %, 0.1 % and 1e-6.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -96,10 +96,16 @@ std::vector<Run> runCase(const Case& c, const IntegratorCatalog& catalog, const 
     for (int level = 0; level < levels; ++level, h /= 2) {
       const auto steps = static_cast<std::int64_t>(std::ceil(c.end / h));
       Counted system(c.system);
-      const auto integrator = entry.make();
-      State state = c.start;
+      State state;
       bool done = false;
-      const double seconds = secondsOf([&] { done = advance(*integrator, system, state, c.end, steps); });
+      double seconds = HUGE_VAL;
+      // The best of three, when that is quick: others share the machine.
+      for (int repeat = 0; repeat < 3 && (repeat == 0 || seconds < 0.2); ++repeat) {
+        const auto integrator = entry.make();
+        state = c.start;
+        system.forces = 0;
+        seconds = std::min(seconds, secondsOf([&] { done = advance(*integrator, system, state, c.end, steps); }));
+      }
       if (!done) continue;
       runs.push_back({std::string(info.name), c.end / static_cast<double>(steps), (state.x - reference.x).norm() / size,
                       seconds, system.forces});
@@ -155,7 +161,7 @@ Body bar(bool slivers, std::array<int, 3> cells) {
     for (int i = 2; i + 2 < cells[0]; i += 3)
       mesh.X(0, node(i, 1, 1)) += 0.9 * (mesh.X(0, node(i + 1, 1, 1)) - mesh.X(0, node(i, 1, 1)));
   }
-  Body body(std::move(mesh), makeMaterial("stvk", 30e3, 0.3, 1000));
+  Body body(std::move(mesh), makeMaterial("stvk", 30e3, 0.3, 1000), {.threads = 1});
   for (const std::int32_t n : body.mesh().nodeSets.at("x-min")) body.constraints().fix(n);
   body.addBodyForce({0, 0, -1});
   return body;
@@ -192,7 +198,7 @@ nlohmann::json refine(const fs::path& folder, int finest) {
     BarOptions options;
     options.size = {0.1, 0.01, 0.01};
     options.cells = {10 * n, n, n};
-    Body body(generateBar(options), makeMaterial("corotational", 1e6, 0.3, 1000));
+    Body body(generateBar(options), makeMaterial("corotational", 1e6, 0.3, 1000), {.threads = 1});
     for (const std::int32_t node : body.mesh().nodeSets.at("x-min")) body.constraints().fix(node);
     body.addBodyForce({0, 0, -9.81});
     const double omega = std::sqrt(globalFrequency(body, body.mesh().X, 1e-6).lambda);
