@@ -120,17 +120,20 @@ class ElementBatch final : public ElementBlock {
           own.m[i] = F.m[i][lane];
           anchor[i * lanes] = static_cast<float>(own.m[i]);
         }
+        TangentDrift& all = drift[lane];
+        if (q == 0) all = TangentDrift{};
+        // s3 = det F / (s1 s2) >= 2 det F / |F|², and no matrix closer than s3 is singular.
+        const double det = determinant(own), size2 = innerProduct(own, own);
+        const double distance = det > 0 ? 2 * det / size2 : 0;
+        all.inversionDistance = q == 0 ? distance : std::min(all.inversionDistance, distance);
+        all.determinant = std::min(all.determinant, det);
         if constexpr (requires { law_.drift(own); }) {
           const auto here = law_.drift(own);
-          TangentDrift& all = drift[lane];
-          if (q == 0) all = TangentDrift{};
           all.known = true;
           all.kappa = std::max(all.kappa, here.kappa);
           all.linear = std::max(all.linear, here.linear);
           all.quadratic = std::max(all.quadratic, here.quadratic);
           all.negative = std::max(all.negative, here.negative);
-        } else {
-          drift[lane] = TangentDrift{};
         }
       }
     }
@@ -244,13 +247,14 @@ class ElementBatch final : public ElementBlock {
       return detail::loadRow(rows + 4 * node[i]) - detail::loadRow(watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
     };
     const detail::Row4 translation = moved(group.nodeBegin);
-    detail::Row4 largest{};
+    detail::Row4 largest{}, poison{};  // a NaN would pass the comparison unseen
     for (std::int32_t i = group.nodeBegin + 1; i < group.nodeEnd; ++i) {
       const detail::Row4 d = moved(i) - translation, size = d < 0 ? -d : d;
       largest = size > largest ? size : largest;
+      poison += d;
     }
-    const double m = std::sqrt(largest[0] * largest[0] + largest[1] * largest[1] + largest[2] * largest[2]);
-    return std::isnan(translation[0] + translation[1] + translation[2]) ? std::numeric_limits<double>::infinity() : m;
+    if (!std::isfinite(poison[0] + poison[1] + poison[2])) return std::numeric_limits<double>::infinity();
+    return std::sqrt(largest[0] * largest[0] + largest[1] * largest[1] + largest[2] * largest[2]);
   }
 
   /// Compares every element of the group with its ball; returns how far nodes may move before the next look.

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -41,6 +42,8 @@ struct DeformationWatch;
 struct TangentDrift {
   bool known = false;
   double kappa = 0, linear = 0, quadratic = 0, negative = 0;  // Pa
+  double determinant = std::numeric_limits<double>::infinity();  // least det F0
+  double inversionDistance = 0;  // no F_q inverts while |F_q - F0_q| is smaller; 0 when one is inverted
 };
 
 /// The virtual face of the elements of one type, law and quadrature rule. One virtual call a patch or batch, never an

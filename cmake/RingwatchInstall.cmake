@@ -7,9 +7,6 @@ foreach(folder IN LISTS folders)
     FILES_MATCHING PATTERN "*.h")
 endforeach()
 install(TARGETS ringwatch ringwatch_abi EXPORT ringwatchTargets)
-if(TARGET ringwatch_app)
-  install(TARGETS ringwatch_app RUNTIME)
-endif()
 install(EXPORT ringwatchTargets NAMESPACE ringwatch:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ringwatch)
 
 # The packages that ringwatch_find_package found here are found again there.

@@ -19,7 +19,8 @@ CompressedRows<ElementNode> nodeElements(const Mesh& mesh) {
     const int width = block.nodesPerElement();
     for (std::size_t e = 0; e < block.elementCount(); ++e)
       for (int a = 0; a < width; ++a)
-        rows.values[next[static_cast<std::size_t>(block.element(e)[a])]++] = {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e), a};
+        rows.values[next[static_cast<std::size_t>(block.element(e)[a])]++] = {static_cast<std::int32_t>(b),
+                                                                              static_cast<std::int32_t>(e), a};
   }
   return rows;
 }
@@ -72,7 +73,8 @@ FaceNeighbours faceNeighbours(const Mesh& mesh) {
     }
   }
   result.rows.values.resize(entries.size());
-  std::sort(entries.begin(), entries.end(), [](const Entry& p, const Entry& q) { return p.key != q.key ? p.key < q.key : p.face < q.face; });
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry& p, const Entry& q) { return p.key != q.key ? p.key < q.key : p.face < q.face; });
   const std::vector<std::size_t> first = blockOffsets(mesh);
   const auto slot = [&](const ElementFace& f) -> ElementFace& {
     const std::size_t row = first[static_cast<std::size_t>(f.block)] + static_cast<std::size_t>(f.element);
@@ -98,8 +100,10 @@ std::vector<ElementFace> boundaryFaces(const Mesh& mesh) {
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
     for (std::size_t e = 0; e < mesh.blocks[b].elementCount(); ++e, ++row)
       for (std::size_t f = 0; f < neighbours.rows.row(row).size(); ++f) {
-        const ElementFace face{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e), static_cast<std::int32_t>(f)};
-        if (neighbours.rows.row(row)[f].element < 0 && !std::binary_search(neighbours.overfull.begin(), neighbours.overfull.end(), face))
+        const ElementFace face{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e),
+                               static_cast<std::int32_t>(f)};
+        if (neighbours.rows.row(row)[f].element < 0 &&
+            !std::binary_search(neighbours.overfull.begin(), neighbours.overfull.end(), face))
           faces.push_back(face);
       }
   return faces;
@@ -126,7 +130,8 @@ MeshParts connectedParts(const Mesh& mesh) {
   for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
     if (!used[n]) continue;
     const std::int32_t r = root(static_cast<std::int32_t>(n));
-    parts.partOfNode[n] = r == static_cast<std::int32_t>(n) ? parts.count++ : parts.partOfNode[static_cast<std::size_t>(r)];
+    parts.partOfNode[n] =
+        r == static_cast<std::int32_t>(n) ? parts.count++ : parts.partOfNode[static_cast<std::size_t>(r)];
   }
   for (const MeshBlock& block : mesh.blocks)
     for (std::size_t e = 0; e < block.elementCount(); ++e)

@@ -53,12 +53,14 @@ std::vector<int> mirrorPermutation(const ElementInfo& info) {
 
 double longestEdge(const ElementInfo& info, const NodeVectors& x, const std::int32_t* nodes) {
   double squared = 0;
-  for (const auto& edge : info.edges) squared = std::max(squared, (x.col(nodes[edge[1]]) - x.col(nodes[edge[0]])).squaredNorm());
+  for (const auto& edge : info.edges)
+    squared = std::max(squared, (x.col(nodes[edge[1]]) - x.col(nodes[edge[0]])).squaredNorm());
   return std::sqrt(squared);
 }
 
 bool nodesInRange(const Mesh& mesh, const std::int32_t* nodes, int count) {
-  return std::all_of(nodes, nodes + count, [&](std::int32_t n) { return n >= 0 && static_cast<std::size_t>(n) < mesh.nodeCount(); });
+  return std::all_of(nodes, nodes + count,
+                     [&](std::int32_t n) { return n >= 0 && static_cast<std::size_t>(n) < mesh.nodeCount(); });
 }
 
 std::vector<bool> usedNodes(const Mesh& mesh) {
@@ -79,7 +81,8 @@ bool isMirrored(const Mesh& mesh) {
     const ElementInfo& info = elementInfo(block.type);
     const JacobianProbe probe(info);
     for (std::size_t e = 0; e < block.elementCount(); ++e)
-      if (!nodesInRange(mesh, block.element(e), info.nodes) || !(probe.range(mesh.X, block.element(e)).max < 0)) return false;
+      if (!nodesInRange(mesh, block.element(e), info.nodes) || !(probe.range(mesh.X, block.element(e)).max < 0))
+        return false;
   }
   return mesh.elementCount() > 0;
 }
@@ -91,7 +94,8 @@ void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::str
   if (dropped == 0) return;
   const auto first = static_cast<std::int32_t>(std::find(used.begin(), used.end(), false) - used.begin());
   if (notes != nullptr)
-    notes->push_back(joinText(source, ": ", dropped, " nodes that no element uses are dropped, the first is node ", nodeId(mesh, first)));
+    notes->push_back(joinText(source, ": ", dropped, " nodes that no element uses are dropped, the first is node ",
+                              nodeId(mesh, first)));
   std::vector<std::int32_t> newIndex(used.size(), -1);
   std::int32_t next = 0;
   for (std::size_t n = 0; n < used.size(); ++n) {
@@ -115,13 +119,20 @@ void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::str
 
 std::string_view problemName(MeshProblem::Kind kind) {
   switch (kind) {
-    case MeshProblem::Kind::inverted: return "inverted";
-    case MeshProblem::Kind::degenerate: return "degenerate";
-    case MeshProblem::Kind::missingNode: return "missing-node";
-    case MeshProblem::Kind::repeatedNode: return "repeated-node";
-    case MeshProblem::Kind::nonFinite: return "non-finite";
-    case MeshProblem::Kind::unusedNode: return "unused-node";
-    case MeshProblem::Kind::duplicateElement: return "duplicate-element";
+    case MeshProblem::Kind::inverted:
+      return "inverted";
+    case MeshProblem::Kind::degenerate:
+      return "degenerate";
+    case MeshProblem::Kind::missingNode:
+      return "missing-node";
+    case MeshProblem::Kind::repeatedNode:
+      return "repeated-node";
+    case MeshProblem::Kind::nonFinite:
+      return "non-finite";
+    case MeshProblem::Kind::unusedNode:
+      return "unused-node";
+    case MeshProblem::Kind::duplicateElement:
+      return "duplicate-element";
   }
   return "";
 }
@@ -151,7 +162,9 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
       std::sort(own, own + width);
       if (!nodesInRange(mesh, nodes, info.nodes)) {
         const std::int32_t missing = own[0] < 0 ? own[0] : own[width - 1];
-        report(e, MeshProblem::Kind::missingNode, missing, joinText("refers to a node that the mesh does not have (index ", missing, " of ", mesh.nodeCount(), ")"));
+        report(
+            e, MeshProblem::Kind::missingNode, missing,
+            joinText("refers to a node that the mesh does not have (index ", missing, " of ", mesh.nodeCount(), ")"));
         continue;
       }
       if (const std::int32_t* twice = std::adjacent_find(own, own + width); twice != own + width) {
@@ -164,10 +177,12 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
       // J is compared as a volume: det J times the reference volume. A NaN belongs to its node, reported below.
       const double least = degenerateLimit * length * length * length / info.referenceVolume;
       if (range.min < -least)
-        report(e, MeshProblem::Kind::inverted, range.min, joinText("is inverted: its Jacobian determinant is ", range.min, " m³; it must be above 0"));
+        report(e, MeshProblem::Kind::inverted, range.min,
+               joinText("is inverted: its Jacobian determinant is ", range.min, " m³; it must be above 0"));
       else if (range.min <= least)
         report(e, MeshProblem::Kind::degenerate, range.min,
-               joinText("is degenerate: its Jacobian determinant is ", range.min, " m³ with a longest edge of ", length, " m; it must be above ", least));
+               joinText("is degenerate: its Jacobian determinant is ", range.min, " m³ with a longest edge of ", length,
+                        " m; it must be above ", least));
     }
     std::vector<std::int32_t> order(count);
     std::iota(order.begin(), order.end(), 0);
@@ -181,7 +196,8 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
       return c != 0 ? c < 0 : p < q;
     });
     for (std::size_t i = 1; i < count; ++i)
-      if (std::equal(key(order[i]), key(order[i]) + width, key(order[i - 1])) && nodesInRange(mesh, key(order[i]), info.nodes)) {
+      if (std::equal(key(order[i]), key(order[i]) + width, key(order[i - 1])) &&
+          nodesInRange(mesh, key(order[i]), info.nodes)) {
         const auto other = static_cast<std::size_t>(order[i - 1]);
         const std::int64_t otherId = other < block.ids.size() ? block.ids[other] : static_cast<std::int64_t>(other);
         report(static_cast<std::size_t>(order[i]), MeshProblem::Kind::duplicateElement, static_cast<double>(otherId),
@@ -194,12 +210,23 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
     const auto index = static_cast<std::int64_t>(n);
     for (int k = 0; k < 3; ++k)
       if (const double x = mesh.X(k, index); !std::isfinite(x)) {
-        problems.push_back({MeshProblem::Kind::nonFinite, -1, index, id, {id}, x,
+        problems.push_back({MeshProblem::Kind::nonFinite,
+                            -1,
+                            index,
+                            id,
+                            {id},
+                            x,
                             joinText("node ", id, " has the coordinate ", "xyz"[k], " = ", x, "; it must be finite")});
         break;
       }
     if (!used[n])
-      problems.push_back({MeshProblem::Kind::unusedNode, -1, index, id, {id}, static_cast<double>(id), joinText("node ", id, " belongs to no element")});
+      problems.push_back({MeshProblem::Kind::unusedNode,
+                          -1,
+                          index,
+                          id,
+                          {id},
+                          static_cast<double>(id),
+                          joinText("node ", id, " belongs to no element")});
   }
   return problems;
 }
@@ -218,7 +245,8 @@ void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string
       }
     }
     if (notes != nullptr)
-      notes->push_back(joinText(source, ": all ", mesh.elementCount(), " elements are of the other handedness and were turned round"));
+      notes->push_back(joinText(source, ": all ", mesh.elementCount(),
+                                " elements are of the other handedness and were turned round"));
   }
   const std::vector<MeshProblem> problems = checkMesh(mesh);
   if (problems.empty()) return;

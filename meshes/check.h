@@ -11,23 +11,25 @@ namespace ringwatch {
 struct MeshProblem {
   enum class Kind { inverted, degenerate, missingNode, repeatedNode, nonFinite, unusedNode, duplicateElement };
   Kind kind;
-  std::int32_t block;                // -1: a problem of a node
-  std::int64_t index;                // element in its block, or node
-  std::int64_t id;                   // the element's or node's number in the file
-  std::vector<std::int64_t> nodes;   // numbers of the nodes concerned
-  double value;                      // Jacobian determinant (m³), coordinate (m), node number, or the other element's number
-  std::string text;                  // one line
+  std::int32_t block;               // -1: a problem of a node
+  std::int64_t index;               // element in its block, or node
+  std::int64_t id;                  // the element's or node's number in the file
+  std::vector<std::int64_t> nodes;  // numbers of the nodes concerned
+  double value;      // Jacobian determinant (m³), coordinate (m), node number, or the other element's number
+  std::string text;  // one line
 };
 
-/// Name of a kind: "inverted", "degenerate", "missing-node", "repeated-node", "non-finite", "unused-node", "duplicate-element".
+/// Name of a kind: "inverted", "degenerate", "missing-node", "repeated-node", "non-finite", "unused-node",
+/// "duplicate-element".
 std::string_view problemName(MeshProblem::Kind kind);
 
 /// Every problem of the mesh, elements first, block after block, then nodes. An element is inverted when its Jacobian
-/// determinant is negative at a quadrature point or corner, degenerate when it is below 1e-12 of its longest edge cubed.
+/// determinant is negative at a quadrature point or corner, degenerate when it is below 1e-12 of its longest edge
+/// cubed.
 std::vector<MeshProblem> checkMesh(const Mesh& mesh);
 
-/// Makes a mesh fit for computing, or throws. A mesh whose elements are all of the other handedness is turned round, and
-/// nodes that no element uses are dropped, each with a note. Anything else that `checkMesh` finds: InputError
+/// Makes a mesh fit for computing, or throws. A mesh whose elements are all of the other handedness is turned round,
+/// and nodes that no element uses are dropped, each with a note. Anything else that `checkMesh` finds: InputError
 /// "SOURCE: n problems: …" with the first few.
 void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string>* notes = nullptr);
 

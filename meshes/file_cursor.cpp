@@ -12,7 +12,8 @@ std::string readWholeFile(const std::filesystem::path& path) {
   const std::string name = path.string();
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw InputError(name + ": cannot read: there is no such file");
-  if (std::filesystem::is_directory(status)) throw InputError(name + ": cannot read: this is a folder, a mesh file is needed");
+  if (std::filesystem::is_directory(status))
+    throw InputError(name + ": cannot read: this is a folder, a mesh file is needed");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(name + ": cannot read: " + (errno != 0 ? std::strerror(errno) : "it does not open"));
@@ -59,7 +60,8 @@ void FileCursor::expectLine(std::string_view expected) {
   if (found != expected) failAt(begin, joinText("found ", quoted(found), " where ", expected, " is expected"));
 }
 
-std::size_t FileCursor::checkedCount(std::int64_t value, std::size_t bytesEach, std::string_view what, std::size_t at) const {
+std::size_t FileCursor::checkedCount(std::int64_t value, std::size_t bytesEach, std::string_view what,
+                                     std::size_t at) const {
   if (value < 0) failAt(at, joinText("the number of ", what, " is ", value, "; it must be 0 or more"));
   if (static_cast<std::uint64_t>(value) > remaining() / bytesEach)
     failAt(at, joinText("the number of ", what, " is ", value, ", more than the ", remaining(),

@@ -16,7 +16,8 @@ namespace ringwatch::detail {
 /// The bytes of a file. Throws InputError when it is missing, a folder, or cannot be read.
 std::string readWholeFile(const std::filesystem::path& path);
 
-/// The word in quotes for an error message: unprintable bytes as '?', cut after 40 characters, so that it stays one line.
+/// The word in quotes for an error message: unprintable bytes as '?', cut after 40 characters, so that it stays one
+/// line.
 std::string quoted(std::string_view word);
 
 /// Reads the bytes of a mesh file: words and numbers of lines, or raw values. Every failure is an InputError that
@@ -84,8 +85,7 @@ class FileCursor {
   }
   bool atLineEnd() {
     skipBlanks();
-    return position_ == text_.size() || text_[position_] == '\n' ||
-           (comment != '\0' && text_[position_] == comment);
+    return position_ == text_.size() || text_[position_] == '\n' || (comment != '\0' && text_[position_] == comment);
   }
 
   std::int64_t integerText(std::string_view what) {

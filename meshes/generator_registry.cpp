@@ -15,19 +15,37 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double mostCells = 1e6;
 using K = ParameterKind;
 
-constexpr GeneratorParameter size3{"size", "m", "lengths along x, y, z", K::number, 3, {0.2, 0.04, 0.04}, "", 0, inf, false, false};
-constexpr GeneratorParameter cells3{"cells", "", "cells along x, y, z", K::integer, 3, {20, 4, 4}, "", 1, mostCells, true, true};
+constexpr GeneratorParameter size3{"size", "m",  "lengths along x, y, z", K::number, 3, {0.2, 0.04, 0.04}, "", 0, inf,
+                                   false,  false};
+constexpr GeneratorParameter cells3{"cells", "",  "cells along x, y, z", K::integer, 3, {20, 4, 4}, "", 1, mostCells,
+                                    true,    true};
 constexpr GeneratorParameter size1{"size", "m", "length of an edge", K::number, 1, {0.05}, "", 0, inf, false, false};
-constexpr GeneratorParameter cells1{"cells", "", "cells along each edge", K::integer, 1, {5}, "", 1, mostCells, true, true};
-constexpr GeneratorParameter origin{"origin", "m", "corner with the smallest coordinates", K::number, 3, {0, 0, 0}, "", -inf, inf, false, false};
-constexpr GeneratorParameter element{"element", "", "element that the cells are cut into", K::text, 1, {}, "tet4", 0, 0, false, false};
-constexpr GeneratorParameter split{"split", "", "elements a cell (tet4: 6 or 5); 0 is the usual one", K::integer, 1, {0}, "", 0, 6, true, true};
-constexpr GeneratorParameter jitter{"jitter", "cell sizes", "largest displacement of a node along each axis", K::number, 1, {0}, "", 0, 0.5, true, false};
-constexpr GeneratorParameter seed{"seed", "", "of the jitter", K::integer, 1, {1}, "", 0, 9007199254740991.0, true, true};
-constexpr GeneratorParameter grading{"grading", "", "last cell over first cell along x; above 1 the small ones are at x-min", K::number, 1, {1}, "", 1, inf, true, false};
-constexpr GeneratorParameter steepGrading{"grading", "", "last cell over first cell along x; above 1 the small ones are at x-min", K::number, 1, {4}, "", 1, inf, true, false};
+constexpr GeneratorParameter cells1{"cells", "",  "cells along each edge", K::integer, 1, {5}, "", 1, mostCells,
+                                    true,    true};
+constexpr GeneratorParameter origin{
+    "origin", "m", "corner with the smallest coordinates", K::number, 3, {0, 0, 0}, "", -inf, inf, false, false};
+constexpr GeneratorParameter element{
+    "element", "", "element that the cells are cut into", K::text, 1, {}, "tet4", 0, 0, false, false};
+constexpr GeneratorParameter split{
+    "split", "", "elements a cell (tet4: 6 or 5); 0 is the usual one", K::integer, 1, {0}, "", 0, 6, true, true};
+constexpr GeneratorParameter jitter{
+    "jitter", "cell sizes", "largest displacement of a node along each axis", K::number, 1, {0}, "", 0, 0.5,
+    true,     false};
+constexpr GeneratorParameter seed{"seed", "", "of the jitter",    K::integer, 1,   {1},
+                                  "",     0,  9007199254740991.0, true,       true};
+constexpr GeneratorParameter grading{
+    "grading", "",   "last cell over first cell along x; above 1 the small ones are at x-min",
+    K::number, 1,    {1},
+    "",        1,    inf,
+    true,      false};
+constexpr GeneratorParameter steepGrading{
+    "grading", "",   "last cell over first cell along x; above 1 the small ones are at x-min",
+    K::number, 1,    {4},
+    "",        1,    inf,
+    true,      false};
 constexpr GeneratorParameter radius{"radius", "m", "of the ball", K::number, 1, {0.05}, "", 0, inf, false, false};
-constexpr GeneratorParameter cellsAcross{"cells", "", "cells across the diameter", K::integer, 1, {8}, "", 1, mostCells, true, true};
+constexpr GeneratorParameter cellsAcross{
+    "cells", "", "cells across the diameter", K::integer, 1, {8}, "", 1, mostCells, true, true};
 
 constexpr GeneratorParameter barParameters[] = {size3, cells3, origin, element, split, jitter, seed, grading};
 constexpr GeneratorParameter cubeParameters[] = {size1, cells1, origin, element, split, jitter, seed, grading};
@@ -45,7 +63,8 @@ std::string valueText(const GeneratorValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return "\"" + *text + "\"";
   if (const auto* number = std::get_if<double>(&value)) return joinText(*number);
   std::string list = "[";
-  for (const double number : std::get<std::vector<double>>(value)) list += joinText(list.size() > 1 ? ", " : "", number);
+  for (const double number : std::get<std::vector<double>>(value))
+    list += joinText(list.size() > 1 ? ", " : "", number);
   return list + "]";
 }
 
@@ -65,7 +84,8 @@ class Values {
       if (parameter == nullptr) {
         std::vector<std::string_view> known;
         for (const GeneratorParameter& p : info.parameters) known.push_back(p.name);
-        throw InputError(joinText(info.name, ": there is no parameter \"", name, "\"; the nearest is \"", nearestName(name, known), "\""));
+        throw InputError(joinText(info.name, ": there is no parameter \"", name, "\"; the nearest is \"",
+                                  nearestName(name, known), "\""));
       }
       check(*parameter, value);
     }
@@ -94,7 +114,8 @@ class Values {
     if (p.kind == ParameterKind::text) {
       const auto* given = std::get_if<std::string>(&value);
       const std::vector<std::string> choices = elementChoices();
-      if (given == nullptr) refuse("a text, " + parameterRange(p));
+      if (given == nullptr)
+        refuse("a text, " + parameterRange(p));
       else if (std::find(choices.begin(), choices.end(), *given) == choices.end())
         refuse(parameterRange(p) + "; the nearest is \"" + nearestName(*given, choices) + "\"");
       return;
@@ -104,7 +125,8 @@ class Values {
     if (const auto* list = std::get_if<std::vector<double>>(&value)) numbers = *list;
     const std::string kind = p.kind == ParameterKind::integer ? "integer" : "number";
     if (numbers.size() != static_cast<std::size_t>(p.count))
-      refuse(p.count == 1 ? "one " + kind + " " + parameterRange(p) : joinText("a list of ", p.count, " ", kind, "s, each ", parameterRange(p)));
+      refuse(p.count == 1 ? "one " + kind + " " + parameterRange(p)
+                          : joinText("a list of ", p.count, " ", kind, "s, each ", parameterRange(p)));
     for (const double x : numbers) {
       const bool inside = (p.minAllowed ? x >= p.min : x > p.min) && (p.maxAllowed ? x <= p.max : x < p.max);
       if (!inside) refuse(parameterRange(p));
@@ -153,14 +175,17 @@ Mesh generateMesh(std::string_view kind, const GeneratorArguments& arguments) {
   if (info == nullptr) {
     std::vector<std::string_view> known;
     for (const GeneratorInfo& g : generators) known.push_back(g.name);
-    throw InputError(joinText("generate = \"", kind, "\": there is no such mesh; the nearest is \"", nearestName(kind, known), "\""));
+    throw InputError(joinText("generate = \"", kind, "\": there is no such mesh; the nearest is \"",
+                              nearestName(kind, known), "\""));
   }
   const Values values(*info, arguments);
   try {
     if (info->name == "ball")
-      return generateBall({values.number("radius"), static_cast<int>(values.number("cells")), values.text("element"), static_cast<int>(values.number("split"))});
+      return generateBall({values.number("radius"), static_cast<int>(values.number("cells")), values.text("element"),
+                           static_cast<int>(values.number("split"))});
     BarOptions options = boxOptions(values);
-    if (info->name == "cube") return generateCube(values.number("size"), static_cast<int>(values.number("cells")), options);
+    if (info->name == "cube")
+      return generateCube(values.number("size"), static_cast<int>(values.number("cells")), options);
     for (std::size_t k = 0; k < 3; ++k) {
       options.size[k] = values.number("size", k);
       options.cells[k] = static_cast<int>(values.number("cells", k));

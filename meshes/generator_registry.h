@@ -18,11 +18,11 @@ struct GeneratorParameter {
   std::string_view unit;  // "" for a plain number
   std::string_view help;
   ParameterKind kind;
-  int count;                      // values: 1, or 3 for x, y, z
-  double defaults[3];             // of numbers
-  std::string_view textDefault;   // of text
-  double min, max;                // range of each number
-  bool minAllowed, maxAllowed;    // whether the ends belong to the range
+  int count;                     // values: 1, or 3 for x, y, z
+  double defaults[3];            // of numbers
+  std::string_view textDefault;  // of text
+  double min, max;               // range of each number
+  bool minAllowed, maxAllowed;   // whether the ends belong to the range
 };
 
 struct GeneratorInfo {
@@ -43,8 +43,9 @@ using GeneratorArguments = std::map<std::string, GeneratorValue, std::less<>>;
 /// Range of a parameter in words: "above 0", "0 or more and below 0.5", "one of tet4, hex8".
 std::string parameterRange(const GeneratorParameter& parameter);
 
-/// Checks the arguments against the table and generates the mesh; what is not given takes its default. Throws InputError
-/// naming the parameter, its value and its range; an unknown kind or name is answered with the nearest known one.
+/// Checks the arguments against the table and generates the mesh; what is not given takes its default. Throws
+/// InputError naming the parameter, its value and its range; an unknown kind or name is answered with the nearest known
+/// one.
 Mesh generateMesh(std::string_view kind, const GeneratorArguments& arguments);
 
 }  // namespace ringwatch

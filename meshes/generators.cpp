@@ -63,8 +63,9 @@ struct Grid {
     if (split.centre) total += cellTotal;
     constexpr double limit = std::numeric_limits<std::int32_t>::max();
     if (total > limit || cellTotal * split.elementsPerCell > limit)
-      throw InputError(joinText("cells = [", count[0], ", ", count[1], ", ", count[2], "]: that is ", total, " nodes and ",
-                                cellTotal * split.elementsPerCell, " elements; at most ", limit, " are possible"));
+      throw InputError(joinText("cells = [", count[0], ", ", count[1], ", ", count[2], "]: that is ", total,
+                                " nodes and ", cellTotal * split.elementsPerCell, " elements; at most ", limit,
+                                " are possible"));
     cornerNodes = nodes[0] * nodes[1] * nodes[2];
   }
   std::int64_t node(std::int64_t i, std::int64_t j, std::int64_t k) const { return i + nodes[0] * (j + nodes[1] * k); }
@@ -117,8 +118,8 @@ void requirePositiveElements(const Mesh& mesh, const std::string& reason) {
     for (std::size_t e = 0; e < block.elementCount(); ++e) {
       const JacobianRange range = probe.range(mesh.X, block.element(e));
       if (!(range.min > 0))
-        throw InputError(joinText(reason, " turns element ", e, " (", info.name, ") inside out: its Jacobian determinant is ",
-                                  range.min, "; it must be above 0"));
+        throw InputError(joinText(reason, " turns element ", e, " (", info.name,
+                                  ") inside out: its Jacobian determinant is ", range.min, "; it must be above 0"));
     }
   }
 }
@@ -135,7 +136,8 @@ Mesh generateBar(const BarOptions& options) {
   for (int k = 0; k < 3; ++k) {
     requirePositive("size", options.size[k]);
     requirePositive("cells", options.cells[k]);
-    if (!std::isfinite(options.origin[k])) throw InputError(joinText("origin = ", options.origin[k], ": it must be finite"));
+    if (!std::isfinite(options.origin[k]))
+      throw InputError(joinText("origin = ", options.origin[k], ": it must be finite"));
   }
   if (!(options.jitter >= 0 && options.jitter < 0.5))
     throw InputError(joinText("jitter = ", options.jitter, ": it must be 0 or more and below 0.5"));
@@ -155,8 +157,9 @@ Mesh generateBar(const BarOptions& options) {
     line[k].back() = options.origin[k] + options.size[k];
     for (int i = 0; i < n; ++i)
       if (!(line[k][i + 1] > line[k][i]))
-        throw InputError(joinText(k == 0 && ratio != 1 ? "grading" : "cells", " = ", k == 0 && ratio != 1 ? options.grading : n,
-                                  ": cell ", i, " has no length left; use fewer cells or a smaller grading"));
+        throw InputError(joinText(k == 0 && ratio != 1 ? "grading" : "cells", " = ",
+                                  k == 0 && ratio != 1 ? options.grading : n, ": cell ", i,
+                                  " has no length left; use fewer cells or a smaller grading"));
   }
 
   Mesh mesh = fillElements(grid, split);

@@ -29,8 +29,8 @@ struct BarOptions {
   std::array<int, 3> cells{1, 1, 1};      // along x, y, z, each > 0
   std::array<double, 3> origin{0, 0, 0};  // the corner with the smallest coordinates, m
   std::string element = "tet4";
-  int split = 0;           // elements a cell (tet4: 6 or 5); 0 takes the element's usual split
-  double jitter = 0;       // largest displacement of a node along each axis, as a fraction of the local cell size, < 0.5
+  int split = 0;      // elements a cell (tet4: 6 or 5); 0 takes the element's usual split
+  double jitter = 0;  // largest displacement of a node along each axis, as a fraction of the local cell size, < 0.5
   std::uint64_t seed = 1;  // of the jitter
   double grading = 1;      // length of the last cell over that of the first along x, ≥ 1
 };

@@ -21,7 +21,9 @@ struct MeshBlock {
 
   int nodesPerElement() const { return elementInfo(type).nodes; }
   std::size_t elementCount() const { return connectivity.size() / static_cast<std::size_t>(nodesPerElement()); }
-  const std::int32_t* element(std::size_t e) const { return connectivity.data() + e * static_cast<std::size_t>(nodesPerElement()); }
+  const std::int32_t* element(std::size_t e) const {
+    return connectivity.data() + e * static_cast<std::size_t>(nodesPerElement());
+  }
 };
 
 /// An element, by block and by position in the block.

@@ -146,7 +146,8 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
     throw InputError(joinText(source_, ": there are no volume elements, only ", dropped,
                               " of surfaces, lines or points; a mesh of tetrahedra or hexahedra is needed"));
   constexpr std::size_t limit = std::numeric_limits<std::int32_t>::max();
-  if (nodeIds_.size() > limit) throw InputError(joinText(source_, ": ", nodeIds_.size(), " nodes; at most ", limit, " are possible"));
+  if (nodeIds_.size() > limit)
+    throw InputError(joinText(source_, ": ", nodeIds_.size(), " nodes; at most ", limit, " are possible"));
 
   Mesh mesh;
   mesh.X = Eigen::Map<const NodeVectors>(coordinates_.data(), 3, static_cast<Eigen::Index>(nodeIds_.size()));
@@ -154,10 +155,11 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
     for (std::size_t k = 0; k < 3; ++k) {
       const double value = coordinates_[3 * n + k];
       if (std::isfinite(value)) continue;
-      const std::string text = joinText(nodeWhere_(nodePositions_[n]), ": coordinate ", "xyz"[k], " of node ", nodeIds_[n],
-                                        " is ", value, "; it must be finite");
+      const std::string text = joinText(nodeWhere_(nodePositions_[n]), ": coordinate ", "xyz"[k], " of node ",
+                                        nodeIds_[n], " is ", value, "; it must be finite");
       if (problems == nullptr) throw InputError(text);
-      problems->push_back({MeshProblem::Kind::nonFinite, -1, static_cast<std::int64_t>(n), nodeIds_[n], {nodeIds_[n]}, value, text});
+      problems->push_back(
+          {MeshProblem::Kind::nonFinite, -1, static_cast<std::int64_t>(n), nodeIds_[n], {nodeIds_[n]}, value, text});
       break;
     }
   NodeIndex index(nodeIds_);
@@ -168,7 +170,8 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
   for (const Elements& list : elements_) {
     const auto width = static_cast<std::size_t>(list.type->nodes);
     if (list.ids.size() > limit)
-      throw InputError(joinText(source_, ": ", list.ids.size(), " elements of type ", list.type->name, "; at most ", limit, " are possible"));
+      throw InputError(joinText(source_, ": ", list.ids.size(), " elements of type ", list.type->name, "; at most ",
+                                limit, " are possible"));
     const auto blockNumber = static_cast<std::int32_t>(mesh.blocks.size());
     std::vector<std::int32_t> connectivity(list.nodes.size());
     for (std::size_t e = 0; e < list.ids.size(); ++e)
@@ -176,13 +179,16 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
         const std::size_t at = e * width + a;
         connectivity[at] = index.find(list.nodes[at]);
         if (connectivity[at] >= 0) continue;
-        const std::string text = joinText(elementWhere_(list.positions[e]), ": element ", list.ids[e], " (", list.type->name,
-                                          ") refers to node ", list.nodes[at], ", which the file does not have");
+        const std::string text =
+            joinText(elementWhere_(list.positions[e]), ": element ", list.ids[e], " (", list.type->name,
+                     ") refers to node ", list.nodes[at], ", which the file does not have");
         if (problems == nullptr) throw InputError(text);
-        problems->push_back({MeshProblem::Kind::missingNode, list.info != nullptr ? blockNumber : -1, static_cast<std::int64_t>(e), list.ids[e],
-                             std::vector<std::int64_t>(list.nodes.begin() + static_cast<std::ptrdiff_t>(e * width),
-                                                       list.nodes.begin() + static_cast<std::ptrdiff_t>((e + 1) * width)),
-                             static_cast<double>(list.nodes[at]), text});
+        problems->push_back(
+            {MeshProblem::Kind::missingNode, list.info != nullptr ? blockNumber : -1, static_cast<std::int64_t>(e),
+             list.ids[e],
+             std::vector<std::int64_t>(list.nodes.begin() + static_cast<std::ptrdiff_t>(e * width),
+                                       list.nodes.begin() + static_cast<std::ptrdiff_t>((e + 1) * width)),
+             static_cast<double>(list.nodes[at]), text});
       }
     // Consecutive elements mostly share their group, so the sets are looked up once a run.
     std::vector<std::vector<ElementRef>*> elementTargets;
@@ -195,8 +201,10 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
         nodeTargets.clear();
         if (group >= 0)
           for (const std::string& name : groups_[static_cast<std::size_t>(group)]) {
-            if (list.info != nullptr) elementTargets.push_back(&mesh.elementSets[name]);
-            else nodeTargets.push_back(&mesh.nodeSets[name]);
+            if (list.info != nullptr)
+              elementTargets.push_back(&mesh.elementSets[name]);
+            else
+              nodeTargets.push_back(&mesh.nodeSets[name]);
           }
       }
       for (auto* set : elementTargets) set->push_back({blockNumber, static_cast<std::int32_t>(e)});
@@ -214,7 +222,8 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
   }
   mesh.nodeIds = std::move(nodeIds_);
   if (notes != nullptr && dropped > 0)
-    notes->push_back(joinText(source_, ": ", dropped, " elements of surfaces, lines or points are kept only as node sets of their groups"));
+    notes->push_back(joinText(source_, ": ", dropped,
+                              " elements of surfaces, lines or points are kept only as node sets of their groups"));
   return mesh;
 }
 

@@ -27,9 +27,10 @@ const FileElement* findVtkElement(int vtkCellType);
 /// False for points, lines and surfaces.
 bool isVtkVolumeCell(int vtkCellType);
 
-/// Collects what a reader finds, with its position in the file, and makes the Mesh of it: numbers become indices, volume
-/// elements become blocks in order of first appearance, groups become sets. Throws InputError, with the position, on
-/// repeated or missing nodes, coordinates that are not finite, and volume elements that the library does not have.
+/// Collects what a reader finds, with its position in the file, and makes the Mesh of it: numbers become indices,
+/// volume elements become blocks in order of first appearance, groups become sets. Throws InputError, with the
+/// position, on repeated or missing nodes, coordinates that are not finite, and volume elements that the library does
+/// not have.
 class MeshBuilder {
  public:
   using Where = std::function<std::string(std::size_t position)>;
@@ -54,7 +55,8 @@ class MeshBuilder {
                   bool gmshOrder);
   void addToNodeSet(const std::string& name, std::int64_t nodeId) { nodeSetIds_[name].push_back(nodeId); }
 
-  /// problems: when given, missing nodes (index -1 in the mesh) and non-finite coordinates are put there instead of thrown.
+  /// problems: when given, missing nodes (index -1 in the mesh) and non-finite coordinates are put there instead of
+  /// thrown.
   Mesh finish(std::vector<std::string>* notes, std::vector<MeshProblem>* problems);
 
  private:

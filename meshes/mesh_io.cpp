@@ -39,7 +39,8 @@ Mesh read(const fs::path& path, detail::Notes* notes, detail::Problems* problems
   const std::string begin = detail::quoted(std::string_view(text).substr(0, text.find_first_of("\r\n")));
   if (extension == ".vtk")
     throw InputError(path.string() + ":1: begins with " + begin + "; a legacy VTK file begins with # vtk DataFile");
-  if (extension == ".vtu") throw InputError(path.string() + ":1: begins with " + begin + "; a .vtu file begins with <VTKFile");
+  if (extension == ".vtu")
+    throw InputError(path.string() + ":1: begins with " + begin + "; a .vtu file begins with <VTKFile");
   throw InputError(path.string() + ":1: not a known mesh format, it begins with " + begin +
                    "; known are MSH 2 and 4 (.msh), TetGen (.node and .ele), .vtu and legacy .vtk");
 }
@@ -69,19 +70,27 @@ std::vector<MeshProblem> checkMeshFile(const fs::path& path, std::vector<std::st
 void writeMesh(const Mesh& mesh, const fs::path& path, MeshFormat format) {
   if (format == MeshFormat::byExtension) {
     const std::string extension = path.extension().string();
-    if (extension == ".msh") format = MeshFormat::msh41;
-    else if (extension == ".vtu") format = MeshFormat::vtu;
+    if (extension == ".msh")
+      format = MeshFormat::msh41;
+    else if (extension == ".vtu")
+      format = MeshFormat::vtu;
     else
       throw InputError("cannot write " + path.string() + ": the extension " + detail::quoted(extension) +
                        " names no format that can be written; use .msh or .vtu");
   }
   switch (format) {
-    case MeshFormat::msh41: return detail::writeMsh(mesh, path, true, false);
-    case MeshFormat::msh41Binary: return detail::writeMsh(mesh, path, true, true);
-    case MeshFormat::msh22: return detail::writeMsh(mesh, path, false, false);
-    case MeshFormat::msh22Binary: return detail::writeMsh(mesh, path, false, true);
-    case MeshFormat::vtu: return detail::writeVtuWithSets(mesh, path);
-    case MeshFormat::byExtension: break;
+    case MeshFormat::msh41:
+      return detail::writeMsh(mesh, path, true, false);
+    case MeshFormat::msh41Binary:
+      return detail::writeMsh(mesh, path, true, true);
+    case MeshFormat::msh22:
+      return detail::writeMsh(mesh, path, false, false);
+    case MeshFormat::msh22Binary:
+      return detail::writeMsh(mesh, path, false, true);
+    case MeshFormat::vtu:
+      return detail::writeVtuWithSets(mesh, path);
+    case MeshFormat::byExtension:
+      break;
   }
 }
 

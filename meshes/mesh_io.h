@@ -10,10 +10,10 @@ namespace ringwatch {
 
 /// Reads MSH 2 and 4.1 (text and binary), MSH 4.0 (text), TetGen .node/.ele (either file or their common stem), legacy
 /// .vtk, and .vtu (through VTK, when built with it). Volume elements become blocks, in order of first appearance;
-/// physical groups of volumes become element sets; groups of surfaces, lines and points become node sets. Numbers of the
-/// file are kept in `nodeIds` and `ids`; coordinates are taken as m. Parses only: see `loadMesh`.
-/// notes: receives what a user may want to know, one line each. Throws InputError, one line with file, line (byte in a
-/// binary file), value, and what would be right.
+/// physical groups of volumes become element sets; groups of surfaces, lines and points become node sets. Numbers of
+/// the file are kept in `nodeIds` and `ids`; coordinates are taken as m. Parses only: see `loadMesh`. notes: receives
+/// what a user may want to know, one line each. Throws InputError, one line with file, line (byte in a binary file),
+/// value, and what would be right.
 Mesh readMesh(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr);
 
 /// `readMesh` followed by `requireSound`: a mesh to compute with.
@@ -26,9 +26,9 @@ std::vector<MeshProblem> checkMeshFile(const std::filesystem::path& path, std::v
 /// The formats that `writeMesh` knows.
 enum class MeshFormat { byExtension, msh41, msh41Binary, msh22, msh22Binary, vtu };
 
-/// Writes a mesh; the file appears whole or not at all. byExtension: .msh (4.1, text) or .vtu. MSH 4.1 and .vtu keep all
-/// sets; MSH 2.2 allows an element one set only, so the smallest one that holds it is kept. Node sets are written to MSH
-/// as point elements. Numbers below 1, which MSH does not allow, or repeated ones, are replaced by index + 1.
+/// Writes a mesh; the file appears whole or not at all. byExtension: .msh (4.1, text) or .vtu. MSH 4.1 and .vtu keep
+/// all sets; MSH 2.2 allows an element one set only, so the smallest one that holds it is kept. Node sets are written
+/// to MSH as point elements. Numbers below 1, which MSH does not allow, or repeated ones, are replaced by index + 1.
 /// Throws InputError for another extension or where the file cannot be written.
 void writeMesh(const Mesh& mesh, const std::filesystem::path& path, MeshFormat format = MeshFormat::byExtension);
 

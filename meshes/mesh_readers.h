@@ -12,9 +12,14 @@ using Notes = std::vector<std::string>;
 using Problems = std::vector<MeshProblem>;
 
 Mesh readMsh(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
-Mesh readTetgen(const std::filesystem::path& nodeFile, const std::filesystem::path& elementFile, Notes* notes, Problems* problems);
+Mesh readTetgen(const std::filesystem::path& nodeFile, const std::filesystem::path& elementFile, Notes* notes,
+                Problems* problems);
 Mesh readLegacyVtk(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
 Mesh readVtu(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
+/// Unpacks a block of a .vtu file with VTK's compressor of that class name into exactly `outSize` bytes; false when it
+/// does not come out so. Throws InputError for an unknown compressor, and for any in a build without VTK.
+bool unpack(const std::string& source, const std::string& compressor, const char* in, std::size_t inSize, char* out,
+            std::size_t outSize);
 void writeMsh(const Mesh& mesh, const std::filesystem::path& path, bool version4, bool binary);
 void writeVtuWithSets(const Mesh& mesh, const std::filesystem::path& path);
 

@@ -16,7 +16,9 @@ class MshReader {
   MshReader(const std::string& source, const std::string& text)
       : cursor_(text, source),
         source_(source),
-        builder_(source, [this](std::size_t p) { return cursor_.where(p); }, [this](std::size_t p) { return cursor_.where(p); }) {}
+        builder_(
+            source, [this](std::size_t p) { return cursor_.where(p); },
+            [this](std::size_t p) { return cursor_.where(p); }) {}
 
   Mesh read(Notes* notes, Problems* problems) {
     readFormat();
@@ -25,7 +27,8 @@ class MshReader {
       const std::size_t begin = cursor_.position();
       const std::string_view section = cursor_.line("a section");
       if (section.empty() || section[0] != '$' || section.rfind("$End", 0) == 0)
-        cursor_.failAt(begin, joinText("found ", detail::quoted(section), " where a section such as $Nodes is expected"));
+        cursor_.failAt(begin,
+                       joinText("found ", detail::quoted(section), " where a section such as $Nodes is expected"));
       if (section == "$PhysicalNames") {
         readPhysicalNames();
       } else if (section == "$Entities" && version_ >= 4) {
@@ -61,7 +64,8 @@ class MshReader {
     const std::int64_t dataSize = cursor_.integerText("the data size");
     if (!((version_ >= 2 && version_ < 3) || version_ == 4.0 || version_ == 4.1))
       cursor_.failAt(begin, joinText("MSH version ", version_, " is not supported; 2.2 and 4.1 are"));
-    if (fileType != 0 && fileType != 1) cursor_.failAt(begin, joinText("the file type is ", fileType, "; it must be 0 (text) or 1 (binary)"));
+    if (fileType != 0 && fileType != 1)
+      cursor_.failAt(begin, joinText("the file type is ", fileType, "; it must be 0 (text) or 1 (binary)"));
     if (dataSize != 8) cursor_.failAt(begin, joinText("the data size is ", dataSize, "; it must be 8"));
     cursor_.endRecord();
     if (fileType == 1) {
@@ -69,8 +73,10 @@ class MshReader {
       if (cursor_.remaining() > 0) cursor_.skipOne();
       cursor_.binary = true;
       const auto one = cursor_.raw<std::int32_t>("the byte order mark");
-      if (one == 0x01000000) cursor_.swapBytes = true;
-      else if (one != 1) cursor_.fail(joinText("the byte order mark is ", one, "; it must be the integer 1"));
+      if (one == 0x01000000)
+        cursor_.swapBytes = true;
+      else if (one != 1)
+        cursor_.fail(joinText("the byte order mark is ", one, "; it must be the integer 1"));
     }
     cursor_.expectLine("$EndMeshFormat");
   }
@@ -81,20 +87,23 @@ class MshReader {
       if (cursor_.binary ? cursor_.skipTo(end) : true)
         if (cursor_.line(end) == end) return;
     }
-    cursor_.failAt(begin, joinText("section ", detail::quoted(section), " has no ", detail::quoted(end), "; is the file cut short?"));
+    cursor_.failAt(begin, joinText("section ", detail::quoted(section), " has no ", detail::quoted(end),
+                                   "; is the file cut short?"));
   }
 
   void readPhysicalNames() {
     // Text also in binary files.
     cursor_.skipSpace();
     const std::size_t begin = cursor_.position();
-    const std::size_t count = cursor_.checkedCount(cursor_.integerText("the number of physical names"), 7, "physical names", begin);
+    const std::size_t count =
+        cursor_.checkedCount(cursor_.integerText("the number of physical names"), 7, "physical names", begin);
     for (std::size_t i = 0; i < count; ++i) {
       if (!cursor_.skipSpace()) cursor_.fail("the file ends within the physical names; is it cut short?");
       const std::size_t at = cursor_.position();
       const std::int64_t dimension = cursor_.integerText("the dimension of a physical name");
       const std::int64_t tag = cursor_.integerText("the number of a physical name");
-      if (dimension < 0 || dimension > 3) cursor_.failAt(at, joinText("the dimension of a physical name is ", dimension, "; it must be 0 to 3"));
+      if (dimension < 0 || dimension > 3)
+        cursor_.failAt(at, joinText("the dimension of a physical name is ", dimension, "; it must be 0 to 3"));
       const std::string_view rest = cursor_.line("a physical name in quotes");
       const std::size_t open = rest.find('"'), close = rest.rfind('"');
       if (open == std::string_view::npos || close == open)
@@ -122,7 +131,8 @@ class MshReader {
         const std::int64_t tag = cursor_.int32("the number of an entity");
         for (int k = 0; k < (d == 0 && version_ > 4.0 ? 3 : 6); ++k) cursor_.real("a coordinate of an entity");
         std::size_t at = cursor_.position();
-        const std::size_t groups = cursor_.checkedCount(cursor_.int64("the number of physical groups"), 2, "physical groups", at);
+        const std::size_t groups =
+            cursor_.checkedCount(cursor_.int64("the number of physical groups"), 2, "physical groups", at);
         std::vector<std::string> names;
         for (std::size_t g = 0; g < groups; ++g) {
           // The sign of a group's number tells an orientation, which volumes and node sets do not have.
@@ -130,7 +140,8 @@ class MshReader {
         }
         if (d > 0) {
           at = cursor_.position();
-          const std::size_t bounds = cursor_.checkedCount(cursor_.int64("the number of bounding entities"), 2, "bounding entities", at);
+          const std::size_t bounds =
+              cursor_.checkedCount(cursor_.int64("the number of bounding entities"), 2, "bounding entities", at);
           for (std::size_t k = 0; k < bounds; ++k) cursor_.int32("the number of a bounding entity");
         }
         cursor_.endRecord();
@@ -168,7 +179,8 @@ class MshReader {
   void readNodes4() {
     cursor_.beginRecord("the numbers of nodes");
     const std::size_t begin = cursor_.position();
-    const std::size_t blocks = cursor_.checkedCount(cursor_.int64("the number of node blocks"), 7, "node blocks", begin);
+    const std::size_t blocks =
+        cursor_.checkedCount(cursor_.int64("the number of node blocks"), 7, "node blocks", begin);
     const std::int64_t total = cursor_.int64("the number of nodes");
     cursor_.checkedCount(total, cursor_.binary ? 32 : 8, "nodes", begin);
     if (version_ > 4.0) {
@@ -184,12 +196,14 @@ class MshReader {
       std::int64_t entity = cursor_.int32("the number of an entity");
       if (version_ == 4.0) std::swap(dimension, entity);
       const bool parametric = cursor_.int32("the parametric flag") != 0;
-      if (dimension < 0 || dimension > 3) cursor_.failAt(at, joinText("the dimension of an entity is ", dimension, "; it must be 0 to 3"));
+      if (dimension < 0 || dimension > 3)
+        cursor_.failAt(at, joinText("the dimension of an entity is ", dimension, "; it must be 0 to 3"));
       const std::int64_t announced = cursor_.int64("the number of nodes of a block");
       const std::size_t count = cursor_.checkedCount(announced, cursor_.binary ? 32 : 7, "nodes of a block", at);
       cursor_.endRecord();
       const auto coordinates = [&](std::int64_t id, std::size_t where) {
-        const double x = cursor_.real("coordinate x"), y = cursor_.real("coordinate y"), z = cursor_.real("coordinate z");
+        const double x = cursor_.real("coordinate x"), y = cursor_.real("coordinate y"),
+                     z = cursor_.real("coordinate z");
         if (parametric)
           for (std::int64_t k = 0; k < dimension; ++k) cursor_.real("a parametric coordinate");
         cursor_.endRecord();
@@ -246,7 +260,8 @@ class MshReader {
       builder_.addElement(type, id, nodes, group2(type.dimension, physical), at, true);
     };
     const auto checkTags = [&](std::int64_t tags, std::size_t at) {
-      if (tags < 0 || tags > 1000) cursor_.failAt(at, joinText("the number of tags is ", tags, "; it must be 0 to 1000"));
+      if (tags < 0 || tags > 1000)
+        cursor_.failAt(at, joinText("the number of tags is ", tags, "; it must be 0 to 1000"));
     };
     if (!cursor_.binary) {
       for (std::size_t i = 0; i < count; ++i) {
@@ -268,7 +283,8 @@ class MshReader {
       const std::int64_t tags = cursor_.int32("the number of tags");
       checkTags(tags, at);
       if (follow <= 0 || static_cast<std::uint64_t>(follow) > count - done)
-        cursor_.failAt(at, joinText("the number of elements that follow is ", follow, "; it must be 1 to ", count - done));
+        cursor_.failAt(at,
+                       joinText("the number of elements that follow is ", follow, "; it must be 1 to ", count - done));
       for (std::int64_t i = 0; i < follow; ++i) {
         const std::size_t where = cursor_.position();
         const std::int64_t id = cursor_.int32("the number of an element");
@@ -281,7 +297,8 @@ class MshReader {
   void readElements4() {
     cursor_.beginRecord("the numbers of elements");
     const std::size_t begin = cursor_.position();
-    const std::size_t blocks = cursor_.checkedCount(cursor_.int64("the number of element blocks"), 7, "element blocks", begin);
+    const std::size_t blocks =
+        cursor_.checkedCount(cursor_.int64("the number of element blocks"), 7, "element blocks", begin);
     const std::int64_t total = cursor_.int64("the number of elements");
     cursor_.checkedCount(total, cursor_.binary ? 16 : 4, "elements", begin);
     if (version_ > 4.0) {
@@ -299,7 +316,8 @@ class MshReader {
       if (version_ == 4.0) std::swap(dimension, entity);
       const FileElement& type = elementType(cursor_.int32("the type of elements"), at);
       if (dimension != type.dimension)
-        cursor_.failAt(at, joinText("the entity has dimension ", dimension, ", but its elements of type ", type.name, " have ", type.dimension));
+        cursor_.failAt(at, joinText("the entity has dimension ", dimension, ", but its elements of type ", type.name,
+                                    " have ", type.dimension));
       const std::int64_t announced = cursor_.int64("the number of elements of a block");
       const std::size_t count = cursor_.checkedCount(announced, cursor_.binary ? 16 : 4, "elements of a block", at);
       cursor_.endRecord();
@@ -314,7 +332,8 @@ class MshReader {
       }
       found += announced;
     }
-    if (found != total) cursor_.failAt(begin, joinText("the number of elements is ", total, ", but the blocks hold ", found));
+    if (found != total)
+      cursor_.failAt(begin, joinText("the number of elements is ", total, ", but the blocks hold ", found));
   }
 
   FileCursor cursor_;

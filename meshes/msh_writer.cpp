@@ -48,7 +48,8 @@ class Out {
   template <class T>
   void number(T value) {
     char buffer[40];
-    content.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);  // shortest text that reads back the same
+    content.append(buffer,
+                   std::to_chars(buffer, buffer + sizeof buffer, value).ptr);  // shortest text that reads back the same
     content += ' ';
   }
   bool binary_;
@@ -70,13 +71,15 @@ void writeMsh(const Mesh& mesh, const std::filesystem::path& path, bool version4
   std::vector<std::vector<std::int64_t>> nodeTags(mesh.nodeCount());
   const auto checkName = [&](const std::string& name) {
     if (name.find_first_of("\"\r\n") != std::string::npos)
-      throw InputError("cannot write " + path.string() + ": the set name " + detail::quoted(name) + " holds a quote or line end");
+      throw InputError("cannot write " + path.string() + ": the set name " + detail::quoted(name) +
+                       " holds a quote or line end");
   };
   std::int64_t tag = 0;
   // Small sets first, so that the first tag of an element, the only one of MSH 2.2, says the most.
   std::vector<const std::pair<const std::string, std::vector<ElementRef>>*> ordered;
   for (const auto& set : mesh.elementSets) ordered.push_back(&set);
-  std::stable_sort(ordered.begin(), ordered.end(), [](auto* a, auto* b) { return a->second.size() < b->second.size(); });
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](auto* a, auto* b) { return a->second.size() < b->second.size(); });
   for (const auto* set : ordered) {
     checkName(set->first);
     physicals.push_back({3, ++tag, set->first});
@@ -91,12 +94,14 @@ void writeMsh(const Mesh& mesh, const std::filesystem::path& path, bool version4
     for (const std::int32_t n : nodes) nodeTags.at(static_cast<std::size_t>(n)).push_back(tag);
   }
 
-  const std::int64_t limit = version4 ? std::numeric_limits<std::int64_t>::max() / 2 : std::numeric_limits<std::int32_t>::max() / 2;
+  const std::int64_t limit =
+      version4 ? std::numeric_limits<std::int64_t>::max() / 2 : std::numeric_limits<std::int32_t>::max() / 2;
   const std::vector<std::int64_t> nodeNumbers = fileNumbers(mesh.nodeIds, mesh.nodeCount(), limit);
   std::vector<std::int64_t> ids;
   for (const MeshBlock& block : mesh.blocks) ids.insert(ids.end(), block.ids.begin(), block.ids.end());
   const std::vector<std::int64_t> elementNumbers = fileNumbers(ids, mesh.elementCount(), limit);
-  std::int64_t nextNumber = elementNumbers.empty() ? 1 : *std::max_element(elementNumbers.begin(), elementNumbers.end()) + 1;
+  std::int64_t nextNumber =
+      elementNumbers.empty() ? 1 : *std::max_element(elementNumbers.begin(), elementNumbers.end()) + 1;
 
   Out out(binary);
   out.text(joinText("$MeshFormat\n", version4 ? "4.1" : "2.2", binary ? " 1" : " 0", " 8\n"));
@@ -240,8 +245,10 @@ void writeMsh(const Mesh& mesh, const std::filesystem::path& path, bool version4
     for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
       for (std::size_t e = 0; e < elementTags[b].size(); ++e) {
         const std::int64_t entity = volumes.at(elementTags[b][e]);
-        if (!runs.empty() && runs.back().block == b && runs.back().entity == entity) runs.back().end = e + 1;
-        else runs.push_back({b, e, e + 1, entity});
+        if (!runs.empty() && runs.back().block == b && runs.back().entity == entity)
+          runs.back().end = e + 1;
+        else
+          runs.push_back({b, e, e + 1, entity});
       }
     out.int64(static_cast<std::int64_t>(runs.size() + points.size()));
     out.int64(static_cast<std::int64_t>(total));

@@ -16,7 +16,9 @@ JacobianProbe::JacobianProbe(const ElementInfo& info) : nodes_(info.nodes) {
     Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
     for (int a = 0; a < nodes_; ++a)
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) J(i, j) += info.referenceNodes[static_cast<std::size_t>(a)][static_cast<std::size_t>(i)] * point.gradient[static_cast<std::size_t>(3 * a + j)];
+        for (int j = 0; j < 3; ++j)
+          J(i, j) += info.referenceNodes[static_cast<std::size_t>(a)][static_cast<std::size_t>(i)] *
+                     point.gradient[static_cast<std::size_t>(3 * a + j)];
     // An isoparametric element maps its own reference to itself; where it does not, the map is singular.
     if (weight != 0 || std::abs(J.determinant() - 1) < 1e-6) points_.push_back(std::move(point));
   };
@@ -66,7 +68,8 @@ double JacobianProbe::minScaledJacobian(const NodeVectors& x, const std::int32_t
 
 namespace {
 
-ElementQuality measure(const ElementInfo& info, const JacobianProbe& probe, const std::int32_t* nodes, const NodeVectors& x) {
+ElementQuality measure(const ElementInfo& info, const JacobianProbe& probe, const std::int32_t* nodes,
+                       const NodeVectors& x) {
   ElementQuality q;
   const auto at = [&](int a) -> Eigen::Vector3d { return x.col(nodes[a]); };
   q.volume = probe.volume(x, nodes);
@@ -79,8 +82,10 @@ ElementQuality measure(const ElementInfo& info, const JacobianProbe& probe, cons
   double maxArea = 0, areaSum = 0;
   std::vector<Eigen::Vector3d> areas;  // outward, by half the cross product of the diagonals
   for (const auto& face : info.faces) {
-    const Eigen::Vector3d a = face[3] < 0 ? Eigen::Vector3d(at(face[1]) - at(face[0])) : Eigen::Vector3d(at(face[2]) - at(face[0]));
-    const Eigen::Vector3d b = face[3] < 0 ? Eigen::Vector3d(at(face[2]) - at(face[0])) : Eigen::Vector3d(at(face[3]) - at(face[1]));
+    const Eigen::Vector3d a =
+        face[3] < 0 ? Eigen::Vector3d(at(face[1]) - at(face[0])) : Eigen::Vector3d(at(face[2]) - at(face[0]));
+    const Eigen::Vector3d b =
+        face[3] < 0 ? Eigen::Vector3d(at(face[2]) - at(face[0])) : Eigen::Vector3d(at(face[3]) - at(face[1]));
     areas.push_back(a.cross(b) / 2);
     maxArea = std::max(maxArea, areas.back().norm());
     areaSum += areas.back().norm();
@@ -122,7 +127,7 @@ ElementQuality measure(const ElementInfo& info, const JacobianProbe& probe, cons
 struct Measure {
   const char* name;
   const char* unit;
-  double ElementQuality::* member;
+  double ElementQuality::*member;
 };
 constexpr Measure measures[] = {{"volume", "m³", &ElementQuality::volume},
                                 {"min-height", "m", &ElementQuality::minHeight},

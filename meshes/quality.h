@@ -12,9 +12,9 @@ struct JacobianRange {
   double min = 0, max = 0;
 };
 
-/// Evaluates the Jacobian determinant of elements of one type at their quadrature points (default rule) and, for elements
-/// whose gradient varies, at their corners. A corner where the reference map itself is singular (the apex of a pyramid)
-/// is left out.
+/// Evaluates the Jacobian determinant of elements of one type at their quadrature points (default rule) and, for
+/// elements whose gradient varies, at their corners. A corner where the reference map itself is singular (the apex of a
+/// pyramid) is left out.
 class JacobianProbe {
  public:
   explicit JacobianProbe(const ElementInfo& info);
@@ -22,8 +22,8 @@ class JacobianProbe {
   JacobianRange range(const NodeVectors& x, const std::int32_t* nodes) const;
   /// Σ w det J over the default rule: the signed volume, m³.
   double volume(const NodeVectors& x, const std::int32_t* nodes) const;
-  /// Smallest of det J / (|J₁||J₂||J₃|) over the points, J_k the columns of J: 1 for a brick (Knupp's scaled Jacobian at
-  /// the corners of a hexahedron).
+  /// Smallest of det J / (|J₁||J₂||J₃|) over the points, J_k the columns of J: 1 for a brick (Knupp's scaled Jacobian
+  /// at the corners of a hexahedron).
   double minScaledJacobian(const NodeVectors& x, const std::int32_t* nodes) const;
 
  private:
@@ -41,9 +41,9 @@ struct ElementQuality {
   double volume = 0;     // signed, by the element's default rule, m³
   double minHeight = 0;  // m. Tetrahedra: 3V/A_max, exact. Others: V/A_max; the extent H over the largest face lies
                          // between V/A_max and 3V/A_max, so this is its safe end, and exact for bricks
-  double minEdge = 0, maxEdge = 0;          // m
-  double minScaledJacobian = 0;             // at quadrature points and corners; tetrahedra: √2·6V / max over the corners of
-                                            // the product of the three edges there (1: regular); others: `JacobianProbe`
+  double minEdge = 0, maxEdge = 0;  // m
+  double minScaledJacobian = 0;     // at quadrature points and corners; tetrahedra: √2·6V / max over the corners of
+                                    // the product of the three edges there (1: regular); others: `JacobianProbe`
   double minDihedral = std::numeric_limits<double>::quiet_NaN();  // tetrahedra only, degrees
   double maxDihedral = std::numeric_limits<double>::quiet_NaN();
   double radiusRatio = std::numeric_limits<double>::quiet_NaN();  // tetrahedra only: 3 r_in / R_circ, 1: regular

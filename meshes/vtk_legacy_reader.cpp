@@ -15,37 +15,51 @@ std::string upper(std::string_view word) {
   return text;
 }
 
-/// "VTK File Formats", legacy unstructured grids of versions 1 to 5. Read here and not by VTK's own reader, which crashes
-/// on many damaged files.
+/// "VTK File Formats", legacy unstructured grids of versions 1 to 5. Read here and not by VTK's own reader, which
+/// crashes on many damaged files.
 class LegacyReader {
  public:
   LegacyReader(const std::string& source, const std::string& text)
       : cursor_(text, source),
         source_(source),
-        builder_(source, [this](std::size_t p) { return cursor_.where(p); }, [this](std::size_t p) { return cursor_.where(p); }) {}
+        builder_(
+            source, [this](std::size_t p) { return cursor_.where(p); },
+            [this](std::size_t p) { return cursor_.where(p); }) {}
 
   Mesh read(Notes* notes, Problems* problems) {
     cursor_.line("the version");
     cursor_.skipLine();  // the title, which may be empty
     const std::string mode = upper(cursor_.line("ASCII or BINARY"));
-    if (mode != "ASCII" && mode != "BINARY") cursor_.fail(joinText("found ", detail::quoted(mode), " where ASCII or BINARY is expected"));
+    if (mode != "ASCII" && mode != "BINARY")
+      cursor_.fail(joinText("found ", detail::quoted(mode), " where ASCII or BINARY is expected"));
     binary_ = mode == "BINARY";
     // A last line without its end may have lost digits, and a shorter number is still a number.
-    if (!binary_ && !cursor_.endsWithNewline()) cursor_.fail("the last line of the file has no line end; is the file cut short?");
+    if (!binary_ && !cursor_.endsWithNewline())
+      cursor_.fail("the last line of the file has no line end; is the file cut short?");
     if (const std::string set = upper(cursor_.line("DATASET")); set != "DATASET UNSTRUCTURED_GRID")
       cursor_.fail(joinText("found ", detail::quoted(set), "; only DATASET UNSTRUCTURED_GRID is supported"));
     while ((!points_ || !cells_ || types_.empty()) && cursor_.skipSpace()) {
       const std::size_t at = cursor_.position();
       const std::string key = upper(cursor_.word("a section"));
-      if (key == "POINTS" && !points_) readPoints(at);
-      else if (key == "CELLS" && !cells_) readCells(at);
-      else if (key == "CELL_TYPES" && types_.empty()) readTypes(at);
-      else if (key == "METADATA") skipMetadata();
-      else if (key == "FIELD") skipFields(at);
-      else cursor_.failAt(at, joinText("found ", detail::quoted(key), " where POINTS, CELLS or CELL_TYPES is expected"));
+      if (key == "POINTS" && !points_)
+        readPoints(at);
+      else if (key == "CELLS" && !cells_)
+        readCells(at);
+      else if (key == "CELL_TYPES" && types_.empty())
+        readTypes(at);
+      else if (key == "METADATA")
+        skipMetadata();
+      else if (key == "FIELD")
+        skipFields(at);
+      else
+        cursor_.failAt(at, joinText("found ", detail::quoted(key), " where POINTS, CELLS or CELL_TYPES is expected"));
     }
     if (!points_ || !cells_ || types_.empty())
-      throw InputError(joinText(source_, ": the file ends without ", !points_ ? "POINTS" : !cells_ ? "CELLS" : "CELL_TYPES", "; is it cut short?"));
+      throw InputError(joinText(source_, ": the file ends without ",
+                                !points_  ? "POINTS"
+                                : !cells_ ? "CELLS"
+                                          : "CELL_TYPES",
+                                "; is it cut short?"));
     return build(notes, problems);
   }
 
@@ -58,12 +72,14 @@ class LegacyReader {
     const std::string type = upper(name);
     if (type == "DOUBLE") return {8, true, true};
     if (type == "FLOAT") return {4, true, true};
-    if (type == "LONG" || type == "VTKTYPEINT64" || type == "VTKIDTYPE" || type == "UNSIGNED_LONG") return {8, false, true};
+    if (type == "LONG" || type == "VTKTYPEINT64" || type == "VTKIDTYPE" || type == "UNSIGNED_LONG")
+      return {8, false, true};
     if (type == "INT" || type == "VTKTYPEINT32") return {4, false, true};
     if (type == "UNSIGNED_INT") return {4, false, false};
     if (type == "SHORT" || type == "UNSIGNED_SHORT") return {2, false, true};
     if (type == "CHAR" || type == "UNSIGNED_CHAR") return {1, false, true};
-    cursor_.failAt(at, joinText("the data type is ", detail::quoted(name), "; it must be one such as double, float, int or vtktypeint64"));
+    cursor_.failAt(at, joinText("the data type is ", detail::quoted(name),
+                                "; it must be one such as double, float, int or vtktypeint64"));
   }
 
   /// The numbers of a section, behind its header line. Binary values are big-endian.
@@ -76,7 +92,8 @@ class LegacyReader {
   }
   void endData() { cursor_.binary = false; }
   double real(const Format& f, std::string_view what) {
-    if (!binary_) return nextWord(what), f.real ? cursor_.numberText(what) : static_cast<double>(cursor_.integerText(what));
+    if (!binary_)
+      return nextWord(what), f.real ? cursor_.numberText(what) : static_cast<double>(cursor_.integerText(what));
     if (f.real) return f.bytes == 8 ? cursor_.raw<double>(what) : static_cast<double>(cursor_.raw<float>(what));
     return static_cast<double>(integer(f, what));
   }
@@ -112,15 +129,16 @@ class LegacyReader {
     const std::size_t second = count("entries of CELLS", 2, at);
     beginData();
     const Format int32{4, false, true};
-    // Version 5 has offsets and connectivity apart. In a binary file the size of the raw block tells nothing, but a header
-    // in words cannot be mistaken for the small number that the older form begins with.
+    // Version 5 has offsets and connectivity apart. In a binary file the size of the raw block tells nothing, but a
+    // header in words cannot be mistaken for the small number that the older form begins with.
     if (cursor_.startsWith("OFFSETS")) {
       const auto list = [&](const char* key, std::size_t n, std::vector<std::int64_t>& values) {
         endData();
         if (!cursor_.skipSpace() || upper(cursor_.word(key)) != key) cursor_.fail(joinText(key, " is expected here"));
         const std::size_t where = cursor_.position();
         const Format f = format(cursor_.word("the data type"), where);
-        if (f.real || f.bytes < 4) cursor_.failAt(where, joinText("the data type of ", key, " must be an integer of 4 or 8 bytes"));
+        if (f.real || f.bytes < 4)
+          cursor_.failAt(where, joinText("the data type of ", key, " must be an integer of 4 or 8 bytes"));
         beginData();
         for (std::size_t i = 0; i < n; ++i) values.push_back(integer(f, key));
         endData();
@@ -128,7 +146,8 @@ class LegacyReader {
       std::vector<std::int64_t> offsets;
       list("OFFSETS", first, offsets);
       list("CONNECTIVITY", second, nodes_);
-      if (offsets.empty() || offsets.front() != 0 || offsets.back() != static_cast<std::int64_t>(second) || !std::is_sorted(offsets.begin(), offsets.end()))
+      if (offsets.empty() || offsets.front() != 0 || offsets.back() != static_cast<std::int64_t>(second) ||
+          !std::is_sorted(offsets.begin(), offsets.end()))
         cursor_.failAt(at, joinText("the OFFSETS must ascend from 0 to ", second));
       for (std::size_t c = 0; c + 1 < offsets.size(); ++c) {
         begins_.push_back(static_cast<std::size_t>(offsets[c]));
@@ -144,7 +163,8 @@ class LegacyReader {
       const std::int64_t n = integer(int32, "the number of nodes of a cell");
       ++used;
       if (n < 0 || static_cast<std::uint64_t>(n) > second - std::min(second, used))
-        cursor_.failAt(where, joinText("the number of nodes of cell ", c, " is ", n, "; the CELLS have ", second, " entries in all"));
+        cursor_.failAt(where, joinText("the number of nodes of cell ", c, " is ", n, "; the CELLS have ", second,
+                                       " entries in all"));
       begins_.push_back(nodes_.size());
       positions_.push_back(where);
       for (std::int64_t k = 0; k < n; ++k) nodes_.push_back(integer(int32, "a node of a cell"));
@@ -181,7 +201,8 @@ class LegacyReader {
       const Format f = format(cursor_.word("the data type"), where);
       const std::size_t bytes = binary_ ? f.bytes : 2;
       if (components > 0 && tuples > cursor_.remaining() / bytes / components)
-        cursor_.failAt(where, joinText("the field announces ", components, " x ", tuples, " values, more than the file holds"));
+        cursor_.failAt(
+            where, joinText("the field announces ", components, " x ", tuples, " values, more than the file holds"));
       cursor_.endRecord();
       if (binary_) {
         cursor_.skipLine();
@@ -194,7 +215,9 @@ class LegacyReader {
 
   Mesh build(Notes* notes, Problems* problems) {
     const std::size_t count = begins_.size() - 1;
-    if (types_.size() != count) cursor_.failAt(typesAt_, joinText("the number of CELL_TYPES is ", types_.size(), ", but there are ", count, " CELLS"));
+    if (types_.size() != count)
+      cursor_.failAt(typesAt_,
+                     joinText("the number of CELL_TYPES is ", types_.size(), ", but there are ", count, " CELLS"));
     cursor_.binary = binary_;  // so that positions are told as bytes
     std::int64_t nodes[125];
     std::size_t flat = 0;
@@ -202,18 +225,21 @@ class LegacyReader {
       const int type = types_[c] >= 0 && types_[c] < 256 ? static_cast<int>(types_[c]) : 255;
       const FileElement* known = findVtkElement(type);
       if (known == nullptr && isVtkVolumeCell(type))
-        cursor_.failAt(positions_[c], joinText("cell ", c, " is of VTK type ", types_[c], ", which is not supported; tetrahedra (10) and hexahedra (12) are"));
+        cursor_.failAt(positions_[c], joinText("cell ", c, " is of VTK type ", types_[c],
+                                               ", which is not supported; tetrahedra (10) and hexahedra (12) are"));
       if (known == nullptr || known->dimension < 3) {
         ++flat;
         continue;
       }
       const std::size_t n = begins_[c + 1] - begins_[c];
       if (n != static_cast<std::size_t>(known->nodes))
-        cursor_.failAt(positions_[c], joinText("cell ", c, " (", known->name, ") has ", n, " nodes; it must have ", known->nodes));
+        cursor_.failAt(positions_[c],
+                       joinText("cell ", c, " (", known->name, ") has ", n, " nodes; it must have ", known->nodes));
       std::copy_n(nodes_.begin() + static_cast<std::ptrdiff_t>(begins_[c]), n, nodes);
       builder_.addElement(*known, static_cast<std::int64_t>(c), nodes, -1, positions_[c], false);
     }
-    if (flat > 0 && notes != nullptr) notes->push_back(joinText(source_, ": ", flat, " cells of surfaces, lines or points are left out"));
+    if (flat > 0 && notes != nullptr)
+      notes->push_back(joinText(source_, ": ", flat, " cells of surfaces, lines or points are left out"));
     return builder_.finish(notes, problems);
   }
 
@@ -231,7 +257,7 @@ class LegacyReader {
 bool isVtkVolumeCell(int type) {
   if (const FileElement* known = findVtkElement(type)) return known->dimension == 3;
   // Flat cells without a fixed order, or that gmsh does not have (vtkCellType.h).
-  constexpr int flat[] = {0,  2,  4,  6,  7,  8,  30, 34, 36, 51, 52, 55, 56, 60, 61, 62, 68, 69, 70, 75, 76, 77};
+  constexpr int flat[] = {0, 2, 4, 6, 7, 8, 30, 34, 36, 51, 52, 55, 56, 60, 61, 62, 68, 69, 70, 75, 76, 77};
   return std::find(std::begin(flat), std::end(flat), type) == std::end(flat);
 }
 

@@ -11,7 +11,8 @@
 
 namespace ringwatch {
 
-/// A named array for a .vtu file: `components` values a node or an element, component fastest. The values are not copied.
+/// A named array for a .vtu file: `components` values a node or an element, component fastest. The values are not
+/// copied.
 struct VtuField {
   std::string name;
   int components = 1;
@@ -22,8 +23,9 @@ struct VtuField {
 /// elements of block 0, then those of block 1, …), compressed. The arrays originalNodeId and originalElementId hold the
 /// numbers of the mesh's file; time (s) goes to the field TimeValue. The file appears whole or not at all.
 /// Throws InputError where the file cannot be written, a field has the wrong length, or this build is without VTK.
-void writeVtu(const std::filesystem::path& path, const Mesh& mesh, const NodeVectors& x, std::span<const VtuField> pointFields = {},
-              std::span<const VtuField> cellFields = {}, std::optional<double> time = {});
+void writeVtu(const std::filesystem::path& path, const Mesh& mesh, const NodeVectors& x,
+              std::span<const VtuField> pointFields = {}, std::span<const VtuField> cellFields = {},
+              std::optional<double> time = {});
 
 /// A frame of a .pvd collection.
 struct PvdEntry {
@@ -31,8 +33,8 @@ struct PvdEntry {
   std::filesystem::path file;  // as ParaView finds it from the folder of the .pvd
 };
 
-/// Writes the list of frames that ParaView opens as one animation. The file appears whole or not at all; it needs no VTK.
-/// Throws InputError where it cannot be written.
+/// Writes the list of frames that ParaView opens as one animation. The file appears whole or not at all; it needs no
+/// VTK. Throws InputError where it cannot be written.
 void writePvd(const std::filesystem::path& path, std::span<const PvdEntry> entries);
 
 }  // namespace ringwatch

@@ -14,6 +14,8 @@ namespace ringwatch {
 namespace {
 
 constexpr int lanes = PatchLayout::lanes;
+constexpr int coldSweeps = 12;  // of a retarget
+constexpr int firstGap = 40;    // updates between two retargets; doubles while they do not help
 
 double largest(const Eigen::Matrix3d& S) { return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly).eigenvalues()[2]; }
 
@@ -33,12 +35,6 @@ LazyBound::LazyBound(const Body& body, double slack) : body_(body), slack_(slack
     const std::size_t places = block->layout().elements.size();
     blocks_.push_back({DeformationWatch(*block), std::vector<double>(places), std::vector<double>(places), std::vector<double>(places)});
   }
-}
-
-ElementRef LazyBound::elementAt(NodalBound::Incidence at) const {
-  const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(at.block)];
-  const std::int32_t batch = at.place / lanes / block.element().nodes;
-  return {at.block, block.layout().elements[static_cast<std::size_t>(batch * lanes + at.place % lanes)]};
 }
 
 Eigen::Matrix3d LazyBound::freeProjection(std::int32_t node, const Eigen::Matrix3d& S) const {
@@ -63,6 +59,7 @@ void LazyBound::setBall(std::int32_t b, std::int32_t element, double value, cons
     const double quadratic = reach * (drift.kappa + drift.quadratic);
     const double denominator = linear + std::sqrt(linear * linear + 4 * quadratic * gap);
     radius = denominator > 0 ? 2 * gap / denominator : std::numeric_limits<double>::infinity();
+    radius = std::min(radius, drift.inversionDistance);  // whoever inverts leaves its ball before
   }
   data.watch.radius[place] = static_cast<float>(std::min(radius * (1 - 1e-6), 1e30));
 }
@@ -90,10 +87,11 @@ void LazyBound::evaluate(const NodeVectors& x, const std::vector<ElementRef>& el
     pack.at[pack.count] = i;
     if (++pack.count == lanes) p = -1;
   }
+  std::vector<TangentDrift> drifts(packs.size() * lanes);
   parallelFor(0, static_cast<std::int64_t>(packs.size()), body_.threads(), [&](std::int64_t k) {
     const Pack& pack = packs[static_cast<std::size_t>(k)];
     double value[lanes], reach[lanes];
-    TangentDrift drift[lanes];
+    TangentDrift* drift = drifts.data() + k * lanes;
     BlockData& data = blocks_[static_cast<std::size_t>(pack.block)];
     const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(pack.block)];
     shapes_.elementValues(pack.block, pack.element, x, value, withReach ? reach : nullptr);
@@ -104,7 +102,17 @@ void LazyBound::evaluate(const NodeVectors& x, const std::vector<ElementRef>& el
       setBall(pack.block, pack.element[lane], value[lane], drift[lane]);
     }
   }, 8);
+  for (std::size_t k = 0; k < packs.size(); ++k)
+    for (int lane = 0; lane < packs[k].count; ++lane) note({packs[k].block, packs[k].element[lane]}, drifts[k * lanes + static_cast<std::size_t>(lane)]);
   spent_.evaluated += static_cast<std::int64_t>(elements.size());
+}
+
+void LazyBound::note(ElementRef element, const TangentDrift& drift) {
+  if (drift.determinant < spent_.leastDeterminant) {
+    spent_.leastDeterminant = drift.determinant;
+    spent_.leastDeterminantElement = element;
+  }
+  if (drift.kappa > 0) spent_.compression = std::max(spent_.compression, drift.negative / drift.kappa);
 }
 
 void LazyBound::dealBudgets(const NodeVectors& x) {
@@ -113,12 +121,13 @@ void LazyBound::dealBudgets(const NodeVectors& x) {
     BlockData& data = blocks_[b];
     constexpr std::int32_t chunk = 8;
     const std::int32_t batches = block.layout().batchCount();
+    std::vector<TangentDrift> drifts(static_cast<std::size_t>(batches) * lanes);
     parallelFor(0, (batches + chunk - 1) / chunk, body_.threads(), [&](std::int64_t c) {
       const std::int32_t end = std::min(batches, static_cast<std::int32_t>(c + 1) * chunk);
       for (auto batch = static_cast<std::int32_t>(c) * chunk; batch < end; ++batch) {
         const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
         double value[lanes], reach[lanes];
-        TangentDrift drift[lanes];
+        TangentDrift* drift = drifts.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
         shapes_.elementValues(static_cast<std::int32_t>(b), elements, x, value, reach);
         block.anchorOf(elements, x.data(), data.watch, drift);
         for (int lane = 0; lane < lanes; ++lane) {
@@ -138,31 +147,22 @@ void LazyBound::dealBudgets(const NodeVectors& x) {
         }
       }
     });
+    for (std::size_t i = 0; i < drifts.size(); ++i)
+      if (block.layout().elements[i] >= 0) note({static_cast<std::int32_t>(b), block.layout().elements[i]}, drifts[i]);
     spent_.evaluated += block.elementCount();
     data.watch.lookAtAll();
   }
 }
 
-void LazyBound::retarget(const NodeVectors& x, int sweeps, bool fresh) {
-  if (fresh) shapes_.reset();
+void LazyBound::retarget(const NodeVectors& x, int sweeps) {
+  shapes_.reset();  // warm shapes get stuck at a front that moves through the mesh
   shapes_.evaluate(x, sweeps);
   spent_.evaluated += shapes_.evaluations();
   ++spent_.retargets;
   lastRetarget_ = updates_;
 }
 
-UpperBound LazyBound::update(const NodeVectors& x) {
-  spent_ = {};
-  ++updates_;
-  constexpr int coldSweeps = 12;
-  if (!started_) {
-    retarget(x, coldSweeps, true);
-    sigma_ = shapes_.last() * (1 + slack_);
-    if (std::isnan(sigma_)) return {sigma_};
-    dealBudgets(x);
-    started_ = true;
-    return {sigma_};
-  }
+LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
   // Who has left its ball?
   std::vector<ElementRef> gone;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -179,27 +179,57 @@ UpperBound LazyBound::update(const NodeVectors& x) {
   evaluate(x, gone, false, values);
   std::vector<ElementRef> over;
   for (std::size_t i = 0; i < gone.size(); ++i) {
-    if (std::isnan(values[i])) {
-      started_ = false;
-      return {std::numeric_limits<double>::quiet_NaN()};
-    }
+    if (!std::isfinite(values[i])) return Outcome::notFinite;
     if (values[i] > blocks_[static_cast<std::size_t>(gone[i].block)].budget[placeOf(gone[i])]) over.push_back(gone[i]);
   }
   // When very many are over, mending one by one costs more than starting afresh.
-  const bool flood = static_cast<double>(over.size()) > 0.05 * static_cast<double>(body_.mesh().elementCount());
-  bool mended = !flood;
-  for (std::size_t i = 0; mended && i < over.size(); ++i) {
-    const std::size_t place = placeOf(over[i]);
-    const BlockData& data = blocks_[static_cast<std::size_t>(over[i].block)];
-    if (data.value[place] <= data.budget[place]) continue;  // a neighbour's repair served it
-    mended = repair(x, over[i], true);
+  if (static_cast<double>(over.size()) > 0.05 * static_cast<double>(body_.mesh().elementCount())) return Outcome::flooded;
+  for (ElementRef e : over) {
+    const BlockData& data = blocks_[static_cast<std::size_t>(e.block)];
+    if (data.value[placeOf(e)] <= data.budget[placeOf(e)]) continue;  // a neighbour's repair served it
+    if (!repair(x, e, mayRaise)) return Outcome::failed;
   }
-  if (!mended) {
-    retarget(x, coldSweeps, true);
+  return Outcome::fine;
+}
+
+UpperBound LazyBound::update(const NodeVectors& x) {
+  spent_ = {};
+  ++updates_;
+  const Outcome outcome = started_ ? follow(x, true) : Outcome::flooded;
+  if (outcome == Outcome::flooded || outcome == Outcome::failed) {
+    retarget(x, coldSweeps);
     sigma_ = shapes_.last() * (1 + slack_);
-    dealBudgets(x);
+    started_ = std::isfinite(sigma_);
+    if (started_) dealBudgets(x);
+  } else if (outcome == Outcome::notFinite) {
+    started_ = false;
+    sigma_ = std::numeric_limits<double>::quiet_NaN();
   }
   return {sigma_};
+}
+
+bool LazyBound::certify(const NodeVectors& x, double sigma) {
+  spent_ = {};
+  ++updates_;
+  Outcome outcome = Outcome::flooded;
+  if (started_ && sigma == sigma_) {
+    outcome = follow(x, false);
+    if (outcome == Outcome::fine) return true;
+    started_ = false;
+  }
+  if (outcome == Outcome::notFinite) return false;
+  // From scratch, but not at every step while it keeps failing.
+  if (updates_ - lastRetarget_ < retargetGap_) return false;
+  retarget(x, coldSweeps);
+  if (!(shapes_.last() <= sigma * (1 - 1e-3))) {
+    retargetGap_ = std::min(2 * retargetGap_, 640);
+    return false;
+  }
+  retargetGap_ = firstGap;
+  sigma_ = sigma;
+  started_ = true;
+  dealBudgets(x);
+  return true;
 }
 
 bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) {
@@ -221,7 +251,7 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
     patch = freeNodesOf(seed);
     ring.clear();
     for (std::int32_t node : patch)
-      for (const NodalBound::Incidence& at : shapes_.incidences(node)) ring.push_back(elementAt(at));
+      for (const NodalBound::Incidence& at : shapes_.incidences(node)) ring.push_back(shapes_.elementAt(at));
     std::sort(ring.begin(), ring.end());
     ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
     rim = freeNodesOf(ring);
@@ -233,7 +263,7 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
     for (std::size_t i = 0; i < rim.size(); ++i) {
       outside[i].setZero();
       for (const NodalBound::Incidence& at : shapes_.incidences(rim[i])) {
-        const ElementRef e = elementAt(at);
+        const ElementRef e = shapes_.elementAt(at);
         if (!inRing(e)) outside[i] += blocks_[static_cast<std::size_t>(e.block)].budget[placeOf(e)] * shapes_.shape(at);
       }
       outside[i] = freeProjection(rim[i], outside[i] / body_.lumpedMass()[rim[i]]);
@@ -246,7 +276,7 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
       for (std::size_t i = 0; i < rim.size(); ++i) {
         inside[i].setZero();
         for (const NodalBound::Incidence& at : shapes_.incidences(rim[i])) {
-          const ElementRef e = elementAt(at);
+          const ElementRef e = shapes_.elementAt(at);
           if (inRing(e)) inside[i] += valueOf(e) * shapes_.shape(at);
         }
         inside[i] = freeProjection(rim[i], inside[i] / body_.lumpedMass()[rim[i]]);
@@ -305,10 +335,10 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
   }
 }
 
-void LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
-  if (!started_ || !(lower.value > 0)) return;
+bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
+  if (!started_ || !(lower.value > 0)) return false;
   const double allowed = (1 + width) * (1 + width) * lower.value;
-  if (sigma_ <= allowed) return;
+  if (sigma_ <= allowed) return false;
   // Lowering sigma scales every budget; balls shrink at least in proportion to the gaps, since r is concave in the gap.
   if (updates_ - lastLowering_ >= loweringGap_) {
     loweringGap_ = updates_ - lastLowering_ < 200 ? std::min(2 * loweringGap_, 640) : 40;
@@ -325,15 +355,18 @@ void LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
       }
       data.watch.lookAtAll();
     }
-    return;
+    return true;
   }
   if (updates_ - lastRetarget_ >= retargetGap_) {
-    retarget(x, 12, true);
+    spent_ = {};
+    retarget(x, coldSweeps);
     const double fresh = shapes_.last() * (1 + slack_);
-    retargetGap_ = fresh > 0.97 * sigma_ ? std::min(2 * retargetGap_, 640) : 40;
+    retargetGap_ = fresh > 0.97 * sigma_ ? std::min(2 * retargetGap_, 640) : firstGap;
     sigma_ = fresh;
     dealBudgets(x);
+    return true;
   }
+  return false;
 }
 
 double LazyBound::verify(const NodeVectors& x) const {
@@ -351,7 +384,7 @@ double LazyBound::verify(const NodeVectors& x) const {
   for (std::int32_t node = 0; node < body_.nodeCount(); ++node) {
     Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
     for (const NodalBound::Incidence& at : shapes_.incidences(node)) {
-      const ElementRef e = elementAt(at);
+      const ElementRef e = shapes_.elementAt(at);
       S += blocks_[static_cast<std::size_t>(e.block)].budget[placeOf(e)] * shapes_.shape(at);
     }
     excess = std::max(excess, largest(freeProjection(node, S / body_.lumpedMass()[node])) / sigma_ - 1);

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <vector>
 
 #include <ringwatch/body/deformation_watch.h>
@@ -19,14 +20,23 @@ class LazyBound {
   /// sigma, proven at positions x (3×N, m). NaN when x or the tangent is not finite.
   UpperBound update(const NodeVectors& x);
   /// Tells the bound what a lower bound is at x, so that it can follow downwards: sigma is lowered, or shapes start afresh,
-  /// when it lies more than `width` (relative, in the step) above. Steers only; proves nothing.
-  void steer(const NodeVectors& x, LowerBound lower, double width);
+  /// when it lies more than `width` (relative, in the step) above. Proves nothing:
+  /// when it returns true, sigma has changed and holds only after the next update.
+  bool steer(const NodeVectors& x, LowerBound lower, double width);
+
+  /// Threshold mode: proves lambda_max <= sigma for a sigma of the caller's at x, or returns false. Where there is much
+  /// room below sigma, balls are large and hardly any element is ever looked at again.
+  bool certify(const NodeVectors& x, double sigma);
 
   double sigma() const { return sigma_; }
-  /// What the last update spent.
+  const NodalBound& shapes() const { return shapes_; }
+  /// What the last update or certify spent and saw.
   struct Spent {
     std::int64_t evaluated = 0;  // elements
     int repairs = 0, raises = 0, retargets = 0;
+    double leastDeterminant = std::numeric_limits<double>::infinity();  // det F of the elements evaluated; no other can be <= 0
+    ElementRef leastDeterminantElement;
+    double compression = 0;  // largest -lambda_min(S) over kappa of the elements evaluated: without any, K has no negative part
   };
   const Spent& spent() const { return spent_; }
   /// Checks the two statements of the proof at x from nothing but the shapes and budgets; for tests. Returns the largest
@@ -38,7 +48,10 @@ class LazyBound {
     DeformationWatch watch;
     std::vector<double> budget, value, reach;  // by place = batch * lanes + lane: budget_e, l_e at the anchor, b_e
   };
-  void retarget(const NodeVectors& x, int sweeps, bool fresh);
+  void retarget(const NodeVectors& x, int sweeps);
+  void note(ElementRef element, const TangentDrift& drift);
+  enum class Outcome { fine, flooded, failed, notFinite };
+  Outcome follow(const NodeVectors& x, bool mayRaise);
   void dealBudgets(const NodeVectors& x);
   void setBall(std::int32_t block, std::int32_t element, double value, const TangentDrift& drift);
   void evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withReach, std::vector<double>& values);
@@ -46,7 +59,6 @@ class LazyBound {
   std::size_t placeOf(ElementRef e) const {
     return static_cast<std::size_t>(body_.blocks()[static_cast<std::size_t>(e.block)]->layout().batchOfElement[static_cast<std::size_t>(e.element)]);
   }
-  ElementRef elementAt(NodalBound::Incidence at) const;
   Eigen::Matrix3d freeProjection(std::int32_t node, const Eigen::Matrix3d& S) const;
 
   const Body& body_;

@@ -256,6 +256,12 @@ UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps, Start start) {
   return {best};
 }
 
+ElementRef NodalBound::elementAt(Incidence at) const {
+  const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(at.block)];
+  const std::int32_t batch = at.place / lanes / block.element().nodes;
+  return {at.block, block.layout().elements[static_cast<std::size_t>(batch * lanes + at.place % lanes)]};
+}
+
 Eigen::Matrix3d NodalBound::shape(Incidence at) const {
   const Symmetric3<P>& D = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
   Eigen::Matrix3d result;

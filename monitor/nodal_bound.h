@@ -36,6 +36,7 @@ class NodalBound {
     const auto i = static_cast<std::size_t>(node);
     return {incidence_.data() + incidenceBegin_[i], incidence_.data() + incidenceBegin_[i + 1]};
   }
+  ElementRef elementAt(Incidence at) const;
   /// Shape of an incidence.
   Eigen::Matrix3d shape(Incidence at) const;
   void setShape(Incidence at, const Eigen::Matrix3d& D);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/monitor/lazy_bound.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/rayleigh.h>
 #include <ringwatch/monitor/reduced_ring.h>
@@ -11,53 +12,93 @@
 namespace ringwatch {
 namespace {
 
-/// Both sides of the bracket from the current shapes and top vector; used by the monitor at every evaluation and by
-/// criticalStep once.
+/// A start for the top mode and a lower bound at once: the hottest reduced ring's vector, sharpened by Lanczos.
+LowerBound restartMode(ReducedRing& ring, const Body& body, const NodeVectors& x, int products, NodeVectors& mode, bool& byRing) {
+  const ReducedRing::Result& rings = ring.evaluate(x, true);
+  // A tracked vector alone can miss a jump of the top mode; the ring's alone can lie beside it: start from their sum.
+  NodeVectors start = ring.topVector(rings.highestElement);
+  if (mode.size() > 0) start += (start.cwiseProduct(mode).sum() < 0 ? -1.0 : 1.0) * mode;
+  mode = std::move(start);
+  const LowerBound quotient = rayleighLowerBound(body, x, mode, products);
+  byRing = !(quotient.value > rings.highest);
+  return {byRing ? rings.highest : quotient.value};
+}
+
+/// Keeps both sides of the bracket along a run: the lazy bound from above, a hot spot of the tracked mode from below.
 class Bracketer {
  public:
-  explicit Bracketer(const Body& body) : ring_(body), bound_(body), body_(body) {}
+  Bracketer(const Body& body, double width) : body_(body), width_(width), lazy_(body, 1.6 * width), hotSpot_(body, lazy_.shapes()), ring_(body) {}
 
   const CriticalStep& evaluate(const NodeVectors& x, double limit) {
-    const ReducedRing::Result& rings = ring_.evaluate(x, true);
-    // A tracked vector alone can miss a jump of the top mode: the hottest ring's own vector is mixed in every time.
-    const bool warm = top_.size() > 0;
-    NodeVectors vector = ring_.topVector(rings.highestElement);
-    if (warm) vector += (vector.cwiseProduct(top_).sum() < 0 ? -1.0 : 1.0) * top_;
-    const LowerBound quotient = rayleighLowerBound(body_, x, vector, warm ? warmProducts : coldProducts);
-    top_ = vector;
-    const bool byRing = !(quotient.value > rings.highest);
-    const LowerBound lower{byRing ? rings.highest : quotient.value};
-
-    // Shapes follow the deformation with a few sweeps; when the bracket stays wide they start afresh, from either start.
-    UpperBound upper = bound_.evaluate(x, warm ? warmSweeps : coldSweeps);
-    const bool tired = warm && ++sinceFresh_ >= freshEvery;
-    for (const NodalBound::Start start : {NodalBound::Start::stiffness, NodalBound::Start::rootOfStiffness}) {
-      if (!(upper.value > wideBracket * lower.value) || (warm && !tired)) break;
-      sinceFresh_ = 0;
-      NodalBound other(bound_);
-      other.reset();
-      const UpperBound value = other.evaluate(x, coldSweeps, start);
-      if (!(value.value < upper.value)) continue;
-      upper = value;
-      bound_ = std::move(other);
+    UpperBound upper = lazy_.update(x);
+    spent_ = lazy_.spent();
+    bool byRing = false;
+    LowerBound lower{0};
+    const bool first = mode_.size() == 0;
+    if (!first) {
+      if (++sinceMode_ >= modeEvery) refreshMode(x, warmProducts);
+      lower = hotSpot_.evaluate(x);
     }
-    step_ = {safeStep(upper, limit), optimisticStep(lower, limit), rings.highestElement, "nodal-bound",
-             byRing ? "reduced-1-ring" : "rayleigh-quotient", rings.lowest, rings.lowestElement};
+    const double allowed = (1 + width_) * (1 + width_);
+    // A bracket that is too wide is either side's fault: look again from below before moving the upper side.
+    if (first || (upper.value > allowed * lower.value && ++sinceRestart_ >= restartGap_)) {
+      const LowerBound whole = restartMode(ring_, body_, x, first ? coldProducts : restartProducts, mode_, byRing);
+      hotSpot_.choose(mode_);
+      // The hot spot is a part of the whole, its bound a little lower.
+      restartGap_ = whole.value > 1.02 * lower.value ? firstGap : std::min(2 * restartGap_, 320);
+      lower.value = std::max({lower.value, whole.value, hotSpot_.evaluate(x).value});
+      lowestRing_ = ring_.last().lowest;
+      lowestRingElement_ = ring_.last().lowestElement;
+      sinceRestart_ = sinceMode_ = 0;
+      spent_.evaluated += body_.mesh().elementCount();
+    } else if (spent_.compression > compressed && ++sinceCompressed_ >= firstGap) {
+      // Only elements under compression can make the tangent indefinite; rings tell.
+      const ReducedRing::Result& rings = ring_.evaluate(x, true);
+      lowestRing_ = rings.lowest;
+      lowestRingElement_ = rings.lowestElement;
+      lower.value = std::max(lower.value, rings.highest);
+      sinceCompressed_ = 0;
+      spent_.evaluated += body_.mesh().elementCount();
+    }
+    if (upper.value > allowed * lower.value && lazy_.steer(x, lower, width_)) {
+      spent_.evaluated += lazy_.spent().evaluated;
+      upper = lazy_.update(x);
+      spent_.evaluated += lazy_.spent().evaluated;
+    }
+    step_ = {safeStep(upper, limit), optimisticStep(lower, limit), hotSpot_.hottestElement(), "lazy-nodal-bound",
+             byRing ? "reduced-1-ring" : "rayleigh-quotient", lowestRing_, lowestRingElement_};
     return step_;
   }
-  const ReducedRing& ring() const { return ring_; }
+  /// Both sides as sharp as they can be had, for a step that comes close to the limit.
+  void sharpen(const NodeVectors& x, double limit) {
+    refreshMode(x, restartProducts);
+    step_.optimistic = std::min(step_.optimistic, optimisticStep(lastQuotient_, limit));
+  }
+  const LazyBound::Spent& spent() const { return spent_; }
+  const CriticalStep& last() const { return step_; }
 
  private:
-  static constexpr int coldSweeps = 20, warmSweeps = 3;
-  static constexpr int coldProducts = 20, warmProducts = 4;
-  static constexpr double wideBracket = 1.06;  // in lambda: 3 % of the step
-  static constexpr int freshEvery = 10;        // evaluations between two attempts to start afresh
+  void refreshMode(const NodeVectors& x, int products) {
+    lastQuotient_ = rayleighLowerBound(body_, x, mode_, products);
+    hotSpot_.choose(mode_);
+    sinceMode_ = 0;
+  }
+  static constexpr int coldProducts = 20, restartProducts = 8, warmProducts = 3;
+  static constexpr int modeEvery = 64;  // evaluations between two looks at the whole mode
+  static constexpr int firstGap = 10;   // evaluations between two restarts or looks at compressed rings; doubles while useless
+  static constexpr double compressed = 0.05;
 
-  ReducedRing ring_;
-  NodalBound bound_;
   const Body& body_;
-  NodeVectors top_;
-  int sinceFresh_ = freshEvery;
+  double width_;
+  LazyBound lazy_;
+  HotSpot hotSpot_;
+  ReducedRing ring_;
+  NodeVectors mode_;
+  LowerBound lastQuotient_{0};
+  LazyBound::Spent spent_;
+  int sinceMode_ = 0, sinceRestart_ = 0, restartGap_ = firstGap, sinceCompressed_ = firstGap;
+  double lowestRing_ = 0;
+  ElementRef lowestRingElement_;
   CriticalStep step_{};
 };
 
@@ -91,11 +132,13 @@ std::string_view eventName(EventKind kind) {
 }
 
 struct StabilityMonitor::Impl {
-  Impl(const Body& b, const MonitorOptions& o) : body(b), options(o), bracketer(b) {}
+  Impl(const Body& b, const MonitorOptions& o) : body(b), options(o) {
+    if (o.bracket) bracketer.emplace(b, o.width);
+  }
 
   const Body& body;
   MonitorOptions options;
-  Bracketer bracketer;
+  std::optional<Bracketer> bracketer;
   MonitorReport report;
   std::vector<MonitorEvent> events;
   bool active[5] = {};  // by EventKind: going on at the last observation
@@ -120,6 +163,7 @@ StabilityMonitor::StabilityMonitor(const Body& body, const MonitorOptions& optio
   if (!options.metric.empty() && !findMetric(options.metric)) evaluateMetric(options.metric, body, body.mesh().X);  // throws
   if (!(options.margin >= 0 && options.margin < 1)) throw InputError(joinText("margin = ", options.margin, ": must be >= 0 and < 1"));
   if (options.every < 1) throw InputError(joinText("every = ", options.every, ": must be >= 1"));
+  if (!(options.width > 0 && options.width < 1)) throw InputError(joinText("width = ", options.width, ": must be > 0 and < 1"));
   if (!(options.limit > 0)) throw InputError(joinText("limit = ", options.limit, ": an integrator that is never stable cannot be monitored; choose another"));
   impl_ = std::make_unique<Impl>(body, options);
 }
@@ -152,18 +196,28 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
   }
   if (m.observations++ % m.options.every == 0) {
     report.fresh = true;
-    const Body::LeastDeterminant least = m.body.leastDeterminant(x);
-    m.tell(EventKind::inverted, !(least.value > 0), least.value, least.element, joinText("inverted, det F = ", least.value));
-    if (m.options.bracket) {
-      report.bracket = m.bracketer.evaluate(x, m.options.limit);
+    report.elementsRefreshed = 0;
+    if (m.bracketer) {
+      report.bracket = m.bracketer->evaluate(x, m.options.limit);
+      // Before a run is said to be near or above its limit, the optimistic side is made sharp.
+      if (h > 0.97 * report.bracket->optimistic) {
+        m.bracketer->sharpen(x, m.options.limit);
+        report.bracket = m.bracketer->last();
+      }
+      const LazyBound::Spent& spent = m.bracketer->spent();
+      report.elementsRefreshed = spent.evaluated;
+      // Whoever inverts leaves its ball first, so the elements evaluated are all that can have inverted.
+      if (std::isfinite(spent.leastDeterminant))
+        m.tell(EventKind::inverted, !(spent.leastDeterminant > 0), spent.leastDeterminant, spent.leastDeterminantElement,
+               joinText("inverted, det F = ", spent.leastDeterminant));
       m.tell(EventKind::indefinite, report.bracket->lowestRing < 0, report.bracket->lowestRing, report.bracket->lowestRingElement,
              joinText("tangent indefinite, eigenvalue ", report.bracket->lowestRing, " rad2/s2: no step cures that"));
     }
     if (!m.options.metric.empty()) {
-      const double lambda = m.options.bracket && m.options.metric == "reduced-1-ring"
-                                ? m.bracketer.ring().last().highest
-                                : evaluateMetric(m.options.metric, m.body, x).lambda;
-      report.metricStep = (1 - m.options.margin) * stepFor(lambda, m.options.limit);
+      report.metricStep = (1 - m.options.margin) * stepFor(evaluateMetric(m.options.metric, m.body, x).lambda, m.options.limit);
+      report.elementsRefreshed += static_cast<std::int64_t>(m.body.mesh().elementCount());
+      const Body::LeastDeterminant least = m.body.leastDeterminant(x);
+      m.tell(EventKind::inverted, !(least.value > 0), least.value, least.element, joinText("inverted, det F = ", least.value));
     }
   }
   if (report.bracket) {
@@ -178,6 +232,20 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
   return report;
 }
 
-CriticalStep criticalStep(const Body& body, const NodeVectors& x, double limit) { return Bracketer(body).evaluate(x, limit); }
+CriticalStep criticalStep(const Body& body, const NodeVectors& x, double limit) {
+  constexpr int products = 20, sweeps = 20;
+  constexpr double wide = 1.06;  // in lambda: 3 % of the step
+  ReducedRing ring(body);
+  NodeVectors mode;
+  bool byRing = false;
+  const LowerBound lower = restartMode(ring, body, x, products, mode, byRing);
+  UpperBound upper = NodalBound(body).evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);
+  if (!(upper.value <= wide * lower.value)) {
+    const UpperBound other = NodalBound(body).evaluate(x, sweeps, NodalBound::Start::stiffness);
+    if (other.value < upper.value) upper = other;
+  }
+  return {safeStep(upper, limit), optimisticStep(lower, limit), ring.last().highestElement, "nodal-bound",
+          byRing ? "reduced-1-ring" : "rayleigh-quotient", ring.last().lowest, ring.last().lowestElement};
+}
 
 }  // namespace ringwatch

@@ -13,9 +13,10 @@ namespace ringwatch {
 struct MonitorOptions {
   double limit = 2.0;                     ///< the integrator's largest stable h·omega on the imaginary axis
   bool bracket = true;                    ///< keep safe and optimistic
-  std::string metric = "reduced-1-ring";  ///< the source's way: a metric with a margin; "" for none
+  std::string metric;                     ///< the source's way: a metric with a margin, e.g. "reduced-1-ring"; "" for none
   double margin = 0.1;                    ///< of the metric's step: h_metric (1 - margin)
   int every = 1;                          ///< steps between evaluations
+  double width = 0.05;                    ///< of the bracket, relative to the step, that the proven side is steered to
   double energyTolerance = 0.05;          ///< balance error over the largest energy so far that is reported
 };
 
@@ -45,6 +46,7 @@ struct MonitorReport {
   double h = 0;                  // s, the step the run takes
   bool fresh = false;            // evaluated at this very state, or `every` steps have not passed
   std::optional<CriticalStep> bracket;
+  std::int64_t elementsRefreshed = 0;  // element evaluations spent at this observation
   std::optional<double> metricStep;  // s, an estimate, margin applied
   Verdict verdict = Verdict::notCertified;
   std::vector<MonitorEvent> newEvents;  // begun at this step

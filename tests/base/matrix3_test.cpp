@@ -55,9 +55,7 @@ RC_GTEST_PROP(Matrix3, InverseUndoesARegularMatrix, ()) {
   RC_ASSERT(near(a * inverse(a), Eigen::Matrix3d::Identity(), 1e-14));
 }
 
-TEST(Matrix3, SingularInverseIsNotFinite) {
-  EXPECT_FALSE(std::isfinite(inverse(Matrix3<double>::zero()).m[0]));
-}
+TEST(Matrix3, SingularInverseIsNotFinite) { EXPECT_FALSE(std::isfinite(inverse(Matrix3<double>::zero()).m[0])); }
 
 TEST(Matrix3, IdentityZeroAndDiagonalHoldWhatTheySay) {
   EXPECT_EQ(test::toEigen(Matrix3<double>::identity()), Eigen::Matrix3d::Identity());

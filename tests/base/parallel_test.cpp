@@ -64,7 +64,9 @@ TEST(NearestName, CountsEdits) {
   EXPECT_EQ(editDistance("kitten", "sitting"), 3u);
 }
 
-TEST(JoinText, KeepsNineDigits) { EXPECT_EQ(joinText("h = ", 1.23456789012, " s, step ", 7), "h = 1.23456789 s, step 7"); }
+TEST(JoinText, KeepsNineDigits) {
+  EXPECT_EQ(joinText("h = ", 1.23456789012, " s, step ", 7), "h = 1.23456789 s, step 7");
+}
 
 }  // namespace
 }  // namespace ringwatch

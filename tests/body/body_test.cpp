@@ -19,7 +19,9 @@ using test::strained;
 class BodyTest : public ::testing::TestWithParam<BodyCase> {
  public:
   const BodyCase& param() const { return GetParam(); }
-  Body makeBody(const Mesh& mesh, int threads = 1) const { return Body(mesh, test::materialOf(param()), test::optionsOf(param(), threads)); }
+  Body makeBody(const Mesh& mesh, int threads = 1) const {
+    return Body(mesh, test::materialOf(param()), test::optionsOf(param(), threads));
+  }
   Body makeBody() const { return makeBody(test::distortedBox(param().element->name, {3, 2, 2})); }
 
   static NodeVectors force(const Body& body, const NodeVectors& x) {
@@ -69,10 +71,12 @@ TEST_P(BodyTest, FeelsNoForceWhenMovedAsARigidBody) {
 
 TEST_P(BodyTest, HasExactlySixRigidModesAtRest) {
   const std::string_view element = param().element->name;
-  for (const Mesh& mesh : {test::distortedBox(element, {3, 2, 2}), test::firstElements(test::distortedBox(element, {2, 2, 2}), 1)}) {
+  for (const Mesh& mesh :
+       {test::distortedBox(element, {3, 2, 2}), test::firstElements(test::distortedBox(element, {2, 2, 2}), 1)}) {
     const Body body = makeBody(mesh);
     const Eigen::MatrixXd K = body.assembleTangent(mesh.X);
-    const Eigen::VectorXd lambda = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues();
+    const Eigen::VectorXd lambda =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues();
     const double largest = lambda[lambda.size() - 1];
     EXPECT_LE(lambda.head(6).cwiseAbs().maxCoeff(), 1e-13 * largest);
     EXPECT_GE(lambda[6], 1e-4 * largest) << mesh.elementCount() << " elements";
@@ -85,7 +89,8 @@ TEST_P(BodyTest, ForceIsTheDerivativeOfEnergy) {
   test::Random random(2);
   for (int i = 0; i < 5; ++i) {
     const NodeVectors v = random.nodeVectors(x.cols(), 1);
-    const double expected = derivative<double>([&](double t) { return energy(body, x + t * v); }, 0.002 * test::cellSize);
+    const double expected =
+        derivative<double>([&](double t) { return energy(body, x + t * v); }, 0.002 * test::cellSize);
     EXPECT_NEAR(f.cwiseProduct(v).sum(), expected, 1e-9 * f.norm() * v.norm());
   }
 }
@@ -96,7 +101,8 @@ TEST_P(BodyTest, TangentProductIsTheDerivativeOfForce) {
   test::Random random(3);
   for (int i = 0; i < 5; ++i) {
     const NodeVectors v = random.nodeVectors(x.cols(), 1), Kv = product(body, x, v);
-    const NodeVectors expected = derivative<NodeVectors>([&](double t) { return force(body, x + t * v); }, 0.002 * test::cellSize);
+    const NodeVectors expected =
+        derivative<NodeVectors>([&](double t) { return force(body, x + t * v); }, 0.002 * test::cellSize);
     EXPECT_LE((Kv - expected).norm(), 1e-9 * Kv.norm());
   }
 }
@@ -125,7 +131,8 @@ TEST_P(BodyTest, TangentsAreSymmetricAndElementTangentsAddUp) {
     const auto nodes = body.blocks()[0]->nodesOf(e);
     for (int a = 0; a < n; ++a)
       for (int b = 0; b < n; ++b)
-        sum.block<3, 3>(3 * nodes[static_cast<std::size_t>(a)], 3 * nodes[static_cast<std::size_t>(b)]) += Ke.block<3, 3>(3 * a, 3 * b);
+        sum.block<3, 3>(3 * nodes[static_cast<std::size_t>(a)], 3 * nodes[static_cast<std::size_t>(b)]) +=
+            Ke.block<3, 3>(3 * a, 3 * b);
   }
   EXPECT_LE((sum - K).norm(), 1e-14 * K.norm());
 }
@@ -146,7 +153,8 @@ TEST_P(BodyTest, PackedTangentsOfForEachTangentBatchAreThoseOfTheElements) {
       }
       const Eigen::MatrixXd Ke = body.elementTangent({0, e}, x);
       double& difference = largest[static_cast<std::size_t>(e)];
-      for (int i = 0; i < size * size; ++i) difference = std::max(difference, std::abs(K[i][lane] - Ke(i / size, i % size)));
+      for (int i = 0; i < size * size; ++i)
+        difference = std::max(difference, std::abs(K[i][lane] - Ke(i / size, i % size)));
     }
   });
   for (double difference : largest) EXPECT_EQ(difference, 0);  // -1: an element was left out
@@ -310,7 +318,8 @@ RC_GTEST_PROP(Body, StaysFrameIndifferentForRandomCasesAndStrains, ()) {
   RC_PRE(c.objective);
   test::Random random(*rc::gen::arbitrary<std::uint64_t>());
   const Body body(test::distortedBox(c.element->name, {2, 2, 2}), test::materialOf(c), test::optionsOf(c));
-  const Eigen::Matrix3d F = test::withSingularValues(random, {random.uniform(0.7, 2), random.uniform(0.7, 2), random.uniform(0.7, 2)});
+  const Eigen::Matrix3d F =
+      test::withSingularValues(random, {random.uniform(0.7, 2), random.uniform(0.7, 2), random.uniform(0.7, 2)});
   const NodeVectors x = F * body.mesh().X + random.nodeVectors(body.mesh().X.cols(), 0.02 * test::cellSize);
   const Eigen::Matrix3d Q = random.rotation();
   Body::Workspace workspace;

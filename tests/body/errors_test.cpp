@@ -16,7 +16,8 @@ using ::testing::HasSubstr;
 const Material material = makeMaterial("stvk", 30e3, 0.3, 1000);
 
 template <class Error>
-std::string refusal(const Mesh& mesh, const std::vector<Material>& materials = {material}, const BodyOptions& options = {}) {
+std::string refusal(const Mesh& mesh, const std::vector<Material>& materials = {material},
+                    const BodyOptions& options = {}) {
   try {
     const Body body(mesh, materials, options);
   } catch (const Error& error) {
@@ -49,7 +50,8 @@ TEST(BodyErrors, NamesAnInvertedElementByItsNumberInTheFile) {
     std::int32_t* nodes = mesh.blocks[0].connectivity.data() + bad * static_cast<std::size_t>(element.nodes);
     std::swap(nodes[0], nodes[1]);
     EXPECT_THAT(refusal<NumericalError>(mesh),
-                AllOf(HasSubstr(std::string(element.name)), HasSubstr("element " + std::to_string(1000 + bad) + ":"), HasSubstr("must be > 0")));
+                AllOf(HasSubstr(std::string(element.name)), HasSubstr("element " + std::to_string(1000 + bad) + ":"),
+                      HasSubstr("must be > 0")));
   }
 }
 
@@ -57,7 +59,8 @@ TEST(BodyErrors, NamesADegenerateElement) {
   for (const ElementInfo& element : allElements()) {
     Mesh mesh = test::firstElements(test::distortedBox(element.name, {2, 2, 2}), 1);
     mesh.X.row(2).setZero();
-    EXPECT_THAT(refusal<NumericalError>(mesh), AllOf(HasSubstr(std::string(element.name) + " element 0:"), HasSubstr("must be > 0")));
+    EXPECT_THAT(refusal<NumericalError>(mesh),
+                AllOf(HasSubstr(std::string(element.name) + " element 0:"), HasSubstr("must be > 0")));
   }
 }
 
@@ -78,7 +81,8 @@ TEST(BodyErrors, NamesANodeWithoutMass) {
 
 TEST(BodyErrors, ListsTheRulesWhenOneIsUnknown) {
   for (const ElementInfo& element : allElements()) {
-    const std::string text = refusal<InputError>(test::distortedBox(element.name, {2, 2, 2}), {material}, {{{std::string(element.name), "simpson"}}});
+    const std::string text = refusal<InputError>(test::distortedBox(element.name, {2, 2, 2}), {material},
+                                                 {{{std::string(element.name), "simpson"}}});
     EXPECT_THAT(text, AllOf(HasSubstr("simpson"), HasSubstr(std::string(element.name))));
     for (const QuadratureRule& rule : element.rules) EXPECT_THAT(text, HasSubstr(std::string(rule.name)));
   }

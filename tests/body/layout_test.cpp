@@ -35,9 +35,11 @@ void expectSoundLayout(const Mesh& mesh) {
         if (e < 0) continue;
         EXPECT_EQ(layout.batchOfElement[static_cast<std::size_t>(e)], static_cast<std::int32_t>(place));
         for (std::size_t a = 0; a < n; ++a) {
-          const std::uint16_t local = layout.localNodes[(static_cast<std::size_t>(b) * n + a) * lanes + static_cast<std::size_t>(lane)];
+          const std::uint16_t local =
+              layout.localNodes[(static_cast<std::size_t>(b) * n + a) * lanes + static_cast<std::size_t>(lane)];
           ASSERT_LT(local, patch.nodeEnd - patch.nodeBegin);
-          EXPECT_EQ(layout.nodes[static_cast<std::size_t>(patch.nodeBegin + local)], block.element(static_cast<std::size_t>(e))[a]);
+          EXPECT_EQ(layout.nodes[static_cast<std::size_t>(patch.nodeBegin + local)],
+                    block.element(static_cast<std::size_t>(e))[a]);
         }
       }
   }

@@ -1,5 +1,5 @@
-// Clamped bars against GetFEM 5.4.2 and CalculiX 2.20: bending under an end load, natural frequencies, falling under gravity.
-// E = 30 kPa, nu = 0.3, rho = 1000 kg/m3, St. Venant–Kirchhoff, 0.2 × 0.04 × 0.04 m, x = 0 clamped.
+// Clamped bars against GetFEM 5.4.2 and CalculiX 2.20: bending under an end load, natural frequencies, falling under
+// gravity. E = 30 kPa, nu = 0.3, rho = 1000 kg/m3, St. Venant–Kirchhoff, 0.2 × 0.04 × 0.04 m, x = 0 clamped.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -31,7 +31,8 @@ std::vector<int> freeNumbers(const Body& body, int& count) {
       if (!body.constraints().isConstrained(i, c)) number[static_cast<std::size_t>(3 * i + c)] = count++;
   return number;
 }
-Eigen::SparseMatrix<double> freeTangent(const Body& body, const NodeVectors& x, const std::vector<int>& number, int count) {
+Eigen::SparseMatrix<double> freeTangent(const Body& body, const NodeVectors& x, const std::vector<int>& number,
+                                        int count) {
   const Eigen::SparseMatrix<double> K = body.assembleTangent(x);
   std::vector<Eigen::Triplet<double>> entries;
   for (int column = 0; column < K.outerSize(); ++column)
@@ -44,8 +45,8 @@ Eigen::SparseMatrix<double> freeTangent(const Body& body, const NodeVectors& x, 
   return result;
 }
 
-/// Nodal forces of a uniform traction on x = 0.2 that sums to `total`: each face's force goes evenly to its corners, as its
-/// shape functions integrate on rectangles and triangles.
+/// Nodal forces of a uniform traction on x = 0.2 that sums to `total`: each face's force goes evenly to its corners, as
+/// its shape functions integrate on rectangles and triangles.
 NodeVectors endLoad(const Mesh& mesh, const Eigen::Vector3d& total) {
   NodeVectors f = NodeVectors::Zero(3, mesh.X.cols());
   double area = 0;
@@ -105,7 +106,9 @@ INSTANTIATE_TEST_SUITE_P(Bars, CantileverTest,
                                            Cantilever{"hex8", 4, -4.069694493e-4, -2.941105599e-2, -9.527032992e-2},
                                            Cantilever{"tet4", 2, -2.176941877e-4, -1.115010843e-2, -5.931776088e-2},
                                            Cantilever{"tet4", 4, -3.359517245e-4, -2.235984802e-2, -8.367191181e-2}),
-                         [](const auto& test) { return std::string(test.param.element) + "_" + std::to_string(test.param.cells); });
+                         [](const auto& test) {
+                           return std::string(test.param.element) + "_" + std::to_string(test.param.cells);
+                         });
 
 TEST_P(CantileverTest, BendsAsInTheReferencePrograms) {
   const Cantilever& expected = GetParam();
@@ -125,13 +128,14 @@ struct Frequencies {
   std::array<double, 10> hertz;
 };
 class FrequencyTest : public ::testing::TestWithParam<Frequencies> {};
-INSTANTIATE_TEST_SUITE_P(
-    Bars, FrequencyTest,
-    ::testing::Values(Frequencies{"hex8", {0.92412032, 0.92412032, 3.4633131, 4.9039446, 4.9039446, 6.9122981, 10.304661, 11.543396,
-                                           11.543396, 16.892274}},
-                      Frequencies{"tet4", {1.1107912, 1.2997931, 4.8610199, 5.6729047, 6.2395716, 6.9701448, 12.989270, 13.878184,
-                                           14.462138, 20.472363}}),
-    [](const auto& test) { return std::string(test.param.element); });
+INSTANTIATE_TEST_SUITE_P(Bars, FrequencyTest,
+                         ::testing::Values(Frequencies{"hex8",
+                                                       {0.92412032, 0.92412032, 3.4633131, 4.9039446, 4.9039446,
+                                                        6.9122981, 10.304661, 11.543396, 11.543396, 16.892274}},
+                                           Frequencies{"tet4",
+                                                       {1.1107912, 1.2997931, 4.8610199, 5.6729047, 6.2395716,
+                                                        6.9701448, 12.989270, 13.878184, 14.462138, 20.472363}}),
+                         [](const auto& test) { return std::string(test.param.element); });
 
 TEST_P(FrequencyTest, RingsAsInTheReferencePrograms) {
   const Body body = clampedBar(GetParam().element, 2);
@@ -140,8 +144,10 @@ TEST_P(FrequencyTest, RingsAsInTheReferencePrograms) {
   Eigen::VectorXd scale(count);
   for (std::size_t i = 0; i < number.size(); ++i)
     if (number[i] >= 0) scale[number[i]] = 1 / std::sqrt(body.lumpedMass()[static_cast<Eigen::Index>(i / 3)]);
-  const Eigen::MatrixXd K = scale.asDiagonal() * Eigen::MatrixXd(freeTangent(body, body.mesh().X, number, count)) * scale.asDiagonal();
-  const Eigen::VectorXd lambda = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::MatrixXd K =
+      scale.asDiagonal() * Eigen::MatrixXd(freeTangent(body, body.mesh().X, number, count)) * scale.asDiagonal();
+  const Eigen::VectorXd lambda =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues();
   for (std::size_t i = 0; i < GetParam().hertz.size(); ++i) {
     const double hertz = std::sqrt(lambda[static_cast<Eigen::Index>(i)]) / (2 * std::numbers::pi);
     EXPECT_NEAR(hertz, GetParam().hertz[i], 6e-8 * GetParam().hertz[i]) << i;

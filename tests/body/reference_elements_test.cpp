@@ -32,14 +32,16 @@ class ReferenceElementTest : public ::testing::TestWithParam<test::ReferenceElem
   const Body body{makeMesh(), makeMaterial("stvk", 30e3, 0.3, 1000)};
   const NodeVectors x = positions();
 };
-INSTANTIATE_TEST_SUITE_P(GetFem, ReferenceElementTest, ::testing::ValuesIn(test::referenceElements()), [](const auto& test) {
-  return std::string(test.param.element) + (test.param.displaced ? "_displaced" : "_at_rest");
-});
+INSTANTIATE_TEST_SUITE_P(GetFem, ReferenceElementTest, ::testing::ValuesIn(test::referenceElements()),
+                         [](const auto& test) {
+                           return std::string(test.param.element) + (test.param.displaced ? "_displaced" : "_at_rest");
+                         });
 
 TEST_P(ReferenceElementTest, HasTheVolumeAndTheLumpedMasses) {
   EXPECT_NEAR(body.volume(), expected().volume, 1e-12 * expected().volume);
   for (std::size_t a = 0; a < expected().lumpedMass.size(); ++a)
-    EXPECT_NEAR(body.lumpedMass()[static_cast<Eigen::Index>(a)], expected().lumpedMass[a], 1e-12 * expected().lumpedMass[a]);
+    EXPECT_NEAR(body.lumpedMass()[static_cast<Eigen::Index>(a)], expected().lumpedMass[a],
+                1e-12 * expected().lumpedMass[a]);
 }
 
 TEST_P(ReferenceElementTest, HasTheInternalForce) {

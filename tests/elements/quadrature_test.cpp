@@ -38,8 +38,9 @@ class RuleTest : public ::testing::TestWithParam<RuleCase> {
     for (const QuadraturePoint& q : rule().points) sum += q.weight * monomial(Eigen::Vector3d::Map(q.xi), i, j, k);
     return sum;
   }
-  /// The integral over the reference element by the divergence theorem, ∫ x^i y^j z^k dV = ∮ x^(i+1) y^j z^k n_x dA / (i+1),
-  /// faces cut into triangles, each by a collapsed product rule of degree 9: nothing of the element's own quadrature.
+  /// The integral over the reference element by the divergence theorem, ∫ x^i y^j z^k dV = ∮ x^(i+1) y^j z^k n_x dA /
+  /// (i+1), faces cut into triangles, each by a collapsed product rule of degree 9: nothing of the element's own
+  /// quadrature.
   double exact(int i, int j, int k) const {
     const double a = std::sqrt(5 - 2 * std::sqrt(10.0 / 7)) / 3, b = std::sqrt(5 + 2 * std::sqrt(10.0 / 7)) / 3;
     const double wa = (322 + 13 * std::sqrt(70.0)) / 900, wb = (322 - 13 * std::sqrt(70.0)) / 900;
@@ -49,7 +50,8 @@ class RuleTest : public ::testing::TestWithParam<RuleCase> {
       for (std::size_t t = 1; t < 3; ++t) {
         if (t == 2 && face[3] < 0) continue;
         const auto corner = [&](std::size_t c) {
-          return Eigen::Vector3d(Eigen::Vector3d::Map(element().referenceNodes[static_cast<std::size_t>(face[c])].data()));
+          return Eigen::Vector3d(
+              Eigen::Vector3d::Map(element().referenceNodes[static_cast<std::size_t>(face[c])].data()));
         };
         const Eigen::Vector3d p = corner(0), q = corner(t) - p, r = corner(t + 1) - p;
         const double normal = q.cross(r)[0];  // twice the area
@@ -70,7 +72,8 @@ class RuleTest : public ::testing::TestWithParam<RuleCase> {
   }
 };
 INSTANTIATE_TEST_SUITE_P(All, RuleTest, ::testing::ValuesIn(allRules()), [](const auto& test) {
-  return test::testName(std::string(test.param.element->name) + "_" + std::string(test.param.rule.name)) + "_" + std::to_string(test.index);
+  return test::testName(std::string(test.param.element->name) + "_" + std::string(test.param.rule.name)) + "_" +
+         std::to_string(test.index);
 });
 
 TEST_P(RuleTest, WeightsArePositiveAndSumToTheVolume) {
@@ -86,7 +89,8 @@ TEST_P(RuleTest, PointsLieInside) {
   for (const QuadraturePoint& q : rule().points)
     for (const auto& face : element().faces) {
       const auto corner = [&](std::size_t c) {
-        return Eigen::Vector3d(Eigen::Vector3d::Map(element().referenceNodes[static_cast<std::size_t>(face[c])].data()));
+        return Eigen::Vector3d(
+            Eigen::Vector3d::Map(element().referenceNodes[static_cast<std::size_t>(face[c])].data()));
       };
       const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
       EXPECT_LT(normal.dot(Eigen::Vector3d::Map(q.xi) - corner(0)), 0);

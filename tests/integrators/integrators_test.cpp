@@ -165,7 +165,8 @@ TEST(StormerVerlet, RetracesItsWayBackInTime) {
 }
 
 TEST(SymplecticEuler, IsVerletShiftedByHalfAStep) {
-  // Kicked by half a step at the start, symplectic Euler visits the positions of Verlet, its velocities half a step ahead.
+  // Kicked by half a step at the start, symplectic Euler visits the positions of Verlet, its velocities half a step
+  // ahead.
   Pendulum pendulum;
   const double h = 0.2;
   State verletState = oneNode(1.2, 0.3), eulerState = verletState;
@@ -225,7 +226,8 @@ TEST(IntegratorRegistry, ListsTheNamesWhenOneIsUnknown) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("\"leapfrog\""));
-    for (const IntegratorInfo& info : allIntegrators()) EXPECT_THAT(error.what(), ::testing::HasSubstr(std::string(info.name)));
+    for (const IntegratorInfo& info : allIntegrators())
+      EXPECT_THAT(error.what(), ::testing::HasSubstr(std::string(info.name)));
   }
 }
 

@@ -128,7 +128,8 @@ TYPED_TEST(LawTest, DoesNotPreferADirection) {
   for (const auto& [kind, F] : this->domain()) {
     const Eigen::Matrix3d Q = random.rotation();
     // A law that sees rotations is isotropic when both sides turn.
-    const Eigen::Matrix3d turned = TypeParam::objective ? Eigen::Matrix3d(F * Q) : Eigen::Matrix3d(Q.transpose() * F * Q);
+    const Eigen::Matrix3d turned =
+        TypeParam::objective ? Eigen::Matrix3d(F * Q) : Eigen::Matrix3d(Q.transpose() * F * Q);
     EXPECT_NEAR(this->energy(turned), this->energy(F), 1e-13 * stressScale(F) * F.norm()) << kind;
   }
 }
@@ -136,7 +137,8 @@ TYPED_TEST(LawTest, DoesNotPreferADirection) {
 TYPED_TEST(LawTest, BalancesMoments) {
   // P Fᵀ is symmetric for objective laws, P itself for those of small strain.
   for (const auto& [kind, F] : this->domain()) {
-    const Eigen::Matrix3d P = this->stress(F), kirchhoff = TypeParam::objective ? Eigen::Matrix3d(P * F.transpose()) : P;
+    const Eigen::Matrix3d P = this->stress(F),
+                          kirchhoff = TypeParam::objective ? Eigen::Matrix3d(P * F.transpose()) : P;
     EXPECT_LE((kirchhoff - kirchhoff.transpose()).norm(), 1e-12 * stressScale(F) * F.norm()) << kind;
   }
 }

@@ -45,7 +45,7 @@ TEST(Materials, HaveLamesConstantsOfYoungAndPoisson) {
   for (const double nu : {-0.9, -0.2, 0.0, 0.3, 0.499}) {
     const Lame c = lameConstants(2e5, nu);
     EXPECT_NEAR(c.mu * (3 * c.lambda + 2 * c.mu) / (c.lambda + c.mu), 2e5, 1e-6);  // Young's modulus back
-    EXPECT_NEAR(c.lambda / (2 * (c.lambda + c.mu)), nu, 1e-12);                     // Poisson's ratio back
+    EXPECT_NEAR(c.lambda / (2 * (c.lambda + c.mu)), nu, 1e-12);                    // Poisson's ratio back
   }
 }
 
@@ -60,19 +60,22 @@ TEST(Materials, CarryPressureWavesAtTheKnownSpeed) {
 
 TEST(Materials, RefuseAYoungsModulusThatIsNotPositive) {
   for (const double bad : {0.0, -1.0, nan, inf, -inf})
-    EXPECT_THAT(refusal("stvk", bad, 0.3, 1000), AllOf(HasSubstr("young = "), HasSubstr("Pa"), HasSubstr("> 0"))) << bad;
+    EXPECT_THAT(refusal("stvk", bad, 0.3, 1000), AllOf(HasSubstr("young = "), HasSubstr("Pa"), HasSubstr("> 0")))
+        << bad;
   EXPECT_THAT(refusal("stvk", -12.5, 0.3, 1000), HasSubstr("-12.5"));
 }
 
 TEST(Materials, RefuseAPoissonsRatioOutsideItsRange) {
   for (const double bad : {0.5, 0.7, -1.0, -3.0, nan, inf, -inf})
-    EXPECT_THAT(refusal("stvk", 1, bad, 1000), AllOf(HasSubstr("poisson = "), HasSubstr("> -1"), HasSubstr("< 0.5"))) << bad;
+    EXPECT_THAT(refusal("stvk", 1, bad, 1000), AllOf(HasSubstr("poisson = "), HasSubstr("> -1"), HasSubstr("< 0.5")))
+        << bad;
   EXPECT_THAT(refusal("stvk", 1, 0.7, 1000), HasSubstr("0.7"));
 }
 
 TEST(Materials, RefuseADensityThatIsNotPositive) {
   for (const double bad : {0.0, -1000.0, nan, inf, -inf})
-    EXPECT_THAT(refusal("stvk", 1, 0.3, bad), AllOf(HasSubstr("density = "), HasSubstr("kg/m3"), HasSubstr("> 0"))) << bad;
+    EXPECT_THAT(refusal("stvk", 1, 0.3, bad), AllOf(HasSubstr("density = "), HasSubstr("kg/m3"), HasSubstr("> 0")))
+        << bad;
   EXPECT_THAT(refusal("stvk", 1, 0.3, -1000), HasSubstr("-1000"));
 }
 

@@ -52,7 +52,8 @@ TEST(ClosestRotation, IsTheRotationItselfAndNearIt) {
 TEST(ClosestRotation, HandlesInvertedMatrices) {
   test::Random random(3);
   for (int i = 0; i < 1000; ++i)
-    expectClosest(withSingularValues(random, {random.uniform(0.5, 3), random.uniform(0.5, 1), -random.uniform(0.0, 0.4)}));
+    expectClosest(
+        withSingularValues(random, {random.uniform(0.5, 3), random.uniform(0.5, 1), -random.uniform(0.0, 0.4)}));
 }
 
 TEST(ClosestRotation, HandlesNearlyEqualSingularValues) {
@@ -99,7 +100,8 @@ TEST(ClosestRotation, DoesNotDependOnScale) {
   test::Random random(8);
   for (int i = 0; i < 100; ++i) {
     const Eigen::Matrix3d F = withSingularValues(random, {2, 1, 0.5});
-    for (const double scale : {1e-30, 1e-10, 1e10, 1e30}) EXPECT_LE((closest(scale * F) - closest(F)).norm(), 1e-13) << scale;
+    for (const double scale : {1e-30, 1e-10, 1e10, 1e30})
+      EXPECT_LE((closest(scale * F) - closest(F)).norm(), 1e-13) << scale;
   }
 }
 
@@ -109,7 +111,8 @@ TEST(ClosestRotation, IsTheSameInEveryLaneOfAPack) {
     std::array<Eigen::Matrix3d, NativePack::width> F;
     Matrix3<NativePack> packed;
     for (int lane = 0; lane < NativePack::width; ++lane) {
-      F[static_cast<std::size_t>(lane)] = withSingularValues(random, {random.uniform(0.5, 3), random.uniform(0.5, 1), random.uniform(-0.4, 1)});
+      F[static_cast<std::size_t>(lane)] =
+          withSingularValues(random, {random.uniform(0.5, 3), random.uniform(0.5, 1), random.uniform(-0.4, 1)});
       for (int k = 0; k < 9; ++k) packed.m[k].set(lane, F[static_cast<std::size_t>(lane)](k / 3, k % 3));
     }
     const Matrix3<NativePack> R = closestRotation(packed);
@@ -122,7 +125,8 @@ TEST(ClosestRotation, IsTheSameInEveryLaneOfAPack) {
 
 RC_GTEST_PROP(ClosestRotation, TurnsWithItsArgument, ()) {
   test::Random random(*rc::gen::arbitrary<std::uint64_t>());
-  const Eigen::Matrix3d F = withSingularValues(random, {random.uniform(1, 3), random.uniform(0.5, 1), random.uniform(-0.4, 1)});
+  const Eigen::Matrix3d F =
+      withSingularValues(random, {random.uniform(1, 3), random.uniform(0.5, 1), random.uniform(-0.4, 1)});
   const Eigen::Matrix3d Q = random.rotation();
   RC_ASSERT((closest(Q * F) - Q * closest(F)).norm() <= 1e-13);
   RC_ASSERT((closest(F * Q) - closest(F) * Q).norm() <= 1e-13);

@@ -44,7 +44,8 @@ TEST(Adjacency, FaceNeighboursPointBack) {
           ++open;
           continue;
         }
-        const ElementFace back = faces.rows.row(static_cast<std::size_t>(other.element))[static_cast<std::size_t>(other.face)];
+        const ElementFace back =
+            faces.rows.row(static_cast<std::size_t>(other.element))[static_cast<std::size_t>(other.face)];
         EXPECT_EQ(back, (ElementFace{0, static_cast<std::int32_t>(e), static_cast<std::int32_t>(f)}));
       }
     EXPECT_EQ(open, boundaryFaces(mesh).size());

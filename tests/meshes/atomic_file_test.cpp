@@ -34,8 +34,10 @@ TEST(AtomicFile, NamesWhatIsInTheWay) {
   const TemporaryFolder folder;
   writeBytes(folder / "file", "");
   std::filesystem::create_directory(folder / "sub");
-  EXPECT_NE(errorOf([&] { writeFileAtomically(folder / "none" / "a", ""); }).find("there is no folder"), std::string::npos);
-  EXPECT_NE(errorOf([&] { writeFileAtomically(folder / "file" / "a", ""); }).find("is not a folder"), std::string::npos);
+  EXPECT_NE(errorOf([&] { writeFileAtomically(folder / "none" / "a", ""); }).find("there is no folder"),
+            std::string::npos);
+  EXPECT_NE(errorOf([&] { writeFileAtomically(folder / "file" / "a", ""); }).find("is not a folder"),
+            std::string::npos);
   EXPECT_NE(errorOf([&] { writeFileAtomically(folder / "sub", ""); }).find("in the way"), std::string::npos);
 }
 

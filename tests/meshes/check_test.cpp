@@ -90,7 +90,8 @@ TEST(Check, HexahedronTurnedInAtOneCornerWithPositiveVolumeIsInverted) {
 
 TEST(Check, MixedHandednessIsAnErrorThatNamesCountAndSome) {
   Mesh mesh = generateBar({.cells = {3, 3, 3}});
-  for (std::size_t e = 0; e < 7; ++e) std::swap(mesh.blocks[0].connectivity[4 * e], mesh.blocks[0].connectivity[4 * e + 1]);
+  for (std::size_t e = 0; e < 7; ++e)
+    std::swap(mesh.blocks[0].connectivity[4 * e], mesh.blocks[0].connectivity[4 * e + 1]);
   EXPECT_EQ(checkMesh(mesh).size(), 7u);
   const std::string text = errorOf([&] { requireSound(mesh, "bad.msh"); });
   EXPECT_THAT(text, HasSubstr("bad.msh: 7 problems: element 0 (tet4, nodes"));
@@ -107,7 +108,8 @@ TEST(Check, SliversAndScalesAreNotDegenerate) {
 TEST(Check, FilesAreListedWithLinesWhereTheParserKnowsThem) {
   const TemporaryFolder folder;
   writeBytes(folder / "m.msh",
-             "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 nan 0 1\n6 0 0 0\n$EndNodes\n"
+             "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 nan 0 1\n6 0 0 "
+             "0\n$EndNodes\n"
              "$Elements\n4\n1 4 0 1 2 3 4\n2 4 0 1 2 3 9\n3 4 0 1 2 3 5\n4 4 0 2 1 3 4\n$EndElements\n");
   const auto problems = checkMeshFile(folder / "m.msh");
   std::string all;

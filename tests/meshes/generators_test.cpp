@@ -26,8 +26,11 @@ double boundaryArea(const Mesh& mesh) {
   for (const ElementFace& f : boundaryFaces(mesh)) {
     const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(f.block)];
     const auto& face = elementInfo(block.type).faces[static_cast<std::size_t>(f.face)];
-    const auto at = [&](int k) -> Eigen::Vector3d { return mesh.X.col(block.element(static_cast<std::size_t>(f.element))[face[static_cast<std::size_t>(k)]]); };
-    const Eigen::Vector3d p = at(2) - at(0), q = face[3] < 0 ? Eigen::Vector3d(at(1) - at(0)) : Eigen::Vector3d(at(3) - at(1));
+    const auto at = [&](int k) -> Eigen::Vector3d {
+      return mesh.X.col(block.element(static_cast<std::size_t>(f.element))[face[static_cast<std::size_t>(k)]]);
+    };
+    const Eigen::Vector3d p = at(2) - at(0),
+                          q = face[3] < 0 ? Eigen::Vector3d(at(1) - at(0)) : Eigen::Vector3d(at(3) - at(1));
     area += p.cross(q).norm() / 2;
   }
   return area;
@@ -89,7 +92,8 @@ TEST(Generators, GradingIsTheRatioOfLastToFirstCell) {
   const Mesh mesh = generateBar({.size = {3, 1, 1}, .cells = {6, 1, 1}, .element = "hex8", .grading = 8});
   EXPECT_NEAR((mesh.X(0, 6) - mesh.X(0, 5)) / (mesh.X(0, 1) - mesh.X(0, 0)), 8, 1e-12);
   EXPECT_EQ(mesh.X(0, 6), 3.0);
-  EXPECT_NEAR((mesh.X(0, 3) - mesh.X(0, 2)) / (mesh.X(0, 2) - mesh.X(0, 1)), (mesh.X(0, 2) - mesh.X(0, 1)) / (mesh.X(0, 1) - mesh.X(0, 0)), 1e-12);
+  EXPECT_NEAR((mesh.X(0, 3) - mesh.X(0, 2)) / (mesh.X(0, 2) - mesh.X(0, 1)),
+              (mesh.X(0, 2) - mesh.X(0, 1)) / (mesh.X(0, 1) - mesh.X(0, 0)), 1e-12);
   EXPECT_NEAR(meshVolume(mesh), 3, 1e-14);
 }
 
@@ -97,7 +101,8 @@ TEST(Generators, BallsArePositiveAndConvergeToTheBall) {
   for (const CellSplit& split : allCellSplits()) {
     double previous = 0;
     for (const int cells : {1, 2, 3, 4, 8, 16}) {
-      const Mesh mesh = generateBall({.radius = 0.5, .cells = cells, .element = std::string(split.element), .split = split.elementsPerCell});
+      const Mesh mesh = generateBall(
+          {.radius = 0.5, .cells = cells, .element = std::string(split.element), .split = split.elementsPerCell});
       EXPECT_TRUE(checkMesh(mesh).empty()) << split.element << " " << cells;
       for (const std::int32_t n : mesh.nodeSets.at("surface")) EXPECT_NEAR(mesh.X.col(n).norm(), 0.5, 1e-15);
       const double missing = 1 - meshVolume(mesh) / (4.0 / 3.0 * std::numbers::pi * 0.125);
@@ -118,7 +123,7 @@ TEST(Generators, BadOptionsAreNamed) {
   EXPECT_THAT(bar({.jitter = 0.5}), HasSubstr("below 0.5"));
   EXPECT_THAT(bar({.cells = {8, 8, 8}, .jitter = 0.49}), HasSubstr("inside out"));
   EXPECT_THAT(bar({.grading = 0.5}), HasSubstr("grading = 0.5"));
-  EXPECT_THAT(bar({.cells = {100, 1, 1}, .grading = 1e300}), HasSubstr("grading"));
+  EXPECT_THAT(bar({.cells = {100, 1, 1}, .origin = {1, 0, 0}, .grading = 1e300}), HasSubstr("grading"));
   EXPECT_THAT(bar({.element = "tet5"}), HasSubstr("nearest is \"tet4\""));
   EXPECT_THAT(bar({.split = 7}), HasSubstr("6 or 5"));
   EXPECT_THAT(errorOf([] { generateBall({.radius = -1}); }), HasSubstr("radius = -1"));
@@ -132,18 +137,31 @@ TEST(GeneratorTable, EveryKindRunsWithItsDefaultsAndIsDescribed) {
     for (const GeneratorParameter& p : info.parameters) {
       EXPECT_FALSE(p.help.empty());
       EXPECT_FALSE(parameterRange(p).empty());
-      EXPECT_THAT(errorOf([&] { generateMesh(info.name, {{std::string(p.name), p.kind == ParameterKind::text ? GeneratorValue(1.0) : GeneratorValue(std::string("x"))}}); }), HasSubstr(std::string(p.name) + " = "));
+      EXPECT_THAT(errorOf([&] {
+                    generateMesh(info.name, {{std::string(p.name), p.kind == ParameterKind::text
+                                                                       ? GeneratorValue(1.0)
+                                                                       : GeneratorValue(std::string("x"))}});
+                  }),
+                  HasSubstr(std::string(p.name) + " = "));
       if (p.kind == ParameterKind::text) continue;
-      EXPECT_THAT(errorOf([&] { generateMesh(info.name, {{std::string(p.name), std::vector<double>(static_cast<std::size_t>(p.count), NAN)}}); }), HasSubstr("nan"));
+      EXPECT_THAT(errorOf([&] {
+                    generateMesh(info.name,
+                                 {{std::string(p.name), std::vector<double>(static_cast<std::size_t>(p.count), NAN)}});
+                  }),
+                  HasSubstr("nan"));
     }
   }
 }
 
 TEST(GeneratorTable, ArgumentsArriveAndMistakesAreNamed) {
-  const GeneratorArguments good{{"size", std::vector<double>{0.3, 0.1, 0.1}}, {"cells", std::vector<double>{3, 1, 1}}, {"element", std::string("hex8")}};
+  const GeneratorArguments good{{"size", std::vector<double>{0.3, 0.1, 0.1}},
+                                {"cells", std::vector<double>{3, 1, 1}},
+                                {"element", std::string("hex8")}};
   EXPECT_NEAR(meshVolume(generateMesh("bar", good)), 0.003, 1e-16);
   EXPECT_EQ(generateMesh("cube", {{"cells", 5.0}, {"split", 5.0}}).elementCount(), 625u);
-  const auto wrong = [](std::string_view kind, const GeneratorArguments& a) { return errorOf([&] { generateMesh(kind, a); }); };
+  const auto wrong = [](std::string_view kind, const GeneratorArguments& a) {
+    return errorOf([&] { generateMesh(kind, a); });
+  };
   EXPECT_THAT(wrong("barr", {}), HasSubstr("nearest is \"bar\""));
   EXPECT_THAT(wrong("bar", {{"cell", 3.0}}), HasSubstr("nearest is \"cells\""));
   EXPECT_THAT(wrong("bar", {{"cells", 3.0}}), HasSubstr("list of 3 integers"));

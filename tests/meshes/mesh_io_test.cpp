@@ -140,15 +140,17 @@ TEST(MeshIo, TextMshOfEveryVersion) {
                                    "$Elements\n2\n70 2 2 4 1 10 12 11\n71 4 2 9 1 10 11 12 13\n$EndElements\n"
                                    "$NodeData\n1\n\"anything\"\n$EndNodeData\n");
   expectTetWithBase(loadMesh(folder / "2.msh"));
-  writeBytes(folder / "40.msh", "$MeshFormat\n4 0 8\n$EndMeshFormat\n" + names +
-                                    "$Entities\n1 0 1 1\n5 0 0 0 0 0 0 0\n1 0 0 0 1 1 1 1 4 0\n1 0 0 0 1 1 1 1 9 1 1\n$EndEntities\n"
-                                    "$Nodes\n2 4\n1 2 0 3\n10 0 0 0\n11 1 0 0\n12 0 2 0\n1 3 0 1\n13 0 0 3\n$EndNodes\n"
-                                    "$Elements\n2 2\n1 2 2 1\n70 10 12 11\n1 3 4 1\n71 10 11 12 13\n$EndElements\n");
+  writeBytes(folder / "40.msh",
+             "$MeshFormat\n4 0 8\n$EndMeshFormat\n" + names +
+                 "$Entities\n1 0 1 1\n5 0 0 0 0 0 0 0\n1 0 0 0 1 1 1 1 4 0\n1 0 0 0 1 1 1 1 9 1 1\n$EndEntities\n"
+                 "$Nodes\n2 4\n1 2 0 3\n10 0 0 0\n11 1 0 0\n12 0 2 0\n1 3 0 1\n13 0 0 3\n$EndNodes\n"
+                 "$Elements\n2 2\n1 2 2 1\n70 10 12 11\n1 3 4 1\n71 10 11 12 13\n$EndElements\n");
   expectTetWithBase(loadMesh(folder / "40.msh"));
-  writeBytes(folder / "41.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + names +
-                                    "$Entities\n1 0 1 1\n5 0 0 0 0 \n1 0 0 0 1 1 1 1 4 0 \n1 0 0 0 1 1 1 1 9 1 1 \n$EndEntities\n"
-                                    "$Nodes\n2 4 10 13\n2 1 0 3\n10\n11\n12\n0 0 0\n1 0 0\n0 2 0\n3 1 0 1\n13\n0 0 3\n$EndNodes\n"
-                                    "$Elements\n2 2 70 71\n2 1 2 1\n70 10 12 11 \n3 1 4 1\n71 10 11 12 13 \n$EndElements\n");
+  writeBytes(folder / "41.msh",
+             "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + names +
+                 "$Entities\n1 0 1 1\n5 0 0 0 0 \n1 0 0 0 1 1 1 1 4 0 \n1 0 0 0 1 1 1 1 9 1 1 \n$EndEntities\n"
+                 "$Nodes\n2 4 10 13\n2 1 0 3\n10\n11\n12\n0 0 0\n1 0 0\n0 2 0\n3 1 0 1\n13\n0 0 3\n$EndNodes\n"
+                 "$Elements\n2 2 70 71\n2 1 2 1\n70 10 12 11 \n3 1 4 1\n71 10 11 12 13 \n$EndElements\n");
   expectTetWithBase(loadMesh(folder / "41.msh"));
 }
 
@@ -156,8 +158,9 @@ TEST(MeshIo, TetgenFromEitherFileOrTheStemWithAnyFirstNumber) {
   const TemporaryFolder folder;
   for (const int first : {0, 1}) {
     const auto n = [&](int i) { return std::to_string(first + i); };
-    writeBytes(folder / "a.1.node", "# nodes\n\n 4 3 1 1 # four\n" + n(0) + " 0 0 0 9.5 0\n" + n(1) + " 1 0 0 9.5 2\n# in between\n" +
-                                        n(2) + " 0 2 0 9.5 2\n" + n(3) + " 0 0 3 9.5 0 # last\n# made by hand\n");
+    writeBytes(folder / "a.1.node", "# nodes\n\n 4 3 1 1 # four\n" + n(0) + " 0 0 0 9.5 0\n" + n(1) +
+                                        " 1 0 0 9.5 2\n# in between\n" + n(2) + " 0 2 0 9.5 2\n" + n(3) +
+                                        " 0 0 3 9.5 0 # last\n# made by hand\n");
     writeBytes(folder / "a.1.ele", "1 4 1\n" + n(0) + " " + n(0) + " " + n(1) + " " + n(2) + " " + n(3) + " 7\n");
     for (const char* name : {"a.1.node", "a.1.ele", "a.1"}) {
       const Mesh mesh = loadMesh(folder / name);
@@ -197,7 +200,8 @@ TEST(MeshIo, MirroredHexahedraAreTurnedRound) {
 TEST(MeshIo, LegacyVtkText) {
   const TemporaryFolder folder;
   writeBytes(folder / "m.vtk",
-             "# vtk DataFile Version 2.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0\n1 0 0\n0 2 0\n0 0 3\n"
+             "# vtk DataFile Version 2.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0\n1 0 0\n0 2 "
+             "0\n0 0 3\n"
              "\nCELLS 2 9\n3 0 2 1\n4 0 1 2 3\n\nCELL_TYPES 2\n5\n10\n");
   std::vector<std::string> notes;
   const Mesh mesh = loadMesh(folder / "m.vtk", &notes);
@@ -208,10 +212,11 @@ TEST(MeshIo, LegacyVtkText) {
 
 TEST(MeshIo, LegacyVtkVersion5) {
   const TemporaryFolder folder;
-  writeBytes(folder / "m.vtk",
-             "# vtk DataFile Version 5.1\n\nASCII\nDATASET UNSTRUCTURED_GRID\nFIELD FieldData 1\nTimeValue 1 1 double\n0.5\n"
-             "POINTS 4 float\n0 0 0 1 0 0 0 2 0\n0 0 3\nMETADATA\nINFORMATION 0\n\nCELLS 3 7\nOFFSETS vtktypeint64\n0 3 7\n"
-             "CONNECTIVITY vtktypeint64\n0 2 1 0 1 2 3\nCELL_TYPES 2\n5 10\nCELL_DATA 2\nSCALARS a int\n1 2\n");
+  writeBytes(
+      folder / "m.vtk",
+      "# vtk DataFile Version 5.1\n\nASCII\nDATASET UNSTRUCTURED_GRID\nFIELD FieldData 1\nTimeValue 1 1 double\n0.5\n"
+      "POINTS 4 float\n0 0 0 1 0 0 0 2 0\n0 0 3\nMETADATA\nINFORMATION 0\n\nCELLS 3 7\nOFFSETS vtktypeint64\n0 3 7\n"
+      "CONNECTIVITY vtktypeint64\n0 2 1 0 1 2 3\nCELL_TYPES 2\n5 10\nCELL_DATA 2\nSCALARS a int\n1 2\n");
   EXPECT_DOUBLE_EQ(meshVolume(loadMesh(folder / "m.vtk")), 1.0);
 }
 

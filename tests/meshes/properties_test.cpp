@@ -69,8 +69,12 @@ RC_GTEST_PROP(MeshProperties, MirroringIsFoundAndUndone, ()) {
 
 RC_GTEST_PROP(MeshProperties, RandomBytesAfterAGoodStartNeverCrash, ()) {
   const TemporaryFolder folder;
-  const auto tail = *rc::gen::container<std::string>(rc::gen::elementOf(std::string("0123456789.-e \n$\"\0\xFF""abcNE", 25)));
-  for (const char* start : {"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n"}) {
+  const auto tail =
+      *rc::gen::container<std::string>(rc::gen::elementOf(std::string("0123456789.-e \n$\"\0\xFF"
+                                                                      "abcNE",
+                                                                      25)));
+  for (const char* start : {"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n",
+                            "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n"}) {
     writeBytes(folder / "m.msh", start + tail);
     RC_ASSERT_THROWS_AS(readMesh(folder / "m.msh"), InputError);
   }

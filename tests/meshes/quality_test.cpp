@@ -82,8 +82,8 @@ TEST(Quality, SummaryNamesTheExtremes) {
   EXPECT_EQ(summaries[0].minElement.block, 1);
   for (const QualitySummary& s : summaries)
     if (s.name == "min-dihedral") {
-    EXPECT_EQ(s.count, 2u);
-  }
+      EXPECT_EQ(s.count, 2u);
+    }
 }
 
 }  // namespace

@@ -30,10 +30,12 @@ TEST(VtuWriter, FramesHoldPositionsFieldsTimeAndNumbers) {
   const std::vector<double> velocity(3 * mesh.nodeCount(), 0.5), step{1, 2, 3, 4};
   const std::vector<std::int32_t> handled{0, 1, 0, 1};
   const VtuField pointFields[] = {{"velocity", 3, std::span<const double>(velocity)}};
-  const VtuField cellFields[] = {{"critical_step", 1, std::span<const double>(step)}, {"handled", 1, std::span<const std::int32_t>(handled)}};
+  const VtuField cellFields[] = {{"critical_step", 1, std::span<const double>(step)},
+                                 {"handled", 1, std::span<const std::int32_t>(handled)}};
   writeVtu(folder / "frame.vtu", mesh, x, pointFields, cellFields, 0.25);
   const std::string text = readBytes(folder / "frame.vtu");
-  for (const char* part : {"velocity", "critical_step", "handled", "TimeValue", "originalNodeId", "originalElementId", "vtkZLibDataCompressor"})
+  for (const char* part : {"velocity", "critical_step", "handled", "TimeValue", "originalNodeId", "originalElementId",
+                           "vtkZLibDataCompressor"})
     EXPECT_THAT(text, HasSubstr(part));
   const Mesh back = readMesh(folder / "frame.vtu");
   EXPECT_TRUE(back.X == x);
@@ -47,7 +49,8 @@ TEST(VtuWriter, WrongLengthsAndPlacesAreRefused) {
   const Mesh mesh = mixedMesh();
   const std::vector<double> three{1, 2, 3};
   const VtuField field[] = {{"short", 1, std::span<const double>(three)}};
-  EXPECT_THAT(errorOf([&] { writeVtu(folder / "f.vtu", mesh, mesh.X, {}, field); }), HasSubstr("\"short\" has 3 values; 4 are needed"));
+  EXPECT_THAT(errorOf([&] { writeVtu(folder / "f.vtu", mesh, mesh.X, {}, field); }),
+              HasSubstr("\"short\" has 3 values; 4 are needed"));
   EXPECT_THAT(errorOf([&] { writeVtu(folder / "f.vtu", mesh, NodeVectors::Zero(3, 2)); }), HasSubstr("2 positions"));
   EXPECT_THAT(errorOf([&] { writeVtu(folder / "no" / "f.vtu", mesh, mesh.X); }), HasSubstr("there is no folder"));
   EXPECT_EQ(folder.fileCount(), 0u);

@@ -20,7 +20,8 @@ inline std::vector<BodyCase> allBodyCases() {
   for (const ElementInfo& element : allElements())
     forEachType(Laws{}, [&](auto tag) {
       using L = typename decltype(tag)::type;
-      for (const QuadratureRule& rule : element.rules) cases.push_back({&element, std::string(L::name), L::objective, &rule});
+      for (const QuadratureRule& rule : element.rules)
+        cases.push_back({&element, std::string(L::name), L::objective, &rule});
     });
   return cases;
 }

@@ -20,9 +20,10 @@ inline const CellSplit* cellSplit(std::string_view element) {
   return nullptr;
 }
 
-/// A box of nx×ny×nz cells, corner at the origin, nodes moved at random by up to jitter × cell size. An element that tiles
-/// no cell gives a single reference element instead, scaled to the cell.
-inline Mesh gridMesh(std::string_view element, Cells cells, const Eigen::Vector3d& size, double jitter = 0, std::uint64_t seed = 1) {
+/// A box of nx×ny×nz cells, corner at the origin, nodes moved at random by up to jitter × cell size. An element that
+/// tiles no cell gives a single reference element instead, scaled to the cell.
+inline Mesh gridMesh(std::string_view element, Cells cells, const Eigen::Vector3d& size, double jitter = 0,
+                     std::uint64_t seed = 1) {
   if (cellSplit(element)) {
     BarOptions options;
     options.size = {size[0], size[1], size[2]};
@@ -48,7 +49,9 @@ inline Mesh gridMesh(std::string_view element, Cells cells, const Eigen::Vector3
 }
 
 /// The bar of the reference programs: 0.2 × 0.04 × 0.04 m, n cells over 0.04 m.
-inline Mesh referenceBar(std::string_view element, int n) { return gridMesh(element, {5 * n, n, n}, {0.2, 0.04, 0.04}); }
+inline Mesh referenceBar(std::string_view element, int n) {
+  return gridMesh(element, {5 * n, n, n}, {0.2, 0.04, 0.04});
+}
 
 /// The first `count` elements of a mesh of one block, with the nodes that they use.
 inline Mesh firstElements(const Mesh& mesh, std::size_t count) {

@@ -23,7 +23,9 @@ class Oscillator final : public SecondOrderSystem {
 /// Mathematical pendulum, ẍ = -sin x: nonlinear, conservative, reversible.
 class Pendulum final : public SecondOrderSystem {
  public:
-  void acceleration(double, const NodeVectors& x, const NodeVectors&, NodeVectors& a) override { a = -x.array().sin().matrix(); }
+  void acceleration(double, const NodeVectors& x, const NodeVectors&, NodeVectors& a) override {
+    a = -x.array().sin().matrix();
+  }
   static double energy(const State& s) { return 0.5 * s.v.squaredNorm() - s.x.array().cos().sum(); }
 };
 

@@ -23,7 +23,8 @@ using TestTypesOf = typename TestTypes<List>::type;
 /// A name that GoogleTest accepts: letters and digits stay, the rest becomes '_'.
 inline std::string testName(std::string_view name) {
   std::string result(name);
-  std::replace_if(result.begin(), result.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+  std::replace_if(
+      result.begin(), result.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
   return result;
 }
 struct RegistryNames {

@@ -14,66 +14,81 @@ template <class Element, class LawType>
 class ScalarReference {
  public:
   static constexpr int n = Element::nodes;
-  ScalarReference(const Mesh& mesh, const LawType& law, const QuadratureRule& rule) : block_(mesh.blocks[0]), law_(law) {
+  ScalarReference(const Mesh& mesh, const LawType& law, const QuadratureRule& rule)
+      : block_(mesh.blocks[0]), law_(law) {
     for (std::size_t e = 0; e < block_.elementCount(); ++e)
       for (const QuadraturePoint& q : rule.points) {
         double dN[n][3];
         Element::shapeGradient(q.xi, dN);
-        const Gradients natural = Eigen::Map<Eigen::Matrix<double, n, 3, Eigen::RowMajor>>(&dN[0][0]);
         Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
-        for (int a = 0; a < n; ++a) J += mesh.X.col(block_.element(e)[a]) * natural.row(a);
-        points_.push_back({natural * J.inverse(), J.determinant() * q.weight});
+        for (int a = 0; a < n; ++a) J += mesh.X.col(block_.element(e)[a]) * Eigen::RowVector3d::Map(dN[a]);
+        Point& point = points_.emplace_back();
+        for (int a = 0; a < n; ++a) Eigen::RowVector3d::Map(point.g[a]) = Eigen::RowVector3d::Map(dN[a]) * J.inverse();
+        point.weight = J.determinant() * q.weight;
       }
     pointsPerElement_ = rule.points.size();
   }
 
   void force(const NodeVectors& x, NodeVectors& f) const {
-    f.setZero(3, x.cols());
-    for (std::size_t e = 0; e < block_.elementCount(); ++e)
-      for (std::size_t q = 0; q < pointsPerElement_; ++q) {
-        const Point& point = points_[e * pointsPerElement_ + q];
-        const Matrix3<double> P = law_.stress(gradient(x, e, point));
-        for (int a = 0; a < n; ++a)
-          for (int i = 0; i < 3; ++i)
-            f(i, block_.element(e)[a]) +=
-                point.weight * (P(i, 0) * point.g(a, 0) + P(i, 1) * point.g(a, 1) + P(i, 2) * point.g(a, 2));
-      }
+    sumOverElements(x, f, [&](std::size_t, const Matrix3<double>& F, const Point&) { return law_.stress(F); });
   }
   void tangentProduct(const NodeVectors& x, const NodeVectors& v, NodeVectors& Kv) const {
-    Kv.setZero(3, x.cols());
-    for (std::size_t e = 0; e < block_.elementCount(); ++e)
-      for (std::size_t q = 0; q < pointsPerElement_; ++q) {
-        const Point& point = points_[e * pointsPerElement_ + q];
-        const Matrix3<double> dP = law_.linearize(gradient(x, e, point))(gradient(v, e, point));
-        for (int a = 0; a < n; ++a)
-          for (int i = 0; i < 3; ++i)
-            Kv(i, block_.element(e)[a]) +=
-                point.weight * (dP(i, 0) * point.g(a, 0) + dP(i, 1) * point.g(a, 1) + dP(i, 2) * point.g(a, 2));
-      }
+    sumOverElements(x, Kv, [&](std::size_t e, const Matrix3<double>& F, const Point& point) {
+      double ve[n][3];
+      gather(v, e, ve);
+      return law_.linearize(F)(gradient(ve, point));
+    });
   }
   double energy(const NodeVectors& x) const {
     double sum = 0;
     for (std::size_t e = 0; e < block_.elementCount(); ++e)
       for (std::size_t q = 0; q < pointsPerElement_; ++q) {
         const Point& point = points_[e * pointsPerElement_ + q];
-        sum += point.weight * law_.energy(gradient(x, e, point));
+        double xe[n][3];
+        gather(x, e, xe);
+        sum += point.weight * law_.energy(gradient(xe, point));
       }
     return sum;
   }
 
  private:
-  using Gradients = Eigen::Matrix<double, n, 3>;
   struct Point {
-    Gradients g;    // ∂N_a/∂X
-    double weight;  // w det J
+    double g[n][3];  // ∂N_a/∂X
+    double weight;   // w det J
   };
+  void gather(const NodeVectors& x, std::size_t e, double (&xe)[n][3]) const {
+    for (int a = 0; a < n; ++a) {
+      const double* from = x.data() + 3 * static_cast<std::ptrdiff_t>(block_.element(e)[a]);
+      for (int i = 0; i < 3; ++i) xe[a][i] = from[i];
+    }
+  }
   /// Σ_a x_a ⊗ g_a
-  Matrix3<double> gradient(const NodeVectors& x, std::size_t e, const Point& point) const {
+  static Matrix3<double> gradient(const double (&xe)[n][3], const Point& point) {
     Matrix3<double> F = Matrix3<double>::zero();
     for (int a = 0; a < n; ++a)
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) F(i, j) += x(i, block_.element(e)[a]) * point.g(a, j);
+        for (int j = 0; j < 3; ++j) F(i, j) += xe[a][i] * point.g[a][j];
     return F;
+  }
+  /// f_a += Σ_q w_q P_q g_qa
+  template <class StressAt>
+  void sumOverElements(const NodeVectors& x, NodeVectors& f, const StressAt& stressAt) const {
+    f.setZero(3, x.cols());
+    for (std::size_t e = 0; e < block_.elementCount(); ++e) {
+      double xe[n][3], fe[n][3] = {};
+      gather(x, e, xe);
+      for (std::size_t q = 0; q < pointsPerElement_; ++q) {
+        const Point& point = points_[e * pointsPerElement_ + q];
+        const Matrix3<double> P = point.weight * stressAt(e, gradient(xe, point), point);
+        for (int a = 0; a < n; ++a)
+          for (int i = 0; i < 3; ++i)
+            fe[a][i] += P(i, 0) * point.g[a][0] + P(i, 1) * point.g[a][1] + P(i, 2) * point.g[a][2];
+      }
+      for (int a = 0; a < n; ++a) {
+        double* to = f.data() + 3 * static_cast<std::ptrdiff_t>(block_.element(e)[a]);
+        for (int i = 0; i < 3; ++i) to[i] += fe[a][i];
+      }
+    }
   }
 
   const MeshBlock block_;

@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <ringwatch/verify/report.h>
+
+namespace ringwatch {
+
+/// A study that `ringwatch verify` can run.
+struct StudyInfo {
+  std::string_view name;
+  std::string_view help;
+  StudyReport (*run)(StudyEffort);
+};
+
+/// All studies, one line each in verify.cpp.
+std::span<const StudyInfo> allStudies();
+
+/// Runs the studies of those names; "all" or nothing for every one. Throws InputError for an unknown name.
+std::vector<StudyReport> runStudies(const std::vector<std::string>& names, StudyEffort effort);
+
+/// The tables and the checks for people.
+std::string studyText(const StudyReport& report);
+/// { "passed": …, "studies": { NAME: { "passed", "tables": { NAME: [rows as objects] }, "checks": [ … ] } } }
+nlohmann::ordered_json studiesJson(const std::vector<StudyReport>& reports);
+/// Draws every figure of a report with gnuplot into `folder` (NAME.png beside its script and data). Returns a note for each
+/// picture that could not be drawn.
+std::vector<std::string> drawFigures(const StudyReport& report, const std::filesystem::path& folder);
+
+}  // namespace ringwatch

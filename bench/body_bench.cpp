@@ -1,0 +1,159 @@
+// Force, tangent and energy passes, ns an element, each with the largest relative difference from a plain reference,
+// and the floor of the machine in the same run.
+#include <cstring>
+#include <tuple>
+
+#include <bench/support.h>
+#include <tests/support/scalar_reference.h>
+
+namespace ringwatch::bench {
+namespace {
+
+/// Calls visit(ScalarReference) for a case.
+template <class Visit>
+void withReference(const Case& c, const Setup& setup, const Visit& visit) {
+  test::withScalarReference(setup.body.mesh(), makeMaterial(c.law, 30e3, 0.3, 1000), setup.body.blocks()[0]->rule(),
+                            visit);
+}
+
+void force(benchmark::State& state, const Case& c) {
+  Setup& s = setupOf(c);
+  NodeVectors f, expected;
+  for (auto _ : state) {
+    s.body.internalForce(s.x, f, s.workspace);
+    benchmark::DoNotOptimize(f.data());
+    benchmark::ClobberMemory();
+  }
+  withReference(c, s, [&](const auto& reference) { reference.force(s.x, expected); });
+  report(state, s.body.mesh().elementCount(), relativeDifference(f, expected));
+}
+
+void tangentProduct(benchmark::State& state, const Case& c) {
+  Setup& s = setupOf(c);
+  NodeVectors Kv, expected;
+  for (auto _ : state) {
+    s.body.tangentProduct(s.x, s.v, Kv, s.workspace);
+    benchmark::DoNotOptimize(Kv.data());
+    benchmark::ClobberMemory();
+  }
+  withReference(c, s, [&](const auto& reference) { reference.tangentProduct(s.x, s.v, expected); });
+  report(state, s.body.mesh().elementCount(), relativeDifference(Kv, expected));
+}
+
+void energy(benchmark::State& state, const Case& c) {
+  Setup& s = setupOf(c);
+  double value = 0, expected = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(value = s.body.energy(s.x, s.workspace));
+  withReference(c, s, [&](const auto& reference) { expected = reference.energy(s.x); });
+  report(state, s.body.mesh().elementCount(), std::abs(value - expected) / expected);
+}
+
+void elementTangents(benchmark::State& state, const Case& c) {
+  Setup& s = setupOf(c);
+  for (auto _ : state)
+    s.body.forEachTangentBatch(s.x,
+                               [](std::size_t, std::int32_t, const NativePack* K) { benchmark::DoNotOptimize(K); });
+  // Error: Σ K_e v against the reference product.
+  NodeVectors Kv = NodeVectors::Zero(3, s.x.cols()), expected;
+  const ElementBlock& block = *s.body.blocks()[0];
+  for (std::int32_t e = 0; e < block.elementCount(); ++e) {
+    const auto nodes = block.nodesOf(e);
+    Eigen::VectorXd v(3 * nodes.size());
+    for (std::size_t a = 0; a < nodes.size(); ++a) v.segment<3>(static_cast<Eigen::Index>(3 * a)) = s.v.col(nodes[a]);
+    const Eigen::VectorXd Kev = s.body.elementTangent({0, e}, s.x) * v;
+    for (std::size_t a = 0; a < nodes.size(); ++a) Kv.col(nodes[a]) += Kev.segment<3>(static_cast<Eigen::Index>(3 * a));
+  }
+  withReference(c, s, [&](const auto& reference) { reference.tangentProduct(s.x, s.v, expected); });
+  report(state, s.body.mesh().elementCount(), relativeDifference(Kv, expected));
+}
+
+void assembleTangent(benchmark::State& state, const Case& c) {
+  Setup& s = setupOf(c);
+  Eigen::SparseMatrix<double> K;
+  for (auto _ : state) {
+    K = s.body.assembleTangent(s.x);
+    benchmark::DoNotOptimize(K.valuePtr());
+  }
+  NodeVectors Kv(3, s.x.cols()), expected;
+  Kv.reshaped() = K * s.v.reshaped();
+  withReference(c, s, [&](const auto& reference) { reference.tangentProduct(s.x, s.v, expected); });
+  report(state, s.body.mesh().elementCount(), relativeDifference(Kv, expected));
+}
+
+/// The peer: the same law, one element after the other in plain doubles.
+void scalarForce(benchmark::State& state, const Case& c) {
+  Setup& s = setupOf(c);
+  NodeVectors f, expected;
+  s.body.internalForce(s.x, expected, s.workspace);
+  withReference(c, s, [&](const auto& reference) {
+    for (auto _ : state) {
+      reference.force(s.x, f);
+      benchmark::DoNotOptimize(f.data());
+      benchmark::ClobberMemory();
+    }
+  });
+  report(state, s.body.mesh().elementCount(), relativeDifference(f, expected));
+}
+
+/// Bytes read and written a second when copying 64 MiB.
+void copyBandwidth(benchmark::State& state) {
+  std::vector<double> from(1 << 23, 1.0), to(from.size());
+  for (auto _ : state) {
+    std::memcpy(to.data(), from.data(), from.size() * sizeof(double));
+    benchmark::ClobberMemory();
+  }
+  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) * 2 *
+                          static_cast<std::int64_t>(from.size() * sizeof(double)));
+}
+
+/// Floating-point operations a second of independent fused multiply-adds in packs.
+void multiplyAddPeak(benchmark::State& state) {
+  constexpr int chains = 16, rounds = 1000;
+  NativePack sum[chains];
+  for (int i = 0; i < chains; ++i) sum[i] = NativePack(i);
+  NativePack a(0.999999), b(1e-6);
+  benchmark::DoNotOptimize(a);
+  benchmark::DoNotOptimize(b);
+  for (auto _ : state) {
+    for (int r = 0; r < rounds; ++r)
+#pragma GCC unroll 16
+      for (int i = 0; i < chains; ++i) sum[i] = sum[i] * a + b;
+    benchmark::DoNotOptimize(sum);
+  }
+  state.counters["flop/s"] =
+      benchmark::Counter(2.0 * chains * rounds * NativePack::width, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void registerAll() {
+  benchmark::RegisterBenchmark("floor/copy_bandwidth", copyBandwidth)->UseRealTime();
+  benchmark::RegisterBenchmark("floor/multiply_add_peak", multiplyAddPeak)->UseRealTime();
+  for (const ElementInfo& element : allElements())
+    for (const int elements : {5000, 100000})
+      for (const LawInfo& law : allLaws())
+        for (const int threads : {1, 2}) {
+          const Case c{std::string(element.name), elements, std::string(law.name), threads};
+          const auto add = [&](const char* pass, void (*run)(benchmark::State&, const Case&)) {
+            benchmark::RegisterBenchmark((std::string(pass) + "/" + c.name()).c_str(),
+                                         [=](benchmark::State& state) { run(state, c); })
+                ->UseRealTime()
+                ->Unit(benchmark::kMicrosecond);
+          };
+          add("force", force);
+          if (threads == 1) add("scalar_force", scalarForce);
+          add("tangent_product", tangentProduct);
+          add("energy", energy);
+          add("element_tangents", elementTangents);
+          add("assemble_tangent", assembleTangent);
+        }
+}
+
+}  // namespace
+}  // namespace ringwatch::bench
+
+int main(int argc, char** argv) {
+  ringwatch::bench::registerAll();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}
