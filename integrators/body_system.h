@@ -4,18 +4,37 @@
 
 namespace ringwatch {
 
-/// A body as a second-order system: m a = external force - internal force(x); constrained components get a = 0, so that
-/// their prescribed velocity stays what it is in every scheme.
-class BodySystem final : public SecondOrderSystem {
+/// A body as a second-order system: m a = external force - internal force(x) - (alpha M + beta K(x)) v; constrained
+/// components get a = 0, so that their prescribed velocity stays what it is in every scheme. K is the exact tangent at
+/// x.
+class BodySystem final : public DifferentiableSystem {
  public:
-  explicit BodySystem(const Body& body) : body_(body), inverseMass_(body.lumpedMass().cwiseInverse()) {}
+  /// The body must outlive the system.
+  explicit BodySystem(const Body& body, const RayleighDamping& damping = {})
+      : body_(body), damping_(damping), inverseMass_(body.lumpedMass().cwiseInverse()) {}
 
-  void acceleration(double, const NodeVectors& x, const NodeVectors&, NodeVectors& a) override {
+  void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
     body_.internalForce(x, internalForce_, workspace_);
-    a = (body_.externalForce() - internalForce_) * inverseMass_.asDiagonal();
+    a = body_.externalForce() - internalForce_;
+    if (damping_.beta != 0) {
+      body_.tangentProduct(x, v, product_, workspace_);
+      a -= damping_.beta * product_;
+    }
+    a = a * inverseMass_.asDiagonal();
+    if (damping_.alpha != 0) a -= damping_.alpha * v;
     body_.constraints().clearConstrained(a);
   }
-  /// Internal force of the last evaluation, 3×N, N: an observer need not compute it again.
+  bool velocityDependent() const override { return damping_.any(); }
+  const Eigen::VectorXd& mass() const override { return body_.lumpedMass(); }
+  RayleighDamping damping() const override { return damping_; }
+  void stiffnessProduct(const NodeVectors& x, const NodeVectors& u, NodeVectors& Ku) override {
+    body_.tangentProduct(x, u, Ku, workspace_);
+  }
+  Eigen::SparseMatrix<double> stiffness(const NodeVectors& x) override { return body_.assembleTangent(x); }
+  bool isConstrained(std::int32_t node, int component) const override {
+    return body_.constraints().isConstrained(node, component);
+  }
+  /// Internal force of the last evaluation, 3×N, N: an observer need not compute it again. Without the damping force.
   const NodeVectors& lastInternalForce() const { return internalForce_; }
 
   const Body& body() const { return body_; }
@@ -30,8 +49,9 @@ class BodySystem final : public SecondOrderSystem {
 
  private:
   const Body& body_;
+  RayleighDamping damping_;
   Eigen::VectorXd inverseMass_;
-  NodeVectors internalForce_;
+  NodeVectors internalForce_, product_;
   Body::Workspace workspace_;
 };
 

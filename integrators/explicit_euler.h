@@ -1,12 +1,23 @@
 #pragma once
+#include <cmath>
+
 #include <ringwatch/integrators/integrator.h>
 
 namespace ringwatch {
 
 /// Explicit Euler, x' = x + h v, v' = v + h a(x, v). Unstable for every undamped oscillator; here to show it.
+///
+/// With z = h·omega, trace 2 - 2ξz and determinant 1 - 2ξz + z²: stable for z <= 2ξ when ξ <= 1, for
+/// z <= 2 (ξ - √(ξ² - 1)) above (the Jury conditions |det| <= 1, |trace| <= 1 + det).
 class ExplicitEuler final : public Integrator {
  public:
-  static constexpr IntegratorInfo description{"explicit-euler", "first order, never stable without damping", 1, 1, 0.0, false};
+  static Eigen::Matrix2d amplification(double z, double dampingRatio) {
+    return (Eigen::Matrix2d() << 1, z, -z, 1 - 2 * dampingRatio * z).finished();
+  }
+  static double dampedLimit(double xi) { return xi <= 1 ? 2 * xi : 2 / (xi + std::sqrt(xi * xi - 1)); }
+  static constexpr IntegratorInfo description{
+      "explicit-euler", "first order, never stable without damping", 1, 1, 0.0, false, false, 1, &amplification,
+      &dampedLimit};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     system.acceleration(state.time, state.x, state.v, a_);

@@ -1,8 +1,12 @@
 #pragma once
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include <Eigen/SparseCore>
 
 #include <ringwatch/meshes/mesh.h>
 
@@ -21,16 +25,50 @@ class SecondOrderSystem {
   virtual ~SecondOrderSystem() = default;
   /// Writes the acceleration, 3×N, m/s²; zero where motion is prescribed.
   virtual void acceleration(double time, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) = 0;
+  /// Whether the acceleration depends on v (damping). When it does not, schemes may pass any v.
+  virtual bool velocityDependent() const { return false; }
+};
+
+/// Mass- and stiffness-proportional damping, C = alpha M + beta K. A mode of frequency omega (rad/s) has the damping
+/// ratio ξ = alpha / (2 omega) + beta omega / 2.
+struct RayleighDamping {
+  double alpha = 0;  // 1/s, >= 0
+  double beta = 0;   // s, >= 0
+  bool any() const { return alpha != 0 || beta != 0; }
+};
+
+/// A system M a = f(t, x) - (alpha M + beta K(x)) v with K = -∂f/∂x: what implicit schemes solve with. Degrees of
+/// freedom are numbered 3·node + component.
+class DifferentiableSystem : public SecondOrderSystem {
+ public:
+  /// Mass of each node, N numbers, kg.
+  virtual const Eigen::VectorXd& mass() const = 0;
+  virtual RayleighDamping damping() const { return {}; }
+  /// K(x) u, 3×N; constrained components of the result need not be zero.
+  virtual void stiffnessProduct(const NodeVectors& x, const NodeVectors& u, NodeVectors& Ku) = 0;
+  /// K(x), 3N×3N, constrained degrees of freedom included, both triangles.
+  virtual Eigen::SparseMatrix<double> stiffness(const NodeVectors& x) = 0;
+  /// Whether the motion of a component is prescribed.
+  virtual bool isConstrained(std::int32_t /*node*/, int /*component*/) const { return false; }
 };
 
 /// What an integrator declares of itself; studies hold it to that.
 struct IntegratorInfo {
   std::string_view name;
   std::string_view help;
-  int order;                // of the error of x at a fixed time
-  int forceEvaluations;     // per step; 0 when it varies
-  double imaginaryLimit;    // largest stable h·omega without damping; 0: none, infinity: A-stable
+  int order;              // of the error of x at a fixed time, without damping
+  int forceEvaluations;   // per step; 0 when it varies
+  double imaginaryLimit;  // largest stable h·omega without damping; 0: none, infinity: stable for every step
   bool symplectic;
+  bool reversible = false;  // a step forward and a step back give the state again (to rounding, without damping)
+  int dampedOrder = 1;      // of the error of x when the acceleration depends on the velocity
+  /// One step for ẍ = -omega² x - 2 ξ omega ẋ in (omega x, ẋ), as a function of z = h·omega and ξ, up to a similarity:
+  /// limits with damping follow from it (stability_limit.h). nullptr when not declared.
+  Eigen::Matrix2d (*amplification)(double z, double dampingRatio) = nullptr;
+  /// Largest stable z for a damping ratio in closed form, where there is one; else nullptr.
+  double (*dampedLimit)(double dampingRatio) = nullptr;
+  /// Chooses steps of its own within h, to a tolerance.
+  bool adaptive = false;
 };
 
 /// How a step went. On failure the state is as before the step.
@@ -50,7 +88,35 @@ class Integrator {
   virtual void reset() {}
 };
 
-/// All integrators, one line each in registry.cpp.
+/// An integrator that can be made by name.
+struct IntegratorEntry {
+  const IntegratorInfo* info;
+  std::unique_ptr<Integrator> (*make)();
+};
+template <class I>
+constexpr IntegratorEntry integratorEntry() {
+  return {&I::description, []() -> std::unique_ptr<Integrator> { return std::make_unique<I>(); }};
+}
+
+/// Integrators of several lists, by name. A program composes it from the lists of what it links:
+/// IntegratorCatalog({coreIntegrators(), sundialsIntegrators()}).
+class IntegratorCatalog {
+ public:
+  IntegratorCatalog(std::initializer_list<std::span<const IntegratorEntry>> lists);
+  std::span<const IntegratorEntry> entries() const { return entries_; }
+  /// nullptr when there is none of that name.
+  const IntegratorInfo* find(std::string_view name) const;
+  /// Throws InputError that lists the names when there is none of that name.
+  std::unique_ptr<Integrator> make(std::string_view name) const;
+
+ private:
+  std::vector<IntegratorEntry> entries_;
+};
+
+/// The explicit integrators, which need nothing but this library; one line each in registry.cpp.
+std::span<const IntegratorEntry> coreIntegrators();
+
+/// The same by name.
 std::span<const IntegratorInfo> allIntegrators();
 /// nullptr when there is none of that name.
 const IntegratorInfo* findIntegrator(std::string_view name);

@@ -1,13 +1,26 @@
 #pragma once
+#include <cmath>
+
 #include <ringwatch/integrators/integrator.h>
 
 namespace ringwatch {
 
 /// Störmer–Verlet in velocity form (central differences), v½ = v + h/2 a(x), x' = x + h v½, v' = v½ + h/2 a(x', v½).
 /// Stable for h·omega < 2. The acceleration at x' serves the next step too: one force a step.
+///
+/// Velocity-dependent forces lag half a step: from step to step v½ follows v½' = v½ + h a(x', v½), central differences
+/// with lagged damping, of order one in the damping and stable for h·omega <= 2 (√(1 + ξ²) - ξ) like symplectic Euler,
+/// to which that recursion is equal (Belytschko, Liu, Moran, Elkhodary 2014, section 6.6).
 class StormerVerlet final : public Integrator {
  public:
-  static constexpr IntegratorInfo description{"verlet", "second order, symplectic, one force a step", 2, 1, 2.0, true};
+  /// In (omega x, v½), which is similar to (omega x, v).
+  static Eigen::Matrix2d amplification(double z, double dampingRatio) {
+    const double keep = 1 - 2 * dampingRatio * z;
+    return (Eigen::Matrix2d() << 1 - z * z, z * keep, -z, keep).finished();
+  }
+  static double dampedLimit(double xi) { return 2 / (std::sqrt(1 + xi * xi) + xi); }
+  static constexpr IntegratorInfo description{
+      "verlet", "second order, symplectic, one force a step", 2, 1, 2.0, true, true, 1, &amplification, &dampedLimit};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     if (!fresh_) system.acceleration(state.time, state.x, state.v, a_);

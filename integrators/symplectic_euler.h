@@ -1,12 +1,24 @@
 #pragma once
+#include <cmath>
+
 #include <ringwatch/integrators/integrator.h>
 
 namespace ringwatch {
 
 /// Symplectic Euler (the source's eq. 2.72), v' = v + h a(x, v), x' = x + h v'. Stable for h·omega < 2.
+///
+/// With z = h·omega, trace 2 - z² - 2ξz and determinant 1 - 2ξz, so the Jury condition 1 + trace + det >= 0 binds:
+/// z² + 4ξz <= 4, that is z <= 2 (√(1 + ξ²) - ξ).
 class SymplecticEuler final : public Integrator {
  public:
-  static constexpr IntegratorInfo description{"symplectic-euler", "first order, symplectic, one force a step", 1, 1, 2.0, true};
+  static Eigen::Matrix2d amplification(double z, double dampingRatio) {
+    const double keep = 1 - 2 * dampingRatio * z;
+    return (Eigen::Matrix2d() << 1 - z * z, z * keep, -z, keep).finished();
+  }
+  static double dampedLimit(double xi) { return 2 / (std::sqrt(1 + xi * xi) + xi); }
+  static constexpr IntegratorInfo description{
+      "symplectic-euler", "first order, symplectic, one force a step", 1, 1, 2.0, true, false, 1, &amplification,
+      &dampedLimit};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     system.acceleration(state.time, state.x, state.v, a_);

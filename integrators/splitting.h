@@ -1,0 +1,43 @@
+#pragma once
+#include <span>
+
+#include <ringwatch/integrators/integrator.h>
+
+namespace ringwatch {
+
+/// A composition of drifts x += d h v and kicks v += k h a(t, x, v), in the order d0 k0 d1 k1 … d_s.
+///
+/// Velocity-dependent forces: every kick takes the velocity from before it, so a scheme is of order one in the damping
+/// whatever its order without.
+struct Splitting {
+  std::span<const double> drifts;  // one more than kicks
+  std::span<const double> kicks;
+};
+
+/// Advances a state by a splitting; `a` is scratch memory.
+inline void stepSplitting(const Splitting& splitting, SecondOrderSystem& system, State& state, double h,
+                          NodeVectors& a) {
+  double time = state.time;
+  for (std::size_t k = 0; k < splitting.drifts.size(); ++k) {
+    state.x += (splitting.drifts[k] * h) * state.v;
+    time += splitting.drifts[k] * h;
+    if (k == splitting.kicks.size()) break;
+    system.acceleration(time, state.x, state.v, a);
+    state.v += (splitting.kicks[k] * h) * a;
+  }
+  state.time += h;
+}
+
+/// Its step for the damped oscillator in (omega x, v), see IntegratorInfo::amplification.
+inline Eigen::Matrix2d splittingAmplification(const Splitting& splitting, double z, double dampingRatio) {
+  Eigen::Matrix2d T = Eigen::Matrix2d::Identity();
+  for (std::size_t k = 0; k < splitting.drifts.size(); ++k) {
+    T.row(0) += splitting.drifts[k] * z * T.row(1);
+    if (k == splitting.kicks.size()) break;
+    const double c = splitting.kicks[k] * z;
+    T.row(1) = (1 - 2 * dampingRatio * c) * T.row(1) - c * T.row(0);
+  }
+  return T;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,113 @@
+#pragma once
+#include <limits>
+#include <memory>
+
+#include <ringwatch/integrators/integrator.h>
+
+namespace ringwatch {
+
+/// How the linear systems of Newton's method, (M + γ C + γ² K) dv = r, are solved. C = alpha M + beta K; γ is the step
+/// times the method's coefficient.
+enum class LinearSolve {
+  direct,             ///< Eigen's sparse LDLᵀ of the assembled matrix
+  conjugateGradients  ///< matrix-free on stiffnessProduct, preconditioned by the 3×3 diagonal blocks; fails on an
+                      ///< indefinite matrix
+};
+
+/// What the implicit integrators take. They need a DifferentiableSystem.
+struct ImplicitOptions {
+  LinearSolve linearSolve = LinearSolve::direct;
+  double relativeTolerance = 1e-8;  ///< of Newton's method, and of the error where steps adapt
+  double positionTolerance = 0;     ///< m, absolute; 0: relativeTolerance times the size of the system
+  double velocityTolerance = 0;     ///< m/s, absolute; 0: positionTolerance over the step
+  double linearTolerance = 1e-10;   ///< relative residual of conjugate gradients
+  int newtonIterations = 20;        ///< at most, a stage
+};
+
+namespace detail {
+class ArkodeSolver;
+class CvodeSolver;
+}  // namespace detail
+
+/// Implicit Euler, x' = x + h v', v' = v + h a(x', v'), by ARKODE with that one-stage table. L-stable: |R(iz)|² = 1/(1
+/// + z²). A step that does not converge reports why and leaves the state alone.
+class ImplicitEuler final : public Integrator {
+ public:
+  static constexpr IntegratorInfo description{.name = "implicit-euler",
+                                              .help = "first order, implicit, stable for every step, strong damping",
+                                              .order = 1,
+                                              .forceEvaluations = 0,
+                                              .imaginaryLimit = std::numeric_limits<double>::infinity(),
+                                              .symplectic = false};
+  explicit ImplicitEuler(const ImplicitOptions& options = {});
+  ~ImplicitEuler() override;
+  const IntegratorInfo& info() const override { return description; }
+  StepStatus step(SecondOrderSystem& system, State& state, double h) override;
+
+ private:
+  std::unique_ptr<detail::ArkodeSolver> solver_;
+};
+
+/// Diagonally implicit Runge–Kutta methods by ARKODE: order 2 SDIRK-2-1-2 (A-stable), 3 ESDIRK3(2)4L[2]SA (Kennedy &
+/// Carpenter 2016), 4 SDIRK-5-3-4 (Hairer & Wanner), the last two L-stable. Steps of the size asked for, or adaptive
+/// ones within it.
+class ArkodeDirk final : public Integrator {
+ public:
+  static constexpr IntegratorInfo description{
+      .name = "arkode-dirk",
+      .help = "diagonally implicit Runge-Kutta, fourth order, stable for every step",
+      .order = 4,
+      .forceEvaluations = 0,
+      .imaginaryLimit = std::numeric_limits<double>::infinity(),
+      .symplectic = false,
+      .dampedOrder = 4};
+  /// order: 2, 3 or 4, else InputError.
+  explicit ArkodeDirk(int order = 4, bool adaptive = false, const ImplicitOptions& options = {});
+  ~ArkodeDirk() override;
+  const IntegratorInfo& info() const override { return info_; }
+  StepStatus step(SecondOrderSystem& system, State& state, double h) override;
+
+ private:
+  IntegratorInfo info_;
+  std::unique_ptr<detail::ArkodeSolver> solver_;
+};
+
+/// Backward differentiation formulas by CVODE, orders one and two (higher ones are not stable for undamped vibrations),
+/// steps chosen by CVODE within the step asked for. It goes on from where its last step ended: reset() when the state
+/// changed.
+class CvodeBdf final : public Integrator {
+ public:
+  static constexpr IntegratorInfo description{
+      .name = "cvode-bdf",
+      .help = "backward differences, second order, steps of its own by error control",
+      .order = 2,
+      .forceEvaluations = 0,
+      .imaginaryLimit = std::numeric_limits<double>::infinity(),
+      .symplectic = false,
+      .dampedOrder = 2,
+      .adaptive = true};
+  explicit CvodeBdf(const ImplicitOptions& options = {});
+  ~CvodeBdf() override;
+  const IntegratorInfo& info() const override { return description; }
+  StepStatus step(SecondOrderSystem& system, State& state, double h) override;
+  void reset() override;
+
+ private:
+  std::unique_ptr<detail::CvodeSolver> solver_;
+};
+
+/// How solveEquilibrium went. Only when it is done are the positions those of equilibrium.
+struct EquilibriumStatus {
+  bool done = false;
+  std::string reason;   // why not
+  double residual = 0;  // largest unbalanced force, N
+  int iterations = 0;
+};
+
+/// Moves x (3×N, m) to static equilibrium f(x) = 0 at a fixed time by KINSOL: Newton's method with line search on the
+/// exact tangent. tolerance: of the largest unbalanced force, relative to that at the start. The system must be held
+/// against rigid motion. On failure x is as before.
+EquilibriumStatus solveEquilibrium(DifferentiableSystem& system, double time, NodeVectors& x, double tolerance = 1e-9,
+                                   const ImplicitOptions& options = {});
+
+}  // namespace ringwatch

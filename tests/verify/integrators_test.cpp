@@ -1,0 +1,92 @@
+// The study that `ringwatch verify integrators` runs: all of the library pass, wrong declarations fail.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <ringwatch/integrators/symplectic_euler.h>
+#include <ringwatch/verify/integrators.h>
+
+namespace ringwatch {
+namespace {
+
+TEST(VerifyIntegrators, TheLibrarysOwnLiveUpToTheirDeclarations) {
+  const StudyReport report = verifyIntegrators(StudyEffort::quick);
+  for (const StudyCheck& check : report.checks)
+    EXPECT_TRUE(check.passed) << check.name << ": " << check.measured << ", expected " << check.expected << " within "
+                              << check.tolerance;
+  EXPECT_GT(report.checks.size(), 100u);
+  ASSERT_GE(report.tables.size(), 6u);
+  EXPECT_EQ(report.tables[0].name, "limits");
+  EXPECT_EQ(report.tables[0].rows.size(), coreIntegrators().size());
+  EXPECT_EQ(report.figures.size(), 4u);
+}
+
+/// Symplectic Euler under a false flag.
+class Liar final : public Integrator {
+ public:
+  explicit Liar(IntegratorInfo info) : info_(info) {}
+  const IntegratorInfo& info() const override { return info_; }
+  StepStatus step(SecondOrderSystem& system, State& state, double h) override { return honest_.step(system, state, h); }
+
+ private:
+  IntegratorInfo info_;
+  SymplecticEuler honest_;
+};
+
+std::vector<std::string> failures(const IntegratorInfo& info) {
+  std::vector<std::string> names;
+  for (const StudyCheck& check :
+       verifyIntegrator([&] { return std::make_unique<Liar>(info); }, StudyEffort::quick).checks)
+    if (!check.passed) names.push_back(check.name);
+  return names;
+}
+
+TEST(VerifyIntegrators, WrongDeclarationsFail) {
+  const IntegratorInfo honest = SymplecticEuler::description;
+  EXPECT_THAT(failures(honest), ::testing::IsEmpty());
+
+  IntegratorInfo info = honest;
+  info.imaginaryLimit = 2.1;
+  EXPECT_THAT(failures(info), ::testing::Contains(::testing::HasSubstr("limit on the imaginary axis")));
+  EXPECT_THAT(failures(info), ::testing::Contains(::testing::HasSubstr("critical step of real runs")));
+  info = honest;
+  info.imaginaryLimit = 2 + 1e-6;
+  EXPECT_THAT(failures(info), ::testing::Contains(::testing::HasSubstr("limit on the imaginary axis")));
+  info = honest;
+  info.order = 2;
+  EXPECT_THAT(failures(info), ::testing::ElementsAre(::testing::HasSubstr("order")));
+  info = honest;
+  info.forceEvaluations = 2;
+  EXPECT_THAT(failures(info), ::testing::ElementsAre(::testing::HasSubstr("forces a step")));
+  info = honest;
+  info.reversible = true;
+  EXPECT_THAT(failures(info), ::testing::ElementsAre(::testing::HasSubstr("reversible")));
+  info = honest;
+  info.dampedLimit = [](double) { return 2.0; };
+  EXPECT_THAT(failures(info), ::testing::Contains(::testing::HasSubstr("limit at damping ratio")));
+}
+
+/// Loses a little at every step.
+class Leaky final : public Integrator {
+ public:
+  static constexpr IntegratorInfo description{"leaky", "", 1, 1, 2.0, true};
+  const IntegratorInfo& info() const override { return description; }
+  StepStatus step(SecondOrderSystem& system, State& state, double h) override {
+    const StepStatus status = inner_.step(system, state, h);
+    state.v *= 1 - 1e-9;
+    return status;
+  }
+
+ private:
+  SymplecticEuler inner_;
+};
+
+TEST(VerifyIntegrators, ASmallLeakIsFound) {
+  std::vector<std::string> names;
+  for (const StudyCheck& check : verifyIntegrator([] { return std::make_unique<Leaky>(); }, StudyEffort::quick).checks)
+    if (!check.passed) names.push_back(check.name);
+  EXPECT_THAT(names, ::testing::Contains(::testing::HasSubstr("symplectic")));
+  EXPECT_THAT(names, ::testing::Contains(::testing::HasSubstr("energy drift")));
+}
+
+}  // namespace
+}  // namespace ringwatch
