@@ -13,10 +13,12 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/inspect.h>
+#include <ringwatch/app/integrator_catalog.h>
 #include <ringwatch/app/report.h>
 #include <ringwatch/app/runner.h>
 #include <ringwatch/app/scene_keys.h>
 #include <ringwatch/app/scene_mesh.h>
+#include <ringwatch/app/verify.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
@@ -64,9 +66,11 @@ std::string listing(const Table& table) {
 
 std::string integratorListing() {
   std::string text;
-  for (const IntegratorInfo& info : allIntegrators())
+  for (const IntegratorInfo& info : integratorInfos())
     text += fmt::format("  {:<17} {}; stable for h omega {}\n", info.name, info.help,
-                        info.imaginaryLimit > 0 ? fmt::format("< {:.6g}", info.imaginaryLimit) : "at no step");
+                        std::isinf(info.imaginaryLimit) ? "at every step"
+                        : info.imaginaryLimit > 0      ? fmt::format("< {:.6g}", info.imaginaryLimit)
+                                                       : "at no step");
   return text;
 }
 
@@ -268,6 +272,42 @@ struct MeshCommand {
   }
 };
 
+struct VerifyCommand {
+  std::vector<std::string> studies;
+  std::string json, folder;
+  bool quick = false;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("verify", "hold elements and integrators to analytic answers");
+    command->add_option("STUDY", studies, "studies to run, or all (default: all)");
+    command->add_option("--json", json, "write the results to this file; - for standard output, and nothing else there");
+    command->add_option("--out", folder, "folder for pictures, made when missing");
+    command->add_flag("--quick", quick, "coarser and shorter: seconds instead of minutes");
+    command->footer("Exit status 1 when a check fails.\n\nStudies:\n" + listing(allStudies()));
+  }
+
+  int execute() const {
+    const std::vector<StudyReport> reports = runStudies(studies, quick ? StudyEffort::quick : StudyEffort::full);
+    const std::string results = studiesJson(reports).dump(2) + "\n";
+    bool passed = true;
+    for (const StudyReport& report : reports) {
+      passed = passed && report.passed();
+      if (json != "-") printOut(studyText(report) + "\n");
+      if (folder.empty()) continue;
+      std::error_code error;
+      std::filesystem::create_directories(folder, error);
+      if (error) throw InputError(fmt::format("--out: cannot write {}: {}; choose another folder", folder, error.message()));
+      for (const std::string& note : drawFigures(report, folder)) fmt::print(stderr, "note: {}\n", note);
+    }
+    if (json == "-") {
+      printOut(results);
+    } else if (!json.empty()) {
+      writeFileAtomically(json, results);
+    }
+    return passed ? exitStable : exitUnstable;
+  }
+};
+
 /// CLI11's message for a wrong usage, on one line, with the nearest known option or command.
 std::string usageText(const CLI::App& app, const CLI::ParseError& fault) {
   std::string text = oneLine(fault.what());
@@ -291,9 +331,11 @@ int dispatch(int argc, char** argv) {
   RunCommand run;
   InspectCommand inspect;
   MeshCommand mesh;
+  VerifyCommand verify;
   run.declare(app);
   inspect.declare(app);
   mesh.declare(app);
+  verify.declare(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help and --version
@@ -303,6 +345,7 @@ int dispatch(int argc, char** argv) {
   }
   if (app.got_subcommand("run")) return run.execute();
   if (app.got_subcommand("inspect")) return inspect.execute();
+  if (app.got_subcommand("verify")) return verify.execute();
   return mesh.execute();
 }
 

@@ -1,4 +1,5 @@
 #include <ringwatch/app/inspect.h>
+#include <ringwatch/app/integrator_catalog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,10 +38,10 @@ std::vector<std::string> metricsWanted(const std::vector<std::string>& asked) {
 }
 
 double limitOf(const std::string& integrator) {
-  const IntegratorInfo* info = findIntegrator(integrator);
+  const IntegratorInfo* info = integratorCatalog().find(integrator);
   if (!info) {
     std::vector<std::string> known;
-    for (const IntegratorInfo& other : allIntegrators()) known.emplace_back(other.name);
+    for (const IntegratorInfo& other : integratorInfos()) known.emplace_back(other.name);
     throw InputError(fmt::format("--integrator: unknown \"{}\"; did you mean \"{}\"? known are {}", integrator, nearestName(integrator, known), fmt::join(known, ", ")));
   }
   if (!(info->imaginaryLimit > 0))

@@ -5,7 +5,7 @@ namespace ringwatch {
 
 /// A body as a system that remembers its last evaluation: when the energy books or the integrator ask for the force at
 /// positions where the other one has just had it, it is not computed again, whichever scheme runs.
-class RunSystem final : public SecondOrderSystem {
+class RunSystem final : public DifferentiableSystem {
  public:
   /// remember: false passes every call through, for runs that keep no energy books.
   RunSystem(const Body& body, bool remember) : system_(body), remember_(remember) {}
@@ -24,6 +24,11 @@ class RunSystem final : public SecondOrderSystem {
     return system_.lastInternalForce();
   }
   State initialState() const { return system_.initialState(); }
+
+  const Eigen::VectorXd& mass() const override { return system_.mass(); }
+  void stiffnessProduct(const NodeVectors& x, const NodeVectors& u, NodeVectors& Ku) override { system_.stiffnessProduct(x, u, Ku); }
+  Eigen::SparseMatrix<double> stiffness(const NodeVectors& x) override { return system_.stiffness(x); }
+  bool isConstrained(std::int32_t node, int component) const override { return system_.isConstrained(node, component); }
 
  private:
   void evaluate(double time, const NodeVectors& x, const NodeVectors& v) {

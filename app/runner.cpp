@@ -1,3 +1,4 @@
+#include <ringwatch/app/integrator_catalog.h>
 #include <ringwatch/app/runner.h>
 
 #include <algorithm>
@@ -56,8 +57,8 @@ class Run {
       : scene_(scene),
         body_(body),
         options_(options),
-        limit_(findIntegrator(scene.method)->imaginaryLimit),
-        integrator_(makeIntegrator(scene.method)),
+        limit_(integratorCatalog().find(scene.method)->imaginaryLimit),
+        integrator_(integratorCatalog().make(scene.method)),
         system_(body, scene.energy),
         balance_(body),
         progress_(options.progress) {

@@ -1,3 +1,4 @@
+#include <ringwatch/app/integrator_catalog.h>
 #include <ringwatch/app/scene.h>
 
 #include <algorithm>
@@ -389,7 +390,7 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, Sc
     fail(integrator.at("step").origin, "integrator.step", "\"auto\" follows the safe step; it needs monitor.bracket = true");
   if (scene.onViolation == OnViolation::reduceStep && !scene.monitored())
     fail(monitor.at("on_violation").origin, "monitor.on_violation", "\"reduce-step\" needs monitor.bracket = true or a monitor.metric");
-  if (scene.monitored() && !(findIntegrator(scene.method)->imaginaryLimit > 0))
+  if (scene.monitored() && !(integratorCatalog().find(scene.method)->imaginaryLimit > 0))
     fail(integrator.at("method").origin, "integrator.method",
          fmt::format("\"{}\" is unstable at every step without damping, so there is no critical step to monitor; choose another, "
                      "or set monitor.bracket = false and monitor.metric = \"none\"", scene.method));

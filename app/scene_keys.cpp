@@ -1,3 +1,4 @@
+#include <ringwatch/app/integrator_catalog.h>
 #include <ringwatch/app/scene_keys.h>
 
 #include <algorithm>
@@ -63,7 +64,7 @@ std::vector<SceneKey> makeKeys() {
       {"material", "density", T::number, "kg/m3", true, "", positive, {}, "density at rest"},
       {"material", "lumping", T::text, "", false, "\"row-sum\"", anything, {"row-sum", "equal"},
        "how an element's mass goes to its nodes"},
-      {"integrator", "method", T::text, "", false, "\"symplectic-euler\"", anything, namesOf(allIntegrators()), "scheme"},
+      {"integrator", "method", T::text, "", false, "\"symplectic-euler\"", anything, namesOf(integratorInfos()), "scheme"},
       {"integrator", "step", T::numberOrAuto, "s", true, "", positive, {},
        "step; \"auto\" follows the safe step whenever the monitor evaluates it"},
       {"integrator", "end", T::number, "s", true, "", positive, {}, "time at which the run ends"},

@@ -17,7 +17,8 @@ namespace ringwatch {
 namespace {
 
 const std::array<StudyInfo, 2> studies{{
-    {"elements", "every element and quadrature rule: rank, patch test, derivatives, convergence, frequencies, locking", verifyElements},
+    {"elements", "every element and quadrature rule: rank, patch test, derivatives, convergence, frequencies, locking",
+     verifyElements},
     {"integrators", "every integrator: stability limit, order, energy drift, reversibility, damping",
      [](StudyEffort effort) { return verifyIntegrators(effort); }},
 }};
@@ -30,7 +31,8 @@ std::string cellText(const StudyTable::Cell& cell) {
 
 /// Columns of a terminal that a text takes: bytes that continue a UTF-8 character take none.
 std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
 std::string tableText(const StudyTable& table) {
@@ -56,7 +58,9 @@ std::string tableText(const StudyTable& table) {
   return text;
 }
 
-nlohmann::ordered_json number(double value) { return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(fmt::format("{}", value)); }
+nlohmann::ordered_json number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(fmt::format("{}", value));
+}
 
 std::string inQuotes(const std::string& text) {
   std::string result = "'";
@@ -101,7 +105,8 @@ std::string studyText(const StudyReport& report) {
   text += fmt::format("\n{} checks, {} failed\n", report.checks.size(), failed);
   for (const StudyCheck& check : report.checks)
     if (!check.passed)
-      text += fmt::format("  FAILED {}: measured {:.9g}, expected {:.9g}, tolerance {:.3g}\n", check.name, check.measured, check.expected, check.tolerance);
+      text += fmt::format("  FAILED {}: measured {:.9g}, expected {:.9g}, tolerance {:.3g}\n", check.name,
+                          check.measured, check.expected, check.tolerance);
   return text;
 }
 
@@ -145,7 +150,8 @@ std::vector<std::string> drawFigures(const StudyReport& report, const std::files
     std::string data;
     for (const StudyFigure::Curve& curve : figure.curves) {
       data += "# " + curve.label + "\n";
-      for (std::size_t i = 0; i < curve.x.size() && i < curve.y.size(); ++i) data += fmt::format("{} {}\n", curve.x[i], curve.y[i]);
+      for (std::size_t i = 0; i < curve.x.size() && i < curve.y.size(); ++i)
+        data += fmt::format("{} {}\n", curve.x[i], curve.y[i]);
       data += "\n\n";
     }
     std::string script = fmt::format(
@@ -159,14 +165,16 @@ std::vector<std::string> drawFigures(const StudyReport& report, const std::files
     if (figure.logY) script += "set logscale y\nset format y '10^{%L}'\n";
     std::string plot;
     for (std::size_t c = 0; c < figure.curves.size(); ++c)
-      plot += fmt::format("{}'{}.dat' index {} with linespoints lw 2 title {}", plot.empty() ? "plot " : ", \\\n     ", figure.name, c,
-                          inQuotes(figure.curves[c].label));
+      plot += fmt::format("{}'{}.dat' index {} with linespoints lw 2 title {}", plot.empty() ? "plot " : ", \\\n     ",
+                          figure.name, c, inQuotes(figure.curves[c].label));
     if (plot.empty()) continue;
     writeFileAtomically(folder / (figure.name + ".dat"), data);
     writeFileAtomically(folder / (figure.name + ".gp"), script + plot + "\n");
     const ProgramResult result = runProgram({"gnuplot", figure.name + ".gp"}, folder);
     if (!result.found)
-      notes.push_back(fmt::format("no picture {}.png: gnuplot is not installed (Debian: gnuplot-nox); its script is in {}", figure.name, folder.string()));
+      notes.push_back(
+          fmt::format("no picture {}.png: gnuplot is not installed (Debian: gnuplot-nox); its script is in {}",
+                      figure.name, folder.string()));
     else if (result.status != 0)
       notes.push_back(fmt::format("no picture {}.png: gnuplot said {}", figure.name, result.output));
   }

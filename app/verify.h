@@ -28,8 +28,8 @@ std::vector<StudyReport> runStudies(const std::vector<std::string>& names, Study
 std::string studyText(const StudyReport& report);
 /// { "passed": …, "studies": { NAME: { "passed", "tables": { NAME: [rows as objects] }, "checks": [ … ] } } }
 nlohmann::ordered_json studiesJson(const std::vector<StudyReport>& reports);
-/// Draws every figure of a report with gnuplot into `folder` (NAME.png beside its script and data). Returns a note for each
-/// picture that could not be drawn.
+/// Draws every figure of a report with gnuplot into `folder` (NAME.png beside its script and data). Returns a note for
+/// each picture that could not be drawn.
 std::vector<std::string> drawFigures(const StudyReport& report, const std::filesystem::path& folder);
 
 }  // namespace ringwatch
