@@ -394,6 +394,14 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, Sc
     fail(integrator.at("method").origin, "integrator.method",
          fmt::format("\"{}\" is unstable at every step without damping, so there is no critical step to monitor; choose another, "
                      "or set monitor.bracket = false and monitor.metric = \"none\"", scene.method));
+  if (std::isinf(integratorCatalog().find(scene.method)->imaginaryLimit)) {
+    // No step is too large for it: there is nothing to watch but energies and the state itself.
+    if (!scene.step)
+      fail(integrator.at("step").origin, "integrator.step",
+           fmt::format("\"auto\" follows the critical step, and \"{}\" is stable at every step; give a number", scene.method));
+    scene.bracket = false;
+    scene.metric.clear();
+  }
 }
 
 void readLoadSection(const Section& section, Scene& scene) {
@@ -491,6 +499,9 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
   scene.historyEvery = output.get<std::int64_t>("history_every");
   scene.energy = output.get<bool>("energy");
   scene.picture = output.get<bool>("picture");
+  if (std::isinf(integratorCatalog().find(scene.method)->imaginaryLimit) &&
+      std::find(scene.fields.begin(), scene.fields.end(), "critical_step") != scene.fields.end())
+    fail(output.at("fields").origin, "output.fields", fmt::format("\"critical_step\": \"{}\" is stable at every step and has none", scene.method));
   if (scene.metric.empty() && std::find(scene.fields.begin(), scene.fields.end(), "metric") != scene.fields.end())
     fail(output.at("fields").origin, "output.fields", "\"metric\" needs a metric; set monitor.metric");
   return scene;
