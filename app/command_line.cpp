@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <new>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <ringwatch/app/inspect.h>
 #include <ringwatch/app/integrator_catalog.h>
@@ -54,7 +54,8 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
  private:
-  struct sigaction oldInterrupt_ {}, oldTerminate_ {};
+  struct sigaction oldInterrupt_ {
+  }, oldTerminate_{};
 };
 
 template <class Table>
@@ -77,7 +78,8 @@ std::string integratorListing() {
 std::string metricListing() {
   std::string text;
   for (const MetricInfo& info : allMetrics())
-    text += fmt::format("  {:<17} {}; of the highest frequency: {}\n", info.name, info.help, directionName(info.direction));
+    text +=
+        fmt::format("  {:<17} {}; of the highest frequency: {}\n", info.name, info.help, directionName(info.direction));
   return text;
 }
 
@@ -93,7 +95,8 @@ std::string mainFooter() {
          "  ringwatch run examples/stretch_bar.toml --out out/stretch_bar\n"
          "  ringwatch run scene.toml --set integrator.step=1e-4 --set output.every=0.01\n"
          "  ringwatch run --help-scene\n\n"
-         "Laws:\n" + listing(allLaws()) + "\nIntegrators:\n" + integratorListing() + "\nMetrics:\n" + metricListing() +
+         "Laws:\n" +
+         listing(allLaws()) + "\nIntegrators:\n" + integratorListing() + "\nMetrics:\n" + metricListing() +
          "\nMesh generators:\n" + generatorHelp();
 }
 
@@ -103,7 +106,8 @@ std::string oneLine(std::string text) {
   std::string result;
   for (char c : text) {
     const bool space = c == '\n' || c == '\r' || c == '\t';
-    if (!space || (!result.empty() && result.back() != ' ')) result += space ? ' ' : static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+    if (!space || (!result.empty() && result.back() != ' '))
+      result += space ? ' ' : static_cast<unsigned char>(c) < 0x20 ? '?' : c;
   }
   return result;
 }
@@ -128,12 +132,18 @@ struct RunCommand {
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
     command->add_option("SCENE", scene, "scene file (TOML); see --help-scene");
-    command->add_option("--out", folder, "folder for the results, made when missing (default: out/ and the scene's name)");
-    command->add_option("--set", overrides, "section.key=value, replaces the value of the scene; may be given again")->allow_extra_args(false);
-    command->add_option("--threads", threads, "threads (default: as many as the mesh keeps busy); results do not depend on it")->check(CLI::Range(0, 4096));
+    command->add_option("--out", folder,
+                        "folder for the results, made when missing (default: out/ and the scene's name)");
+    command->add_option("--set", overrides, "section.key=value, replaces the value of the scene; may be given again")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--threads", threads,
+                     "threads (default: as many as the mesh keeps busy); results do not depend on it")
+        ->check(CLI::Range(0, 4096));
     command->add_flag("--quiet", quiet, "print nothing but errors; the exit status tells how it went");
     command->add_flag("--help-scene", helpScene, "list every key of a scene file");
-    command->footer("Writes history.csv, summary.json, critical_step.png and, with output.every, run.pvd for ParaView.");
+    command->footer(
+        "Writes history.csv, summary.json, critical_step.png and, with output.every, run.pvd for ParaView.");
   }
 
   int execute() const {
@@ -141,10 +151,12 @@ struct RunCommand {
       printOut(sceneHelp());
       return exitStable;
     }
-    if (scene.empty()) throw InputError("run: SCENE is missing; give a scene file (TOML), see ringwatch run --help-scene");
+    if (scene.empty())
+      throw InputError("run: SCENE is missing; give a scene file (TOML), see ringwatch run --help-scene");
     const Scene description = readScene(scene, overrides);
     RunOptions options;
-    options.folder = folder.empty() ? std::filesystem::path("out") / std::filesystem::path(scene).stem() : std::filesystem::path(folder);
+    options.folder = folder.empty() ? std::filesystem::path("out") / std::filesystem::path(scene).stem()
+                                    : std::filesystem::path(folder);
     options.progress = !quiet;
     options.interrupt = &interrupted;
     const Body body = sceneBody(description, sceneMesh(description, options.notes), threads);
@@ -168,16 +180,24 @@ struct InspectCommand {
     command->add_option("--poisson", options.poisson, "Poisson's ratio, > -1 and < 0.5")->required();
     command->add_option("--density", options.density, "density, kg/m3")->required();
     command->add_option("--model", options.model, "constitutive law (default: stvk)");
-    command->add_option("--integrator", options.integrator, "integrator whose stability limit counts (default: symplectic-euler)");
-    command->add_option("--lumping", lumping, "row-sum or equal (default: row-sum)")->check(CLI::IsMember({"row-sum", "equal"}));
+    command->add_option("--integrator", options.integrator,
+                        "integrator whose stability limit counts (default: symplectic-euler)");
+    command->add_option("--lumping", lumping, "row-sum or equal (default: row-sum)")
+        ->check(CLI::IsMember({"row-sum", "equal"}));
     stepOption = command->add_option("--step", step, "list the elements that need a smaller step than this, s");
-    command->add_option("--metric", options.metrics, "metrics, separated by commas, or all")->delimiter(',')->allow_extra_args(false);
-    command->add_option("--fix", options.fix, "condition on nodes that are held, e.g. \"x < 1e-6\"; may be given again")->allow_extra_args(false);
+    command->add_option("--metric", options.metrics, "metrics, separated by commas, or all")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command->add_option("--fix", options.fix, "condition on nodes that are held, e.g. \"x < 1e-6\"; may be given again")
+        ->allow_extra_args(false);
     command->add_flag("--global", options.global, "also the exact critical step, by a global eigenvalue");
-    command->add_option("--json", json, "write the numbers to this file; - for standard output, and nothing else there");
+    command->add_option("--json", json,
+                        "write the numbers to this file; - for standard output, and nothing else there");
     command->add_option("--vtu", vtu, "write the mesh with the steps by each metric for ParaView");
-    command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")->check(CLI::Range(0, 4096));
-    command->footer("Laws:\n" + listing(allLaws()) + "\nIntegrators:\n" + integratorListing() + "\nMetrics:\n" + metricListing());
+    command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
+        ->check(CLI::Range(0, 4096));
+    command->footer("Laws:\n" + listing(allLaws()) + "\nIntegrators:\n" + integratorListing() + "\nMetrics:\n" +
+                    metricListing());
   }
 
   int execute() {
@@ -209,12 +229,14 @@ struct MeshCommand {
     generate->add_option("-o,--output", output, "mesh file to write: .msh or .vtu")->required();
     for (const SceneKey& key : generatorSceneKeys())
       generate->add_option("--" + key.key, parameters[key.key], key.help)->expected(1, 3)->delimiter(',');
-    generate->footer("Kinds and their parameters, lists as --size 0.2 0.04 0.04 or --size 0.2,0.04,0.04:\n" + generatorHelp() +
-                     "\nExample: ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 --element hex8 -o bar.msh");
+    generate->footer(
+        "Kinds and their parameters, lists as --size 0.2 0.04 0.04 or --size 0.2,0.04,0.04:\n" + generatorHelp() +
+        "\nExample: ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 --element hex8 -o bar.msh");
     convert = command->add_subcommand("convert", "read a mesh and write it in another format");
     convert->add_option("IN", input, "mesh file: .msh, .node/.ele, .vtu or .vtk")->required();
     convert->add_option("OUT", target, "mesh file to write: .msh or .vtu")->required();
-    check = command->add_subcommand("check", "list everything that is wrong with a mesh; exit status 1 when there is something");
+    check = command->add_subcommand("check",
+                                    "list everything that is wrong with a mesh; exit status 1 when there is something");
     check->add_option("MESH", checked, "mesh file")->required();
   }
 
@@ -227,7 +249,8 @@ struct MeshCommand {
   int executeGenerate() const {
     if (!findGenerator(kind)) {
       const std::vector<std::string> known = generatorNames();
-      throw InputError(fmt::format("KIND: unknown \"{}\"; did you mean \"{}\"? known are {}", kind, nearestName(kind, known), fmt::join(known, ", ")));
+      throw InputError(fmt::format("KIND: unknown \"{}\"; did you mean \"{}\"? known are {}", kind,
+                                   nearestName(kind, known), fmt::join(known, ", ")));
     }
     nlohmann::ordered_json values = nlohmann::ordered_json::object();
     for (const auto& [name, texts] : parameters) {
@@ -245,7 +268,9 @@ struct MeshCommand {
   }
 
   static nlohmann::ordered_json numberOrText(const std::string& text) {
+    std::int64_t integer = 0;
     double value = 0;
+    if (CLI::detail::lexical_cast(text, integer)) return integer;
     if (CLI::detail::lexical_cast(text, value) && std::isfinite(value)) return value;
     return text;
   }
@@ -264,9 +289,11 @@ struct MeshCommand {
     const std::vector<MeshProblem> problems = checkMeshFile(checked, &notes);
     std::string text;
     for (const std::string& note : notes) text += "note: " + note + "\n";
-    for (const MeshProblem& problem : problems) text += fmt::format("{}: {}\n", problemName(problem.kind), problem.text);
-    text += problems.empty() ? fmt::format("{}: nothing wrong\n", checked)
-                             : fmt::format("{}: {} problem{}\n", checked, problems.size(), problems.size() == 1 ? "" : "s");
+    for (const MeshProblem& problem : problems)
+      text += fmt::format("{}: {}\n", problemName(problem.kind), problem.text);
+    text += problems.empty()
+                ? fmt::format("{}: nothing wrong\n", checked)
+                : fmt::format("{}: {} problem{}\n", checked, problems.size(), problems.size() == 1 ? "" : "s");
     printOut(text);
     return problems.empty() ? exitStable : exitUnstable;
   }
@@ -311,20 +338,25 @@ struct VerifyCommand {
 /// CLI11's message for a wrong usage, on one line, with the nearest known option or command.
 std::string usageText(const CLI::App& app, const CLI::ParseError& fault) {
   std::string text = oneLine(fault.what());
-  if (dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr) {
+  // An unknown command is reported by CLI11 as a missing one.
+  const bool unknown = dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr ||
+                       dynamic_cast<const CLI::RequiredError*>(&fault) != nullptr;
+  if (unknown && !app.remaining(true).empty()) {
     const CLI::App* innermost = &app;
     while (!innermost->get_subcommands().empty()) innermost = innermost->get_subcommands().front();
     std::vector<std::string> known;
     for (const CLI::Option* option : innermost->get_options()) known.push_back(option->get_name());
-    for (const CLI::App* command : innermost->get_subcommands([](const CLI::App*) { return true; })) known.push_back(command->get_name());
-    const std::vector<std::string> extras = app.remaining(true);
-    if (!extras.empty()) text = fmt::format("unknown argument \"{}\"; did you mean \"{}\"?", extras.front(), nearestName(extras.front(), known));
+    for (const CLI::App* command : innermost->get_subcommands([](const CLI::App*) { return true; }))
+      known.push_back(command->get_name());
+    const std::string extra = app.remaining(true).front();
+    text = fmt::format("unknown argument \"{}\"; did you mean \"{}\"?", extra, nearestName(extra, known));
   }
   return text + "; see ringwatch --help";
 }
 
 int dispatch(int argc, char** argv) {
-  CLI::App app("ringwatch: how large a step can this explicit finite element run take, and what stands in the way", "ringwatch");
+  CLI::App app("ringwatch: how large a step can this explicit finite element run take, and what stands in the way",
+               "ringwatch");
   app.set_version_flag("--version", "ringwatch " + std::string(programVersion()));
   app.require_subcommand(1);
   app.footer(mainFooter());

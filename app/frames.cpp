@@ -20,7 +20,9 @@ FrameWriter::FrameWriter(std::filesystem::path folder, const Scene& scene, const
     : folder_(std::move(folder)), scene_(scene), body_(body), limit_(limit) {
   std::error_code error;
   std::filesystem::create_directories(folder_ / "frames", error);
-  if (error) throw InputError(fmt::format("{}: cannot write: {}; choose another folder with --out", (folder_ / "frames").string(), error.message()));
+  if (error)
+    throw InputError(fmt::format("{}: cannot write: {}; choose another folder with --out",
+                                 (folder_ / "frames").string(), error.message()));
 }
 
 bool FrameWriter::asksFor(const char* field) const {
@@ -36,7 +38,9 @@ std::vector<double> FrameWriter::elementSteps(const std::string& metric, const N
 
 void FrameWriter::write(double time, const NodeVectors& x, const NodeVectors& v, double h, Verdict verdict) {
   const NodeVectors displacement = x - body_.mesh().X;
-  const auto values = [](const NodeVectors& vectors) { return std::span<const double>(vectors.data(), static_cast<std::size_t>(vectors.size())); };
+  const auto values = [](const NodeVectors& vectors) {
+    return std::span<const double>(vectors.data(), static_cast<std::size_t>(vectors.size()));
+  };
   const std::vector<VtuField> points{{"displacement", 3, values(displacement)}, {"velocity", 3, values(v)}};
 
   std::vector<double> ring, metric;

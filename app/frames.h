@@ -12,12 +12,11 @@ namespace ringwatch {
 /// What [output] fields may name: cell data of the frames.
 std::vector<std::string> frameFieldNames();
 
-/// Writes frames/frame_000001.vtu … and run.pvd, which lists them, into a folder. Every frame carries displacement (m) and
-/// velocity (m/s) at nodes, and at elements what the scene asks for:
-/// critical_step, s, by the element's reduced 1-ring (an upper bound of the critical step: lower ones decide);
-/// metric, s, the element's step by the scene's metric, margin applied;
-/// verdict, 0 where the whole body is certified, 2 where the element's own reduced 1-ring forbids the step, 1 else;
-/// handler, 1 where a handler holds the element.
+/// Writes frames/frame_000001.vtu … and run.pvd, which lists them, into a folder. Every frame carries displacement (m)
+/// and velocity (m/s) at nodes, and at elements what the scene asks for: critical_step, s, by the element's reduced
+/// 1-ring (an upper bound of the critical step: lower ones decide); metric, s, the element's step by the scene's
+/// metric, margin applied; verdict, 0 where the whole body is certified, 2 where the element's own reduced 1-ring
+/// forbids the step, 1 else; handler, 1 where a handler holds the element.
 class FrameWriter {
  public:
   /// limit: the integrator's largest stable h·omega.

@@ -16,7 +16,8 @@ constexpr const char* columns =
 
 }  // namespace
 
-HistoryWriter::HistoryWriter(std::filesystem::path folder) : folder_(std::move(folder)), flushed_(std::chrono::steady_clock::now()) {
+HistoryWriter::HistoryWriter(std::filesystem::path folder)
+    : folder_(std::move(folder)), flushed_(std::chrono::steady_clock::now()) {
   errno = 0;
   file_.open(folder_ / "history.csv.part", std::ios::trunc);
   file_ << columns << std::flush;
@@ -33,11 +34,13 @@ void HistoryWriter::write(const HistoryRow& row) {
   // Shortest digits that read back to the same double; an empty cell where nothing was computed.
   std::string line = fmt::format("{},{},{},", row.step, row.time, row.h);
   if (row.bracket)
-    line += fmt::format("{},{},{}:{},", row.bracket->safe, row.bracket->optimistic, row.bracket->controlling.block, row.bracket->controlling.element);
+    line += fmt::format("{},{},{}:{},", row.bracket->safe, row.bracket->optimistic, row.bracket->controlling.block,
+                        row.bracket->controlling.element);
   else
     line += ",,,";
   if (row.energies)
-    line += fmt::format("{},{},{},{},", row.energies->kinetic, row.energies->strain, row.energies->externalWork, row.energies->balanceError);
+    line += fmt::format("{},{},{},{},", row.energies->kinetic, row.energies->strain, row.energies->externalWork,
+                        row.energies->balanceError);
   else
     line += ",,,,";
   line += fmt::format("{},{},", row.elementsRefreshed, row.handledElements);

@@ -21,8 +21,8 @@ struct HistoryRow {
   std::optional<Verdict> verdict;
 };
 
-/// Streams history.csv: rows go to history.csv.part, flushed about once a second, which becomes history.csv when the run
-/// is over, however it ended.
+/// Streams history.csv: rows go to history.csv.part, flushed about once a second, which becomes history.csv when the
+/// run is over, however it ended.
 class HistoryWriter {
  public:
   /// Throws InputError when the folder cannot be written.

@@ -31,7 +31,8 @@ std::vector<std::string> metricsWanted(const std::vector<std::string>& asked) {
   for (const std::string& name : asked) {
     if (name == "all") return known;
     if (!findMetric(name))
-      throw InputError(fmt::format("--metric: unknown \"{}\"; did you mean \"{}\"? known are all, {}", name, nearestName(name, known), fmt::join(known, ", ")));
+      throw InputError(fmt::format("--metric: unknown \"{}\"; did you mean \"{}\"? known are all, {}", name,
+                                   nearestName(name, known), fmt::join(known, ", ")));
     if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
   }
   return wanted;
@@ -45,9 +46,14 @@ double limitOf(const std::string& integrator) {
     throw InputError(fmt::format("--integrator: unknown \"{}\"; did you mean \"{}\"? known are {}", integrator, nearestName(integrator, known), fmt::join(known, ", ")));
   }
   if (!(info->imaginaryLimit > 0))
-    throw InputError(fmt::format("--integrator: \"{}\" is unstable at every step without damping and has no critical step; choose another, e.g. symplectic-euler", integrator));
+    throw InputError(
+        fmt::format("--integrator: \"{}\" is unstable at every step without damping and has no critical step; choose "
+                    "another, e.g. symplectic-euler",
+                    integrator));
   if (std::isinf(info->imaginaryLimit))
-    throw InputError(fmt::format("--integrator: \"{}\" is stable at every step and has no critical step; choose another, e.g. symplectic-euler", integrator));
+    throw InputError(fmt::format(
+        "--integrator: \"{}\" is stable at every step and has no critical step; choose another, e.g. symplectic-euler",
+        integrator));
   return info->imaginaryLimit;
 }
 
@@ -67,9 +73,12 @@ Body makeBody(const InspectOptions& options, std::vector<std::string>& notes) {
 /// Which way a metric's step errs: the opposite of its frequency.
 std::string_view stepMeaning(Direction direction) {
   switch (direction) {
-    case Direction::upperBound: return "proven: the critical step is at least this";
-    case Direction::lowerBound: return "proven: the critical step is at most this";
-    case Direction::estimate: return "an estimate, may err either way";
+    case Direction::upperBound:
+      return "proven: the critical step is at least this";
+    case Direction::lowerBound:
+      return "proven: the critical step is at most this";
+    case Direction::estimate:
+      return "an estimate, may err either way";
   }
   return "";
 }
@@ -77,14 +86,18 @@ std::string_view stepMeaning(Direction direction) {
 std::string qualityText(const std::vector<QualitySummary>& summaries) {
   std::string text = fmt::format("  {:<22} {:>12} {:>12} {:>12}\n", "quality", "least", "mean", "largest");
   for (const QualitySummary& s : summaries)
-    text += fmt::format("  {:<22} {:>12.5g} {:>12.5g} {:>12.5g}\n", s.unit.empty() ? s.name : fmt::format("{} ({})", s.name, s.unit), s.min, s.mean, s.max);
+    text += fmt::format("  {:<22} {:>12.5g} {:>12.5g} {:>12.5g}\n",
+                        s.unit.empty() ? s.name : fmt::format("{} ({})", s.name, s.unit), s.min, s.mean, s.max);
   return text;
 }
 
 Json qualityJson(const std::vector<QualitySummary>& summaries) {
   Json json = Json::object();
   for (const QualitySummary& s : summaries)
-    json[s.name] = Json{{"unit", s.unit}, {"min", s.min}, {"max", s.max}, {"mean", s.mean},
+    json[s.name] = Json{{"unit", s.unit},
+                        {"min", s.min},
+                        {"max", s.max},
+                        {"mean", s.mean},
                         {"min_element", {{"block", s.minElement.block}, {"index", s.minElement.element}}},
                         {"max_element", {{"block", s.maxElement.block}, {"index", s.maxElement.element}}}};
   return json;
@@ -100,8 +113,8 @@ Json illShaped(const Mesh& mesh, const MetricResult& ring, double limit, double 
   return Json{{"count", elements.size()}, {"elements", std::move(elements)}};
 }
 
-void writeMetricsVtu(const std::filesystem::path& path, const Body& body, const std::vector<MetricResult>& metrics, double limit,
-                     const std::vector<std::vector<ElementQuality>>& quality) {
+void writeMetricsVtu(const std::filesystem::path& path, const Body& body, const std::vector<MetricResult>& metrics,
+                     double limit, const std::vector<std::vector<ElementQuality>>& quality) {
   std::vector<std::vector<double>> arrays;
   std::vector<VtuField> fields;
   arrays.reserve(metrics.size() + 1);  // the fields point into it
@@ -145,27 +158,31 @@ InspectResult inspectMesh(const InspectOptions& options) {
   json["mesh"] = meshJson(mesh, body.volume());
   json["mass"] = body.totalMass();
   std::string& text = result.text;
-  text = fmt::format("{}: {} nodes, {}\n  volume {:.10g} m3, mass {:.10g} kg\n", options.mesh.string(), mesh.nodeCount(), elementCounts(mesh),
-                     body.volume(), body.totalMass());
+  text = fmt::format("{}: {} nodes, {}\n  volume {:.10g} m3, mass {:.10g} kg\n", options.mesh.string(),
+                     mesh.nodeCount(), elementCounts(mesh), body.volume(), body.totalMass());
   for (const std::string& note : notes) text += fmt::format("  note: {}\n", note);
   json["quality"] = qualityJson(summaries);
   text += qualityText(summaries);
 
   const CriticalStep step = criticalStep(body, mesh.X, limit);
   json["critical_step"] = Json{{"safe", step.safe}, {"optimistic", step.optimistic}};
-  text += fmt::format("critical step at rest: {}, {}, limit h omega = {:.6g}\n", options.model, options.integrator, limit);
+  text +=
+      fmt::format("critical step at rest: {}, {}, limit h omega = {:.6g}\n", options.model, options.integrator, limit);
   text += fmt::format("  safe        {:.10g} s   proven stable up to here, by {}\n", step.safe, step.safeBy);
   text += fmt::format("  optimistic  {:.10g} s   proven unstable above, by {}\n", step.optimistic, step.optimisticBy);
   if (step.lowestRing < 0)
-    text += fmt::format("  the tangent is indefinite, eigenvalue {:.6g} rad2/s2: no step cures that\n", step.lowestRing);
+    text +=
+        fmt::format("  the tangent is indefinite, eigenvalue {:.6g} rad2/s2: no step cures that\n", step.lowestRing);
   if (options.global) {
     const GlobalFrequency global = globalFrequency(body, mesh.X);
     if (global.converged) {
       json["critical_step"]["global"] = stepFor(global.lambda, limit);
-      text += fmt::format("  global      {:.10g} s   the exact value, {} tangent products\n", stepFor(global.lambda, limit), global.products);
+      text += fmt::format("  global      {:.10g} s   the exact value, {} tangent products\n",
+                          stepFor(global.lambda, limit), global.products);
     } else {
-      result.failure = fmt::format("{}: the global eigenvalue did not converge after {} tangent products; the bracket holds without it",
-                                   options.mesh.string(), global.products);
+      result.failure = fmt::format(
+          "{}: the global eigenvalue did not converge after {} tangent products; the bracket holds without it",
+          options.mesh.string(), global.products);
     }
   }
 
@@ -177,22 +194,29 @@ InspectResult inspectMesh(const InspectOptions& options) {
     const MetricResult& m = metrics.back();
     const double h = stepFor(m.lambda, limit);
     json["critical_step"]["metrics"][name] = h;
-    text += fmt::format("  {:<16} {:>16.10g}  {}:{}  {}\n", name, h, m.controlling.block, m.controlling.element, stepMeaning(m.info->direction));
+    text += fmt::format("  {:<16} {:>16.10g}  {}:{}  {}\n", name, h, m.controlling.block, m.controlling.element,
+                        stepMeaning(m.info->direction));
   }
 
   json["controlling_element"] = elementJson(mesh, step.controlling);
-  const ElementQuality& q = quality[static_cast<std::size_t>(step.controlling.block)][static_cast<std::size_t>(step.controlling.element)];
-  text += fmt::format("controlling element: {}\n  volume {:.5g} m3, least height {:.5g} m, edges {:.5g} to {:.5g} m", elementText(mesh, step.controlling),
-                      q.volume, q.minHeight, q.minEdge, q.maxEdge);
-  if (!std::isnan(q.minDihedral)) text += fmt::format(", dihedral angles {:.4g} to {:.4g} degrees", q.minDihedral, q.maxDihedral);
+  const ElementQuality& q =
+      quality[static_cast<std::size_t>(step.controlling.block)][static_cast<std::size_t>(step.controlling.element)];
+  text += fmt::format("controlling element: {}\n  volume {:.5g} m3, least height {:.5g} m, edges {:.5g} to {:.5g} m",
+                      elementText(mesh, step.controlling), q.volume, q.minHeight, q.minEdge, q.maxEdge);
+  if (!std::isnan(q.minDihedral))
+    text += fmt::format(", dihedral angles {:.4g} to {:.4g} degrees", q.minDihedral, q.maxDihedral);
   text += "\n";
 
   if (options.step) {
-    const auto ring = std::find_if(metrics.begin(), metrics.end(), [](const MetricResult& m) { return m.info->name == "reduced-1-ring"; });
-    json["ill_shaped"] = illShaped(mesh, ring != metrics.end() ? *ring : evaluateMetric("reduced-1-ring", body, mesh.X), limit, *options.step);
+    const auto ring = std::find_if(metrics.begin(), metrics.end(),
+                                   [](const MetricResult& m) { return m.info->name == "reduced-1-ring"; });
+    json["ill_shaped"] = illShaped(mesh, ring != metrics.end() ? *ring : evaluateMetric("reduced-1-ring", body, mesh.X),
+                                   limit, *options.step);
     const std::size_t count = json["ill_shaped"]["count"];
     text += fmt::format("at h = {:.6g} s: {}; {} of {} elements forbid it by their reduced 1-ring\n", *options.step,
-                        *options.step <= step.safe ? "proven stable" : *options.step <= step.optimistic ? "neither proven stable nor unstable" : "proven unstable",
+                        *options.step <= step.safe         ? "proven stable"
+                        : *options.step <= step.optimistic ? "neither proven stable nor unstable"
+                                                           : "proven unstable",
                         count, mesh.elementCount());
   }
   if (options.vtu) writeMetricsVtu(*options.vtu, body, metrics, limit, quality);

@@ -17,10 +17,10 @@ struct InspectOptions {
   std::string model = "stvk";
   std::string integrator = "symplectic-euler";
   Lumping lumping = Lumping::rowSum;
-  std::optional<double> step;         // s: list the elements that need a smaller one
-  std::vector<std::string> metrics;   // names; "all" for every one; empty for the usual ones
-  std::vector<std::string> fix;       // conditions on nodes that are held
-  bool global = false;                // also the exact critical step, by a global eigenvalue
+  std::optional<double> step;        // s: list the elements that need a smaller one
+  std::vector<std::string> metrics;  // names; "all" for every one; empty for the usual ones
+  std::vector<std::string> fix;      // conditions on nodes that are held
+  bool global = false;               // also the exact critical step, by a global eigenvalue
   std::optional<std::filesystem::path> vtu;
   int threads = 0;
 };

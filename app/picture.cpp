@@ -14,7 +14,9 @@ namespace {
 constexpr std::size_t mostRows = 4000;
 constexpr double logRatio = 20;  // a range of steps wider than this is drawn on a logarithmic scale
 
-std::string cell(std::optional<double> value) { return value && std::isfinite(*value) ? fmt::format(" {}", *value) : " NaN"; }
+std::string cell(std::optional<double> value) {
+  return value && std::isfinite(*value) ? fmt::format(" {}", *value) : " NaN";
+}
 
 /// A text inside a gnuplot string in single quotes.
 std::string inQuotes(const std::string& text) {
@@ -40,13 +42,15 @@ void Picture::add(const HistoryRow& row) {
 }
 
 std::string Picture::data() const {
-  std::string text = "# time_s h_s safe_s optimistic_s metric_step_s kinetic_J strain_J external_work_J balance_error_J\n";
+  std::string text =
+      "# time_s h_s safe_s optimistic_s metric_step_s kinetic_J strain_J external_work_J balance_error_J\n";
   for (const HistoryRow& row : rows_) {
     text += fmt::format("{}{}", row.time, cell(row.h));
     text += row.bracket ? cell(row.bracket->safe) + cell(row.bracket->optimistic) : " NaN NaN";
     text += cell(row.metricStep);
     if (row.energies)
-      text += cell(row.energies->kinetic) + cell(row.energies->strain) + cell(row.energies->externalWork) + cell(row.energies->balanceError);
+      text += cell(row.energies->kinetic) + cell(row.energies->strain) + cell(row.energies->externalWork) +
+              cell(row.energies->balanceError);
     else
       text += " NaN NaN NaN NaN";
     text += "\n";
@@ -75,7 +79,8 @@ std::string Picture::script(const std::string& title) const {
     }
     if (row.metricStep) seeStep(*row.metricStep);
     if (!row.energies) continue;
-    for (double value : {row.energies->kinetic, row.energies->strain, row.energies->externalWork, row.energies->balanceError}) {
+    for (double value :
+         {row.energies->kinetic, row.energies->strain, row.energies->externalWork, row.energies->balanceError}) {
       if (!std::isfinite(value)) continue;
       leastEnergy = std::min(leastEnergy, value);
       mostEnergy = std::max(mostEnergy, value);
@@ -91,7 +96,7 @@ std::string Picture::script(const std::string& title) const {
       "set output picture\n"
       "set datafile missing 'NaN'\n"
       "data = 'critical_step.dat'\n"
-      "set style line 1 lc rgb '#009E73' lw 2\n"           // colours that colour-blind people tell apart (Okabe and Ito)
+      "set style line 1 lc rgb '#009E73' lw 2\n"  // colours that colour-blind people tell apart (Okabe and Ito)
       "set style line 2 lc rgb '#0072B2' lw 2\n"
       "set style line 3 lc rgb '#000000' lw 2\n"
       "set style line 4 lc rgb '#E69F00' lw 2\n"
@@ -109,33 +114,43 @@ std::string Picture::script(const std::string& title) const {
   std::string marks, legend;
   const auto mark = [&](int number, const std::optional<double>& time, const char* name) {
     if (!time) return;
-    marks += fmt::format("set arrow {} from first {}, graph 0 to first {}, graph 1 nohead ls {} front\n", number, *time, *time, number);
+    marks += fmt::format("set arrow {} from first {}, graph 0 to first {}, graph 1 nohead ls {} front\n", number, *time,
+                         *time, number);
     legend += fmt::format(", NaN ls {} title '{}, t = {:.4g} s'", number, name, *time);
   };
   mark(5, violation_, "monitor: violated");
   mark(6, runaway_, "energy ran away");
   text += marks;
 
-  text += "set title 'Step sizes' offset 0,-0.5\nset ylabel 'step (s)'\nset key bottom left Left reverse samplen 3 opaque\n";
+  text +=
+      "set title 'Step sizes' offset 0,-0.5\nset ylabel 'step (s)'\nset key bottom left Left reverse samplen 3 "
+      "opaque\n";
   if (!hasEnergy) text += "set xlabel 'time (s)'\n";
   if (logarithmic) text += "set logscale y\n";
   if (mostStep > 0)
-    text += logarithmic ? fmt::format("set yrange [{}:{}]\n", 0.5 * leastStep, 1.5 * mostStep)
-                        : fmt::format("set yrange [{}:{}]\n", 0.4 * leastStep, mostStep + 0.1 * (mostStep - 0.4 * leastStep));
+    text += logarithmic
+                ? fmt::format("set yrange [{}:{}]\n", 0.5 * leastStep, 1.5 * mostStep)
+                : fmt::format("set yrange [{}:{}]\n", 0.4 * leastStep, mostStep + 0.1 * (mostStep - 0.4 * leastStep));
   std::string curves;
   if (hasBracket)
-    curves += "data using 1:4 with lines ls 2 title 'optimistic: proven unstable above', "
-              "data using 1:3 with lines ls 1 title 'safe: proven stable below', ";
+    curves +=
+        "data using 1:4 with lines ls 2 title 'optimistic: proven unstable above', "
+        "data using 1:3 with lines ls 1 title 'safe: proven stable below', ";
   if (hasMetric) curves += "data using 1:5 with lines ls 4 title 'metric with margin', ";
   text += "plot " + curves + "data using 1:2 with steps ls 3 title 'step taken'" + legend + "\n";
 
   if (hasEnergy) {
-    text += "unset logscale y\nset title 'Energies' offset 0,-0.5\nset ylabel 'energy (J)'\nset xlabel 'time (s)'\nset key top left\n";
+    text +=
+        "unset logscale y\nset title 'Energies' offset 0,-0.5\nset ylabel 'energy (J)'\nset xlabel 'time (s)'\nset key "
+        "top left\n";
     const double span = mostEnergy - leastEnergy;
-    if (span > 0) text += fmt::format("set yrange [{}:{}]\n", leastEnergy - 0.1 * span, mostEnergy + (runaway_ ? 0.6 : 0.1) * span);
-    else text += "set autoscale y\n";
-    text += "plot data using 1:6 with lines ls 2 title 'kinetic', data using 1:7 with lines ls 1 title 'strain', "
-            "data using 1:8 with lines ls 4 title 'external work', data using 1:9 with lines ls 7 title 'balance error'\n";
+    if (span > 0)
+      text += fmt::format("set yrange [{}:{}]\n", leastEnergy - 0.1 * span, mostEnergy + (runaway_ ? 0.6 : 0.1) * span);
+    else
+      text += "set autoscale y\n";
+    text +=
+        "plot data using 1:6 with lines ls 2 title 'kinetic', data using 1:7 with lines ls 1 title 'strain', "
+        "data using 1:8 with lines ls 4 title 'external work', data using 1:9 with lines ls 7 title 'balance error'\n";
   }
   return text + "unset multiplot\n";
 }

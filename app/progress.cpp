@@ -8,7 +8,8 @@
 
 namespace ringwatch {
 
-ProgressLine::ProgressLine(bool wanted) : active_(wanted && ::isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
+ProgressLine::ProgressLine(bool wanted)
+    : active_(wanted && ::isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
 
 bool ProgressLine::due() {
   if (!active_) return false;

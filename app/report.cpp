@@ -28,10 +28,14 @@ Json meshJson(const Mesh& mesh, double volume) {
 Json elementJson(const Mesh& mesh, ElementRef ref) {
   const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(ref.block)];
   const std::int32_t* nodes = block.element(static_cast<std::size_t>(ref.element));
-  Json result{{"block", ref.block}, {"index", ref.element}, {"type", std::string(elementInfo(block.type).name)},
+  Json result{{"block", ref.block},
+              {"index", ref.element},
+              {"type", std::string(elementInfo(block.type).name)},
               {"nodes", std::vector<std::int32_t>(nodes, nodes + block.nodesPerElement())},
-              {"id", block.ids[static_cast<std::size_t>(ref.element)]}, {"node_ids", Json::array()}};
-  for (int a = 0; a < block.nodesPerElement(); ++a) result["node_ids"].push_back(mesh.nodeIds[static_cast<std::size_t>(nodes[a])]);
+              {"id", block.ids[static_cast<std::size_t>(ref.element)]},
+              {"node_ids", Json::array()}};
+  for (int a = 0; a < block.nodesPerElement(); ++a)
+    result["node_ids"].push_back(mesh.nodeIds[static_cast<std::size_t>(nodes[a])]);
   return result;
 }
 
@@ -45,10 +49,11 @@ std::string elementCounts(const Mesh& mesh) {
 
 std::string elementText(const Mesh& mesh, ElementRef ref) {
   const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(ref.block)];
-  std::string text = fmt::format("{} element {}:{} (file number {}), nodes", elementInfo(block.type).name, ref.block, ref.element,
-                                 block.ids[static_cast<std::size_t>(ref.element)]);
+  std::string text = fmt::format("{} element {}:{} (file number {}), nodes", elementInfo(block.type).name, ref.block,
+                                 ref.element, block.ids[static_cast<std::size_t>(ref.element)]);
   for (int a = 0; a < block.nodesPerElement(); ++a)
-    text += fmt::format(" {}", mesh.nodeIds[static_cast<std::size_t>(block.element(static_cast<std::size_t>(ref.element))[a])]);
+    text += fmt::format(
+        " {}", mesh.nodeIds[static_cast<std::size_t>(block.element(static_cast<std::size_t>(ref.element))[a])]);
   return text;
 }
 
@@ -78,26 +83,36 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
               {"first_violated", momentJson(result.firstViolated)},
               {"energy_runaway", momentJson(result.runaway)},
               {"events", std::move(events)},
-              {"wall_time", {{"total", result.wallTime}, {"force", result.forceTime}, {"monitor", result.monitorTime}, {"output", result.outputTime}}},
+              {"wall_time",
+               {{"total", result.wallTime},
+                {"force", result.forceTime},
+                {"monitor", result.monitorTime},
+                {"output", result.outputTime}}},
               {"frames", result.frames},
               {"files", result.files},
               {"notes", result.notes}};
 }
 
-std::string summaryText(const Scene& scene, const Body& body, const RunResult& result, const std::filesystem::path& folder) {
+std::string summaryText(const Scene& scene, const Body& body, const RunResult& result,
+                        const std::filesystem::path& folder) {
   std::string text = fmt::format("{}: {} nodes, {}, {:.6g} kg, {}\n", scene.file.string(), body.mesh().nodeCount(),
                                  elementCounts(body.mesh()), body.totalMass(), scene.method);
-  text += fmt::format("{} steps to t = {:.6g} s, {}; {:.2f} s of wall time (force {:.2f}, monitor {:.2f}, output {:.2f})\n", result.steps,
-                      result.time, result.reasonText, result.wallTime, result.forceTime, result.monitorTime, result.outputTime);
+  text +=
+      fmt::format("{} steps to t = {:.6g} s, {}; {:.2f} s of wall time (force {:.2f}, monitor {:.2f}, output {:.2f})\n",
+                  result.steps, result.time, result.reasonText, result.wallTime, result.forceTime, result.monitorTime,
+                  result.outputTime);
   if (result.steps > 0)
     text += result.smallestStep == result.largestStep
-                ? fmt::format("step {:.6g} s, verdict {}\n", result.smallestStep, result.verdict())
-                : fmt::format("steps {:.6g} to {:.6g} s, verdict {}\n", result.smallestStep, result.largestStep, result.verdict());
+                ? fmt::format("step {:.6g} s, ", result.smallestStep)
+                : fmt::format("steps {:.6g} to {:.6g} s, ", result.smallestStep, result.largestStep);
+  text += fmt::format("verdict {}\n", result.verdict());
   // The first few events; all of them are in summary.json.
   constexpr std::size_t most = 6;
-  for (std::size_t i = 0; i < result.events.size() && i < most; ++i) text += fmt::format("  {}\n", result.events[i].text);
+  for (std::size_t i = 0; i < result.events.size() && i < most; ++i)
+    text += fmt::format("  {}\n", result.events[i].text);
   if (result.events.size() > most) text += fmt::format("  and {} more events\n", result.events.size() - most);
-  if (result.runaway) text += fmt::format("  step {}, t = {:.6g} s: the energy ran away\n", result.runaway->step, result.runaway->time);
+  if (result.runaway)
+    text += fmt::format("  step {}, t = {:.6g} s: the energy ran away\n", result.runaway->step, result.runaway->time);
   for (const std::string& note : result.notes) text += fmt::format("note: {}\n", note);
   std::string files;
   for (const std::string& file : result.files) files += (files.empty() ? "" : ", ") + file;

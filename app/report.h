@@ -19,7 +19,8 @@ std::string elementText(const Mesh& mesh, ElementRef element);
 /// summary.json of a run.
 nlohmann::ordered_json summaryJson(const Scene& scene, const Body& body, const RunResult& result);
 /// The few lines that a run says of itself.
-std::string summaryText(const Scene& scene, const Body& body, const RunResult& result, const std::filesystem::path& folder);
+std::string summaryText(const Scene& scene, const Body& body, const RunResult& result,
+                        const std::filesystem::path& folder);
 
 /// Version of the program.
 std::string_view programVersion();

@@ -44,9 +44,13 @@ void prepareFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!error && !std::filesystem::is_directory(folder)) error = std::make_error_code(std::errc::not_a_directory);
-  if (error) throw InputError(fmt::format("{}: cannot write: {}; choose another folder with --out", folder.string(), error.message()));
-  writeFileAtomically(folder / "history.csv.part", "");  // tells whether the folder can be written, before old results go
-  for (const char* name : {"history.csv", "summary.json", "run.pvd", "critical_step.png", "critical_step.gp", "critical_step.dat"})
+  if (error)
+    throw InputError(
+        fmt::format("{}: cannot write: {}; choose another folder with --out", folder.string(), error.message()));
+  writeFileAtomically(folder / "history.csv.part",
+                      "");  // tells whether the folder can be written, before old results go
+  for (const char* name :
+       {"history.csv", "summary.json", "run.pvd", "critical_step.png", "critical_step.gp", "critical_step.dat"})
     std::filesystem::remove(folder / name, error);
 }
 
@@ -160,7 +164,7 @@ class Run {
       }
       const double certified = scene_.safety * (scene_.bracket ? report.bracket->safe : *report.metricStep);
       double next = certified;
-      if (!(next > 0)) next = 0.5 * h_;          // nothing can be certified: keep reducing
+      if (!(next > 0)) next = 0.5 * h_;           // nothing can be certified: keep reducing
       if (!automatic) next = std::min(next, h_);  // a fixed step is shortened, never lengthened
       if (report.bracket && !automatic && h_ <= report.bracket->safe) next = h_;  // a fresh look certifies it after all
       h_ = std::min(next, scene_.end);
@@ -180,15 +184,18 @@ class Run {
     return true;
   }
 
-  /// The energy ran away where the balance error passes its bound and stays above it to the end of the run. From there on
-  /// the largest energy stays what it was: the runaway must not become its own measure.
+  /// The energy ran away where the balance error passes its bound and stays above it to the end of the run. From there
+  /// on the largest energy stays what it was: the runaway must not become its own measure.
   void checkRunaway(std::int64_t k) {
     if (!energies_) return;
     if (!result_.runaway)
-      largestEnergy_ = std::max({largestEnergy_, energies_->kinetic + std::abs(energies_->strain), std::abs(energies_->externalWork)});
+      largestEnergy_ = std::max(
+          {largestEnergy_, energies_->kinetic + std::abs(energies_->strain), std::abs(energies_->externalWork)});
     const bool off = !(std::abs(energies_->balanceError) <= runawayShare * largestEnergy_);
-    if (!off) result_.runaway.reset();
-    else if (!result_.runaway) result_.runaway = {k, state_.time};
+    if (!off)
+      result_.runaway.reset();
+    else if (!result_.runaway)
+      result_.runaway = {k, state_.time};
   }
 
   void keepEvents(const MonitorReport& report) {
@@ -217,7 +224,8 @@ class Run {
     if (frames_ && state_.time >= nextFrame_ - 1e-3 * h_) {
       frames_->write(state_.time, state_.x, state_.v, h_, report.verdict);
       lastFrame_ = report.step;
-      while (nextFrame_ <= state_.time + 1e-3 * h_) nextFrame_ = static_cast<double>(++framesDue_) * *scene_.frameInterval;
+      while (nextFrame_ <= state_.time + 1e-3 * h_)
+        nextFrame_ = static_cast<double>(++framesDue_) * *scene_.frameInterval;
     }
   }
 
@@ -241,10 +249,11 @@ class Run {
 
   void showProgress(const MonitorReport& report) {
     if (!progress_.due()) return;
-    progress_.show(fmt::format("step {}, t = {:.4g} of {:.4g} s, h = {:.4g} s{}{}", report.step, state_.time, scene_.end, h_,
-                               report.bracket ? fmt::format(", safe {:.4g} s", report.bracket->safe) : "",
-                               monitor_ ? fmt::format(", {}", verdictName(report.verdict)) : ""),
-                   state_.time / scene_.end);
+    progress_.show(
+        fmt::format("step {}, t = {:.4g} of {:.4g} s, h = {:.4g} s{}{}", report.step, state_.time, scene_.end, h_,
+                    report.bracket ? fmt::format(", safe {:.4g} s", report.bracket->safe) : "",
+                    monitor_ ? fmt::format(", {}", verdictName(report.verdict)) : ""),
+        state_.time / scene_.end);
   }
 
   void finish() {
@@ -268,10 +277,13 @@ class Run {
   void drawPicture() {
     if (result_.firstViolated) picture_.markViolation(result_.firstViolated->time);
     if (result_.runaway) picture_.markRunaway(result_.runaway->time);
-    const std::string note = picture_.draw(options_.folder, fmt::format("{}: {}, {}, {}", scene_.file.stem().string(),
-                                                                        elementCounts(body_.mesh()), scene_.model, scene_.method));
-    if (note.empty()) result_.files.emplace_back("critical_step.png");
-    else result_.notes.push_back(note);
+    const std::string note =
+        picture_.draw(options_.folder, fmt::format("{}: {}, {}, {}", scene_.file.stem().string(),
+                                                   elementCounts(body_.mesh()), scene_.model, scene_.method));
+    if (note.empty())
+      result_.files.emplace_back("critical_step.png");
+    else
+      result_.notes.push_back(note);
     result_.files.emplace_back("critical_step.gp");
     result_.files.emplace_back("critical_step.dat");
   }
@@ -304,12 +316,18 @@ class Run {
 
 std::string_view exitReasonName(ExitReason reason) {
   switch (reason) {
-    case ExitReason::end: return "end";
-    case ExitReason::violated: return "violated";
-    case ExitReason::nonFinite: return "non-finite";
-    case ExitReason::stepCollapsed: return "step-collapsed";
-    case ExitReason::stepFailed: return "step-failed";
-    case ExitReason::interrupted: return "interrupted";
+    case ExitReason::end:
+      return "end";
+    case ExitReason::violated:
+      return "violated";
+    case ExitReason::nonFinite:
+      return "non-finite";
+    case ExitReason::stepCollapsed:
+      return "step-collapsed";
+    case ExitReason::stepFailed:
+      return "step-failed";
+    case ExitReason::interrupted:
+      return "interrupted";
   }
   return "";
 }
@@ -320,6 +338,8 @@ std::string_view RunResult::verdict() const {
   return worst ? verdictName(*worst) : "unmonitored";
 }
 
-RunResult runScene(const Scene& scene, const Body& body, const RunOptions& options) { return Run(scene, body, options).go(); }
+RunResult runScene(const Scene& scene, const Body& body, const RunOptions& options) {
+  return Run(scene, body, options).go();
+}
 
 }  // namespace ringwatch

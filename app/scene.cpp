@@ -41,7 +41,9 @@ struct Section {
   T get(const std::string& key) const {
     return entries.at(key).value.get<T>();
   }
-  std::string where(const std::string& key) const { return fmt::format("{}: {}.{}", entries.at(key).origin, name, key); }
+  std::string where(const std::string& key) const {
+    return fmt::format("{}: {}.{}", entries.at(key).origin, name, key);
+  }
 };
 
 [[noreturn]] void fail(const std::string& origin, const std::string& key, const std::string& what) {
@@ -64,13 +66,20 @@ std::string withArticle(std::string_view type) {
 
 std::string kindOf(const toml::node& node) {
   switch (node.type()) {
-    case toml::node_type::string: return "the text " + inQuotes(**node.as_string());
-    case toml::node_type::integer: return fmt::format("the number {}", **node.as_integer());
-    case toml::node_type::floating_point: return fmt::format("the number {}", **node.as_floating_point());
-    case toml::node_type::boolean: return **node.as_boolean() ? "true" : "false";
-    case toml::node_type::array: return fmt::format("a list of {}", node.as_array()->size());
-    case toml::node_type::table: return "a table";
-    default: return "a date or time";
+    case toml::node_type::string:
+      return "the text " + inQuotes(**node.as_string());
+    case toml::node_type::integer:
+      return fmt::format("the number {}", **node.as_integer());
+    case toml::node_type::floating_point:
+      return fmt::format("the number {}", **node.as_floating_point());
+    case toml::node_type::boolean:
+      return **node.as_boolean() ? "true" : "false";
+    case toml::node_type::array:
+      return fmt::format("a list of {}", node.as_array()->size());
+    case toml::node_type::table:
+      return "a table";
+    default:
+      return "a date or time";
   }
 }
 
@@ -92,15 +101,20 @@ class Reader {
         if (!node) continue;
         const toml::array* list = node->as_array();
         if (!list || !std::all_of(list->begin(), list->end(), [](const toml::node& n) { return n.is_table(); }))
-          fail(originOf(name, *node), name, fmt::format("{} where tables are needed; write [[{}]] above each", kindOf(*node), name));
+          fail(originOf(name, *node), name,
+               fmt::format("{} where tables are needed; write [[{}]] above each", kindOf(*node), name));
         std::size_t i = 0;
-        for (const toml::node& table : *list) result.push_back(readSection(name, fmt::format("{}.{}", name, i++), *table.as_table()));
+        for (const toml::node& table : *list)
+          result.push_back(readSection(name, fmt::format("{}.{}", name, i++), *table.as_table()));
       } else if (!node) {
-        if (section.required) throw InputError(fmt::format("{}: [{}]: the section is missing; it holds {}", file_.string(), name, requiredKeys(name)));
+        if (section.required)
+          throw InputError(
+              fmt::format("{}: [{}]: the section is missing; it holds {}", file_.string(), name, requiredKeys(name)));
         result.push_back(readSection(name, name, toml::table{}));
       } else {
         if (!node->is_table())
-          fail(originOf(name, *node), name, fmt::format("{} where a section is needed; write [{}]", kindOf(*node), name));
+          fail(originOf(name, *node), name,
+               fmt::format("{} where a section is needed; write [{}]", kindOf(*node), name));
         result.push_back(readSection(name, name, *node->as_table()));
       }
     }
@@ -129,9 +143,12 @@ class Reader {
 
   /// `section.key=value`, or `section.N.key=value` for the N-th of a list, counted from 0.
   void applyOverride(const std::string& text) {
-    const std::string origin = "--set " + text;
+    std::string origin = "--set " + text.substr(0, 200);
+    std::replace_if(
+        origin.begin(), origin.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
     const std::size_t equals = text.find('=');
-    const std::string path = text.substr(0, equals);
+    std::string path = text.substr(0, equals);
+    path.erase(path.find_last_not_of(" \t") + 1);
     std::vector<std::string> parts;
     for (std::size_t begin = 0; begin <= path.size();) {
       const std::size_t end = std::min(path.find('.', begin), path.size());
@@ -139,13 +156,15 @@ class Reader {
       begin = end + 1;
     }
     if (equals == std::string::npos || parts.size() < 2 || parts.size() > 3)
-      throw InputError(fmt::format("{}: not an assignment; write section.key=value, e.g. integrator.step=1e-3", origin));
+      throw InputError(
+          fmt::format("{}: not an assignment; write section.key=value, e.g. integrator.step=1e-3", origin));
 
     const toml::table assignment = parseValue(text.substr(equals + 1), origin);
     toml::table* target = nullptr;
     if (parts.size() == 2) {
       if (findSection(parts[0]) && findSection(parts[0])->list)
-        throw InputError(fmt::format("{}: [[{}]] is a list; write {}.0.{}=… for its first entry", origin, parts[0], parts[0], parts[1]));
+        throw InputError(fmt::format("{}: [[{}]] is a list; write {}.0.{}=… for its first entry", origin, parts[0],
+                                     parts[0], parts[1]));
       if (!root_.contains(parts[0])) root_.insert(parts[0], toml::table{});
       target = root_.get_as<toml::table>(parts[0]);
     } else {
@@ -155,7 +174,8 @@ class Reader {
       if (!parts[1].empty() && parts[1].size() < 7 && parts[1].find_first_not_of("0123456789") == std::string::npos)
         index = std::stoul(parts[1]);
       if (index >= count)
-        throw InputError(fmt::format("{}: there is no [[{}]] number {}; the scene has {}, counted from 0", origin, parts[0], parts[1], count));
+        throw InputError(fmt::format("{}: there is no [[{}]] number {}; the scene has {}, counted from 0", origin,
+                                     parts[0], parts[1], count));
       target = list->get_as<toml::table>(index);
     }
     if (!target) throw InputError(fmt::format("{}: {} is not a section of the scene", origin, parts[0]));
@@ -171,11 +191,15 @@ class Reader {
         if (parsed.size() == 1 && parsed.contains("value")) return parsed;
       }
     } catch (const toml::parse_error&) {
-      const auto plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("_-./:", c) != nullptr; };
-      if (!text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) && std::all_of(text.begin(), text.end(), plain))
+      const auto plain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("_-./:", c) != nullptr;
+      };
+      if (!text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) &&
+          std::all_of(text.begin(), text.end(), plain))
         return toml::table{{"value", text}};
     }
-    throw InputError(fmt::format("{}: the value is not TOML; write a number, a \"text\", true, false or [a, list]", origin));
+    throw InputError(
+        fmt::format("{}: the value is not TOML; write a number, a \"text\", true, false or [a, list]", origin));
   }
 
   static const SceneSection* findSection(std::string_view name) {
@@ -192,16 +216,19 @@ class Reader {
       for (const SceneSection& section : sceneSections()) known.emplace_back(section.name);
       // Text before any [section] is most likely a key that lost its section.
       if (!node.is_table() && !node.is_array_of_tables())
-        fail(originOf(name, node), name, fmt::format("a key outside of a section; sections are {}", fmt::join(known, ", ")));
+        fail(originOf(name, node), name,
+             fmt::format("a key outside of a section; sections are {}", fmt::join(known, ", ")));
       fail(originOf(name, node), fmt::format("[{}]", name),
-           fmt::format("unknown section {}; did you mean \"{}\"? known are {}", inQuotes(name), nearestName(name, known), fmt::join(known, ", ")));
+           fmt::format("unknown section {}; did you mean \"{}\"? known are {}", inQuotes(name),
+                       nearestName(name, known), fmt::join(known, ", ")));
     }
   }
 
   std::string originOf(const std::string& path, const toml::node& node) const {
     // An override of a key inside also stands for a section that only overrides made.
     for (const auto& [key, origin] : overrides_)
-      if (key == path || (key.size() > path.size() && key.compare(0, path.size() + 1, path + ".") == 0 && node.source().begin.line == 0))
+      if (key == path || (key.size() > path.size() && key.compare(0, path.size() + 1, path + ".") == 0 &&
+                          node.source().begin.line == 0))
         return origin;
     if (node.source().begin.line == 0) return file_.string();
     return fmt::format("{}:{}", file_.string(), node.source().begin.line);
@@ -228,14 +255,16 @@ class Reader {
       }
       if (!found)
         fail(origin, name + "." + key,
-             fmt::format("unknown key {} in [{}]; did you mean \"{}\"? known are {}", inQuotes(key), name, nearestName(key, known), fmt::join(known, ", ")));
+             fmt::format("unknown key {} in [{}]; did you mean \"{}\"? known are {}", inQuotes(key), name,
+                         nearestName(key, known), fmt::join(known, ", ")));
       section.entries[key] = {check(*found, node, origin), origin, true};
     }
     for (const SceneKey& key : sceneKeys()) {
       if (key.section != name || section.entries.count(key.key) != 0) continue;
       if (key.required)
         fail(section.origin, name + "." + key.key,
-             fmt::format("missing; give {}{}{}", withArticle(sceneTypeName(key.type)), key.unit.empty() ? "" : " in " + key.unit,
+             fmt::format("missing; give {}{}{}", withArticle(sceneTypeName(key.type)),
+                         key.unit.empty() ? "" : " in " + key.unit,
                          key.range.text().empty() ? "" : ", " + key.range.text()));
       if (key.fallback.empty()) continue;
       const toml::table parsed = toml::parse("value = " + key.fallback);
@@ -248,7 +277,8 @@ class Reader {
   static Json check(const SceneKey& key, const toml::node& node, const std::string& origin) {
     const std::string name = key.section + "." + key.key;
     const auto wrongType = [&](const std::string& found) {
-      fail(origin, name, fmt::format("{} where {} is needed{}", found, withArticle(sceneTypeName(key.type)), hint(key)));
+      fail(origin, name,
+           fmt::format("{} where {} is needed{}", found, withArticle(sceneTypeName(key.type)), hint(key)));
     };
     const auto number = [&](const toml::node& n) {
       if (!n.is_number()) wrongType(kindOf(n));
@@ -267,8 +297,9 @@ class Reader {
       std::string value = **n.as_string();
       if (!key.choices.empty() && std::find(key.choices.begin(), key.choices.end(), value) == key.choices.end())
         fail(origin, name,
-             fmt::format("unknown {}; did you mean \"{}\"? must be {}{}", inQuotes(value), nearestName(value, key.choices),
-                         key.choices.size() > 1 ? "one of " : "", fmt::join(key.choices, ", ")));
+             fmt::format("unknown {}; did you mean \"{}\"? must be {}{}", inQuotes(value),
+                         nearestName(value, key.choices), key.choices.size() > 1 ? "one of " : "",
+                         fmt::join(key.choices, ", ")));
       return value;
     };
     const auto list = [&](const auto& element) {
@@ -278,13 +309,17 @@ class Reader {
       return values;
     };
     switch (key.type) {
-      case SceneType::number: return number(node);
-      case SceneType::integer: return integer(node);
+      case SceneType::number:
+        return number(node);
+      case SceneType::integer:
+        return integer(node);
       case SceneType::boolean:
         if (!node.is_boolean()) wrongType(kindOf(node));
         return **node.as_boolean();
-      case SceneType::text: return text(node);
-      case SceneType::texts: return list(text);
+      case SceneType::text:
+        return text(node);
+      case SceneType::texts:
+        return list(text);
       case SceneType::vector: {
         Json values = list(number);
         if (values.size() != 3) wrongType(kindOf(node));
@@ -293,10 +328,13 @@ class Reader {
       case SceneType::numberOrAuto:
         if (node.is_string() && **node.as_string() == "auto") return "auto";
         return number(node);
-      case SceneType::parameter:
-        if (node.is_array()) return list(number);
+      case SceneType::parameter: {
+        // Integers stay integers, so that messages and the echo show them as they were written.
+        const auto exact = [&](const toml::node& n) { return n.is_integer() ? Json(integer(n)) : Json(number(n)); };
+        if (node.is_array()) return list(exact);
         if (node.is_string()) return text(node);
-        return number(node);
+        return exact(node);
+      }
     }
     return {};
   }
@@ -314,7 +352,9 @@ class Reader {
   std::map<std::string, std::string> overrides_;  // "section.key" -> origin
 };
 
-Eigen::Vector3d vectorOf(const Json& value) { return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()}; }
+Eigen::Vector3d vectorOf(const Json& value) {
+  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
 
 std::array<bool, 3> componentsOf(const Section& section) {
   std::array<bool, 3> result{};
@@ -327,7 +367,8 @@ std::array<bool, 3> componentsOf(const Section& section) {
     result[static_cast<std::size_t>(c - 'x')] = true;
   }
   if (result == std::array<bool, 3>{})
-    fail(section.at("components").origin, section.name + ".components", inQuotes(text) + " names no components; must be some of x, y, z, each once");
+    fail(section.at("components").origin, section.name + ".components",
+         inQuotes(text) + " names no components; must be some of x, y, z, each once");
   return result;
 }
 
@@ -344,7 +385,8 @@ NodeSelection selectionOf(const Section& section) {
 void readMeshSection(const Section& section, Scene& scene) {
   if (section.given("file") == section.given("generate"))
     fail(section.given("file") ? section.at("file").origin : section.origin, "mesh.file",
-         section.given("file") ? "both file and generate are given; give one of them" : "missing; give file or generate");
+         section.given("file") ? "both file and generate are given; give one of them"
+                               : "missing; give file or generate");
   if (section.given("file")) {
     const std::filesystem::path path = section.get<std::string>("file");
     scene.meshFile = path.is_absolute() ? path : scene.file.parent_path() / path;
@@ -356,7 +398,8 @@ void readMeshSection(const Section& section, Scene& scene) {
   }
   for (const auto& [key, entry] : section.entries) {
     if (key == "file" || key == "generate") continue;
-    if (scene.generator.empty()) fail(entry.origin, "mesh." + key, "is a parameter of generators; a mesh file takes none");
+    if (scene.generator.empty())
+      fail(entry.origin, "mesh." + key, "is a parameter of generators; a mesh file takes none");
     const std::string fault = generatorFault(scene.generator, key, entry.value);
     if (!fault.empty()) fail(entry.origin, "mesh." + key, fault);
     scene.generatorArguments[key] = entry.value;
@@ -382,12 +425,16 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, Sc
   scene.every = monitor.get<std::int64_t>("every");
   scene.energyTolerance = monitor.get<double>("energy_tolerance");
   const auto onViolation = monitor.get<std::string>("on_violation");
-  scene.onViolation = onViolation == "stop" ? OnViolation::stop : onViolation == "warn" ? OnViolation::warn : OnViolation::reduceStep;
+  scene.onViolation = onViolation == "stop"   ? OnViolation::stop
+                      : onViolation == "warn" ? OnViolation::warn
+                                              : OnViolation::reduceStep;
 
   if (scene.step && *scene.step > scene.end)
-    fail(integrator.at("step").origin, "integrator.step", fmt::format("{} s is beyond the end; must be <= end = {} s", *scene.step, scene.end));
+    fail(integrator.at("step").origin, "integrator.step",
+         fmt::format("{} s is beyond the end; must be <= end = {} s", *scene.step, scene.end));
   if (!scene.step && !scene.bracket)
-    fail(integrator.at("step").origin, "integrator.step", "\"auto\" follows the safe step; it needs monitor.bracket = true");
+    fail(integrator.at("step").origin, "integrator.step",
+         "\"auto\" follows the safe step; it needs monitor.bracket = true");
   if (scene.onViolation == OnViolation::reduceStep && !scene.monitored())
     fail(monitor.at("on_violation").origin, "monitor.on_violation", "\"reduce-step\" needs monitor.bracket = true or a monitor.metric");
   if (scene.monitored() && !(integratorCatalog().find(scene.method)->imaginaryLimit > 0))
@@ -416,8 +463,10 @@ void readLoadSection(const Section& section, Scene& scene) {
            section.given("force") ? "both acceleration and force are given; give one of them"
                                   : "missing; give acceleration (m/s2) or force (N)");
     Scene::Force force{std::move(nodes), std::nullopt, std::nullopt};
-    if (section.given("force")) force.total = vectorOf(section.at("force").value);
-    else force.acceleration = vectorOf(section.at("acceleration").value);
+    if (section.given("force"))
+      force.total = vectorOf(section.at("force").value);
+    else
+      force.acceleration = vectorOf(section.at("acceleration").value);
     scene.forces.push_back(std::move(force));
   }
 }
@@ -427,9 +476,12 @@ Json echoOf(const std::vector<Section>& sections) {
   for (const Section& section : sections) {
     Json values = Json::object();
     for (const SceneKey& key : sceneKeys())  // the table's order
-      if (key.section == section.name && section.entries.count(key.key) != 0) values[key.key] = section.at(key.key).value;
-    if (section.name == "fix" || section.name == "move" || section.name == "force") echo[section.name].push_back(std::move(values));
-    else echo[section.name] = std::move(values);
+      if (key.section == section.name && section.entries.count(key.key) != 0)
+        values[key.key] = section.at(key.key).value;
+    if (section.name == "fix" || section.name == "move" || section.name == "force")
+      echo[section.name].push_back(std::move(values));
+    else
+      echo[section.name] = std::move(values);
   }
   return echo;
 }
@@ -451,11 +503,12 @@ std::vector<std::int32_t> NodeSelection::nodesOf(const Mesh& mesh) const {
     if (found != mesh.nodeSets.end() && !found->second.empty()) return found->second;
     std::vector<std::string> known;
     for (const auto& entry : mesh.nodeSets) known.push_back(entry.first);
-    if (found != mesh.nodeSets.end()) throw InputError(fmt::format("{}: the node set {} is empty", origin, inQuotes(set)));
+    if (found != mesh.nodeSets.end())
+      throw InputError(fmt::format("{}: the node set {} is empty", origin, inQuotes(set)));
     throw InputError(known.empty()
                          ? fmt::format("{}: unknown node set {}; the mesh has no named sets", origin, inQuotes(set))
-                         : fmt::format("{}: unknown node set {}; did you mean \"{}\"? the mesh has {}", origin, inQuotes(set),
-                                       nearestName(set, known), fmt::join(known, ", ")));
+                         : fmt::format("{}: unknown node set {}; did you mean \"{}\"? the mesh has {}", origin,
+                                       inQuotes(set), nearestName(set, known), fmt::join(known, ", ")));
   }
   std::vector<std::int32_t> nodes;
   try {
@@ -466,8 +519,8 @@ std::vector<std::int32_t> NodeSelection::nodesOf(const Mesh& mesh) const {
   }
   if (nodes.empty()) {
     const Eigen::Vector3d low = mesh.X.rowwise().minCoeff(), high = mesh.X.rowwise().maxCoeff();
-    throw InputError(fmt::format("{}: {} selects no node; the mesh lies in {} <= x <= {}, {} <= y <= {}, {} <= z <= {}", origin,
-                                 inQuotes(where->text()), low[0], high[0], low[1], high[1], low[2], high[2]));
+    throw InputError(fmt::format("{}: {} selects no node; the mesh lies in {} <= x <= {}, {} <= y <= {}, {} <= z <= {}",
+                                 origin, inQuotes(where->text()), low[0], high[0], low[1], high[1], low[2], high[2]));
   }
   return nodes;
 }
@@ -510,7 +563,8 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
 int threadsThatPay(int requested, const Mesh& mesh) {
   constexpr std::size_t elementsPerThread = 4000;
   if (requested > 0) return requested;
-  return std::min(threadCount(0), static_cast<int>(std::min<std::size_t>(1 + mesh.elementCount() / elementsPerThread, 1 << 20)));
+  return std::min(threadCount(0),
+                  static_cast<int>(std::min<std::size_t>(1 + mesh.elementCount() / elementsPerThread, 1 << 20)));
 }
 
 Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes) {
@@ -550,7 +604,8 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads) {
     const std::vector<std::int32_t> nodes = force.nodes.nodesOf(body->mesh());
     double mass = 0;
     for (std::int32_t node : nodes) mass += body->lumpedMass()[node];
-    const Eigen::Vector3d acceleration = force.acceleration ? *force.acceleration : Eigen::Vector3d(*force.total / mass);
+    const Eigen::Vector3d acceleration =
+        force.acceleration ? *force.acceleration : Eigen::Vector3d(*force.total / mass);
     for (std::int32_t node : nodes) body->externalForce().col(node) += body->lumpedMass()[node] * acceleration;
   }
   return std::move(*body);

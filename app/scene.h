@@ -22,7 +22,8 @@ struct NodeSelection {
 
   /// The condition, or `set:NAME`.
   static NodeSelection parse(const std::string& text, const std::string& origin);
-  /// Positions of the selected nodes, ascending. Throws InputError for an unknown set and for a selection without nodes.
+  /// Positions of the selected nodes, ascending. Throws InputError for an unknown set and for a selection without
+  /// nodes.
   std::vector<std::int32_t> nodesOf(const Mesh& mesh) const;
 };
 
@@ -83,12 +84,12 @@ struct Scene {
   bool monitored() const { return bracket || !metric.empty(); }
 };
 
-/// Reads and checks a scene file. overrides: `section.key=value` each, value as TOML (a bare word is taken for a string);
-/// they win over the file. Throws InputError "FILE:LINE: section.key: what is wrong; what would be right".
+/// Reads and checks a scene file. overrides: `section.key=value` each, value as TOML (a bare word is taken for a
+/// string); they win over the file. Throws InputError "FILE:LINE: section.key: what is wrong; what would be right".
 Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// Threads for a request; 0 asks for as many as the mesh can keep busy: on a small one, waiting for each other would cost
-/// more than they share, above all on a machine that has other work too.
+/// Threads for a request; 0 asks for as many as the mesh can keep busy: on a small one, waiting for each other would
+/// cost more than they share, above all on a machine that has other work too.
 int threadsThatPay(int requested, const Mesh& mesh);
 /// The mesh of a scene, read or generated. notes: what a reader has to tell.
 Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes);

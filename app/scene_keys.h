@@ -9,7 +9,7 @@ namespace ringwatch {
 
 /// What a key of a scene file holds.
 enum class SceneType {
-  number,        ///< integer or float, finite
+  number,  ///< integer or float, finite
   integer,
   boolean,
   text,
@@ -36,7 +36,7 @@ struct SceneKey {
   std::string section;  // "fix", "move" and "force" are lists of tables
   std::string key;
   SceneType type;
-  std::string unit;      // "" for none
+  std::string unit;  // "" for none
   bool required = false;
   std::string fallback;  // as TOML text; "" for none
   SceneRange range;
@@ -46,7 +46,7 @@ struct SceneKey {
 
 struct SceneSection {
   std::string_view name;
-  bool list;      // [[name]], any number of times
+  bool list;  // [[name]], any number of times
   bool required;
   std::string_view help;
 };

@@ -20,7 +20,9 @@ const GeneratorParameter* findParameter(const GeneratorInfo& generator, std::str
 
 Json defaultOf(const GeneratorParameter& p) {
   if (p.kind == ParameterKind::text) return std::string(p.textDefault);
-  const auto number = [&](double value) { return p.kind == ParameterKind::integer ? Json(static_cast<std::int64_t>(value)) : Json(value); };
+  const auto number = [&](double value) {
+    return p.kind == ParameterKind::integer ? Json(static_cast<std::int64_t>(value)) : Json(value);
+  };
   if (p.count == 1) return number(p.defaults[0]);
   Json list = Json::array();
   for (int i = 0; i < p.count; ++i) list.push_back(number(p.defaults[i]));
@@ -63,9 +65,12 @@ std::string generatorFault(const std::string& generator, const std::string& para
     for (const GeneratorParameter& other : info.parameters) known.push_back(other.name);
     return fmt::format("the generator \"{}\" has no such parameter; it takes {}", generator, fmt::join(known, ", "));
   }
-  const std::string kind = p->kind == ParameterKind::text ? "text" : p->kind == ParameterKind::integer ? "integer" : "number";
-  const std::string right = p->count == 1 ? fmt::format("must be one {}, {}", kind, parameterRange(*p))
-                                          : fmt::format("must be a list of {} {}s, each {}", p->count, kind, parameterRange(*p));
+  const std::string kind = p->kind == ParameterKind::text      ? "text"
+                           : p->kind == ParameterKind::integer ? "integer"
+                                                               : "number";
+  const std::string right = p->count == 1
+                                ? fmt::format("must be one {}, {}", kind, parameterRange(*p))
+                                : fmt::format("must be a list of {} {}s, each {}", p->count, kind, parameterRange(*p));
   const std::string fault = fmt::format("{} does not fit; {}", value.dump(), right);
   if (p->kind == ParameterKind::text) return value.is_string() ? "" : fault;  // the choices are generateMesh's to check
   const Json numbers = value.is_array() ? value : Json::array({value});
@@ -87,9 +92,12 @@ Json generatorDefaults(const std::string& generator) {
 GeneratorArguments generatorArguments(const Json& values) {
   GeneratorArguments arguments;
   for (const auto& [name, value] : values.items()) {
-    if (value.is_array()) arguments[name] = value.get<std::vector<double>>();
-    else if (value.is_string()) arguments[name] = value.get<std::string>();
-    else arguments[name] = value.get<double>();
+    if (value.is_array())
+      arguments[name] = value.get<std::vector<double>>();
+    else if (value.is_string())
+      arguments[name] = value.get<std::string>();
+    else
+      arguments[name] = value.get<double>();
   }
   return arguments;
 }
@@ -99,8 +107,8 @@ std::string generatorHelp() {
   for (const GeneratorInfo& generator : allGenerators()) {
     text += fmt::format("  {}  {}\n", generator.name, generator.help);
     for (const GeneratorParameter& p : generator.parameters)
-      text += fmt::format("    {:<9} {}{}; {}; default {}\n", p.name, p.help, p.unit.empty() ? "" : fmt::format(", {}", p.unit),
-                          parameterRange(p), defaultOf(p).dump());
+      text += fmt::format("    {:<9} {}{}; {}; default {}\n", p.name, p.help,
+                          p.unit.empty() ? "" : fmt::format(", {}", p.unit), parameterRange(p), defaultOf(p).dump());
   }
   return text;
 }

@@ -14,7 +14,8 @@ std::vector<std::string> generatorNames();
 /// The parameters of all mesh generators as keys of [mesh]; one that several generators share comes once.
 std::vector<SceneKey> generatorSceneKeys();
 /// What is wrong with a parameter's value and what would be right; "" when nothing is.
-std::string generatorFault(const std::string& generator, const std::string& parameter, const nlohmann::ordered_json& value);
+std::string generatorFault(const std::string& generator, const std::string& parameter,
+                           const nlohmann::ordered_json& value);
 /// All parameters of a generator with their defaults.
 nlohmann::ordered_json generatorDefaults(const std::string& generator);
 /// The same values as `generateMesh` takes them.

@@ -32,8 +32,7 @@ class Parser {
     const int root = parseOr();
     skipSpace();
     if (at_ < text_.size()) fail("an operator or the end");
-    if (!isCondition(kind(root)))
-      throw InputError("is a number, not a condition; compare it, as in \"x < 0.1\"");
+    if (!isCondition(kind(root))) throw InputError("is a number, not a condition; compare it, as in \"x < 0.1\"");
     return root;
   }
 
@@ -141,9 +140,12 @@ class Parser {
 
   bool takeComparison(Kind& found) {
     // The longer of two that begin alike comes first.
-    static constexpr std::array<Operator, 6> comparisons{{{"<=", Kind::lessEqual}, {">=", Kind::greaterEqual},
-                                                          {"==", Kind::equal}, {"!=", Kind::notEqual},
-                                                          {"<", Kind::less}, {">", Kind::greater}}};
+    static constexpr std::array<Operator, 6> comparisons{{{"<=", Kind::lessEqual},
+                                                          {">=", Kind::greaterEqual},
+                                                          {"==", Kind::equal},
+                                                          {"!=", Kind::notEqual},
+                                                          {"<", Kind::less},
+                                                          {">", Kind::greater}}};
     for (const Operator& c : comparisons)
       if (take(c.text)) {
         found = c.kind;
@@ -229,10 +231,14 @@ class Parser {
       std::string_view text;
       Kind kind;
     };
-    static constexpr std::array<Name, 6> names{{{"x", Kind::x}, {"y", Kind::y}, {"z", Kind::z}, {"r", Kind::r},
-                                                {"all", Kind::everywhere}, {"none", Kind::nowhere}}};
-    static constexpr std::array<Name, 4> functions{{{"sqrt", Kind::squareRoot}, {"abs", Kind::absolute},
-                                                    {"min", Kind::minimum}, {"max", Kind::maximum}}};
+    static constexpr std::array<Name, 6> names{{{"x", Kind::x},
+                                                {"y", Kind::y},
+                                                {"z", Kind::z},
+                                                {"r", Kind::r},
+                                                {"all", Kind::everywhere},
+                                                {"none", Kind::nowhere}}};
+    static constexpr std::array<Name, 4> functions{
+        {{"sqrt", Kind::squareRoot}, {"abs", Kind::absolute}, {"min", Kind::minimum}, {"max", Kind::maximum}}};
     const std::string_view word = peekWord();
     if (word.empty()) fail("a number, x, y, z, r, a function or \"(\"");
     for (const Name& name : names)
@@ -249,7 +255,8 @@ class Parser {
     for (const Name& name : names) known.emplace_back(name.text);
     for (const Name& function : functions) known.emplace_back(function.text);
     for (const char* joint : {"and", "or", "not"}) known.emplace_back(joint);
-    throw InputError(joinText("column ", at_ + 1, ": unknown name \"", word, "\"; did you mean \"", nearestName(word, known),
+    throw InputError(joinText("column ", at_ + 1, ": unknown name \"", word, "\"; did you mean \"",
+                              nearestName(word, known),
                               "\"? known are x, y, z, r, sqrt, abs, min, max, and, or, not, all, none"));
   }
 
@@ -287,50 +294,76 @@ double WhereExpression::valueOf(int index, const Eigen::Vector3d& X) const {
   const auto a = [&] { return valueOf(t.a, X); };
   const auto b = [&] { return valueOf(t.b, X); };
   switch (t.kind) {
-    case Kind::number: return t.value;
-    case Kind::x: return X[0];
-    case Kind::y: return X[1];
-    case Kind::z: return X[2];
-    case Kind::r: return X.norm();
-    case Kind::add: return a() + b();
-    case Kind::subtract: return a() - b();
-    case Kind::multiply: return a() * b();
-    case Kind::divide: return a() / b();
-    case Kind::power: return std::pow(a(), b());
-    case Kind::negate: return -a();
-    case Kind::squareRoot: return std::sqrt(a());
-    case Kind::absolute: return std::abs(a());
+    case Kind::number:
+      return t.value;
+    case Kind::x:
+      return X[0];
+    case Kind::y:
+      return X[1];
+    case Kind::z:
+      return X[2];
+    case Kind::r:
+      return X.norm();
+    case Kind::add:
+      return a() + b();
+    case Kind::subtract:
+      return a() - b();
+    case Kind::multiply:
+      return a() * b();
+    case Kind::divide:
+      return a() / b();
+    case Kind::power:
+      return std::pow(a(), b());
+    case Kind::negate:
+      return -a();
+    case Kind::squareRoot:
+      return std::sqrt(a());
+    case Kind::absolute:
+      return std::abs(a());
     case Kind::minimum:
     case Kind::maximum: {
       const double left = a(), right = b();
       if (std::isnan(left) || std::isnan(right)) return left + right;  // std::min would drop one of the two
       return t.kind == Kind::minimum ? std::min(left, right) : std::max(left, right);
     }
-    default: return 0;  // conditions, which the parser keeps apart
+    default:
+      return 0;  // conditions, which the parser keeps apart
   }
 }
 
 bool WhereExpression::conditionOf(int index, const Eigen::Vector3d& X) const {
   const Term& t = terms_[static_cast<std::size_t>(index)];
   switch (t.kind) {
-    case Kind::everywhere: return true;
-    case Kind::nowhere: return false;
-    case Kind::negation: return !conditionOf(t.a, X);
-    case Kind::conjunction: return conditionOf(t.a, X) && conditionOf(t.b, X);
-    case Kind::disjunction: return conditionOf(t.a, X) || conditionOf(t.b, X);
-    default: break;
+    case Kind::everywhere:
+      return true;
+    case Kind::nowhere:
+      return false;
+    case Kind::negation:
+      return !conditionOf(t.a, X);
+    case Kind::conjunction:
+      return conditionOf(t.a, X) && conditionOf(t.b, X);
+    case Kind::disjunction:
+      return conditionOf(t.a, X) || conditionOf(t.b, X);
+    default:
+      break;
   }
   const double a = valueOf(t.a, X), b = valueOf(t.b, X);
   if (std::isnan(a) || std::isnan(b))
     throw InputError(joinText("\"", text_, "\" has no value at (", X[0], ", ", X[1], ", ", X[2],
                               "): a square root of a negative number, or 0/0"));
   switch (t.kind) {
-    case Kind::less: return a < b;
-    case Kind::lessEqual: return a <= b;
-    case Kind::greater: return a > b;
-    case Kind::greaterEqual: return a >= b;
-    case Kind::equal: return a == b;
-    default: return a != b;
+    case Kind::less:
+      return a < b;
+    case Kind::lessEqual:
+      return a <= b;
+    case Kind::greater:
+      return a > b;
+    case Kind::greaterEqual:
+      return a >= b;
+    case Kind::equal:
+      return a == b;
+    default:
+      return a != b;
   }
 }
 

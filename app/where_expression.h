@@ -9,9 +9,10 @@ namespace ringwatch {
 
 /// A condition on a reference position, as scenes write it: `x < 1e-6 and (y > 0.01 or r <= 0.02)`.
 ///
-/// Names: x, y, z, the reference coordinates in m, and r = sqrt(x² + y² + z²). Numbers, + - * / ^, unary minus, sqrt(a),
-/// abs(a), min(a, …), max(a, …); < <= > >= == !=, which chain as in 0 < x < 1; and, or, not, also written &&, ||, !;
-/// parentheses; `all` and `none`. Numbers and conditions are different types: `x` alone or `(x < 1) + 1` is refused.
+/// Names: x, y, z, the reference coordinates in m, and r = sqrt(x² + y² + z²). Numbers, + - * / ^, unary minus,
+/// sqrt(a), abs(a), min(a, …), max(a, …); < <= > >= == !=, which chain as in 0 < x < 1; and, or, not, also written &&,
+/// ||, !; parentheses; `all` and `none`. Numbers and conditions are different types: `x` alone or `(x < 1) + 1` is
+/// refused.
 class WhereExpression {
  public:
   /// Throws InputError that names the column and what was expected there.
@@ -25,10 +26,32 @@ class WhereExpression {
   /// A node of the parsed expression.
   struct Term {
     enum class Kind {
-      number, x, y, z, r,                                  // values
-      add, subtract, multiply, divide, power, negate, squareRoot, absolute, minimum, maximum,  // arithmetic
-      less, lessEqual, greater, greaterEqual, equal, notEqual,                                 // conditions from here on
-      conjunction, disjunction, negation, everywhere, nowhere
+      number,
+      x,
+      y,
+      z,
+      r,  // values
+      add,
+      subtract,
+      multiply,
+      divide,
+      power,
+      negate,
+      squareRoot,
+      absolute,
+      minimum,
+      maximum,  // arithmetic
+      less,
+      lessEqual,
+      greater,
+      greaterEqual,
+      equal,
+      notEqual,  // conditions from here on
+      conjunction,
+      disjunction,
+      negation,
+      everywhere,
+      nowhere
     };
     Kind kind;
     int a = -1, b = -1;  // operands, positions in the list of terms

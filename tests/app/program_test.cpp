@@ -43,10 +43,11 @@ class Program : public ::testing::Test {
  protected:
   /// Calls the program in the test's folder; arguments as a shell reads them.
   Outcome call(const std::string& arguments, const std::string& environment = "") {
-    const std::string command = "cd '" + folder_.path().string() + "' && " + environment + " '" RINGWATCH_PROGRAM "' " + arguments +
-                                " > out.txt 2> err.txt";
+    const std::string command = "cd '" + folder_.path().string() + "' && " + environment + " '" RINGWATCH_PROGRAM "' " +
+                                arguments + " > out.txt 2> err.txt";
     const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), folder_.read("out.txt"), folder_.read("err.txt")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), folder_.read("out.txt"),
+            folder_.read("err.txt")};
   }
   void expectRefused(const std::string& arguments, const std::string& what) {
     const Outcome outcome = call(arguments);
@@ -62,7 +63,8 @@ class Program : public ::testing::Test {
     std::vector<std::string> columns;
     std::vector<std::vector<std::string>> rows;
     std::string at(std::size_t row, const std::string& column) const {
-      return rows.at(row).at(static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin()));
+      return rows.at(row).at(
+          static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin()));
     }
     double number(std::size_t row, const std::string& column) const { return std::stod(at(row, column)); }
   };
@@ -73,8 +75,10 @@ class Program : public ::testing::Test {
       std::vector<std::string> cells;
       std::istringstream text(line + ",");
       for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
-      if (result.columns.empty()) result.columns = cells;
-      else result.rows.push_back(cells);
+      if (result.columns.empty())
+        result.columns = cells;
+      else
+        result.rows.push_back(cells);
     }
     return result;
   }
@@ -115,13 +119,15 @@ TEST_F(Program, RunsASceneAndWritesWhatItPromises) {
   const Outcome outcome = call("run tiny.toml --out results");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("50 steps to t = 0.05 s, end time reached"), HasSubstr("verdict certified")));
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("50 steps to t = 0.05 s, end time reached"), HasSubstr("verdict certified")));
   expectNothingHalfWritten("results");
 
   const Table history = table("results/history.csv");
   EXPECT_EQ(history.columns,
-            (std::vector<std::string>{"step", "time_s", "h_s", "safe_s", "optimistic_s", "controlling_element", "kinetic_J", "strain_J",
-                                      "external_work_J", "balance_error_J", "elements_refreshed", "handled_elements", "metric_step_s", "verdict"}));
+            (std::vector<std::string>{"step", "time_s", "h_s", "safe_s", "optimistic_s", "controlling_element",
+                                      "kinetic_J", "strain_J", "external_work_J", "balance_error_J",
+                                      "elements_refreshed", "handled_elements", "metric_step_s", "verdict"}));
   ASSERT_EQ(history.rows.size(), 50u);
   for (std::size_t i = 0; i < history.rows.size(); ++i) {
     EXPECT_EQ(history.rows[i].size(), history.columns.size());
@@ -162,7 +168,8 @@ TEST_F(Program, RunsASceneAndWritesWhatItPromises) {
 TEST_F(Program, WritesOnlyWhatIsAskedFor) {
   folder_.write("tiny.toml", tiny);
   const Outcome outcome = call(
-      "run tiny.toml --out r --set monitor.bracket=false --set output.energy=false --set output.picture=false --set output.history_every=10 "
+      "run tiny.toml --out r --set monitor.bracket=false --set output.energy=false --set output.picture=false --set "
+      "output.history_every=10 "
       "--set output.fields=[]");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("verdict unmonitored"));
@@ -171,7 +178,8 @@ TEST_F(Program, WritesOnlyWhatIsAskedFor) {
   const Table history = table("r/history.csv");
   ASSERT_EQ(history.rows.size(), 5u);
   EXPECT_EQ(history.at(1, "step"), "10");
-  for (const char* column : {"safe_s", "optimistic_s", "kinetic_J", "balance_error_J", "metric_step_s", "verdict"}) EXPECT_EQ(history.at(1, column), "");
+  for (const char* column : {"safe_s", "optimistic_s", "kinetic_J", "balance_error_J", "metric_step_s", "verdict"})
+    EXPECT_EQ(history.at(1, column), "");
   EXPECT_EQ(folder_.read("r/frames/frame_000001.vtu").find("critical_step"), std::string::npos);
 }
 
@@ -202,8 +210,9 @@ TEST_F(Program, StopsBeforeAStepThatIsProvenUnstable) {
 
 TEST_F(Program, WarnsAndEndsWithTheLastGoodFrameWhenItBlowsUp) {
   folder_.write("tiny.toml", tiny);
-  const Outcome outcome =
-      call("run tiny.toml --out r --set integrator.step=0.01 --set integrator.end=5 --set monitor.on_violation=warn --set output.every=0.01");
+  const Outcome outcome = call(
+      "run tiny.toml --out r --set integrator.step=0.01 --set integrator.end=5 --set monitor.on_violation=warn --set "
+      "output.every=0.01");
   EXPECT_EQ(outcome.status, 1);
   const Json summary = json("r/summary.json");
   EXPECT_EQ(summary["exit_reason"], "non-finite");
@@ -221,14 +230,15 @@ TEST_F(Program, WarnsAndEndsWithTheLastGoodFrameWhenItBlowsUp) {
 
 TEST_F(Program, ReducesTheStepInTime) {
   folder_.write("tiny.toml", tiny);
-  const Outcome outcome = call("run tiny.toml --out r --set integrator.step=0.01 --set monitor.on_violation=reduce-step");
+  const Outcome outcome =
+      call("run tiny.toml --out r --set integrator.step=0.01 --set monitor.on_violation=reduce-step");
   EXPECT_EQ(outcome.status, 0) << outcome.out;
   const Json summary = json("r/summary.json");
   EXPECT_EQ(summary["verdict"], "certified");
   const Table history = table("r/history.csv");
   for (std::size_t i = 0; i < history.rows.size(); ++i) {
     EXPECT_LE(history.number(i, "h_s"), history.number(i, "safe_s"));
-    if (i > 0) EXPECT_LE(history.number(i, "h_s"), history.number(i - 1, "h_s"));
+    EXPECT_LE(history.number(i, "h_s"), history.number(i > 0 ? i - 1 : 0, "h_s"));
   }
 }
 
@@ -278,8 +288,8 @@ TEST_F(Program, FinishesTheStepWhenInterrupted) {
   ASSERT_GE(child, 0);
   if (child == 0) {
     if (std::freopen("/dev/null", "w", stdout) == nullptr) ::_exit(99);
-    ::execl(RINGWATCH_PROGRAM, RINGWATCH_PROGRAM, "run", scene.c_str(), "--out", out.c_str(), "--set", "integrator.end=1e6", "--set",
-            "output.every=1e5", static_cast<char*>(nullptr));
+    ::execl(RINGWATCH_PROGRAM, RINGWATCH_PROGRAM, "run", scene.c_str(), "--out", out.c_str(), "--set",
+            "integrator.end=1e6", "--set", "output.every=1e5", static_cast<char*>(nullptr));
     ::_exit(99);
   }
   while (!exists("r/run.pvd")) std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -295,9 +305,11 @@ TEST_F(Program, FinishesTheStepWhenInterrupted) {
 
 TEST_F(Program, RefusesBadScenesBeforeItWrites) {
   folder_.write("tiny.toml", tiny);
-  expectRefused("run tiny.toml --out r --set material.poisson=0.5", "--set material.poisson=0.5: material.poisson: 0.5 is out of range; must be > -1 and < 0.5");
+  expectRefused("run tiny.toml --out r --set material.poisson=0.5",
+                "--set material.poisson=0.5: material.poisson: 0.5 is out of range; must be > -1 and < 0.5");
   expectRefused("run tiny.toml --out r --set integrator.stepp=1", "did you mean \"step\"?");
-  expectRefused("run tiny.toml --out r --set 'fix.0.where=\"x > 5\"'", "selects no node; the mesh lies in 0 <= x <= 0.1");
+  expectRefused("run tiny.toml --out r --set 'fix.0.where=\"x > 5\"'",
+                "selects no node; the mesh lies in 0 <= x <= 0.1");
   expectRefused("run none.toml --out r", "none.toml: cannot read: No such file or directory");
   expectRefused("run . --out r", "is a folder");
   expectRefused("run tiny.toml --out r --set mesh.jitter=0.49 --set mesh.seed=-1", "mesh.seed: -1 does not fit");
@@ -333,7 +345,7 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expectRefused("mesh", "");
   expectRefused("mesh generate bra -o a.msh", "did you mean \"bar\"?");
   expectRefused("mesh generate bar", "--output");
-  expectRefused("mesh generate bar --cells 2 0 2 -o a.msh", "--cells: [2.0,0.0,2.0] does not fit");
+  expectRefused("mesh generate bar --cells 2 0 2 -o a.msh", "--cells: [2,0,2] does not fit");
   expectRefused("mesh generate bar --cells two -o a.msh", "--cells: \"two\" does not fit");
   expectRefused("mesh generate bar -o a.xyz", "xyz");
   expectRefused("mesh generate bar -o nowhere/a.msh", "nowhere");
@@ -344,21 +356,26 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
 TEST_F(Program, TeachesInItsHelp) {
   const Outcome help = call("--help");
   EXPECT_EQ(help.status, 0);
-  for (const char* word : {"run", "inspect", "mesh", "Exit status", "SI units", "stvk", "symplectic-euler", "reduced-1-ring", "ball", "jitter"})
+  for (const char* word : {"run", "inspect", "mesh", "Exit status", "SI units", "stvk", "symplectic-euler",
+                           "reduced-1-ring", "ball", "jitter"})
     EXPECT_THAT(help.out, HasSubstr(word));
   const Outcome scene = call("run --help-scene");
   EXPECT_EQ(scene.status, 0);
-  for (const char* word : {"[material]", "[[fix]]", "young", "Pa", "> -1 and < 0.5", "on_violation"}) EXPECT_THAT(scene.out, HasSubstr(word));
+  for (const char* word : {"[material]", "[[fix]]", "young", "Pa", "> -1 and < 0.5", "on_violation"})
+    EXPECT_THAT(scene.out, HasSubstr(word));
   const Outcome version = call("--version");
   EXPECT_EQ(version.status, 0);
   EXPECT_EQ(version.out, "ringwatch " + std::string(programVersion()) + "\n");
-  for (const char* command : {"run --help", "inspect --help", "mesh --help", "mesh generate --help"}) EXPECT_EQ(call(command).status, 0) << command;
+  for (const char* command : {"run --help", "inspect --help", "mesh --help", "mesh generate --help"})
+    EXPECT_EQ(call(command).status, 0) << command;
 }
 
 TEST_F(Program, InspectsTetrahedraAndHexahedra) {
   for (const std::string element : {"tet4", "hex8"}) {
-    ASSERT_EQ(call("mesh generate bar --size 0.2 0.04 0.04 --cells 10,2,2 --element " + element + " -o bar.msh").status, 0);
-    const Outcome outcome = call(std::string("inspect bar.msh --metric all --global --step 2.5e-3 --json -") + material);
+    ASSERT_EQ(call("mesh generate bar --size 0.2 0.04 0.04 --cells 10,2,2 --element " + element + " -o bar.msh").status,
+              0);
+    const Outcome outcome =
+        call(std::string("inspect bar.msh --metric all --global --step 2.5e-3 --json -") + material);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     const Json report = Json::parse(outcome.out);
@@ -381,16 +398,17 @@ TEST_F(Program, InspectsTetrahedraAndHexahedra) {
     EXPECT_EQ(element0["nodes"].size(), element == "tet4" ? 4u : 8u);
     EXPECT_EQ(element0["node_ids"][0].get<int>(), element0["nodes"][0].get<int>() + 1);  // .msh numbers from 1
     EXPECT_EQ(report["ill_shaped"]["count"], report["ill_shaped"]["elements"].size());
-    if (element == "tet4") EXPECT_GT(report["ill_shaped"]["count"], 0);
-    else EXPECT_EQ(report["ill_shaped"]["count"], 0);
+    EXPECT_EQ(report["ill_shaped"]["count"].get<int>() > 0, element == "tet4");  // 2.5 ms lies between the two
   }
 }
 
 TEST_F(Program, InspectReportsForPeopleAndFiles) {
   ASSERT_EQ(call("mesh generate cube --size 0.05 --cells 2 -o cube.vtu").status, 0);
-  const Outcome outcome = call(std::string("inspect cube.vtu --fix 'x < 1e-6' --json report.json --vtu report.vtu") + material);
+  const Outcome outcome =
+      call(std::string("inspect cube.vtu --fix 'x < 1e-6' --json report.json --vtu report.vtu") + material);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* word : {"48 tet4", "volume", "safe", "optimistic", "proven stable", "single-element", "pressure-wave", "reduced-1-ring", "controlling element"})
+  for (const char* word : {"48 tet4", "volume", "safe", "optimistic", "proven stable", "single-element",
+                           "pressure-wave", "reduced-1-ring", "controlling element"})
     EXPECT_THAT(outcome.out, HasSubstr(word));
   const Json report = json("report.json");
   EXPECT_FALSE(report["critical_step"].contains("global"));
@@ -407,7 +425,8 @@ TEST_F(Program, InspectRefusesBadInput) {
   expectRefused("inspect cube.msh --young 1 --poisson 0.5 --density 1", "poisson = 0.5");
   expectRefused("inspect cube.msh --young 1 --poisson 0.3 --density -1", "density = -1");
   expectRefused(std::string("inspect cube.msh --model rubber") + material, "rubber");
-  expectRefused(std::string("inspect cube.msh --metric reduced-2-rings") + material, "--metric: unknown \"reduced-2-rings\"");
+  expectRefused(std::string("inspect cube.msh --metric reduced-2-rings") + material,
+                "--metric: unknown \"reduced-2-rings\"");
   expectRefused(std::string("inspect cube.msh --integrator explicit-euler") + material, "unstable at every step");
   expectRefused(std::string("inspect cube.msh --integrator verlett") + material, "did you mean \"verlet\"?");
   expectRefused(std::string("inspect cube.msh --step 0") + material, "--step: 0 is out of range");
@@ -427,9 +446,10 @@ TEST_F(Program, ConvertsAndChecksMeshes) {
   EXPECT_EQ(good.status, 0);
   EXPECT_THAT(good.out, HasSubstr("nothing wrong"));
 
-  folder_.write("bad.msh",
-                "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 0 0 -1\n$EndNodes\n"
-                "$Elements\n2\n1 4 2 1 1 1 2 3 4\n2 4 2 1 1 1 2 3 5\n$EndElements\n");
+  folder_.write(
+      "bad.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 0 0 -1\n$EndNodes\n"
+      "$Elements\n2\n1 4 2 1 1 1 2 3 4\n2 4 2 1 1 1 2 3 5\n$EndElements\n");
   const Outcome bad = call("mesh check bad.msh");
   EXPECT_EQ(bad.status, 1);
   EXPECT_THAT(bad.out, AllOf(HasSubstr("inverted"), HasSubstr("1 problem\n")));
@@ -437,7 +457,8 @@ TEST_F(Program, ConvertsAndChecksMeshes) {
 }
 
 TEST_F(Program, ExampleOfAutoStepIsCertified) {
-  const Outcome outcome = call("run '" RINGWATCH_EXAMPLES "/hex_bar_auto_step.toml' --out r --set output.picture=false");
+  const Outcome outcome =
+      call("run '" RINGWATCH_EXAMPLES "/hex_bar_auto_step.toml' --out r --set output.picture=false");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   EXPECT_EQ(json("r/summary.json")["verdict"], "certified");
 }

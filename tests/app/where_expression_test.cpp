@@ -14,7 +14,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-bool holds(const std::string& text, double x, double y = 0, double z = 0) { return WhereExpression(text).holdsAt({x, y, z}); }
+bool holds(const std::string& text, double x, double y = 0, double z = 0) {
+  return WhereExpression(text).holdsAt({x, y, z});
+}
 
 std::string faultOf(const std::string& text) {
   try {
@@ -55,7 +57,7 @@ TEST(WhereExpression, KnowsLogicInWordsAndSigns) {
   EXPECT_TRUE(holds("x < 1 && !(y > 1)", 0));
   EXPECT_TRUE(holds("x > 1 || y < 1", 0));
   EXPECT_TRUE(holds("not x > 1 or x > 5", 0));
-  EXPECT_TRUE(holds("x<0 or x<1and y<1", 0.5));       // and binds closer; a number may touch a word
+  EXPECT_TRUE(holds("x<0 or x<1and y<1", 0.5));  // and binds closer; a number may touch a word
   EXPECT_TRUE(holds("x < 1 or x < 2 and x < 0", 0.5));
   EXPECT_FALSE(holds("(x < 1 or x < 2) and x < 0", 0.5));
   EXPECT_TRUE(holds("all", 1));
@@ -116,8 +118,9 @@ RC_GTEST_PROP(WhereExpression, RandomBytesNeverCrash, (const std::string& text))
 
 // Random sequences of valid words get past the first error far more often than bytes do.
 TEST(WhereExpression, RandomWordsNeverCrash) {
-  const std::vector<std::string> words{"x", "y", "z", "r", "all", "none", "and", "or", "not", "&&", "||", "!", "(", ")", "<", "<=",
-                                       ">", "==", "!=", "=", "+", "-", "*", "/", "^", ",", "sqrt", "abs", "min", "max", "1", "0.5", "1e3", "."};
+  const std::vector<std::string> words{"x", "y", "z",    "r",   "all", "none", "and", "or",  "not", "&&", "||", "!",
+                                       "(", ")", "<",    "<=",  ">",   "==",   "!=",  "=",   "+",   "-",  "*",  "/",
+                                       "^", ",", "sqrt", "abs", "min", "max",  "1",   "0.5", "1e3", "."};
   std::mt19937 engine(7);
   int accepted = 0;
   for (int i = 0; i < 20000; ++i) {
