@@ -62,7 +62,8 @@ inline void writeFileAtomically(const std::filesystem::path& path, std::string_v
     file.write(content.data(), static_cast<std::streamsize>(content.size()));
     file.close();
     if (!file)
-      throw InputError("cannot write " + path.string() + ": " + (errno != 0 ? std::strerror(errno) : "input/output error"));
+      throw InputError("cannot write " + path.string() + ": " +
+                       (errno != 0 ? std::strerror(errno) : "input/output error"));
   });
 }
 

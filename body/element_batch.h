@@ -39,7 +39,7 @@ class ElementBatch final : public ElementBlock {
       load(rows, batch, position);
       clear(force);
       const P* geometry = geometryOf(batch);
-      for (int q = 0; q < points_; ++q, geometry += 10) {
+      for (int q = 0; q < pointCount(); ++q, geometry += 10) {
         const Matrix3<P> J1 = inverseJacobian(geometry);
         const Matrix3<P> F = gradient(position, q) * J1;
         scatter(timesTranspose(geometry[9] * law.stress(F), J1), q, force);
@@ -63,7 +63,7 @@ class ElementBatch final : public ElementBlock {
       load(vRows, batch, direction);
       clear(force);
       const P* geometry = geometryOf(batch);
-      for (int q = 0; q < points_; ++q, geometry += 10) {
+      for (int q = 0; q < pointCount(); ++q, geometry += 10) {
         const Matrix3<P> J1 = inverseJacobian(geometry);
         const Matrix3<P> F = gradient(position, q) * J1, dF = gradient(direction, q) * J1;
         scatter(timesTranspose(geometry[9] * law.linearize(F)(dF), J1), q, force);
@@ -85,7 +85,7 @@ class ElementBatch final : public ElementBlock {
       P position[n][3];
       load(rows, batch, position);
       const P* geometry = geometryOf(batch);
-      for (int q = 0; q < points_; ++q, geometry += 10)
+      for (int q = 0; q < pointCount(); ++q, geometry += 10)
         sum += geometry[9] * law.energy(gradient(position, q) * inverseJacobian(geometry));
       if constexpr (offersMean)
         if (mean_) {
@@ -114,7 +114,7 @@ class ElementBatch final : public ElementBlock {
     P* l = reinterpret_cast<P*>(L);
     for (int i = 0; i < n * n; ++i) l[i] = P(0.0);
     const P* geometry = gathered.data();
-    for (int q = 0; q < points_; ++q, geometry += 10) {
+    for (int q = 0; q < pointCount(); ++q, geometry += 10) {
       P g[n][3];
       referenceGradients(geometry, q, g);
       for (int a = 0; a < n; ++a)
@@ -130,7 +130,7 @@ class ElementBatch final : public ElementBlock {
     P position[n][3];
     loadFromMesh(x, elements, position);
     const P* geometry = gathered.data();
-    for (int q = 0; q < points_; ++q, geometry += 10) {
+    for (int q = 0; q < pointCount(); ++q, geometry += 10) {
       const Matrix3<P> F = gradient(position, q) * inverseJacobian(geometry);
       for (int lane = 0; lane < lanes; ++lane) {
         if (elements[lane] < 0) continue;
@@ -185,7 +185,7 @@ class ElementBatch final : public ElementBlock {
   void gradientNormBatch(std::int32_t batch, double* norms) const override {
     const P* geometry = geometryOf(batch);
     P largest(0.0);
-    for (int q = 0; q < points_; ++q, geometry += 10) {
+    for (int q = 0; q < pointCount(); ++q, geometry += 10) {
       P g[n][3], sum(0.0);
       referenceGradients(geometry, q, g);
       for (int a = 0; a < n; ++a) sum += math::sqrt(g[a][0] * g[a][0] + g[a][1] * g[a][1] + g[a][2] * g[a][2]);
@@ -199,7 +199,7 @@ class ElementBatch final : public ElementBlock {
     loadFromMesh(x, batch, position);
     const P* geometry = geometryOf(batch);
     P least(0.0);
-    for (int q = 0; q < points_; ++q, geometry += 10) {
+    for (int q = 0; q < pointCount(); ++q, geometry += 10) {
       const P d = determinant(gradient(position, q) * inverseJacobian(geometry));
       least = q == 0 ? d : math::min(least, d);
     }
@@ -280,7 +280,7 @@ class ElementBatch final : public ElementBlock {
     loadFromMesh(x, elements, position);
     P* k = reinterpret_cast<P*>(K);
     for (int i = 0; i < 9 * n * n; ++i) k[i] = P(0.0);
-    for (int q = 0; q < points_; ++q, geometry += 10) {
+    for (int q = 0; q < pointCount(); ++q, geometry += 10) {
       const Matrix3<P> J1 = inverseJacobian(geometry);
       const auto linearization = law.linearize(gradient(position, q) * J1);
       P g[n][3];
@@ -347,7 +347,7 @@ class ElementBatch final : public ElementBlock {
       const P* geometry = geometryOf(batch);
       const float* anchor = watch.anchor.data() + static_cast<std::ptrdiff_t>(batch) * points_ * 9 * lanes;
       P distance2(0.0), size2(0.0);
-      for (int q = 0; q < points_; ++q, geometry += 10) {
+      for (int q = 0; q < pointCount(); ++q, geometry += 10) {
         const Matrix3<P> F = gradient(position, q) * inverseJacobian(geometry);
         P d2(0.0), s2(0.0);
         for (int i = 0; i < 9; ++i, anchor += lanes) {
@@ -468,6 +468,13 @@ class ElementBatch final : public ElementBlock {
   /// Mean gradients of the elements whose geometry is given, as `meanGradientsOf` has them.
   void meanGradients(const P* geometry, P* g) const;
 
+  /// Known at compile time for elements of constant gradient: the loop over points goes, and the sums stay in
+  /// registers.
+  RINGWATCH_INLINE int pointCount() const { return Element::constantGradient ? 1 : points_; }
+  static_assert(!Element::constantGradient || std::ranges::all_of(Element::rules, [](const QuadratureRule& rule) {
+    return rule.points.size() == 1;
+  }));
+
   LawType law_, meanLaw_;
   bool mean_;
   int points_ = 0;
@@ -490,7 +497,7 @@ void ElementBatch<Element, LawType>::tabulate(const Mesh& mesh, const MeshBlock&
     P X[n][3];
     loadFromMesh(mesh.X.data(), batch, X);
     P* geometry = geometry_.data() + static_cast<std::ptrdiff_t>(batch) * points_ * 10;
-    for (int q = 0; q < points_; ++q, geometry += 10) {
+    for (int q = 0; q < pointCount(); ++q, geometry += 10) {
       const Matrix3<P> J = gradient(X, q);
       const P det = determinant(J);
       const Matrix3<P> J1 = inverse(J);

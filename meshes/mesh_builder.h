@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -46,6 +47,8 @@ class MeshBuilder {
 
   /// A new group (a combination of set names); -1 stands for none.
   int addGroup(std::vector<std::string> names) {
+    std::sort(names.begin(), names.end());  // two groups of a file may share a name
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     groups_.push_back(std::move(names));
     return static_cast<int>(groups_.size()) - 1;
   }

@@ -1,0 +1,357 @@
+#include <ringwatch/app/command_line.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <new>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <ringwatch/app/inspect.h>
+#include <ringwatch/app/report.h>
+#include <ringwatch/app/runner.h>
+#include <ringwatch/app/scene_keys.h>
+#include <ringwatch/app/scene_mesh.h>
+#include <ringwatch/base/atomic_file.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/nearest_name.h>
+#include <ringwatch/integrators/integrator.h>
+#include <ringwatch/meshes/mesh_io.h>
+#include <ringwatch/monitor/metrics.h>
+
+namespace ringwatch {
+namespace {
+
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+
+extern "C" void onInterrupt(int) { interrupted.store(true); }
+
+/// While it lives, Ctrl-C asks the run to end after its step; a second one ends the program.
+class InterruptGuard {
+ public:
+  InterruptGuard() {
+    interrupted.store(false);
+    struct sigaction action {};
+    action.sa_handler = onInterrupt;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, &oldInterrupt_);
+    sigaction(SIGTERM, &action, &oldTerminate_);
+  }
+  ~InterruptGuard() {
+    sigaction(SIGINT, &oldInterrupt_, nullptr);
+    sigaction(SIGTERM, &oldTerminate_, nullptr);
+  }
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+ private:
+  struct sigaction oldInterrupt_ {
+  }, oldTerminate_{};
+};
+
+template <class Table>
+std::string listing(const Table& table) {
+  std::string text;
+  for (const auto& entry : table) text += fmt::format("  {:<17} {}\n", entry.name, entry.help);
+  return text;
+}
+
+std::string integratorListing() {
+  std::string text;
+  for (const IntegratorInfo& info : allIntegrators())
+    text += fmt::format("  {:<17} {}; stable for h omega {}\n", info.name, info.help,
+                        info.imaginaryLimit > 0 ? fmt::format("< {:.6g}", info.imaginaryLimit) : "at no step");
+  return text;
+}
+
+std::string metricListing() {
+  std::string text;
+  for (const MetricInfo& info : allMetrics())
+    text +=
+        fmt::format("  {:<17} {}; of the highest frequency: {}\n", info.name, info.help, directionName(info.direction));
+  return text;
+}
+
+std::string mainFooter() {
+  return "Everything in SI units: m, s, kg, N, Pa, J.\n\n"
+         "Exit status:\n"
+         "  0  done and stable\n"
+         "  1  the run failed: instability found, a bound violated, no convergence\n"
+         "  2  bad usage or bad input; one line on standard error says what and where\n\n"
+         "Examples:\n"
+         "  ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 -o bar.msh\n"
+         "  ringwatch inspect bar.msh --young 30e3 --poisson 0.3 --density 1000 --metric all --global\n"
+         "  ringwatch run examples/stretch_bar.toml --out out/stretch_bar\n"
+         "  ringwatch run scene.toml --set integrator.step=1e-4 --set output.every=0.01\n"
+         "  ringwatch run --help-scene\n\n"
+         "Laws:\n" +
+         listing(allLaws()) + "\nIntegrators:\n" + integratorListing() + "\nMetrics:\n" + metricListing() +
+         "\nMesh generators:\n" + generatorHelp();
+}
+
+/// A text on one line: what reaches standard error must not break it.
+std::string oneLine(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  std::string result;
+  for (char c : text) {
+    const bool space = c == '\n' || c == '\r' || c == '\t';
+    if (!space || (!result.empty() && result.back() != ' '))
+      result += space ? ' ' : static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+  }
+  return result;
+}
+
+int complain(const std::string& text, ExitStatus status) {
+  fmt::print(stderr, "ringwatch: {}\n", oneLine(text));
+  return status;
+}
+
+/// Text for people or JSON, to standard output. Throws when it cannot be written, e.g. on a full disk.
+void printOut(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw InputError("cannot write to standard output");
+}
+
+struct RunCommand {
+  std::string scene, folder;
+  std::vector<std::string> overrides;
+  int threads = 0;
+  bool quiet = false, helpScene = false;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
+    command->add_option("SCENE", scene, "scene file (TOML); see --help-scene");
+    command->add_option("--out", folder,
+                        "folder for the results, made when missing (default: out/ and the scene's name)");
+    command->add_option("--set", overrides, "section.key=value, replaces the value of the scene; may be given again")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--threads", threads,
+                     "threads (default: as many as the mesh keeps busy); results do not depend on it")
+        ->check(CLI::Range(0, 4096));
+    command->add_flag("--quiet", quiet, "print nothing but errors; the exit status tells how it went");
+    command->add_flag("--help-scene", helpScene, "list every key of a scene file");
+    command->footer(
+        "Writes history.csv, summary.json, critical_step.png and, with output.every, run.pvd for ParaView.");
+  }
+
+  int execute() const {
+    if (helpScene) {
+      printOut(sceneHelp());
+      return exitStable;
+    }
+    if (scene.empty())
+      throw InputError("run: SCENE is missing; give a scene file (TOML), see ringwatch run --help-scene");
+    const Scene description = readScene(scene, overrides);
+    RunOptions options;
+    options.folder = folder.empty() ? std::filesystem::path("out") / std::filesystem::path(scene).stem()
+                                    : std::filesystem::path(folder);
+    options.progress = !quiet;
+    options.interrupt = &interrupted;
+    const Body body = sceneBody(description, sceneMesh(description, options.notes), threads);
+    const InterruptGuard guard;
+    const RunResult result = runScene(description, body, options);
+    if (!quiet) printOut(summaryText(description, body, result, options.folder));
+    return result.stable() ? exitStable : exitUnstable;
+  }
+};
+
+struct InspectCommand {
+  InspectOptions options;
+  std::string json, vtu, lumping = "row-sum";
+  double step = 0;
+  CLI::Option* stepOption = nullptr;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
+    command->add_option("MESH", options.mesh, "mesh file: .msh, .node/.ele, .vtu or .vtk, in m")->required();
+    command->add_option("--young", options.young, "Young's modulus, Pa")->required();
+    command->add_option("--poisson", options.poisson, "Poisson's ratio, > -1 and < 0.5")->required();
+    command->add_option("--density", options.density, "density, kg/m3")->required();
+    command->add_option("--model", options.model, "constitutive law (default: stvk)");
+    command->add_option("--integrator", options.integrator,
+                        "integrator whose stability limit counts (default: symplectic-euler)");
+    command->add_option("--lumping", lumping, "row-sum or equal (default: row-sum)")
+        ->check(CLI::IsMember({"row-sum", "equal"}));
+    stepOption = command->add_option("--step", step, "list the elements that need a smaller step than this, s");
+    command->add_option("--metric", options.metrics, "metrics, separated by commas, or all")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command->add_option("--fix", options.fix, "condition on nodes that are held, e.g. \"x < 1e-6\"; may be given again")
+        ->allow_extra_args(false);
+    command->add_flag("--global", options.global, "also the exact critical step, by a global eigenvalue");
+    command->add_option("--json", json,
+                        "write the numbers to this file; - for standard output, and nothing else there");
+    command->add_option("--vtu", vtu, "write the mesh with the steps by each metric for ParaView");
+    command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
+        ->check(CLI::Range(0, 4096));
+    command->footer("Laws:\n" + listing(allLaws()) + "\nIntegrators:\n" + integratorListing() + "\nMetrics:\n" +
+                    metricListing());
+  }
+
+  int execute() {
+    if (stepOption->count() > 0) options.step = step;
+    if (!vtu.empty()) options.vtu = vtu;
+    options.lumping = lumping == "equal" ? Lumping::equal : Lumping::rowSum;
+    const InspectResult result = inspectMesh(options);
+    const std::string text = result.json.dump(2) + "\n";
+    if (json == "-") {
+      printOut(text);
+    } else {
+      if (!json.empty()) writeFileAtomically(json, text);
+      printOut(result.text);
+    }
+    return result.failure.empty() ? static_cast<int>(exitStable) : complain(result.failure, exitUnstable);
+  }
+};
+
+struct MeshCommand {
+  std::string kind, output, input, target, checked;
+  std::map<std::string, std::vector<std::string>> parameters;  // of generators, as given
+  CLI::App *generate = nullptr, *convert = nullptr, *check = nullptr;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("mesh", "generate, convert or check a mesh");
+    command->require_subcommand(1);
+    generate = command->add_subcommand("generate", "make a mesh");
+    generate->add_option("KIND", kind, "kind of mesh")->required();
+    generate->add_option("-o,--output", output, "mesh file to write: .msh or .vtu")->required();
+    for (const SceneKey& key : generatorSceneKeys())
+      generate->add_option("--" + key.key, parameters[key.key], key.help)->expected(1, 3)->delimiter(',');
+    generate->footer(
+        "Kinds and their parameters, lists as --size 0.2 0.04 0.04 or --size 0.2,0.04,0.04:\n" + generatorHelp() +
+        "\nExample: ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 --element hex8 -o bar.msh");
+    convert = command->add_subcommand("convert", "read a mesh and write it in another format");
+    convert->add_option("IN", input, "mesh file: .msh, .node/.ele, .vtu or .vtk")->required();
+    convert->add_option("OUT", target, "mesh file to write: .msh or .vtu")->required();
+    check = command->add_subcommand("check",
+                                    "list everything that is wrong with a mesh; exit status 1 when there is something");
+    check->add_option("MESH", checked, "mesh file")->required();
+  }
+
+  int execute() const {
+    if (generate->parsed()) return executeGenerate();
+    return convert->parsed() ? executeConvert() : executeCheck();
+  }
+
+ private:
+  int executeGenerate() const {
+    if (!findGenerator(kind)) {
+      const std::vector<std::string> known = generatorNames();
+      throw InputError(fmt::format("KIND: unknown \"{}\"; did you mean \"{}\"? known are {}", kind,
+                                   nearestName(kind, known), fmt::join(known, ", ")));
+    }
+    nlohmann::ordered_json values = nlohmann::ordered_json::object();
+    for (const auto& [name, texts] : parameters) {
+      if (texts.empty()) continue;
+      nlohmann::ordered_json list = nlohmann::ordered_json::array();
+      for (const std::string& text : texts) list.push_back(numberOrText(text));
+      values[name] = texts.size() == 1 ? list[0] : list;
+      const std::string fault = generatorFault(kind, name, values[name]);
+      if (!fault.empty()) throw InputError(fmt::format("--{}: {}", name, fault));
+    }
+    const Mesh mesh = generateMesh(kind, generatorArguments(values));
+    writeMesh(mesh, output);
+    printOut(fmt::format("{}: {} nodes, {}\n", output, mesh.nodeCount(), elementCounts(mesh)));
+    return exitStable;
+  }
+
+  static nlohmann::ordered_json numberOrText(const std::string& text) {
+    std::int64_t integer = 0;
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, integer)) return integer;
+    if (CLI::detail::lexical_cast(text, value) && std::isfinite(value)) return value;
+    return text;
+  }
+
+  int executeConvert() const {
+    std::vector<std::string> notes;
+    const Mesh mesh = readMesh(input, &notes);
+    writeMesh(mesh, target);
+    for (const std::string& note : notes) printOut("note: " + note + "\n");
+    printOut(fmt::format("{}: {} nodes, {}\n", target, mesh.nodeCount(), elementCounts(mesh)));
+    return exitStable;
+  }
+
+  int executeCheck() const {
+    std::vector<std::string> notes;
+    const std::vector<MeshProblem> problems = checkMeshFile(checked, &notes);
+    std::string text;
+    for (const std::string& note : notes) text += "note: " + note + "\n";
+    for (const MeshProblem& problem : problems)
+      text += fmt::format("{}: {}\n", problemName(problem.kind), problem.text);
+    text += problems.empty()
+                ? fmt::format("{}: nothing wrong\n", checked)
+                : fmt::format("{}: {} problem{}\n", checked, problems.size(), problems.size() == 1 ? "" : "s");
+    printOut(text);
+    return problems.empty() ? exitStable : exitUnstable;
+  }
+};
+
+/// CLI11's message for a wrong usage, on one line, with the nearest known option or command.
+std::string usageText(const CLI::App& app, const CLI::ParseError& fault) {
+  std::string text = oneLine(fault.what());
+  // An unknown command is reported by CLI11 as a missing one.
+  const bool unknown = dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr ||
+                       dynamic_cast<const CLI::RequiredError*>(&fault) != nullptr;
+  if (unknown && !app.remaining(true).empty()) {
+    const CLI::App* innermost = &app;
+    while (!innermost->get_subcommands().empty()) innermost = innermost->get_subcommands().front();
+    std::vector<std::string> known;
+    for (const CLI::Option* option : innermost->get_options()) known.push_back(option->get_name());
+    for (const CLI::App* command : innermost->get_subcommands([](const CLI::App*) { return true; }))
+      known.push_back(command->get_name());
+    const std::string extra = app.remaining(true).front();
+    text = fmt::format("unknown argument \"{}\"; did you mean \"{}\"?", extra, nearestName(extra, known));
+  }
+  return text + "; see ringwatch --help";
+}
+
+int dispatch(int argc, char** argv) {
+  CLI::App app("ringwatch: how large a step can this explicit finite element run take, and what stands in the way",
+               "ringwatch");
+  app.set_version_flag("--version", "ringwatch " + std::string(programVersion()));
+  app.require_subcommand(1);
+  app.footer(mainFooter());
+  RunCommand run;
+  InspectCommand inspect;
+  MeshCommand mesh;
+  run.declare(app);
+  inspect.declare(app);
+  mesh.declare(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {  // --help and --version
+    return app.exit(asked);
+  } catch (const CLI::ParseError& fault) {
+    return complain(usageText(app, fault), exitUsage);
+  }
+  if (app.got_subcommand("run")) return run.execute();
+  if (app.got_subcommand("inspect")) return inspect.execute();
+  return mesh.execute();
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv) {
+  try {
+    return dispatch(argc, argv);
+  } catch (const InputError& fault) {
+    return complain(fault.what(), exitUsage);
+  } catch (const NumericalError& fault) {
+    return complain(fault.what(), exitUnstable);
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory; use a smaller mesh or more memory", exitUsage);
+  } catch (const std::exception& fault) {
+    return complain(fault.what(), exitUsage);
+  }
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,122 @@
+#include <ringwatch/app/report.h>
+
+#include <fmt/format.h>
+
+namespace ringwatch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json momentJson(const std::optional<RunResult::Moment>& moment) {
+  if (!moment) return nullptr;
+  return Json{{"step", moment->step}, {"time", moment->time}};
+}
+
+}  // namespace
+
+std::string_view programVersion() { return RINGWATCH_VERSION; }
+
+Json meshJson(const Mesh& mesh, double volume) {
+  Json elements = Json::object();
+  for (const MeshBlock& block : mesh.blocks) {
+    const std::string name(elementInfo(block.type).name);
+    elements[name] = elements.value(name, std::size_t{0}) + block.elementCount();
+  }
+  return Json{{"nodes", mesh.nodeCount()}, {"elements", std::move(elements)}, {"volume", volume}};
+}
+
+Json elementJson(const Mesh& mesh, ElementRef ref) {
+  const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(ref.block)];
+  const std::int32_t* nodes = block.element(static_cast<std::size_t>(ref.element));
+  Json result{{"block", ref.block},
+              {"index", ref.element},
+              {"type", std::string(elementInfo(block.type).name)},
+              {"nodes", std::vector<std::int32_t>(nodes, nodes + block.nodesPerElement())},
+              {"id", block.ids[static_cast<std::size_t>(ref.element)]},
+              {"node_ids", Json::array()}};
+  for (int a = 0; a < block.nodesPerElement(); ++a)
+    result["node_ids"].push_back(mesh.nodeIds[static_cast<std::size_t>(nodes[a])]);
+  return result;
+}
+
+std::string elementCounts(const Mesh& mesh) {
+  std::string text;
+  const Json counts = meshJson(mesh, 0)["elements"];
+  for (const auto& [name, count] : counts.items())
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count.get<std::size_t>(), name);
+  return text;
+}
+
+std::string elementText(const Mesh& mesh, ElementRef ref) {
+  const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(ref.block)];
+  std::string text = fmt::format("{} element {}:{} (file number {}), nodes", elementInfo(block.type).name, ref.block,
+                                 ref.element, block.ids[static_cast<std::size_t>(ref.element)]);
+  for (int a = 0; a < block.nodesPerElement(); ++a)
+    text += fmt::format(
+        " {}", mesh.nodeIds[static_cast<std::size_t>(block.element(static_cast<std::size_t>(ref.element))[a])]);
+  return text;
+}
+
+Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) {
+  Json events = Json::array();
+  for (const MonitorEvent& event : result.events)
+    events.push_back(Json{{"kind", std::string(eventName(event.kind))},
+                          {"step", event.step},
+                          {"time", event.time},
+                          {"element", event.element ? elementJson(body.mesh(), *event.element) : Json(nullptr)},
+                          {"value", event.value},
+                          {"text", event.text}});
+  return Json{{"program", "ringwatch"},
+              {"version", std::string(programVersion())},
+              {"scene_file", scene.file.string()},
+              {"scene", scene.echo},
+              {"mesh", meshJson(body.mesh(), body.volume())},
+              {"mass", body.totalMass()},
+              {"verdict", std::string(result.verdict())},
+              {"stable", result.stable()},
+              {"exit_reason", std::string(exitReasonName(result.reason))},
+              {"exit_text", result.reasonText},
+              {"steps", result.steps},
+              {"end_time", result.time},
+              {"smallest_step", result.smallestStep},
+              {"largest_step", result.largestStep},
+              {"first_violated", momentJson(result.firstViolated)},
+              {"energy_runaway", momentJson(result.runaway)},
+              {"events", std::move(events)},
+              {"wall_time",
+               {{"total", result.wallTime},
+                {"force", result.forceTime},
+                {"monitor", result.monitorTime},
+                {"output", result.outputTime}}},
+              {"frames", result.frames},
+              {"files", result.files},
+              {"notes", result.notes}};
+}
+
+std::string summaryText(const Scene& scene, const Body& body, const RunResult& result,
+                        const std::filesystem::path& folder) {
+  std::string text = fmt::format("{}: {} nodes, {}, {:.6g} kg, {}\n", scene.file.string(), body.mesh().nodeCount(),
+                                 elementCounts(body.mesh()), body.totalMass(), scene.method);
+  text +=
+      fmt::format("{} steps to t = {:.6g} s, {}; {:.2f} s of wall time (force {:.2f}, monitor {:.2f}, output {:.2f})\n",
+                  result.steps, result.time, result.reasonText, result.wallTime, result.forceTime, result.monitorTime,
+                  result.outputTime);
+  if (result.steps > 0)
+    text += result.smallestStep == result.largestStep
+                ? fmt::format("step {:.6g} s, ", result.smallestStep)
+                : fmt::format("steps {:.6g} to {:.6g} s, ", result.smallestStep, result.largestStep);
+  text += fmt::format("verdict {}\n", result.verdict());
+  // The first few events; all of them are in summary.json.
+  constexpr std::size_t most = 6;
+  for (std::size_t i = 0; i < result.events.size() && i < most; ++i)
+    text += fmt::format("  {}\n", result.events[i].text);
+  if (result.events.size() > most) text += fmt::format("  and {} more events\n", result.events.size() - most);
+  if (result.runaway)
+    text += fmt::format("  step {}, t = {:.6g} s: the energy ran away\n", result.runaway->step, result.runaway->time);
+  for (const std::string& note : result.notes) text += fmt::format("note: {}\n", note);
+  std::string files;
+  for (const std::string& file : result.files) files += (files.empty() ? "" : ", ") + file;
+  return text + fmt::format("wrote to {}: {}\n", folder.string(), files);
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,344 @@
+#include <ringwatch/app/runner.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/frames.h>
+#include <ringwatch/app/history.h>
+#include <ringwatch/app/picture.h>
+#include <ringwatch/app/progress.h>
+#include <ringwatch/app/report.h>
+#include <ringwatch/app/run_system.h>
+#include <ringwatch/base/atomic_file.h>
+#include <ringwatch/base/error.h>
+
+namespace ringwatch {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Adds the time it lives to a total, s.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& total) : total_(total), start_(Clock::now()) {}
+  ~Stopwatch() { total_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& total_;
+  Clock::time_point start_;
+};
+
+Verdict verdictFor(double h, const CriticalStep& bracket) {
+  return h <= bracket.safe ? Verdict::certified : h <= bracket.optimistic ? Verdict::notCertified : Verdict::violated;
+}
+
+/// Makes the folder and removes what an earlier run left there under the names of this one.
+void prepareFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error && !std::filesystem::is_directory(folder)) error = std::make_error_code(std::errc::not_a_directory);
+  if (error)
+    throw InputError(
+        fmt::format("{}: cannot write: {}; choose another folder with --out", folder.string(), error.message()));
+  writeFileAtomically(folder / "history.csv.part",
+                      "");  // tells whether the folder can be written, before old results go
+  for (const char* name :
+       {"history.csv", "summary.json", "run.pvd", "critical_step.png", "critical_step.gp", "critical_step.dat"})
+    std::filesystem::remove(folder / name, error);
+}
+
+/// A run in progress.
+class Run {
+ public:
+  Run(const Scene& scene, const Body& body, const RunOptions& options)
+      : scene_(scene),
+        body_(body),
+        options_(options),
+        limit_(findIntegrator(scene.method)->imaginaryLimit),
+        integrator_(makeIntegrator(scene.method)),
+        system_(body, scene.energy),
+        balance_(body),
+        progress_(options.progress) {
+    if (scene_.monitored()) {
+      MonitorOptions wanted;
+      wanted.limit = limit_;
+      wanted.bracket = scene_.bracket;
+      wanted.metric = scene_.metric;
+      wanted.margin = scene_.margin;
+      wanted.every = static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max()));
+      wanted.energyTolerance = scene_.energyTolerance;
+      monitor_.emplace(body_, wanted);
+    }
+    result_.notes = options.notes;
+  }
+
+  RunResult go() {
+    {
+      const Stopwatch total(result_.wallTime);
+      {
+        const Stopwatch output(result_.outputTime);
+        prepareFolder(options_.folder);
+        history_.emplace(options_.folder);
+        if (scene_.frameInterval) frames_.emplace(options_.folder, scene_, body_, limit_);
+      }
+      state_ = system_.initialState();
+      h_ = scene_.step.value_or(0);
+      advance();
+      progress_.clear();
+      finish();
+    }
+    result_.files.emplace_back("summary.json");
+    writeFileAtomically(options_.folder / "summary.json", summaryJson(scene_, body_, result_).dump(2) + "\n");
+    return std::move(result_);
+  }
+
+ private:
+  /// Steps until something ends the run.
+  void advance() {
+    for (std::int64_t k = 0;; ++k) {
+      // A rounding error in the sum of the steps must not add one.
+      if (h_ > 0 && state_.time >= scene_.end - 1e-3 * h_) return end(ExitReason::end, "end time reached");
+      if (options_.interrupt && options_.interrupt->load()) return end(ExitReason::interrupted, "interrupted");
+
+      const bool rowDue = k % scene_.historyEvery == 0;
+      keepBooks(rowDue);
+      MonitorReport report = observe(k);
+      if (!state_.x.allFinite() || !state_.v.allFinite()) {
+        keepEvents(report);
+        return end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", k));
+      }
+      if (!adaptStep(report)) return;
+      checkRunaway(k);
+      record(report, rowDue);
+      if (report.verdict == Verdict::violated && monitor_ && scene_.onViolation == OnViolation::stop)
+        return end(ExitReason::violated, fmt::format("stopped before step {}, which is violated", k));
+      if (!takeStep(report)) return;
+      showProgress(report);
+    }
+  }
+
+  void end(ExitReason reason, std::string text) {
+    result_.reason = reason;
+    result_.reasonText = std::move(text);
+  }
+
+  /// Energies of the state before the step. Prescribed motion does work in every step, so its books need every step.
+  void keepBooks(bool rowDue) {
+    energies_.reset();
+    if (!scene_.energy || (!rowDue && !body_.constraints().moving())) return;
+    const Stopwatch force(result_.forceTime);
+    balance_.record(state_.x, system_.internalForce(state_.time, state_.x, state_.v));
+    if (rowDue) energies_ = balance_.energies(state_.v);
+  }
+
+  MonitorReport observe(std::int64_t k) {
+    if (!monitor_) {
+      MonitorReport report;
+      report.step = k;
+      report.time = state_.time;
+      report.h = h_;
+      return report;
+    }
+    const Stopwatch watch(result_.monitorTime);
+    return monitor_->observe(k, state_.time, state_.x, state_.v, h_, energies_ ? &*energies_ : nullptr);
+  }
+
+  /// Sets the step by what the monitor knows, for "auto" and "reduce-step". False when no step can be had.
+  bool adaptStep(MonitorReport& report) {
+    const bool automatic = !scene_.step, reduce = scene_.onViolation == OnViolation::reduceStep;
+    const bool tooLong = scene_.bracket ? report.verdict != Verdict::certified
+                                        : report.metricStep.has_value() && !(h_ <= *report.metricStep);
+    if (automatic ? (report.fresh || (reduce && tooLong)) : (reduce && tooLong)) {
+      if (scene_.bracket && !report.fresh) {
+        const Stopwatch watch(result_.monitorTime);
+        report.bracket = criticalStep(body_, state_.x, limit_);
+        report.fresh = true;
+        report.elementsRefreshed = static_cast<std::int64_t>(body_.mesh().elementCount());
+      }
+      const double certified = scene_.safety * (scene_.bracket ? report.bracket->safe : *report.metricStep);
+      double next = certified;
+      if (!(next > 0)) next = 0.5 * h_;           // nothing can be certified: keep reducing
+      if (!automatic) next = std::min(next, h_);  // a fixed step is shortened, never lengthened
+      if (report.bracket && !automatic && h_ <= report.bracket->safe) next = h_;  // a fresh look certifies it after all
+      h_ = std::min(next, scene_.end);
+      firstStep_ = firstStep_ > 0 ? firstStep_ : h_;
+      if (!(h_ > collapse * firstStep_)) {
+        end(ExitReason::stepCollapsed, fmt::format("no step can be certified: reduced to {:.3g} s", h_));
+        return false;
+      }
+    }
+    if (automatic) h_ = std::min(h_, scene_.end - state_.time);  // the last one ends at the end
+    if (firstStep_ <= 0) firstStep_ = h_;
+    report.h = h_;
+    // A step that was shortened in time was not taken: the monitor's alarm at the longer one is no event of the run.
+    if (report.bracket) report.verdict = verdictFor(h_, *report.bracket);
+    if (report.verdict != Verdict::violated)
+      std::erase_if(report.newEvents, [](const MonitorEvent& event) { return event.kind == EventKind::violated; });
+    return true;
+  }
+
+  /// The energy ran away where the balance error passes its bound and stays above it to the end of the run. From there
+  /// on the largest energy stays what it was: the runaway must not become its own measure.
+  void checkRunaway(std::int64_t k) {
+    if (!energies_) return;
+    if (!result_.runaway)
+      largestEnergy_ = std::max(
+          {largestEnergy_, energies_->kinetic + std::abs(energies_->strain), std::abs(energies_->externalWork)});
+    const bool off = !(std::abs(energies_->balanceError) <= runawayShare * largestEnergy_);
+    if (!off)
+      result_.runaway.reset();
+    else if (!result_.runaway)
+      result_.runaway = {k, state_.time};
+  }
+
+  void keepEvents(const MonitorReport& report) {
+    for (const MonitorEvent& event : report.newEvents) {
+      result_.events.push_back(event);
+      if (event.kind == EventKind::violated && !result_.firstViolated) result_.firstViolated = {event.step, event.time};
+    }
+  }
+
+  void record(const MonitorReport& report, bool rowDue) {
+    const Stopwatch output(result_.outputTime);
+    keepEvents(report);
+    if (rowDue) {
+      HistoryRow row;
+      row.step = report.step;
+      row.time = state_.time;
+      row.h = h_;
+      row.bracket = report.bracket;
+      row.energies = energies_;
+      row.elementsRefreshed = monitor_ && report.fresh ? report.elementsRefreshed : 0;
+      row.metricStep = report.metricStep;
+      if (monitor_) row.verdict = report.verdict;
+      history_->write(row);
+      if (scene_.picture && monitor_) picture_.add(row);
+    }
+    if (frames_ && state_.time >= nextFrame_ - 1e-3 * h_) {
+      frames_->write(state_.time, state_.x, state_.v, h_, report.verdict);
+      lastFrame_ = report.step;
+      while (nextFrame_ <= state_.time + 1e-3 * h_)
+        nextFrame_ = static_cast<double>(++framesDue_) * *scene_.frameInterval;
+    }
+  }
+
+  bool takeStep(const MonitorReport& report) {
+    const Stopwatch force(result_.forceTime);
+    const StepStatus status = integrator_->step(system_, state_, h_);
+    if (!status.done) {
+      end(ExitReason::stepFailed, fmt::format("step {} failed: {}", report.step, status.reason));
+      return false;
+    }
+    ++result_.steps;
+    result_.smallestStep = result_.steps == 1 ? h_ : std::min(result_.smallestStep, h_);
+    result_.largestStep = std::max(result_.largestStep, h_);
+    if (monitor_) {
+      result_.worst = std::max(result_.worst.value_or(Verdict::certified), report.verdict);
+      result_.violatedStepTaken = result_.violatedStepTaken || report.verdict == Verdict::violated;
+    }
+    lastVerdict_ = report.verdict;
+    return true;
+  }
+
+  void showProgress(const MonitorReport& report) {
+    if (!progress_.due()) return;
+    progress_.show(
+        fmt::format("step {}, t = {:.4g} of {:.4g} s, h = {:.4g} s{}{}", report.step, state_.time, scene_.end, h_,
+                    report.bracket ? fmt::format(", safe {:.4g} s", report.bracket->safe) : "",
+                    monitor_ ? fmt::format(", {}", verdictName(report.verdict)) : ""),
+        state_.time / scene_.end);
+  }
+
+  void finish() {
+    result_.time = state_.time;
+    if (result_.reason == ExitReason::end && (!state_.x.allFinite() || !state_.v.allFinite()))
+      end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result_.steps));
+    const Stopwatch output(result_.outputTime);
+    history_->finish();
+    result_.files.emplace_back("history.csv");
+    if (frames_) {
+      // The last state closes the animation, unless it is not finite: then the last good frame is the last one.
+      if (result_.reason != ExitReason::nonFinite && lastFrame_ != result_.steps)
+        frames_->write(state_.time, state_.x, state_.v, h_, lastVerdict_);
+      frames_->removeStale();
+      result_.frames = frames_->count();
+      result_.files.push_back(fmt::format("run.pvd ({} frames)", frames_->count()));
+    }
+    if (scene_.picture && monitor_) drawPicture();
+  }
+
+  void drawPicture() {
+    if (result_.firstViolated) picture_.markViolation(result_.firstViolated->time);
+    if (result_.runaway) picture_.markRunaway(result_.runaway->time);
+    const std::string note =
+        picture_.draw(options_.folder, fmt::format("{}: {}, {}, {}", scene_.file.stem().string(),
+                                                   elementCounts(body_.mesh()), scene_.model, scene_.method));
+    if (note.empty())
+      result_.files.emplace_back("critical_step.png");
+    else
+      result_.notes.push_back(note);
+    result_.files.emplace_back("critical_step.gp");
+    result_.files.emplace_back("critical_step.dat");
+  }
+
+  static constexpr double collapse = 1e-6;  // of the first step: a run that needs less goes nowhere
+
+  const Scene& scene_;
+  const Body& body_;
+  const RunOptions& options_;
+  double limit_;
+  std::unique_ptr<Integrator> integrator_;
+  RunSystem system_;
+  EnergyBalance balance_;
+  ProgressLine progress_;
+  std::optional<StabilityMonitor> monitor_;
+  std::optional<HistoryWriter> history_;
+  std::optional<FrameWriter> frames_;
+  Picture picture_;
+  State state_;
+  double h_ = 0, firstStep_ = 0;
+  std::optional<Energies> energies_;
+  double largestEnergy_ = 0;
+  double nextFrame_ = 0;
+  std::int64_t framesDue_ = 0, lastFrame_ = -1;
+  Verdict lastVerdict_ = Verdict::notCertified;
+  RunResult result_;
+};
+
+}  // namespace
+
+std::string_view exitReasonName(ExitReason reason) {
+  switch (reason) {
+    case ExitReason::end:
+      return "end";
+    case ExitReason::violated:
+      return "violated";
+    case ExitReason::nonFinite:
+      return "non-finite";
+    case ExitReason::stepCollapsed:
+      return "step-collapsed";
+    case ExitReason::stepFailed:
+      return "step-failed";
+    case ExitReason::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+std::string_view RunResult::verdict() const {
+  if (reason == ExitReason::nonFinite || runaway) return "unstable";
+  if (violatedStepTaken || reason == ExitReason::violated) return "violated";
+  return worst ? verdictName(*worst) : "unmonitored";
+}
+
+RunResult runScene(const Scene& scene, const Body& body, const RunOptions& options) {
+  return Run(scene, body, options).go();
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,67 @@
+#pragma once
+#include <atomic>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <ringwatch/app/scene.h>
+#include <ringwatch/monitor/stability_monitor.h>
+
+namespace ringwatch {
+
+/// Why a run ended.
+enum class ExitReason {
+  end,            ///< its end time was reached
+  violated,       ///< the monitor said so and the scene says stop
+  nonFinite,      ///< positions or velocities are no longer numbers
+  stepCollapsed,  ///< reducing the step led to no step that can be certified
+  stepFailed,     ///< the integrator could not take the step
+  interrupted     ///< from outside
+};
+std::string_view exitReasonName(ExitReason reason);
+
+struct RunOptions {
+  std::filesystem::path folder;                  // made when it does not exist
+  bool progress = true;                          // a progress line on a terminal
+  const std::atomic<bool>* interrupt = nullptr;  // the run ends after the step in which it becomes true
+  std::vector<std::string> notes;                // of the mesh reader, for the summary
+};
+
+/// What came of a run.
+struct RunResult {
+  struct Moment {
+    std::int64_t step;
+    double time;  // s
+  };
+  ExitReason reason = ExitReason::end;
+  std::string reasonText;                    // one line
+  std::int64_t steps = 0;                    // taken
+  double time = 0;                           // s, reached
+  double smallestStep = 0, largestStep = 0;  // s, of the steps taken
+  std::optional<Verdict> worst;              // of the steps taken; empty when nothing was monitored
+  bool violatedStepTaken = false;
+  std::optional<Moment> firstViolated;  // the monitor first said violated
+  std::optional<Moment> runaway;        // the energy balance went off by more than runawayShare for good
+  std::vector<MonitorEvent> events;
+  double forceTime = 0, monitorTime = 0, outputTime = 0, wallTime = 0;  // s
+  std::size_t frames = 0;
+  std::vector<std::string> files;  // written, relative to the folder
+  std::vector<std::string> notes;
+
+  /// Reached its end, took no step that was proven unstable, and its energy stayed in balance.
+  bool stable() const { return reason == ExitReason::end && !violatedStepTaken && !runaway; }
+  /// "certified", "not-certified", "violated", "unstable" or "unmonitored": what the run as a whole may be called.
+  std::string_view verdict() const;
+};
+
+/// Balance error over the largest energy so far that counts as a runaway.
+inline constexpr double runawayShare = 0.1;
+
+/// Runs a scene on its body: before each step the monitor looks at the state, then the integrator takes the step.
+/// Writes history.csv, summary.json, what [output] asks for and the picture into options.folder, however the run ends.
+/// Throws InputError when the folder cannot be written, before anything is computed.
+RunResult runScene(const Scene& scene, const Body& body, const RunOptions& options);
+
+}  // namespace ringwatch

@@ -1,0 +1,605 @@
+#include <ringwatch/app/scene.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <ringwatch/app/scene_keys.h>
+#include <ringwatch/app/scene_mesh.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/nearest_name.h>
+#include <ringwatch/integrators/integrator.h>
+#include <ringwatch/meshes/mesh_io.h>
+
+namespace ringwatch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A checked value and where it came from: "scene.toml:12", "--set integrator.step=1" or "default".
+struct Entry {
+  Json value;
+  std::string origin;
+  bool given = false;
+};
+/// One table of the scene: [name], or one of several [[name]].
+struct Section {
+  std::string name, origin;
+  std::map<std::string, Entry> entries;
+
+  bool given(const std::string& key) const { return entries.count(key) != 0 && entries.at(key).given; }
+  const Entry& at(const std::string& key) const { return entries.at(key); }
+  template <class T>
+  T get(const std::string& key) const {
+    return entries.at(key).value.get<T>();
+  }
+  std::string where(const std::string& key) const {
+    return fmt::format("{}: {}.{}", entries.at(key).origin, name, key);
+  }
+};
+
+[[noreturn]] void fail(const std::string& origin, const std::string& key, const std::string& what) {
+  throw InputError(fmt::format("{}: {}: {}", origin, key, what));
+}
+
+std::string inQuotes(std::string_view text) {
+  std::string result = "\"";
+  for (char c : text.substr(0, 80)) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < 0x20 || byte == 0x7f ? '?' : c;
+  }
+  return result + (text.size() > 80 ? "…\"" : "\"");
+}
+
+std::string withArticle(std::string_view type) {
+  if (type.substr(0, 4) == "true") return std::string(type);
+  return fmt::format("{} {}", type.front() == 'i' ? "an" : "a", type);
+}
+
+std::string kindOf(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::string:
+      return "the text " + inQuotes(**node.as_string());
+    case toml::node_type::integer:
+      return fmt::format("the number {}", **node.as_integer());
+    case toml::node_type::floating_point:
+      return fmt::format("the number {}", **node.as_floating_point());
+    case toml::node_type::boolean:
+      return **node.as_boolean() ? "true" : "false";
+    case toml::node_type::array:
+      return fmt::format("a list of {}", node.as_array()->size());
+    case toml::node_type::table:
+      return "a table";
+    default:
+      return "a date or time";
+  }
+}
+
+class Reader {
+ public:
+  Reader(std::filesystem::path file, const std::vector<std::string>& overrides) : file_(std::move(file)) {
+    parseFile();
+    for (const std::string& text : overrides) applyOverride(text);
+  }
+
+  /// All sections with their values checked and defaults filled in; lists in the order of the file.
+  std::vector<Section> sections() {
+    checkSectionNames();
+    std::vector<Section> result;
+    for (const SceneSection& section : sceneSections()) {
+      const toml::node* node = root_.get(section.name);
+      const std::string name(section.name);
+      if (section.list) {
+        if (!node) continue;
+        const toml::array* list = node->as_array();
+        if (!list || !std::all_of(list->begin(), list->end(), [](const toml::node& n) { return n.is_table(); }))
+          fail(originOf(name, *node), name,
+               fmt::format("{} where tables are needed; write [[{}]] above each", kindOf(*node), name));
+        std::size_t i = 0;
+        for (const toml::node& table : *list)
+          result.push_back(readSection(name, fmt::format("{}.{}", name, i++), *table.as_table()));
+      } else if (!node) {
+        if (section.required)
+          throw InputError(
+              fmt::format("{}: [{}]: the section is missing; it holds {}", file_.string(), name, requiredKeys(name)));
+        result.push_back(readSection(name, name, toml::table{}));
+      } else {
+        if (!node->is_table())
+          fail(originOf(name, *node), name,
+               fmt::format("{} where a section is needed; write [{}]", kindOf(*node), name));
+        result.push_back(readSection(name, name, *node->as_table()));
+      }
+    }
+    return result;
+  }
+
+ private:
+  void parseFile() {
+    std::error_code error;
+    if (std::filesystem::is_directory(file_, error))
+      throw InputError(fmt::format("{}: is a folder; a scene file (TOML) is needed", file_.string()));
+    errno = 0;
+    std::ifstream stream(file_, std::ios::binary);
+    std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (!stream.is_open() || stream.bad())
+      throw InputError(fmt::format("{}: cannot read: {}; a scene file (TOML) is needed", file_.string(),
+                                   errno != 0 ? std::strerror(errno) : "input error"));
+    try {
+      root_ = toml::parse(content, file_.string());
+    } catch (const toml::parse_error& fault) {
+      std::string what(fault.description());
+      std::replace(what.begin(), what.end(), '\n', ' ');
+      throw InputError(fmt::format("{}:{}: not TOML: {}", file_.string(), fault.source().begin.line, what));
+    }
+  }
+
+  /// `section.key=value`, or `section.N.key=value` for the N-th of a list, counted from 0.
+  void applyOverride(const std::string& text) {
+    std::string origin = "--set " + text.substr(0, 200);
+    std::replace_if(
+        origin.begin(), origin.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+    const std::size_t equals = text.find('=');
+    std::string path = text.substr(0, equals);
+    path.erase(path.find_last_not_of(" \t") + 1);
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0; begin <= path.size();) {
+      const std::size_t end = std::min(path.find('.', begin), path.size());
+      parts.push_back(path.substr(begin, end - begin));
+      begin = end + 1;
+    }
+    if (equals == std::string::npos || parts.size() < 2 || parts.size() > 3)
+      throw InputError(
+          fmt::format("{}: not an assignment; write section.key=value, e.g. integrator.step=1e-3", origin));
+
+    const toml::table assignment = parseValue(text.substr(equals + 1), origin);
+    toml::table* target = nullptr;
+    if (parts.size() == 2) {
+      if (findSection(parts[0]) && findSection(parts[0])->list)
+        throw InputError(fmt::format("{}: [[{}]] is a list; write {}.0.{}=… for its first entry", origin, parts[0],
+                                     parts[0], parts[1]));
+      if (!root_.contains(parts[0])) root_.insert(parts[0], toml::table{});
+      target = root_.get_as<toml::table>(parts[0]);
+    } else {
+      toml::array* list = root_.get_as<toml::array>(parts[0]);
+      const std::size_t count = list ? list->size() : 0;
+      std::size_t index = count;
+      if (!parts[1].empty() && parts[1].size() < 7 && parts[1].find_first_not_of("0123456789") == std::string::npos)
+        index = std::stoul(parts[1]);
+      if (index >= count)
+        throw InputError(fmt::format("{}: there is no [[{}]] number {}; the scene has {}, counted from 0", origin,
+                                     parts[0], parts[1], count));
+      target = list->get_as<toml::table>(index);
+    }
+    if (!target) throw InputError(fmt::format("{}: {} is not a section of the scene", origin, parts[0]));
+    target->insert_or_assign(parts.back(), *assignment.get("value"));
+    overrides_[path] = origin;
+  }
+
+  /// A TOML value, or a bare word as a text, since shells eat quotes.
+  static toml::table parseValue(const std::string& text, const std::string& origin) {
+    try {
+      if (text.find('\n') == std::string::npos) {
+        toml::table parsed = toml::parse("value = " + text);
+        if (parsed.size() == 1 && parsed.contains("value")) return parsed;
+      }
+    } catch (const toml::parse_error&) {
+      const auto plain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("_-./:", c) != nullptr;
+      };
+      if (!text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) &&
+          std::all_of(text.begin(), text.end(), plain))
+        return toml::table{{"value", text}};
+    }
+    throw InputError(
+        fmt::format("{}: the value is not TOML; write a number, a \"text\", true, false or [a, list]", origin));
+  }
+
+  static const SceneSection* findSection(std::string_view name) {
+    for (const SceneSection& section : sceneSections())
+      if (section.name == name) return &section;
+    return nullptr;
+  }
+
+  void checkSectionNames() const {
+    for (const auto& [key, node] : root_) {
+      const std::string name(key.str());
+      if (findSection(name)) continue;
+      std::vector<std::string> known;
+      for (const SceneSection& section : sceneSections()) known.emplace_back(section.name);
+      // Text before any [section] is most likely a key that lost its section.
+      if (!node.is_table() && !node.is_array_of_tables())
+        fail(originOf(name, node), name,
+             fmt::format("a key outside of a section; sections are {}", fmt::join(known, ", ")));
+      fail(originOf(name, node), fmt::format("[{}]", name),
+           fmt::format("unknown section {}; did you mean \"{}\"? known are {}", inQuotes(name),
+                       nearestName(name, known), fmt::join(known, ", ")));
+    }
+  }
+
+  std::string originOf(const std::string& path, const toml::node& node) const {
+    // An override of a key inside also stands for a section that only overrides made.
+    for (const auto& [key, origin] : overrides_)
+      if (key == path || (key.size() > path.size() && key.compare(0, path.size() + 1, path + ".") == 0 &&
+                          node.source().begin.line == 0))
+        return origin;
+    if (node.source().begin.line == 0) return file_.string();
+    return fmt::format("{}:{}", file_.string(), node.source().begin.line);
+  }
+
+  static std::string requiredKeys(const std::string& section) {
+    std::string text;
+    for (const SceneKey& key : sceneKeys())
+      if (key.section == section && key.required) text += (text.empty() ? "" : ", ") + key.key;
+    return text.empty() ? "either file or generate" : text;
+  }
+
+  Section readSection(const std::string& name, const std::string& path, const toml::table& table) const {
+    Section section{name, originOf(path, table), {}};
+    for (const auto& [tomlKey, node] : table) {
+      const std::string key(tomlKey.str());
+      const std::string origin = originOf(path + "." + key, node);
+      const SceneKey* found = nullptr;
+      std::vector<std::string> known;
+      for (const SceneKey& candidate : sceneKeys()) {
+        if (candidate.section != name) continue;
+        known.push_back(candidate.key);
+        if (candidate.key == key) found = &candidate;
+      }
+      if (!found)
+        fail(origin, name + "." + key,
+             fmt::format("unknown key {} in [{}]; did you mean \"{}\"? known are {}", inQuotes(key), name,
+                         nearestName(key, known), fmt::join(known, ", ")));
+      section.entries[key] = {check(*found, node, origin), origin, true};
+    }
+    for (const SceneKey& key : sceneKeys()) {
+      if (key.section != name || section.entries.count(key.key) != 0) continue;
+      if (key.required)
+        fail(section.origin, name + "." + key.key,
+             fmt::format("missing; give {}{}{}", withArticle(sceneTypeName(key.type)),
+                         key.unit.empty() ? "" : " in " + key.unit,
+                         key.range.text().empty() ? "" : ", " + key.range.text()));
+      if (key.fallback.empty()) continue;
+      const toml::table parsed = toml::parse("value = " + key.fallback);
+      section.entries[key.key] = {check(key, *parsed.get("value"), "default"), "default", false};
+    }
+    return section;
+  }
+
+  /// The value as JSON, after checks of type, range and choices.
+  static Json check(const SceneKey& key, const toml::node& node, const std::string& origin) {
+    const std::string name = key.section + "." + key.key;
+    const auto wrongType = [&](const std::string& found) {
+      fail(origin, name,
+           fmt::format("{} where {} is needed{}", found, withArticle(sceneTypeName(key.type)), hint(key)));
+    };
+    const auto number = [&](const toml::node& n) {
+      if (!n.is_number()) wrongType(kindOf(n));
+      const double value = *n.value<double>();
+      if (!std::isfinite(value)) fail(origin, name, fmt::format("{} is not a finite number{}", value, hint(key)));
+      if (!key.range.holds(value)) fail(origin, name, fmt::format("{} is out of range{}", value, hint(key)));
+      return value;
+    };
+    const auto integer = [&](const toml::node& n) {
+      if (!n.is_integer()) wrongType(kindOf(n));
+      number(n);
+      return *n.value<std::int64_t>();
+    };
+    const auto text = [&](const toml::node& n) {
+      if (!n.is_string()) wrongType(kindOf(n));
+      std::string value = **n.as_string();
+      if (!key.choices.empty() && std::find(key.choices.begin(), key.choices.end(), value) == key.choices.end())
+        fail(origin, name,
+             fmt::format("unknown {}; did you mean \"{}\"? must be {}{}", inQuotes(value),
+                         nearestName(value, key.choices), key.choices.size() > 1 ? "one of " : "",
+                         fmt::join(key.choices, ", ")));
+      return value;
+    };
+    const auto list = [&](const auto& element) {
+      if (!node.is_array()) wrongType(kindOf(node));
+      Json values = Json::array();
+      for (const toml::node& n : *node.as_array()) values.push_back(element(n));
+      return values;
+    };
+    switch (key.type) {
+      case SceneType::number:
+        return number(node);
+      case SceneType::integer:
+        return integer(node);
+      case SceneType::boolean:
+        if (!node.is_boolean()) wrongType(kindOf(node));
+        return **node.as_boolean();
+      case SceneType::text:
+        return text(node);
+      case SceneType::texts:
+        return list(text);
+      case SceneType::vector: {
+        Json values = list(number);
+        if (values.size() != 3) wrongType(kindOf(node));
+        return values;
+      }
+      case SceneType::numberOrAuto:
+        if (node.is_string() && **node.as_string() == "auto") return "auto";
+        return number(node);
+      case SceneType::parameter: {
+        // Integers stay integers, so that messages and the echo show them as they were written.
+        const auto exact = [&](const toml::node& n) { return n.is_integer() ? Json(integer(n)) : Json(number(n)); };
+        if (node.is_array()) return list(exact);
+        if (node.is_string()) return text(node);
+        return exact(node);
+      }
+    }
+    return {};
+  }
+
+  static std::string hint(const SceneKey& key) {
+    const std::string range = key.range.text();
+    std::string text;
+    if (!range.empty()) text += "; must be " + range + (key.unit.empty() ? "" : " " + key.unit);
+    if (!key.choices.empty()) text += fmt::format("; must be one of {}", fmt::join(key.choices, ", "));
+    return text;
+  }
+
+  std::filesystem::path file_;
+  toml::table root_;
+  std::map<std::string, std::string> overrides_;  // "section.key" -> origin
+};
+
+Eigen::Vector3d vectorOf(const Json& value) {
+  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+std::array<bool, 3> componentsOf(const Section& section) {
+  std::array<bool, 3> result{};
+  const auto text = section.get<std::string>("components");
+  for (char c : text) {
+    if (c < 'x' || c > 'z' || result[static_cast<std::size_t>(c - 'x')]) {
+      result = {};
+      break;
+    }
+    result[static_cast<std::size_t>(c - 'x')] = true;
+  }
+  if (result == std::array<bool, 3>{})
+    fail(section.at("components").origin, section.name + ".components",
+         inQuotes(text) + " names no components; must be some of x, y, z, each once");
+  return result;
+}
+
+NodeSelection selectionOf(const Section& section) {
+  if (section.given("where") == section.given("set"))
+    fail(section.given("set") ? section.at("set").origin : section.origin, section.name + ".where",
+         section.given("set") ? "both where and set are given; give one of them"
+                              : "missing; give a condition, e.g. where = \"x < 1e-6\", or set = \"NAME\"");
+  if (section.given("set")) return {std::nullopt, section.get<std::string>("set"), section.where("set")};
+  return NodeSelection::parse(section.get<std::string>("where"), section.where("where"));
+}
+
+/// [mesh]: a file, or a generator with parameters that it takes.
+void readMeshSection(const Section& section, Scene& scene) {
+  if (section.given("file") == section.given("generate"))
+    fail(section.given("file") ? section.at("file").origin : section.origin, "mesh.file",
+         section.given("file") ? "both file and generate are given; give one of them"
+                               : "missing; give file or generate");
+  if (section.given("file")) {
+    const std::filesystem::path path = section.get<std::string>("file");
+    scene.meshFile = path.is_absolute() ? path : scene.file.parent_path() / path;
+    scene.meshOrigin = section.where("file");
+  } else {
+    scene.generator = section.get<std::string>("generate");
+    scene.meshOrigin = section.where("generate");
+    scene.generatorArguments = Json::object();
+  }
+  for (const auto& [key, entry] : section.entries) {
+    if (key == "file" || key == "generate") continue;
+    if (scene.generator.empty())
+      fail(entry.origin, "mesh." + key, "is a parameter of generators; a mesh file takes none");
+    const std::string fault = generatorFault(scene.generator, key, entry.value);
+    if (!fault.empty()) fail(entry.origin, "mesh." + key, fault);
+    scene.generatorArguments[key] = entry.value;
+  }
+  if (scene.generator.empty()) return;
+  const Json defaults = generatorDefaults(scene.generator);
+  for (const auto& [key, value] : defaults.items())
+    if (!scene.generatorArguments.contains(key)) scene.generatorArguments[key] = value;
+  scene.echo["mesh"].update(scene.generatorArguments);
+}
+
+void readIntegratorSection(const Section& integrator, const Section& monitor, Scene& scene) {
+  scene.method = integrator.get<std::string>("method");
+  const Json& step = integrator.at("step").value;
+  if (step.is_number()) scene.step = step.get<double>();
+  scene.end = integrator.get<double>("end");
+  scene.safety = integrator.get<double>("safety");
+
+  scene.bracket = monitor.get<bool>("bracket");
+  scene.metric = monitor.get<std::string>("metric");
+  if (scene.metric == "none") scene.metric.clear();
+  scene.margin = monitor.get<double>("margin");
+  scene.every = monitor.get<std::int64_t>("every");
+  scene.energyTolerance = monitor.get<double>("energy_tolerance");
+  const auto onViolation = monitor.get<std::string>("on_violation");
+  scene.onViolation = onViolation == "stop"   ? OnViolation::stop
+                      : onViolation == "warn" ? OnViolation::warn
+                                              : OnViolation::reduceStep;
+
+  if (scene.step && *scene.step > scene.end)
+    fail(integrator.at("step").origin, "integrator.step",
+         fmt::format("{} s is beyond the end; must be <= end = {} s", *scene.step, scene.end));
+  if (!scene.step && !scene.bracket)
+    fail(integrator.at("step").origin, "integrator.step",
+         "\"auto\" follows the safe step; it needs monitor.bracket = true");
+  if (scene.onViolation == OnViolation::reduceStep && !scene.monitored())
+    fail(monitor.at("on_violation").origin, "monitor.on_violation",
+         "\"reduce-step\" needs monitor.bracket = true or a monitor.metric");
+  if (scene.monitored() && !(findIntegrator(scene.method)->imaginaryLimit > 0))
+    fail(integrator.at("method").origin, "integrator.method",
+         fmt::format("\"{}\" is unstable at every step without damping, so there is no critical step to monitor; "
+                     "choose another, "
+                     "or set monitor.bracket = false and monitor.metric = \"none\"",
+                     scene.method));
+}
+
+void readLoadSection(const Section& section, Scene& scene) {
+  NodeSelection nodes = selectionOf(section);
+  if (section.name == "fix") {
+    scene.fixes.push_back({std::move(nodes), componentsOf(section)});
+  } else if (section.name == "move") {
+    scene.moves.push_back({std::move(nodes), componentsOf(section), vectorOf(section.at("velocity").value)});
+  } else {
+    if (section.given("acceleration") == section.given("force"))
+      fail(section.given("force") ? section.at("force").origin : section.origin, "force.acceleration",
+           section.given("force") ? "both acceleration and force are given; give one of them"
+                                  : "missing; give acceleration (m/s2) or force (N)");
+    Scene::Force force{std::move(nodes), std::nullopt, std::nullopt};
+    if (section.given("force"))
+      force.total = vectorOf(section.at("force").value);
+    else
+      force.acceleration = vectorOf(section.at("acceleration").value);
+    scene.forces.push_back(std::move(force));
+  }
+}
+
+Json echoOf(const std::vector<Section>& sections) {
+  Json echo = Json::object();
+  for (const Section& section : sections) {
+    Json values = Json::object();
+    for (const SceneKey& key : sceneKeys())  // the table's order
+      if (key.section == section.name && section.entries.count(key.key) != 0)
+        values[key.key] = section.at(key.key).value;
+    if (section.name == "fix" || section.name == "move" || section.name == "force")
+      echo[section.name].push_back(std::move(values));
+    else
+      echo[section.name] = std::move(values);
+  }
+  return echo;
+}
+
+}  // namespace
+
+NodeSelection NodeSelection::parse(const std::string& text, const std::string& origin) {
+  if (text.rfind("set:", 0) == 0) return {std::nullopt, text.substr(4), origin};
+  try {
+    return {WhereExpression(text), {}, origin};
+  } catch (const InputError& fault) {
+    throw InputError(fmt::format("{}: {}: {}", origin, inQuotes(text), fault.what()));
+  }
+}
+
+std::vector<std::int32_t> NodeSelection::nodesOf(const Mesh& mesh) const {
+  if (!where) {
+    const auto found = mesh.nodeSets.find(set);
+    if (found != mesh.nodeSets.end() && !found->second.empty()) return found->second;
+    std::vector<std::string> known;
+    for (const auto& entry : mesh.nodeSets) known.push_back(entry.first);
+    if (found != mesh.nodeSets.end())
+      throw InputError(fmt::format("{}: the node set {} is empty", origin, inQuotes(set)));
+    throw InputError(known.empty()
+                         ? fmt::format("{}: unknown node set {}; the mesh has no named sets", origin, inQuotes(set))
+                         : fmt::format("{}: unknown node set {}; did you mean \"{}\"? the mesh has {}", origin,
+                                       inQuotes(set), nearestName(set, known), fmt::join(known, ", ")));
+  }
+  std::vector<std::int32_t> nodes;
+  try {
+    for (Eigen::Index i = 0; i < mesh.X.cols(); ++i)
+      if (where->holdsAt(mesh.X.col(i))) nodes.push_back(static_cast<std::int32_t>(i));
+  } catch (const InputError& fault) {
+    throw InputError(fmt::format("{}: {}", origin, fault.what()));
+  }
+  if (nodes.empty()) {
+    const Eigen::Vector3d low = mesh.X.rowwise().minCoeff(), high = mesh.X.rowwise().maxCoeff();
+    throw InputError(fmt::format("{}: {} selects no node; the mesh lies in {} <= x <= {}, {} <= y <= {}, {} <= z <= {}",
+                                 origin, inQuotes(where->text()), low[0], high[0], low[1], high[1], low[2], high[2]));
+  }
+  return nodes;
+}
+
+Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  const std::vector<Section> sections = Reader(file, overrides).sections();
+  Scene scene;
+  scene.file = file;
+  scene.echo = echoOf(sections);
+  const auto section = [&](std::string_view name) -> const Section& {
+    return *std::find_if(sections.begin(), sections.end(), [&](const Section& s) { return s.name == name; });
+  };
+  readMeshSection(section("mesh"), scene);
+
+  const Section& material = section("material");
+  scene.model = material.get<std::string>("model");
+  scene.young = material.get<double>("young");
+  scene.poisson = material.get<double>("poisson");
+  scene.density = material.get<double>("density");
+  scene.lumping = material.get<std::string>("lumping") == "equal" ? Lumping::equal : Lumping::rowSum;
+
+  readIntegratorSection(section("integrator"), section("monitor"), scene);
+  for (const Section& s : sections)
+    if (s.name == "fix" || s.name == "move" || s.name == "force") readLoadSection(s, scene);
+
+  const Section& output = section("output");
+  if (output.given("every")) scene.frameInterval = output.get<double>("every");
+  scene.fields = output.get<std::vector<std::string>>("fields");
+  scene.historyEvery = output.get<std::int64_t>("history_every");
+  scene.energy = output.get<bool>("energy");
+  scene.picture = output.get<bool>("picture");
+  if (scene.metric.empty() && std::find(scene.fields.begin(), scene.fields.end(), "metric") != scene.fields.end())
+    fail(output.at("fields").origin, "output.fields", "\"metric\" needs a metric; set monitor.metric");
+  return scene;
+}
+
+int threadsThatPay(int requested, const Mesh& mesh) {
+  constexpr std::size_t elementsPerThread = 4000;
+  if (requested > 0) return requested;
+  return std::min(threadCount(0),
+                  static_cast<int>(std::min<std::size_t>(1 + mesh.elementCount() / elementsPerThread, 1 << 20)));
+}
+
+Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes) {
+  if (scene.generator.empty()) {
+    try {
+      return loadMesh(scene.meshFile, &notes);
+    } catch (const InputError& fault) {
+      throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));
+    }
+  }
+  try {
+    return generateMesh(scene.generator, generatorArguments(scene.generatorArguments));
+  } catch (const InputError& fault) {
+    throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));
+  }
+}
+
+Body sceneBody(const Scene& scene, Mesh mesh, int threads) {
+  BodyOptions options;
+  options.lumping = scene.lumping;
+  options.threads = threadsThatPay(threads, mesh);
+  std::optional<Body> body;
+  try {
+    body.emplace(std::move(mesh), makeMaterial(scene.model, scene.young, scene.poisson, scene.density), options);
+  } catch (const NumericalError& fault) {
+    throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));  // the mesh is what the user can mend
+  }
+  for (const Scene::Fix& fix : scene.fixes)
+    for (std::int32_t node : fix.nodes.nodesOf(body->mesh()))
+      for (int c = 0; c < 3; ++c)
+        if (fix.components[static_cast<std::size_t>(c)]) body->constraints().fix(node, c);
+  for (const Scene::Move& move : scene.moves)
+    for (std::int32_t node : move.nodes.nodesOf(body->mesh()))
+      for (int c = 0; c < 3; ++c)
+        if (move.components[static_cast<std::size_t>(c)]) body->constraints().move(node, c, move.velocity[c]);
+  for (const Scene::Force& force : scene.forces) {
+    const std::vector<std::int32_t> nodes = force.nodes.nodesOf(body->mesh());
+    double mass = 0;
+    for (std::int32_t node : nodes) mass += body->lumpedMass()[node];
+    const Eigen::Vector3d acceleration =
+        force.acceleration ? *force.acceleration : Eigen::Vector3d(*force.total / mass);
+    for (std::int32_t node : nodes) body->externalForce().col(node) += body->lumpedMass()[node] * acceleration;
+  }
+  return std::move(*body);
+}
+
+}  // namespace ringwatch

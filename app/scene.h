@@ -1,0 +1,99 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+
+#include <ringwatch/app/where_expression.h>
+#include <ringwatch/body/body.h>
+#include <ringwatch/meshes/mesh.h>
+
+namespace ringwatch {
+
+/// Nodes that a scene or a command line names: by a condition on their position or by a named set of the mesh.
+struct NodeSelection {
+  std::optional<WhereExpression> where;
+  std::string set;     // used when there is no condition
+  std::string origin;  // "scene.toml:12: fix.where", for messages
+
+  /// The condition, or `set:NAME`.
+  static NodeSelection parse(const std::string& text, const std::string& origin);
+  /// Positions of the selected nodes, ascending. Throws InputError for an unknown set and for a selection without
+  /// nodes.
+  std::vector<std::int32_t> nodesOf(const Mesh& mesh) const;
+};
+
+/// What a run does when the monitor no longer certifies its step.
+enum class OnViolation { stop, warn, reduceStep };
+
+/// A validated description of a run. SI units.
+struct Scene {
+  struct Fix {
+    NodeSelection nodes;
+    std::array<bool, 3> components;
+  };
+  struct Move {
+    NodeSelection nodes;
+    std::array<bool, 3> components;
+    Eigen::Vector3d velocity;  // m/s
+  };
+  struct Force {
+    NodeSelection nodes;
+    std::optional<Eigen::Vector3d> acceleration;  // m/s²
+    std::optional<Eigen::Vector3d> total;         // N, spread over the nodes by mass
+  };
+
+  std::filesystem::path file;
+  nlohmann::ordered_json echo;  // every section and key with defaults filled in
+
+  std::filesystem::path meshFile;  // empty when generated
+  std::string generator;
+  nlohmann::ordered_json generatorArguments;
+  std::string meshOrigin;  // "scene.toml:3: mesh.file", for messages
+
+  std::string model;
+  double young = 0, poisson = 0, density = 0;
+  Lumping lumping = Lumping::rowSum;
+
+  std::string method;
+  std::optional<double> step;  // s; empty for "auto"
+  double end = 0;              // s
+  double safety = 0;           // share of the safe step that "auto" and "reduce-step" take
+
+  std::string metric;  // "" for none
+  double margin = 0;
+  bool bracket = true;
+  std::int64_t every = 1;
+  OnViolation onViolation = OnViolation::stop;
+  double energyTolerance = 0;
+
+  std::vector<Fix> fixes;
+  std::vector<Move> moves;
+  std::vector<Force> forces;
+
+  std::optional<double> frameInterval;  // s; empty for no frames
+  std::vector<std::string> fields;
+  std::int64_t historyEvery = 1;
+  bool energy = true;
+  bool picture = true;
+
+  bool monitored() const { return bracket || !metric.empty(); }
+};
+
+/// Reads and checks a scene file. overrides: `section.key=value` each, value as TOML (a bare word is taken for a
+/// string); they win over the file. Throws InputError "FILE:LINE: section.key: what is wrong; what would be right".
+Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// Threads for a request; 0 asks for as many as the mesh can keep busy: on a small one, waiting for each other would
+/// cost more than they share, above all on a machine that has other work too.
+int threadsThatPay(int requested, const Mesh& mesh);
+/// The mesh of a scene, read or generated. notes: what a reader has to tell.
+Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes);
+/// The body of a scene with its constraints and forces. Throws InputError for selections without nodes.
+Body sceneBody(const Scene& scene, Mesh mesh, int threads);
+
+}  // namespace ringwatch

@@ -1,0 +1,263 @@
+#include <ringwatch/app/scene_keys.h>
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/frames.h>
+#include <ringwatch/app/scene_mesh.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/integrators/integrator.h>
+#include <ringwatch/materials/registry.h>
+#include <ringwatch/monitor/metrics.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr SceneRange anything{};
+constexpr SceneRange positive{0, infinity, false, true};
+constexpr SceneRange notNegative{0, infinity, true, true};
+constexpr SceneRange atLeastOne{1, infinity, true, true};
+constexpr SceneRange share{0, 1, true, false};   // 0 <= s < 1
+constexpr SceneRange factor{0, 1, false, true};  // 0 < s <= 1
+constexpr SceneRange poissonRange{-1, 0.5, false, false};
+
+constexpr std::array<SceneSection, 9> sections{{
+    {"mesh", false, true, "a file or a generator with its parameters"},
+    {"material", false, true, "one material for the whole body"},
+    {"integrator", false, true, "how time advances"},
+    {"monitor", false, false, "what is watched, and what happens when the step is too large"},
+    {"handler", false, false, "what is done about elements that need a smaller step"},
+    {"fix", true, false, "nodes that stay; each [[fix]] adds to the others"},
+    {"move", true, false, "nodes that move at a constant velocity"},
+    {"force", true, false, "dead loads"},
+    {"output", false, false, "what is written besides history.csv and summary.json"},
+}};
+
+template <class Table>
+std::vector<std::string> namesOf(const Table& table) {
+  std::vector<std::string> names;
+  for (const auto& entry : table) names.emplace_back(entry.name);
+  return names;
+}
+
+std::vector<std::string> metricNames() {
+  std::vector<std::string> names = namesOf(allMetrics());
+  names.emplace_back("none");
+  return names;
+}
+
+std::vector<SceneKey> makeKeys() {
+  using T = SceneType;
+  std::vector<SceneKey> keys{
+      {"mesh", "file", T::text, "", false, "", anything, {}, "mesh file, relative to the scene; or give generate"},
+      {"mesh", "generate", T::text, "", false, "", anything, generatorNames(),
+       "kind of generated mesh, instead of file"},
+  };
+  for (SceneKey& key : generatorSceneKeys()) keys.push_back(std::move(key));
+  const std::vector<SceneKey> rest{
+      {"material", "model", T::text, "", true, "", anything, namesOf(allLaws()), "constitutive law"},
+      {"material", "young", T::number, "Pa", true, "", positive, {}, "Young's modulus"},
+      {"material", "poisson", T::number, "", true, "", poissonRange, {}, "Poisson's ratio"},
+      {"material", "density", T::number, "kg/m3", true, "", positive, {}, "density at rest"},
+      {"material",
+       "lumping",
+       T::text,
+       "",
+       false,
+       "\"row-sum\"",
+       anything,
+       {"row-sum", "equal"},
+       "how an element's mass goes to its nodes"},
+      {"integrator", "method", T::text, "", false, "\"symplectic-euler\"", anything, namesOf(allIntegrators()),
+       "scheme"},
+      {"integrator",
+       "step",
+       T::numberOrAuto,
+       "s",
+       true,
+       "",
+       positive,
+       {},
+       "step; \"auto\" follows the safe step whenever the monitor evaluates it"},
+      {"integrator", "end", T::number, "s", true, "", positive, {}, "time at which the run ends"},
+      {"integrator",
+       "safety",
+       T::number,
+       "",
+       false,
+       "0.95",
+       factor,
+       {},
+       "share of the safe step that \"auto\" and on_violation = \"reduce-step\" take"},
+      {"monitor",
+       "bracket",
+       T::boolean,
+       "",
+       false,
+       "true",
+       anything,
+       {},
+       "keep the proven bracket safe <= critical step <= optimistic"},
+      {"monitor", "metric", T::text, "", false, "\"none\"", anything, metricNames(),
+       "also keep an estimate by this metric"},
+      {"monitor", "margin", T::number, "", false, "0.1", share, {}, "taken off the step by metric"},
+      {"monitor", "every", T::integer, "steps", false, "1", atLeastOne, {}, "steps between evaluations"},
+      {"monitor",
+       "on_violation",
+       T::text,
+       "",
+       false,
+       "\"stop\"",
+       anything,
+       {"stop", "warn", "reduce-step"},
+       "stop the run, go on, or shorten the step as soon as it is no longer certified"},
+      {"monitor",
+       "energy_tolerance",
+       T::number,
+       "",
+       false,
+       "0.1",
+       positive,
+       {},
+       "energy balance error, as a share of the largest energy so far, that is reported"},
+      {"handler", "method", T::text, "", false, "\"none\"", anything, {"none"}, "handler of ill-shaped elements"},
+  };
+  keys.insert(keys.end(), rest.begin(), rest.end());
+  for (const char* section : {"fix", "move", "force"}) {
+    keys.push_back({section,
+                    "where",
+                    T::text,
+                    "",
+                    false,
+                    "",
+                    anything,
+                    {},
+                    "condition on the reference position, e.g. \"x < 1e-6 and y > 0.01\", \"all\", or \"set:NAME\""});
+    keys.push_back(
+        {section, "set", T::text, "", false, "", anything, {}, "named node set of the mesh, instead of where"});
+  }
+  const std::vector<SceneKey> last{
+      {"fix", "components", T::text, "", false, "\"xyz\"", anything, {}, "components that are held, any of x, y, z"},
+      {"move", "velocity", T::vector, "m/s", true, "", anything, {}, "prescribed velocity"},
+      {"move",
+       "components",
+       T::text,
+       "",
+       false,
+       "\"xyz\"",
+       anything,
+       {},
+       "components that are prescribed, any of x, y, z"},
+      {"force",
+       "acceleration",
+       T::vector,
+       "m/s2",
+       false,
+       "",
+       anything,
+       {},
+       "force = mass x acceleration; or give force"},
+      {"force", "force", T::vector, "N", false, "", anything, {}, "total force, spread over the nodes by mass"},
+      {"output",
+       "every",
+       T::number,
+       "s",
+       false,
+       "",
+       positive,
+       {},
+       "time between ParaView frames; no frames without it"},
+      {"output", "fields", T::texts, "", false, "[\"critical_step\"]", anything, frameFieldNames(),
+       "cell data of the frames; displacement and velocity are always there"},
+      {"output", "history_every", T::integer, "steps", false, "1", atLeastOne, {}, "steps between rows of history.csv"},
+      {"output",
+       "energy",
+       T::boolean,
+       "",
+       false,
+       "true",
+       anything,
+       {},
+       "energies in the history, and their balance watched"},
+      {"output",
+       "picture",
+       T::boolean,
+       "",
+       false,
+       "true",
+       anything,
+       {},
+       "critical_step.png by gnuplot, when the critical step is monitored"},
+  };
+  keys.insert(keys.end(), last.begin(), last.end());
+  return keys;
+}
+
+}  // namespace
+
+bool SceneRange::holds(double value) const {
+  return (lowIncluded ? value >= low : value > low) && (highIncluded ? value <= high : value < high);
+}
+
+std::string SceneRange::text() const {
+  std::string result;
+  if (low != -infinity) result = fmt::format("{} {}", lowIncluded ? ">=" : ">", low);
+  if (high != infinity)
+    result += fmt::format("{}{} {}", result.empty() ? "" : " and ", highIncluded ? "<=" : "<", high);
+  return result;
+}
+
+std::string_view sceneTypeName(SceneType type) {
+  switch (type) {
+    case SceneType::number:
+      return "number";
+    case SceneType::integer:
+      return "integer";
+    case SceneType::boolean:
+      return "true or false";
+    case SceneType::text:
+      return "text";
+    case SceneType::texts:
+      return "list of texts";
+    case SceneType::vector:
+      return "list of three numbers";
+    case SceneType::numberOrAuto:
+      return "number or \"auto\"";
+    case SceneType::parameter:
+      return "parameter";
+  }
+  return "";
+}
+
+std::span<const SceneSection> sceneSections() { return sections; }
+
+std::span<const SceneKey> sceneKeys() {
+  static const std::vector<SceneKey> keys = makeKeys();
+  return keys;
+}
+
+std::string sceneHelp() {
+  std::string text =
+      "A scene is a TOML file. All quantities in SI units. Keys with their type, unit, default and range:\n";
+  for (const SceneSection& section : sections) {
+    text += fmt::format("\n{}  {}{}\n",
+                        section.list ? fmt::format("[[{}]]", section.name) : fmt::format("[{}]", section.name),
+                        section.help, section.required ? " (required)" : "");
+    for (const SceneKey& key : sceneKeys()) {
+      if (key.section != section.name) continue;
+      std::string line = fmt::format("  {:<17} {}", key.key, sceneTypeName(key.type));
+      if (!key.unit.empty()) line += ", " + key.unit;
+      if (!key.range.text().empty()) line += ", " + key.range.text();
+      if (key.required) line += ", required";
+      if (!key.fallback.empty()) line += ", default " + key.fallback;
+      text += line + "\n" + fmt::format("  {:<17}   {}\n", "", key.help);
+      if (!key.choices.empty()) text += fmt::format("  {:<17}   one of: {}\n", "", fmt::join(key.choices, ", "));
+    }
+  }
+  return text + "\nMesh generators and their parameters in [mesh]:\n" + generatorHelp();
+}
+
+}  // namespace ringwatch

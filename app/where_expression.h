@@ -1,0 +1,70 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace ringwatch {
+
+/// A condition on a reference position, as scenes write it: `x < 1e-6 and (y > 0.01 or r <= 0.02)`.
+///
+/// Names: x, y, z, the reference coordinates in m, and r = sqrt(x² + y² + z²). Numbers, + - * / ^, unary minus,
+/// sqrt(a), abs(a), min(a, …), max(a, …); < <= > >= == !=, which chain as in 0 < x < 1; and, or, not, also written &&,
+/// ||, !; parentheses; `all` and `none`. Numbers and conditions are different types: `x` alone or `(x < 1) + 1` is
+/// refused.
+class WhereExpression {
+ public:
+  /// Throws InputError that names the column and what was expected there.
+  explicit WhereExpression(std::string_view text);
+
+  const std::string& text() const { return text_; }
+  /// True where the condition holds. Throws InputError with the position when the arithmetic has no value there
+  /// (sqrt of a negative number, 0/0): a comparison with NaN would silently say no, and `not` of it yes.
+  bool holdsAt(const Eigen::Vector3d& X) const;
+
+  /// A node of the parsed expression.
+  struct Term {
+    enum class Kind {
+      number,
+      x,
+      y,
+      z,
+      r,  // values
+      add,
+      subtract,
+      multiply,
+      divide,
+      power,
+      negate,
+      squareRoot,
+      absolute,
+      minimum,
+      maximum,  // arithmetic
+      less,
+      lessEqual,
+      greater,
+      greaterEqual,
+      equal,
+      notEqual,  // conditions from here on
+      conjunction,
+      disjunction,
+      negation,
+      everywhere,
+      nowhere
+    };
+    Kind kind;
+    int a = -1, b = -1;  // operands, positions in the list of terms
+    double value = 0;
+  };
+
+ private:
+  double valueOf(int term, const Eigen::Vector3d& X) const;
+  bool conditionOf(int term, const Eigen::Vector3d& X) const;
+
+  std::string text_;
+  std::vector<Term> terms_;
+  int root_ = -1;
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,505 @@
+// The program from outside: exit statuses, what it prints where, and what it leaves in its folders.
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <ringwatch/app/report.h>
+#include <ringwatch/app/scene.h>
+#include <ringwatch/integrators/body_system.h>
+#include <ringwatch/meshes/mesh_io.h>
+#include <ringwatch/monitor/global_frequency.h>
+
+#include "temporary_folder.h"
+
+namespace ringwatch {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using Json = nlohmann::json;
+using test::TemporaryFolder;
+
+struct Outcome {
+  int status;
+  std::string out, err;
+};
+
+class Program : public ::testing::Test {
+ protected:
+  /// Calls the program in the test's folder; arguments as a shell reads them.
+  Outcome call(const std::string& arguments, const std::string& environment = "") {
+    const std::string command = "cd '" + folder_.path().string() + "' && " + environment + " '" RINGWATCH_PROGRAM "' " +
+                                arguments + " > out.txt 2> err.txt";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), folder_.read("out.txt"),
+            folder_.read("err.txt")};
+  }
+  void expectRefused(const std::string& arguments, const std::string& what) {
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_THAT(outcome.err, AllOf(StartsWith("ringwatch: "), HasSubstr(what), EndsWith("\n"))) << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments << "\n" << outcome.err;
+  }
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
+  Json json(const std::string& name) const { return Json::parse(folder_.read(name)); }
+
+  struct Table {
+    std::vector<std::string> columns;
+    std::vector<std::vector<std::string>> rows;
+    std::string at(std::size_t row, const std::string& column) const {
+      return rows.at(row).at(
+          static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin()));
+    }
+    double number(std::size_t row, const std::string& column) const { return std::stod(at(row, column)); }
+  };
+  Table table(const std::string& name) const {
+    std::istringstream lines(folder_.read(name));
+    Table result;
+    for (std::string line; std::getline(lines, line);) {
+      std::vector<std::string> cells;
+      std::istringstream text(line + ",");
+      for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+      if (result.columns.empty())
+        result.columns = cells;
+      else
+        result.rows.push_back(cells);
+    }
+    return result;
+  }
+  /// No file that was left half written, nor a temporary one.
+  void expectNothingHalfWritten(const std::string& name) const {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path() / name))
+      EXPECT_EQ(entry.path().filename().string().find(".part"), std::string::npos) << entry.path();
+  }
+
+  TemporaryFolder folder_;
+};
+
+const char* const tiny = R"([mesh]
+generate = "bar"
+size = [0.1, 0.02, 0.02]
+cells = [5, 1, 1]
+[material]
+model = "stvk"
+young = 30e3
+poisson = 0.3
+density = 1000
+[integrator]
+step = 1e-3
+end = 0.05
+[[fix]]
+where = "x < 1e-6"
+[[move]]
+where = "x > 0.1 - 1e-6"
+velocity = [0.05, 0, 0]
+[output]
+every = 1e-2
+fields = ["critical_step", "verdict", "handler"]
+)";
+const char* const material = " --young 30e3 --poisson 0.3 --density 1000 ";
+
+TEST_F(Program, RunsASceneAndWritesWhatItPromises) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome outcome = call("run tiny.toml --out results");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("50 steps to t = 0.05 s, end time reached"), HasSubstr("verdict certified")));
+  expectNothingHalfWritten("results");
+
+  const Table history = table("results/history.csv");
+  EXPECT_EQ(history.columns,
+            (std::vector<std::string>{"step", "time_s", "h_s", "safe_s", "optimistic_s", "controlling_element",
+                                      "kinetic_J", "strain_J", "external_work_J", "balance_error_J",
+                                      "elements_refreshed", "handled_elements", "metric_step_s", "verdict"}));
+  ASSERT_EQ(history.rows.size(), 50u);
+  for (std::size_t i = 0; i < history.rows.size(); ++i) {
+    EXPECT_EQ(history.rows[i].size(), history.columns.size());
+    EXPECT_EQ(history.at(i, "step"), std::to_string(i));
+    EXPECT_NEAR(history.number(i, "time_s"), 1e-3 * static_cast<double>(i), 1e-12);
+    EXPECT_LE(history.number(i, "h_s"), history.number(i, "safe_s"));
+    EXPECT_LE(history.number(i, "safe_s"), history.number(i, "optimistic_s"));
+    EXPECT_EQ(history.at(i, "verdict"), "certified");
+    EXPECT_EQ(history.at(i, "metric_step_s"), "");
+    EXPECT_THAT(history.at(i, "controlling_element"), StartsWith("0:"));
+  }
+
+  const Json summary = json("results/summary.json");
+  EXPECT_EQ(summary["verdict"], "certified");
+  EXPECT_EQ(summary["stable"], true);
+  EXPECT_EQ(summary["exit_reason"], "end");
+  EXPECT_EQ(summary["steps"], 50);
+  EXPECT_EQ(summary["mesh"]["elements"]["tet4"], 30);
+  EXPECT_NEAR(summary["mass"].get<double>(), 0.04, 1e-12);
+  EXPECT_EQ(summary["scene"]["integrator"]["method"], "symplectic-euler");
+  EXPECT_EQ(summary["scene"]["monitor"]["on_violation"], "stop");
+  EXPECT_TRUE(summary["first_violated"].is_null());
+  EXPECT_EQ(summary["version"], std::string(programVersion()));
+
+  // Frames at 0, 0.01, …, 0.05 s, which read back as the mesh.
+  EXPECT_EQ(summary["frames"], 6);
+  EXPECT_TRUE(exists("results/run.pvd"));
+  EXPECT_FALSE(exists("results/frames/frame_000007.vtu"));
+  const Mesh frame = readMesh(folder_.path() / "results/frames/frame_000006.vtu");
+  EXPECT_EQ(frame.elementCount(), 30u);
+  EXPECT_NEAR(frame.X.row(0).maxCoeff(), 0.1 + 0.05 * 0.05, 1e-12);
+
+  EXPECT_TRUE(exists("results/critical_step.gp"));
+  EXPECT_TRUE(exists("results/critical_step.dat"));
+  EXPECT_THAT(folder_.read("results/critical_step.png"), StartsWith("\x89PNG"));
+}
+
+TEST_F(Program, WritesOnlyWhatIsAskedFor) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome outcome = call(
+      "run tiny.toml --out r --set monitor.bracket=false --set output.energy=false --set output.picture=false --set "
+      "output.history_every=10 "
+      "--set output.fields=[]");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("verdict unmonitored"));
+  EXPECT_FALSE(exists("r/critical_step.png"));
+  EXPECT_FALSE(exists("r/critical_step.gp"));
+  const Table history = table("r/history.csv");
+  ASSERT_EQ(history.rows.size(), 5u);
+  EXPECT_EQ(history.at(1, "step"), "10");
+  for (const char* column : {"safe_s", "optimistic_s", "kinetic_J", "balance_error_J", "metric_step_s", "verdict"})
+    EXPECT_EQ(history.at(1, column), "");
+  EXPECT_EQ(folder_.read("r/frames/frame_000001.vtu").find("critical_step"), std::string::npos);
+}
+
+TEST_F(Program, SaysNothingWhenQuiet) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome good = call("run tiny.toml --out r --quiet");
+  EXPECT_EQ(good.status, 0);
+  EXPECT_EQ(good.out + good.err, "");
+  const Outcome bad = call("run tiny.toml --out r --quiet --set integrator.step=0.02");
+  EXPECT_EQ(bad.status, 1);
+  EXPECT_EQ(bad.out + bad.err, "");
+}
+
+TEST_F(Program, StopsBeforeAStepThatIsProvenUnstable) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome outcome = call("run tiny.toml --out r --set integrator.step=0.01");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("verdict violated"));
+  const Json summary = json("r/summary.json");
+  EXPECT_EQ(summary["exit_reason"], "violated");
+  EXPECT_EQ(summary["steps"], 0);
+  EXPECT_EQ(summary["first_violated"]["step"], 0);
+  EXPECT_EQ(summary["events"][0]["kind"], "violated");
+  EXPECT_TRUE(summary["events"][0]["element"].contains("node_ids"));
+  EXPECT_EQ(table("r/history.csv").at(0, "verdict"), "violated");
+  expectNothingHalfWritten("r");
+}
+
+TEST_F(Program, WarnsAndEndsWithTheLastGoodFrameWhenItBlowsUp) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome outcome = call(
+      "run tiny.toml --out r --set integrator.step=0.01 --set integrator.end=5 --set monitor.on_violation=warn --set "
+      "output.every=0.01");
+  EXPECT_EQ(outcome.status, 1);
+  const Json summary = json("r/summary.json");
+  EXPECT_EQ(summary["exit_reason"], "non-finite");
+  EXPECT_EQ(summary["verdict"], "unstable");
+  EXPECT_EQ(summary["first_violated"]["step"], 0);
+  EXPECT_FALSE(summary["energy_runaway"].is_null());
+  const std::size_t frames = summary["frames"];
+  for (std::size_t i = 1; i <= frames; ++i) {
+    std::string name = std::to_string(i);
+    name = "r/frames/frame_" + std::string(6 - name.size(), '0') + name + ".vtu";
+    EXPECT_TRUE(readMesh(folder_.path() / name).X.allFinite()) << name;
+  }
+  expectNothingHalfWritten("r");
+}
+
+TEST_F(Program, ReducesTheStepInTime) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome outcome =
+      call("run tiny.toml --out r --set integrator.step=0.01 --set monitor.on_violation=reduce-step");
+  EXPECT_EQ(outcome.status, 0) << outcome.out;
+  const Json summary = json("r/summary.json");
+  EXPECT_EQ(summary["verdict"], "certified");
+  const Table history = table("r/history.csv");
+  for (std::size_t i = 0; i < history.rows.size(); ++i) {
+    EXPECT_LE(history.number(i, "h_s"), history.number(i, "safe_s"));
+    EXPECT_LE(history.number(i, "h_s"), history.number(i > 0 ? i - 1 : 0, "h_s"));
+  }
+}
+
+TEST_F(Program, FollowsTheSafeStepWhenAuto) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome outcome = call("run tiny.toml --out r --set integrator.step=auto --set integrator.safety=0.9");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const Json summary = json("r/summary.json");
+  EXPECT_NEAR(summary["end_time"].get<double>(), 0.05, 1e-12);
+  const Table history = table("r/history.csv");
+  for (std::size_t i = 0; i + 1 < history.rows.size(); ++i)
+    EXPECT_NEAR(history.number(i, "h_s"), 0.9 * history.number(i, "safe_s"), 1e-12);
+  EXPECT_EQ(call("run tiny.toml --out r --set integrator.step=auto --set monitor.every=7").status, 0);
+}
+
+TEST_F(Program, GivesTheSameForOneAndTwoThreads) {
+  folder_.write("tiny.toml", tiny);
+  call("run tiny.toml --out one --threads 1 --set output.picture=false");
+  call("run tiny.toml --out two --threads 2 --set output.picture=false");
+  EXPECT_EQ(folder_.read("one/history.csv"), folder_.read("two/history.csv"));
+}
+
+TEST_F(Program, ReplacesTheResultsOfAnEarlierRun) {
+  folder_.write("tiny.toml", tiny);
+  call("run tiny.toml --out r");
+  EXPECT_TRUE(exists("r/frames/frame_000006.vtu"));
+  call("run tiny.toml --out r --set integrator.end=0.02 --set output.picture=false");
+  EXPECT_FALSE(exists("r/frames/frame_000006.vtu"));
+  EXPECT_FALSE(exists("r/critical_step.png"));
+  EXPECT_EQ(table("r/history.csv").rows.size(), 20u);
+}
+
+TEST_F(Program, KeepsTheScriptWhenGnuplotIsMissing) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome outcome = call("run tiny.toml --out r", "PATH=/nowhere");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("gnuplot is missing"));
+  EXPECT_TRUE(exists("r/critical_step.gp"));
+  EXPECT_FALSE(exists("r/critical_step.png"));
+  expectNothingHalfWritten("r");
+}
+
+TEST_F(Program, FinishesTheStepWhenInterrupted) {
+  folder_.write("tiny.toml", tiny);
+  const std::string scene = (folder_.path() / "tiny.toml").string(), out = (folder_.path() / "r").string();
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    if (std::freopen("/dev/null", "w", stdout) == nullptr) ::_exit(99);
+    ::execl(RINGWATCH_PROGRAM, RINGWATCH_PROGRAM, "run", scene.c_str(), "--out", out.c_str(), "--set",
+            "integrator.end=1e6", "--set", "output.every=1e5", static_cast<char*>(nullptr));
+    ::_exit(99);
+  }
+  while (!exists("r/run.pvd")) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  ::kill(child, SIGINT);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_EQ(json("r/summary.json")["exit_reason"], "interrupted");
+  EXPECT_EQ(table("r/history.csv").rows.size(), json("r/summary.json")["steps"].get<std::size_t>());
+  expectNothingHalfWritten("r");
+}
+
+TEST_F(Program, RefusesBadScenesBeforeItWrites) {
+  folder_.write("tiny.toml", tiny);
+  expectRefused("run tiny.toml --out r --set material.poisson=0.5",
+                "--set material.poisson=0.5: material.poisson: 0.5 is out of range; must be > -1 and < 0.5");
+  expectRefused("run tiny.toml --out r --set integrator.stepp=1", "did you mean \"step\"?");
+  expectRefused("run tiny.toml --out r --set 'fix.0.where=\"x > 5\"'",
+                "selects no node; the mesh lies in 0 <= x <= 0.1");
+  expectRefused("run none.toml --out r", "none.toml: cannot read: No such file or directory");
+  expectRefused("run . --out r", "is a folder");
+  expectRefused("run tiny.toml --out r --set mesh.jitter=0.49 --set mesh.seed=-1", "mesh.seed: -1 does not fit");
+  EXPECT_FALSE(exists("r"));
+  folder_.write("broken.toml", std::string(tiny).replace(std::string(tiny).find("poisson = 0.3"), 13, "poisson = 0.6"));
+  expectRefused("run broken.toml --out r", "broken.toml:8: material.poisson: 0.6 is out of range");
+  EXPECT_FALSE(exists("r"));
+}
+
+TEST_F(Program, RefusesAnOutputFolderThatCannotBeWritten) {
+  folder_.write("tiny.toml", tiny);
+  folder_.write("file", "");
+  expectRefused("run tiny.toml --out file", "file: cannot write");
+  expectRefused("run tiny.toml --out file/r", "file/r: cannot write");
+  expectRefused("run tiny.toml --out /proc/ringwatch", "/proc/ringwatch: cannot write");
+  if (::geteuid() != 0) {  // root may write anywhere
+    std::filesystem::create_directory(folder_.path() / "locked");
+    ::chmod((folder_.path() / "locked").c_str(), 0500);
+    expectRefused("run tiny.toml --out locked", "cannot write");
+  }
+}
+
+TEST_F(Program, RefusesBadUsageInOneLine) {
+  expectRefused("", "");
+  expectRefused("rnu x", "did you mean \"run\"?");
+  expectRefused("run", "SCENE is missing");
+  expectRefused("run a b", "unknown argument");
+  expectRefused("run --threads many x.toml", "--threads");
+  expectRefused("run --out", "--out");
+  expectRefused("inspect", "MESH is required");
+  expectRefused("inspect a.msh --young 1 --poisson 0.3", "--density is required");
+  expectRefused("inspect a.msh --young 1 --poisson 0.3 --density 1 --gloabl", "did you mean \"--global\"?");
+  expectRefused("mesh", "");
+  expectRefused("mesh generate bra -o a.msh", "did you mean \"bar\"?");
+  expectRefused("mesh generate bar", "--output");
+  expectRefused("mesh generate bar --cells 2 0 2 -o a.msh", "--cells: [2,0,2] does not fit");
+  expectRefused("mesh generate bar --cells two -o a.msh", "--cells: \"two\" does not fit");
+  expectRefused("mesh generate bar -o a.xyz", "xyz");
+  expectRefused("mesh generate bar -o nowhere/a.msh", "nowhere");
+  expectRefused("mesh convert none.msh a.vtu", "none.msh");
+  expectRefused("mesh check none.msh", "none.msh");
+}
+
+TEST_F(Program, TeachesInItsHelp) {
+  const Outcome help = call("--help");
+  EXPECT_EQ(help.status, 0);
+  for (const char* word : {"run", "inspect", "mesh", "Exit status", "SI units", "stvk", "symplectic-euler",
+                           "reduced-1-ring", "ball", "jitter"})
+    EXPECT_THAT(help.out, HasSubstr(word));
+  const Outcome scene = call("run --help-scene");
+  EXPECT_EQ(scene.status, 0);
+  for (const char* word : {"[material]", "[[fix]]", "young", "Pa", "> -1 and < 0.5", "on_violation"})
+    EXPECT_THAT(scene.out, HasSubstr(word));
+  const Outcome version = call("--version");
+  EXPECT_EQ(version.status, 0);
+  EXPECT_EQ(version.out, "ringwatch " + std::string(programVersion()) + "\n");
+  for (const char* command : {"run --help", "inspect --help", "mesh --help", "mesh generate --help"})
+    EXPECT_EQ(call(command).status, 0) << command;
+}
+
+TEST_F(Program, InspectsTetrahedraAndHexahedra) {
+  for (const std::string element : {"tet4", "hex8"}) {
+    ASSERT_EQ(call("mesh generate bar --size 0.2 0.04 0.04 --cells 10,2,2 --element " + element + " -o bar.msh").status,
+              0);
+    const Outcome outcome =
+        call(std::string("inspect bar.msh --metric all --global --step 2.5e-3 --json -") + material);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const Json report = Json::parse(outcome.out);
+    EXPECT_EQ(report["mesh"]["nodes"], 99);
+    EXPECT_EQ(report["mesh"]["elements"].size(), 1u);
+    EXPECT_EQ(report["mesh"]["elements"][element], element == "tet4" ? 240 : 40);
+    EXPECT_NEAR(report["mesh"]["volume"].get<double>(), 3.2e-4, 1e-14);
+    EXPECT_NEAR(report["mass"].get<double>(), 0.32, 1e-11);
+    const Json& step = report["critical_step"];
+    const double global = step["global"];
+    // Computed independently of this project: 2.085284449e-3 for these tetrahedra, 2.973862796e-3 for these hexahedra.
+    EXPECT_NEAR(global, element == "tet4" ? 2.085284449e-3 : 2.973862796e-3, 2e-9);
+    EXPECT_LE(step["safe"].get<double>(), global * (1 + 1e-9));
+    EXPECT_GE(step["optimistic"].get<double>(), global * (1 - 1e-9));
+    EXPECT_LE(step["metrics"]["single-element"].get<double>(), global);
+    EXPECT_LE(step["metrics"]["nodal-bound"].get<double>(), global);
+    EXPECT_GE(step["metrics"]["reduced-1-ring"].get<double>(), global * (1 - 1e-9));
+    const Json& element0 = report["controlling_element"];
+    EXPECT_EQ(element0["block"], 0);
+    EXPECT_EQ(element0["nodes"].size(), element == "tet4" ? 4u : 8u);
+    EXPECT_EQ(element0["node_ids"][0].get<int>(), element0["nodes"][0].get<int>() + 1);  // .msh numbers from 1
+    EXPECT_EQ(report["ill_shaped"]["count"], report["ill_shaped"]["elements"].size());
+    EXPECT_EQ(report["ill_shaped"]["count"].get<int>() > 0, element == "tet4");  // 2.5 ms lies between the two
+  }
+}
+
+TEST_F(Program, InspectReportsForPeopleAndFiles) {
+  ASSERT_EQ(call("mesh generate cube --size 0.05 --cells 2 -o cube.vtu").status, 0);
+  const Outcome outcome =
+      call(std::string("inspect cube.vtu --fix 'x < 1e-6' --json report.json --vtu report.vtu") + material);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* word : {"48 tet4", "volume", "safe", "optimistic", "proven stable", "single-element",
+                           "pressure-wave", "reduced-1-ring", "controlling element"})
+    EXPECT_THAT(outcome.out, HasSubstr(word));
+  const Json report = json("report.json");
+  EXPECT_FALSE(report["critical_step"].contains("global"));
+  EXPECT_FALSE(report.contains("ill_shaped"));
+  EXPECT_EQ(report["critical_step"]["metrics"].size(), 3u);
+  EXPECT_EQ(readMesh(folder_.path() / "report.vtu").elementCount(), 48u);
+}
+
+TEST_F(Program, InspectRefusesBadInput) {
+  ASSERT_EQ(call("mesh generate cube --size 0.05 --cells 1 -o cube.msh").status, 0);
+  expectRefused(std::string("inspect none.msh") + material, "none.msh");
+  expectRefused("inspect cube.msh --young 0 --poisson 0.3 --density 1", "young = 0");
+  expectRefused("inspect cube.msh --young nan --poisson 0.3 --density 1", "young = nan");
+  expectRefused("inspect cube.msh --young 1 --poisson 0.5 --density 1", "poisson = 0.5");
+  expectRefused("inspect cube.msh --young 1 --poisson 0.3 --density -1", "density = -1");
+  expectRefused(std::string("inspect cube.msh --model rubber") + material, "rubber");
+  expectRefused(std::string("inspect cube.msh --metric reduced-2-rings") + material,
+                "--metric: unknown \"reduced-2-rings\"");
+  expectRefused(std::string("inspect cube.msh --integrator explicit-euler") + material, "unstable at every step");
+  expectRefused(std::string("inspect cube.msh --integrator verlett") + material, "did you mean \"verlet\"?");
+  expectRefused(std::string("inspect cube.msh --step 0") + material, "--step: 0 is out of range");
+  expectRefused(std::string("inspect cube.msh --step nan") + material, "--step");
+  expectRefused(std::string("inspect cube.msh --fix 'x > 5'") + material, "selects no node");
+  expectRefused(std::string("inspect cube.msh --fix all --json nowhere/a.json") + material, "nowhere");
+}
+
+TEST_F(Program, ConvertsAndChecksMeshes) {
+  ASSERT_EQ(call("mesh generate ball --radius 0.05 --cells 4 -o ball.msh").status, 0);
+  EXPECT_EQ(call("mesh convert ball.msh ball.vtu").status, 0);
+  EXPECT_EQ(call("mesh convert ball.vtu back.msh").status, 0);
+  const Mesh first = readMesh(folder_.path() / "ball.msh"), back = readMesh(folder_.path() / "back.msh");
+  EXPECT_EQ(first.X, back.X);
+  EXPECT_EQ(first.blocks[0].connectivity, back.blocks[0].connectivity);
+  const Outcome good = call("mesh check ball.msh");
+  EXPECT_EQ(good.status, 0);
+  EXPECT_THAT(good.out, HasSubstr("nothing wrong"));
+
+  folder_.write(
+      "bad.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 0 0 -1\n$EndNodes\n"
+      "$Elements\n2\n1 4 2 1 1 1 2 3 4\n2 4 2 1 1 1 2 3 5\n$EndElements\n");
+  const Outcome bad = call("mesh check bad.msh");
+  EXPECT_EQ(bad.status, 1);
+  EXPECT_THAT(bad.out, AllOf(HasSubstr("inverted"), HasSubstr("1 problem\n")));
+  expectRefused(std::string("inspect bad.msh") + material, "bad.msh");
+}
+
+TEST_F(Program, ExampleOfAutoStepIsCertified) {
+  const Outcome outcome =
+      call("run '" RINGWATCH_EXAMPLES "/hex_bar_auto_step.toml' --out r --set output.picture=false");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_EQ(json("r/summary.json")["verdict"], "certified");
+}
+
+// The source's nonlinear experiment: the monitor speaks before the energy does, and not before the exact value does.
+TEST_F(Program, ExampleOfStretchedBarIsCaughtInTime) {
+  const Outcome outcome = call("run '" RINGWATCH_EXAMPLES "/stretch_bar.toml' --out r");
+  EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
+  const Json summary = json("r/summary.json");
+  EXPECT_EQ(summary["verdict"], "unstable");
+  EXPECT_THAT(folder_.read("r/critical_step.png"), StartsWith("\x89PNG"));
+  const std::int64_t violated = summary["first_violated"]["step"], runaway = summary["energy_runaway"]["step"];
+  EXPECT_GT(runaway, violated + 10);
+
+  const Table history = table("r/history.csv");
+  EXPECT_EQ(history.at(0, "verdict"), "certified");
+  double largest = 0;
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(violated); ++i) {
+    largest = std::max(largest, history.number(i, "kinetic_J") + history.number(i, "strain_J"));
+    EXPECT_LT(std::abs(history.number(i, "balance_error_J")), 0.1 * largest) << i;
+  }
+
+  // The same run up to the steps around the first violation, looked at with the exact eigenvalue.
+  const Scene scene = readScene(RINGWATCH_EXAMPLES "/stretch_bar.toml");
+  std::vector<std::string> notes;
+  const Body body = sceneBody(scene, sceneMesh(scene, notes), 1);
+  BodySystem system(body);
+  State state = system.initialState();
+  const auto integrator = makeIntegrator(scene.method);
+  for (std::int64_t k = 0; k < violated; ++k) {
+    if (k == violated / 2) {
+      const GlobalFrequency global = globalFrequency(body, state.x);
+      ASSERT_TRUE(global.converged);
+      EXPECT_LT(*scene.step, stepFor(global.lambda, 2.0));
+    }
+    integrator->step(system, state, *scene.step);
+  }
+  const GlobalFrequency global = globalFrequency(body, state.x);
+  ASSERT_TRUE(global.converged);
+  EXPECT_GT(*scene.step, stepFor(global.lambda, 2.0));
+}
+
+}  // namespace
+}  // namespace ringwatch
