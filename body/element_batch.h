@@ -468,9 +468,12 @@ class ElementBatch final : public ElementBlock {
   /// Mean gradients of the elements whose geometry is given, as `meanGradientsOf` has them.
   void meanGradients(const P* geometry, P* g) const;
 
-  /// Known at compile time for elements of constant gradient: the loop over points goes, and the sums stay in registers.
+  /// Known at compile time for elements of constant gradient: the loop over points goes, and the sums stay in
+  /// registers.
   RINGWATCH_INLINE int pointCount() const { return Element::constantGradient ? 1 : points_; }
-  static_assert(!Element::constantGradient || std::ranges::all_of(Element::rules, [](const QuadratureRule& rule) { return rule.points.size() == 1; }));
+  static_assert(!Element::constantGradient || std::ranges::all_of(Element::rules, [](const QuadratureRule& rule) {
+    return rule.points.size() == 1;
+  }));
 
   LawType law_, meanLaw_;
   bool mean_;

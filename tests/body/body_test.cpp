@@ -70,6 +70,7 @@ TEST_P(BodyTest, FeelsNoForceWhenMovedAsARigidBody) {
 }
 
 TEST_P(BodyTest, HasExactlySixRigidModesAtRest) {
+  if (param().rule->spuriousModes > 0) GTEST_SKIP() << "declared deficient; the element study counts its modes";
   const std::string_view element = param().element->name;
   for (const Mesh& mesh :
        {test::distortedBox(element, {3, 2, 2}), test::firstElements(test::distortedBox(element, {2, 2, 2}), 1)}) {
@@ -262,7 +263,8 @@ TEST_P(BodyTest, AgreesWithPlainNumbersOverManyPatches) {
   if (mesh.elementCount() > 1) {
     EXPECT_GE(body.blocks()[0]->layout().patches.size(), 10u);
   }
-  const NodeVectors x = strained(mesh.X);
+  // Nodes of quadratic elements lie twice as close: the same disturbance would bring det F near zero somewhere.
+  const NodeVectors x = test::strained(mesh.X, 5, param().element->order == 1 ? 0.05 : 0.02);
   test::Random random(10);
   const NodeVectors v = random.nodeVectors(x.cols(), 1);
   test::withScalarReference(mesh, test::materialOf(param()), *param().rule, [&](const auto& reference) {
@@ -368,6 +370,7 @@ TEST_P(MassTest, EqualLumpingSharesEachElementEvenly) {
 TEST_P(MassTest, RowSumLumpingKeepsTheCentreOfMass) {
   // Σ m_a X_a = ρ ∫ X dV, since Σ N_a X_a = X: exact for any mesh; a box has it in its middle.
   if (!test::cellSplit(GetParam())) GTEST_SKIP() << "tiles no box";
+  if (!findElementByName(GetParam())->positiveRowSums) GTEST_SKIP() << "lumped by diagonal scaling";
   const Mesh mesh = test::distortedBox(GetParam(), {4, 4, 4});
   const Body body(mesh, makeMaterial("stvk", 1, 0.3, 1000), {{}, Lumping::rowSum, 1});
   const Eigen::Vector3d centre = mesh.X * body.lumpedMass() / body.totalMass();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -102,19 +103,16 @@ TEST_P(RuleTest, IsExactForLinearFields) { EXPECT_TRUE(exactToDegree(1)); }
 TEST_P(RuleTest, HasTheDegreeOfItsName) {
   // A Gauss rule of n points a direction has degree 2n - 1, Keast's four points degree 2.
   const std::string name(rule().name);
-  int degree = 1;
-  if (name == "keast-4") degree = 2;
-  if (name == "gauss-2x2x2") degree = 3;
-  if (name == "gauss-3x3x3" || name == "stroud-15") degree = 5;
-  if (name == "gauss-3x2") degree = 2;
   // On the pyramid n Gauss–Legendre points along the axis give up two degrees to the weight (1 - z)²; x^i y^j brings
   // (1 - z)^(i+j) along. The source's five points have degree 2 (Felippa 2009).
-  if (name == "collapsed-3x3x3") degree = 3;
-  if (name == "source" && element().name == "pyramid5") degree = 2;
+  const std::map<std::string, int> degrees{{"gauss-1", 1},         {"keast-4", 2},         {"gauss-2x2x2", 3},
+                                           {"gauss-3x3x3", 5},     {"gauss-3x2", 2},       {"stroud-15", 5},
+                                           {"collapsed-2x2x2", 1}, {"collapsed-3x3x3", 3}, {"jacobi-2x2x1", 1}};
+  const auto known = degrees.find(name);
+  if (known == degrees.end() && name != "source") GTEST_SKIP() << "no degree is claimed for " << name;
+  const int degree = name == "source" ? (element().name == "pyramid5" ? 2 : 1) : known->second;
   EXPECT_TRUE(exactToDegree(degree)) << name;
-  if (name != "selective" && name != "hourglass") {
-    EXPECT_FALSE(exactToDegree(degree + 1)) << name;
-  }
+  EXPECT_FALSE(exactToDegree(degree + 1)) << name;
 }
 
 TEST_P(RuleTest, SharesOfEachConstantAddUpToOne) {

@@ -42,10 +42,10 @@ inline Mesh distortedBox(std::string_view element, Cells cells, double jitter = 
   return gridMesh(element, cells, {cells[0] * cellSize, cells[1] * cellSize, cells[2] * cellSize}, jitter, 3);
 }
 /// Positions strained by some ten per cent: F differs from element to element, and none is inverted.
-inline NodeVectors strained(const NodeVectors& X, std::uint64_t seed = 5) {
+inline NodeVectors strained(const NodeVectors& X, std::uint64_t seed = 5, double disturbance = 0.05) {
   Random random(seed);
   const Eigen::Matrix3d F = Eigen::Matrix3d::Identity() + random.matrix(0.15);
-  return F * X + random.nodeVectors(X.cols(), 0.05 * cellSize);
+  return F * X + random.nodeVectors(X.cols(), disturbance * cellSize);
 }
 
 }  // namespace ringwatch::test
