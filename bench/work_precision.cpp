@@ -161,7 +161,7 @@ Body bar(bool slivers, std::array<int, 3> cells) {
     for (int i = 2; i + 2 < cells[0]; i += 3)
       mesh.X(0, node(i, 1, 1)) += 0.9 * (mesh.X(0, node(i + 1, 1, 1)) - mesh.X(0, node(i, 1, 1)));
   }
-  Body body(std::move(mesh), makeMaterial("stvk", 30e3, 0.3, 1000), {.threads = 1});
+  Body body(std::move(mesh), makeMaterial("stvk", 30e3, 0.3, 1000), {{}, Lumping::rowSum, 1});
   for (const std::int32_t n : body.mesh().nodeSets.at("x-min")) body.constraints().fix(n);
   body.addBodyForce({0, 0, -1});
   return body;
@@ -198,7 +198,7 @@ nlohmann::json refine(const fs::path& folder, int finest) {
     BarOptions options;
     options.size = {0.1, 0.01, 0.01};
     options.cells = {10 * n, n, n};
-    Body body(generateBar(options), makeMaterial("corotational", 1e6, 0.3, 1000), {.threads = 1});
+    Body body(generateBar(options), makeMaterial("corotational", 1e6, 0.3, 1000), {{}, Lumping::rowSum, 1});
     for (const std::int32_t node : body.mesh().nodeSets.at("x-min")) body.constraints().fix(node);
     body.addBodyForce({0, 0, -9.81});
     const double omega = std::sqrt(globalFrequency(body, body.mesh().X, 1e-6).lambda);

@@ -73,7 +73,7 @@ Body bar() {
   options.size = {0.2, 0.04, 0.04};
   options.cells = {5, 1, 1};
   options.jitter = 0.2;
-  Body body(generateBar(options), makeMaterial("stvk", 30e3, 0.3, 1000), {.threads = 1});
+  Body body(generateBar(options), makeMaterial("stvk", 30e3, 0.3, 1000), {{}, Lumping::rowSum, 1});
   for (const std::int32_t node : body.mesh().nodeSets.at("x-min")) body.constraints().fix(node);
   return body;
 }
@@ -205,7 +205,8 @@ TEST(Equilibrium, BalancesAHangingBar) {
 }
 
 TEST(Equilibrium, SaysWhyItFailed) {
-  Body body(generateBar(BarOptions{}), makeMaterial("stvk", 30e3, 0.3, 1000), {.threads = 1});  // held by nothing
+  Body body(generateBar(BarOptions{}), makeMaterial("stvk", 30e3, 0.3, 1000),
+            {{}, Lumping::rowSum, 1});  // held by nothing
   body.addBodyForce({0, 0, -2});
   BodySystem system(body);
   NodeVectors x = body.mesh().X;
