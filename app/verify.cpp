@@ -12,15 +12,18 @@
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/verify/elements.h>
 #include <ringwatch/verify/integrators.h>
+#include <ringwatch/verify/stress.h>
 
 namespace ringwatch {
 namespace {
 
-const std::array<StudyInfo, 2> studies{{
+const std::array<StudyInfo, 3> studies{{
     {"elements", "every element and quadrature rule: rank, patch test, derivatives, convergence, frequencies, locking",
      verifyElements},
     {"integrators", "every integrator: stability limit, order, energy drift, reversibility, damping",
      [](StudyEffort effort) { return verifyIntegrators(effort); }},
+    {"stress", "explicit integrators run long and on hard bodies: who survives, and with what error",
+     [](StudyEffort effort) { return verifyStress(effort); }},
 }};
 
 std::string cellText(const StudyTable::Cell& cell) {
