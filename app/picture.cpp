@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/gnuplot.h>
 #include <ringwatch/app/subprocess.h>
 #include <ringwatch/base/atomic_file.h>
 
@@ -16,17 +17,6 @@ constexpr double logRatio = 20;  // a range of steps wider than this is drawn on
 
 std::string cell(std::optional<double> value) {
   return value && std::isfinite(*value) ? fmt::format(" {}", *value) : " NaN";
-}
-
-/// A text inside a gnuplot string in single quotes.
-std::string inQuotes(const std::string& text) {
-  std::string result = "'";
-  for (char c : text) {
-    if (static_cast<unsigned char>(c) < 0x20) continue;
-    result += c;
-    if (c == '\'') result += c;
-  }
-  return result + "'";
 }
 
 }  // namespace
@@ -109,7 +99,7 @@ std::string Picture::script(const std::string& title) const {
       "set rmargin 4\n"
       "set format y '%.3g'\n";
   text += fmt::format("set xrange [0:{}]\n", endTime);
-  text += fmt::format("set multiplot layout {},1 title {} noenhanced font ',16'\n", hasEnergy ? 2 : 1, inQuotes(title));
+  text += fmt::format("set multiplot layout {},1 title {} noenhanced font ',16'\n", hasEnergy ? 2 : 1, gnuplotQuoted(title));
   // The mark is an arrow over the height of the panel and, in the legend, a line that has no points.
   std::string marks, legend;
   const auto mark = [&](int number, const std::optional<double>& time, const char* name) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/gnuplot.h>
 #include <ringwatch/app/subprocess.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
@@ -54,7 +55,7 @@ std::string tableText(const StudyTable& table) {
     text += " ";
     for (std::size_t c = 0; c < line.size(); ++c) {
       const std::string space(widths[c] - width(line[c]), ' ');
-      text += " " + (c == 0 ? line[c] + space : space + line[c]);
+      text += fmt::format(" {}{}", c == 0 ? line[c] : space, c == 0 ? space : line[c]);
     }
     text += "\n";
   }
@@ -63,15 +64,6 @@ std::string tableText(const StudyTable& table) {
 
 nlohmann::ordered_json number(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(fmt::format("{}", value));
-}
-
-std::string inQuotes(const std::string& text) {
-  std::string result = "'";
-  for (char c : text) {
-    result += c;
-    if (c == '\'') result += c;
-  }
-  return result + "'";
 }
 
 }  // namespace
@@ -163,13 +155,13 @@ std::vector<std::string> drawFigures(const StudyReport& report, const std::files
         "set linetype 1 lc rgb '#0072b2'\nset linetype 2 lc rgb '#e69f00'\nset linetype 3 lc rgb '#009e73'\n"
         "set linetype 4 lc rgb '#cc79a7'\nset linetype 5 lc rgb '#d55e00'\nset linetype 6 lc rgb '#56b4e9'\n"
         "set linetype 7 lc rgb '#000000'\nset linetype 8 lc rgb '#999999'\n",
-        figure.name, inQuotes(figure.title), inQuotes(figure.xLabel), inQuotes(figure.yLabel));
+        figure.name, gnuplotQuoted(figure.title), gnuplotQuoted(figure.xLabel), gnuplotQuoted(figure.yLabel));
     if (figure.logX) script += "set logscale x\nset format x '10^{%L}'\n";
     if (figure.logY) script += "set logscale y\nset format y '10^{%L}'\n";
     std::string plot;
     for (std::size_t c = 0; c < figure.curves.size(); ++c)
       plot += fmt::format("{}'{}.dat' index {} with linespoints lw 2 title {}", plot.empty() ? "plot " : ", \\\n     ",
-                          figure.name, c, inQuotes(figure.curves[c].label));
+                          figure.name, c, gnuplotQuoted(figure.curves[c].label));
     if (plot.empty()) continue;
     writeFileAtomically(folder / (figure.name + ".dat"), data);
     writeFileAtomically(folder / (figure.name + ".gp"), script + plot + "\n");
