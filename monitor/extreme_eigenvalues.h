@@ -33,7 +33,7 @@ RINGWATCH_HOST_DEVICE inline void tridiagonalize(P* A, int anyN, P* d, P* e2, P*
     d[k] = A[k * n + k];
     v[k + 1] -= alpha;
     const P vv = P(2.0) * (norm2 + norm * math::abs(A[(k + 1) * n + k]));
-    const auto nonzero = vv > P(0.0);
+    const auto nonzero = vv > P(1e-250);  // below, 2 / vv and its products overflow, and nothing is left to reflect
     const P beta = select(nonzero, P(2.0) / select(nonzero, vv, P(1.0)), P(0.0));
     // p = beta A v from the lower triangle
     for (int i = k + 1; i < n; ++i) p[i] = P(0.0);
@@ -72,8 +72,10 @@ template <int N, class P>
 RINGWATCH_HOST_DEVICE inline P largestByLaguerre(const P* d, const P* e2, int anyN, P sign, P start, P scale) {
   const int n = N > 0 ? N : anyN;
   P lambda = start;
+  // A few, mostly; a cluster of half the eigenvalues makes convergence linear, by a quarter each time at n = 60.
+  constexpr int maxIterations = 250;
   const P tiny = P(1e-300) + P(1e-16) * scale, enough = P(1e-14) * scale + P(1e-300);
-  for (int iteration = 0; iteration < 60; ++iteration) {
+  for (int iteration = 0; iteration < maxIterations; ++iteration) {
     // Ratios of leading principal minors q_k = p_k / p_(k-1) > 0 right of the spectrum; r = q'/q, s = q''/q.
     P r(0.0), s(0.0), sumR(0.0), sumH(0.0), previousInverse(0.0), lowest = scale;
     for (int k = 0; k < n; ++k) {
@@ -105,8 +107,9 @@ RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvaluesOf(P* A, in
   const int n = N > 0 ? N : anyN;
   P *d = work, *e2 = work + n, *v = work + 2 * n, *p = work + 3 * n;
   tridiagonalize<N>(A, n, d, e2, v, p);
-  P high = d[0], low = d[0], before(0.0);
+  P high = d[0], low = d[0], before(0.0), sum(0.0);
   for (int k = 0; k < n; ++k) {
+    sum += k + 1 < n ? d[k] + e2[k] : d[k];
     const P after = k + 1 < n ? math::sqrt(e2[k]) : P(0.0);
     high = k == 0 ? d[k] + after : math::max(high, d[k] + before + after);
     low = k == 0 ? d[k] - after : math::min(low, d[k] - before - after);
@@ -115,9 +118,14 @@ RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvaluesOf(P* A, in
   const P scale = math::max(math::abs(high), math::abs(low));
   const P margin = P(1e-13) * scale + P(1e-300);
   ExtremeEigenvalues<P> result;
-  result.scale = scale;
-  result.largest = largestByLaguerre<N>(d, e2, n, P(1.0), high + margin, scale);
-  result.least = wantLeast ? -largestByLaguerre<N>(d, e2, n, P(-1.0), margin - low, scale) : P(0.0);
+  // min and max lose NaN: added back; 0 for finite numbers. A zero matrix would keep the margin.
+  const P poison = P(0.0) * sum;
+  const auto zero = scale == P(0.0);
+  result.scale = scale + poison;
+  result.largest = select(zero, P(0.0), largestByLaguerre<N>(d, e2, n, P(1.0), high + margin, scale)) + poison;
+  result.least = P(0.0);
+  if (wantLeast)
+    result.least = select(zero, P(0.0), -largestByLaguerre<N>(d, e2, n, P(-1.0), margin - low, scale)) + poison;
   return result;
 }
 

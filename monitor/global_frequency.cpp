@@ -1,6 +1,7 @@
 #include <ringwatch/monitor/global_frequency.h>
 
 #include <random>
+#include <stdexcept>
 
 #include <Spectra/SymEigsSolver.h>
 
@@ -24,8 +25,13 @@ GlobalFrequency globalFrequency(const Body& body, const NodeVectors& x, double t
     result.mode = start;
     return result;
   }
-  solver.init(start.data());
-  const auto found = solver.compute(Spectra::SortRule::LargestAlge, maxRestarts, tolerance);
+  Eigen::Index found = 0;
+  try {
+    solver.init(start.data());
+    found = solver.compute(Spectra::SortRule::LargestAlge, maxRestarts, tolerance);
+  } catch (const std::runtime_error&) {
+    // Spectra's word for a decomposition that failed, as it does when the tangent is not finite.
+  }
   result.products = op.products();
   if (found < 1 || solver.info() != Spectra::CompInfo::Successful) return result;
   result.converged = true;

@@ -43,7 +43,10 @@ Values elementEigenvalues(const Body& body, const NodeVectors& x, const MassOf& 
     });
     scaleSymmetric(K, 3 * n, scale);
     const auto extremes = extremeEigenvalues(K, 3 * n, work, false);
-    forEachLane(block, batch, [&](int lane, std::int32_t e) { values[b][static_cast<std::size_t>(e)] = extremes.largest[lane]; });
+    // Not forEachLane: an empty lane holds zeros, and would write them over the first element's value.
+    const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
+    for (int lane = 0; lane < lanes; ++lane)
+      if (elements[lane] >= 0) values[b][static_cast<std::size_t>(elements[lane])] = extremes.largest[lane];
   });
   return values;
 }
@@ -66,7 +69,7 @@ Values shewchuk(const Body& body, const NodeVectors& x) {
       for (std::int32_t node : block->nodesOf(e)) ++valence[static_cast<std::size_t>(node)];
   const int most = *std::max_element(valence.begin(), valence.end());
   for (auto& block : values)
-    for (double& value : block) value = std::max(0.0, value) * most;
+    for (double& value : block) value = (value < 0 ? 0.0 : value) * most;  // keeps NaN
   return values;
 }
 
@@ -174,7 +177,8 @@ MetricResult evaluateMetric(std::string_view name, const Body& body, const NodeV
     bool first = true;
     for (std::size_t b = 0; b < result.elementLambda.size(); ++b)
       for (std::size_t e = 0; e < result.elementLambda[b].size(); ++e)
-        if (first || !(result.elementLambda[b][e] <= result.lambda)) {
+        // NaN, an element without a tangent, stays once it was met.
+        if (first || result.elementLambda[b][e] > result.lambda || std::isnan(result.elementLambda[b][e])) {
           result.lambda = result.elementLambda[b][e];
           result.controlling = {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
           first = false;

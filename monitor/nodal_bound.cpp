@@ -244,11 +244,11 @@ UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps, Start start) {
   for (int sweep = 0;; ++sweep) {
     evaluateElements(x);
     const double bound = sumAtNodes();
+    last_ = bound;
     if (std::isnan(bound)) {
       started_ = false;
       return {bound};
     }
-    last_ = bound;
     best = std::min(best, bound);
     if (sweep == sweeps || !(bound > 0)) break;
     sweepShapes(bound);

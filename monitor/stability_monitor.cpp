@@ -165,6 +165,7 @@ StabilityMonitor::StabilityMonitor(const Body& body, const MonitorOptions& optio
   if (options.every < 1) throw InputError(joinText("every = ", options.every, ": must be >= 1"));
   if (!(options.width > 0 && options.width < 1)) throw InputError(joinText("width = ", options.width, ": must be > 0 and < 1"));
   if (!(options.limit > 0)) throw InputError(joinText("limit = ", options.limit, ": an integrator that is never stable cannot be monitored; choose another"));
+  if (!(options.energyTolerance > 0)) throw InputError(joinText("energyTolerance = ", options.energyTolerance, ": must be > 0"));
   impl_ = std::make_unique<Impl>(body, options);
 }
 StabilityMonitor::~StabilityMonitor() = default;

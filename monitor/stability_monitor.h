@@ -17,7 +17,7 @@ struct MonitorOptions {
   double margin = 0.1;                    ///< of the metric's step: h_metric (1 - margin)
   int every = 1;                          ///< steps between evaluations
   double width = 0.05;                    ///< of the bracket, relative to the step, that the proven side is steered to
-  double energyTolerance = 0.05;          ///< balance error over the largest energy so far that is reported
+  double energyTolerance = 0.1;           ///< balance error over the largest energy so far that is reported
 };
 
 enum class Verdict {

@@ -1,18 +1,31 @@
-// Uses ringwatch from outside: builds the smallest mesh and prints what the library knows of its element.
-#include <ringwatch/elements/registry.h>
-#include <ringwatch/meshes/mesh.h>
-
+// An outside project: embeds the monitor in a time loop and checks that it sees a step that is too large.
 #include <cstdio>
 
+#include <ringwatch/integrators/body_system.h>
+#include <ringwatch/meshes/generators.h>
+#include <ringwatch/monitor/stability_monitor.h>
+
 int main() {
-  const ringwatch::ElementInfo* tet = ringwatch::findElementByName("tet4");
-  if (tet == nullptr) return 1;
-  ringwatch::Mesh mesh;
-  mesh.X.resize(3, tet->nodes);
-  for (int a = 0; a < tet->nodes; ++a)
-    for (int i = 0; i < 3; ++i)
-      mesh.X(i, a) = tet->referenceNodes[static_cast<std::size_t>(a)][static_cast<std::size_t>(i)];
-  mesh.blocks.push_back({tet->type, {0, 1, 2, 3}, {0}});
-  std::printf("%zu nodes, %zu element of type %s\n", mesh.nodeCount(), mesh.elementCount(), tet->name.data());
-  return mesh.nodeCount() == 4 && mesh.elementCount() == 1 ? 0 : 1;
+  using namespace ringwatch;
+  BarOptions bar;
+  bar.size = {0.2, 0.04, 0.04};
+  bar.cells = {5, 1, 1};
+  const Body body(generateBar(bar), makeMaterial("stvk", 30e3, 0.3, 1000.0));
+
+  BodySystem system(body);
+  State state = system.initialState();
+  const auto integrator = makeIntegrator("symplectic-euler");
+  MonitorOptions options;
+  options.limit = integrator->info().imaginaryLimit;
+  StabilityMonitor monitor(body, options);
+
+  const MonitorReport first = monitor.observe(0, state.time, state.x, state.v, 1e-6);
+  if (first.verdict != Verdict::certified || !first.bracket) return 1;
+  const double safe = first.bracket->safe, optimistic = first.bracket->optimistic;
+  std::printf("critical step between %.6e s and %.6e s\n", safe, optimistic);
+  for (int step = 1; step <= 10; ++step) {
+    if (!integrator->step(system, state, 0.9 * safe).done) return 1;
+    if (monitor.observe(step, state.time, state.x, state.v, 0.9 * safe).verdict != Verdict::certified) return 1;
+  }
+  return monitor.observe(11, state.time, state.x, state.v, 1.1 * optimistic).verdict == Verdict::violated ? 0 : 1;
 }

@@ -1,0 +1,370 @@
+// Every metric's declared direction and the bracket of the critical step against dense eigenvalues, for every law and
+// every way to cut a box; then what rotations and changes of scale must do to them.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/metrics.h>
+#include <ringwatch/monitor/rayleigh.h>
+#include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/monitor/stability_monitor.h>
+#include <tests/monitor/monitor_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::Cut;
+using test::DenseTangent;
+using test::Hold;
+
+constexpr double limit = 2;
+
+/// Checks every metric and the bracket at a state; returns what went wrong, "" when nothing did.
+std::string boundsFault(const Body& body, const NodeVectors& x) {
+  std::string fault;
+  const DenseTangent dense(body, x);
+  if (!dense.finite()) {
+    // The law is undefined here (an inverted element): then nothing may look like a bound.
+    for (const MetricInfo& metric : allMetrics())
+      if (metric.direction != Direction::estimate && std::isfinite(evaluateMetric(metric.name, body, x).lambda))
+        fault += joinText(metric.name, " gives a number without a tangent; ");
+    const CriticalStep step = criticalStep(body, x, limit);
+    if (step.safe > 0) fault += joinText("safe = ", step.safe, " without a tangent; ");
+    return fault;
+  }
+  // Constrained components stay in the metrics' matrices as zero rows, so that no value falls below 0.
+  const double lambda = std::max(0.0, dense.largest());
+  const double size = dense.matrix.rows() ? dense.matrix.cwiseAbs().maxCoeff() : 0;
+  for (const MetricInfo& metric : allMetrics()) {
+    const MetricResult result = evaluateMetric(metric.name, body, x);
+    if (!std::isfinite(result.lambda)) fault += joinText(metric.name, " is ", result.lambda, "; ");
+    if (metric.direction == Direction::upperBound && !(result.lambda >= lambda * (1 - 1e-9) - 1e-12 * size))
+      fault += joinText(metric.name, " = ", result.lambda, " is below ", lambda, "; ");
+    if (metric.direction == Direction::lowerBound && !(result.lambda <= lambda * (1 + 1e-9) + 1e-12 * size))
+      fault += joinText(metric.name, " = ", result.lambda, " is above ", lambda, "; ");
+    double most = -std::numeric_limits<double>::infinity();
+    for (const auto& block : result.elementLambda)
+      for (const double value : block) most = std::max(most, value);
+    const auto controlling = result.elementLambda[static_cast<std::size_t>(result.controlling.block)]
+                                                 [static_cast<std::size_t>(result.controlling.element)];
+    if (most != result.lambda || controlling != most)
+      fault += joinText(metric.name, ": its controlling element is not its largest; ");
+  }
+  const CriticalStep step = criticalStep(body, x, limit);
+  const double exact = stepFor(lambda, limit);
+  if (!(step.safe <= exact * (1 + 1e-9))) fault += joinText("safe = ", step.safe, " is above ", exact, "; ");
+  if (!(step.optimistic >= exact * (1 - 1e-9)))
+    fault += joinText("optimistic = ", step.optimistic, " is below ", exact, "; ");
+  if (!(step.safe > 0)) fault += joinText("safe = ", step.safe, "; ");
+  const double least = dense.matrix.rows() ? dense.eigenvalues()[0] : 0;
+  if (!(step.lowestRing >= std::min(0.0, least) * (1 + 1e-9) - 1e-10 * size))
+    fault += joinText("lowest ring ", step.lowestRing, " is below ", least, "; ");
+  if (step.lowestRing < 0 && !(least < 0))
+    fault += joinText("calls a tangent indefinite whose least eigenvalue is ", least, "; ");
+  return fault;
+}
+
+struct BoundsCase {
+  Cut cut;
+  std::string law;
+};
+std::vector<BoundsCase> allBoundsCases() {
+  std::vector<BoundsCase> cases;
+  for (const Cut& cut : test::allCuts())
+    for (const LawInfo& law : allLaws()) cases.push_back({cut, std::string(law.name)});
+  return cases;
+}
+class BoundsTest : public ::testing::TestWithParam<BoundsCase> {
+ public:
+  const BoundsCase& param() const { return GetParam(); }
+};
+INSTANTIATE_TEST_SUITE_P(All, BoundsTest, ::testing::ValuesIn(allBoundsCases()),
+                         [](const auto& test) { return test::testName(test.param.cut.name + "_" + test.param.law); });
+
+TEST_P(BoundsTest, HoldInEveryStateAndHoweverTheBodyIsHeld) {
+  // Element counts that fill packs, and such that do not.
+  for (const std::array<int, 3> cells : {std::array{2, 2, 2}, std::array{3, 1, 1}})
+    for (const Hold hold : {Hold::nothing, Hold::face, Hold::components})
+      for (const std::uint64_t seed : {1u, 2u}) {
+        Body body = test::boxBody(param().cut, param().law, cells, seed == 1 ? 0.2 : 0.3, seed);
+        test::holdBody(body, hold, seed);
+        for (const test::NamedState& state : test::deformedStates(body.mesh().X, seed))
+          EXPECT_EQ(boundsFault(body, state.x), "") << state.name << ", " << test::holdName(hold) << ", seed " << seed;
+      }
+}
+
+TEST_P(BoundsTest, TheBracketIsNarrowAtRest) {
+  // Not a theorem, but what makes the bracket worth having: at most 10 % in h on small jittered boxes (uniform
+  // hexahedra are the worst), optimistic within 0.5 %.
+  const Body body = test::boxBody(param().cut, param().law);
+  const double exact = stepFor(DenseTangent(body, body.mesh().X).largest(), limit);
+  const CriticalStep step = criticalStep(body, body.mesh().X, limit);
+  EXPECT_GE(step.safe, 0.85 * exact);
+  EXPECT_LE(step.optimistic, 1.005 * exact);
+}
+
+TEST(Bounds, HoldForRandomBodies) {
+  const auto cuts = test::allCuts();
+  const bool held = rc::check("bounds of random bodies", [&] {
+    test::Random random(*rc::gen::arbitrary<std::uint64_t>());
+    const Cut& cut = cuts[static_cast<std::size_t>(random.index(static_cast<int>(cuts.size())))];
+    const auto& law = allLaws()[static_cast<std::size_t>(random.index(static_cast<int>(allLaws().size())))];
+    const std::array<int, 3> cells{2 + random.index(2), 1 + random.index(2), 1 + random.index(2)};
+    Body body =
+        test::boxBody(cut, law.name, cells, random.uniform(0, 0.35), static_cast<std::uint64_t>(random.index(1000)));
+    const Hold holds[] = {Hold::nothing, Hold::face, Hold::components};
+    test::holdBody(body, holds[random.index(3)], static_cast<std::uint64_t>(random.index(1000)));
+    const NodeVectors x = (random.rotation() * (Eigen::Matrix3d::Identity() + random.matrix(0.5))) * body.mesh().X +
+                          random.nodeVectors(body.nodeCount(), random.uniform(0, 0.3) * test::cellSize);
+    const std::string fault = boundsFault(body, x);
+    RC_TAG(std::string(law.name));
+    if (!fault.empty()) RC_FAIL(joinText(cut.name, ", ", law.name, ": ", fault));
+  });
+  EXPECT_TRUE(held);
+}
+
+TEST(Bounds, HoldWithDensitiesAndStiffnessesFarApart) {
+  for (const Cut& cut : test::allCuts()) {
+    if (cut.other.empty()) continue;
+    for (const double ratio : {1e-6, 1e6}) {
+      const Body body(test::box(cut, {4, 1, 1}),
+                      {makeMaterial("stvk", test::young, 0.3, test::density),
+                       makeMaterial("stvk", ratio * test::young, 0.45, test::density)},
+                      test::onThreads(1));
+      for (const test::NamedState& state : test::deformedStates(body.mesh().X, 3))
+        EXPECT_EQ(boundsFault(body, state.x), "") << cut.name << ", " << state.name << ", ratio " << ratio;
+    }
+  }
+}
+
+TEST(Bounds, NothingFree) {
+  for (const Cut& cut : test::allCuts()) {
+    Body body = test::boxBody(cut, "stvk");
+    for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.constraints().fix(i);
+    EXPECT_EQ(boundsFault(body, body.mesh().X), "") << cut.name;
+    const CriticalStep step = criticalStep(body, body.mesh().X, limit);
+    EXPECT_GT(step.safe, 1e6) << cut.name;  // any step will do
+    EXPECT_GE(step.optimistic, step.safe) << cut.name;
+  }
+}
+
+TEST(Bounds, OneFreeNodeIsGivenExactly) {
+  for (const Cut& cut : test::allCuts()) {
+    Body body = test::boxBody(cut, "stvk");
+    const std::int32_t middle = 13;  // of 3×3×3 nodes
+    for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+      if (i != middle) body.constraints().fix(i);
+    EXPECT_EQ(boundsFault(body, body.mesh().X), "") << cut.name;
+    const double exact = stepFor(DenseTangent(body, body.mesh().X).largest(), limit);
+    EXPECT_NEAR(criticalStep(body, body.mesh().X, limit).optimistic, exact, 1e-9 * exact) << cut.name;
+  }
+}
+
+TEST(Bounds, AnElementWithoutTangentIsNeverHiddenBehindOthers) {
+  // One inverted neo-Hookean element anywhere: no metric and no bracket may go by the other elements alone.
+  for (const Cut& cut : test::allCuts()) {
+    Body body = test::boxBody(cut, "neo-hookean");
+    const NodeVectors& X = body.mesh().X;
+    for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
+      NodeVectors x = X;
+      x.col(i) += 3 * test::cellSize * (X.rowwise().mean() - X.col(i)).normalized() + Eigen::Vector3d(1e-4, 2e-4, 3e-4);
+      if (body.leastDeterminant(x).value > 0) continue;
+      EXPECT_EQ(boundsFault(body, x), "") << cut.name << ", node " << i;
+    }
+  }
+}
+
+TEST(Rayleigh, IsALowerBoundThatProductsTighten) {
+  test::Random random(5);
+  for (const Cut& cut : test::allCuts())
+    for (const LawInfo& law : allLaws())
+      for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
+        Body body = test::boxBody(cut, law.name);
+        test::holdBody(body, hold);
+        const NodeVectors x = body.mesh().X + random.nodeVectors(body.nodeCount(), 0.05 * test::cellSize);
+        const double lambda = DenseTangent(body, x).largest();
+        const NodeVectors start = random.nodeVectors(body.nodeCount(), 1);
+        double before = -std::numeric_limits<double>::infinity();
+        for (const int products : {1, 2, 5, 10, 20, 80}) {
+          NodeVectors v = start;
+          const LowerBound bound = rayleighLowerBound(body, x, v, products);
+          EXPECT_LE(bound.value, lambda * (1 + 1e-13)) << cut.name << ", " << law.name << ", " << products;
+          EXPECT_GE(bound.value, before - 1e-9 * lambda) << cut.name << ", " << law.name << ", " << products;
+          EXPECT_NEAR(v.norm(), 1, 1e-13);
+          NodeVectors held = v;
+          body.constraints().clearConstrained(held);
+          EXPECT_EQ(held, v);
+          before = bound.value;
+        }
+        EXPECT_NEAR(before, lambda, 1e-6 * lambda) << cut.name << ", " << law.name;
+      }
+}
+
+TEST(Rayleigh, GivesZeroForNoStart) {
+  const Body body = test::boxBody(test::allCuts()[0], "linear");
+  NodeVectors zero = NodeVectors::Zero(3, body.nodeCount());
+  EXPECT_EQ(rayleighLowerBound(body, body.mesh().X, zero, 5).value, 0);
+}
+
+TEST(ReducedRing, IsThePrincipalSubmatrixOfTheWhole) {
+  for (const Cut& cut : test::allCuts())
+    for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
+      Body body = test::boxBody(cut, "stvk");
+      test::holdBody(body, hold);
+      test::Random random(6);
+      const NodeVectors x = body.mesh().X + random.nodeVectors(body.nodeCount(), 0.2 * test::cellSize);
+      const DenseTangent dense(body, x);
+      ReducedRing ring(body);
+      const ReducedRing::Result& rings = ring.evaluate(x, true);
+      double highest = 0, lowest = 0;
+      for (std::size_t b = 0; b < body.blocks().size(); ++b)
+        for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
+          const auto nodes = body.blocks()[b]->nodesOf(e);
+          std::vector<Eigen::Index> rows;
+          for (std::size_t r = 0; r < dense.components.size(); ++r)
+            if (std::find(nodes.begin(), nodes.end(), dense.components[r].first) != nodes.end())
+              rows.push_back(static_cast<Eigen::Index>(r));
+          double top = 0, bottom = 0;
+          if (!rows.empty()) {
+            const Eigen::MatrixXd A = dense.matrix(rows, rows);
+            const Eigen::VectorXd lambda =
+                Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues();
+            top = std::max(0.0, lambda[lambda.size() - 1]);
+            bottom = lambda[0];
+          }
+          const double found = rings.largest[b][static_cast<std::size_t>(e)];
+          EXPECT_NEAR(found, top, 1e-11 * std::max(top, -bottom)) << cut.name << ", " << b << ":" << e;
+          const ElementRef here{static_cast<std::int32_t>(b), e};
+          if (here == rings.highestElement) {
+            EXPECT_NEAR(rings.highest, found, 1e-10 * found) << cut.name;
+          }
+          if (here == rings.lowestElement && rings.lowest < 0) {
+            EXPECT_NEAR(rings.lowest, bottom, 1e-10 * top) << cut.name;
+          }
+          highest = std::max(highest, top);
+          lowest = std::min(lowest, bottom);
+          // The ring's own vector attains its value on the whole body.
+          const NodeVectors v = ring.topVector(here);
+          Eigen::VectorXd flat(static_cast<Eigen::Index>(dense.components.size()));
+          for (std::size_t r = 0; r < dense.components.size(); ++r)
+            flat[static_cast<Eigen::Index>(r)] = v(dense.components[r].second, dense.components[r].first);
+          if (top > 0) {
+            EXPECT_NEAR(flat.dot(dense.matrix * flat) / flat.squaredNorm(), top, 1e-10 * highest) << cut.name;
+          }
+        }
+      EXPECT_NEAR(rings.highest, highest, 1e-10 * highest) << cut.name;
+      EXPECT_LE(rings.highest, highest) << cut.name;
+      EXPECT_NEAR(rings.lowest, lowest, 1e-10 * highest) << cut.name;
+    }
+}
+
+TEST(Metrics, OfAnElementAreThoseOfTheElementAlone) {
+  // Every element of single-element against its own dense problem: none is left out, none takes another's place.
+  for (const Cut& cut : test::allCuts())
+    for (const std::array<int, 3> cells : {std::array{2, 2, 2}, std::array{3, 1, 1}, std::array{2, 1, 1}}) {
+      const Body body = test::boxBody(cut, "stvk", cells);
+      const NodeVectors x = Eigen::Vector3d(1.2, 1, 0.9).asDiagonal() * body.mesh().X;
+      const MetricResult result = evaluateMetric("single-element", body, x);
+      for (std::size_t b = 0; b < body.blocks().size(); ++b)
+        for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
+          const ElementRef here{static_cast<std::int32_t>(b), e};
+          Eigen::MatrixXd K = body.elementTangent(here, x);
+          std::vector<double> mass(static_cast<std::size_t>(body.blocks()[b]->element().nodes));
+          body.elementLumpedMass(here, mass.data());
+          for (Eigen::Index r = 0; r < K.rows(); ++r)
+            for (Eigen::Index s = 0; s < K.cols(); ++s)
+              K(r, s) /= std::sqrt(mass[static_cast<std::size_t>(r / 3)] * mass[static_cast<std::size_t>(s / 3)]);
+          const double lambda =
+              Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues()[K.rows() - 1];
+          EXPECT_NEAR(result.elementLambda[b][static_cast<std::size_t>(e)], lambda, 1e-11 * lambda)
+              << cut.name << ", " << b << ":" << e;
+        }
+    }
+}
+
+TEST(Metrics, AreKnownByName) {
+  const Body body = test::boxBody(test::allCuts()[0], "linear");
+  for (const MetricInfo& metric : allMetrics()) {
+    EXPECT_EQ(findMetric(metric.name)->name, metric.name);
+    EXPECT_FALSE(metric.help.empty());
+    EXPECT_EQ(evaluateMetric(metric.name, body, body.mesh().X).info->name, metric.name);
+    EXPECT_FALSE(directionName(metric.direction).empty());
+  }
+  EXPECT_EQ(findMetric("no-such"), nullptr);
+  try {
+    evaluateMetric("no-such", body, body.mesh().X);
+    FAIL() << "an unknown metric was accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("no-such"), std::string::npos);
+    for (const MetricInfo& metric : allMetrics())
+      EXPECT_NE(std::string(error.what()).find(metric.name), std::string::npos) << error.what();
+  }
+}
+
+TEST(Metrics, DoNotSeeARigidMotion) {
+  test::Random random(8);
+  for (const Cut& cut : test::allCuts())
+    for (const LawInfo& law : allLaws()) {
+      if (law.name == LinearElastic::name) continue;  // not objective, by design
+      for (const Hold hold : {Hold::nothing, Hold::face}) {
+        Body body = test::boxBody(cut, law.name);
+        test::holdBody(body, hold);
+        const NodeVectors x = body.mesh().X + random.nodeVectors(body.nodeCount(), 0.05 * test::cellSize);
+        const double safe = criticalStep(body, x, limit).safe;
+        for (int repeat = 0; repeat < 2; ++repeat) {
+          const NodeVectors turned = (random.rotation() * x).colwise() + random.vector(0.1);
+          for (const MetricInfo& metric : allMetrics()) {
+            const MetricResult before = evaluateMetric(metric.name, body, x),
+                               after = evaluateMetric(metric.name, body, turned);
+            for (std::size_t b = 0; b < before.elementLambda.size(); ++b)
+              for (std::size_t e = 0; e < before.elementLambda[b].size(); ++e)
+                EXPECT_NEAR(after.elementLambda[b][e], before.elementLambda[b][e], 1e-8 * before.lambda)
+                    << metric.name << ", " << cut.name << ", " << law.name << ", " << b << ":" << e;
+          }
+          EXPECT_NEAR(criticalStep(body, turned, limit).safe, safe, 1e-8 * safe) << cut.name << ", " << law.name;
+        }
+      }
+    }
+}
+
+TEST(Metrics, ScaleWithSizeStiffnessAndDensity) {
+  // omega ~ (1/L) √(E/rho)
+  test::Random random(9);
+  const double size = 3.7, stiffness = 11, weight = 0.2;
+  for (const Cut& cut : test::allCuts())
+    for (const LawInfo& law : allLaws()) {
+      const Mesh mesh = test::box(cut, {2, 2, 2});
+      Mesh larger = mesh;
+      larger.X *= size;
+      const auto make = [&](const Mesh& m, double young, double density) {
+        return Body(m, makeMaterial(law.name, young, 0.4, density), test::onThreads(1));
+      };
+      const Body plain = make(mesh, test::young, test::density);
+      const Body changed = make(larger, stiffness * test::young, weight * test::density);
+      const NodeVectors x = mesh.X + random.nodeVectors(mesh.X.cols(), 0.1 * test::cellSize);
+      const double factor = stiffness / (weight * size * size);
+      for (const MetricInfo& metric : allMetrics()) {
+        const double before = evaluateMetric(metric.name, plain, x).lambda,
+                     after = evaluateMetric(metric.name, changed, size * x).lambda;
+        EXPECT_NEAR(after, factor * before, 1e-8 * after) << metric.name << ", " << cut.name << ", " << law.name;
+      }
+      const CriticalStep before = criticalStep(plain, x, limit), after = criticalStep(changed, size * x, limit);
+      EXPECT_NEAR(after.safe, before.safe / std::sqrt(factor), 1e-8 * after.safe) << cut.name << ", " << law.name;
+      EXPECT_NEAR(after.optimistic, before.optimistic / std::sqrt(factor), 1e-6 * after.optimistic)
+          << cut.name << ", " << law.name;
+      // The limit of the integrator enters as a factor.
+      EXPECT_NEAR(criticalStep(plain, x, 2 * limit).safe, 2 * before.safe, 1e-14 * before.safe);
+    }
+}
+
+TEST(StepFor, IsInfiniteWithoutFrequencyAndNanForNan) {
+  EXPECT_EQ(stepFor(4, 2), 1);
+  EXPECT_EQ(stepFor(0, 2), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(stepFor(-1, 2), std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::isnan(stepFor(std::numeric_limits<double>::quiet_NaN(), 2)));
+  EXPECT_EQ(safeStep(UpperBound{4}, 2), 1);
+  EXPECT_EQ(optimisticStep(LowerBound{4}, 2), 1);
+}
+
+}  // namespace
+}  // namespace ringwatch

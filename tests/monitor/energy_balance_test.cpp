@@ -1,0 +1,134 @@
+// The books of a run: what is put in is what is there, to the order of the scheme.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/integrators/body_system.h>
+#include <ringwatch/integrators/stormer_verlet.h>
+#include <ringwatch/monitor/energy_balance.h>
+#include <ringwatch/monitor/stability_monitor.h>
+#include <tests/monitor/monitor_cases.h>
+
+namespace ringwatch {
+namespace {
+
+struct Books {
+  double worst = 0;  // |balance error|
+  double most = 0;   // largest kinetic + strain
+  Energies last;
+};
+
+class EnergyBalanceTest : public ::testing::TestWithParam<std::string> {
+ protected:
+  static Body makeBody(const test::Cut& cut) { return test::boxBody(cut, GetParam(), {3, 2, 2}, 0.1); }
+  /// Runs Verlet from `state` for `duration` with steps of at most h, with books kept at every step.
+  static Books run(const Body& body, State state, double duration, double h) {
+    BodySystem system(body);
+    StormerVerlet integrator;
+    EnergyBalance balance(body);
+    Books books;
+    NodeVectors a;
+    system.acceleration(0, state.x, state.v, a);
+    balance.record(state.x, system.lastInternalForce());
+    balance.energies(state.v);
+    const int steps = static_cast<int>(std::ceil(duration / h));
+    for (int i = 0; i < steps; ++i) {
+      integrator.step(system, state, duration / steps);
+      balance.record(state.x, system.lastInternalForce());
+      books.last = balance.energies(state.v);
+      books.worst = std::max(books.worst, std::abs(books.last.balanceError));
+      books.most = std::max(books.most, books.last.kinetic + books.last.strain);
+    }
+    return books;
+  }
+  static double safe(const Body& body) { return criticalStep(body, body.mesh().X, 2).safe; }
+  static State atRest(const Body& body) { return BodySystem(body).initialState(); }
+};
+std::vector<std::string> lawNames() {
+  std::vector<std::string> names;
+  for (const LawInfo& law : allLaws()) names.emplace_back(law.name);
+  return names;
+}
+INSTANTIATE_TEST_SUITE_P(Laws, EnergyBalanceTest, ::testing::ValuesIn(lawNames()),
+                         [](const auto& test) { return test::testName(test.param); });
+
+TEST_P(EnergyBalanceTest, OfABodyInFreeFlightErrsAtSecondOrder) {
+  for (const test::Cut& cut : test::allCuts()) {
+    const Body body = makeBody(cut);
+    State state = atRest(body);
+    // Swinging about its middle and flying.
+    const Eigen::Matrix3d gradient = Eigen::Vector3d(8, -5, -3).asDiagonal();
+    state.v = (gradient * state.x).colwise() + Eigen::Vector3d(0.01, 0.02, 0);
+    const double h = 0.2 * safe(body), duration = 60 * h;
+    const Books coarse = run(body, state, duration, h), fine = run(body, state, duration, h / 2);
+    EXPECT_LE(coarse.worst, 0.02 * coarse.most) << cut.name;
+    EXPECT_NEAR(coarse.worst / fine.worst, 4, 0.4) << cut.name;
+    EXPECT_EQ(coarse.last.externalWork, 0) << cut.name;
+  }
+}
+
+TEST_P(EnergyBalanceTest, CountsTheWorkOfAPulledEnd) {
+  for (const test::Cut& cut : test::allCuts()) {
+    Body body = makeBody(cut);
+    for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
+      if (body.mesh().X(0, i) < 1e-9) body.constraints().fix(i);
+      if (body.mesh().X(0, i) > 3 * test::cellSize - 1e-9) {
+        body.constraints().fix(i);
+        body.constraints().move(i, 0, 0.3);
+      }
+    }
+    // The pull comes at full speed, so the balance starts with the kinetic energy of the pulled nodes and a shock.
+    const double h = 0.1 * safe(body), duration = 0.02;
+    const Books coarse = run(body, atRest(body), duration, h), fine = run(body, atRest(body), duration, h / 2);
+    EXPECT_GT(coarse.last.externalWork, 0.5 * coarse.last.strain) << cut.name;
+    EXPECT_GT(coarse.last.strain, 0) << cut.name;
+    EXPECT_LE(coarse.worst, 2e-3 * coarse.most) << cut.name;
+    EXPECT_LE(fine.worst, 0.35 * coarse.worst) << cut.name;
+    EXPECT_NEAR(fine.last.externalWork, coarse.last.externalWork, 1e-2 * coarse.last.externalWork) << cut.name;
+  }
+}
+
+TEST_P(EnergyBalanceTest, CountsTheWorkOfGravity) {
+  for (const test::Cut& cut : test::allCuts()) {
+    Body body = makeBody(cut);
+    test::holdBody(body, test::Hold::face);
+    body.addBodyForce({0, 0, -9.81});
+    const double h = 0.2 * safe(body), duration = 0.05;
+    const Books coarse = run(body, atRest(body), duration, h), fine = run(body, atRest(body), duration, h / 2);
+    EXPECT_GT(coarse.last.externalWork, 0) << cut.name;
+    EXPECT_LE(coarse.worst, 5e-3 * coarse.most) << cut.name;
+    EXPECT_LE(fine.worst, 0.35 * coarse.worst) << cut.name;
+  }
+}
+
+TEST_P(EnergyBalanceTest, OfAFallingBodyIsThatOfAStone) {
+  const test::Cut cut = test::allCuts()[0];
+  Body body = makeBody(cut);
+  body.addBodyForce({0, 0, -9.81});
+  const double h = 0.5 * safe(body), duration = 40 * h;
+  const Books books = run(body, atRest(body), duration, h);
+  const double expected = 0.5 * body.totalMass() * std::pow(9.81 * duration, 2);
+  EXPECT_NEAR(books.last.kinetic, expected, 1e-10 * expected);
+  EXPECT_NEAR(books.last.externalWork, expected, 1e-10 * expected);
+  EXPECT_LE(books.last.strain, 1e-10 * expected);
+  EXPECT_LE(books.worst, 1e-10 * expected);
+}
+
+TEST_P(EnergyBalanceTest, SeesWhatComesFromNowhere) {
+  const Body body = makeBody(test::allCuts()[0]);
+  EnergyBalance balance(body);
+  const NodeVectors& X = body.mesh().X;
+  const NodeVectors none = NodeVectors::Zero(3, body.nodeCount());
+  balance.record(X, none);
+  EXPECT_EQ(balance.energies(none).balanceError, 0);
+  const NodeVectors v = NodeVectors::Constant(3, body.nodeCount(), 0.1);
+  balance.record(X, none);
+  const Energies found = balance.energies(v);
+  const double expected = 0.5 * body.totalMass() * 0.03;
+  EXPECT_NEAR(found.kinetic, expected, 1e-13 * expected);
+  EXPECT_NEAR(found.balanceError, expected, 1e-10 * expected);
+}
+
+}  // namespace
+}  // namespace ringwatch

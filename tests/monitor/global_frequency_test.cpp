@@ -1,0 +1,110 @@
+// The global frequency against dense eigenvalues.
+#include <gtest/gtest.h>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/global_frequency.h>
+#include <tests/monitor/monitor_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::Cut;
+using test::DenseTangent;
+using test::Hold;
+
+TEST(GlobalFrequency, IsTheLargestDenseEigenvalue) {
+  for (const Cut& cut : test::allCuts())
+    for (const LawInfo& law : allLaws())
+      for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
+        Body body = test::boxBody(cut, law.name);
+        test::holdBody(body, hold);
+        for (const test::NamedState& state : test::deformedStates(body.mesh().X, 4)) {
+          const DenseTangent dense(body, state.x);
+          if (!dense.finite()) continue;
+          const double lambda = dense.largest();
+          const GlobalFrequency found = globalFrequency(body, state.x);
+          const std::string what = joinText(cut.name, ", ", law.name, ", ", test::holdName(hold), ", ", state.name);
+          ASSERT_TRUE(found.converged) << what;
+          EXPECT_NEAR(found.lambda, lambda, 1e-9 * lambda) << what;
+          EXPECT_GT(found.products, 0) << what;
+          // M u lambda = K u over the free components, u mass-normalised and zero where held.
+          NodeVectors product, mode = found.mode;
+          body.constraints().clearConstrained(mode);
+          EXPECT_EQ(mode, found.mode) << what;
+          Body::Workspace workspace;
+          body.tangentProduct(state.x, found.mode, product, workspace);
+          body.constraints().clearConstrained(product);
+          const Eigen::VectorXd root = body.lumpedMass().cwiseSqrt();
+          const NodeVectors scaled = found.mode * root.asDiagonal();
+          EXPECT_NEAR(scaled.norm(), 1, 1e-10) << what;
+          EXPECT_LE((product * root.cwiseInverse().asDiagonal() - lambda * scaled).norm(), 1e-6 * lambda) << what;
+        }
+      }
+}
+
+TEST(GlobalFrequency, OfABodyWithNothingFreeIsZero) {
+  Body body = test::boxBody(test::allCuts()[0], "stvk");
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.constraints().fix(i);
+  const GlobalFrequency found = globalFrequency(body, body.mesh().X);
+  EXPECT_TRUE(found.converged);
+  EXPECT_EQ(found.lambda, 0);
+  EXPECT_EQ(found.products, 0);
+}
+
+TEST(GlobalFrequency, OfOneFreeNodeOrComponent) {
+  for (const Cut& cut : test::allCuts())
+    for (const int components : {1, 2, 3}) {
+      Body body = test::boxBody(cut, "stvk");
+      for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+        for (int c = 0; c < 3; ++c)
+          if (i != 13 || c >= components) body.constraints().fix(i, c);
+      const double lambda = DenseTangent(body, body.mesh().X).largest();
+      const GlobalFrequency found = globalFrequency(body, body.mesh().X);
+      ASSERT_TRUE(found.converged) << cut.name << ", " << components;
+      EXPECT_NEAR(found.lambda, lambda, 1e-9 * lambda) << cut.name << ", " << components;
+    }
+}
+
+TEST(GlobalFrequency, OfASingleElement) {
+  for (const ElementInfo& info : allElements()) {
+    Mesh mesh;
+    MeshBlock block{info.type, {}, {0}};
+    mesh.X.resize(3, info.nodes);
+    for (std::int32_t a = 0; a < info.nodes; ++a) {
+      mesh.X.col(a) = Eigen::Vector3d::Map(info.referenceNodes[static_cast<std::size_t>(a)].data());
+      mesh.nodeIds.push_back(a);
+      block.connectivity.push_back(a);
+    }
+    mesh.blocks.push_back(block);
+    const Body body(mesh, makeMaterial("linear", 1, 0.3, 1), test::onThreads(1));
+    const double lambda = DenseTangent(body, mesh.X).largest();
+    const GlobalFrequency found = globalFrequency(body, mesh.X);
+    ASSERT_TRUE(found.converged) << info.name;
+    EXPECT_NEAR(found.lambda, lambda, 1e-9 * lambda) << info.name;
+  }
+}
+
+TEST(GlobalFrequency, ThatDidNotConvergeHasNoValue) {
+  const Body body = test::boxBody(test::allCuts()[0], "linear", {10, 5, 5}, 0);
+  const GlobalFrequency found = globalFrequency(body, body.mesh().X, 1e-15, 1);
+  EXPECT_FALSE(found.converged);
+  EXPECT_EQ(found.lambda, 0);
+  EXPECT_EQ(found.mode.size(), 0);
+  EXPECT_GT(found.products, 0);
+}
+
+TEST(GlobalFrequency, OfAStateWithoutTangentHasNoValue) {
+  const Body body = test::boxBody(test::allCuts()[0], "neo-hookean");
+  const GlobalFrequency found = globalFrequency(body, Eigen::Vector3d(-0.5, 1, 1).asDiagonal() * body.mesh().X);
+  EXPECT_FALSE(found.converged);
+}
+
+TEST(GlobalFrequency, IsTheSameEveryTime) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk", {4, 3, 3});
+  const GlobalFrequency a = globalFrequency(body, body.mesh().X), b = globalFrequency(body, body.mesh().X);
+  EXPECT_EQ(a.lambda, b.lambda);
+  EXPECT_EQ(a.mode, b.mode);
+}
+
+}  // namespace
+}  // namespace ringwatch

@@ -1,0 +1,145 @@
+// The lazy bound along random paths: proven at every state, by dense eigenvalues and by its own two statements.
+#include <gtest/gtest.h>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/lazy_bound.h>
+#include <tests/monitor/monitor_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::Cut;
+using test::DenseTangent;
+using test::Hold;
+
+class LazyBoundTest : public ::testing::TestWithParam<Cut> {};
+INSTANTIATE_TEST_SUITE_P(Cuts, LazyBoundTest, ::testing::ValuesIn(test::allCuts()),
+                         [](const auto& test) { return test::testName(test.param.name); });
+
+/// A path of states: a slow stretch, a shake of single nodes, a jump, and back; `at` in [0, 1].
+NodeVectors pathState(const NodeVectors& X, double at, const NodeVectors& shake) {
+  const double stretch = at < 0.6 ? 1 + at : at < 0.8 ? 1.6 - 3 * (at - 0.6) : 1;
+  return Eigen::Vector3d(stretch, 1 - 0.2 * at, 1).asDiagonal() * X + std::sin(20 * at) * shake;
+}
+
+TEST_P(LazyBoundTest, HoldsAtEveryStateOfAPath) {
+  for (const LawInfo& law : allLaws())
+    for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
+      Body body = test::boxBody(GetParam(), law.name);
+      test::holdBody(body, hold);
+      const NodeVectors& X = body.mesh().X;
+      test::Random random(12);
+      const NodeVectors shake = random.nodeVectors(X.cols(), 0.08 * test::cellSize);
+      LazyBound bound(body);
+      constexpr int steps = 60;
+      std::int64_t evaluated = 0;
+      for (int step = 0; step <= steps; ++step) {
+        const NodeVectors x = pathState(X, static_cast<double>(step) / steps, shake);
+        const DenseTangent dense(body, x);
+        ASSERT_TRUE(dense.finite());
+        const double lambda = dense.largest();
+        const std::string what = joinText(law.name, ", ", test::holdName(hold), ", step ", step);
+        ASSERT_GE(bound.update(x).value, lambda * (1 - 1e-9)) << what;
+        EXPECT_LE(bound.verify(x), 1e-9) << what;
+        evaluated += bound.spent().evaluated;
+        // The same state again gives the same bound.
+        const double again = bound.sigma();
+        EXPECT_EQ(bound.update(x).value, again) << what;
+        if (bound.steer(x, LowerBound{lambda}, 0.05)) {
+          ASSERT_GE(bound.update(x).value, lambda * (1 - 1e-9)) << what;
+        }
+      }
+      EXPECT_GT(evaluated, 0);
+    }
+}
+
+TEST_P(LazyBoundTest, LooksAtFewElementsWhileLittleChanges) {
+  Body body = test::boxBody(GetParam(), "stvk", {4, 3, 3});
+  const NodeVectors& X = body.mesh().X;
+  test::Random random(15);
+  const NodeVectors shake = random.nodeVectors(X.cols(), 1e-4 * test::cellSize);
+  LazyBound bound(body);
+  bound.update(X);
+  std::int64_t evaluated = 0;
+  constexpr int steps = 100;
+  for (int step = 0; step < steps; ++step) {
+    bound.update(X + std::sin(0.1 * step) * shake);
+    evaluated += bound.spent().evaluated;
+  }
+  EXPECT_LE(static_cast<double>(evaluated), 0.05 * steps * static_cast<double>(body.mesh().elementCount()));
+}
+
+TEST_P(LazyBoundTest, CertifiesOnlyWhatIsTrue) {
+  for (const LawInfo& law : allLaws()) {
+    Body body = test::boxBody(GetParam(), law.name);
+    test::holdBody(body, Hold::face);
+    const NodeVectors& X = body.mesh().X;
+    test::Random random(13);
+    const NodeVectors shake = random.nodeVectors(X.cols(), 0.08 * test::cellSize);
+    const double rest = DenseTangent(body, X).largest();
+    for (const double share : {0.5, 0.99, 1.3, 2.0, 5.0}) {
+      LazyBound bound(body);
+      int certified = 0;
+      for (int step = 0; step <= 40; ++step) {
+        const NodeVectors x = pathState(X, step / 40.0, shake);
+        const double lambda = DenseTangent(body, x).largest(), sigma = share * rest;
+        const bool yes = bound.certify(x, sigma);
+        if (yes) {
+          ASSERT_GE(sigma, lambda * (1 - 1e-9)) << law.name << ", " << share << ", step " << step;
+        }
+        certified += yes;
+      }
+      if (share < 1) {
+        EXPECT_LE(certified, 40) << law.name << ", " << share;  // not at rest
+      }
+      if (share == 5) {
+        EXPECT_GT(certified, 0) << law.name;
+      }
+    }
+  }
+}
+
+TEST_P(LazyBoundTest, SeesEveryInversion) {
+  for (const LawInfo& law : allLaws()) {
+    Body body = test::boxBody(GetParam(), law.name);
+    const NodeVectors& X = body.mesh().X;
+    test::Random random(14);
+    for (int repeat = 0; repeat < 10; ++repeat) {
+      LazyBound bound(body);
+      const std::int32_t node = random.index(body.nodeCount());
+      const Eigen::Vector3d across = random.vector(2.5 * test::cellSize);
+      NodeVectors x = X;
+      for (int step = 0; step <= 40; ++step) {
+        x.col(node) = X.col(node) + step / 40.0 * across;
+        bound.update(x);
+        const double least = body.leastDeterminant(x).value;
+        if (least > 0) {
+          EXPECT_GT(bound.spent().leastDeterminant, 0) << law.name;
+          continue;
+        }
+        EXPECT_NEAR(bound.spent().leastDeterminant, least, 1e-12) << law.name << ", step " << step;
+        break;
+      }
+    }
+  }
+}
+
+TEST_P(LazyBoundTest, IsNanWithoutATangentAndRecovers) {
+  Body body = test::boxBody(GetParam(), "neo-hookean");
+  const NodeVectors& X = body.mesh().X;
+  LazyBound bound(body);
+  bound.update(X);
+  const NodeVectors inverted = Eigen::Vector3d(-0.5, 1, 1).asDiagonal() * X;
+  EXPECT_TRUE(std::isnan(bound.update(inverted).value));
+  EXPECT_TRUE(std::isnan(bound.update(inverted).value));
+  EXPECT_FALSE(bound.certify(inverted, 1e30));
+  NodeVectors bad = X;
+  bad(1, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(bound.update(bad).value));
+  const double lambda = DenseTangent(body, X).largest(), value = bound.update(X).value;
+  EXPECT_GE(value, lambda * (1 - 1e-9));
+  EXPECT_LE(value, 2 * lambda);
+}
+
+}  // namespace
+}  // namespace ringwatch

@@ -1,0 +1,82 @@
+// The block nodal bound: true for any shapes, so also for those kept from another state.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/nodal_bound.h>
+#include <tests/monitor/monitor_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::Cut;
+using test::DenseTangent;
+using test::Hold;
+using Start = NodalBound::Start;
+
+TEST(NodalBound, HoldsWithShapesOfAnyOtherState) {
+  for (const Cut& cut : test::allCuts())
+    for (const Hold hold : {Hold::nothing, Hold::face, Hold::components})
+      for (const Start start : {Start::rootOfStiffness, Start::stiffness}) {
+        Body body = test::boxBody(cut, "stvk");
+        test::holdBody(body, hold);
+        NodalBound bound(body);
+        for (const std::uint64_t seed : {1u, 2u})
+          for (const test::NamedState& state : test::deformedStates(body.mesh().X, seed))
+            for (const int sweeps : {0, 1, 3}) {
+              const double lambda = DenseTangent(body, state.x).largest();
+              EXPECT_GE(bound.evaluate(state.x, sweeps, start).value, lambda * (1 - 1e-9))
+                  << cut.name << ", " << test::holdName(hold) << ", " << state.name << ", " << sweeps << " sweeps";
+            }
+      }
+}
+
+TEST(NodalBound, SweepsTightenIt) {
+  for (const Cut& cut : test::allCuts()) {
+    const Body body = test::boxBody(cut, "linear", {3, 3, 3});
+    const double lambda = DenseTangent(body, body.mesh().X).largest();
+    double before = std::numeric_limits<double>::infinity();
+    for (const int sweeps : {0, 1, 5, 20}) {
+      NodalBound bound(body);
+      const double value = bound.evaluate(body.mesh().X, sweeps).value;
+      EXPECT_LE(value, before) << cut.name << ", " << sweeps;
+      EXPECT_EQ(bound.evaluations(), static_cast<std::int64_t>(body.mesh().elementCount()) * (sweeps + 1)) << cut.name;
+      before = value;
+    }
+    EXPECT_LE(before, 1.35 * lambda) << cut.name;
+  }
+}
+
+TEST(NodalBound, IsTheLargestNodalValueOfASweep) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  NodalBound bound(body);
+  const double value = bound.evaluate(body.mesh().X, 0).value;
+  double most = 0;
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i) most = std::max(most, bound.nodal()[static_cast<std::size_t>(i)]);
+  EXPECT_EQ(value, most);
+}
+
+TEST(NodalBound, StartsAfreshAfterReset) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const NodeVectors& X = body.mesh().X;
+  const NodeVectors pulled = Eigen::Vector3d(1.5, 1, 1).asDiagonal() * X;
+  NodalBound bound(body), other(body);
+  const double first = bound.evaluate(X, 3).value;
+  other.evaluate(pulled, 3);
+  EXPECT_NE(other.evaluate(X, 3).value, first);
+  other.reset();
+  EXPECT_EQ(other.evaluate(X, 3).value, first);
+}
+
+TEST(NodalBound, RecoversFromAStateWithoutTangent) {
+  const Body body = test::boxBody(test::allCuts()[0], "neo-hookean");
+  const NodeVectors& X = body.mesh().X;
+  const NodeVectors inverted = Eigen::Vector3d(-0.5, 1, 1).asDiagonal() * X;
+  NodalBound bound(body), fresh(body);
+  bound.evaluate(X, 3);
+  EXPECT_TRUE(std::isnan(bound.evaluate(inverted, 3).value));
+  EXPECT_EQ(bound.evaluate(X, 3).value, fresh.evaluate(X, 3).value);
+}
+
+}  // namespace
+}  // namespace ringwatch

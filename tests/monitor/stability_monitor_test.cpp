@@ -1,0 +1,480 @@
+// The stability monitor: verdicts, events, options, and what it says along a nonlinear run.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <memory>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/integrators/body_system.h>
+#include <ringwatch/integrators/symplectic_euler.h>
+#include <ringwatch/monitor/energy_balance.h>
+#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/monitor/stability_monitor.h>
+#include <tests/monitor/monitor_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::Cut;
+
+NodeVectors noVelocity(const Body& body) { return NodeVectors::Zero(3, body.nodeCount()); }
+
+/// The only event of that kind so far.
+const MonitorEvent& onlyEvent(const StabilityMonitor& monitor, EventKind kind) {
+  const MonitorEvent* found = nullptr;
+  for (const MonitorEvent& event : monitor.events()) {
+    if (event.kind != kind) continue;
+    EXPECT_EQ(found, nullptr) << "reported twice: " << event.text;
+    found = &event;
+  }
+  if (!found) throw std::runtime_error(joinText("no event ", eventName(kind)));
+  return *found;
+}
+int countEvents(const StabilityMonitor& monitor, EventKind kind) {
+  int count = 0;
+  for (const MonitorEvent& event : monitor.events()) count += event.kind == kind;
+  return count;
+}
+void expectText(const MonitorEvent& event, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts)
+    EXPECT_NE(event.text.find(part), std::string::npos) << '"' << event.text << "\" lacks \"" << part << '"';
+  EXPECT_EQ(event.text.find('\n'), std::string::npos);
+}
+
+TEST(StabilityMonitor, JudgesAStepByTheBracket) {
+  for (const Cut& cut : test::allCuts()) {
+    const Body body = test::boxBody(cut, "stvk");
+    const NodeVectors& X = body.mesh().X;
+    StabilityMonitor first(body, {});
+    const CriticalStep step = *first.observe(0, 0, X, noVelocity(body), 1e-9).bracket;
+    const double exact = 2 / std::sqrt(globalFrequency(body, X).lambda);
+    EXPECT_LE(step.safe, exact) << cut.name;
+    EXPECT_GE(step.optimistic, exact * (1 - 1e-9)) << cut.name;
+    const struct {
+      double h;
+      Verdict verdict;
+    } cases[] = {{0.99 * step.safe, Verdict::certified},
+                 {step.safe, Verdict::certified},
+                 {0.5 * (step.safe + exact), Verdict::notCertified},
+                 {1.01 * step.optimistic, Verdict::violated}};
+    for (const auto& c : cases) {
+      StabilityMonitor monitor(body, {});
+      const MonitorReport& report = monitor.observe(7, 0.25, X, noVelocity(body), c.h);
+      EXPECT_EQ(report.step, 7);
+      EXPECT_EQ(report.time, 0.25);
+      EXPECT_EQ(report.h, c.h);
+      EXPECT_TRUE(report.fresh);
+      ASSERT_TRUE(report.bracket);
+      EXPECT_EQ(report.bracket->safe, step.safe);
+      EXPECT_LE(report.bracket->optimistic, step.optimistic);  // looked at closer when h comes near it
+      EXPECT_EQ(report.verdict, c.verdict) << cut.name << ", h = " << c.h;
+      EXPECT_EQ(countEvents(monitor, EventKind::violated), c.verdict == Verdict::violated);
+      EXPECT_EQ(report.newEvents.size(), monitor.events().size());
+    }
+  }
+}
+
+TEST(StabilityMonitor, ReportsAViolationOnceWhenItBegins) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const NodeVectors& X = body.mesh().X;
+  const CriticalStep step = criticalStep(body, X, 2);
+  StabilityMonitor monitor(body, {});
+  std::vector<std::int64_t> reported;
+  for (int i = 0; i < 12; ++i) {
+    const bool tooLarge = (i >= 3 && i < 6) || i >= 9;
+    const MonitorReport& report =
+        monitor.observe(i, 0.5 * i, X, noVelocity(body), (tooLarge ? 1.1 * step.optimistic : 0.5 * step.safe));
+    for (const MonitorEvent& event : report.newEvents) {
+      EXPECT_EQ(event.kind, EventKind::violated);
+      reported.push_back(event.step);
+    }
+  }
+  EXPECT_EQ(reported, (std::vector<std::int64_t>{3, 9}));
+  ASSERT_EQ(monitor.events().size(), 2u);
+  const MonitorEvent& event = monitor.events()[0];
+  EXPECT_EQ(event.time, 1.5);
+  EXPECT_NEAR(event.value, 1.1, 0.01);
+  ASSERT_TRUE(event.element);
+  expectText(event,
+             {"step 3", "1.5 s", "violated", "tet4", joinText(event.element->block, ":", event.element->element)});
+  for (const std::int32_t node : body.blocks()[0]->nodesOf(event.element->element))
+    expectText(event, {joinText(" ", node)});
+}
+
+TEST(StabilityMonitor, ReportsANonFiniteState) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity})
+    for (const bool inVelocity : {false, true}) {
+      StabilityMonitor monitor(body, {});
+      NodeVectors x = body.mesh().X, v = noVelocity(body);
+      monitor.observe(0, 0, x, v, 1e-9);
+      (inVelocity ? v : x)(1, 4) = bad;
+      for (int step = 1; step < 4; ++step) {
+        const MonitorReport& report = monitor.observe(step, 0.1 * step, x, v, 1e-9);
+        EXPECT_EQ(report.verdict, Verdict::violated);
+        EXPECT_FALSE(report.fresh);
+        EXPECT_EQ(report.newEvents.size(), step == 1 ? 1u : 0u);
+      }
+      const MonitorEvent& event = onlyEvent(monitor, EventKind::nonFinite);
+      EXPECT_EQ(event.step, 1);
+      EXPECT_EQ(event.time, 0.1);
+      expectText(event, {"step 1", "0.1 s", "not finite"});
+    }
+}
+
+TEST(StabilityMonitor, ReportsAnInvertedElement) {
+  for (const Cut& cut : test::allCuts())
+    for (const LawInfo& law : allLaws()) {
+      Body body = test::boxBody(cut, law.name);
+      const NodeVectors& X = body.mesh().X;
+      StabilityMonitor monitor(body, {});
+      NodeVectors x = X;
+      const std::int32_t corner = 0;
+      const Eigen::Vector3d across = (X.rowwise().mean() - X.col(corner)) * 1.7;
+      for (int step = 0; step <= 10; ++step) {
+        x.col(corner) = X.col(corner) + 0.1 * step * across;
+        const double least = body.leastDeterminant(x).value;
+        const MonitorReport& report = monitor.observe(step, step, x, noVelocity(body), 1e-9);
+        const int expected = !(least > 0);
+        EXPECT_EQ(countEvents(monitor, EventKind::inverted), expected)
+            << cut.name << ", " << law.name << ", det F = " << least;
+        // Where the law has no tangent any more, nothing is certified.
+        if (law.name == NeoHookean::name && expected) {
+          EXPECT_NE(report.verdict, Verdict::certified) << cut.name;
+        }
+      }
+      const MonitorEvent& event = onlyEvent(monitor, EventKind::inverted);
+      x.col(corner) = X.col(corner) + 0.1 * static_cast<double>(event.step) * across;
+      EXPECT_NEAR(event.value, body.leastDeterminant(x).value, 1e-12);
+      EXPECT_LE(event.value, 0);
+      ASSERT_TRUE(event.element);
+      EXPECT_EQ(*event.element, body.leastDeterminant(x).element);
+      expectText(event, {joinText("step ", event.step), "inverted", "det F",
+                         joinText(event.element->block, ":", event.element->element)});
+    }
+}
+
+TEST(StabilityMonitor, ReportsTheCollapseOfStVenantKirchhoff) {
+  // A column that can only be compressed along x: P11 = s (λ+2μ)(s²-1)/2 falls below s = 1/√3. With ν = 0.2 shear
+  // across the column, S22 + μ s² = λ (s²-1)/2 + μ s², holds out until s = 1/2.
+  const Cut hexes{"", "hex8", 1, "", 0};
+  Body body(test::box(hexes, {1, 1, 1}, 0), makeMaterial("stvk", test::young, 0.2, test::density), test::onThreads(1));
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
+    body.constraints().fix(i, 1);
+    body.constraints().fix(i, 2);
+    if (body.mesh().X(0, i) < 1e-9) body.constraints().fix(i, 0);
+  }
+  StabilityMonitor monitor(body, {});
+  const double collapse = 1 / std::sqrt(3.0);
+  std::int64_t step = 0;
+  for (const double s : {1.0, 0.8, collapse + 1e-6}) {
+    monitor.observe(step++, 0, Eigen::Vector3d(s, 1, 1).asDiagonal() * body.mesh().X, noVelocity(body), 1e-9);
+    EXPECT_EQ(countEvents(monitor, EventKind::indefinite), 0) << s;
+  }
+  const std::int64_t begin = step;
+  for (int i = 0; i < 30; ++i)
+    monitor.observe(step++, 0.5, Eigen::Vector3d(collapse - 1e-6, 1, 1).asDiagonal() * body.mesh().X, noVelocity(body),
+                    1e-9);
+  const MonitorEvent& event = onlyEvent(monitor, EventKind::indefinite);
+  EXPECT_GE(event.step, begin);
+  EXPECT_LE(event.step, begin + 10);  // rings under compression are looked at every tenth time
+  EXPECT_LT(event.value, 0);
+  ASSERT_TRUE(event.element);
+  EXPECT_EQ(*event.element, (ElementRef{0, 0}));
+  expectText(event, {joinText("step ", event.step), "0.5 s", "indefinite", "hex8 element 0:0"});
+}
+
+TEST(StabilityMonitor, ReportsAnIndefiniteTangentOnlyWhenItIs) {
+  // Compressed more and more, free sideways: rotating under compression has negative stiffness.
+  for (const Cut& cut : test::allCuts()) {
+    Body body = test::boxBody(cut, "stvk");
+    test::holdBody(body, test::Hold::face);
+    StabilityMonitor monitor(body, {});
+    bool told = false;
+    for (int i = 0; i <= 140; ++i) {
+      const NodeVectors x = Eigen::Vector3d(1.1 - 0.005 * i, 1, 1).asDiagonal() * body.mesh().X;
+      monitor.observe(i, 0, x, noVelocity(body), 1e-9);
+      const bool now = countEvents(monitor, EventKind::indefinite) > 0;
+      if (now && !told) {
+        EXPECT_LT(test::DenseTangent(body, x).eigenvalues()[0], 0) << cut.name << ", " << i;
+      }
+      told = now;
+    }
+    EXPECT_TRUE(told) << cut.name;
+  }
+}
+
+TEST(StabilityMonitor, ReportsAnEnergyImbalance) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  MonitorOptions options;
+  options.energyTolerance = 0.1;
+  StabilityMonitor monitor(body, options);
+  const auto observe = [&](std::int64_t step, double error) {
+    const Energies energies{1, 3, 0, error};
+    return monitor.observe(step, 0.1 * static_cast<double>(step), body.mesh().X, noVelocity(body), 1e-9, &energies)
+        .newEvents.size();
+  };
+  EXPECT_EQ(observe(0, 0.0), 0u);
+  EXPECT_EQ(observe(1, 0.39), 0u);
+  EXPECT_EQ(observe(2, -0.41), 1u);
+  EXPECT_EQ(observe(3, 0.5), 0u);  // goes on
+  EXPECT_EQ(observe(4, 0.1), 0u);  // ends
+  EXPECT_EQ(observe(5, 0.5), 1u);  // begins again
+  ASSERT_EQ(countEvents(monitor, EventKind::energyBalance), 2);
+  const MonitorEvent& event = monitor.events()[0];
+  EXPECT_EQ(event.step, 2);
+  EXPECT_NEAR(event.value, 0.1025, 1e-12);
+  expectText(event, {"step 2", "0.2 s", "energy", "10.25 %"});
+}
+
+TEST(StabilityMonitor, SeesTheEnergyOfARunBeyondItsStep) {
+  const Body body = test::boxBody(test::allCuts()[0], "linear");
+  const double h = 1.05 * criticalStep(body, body.mesh().X, 2).optimistic;
+  StabilityMonitor monitor(body, {});
+  BodySystem system(body);
+  SymplecticEuler integrator;
+  EnergyBalance balance(body);
+  State state{0, body.mesh().X, test::randomVelocities(body, 0.01, 2)};
+  for (int step = 0; step < 200; ++step) {
+    NodeVectors a;
+    system.acceleration(state.time, state.x, state.v, a);
+    balance.record(state.x, system.lastInternalForce());
+    const Energies energies = balance.energies(state.v);
+    monitor.observe(step, state.time, state.x, state.v, h, &energies);
+    integrator.step(system, state, h);
+  }
+  EXPECT_EQ(onlyEvent(monitor, EventKind::violated).step, 0);
+  EXPECT_GT(monitor.events().size(), 1u);
+  EXPECT_GE(countEvents(monitor, EventKind::energyBalance), 1);
+}
+
+TEST(StabilityMonitor, EvaluatesEveryNthStep) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  for (const int every : {1, 2, 5}) {
+    MonitorOptions options;
+    options.every = every;
+    options.metric = "reduced-1-ring";
+    StabilityMonitor monitor(body, options);
+    double safe = 0, metricStep = 0;
+    for (int step = 0; step < 11; ++step) {
+      const NodeVectors x = Eigen::Vector3d(1 + 0.02 * step, 1, 1).asDiagonal() * body.mesh().X;
+      const MonitorReport& report = monitor.observe(step, step, x, noVelocity(body), 1e-9);
+      EXPECT_EQ(report.fresh, step % every == 0) << step << ", every " << every;
+      ASSERT_TRUE(report.bracket);
+      ASSERT_TRUE(report.metricStep);
+      if (report.fresh) {
+        EXPECT_NE(*report.metricStep, metricStep);
+        safe = report.bracket->safe;
+        metricStep = *report.metricStep;
+      }
+      EXPECT_EQ(report.bracket->safe, safe);
+      EXPECT_EQ(*report.metricStep, metricStep);
+    }
+  }
+}
+
+TEST(StabilityMonitor, JudgesTheStepAgainstTheBracketItKeeps) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  MonitorOptions options;
+  options.every = 10;
+  StabilityMonitor monitor(body, options);
+  const NodeVectors& X = body.mesh().X;
+  const double safe = monitor.observe(0, 0, X, noVelocity(body), 1e-9).bracket->safe;
+  EXPECT_EQ(monitor.observe(1, 0, X, noVelocity(body), 0.9 * safe).verdict, Verdict::certified);
+  EXPECT_EQ(monitor.observe(2, 0, X, noVelocity(body), 2 * safe).verdict, Verdict::violated);
+  EXPECT_EQ(onlyEvent(monitor, EventKind::violated).step, 2);
+}
+
+TEST(StabilityMonitor, AppliesTheMarginOfAnyMetric) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const NodeVectors x = Eigen::Vector3d(1.2, 1, 1).asDiagonal() * body.mesh().X;
+  for (const bool bracket : {true, false})
+    for (const MetricInfo& metric : allMetrics())
+      for (const double margin : {0.0, 0.1, 0.5}) {
+        MonitorOptions options;
+        options.bracket = bracket;
+        options.metric = std::string(metric.name);
+        options.margin = margin;
+        StabilityMonitor monitor(body, options);
+        EXPECT_EQ(monitor.options().metric, metric.name);
+        const MonitorReport& report = monitor.observe(0, 0, x, noVelocity(body), 1e-12);
+        const double expected = (1 - margin) * stepFor(evaluateMetric(metric.name, body, x).lambda, options.limit);
+        ASSERT_TRUE(report.metricStep) << metric.name;
+        EXPECT_NEAR(*report.metricStep, expected, 1e-10 * expected) << metric.name;
+        EXPECT_EQ(report.bracket.has_value(), bracket);
+        // A metric alone certifies nothing, however small the step.
+        EXPECT_EQ(report.verdict, bracket ? Verdict::certified : Verdict::notCertified) << metric.name;
+      }
+}
+
+TEST(StabilityMonitor, ComputesOnlyWhatIsAskedFor) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  MonitorOptions options;
+  options.metric = "";
+  StabilityMonitor monitor(body, options);
+  const MonitorReport& report = monitor.observe(0, 0, body.mesh().X, noVelocity(body), 1e-12);
+  EXPECT_FALSE(report.metricStep);
+  EXPECT_TRUE(report.bracket);
+}
+
+TEST(StabilityMonitor, UsesTheIntegratorsLimit) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  MonitorOptions two, three;
+  three.limit = 3;
+  StabilityMonitor a(body, two), b(body, three);
+  const double ofTwo = a.observe(0, 0, body.mesh().X, noVelocity(body), 1e-9).bracket->safe;
+  EXPECT_NEAR(b.observe(0, 0, body.mesh().X, noVelocity(body), 1e-9).bracket->safe, 1.5 * ofTwo, 1e-13 * ofTwo);
+}
+
+TEST(StabilityMonitor, RefusesBadOptions) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  using Change = std::function<void(MonitorOptions&)>;
+  const struct {
+    std::string key, value, range;
+    Change change;
+  } cases[] = {
+      {"margin", "-0.1", ">= 0 and < 1", [](MonitorOptions& o) { o.margin = -0.1; }},
+      {"margin", "1", ">= 0 and < 1", [](MonitorOptions& o) { o.margin = 1; }},
+      {"margin", "nan", ">= 0 and < 1", [nan](MonitorOptions& o) { o.margin = nan; }},
+      {"every", "0", ">= 1", [](MonitorOptions& o) { o.every = 0; }},
+      {"every", "-3", ">= 1", [](MonitorOptions& o) { o.every = -3; }},
+      {"width", "0", "> 0 and < 1", [](MonitorOptions& o) { o.width = 0; }},
+      {"width", "1", "> 0 and < 1", [](MonitorOptions& o) { o.width = 1; }},
+      {"width", "nan", "> 0 and < 1", [nan](MonitorOptions& o) { o.width = nan; }},
+      {"limit", "0", "", [](MonitorOptions& o) { o.limit = 0; }},
+      {"limit", "-2", "", [](MonitorOptions& o) { o.limit = -2; }},
+      {"limit", "nan", "", [nan](MonitorOptions& o) { o.limit = nan; }},
+      {"energyTolerance", "nan", "> 0", [nan](MonitorOptions& o) { o.energyTolerance = nan; }},
+      {"energyTolerance", "-1", "> 0", [](MonitorOptions& o) { o.energyTolerance = -1; }},
+      {"metric", "reduced-ring", "reduced-1-ring", [](MonitorOptions& o) { o.metric = "reduced-ring"; }},
+  };
+  for (const auto& c : cases) {
+    MonitorOptions options;
+    c.change(options);
+    try {
+      StabilityMonitor monitor(body, options);
+      ADD_FAILURE() << c.key << " = " << c.value << " was accepted";
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      for (const std::string& part : {c.key, c.value, c.range}) EXPECT_NE(text.find(part), std::string::npos) << text;
+      EXPECT_EQ(text.find('\n'), std::string::npos);
+    }
+  }
+}
+
+TEST(StabilityMonitor, NamesItsVerdictsAndEvents) {
+  EXPECT_EQ(verdictName(Verdict::certified), "certified");
+  EXPECT_EQ(verdictName(Verdict::notCertified), "not-certified");
+  EXPECT_EQ(verdictName(Verdict::violated), "violated");
+  for (const EventKind kind : {EventKind::violated, EventKind::energyBalance, EventKind::inverted, EventKind::nonFinite,
+                               EventKind::indefinite})
+    EXPECT_FALSE(eventName(kind).empty());
+}
+
+class MonitoredRun : public ::testing::TestWithParam<Cut> {
+ protected:
+  static constexpr double length = 6 * test::cellSize, speed = 0.1;
+  static Body pulledBar() {
+    Body body = test::boxBody(GetParam(), "stvk", {6, 2, 2}, 0.15);
+    for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
+      if (body.mesh().X(0, i) < 1e-9) body.constraints().fix(i);
+      if (body.mesh().X(0, i) > length - 1e-9) {
+        body.constraints().fix(i);
+        body.constraints().move(i, 0, speed);
+      }
+    }
+    return body;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Cuts, MonitoredRun, ::testing::ValuesIn(test::allCuts()),
+                         [](const auto& test) { return test::testName(test.param.name); });
+
+TEST_P(MonitoredRun, SaysViolatedOnTimeAndNeverTooEarly) {
+  // A bar pulled to twice its length stiffens: the critical step falls by half. The run itself takes small steps, so
+  // that it stays sound; each monitor is asked about a fixed step, and the critical step passes one after the other.
+  const Body body = pulledBar();
+  BodySystem system(body);
+  SymplecticEuler integrator;
+  State state = system.initialState();
+  const double rest = 2 / std::sqrt(globalFrequency(body, state.x).lambda);
+  const double h = 0.3 * rest;
+  const int steps = static_cast<int>(length / speed / h);
+  struct Question {
+    double h;
+    std::unique_ptr<StabilityMonitor> monitor;
+    std::int64_t violatedAt = -1, certified = 0;
+  };
+  // On hexahedra the optimistic side may lie higher until the mode of the whole body is looked at again.
+  const double late = GetParam().element == "hex8" ? 1.02 : 1.005;
+  std::vector<Question> questions;
+  for (const double share : {0.3, 0.5, 0.6, 0.7, 0.8, 0.9, 0.97, 1.01})
+    questions.push_back({share * rest, std::make_unique<StabilityMonitor>(body, MonitorOptions{})});
+  double exact = 0;
+  for (int step = 0; step <= steps; ++step) {
+    const GlobalFrequency global = globalFrequency(body, state.x);
+    ASSERT_TRUE(global.converged);
+    exact = 2 / std::sqrt(global.lambda);
+    for (Question& question : questions) {
+      const MonitorReport& report = question.monitor->observe(step, state.time, state.x, state.v, question.h);
+      const std::string what = joinText("step ", step, ", h = ", question.h, ", critical ", exact);
+      ASSERT_LE(report.bracket->safe, exact * (1 + 1e-9)) << what;
+      ASSERT_GE(report.bracket->optimistic, exact * (1 - 1e-9)) << what;
+      if (question.h <= exact * (1 - 1e-9)) {
+        EXPECT_NE(report.verdict, Verdict::violated) << what;
+      }
+      if (question.h > late * exact) {
+        EXPECT_EQ(report.verdict, Verdict::violated) << what;
+      }
+      if (question.h > exact * (1 + 1e-9)) {
+        EXPECT_NE(report.verdict, Verdict::certified) << what;
+      }
+      if (report.verdict == Verdict::violated && question.violatedAt < 0) question.violatedAt = step;
+      question.certified += report.verdict == Verdict::certified;
+    }
+    integrator.step(system, state, h);
+  }
+  EXPECT_LT(exact, 0.8 * rest);
+  EXPECT_EQ(questions.front().violatedAt, -1);
+  EXPECT_EQ(questions.back().violatedAt, 0);
+  EXPECT_EQ(questions.front().certified, steps + 1);
+  int met = 0;
+  for (const Question& question : questions) met += question.violatedAt > 0;
+  EXPECT_GE(met, 2);
+}
+
+TEST_P(MonitoredRun, WithAStepThatBecomesTooLargeIsToldInTime) {
+  const Body body = pulledBar();
+  BodySystem system(body);
+  SymplecticEuler integrator;
+  State state = system.initialState();
+  const double h = 0.9 * 2 / std::sqrt(globalFrequency(body, state.x).lambda);
+  StabilityMonitor monitor(body, {});
+  EnergyBalance balance(body);
+  bool told = false;
+  for (int step = 0; step < 5000 && !told; ++step) {
+    const double exact = 2 / std::sqrt(globalFrequency(body, state.x).lambda);
+    NodeVectors a;
+    system.acceleration(state.time, state.x, state.v, a);
+    balance.record(state.x, system.lastInternalForce());
+    const Energies energies = balance.energies(state.v);
+    const MonitorReport& report = monitor.observe(step, state.time, state.x, state.v, h, &energies);
+    told = report.verdict == Verdict::violated;
+    if (told) {
+      EXPECT_GT(h, exact * (1 - 1e-9)) << "too early, step " << step;
+    }
+    if (!told) {
+      EXPECT_LE(h, 1.005 * exact) << "too late, step " << step;
+    }
+    if (report.verdict == Verdict::certified) {
+      EXPECT_LE(h, exact * (1 + 1e-9)) << "certified above the critical step, step " << step;
+    }
+    integrator.step(system, state, h);
+  }
+  EXPECT_TRUE(told);
+}
+
+}  // namespace
+}  // namespace ringwatch
