@@ -103,7 +103,7 @@ class ArkodeSolver {
     if (const int flag = ARKStepSetLinearSolver(memory_, solver_, nullptr); flag != ARK_SUCCESS) return flag;
     // The Newton iteration ends at a small part of the tolerance, so that it does not show in the order of the method.
     ARKStepSetNonlinConvCoef(memory_, 1e-2);
-    ARKStepSetMaxNumSteps(memory_, 1000000);
+    ARKStepSetMaxNumSteps(memory_, 100000);
     return ARKStepSetMaxNonlinIters(memory_, newton_.options().newtonIterations);
   }
   void release() {

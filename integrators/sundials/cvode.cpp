@@ -84,7 +84,7 @@ class CvodeSolver {
     N_VDestroy(tolerances);
     if (flag != CV_SUCCESS) return flag;
     CVodeSetMaxOrd(memory_, 2);
-    CVodeSetMaxNumSteps(memory_, 10000000);
+    CVodeSetMaxNumSteps(memory_, 100000);
     solver_ = newton_.makeLinearSolver(
         [](void* self, N_Vector y, N_Vector b) {
           auto* solver = static_cast<CvodeSolver*>(self);
