@@ -70,8 +70,8 @@ std::string integratorListing() {
   for (const IntegratorInfo& info : integratorInfos())
     text += fmt::format("  {:<17} {}; stable for h omega {}\n", info.name, info.help,
                         std::isinf(info.imaginaryLimit) ? "at every step"
-                        : info.imaginaryLimit > 0      ? fmt::format("< {:.6g}", info.imaginaryLimit)
-                                                       : "at no step");
+                        : info.imaginaryLimit > 0       ? fmt::format("< {:.6g}", info.imaginaryLimit)
+                                                        : "at no step");
   return text;
 }
 
@@ -307,7 +307,8 @@ struct VerifyCommand {
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("verify", "hold elements and integrators to analytic answers");
     command->add_option("STUDY", studies, "studies to run, or all (default: all)");
-    command->add_option("--json", json, "write the results to this file; - for standard output, and nothing else there");
+    command->add_option("--json", json,
+                        "write the results to this file; - for standard output, and nothing else there");
     command->add_option("--out", folder, "folder for pictures, made when missing");
     command->add_flag("--quick", quick, "coarser and shorter: seconds instead of minutes");
     command->footer("Exit status 1 when a check fails.\n\nStudies:\n" + listing(allStudies()));
@@ -323,7 +324,8 @@ struct VerifyCommand {
       if (folder.empty()) continue;
       std::error_code error;
       std::filesystem::create_directories(folder, error);
-      if (error) throw InputError(fmt::format("--out: cannot write {}: {}; choose another folder", folder, error.message()));
+      if (error)
+        throw InputError(fmt::format("--out: cannot write {}: {}; choose another folder", folder, error.message()));
       for (const std::string& note : drawFigures(report, folder)) fmt::print(stderr, "note: {}\n", note);
     }
     if (json == "-") {

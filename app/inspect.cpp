@@ -43,7 +43,8 @@ double limitOf(const std::string& integrator) {
   if (!info) {
     std::vector<std::string> known;
     for (const IntegratorInfo& other : integratorInfos()) known.emplace_back(other.name);
-    throw InputError(fmt::format("--integrator: unknown \"{}\"; did you mean \"{}\"? known are {}", integrator, nearestName(integrator, known), fmt::join(known, ", ")));
+    throw InputError(fmt::format("--integrator: unknown \"{}\"; did you mean \"{}\"? known are {}", integrator,
+                                 nearestName(integrator, known), fmt::join(known, ", ")));
   }
   if (!(info->imaginaryLimit > 0))
     throw InputError(

@@ -99,7 +99,8 @@ std::string Picture::script(const std::string& title) const {
       "set rmargin 4\n"
       "set format y '%.3g'\n";
   text += fmt::format("set xrange [0:{}]\n", endTime);
-  text += fmt::format("set multiplot layout {},1 title {} noenhanced font ',16'\n", hasEnergy ? 2 : 1, gnuplotQuoted(title));
+  text += fmt::format("set multiplot layout {},1 title {} noenhanced font ',16'\n", hasEnergy ? 2 : 1,
+                      gnuplotQuoted(title));
   // The mark is an arrow over the height of the panel and, in the legend, a line that has no points.
   std::string marks, legend;
   const auto mark = [&](int number, const std::optional<double>& time, const char* name) {

@@ -26,7 +26,9 @@ class RunSystem final : public DifferentiableSystem {
   State initialState() const { return system_.initialState(); }
 
   const Eigen::VectorXd& mass() const override { return system_.mass(); }
-  void stiffnessProduct(const NodeVectors& x, const NodeVectors& u, NodeVectors& Ku) override { system_.stiffnessProduct(x, u, Ku); }
+  void stiffnessProduct(const NodeVectors& x, const NodeVectors& u, NodeVectors& Ku) override {
+    system_.stiffnessProduct(x, u, Ku);
+  }
   Eigen::SparseMatrix<double> stiffness(const NodeVectors& x) override { return system_.stiffness(x); }
   bool isConstrained(std::int32_t node, int component) const override { return system_.isConstrained(node, component); }
 

@@ -436,16 +436,20 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, Sc
     fail(integrator.at("step").origin, "integrator.step",
          "\"auto\" follows the safe step; it needs monitor.bracket = true");
   if (scene.onViolation == OnViolation::reduceStep && !scene.monitored())
-    fail(monitor.at("on_violation").origin, "monitor.on_violation", "\"reduce-step\" needs monitor.bracket = true or a monitor.metric");
+    fail(monitor.at("on_violation").origin, "monitor.on_violation",
+         "\"reduce-step\" needs monitor.bracket = true or a monitor.metric");
   if (scene.monitored() && !(integratorCatalog().find(scene.method)->imaginaryLimit > 0))
     fail(integrator.at("method").origin, "integrator.method",
-         fmt::format("\"{}\" is unstable at every step without damping, so there is no critical step to monitor; choose another, "
-                     "or set monitor.bracket = false and monitor.metric = \"none\"", scene.method));
+         fmt::format("\"{}\" is unstable at every step without damping, so there is no critical step to monitor; "
+                     "choose another, "
+                     "or set monitor.bracket = false and monitor.metric = \"none\"",
+                     scene.method));
   if (std::isinf(integratorCatalog().find(scene.method)->imaginaryLimit)) {
     // No step is too large for it: there is nothing to watch but energies and the state itself.
     if (!scene.step)
       fail(integrator.at("step").origin, "integrator.step",
-           fmt::format("\"auto\" follows the critical step, and \"{}\" is stable at every step; give a number", scene.method));
+           fmt::format("\"auto\" follows the critical step, and \"{}\" is stable at every step; give a number",
+                       scene.method));
     scene.bracket = false;
     scene.metric.clear();
   }
@@ -554,7 +558,8 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
   scene.picture = output.get<bool>("picture");
   if (std::isinf(integratorCatalog().find(scene.method)->imaginaryLimit) &&
       std::find(scene.fields.begin(), scene.fields.end(), "critical_step") != scene.fields.end())
-    fail(output.at("fields").origin, "output.fields", fmt::format("\"critical_step\": \"{}\" is stable at every step and has none", scene.method));
+    fail(output.at("fields").origin, "output.fields",
+         fmt::format("\"critical_step\": \"{}\" is stable at every step and has none", scene.method));
   if (scene.metric.empty() && std::find(scene.fields.begin(), scene.fields.end(), "metric") != scene.fields.end())
     fail(output.at("fields").origin, "output.fields", "\"metric\" needs a metric; set monitor.metric");
   return scene;

@@ -14,8 +14,8 @@ namespace detail {
 template <class T, int Width>
 struct VectorType;
 #define RINGWATCH_VECTOR_TYPE(T, I, Width)                            \
-  template <>                                                        \
-  struct VectorType<T, Width> {                                      \
+  template <>                                                         \
+  struct VectorType<T, Width> {                                       \
     typedef T Values __attribute__((vector_size(sizeof(T) * Width))); \
     typedef I Mask __attribute__((vector_size(sizeof(I) * Width)));   \
   };
@@ -55,9 +55,18 @@ struct Pack {
   RINGWATCH_INLINE friend Pack operator*(Pack a, Pack b) { return Pack(a.v * b.v); }
   RINGWATCH_INLINE friend Pack operator/(Pack a, Pack b) { return Pack(a.v / b.v); }
   RINGWATCH_INLINE friend Pack operator-(Pack a) { return Pack(-a.v); }
-  RINGWATCH_INLINE Pack& operator+=(Pack b) { v += b.v; return *this; }
-  RINGWATCH_INLINE Pack& operator-=(Pack b) { v -= b.v; return *this; }
-  RINGWATCH_INLINE Pack& operator*=(Pack b) { v *= b.v; return *this; }
+  RINGWATCH_INLINE Pack& operator+=(Pack b) {
+    v += b.v;
+    return *this;
+  }
+  RINGWATCH_INLINE Pack& operator-=(Pack b) {
+    v -= b.v;
+    return *this;
+  }
+  RINGWATCH_INLINE Pack& operator*=(Pack b) {
+    v *= b.v;
+    return *this;
+  }
   RINGWATCH_INLINE friend Mask operator<(Pack a, Pack b) { return a.v < b.v; }
   RINGWATCH_INLINE friend Mask operator>(Pack a, Pack b) { return a.v > b.v; }
   RINGWATCH_INLINE friend Mask operator<=(Pack a, Pack b) { return a.v <= b.v; }
@@ -72,15 +81,13 @@ RINGWATCH_INLINE Pack<T, W> select(typename Pack<T, W>::Mask mask, Pack<T, W> ye
 
 /// True where at least one lane of the mask is set.
 template <class Mask>
-  requires(sizeof(Mask) > 8)
-RINGWATCH_INLINE bool anyOf(Mask mask) {
+requires(sizeof(Mask) > 8) RINGWATCH_INLINE bool anyOf(Mask mask) {
   bool any = false;
   for (unsigned i = 0; i < sizeof(Mask) / sizeof(mask[0]); ++i) any |= mask[i] != 0;
   return any;
 }
 template <class Mask>
-  requires(sizeof(Mask) > 8)
-RINGWATCH_INLINE bool allOf(Mask mask) {
+requires(sizeof(Mask) > 8) RINGWATCH_INLINE bool allOf(Mask mask) {
   bool all = true;
   for (unsigned i = 0; i < sizeof(Mask) / sizeof(mask[0]); ++i) all &= mask[i] != 0;
   return all;
@@ -90,7 +97,8 @@ namespace math {
 template <class T, int W>
 RINGWATCH_INLINE Pack<T, W> sqrt(Pack<T, W> a) {
 #if defined(__AVX512F__)
-  if constexpr (W == 8 && sizeof(T) == 8) return Pack<T, W>((typename Pack<T, W>::Values)_mm512_maskz_sqrt_pd(0xff, (__m512d)a.v));
+  if constexpr (W == 8 && sizeof(T) == 8)
+    return Pack<T, W>((typename Pack<T, W>::Values)_mm512_maskz_sqrt_pd(0xff, (__m512d)a.v));
 #endif
 #if defined(__AVX__)
   if constexpr (W == 4 && sizeof(T) == 8) return Pack<T, W>((typename Pack<T, W>::Values)_mm256_sqrt_pd((__m256d)a.v));

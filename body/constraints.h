@@ -6,8 +6,8 @@
 
 namespace ringwatch {
 
-/// Degrees of freedom that do not follow forces: fixed ones stay, moved ones run at a prescribed constant velocity. Both
-/// leave the stability problem.
+/// Degrees of freedom that do not follow forces: fixed ones stay, moved ones run at a prescribed constant velocity.
+/// Both leave the stability problem.
 class Constraints {
  public:
   explicit Constraints(std::size_t nodeCount)

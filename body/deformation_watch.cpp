@@ -25,8 +25,10 @@ DeformationWatch::DeformationWatch(const ElementBlock& block) {
       group.batchBegin = first;
       group.batchEnd = std::min(patch.batchEnd, first + groupBatches);
       group.nodeBegin = static_cast<std::int32_t>(groupNodes.size());
-      const auto from = layout.localNodes.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(first) * n * lanes);
-      const auto to = layout.localNodes.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(group.batchEnd) * n * lanes);
+      const auto from =
+          layout.localNodes.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(first) * n * lanes);
+      const auto to =
+          layout.localNodes.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(group.batchEnd) * n * lanes);
       std::vector<std::uint16_t> nodes(from, to);
       std::sort(nodes.begin(), nodes.end());
       nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());

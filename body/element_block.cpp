@@ -24,7 +24,8 @@ std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock
   std::unique_ptr<ElementBlock> result;
   [&]<std::size_t... i>(std::index_sequence<i...>) {
     ((material.law.index() == i ? void(result = detail::makeBatch<i>(mesh, block, material, *rule)) : void()), ...);
-  }(std::make_index_sequence<std::variant_size_v<Law>>{});
+  }
+  (std::make_index_sequence<std::variant_size_v<Law>>{});
   return result;
 }
 

@@ -13,8 +13,8 @@
 namespace ringwatch {
 
 /// A group of elements that lie close together, handled by one thread at a time. Element kernels add nodal values into
-/// the patch's own slots (one row of 4 numbers for each node of the patch); the body then sums the slots of each node in
-/// a fixed order. That needs no atomics and gives the same bits for any number of threads.
+/// the patch's own slots (one row of 4 numbers for each node of the patch); the body then sums the slots of each node
+/// in a fixed order. That needs no atomics and gives the same bits for any number of threads.
 struct Patch {
   std::int32_t batchBegin, batchEnd;  // batches of `lanes` elements
   std::int32_t nodeBegin, nodeEnd;    // into PatchLayout::nodes; also the patch's slots, counted within the block
@@ -35,13 +35,14 @@ PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block);
 
 struct DeformationWatch;
 
-/// How fast an element's highest eigenvalue can grow when its deformation gradients move away from an anchor. With l the
-/// largest eigenvalue of D⁻¹K_e at the anchor, b >= lambda_max(D⁻¹ Σ_q w_q B_qᵀB_q), and |F_q - F0_q| <= δ for all q:
+/// How fast an element's highest eigenvalue can grow when its deformation gradients move away from an anchor. With l
+/// the largest eigenvalue of D⁻¹K_e at the anchor, b >= lambda_max(D⁻¹ Σ_q w_q B_qᵀB_q), and |F_q - F0_q| <= δ for all
+/// q:
 ///   l(F) <= l + (2 √((l + b negative) kappa b) + b linear) δ + b (kappa + quadratic) δ².
 /// `known` is false for a law that gives no such bound; its elements are then evaluated at every look.
 struct TangentDrift {
   bool known = false;
-  double kappa = 0, linear = 0, quadratic = 0, negative = 0;  // Pa
+  double kappa = 0, linear = 0, quadratic = 0, negative = 0;     // Pa
   double determinant = std::numeric_limits<double>::infinity();  // least det F0
   double inversionDistance = 0;  // no F_q inverts while |F_q - F0_q| is smaller; 0 when one is inverted
 };
@@ -71,17 +72,19 @@ class ElementBlock {
   virtual void tangentProductPatch(const Patch& patch, const double* x, const double* v, double* slots) const = 0;
   /// Strain energy of the patch, J.
   virtual double energyPatch(const Patch& patch, const double* x) const = 0;
-  /// Exact tangents of the elements of a batch: K[(row * 3n + column) * lanes + lane], rows and columns 3·node + component,
-  /// N/m. Lanes without an element get zeros.
+  /// Exact tangents of the elements of a batch: K[(row * 3n + column) * lanes + lane], rows and columns 3·node +
+  /// component, N/m. Lanes without an element get zeros.
   virtual void tangentBatch(std::int32_t batch, const double* x, double* K) const = 0;
   /// The same for any elements of the block, one a lane (-1: none).
   virtual void tangentOf(const std::int32_t* elements, const double* x, double* K) const = 0;
   /// Σ_q w_q ∇N_a · ∇N_b of any elements, one a lane: L[(a * n + b) * lanes + lane], m; the matrix Σ w BᵀB is L ⊗ I₃.
   virtual void laplacianOf(const std::int32_t* elements, double* L) const = 0;
   /// Anchors the watch of elements at positions x: writes F0 and returns each lane's drift coefficients in drift[lane].
-  virtual void anchorOf(const std::int32_t* elements, const double* x, DeformationWatch& watch, TangentDrift* drift) const = 0;
+  virtual void anchorOf(const std::int32_t* elements, const double* x, DeformationWatch& watch,
+                        TangentDrift* drift) const = 0;
   /// Appends the elements of a patch that have left their balls to `left`.
-  virtual void lookAtPatch(std::int32_t patch, const double* x, DeformationWatch& watch, std::vector<std::int32_t>& left) const = 0;
+  virtual void lookAtPatch(std::int32_t patch, const double* x, DeformationWatch& watch,
+                           std::vector<std::int32_t>& left) const = 0;
   /// max_q Σ_a |∂N_a/∂X| of the elements of a batch, 1/m: norms[lane].
   virtual void gradientNormBatch(std::int32_t batch, double* norms) const = 0;
   /// Least determinant of F over the quadrature points of each element of a batch: determinants[lane].

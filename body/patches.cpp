@@ -31,7 +31,8 @@ std::vector<std::int32_t> mortonOrder(const Mesh& mesh, const MeshBlock& block) 
     for (int a = 0; a < n; ++a) centroid += mesh.X.col(block.element(e)[a]);
     const Eigen::Vector3d unit = (centroid / n - low) / extent;
     std::uint64_t key = 0;
-    for (int c = 0; c < 3; ++c) key |= spreadBits(static_cast<std::uint64_t>(std::clamp(unit[c], 0.0, 1.0) * 2097151.0)) << c;
+    for (int c = 0; c < 3; ++c)
+      key |= spreadBits(static_cast<std::uint64_t>(std::clamp(unit[c], 0.0, 1.0) * 2097151.0)) << c;
     keyed[e] = {key, static_cast<std::int32_t>(e)};
   }
   std::sort(keyed.begin(), keyed.end());
@@ -67,7 +68,8 @@ PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block) {
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         const bool present = lane < taken;
         const std::int32_t e = order[next + (present ? lane : 0)];
-        if (present) layout.batchOfElement[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(layout.elements.size());
+        if (present)
+          layout.batchOfElement[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(layout.elements.size());
         layout.elements.push_back(present ? e : -1);
         for (int a = 0; a < n; ++a) {
           const std::int32_t node = block.element(static_cast<std::size_t>(e))[a];
@@ -83,7 +85,8 @@ PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block) {
     }
     patch.batchEnd = layout.batchCount();
     patch.nodeEnd = static_cast<std::int32_t>(layout.nodes.size());
-    for (std::int32_t i = patch.nodeBegin; i < patch.nodeEnd; ++i) localOf[static_cast<std::size_t>(layout.nodes[static_cast<std::size_t>(i)])] = -1;
+    for (std::int32_t i = patch.nodeBegin; i < patch.nodeEnd; ++i)
+      localOf[static_cast<std::size_t>(layout.nodes[static_cast<std::size_t>(i)])] = -1;
     layout.patches.push_back(patch);
   }
   return layout;

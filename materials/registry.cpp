@@ -30,8 +30,10 @@ std::span<const LawInfo> allLaws() {
 
 Material makeMaterial(std::string_view model, double young, double poisson, double density) {
   // The negated comparisons refuse NaN too.
-  if (!(young > 0) || !std::isfinite(young)) throw InputError(joinText("young = ", young, " Pa: must be a finite number > 0"));
-  if (!(poisson > -1) || !(poisson < 0.5)) throw InputError(joinText("poisson = ", poisson, ": must be > -1 and < 0.5"));
+  if (!(young > 0) || !std::isfinite(young))
+    throw InputError(joinText("young = ", young, " Pa: must be a finite number > 0"));
+  if (!(poisson > -1) || !(poisson < 0.5))
+    throw InputError(joinText("poisson = ", poisson, ": must be > -1 and < 0.5"));
   if (!(density > 0) || !std::isfinite(density))
     throw InputError(joinText("density = ", density, " kg/m3: must be a finite number > 0"));
   std::optional<Law> law;

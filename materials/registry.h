@@ -12,7 +12,8 @@
 
 namespace ringwatch {
 
-/// Every constitutive law of the library, one line each. Blocks, `--help`, scene validation and generic tests iterate it.
+/// Every constitutive law of the library, one line each. Blocks, `--help`, scene validation and generic tests iterate
+/// it.
 using Laws = TypeList<StVenantKirchhoff, LinearElastic, Corotational, NeoHookean>;
 
 namespace detail {
@@ -40,8 +41,8 @@ struct LawInfo {
 };
 std::span<const LawInfo> allLaws();
 
-/// The material of the law `model` with Young's modulus (Pa, > 0), Poisson's ratio (-1 < ν < 0.5) and density (kg/m³, > 0).
-/// Throws InputError that names the quantity, the value and its range.
+/// The material of the law `model` with Young's modulus (Pa, > 0), Poisson's ratio (-1 < ν < 0.5) and density (kg/m³, >
+/// 0). Throws InputError that names the quantity, the value and its range.
 Material makeMaterial(std::string_view model, double young, double poisson, double density);
 
 }  // namespace ringwatch

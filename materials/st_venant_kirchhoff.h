@@ -10,7 +10,8 @@ namespace ringwatch {
 ///   W = μ E:E + λ/2 tr²E,   P = F S,   dP = dF S + F (λ tr(dE) I + 2μ dE),  dE = sym(Fᵀ dF).
 struct StVenantKirchhoff {
   static constexpr std::string_view name = "stvk";
-  static constexpr std::string_view help = "St. Venant-Kirchhoff: linear in the Green strain; softens and collapses under strong compression";
+  static constexpr std::string_view help =
+      "St. Venant-Kirchhoff: linear in the Green strain; softens and collapses under strong compression";
   static constexpr bool objective = true;
   Lame constants;
 

@@ -36,10 +36,10 @@ inline double stepFor(double lambda, double limit) {
 struct CriticalStep {
   double safe;
   double optimistic;
-  ElementRef controlling;           // the element whose reduced 1-ring has the highest frequency
-  std::string_view safeBy;          // how the sides were obtained
+  ElementRef controlling;   // the element whose reduced 1-ring has the highest frequency
+  std::string_view safeBy;  // how the sides were obtained
   std::string_view optimisticBy;
-  double lowestRing;                // least eigenvalue seen in any reduced 1-ring, rad²/s²; < 0 proves K indefinite
+  double lowestRing;  // least eigenvalue seen in any reduced 1-ring, rad²/s²; < 0 proves K indefinite
   ElementRef lowestRingElement;
 };
 /// The side of the bracket made from a bound: the types say which.

@@ -100,8 +100,8 @@ RINGWATCH_HOST_DEVICE inline P largestByLaguerre(const P* d, const P* e2, int an
   return lambda;
 }
 
-/// Extreme eigenvalues of A (n×n, row by row, destroyed), n >= 1, for an N known to the compiler or N = 0. `work` holds 4n
-/// numbers.
+/// Extreme eigenvalues of A (n×n, row by row, destroyed), n >= 1, for an N known to the compiler or N = 0. `work` holds
+/// 4n numbers.
 template <int N, class P>
 RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvaluesOf(P* A, int anyN, P* work, bool wantLeast) {
   const int n = N > 0 ? N : anyN;
@@ -132,9 +132,12 @@ RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvaluesOf(P* A, in
 template <class P>
 RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvalues(P* A, int n, P* work, bool wantLeast) {
   switch (n) {
-    case 3: return extremeEigenvaluesOf<3>(A, n, work, wantLeast);
-    case 12: return extremeEigenvaluesOf<12>(A, n, work, wantLeast);
-    default: return extremeEigenvaluesOf<0>(A, n, work, wantLeast);
+    case 3:
+      return extremeEigenvaluesOf<3>(A, n, work, wantLeast);
+    case 12:
+      return extremeEigenvaluesOf<12>(A, n, work, wantLeast);
+    default:
+      return extremeEigenvaluesOf<0>(A, n, work, wantLeast);
   }
 }
 

@@ -17,7 +17,9 @@ constexpr int lanes = PatchLayout::lanes;
 constexpr int coldSweeps = 12;  // of a retarget
 constexpr int firstGap = 40;    // updates between two retargets; doubles while they do not help
 
-double largest(const Eigen::Matrix3d& S) { return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly).eigenvalues()[2]; }
+double largest(const Eigen::Matrix3d& S) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly).eigenvalues()[2];
+}
 
 /// Largest t with base + t part ≼ sigma I; 0 when base alone is too large.
 double roomFor(const Eigen::Matrix3d& base, const Eigen::Matrix3d& part, double sigma) {
@@ -33,7 +35,8 @@ double roomFor(const Eigen::Matrix3d& base, const Eigen::Matrix3d& part, double 
 LazyBound::LazyBound(const Body& body, double slack) : body_(body), slack_(slack), shapes_(body) {
   for (const auto& block : body.blocks()) {
     const std::size_t places = block->layout().elements.size();
-    blocks_.push_back({DeformationWatch(*block), std::vector<double>(places), std::vector<double>(places), std::vector<double>(places)});
+    blocks_.push_back({DeformationWatch(*block), std::vector<double>(places), std::vector<double>(places),
+                       std::vector<double>(places)});
   }
 }
 
@@ -64,7 +67,8 @@ void LazyBound::setBall(std::int32_t b, std::int32_t element, double value, cons
   data.watch.radius[place] = static_cast<float>(std::min(radius * (1 - 1e-6), 1e30));
 }
 
-void LazyBound::evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withReach, std::vector<double>& values) {
+void LazyBound::evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withReach,
+                         std::vector<double>& values) {
   values.resize(elements.size());
   // Packs of elements of one block.
   struct Pack {
@@ -88,22 +92,26 @@ void LazyBound::evaluate(const NodeVectors& x, const std::vector<ElementRef>& el
     if (++pack.count == lanes) p = -1;
   }
   std::vector<TangentDrift> drifts(packs.size() * lanes);
-  parallelFor(0, static_cast<std::int64_t>(packs.size()), body_.threads(), [&](std::int64_t k) {
-    const Pack& pack = packs[static_cast<std::size_t>(k)];
-    double value[lanes], reach[lanes];
-    TangentDrift* drift = drifts.data() + k * lanes;
-    BlockData& data = blocks_[static_cast<std::size_t>(pack.block)];
-    const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(pack.block)];
-    shapes_.elementValues(pack.block, pack.element, x, value, withReach ? reach : nullptr);
-    block.anchorOf(pack.element, x.data(), data.watch, drift);
-    for (int lane = 0; lane < pack.count; ++lane) {
-      values[pack.at[lane]] = value[lane];
-      if (withReach) data.reach[placeOf({pack.block, pack.element[lane]})] = reach[lane];
-      setBall(pack.block, pack.element[lane], value[lane], drift[lane]);
-    }
-  }, 8);
+  parallelFor(
+      0, static_cast<std::int64_t>(packs.size()), body_.threads(),
+      [&](std::int64_t k) {
+        const Pack& pack = packs[static_cast<std::size_t>(k)];
+        double value[lanes], reach[lanes];
+        TangentDrift* drift = drifts.data() + k * lanes;
+        BlockData& data = blocks_[static_cast<std::size_t>(pack.block)];
+        const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(pack.block)];
+        shapes_.elementValues(pack.block, pack.element, x, value, withReach ? reach : nullptr);
+        block.anchorOf(pack.element, x.data(), data.watch, drift);
+        for (int lane = 0; lane < pack.count; ++lane) {
+          values[pack.at[lane]] = value[lane];
+          if (withReach) data.reach[placeOf({pack.block, pack.element[lane]})] = reach[lane];
+          setBall(pack.block, pack.element[lane], value[lane], drift[lane]);
+        }
+      },
+      8);
   for (std::size_t k = 0; k < packs.size(); ++k)
-    for (int lane = 0; lane < packs[k].count; ++lane) note({packs[k].block, packs[k].element[lane]}, drifts[k * lanes + static_cast<std::size_t>(lane)]);
+    for (int lane = 0; lane < packs[k].count; ++lane)
+      note({packs[k].block, packs[k].element[lane]}, drifts[k * lanes + static_cast<std::size_t>(lane)]);
   spent_.evaluated += static_cast<std::int64_t>(elements.size());
 }
 
@@ -138,12 +146,14 @@ void LazyBound::dealBudgets(const NodeVectors& x) {
             if (shapes_.nodal()[static_cast<std::size_t>(node)] > 0)
               room = std::min(room, sigma_ / shapes_.nodal()[static_cast<std::size_t>(node)]);
           data.reach[place] = reach[lane];
-          // The value of the last sweep, which the nodal sums were made of, gets the room; this one is the same to rounding.
+          // The value of the last sweep, which the nodal sums were made of, gets the room; this one is the same to
+          // rounding.
           const double swept = shapes_.value({static_cast<std::int32_t>(b), elements[lane]});
           data.budget[place] = swept > 0 ? swept * room * (1 - 1e-12) : 0;
           setBall(static_cast<std::int32_t>(b), elements[lane], value[lane], drift[lane]);
           // Nothing of a wholly constrained element is left in the problem.
-          if (body_.constraints().any() && value[lane] == 0 && reach[lane] <= 1e-200) data.watch.radius[place] = std::numeric_limits<float>::infinity();
+          if (body_.constraints().any() && value[lane] == 0 && reach[lane] <= 1e-200)
+            data.watch.radius[place] = std::numeric_limits<float>::infinity();
         }
       }
     });
@@ -183,7 +193,8 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
     if (values[i] > blocks_[static_cast<std::size_t>(gone[i].block)].budget[placeOf(gone[i])]) over.push_back(gone[i]);
   }
   // When very many are over, mending one by one costs more than starting afresh.
-  if (static_cast<double>(over.size()) > 0.05 * static_cast<double>(body_.mesh().elementCount())) return Outcome::flooded;
+  if (static_cast<double>(over.size()) > 0.05 * static_cast<double>(body_.mesh().elementCount()))
+    return Outcome::flooded;
   for (ElementRef e : over) {
     const BlockData& data = blocks_[static_cast<std::size_t>(e.block)];
     if (data.value[placeOf(e)] <= data.budget[placeOf(e)]) continue;  // a neighbour's repair served it
@@ -310,8 +321,9 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
         for (ElementRef e : ring) {
           BlockData& data = blocks_[static_cast<std::size_t>(e.block)];
           const std::int32_t batch = static_cast<std::int32_t>(placeOf(e)) / lanes;
-          auto group = std::upper_bound(data.watch.groups.begin(), data.watch.groups.end(), batch,
-                                        [](std::int32_t at, const DeformationWatch::Group& g) { return at < g.batchEnd; });
+          auto group =
+              std::upper_bound(data.watch.groups.begin(), data.watch.groups.end(), batch,
+                               [](std::int32_t at, const DeformationWatch::Group& g) { return at < g.batchEnd; });
           group->slack = -1;
         }
         return true;
@@ -326,7 +338,8 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(S);
         const Eigen::Vector3d power = solver.eigenvalues().cwiseMax(1e-3).array().pow(-0.25);
         const Eigen::Matrix3d R = solver.eigenvectors() * power.asDiagonal() * solver.eigenvectors().transpose();
-        for (const NodalBound::Incidence& incidence : shapes_.incidences(node)) shapes_.setShape(incidence, R * shapes_.shape(incidence) * R);
+        for (const NodalBound::Incidence& incidence : shapes_.incidences(node))
+          shapes_.setShape(incidence, R * shapes_.shape(incidence) * R);
       }
       for (ElementRef e : ring) shapes_.normaliseElement(e.block, e.element);
     }
@@ -351,7 +364,8 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
         data.budget[place] *= factor;
         const double after = data.budget[place] - data.value[place];
         float& radius = data.watch.radius[place];
-        if (radius > 0 && radius < 1e29F) radius = after > 0 && before > 0 ? static_cast<float>(radius * after / before * (1 - 1e-6)) : -1.0F;
+        if (radius > 0 && radius < 1e29F)
+          radius = after > 0 && before > 0 ? static_cast<float>(radius * after / before * (1 - 1e-6)) : -1.0F;
       }
       data.watch.lookAtAll();
     }

@@ -7,11 +7,13 @@
 
 namespace ringwatch {
 
-/// The block nodal bound kept along a run at little cost. Shapes D_e, a budget for each element and the bound sigma stay
-/// frozen while every element is inside a ball around the deformation gradient at which it was last evaluated:
-///   l_e <= budget_e for all e  and  Σ_(e∋i) budget_e D_(e,a(i)) ≼ sigma m_i I for all i   prove   lambda_max(M⁻¹K) <= sigma.
-/// The radius of a ball follows from the law's drift bound. An element that leaves is evaluated exactly; when it exceeds
-/// its budget, budgets around it are dealt anew, then shapes there, then sigma is raised, which is free for all others.
+/// The block nodal bound kept along a run at little cost. Shapes D_e, a budget for each element and the bound sigma
+/// stay frozen while every element is inside a ball around the deformation gradient at which it was last evaluated:
+///   l_e <= budget_e for all e  and  Σ_(e∋i) budget_e D_(e,a(i)) ≼ sigma m_i I for all i   prove   lambda_max(M⁻¹K) <=
+///   sigma.
+/// The radius of a ball follows from the law's drift bound. An element that leaves is evaluated exactly; when it
+/// exceeds its budget, budgets around it are dealt anew, then shapes there, then sigma is raised, which is free for all
+/// others.
 class LazyBound {
  public:
   /// slack: relative room of sigma above the tight bound at a retarget, which budgets share.
@@ -19,9 +21,9 @@ class LazyBound {
 
   /// sigma, proven at positions x (3×N, m). NaN when x or the tangent is not finite.
   UpperBound update(const NodeVectors& x);
-  /// Tells the bound what a lower bound is at x, so that it can follow downwards: sigma is lowered, or shapes start afresh,
-  /// when it lies more than `width` (relative, in the step) above. Proves nothing:
-  /// when it returns true, sigma has changed and holds only after the next update.
+  /// Tells the bound what a lower bound is at x, so that it can follow downwards: sigma is lowered, or shapes start
+  /// afresh, when it lies more than `width` (relative, in the step) above. Proves nothing: when it returns true, sigma
+  /// has changed and holds only after the next update.
   bool steer(const NodeVectors& x, LowerBound lower, double width);
 
   /// Threshold mode: proves lambda_max <= sigma for a sigma of the caller's at x, or returns false. Where there is much
@@ -34,13 +36,15 @@ class LazyBound {
   struct Spent {
     std::int64_t evaluated = 0;  // elements
     int repairs = 0, raises = 0, retargets = 0;
-    double leastDeterminant = std::numeric_limits<double>::infinity();  // det F of the elements evaluated; no other can be <= 0
+    double leastDeterminant =
+        std::numeric_limits<double>::infinity();  // det F of the elements evaluated; no other can be <= 0
     ElementRef leastDeterminantElement;
-    double compression = 0;  // largest -lambda_min(S) over kappa of the elements evaluated: without any, K has no negative part
+    double compression =
+        0;  // largest -lambda_min(S) over kappa of the elements evaluated: without any, K has no negative part
   };
   const Spent& spent() const { return spent_; }
-  /// Checks the two statements of the proof at x from nothing but the shapes and budgets; for tests. Returns the largest
-  /// excess, relative: <= 0 when both hold.
+  /// Checks the two statements of the proof at x from nothing but the shapes and budgets; for tests. Returns the
+  /// largest excess, relative: <= 0 when both hold.
   double verify(const NodeVectors& x) const;
 
  private:
@@ -54,10 +58,13 @@ class LazyBound {
   Outcome follow(const NodeVectors& x, bool mayRaise);
   void dealBudgets(const NodeVectors& x);
   void setBall(std::int32_t block, std::int32_t element, double value, const TangentDrift& drift);
-  void evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withReach, std::vector<double>& values);
+  void evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withReach,
+                std::vector<double>& values);
   bool repair(const NodeVectors& x, ElementRef element, bool mayRaise);
   std::size_t placeOf(ElementRef e) const {
-    return static_cast<std::size_t>(body_.blocks()[static_cast<std::size_t>(e.block)]->layout().batchOfElement[static_cast<std::size_t>(e.element)]);
+    return static_cast<std::size_t>(body_.blocks()[static_cast<std::size_t>(e.block)]
+                                        ->layout()
+                                        .batchOfElement[static_cast<std::size_t>(e.element)]);
   }
   Eigen::Matrix3d freeProjection(std::int32_t node, const Eigen::Matrix3d& S) const;
 

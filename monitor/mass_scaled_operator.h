@@ -3,8 +3,8 @@
 
 namespace ringwatch {
 
-/// v ↦ M^-½ K(x) M^-½ v over the free degrees of freedom, matrix-free; constrained components of v and of the result are
-/// zero. The shape of an operator as Spectra wants it.
+/// v ↦ M^-½ K(x) M^-½ v over the free degrees of freedom, matrix-free; constrained components of v and of the result
+/// are zero. The shape of an operator as Spectra wants it.
 class MassScaledOperator {
  public:
   using Scalar = double;

@@ -96,7 +96,8 @@ Values pressureWave(const Body& body, const NodeVectors& x) {
       for (const auto& face : element.faces) {
         // Area vector of a triangle, or of a quadrilateral by its diagonals.
         const bool triangle = face[3] < 0;
-        const Eigen::Vector3d p = at(face[2]) - at(face[0]), q = at(face[triangle ? 1 : 3]) - at(face[triangle ? 0 : 1]);
+        const Eigen::Vector3d p = at(face[2]) - at(face[0]),
+                              q = at(face[triangle ? 1 : 3]) - at(face[triangle ? 0 : 1]);
         area = std::max(area, 0.5 * p.cross(q).norm());
       }
       const double length = (element.faces.size() == 4 ? 3 : 1) * volume / area;
@@ -148,9 +149,12 @@ const std::array<Entry, 5> entries{{
 
 std::string_view directionName(Direction direction) {
   switch (direction) {
-    case Direction::upperBound: return "upper-bound";
-    case Direction::lowerBound: return "lower-bound";
-    case Direction::estimate: return "estimate";
+    case Direction::upperBound:
+      return "upper-bound";
+    case Direction::lowerBound:
+      return "lower-bound";
+    case Direction::estimate:
+      return "estimate";
   }
   return "";
 }

@@ -25,8 +25,8 @@ struct MetricResult {
 /// All metrics, one line each in metrics.cpp.
 std::span<const MetricInfo> allMetrics();
 const MetricInfo* findMetric(std::string_view name);
-/// Evaluates a metric at positions x (3×N, m). Constrained degrees of freedom are left out. Throws InputError for an unknown
-/// name.
+/// Evaluates a metric at positions x (3×N, m). Constrained degrees of freedom are left out. Throws InputError for an
+/// unknown name.
 MetricResult evaluateMetric(std::string_view name, const Body& body, const NodeVectors& x);
 
 }  // namespace ringwatch

@@ -110,7 +110,8 @@ NodalBound::NodalBound(const Body& body) : body_(&body) {
         const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(e)];
         const auto nodes = block.nodesOf(e);
         for (int a = 0; a < n; ++a)
-          visit(nodes[static_cast<std::size_t>(a)], Incidence{static_cast<std::int32_t>(b), (place / lanes * n + a) * lanes + place % lanes});
+          visit(nodes[static_cast<std::size_t>(a)],
+                Incidence{static_cast<std::int32_t>(b), (place / lanes * n + a) * lanes + place % lanes});
       }
     }
   };
@@ -118,7 +119,9 @@ NodalBound::NodalBound(const Body& body) : body_(&body) {
   for (std::size_t i = 1; i < count.size(); ++i) count[i] += count[i - 1];
   incidenceBegin_ = count;
   incidence_.resize(static_cast<std::size_t>(count.back()));
-  forEachIncidence([&](std::int32_t node, Incidence i) { incidence_[static_cast<std::size_t>(count[static_cast<std::size_t>(node)]++)] = i; });
+  forEachIncidence([&](std::int32_t node, Incidence i) {
+    incidence_[static_cast<std::size_t>(count[static_cast<std::size_t>(node)]++)] = i;
+  });
   for (const auto& block : body.blocks()) {
     const auto batches = static_cast<std::size_t>(block->layout().batchCount());
     shapes_.emplace_back(batches * static_cast<std::size_t>(block->element().nodes));
@@ -165,34 +168,40 @@ void NodalBound::evaluateElements(const NodeVectors& x) {
 
 double NodalBound::sumAtNodes() {
   const std::int32_t nodes = body_->nodeCount();
-  parallelFor(0, static_cast<std::int64_t>(sums_.size()), body_->threads(), [&](std::int64_t pack) {
-    Symmetric3<P> S;
-    for (P& entry : S.m) entry = P(0.0);
-    for (int lane = 0; lane < lanes; ++lane) {
-      const auto node = static_cast<std::int32_t>(pack) * lanes + lane;
-      if (node >= nodes) continue;
-      double sum[6] = {0, 0, 0, 0, 0, 0};
-      for (std::int64_t k = incidenceBegin_[static_cast<std::size_t>(node)]; k < incidenceBegin_[static_cast<std::size_t>(node) + 1]; ++k) {
-        const Incidence& at = incidence_[static_cast<std::size_t>(k)];
-        const auto block = static_cast<std::size_t>(at.block);
-        const int l = at.place % lanes;
-        const Symmetric3<P>& D = shapes_[block][static_cast<std::size_t>(at.place / lanes)];
-        const double value = values_[block][static_cast<std::size_t>(at.place / lanes / body_->blocks()[block]->element().nodes)][l];
-        for (int c = 0; c < 6; ++c) sum[c] += value * D.m[c][l];
-      }
-      const double inverseMass = 1 / body_->lumpedMass()[node];
-      // Constrained components leave the problem: their rows and columns count nothing.
-      const double free[3] = {freeFactor(*body_, node, 0), freeFactor(*body_, node, 1), freeFactor(*body_, node, 2)};
-      const double keep[6] = {free[0], free[1], free[2], free[1] * free[2], free[0] * free[2], free[0] * free[1]};
-      for (int c = 0; c < 6; ++c) S.m[c].set(lane, keep[c] == 0 ? 0.0 : inverseMass * sum[c]);
-    }
-    sums_[static_cast<std::size_t>(pack)] = S;
-    P A[9], work[12];
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j <= i; ++j) A[3 * i + j] = S(i, j);
-    const auto extremes = extremeEigenvalues(A, 3, work, false);
-    (extremes.largest + P(rounding) * extremes.scale).store(nodal_.data() + pack * lanes);
-  }, 64);
+  parallelFor(
+      0, static_cast<std::int64_t>(sums_.size()), body_->threads(),
+      [&](std::int64_t pack) {
+        Symmetric3<P> S;
+        for (P& entry : S.m) entry = P(0.0);
+        for (int lane = 0; lane < lanes; ++lane) {
+          const auto node = static_cast<std::int32_t>(pack) * lanes + lane;
+          if (node >= nodes) continue;
+          double sum[6] = {0, 0, 0, 0, 0, 0};
+          for (std::int64_t k = incidenceBegin_[static_cast<std::size_t>(node)];
+               k < incidenceBegin_[static_cast<std::size_t>(node) + 1]; ++k) {
+            const Incidence& at = incidence_[static_cast<std::size_t>(k)];
+            const auto block = static_cast<std::size_t>(at.block);
+            const int l = at.place % lanes;
+            const Symmetric3<P>& D = shapes_[block][static_cast<std::size_t>(at.place / lanes)];
+            const double value =
+                values_[block][static_cast<std::size_t>(at.place / lanes / body_->blocks()[block]->element().nodes)][l];
+            for (int c = 0; c < 6; ++c) sum[c] += value * D.m[c][l];
+          }
+          const double inverseMass = 1 / body_->lumpedMass()[node];
+          // Constrained components leave the problem: their rows and columns count nothing.
+          const double free[3] = {freeFactor(*body_, node, 0), freeFactor(*body_, node, 1),
+                                  freeFactor(*body_, node, 2)};
+          const double keep[6] = {free[0], free[1], free[2], free[1] * free[2], free[0] * free[2], free[0] * free[1]};
+          for (int c = 0; c < 6; ++c) S.m[c].set(lane, keep[c] == 0 ? 0.0 : inverseMass * sum[c]);
+        }
+        sums_[static_cast<std::size_t>(pack)] = S;
+        P A[9], work[12];
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j <= i; ++j) A[3 * i + j] = S(i, j);
+        const auto extremes = extremeEigenvalues(A, 3, work, false);
+        (extremes.largest + P(rounding) * extremes.scale).store(nodal_.data() + pack * lanes);
+      },
+      64);
   double bound = 0;
   for (std::int32_t i = 0; i < nodes; ++i) {
     if (std::isnan(nodal_[static_cast<std::size_t>(i)])) return std::numeric_limits<double>::quiet_NaN();
@@ -203,36 +212,42 @@ double NodalBound::sumAtNodes() {
 
 void NodalBound::sweepShapes(double bound) {
   const std::int32_t nodes = body_->nodeCount();
-  parallelFor(0, static_cast<std::int64_t>(sums_.size()), body_->threads(), [&](std::int64_t pack) {
-    Symmetric3<P> S = P(1 / bound) * sums_[static_cast<std::size_t>(pack)];
-    for (int lane = 0; lane < lanes; ++lane) {
-      const auto node = static_cast<std::int32_t>(pack) * lanes + lane;
-      if (node >= nodes)
-        for (int c = 0; c < 3; ++c) S.m[c].set(lane, 1.0);
-      else
-        for (int c = 0; c < 3; ++c)
-          if (freeFactor(*body_, node, c) == 0) S.m[c].set(lane, 1.0);
-    }
-    const P floor = P(1e-5) * S.trace() + P(1e-8);
-    for (int c = 0; c < 3; ++c) S.m[c] += floor;
-    factors_[static_cast<std::size_t>(pack)] = inverse(squareRoot(S));
-  }, 64);
+  parallelFor(
+      0, static_cast<std::int64_t>(sums_.size()), body_->threads(),
+      [&](std::int64_t pack) {
+        Symmetric3<P> S = P(1 / bound) * sums_[static_cast<std::size_t>(pack)];
+        for (int lane = 0; lane < lanes; ++lane) {
+          const auto node = static_cast<std::int32_t>(pack) * lanes + lane;
+          if (node >= nodes)
+            for (int c = 0; c < 3; ++c) S.m[c].set(lane, 1.0);
+          else
+            for (int c = 0; c < 3; ++c)
+              if (freeFactor(*body_, node, c) == 0) S.m[c].set(lane, 1.0);
+        }
+        const P floor = P(1e-5) * S.trace() + P(1e-8);
+        for (int c = 0; c < 3; ++c) S.m[c] += floor;
+        factors_[static_cast<std::size_t>(pack)] = inverse(squareRoot(S));
+      },
+      64);
   for (std::size_t b = 0; b < body_->blocks().size(); ++b) {
     const ElementBlock& block = *body_->blocks()[b];
     const int n = block.element().nodes;
-    parallelFor(0, block.layout().batchCount(), body_->threads(), [&](std::int64_t batch) {
-      Symmetric3<P>* shapes = shapes_[b].data() + batch * n;
-      for (int a = 0; a < n; ++a) {
-        Symmetric3<P> R;
-        forEachLane(block, static_cast<std::int32_t>(batch), [&](int lane, std::int32_t e) {
-          const std::int32_t node = block.nodesOf(e)[static_cast<std::size_t>(a)];
-          const Symmetric3<P>& from = factors_[static_cast<std::size_t>(node / lanes)];
-          for (int c = 0; c < 6; ++c) R.m[c].set(lane, from.m[c][node % lanes]);
-        });
-        shapes[a] = congruence(R, shapes[a]);
-      }
-      normalise(shapes, n);
-    }, 64);
+    parallelFor(
+        0, block.layout().batchCount(), body_->threads(),
+        [&](std::int64_t batch) {
+          Symmetric3<P>* shapes = shapes_[b].data() + batch * n;
+          for (int a = 0; a < n; ++a) {
+            Symmetric3<P> R;
+            forEachLane(block, static_cast<std::int32_t>(batch), [&](int lane, std::int32_t e) {
+              const std::int32_t node = block.nodesOf(e)[static_cast<std::size_t>(a)];
+              const Symmetric3<P>& from = factors_[static_cast<std::size_t>(node / lanes)];
+              for (int c = 0; c < 6; ++c) R.m[c].set(lane, from.m[c][node % lanes]);
+            });
+            shapes[a] = congruence(R, shapes[a]);
+          }
+          normalise(shapes, n);
+        },
+        64);
   }
 }
 
@@ -294,13 +309,16 @@ void NodalBound::normaliseElement(std::int32_t b, std::int32_t element) {
     for (P& entry : own[a].m) entry.set(lane, entry[lane] / sum);
 }
 
-void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, const NodeVectors& x, double* values, double* reach) const {
+void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, const NodeVectors& x, double* values,
+                               double* reach) const {
   const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(b)];
   const int n = block.element().nodes, size = 3 * n;
   Symmetric3<P> own[maxElementNodes];
   for (int lane = 0; lane < lanes; ++lane) {
-    const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(elements[lane] < 0 ? elements[0] : elements[lane])];
-    const Symmetric3<P>* from = shapes_[static_cast<std::size_t>(b)].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
+    const std::int32_t place =
+        block.layout().batchOfElement[static_cast<std::size_t>(elements[lane] < 0 ? elements[0] : elements[lane])];
+    const Symmetric3<P>* from =
+        shapes_[static_cast<std::size_t>(b)].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
     for (int a = 0; a < n; ++a)
       for (int c = 0; c < 6; ++c) own[a].m[c].set(lane, from[a].m[c][place % lanes]);
   }

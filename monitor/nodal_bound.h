@@ -8,11 +8,11 @@
 
 namespace ringwatch {
 
-/// The block nodal bound, a proven upper bound of the highest eigenvalue of M⁻¹K. For any symmetric positive definite 3×3
-/// shapes D_(e,a), one for each element and node, and l_e = max(0, lambda_max(D_e⁻¹ K_e)):
+/// The block nodal bound, a proven upper bound of the highest eigenvalue of M⁻¹K. For any symmetric positive definite
+/// 3×3 shapes D_(e,a), one for each element and node, and l_e = max(0, lambda_max(D_e⁻¹ K_e)):
 ///   K_e ≼ l_e D_e,  hence  lambda_max(M⁻¹K) <= max_i lambda_max(S_i),  S_i = (1/m_i) Σ_(e∋i) l_e D_(e,a(i)).
-/// True for every symmetric K_e, indefinite ones included. Good shapes make it tight: they start at (K_aa)^½ or K_aa and are swept,
-/// D_a ← R_i D_a R_i with R_i = (S_i/t)^-½, t the bound. Shapes are kept from call to call.
+/// True for every symmetric K_e, indefinite ones included. Good shapes make it tight: they start at (K_aa)^½ or K_aa
+/// and are swept, D_a ← R_i D_a R_i with R_i = (S_i/t)^-½, t the bound. Shapes are kept from call to call.
 class NodalBound {
  public:
   /// Shapes to start from. The root wins on irregular meshes, the stiffness itself on regular ones.
@@ -42,8 +42,10 @@ class NodalBound {
   void setShape(Incidence at, const Eigen::Matrix3d& D);
   /// Trace 1 again over an element after setShape.
   void normaliseElement(std::int32_t block, std::int32_t element);
-  /// l_e at positions x and, unless nullptr, b = lambda_max(D⁻¹ Σ w BᵀB) of any elements of a block, one a lane (-1: none).
-  void elementValues(std::int32_t block, const std::int32_t* elements, const NodeVectors& x, double* values, double* reach) const;
+  /// l_e at positions x and, unless nullptr, b = lambda_max(D⁻¹ Σ w BᵀB) of any elements of a block, one a lane (-1:
+  /// none).
+  void elementValues(std::int32_t block, const std::int32_t* elements, const NodeVectors& x, double* values,
+                     double* reach) const;
   /// l_e of the last sweep.
   double value(ElementRef e) const;
 

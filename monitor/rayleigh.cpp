@@ -60,9 +60,8 @@ void HotSpot::choose(const NodeVectors& mode) {
   for (std::int32_t i = 0; i < body_.nodeCount(); ++i)
     if (size[i] > 0) order.push_back(i);
   const auto count = std::min<std::ptrdiff_t>(most, static_cast<std::ptrdiff_t>(order.size()));
-  std::partial_sort(order.begin(), order.begin() + count, order.end(), [&](std::int32_t a, std::int32_t b) {
-    return size[a] != size[b] ? size[a] > size[b] : a < b;
-  });
+  std::partial_sort(order.begin(), order.begin() + count, order.end(),
+                    [&](std::int32_t a, std::int32_t b) { return size[a] != size[b] ? size[a] > size[b] : a < b; });
   nodes_.assign(order.begin(), order.begin() + count);
   std::sort(nodes_.begin(), nodes_.end());
   vector_.resize(3 * count);
@@ -91,7 +90,8 @@ LowerBound HotSpot::evaluate(const NodeVectors& x) {
     K.resize(static_cast<std::size_t>(size * size));
     for (std::size_t first = 0; first < elements_[b].size(); first += lanes) {
       std::int32_t elements[lanes];
-      for (std::size_t lane = 0; lane < lanes; ++lane) elements[lane] = first + lane < elements_[b].size() ? elements_[b][first + lane] : -1;
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        elements[lane] = first + lane < elements_[b].size() ? elements_[b][first + lane] : -1;
       block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K.data()));
       for (int lane = 0; lane < lanes && elements[lane] >= 0; ++lane) {
         const auto nodes = block.nodesOf(elements[lane]);
@@ -101,7 +101,8 @@ LowerBound HotSpot::evaluate(const NodeVectors& x) {
           const std::int32_t node = nodes[static_cast<std::size_t>(a)];
           const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), node);
           at[a] = found != nodes_.end() && *found == node ? found - nodes_.begin() : -1;
-          for (int c = 0; c < 3; ++c) scale[3 * a + c] = freeFactor(body_, node, c) / std::sqrt(body_.lumpedMass()[node]);
+          for (int c = 0; c < 3; ++c)
+            scale[3 * a + c] = freeFactor(body_, node, c) / std::sqrt(body_.lumpedMass()[node]);
         }
         double energy = 0;
         for (int a = 0; a < n; ++a)
@@ -109,7 +110,8 @@ LowerBound HotSpot::evaluate(const NodeVectors& x) {
             if (at[a] < 0 || at[c] < 0) continue;
             for (int i = 0; i < 3; ++i)
               for (int j = 0; j < 3; ++j) {
-                const double k = K[static_cast<std::size_t>((3 * a + i) * size + 3 * c + j)][lane] * scale[3 * a + i] * scale[3 * c + j];
+                const double k = K[static_cast<std::size_t>((3 * a + i) * size + 3 * c + j)][lane] * scale[3 * a + i] *
+                                 scale[3 * c + j];
                 A(3 * at[a] + i, 3 * at[c] + j) += k;
                 energy += vector_[3 * at[a] + i] * k * vector_[3 * at[c] + j];
               }
@@ -121,7 +123,8 @@ LowerBound HotSpot::evaluate(const NodeVectors& x) {
       }
     }
   }
-  // Power iteration on A shifted by half its norm, so that a large negative eigenvalue cannot win; the quotient is A's own.
+  // Power iteration on A shifted by half its norm, so that a large negative eigenvalue cannot win; the quotient is A's
+  // own.
   const double shift = 0.5 * A.cwiseAbs().rowwise().sum().maxCoeff();
   double best = 0;
   for (int iteration = 0; iteration < 4; ++iteration) {

@@ -7,12 +7,12 @@
 namespace ringwatch {
 
 /// A lower bound of the highest eigenvalue from a few tangent products: Lanczos from `start` (3×N, mass-scaled
-/// coordinates, overwritten by the Ritz vector, of norm 1), then the Rayleigh quotient of that vector, which no eigenvalue
-/// problem can make too large. products >= 1 tangent products are spent. start = 0 gives a bound of 0.
+/// coordinates, overwritten by the Ritz vector, of norm 1), then the Rayleigh quotient of that vector, which no
+/// eigenvalue problem can make too large. products >= 1 tangent products are spent. start = 0 gives a bound of 0.
 LowerBound rayleighLowerBound(const Body& body, const NodeVectors& x, NodeVectors& start, int products);
 
-/// A lower bound of the highest eigenvalue from a few nodes only: M^-½ K M^-½ cut to the nodes where a tracked mode moves
-/// most. A principal submatrix, so proven as the reduced rings are; its cost does not grow with the mesh.
+/// A lower bound of the highest eigenvalue from a few nodes only: M^-½ K M^-½ cut to the nodes where a tracked mode
+/// moves most. A principal submatrix, so proven as the reduced rings are; its cost does not grow with the mesh.
 class HotSpot {
  public:
   HotSpot(const Body& body, const NodalBound& incidences) : body_(body), incidences_(incidences) {}
@@ -28,9 +28,9 @@ class HotSpot {
  private:
   const Body& body_;
   const NodalBound& incidences_;
-  std::vector<std::int32_t> nodes_;            // ascending
+  std::vector<std::int32_t> nodes_;                  // ascending
   std::vector<std::vector<std::int32_t>> elements_;  // [block], those at the nodes
-  Eigen::VectorXd vector_;                     // 3 a node
+  Eigen::VectorXd vector_;                           // 3 a node
   ElementRef hottest_;
 };
 

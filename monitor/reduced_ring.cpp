@@ -20,17 +20,21 @@ const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool want
   result_.highest = result_.lowest = 0;
   // Mass scaling once, on the assembled blocks: entry (i,j) becomes K_ij / √(m_i m_j), zero where constrained.
   const Eigen::VectorXd inverseRoot = body_.lumpedMass().cwiseSqrt().cwiseInverse();
-  parallelFor(0, body_.nodeCount(), body_.threads(), [&](std::int64_t i) {
-    for (std::int64_t s = matrix_.rowBegin[static_cast<std::size_t>(i)]; s < matrix_.rowBegin[static_cast<std::size_t>(i) + 1]; ++s) {
-      const std::int32_t j = matrix_.column[static_cast<std::size_t>(s)];
-      auto& entry = matrix_.block[static_cast<std::size_t>(s)];
-      entry *= inverseRoot[i] * inverseRoot[j];
-      if (body_.constraints().any())
-        for (int r = 0; r < 3; ++r)
-          for (int c = 0; c < 3; ++c)
-            entry(r, c) *= freeFactor(body_, static_cast<std::int32_t>(i), r) * freeFactor(body_, j, c);
-    }
-  }, 256);
+  parallelFor(
+      0, body_.nodeCount(), body_.threads(),
+      [&](std::int64_t i) {
+        for (std::int64_t s = matrix_.rowBegin[static_cast<std::size_t>(i)];
+             s < matrix_.rowBegin[static_cast<std::size_t>(i) + 1]; ++s) {
+          const std::int32_t j = matrix_.column[static_cast<std::size_t>(s)];
+          auto& entry = matrix_.block[static_cast<std::size_t>(s)];
+          entry *= inverseRoot[i] * inverseRoot[j];
+          if (body_.constraints().any())
+            for (int r = 0; r < 3; ++r)
+              for (int c = 0; c < 3; ++c)
+                entry(r, c) *= freeFactor(body_, static_cast<std::int32_t>(i), r) * freeFactor(body_, j, c);
+        }
+      },
+      256);
   for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
     const ElementBlock& block = *body_.blocks()[b];
     const int n = block.element().nodes, size = 3 * n;
@@ -49,7 +53,8 @@ const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool want
             for (int j = 0; j <= i; ++j) {
               const auto& entry = matrix_.block[static_cast<std::size_t>(position[i * n + j])];
               for (int r = 0; r < 3; ++r)
-                for (int k = 0; k < 3; ++k) A[static_cast<std::size_t>((3 * i + r) * size + 3 * j + k)].set(lane, entry(r, k));
+                for (int k = 0; k < 3; ++k)
+                  A[static_cast<std::size_t>((3 * i + r) * size + 3 * j + k)].set(lane, entry(r, k));
             }
         });
         const auto extremes = extremeEigenvalues(A.data(), size, work.data(), wantLowest);
@@ -81,15 +86,18 @@ const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool want
 NodeVectors ReducedRing::topVector(ElementRef ref) const {
   const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(ref.block)];
   const int n = block.element().nodes;
-  const std::int32_t* position = matrix_.elementBlocks[static_cast<std::size_t>(ref.block)].data() + static_cast<std::ptrdiff_t>(ref.element) * n * n;
+  const std::int32_t* position = matrix_.elementBlocks[static_cast<std::size_t>(ref.block)].data() +
+                                 static_cast<std::ptrdiff_t>(ref.element) * n * n;
   Eigen::MatrixXd A(3 * n, 3 * n);
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) A.block<3, 3>(3 * i, 3 * j) = matrix_.block[static_cast<std::size_t>(position[i * n + j])];
+    for (int j = 0; j < n; ++j)
+      A.block<3, 3>(3 * i, 3 * j) = matrix_.block[static_cast<std::size_t>(position[i * n + j])];
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A);
   NodeVectors v = NodeVectors::Zero(3, body_.nodeCount());
   if (solver.info() != Eigen::Success) return v;
   const auto nodes = block.nodesOf(ref.element);
-  for (int i = 0; i < n; ++i) v.col(nodes[static_cast<std::size_t>(i)]) = solver.eigenvectors().col(3 * n - 1).segment<3>(3 * i);
+  for (int i = 0; i < n; ++i)
+    v.col(nodes[static_cast<std::size_t>(i)]) = solver.eigenvectors().col(3 * n - 1).segment<3>(3 * i);
   return v;
 }
 

@@ -13,7 +13,8 @@ namespace ringwatch {
 namespace {
 
 /// A start for the top mode and a lower bound at once: the hottest reduced ring's vector, sharpened by Lanczos.
-LowerBound restartMode(ReducedRing& ring, const Body& body, const NodeVectors& x, int products, NodeVectors& mode, bool& byRing) {
+LowerBound restartMode(ReducedRing& ring, const Body& body, const NodeVectors& x, int products, NodeVectors& mode,
+                       bool& byRing) {
   const ReducedRing::Result& rings = ring.evaluate(x, true);
   // A tracked vector alone can miss a jump of the top mode; the ring's alone can lie beside it: start from their sum.
   NodeVectors start = ring.topVector(rings.highestElement);
@@ -27,7 +28,8 @@ LowerBound restartMode(ReducedRing& ring, const Body& body, const NodeVectors& x
 /// Keeps both sides of the bracket along a run: the lazy bound from above, a hot spot of the tracked mode from below.
 class Bracketer {
  public:
-  Bracketer(const Body& body, double width) : body_(body), width_(width), lazy_(body, 1.6 * width), hotSpot_(body, lazy_.shapes()), ring_(body) {}
+  Bracketer(const Body& body, double width)
+      : body_(body), width_(width), lazy_(body, 1.6 * width), hotSpot_(body, lazy_.shapes()), ring_(body) {}
 
   const CriticalStep& evaluate(const NodeVectors& x, double limit) {
     UpperBound upper = lazy_.update(x);
@@ -65,8 +67,13 @@ class Bracketer {
       upper = lazy_.update(x);
       spent_.evaluated += lazy_.spent().evaluated;
     }
-    step_ = {safeStep(upper, limit), optimisticStep(lower, limit), hotSpot_.hottestElement(), "lazy-nodal-bound",
-             byRing ? "reduced-1-ring" : "rayleigh-quotient", lowestRing_, lowestRingElement_};
+    step_ = {safeStep(upper, limit),
+             optimisticStep(lower, limit),
+             hotSpot_.hottestElement(),
+             "lazy-nodal-bound",
+             byRing ? "reduced-1-ring" : "rayleigh-quotient",
+             lowestRing_,
+             lowestRingElement_};
     return step_;
   }
   /// Both sides as sharp as they can be had, for a step that comes close to the limit.
@@ -85,7 +92,8 @@ class Bracketer {
   }
   static constexpr int coldProducts = 20, restartProducts = 8, warmProducts = 3;
   static constexpr int modeEvery = 64;  // evaluations between two looks at the whole mode
-  static constexpr int firstGap = 10;   // evaluations between two restarts or looks at compressed rings; doubles while useless
+  static constexpr int firstGap =
+      10;  // evaluations between two restarts or looks at compressed rings; doubles while useless
   static constexpr double compressed = 0.05;
 
   const Body& body_;
@@ -105,7 +113,8 @@ class Bracketer {
 std::string elementText(const Body& body, ElementRef e) {
   const MeshBlock& block = body.mesh().blocks[static_cast<std::size_t>(e.block)];
   std::string text = joinText(elementInfo(block.type).name, " element ", e.block, ":", e.element, " (nodes");
-  for (int a = 0; a < block.nodesPerElement(); ++a) text += joinText(" ", block.element(static_cast<std::size_t>(e.element))[a]);
+  for (int a = 0; a < block.nodesPerElement(); ++a)
+    text += joinText(" ", block.element(static_cast<std::size_t>(e.element))[a]);
   return text + ")";
 }
 
@@ -113,20 +122,28 @@ std::string elementText(const Body& body, ElementRef e) {
 
 std::string_view verdictName(Verdict verdict) {
   switch (verdict) {
-    case Verdict::certified: return "certified";
-    case Verdict::notCertified: return "not-certified";
-    case Verdict::violated: return "violated";
+    case Verdict::certified:
+      return "certified";
+    case Verdict::notCertified:
+      return "not-certified";
+    case Verdict::violated:
+      return "violated";
   }
   return "";
 }
 
 std::string_view eventName(EventKind kind) {
   switch (kind) {
-    case EventKind::violated: return "violated";
-    case EventKind::energyBalance: return "energy-balance";
-    case EventKind::inverted: return "inverted";
-    case EventKind::nonFinite: return "non-finite";
-    case EventKind::indefinite: return "indefinite";
+    case EventKind::violated:
+      return "violated";
+    case EventKind::energyBalance:
+      return "energy-balance";
+    case EventKind::inverted:
+      return "inverted";
+    case EventKind::nonFinite:
+      return "non-finite";
+    case EventKind::indefinite:
+      return "indefinite";
   }
   return "";
 }
@@ -149,8 +166,8 @@ struct StabilityMonitor::Impl {
   void tell(EventKind kind, bool now, double value, std::optional<ElementRef> element, const std::string& what) {
     bool& before = active[static_cast<int>(kind)];
     if (now && !before) {
-      MonitorEvent event{kind, report.step, report.time, value, element,
-                         joinText("step ", report.step, ", t = ", report.time, " s: ", what)};
+      MonitorEvent event{kind,  report.step, report.time,
+                         value, element,     joinText("step ", report.step, ", t = ", report.time, " s: ", what)};
       if (element) event.text += ", " + elementText(body, *element);
       report.newEvents.push_back(event);
       events.push_back(std::move(event));
@@ -160,12 +177,18 @@ struct StabilityMonitor::Impl {
 };
 
 StabilityMonitor::StabilityMonitor(const Body& body, const MonitorOptions& options) {
-  if (!options.metric.empty() && !findMetric(options.metric)) evaluateMetric(options.metric, body, body.mesh().X);  // throws
-  if (!(options.margin >= 0 && options.margin < 1)) throw InputError(joinText("margin = ", options.margin, ": must be >= 0 and < 1"));
+  if (!options.metric.empty() && !findMetric(options.metric))
+    evaluateMetric(options.metric, body, body.mesh().X);  // throws
+  if (!(options.margin >= 0 && options.margin < 1))
+    throw InputError(joinText("margin = ", options.margin, ": must be >= 0 and < 1"));
   if (options.every < 1) throw InputError(joinText("every = ", options.every, ": must be >= 1"));
-  if (!(options.width > 0 && options.width < 1)) throw InputError(joinText("width = ", options.width, ": must be > 0 and < 1"));
-  if (!(options.limit > 0)) throw InputError(joinText("limit = ", options.limit, ": an integrator that is never stable cannot be monitored; choose another"));
-  if (!(options.energyTolerance > 0)) throw InputError(joinText("energyTolerance = ", options.energyTolerance, ": must be > 0"));
+  if (!(options.width > 0 && options.width < 1))
+    throw InputError(joinText("width = ", options.width, ": must be > 0 and < 1"));
+  if (!(options.limit > 0))
+    throw InputError(joinText("limit = ", options.limit,
+                              ": an integrator that is never stable cannot be monitored; choose another"));
+  if (!(options.energyTolerance > 0))
+    throw InputError(joinText("energyTolerance = ", options.energyTolerance, ": must be > 0"));
   impl_ = std::make_unique<Impl>(body, options);
 }
 StabilityMonitor::~StabilityMonitor() = default;
@@ -173,8 +196,8 @@ StabilityMonitor::~StabilityMonitor() = default;
 const std::vector<MonitorEvent>& StabilityMonitor::events() const { return impl_->events; }
 const MonitorOptions& StabilityMonitor::options() const { return impl_->options; }
 
-const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, const NodeVectors& x, const NodeVectors& v,
-                                               double h, const Energies* energies) {
+const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, const NodeVectors& x,
+                                               const NodeVectors& v, double h, const Energies* energies) {
   Impl& m = *impl_;
   MonitorReport& report = m.report;
   report.step = step;
@@ -190,7 +213,8 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
     return report;
   }
   if (energies) {
-    m.largestEnergy = std::max({m.largestEnergy, energies->kinetic + std::abs(energies->strain), std::abs(energies->externalWork)});
+    m.largestEnergy =
+        std::max({m.largestEnergy, energies->kinetic + std::abs(energies->strain), std::abs(energies->externalWork)});
     const double share = m.largestEnergy > 0 ? std::abs(energies->balanceError) / m.largestEnergy : 0;
     m.tell(EventKind::energyBalance, share > m.options.energyTolerance, share, std::nullopt,
            joinText("energy balance is off by ", 100 * share, " % of the largest energy so far"));
@@ -209,16 +233,19 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
       report.elementsRefreshed = spent.evaluated;
       // Whoever inverts leaves its ball first, so the elements evaluated are all that can have inverted.
       if (std::isfinite(spent.leastDeterminant))
-        m.tell(EventKind::inverted, !(spent.leastDeterminant > 0), spent.leastDeterminant, spent.leastDeterminantElement,
-               joinText("inverted, det F = ", spent.leastDeterminant));
-      m.tell(EventKind::indefinite, report.bracket->lowestRing < 0, report.bracket->lowestRing, report.bracket->lowestRingElement,
+        m.tell(EventKind::inverted, !(spent.leastDeterminant > 0), spent.leastDeterminant,
+               spent.leastDeterminantElement, joinText("inverted, det F = ", spent.leastDeterminant));
+      m.tell(EventKind::indefinite, report.bracket->lowestRing < 0, report.bracket->lowestRing,
+             report.bracket->lowestRingElement,
              joinText("tangent indefinite, eigenvalue ", report.bracket->lowestRing, " rad2/s2: no step cures that"));
     }
     if (!m.options.metric.empty()) {
-      report.metricStep = (1 - m.options.margin) * stepFor(evaluateMetric(m.options.metric, m.body, x).lambda, m.options.limit);
+      report.metricStep =
+          (1 - m.options.margin) * stepFor(evaluateMetric(m.options.metric, m.body, x).lambda, m.options.limit);
       report.elementsRefreshed += static_cast<std::int64_t>(m.body.mesh().elementCount());
       const Body::LeastDeterminant least = m.body.leastDeterminant(x);
-      m.tell(EventKind::inverted, !(least.value > 0), least.value, least.element, joinText("inverted, det F = ", least.value));
+      m.tell(EventKind::inverted, !(least.value > 0), least.value, least.element,
+             joinText("inverted, det F = ", least.value));
     }
   }
   if (report.bracket) {
@@ -245,8 +272,13 @@ CriticalStep criticalStep(const Body& body, const NodeVectors& x, double limit) 
     const UpperBound other = NodalBound(body).evaluate(x, sweeps, NodalBound::Start::stiffness);
     if (other.value < upper.value) upper = other;
   }
-  return {safeStep(upper, limit), optimisticStep(lower, limit), ring.last().highestElement, "nodal-bound",
-          byRing ? "reduced-1-ring" : "rayleigh-quotient", ring.last().lowest, ring.last().lowestElement};
+  return {safeStep(upper, limit),
+          optimisticStep(lower, limit),
+          ring.last().highestElement,
+          "nodal-bound",
+          byRing ? "reduced-1-ring" : "rayleigh-quotient",
+          ring.last().lowest,
+          ring.last().lowestElement};
 }
 
 }  // namespace ringwatch

@@ -11,13 +11,13 @@
 namespace ringwatch {
 
 struct MonitorOptions {
-  double limit = 2.0;                     ///< the integrator's largest stable h·omega on the imaginary axis
-  bool bracket = true;                    ///< keep safe and optimistic
-  std::string metric;                     ///< the source's way: a metric with a margin, e.g. "reduced-1-ring"; "" for none
-  double margin = 0.1;                    ///< of the metric's step: h_metric (1 - margin)
-  int every = 1;                          ///< steps between evaluations
-  double width = 0.05;                    ///< of the bracket, relative to the step, that the proven side is steered to
-  double energyTolerance = 0.1;           ///< balance error over the largest energy so far that is reported
+  double limit = 2.0;            ///< the integrator's largest stable h·omega on the imaginary axis
+  bool bracket = true;           ///< keep safe and optimistic
+  std::string metric;            ///< the source's way: a metric with a margin, e.g. "reduced-1-ring"; "" for none
+  double margin = 0.1;           ///< of the metric's step: h_metric (1 - margin)
+  int every = 1;                 ///< steps between evaluations
+  double width = 0.05;           ///< of the bracket, relative to the step, that the proven side is steered to
+  double energyTolerance = 0.1;  ///< balance error over the largest energy so far that is reported
 };
 
 enum class Verdict {
@@ -33,8 +33,8 @@ std::string_view eventName(EventKind kind);
 struct MonitorEvent {
   EventKind kind;
   std::int64_t step;
-  double time;                        // s
-  double value;                       // h over the optimistic step; balance error over energy; det F; -; lambda, rad²/s²
+  double time;   // s
+  double value;  // h over the optimistic step; balance error over energy; det F; -; lambda, rad²/s²
   std::optional<ElementRef> element;  // where, when it is an element's doing
   std::string text;                   // one line for people
 };
@@ -42,12 +42,12 @@ struct MonitorEvent {
 /// What the monitor knows after a step.
 struct MonitorReport {
   std::int64_t step = 0;
-  double time = 0;               // s
-  double h = 0;                  // s, the step the run takes
-  bool fresh = false;            // evaluated at this very state, or `every` steps have not passed
+  double time = 0;     // s
+  double h = 0;        // s, the step the run takes
+  bool fresh = false;  // evaluated at this very state, or `every` steps have not passed
   std::optional<CriticalStep> bracket;
   std::int64_t elementsRefreshed = 0;  // element evaluations spent at this observation
-  std::optional<double> metricStep;  // s, an estimate, margin applied
+  std::optional<double> metricStep;    // s, an estimate, margin applied
   Verdict verdict = Verdict::notCertified;
   std::vector<MonitorEvent> newEvents;  // begun at this step
 };
@@ -59,8 +59,8 @@ class StabilityMonitor {
   StabilityMonitor(const Body& body, const MonitorOptions& options);
   ~StabilityMonitor();
 
-  /// Looks at positions x and velocities v (3×N) before step number `step` of size h is taken from them. Energies are those
-  /// of an EnergyBalance, when kept.
+  /// Looks at positions x and velocities v (3×N) before step number `step` of size h is taken from them. Energies are
+  /// those of an EnergyBalance, when kept.
   const MonitorReport& observe(std::int64_t step, double time, const NodeVectors& x, const NodeVectors& v, double h,
                                const Energies* energies = nullptr);
   /// All events so far.
