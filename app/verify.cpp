@@ -80,7 +80,7 @@ std::vector<StudyReport> runStudies(const std::vector<std::string>& names, Study
     const auto found = std::find_if(studies.begin(), studies.end(), [&](const StudyInfo& s) { return s.name == name; });
     if (found == studies.end()) {
       std::string known = "all";
-      for (const StudyInfo& s : studies) known += ", " + std::string(s.name);
+      for (const StudyInfo& s : studies) known += fmt::format(", {}", s.name);
       throw InputError(fmt::format("verify: \"{}\": there is no such study; known are {}", name, known));
     }
     chosen.push_back(found);
@@ -94,7 +94,7 @@ std::vector<StudyReport> runStudies(const std::vector<std::string>& names, Study
 
 std::string studyText(const StudyReport& report) {
   std::string text = fmt::format("== {}\n", report.study);
-  for (const StudyTable& table : report.tables) text += "\n" + tableText(table);
+  for (const StudyTable& table : report.tables) text += fmt::format("\n{}", tableText(table));
   std::size_t failed = 0;
   for (const StudyCheck& check : report.checks) failed += !check.passed;
   text += fmt::format("\n{} checks, {} failed\n", report.checks.size(), failed);
@@ -144,7 +144,7 @@ std::vector<std::string> drawFigures(const StudyReport& report, const std::files
   for (const StudyFigure& figure : report.figures) {
     std::string data;
     for (const StudyFigure::Curve& curve : figure.curves) {
-      data += "# " + curve.label + "\n";
+      data += fmt::format("# {}\n", curve.label);
       for (std::size_t i = 0; i < curve.x.size() && i < curve.y.size(); ++i)
         data += fmt::format("{} {}\n", curve.x[i], curve.y[i]);
       data += "\n\n";
