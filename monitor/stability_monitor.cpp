@@ -78,8 +78,17 @@ class Bracketer {
   }
   /// Both sides as sharp as they can be had, for a step that comes close to the limit.
   void sharpen(const NodeVectors& x, double limit) {
-    refreshMode(x, restartProducts);
-    step_.optimistic = std::min(step_.optimistic, optimisticStep(lastQuotient_, limit));
+    LowerBound lower;
+    bool byRing = false;
+    if (sinceRings_++ % firstGap == 0) {
+      lower = restartMode(ring_, body_, x, restartProducts, mode_, byRing);
+      hotSpot_.choose(mode_);
+      sinceMode_ = 0;
+    } else {
+      refreshMode(x, restartProducts);
+      lower = lastQuotient_;
+    }
+    step_.optimistic = std::min(step_.optimistic, optimisticStep(lower, limit));
   }
   const LazyBound::Spent& spent() const { return spent_; }
   const CriticalStep& last() const { return step_; }
@@ -104,7 +113,7 @@ class Bracketer {
   NodeVectors mode_;
   LowerBound lastQuotient_{0};
   LazyBound::Spent spent_;
-  int sinceMode_ = 0, sinceRestart_ = 0, restartGap_ = firstGap, sinceCompressed_ = firstGap;
+  int sinceRings_ = 0, sinceMode_ = 0, sinceRestart_ = 0, restartGap_ = firstGap, sinceCompressed_ = firstGap;
   double lowestRing_ = 0;
   ElementRef lowestRingElement_;
   CriticalStep step_{};
@@ -224,8 +233,9 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
     report.elementsRefreshed = 0;
     if (m.bracketer) {
       report.bracket = m.bracketer->evaluate(x, m.options.limit);
-      // Before a run is said to be near or above its limit, the optimistic side is made sharp.
-      if (h > 0.97 * report.bracket->optimistic) {
+      // Where the step is not certified, the optimistic side decides between "not certified" and "violated": it is made
+      // sharp at every look, lest a mode that has moved on says so late.
+      if (!(h <= report.bracket->safe)) {
         m.bracketer->sharpen(x, m.options.limit);
         report.bracket = m.bracketer->last();
       }
