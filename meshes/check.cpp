@@ -75,17 +75,19 @@ std::int64_t nodeId(const Mesh& mesh, std::int32_t n) {
   return n >= 0 && static_cast<std::size_t>(n) < mesh.nodeIds.size() ? mesh.nodeIds[static_cast<std::size_t>(n)] : n;
 }
 
-/// True when every element of every block is turned the other way round.
-bool isMirrored(const Mesh& mesh) {
-  for (const MeshBlock& block : mesh.blocks) {
-    const ElementInfo& info = elementInfo(block.type);
-    const JacobianProbe probe(info);
-    for (std::size_t e = 0; e < block.elementCount(); ++e)
-      if (!nodesInRange(mesh, block.element(e), info.nodes) || !(probe.range(mesh.X, block.element(e)).max < 0))
-        return false;
-  }
-  return mesh.elementCount() > 0;
+/// True when every element of the block is turned the other way round.
+bool isMirrored(const Mesh& mesh, const MeshBlock& block) {
+  const ElementInfo& info = elementInfo(block.type);
+  const JacobianProbe probe(info);
+  for (std::size_t e = 0; e < block.elementCount(); ++e)
+    if (!nodesInRange(mesh, block.element(e), info.nodes) || !(probe.range(mesh.X, block.element(e)).max < 0))
+      return false;
+  return block.elementCount() > 0;
 }
+
+/// Whether a block may be turned round by itself: VTK's book draws the wedge's first triangle facing outward, its own
+/// shape functions want it facing inward, and files of both kinds exist.
+bool hasTwoConventions(const MeshBlock& block) { return elementInfo(block.type).vtkCellType == 13; }
 
 void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
   const std::vector<bool> used = usedNodes(mesh);
@@ -234,20 +236,24 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
 void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
   if (mesh.elementCount() == 0) throw InputError(source + ": there are no elements; a mesh of at least one is needed");
   dropUnusedNodes(mesh, source, notes);
-  if (isMirrored(mesh)) {
-    for (MeshBlock& block : mesh.blocks) {
-      const std::vector<int> mirror = mirrorPermutation(elementInfo(block.type));
-      std::vector<std::int32_t> before(mirror.size());
-      for (std::size_t e = 0; e < block.elementCount(); ++e) {
-        std::int32_t* nodes = block.connectivity.data() + e * mirror.size();
-        std::copy(nodes, nodes + mirror.size(), before.begin());
-        for (std::size_t a = 0; a < mirror.size(); ++a) nodes[a] = before[static_cast<std::size_t>(mirror[a])];
-      }
+  const bool all = std::all_of(mesh.blocks.begin(), mesh.blocks.end(),
+                               [&](const MeshBlock& block) { return isMirrored(mesh, block); });
+  for (MeshBlock& block : mesh.blocks) {
+    if (!all && !(hasTwoConventions(block) && isMirrored(mesh, block))) continue;
+    const std::vector<int> mirror = mirrorPermutation(elementInfo(block.type));
+    std::vector<std::int32_t> before(mirror.size());
+    for (std::size_t e = 0; e < block.elementCount(); ++e) {
+      std::int32_t* nodes = block.connectivity.data() + e * mirror.size();
+      std::copy(nodes, nodes + mirror.size(), before.begin());
+      for (std::size_t a = 0; a < mirror.size(); ++a) nodes[a] = before[static_cast<std::size_t>(mirror[a])];
     }
-    if (notes != nullptr)
-      notes->push_back(joinText(source, ": all ", mesh.elementCount(),
-                                " elements are of the other handedness and were turned round"));
+    if (!all && notes != nullptr)
+      notes->push_back(joinText(source, ": all ", block.elementCount(), " ", elementInfo(block.type).name,
+                                " are of the other handedness and were turned round"));
   }
+  if (all && notes != nullptr)
+    notes->push_back(
+        joinText(source, ": all ", mesh.elementCount(), " elements are of the other handedness and were turned round"));
   const std::vector<MeshProblem> problems = checkMesh(mesh);
   if (problems.empty()) return;
   constexpr std::size_t shown = 3;

@@ -175,7 +175,7 @@ void finishElements(Mesh& mesh) {
 
 /// Hexahedra, pyramids, tetrahedra and wedges along x in five sections, see `generateMixedBar`.
 Mesh fillMixed(Grid& grid) {
-  const auto [nx, ny, nz] = grid.cells;
+  const int nx = grid.cells[0], ny = grid.cells[1], nz = grid.cells[2];
   struct Part {
     std::string_view element;
     std::span<const std::uint8_t> pattern;

@@ -88,6 +88,26 @@ TEST(Check, HexahedronTurnedInAtOneCornerWithPositiveVolumeIsInverted) {
   expectOne(mesh, Kind::inverted, 0);
 }
 
+TEST(Check, WedgesAloneOfTheOtherHandednessAreTurnedRoundWithANote) {
+  BarOptions options;
+  options.cells = {5, 1, 1};
+  const Mesh right = generateMixedBar(options);
+  Mesh mesh = right;
+  std::size_t block = 0;
+  while (elementInfo(mesh.blocks[block].type).name != "wedge6") ++block;
+  // The order in which VTK's book draws a wedge.
+  for (std::size_t e = 0; e < mesh.blocks[block].elementCount(); ++e) {
+    std::int32_t* nodes = mesh.blocks[block].connectivity.data() + 6 * e;
+    std::swap(nodes[1], nodes[2]);
+    std::swap(nodes[4], nodes[5]);
+  }
+  std::vector<std::string> notes;
+  requireSound(mesh, "book.vtk", &notes);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_THAT(notes[0], HasSubstr("wedge6 are of the other handedness and were turned round"));
+  EXPECT_DOUBLE_EQ(meshVolume(mesh), meshVolume(right));
+}
+
 TEST(Check, MixedHandednessIsAnErrorThatNamesCountAndSome) {
   Mesh mesh = generateBar({.cells = {3, 3, 3}});
   for (std::size_t e = 0; e < 7; ++e)
