@@ -49,7 +49,7 @@ inline std::string errorOf(const std::function<void()>& call) {
   try {
     call();
   } catch (const InputError& error) {
-    const std::string text = error.what();
+    std::string text = error.what();
     EXPECT_EQ(text.find('\n'), std::string::npos) << text;
     return text;
   }
@@ -80,7 +80,10 @@ inline void expectSame(const Mesh& a, const Mesh& b, bool sameIds = true) {
 inline Mesh mixedMesh() {
   Mesh mesh;
   mesh.X.resize(3, 14);
-  for (int i = 0; i < 12; ++i) mesh.X.col(i) << i % 3, (i / 3) % 2, i / 6;
+  for (int i = 0; i < 12; ++i) {
+    const int row = i / 3;
+    mesh.X.col(i) << i % 3, row % 2, row < 2 ? 0 : 1;
+  }
   mesh.X.col(12) << 3.25, 0.125, 0.1;
   mesh.X.col(13) << 3.5, 1.0 / 3.0, 0.7;
   for (int i = 0; i < 14; ++i) mesh.nodeIds.push_back(7 + 3 * i);

@@ -71,7 +71,7 @@ class Leaky final : public Integrator {
   static constexpr IntegratorInfo description{"leaky", "", 1, 1, 2.0, true};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
-    const StepStatus status = inner_.step(system, state, h);
+    StepStatus status = inner_.step(system, state, h);
     state.v *= 1 - 1e-9;
     return status;
   }
