@@ -111,7 +111,7 @@ TEST(Bounds, HoldForRandomBodies) {
     const auto& law = allLaws()[static_cast<std::size_t>(random.index(static_cast<int>(allLaws().size())))];
     const std::array<int, 3> cells{2 + random.index(2), 1 + random.index(2), 1 + random.index(2)};
     Body body =
-        test::boxBody(cut, law.name, cells, random.uniform(0, 0.35), static_cast<std::uint64_t>(random.index(1000)));
+        test::boxBody(cut, law.name, cells, random.uniform(0, 0.25), static_cast<std::uint64_t>(random.index(1000)));
     const Hold holds[] = {Hold::nothing, Hold::face, Hold::components};
     test::holdBody(body, holds[random.index(3)], static_cast<std::uint64_t>(random.index(1000)));
     const NodeVectors x = (random.rotation() * (Eigen::Matrix3d::Identity() + random.matrix(0.5))) * body.mesh().X +
