@@ -13,9 +13,10 @@ target_compile_features(ringwatch_options INTERFACE cxx_std_20)
 target_compile_options(ringwatch_options INTERFACE
   $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wno-psabi>
   $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${RINGWATCH_WARNINGS_AS_ERRORS}>>:-Werror>)
-# GCC 12 finds its own AVX-512 intrinsics uninitialised (GCC bug 105593) wherever Eigen uses them.
+# GCC 12 finds its own AVX-512 intrinsics uninitialised (GCC bug 105593) wherever Eigen uses them, and strings that
+# overlap themselves (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(ringwatch_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-uninitialized -Wno-maybe-uninitialized>)
+  target_compile_options(ringwatch_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict>)
 endif()
 # -ffp-contract=fast lets the compiler fuse a*b+c; -ffast-math stays off, since it voids NaN checks and proven bounds.
 target_compile_options(ringwatch_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=fast -fno-math-errno>)
