@@ -36,7 +36,7 @@ inline double stepFor(double lambda, double limit) {
 struct CriticalStep {
   double safe;
   double optimistic;
-  ElementRef controlling;   // the element whose reduced 1-ring has the highest frequency
+  ElementRef controlling;   // the element that holds most of the top mode, as far as it is known
   std::string_view safeBy;  // how the sides were obtained
   std::string_view optimisticBy;
   double lowestRing;  // least eigenvalue seen in any reduced 1-ring, rad²/s²; < 0 proves K indefinite
