@@ -37,12 +37,27 @@ double bisect(double low, double high, const Function& f) {
   return 0.5 * (low + high);
 }
 
-/// A free vibration with a known answer.
+/// ω², rad²/s², of the first bending vibration of a cantilever of square section by Timoshenko's beam, nu = 0, shear
+/// coefficient 5/6: the root of Huang's frequency equation (J. Appl. Mech. 28, 1961) for clamped and free ends.
+double timoshenkoFrequency() {
+  const double area = width * width, inertia = area * area / 12, shear = 5.0 / 6 * 0.5 * young;
+  const double r2 = inertia / (area * length * length), s2 = young * inertia / (shear * area * length * length);
+  const double b = bisect(1.0, 4.5, [&](double z) {
+    const double root = std::sqrt((r2 - s2) * (r2 - s2) + 4 / (z * z));
+    const double alpha = z * std::sqrt((root - (r2 + s2)) / 2), beta = z * std::sqrt((root + (r2 + s2)) / 2);
+    return 2 + (z * z * (r2 - s2) * (r2 - s2) + 2) * std::cosh(alpha) * std::cos(beta) -
+           z * (r2 + s2) / std::sqrt(1 - z * z * r2 * s2) * std::sinh(alpha) * std::sin(beta);
+  });
+  return b * b * young * inertia / (density * area * std::pow(length, 4));
+}
+
+/// A vibration with a known answer.
+enum class Shape { bar, cantilever, ball };
 struct KnownMode {
   std::string name;
   double poisson;
   double lambda;  // ω², rad²/s²
-  bool ball;
+  Shape shape;
   std::function<NodeVectors(const NodeVectors& X)> guess;
 };
 std::vector<KnownMode> knownModes() {
@@ -51,13 +66,15 @@ std::vector<KnownMode> knownModes() {
   const double cl2 = (lame.lambda + 2 * lame.mu) / density, ct2 = lame.mu / density;
   // Breathing mode: x cot x = 1 - (c_l/2c_t)² x², x = ω a / c_l (Lamb 1882).
   const double breathing = bisect(1.0, 3.1, [&](double x) { return x / std::tan(x) - 1 + cl2 / (4 * ct2) * x * x; });
-  return {{"rod, longitudinal, nu = 0", 0.0, rod * rod * young / density, false,
+  // Torsional mode of degree 2: (l - 1) j_l(x) = x j_(l+1)(x), x = ω a / c_t; the same for every Poisson ratio.
+  const double torsional = bisect(1.0, 4.0, [](double x) { return std::sph_bessel(2, x) - x * std::sph_bessel(3, x); });
+  return {{"rod, longitudinal, nu = 0", 0.0, rod * rod * young / density, Shape::bar,
            [](const NodeVectors& X) {
              NodeVectors u = NodeVectors::Zero(3, X.cols());
              u.row(0) = (X.row(0) * (std::numbers::pi / length)).array().cos().matrix();
              return u;
            }},
-          {"ball, breathing, nu = 0.3", 0.3, std::pow(breathing / radius, 2) * cl2, true,
+          {"ball, breathing, nu = 0.3", 0.3, std::pow(breathing / radius, 2) * cl2, Shape::ball,
            [breathing](const NodeVectors& X) {
              // u = j1(k r) in the direction of r, finite at the centre: j1(s)/s = (sin s - s cos s)/s³.
              NodeVectors u = X;
@@ -66,44 +83,89 @@ std::vector<KnownMode> knownModes() {
                u.col(node) *= t < 1e-3 ? 1.0 / 3 : (std::sin(t) - t * std::cos(t)) / (t * t * t);
              }
              return u;
+           }},
+          {"ball, torsional, nu = 0.3", 0.3, std::pow(torsional / radius, 2) * ct2, Shape::ball,
+           [torsional](const NodeVectors& X) {
+             // Two halves twisting against each other: u = j2(k r) (a.X / r²) a × X. About a diagonal, since meshes of
+             // tetrahedra are symmetric about that and pick from the five modes of this frequency accordingly.
+             const Eigen::Vector3d axis = Eigen::Vector3d::Ones().normalized();
+             NodeVectors u = NodeVectors::Zero(3, X.cols());
+             for (Eigen::Index node = 0; node < X.cols(); ++node) {
+               const double s = torsional * X.col(node).norm() / radius;
+               // j2(s)/s², finite at the centre.
+               const double profile =
+                   s < 1e-2 ? 1.0 / 15 : ((3 / (s * s) - 1) * std::sin(s) / s - 3 * std::cos(s) / (s * s)) / (s * s);
+               const Eigen::Vector3d at = X.col(node);
+               u.col(node) = profile * axis.dot(at) * axis.cross(at);
+             }
+             return u;
+           }},
+          {"cantilever, bending, nu = 0", 0.0, timoshenkoFrequency(), Shape::cantilever, [](const NodeVectors& X) {
+             // Euler and Bernoulli's first mode, sections turned with the axis. Along a diagonal of the section: of the
+             // two directions of equal frequency that is the one that meshes of tetrahedra are symmetric about.
+             constexpr double k = 1.8751040687119611 / length, c = 0.7340955137589128;
+             NodeVectors u = NodeVectors::Zero(3, X.cols());
+             const double middle = 0.25 * (X.row(1) + X.row(2)).minCoeff() + 0.25 * (X.row(1) + X.row(2)).maxCoeff();
+             for (Eigen::Index node = 0; node < X.cols(); ++node) {
+               const double s = k * X(0, node), across = X(1, node) + X(2, node) - 2 * middle;
+               u(1, node) = u(2, node) = std::cosh(s) - std::cos(s) - c * (std::sinh(s) - std::sin(s));
+               u(0, node) = -across * k * (std::sinh(s) + std::sin(s) - c * (std::cosh(s) - std::cos(s)));
+             }
+             return u;
            }}};
 }
 
 }  // namespace
 
 void studyFrequencies(StudyReport& report, StudyEffort effort) {
-  StudyTable table{"frequencies",
-                   "Free vibrations, lumped mass, against exact answers (rod: cosine; ball: Lamb 1882)",
-                   {"mode", "element", "cells", "frequency (Hz)", "exact (Hz)", "relative error", "rate"},
-                   {}};
+  StudyTable table{
+      "frequencies",
+      "Vibrations, lumped mass, against exact answers (rod: cosine; ball: Lamb 1882) and Timoshenko's beam",
+      {"mode", "element", "cells", "frequency (Hz)", "exact (Hz)", "relative error", "rate"},
+      {}};
   for (const KnownMode& mode : knownModes()) {
-    const double exact = std::sqrt(mode.lambda) / (2 * std::numbers::pi);
     for (const ElementInfo& info : allElements()) {
-      if (mode.ball && info.order > 1) continue;  // their straight sides do not follow the sphere
-      std::vector<int> meshes = mode.ball         ? std::vector<int>{6, 10}
-                                : info.order == 1 ? std::vector<int>{2, 4}
-                                                  : std::vector<int>{1, 2};
-      if (effort == StudyEffort::full) meshes.push_back(mode.ball ? 14 : 2 * meshes.back());
-      double before = 0, rate = 0, error = 0;
+      const bool ball = mode.shape == Shape::ball, cantilever = mode.shape == Shape::cantilever;
+      if (ball && info.order > 1) continue;  // their straight sides do not follow the sphere
+      std::vector<int> meshes = ball             ? std::vector<int>{6, 10}
+                                : info.order > 1 ? std::vector<int>{1, 2}
+                                : cantilever     ? std::vector<int>{4, 8}
+                                                 : std::vector<int>{2, 4};
+      if (effort == StudyEffort::full) meshes.push_back(ball ? 16 : std::min(2 * meshes.back(), 12));
+      std::vector<double> errors;
+      const auto rate = [&](std::size_t from, std::size_t to) {
+        return std::log(errors[from] / errors[to]) / std::log(static_cast<double>(meshes[to]) / meshes[from]);
+      };
       for (std::size_t m = 0; m < meshes.size(); ++m) {
         BallOptions options;
         options.radius = radius;
         options.cells = meshes[m];
         options.element = info.name;
-        const Body body(mode.ball ? generateBall(options) : bar(info.name, meshes[m]),
-                        makeMaterial("linear", young, mode.poisson, density));
+        Body body(ball ? generateBall(options) : bar(info.name, meshes[m]),
+                  makeMaterial("linear", young, mode.poisson, density));
+        if (cantilever)
+          for (const std::int32_t node : body.mesh().nodeSets.at("x-min")) body.constraints().fix(node);
+        double exact = std::sqrt(mode.lambda) / (2 * std::numbers::pi);
+        // Flat facets cut off some of the ball: the mesh stands for the ball of its own volume.
+        if (ball)
+          exact *= std::cbrt(4.0 / 3 * std::numbers::pi * std::pow(radius, 3) * density / body.lumpedMass().sum());
         const NearestMode found = nearestMode(body, body.mesh().X, mode.guess(body.mesh().X));
         const double hertz =
             found.converged && found.overlap > 0.9 ? std::sqrt(found.lambda) / (2 * std::numbers::pi) : std::nan("");
-        error = std::abs(hertz / exact - 1);
-        rate =
-            m == 0 ? std::nan("") : std::log(before / error) / std::log(static_cast<double>(meshes[m]) / meshes[m - 1]);
-        table.rows.push_back({mode.name, std::string(info.name), std::int64_t{meshes[m]}, hertz, exact, error, rate});
-        before = error;
+        errors.push_back(std::abs(hertz / exact - 1));
+        table.rows.push_back({mode.name, std::string(info.name), std::int64_t{meshes[m]}, hertz, exact, errors[m],
+                              m == 0 ? std::nan("") : rate(m - 1, m)});
       }
       const std::string name = std::string(info.name) + ": " + mode.name;
-      checkBelow(report, name + ", relative error", error, info.order == 1 ? 0.06 : 0.01);
-      report.checks.push_back({name + ", rate of the frequency at least 2 - 0.25", rate, 2, 0.25, rate >= 1.75});
+      checkBelow(report, name + ", relative error", errors.back(), info.order == 1 ? 0.06 : 0.01);
+      // Over all meshes: stiffness errs upward and lumping downward, so that errors fall unevenly, and not at all where
+      // the two cancel on every mesh. A beam is itself a model, some 1e-3 off: quadratic elements come down to that.
+      const bool cancels = *std::max_element(errors.begin(), errors.end()) < 0.015;
+      if ((!cantilever || info.order == 1) && !cancels) {
+        const double overall = rate(0, meshes.size() - 1);
+        report.checks.push_back(
+            {name + ", rate of the frequency at least 2 - 0.25", overall, 2, 0.25, overall >= 1.75});
+      }
     }
   }
   report.tables.push_back(std::move(table));
@@ -130,18 +192,16 @@ double timoshenko(double poisson) {
                kappa = 10 * (1 + poisson) / (12 + 11 * poisson);
   return tipForce * (std::pow(length, 3) / (3 * young * inertia) + length / (kappa * shear * width * width));
 }
-/// Seconds of one internal force on one thread, the best of a few.
-double forceSeconds(const Body& body) {
+/// Seconds of one call, the best of a few.
+template <class Call>
+double secondsOf(const Call& call) {
   using Clock = std::chrono::steady_clock;
-  Body::Workspace workspace;
-  NodeVectors f;
   double best = std::numeric_limits<double>::infinity();
   for (int round = 0; round < 5; ++round) {
     const auto begin = Clock::now();
     int calls = 0;
     double elapsed = 0;
-    for (; elapsed < 2e-3; elapsed = std::chrono::duration<double>(Clock::now() - begin).count(), ++calls)
-      body.internalForce(body.mesh().X, f, workspace);
+    for (; elapsed < 2e-3; elapsed = std::chrono::duration<double>(Clock::now() - begin).count(), ++calls) call();
     best = std::min(best, elapsed / calls);
   }
   return best;
@@ -182,7 +242,7 @@ void studyCantilever(StudyReport& report, StudyEffort effort) {
       "cost",
       "Cantilever, nu = 0.3: tip error against the time that a simulated second takes at the critical step, one thread",
       {"element", "rule", "cells", "elements", "tip error", "critical step (s)", "force (ns an element)",
-       "time per second (s)"},
+       "tangent product (ns an element)", "time per second (s)"},
       {}};
   StudyTable onePercent{"one-percent",
                         "Time for a simulated second at 1 % tip error, interpolated between meshes (s)",
@@ -214,11 +274,17 @@ void studyCantilever(StudyReport& report, StudyEffort effort) {
       const Body body(bar(c.element->name, n), makeMaterial("stvk", young, 0.3, density), options);
       const double error = std::abs(deflection(c, n, 0.3) / reference - 1);
       const GlobalFrequency top = globalFrequency(body, body.mesh().X, 1e-6);
-      const double step = top.converged ? 2 / std::sqrt(top.lambda) : std::nan(""), seconds = forceSeconds(body);
+      const double step = top.converged ? 2 / std::sqrt(top.lambda) : std::nan("");
+      Body::Workspace workspace;
+      NodeVectors result;
+      const NodeVectors& X = body.mesh().X;
+      const double seconds = secondsOf([&] { body.internalForce(X, result, workspace); }),
+                   product = secondsOf([&] { body.tangentProduct(X, X, result, workspace); });
       const auto count = static_cast<double>(body.mesh().elementCount());
       const double perSecond = seconds / step;
       cost.rows.push_back({std::string(c.element->name), std::string(c.rule->name), std::int64_t{n},
-                           static_cast<std::int64_t>(count), error, step, seconds / count * 1e9, perSecond});
+                           static_cast<std::int64_t>(count), error, step, seconds / count * 1e9, product / count * 1e9,
+                           perSecond});
       if (error <= 0.01 && std::isnan(crossing)) {
         crossing = perSecond;
         if (!time.x.empty()) {

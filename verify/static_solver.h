@@ -51,12 +51,13 @@ NodeVectors consistentBodyForce(const Mesh& mesh,
 NodeVectors consistentTraction(const Mesh& mesh, const std::function<bool(const Eigen::Vector3d& X)>& onFace,
                                const std::function<Eigen::Vector3d(const Eigen::Vector3d& X)>& traction);
 
-/// The vibration nearest to a guessed mode, by Rayleigh quotient iteration on K u = ω² M u at positions x.
+/// The vibration that a guess at a mode means, among those whose ω² lies nearest to the guess's Rayleigh quotient, of
+/// K u = ω² M u at positions x. Modes of equal frequency are mixed by any mesh: all that hold a tenth of the guess or
+/// more count as one, with the mean of their ω² by their shares in the guess.
 struct NearestMode {
   bool converged = false;
   double lambda = 0;   // ω², rad²/s²; only when converged
-  NodeVectors mode;    // 3×N; only when converged
-  double overlap = 0;  // |cosine| between guess and mode in the mass inner product
+  double overlap = 0;  // length of the guess's part in these modes over that of the guess, in the mass inner product
 };
 NearestMode nearestMode(const Body& body, const NodeVectors& x, const NodeVectors& guess);
 

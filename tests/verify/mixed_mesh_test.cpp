@@ -1,14 +1,18 @@
 // One body of tetrahedra, hexahedra, wedges and pyramids that share faces: a dynamic run with the monitor.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/stormer_verlet.h>
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/check.h>
 #include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/monitor/energy_balance.h>
 #include <ringwatch/monitor/global_frequency.h>
 #include <ringwatch/monitor/stability_monitor.h>
@@ -104,6 +108,25 @@ TEST(MixedMesh, RunsWithAValidBracketAndTheEnergyBalanceOfSingleTypeRuns) {
   RecordProperty("mixed", std::to_string(mixed.worstBalance));
   EXPECT_LE(mixed.worstBalance, 1.5 * worstSingle);
   EXPECT_LE(mixed.worstBalance, 1e-3);
+}
+
+TEST(MixedMesh, RunsTheSameFromMshAndVtuFiles) {
+  const Mesh mesh = generateMixedBar(barOptions());
+  const FallReport direct = fall(mesh);
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / joinText("ringwatch-mixed-", ::getpid());
+  std::filesystem::create_directories(folder);
+  for (const char* extension : {".msh", ".vtu"}) {
+    const std::filesystem::path file = folder / joinText("mixed", extension);
+    writeMesh(mesh, file);
+    const Mesh read = loadMesh(file);
+    ASSERT_EQ(read.blocks.size(), 4u) << extension;
+    EXPECT_EQ(read.nodeSets.count("x-min"), 1u) << extension;
+    const FallReport again = fall(read);
+    EXPECT_EQ(again.brackets, direct.brackets) << extension;
+    EXPECT_NEAR(again.worstBalance, direct.worstBalance, 1e-6 * direct.worstBalance) << extension;
+  }
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace
