@@ -34,6 +34,20 @@ Body::Body(Mesh mesh, const std::vector<Material>& materialOfBlock, const BodyOp
   indexSlots();
 }
 
+Body::Body(Mesh mesh, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::VectorXd lumpedMass, int threads)
+    : mesh_(std::move(mesh)),
+      blocks_(std::move(blocks)),
+      lumpedMass_(std::move(lumpedMass)),
+      constraints_(mesh_.nodeCount()),
+      externalForce_(NodeVectors::Zero(3, mesh_.X.cols())) {
+  options_.threads = threads;
+  if (blocks_.size() != mesh_.blocks.size())
+    throw InputError(joinText(blocks_.size(), " blocks for a mesh of ", mesh_.blocks.size()));
+  if (lumpedMass_.size() != nodeCount())
+    throw InputError(joinText(lumpedMass_.size(), " lumped masses for ", nodeCount(), " nodes"));
+  indexSlots();
+}
+
 void Body::elementLumpedMass(ElementRef ref, double* mass) const {
   const ElementBlock& block = *blocks_[static_cast<std::size_t>(ref.block)];
   const ElementInfo& element = block.element();

@@ -48,6 +48,9 @@ class Body {
   /// when the lumped mass does not add up to density × volume.
   Body(Mesh mesh, const Material& material, const BodyOptions& options = {});
   Body(Mesh mesh, const std::vector<Material>& materialOfBlock, const BodyOptions& options = {});
+  /// Of blocks made elsewhere, one for each of the mesh, with the lumped mass of each node, kg. Answers for what its
+  /// blocks know.
+  Body(Mesh mesh, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::VectorXd lumpedMass, int threads = 0);
 
   const Mesh& mesh() const { return mesh_; }
   std::int32_t nodeCount() const { return static_cast<std::int32_t>(mesh_.nodeCount()); }

@@ -1,0 +1,189 @@
+#include <ringwatch/monitor/tangent_bracket.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/body/body.h>
+#include <ringwatch/body/tangent_block.h>
+#include <ringwatch/monitor/nodal_bound.h>
+#include <ringwatch/monitor/rayleigh.h>
+#include <ringwatch/monitor/reduced_ring.h>
+
+namespace ringwatch {
+namespace {
+
+/// The element type that lends its number of nodes to elements of n nodes: the smallest with as many or more.
+ElementType carrierOf(int n) {
+  const ElementInfo* best = nullptr;
+  for (const ElementInfo& info : allElements())
+    if (info.nodes >= n && (!best || info.nodes < best->nodes)) best = &info;
+  if (n < 2 || !best) throw InputError(joinText(n, " nodes an element: must be 2 to ", maxElementNodes));
+  return best->type;
+}
+
+void checkElement(std::size_t group, std::size_t e, std::span<const std::int32_t> nodes, std::size_t nodeCount) {
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    if (nodes[a] < 0 || static_cast<std::size_t>(nodes[a]) >= nodeCount)
+      throw InputError(joinText("group ", group, ", element ", e, ": node ", nodes[a], " must be 0 to ", nodeCount - 1,
+                                ", as many as there are masses"));
+    if (std::find(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(a), nodes[a]) !=
+        nodes.begin() + static_cast<std::ptrdiff_t>(a))
+      throw InputError(joinText("group ", group, ", element ", e, ": node ", nodes[a], " is there twice"));
+  }
+}
+
+void checkTangent(std::size_t group, std::size_t e, const double* K, int size) {
+  double largest = 0;
+  for (int i = 0; i < size * size; ++i) {
+    if (!std::isfinite(K[i]))
+      throw InputError(joinText("group ", group, ", element ", e, ": tangent entry (", i / size, ", ", i % size,
+                                ") is ", K[i], ": must be finite"));
+    largest = std::max(largest, std::abs(K[i]));
+  }
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < i; ++j)
+      if (!(std::abs(K[i * size + j] - K[j * size + i]) <= 1e-8 * largest))
+        throw InputError(joinText("group ", group, ", element ", e, ": tangent is not symmetric: entry (", i, ", ", j,
+                                  ") is ", K[i * size + j], ", (", j, ", ", i, ") is ", K[j * size + i]));
+}
+
+}  // namespace
+
+struct TangentBracket::Impl {
+  struct Group {
+    int nodes, carrierNodes;
+    std::size_t count;
+    std::vector<double> padded;  // tangents, where the carrier has more nodes than the elements
+    TangentBlock* block;
+  };
+  std::vector<Group> groups;
+  std::unique_ptr<Body> body;
+  std::unique_ptr<NodalBound> bound;
+  std::unique_ptr<ReducedRing> ring;
+  NodeVectors mode;
+  int calls = 0, lastFresh = 0, freshGap = leastGap;
+
+  static constexpr int leastGap = 4;  // calls between two fresh starts; doubles while they do not help
+  static constexpr int warmSweeps = 2, freshSweeps = 20, products = 6, coldProducts = 20;
+  static constexpr double wide = 1.1;  // in lambda: 5 % of the step
+
+  UpperBound upperBound(const NodeVectors& x, LowerBound lower) {
+    const bool first = calls++ == 0;
+    UpperBound upper = bound->evaluate(x, first ? freshSweeps : warmSweeps);
+    if (upper.value <= wide * lower.value || (!first && calls - lastFresh < freshGap)) return upper;
+    // Shapes that were swept along for long, or that started badly: from scratch, both ways.
+    lastFresh = calls;
+    const double before = upper.value;
+    for (const NodalBound::Start start : {NodalBound::Start::rootOfStiffness, NodalBound::Start::stiffness}) {
+      auto other = std::make_unique<NodalBound>(*body);
+      const UpperBound value = other->evaluate(x, freshSweeps, start);
+      if (value.value < upper.value) {
+        upper = value;
+        bound = std::move(other);
+      }
+    }
+    freshGap = upper.value < 0.98 * before ? leastGap : std::min(2 * freshGap, 256);
+    return upper;
+  }
+};
+
+TangentBracket::TangentBracket(std::span<const double> lumpedMass, const std::vector<Elements>& elements,
+                               std::span<const std::uint8_t> constrained, int threads)
+    : impl_(std::make_unique<Impl>()) {
+  const std::size_t nodeCount = lumpedMass.size();
+  if (elements.empty()) throw InputError("no elements: at least one group is needed");
+  if (!constrained.empty() && constrained.size() != 3 * nodeCount)
+    throw InputError(joinText(constrained.size(), " flags of constrained components: must be none or ", 3 * nodeCount,
+                              ", three a node"));
+  for (std::size_t i = 0; i < nodeCount; ++i)
+    if (!(lumpedMass[i] > 0) || !std::isfinite(lumpedMass[i]))
+      throw InputError(joinText("node ", i, ": mass ", lumpedMass[i], " kg: must be > 0"));
+
+  Mesh mesh;
+  std::size_t spare = 0;  // fixed nodes that fill up elements whose number of nodes no type has
+  for (std::size_t g = 0; g < elements.size(); ++g) {
+    const auto n = static_cast<std::size_t>(elements[g].nodesPerElement);
+    MeshBlock block{carrierOf(elements[g].nodesPerElement), {}, {}};
+    if (elements[g].nodes.empty() || elements[g].nodes.size() % n != 0)
+      throw InputError(
+          joinText("group ", g, ": ", elements[g].nodes.size(), " node numbers: must be a multiple of ", n));
+    const auto width = static_cast<std::size_t>(block.nodesPerElement());
+    const std::size_t count = elements[g].nodes.size() / n;
+    for (std::size_t e = 0; e < count; ++e) {
+      const auto nodes = elements[g].nodes.subspan(e * n, n);
+      checkElement(g, e, nodes, nodeCount);
+      block.connectivity.insert(block.connectivity.end(), nodes.begin(), nodes.end());
+      for (std::size_t a = n; a < width; ++a)
+        block.connectivity.push_back(static_cast<std::int32_t>(nodeCount + a - n));
+      block.ids.push_back(static_cast<std::int64_t>(e));
+    }
+    spare = std::max(spare, width - n);
+    impl_->groups.push_back({static_cast<int>(n), static_cast<int>(width), count, {}, nullptr});
+    mesh.blocks.push_back(std::move(block));
+  }
+  mesh.X.setZero(3, static_cast<Eigen::Index>(nodeCount + spare));
+  for (std::size_t i = 0; i < nodeCount + spare; ++i) mesh.nodeIds.push_back(static_cast<std::int64_t>(i));
+  std::vector<std::unique_ptr<ElementBlock>> blocks;
+  for (std::size_t g = 0; g < elements.size(); ++g) {
+    auto block = std::make_unique<TangentBlock>(mesh, mesh.blocks[g]);
+    impl_->groups[g].block = block.get();
+    blocks.push_back(std::move(block));
+  }
+  Eigen::VectorXd mass = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(nodeCount + spare));
+  std::copy(lumpedMass.begin(), lumpedMass.end(), mass.data());
+  impl_->body = std::make_unique<Body>(std::move(mesh), std::move(blocks), std::move(mass), threads);
+  for (std::size_t i = 0; i < constrained.size(); ++i)
+    if (constrained[i]) impl_->body->constraints().fix(static_cast<std::int32_t>(i / 3), static_cast<int>(i % 3));
+  for (std::size_t i = 0; i < spare; ++i) impl_->body->constraints().fix(static_cast<std::int32_t>(nodeCount + i));
+  impl_->bound = std::make_unique<NodalBound>(*impl_->body);
+  impl_->ring = std::make_unique<ReducedRing>(*impl_->body);
+}
+TangentBracket::~TangentBracket() = default;
+
+CriticalStep TangentBracket::evaluate(const std::vector<std::span<const double>>& tangents, double limit) {
+  Impl& m = *impl_;
+  if (tangents.size() != m.groups.size())
+    throw InputError(
+        joinText(tangents.size(), " groups of tangents: must be ", m.groups.size(), ", as many as groups of elements"));
+  for (std::size_t g = 0; g < tangents.size(); ++g) {
+    Impl::Group& group = m.groups[g];
+    const int size = 3 * group.nodes, wide = 3 * group.carrierNodes;
+    const auto entries = static_cast<std::size_t>(size * size), wideEntries = static_cast<std::size_t>(wide * wide);
+    if (tangents[g].size() != group.count * entries)
+      throw InputError(joinText("group ", g, ": ", tangents[g].size(), " numbers in its tangents: must be ",
+                                group.count, " x ", size, " x ", size));
+    for (std::size_t e = 0; e < group.count; ++e) checkTangent(g, e, tangents[g].data() + e * entries, size);
+    if (group.carrierNodes == group.nodes) {
+      group.block->setTangents(tangents[g].data());
+      continue;
+    }
+    group.padded.resize(group.count * wideEntries);
+    for (std::size_t e = 0; e < group.count; ++e)
+      for (int i = 0; i < size; ++i)
+        std::copy_n(tangents[g].data() + e * entries + static_cast<std::size_t>(i * size), size,
+                    group.padded.data() + e * wideEntries + static_cast<std::size_t>(i * wide));
+    group.block->setTangents(group.padded.data());
+  }
+
+  const NodeVectors& x = m.body->mesh().X;
+  const ReducedRing::Result& rings = m.ring->evaluate(x, true);
+  // The tracked mode alone can miss a jump of the top mode; the hottest ring's alone can lie beside it.
+  NodeVectors start = m.ring->topVector(rings.highestElement);
+  const bool cold = m.mode.size() == 0;
+  if (!cold) start += (start.cwiseProduct(m.mode).sum() < 0 ? -1.0 : 1.0) * m.mode;
+  m.mode = std::move(start);
+  const LowerBound quotient = rayleighLowerBound(*m.body, x, m.mode, cold ? Impl::coldProducts : Impl::products);
+  const bool byRing = !(quotient.value > rings.highest);
+  const LowerBound lower{byRing ? rings.highest : quotient.value};
+  const UpperBound upper = m.upperBound(x, lower);
+  return {safeStep(upper, limit),
+          optimisticStep(lower, limit),
+          rings.highestElement,
+          "nodal-bound",
+          byRing ? "reduced-1-ring" : "rayleigh-quotient",
+          rings.lowest,
+          rings.lowestElement};
+}
+
+}  // namespace ringwatch
