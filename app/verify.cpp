@@ -13,16 +13,19 @@
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/verify/elements.h>
 #include <ringwatch/verify/integrators.h>
+#include <ringwatch/verify/monitor.h>
 #include <ringwatch/verify/stress.h>
 
 namespace ringwatch {
 namespace {
 
-const std::array<StudyInfo, 3> studies{{
+const std::array<StudyInfo, 4> studies{{
     {"elements", "every element and quadrature rule: rank, patch test, derivatives, convergence, frequencies, locking",
      verifyElements},
     {"integrators", "every integrator: stability limit, order, energy drift, reversibility, damping",
      [](StudyEffort effort) { return verifyIntegrators(effort); }},
+    {"monitor", "bracket, metrics, drift bounds and alarms of the monitor against exact values; nonlinear histories",
+     verifyMonitor},
     {"stress", "explicit integrators run long and on hard bodies: who survives, and with what error",
      [](StudyEffort effort) { return verifyStress(effort); }},
 }};

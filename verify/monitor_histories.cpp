@@ -1,0 +1,291 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <Eigen/Dense>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/integrators/body_system.h>
+#include <ringwatch/integrators/symplectic_euler.h>
+#include <ringwatch/meshes/generators.h>
+#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/monitor/stability_monitor.h>
+#include <ringwatch/verify/monitor_studies.h>
+
+namespace ringwatch::detail {
+namespace {
+
+constexpr double limit = 2;  // symplectic Euler's
+constexpr double young = 30e3, poisson = 0.3, density = 1000;
+
+/// A run of St. Venant–Kirchhoff at a fixed step that its critical step falls below.
+struct History {
+  std::string name, title;
+  Body body;
+  double h;         // s
+  int steps;        // at most
+  bool indefinite;  // whether it ends by compression, where the tangent loses its positive definiteness
+};
+
+/// Steps until the energy is looked at: velocities of symplectic Euler are half a step behind, which at step n of a run
+/// under load is 1/n of the energy.
+constexpr int settling = 20;
+
+Mesh bar(std::string_view element, int cells) {
+  BarOptions options;
+  options.size = {0.2, 0.04, 0.04};
+  options.cells = {5 * cells, cells, cells};
+  options.element = element;
+  options.split = element == "tet4" ? 5 : 0;
+  options.jitter = 0.2;
+  return generateBar(options);
+}
+
+/// x = 0 is held, the other end moves at a velocity (m/s), or turns at a rate (1/s) to begin with.
+Body movedBar(std::string_view element, int cells, const Eigen::Vector3d& velocity, double rate) {
+  Body body(bar(element, cells), makeMaterial("stvk", young, poisson, density));
+  for (const std::int32_t node : body.mesh().nodeSets.at("x-min")) body.constraints().fix(node);
+  for (const std::int32_t node : body.mesh().nodeSets.at("x-max")) {
+    const Eigen::Vector3d arm = body.mesh().X.col(node) - Eigen::Vector3d(0.2, 0.02, 0.02);
+    const Eigen::Vector3d v = velocity + rate * Eigen::Vector3d(0, -arm[2], arm[1]);
+    for (int c = 0; c < 3; ++c) body.constraints().move(node, c, v[c]);
+  }
+  return body;
+}
+
+/// At rest at x = 0, the prescribed velocity at the other end, in proportion between: no shock to begin with.
+State gentleStart(const BodySystem& system) {
+  State state = system.initialState();
+  const NodeVectors& X = system.body().mesh().X;
+  const double length = X.row(0).maxCoeff();
+  const auto& end = system.body().mesh().nodeSets.find("x-max");
+  if (end == system.body().mesh().nodeSets.end()) return state;
+  // Velocities of the moved end depend on y and z linearly: a plane through three of its nodes gives them everywhere.
+  Eigen::MatrixXd A(static_cast<Eigen::Index>(end->second.size()), 3);
+  Eigen::MatrixXd b(A.rows(), 3);
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    const std::int32_t node = end->second[static_cast<std::size_t>(i)];
+    A.row(i) << 1, X(1, node), X(2, node);
+    b.row(i) = state.v.col(node).transpose();
+  }
+  const Eigen::MatrixXd plane = A.colPivHouseholderQr().solve(b);
+  for (Eigen::Index node = 0; node < X.cols(); ++node)
+    state.v.col(node) = X(0, node) / length * (Eigen::RowVector3d(1, X(1, node), X(2, node)) * plane).transpose();
+  return state;
+}
+
+/// A ball held at a few nodes near its top, in a field of force that grows toward its bottom.
+Body hangingBall(int cells) {
+  BallOptions options;
+  options.radius = 0.05;
+  options.cells = cells;
+  Body body(generateBall(options), makeMaterial("stvk", young, poisson, density));
+  for (std::int32_t node = 0; node < body.nodeCount(); ++node)
+    if (body.mesh().X(2, node) > 0.8 * options.radius) body.constraints().fix(node);
+  for (std::int32_t node = 0; node < body.nodeCount(); ++node)
+    body.externalForce()(2, node) = -body.lumpedMass()[node] * 60 * (1 - body.mesh().X(2, node) / options.radius);
+  return body;
+}
+
+double percentBelow(double step, double exact) { return 100 * (step / exact - 1); }
+
+double median(std::vector<double> values) {
+  if (values.empty()) return std::nan("");
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void runHistory(StudyReport& report, StudyTable& table, const History& history) {
+  const Body& body = history.body;
+  BodySystem system(body);
+  State state = gentleStart(system);
+  SymplecticEuler integrator;
+  MonitorOptions options;
+  options.limit = limit;
+  StabilityMonitor monitor(body, options);
+  EnergyBalance balance(body);
+  Body::Workspace workspace;
+  NodeVectors force;
+  ReducedRing ring(body);
+
+  StudyFigure figure = figureOf("monitor-history-" + history.name, history.title, "time (s)", "step (s)", false,
+                                {"exact", "safe, proven", "optimistic, proven", "reduced 1-ring", "step of the run",
+                                 "first violated", "energy off by 10 %"});
+  const auto mark = [&](std::size_t curve, double value) {
+    figure.curves[curve].x.push_back(state.time);
+    figure.curves[curve].y.push_back(value);
+  };
+  const int sampleEvery = std::max(1, history.steps / 60);
+  std::vector<double> width;  // of the safe side against the exact step, %
+  double worstOptimistic = -std::numeric_limits<double>::infinity();
+  std::int64_t outside = 0, falseAlarms = 0, evaluated = 0, looks = 0;
+  std::int64_t violatedAt = -1, energyAt = -1, exactAt = -1, indefiniteAt = -1;
+  double largest = 0;
+  for (std::int64_t step = 0; step <= history.steps; ++step) {
+    body.internalForce(state.x, force, workspace);
+    if (!force.allFinite() || !state.v.allFinite()) break;
+    balance.record(state.x, force);
+    const Energies energies = balance.energies(state.v);
+    largest = std::max({largest, energies.kinetic + std::abs(energies.strain), std::abs(energies.externalWork)});
+    if (energyAt < 0 && step >= settling && std::abs(energies.balanceError) > 0.1 * largest) {
+      energyAt = step;
+      mark(6, history.h);
+    }
+    const MonitorReport& seen = monitor.observe(step, state.time, state.x, state.v, history.h, &energies);
+    evaluated += seen.elementsRefreshed;
+    ++looks;
+    for (const MonitorEvent& event : seen.newEvents)
+      if (event.kind == EventKind::indefinite && indefiniteAt < 0) indefiniteAt = step;
+    const bool alarm = seen.verdict == Verdict::violated && violatedAt < 0;
+    if (energyAt < 0 && (step % sampleEvery == 0 || alarm)) {
+      const GlobalFrequency top = globalFrequency(body, state.x, 1e-9);
+      if (top.converged) {
+        const double exact = stepFor(top.lambda, limit);
+        outside += !(seen.bracket->safe <= exact * (1 + 1e-9)) || !(seen.bracket->optimistic >= exact * (1 - 1e-9));
+        falseAlarms += alarm && exact >= history.h * (1 + 1e-9);
+        if (exactAt < 0 && exact < history.h) exactAt = step;
+        // How tight it is counts until the collapse.
+        if (indefiniteAt < 0) {
+          width.push_back(percentBelow(seen.bracket->safe, exact));
+          worstOptimistic = std::max(worstOptimistic, percentBelow(seen.bracket->optimistic, exact));
+        }
+        mark(0, exact);
+        mark(1, seen.bracket->safe);
+        mark(2, seen.bracket->optimistic);
+        mark(3, stepFor(ring.evaluate(state.x).highest, limit));
+        mark(4, history.h);
+      }
+    }
+    if (alarm) {
+      violatedAt = step;
+      mark(5, history.h);
+    }
+    if (energyAt >= 0) break;
+    integrator.step(system, state, history.h);
+  }
+  const auto elements = static_cast<double>(body.mesh().elementCount());
+  table.rows.push_back({history.name, static_cast<std::int64_t>(elements), history.h,
+                        *std::min_element(width.begin(), width.end()), median(width),
+                        *std::max_element(width.begin(), width.end()), worstOptimistic,
+                        static_cast<double>(evaluated) / elements / static_cast<double>(looks), exactAt, violatedAt,
+                        energyAt, indefiniteAt});
+  const auto count = [&](const std::string& what, std::int64_t measured) {
+    report.checks.push_back({history.name + ": " + what, static_cast<double>(measured), 0, 0, measured == 0});
+  };
+  count("exact values outside of the bracket", outside);
+  count("alarms while the exact step allows h", falseAlarms);
+  if (history.indefinite) {
+    report.checks.push_back({history.name + ": said indefinite before the energy was off",
+                             static_cast<double>(indefiniteAt), static_cast<double>(energyAt), 0,
+                             indefiniteAt >= 0 && (energyAt < 0 || indefiniteAt <= energyAt)});
+  } else {
+    const double lead = static_cast<double>(energyAt - violatedAt);
+    report.checks.push_back({history.name + ": steps from the first violated to an energy off by 10 %, at least 20",
+                             lead, 20, 0, violatedAt >= 0 && energyAt >= 0 && lead >= 20});
+  }
+  report.figures.push_back(std::move(figure));
+}
+
+}  // namespace
+
+void studyHistories(StudyReport& report, StudyEffort effort) {
+  StudyTable table{
+      "histories",
+      "Nonlinear runs, symplectic Euler, St. Venant-Kirchhoff: bracket against the exact step, and the onset",
+      {"run", "elements", "h (s)", "safe side, worst (%)", "median (%)", "best (%)", "optimistic side, worst (%)",
+       "evaluations an element and step", "exact step below h at step", "first violated at step",
+       "energy off by 10 % at step", "indefinite at step"},
+      {}};
+  const bool full = effort == StudyEffort::full;
+  const int cells = full ? 4 : 2;
+  const auto step = [](const Body& body, double share) {
+    return share * criticalStep(body, body.mesh().X, limit).optimistic;
+  };
+  const auto add = [&](std::string name, std::string title, Body body, double share, int steps, bool indefinite) {
+    const double h = step(body, share);
+    runHistory(report, table, {std::move(name), std::move(title), std::move(body), h, steps, indefinite});
+  };
+  // The same stretch a step on coarse and fine meshes.
+  const double speed = 0.1 * cells;
+  const Eigen::Vector3d pull(speed, 0, 0), slow(speed / 8, 0, 0), push(-0.75 * speed, 0, 0);
+  add("pulled-tet4", "Bar of tetrahedra, pulled at its end", movedBar("tet4", cells, pull, 0), 0.85, 4000, false);
+  add("pulled-hex8", "Bar of hexahedra, pulled at its end", movedBar("hex8", cells, pull, 0), 0.85, 4000, false);
+  add("twisted-tet4", "Bar of tetrahedra, its end turned", movedBar("tet4", cells, Eigen::Vector3d::Zero(), 3 * cells),
+      0.9, 4000, false);
+  add("compressed-tet4", "Bar of tetrahedra, compressed", movedBar("tet4", cells, push, 0), 0.5, 4000, true);
+  add("hanging-ball", "Ball held at its top, in a field of force", hangingBall(full ? 8 : 5), 0.9, 4000, false);
+  if (full) {
+    add("slowly-pulled-tet4", "Bar of tetrahedra, pulled slowly", movedBar("tet4", cells, slow, 0), 0.85, 12000, false);
+    add("pulled-wedge6", "Bar of wedges, pulled at its end", movedBar("wedge6", cells, pull, 0), 0.85, 4000, false);
+    add("pulled-pyramid5", "Bar of pyramids, pulled at its end", movedBar("pyramid5", cells, pull, 0), 0.85, 4000,
+        false);
+    add("pulled-tet4-fine", "Fine bar of tetrahedra, pulled at its end", movedBar("tet4", 10, pull, 0), 0.85, 4000,
+        false);
+  }
+  report.tables.push_back(std::move(table));
+}
+
+void studyCost(StudyReport& report) {
+  StudyTable table{"cost",
+                   "Monitor over a plain step of symplectic Euler, one thread (bench/ has the same with more care)",
+                   {"run", "mode", "elements", "step (ns an element)", "monitor over step (%)", "wanted (%)"},
+                   {}};
+  using Clock = std::chrono::steady_clock;
+  const auto seconds = [](Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+  };
+  constexpr int cells = 16, steps = 100;  // 102 400 tetrahedra
+  struct Mode {
+    const char* name;
+    bool bracket;
+    std::string metric;
+  };
+  const Mode modes[] = {{"bracket", true, ""}, {"metric reduced-1-ring", false, "reduced-1-ring"}};
+  for (const auto& [runName, speed, wanted] : {std::tuple{"slow pull", 0.05, 15.0}, {"fast pull", 0.4, 40.0}})
+    for (const Mode& mode : modes) {
+      Body body(bar("tet4", cells), makeMaterial("stvk", young, poisson, density), [] {
+        BodyOptions one;
+        one.threads = 1;
+        return one;
+      }());
+      for (const std::int32_t node : body.mesh().nodeSets.at("x-min")) body.constraints().fix(node);
+      for (const std::int32_t node : body.mesh().nodeSets.at("x-max")) {
+        body.constraints().fix(node);
+        body.constraints().move(node, 0, speed);
+      }
+      const double h = 0.8 * criticalStep(body, body.mesh().X, limit).safe;
+      BodySystem system(body);
+      State state = gentleStart(system);
+      SymplecticEuler integrator;
+      MonitorOptions options;
+      options.limit = limit;
+      options.bracket = mode.bracket;
+      options.metric = mode.metric;
+      StabilityMonitor monitor(body, options);
+      std::vector<double> plain, watched;
+      // The first looks start from nothing.
+      monitor.observe(0, 0, state.x, state.v, h);
+      for (int i = 1; i <= steps; ++i) {
+        const auto begin = Clock::now();
+        integrator.step(system, state, h);
+        plain.push_back(seconds(begin));
+        const auto look = Clock::now();
+        monitor.observe(i, state.time, state.x, state.v, h);
+        watched.push_back(seconds(look));
+      }
+      double plainSum = 0, watchedSum = 0;
+      for (double s : plain) plainSum += s;
+      for (double s : watched) watchedSum += s;
+      const auto elements = static_cast<double>(body.mesh().elementCount());
+      table.rows.push_back({std::string(runName), std::string(mode.name), static_cast<std::int64_t>(elements),
+                            median(plain) / elements * 1e9, 100 * watchedSum / plainSum,
+                            mode.bracket ? StudyTable::Cell(wanted) : StudyTable::Cell(std::string("-"))});
+    }
+  report.tables.push_back(std::move(table));
+}
+
+}  // namespace ringwatch::detail

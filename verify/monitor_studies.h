@@ -1,0 +1,21 @@
+#pragma once
+// The parts of verifyMonitor, each adds its tables, checks and figures.
+#include <initializer_list>
+
+#include <ringwatch/verify/report.h>
+
+namespace ringwatch::detail {
+
+/// A figure with named curves that have no points yet.
+StudyFigure figureOf(std::string name, std::string title, std::string xLabel, std::string yLabel, bool logarithmic,
+                     std::initializer_list<const char*> curves);
+
+void studyBracket(StudyReport& report, StudyEffort effort);
+void studyDrift(StudyReport& report, StudyEffort effort);
+void studyTetrahedron(StudyReport& report);
+void studyMetrics(StudyReport& report, StudyEffort effort);
+void studyObserved(StudyReport& report, StudyEffort effort);
+void studyHistories(StudyReport& report, StudyEffort effort);
+void studyCost(StudyReport& report);
+
+}  // namespace ringwatch::detail
