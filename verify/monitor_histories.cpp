@@ -86,7 +86,7 @@ Body hangingBall(int cells) {
   for (std::int32_t node = 0; node < body.nodeCount(); ++node)
     if (body.mesh().X(2, node) > 0.8 * options.radius) body.constraints().fix(node);
   for (std::int32_t node = 0; node < body.nodeCount(); ++node)
-    body.externalForce()(2, node) = -body.lumpedMass()[node] * 60 * (1 - body.mesh().X(2, node) / options.radius);
+    body.externalForce()(2, node) = -body.lumpedMass()[node] * 250 * (1 - body.mesh().X(2, node) / options.radius);
   return body;
 }
 
