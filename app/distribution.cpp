@@ -157,8 +157,9 @@ std::string drawDistribution(const std::filesystem::path& file, const std::vecto
     const double end = std::nextafter(d.steps.back(), INFINITY);
     data += fmt::format("{} {}\n\n\n", end, 100 * d.critical(end));
     const std::string label = gnuplotQuoted(d.metric);
-    histograms += fmt::format("{}data index {} using 1:3 with fsteps lw 2 lc {} title {}",
-                              histograms.empty() ? "" : ", ", index, index / 2 + 1, label);
+    histograms += fmt::format(
+        "{}data index {} using (sqrt($1*$2)):3:1:2:(0):3 with boxxyerror fill transparent solid 0.3 lc {} title {}",
+        histograms.empty() ? "" : ", ", index, index / 2 + 1, label);
     shares += fmt::format("{}data index {} using 1:2 with lines lw 2 lc {} title {}", shares.empty() ? "" : ", ",
                           index + 1, index / 2 + 1, label);
     index += 2;

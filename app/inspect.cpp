@@ -33,8 +33,8 @@ std::vector<std::string> metricsWanted(const std::vector<std::string>& asked) {
   for (const std::string& name : asked) {
     if (name == "all") return known;
     if (!findMetric(name))
-      throw InputError(
-          fmt::format("--metric: did you mean \"{}\"? {}, or all", nearestName(name, known), unknownMetric(name)));
+      throw InputError(fmt::format("--metric: unknown \"{}\"; did you mean \"{}\"? known are all, {}", name,
+                                   nearestName(name, known), knownMetrics(name)));
     if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
   }
   return wanted;

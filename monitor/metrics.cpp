@@ -144,17 +144,17 @@ MetricResult evaluateMetric(std::string_view name, const Body& body, const NodeV
         }
     return result;
   }
-  throw InputError(unknownMetric(name));
+  throw InputError(joinText("metric \"", name, "\": must be one of ", knownMetrics(name)));
 }
 
-std::string unknownMetric(std::string_view name) {
+std::string knownMetrics(std::string_view name) {
   const std::string_view family = name.substr(0, name.find(':') + 1);  // "" without an option
   std::string all, options;
   for (const MetricInfo& info : allMetrics()) {
     all += joinText(all.empty() ? "" : ", ", info.name);
     if (!family.empty() && info.name.starts_with(family)) options += joinText(options.empty() ? "" : ", ", info.name);
   }
-  return joinText("metric \"", name, "\": must be one of ", options.empty() ? all : options);
+  return options.empty() ? all : options;
 }
 
 }  // namespace ringwatch

@@ -32,8 +32,8 @@ const MetricInfo* findMetric(std::string_view name);
 /// freedom are left out. Throws InputError for an unknown name.
 MetricResult evaluateMetric(std::string_view name, const Body& body, const NodeVectors& x,
                             const MetricProgress& progress = {});
-/// What is wrong with a name that `findMetric` does not know, and which are known: of the same family, when a name
-/// such as "pressure-wave:height" has a known one.
-std::string unknownMetric(std::string_view name);
+/// The names to choose from instead of one that `findMetric` does not know, separated by commas: those of its family
+/// for a name such as "pressure-wave:height", else all.
+std::string knownMetrics(std::string_view name);
 
 }  // namespace ringwatch
