@@ -79,7 +79,7 @@ std::string metricListing() {
   std::string text;
   for (const MetricInfo& info : allMetrics())
     text +=
-        fmt::format("  {:<17} {}; of the highest frequency: {}\n", info.name, info.help, directionName(info.direction));
+        fmt::format("  {:<31} {}; of the highest frequency: {}\n", info.name, info.help, directionName(info.direction));
   return text;
 }
 
@@ -169,7 +169,7 @@ struct RunCommand {
 
 struct InspectCommand {
   InspectOptions options;
-  std::string json, vtu, lumping = "row-sum";
+  std::string json, picture, vtu, lumping = "row-sum";
   double step = 0;
   CLI::Option* stepOption = nullptr;
 
@@ -193,6 +193,9 @@ struct InspectCommand {
     command->add_flag("--global", options.global, "also the exact critical step, by a global eigenvalue");
     command->add_option("--json", json,
                         "write the numbers to this file; - for standard output, and nothing else there");
+    command->add_flag("--distribution", options.distribution,
+                      "histogram and cumulative share of the elements' steps by metric; the ten worst elements");
+    command->add_option("--picture", picture, "draw the distribution into this file, .svg or .png");
     command->add_option("--vtu", vtu, "write the mesh with the steps by each metric for ParaView");
     command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
         ->check(CLI::Range(0, 4096));
@@ -203,6 +206,7 @@ struct InspectCommand {
   int execute() {
     if (stepOption->count() > 0) options.step = step;
     if (!vtu.empty()) options.vtu = vtu;
+    if (!picture.empty()) options.picture = picture;
     options.lumping = lumping == "equal" ? Lumping::equal : Lumping::rowSum;
     const InspectResult result = inspectMesh(options);
     const std::string text = result.json.dump(2) + "\n";

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/distribution.h>
+#include <ringwatch/app/progress.h>
 #include <ringwatch/app/report.h>
 #include <ringwatch/app/scene.h>
 #include <ringwatch/base/error.h>
@@ -32,7 +34,7 @@ std::vector<std::string> metricsWanted(const std::vector<std::string>& asked) {
     if (name == "all") return known;
     if (!findMetric(name))
       throw InputError(fmt::format("--metric: unknown \"{}\"; did you mean \"{}\"? known are all, {}", name,
-                                   nearestName(name, known), fmt::join(known, ", ")));
+                                   nearestName(name, known), knownMetrics(name)));
     if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
   }
   return wanted;
@@ -71,15 +73,15 @@ Body makeBody(const InspectOptions& options, std::vector<std::string>& notes) {
   }
 }
 
-/// Which way a metric's step errs: the opposite of its frequency.
-std::string_view stepMeaning(Direction direction) {
+/// Which side of the critical step a metric's step lies on: the opposite of its frequency.
+std::string_view stepSide(Direction direction) {
   switch (direction) {
     case Direction::upperBound:
-      return "proven: the critical step is at least this";
+      return "safe";
     case Direction::lowerBound:
-      return "proven: the critical step is at most this";
+      return "optimistic";
     case Direction::estimate:
-      return "an estimate, may err either way";
+      return "estimate";
   }
   return "";
 }
@@ -104,14 +106,28 @@ Json qualityJson(const std::vector<QualitySummary>& summaries) {
   return json;
 }
 
-/// Elements whose reduced 1-ring forbids a step.
-Json illShaped(const Mesh& mesh, const MetricResult& ring, double limit, double h) {
+/// The metric among those at hand, or evaluated.
+MetricResult metricNamed(std::string_view name, const std::vector<MetricResult>& known, const Body& body) {
+  for (const MetricResult& metric : known)
+    if (metric.info->name == name) return metric;
+  return evaluateMetric(name, body, body.mesh().X);
+}
+
+/// Elements whose reduced 1-ring forbids a step, and how many forbid it by each metric.
+Json illShaped(const Body& body, const std::vector<MetricResult>& metrics, double limit, double h) {
+  const MetricResult ring = metricNamed("reduced-1-ring", metrics, body),
+                     single = metricNamed("single-element", metrics, body);
   Json elements = Json::array();
+  std::size_t singleCount = 0;
   for (std::size_t b = 0; b < ring.elementLambda.size(); ++b)
-    for (std::size_t e = 0; e < ring.elementLambda[b].size(); ++e)
+    for (std::size_t e = 0; e < ring.elementLambda[b].size(); ++e) {
       if (stepFor(ring.elementLambda[b][e], limit) < h)
-        elements.push_back(Json{{"block", b}, {"index", e}, {"id", mesh.blocks[b].ids[e]}});
-  return Json{{"count", elements.size()}, {"elements", std::move(elements)}};
+        elements.push_back(Json{{"block", b}, {"index", e}, {"id", body.mesh().blocks[b].ids[e]}});
+      singleCount += stepFor(single.elementLambda[b][e], limit) < h ? 1 : 0;
+    }
+  return Json{{"count", elements.size()},
+              {"by_metric", {{"reduced-1-ring", elements.size()}, {"single-element", singleCount}}},
+              {"elements", std::move(elements)}};
 }
 
 void writeMetricsVtu(const std::filesystem::path& path, const Body& body, const std::vector<MetricResult>& metrics,
@@ -136,6 +152,30 @@ void writeMetricsVtu(const std::filesystem::path& path, const Body& body, const 
   writeVtu(path, body.mesh(), body.mesh().X, {}, fields);
 }
 
+/// The table of metrics. A difference is (step - global) / global: negative is pessimistic.
+void reportMetrics(const std::vector<MetricResult>& metrics, double limit, std::optional<double> globalStep, Json& json,
+                   std::string& text) {
+  for (const char* key : {"metrics", "directions", "controlling"}) json[key] = Json::object();
+  if (globalStep) json["differences_percent"] = Json::object();
+  text += fmt::format("  {:<32} {:<10} {:>16} {}element\n", "metric", "side", "step (s)",
+                      globalStep ? "  difference (%)  " : "  ");
+  for (const MetricResult& m : metrics) {
+    const double h = stepFor(m.lambda, limit);
+    const std::string name(m.info->name);
+    json["metrics"][name] = h;
+    json["directions"][name] = std::string(stepSide(m.direction));
+    json["controlling"][name] = Json{{"block", m.controlling.block}, {"index", m.controlling.element}};
+    text += fmt::format("  {:<32} {:<10} {:>16.10g}  ", name, stepSide(m.direction), h);
+    if (globalStep) {
+      const double difference = 100 * (h / *globalStep - 1);
+      json["differences_percent"][name] = difference;
+      text += fmt::format("{:>14.3f}  ", difference);
+    }
+    text += fmt::format("{}:{}\n", m.controlling.block, m.controlling.element);
+  }
+  text += "  safe: proven, the critical step is at least this; optimistic: proven, at most this\n";
+}
+
 }  // namespace
 
 InspectResult inspectMesh(const InspectOptions& options) {
@@ -143,6 +183,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
   const double limit = limitOf(options.integrator);
   if (options.step && !(*options.step > 0 && std::isfinite(*options.step)))
     throw InputError(fmt::format("--step: {} is out of range; must be > 0 s", *options.step));
+  if (options.picture) checkPictureName(*options.picture);
   std::vector<NodeSelection> held;
   for (const std::string& text : options.fix) held.push_back(NodeSelection::parse(text, "--fix"));
 
@@ -174,12 +215,14 @@ InspectResult inspectMesh(const InspectOptions& options) {
   if (step.lowestRing < 0)
     text +=
         fmt::format("  the tangent is indefinite, eigenvalue {:.6g} rad2/s2: no step cures that\n", step.lowestRing);
+  std::optional<double> globalStep;
   if (options.global) {
     const GlobalFrequency global = globalFrequency(body, mesh.X);
     if (global.converged) {
-      json["critical_step"]["global"] = stepFor(global.lambda, limit);
-      text += fmt::format("  global      {:.10g} s   the exact value, {} tangent products\n",
-                          stepFor(global.lambda, limit), global.products);
+      globalStep = stepFor(global.lambda, limit);
+      json["critical_step"]["global"] = *globalStep;
+      text +=
+          fmt::format("  global      {:.10g} s   the exact value, {} tangent products\n", *globalStep, global.products);
     } else {
       result.failure = fmt::format(
           "{}: the global eigenvalue did not converge after {} tangent products; the bracket holds without it",
@@ -188,16 +231,13 @@ InspectResult inspectMesh(const InspectOptions& options) {
   }
 
   std::vector<MetricResult> metrics;
-  json["critical_step"]["metrics"] = Json::object();
-  text += fmt::format("  {:<16} {:>16}  element of the largest value\n", "metric", "step (s)");
-  for (const std::string& name : wanted) {
-    metrics.push_back(evaluateMetric(name, body, mesh.X));
-    const MetricResult& m = metrics.back();
-    const double h = stepFor(m.lambda, limit);
-    json["critical_step"]["metrics"][name] = h;
-    text += fmt::format("  {:<16} {:>16.10g}  {}:{}  {}\n", name, h, m.controlling.block, m.controlling.element,
-                        stepMeaning(m.info->direction));
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    ProgressLine progress(true);
+    metrics.push_back(evaluateMetric(wanted[i], body, mesh.X, [&](double done) {
+      if (progress.due()) progress.show(fmt::format("{}: {:.0f} %", wanted[i], 100 * done), done);
+    }));
   }
+  reportMetrics(metrics, limit, globalStep, json["critical_step"], text);
 
   json["controlling_element"] = elementJson(mesh, step.controlling);
   const ElementQuality& q =
@@ -209,16 +249,26 @@ InspectResult inspectMesh(const InspectOptions& options) {
   text += "\n";
 
   if (options.step) {
-    const auto ring = std::find_if(metrics.begin(), metrics.end(),
-                                   [](const MetricResult& m) { return m.info->name == "reduced-1-ring"; });
-    json["ill_shaped"] = illShaped(mesh, ring != metrics.end() ? *ring : evaluateMetric("reduced-1-ring", body, mesh.X),
-                                   limit, *options.step);
-    const std::size_t count = json["ill_shaped"]["count"];
-    text += fmt::format("at h = {:.6g} s: {}; {} of {} elements forbid it by their reduced 1-ring\n", *options.step,
-                        *options.step <= step.safe         ? "proven stable"
-                        : *options.step <= step.optimistic ? "neither proven stable nor unstable"
-                                                           : "proven unstable",
-                        count, mesh.elementCount());
+    json["ill_shaped"] = illShaped(body, metrics, limit, *options.step);
+    const Json& counts = json["ill_shaped"]["by_metric"];
+    text += fmt::format(
+        "at h = {:.6g} s: {}; {} of {} elements forbid it by their reduced 1-ring, {} as single elements\n",
+        *options.step,
+        *options.step <= step.safe         ? "proven stable"
+        : *options.step <= step.optimistic ? "neither proven stable nor unstable"
+                                           : "proven unstable",
+        counts["reduced-1-ring"].get<std::size_t>(), mesh.elementCount(), counts["single-element"].get<std::size_t>());
+  }
+  if (options.distribution || options.picture) {
+    std::vector<Distribution> distributions;
+    for (const MetricResult& metric : metrics) distributions.push_back(distributionOf(metric, limit));
+    json["distribution"] = distributionJson(distributions);
+    text += distributionText(distributions, options.step);
+    // Of the metrics at hand the one that tells elements apart best.
+    const auto worst = worstElements(body, metricNamed("reduced-1-ring", metrics, body), limit, 10);
+    json["worst_elements"] = worstJson(mesh, worst);
+    text += worstText(worst);
+    if (options.picture) text += drawDistribution(*options.picture, distributions, options.mesh.string());
   }
   if (options.vtu) writeMetricsVtu(*options.vtu, body, metrics, limit, quality);
   return result;

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <sstream>
 
 #include <Eigen/Dense>
+
+#include <ringwatch/base/error.h>
 
 namespace ringwatch {
 
@@ -124,6 +127,56 @@ ElementQuality measure(const ElementInfo& info, const JacobianProbe& probe, cons
   return q;
 }
 
+/// Width of a tetrahedron and what lies closest in it.
+struct TetrahedronWidth {
+  double width;    // least of all heights and distances of opposite edges
+  double flat;     // least of those whose foot or crossing lies inside; infinite without one
+  bool edges;      // whether `flat` is a distance of edges
+  double balance;  // and their shorter length over the longer
+};
+TetrahedronWidth tetrahedronWidth(const Eigen::Vector3d (&p)[4]) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  TetrahedronWidth w{inf, inf, false, 1};
+  for (int a = 0; a < 4; ++a) {
+    const Eigen::Vector3d &o = p[(a + 1) % 4], u = p[(a + 2) % 4] - o, v = p[(a + 3) % 4] - o;
+    const Eigen::Vector3d normal = u.cross(v), to = p[a] - o;
+    const double area2 = normal.squaredNorm();
+    if (!(area2 > 0)) continue;
+    const double height = std::abs(to.dot(normal)) / std::sqrt(area2);
+    w.width = std::min(w.width, height);
+    // Barycentric coordinates of the foot
+    const double s = to.cross(v).dot(normal) / area2, t = u.cross(to).dot(normal) / area2;
+    if (s >= 0 && t >= 0 && s + t <= 1 && height < w.flat) w.flat = height, w.edges = false;
+  }
+  constexpr int pairs[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
+  for (const auto& k : pairs) {
+    const Eigen::Vector3d u = p[k[1]] - p[k[0]], v = p[k[3]] - p[k[2]], r = p[k[2]] - p[k[0]], n = u.cross(v);
+    const double n2 = n.squaredNorm();
+    if (!(n2 > 0)) continue;
+    const double distance = std::abs(r.dot(n)) / std::sqrt(n2);
+    w.width = std::min(w.width, distance);
+    const double s = r.cross(v).dot(n) / n2, t = r.cross(u).dot(n) / n2;
+    if (s < 0 || s > 1 || t < 0 || t > 1 || !(distance < w.flat)) continue;
+    w.flat = distance;
+    w.edges = true;
+    w.balance = std::min(u.norm(), v.norm()) / std::max(u.norm(), v.norm());
+  }
+  return w;
+}
+
+ShapeClass tetrahedronClass(const Eigen::Vector3d (&p)[4], double shortest, double longest, bool isSmall) {
+  constexpr double roundWidth = 0.2;
+  const TetrahedronWidth w = tetrahedronWidth(p);
+  if (w.width >= roundWidth * longest) return isSmall ? ShapeClass::small : ShapeClass::round;
+  // A short edge also brings its neighbours' feet close: a flat shape must be clearly thinner than that.
+  if (shortest > 2 * w.flat)
+    return !w.edges ? ShapeClass::cap : w.balance < 0.5 ? ShapeClass::spindle : ShapeClass::sliver;
+  int few = 0;
+  for (int a = 0; a < 4; ++a)
+    for (int b = a + 1; b < 4; ++b) few += (p[b] - p[a]).norm() <= std::sqrt(shortest * longest) ? 1 : 0;
+  return few > 1 ? ShapeClass::needle : ShapeClass::wedge;
+}
+
 struct Measure {
   const char* name;
   const char* unit;
@@ -143,6 +196,58 @@ constexpr Measure measures[] = {{"volume", "m³", &ElementQuality::volume},
 ElementQuality elementQuality(const MeshBlock& block, std::size_t e, const NodeVectors& x) {
   const ElementInfo& info = elementInfo(block.type);
   return measure(info, JacobianProbe(info), block.element(e), x);
+}
+
+std::string_view shapeName(ShapeClass shape) {
+  constexpr std::string_view names[] = {"round", "small", "needle", "wedge", "spindle", "sliver", "cap", "other"};
+  return names[static_cast<std::size_t>(shape)];
+}
+
+std::string ElementShape::text() const {
+  const auto digits = [](double value) {
+    std::ostringstream text;
+    text.precision(2);
+    text << value;
+    return text.str();
+  };
+  if (shape == ShapeClass::other)
+    return joinText("dihedral angles ", std::round(minDihedral), "° to ", std::round(maxDihedral), "°, aspect ",
+                    digits(aspect));
+  if (shape == ShapeClass::round || shape == ShapeClass::small) return std::string(shapeName(shape));
+  constexpr double sharp = 20;  // degrees; needles and wedges may have no sharp angle
+  return minDihedral < sharp ? joinText(shapeName(shape), ", ", digits(minDihedral), "° dihedral")
+                             : joinText(shapeName(shape), ", aspect ", digits(aspect));
+}
+
+ElementShape elementShape(const MeshBlock& block, std::size_t e, const NodeVectors& x, double meanVolume) {
+  const ElementInfo& info = elementInfo(block.type);
+  const std::int32_t* nodes = block.element(e);
+  const auto at = [&](int a) -> Eigen::Vector3d { return x.col(nodes[a]); };
+  ElementShape shape;
+  shape.minDihedral = 180;
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  for (const auto& edge : info.edges) {
+    const double length = (at(edge[1]) - at(edge[0])).norm();
+    shortest = std::min(shortest, length);
+    longest = std::max(longest, length);
+    std::vector<Eigen::Vector3d> normals;  // of the two faces at this edge
+    for (const auto& face : info.faces)
+      if (std::count(face.begin(), face.end(), edge[0]) + std::count(face.begin(), face.end(), edge[1]) == 2)
+        normals.push_back(face[3] < 0 ? (at(face[1]) - at(face[0])).cross(at(face[2]) - at(face[0])).eval()
+                                      : (at(face[2]) - at(face[0])).cross(at(face[3]) - at(face[1])).eval());
+    const double angle =
+        180 - std::atan2(normals[0].cross(normals[1]).norm(), normals[0].dot(normals[1])) * 180 / std::numbers::pi;
+    shape.minDihedral = std::min(shape.minDihedral, angle);
+    shape.maxDihedral = std::max(shape.maxDihedral, angle);
+  }
+  shape.aspect = longest / shortest;
+  if (info.faces.size() == 4) {
+    const Eigen::Vector3d corners[4] = {at(0), at(1), at(2), at(3)};
+    const double volume =
+        std::abs((corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0])) / 6;
+    shape.shape = tetrahedronClass(corners, shortest, longest, volume < meanVolume / 8);
+  }
+  return shape;
 }
 
 std::vector<std::vector<ElementQuality>> meshQuality(const Mesh& mesh) { return meshQuality(mesh, mesh.X); }

@@ -1,6 +1,7 @@
 #pragma once
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <ringwatch/meshes/mesh.h>
@@ -51,6 +52,34 @@ struct ElementQuality {
 
 /// The measures of element e of a block at positions x (3×N, m).
 ElementQuality elementQuality(const MeshBlock& block, std::size_t e, const NodeVectors& x);
+
+/// Shapes of tetrahedra (Bern et al. 1995, as in fig. 4.1 of the source). Round: the width (least of all heights and
+/// distances of opposite edges) is at least a fifth of the longest edge (regular: 0.71, Kuhn's: 0.24). Else what lies
+/// closest in it names it:
+/// two nodes, and they alone: wedge; more than two: needle; a node and the inside of the opposite face: cap; two
+/// opposite edges that cross: sliver, or spindle when one of them is less than half as long as the other.
+enum class ShapeClass {
+  round,
+  small,  // round, but with less than an eighth of the mesh's mean element volume
+  needle,
+  wedge,
+  spindle,
+  sliver,
+  cap,
+  other  // no tetrahedron: see its angles and its aspect
+};
+std::string_view shapeName(ShapeClass shape);
+
+struct ElementShape {
+  ShapeClass shape = ShapeClass::other;
+  double minDihedral = 0, maxDihedral = 0;  // between faces at their common edge, degrees; faces by their mean normal
+  double aspect = 0;                        // longest over shortest edge
+
+  /// "needle, 0.4° dihedral", "sliver, 2.1° dihedral", "small", "round", "dihedral angles 45° to 135°, aspect 3".
+  std::string text() const;
+};
+/// The shape of element e of a block at positions x (3×N, m); meanVolume: of the mesh's elements, m³, 0 for unknown.
+ElementShape elementShape(const MeshBlock& block, std::size_t e, const NodeVectors& x, double meanVolume);
 
 /// The measures of every element: [block][element].
 std::vector<std::vector<ElementQuality>> meshQuality(const Mesh& mesh);

@@ -1,7 +1,12 @@
 #include <ringwatch/meshes/quality.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+
+#include <Eigen/Geometry>
 
 #include <ringwatch/meshes/generators.h>
 
@@ -84,6 +89,68 @@ TEST(Quality, SummaryNamesTheExtremes) {
     if (s.name == "min-dihedral") {
       EXPECT_EQ(s.count, 2u);
     }
+}
+
+/// The class of a tetrahedron, the same for any size, position and order of its nodes.
+ShapeClass classOf(const Eigen::Matrix<double, 3, 4>& corners, double meanVolume = 0) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
+  std::optional<ShapeClass> shape;
+  std::array<std::int32_t, 4> order{0, 1, 2, 3};
+  do {
+    Mesh mesh = oneTet((turn * corners * 1e-3).colwise() + Eigen::Vector3d(1, 2, 3));
+    mesh.blocks[0].connectivity.assign(order.begin(), order.end());
+    const ShapeClass now = elementShape(mesh.blocks[0], 0, mesh.X, 1e-9 * meanVolume).shape;
+    EXPECT_EQ(now, shape.value_or(now));
+    shape = now;
+  } while (std::next_permutation(order.begin(), order.end()));
+  return *shape;
+}
+
+TEST(Shape, ClassesOfFigure41) {
+  Eigen::Matrix<double, 3, 4> X;
+  X << 1, -1, -1, 1, 1, -1, 1, -1, 1, 1, -1, -1;
+  EXPECT_EQ(classOf(X), ShapeClass::round);
+  EXPECT_EQ(classOf(X, 8.0 / 3 * 7.9), ShapeClass::round);
+  EXPECT_EQ(classOf(X, 8.0 / 3 * 8.1), ShapeClass::small);
+  X << 0, 1, 1, 1, 0, 0, 1, 1, 0, 0, 0, 1;  // Kuhn's
+  EXPECT_EQ(classOf(X), ShapeClass::round);
+  X << 0, 0.1, 0.05, 0.05, 0, 0, 0.09, 0.03, 0, 0, 0, 1;  // a small base and a far apex
+  EXPECT_EQ(classOf(X), ShapeClass::needle);
+  X << 0, 0.1, 0.05, 0.05, 0, 0, -0.05, 0.05, 0, 0, 1, 1;  // two far pairs
+  EXPECT_EQ(classOf(X), ShapeClass::needle);
+  X << 0, 0, 1, 1, 0, 0, 0.5, -0.5, 0.05, -0.05, 0, 0;  // one short edge, the others long
+  EXPECT_EQ(classOf(X), ShapeClass::wedge);
+  X << -1, 1, 0, 0, 0, 0, -1, 1, 0.03, 0.03, -0.03, -0.03;  // two diagonals of a square, a little apart
+  EXPECT_EQ(classOf(X), ShapeClass::sliver);
+  X << -1, 1, 0, 0, 0, 0, -0.3, 0.3, 0.03, 0.03, -0.03, -0.03;  // of a slender rhombus
+  EXPECT_EQ(classOf(X), ShapeClass::spindle);
+  X << 0, 1, 0, 0.33, 0, 0, 1, 0.33, 0, 0, 0, 0.05;  // a node just above the middle of a face
+  EXPECT_EQ(classOf(X), ShapeClass::cap);
+}
+
+TEST(Shape, AnglesOfATetrahedronAreThoseOfItsQuality) {
+  Eigen::Matrix<double, 3, 4> X;
+  X << 0, 1, 0.2, 0.1, 0, 0.1, 1, 0.2, 0, 0, 0.1, 0.4;
+  const Mesh mesh = oneTet(X);
+  const ElementQuality q = meshQuality(mesh)[0][0];
+  const ElementShape shape = elementShape(mesh.blocks[0], 0, mesh.X, 0);
+  EXPECT_NEAR(shape.minDihedral, q.minDihedral, 1e-11);
+  EXPECT_NEAR(shape.maxDihedral, q.maxDihedral, 1e-11);
+  EXPECT_NEAR(shape.aspect, q.maxEdge / q.minEdge, 1e-13);
+}
+
+TEST(Shape, OfOthersIsToldByAnglesAndAspect) {
+  BarOptions options;
+  options.size = {3, 1, 2};
+  options.cells = {1, 1, 1};
+  options.element = "hex8";
+  Mesh mesh = generateBar(options);
+  EXPECT_EQ(elementShape(mesh.blocks[0], 0, mesh.X, 0).text(), "dihedral angles 90° to 90°, aspect 3");
+  mesh.X.row(0) += mesh.X.row(1);  // sheared by 45°
+  const ElementShape sheared = elementShape(mesh.blocks[0], 0, mesh.X, 0);
+  EXPECT_NEAR(sheared.minDihedral, 45, 1e-10);
+  EXPECT_NEAR(sheared.maxDihedral, 135, 1e-10);
+  EXPECT_EQ(sheared.shape, ShapeClass::other);
 }
 
 }  // namespace

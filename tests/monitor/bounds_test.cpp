@@ -38,9 +38,9 @@ std::string boundsFault(const Body& body, const NodeVectors& x) {
   for (const MetricInfo& metric : allMetrics()) {
     const MetricResult result = evaluateMetric(metric.name, body, x);
     if (!std::isfinite(result.lambda)) fault += joinText(metric.name, " is ", result.lambda, "; ");
-    if (metric.direction == Direction::upperBound && !(result.lambda >= lambda * (1 - 1e-9) - 1e-12 * size))
+    if (result.direction == Direction::upperBound && !(result.lambda >= lambda * (1 - 1e-9) - 1e-12 * size))
       fault += joinText(metric.name, " = ", result.lambda, " is below ", lambda, "; ");
-    if (metric.direction == Direction::lowerBound && !(result.lambda <= lambda * (1 + 1e-9) + 1e-12 * size))
+    if (result.direction == Direction::lowerBound && !(result.lambda <= lambda * (1 + 1e-9) + 1e-12 * size))
       fault += joinText(metric.name, " = ", result.lambda, " is above ", lambda, "; ");
     double most = -std::numeric_limits<double>::infinity();
     for (const auto& block : result.elementLambda)
