@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/gnuplot.h>
+#include <ringwatch/app/integrator_catalog.h>
 #include <ringwatch/app/subprocess.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
@@ -22,7 +23,7 @@ const std::array<StudyInfo, 3> studies{{
     {"elements", "every element and quadrature rule: rank, patch test, derivatives, convergence, frequencies, locking",
      verifyElements},
     {"integrators", "every integrator: stability limit, order, energy drift, reversibility, damping",
-     [](StudyEffort effort) { return verifyIntegrators(effort); }},
+     [](StudyEffort effort) { return verifyIntegrators(effort, integratorCatalog().entries()); }},
     {"stress", "explicit integrators run long and on hard bodies: who survives, and with what error",
      [](StudyEffort effort) { return verifyStress(effort); }},
 }};

@@ -4,6 +4,13 @@
 
 namespace ringwatch {
 
+/// The diagonal block of row i, N/m.
+inline const Eigen::Matrix3d& diagonalBlock(const BlockMatrix& K, std::size_t i) {
+  auto k = static_cast<std::size_t>(K.rowBegin[i]);
+  while (K.column[k] != static_cast<std::int32_t>(i)) ++k;  // every row holds its diagonal
+  return K.block[k];
+}
+
 /// A body as a second-order system: m a = external force - internal force(x) - (alpha M + beta K(x)) v; constrained
 /// components get a = 0, so that their prescribed velocity stays what it is in every scheme. K is the exact tangent at
 /// x.
@@ -31,6 +38,11 @@ class BodySystem final : public DifferentiableSystem {
     body_.tangentProduct(x, u, Ku, workspace_);
   }
   Eigen::SparseMatrix<double> stiffness(const NodeVectors& x) override { return body_.assembleTangent(x); }
+  void stiffnessDiagonal(const NodeVectors& x, std::vector<Eigen::Matrix3d>& blocks) override {
+    body_.assembleBlocks(x, blocks_);
+    blocks.resize(blocks_.rowBegin.size() - 1);
+    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = diagonalBlock(blocks_, i);
+  }
   bool isConstrained(std::int32_t node, int component) const override {
     return body_.constraints().isConstrained(node, component);
   }
@@ -53,6 +65,7 @@ class BodySystem final : public DifferentiableSystem {
   Eigen::VectorXd inverseMass_;
   NodeVectors internalForce_, product_;
   Body::Workspace workspace_;
+  BlockMatrix blocks_;
 };
 
 }  // namespace ringwatch
