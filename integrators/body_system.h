@@ -23,12 +23,15 @@ class BodySystem final : public DifferentiableSystem {
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
     body_.internalForce(x, internalForce_, workspace_);
     a = body_.externalForce() - internalForce_;
-    if (damping_.beta != 0) {
-      body_.tangentProduct(x, v, product_, workspace_);
-      a -= damping_.beta * product_;
+    if (damping_.any()) {
+      if (damping_.beta != 0)
+        body_.tangentProduct(x, v, dampingForce_, workspace_);
+      else
+        dampingForce_.setZero(3, x.cols());
+      dampingForce_ = damping_.beta * dampingForce_ + damping_.alpha * v * body_.lumpedMass().asDiagonal();
+      a -= dampingForce_;
     }
     a = a * inverseMass_.asDiagonal();
-    if (damping_.alpha != 0) a -= damping_.alpha * v;
     body_.constraints().clearConstrained(a);
   }
   bool velocityDependent() const override { return damping_.any(); }
@@ -48,6 +51,8 @@ class BodySystem final : public DifferentiableSystem {
   }
   /// Internal force of the last evaluation, 3×N, N: an observer need not compute it again. Without the damping force.
   const NodeVectors& lastInternalForce() const { return internalForce_; }
+  /// Damping force C v of the last evaluation, 3×N, N; empty without damping.
+  const NodeVectors& lastDampingForce() const { return dampingForce_; }
 
   const Body& body() const { return body_; }
   /// At rest in the reference configuration, constrained components already moving.
@@ -63,7 +68,7 @@ class BodySystem final : public DifferentiableSystem {
   const Body& body_;
   RayleighDamping damping_;
   Eigen::VectorXd inverseMass_;
-  NodeVectors internalForce_, product_;
+  NodeVectors internalForce_, dampingForce_;
   Body::Workspace workspace_;
   BlockMatrix blocks_;
 };
