@@ -17,6 +17,7 @@
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/split_body_system.h>
+#include <ringwatch/verify/work_precision.h>
 
 namespace ringwatch {
 namespace {
@@ -133,7 +134,7 @@ class Run {
 
   /// Partitioned schemes get the elements whose own critical step is too small as their stiff part.
   void splitBody() {
-    const std::vector<ElementRef> stiff = sceneStiffElements(scene_, body_);
+    const std::vector<ElementRef> stiff = stiffElementsAt(body_, integrator_->info(), *scene_.step);
     split_.emplace(body_, stiff, scene_.damping);
     stiffElements_ = static_cast<std::int64_t>(stiff.size());
     result_.notes.push_back(

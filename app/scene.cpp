@@ -18,7 +18,6 @@
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh_io.h>
-#include <ringwatch/monitor/stiff_elements.h>
 
 namespace ringwatch {
 namespace {
@@ -596,10 +595,6 @@ Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes) {
   } catch (const InputError& fault) {
     throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));
   }
-}
-
-std::vector<ElementRef> sceneStiffElements(const Scene& scene, const Body& body) {
-  return stiffElements(body, body.mesh().X, *scene.step, 0.5 * integratorCatalog().find(scene.method)->imaginaryLimit);
 }
 
 Body sceneBody(const Scene& scene, Mesh mesh, int threads) {

@@ -95,10 +95,6 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
 int threadsThatPay(int requested, const Mesh& mesh);
 /// The mesh of a scene, read or generated. notes: what a reader has to tell.
 Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes);
-/// The elements that partitioned integrators take as stiff: those that alone would be unstable at the scene's step,
-/// with the others' highest frequency, proven at rest, at or below half of the integrator's limit over the step. Half,
-/// since the limit shrinks where a node belongs to both parts: to 1.57 of 3.03 with arkode-ark (`verify integrators`).
-std::vector<ElementRef> sceneStiffElements(const Scene& scene, const Body& body);
 /// The body of a scene with its constraints and forces. Throws InputError for selections without nodes.
 Body sceneBody(const Scene& scene, Mesh mesh, int threads);
 

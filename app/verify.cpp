@@ -98,7 +98,7 @@ std::string studyText(const StudyReport& report) {
   for (const StudyTable& table : report.tables) text += fmt::format("\n{}", tableText(table));
   std::size_t failed = 0;
   for (const StudyCheck& check : report.checks) failed += !check.passed;
-  text += fmt::format("\n{} checks, {} failed\n", report.checks.size(), failed);
+  if (!report.checks.empty()) text += fmt::format("\n{} checks, {} failed\n", report.checks.size(), failed);
   for (const StudyCheck& check : report.checks)
     if (!check.passed)
       text += fmt::format("  FAILED {}: measured {:.9g}, expected {:.9g}, tolerance {:.3g}\n", check.name,
