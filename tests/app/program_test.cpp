@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -554,6 +556,40 @@ TEST_F(Program, PartitionedSchemesTakeTheStiffElementsApart) {
     EXPECT_NEAR(history.number(49, "strain_J") / exact.number(490, "strain_J"), 1, 1e-3) << method;
     expectRefused(common + method + " --set integrator.step=auto", "chooses its stiff elements by the step");
   }
+}
+
+TEST_F(Program, ComparesIntegratorsOnAScene) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome outcome =
+      call("compare tiny.toml --integrators verlet,pefrl,implicit-euler,arkode-ark --json c.json --out pictures");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("cheapest for 1 %"), HasSubstr("cheapest for 1e-6"), HasSubstr("reference converged")));
+  const Json result = json("c.json");
+  EXPECT_LT(result["reference_error"], 1e-8);
+  std::map<std::string, std::vector<double>> errors;
+  for (const Json& run : result["runs"]) {
+    EXPECT_GT(run["seconds"], 0);
+    EXPECT_GT(run["forces"], 0);
+    errors[run["integrator"]].push_back(run["error"].is_null() ? NAN : run["error"].get<double>());
+  }
+  EXPECT_EQ(errors.size(), 4u);
+  for (const auto& [name, values] : errors) EXPECT_LT(values.back(), 0.1 * values.front()) << name;
+  for (const char* label : {"1 %", "0.1 %", "1e-6"}) EXPECT_TRUE(result["cheapest"].contains(label)) << label;
+  EXPECT_TRUE(exists("pictures/work_precision_tiny_time.gp"));
+  EXPECT_TRUE(exists("pictures/work_precision_tiny_forces.dat"));
+
+  const Outcome fixed = call("compare tiny.toml --integrators verlet --step 1e-3,5e-4 --json -");
+  EXPECT_EQ(fixed.status, 0) << fixed.err;
+  const Json printed = Json::parse(fixed.out);
+  ASSERT_EQ(printed["runs"].size(), 2u);
+  EXPECT_NEAR(printed["runs"][0]["h"].get<double>(), 1e-3, 1e-12);
+  EXPECT_EQ(printed["runs"][1]["forces"], 101);  // a hundred steps and the start
+
+  expectRefused("compare tiny.toml --integrators verlett", "did you mean \"verlet\"");
+  expectRefused("compare tiny.toml --step 0", "--step: 0 s must be > 0");
+  expectRefused("compare tiny.toml --step 1", "beyond the end");
+  expectRefused("compare absent.toml", "absent.toml");
 }
 
 }  // namespace
