@@ -160,9 +160,11 @@ std::vector<std::string> drawFigures(const StudyReport& report, const std::files
     if (figure.logX) script += "set logscale x\nset format x '10^{%L}'\n";
     if (figure.logY) script += "set logscale y\nset format y '10^{%L}'\n";
     std::string plot;
+    constexpr std::size_t colours = 8;  // then they come again, with dashes
     for (std::size_t c = 0; c < figure.curves.size(); ++c)
-      plot += fmt::format("{}'{}.dat' index {} with linespoints lw 2 title {}", plot.empty() ? "plot " : ", \\\n     ",
-                          figure.name, c, gnuplotQuoted(figure.curves[c].label));
+      plot += fmt::format("{}'{}.dat' index {} with linespoints lw 2 dt {} title {}",
+                          plot.empty() ? "plot " : ", \\\n     ", figure.name, c, c < colours ? 1 : 2,
+                          gnuplotQuoted(figure.curves[c].label));
     if (plot.empty()) continue;
     writeFileAtomically(folder / (figure.name + ".dat"), data);
     writeFileAtomically(folder / (figure.name + ".gp"), script + plot + "\n");
