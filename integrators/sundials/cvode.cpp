@@ -6,15 +6,13 @@
 namespace ringwatch {
 namespace {
 
-/// CVODE goes on from where its last step ended: its memory is made at the first step, and when the direction turns.
+/// CVODE goes on from where its last step ended: its memory is made at the first step.
 class CvodeStepper final : public detail::Stepper {
  public:
   explicit CvodeStepper(const ImplicitOptions& options) : Stepper("CVODE", options) {}
 
  private:
   int begin(N_Vector start, const State& state, double h) override {
-    if (memory_ && (h < 0) != backwards_) release();
-    backwards_ = h < 0;
     if (memory_) return CV_SUCCESS;
     memory_ = CVodeCreate(CV_BDF, newton_.context());
     if (!memory_) return CV_MEM_FAIL;
@@ -41,8 +39,6 @@ class CvodeStepper final : public detail::Stepper {
     CVodeGetCurrentGamma(memory_, &gamma);
     return gamma;
   }
-
-  bool backwards_ = false;
 };
 
 }  // namespace

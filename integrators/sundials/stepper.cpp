@@ -18,7 +18,9 @@ StepStatus Stepper::step(SecondOrderSystem& system, State& state, double h) {
   if (std::string refusal = attach(system); !refusal.empty()) return {false, std::move(refusal)};
   newton_.clearComplaint();
   message_.clear();
-  if (state.x.cols() != result_.x.cols()) release();
+  // What is remembered of steps of their own has a size and a direction.
+  if (state.x.cols() != result_.x.cols() || (h < 0) != backwards_) release();
+  backwards_ = h < 0;
   result_.x.resize(3, state.x.cols());
   result_.v.resize(3, state.x.cols());
   N_Vector start = wrapState(state.x, state.v, newton_.context());

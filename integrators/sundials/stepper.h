@@ -64,6 +64,7 @@ class Stepper {
 
  private:
   State result_;
+  bool backwards_ = false;
   std::string message_;
   std::vector<std::function<void()>> cleanup_;
 };

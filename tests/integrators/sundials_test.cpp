@@ -90,6 +90,23 @@ std::vector<ElementRef> everySecond(const Body& body) {
   return elements;
 }
 
+TEST(Sundials, StepsForwardAndBack) {
+  for (const IntegratorEntry& entry : sundialsIntegrators()) {
+    const auto integrator = entry.make();
+    Oscillator whole;
+    AdditiveOscillator parts(1, 0, 0.5);
+    SecondOrderSystem& system = entry.info->partitioned ? static_cast<SecondOrderSystem&>(parts) : whole;
+    State state{0, NodeVectors::Ones(3, 1), NodeVectors::Zero(3, 1)};
+    for (const double h : {0.01, -0.01})
+      for (int k = 0; k < 10; ++k) {
+        const StepStatus status = integrator->step(system, state, h);
+        ASSERT_TRUE(status.done) << entry.info->name << ": " << status.reason;
+      }
+    EXPECT_NEAR(state.time, 0, 1e-15);
+    EXPECT_NEAR(state.x(0, 0), 1, entry.info->order == 1 ? 2e-3 : 1e-5) << entry.info->name;
+  }
+}
+
 TEST(Sundials, StiffBarIsStableAtFiftyTimesTheExplicitStep) {
   Body body = bar();
   body.addBodyForce({0, 0, -1});
