@@ -37,7 +37,7 @@ struct WorkPrecisionRun {
   std::string integrator;
   double h;            // s
   double error;        // |x - reference| over |reference - start|; NaN when the run was lost
-  double seconds;      // of computing, the best of up to three
+  double seconds;      // of computing by the calling thread, the best of up to three
   double forces;       // evaluations of the force; those of a part count by its share
   double products;     // tangent products, K(x) u
   double matrices;     // assembled tangents
