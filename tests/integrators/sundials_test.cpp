@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <sstream>
 
 #include <arkode/arkode_arkstep.h>
 #include <Eigen/Eigenvalues>
@@ -32,6 +35,13 @@ TEST(Sundials, IntegratorsLiveUpToTheirDeclarations) {
     EXPECT_TRUE(check.passed) << check.name << ": " << check.measured << ", expected " << check.expected << " within "
                               << check.tolerance;
   EXPECT_GT(report.checks.size(), 10u);
+}
+
+TEST(Sundials, DocumentationHoldsTheTableOfDeclarations) {
+  std::ifstream file(RINGWATCH_SOURCE_DIR "/docs/integrators.md");
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::istringstream table(integratorTable(sundialsIntegrators()));
+  for (std::string row; std::getline(table, row);) EXPECT_THAT(text, ::testing::HasSubstr(row + "\n"));
 }
 
 TEST(Sundials, CatalogKnowsBothLists) {
