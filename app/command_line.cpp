@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <ringwatch/app/compare.h>
 #include <ringwatch/app/inspect.h>
 #include <ringwatch/app/integrator_catalog.h>
 #include <ringwatch/app/report.h>
@@ -93,6 +94,7 @@ std::string mainFooter() {
          "  ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 -o bar.msh\n"
          "  ringwatch inspect bar.msh --young 30e3 --poisson 0.3 --density 1000 --metric all --global\n"
          "  ringwatch run examples/stretch_bar.toml --out out/stretch_bar\n"
+         "  ringwatch compare examples/swinging_bar.toml --integrators all --out out/compare\n"
          "  ringwatch run scene.toml --set integrator.step=1e-4 --set output.every=0.01\n"
          "  ringwatch run --help-scene\n\n"
          "Laws:\n" +
@@ -164,6 +166,57 @@ struct RunCommand {
     const RunResult result = runScene(description, body, options);
     if (!quiet) printOut(summaryText(description, body, result, options.folder));
     return result.stable() ? exitStable : exitUnstable;
+  }
+};
+
+/// Writes the pictures of a report into a folder, made when missing.
+void drawInto(const std::string& folder, const StudyReport& report) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw InputError(fmt::format("--out: cannot write {}: {}; choose another folder", folder, error.message()));
+  for (const std::string& note : drawFigures(report, folder)) fmt::print(stderr, "note: {}\n", note);
+}
+
+struct CompareCommand {
+  CompareOptions options;
+  std::string json, folder;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("compare", "run a scene with several integrators: error against cost");
+    command->add_option("SCENE", options.scene, "scene file (TOML); its motion is what is computed, to its end")
+        ->required();
+    command->add_option("--integrators", options.integrators, "names, separated by commas, or all (default: all)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command
+        ->add_option("--step", options.steps,
+                     "steps, s, separated by commas (default: a range for each integrator, from its largest)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command->add_option("--set", options.overrides, "section.key=value, replaces the value of the scene")
+        ->allow_extra_args(false);
+    command->add_option("--threads", options.threads, "threads (default: 1, so that times compare)")
+        ->check(CLI::Range(0, 4096));
+    command->add_option("--json", json,
+                        "write the results to this file; - for standard output, and nothing else there");
+    command->add_option("--out", folder, "folder for pictures, made when missing");
+    command->footer(
+        "Against a reference that is refined until it no longer changes. Errors are those of the positions at the end, "
+        "relative\nto the displacement.\n\nIntegrators:\n" +
+        integratorListing());
+  }
+
+  int execute() const {
+    const CompareResult result = compareScene(options);
+    const std::string text = result.json.dump(2) + "\n";
+    if (json == "-")
+      printOut(text);
+    else
+      printOut(studyText(result.report) + result.text);
+    if (!json.empty() && json != "-") writeFileAtomically(json, text);
+    if (!folder.empty()) drawInto(folder, result.report);
+    return exitStable;
   }
 };
 
@@ -326,11 +379,7 @@ struct VerifyCommand {
       passed = passed && report.passed();
       if (json != "-") printOut(studyText(report) + "\n");
       if (folder.empty()) continue;
-      std::error_code error;
-      std::filesystem::create_directories(folder, error);
-      if (error)
-        throw InputError(fmt::format("--out: cannot write {}: {}; choose another folder", folder, error.message()));
-      for (const std::string& note : drawFigures(report, folder)) fmt::print(stderr, "note: {}\n", note);
+      drawInto(folder, report);
     }
     if (json == "-") {
       printOut(results);
@@ -370,10 +419,12 @@ int dispatch(int argc, char** argv) {
   InspectCommand inspect;
   MeshCommand mesh;
   VerifyCommand verify;
+  CompareCommand compare;
   run.declare(app);
   inspect.declare(app);
   mesh.declare(app);
   verify.declare(app);
+  compare.declare(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help and --version
@@ -384,6 +435,7 @@ int dispatch(int argc, char** argv) {
   if (app.got_subcommand("run")) return run.execute();
   if (app.got_subcommand("inspect")) return inspect.execute();
   if (app.got_subcommand("verify")) return verify.execute();
+  if (app.got_subcommand("compare")) return compare.execute();
   return mesh.execute();
 }
 

@@ -16,8 +16,8 @@ std::string frameName(std::size_t number) { return fmt::format("frame_{:06}.vtu"
 
 std::vector<std::string> frameFieldNames() { return {"critical_step", "metric", "verdict", "handler"}; }
 
-FrameWriter::FrameWriter(std::filesystem::path folder, const Scene& scene, const Body& body, double limit)
-    : folder_(std::move(folder)), scene_(scene), body_(body), limit_(limit) {
+FrameWriter::FrameWriter(std::filesystem::path folder, const Scene& scene, const Body& body, StepRule rule)
+    : folder_(std::move(folder)), scene_(scene), body_(body), rule_(std::move(rule)) {
   std::error_code error;
   std::filesystem::create_directories(folder_ / "frames", error);
   if (error)
@@ -32,7 +32,7 @@ bool FrameWriter::asksFor(const char* field) const {
 std::vector<double> FrameWriter::elementSteps(const std::string& metric, const NodeVectors& x, double factor) const {
   std::vector<double> steps;
   for (const auto& block : evaluateMetric(metric, body_, x).elementLambda)
-    for (double lambda : block) steps.push_back(factor * stepFor(lambda, limit_));
+    for (double lambda : block) steps.push_back(factor * rule_(lambda));
   return steps;
 }
 

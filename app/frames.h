@@ -19,8 +19,8 @@ std::vector<std::string> frameFieldNames();
 /// forbids the step, 1 else; handler, 1 where a handler holds the element.
 class FrameWriter {
  public:
-  /// limit: the integrator's largest stable h·omega.
-  FrameWriter(std::filesystem::path folder, const Scene& scene, const Body& body, double limit);
+  /// rule: makes a step of an eigenvalue for the integrator and the damping of the scene.
+  FrameWriter(std::filesystem::path folder, const Scene& scene, const Body& body, StepRule rule);
 
   /// A frame of the state, which must be finite, before a step of size h. Throws InputError when it cannot be written.
   void write(double time, const NodeVectors& x, const NodeVectors& v, double h, Verdict verdict);
@@ -35,7 +35,7 @@ class FrameWriter {
   std::filesystem::path folder_;
   const Scene& scene_;
   const Body& body_;
-  double limit_;
+  StepRule rule_;
   std::vector<PvdEntry> entries_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* columns =
     "step,time_s,h_s,safe_s,optimistic_s,controlling_element,kinetic_J,strain_J,external_work_J,balance_error_J,"
-    "elements_refreshed,handled_elements,metric_step_s,verdict\n";
+    "elements_refreshed,handled_elements,metric_step_s,verdict,dissipated_J\n";
 
 }  // namespace
 
@@ -47,6 +47,8 @@ void HistoryWriter::write(const HistoryRow& row) {
   if (row.metricStep) line += fmt::format("{}", *row.metricStep);
   line += ",";
   if (row.verdict) line += verdictName(*row.verdict);
+  line += ",";
+  if (row.energies) line += fmt::format("{}", row.energies->dissipated);
   file_ << line << '\n';
   const auto now = std::chrono::steady_clock::now();
   if (now - flushed_ > std::chrono::seconds(1)) {

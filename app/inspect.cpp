@@ -57,6 +57,10 @@ double limitOf(const std::string& integrator) {
     throw InputError(fmt::format(
         "--integrator: \"{}\" is stable at every step and has no critical step; choose another, e.g. symplectic-euler",
         integrator));
+  if (info->partitioned)
+    throw InputError(fmt::format(
+        "--integrator: \"{}\" chooses its stiff elements by the step; choose another, e.g. symplectic-euler",
+        integrator));
   return info->imaginaryLimit;
 }
 

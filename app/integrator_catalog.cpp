@@ -1,5 +1,9 @@
 #include <ringwatch/app/integrator_catalog.h>
 
+#include <limits>
+
+#include <ringwatch/integrators/stability_limit.h>
+
 #ifdef RINGWATCH_WITH_SUNDIALS
 #include <ringwatch/integrators/sundials/registry.h>
 #endif
@@ -13,6 +17,15 @@ const IntegratorCatalog& integratorCatalog() {
   static const IntegratorCatalog catalog({coreIntegrators()});
 #endif
   return catalog;
+}
+
+StepRule stepRule(const IntegratorInfo& info, const RayleighDamping& damping) {
+  if (!damping.any()) return info.imaginaryLimit;
+  return {[info, damping](double lambda) {
+            const std::optional<double> step = dampedStep(lambda, damping, info);
+            return step ? *step : std::numeric_limits<double>::quiet_NaN();
+          },
+          info.highestModeBinds};
 }
 
 std::vector<IntegratorInfo> integratorInfos() {

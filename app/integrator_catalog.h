@@ -1,5 +1,6 @@
 #pragma once
 #include <ringwatch/integrators/integrator.h>
+#include <ringwatch/monitor/bounds.h>
 
 namespace ringwatch {
 
@@ -7,5 +8,9 @@ namespace ringwatch {
 const IntegratorCatalog& integratorCatalog();
 /// Their declarations, for lists and help texts.
 std::vector<IntegratorInfo> integratorInfos();
+
+/// How the highest eigenvalue sets this integrator's step, with damping too. With damping it is proven for those whose
+/// highest mode binds.
+StepRule stepRule(const IntegratorInfo& info, const RayleighDamping& damping);
 
 }  // namespace ringwatch

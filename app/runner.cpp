@@ -16,6 +16,8 @@
 #include <ringwatch/app/run_system.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/integrators/split_body_system.h>
+#include <ringwatch/verify/work_precision.h>
 
 namespace ringwatch {
 namespace {
@@ -61,14 +63,14 @@ class Run {
       : scene_(scene),
         body_(body),
         options_(options),
-        limit_(integratorCatalog().find(scene.method)->imaginaryLimit),
+        rule_(stepRule(*integratorCatalog().find(scene.method), scene.damping)),
         integrator_(integratorCatalog().make(scene.method)),
-        system_(body, scene.energy),
+        system_(body, scene.damping, scene.energy),
         balance_(body),
         progress_(options.progress) {
     if (scene_.monitored()) {
       MonitorOptions wanted;
-      wanted.limit = limit_;
+      wanted.limit = rule_;
       wanted.bracket = scene_.bracket;
       wanted.metric = scene_.metric;
       wanted.margin = scene_.margin;
@@ -77,6 +79,7 @@ class Run {
       monitor_.emplace(body_, wanted);
     }
     result_.notes = options.notes;
+    if (integrator_->info().partitioned) splitBody();
   }
 
   RunResult go() {
@@ -86,7 +89,7 @@ class Run {
         const Stopwatch output(result_.outputTime);
         prepareFolder(options_.folder);
         history_.emplace(options_.folder);
-        if (scene_.frameInterval) frames_.emplace(options_.folder, scene_, body_, limit_);
+        if (scene_.frameInterval) frames_.emplace(options_.folder, scene_, body_, rule_);
       }
       state_ = system_.initialState();
       h_ = scene_.step.value_or(0);
@@ -129,12 +132,25 @@ class Run {
     result_.reasonText = std::move(text);
   }
 
-  /// Energies of the state before the step. Prescribed motion does work in every step, so its books need every step.
+  /// Partitioned schemes get the elements whose own critical step is too small as their stiff part.
+  void splitBody() {
+    const std::vector<ElementRef> stiff = stiffElementsAt(body_, integrator_->info(), *scene_.step);
+    split_.emplace(body_, stiff, scene_.damping);
+    stiffElements_ = static_cast<std::int64_t>(stiff.size());
+    result_.notes.push_back(
+        fmt::format("{}: {} of {} elements are in the stiff part, by their own critical step at rest", scene_.method,
+                    stiff.size(), body_.mesh().elementCount()));
+  }
+
+  /// Energies of the state before the step. Prescribed motion and damping do work in every step, so their books need
+  /// every step.
   void keepBooks(bool rowDue) {
     energies_.reset();
-    if (!scene_.energy || (!rowDue && !body_.constraints().moving())) return;
+    if (!scene_.energy || (!rowDue && !body_.constraints().moving() && !scene_.damping.any())) return;
     const Stopwatch force(result_.forceTime);
     balance_.record(state_.x, system_.internalForce(state_.time, state_.x, state_.v));
+    if (scene_.damping.any())
+      balance_.recordDamping(state_.time, state_.v, system_.dampingForce(state_.time, state_.x, state_.v));
     if (rowDue) energies_ = balance_.energies(state_.v);
   }
 
@@ -158,7 +174,7 @@ class Run {
     if (automatic ? (report.fresh || (reduce && tooLong)) : (reduce && tooLong)) {
       if (scene_.bracket && !report.fresh) {
         const Stopwatch watch(result_.monitorTime);
-        report.bracket = criticalStep(body_, state_.x, limit_);
+        report.bracket = criticalStep(body_, state_.x, rule_);
         report.fresh = true;
         report.elementsRefreshed = static_cast<std::int64_t>(body_.mesh().elementCount());
       }
@@ -216,6 +232,7 @@ class Run {
       row.bracket = report.bracket;
       row.energies = energies_;
       row.elementsRefreshed = monitor_ && report.fresh ? report.elementsRefreshed : 0;
+      row.handledElements = stiffElements_;
       row.metricStep = report.metricStep;
       if (monitor_) row.verdict = report.verdict;
       history_->write(row);
@@ -231,7 +248,7 @@ class Run {
 
   bool takeStep(const MonitorReport& report) {
     const Stopwatch force(result_.forceTime);
-    const StepStatus status = integrator_->step(system_, state_, h_);
+    const StepStatus status = split_ ? integrator_->step(*split_, state_, h_) : integrator_->step(system_, state_, h_);
     if (!status.done) {
       end(ExitReason::stepFailed, fmt::format("step {} failed: {}", report.step, status.reason));
       return false;
@@ -293,9 +310,11 @@ class Run {
   const Scene& scene_;
   const Body& body_;
   const RunOptions& options_;
-  double limit_;
+  StepRule rule_;
   std::unique_ptr<Integrator> integrator_;
   RunSystem system_;
+  std::optional<SplitBodySystem> split_;  // for partitioned schemes
+  std::int64_t stiffElements_ = 0;
   EnergyBalance balance_;
   ProgressLine progress_;
   std::optional<StabilityMonitor> monitor_;

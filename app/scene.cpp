@@ -411,7 +411,8 @@ void readMeshSection(const Section& section, Scene& scene) {
   scene.echo["mesh"].update(scene.generatorArguments);
 }
 
-void readIntegratorSection(const Section& integrator, const Section& monitor, Scene& scene) {
+void readIntegratorSection(const Section& integrator, const Section& monitor, const Section& damping, Scene& scene) {
+  scene.damping = {damping.get<double>("mass"), damping.get<double>("stiffness")};
   scene.method = integrator.get<std::string>("method");
   const Json& step = integrator.at("step").value;
   if (step.is_number()) scene.step = step.get<double>();
@@ -444,15 +445,22 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, Sc
                      "choose another, "
                      "or set monitor.bracket = false and monitor.metric = \"none\"",
                      scene.method));
-  if (std::isinf(integratorCatalog().find(scene.method)->imaginaryLimit)) {
-    // No step is too large for it: there is nothing to watch but energies and the state itself.
+  const IntegratorInfo& info = *integratorCatalog().find(scene.method);
+  if (std::isinf(info.imaginaryLimit) || info.partitioned) {
+    // No step is too large for it, or its stiff part is whatever the step asks for: there is nothing to watch but
+    // energies and the state itself.
     if (!scene.step)
       fail(integrator.at("step").origin, "integrator.step",
-           fmt::format("\"auto\" follows the critical step, and \"{}\" is stable at every step; give a number",
-                       scene.method));
+           fmt::format("\"auto\" follows the critical step, and \"{}\" {}; give a number", scene.method,
+                       info.partitioned ? "chooses its stiff elements by the step" : "is stable at every step"));
     scene.bracket = false;
     scene.metric.clear();
   }
+  if (scene.bracket && scene.damping.any() && !info.highestModeBinds)
+    fail(integrator.at("method").origin, "integrator.method",
+         fmt::format("\"{}\": with [damping] the bracket is proven for symplectic-euler and verlet only; choose one of "
+                     "them, or set monitor.bracket = false, with a monitor.metric for an estimate",
+                     scene.method));
 }
 
 void readLoadSection(const Section& section, Scene& scene) {
@@ -546,7 +554,7 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
   scene.density = material.get<double>("density");
   scene.lumping = material.get<std::string>("lumping") == "equal" ? Lumping::equal : Lumping::rowSum;
 
-  readIntegratorSection(section("integrator"), section("monitor"), scene);
+  readIntegratorSection(section("integrator"), section("monitor"), section("damping"), scene);
   for (const Section& s : sections)
     if (s.name == "fix" || s.name == "move" || s.name == "force") readLoadSection(s, scene);
 
@@ -556,10 +564,12 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
   scene.historyEvery = output.get<std::int64_t>("history_every");
   scene.energy = output.get<bool>("energy");
   scene.picture = output.get<bool>("picture");
-  if (std::isinf(integratorCatalog().find(scene.method)->imaginaryLimit) &&
+  const IntegratorInfo& info = *integratorCatalog().find(scene.method);
+  if ((std::isinf(info.imaginaryLimit) || info.partitioned) &&
       std::find(scene.fields.begin(), scene.fields.end(), "critical_step") != scene.fields.end())
     fail(output.at("fields").origin, "output.fields",
-         fmt::format("\"critical_step\": \"{}\" is stable at every step and has none", scene.method));
+         fmt::format("\"critical_step\": \"{}\" {} and has none", scene.method,
+                     info.partitioned ? "chooses its stiff elements by the step" : "is stable at every step"));
   if (scene.metric.empty() && std::find(scene.fields.begin(), scene.fields.end(), "metric") != scene.fields.end())
     fail(output.at("fields").origin, "output.fields", "\"metric\" needs a metric; set monitor.metric");
   return scene;

@@ -10,6 +10,7 @@
 
 #include <ringwatch/app/where_expression.h>
 #include <ringwatch/body/body.h>
+#include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch {
@@ -62,7 +63,8 @@ struct Scene {
   std::string method;
   std::optional<double> step;  // s; empty for "auto"
   double end = 0;              // s
-  double safety = 0;           // share of the safe step that "auto" and "reduce-step" take
+  RayleighDamping damping;
+  double safety = 0;  // share of the safe step that "auto" and "reduce-step" take
 
   std::string metric;  // "" for none
   double margin = 0;

@@ -25,10 +25,11 @@ constexpr SceneRange share{0, 1, true, false};   // 0 <= s < 1
 constexpr SceneRange factor{0, 1, false, true};  // 0 < s <= 1
 constexpr SceneRange poissonRange{-1, 0.5, false, false};
 
-constexpr std::array<SceneSection, 9> sections{{
+constexpr std::array<SceneSection, 10> sections{{
     {"mesh", false, true, "a file or a generator with its parameters"},
     {"material", false, true, "one material for the whole body"},
     {"integrator", false, true, "how time advances"},
+    {"damping", false, false, "Rayleigh damping, C = mass M + stiffness K(x); its forces lag in the explicit schemes"},
     {"monitor", false, false, "what is watched, and what happens when the step is too large"},
     {"handler", false, false, "what is done about elements that need a smaller step"},
     {"fix", true, false, "nodes that stay; each [[fix]] adds to the others"},
@@ -93,6 +94,16 @@ std::vector<SceneKey> makeKeys() {
        factor,
        {},
        "share of the safe step that \"auto\" and on_violation = \"reduce-step\" take"},
+      {"damping", "mass", T::number, "1/s", false, "0.0", notNegative, {}, "mass-proportional part, takes slow motion"},
+      {"damping",
+       "stiffness",
+       T::number,
+       "s",
+       false,
+       "0.0",
+       notNegative,
+       {},
+       "stiffness-proportional part, takes fast vibrations; it shortens the critical step"},
       {"monitor",
        "bracket",
        T::boolean,

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/gnuplot.h>
+#include <ringwatch/app/integrator_catalog.h>
 #include <ringwatch/app/subprocess.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
@@ -23,7 +24,7 @@ const std::array<StudyInfo, 4> studies{{
     {"elements", "every element and quadrature rule: rank, patch test, derivatives, convergence, frequencies, locking",
      verifyElements},
     {"integrators", "every integrator: stability limit, order, energy drift, reversibility, damping",
-     [](StudyEffort effort) { return verifyIntegrators(effort); }},
+     [](StudyEffort effort) { return verifyIntegrators(effort, integratorCatalog().entries()); }},
     {"monitor", "bracket, metrics, drift bounds and alarms of the monitor against exact values; nonlinear histories",
      verifyMonitor},
     {"stress", "explicit integrators run long and on hard bodies: who survives, and with what error",
@@ -100,7 +101,7 @@ std::string studyText(const StudyReport& report) {
   for (const StudyTable& table : report.tables) text += fmt::format("\n{}", tableText(table));
   std::size_t failed = 0;
   for (const StudyCheck& check : report.checks) failed += !check.passed;
-  text += fmt::format("\n{} checks, {} failed\n", report.checks.size(), failed);
+  if (!report.checks.empty()) text += fmt::format("\n{} checks, {} failed\n", report.checks.size(), failed);
   for (const StudyCheck& check : report.checks)
     if (!check.passed)
       text += fmt::format("  FAILED {}: measured {:.9g}, expected {:.9g}, tolerance {:.3g}\n", check.name,
@@ -162,9 +163,11 @@ std::vector<std::string> drawFigures(const StudyReport& report, const std::files
     if (figure.logX) script += "set logscale x\nset format x '10^{%L}'\n";
     if (figure.logY) script += "set logscale y\nset format y '10^{%L}'\n";
     std::string plot;
+    constexpr std::size_t colours = 8;  // then they come again, with dashes
     for (std::size_t c = 0; c < figure.curves.size(); ++c)
-      plot += fmt::format("{}'{}.dat' index {} with linespoints lw 2 title {}", plot.empty() ? "plot " : ", \\\n     ",
-                          figure.name, c, gnuplotQuoted(figure.curves[c].label));
+      plot += fmt::format("{}'{}.dat' index {} with linespoints lw 2 dt {} title {}",
+                          plot.empty() ? "plot " : ", \\\n     ", figure.name, c, c < colours ? 1 : 2,
+                          gnuplotQuoted(figure.curves[c].label));
     if (plot.empty()) continue;
     writeFileAtomically(folder / (figure.name + ".dat"), data);
     writeFileAtomically(folder / (figure.name + ".gp"), script + plot + "\n");

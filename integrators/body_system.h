@@ -4,6 +4,13 @@
 
 namespace ringwatch {
 
+/// The diagonal block of row i, N/m.
+inline const Eigen::Matrix3d& diagonalBlock(const BlockMatrix& K, std::size_t i) {
+  auto k = static_cast<std::size_t>(K.rowBegin[i]);
+  while (K.column[k] != static_cast<std::int32_t>(i)) ++k;  // every row holds its diagonal
+  return K.block[k];
+}
+
 /// A body as a second-order system: m a = external force - internal force(x) - (alpha M + beta K(x)) v; constrained
 /// components get a = 0, so that their prescribed velocity stays what it is in every scheme. K is the exact tangent at
 /// x.
@@ -16,12 +23,15 @@ class BodySystem final : public DifferentiableSystem {
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
     body_.internalForce(x, internalForce_, workspace_);
     a = body_.externalForce() - internalForce_;
-    if (damping_.beta != 0) {
-      body_.tangentProduct(x, v, product_, workspace_);
-      a -= damping_.beta * product_;
+    if (damping_.any()) {
+      if (damping_.beta != 0)
+        body_.tangentProduct(x, v, dampingForce_, workspace_);
+      else
+        dampingForce_.setZero(3, x.cols());
+      dampingForce_ = damping_.beta * dampingForce_ + damping_.alpha * v * body_.lumpedMass().asDiagonal();
+      a -= dampingForce_;
     }
     a = a * inverseMass_.asDiagonal();
-    if (damping_.alpha != 0) a -= damping_.alpha * v;
     body_.constraints().clearConstrained(a);
   }
   bool velocityDependent() const override { return damping_.any(); }
@@ -31,11 +41,18 @@ class BodySystem final : public DifferentiableSystem {
     body_.tangentProduct(x, u, Ku, workspace_);
   }
   Eigen::SparseMatrix<double> stiffness(const NodeVectors& x) override { return body_.assembleTangent(x); }
+  void stiffnessDiagonal(const NodeVectors& x, std::vector<Eigen::Matrix3d>& blocks) override {
+    body_.assembleBlocks(x, blocks_);
+    blocks.resize(blocks_.rowBegin.size() - 1);
+    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = diagonalBlock(blocks_, i);
+  }
   bool isConstrained(std::int32_t node, int component) const override {
     return body_.constraints().isConstrained(node, component);
   }
   /// Internal force of the last evaluation, 3×N, N: an observer need not compute it again. Without the damping force.
   const NodeVectors& lastInternalForce() const { return internalForce_; }
+  /// Damping force C v of the last evaluation, 3×N, N; empty without damping.
+  const NodeVectors& lastDampingForce() const { return dampingForce_; }
 
   const Body& body() const { return body_; }
   /// At rest in the reference configuration, constrained components already moving.
@@ -51,8 +68,9 @@ class BodySystem final : public DifferentiableSystem {
   const Body& body_;
   RayleighDamping damping_;
   Eigen::VectorXd inverseMass_;
-  NodeVectors internalForce_, product_;
+  NodeVectors internalForce_, dampingForce_;
   Body::Workspace workspace_;
+  BlockMatrix blocks_;
 };
 
 }  // namespace ringwatch

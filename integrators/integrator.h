@@ -48,6 +48,15 @@ class DifferentiableSystem : public SecondOrderSystem {
   virtual void stiffnessProduct(const NodeVectors& x, const NodeVectors& u, NodeVectors& Ku) = 0;
   /// K(x), 3N×3N, constrained degrees of freedom included, both triangles.
   virtual Eigen::SparseMatrix<double> stiffness(const NodeVectors& x) = 0;
+  /// The 3×3 diagonal blocks of K(x), N of them, N/m: for preconditioners.
+  virtual void stiffnessDiagonal(const NodeVectors& x, std::vector<Eigen::Matrix3d>& blocks) {
+    const Eigen::SparseMatrix<double> K = stiffness(x);
+    blocks.assign(static_cast<std::size_t>(x.cols()), Eigen::Matrix3d::Zero());
+    for (Eigen::Index column = 0; column < K.outerSize(); ++column)
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(K, column); entry; ++entry)
+        if (entry.row() / 3 == column / 3)
+          blocks[static_cast<std::size_t>(column / 3)](entry.row() % 3, column % 3) = entry.value();
+  }
   /// Whether the motion of a component is prescribed.
   virtual bool isConstrained(std::int32_t /*node*/, int /*component*/) const { return false; }
 };
@@ -67,8 +76,14 @@ struct IntegratorInfo {
   Eigen::Matrix2d (*amplification)(double z, double dampingRatio) = nullptr;
   /// Largest stable z for a damping ratio in closed form, where there is one; else nullptr.
   double (*dampedLimit)(double dampingRatio) = nullptr;
+  /// With Rayleigh damping the highest mode binds, whatever the damping: proven (stability_limit.h). A step made of an
+  /// upper bound of the highest eigenvalue is safe then, one made of a lower bound optimistic.
+  bool highestModeBinds = false;
   /// Chooses steps of its own within h, to a tolerance.
   bool adaptive = false;
+  /// Treats the two parts of an AdditiveSystem apart and takes no other system. Its limit is that of the non-stiff part
+  /// when the stiff one is zero.
+  bool partitioned = false;
 };
 
 /// How a step went. On failure the state is as before the step.

@@ -48,6 +48,7 @@ std::optional<double> dampedStep(double lambda, const RayleighDamping& damping, 
     if (!limit) return std::nullopt;
     return *limit / omega;
   };
+  if (info.highestModeBinds) return stepOf(top);
   constexpr int modes = 64;
   double step = infinity, binding = top;
   for (int k = modes; k >= 0; --k) {
@@ -59,7 +60,6 @@ std::optional<double> dampedStep(double lambda, const RayleighDamping& damping, 
       binding = omega;
     }
   }
-  if (binding == top && info.dampedLimit) return step;
   // Closer to the mode that binds, between its neighbours.
   double low = std::max(binding - top / modes, 1e-6 * top), high = std::min(binding + top / modes, top);
   for (int iteration = 0; iteration < 25; ++iteration) {

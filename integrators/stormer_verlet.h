@@ -20,7 +20,8 @@ class StormerVerlet final : public Integrator {
   }
   static double dampedLimit(double xi) { return 2 / (std::sqrt(1 + xi * xi) + xi); }
   static constexpr IntegratorInfo description{
-      "verlet", "second order, symplectic, one force a step", 2, 1, 2.0, true, true, 1, &amplification, &dampedLimit};
+      "verlet", "second order, symplectic, one force a step", 2, 1, 2.0, true, true, 1, &amplification, &dampedLimit,
+      true};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     if (!fresh_) system.acceleration(state.time, state.x, state.v, a_);

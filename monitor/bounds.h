@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string_view>
 
@@ -31,6 +32,26 @@ inline double stepFor(double lambda, double limit) {
   return lambda > 0 ? limit / std::sqrt(lambda) : std::numeric_limits<double>::infinity();
 }
 
+/// How the highest eigenvalue lambda (rad²/s²) sets an integrator's step: limit/√lambda without damping, a function of
+/// lambda with it.
+class StepRule {
+ public:
+  /// limit: largest stable h·omega of an undamped oscillator.
+  StepRule(double limit) : limit_(limit) {}  // NOLINT(google-explicit-constructor): a limit is the usual rule
+  /// step: critical step, s, of a system whose modes have omega² in [0, lambda]; must not grow with lambda. proven:
+  /// whether it is exactly that, so that an upper bound of lambda gives a safe step and a lower bound an optimistic
+  /// one.
+  StepRule(std::function<double(double lambda)> step, bool proven) : step_(std::move(step)), proven_(proven) {}
+
+  double operator()(double lambda) const { return step_ ? step_(lambda) : stepFor(lambda, limit_); }
+  bool proven() const { return proven_; }
+
+ private:
+  double limit_ = 0;
+  std::function<double(double)> step_;
+  bool proven_ = true;
+};
+
 /// The bracket safe <= h_crit <= optimistic of the critical step at one state, s, both sides proven for the tangent at
 /// that state.
 struct CriticalStep {
@@ -43,7 +64,7 @@ struct CriticalStep {
   ElementRef lowestRingElement;
 };
 /// The side of the bracket made from a bound: the types say which.
-inline double safeStep(UpperBound lambda, double limit) { return stepFor(lambda.value, limit); }
-inline double optimisticStep(LowerBound lambda, double limit) { return stepFor(lambda.value, limit); }
+inline double safeStep(UpperBound lambda, const StepRule& rule) { return rule(lambda.value); }
+inline double optimisticStep(LowerBound lambda, const StepRule& rule) { return rule(lambda.value); }
 
 }  // namespace ringwatch

@@ -16,6 +16,17 @@ void EnergyBalance::record(const NodeVectors& x, const NodeVectors& internalForc
   if (body_.constraints().moving()) force_ = internalForce;
 }
 
+void EnergyBalance::recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce) {
+  DampingPower now{time, dampingForce.cwiseProduct(v).sum(), 0};
+  if (body_.constraints().moving()) now.atSupports = dampingForce.cwiseProduct(body_.constraints().velocity()).sum();
+  if (damping_) {
+    const double half = 0.5 * (time - damping_->time);
+    dissipated_ += half * (damping_->all + now.all);
+    prescribedWork_ += half * (damping_->atSupports + now.atSupports);
+  }
+  damping_ = now;
+}
+
 Energies EnergyBalance::energies(const NodeVectors& v) {
   Energies e;
   e.kinetic = 0.5 * (v.colwise().squaredNorm() * body_.lumpedMass())(0, 0);
@@ -24,11 +35,12 @@ Energies EnergyBalance::energies(const NodeVectors& v) {
   NodeVectors load = body_.externalForce();
   body_.constraints().clearConstrained(load);
   e.externalWork = prescribedWork_ + load.cwiseProduct(x_ - firstX_).sum();
+  e.dissipated = dissipated_;
   if (!hasReference_) {
-    referenceEnergy_ = e.kinetic + e.strain - e.externalWork;
+    referenceEnergy_ = e.kinetic + e.strain + e.dissipated - e.externalWork;
     hasReference_ = true;
   }
-  e.balanceError = e.kinetic + e.strain - e.externalWork - referenceEnergy_;
+  e.balanceError = e.kinetic + e.strain + e.dissipated - e.externalWork - referenceEnergy_;
   return e;
 }
 

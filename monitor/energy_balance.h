@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include <ringwatch/body/body.h>
 
 namespace ringwatch {
@@ -8,11 +10,13 @@ struct Energies {
   double kinetic = 0;
   double strain = 0;
   double externalWork = 0;  // by dead forces and by prescribed motion, since the start
-  double balanceError = 0;  // kinetic + strain - externalWork - (kinetic + strain at the start)
+  double balanceError = 0;  // kinetic + strain + dissipated - externalWork - (kinetic + strain at the start)
+  double dissipated = 0;    // by damping, since the start
 };
 
 /// Keeps the books of a run. Prescribed motion does work ∫ f · dx, f the internal force at moved nodes, summed by the
-/// trapezoidal rule; dead forces do f · (x - x at the start).
+/// trapezoidal rule; dead forces do f · (x - x at the start). Damping takes ∫ v · C v dt, by the same rule;
+/// what of it acts at moved nodes their support has to bring up, as work of its own.
 class EnergyBalance {
  public:
   explicit EnergyBalance(const Body& body) : body_(body) {}
@@ -20,6 +24,9 @@ class EnergyBalance {
   /// Adds a state with its internal force (3×N, N). Call it at every step when motion is prescribed, else whenever
   /// wanted; the first call is the start.
   void record(const NodeVectors& x, const NodeVectors& internalForce);
+  /// Adds a time (s) with velocities v (3×N, m/s) and the damping force C v (3×N, N) there. Call it at every step of a
+  /// damped run.
+  void recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce);
   /// Energies at the last recorded state, with velocities v (3×N, m/s) belonging to it.
   Energies energies(const NodeVectors& v);
 
@@ -27,7 +34,11 @@ class EnergyBalance {
   const Body& body_;
   Body::Workspace workspace_;
   bool started_ = false, hasReference_ = false;
-  double prescribedWork_ = 0, referenceEnergy_ = 0;
+  double prescribedWork_ = 0, dissipated_ = 0, referenceEnergy_ = 0;
+  struct DampingPower {
+    double time, all, atSupports;
+  };
+  std::optional<DampingPower> damping_;  // of the last record
   NodeVectors firstX_, x_, force_;
 };
 

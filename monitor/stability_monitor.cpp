@@ -31,7 +31,7 @@ class Bracketer {
   Bracketer(const Body& body, double width)
       : body_(body), width_(width), lazy_(body, 1.6 * width), hotSpot_(body, lazy_.shapes()), ring_(body) {}
 
-  const CriticalStep& evaluate(const NodeVectors& x, double limit) {
+  const CriticalStep& evaluate(const NodeVectors& x, const StepRule& limit) {
     UpperBound upper = lazy_.update(x);
     spent_ = lazy_.spent();
     bool byRing = false;
@@ -77,7 +77,7 @@ class Bracketer {
     return step_;
   }
   /// Both sides as sharp as they can be had, for a step that comes close to the limit.
-  void sharpen(const NodeVectors& x, double limit) {
+  void sharpen(const NodeVectors& x, const StepRule& limit) {
     LowerBound lower;
     bool byRing = false;
     if (sinceRings_++ % firstGap == 0) {
@@ -118,6 +118,14 @@ class Bracketer {
   ElementRef lowestRingElement_;
   CriticalStep step_{};
 };
+
+void requireProof(const StepRule& rule) {
+  if (!rule.proven())
+    throw InputError(
+        "limit: a bracket needs a proven rule, which damped runs have with symplectic-euler and verlet; use one of "
+        "them, "
+        "or a metric instead of the bracket");
+}
 
 std::string elementText(const Body& body, ElementRef e) {
   const MeshBlock& block = body.mesh().blocks[static_cast<std::size_t>(e.block)];
@@ -193,11 +201,13 @@ StabilityMonitor::StabilityMonitor(const Body& body, const MonitorOptions& optio
   if (options.every < 1) throw InputError(joinText("every = ", options.every, ": must be >= 1"));
   if (!(options.width > 0 && options.width < 1))
     throw InputError(joinText("width = ", options.width, ": must be > 0 and < 1"));
-  if (!(options.limit > 0))
-    throw InputError(joinText("limit = ", options.limit,
+  // The step at lambda = 1 rad²/s² is the limit itself.
+  if (!(options.limit(1) > 0))
+    throw InputError(joinText("limit = ", options.limit(1),
                               ": an integrator that is never stable cannot be monitored; choose another"));
   if (!(options.energyTolerance > 0))
     throw InputError(joinText("energyTolerance = ", options.energyTolerance, ": must be > 0"));
+  if (options.bracket) requireProof(options.limit);
   impl_ = std::make_unique<Impl>(body, options);
 }
 StabilityMonitor::~StabilityMonitor() = default;
@@ -250,8 +260,7 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
              joinText("tangent indefinite, eigenvalue ", report.bracket->lowestRing, " rad2/s2: no step cures that"));
     }
     if (!m.options.metric.empty()) {
-      report.metricStep =
-          (1 - m.options.margin) * stepFor(evaluateMetric(m.options.metric, m.body, x).lambda, m.options.limit);
+      report.metricStep = (1 - m.options.margin) * m.options.limit(evaluateMetric(m.options.metric, m.body, x).lambda);
       report.elementsRefreshed += static_cast<std::int64_t>(m.body.mesh().elementCount());
       const Body::LeastDeterminant least = m.body.leastDeterminant(x);
       m.tell(EventKind::inverted, !(least.value > 0), least.value, least.element,
@@ -270,7 +279,8 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
   return report;
 }
 
-CriticalStep criticalStep(const Body& body, const NodeVectors& x, double limit) {
+CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit) {
+  requireProof(limit);
   constexpr int products = 20, sweeps = 20;
   constexpr double wide = 1.06;  // in lambda: 3 % of the step
   ReducedRing ring(body);

@@ -11,7 +11,8 @@
 namespace ringwatch {
 
 struct MonitorOptions {
-  double limit = 2.0;            ///< the integrator's largest stable h·omega on the imaginary axis
+  StepRule limit = 2.0;          ///< the integrator's largest stable h·omega on the imaginary axis, or, for a damped
+                                 ///< run, the rule that makes a step of the highest eigenvalue
   bool bracket = true;           ///< keep safe and optimistic
   std::string metric;            ///< the source's way: a metric with a margin, e.g. "reduced-1-ring"; "" for none
   double margin = 0.1;           ///< of the metric's step: h_metric (1 - margin)
@@ -55,7 +56,8 @@ struct MonitorReport {
 /// Keeps the bracket of the critical step current along a run. Reports; never stops a run itself.
 class StabilityMonitor {
  public:
-  /// The body must outlive the monitor. Throws InputError for an unknown metric, margin outside [0, 1) or every < 1.
+  /// The body must outlive the monitor. Throws InputError for an unknown metric, margin outside [0, 1), every < 1, or a
+  /// bracket wanted by a rule that is not proven.
   StabilityMonitor(const Body& body, const MonitorOptions& options);
   ~StabilityMonitor();
 
@@ -73,7 +75,7 @@ class StabilityMonitor {
 };
 
 /// The bracket at one state from scratch, both sides as tight as the methods give without a run's history.
-/// limit: the integrator's largest stable h·omega.
-CriticalStep criticalStep(const Body& body, const NodeVectors& x, double limit);
+/// limit: the integrator's largest stable h·omega, or a proven rule; throws InputError for one that is not.
+CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit);
 
 }  // namespace ringwatch

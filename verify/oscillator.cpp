@@ -31,6 +31,12 @@ Eigen::Matrix2d columns(const State& state) {
   return (Eigen::Matrix2d() << state.x(0, 0), state.x(1, 0), state.v(0, 0), state.v(1, 0)).finished();
 }
 
+/// The oscillator of omega = 1 in the form that the integrator takes.
+std::unique_ptr<SecondOrderSystem> oscillatorFor(const Integrator& integrator, double dampingRatio, double stiffShare) {
+  if (integrator.info().partitioned) return std::make_unique<AdditiveOscillator>(1, dampingRatio, stiffShare);
+  return std::make_unique<Oscillator>(1, dampingRatio);
+}
+
 /// A with A [y_k … ] = [y_(k+1) …] in the sense of least squares of least norm, from states Y[first …].
 Eigen::MatrixXd fitRecursion(const std::vector<Eigen::Matrix2d>& Y, std::size_t first, int memory) {
   const auto m = static_cast<std::size_t>(memory);
@@ -65,7 +71,7 @@ bool isStable(const TransitionMatrix& T) {
 }  // namespace
 
 Eigen::Vector2d Oscillator::exact(double t, double x0, double v0) const {
-  const double w = omega_, d = dampingRatio_ * omega_, k = w * w - d * d;
+  const double w = omega_, d = 0.5 * alpha_, k = w * w - d * d;
   double c, s;  // cos and sin(root t)/root, continued to aperiodic motion
   if (k > 0) {
     c = std::cos(std::sqrt(k) * t);
@@ -93,14 +99,14 @@ double TransitionMatrix::spectralRadius() const {
   return matrix.eigenvalues().cwiseAbs().maxCoeff();
 }
 
-TransitionMatrix transitionMatrix(const IntegratorFactory& make, double z, double dampingRatio) {
-  Oscillator oscillator(1, dampingRatio);
+TransitionMatrix transitionMatrix(const IntegratorFactory& make, double z, double dampingRatio, double stiffShare) {
   const std::unique_ptr<Integrator> integrator = make();
+  const auto oscillator = oscillatorFor(*integrator, dampingRatio, stiffShare);
   State state = unitVectors();
   std::vector<Eigen::Matrix2d> Y{columns(state)};
   TransitionMatrix result;
   for (int k = 0; k < 7; ++k) {
-    if (!integrator->step(oscillator, state, z).done || !state.x.allFinite() || !state.v.allFinite()) return result;
+    if (!integrator->step(*oscillator, state, z).done || !state.x.allFinite() || !state.v.allFinite()) return result;
     Y.push_back(columns(state));
   }
   struct Attempt {
@@ -120,9 +126,9 @@ TransitionMatrix transitionMatrix(const IntegratorFactory& make, double z, doubl
   return result;
 }
 
-double measureStabilityLimit(const IntegratorFactory& make, double dampingRatio, double end) {
+double measureStabilityLimit(const IntegratorFactory& make, double dampingRatio, double end, double stiffShare) {
   const auto stable = [&](double z) {
-    const TransitionMatrix T = transitionMatrix(make, z, dampingRatio);
+    const TransitionMatrix T = transitionMatrix(make, z, dampingRatio, stiffShare);
     if (!T.found)
       throw NumericalError(joinText("integrator ", make()->info().name, ": no linear step at h·omega = ", z));
     return isStable(T);
@@ -143,7 +149,7 @@ double measureStabilityLimit(const IntegratorFactory& make, double dampingRatio,
   }
   // A genuine limit is crossed with a slope. Where the radius has only just crept over the slack for rounding, it has
   // been above one all along.
-  return transitionMatrix(make, 1.001 * low, dampingRatio).spectralRadius() < 1 + 1e-9 ? 0 : low;
+  return transitionMatrix(make, 1.001 * low, dampingRatio, stiffShare).spectralRadius() < 1 + 1e-9 ? 0 : low;
 }
 
 Eigen::MatrixXd stabilityMap(const IntegratorFactory& make, const std::vector<double>& z,
@@ -157,13 +163,13 @@ Eigen::MatrixXd stabilityMap(const IntegratorFactory& make, const std::vector<do
 }
 
 double oscillatorError(const IntegratorFactory& make, int steps, double dampingRatio) {
-  Oscillator oscillator(1, dampingRatio);
   const std::unique_ptr<Integrator> integrator = make();
+  const auto oscillator = oscillatorFor(*integrator, dampingRatio, 0.5);
   State state = unitVectors();
   state.v(0, 0) = 0.5;
   for (int k = 0; k < steps; ++k)
-    if (!integrator->step(oscillator, state, 1.0 / steps).done) return nan;
-  return (Eigen::Vector2d(state.x(0, 0), state.v(0, 0)) - oscillator.exact(1, 1, 0.5)).norm();
+    if (!integrator->step(*oscillator, state, 1.0 / steps).done) return nan;
+  return (Eigen::Vector2d(state.x(0, 0), state.v(0, 0)) - Oscillator(1, dampingRatio).exact(1, 1, 0.5)).norm();
 }
 
 double measureOrder(const IntegratorFactory& make, double dampingRatio) {
@@ -223,13 +229,13 @@ EnergyDrift energyDriftByPowers(const IntegratorFactory& make, double z, double 
 EnergyDrift energyDriftBySteps(const IntegratorFactory& make, double z, double periods) {
   const TransitionMatrix T = transitionMatrix(make, z, 0);
   if (!T.found || T.memory != 1) return {nan, nan};
-  Oscillator oscillator;
   const std::unique_ptr<Integrator> integrator = make();
+  const auto oscillator = oscillatorFor(*integrator, 0, 0);
   State state = unitVectors();
   double oscillation = 0;
   const auto steps = static_cast<std::int64_t>(std::llround(periods * 2 * std::numbers::pi / z));
   for (std::int64_t k = 0; k < steps; ++k) {
-    if (!integrator->step(oscillator, state, z).done) return {nan, nan};
+    if (!integrator->step(*oscillator, state, z).done) return {nan, nan};
     oscillation = std::max(oscillation, std::abs(state.x(0, 0) * state.x(0, 0) + state.v(0, 0) * state.v(0, 0) - 1));
   }
   const Eigen::Vector2d start(1, 0), end(state.x(0, 0), state.v(0, 0));
@@ -238,13 +244,13 @@ EnergyDrift energyDriftBySteps(const IntegratorFactory& make, double z, double p
 }
 
 double reversalError(const IntegratorFactory& make, double z) {
-  Oscillator oscillator;
   const std::unique_ptr<Integrator> integrator = make();
+  const auto oscillator = oscillatorFor(*integrator, 0, 0);
   const State start = unitVectors();
   State state = start;
   for (const double h : {z, -z})
     for (int k = 0; k < 100; ++k)
-      if (!integrator->step(oscillator, state, h).done) return nan;
+      if (!integrator->step(*oscillator, state, h).done) return nan;
   return (columns(state) - columns(start)).norm() / columns(start).norm();
 }
 

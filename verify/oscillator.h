@@ -1,8 +1,10 @@
 #pragma once
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <vector>
 
+#include <ringwatch/integrators/additive_system.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/verify/report.h>
 
@@ -17,15 +19,18 @@ using IntegratorFactory = std::function<std::unique_ptr<Integrator>()>;
 /// Oscillators, one for each component of one node: frequency omega (rad/s), damping ratio ξ, unit mass.
 class Oscillator final : public DifferentiableSystem {
  public:
-  explicit Oscillator(double omega = 1, double dampingRatio = 0) : omega_(omega), dampingRatio_(dampingRatio) {}
+  explicit Oscillator(double omega = 1, double dampingRatio = 0) : Oscillator(omega, dampingRatio, 0) {}
+  /// alpha: mass-proportional damping, 1/s, added to that of the ratio.
+  Oscillator(double omega, double dampingRatio, double alpha)
+      : omega_(omega), alpha_(2 * dampingRatio * omega + alpha) {}
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
     a = -(omega_ * omega_) * x;
-    if (dampingRatio_ != 0) a -= (2 * dampingRatio_ * omega_) * v;
+    if (alpha_ != 0) a -= alpha_ * v;
     ++evaluations_;
   }
-  bool velocityDependent() const override { return dampingRatio_ != 0; }
+  bool velocityDependent() const override { return alpha_ != 0; }
   const Eigen::VectorXd& mass() const override { return mass_; }
-  RayleighDamping damping() const override { return {2 * dampingRatio_ * omega_, 0}; }
+  RayleighDamping damping() const override { return {alpha_, 0}; }
   void stiffnessProduct(const NodeVectors&, const NodeVectors& u, NodeVectors& Ku) override {
     Ku = (omega_ * omega_) * u;
   }
@@ -40,9 +45,24 @@ class Oscillator final : public DifferentiableSystem {
   Eigen::Vector2d exact(double t, double x0, double v0) const;
 
  private:
-  double omega_, dampingRatio_;
+  double omega_, alpha_;
   Eigen::VectorXd mass_ = Eigen::VectorXd::Ones(1);
   std::int64_t evaluations_ = 0;
+};
+
+/// The same oscillator with its stiffness in two parts: the share `stiffShare` of omega², and the damping, in the stiff
+/// one.
+class AdditiveOscillator final : public AdditiveSystem {
+ public:
+  AdditiveOscillator(double omega, double dampingRatio, double stiffShare)
+      : nonstiff_(omega * std::sqrt(1 - stiffShare), 0),
+        stiff_(omega * std::sqrt(stiffShare), 0, 2 * dampingRatio * omega) {}
+  Oscillator& nonstiff() override { return nonstiff_; }
+  Oscillator& stiff() override { return stiff_; }
+  bool velocityDependent() const override { return stiff_.velocityDependent(); }
+
+ private:
+  Oscillator nonstiff_, stiff_;
 };
 
 /// One step as a linear map, found by stepping unit vectors.
@@ -54,19 +74,23 @@ struct TransitionMatrix {
   double spectralRadius() const;
 };
 /// z = h·omega. An integrator that remembers (the last acceleration, say) is observed after its start; a two-step
-/// method gives a companion matrix of twice the size.
-TransitionMatrix transitionMatrix(const IntegratorFactory& make, double z, double dampingRatio);
+/// method gives a companion matrix of twice the size. stiffShare: of omega² that is in the stiff part, for partitioned
+/// integrators.
+TransitionMatrix transitionMatrix(const IntegratorFactory& make, double z, double dampingRatio, double stiffShare = 0);
 
 /// Largest z = h·omega up to which the integrator is stable at every smaller step, by scan and bisection of the
 /// spectral radius to 1e-10 relative; 0 when it is unstable from the start, however weakly, infinity when stable
-/// up to `end`. Throws NumericalError when the integrator has no transition matrix.
-double measureStabilityLimit(const IntegratorFactory& make, double dampingRatio = 0, double end = 100);
+/// up to `end`. Throws NumericalError when the integrator has no transition matrix. stiffShare as above: the frequency
+/// is that of the whole.
+double measureStabilityLimit(const IntegratorFactory& make, double dampingRatio = 0, double end = 100,
+                             double stiffShare = 0);
 
 /// Spectral radius over a grid: radius(i, j) at z[i], ξ[j]; NaN where there is none.
 Eigen::MatrixXd stabilityMap(const IntegratorFactory& make, const std::vector<double>& z,
                              const std::vector<double>& dampingRatios);
 
-/// Error of (omega x, v) at t = 1/omega·T, T = 1, from (1, 0.5), with n steps: Euclidean norm.
+/// Error of (omega x, v) at t = 1/omega·T, T = 1, from (1, 0.5), with n steps: Euclidean norm. Partitioned integrators
+/// get half of omega² in the stiff part.
 double oscillatorError(const IntegratorFactory& make, int steps, double dampingRatio);
 /// Order of that error: from the two finest of a ladder of halved steps whose error lies above rounding (1e-11).
 double measureOrder(const IntegratorFactory& make, double dampingRatio);

@@ -10,6 +10,7 @@ namespace ringwatch {
 namespace {
 
 struct Problem {
+  Problem(const ImplicitOptions& options, double t) : newton(options), time(t) {}
   detail::NewtonSystem newton;
   double time;
   std::string message;
@@ -19,10 +20,9 @@ struct Problem {
 
 EquilibriumStatus solveEquilibrium(DifferentiableSystem& system, double time, NodeVectors& x, double tolerance,
                                    const ImplicitOptions& options) {
-  Problem problem{detail::NewtonSystem(options), time, {}};
+  Problem problem(options, time);
   problem.newton.attach(system);
-  SUNContext context = nullptr;
-  SUNContext_Create(nullptr, &context);
+  SUNContext context = problem.newton.context();
   NodeVectors solution = x, none(3, 0);
   N_Vector u = detail::wrapState(solution, none, context), scale = N_VClone(u), residual = N_VClone(u);
   N_VConst(1, scale);
@@ -45,7 +45,7 @@ EquilibriumStatus solveEquilibrium(DifferentiableSystem& system, double time, No
     KINSetUserData(memory, &problem);
     SUNLinearSolver solver = problem.newton.makeLinearSolver(
         [](void* self, N_Vector y, N_Vector b) { return static_cast<Problem*>(self)->newton.solveStatic(y, b); },
-        &problem, context, true);
+        &problem, true);
     if (flag == KIN_SUCCESS) flag = KINSetLinearSolver(memory, solver, nullptr);
     if (flag == KIN_SUCCESS)
       flag = KINSetJacTimesVecFn(memory, [](N_Vector y, N_Vector Jy, N_Vector, booleantype*, void* self) {
@@ -78,7 +78,6 @@ EquilibriumStatus solveEquilibrium(DifferentiableSystem& system, double time, No
   N_VDestroy(residual);
   N_VDestroy(scale);
   N_VDestroy(u);
-  SUNContext_Free(&context);
   return status;
 }
 

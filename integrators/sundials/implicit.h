@@ -9,9 +9,10 @@ namespace ringwatch {
 /// How the linear systems of Newton's method, (M + γ C + γ² K) dv = r, are solved. C = alpha M + beta K; γ is the step
 /// times the method's coefficient.
 enum class LinearSolve {
-  direct,             ///< Eigen's sparse LDLᵀ of the assembled matrix
-  conjugateGradients  ///< matrix-free on stiffnessProduct, preconditioned by the 3×3 diagonal blocks; fails on an
-                      ///< indefinite matrix
+  direct,              ///< Eigen's sparse LDLᵀ of the assembled matrix
+  conjugateGradients,  ///< matrix-free on stiffnessProduct, preconditioned by the 3×3 diagonal blocks; fails on an
+                       ///< indefinite matrix
+  gmres                ///< SUNDIALS' GMRES on the same product and preconditioner; takes an indefinite matrix too
 };
 
 /// What the implicit integrators take. They need a DifferentiableSystem.
@@ -20,18 +21,34 @@ struct ImplicitOptions {
   double relativeTolerance = 1e-8;  ///< of Newton's method, and of the error where steps adapt
   double positionTolerance = 0;     ///< m, absolute; 0: relativeTolerance times the size of the system
   double velocityTolerance = 0;     ///< m/s, absolute; 0: positionTolerance over the step
-  double linearTolerance = 1e-10;   ///< relative residual of conjugate gradients
+  double linearTolerance = 1e-10;   ///< relative residual of the matrix-free solvers
   int newtonIterations = 20;        ///< at most, a stage
 };
 
 namespace detail {
-class ArkodeSolver;
-class CvodeSolver;
-}  // namespace detail
+class Stepper;
+}
+
+/// An integrator of SUNDIALS. A step that does not work reports why, with step and residual, and leaves the state
+/// alone.
+class SundialsIntegrator : public Integrator {
+ public:
+  ~SundialsIntegrator() override;
+  const IntegratorInfo& info() const override { return info_; }
+  StepStatus step(SecondOrderSystem& system, State& state, double h) override;
+  void reset() override;
+
+ protected:
+  SundialsIntegrator(const IntegratorInfo& info, std::unique_ptr<detail::Stepper> stepper);
+
+ private:
+  IntegratorInfo info_;
+  std::unique_ptr<detail::Stepper> stepper_;
+};
 
 /// Implicit Euler, x' = x + h v', v' = v + h a(x', v'), by ARKODE with that one-stage table. L-stable: |R(iz)|² = 1/(1
-/// + z²). A step that does not converge reports why and leaves the state alone.
-class ImplicitEuler final : public Integrator {
+/// + z²).
+class ImplicitEuler final : public SundialsIntegrator {
  public:
   static constexpr IntegratorInfo description{.name = "implicit-euler",
                                               .help = "first order, implicit, stable for every step, strong damping",
@@ -40,18 +57,12 @@ class ImplicitEuler final : public Integrator {
                                               .imaginaryLimit = std::numeric_limits<double>::infinity(),
                                               .symplectic = false};
   explicit ImplicitEuler(const ImplicitOptions& options = {});
-  ~ImplicitEuler() override;
-  const IntegratorInfo& info() const override { return description; }
-  StepStatus step(SecondOrderSystem& system, State& state, double h) override;
-
- private:
-  std::unique_ptr<detail::ArkodeSolver> solver_;
 };
 
 /// Diagonally implicit Runge–Kutta methods by ARKODE: order 2 SDIRK-2-1-2 (A-stable), 3 ESDIRK3(2)4L[2]SA (Kennedy &
 /// Carpenter 2016), 4 SDIRK-5-3-4 (Hairer & Wanner), the last two L-stable. Steps of the size asked for, or adaptive
 /// ones within it.
-class ArkodeDirk final : public Integrator {
+class ArkodeDirk final : public SundialsIntegrator {
  public:
   static constexpr IntegratorInfo description{
       .name = "arkode-dirk",
@@ -63,19 +74,12 @@ class ArkodeDirk final : public Integrator {
       .dampedOrder = 4};
   /// order: 2, 3 or 4, else InputError.
   explicit ArkodeDirk(int order = 4, bool adaptive = false, const ImplicitOptions& options = {});
-  ~ArkodeDirk() override;
-  const IntegratorInfo& info() const override { return info_; }
-  StepStatus step(SecondOrderSystem& system, State& state, double h) override;
-
- private:
-  IntegratorInfo info_;
-  std::unique_ptr<detail::ArkodeSolver> solver_;
 };
 
 /// Backward differentiation formulas by CVODE, orders one and two (higher ones are not stable for undamped vibrations),
 /// steps chosen by CVODE within the step asked for. It goes on from where its last step ended: reset() when the state
 /// changed.
-class CvodeBdf final : public Integrator {
+class CvodeBdf final : public SundialsIntegrator {
  public:
   static constexpr IntegratorInfo description{
       .name = "cvode-bdf",
@@ -87,13 +91,6 @@ class CvodeBdf final : public Integrator {
       .dampedOrder = 2,
       .adaptive = true};
   explicit CvodeBdf(const ImplicitOptions& options = {});
-  ~CvodeBdf() override;
-  const IntegratorInfo& info() const override { return description; }
-  StepStatus step(SecondOrderSystem& system, State& state, double h) override;
-  void reset() override;
-
- private:
-  std::unique_ptr<detail::CvodeSolver> solver_;
 };
 
 /// How solveEquilibrium went. Only when it is done are the positions those of equilibrium.

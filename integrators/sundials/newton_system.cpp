@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include <Eigen/LU>
+#include <sunlinsol/sunlinsol_spgmr.h>
+#include <Eigen/Cholesky>
 
 #include <ringwatch/base/error.h>
 
@@ -61,12 +63,36 @@ int NewtonSystem::solveStatic(N_Vector y, N_Vector b) {
 }
 
 bool NewtonSystem::solveFree(double mFactor, double kFactor, const NodeVectors& r, NodeVectors& u) {
-  if (options_.linearSolve == LinearSolve::conjugateGradients) return conjugateGradients(mFactor, kFactor, r, u);
-  if (!factorise(mFactor, kFactor)) return false;
-  const Eigen::VectorXd solution = factor_.solve(r.reshaped());
-  u = solution.reshaped(3, r.cols());
-  if (!u.allFinite()) complaint_ = "the linear system has no finite solution";
-  return u.allFinite();
+  if (options_.linearSolve == LinearSolve::direct) {
+    if (!factorise(mFactor, kFactor)) return false;
+    const Eigen::VectorXd solution = factor_.solve(r.reshaped());
+    u = solution.reshaped(3, r.cols());
+    if (!u.allFinite()) complaint_ = "the linear system has no finite solution";
+    return u.allFinite();
+  }
+  u = NodeVectors::Zero(3, r.cols());
+  if (r.norm() == 0) return true;
+  mFactor_ = mFactor;
+  kFactor_ = kFactor;
+  // Assembling the diagonal blocks costs as much as many products, and those of an earlier state serve nearly as well:
+  // they are made again only when the iterations have grown, or when there was no solution.
+  constexpr double grown = 1.5;
+  constexpr int spare = 5;
+  for (;;) {
+    const bool fresh = diagonal_.empty();
+    if (fresh) {
+      system_->stiffnessDiagonal(x_, diagonal_);
+      iterationsWhenFresh_ = 0;
+    }
+    updatePreconditioner();
+    const std::optional<int> iterations =
+        options_.linearSolve == LinearSolve::gmres ? gmres(r, u) : conjugateGradients(r, u);
+    if (iterations && iterationsWhenFresh_ == 0) iterationsWhenFresh_ = *iterations;
+    if (!iterations || *iterations > grown * iterationsWhenFresh_ + spare) diagonal_.clear();
+    if (iterations) return true;
+    if (fresh) return false;
+    complaint_.clear();
+  }
 }
 
 bool NewtonSystem::factorise(double mFactor, double kFactor) {
@@ -93,57 +119,94 @@ bool NewtonSystem::factorise(double mFactor, double kFactor) {
   return factor_.info() == Eigen::Success;
 }
 
-bool NewtonSystem::conjugateGradients(double mFactor, double kFactor, const NodeVectors& r, NodeVectors& u) {
-  const Eigen::Index n = r.cols();
+void NewtonSystem::multiply(const NodeVectors& u, NodeVectors& Au) {
+  system_->stiffnessProduct(x_, u, product_);
+  Au = mFactor_ * u * system_->mass().asDiagonal() + kFactor_ * product_;
+  clearConstrained(Au);
+}
+
+void NewtonSystem::updatePreconditioner() {
   const Eigen::VectorXd& mass = system_->mass();
-  // Block-Jacobi.
-  std::vector<Eigen::Matrix3d> inverse(static_cast<std::size_t>(n), Eigen::Matrix3d::Zero());
-  const Eigen::SparseMatrix<double> K = system_->stiffness(x_);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    Eigen::Matrix3d& D = inverse[static_cast<std::size_t>(i)];
-    for (int c = 0; c < 3; ++c)
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(K, 3 * i + c); entry; ++entry)
-        if (entry.row() / 3 == i) D(entry.row() % 3, c) = kFactor * entry.value();
-    D.diagonal().array() += mFactor * mass[i];
+  inverse_.resize(diagonal_.size());
+  for (std::size_t i = 0; i < diagonal_.size(); ++i) {
+    const double inertia = mFactor_ * mass[static_cast<Eigen::Index>(i)];
+    Eigen::Matrix3d D = kFactor_ * diagonal_[i] + inertia * Eigen::Matrix3d::Identity();
     for (int c = 0; c < 3; ++c)
       if (system_->isConstrained(static_cast<std::int32_t>(i), c)) {
         D.row(c).setZero();
         D.col(c).setZero();
         D(c, c) = 1;
       }
-    D = D.inverse().eval();
+    const Eigen::LLT<Eigen::Matrix3d> factor(D);
+    // A block that is not positive definite would make the iteration meaningless: only its size is used.
+    inverse_[i] = factor.info() == Eigen::Success
+                      ? factor.solve(Eigen::Matrix3d::Identity()).eval()
+                      : Eigen::Matrix3d::Identity() / std::max(D.norm(), std::numeric_limits<double>::min());
   }
-  const auto precondition = [&](const NodeVectors& s, NodeVectors& z) {
-    z.resize(3, n);
-    for (Eigen::Index i = 0; i < n; ++i) z.col(i) = inverse[static_cast<std::size_t>(i)] * s.col(i);
-  };
-  NodeVectors s = r, z, d;
-  u = NodeVectors::Zero(3, n);
+}
+
+void NewtonSystem::precondition(const NodeVectors& r, NodeVectors& z) const {
+  z.resize(3, r.cols());
+  for (Eigen::Index i = 0; i < r.cols(); ++i) z.col(i) = inverse_[static_cast<std::size_t>(i)] * r.col(i);
+}
+
+std::optional<int> NewtonSystem::conjugateGradients(const NodeVectors& r, NodeVectors& u) {
+  NodeVectors s = r, z, d, Ad;
+  u.setZero();
   const double goal = options_.linearTolerance * r.norm();
-  if (r.norm() == 0) return true;
   precondition(s, z);
   d = z;
   double sz = s.cwiseProduct(z).sum();
-  for (Eigen::Index iteration = 0; iteration < 30 * n + 100; ++iteration) {
-    system_->stiffnessProduct(x_, d, product_);
-    product_ = mFactor * d * mass.asDiagonal() + kFactor * product_;
-    clearConstrained(product_);
-    const double curvature = d.cwiseProduct(product_).sum();
+  for (int iteration = 1; iteration <= 30 * r.cols() + 100; ++iteration) {
+    multiply(d, Ad);
+    const double curvature = d.cwiseProduct(Ad).sum();
     if (!(curvature > 0)) {
-      complaint_ = "conjugate gradients met an indefinite matrix; use the direct solver or a smaller step";
-      return false;
+      complaint_ = "conjugate gradients met an indefinite matrix; use the direct solver, gmres or a smaller step";
+      return std::nullopt;
     }
     const double step = sz / curvature;
     u += step * d;
-    s -= step * product_;
-    if (s.norm() <= goal) return true;
+    s -= step * Ad;
+    if (s.norm() <= goal) return iteration;
     precondition(s, z);
     const double before = sz;
     sz = s.cwiseProduct(z).sum();
     d = z + (sz / before) * d;
   }
   complaint_ = joinText("conjugate gradients left a relative residual of ", s.norm() / r.norm());
-  return false;
+  return std::nullopt;
+}
+
+std::optional<int> NewtonSystem::gmres(const NodeVectors& r, NodeVectors& u) {
+  constexpr int basis = 40, restarts = 50;
+  load_ = r;  // what GMRES is given is not const
+  NodeVectors none(3, 0);
+  N_Vector solution = wrapState(u, none, context_), rightSide = wrapState(load_, none, context_);
+  // Preconditioned from the right, so that the residual that it looks at is the true one.
+  SUNLinearSolver solver = SUNLinSol_SPGMR(solution, SUN_PREC_RIGHT, basis, context_);
+  SUNLinSol_SPGMRSetMaxRestarts(solver, restarts);
+  SUNLinSolSetATimes(solver, this, [](void* self, N_Vector v, N_Vector z) {
+    static_cast<NewtonSystem*>(self)->multiply(positions(v), positions(z));
+    return 0;
+  });
+  SUNLinSolSetPreconditioner(solver, this, nullptr, [](void* self, N_Vector v, N_Vector z, realtype, int) {
+    static_cast<NewtonSystem*>(self)->precondition(positions(v), positions(z));
+    return 0;
+  });
+  SUNLinSolInitialize(solver);
+  SUNLinSolSetup(solver, nullptr);
+  u.setZero();
+  SUNLinSolSetZeroGuess(solver, SUNTRUE);
+  const int flag = SUNLinSolSolve(solver, nullptr, solution, rightSide, options_.linearTolerance * r.norm());
+  const int iterations = SUNLinSolNumIters(solver);
+  if (flag != 0 || !u.allFinite())
+    complaint_ = joinText("GMRES left a relative residual of ", SUNLinSolResNorm(solver) / r.norm(), " after ",
+                          iterations, " iterations");
+  SUNLinSolFree(solver);
+  N_VDestroy(rightSide);
+  N_VDestroy(solution);
+  if (!complaint_.empty()) return std::nullopt;
+  return iterations;
 }
 
 void NewtonSystem::staticTangentProduct(N_Vector u, N_Vector Ku) {
@@ -153,9 +216,9 @@ void NewtonSystem::staticTangentProduct(N_Vector u, N_Vector Ku) {
   clearConstrained(positions(Ku));
 }
 
-SUNLinearSolver NewtonSystem::makeLinearSolver(Callback callback, void* owner, SUNContext context, bool iterative) {
+SUNLinearSolver NewtonSystem::makeLinearSolver(Callback callback, void* owner, bool iterative) {
   adapter_ = {callback, owner};
-  SUNLinearSolver solver = SUNLinSolNewEmpty(context);
+  SUNLinearSolver solver = SUNLinSolNewEmpty(context_);
   solver->content = &adapter_;
   solver->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_MATRIX_EMBEDDED; };
   solver->ops->solve = [](SUNLinearSolver self, SUNMatrix, N_Vector y, N_Vector b, realtype) {

@@ -1,5 +1,7 @@
 #pragma once
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <sundials/sundials_linearsolver.h>
 #include <Eigen/SparseCholesky>
@@ -17,13 +19,18 @@ namespace ringwatch::detail {
 /// Newton's method converges linearly then, to the same solution. Where motion is prescribed a = 0, hence dv = q there.
 class NewtonSystem {
  public:
-  explicit NewtonSystem(const ImplicitOptions& options) : options_(options) {}
+  explicit NewtonSystem(const ImplicitOptions& options) : options_(options) { SUNContext_Create(nullptr, &context_); }
+  ~NewtonSystem() { SUNContext_Free(&context_); }
   NewtonSystem(const NewtonSystem&) = delete;
   NewtonSystem& operator=(const NewtonSystem&) = delete;
 
-  void attach(DifferentiableSystem& system) { system_ = &system; }
+  void attach(DifferentiableSystem& system) {
+    if (system_ != &system) diagonal_.clear();
+    system_ = &system;
+  }
   DifferentiableSystem& system() { return *system_; }
   const ImplicitOptions& options() const { return options_; }
+  SUNContext context() const { return context_; }
 
   /// Right-hand side at y; remembers where, since Newton's matrix is taken at the last point evaluated. 0, or 1
   /// (recoverable) when it is not finite.
@@ -39,7 +46,7 @@ class NewtonSystem {
   using Callback = int (*)(void* owner, N_Vector y, N_Vector b);
   /// iterative: dressed as a matrix-free iteration that converges at once, for KINSOL, which takes no solver that holds
   /// its own matrix.
-  SUNLinearSolver makeLinearSolver(Callback callback, void* owner, SUNContext context, bool iterative = false);
+  SUNLinearSolver makeLinearSolver(Callback callback, void* owner, bool iterative = false);
   /// K(x) u where the residual was evaluated last, zero where motion is prescribed.
   void staticTangentProduct(N_Vector u, N_Vector Ku);
 
@@ -57,7 +64,13 @@ class NewtonSystem {
   /// Solves (mFactor M + kFactor K) u = r over the free degrees of freedom; u = 0 at the others.
   bool solveFree(double mFactor, double kFactor, const NodeVectors& r, NodeVectors& u);
   bool factorise(double mFactor, double kFactor);
-  bool conjugateGradients(double mFactor, double kFactor, const NodeVectors& r, NodeVectors& u);
+  /// The matrix-free solvers: iterations, or nothing with a complaint.
+  std::optional<int> conjugateGradients(const NodeVectors& r, NodeVectors& u);
+  std::optional<int> gmres(const NodeVectors& r, NodeVectors& u);
+  /// The matrix-free matrix at x_, and its block-Jacobi preconditioner.
+  void multiply(const NodeVectors& u, NodeVectors& Au);
+  void precondition(const NodeVectors& r, NodeVectors& z) const;
+  void updatePreconditioner();
   void clearConstrained(NodeVectors& u) const;
 
   ImplicitOptions options_;
@@ -65,8 +78,13 @@ class NewtonSystem {
   NodeVectors x_;  // where the right-hand side was evaluated last
   NodeVectors zero_, product_, load_, held_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
-  Eigen::Index analysed_ = -1;  // nonzeros of the pattern that factor_ knows
+  Eigen::Index analysed_ = -1;             // nonzeros of the pattern that factor_ knows
+  double mFactor_ = 0, kFactor_ = 0;       // of the matrix-free matrix
+  std::vector<Eigen::Matrix3d> diagonal_;  // 3×3 diagonal blocks of K, perhaps of an earlier x; empty: none yet
+  std::vector<Eigen::Matrix3d> inverse_;   // of mFactor M + kFactor diagonal
+  int iterationsWhenFresh_ = 0;            // of the solve that followed the making of diagonal_; 0: not solved yet
   Adapter adapter_{};
+  SUNContext context_ = nullptr;
   double lastResidual_ = 0;
   std::string complaint_;
 };

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include <ringwatch/integrators/sundials/additive.h>
 #include <ringwatch/integrators/sundials/implicit.h>
 
 namespace ringwatch {
@@ -9,8 +10,8 @@ namespace ringwatch {
 std::span<const IntegratorEntry> sundialsIntegrators() {
   static constexpr std::array entries{
       integratorEntry<ImplicitEuler>(),  //
-      integratorEntry<ArkodeDirk>(),
-      integratorEntry<CvodeBdf>(),
+      integratorEntry<ArkodeDirk>(),    integratorEntry<CvodeBdf>(),
+      integratorEntry<ArkodeArk>(),     integratorEntry<ArkodeMri>(),
   };
   return entries;
 }

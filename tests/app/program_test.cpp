@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -125,10 +127,10 @@ TEST_F(Program, RunsASceneAndWritesWhatItPromises) {
   expectNothingHalfWritten("results");
 
   const Table history = table("results/history.csv");
-  EXPECT_EQ(history.columns,
-            (std::vector<std::string>{"step", "time_s", "h_s", "safe_s", "optimistic_s", "controlling_element",
-                                      "kinetic_J", "strain_J", "external_work_J", "balance_error_J",
-                                      "elements_refreshed", "handled_elements", "metric_step_s", "verdict"}));
+  EXPECT_EQ(history.columns, (std::vector<std::string>{
+                                 "step", "time_s", "h_s", "safe_s", "optimistic_s", "controlling_element", "kinetic_J",
+                                 "strain_J", "external_work_J", "balance_error_J", "elements_refreshed",
+                                 "handled_elements", "metric_step_s", "verdict", "dissipated_J"}));
   ASSERT_EQ(history.rows.size(), 50u);
   for (std::size_t i = 0; i < history.rows.size(); ++i) {
     EXPECT_EQ(history.rows[i].size(), history.columns.size());
@@ -562,6 +564,95 @@ TEST_F(Program, ExampleOfStretchedBarIsCaughtInTime) {
   const GlobalFrequency global = globalFrequency(body, state.x);
   ASSERT_TRUE(global.converged);
   EXPECT_GT(*scene.step, stepFor(global.lambda, 2.0));
+}
+
+TEST_F(Program, DampingShortensTheStepAndIsInTheBooks) {
+  folder_.write("tiny.toml", tiny);
+  ASSERT_EQ(call("run tiny.toml --out plain --set integrator.step=auto").status, 0);
+  const Outcome outcome =
+      call("run tiny.toml --out damped --set integrator.step=auto --set damping.stiffness=2e-3 --set damping.mass=1");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const Table plain = table("plain/history.csv"), damped = table("damped/history.csv");
+  const Json summary = json("damped/summary.json");
+  EXPECT_EQ(summary["scene"]["damping"]["stiffness"], 2e-3);
+  EXPECT_EQ(summary["verdict"], "certified");
+  // By the closed form, from the same bound: h = 4/(c + sqrt(c^2 + 4 lambda)), c = alpha + beta lambda.
+  const double lambda = std::pow(2 / plain.number(0, "safe_s"), 2), c = 1 + 2e-3 * lambda;
+  EXPECT_NEAR(damped.number(0, "safe_s") * (c + std::sqrt(c * c + 4 * lambda)) / 4, 1, 1e-9);
+  double before = 0, most = 0;
+  for (std::size_t i = 0; i < damped.rows.size(); ++i) {
+    EXPECT_GE(damped.number(i, "dissipated_J"), before);
+    before = damped.number(i, "dissipated_J");
+    most = std::max(most, damped.number(i, "external_work_J"));
+    EXPECT_LE(std::abs(damped.number(i, "balance_error_J")), 0.05 * most + 1e-12);
+  }
+  EXPECT_GT(before, 0);
+  for (std::size_t i = 0; i < plain.rows.size(); ++i) EXPECT_EQ(plain.number(i, "dissipated_J"), 0);
+}
+
+TEST_F(Program, RefusesABracketThatDampingLeavesUnproven) {
+  folder_.write("tiny.toml", tiny);
+  expectRefused("run tiny.toml --set integrator.method=rk4 --set damping.mass=1",
+                "proven for symplectic-euler and verlet only");
+  expectRefused("run tiny.toml --set damping.stiffness=-1", "damping.stiffness");
+  EXPECT_EQ(call("run tiny.toml --set integrator.method=rk4 --set damping.mass=1 --set monitor.bracket=false --set "
+                 "monitor.metric=single-element --set output.fields=[]")
+                .status,
+            0);
+}
+
+TEST_F(Program, PartitionedSchemesTakeTheStiffElementsApart) {
+  folder_.write("tiny.toml", tiny);
+  const std::string common = "run tiny.toml --set output.fields=[] --set mesh.jitter=0.3 --set integrator.method=";
+  const Outcome reference = call(common + "rk4 --set integrator.step=1e-4 --out reference");
+  ASSERT_EQ(reference.status, 0) << reference.err;
+  const Table exact = table("reference/history.csv");
+  for (const char* method : {"arkode-ark", "arkode-mri"}) {
+    const Outcome outcome = call(common + method + " --set integrator.step=1e-3 --out parts");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("elements are in the stiff part"));
+    const Table history = table("parts/history.csv");
+    ASSERT_EQ(history.rows.size(), 50u);
+    EXPECT_GT(history.number(0, "handled_elements"), 0) << method;
+    EXPECT_LT(history.number(0, "handled_elements"), 30) << method;
+    // The same moment, ten of the reference's steps to one.
+    EXPECT_NEAR(history.number(49, "strain_J") / exact.number(490, "strain_J"), 1, 1e-3) << method;
+    expectRefused(common + method + " --set integrator.step=auto", "chooses its stiff elements by the step");
+  }
+}
+
+TEST_F(Program, ComparesIntegratorsOnAScene) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome outcome =
+      call("compare tiny.toml --integrators verlet,pefrl,implicit-euler,arkode-ark --json c.json --out pictures");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("cheapest for 1 %"), HasSubstr("cheapest for 1e-6"), HasSubstr("reference converged")));
+  const Json result = json("c.json");
+  EXPECT_LT(result["reference_error"], 1e-8);
+  std::map<std::string, std::vector<double>> errors;
+  for (const Json& run : result["runs"]) {
+    EXPECT_GT(run["seconds"], 0);
+    EXPECT_GT(run["forces"], 0);
+    errors[run["integrator"]].push_back(run["error"].is_null() ? NAN : run["error"].get<double>());
+  }
+  EXPECT_EQ(errors.size(), 4u);
+  for (const auto& [name, values] : errors) EXPECT_LT(values.back(), 0.1 * values.front()) << name;
+  for (const char* label : {"1 %", "0.1 %", "1e-6"}) EXPECT_TRUE(result["cheapest"].contains(label)) << label;
+  EXPECT_TRUE(exists("pictures/work_precision_tiny_time.gp"));
+  EXPECT_TRUE(exists("pictures/work_precision_tiny_forces.dat"));
+
+  const Outcome fixed = call("compare tiny.toml --integrators verlet --step 1e-3,5e-4 --json -");
+  EXPECT_EQ(fixed.status, 0) << fixed.err;
+  const Json printed = Json::parse(fixed.out);
+  ASSERT_EQ(printed["runs"].size(), 2u);
+  EXPECT_NEAR(printed["runs"][0]["h"].get<double>(), 1e-3, 1e-12);
+  EXPECT_EQ(printed["runs"][1]["forces"], 101);  // a hundred steps and the start
+
+  expectRefused("compare tiny.toml --integrators verlett", "did you mean \"verlet\"");
+  expectRefused("compare tiny.toml --step 0", "--step: 0 s must be > 0");
+  expectRefused("compare tiny.toml --step 1", "beyond the end");
+  expectRefused("compare absent.toml", "absent.toml");
 }
 
 }  // namespace

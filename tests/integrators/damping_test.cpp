@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/stability_limit.h>
 #include <ringwatch/meshes/generators.h>
 #include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/verify/oscillator.h>
 #include <tests/support/random.h>
 
@@ -102,6 +104,90 @@ TEST(RayleighDampedBody, HasTheCriticalStepOfTheFormula) {
       EXPECT_NEAR(found / h, 1, 2e-3) << name;
     }
   }
+}
+
+StepRule ruleOf(const IntegratorInfo& info, const RayleighDamping& damping) {
+  return {[info, damping](double lambda) { return *dampedStep(lambda, damping, info); }, info.highestModeBinds};
+}
+
+// The monitor's bracket against runs: certified ones are bounded, violated ones are not, and what the undamped limit
+// would allow is lost.
+TEST(RayleighDampedBody, HasItsObservedStepWithinTheMonitorsBracket) {
+  const Body body = bar("stvk");
+  const double undamped = criticalStep(body, body.mesh().X, 2).safe;
+  for (const RayleighDamping damping : {RayleighDamping{20, 0}, RayleighDamping{0, 1e-3}, RayleighDamping{200, 1e-4}})
+    for (const char* name : {"symplectic-euler", "verlet"}) {
+      const StepRule rule = ruleOf(*findIntegrator(name), damping);
+      const CriticalStep bracket = criticalStep(body, body.mesh().X, rule);
+      ASSERT_LE(bracket.safe, bracket.optimistic);
+      BodySystem system(body, damping);
+      State start = system.initialState();
+      test::Random random(2);
+      NodeVectors noise = random.nodeVectors(start.x.cols(), 1e-8);
+      body.constraints().clearConstrained(noise);
+      start.v += noise;
+      const double found = observedCriticalStep([&] { return makeIntegrator(name); }, system, start,
+                                                0.95 * bracket.safe, 1.1 * bracket.optimistic, {2000, 1e3, 1e-4});
+      EXPECT_GE(found, bracket.safe) << name;
+      EXPECT_LE(found, 1.002 * bracket.optimistic) << name;  // growth just above the limit takes its time
+      if (damping.beta >= 1e-4) {
+        EXPECT_GT(undamped, bracket.optimistic);
+      }
+
+      MonitorOptions options;
+      options.limit = rule;
+      StabilityMonitor monitor(body, options);
+      EXPECT_EQ(
+          monitor.observe(0, 0, start.x, start.v, 0.999 * monitor.observe(0, 0, start.x, start.v, 1).bracket->safe)
+              .verdict,
+          Verdict::certified);
+      EXPECT_EQ(monitor.observe(1, 0, start.x, start.v, 1.01 * found).verdict, Verdict::violated) << name;
+    }
+}
+
+TEST(RayleighDampedBody, HasNoBracketWhereNothingIsProven) {
+  const Body body = bar("stvk");
+  MonitorOptions options;
+  options.limit = ruleOf(*findIntegrator("rk4"), {0, 1e-3});
+  EXPECT_THROW(StabilityMonitor(body, options), InputError);
+  EXPECT_THROW(criticalStep(body, body.mesh().X, options.limit), InputError);
+  options.bracket = false;
+  options.metric = "single-element";
+  StabilityMonitor monitor(body, options);
+  const MonitorReport report = monitor.observe(0, 0, body.mesh().X, 0 * body.mesh().X, 1e-6);
+  EXPECT_EQ(report.verdict, Verdict::notCertified);
+  EXPECT_GT(*report.metricStep, 0);
+}
+
+// What damping takes is in the books, at order two, with a moved end that has to pull against it.
+TEST(RayleighDampedBody, BalancesItsEnergies) {
+  Body body = bar("stvk");
+  body.addBodyForce({0, 0, -1});
+  for (const std::int32_t node : body.mesh().nodeSets.at("x-max")) body.constraints().move(node, 0, 0.05);
+  const RayleighDamping damping{2, 1e-3};
+  const double h = 0.5 * criticalStep(body, body.mesh().X, ruleOf(*findIntegrator("verlet"), damping)).safe;
+  double error[2];
+  for (const int refinement : {0, 1}) {
+    BodySystem system(body, damping);
+    State state = system.initialState();
+    EnergyBalance balance(body);
+    NodeVectors a;
+    const auto integrator = makeIntegrator("rk4");
+    const int steps = 200 << (2 * refinement);
+    for (int k = 0; k <= steps; ++k) {
+      system.acceleration(state.time, state.x, state.v, a);
+      balance.record(state.x, system.lastInternalForce());
+      balance.recordDamping(state.time, state.v, system.lastDampingForce());
+      if (k == 0) balance.energies(state.v);
+      if (k == steps) break;
+      ASSERT_TRUE(integrator->step(system, state, 200 * h / steps).done);
+    }
+    const Energies energies = balance.energies(state.v);
+    EXPECT_GT(energies.dissipated, 0.01 * energies.externalWork);
+    error[refinement] = std::abs(energies.balanceError) / energies.externalWork;
+  }
+  EXPECT_LT(error[0], 1e-2);
+  EXPECT_LT(error[1], error[0] / 8);
 }
 
 // With mass damping alone, all of a free body's momentum decays like exp(-alpha t).

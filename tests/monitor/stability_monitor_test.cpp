@@ -300,7 +300,7 @@ TEST(StabilityMonitor, AppliesTheMarginOfAnyMetric) {
         StabilityMonitor monitor(body, options);
         EXPECT_EQ(monitor.options().metric, metric.name);
         const MonitorReport& report = monitor.observe(0, 0, x, noVelocity(body), 1e-12);
-        const double expected = (1 - margin) * stepFor(evaluateMetric(metric.name, body, x).lambda, options.limit);
+        const double expected = (1 - margin) * options.limit(evaluateMetric(metric.name, body, x).lambda);
         ASSERT_TRUE(report.metricStep) << metric.name;
         EXPECT_NEAR(*report.metricStep, expected, 1e-10 * expected) << metric.name;
         EXPECT_EQ(report.bracket.has_value(), bracket);

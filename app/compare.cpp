@@ -1,0 +1,137 @@
+#include <ringwatch/app/compare.h>
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/integrator_catalog.h>
+#include <ringwatch/app/progress.h>
+#include <ringwatch/app/report.h>
+#include <ringwatch/app/scene.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/nearest_name.h>
+#include <ringwatch/integrators/body_system.h>
+#include <ringwatch/monitor/global_frequency.h>
+
+namespace ringwatch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+std::vector<IntegratorEntry> chosenIntegrators(const std::vector<std::string>& names) {
+  const auto entries = integratorCatalog().entries();
+  std::vector<IntegratorEntry> chosen;
+  for (const std::string& name : names) {
+    if (name == "all") return {entries.begin(), entries.end()};
+    std::vector<std::string> known{"all"};
+    const IntegratorEntry* found = nullptr;
+    for (const IntegratorEntry& entry : entries) {
+      known.emplace_back(entry.info->name);
+      if (entry.info->name == name) found = &entry;
+    }
+    if (!found)
+      throw InputError(fmt::format("--integrators: unknown \"{}\"; did you mean \"{}\"? known are {}", name,
+                                   nearestName(name, known), fmt::join(known, ", ")));
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+std::string cheapestText(const std::vector<WorkPrecisionRun>& runs) {
+  std::string text;
+  for (const CheapestRuns& best : cheapestRuns(runs))
+    text += best.byTime ? fmt::format(
+                              "  cheapest for {:<6} {}, {:.3g} s (h = {:.4g} s); by forces and tangent products {}, "
+                              "{:.0f}\n",
+                              best.label, best.byTime->integrator, best.byTime->seconds, best.byTime->h,
+                              best.byForces->integrator, best.byForces->forces + best.byForces->products)
+                        : fmt::format("  cheapest for {:<6} none reaches it; smaller steps may\n", best.label);
+  return text;
+}
+
+}  // namespace
+
+Json workPrecisionJson(const WorkPrecisionCase& c, const std::vector<WorkPrecisionRun>& runs) {
+  Json rows = Json::array(), cheapest = Json::object();
+  for (const WorkPrecisionRun& run : runs)
+    rows.push_back({{"integrator", run.integrator},
+                    {"h", run.h},
+                    {"error", number(run.error)},
+                    {"seconds", run.seconds},
+                    {"forces", run.forces},
+                    {"products", run.products},
+                    {"matrices", run.matrices},
+                    {"lost", run.reason}});
+  for (const CheapestRuns& best : cheapestRuns(runs)) {
+    Json& entry = cheapest[best.label];
+    if (!best.byTime) continue;
+    entry = {{"by_time", best.byTime->integrator},
+             {"seconds", best.byTime->seconds},
+             {"h", best.byTime->h},
+             {"by_forces", best.byForces->integrator},
+             {"forces", best.byForces->forces + best.byForces->products}};
+  }
+  return {{"title", c.title},
+          {"end", c.end},
+          {"reference_error", c.referenceError},
+          {"runs", std::move(rows)},
+          {"cheapest", std::move(cheapest)}};
+}
+
+CompareResult compareScene(const CompareOptions& options) {
+  const std::vector<IntegratorEntry> integrators = chosenIntegrators(options.integrators);
+  for (const double h : options.steps)
+    if (!(h > 0) || !std::isfinite(h)) throw InputError(fmt::format("--step: {} s must be > 0 and finite", h));
+  const Scene scene = readScene(options.scene, options.overrides);
+  for (const double h : options.steps)
+    if (h > scene.end) throw InputError(fmt::format("--step: {} s is beyond the end of the scene, {} s", h, scene.end));
+  std::vector<std::string> notes;
+  const Body body = sceneBody(scene, sceneMesh(scene, notes), options.threads);
+  const GlobalFrequency top = globalFrequency(body, body.mesh().X);
+  if (!top.converged) throw NumericalError("compare: the highest frequency of the body did not converge");
+  BodySystem system(body, scene.damping);
+  const State start = system.initialState();
+  ProgressLine progress(options.progress);
+  const ConvergedMotion reference = convergedMotion(system, start, scene.end, top.lambda);
+  if (!((reference.x - start.x).norm() > 0))
+    throw InputError(fmt::format("{}: nothing moves; give a force or a prescribed motion", scene.file.string()));
+  const WorkPrecisionCase c{
+      options.scene.stem().string(),
+      fmt::format("{}: {}, {}", options.scene.stem().string(), elementCounts(body.mesh()), scene.model),
+      system,
+      start,
+      scene.end,
+      top.lambda,
+      reference.x,
+      reference.change,
+      [&](const IntegratorInfo& info, double h) { return splitForStep(body, scene.damping, info, h); }};
+  WorkPrecisionOptions wanted;
+  wanted.steps = options.steps;
+  wanted.progress = [&](const std::string& what, double share) {
+    if (progress.due()) progress.show(what, share);
+  };
+  const std::vector<WorkPrecisionRun> runs = runWorkPrecision(c, integrators, wanted);
+  progress.clear();
+
+  CompareResult result;
+  result.report.study = "compare";
+  addWorkPrecision(c, runs, result.report);
+  result.json = {{"program", "ringwatch"},
+                 {"version", std::string(programVersion())},
+                 {"scene_file", scene.file.string()},
+                 {"scene", scene.echo},
+                 {"mesh", meshJson(body.mesh(), body.volume())}};
+  result.json.update(workPrecisionJson(c, runs));
+  for (const std::string& note : notes) result.text += fmt::format("note: {}\n", note);
+  result.text += fmt::format("{}, to t = {:.6g} s; reference converged to {:.2g} of the displacement\n", c.title, c.end,
+                             c.referenceError);
+  for (const WorkPrecisionRun& run : runs)
+    if (!run.reason.empty())
+      result.text += fmt::format("  lost: {} at h = {:.4g} s: {}\n", run.integrator, run.h, run.reason);
+  result.text += cheapestText(runs);
+  return result;
+}
+
+}  // namespace ringwatch
