@@ -145,24 +145,39 @@ class ElementBatch final : public ElementBlock {
           anchor[i * lanes] = static_cast<float>(own.m[i]);
         }
         TangentDrift& all = drift[lane];
-        if (q == 0) all = TangentDrift{};
-        // s3 = det F / (s1 s2) >= 2 det F / |F|², and no matrix closer than s3 is singular.
-        const double det = determinant(own), size2 = innerProduct(own, own);
-        const double distance = det > 0 ? 2 * det / size2 : 0;
-        all.inversionDistance = q == 0 ? distance : std::min(all.inversionDistance, distance);
-        all.determinant = std::min(all.determinant, det);
-        if (mean_) {
-          drift[lane] = TangentDrift{};  // the share at the mean is not in the law's bound
-        } else if constexpr (requires { law_.drift(own); }) {
-          const auto here = law_.drift(own);
-          all.known = true;
-          all.kappa = std::max(all.kappa, here.kappa);
-          all.linear = std::max(all.linear, here.linear);
-          all.quadratic = std::max(all.quadratic, here.quadratic);
-          all.negative = std::max(all.negative, here.negative);
+        if (q == 0) {
+          all = TangentDrift{};
+          all.inversionDistance = std::numeric_limits<double>::infinity();
         }
+        noteDeterminant(own, all);
+        const TangentDriftCoefficients here = law_.drift(own);
+        all.kappa = std::max(all.kappa, here.kappa);
+        all.linear = std::max(all.linear, here.linear);
+        all.quadratic = std::max(all.quadratic, here.quadratic);
+        all.negative = std::max(all.negative, here.negative);
+        all.radius = std::min(all.radius, here.radius);
       }
     }
+    if constexpr (offersMean)
+      if (mean_) {
+        // The mean of F moves by no more than the farthest F_q, and V B̄ᵀB̄ ≼ Σ w BᵀB: the shares' bounds add up.
+        P stored[3 * n + 1];
+        meanGradients(gathered.data(), stored);
+        const Matrix3<P> F = meanGradient(position, stored);
+        for (int lane = 0; lane < lanes; ++lane) {
+          if (elements[lane] < 0) continue;
+          Matrix3<double> own;
+          for (int i = 0; i < 9; ++i) own.m[i] = F.m[i][lane];
+          TangentDrift& all = drift[lane];
+          noteDeterminant(own, all);
+          const TangentDriftCoefficients mean = meanLaw_.drift(own);
+          all.kappa += mean.kappa;
+          all.linear += mean.linear;
+          all.quadratic += mean.quadratic;
+          all.negative += mean.negative;
+          all.radius = std::min(all.radius, mean.radius);
+        }
+      }
   }
 
   void lookAtPatch(std::int32_t patchIndex, const double* x, DeformationWatch& watch,
@@ -234,6 +249,12 @@ class ElementBatch final : public ElementBlock {
                                 LawType::name, " is none"));
     }
     return law;
+  }
+  static void noteDeterminant(const Matrix3<double>& F, TangentDrift& drift) {
+    // s3 = det F / (s1 s2) >= 2 det F / |F|², and no matrix closer than s3 is singular.
+    const double det = determinant(F);
+    drift.inversionDistance = std::min(drift.inversionDistance, det > 0 ? 2 * det / innerProduct(F, F) : 0.0);
+    drift.determinant = std::min(drift.determinant, det);
   }
   /// k += w g ⊗ (∂P/∂F) g
   template <class Linearization>

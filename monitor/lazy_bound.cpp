@@ -56,12 +56,13 @@ void LazyBound::setBall(std::int32_t b, std::int32_t element, double value, cons
   data.value[place] = value;
   const double gap = data.budget[place] - value, reach = data.reach[place];
   double radius = -1;
-  if (gap >= 0 && drift.known) {
+  if (gap >= 0) {
     const double linear = 2 * std::sqrt((value + reach * drift.negative) * drift.kappa * reach) + reach * drift.linear;
     const double quadratic = reach * (drift.kappa + drift.quadratic);
     const double denominator = linear + std::sqrt(linear * linear + 4 * quadratic * gap);
     radius = denominator > 0 ? 2 * gap / denominator : std::numeric_limits<double>::infinity();
-    radius = std::min(radius, drift.inversionDistance);  // whoever inverts leaves its ball before
+    // The drift bound has a radius of its own; and whoever inverts leaves its ball before.
+    radius = std::min({radius, drift.radius, drift.inversionDistance});
   }
   data.watch.radius[place] = static_cast<float>(std::min(radius * (1 - 1e-6), 1e30));
 }
@@ -119,7 +120,8 @@ void LazyBound::note(ElementRef element, const TangentDrift& drift) {
     spent_.leastDeterminant = drift.determinant;
     spent_.leastDeterminantElement = element;
   }
-  if (drift.kappa > 0) spent_.compression = std::max(spent_.compression, drift.negative / drift.kappa);
+  const Lame lame = body_.blocks()[static_cast<std::size_t>(element.block)]->material().lame();
+  spent_.compression = std::max(spent_.compression, drift.negative / (lame.lambda + 2 * lame.mu));
 }
 
 void LazyBound::dealBudgets(const NodeVectors& x) {
@@ -221,25 +223,23 @@ UpperBound LazyBound::update(const NodeVectors& x) {
 bool LazyBound::certify(const NodeVectors& x, double sigma) {
   spent_ = {};
   ++updates_;
-  Outcome outcome = Outcome::flooded;
-  if (started_ && sigma == sigma_) {
-    outcome = follow(x, false);
+  if (started_ && sigma_ <= sigma) {
+    const Outcome outcome = follow(x, false);
     if (outcome == Outcome::fine) return true;
     started_ = false;
+    if (outcome == Outcome::notFinite) return false;
   }
-  if (outcome == Outcome::notFinite) return false;
   // From scratch, but not at every step while it keeps failing.
   if (updates_ - lastRetarget_ < retargetGap_) return false;
   retarget(x, coldSweeps);
-  if (!(shapes_.last() <= sigma * (1 - 1e-3))) {
-    retargetGap_ = std::min(2 * retargetGap_, 640);
-    return false;
-  }
-  retargetGap_ = firstGap;
-  sigma_ = sigma;
-  started_ = true;
-  dealBudgets(x);
-  return true;
+  const double tight = shapes_.last();
+  const bool proven = tight <= sigma * (1 - 1e-3);
+  retargetGap_ = proven ? firstGap : std::min(2 * retargetGap_, 640);
+  // What was found serves update() in any case.
+  sigma_ = proven ? sigma : tight * (1 + slack_);
+  started_ = std::isfinite(sigma_);
+  if (started_) dealBudgets(x);
+  return proven;
 }
 
 bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) {
