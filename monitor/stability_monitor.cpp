@@ -49,18 +49,11 @@ class Bracketer {
       // The hot spot is a part of the whole, its bound a little lower.
       restartGap_ = whole.value > 1.02 * lower.value ? firstGap : std::min(2 * restartGap_, 320);
       lower.value = std::max({lower.value, whole.value, hotSpot_.evaluate(x).value});
-      lowestRing_ = ring_.last().lowest;
-      lowestRingElement_ = ring_.last().lowestElement;
+      lowest_ = {ring_.last().lowest, ring_.last().lowestElement};
       sinceRestart_ = sinceMode_ = 0;
       spent_.evaluated += body_.mesh().elementCount();
-    } else if (spent_.compression > compressed && ++sinceCompressed_ >= firstGap) {
-      // Only elements under compression can make the tangent indefinite; rings tell.
-      const ReducedRing::Result& rings = ring_.evaluate(x, true);
-      lowestRing_ = rings.lowest;
-      lowestRingElement_ = rings.lowestElement;
-      lower.value = std::max(lower.value, rings.highest);
-      sinceCompressed_ = 0;
-      spent_.evaluated += body_.mesh().elementCount();
+    } else if (lookUnderCompression(x)) {
+      lower.value = std::max(lower.value, ring_.last().highest);
     }
     if (upper.value > allowed * lower.value && lazy_.steer(x, lower, width_)) {
       spent_.evaluated += lazy_.spent().evaluated;
@@ -72,10 +65,32 @@ class Bracketer {
              hotSpot_.hottestElement(),
              "lazy-nodal-bound",
              byRing ? "reduced-1-ring" : "rayleigh-quotient",
-             lowestRing_,
-             lowestRingElement_};
+             lowest_.value,
+             lowest_.element};
     return step_;
   }
+  /// Whether h is certified at x, in the cheapest way. While it is not, the bracket is kept, and some looks longer:
+  /// then last() is fresh and `bracketed` true.
+  bool judge(const NodeVectors& x, double limit, double h) {
+    std::int64_t before = 0;
+    if (sinceDoubt_ >= firstGap) {
+      const bool certified = lazy_.certify(x, (limit / h) * (limit / h));
+      spent_ = lazy_.spent();
+      bracketed_ = false;
+      if (certified) {
+        lookUnderCompression(x);
+        return true;
+      }
+      before = spent_.evaluated;
+    }
+    evaluate(x, limit);
+    spent_.evaluated += before;
+    bracketed_ = true;
+    const bool certified = h <= step_.safe;
+    sinceDoubt_ = certified ? sinceDoubt_ + 1 : 0;
+    return certified;
+  }
+  bool bracketed() const { return bracketed_; }
   /// Both sides as sharp as they can be had, for a step that comes close to the limit.
   void sharpen(const NodeVectors& x, double limit) {
     LowerBound lower;
@@ -92,8 +107,23 @@ class Bracketer {
   }
   const LazyBound::Spent& spent() const { return spent_; }
   const CriticalStep& last() const { return step_; }
+  /// Least eigenvalue of any reduced 1-ring when rings were last looked at, rad²/s².
+  struct LowestRing {
+    double value;
+    ElementRef element;
+  };
+  const LowestRing& lowestRing() const { return lowest_; }
 
  private:
+  /// Only elements under compression can make the tangent indefinite; where there are some, rings tell now and then.
+  bool lookUnderCompression(const NodeVectors& x) {
+    if (!(spent_.compression > compressed) || ++sinceCompressed_ < firstGap) return false;
+    const ReducedRing::Result& rings = ring_.evaluate(x, true);
+    lowest_ = {rings.lowest, rings.lowestElement};
+    sinceCompressed_ = 0;
+    spent_.evaluated += body_.mesh().elementCount();
+    return true;
+  }
   void refreshMode(const NodeVectors& x, int products) {
     lastQuotient_ = rayleighLowerBound(body_, x, mode_, products);
     hotSpot_.choose(mode_);
@@ -113,9 +143,10 @@ class Bracketer {
   NodeVectors mode_;
   LowerBound lastQuotient_{0};
   LazyBound::Spent spent_;
+  bool bracketed_ = true;
+  int sinceDoubt_ = firstGap;  // looks in a row that certified the step asked about
   int sinceRings_ = 0, sinceMode_ = 0, sinceRestart_ = 0, restartGap_ = firstGap, sinceCompressed_ = firstGap;
-  double lowestRing_ = 0;
-  ElementRef lowestRingElement_;
+  LowestRing lowest_{0, {}};
   CriticalStep step_{};
 };
 
@@ -141,6 +172,18 @@ std::string_view verdictName(Verdict verdict) {
   return "";
 }
 
+std::string_view monitorModeName(MonitorMode mode) {
+  switch (mode) {
+    case MonitorMode::bracket:
+      return "bracket";
+    case MonitorMode::threshold:
+      return "threshold";
+    case MonitorMode::metric:
+      return "metric";
+  }
+  return "";
+}
+
 std::string_view eventName(EventKind kind) {
   switch (kind) {
     case EventKind::violated:
@@ -159,7 +202,7 @@ std::string_view eventName(EventKind kind) {
 
 struct StabilityMonitor::Impl {
   Impl(const Body& b, const MonitorOptions& o) : body(b), options(o) {
-    if (o.bracket) bracketer.emplace(b, o.width);
+    if (o.mode != MonitorMode::metric) bracketer.emplace(b, o.width);
   }
 
   const Body& body;
@@ -167,21 +210,35 @@ struct StabilityMonitor::Impl {
   std::optional<Bracketer> bracketer;
   MonitorReport report;
   std::vector<MonitorEvent> events;
-  bool active[5] = {};  // by EventKind: going on at the last observation
+  struct Course {
+    std::optional<std::size_t> event;  // of `events`, that has not ended
+    int clear = 0;                     // looks in a row without it
+    std::int64_t clearSince = 0;       // step of the first of them
+  };
+  Course courses[5];  // by EventKind
   double largestEnergy = 0;
   std::int64_t observations = 0;
 
-  /// Records an event when it begins; it may be reported again after it has ended.
+  /// Records an event when it begins and when it ends. Near a limit it may come and go from step to step: one event
+  /// until it has stayed away for a while.
   void tell(EventKind kind, bool now, double value, std::optional<ElementRef> element, const std::string& what) {
-    bool& before = active[static_cast<int>(kind)];
-    if (now && !before) {
-      MonitorEvent event{kind,  report.step, report.time,
-                         value, element,     joinText("step ", report.step, ", t = ", report.time, " s: ", what)};
+    Course& course = courses[static_cast<int>(kind)];
+    if (now) {
+      course.clear = 0;
+      if (course.event) return;
+      MonitorEvent event{kind,        report.step, report.time,
+                         value,       element,     joinText("step ", report.step, ", t = ", report.time, " s: ", what),
+                         std::nullopt};
       if (element) event.text += ", " + elementText(body, *element);
       report.newEvents.push_back(event);
+      course.event = events.size();
       events.push_back(std::move(event));
+    } else if (course.event) {
+      if (course.clear++ == 0) course.clearSince = report.step;
+      if (course.clear < options.clearLooks) return;
+      events[*course.event].end = course.clearSince;
+      course.event.reset();
     }
-    before = now;
   }
 };
 
@@ -191,6 +248,9 @@ StabilityMonitor::StabilityMonitor(const Body& body, const MonitorOptions& optio
   if (!(options.margin >= 0 && options.margin < 1))
     throw InputError(joinText("margin = ", options.margin, ": must be >= 0 and < 1"));
   if (options.every < 1) throw InputError(joinText("every = ", options.every, ": must be >= 1"));
+  if (options.clearLooks < 1) throw InputError(joinText("clearLooks = ", options.clearLooks, ": must be >= 1"));
+  if (options.mode == MonitorMode::metric && options.metric.empty())
+    throw InputError("mode = metric: needs a metric; name one, or choose bracket or threshold");
   if (!(options.width > 0 && options.width < 1))
     throw InputError(joinText("width = ", options.width, ": must be > 0 and < 1"));
   if (!(options.limit > 0))
@@ -218,6 +278,7 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
   const bool finite = x.allFinite() && v.allFinite();
   m.tell(EventKind::nonFinite, !finite, 0, std::nullopt, "positions or velocities are not finite");
   if (!finite) {
+    report.certified = 0;
     report.verdict = Verdict::violated;
     return report;
   }
@@ -232,22 +293,28 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
     report.fresh = true;
     report.elementsRefreshed = 0;
     if (m.bracketer) {
-      report.bracket = m.bracketer->evaluate(x, m.options.limit);
+      Bracketer& bracketer = *m.bracketer;
+      bool certified = false, bracketed = true;
+      if (m.options.mode == MonitorMode::threshold) {
+        certified = bracketer.judge(x, m.options.limit, h);
+        bracketed = bracketer.bracketed();
+      } else {
+        certified = h <= bracketer.evaluate(x, m.options.limit).safe;
+      }
       // Where the step is not certified, the optimistic side decides between "not certified" and "violated": it is made
       // sharp at every look, lest a mode that has moved on says so late.
-      if (!(h <= report.bracket->safe)) {
-        m.bracketer->sharpen(x, m.options.limit);
-        report.bracket = m.bracketer->last();
-      }
-      const LazyBound::Spent& spent = m.bracketer->spent();
+      if (!certified) bracketer.sharpen(x, m.options.limit);
+      report.bracket.reset();
+      if (bracketed) report.bracket = bracketer.last();
+      report.certified = bracketed ? report.bracket->safe : h;
+      const LazyBound::Spent& spent = bracketer.spent();
       report.elementsRefreshed = spent.evaluated;
       // Whoever inverts leaves its ball first, so the elements evaluated are all that can have inverted.
-      if (std::isfinite(spent.leastDeterminant))
-        m.tell(EventKind::inverted, !(spent.leastDeterminant > 0), spent.leastDeterminant,
-               spent.leastDeterminantElement, joinText("inverted, det F = ", spent.leastDeterminant));
-      m.tell(EventKind::indefinite, report.bracket->lowestRing < 0, report.bracket->lowestRing,
-             report.bracket->lowestRingElement,
-             joinText("tangent indefinite, eigenvalue ", report.bracket->lowestRing, " rad2/s2: no step cures that"));
+      m.tell(EventKind::inverted, !(spent.leastDeterminant > 0), spent.leastDeterminant, spent.leastDeterminantElement,
+             joinText("inverted, det F = ", spent.leastDeterminant));
+      const Bracketer::LowestRing& lowest = bracketer.lowestRing();
+      m.tell(EventKind::indefinite, lowest.value < 0, lowest.value, lowest.element,
+             joinText("tangent indefinite, eigenvalue ", lowest.value, " rad2/s2: no step cures that"));
     }
     if (!m.options.metric.empty()) {
       report.metricStep =
@@ -258,19 +325,23 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
              joinText("inverted, det F = ", least.value));
     }
   }
+  // A metric with a margin proves nothing: it can only say that the step is above what it recommends.
+  const bool above = report.bracket && !(h <= report.bracket->optimistic);
+  report.verdict = m.bracketer && h <= report.certified ? Verdict::certified
+                   : above                              ? Verdict::violated
+                                                        : Verdict::notCertified;
   if (report.bracket) {
     const CriticalStep& b = *report.bracket;
-    report.verdict = h <= b.safe ? Verdict::certified : h <= b.optimistic ? Verdict::notCertified : Verdict::violated;
-    m.tell(EventKind::violated, report.verdict == Verdict::violated, h / b.optimistic, b.controlling,
+    m.tell(EventKind::violated, above, h / b.optimistic, b.controlling,
            joinText("violated: h = ", h, " s is above the critical step, which is at most ", b.optimistic, " s"));
-  } else if (report.metricStep) {
-    // A metric with a margin proves nothing: it can only say that the step is above what it recommends.
-    report.verdict = Verdict::notCertified;
+  } else if (m.bracketer) {
+    m.tell(EventKind::violated, false, 0, std::nullopt, "");
   }
   return report;
 }
 
-CriticalStep criticalStep(const Body& body, const NodeVectors& x, double limit) {
+CriticalStep criticalStep(const Body& body, const NodeVectors& x, double limit,
+                          const std::optional<LanczosOptions>& lanczos) {
   constexpr int products = 20, sweeps = 20;
   constexpr double wide = 1.06;  // in lambda: 3 % of the step
   ReducedRing ring(body);
@@ -282,13 +353,18 @@ CriticalStep criticalStep(const Body& body, const NodeVectors& x, double limit) 
     const UpperBound other = NodalBound(body).evaluate(x, sweeps, NodalBound::Start::stiffness);
     if (other.value < upper.value) upper = other;
   }
-  return {safeStep(upper, limit),
-          optimisticStep(lower, limit),
-          ring.last().highestElement,
-          "nodal-bound",
-          byRing ? "reduced-1-ring" : "rayleigh-quotient",
-          ring.last().lowest,
-          ring.last().lowestElement};
+  CriticalStep step{safeStep(upper, limit),
+                    optimisticStep(lower, limit),
+                    ring.last().highestElement,
+                    "nodal-bound",
+                    byRing ? "reduced-1-ring" : "rayleigh-quotient",
+                    ring.last().lowest,
+                    ring.last().lowestElement};
+  if (lanczos) {
+    const LanczosBound bound = lanczosUpperBound(body, x, lanczos->width, lanczos->eta, lanczos->seed);
+    step.probable = {stepFor(bound.upper.value, limit), bound.upper.eta, bound.products};
+  }
+  return step;
 }
 
 }  // namespace ringwatch
