@@ -8,6 +8,7 @@
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/rayleigh.h>
 #include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/monitor/split_bound.h>
 
 namespace ringwatch {
 namespace {
@@ -342,21 +343,27 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
 
 CriticalStep criticalStep(const Body& body, const NodeVectors& x, double limit,
                           const std::optional<LanczosOptions>& lanczos) {
-  constexpr int products = 20, sweeps = 20;
-  constexpr double wide = 1.06;  // in lambda: 3 % of the step
+  constexpr int products = 20, sweeps = 12, iterations = 60;
+  constexpr double aim = 1.01, narrow = 1.02;    // in lambda: 0.5 % and 1 % of the step
+  constexpr std::int64_t mostBytes = 4LL << 30;  // beyond, the nodal bound has to do
   ReducedRing ring(body);
   NodeVectors mode;
   bool byRing = false;
   const LowerBound lower = restartMode(ring, body, x, products, mode, byRing);
-  UpperBound upper = NodalBound(body).evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);
-  if (!(upper.value <= wide * lower.value)) {
-    const UpperBound other = NodalBound(body).evaluate(x, sweeps, NodalBound::Start::stiffness);
-    if (other.value < upper.value) upper = other;
+  NodalBound shapes(body);
+  UpperBound upper = shapes.evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);
+  std::string_view safeBy = "nodal-bound";
+  if (upper.value > narrow * lower.value && splitBoundBytes(body) <= mostBytes) {
+    const SplitBound split = splitUpperBound(body, x, shapes, aim * lower.value, narrow * lower.value, iterations);
+    if (split.upper.value < upper.value) {
+      upper = split.upper;
+      safeBy = "split-bound";
+    }
   }
   CriticalStep step{safeStep(upper, limit),
                     optimisticStep(lower, limit),
                     ring.last().highestElement,
-                    "nodal-bound",
+                    safeBy,
                     byRing ? "reduced-1-ring" : "rayleigh-quotient",
                     ring.last().lowest,
                     ring.last().lowestElement};
