@@ -115,8 +115,8 @@ struct Pull {
   double rate;
   double h;
 };
-void watchedRun(benchmark::State& state, const Case& c, MonitorMode mode, const Pull& pull) {
-  Body body(makeMesh(c), makeMaterial(c.law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, c.threads});
+void watchedRun(benchmark::State& state, const Case& c, int split, MonitorMode mode, const Pull& pull) {
+  Body body(makeMesh(c, split), makeMaterial(c.law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, c.threads});
   const double length = body.mesh().X.row(0).maxCoeff();
   for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
     if (body.mesh().X(0, i) < 1e-9) body.constraints().fix(i);
@@ -191,15 +191,20 @@ void registerAll() {
         add("dense_eigenvalues", [c](benchmark::State& state) { denseEigenvalues(state, c); });
         // A pull of 80 % a second, eight times slower, and by a step that leaves less room.
         for (const Pull& pull : {Pull{"fast", 0.8, 0.8}, Pull{"slow", 0.1, 0.8}, Pull{"slow_close", 0.1, 0.9}})
-          for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold, MonitorMode::metric}) {
-            if (mode == MonitorMode::metric && pull.name != "fast") continue;
-            benchmark::RegisterBenchmark(
-                joinText("watched/", monitorModeName(mode), "/", pull.name, "/", c.name()).c_str(),
-                [c, mode, pull](benchmark::State& state) { watchedRun(state, c, mode, pull); })
-                ->UseManualTime()
-                ->Iterations(1)
-                ->Unit(benchmark::kMillisecond);
-          }
+          for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold, MonitorMode::metric})
+            for (const CellSplit& split : allCellSplits()) {
+              if (split.element != c.element || split.centre) continue;
+              if (mode == MonitorMode::metric && pull.name != "fast") continue;
+              benchmark::RegisterBenchmark(joinText("watched/", monitorModeName(mode), "/", pull.name, "/",
+                                                    split.elementsPerCell, "_a_cell/", c.name())
+                                               .c_str(),
+                                           [c, mode, pull, cut = split.elementsPerCell](benchmark::State& state) {
+                                             watchedRun(state, c, cut, mode, pull);
+                                           })
+                  ->UseManualTime()
+                  ->Iterations(1)
+                  ->Unit(benchmark::kMillisecond);
+            }
       }
 }
 

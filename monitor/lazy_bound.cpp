@@ -14,7 +14,9 @@ namespace {
 
 constexpr int lanes = PatchLayout::lanes;
 constexpr int coldSweeps = 12;  // of a retarget
-constexpr int firstGap = 40;    // updates between two retargets; doubles while they do not help
+constexpr int firstGap = 40;    // updates between two retargets; longer and longer while they do not help
+constexpr int lastGap = 10240;
+int longer(int gap) { return std::min(4 * gap, lastGap); }
 
 double largest(const Eigen::Matrix3d& S) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly).eigenvalues()[2];
@@ -171,6 +173,7 @@ void LazyBound::retarget(const NodeVectors& x, int sweeps) {
   spent_.evaluated += shapes_.evaluations();
   ++spent_.retargets;
   lastRetarget_ = updates_;
+  tightOverLower_ = 0;
 }
 
 LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
@@ -234,7 +237,7 @@ bool LazyBound::certify(const NodeVectors& x, double sigma) {
   retarget(x, coldSweeps);
   const double tight = shapes_.last();
   const bool proven = tight <= sigma * (1 - 1e-3);
-  retargetGap_ = proven ? firstGap : std::min(2 * retargetGap_, 640);
+  retargetGap_ = proven ? firstGap : longer(retargetGap_);
   // What was found serves update() in any case.
   sigma_ = proven ? sigma : tight * (1 + slack_);
   started_ = std::isfinite(sigma_);
@@ -351,11 +354,16 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
   if (!started_ || !(lower.value > 0)) return false;
   const double allowed = (1 + width) * (1 + width) * lower.value;
   if (sigma_ <= allowed) return false;
+  // What the family of shapes reached at the last retarget it will hardly undercut now: where that is wide, as on
+  // regular grids, lowering sigma would only send elements out of their balls.
+  if (tightOverLower_ == 0) tightOverLower_ = shapes_.last() / lower.value;
+  const double target =
+      std::max((1 + 0.8 * width) * (1 + 0.8 * width), tightOverLower_ * (1 + 0.5 * slack_)) * lower.value;
   // Lowering sigma scales every budget; balls shrink at least in proportion to the gaps, since r is concave in the gap.
-  if (updates_ - lastLowering_ >= loweringGap_) {
+  if (target < 0.99 * sigma_ && updates_ - lastLowering_ >= loweringGap_) {
     loweringGap_ = updates_ - lastLowering_ < 200 ? std::min(2 * loweringGap_, 640) : 40;
     lastLowering_ = updates_;
-    const double target = (1 + 0.8 * width) * (1 + 0.8 * width) * lower.value, factor = target / sigma_;
+    const double factor = target / sigma_;
     sigma_ = target;
     for (BlockData& data : blocks_) {
       for (std::size_t place = 0; place < data.budget.size(); ++place) {
@@ -374,7 +382,7 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
     spent_ = {};
     retarget(x, coldSweeps);
     const double fresh = shapes_.last() * (1 + slack_);
-    retargetGap_ = fresh > 0.97 * sigma_ ? std::min(2 * retargetGap_, 640) : firstGap;
+    retargetGap_ = fresh > 0.97 * sigma_ ? longer(retargetGap_) : firstGap;
     sigma_ = fresh;
     dealBudgets(x);
     return true;

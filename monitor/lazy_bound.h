@@ -78,6 +78,7 @@ class LazyBound {
   Spent spent_;
   std::int64_t updates_ = 0, lastRetarget_ = -1000, lastLowering_ = -1000;
   int retargetGap_ = 40, loweringGap_ = 40;
+  double tightOverLower_ = 0;  // the tight bound at the last retarget over the lower bound then; 0: not known yet
 };
 
 }  // namespace ringwatch
