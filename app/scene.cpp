@@ -461,7 +461,7 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, Sc
       fail(integrator.at("step").origin, "integrator.step",
            fmt::format("\"auto\" follows the critical step, and \"{}\" is stable at every step; give a number",
                        scene.method));
-    scene.bracket = false;
+    scene.mode = MonitorMode::metric;
     scene.metric.clear();
   }
 }
