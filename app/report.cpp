@@ -63,7 +63,9 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
     events.push_back(Json{{"kind", std::string(eventName(event.kind))},
                           {"step", event.step},
                           {"time", event.time},
+                          {"end_step", event.end ? Json(*event.end) : Json(nullptr)},
                           {"element", event.element ? elementJson(body.mesh(), *event.element) : Json(nullptr)},
+                          {"cause", event.element ? Json(event.cause) : Json(nullptr)},
                           {"value", event.value},
                           {"text", event.text}});
   return Json{{"program", "ringwatch"},

@@ -71,7 +71,7 @@ class Run {
     if (scene_.monitored()) {
       MonitorOptions wanted;
       wanted.limit = rule_;
-      wanted.bracket = scene_.bracket;
+      wanted.mode = scene_.mode;
       wanted.metric = scene_.metric;
       wanted.margin = scene_.margin;
       wanted.every = static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max()));
@@ -169,16 +169,16 @@ class Run {
   /// Sets the step by what the monitor knows, for "auto" and "reduce-step". False when no step can be had.
   bool adaptStep(MonitorReport& report) {
     const bool automatic = !scene_.step, reduce = scene_.onViolation == OnViolation::reduceStep;
-    const bool tooLong = scene_.bracket ? report.verdict != Verdict::certified
-                                        : report.metricStep.has_value() && !(h_ <= *report.metricStep);
+    const bool tooLong = scene_.proves() ? report.verdict != Verdict::certified
+                                         : report.metricStep.has_value() && !(h_ <= *report.metricStep);
     if (automatic ? (report.fresh || (reduce && tooLong)) : (reduce && tooLong)) {
-      if (scene_.bracket && !report.fresh) {
+      if (scene_.proves() && !report.fresh) {
         const Stopwatch watch(result_.monitorTime);
         report.bracket = criticalStep(body_, state_.x, rule_);
         report.fresh = true;
         report.elementsRefreshed = static_cast<std::int64_t>(body_.mesh().elementCount());
       }
-      const double certified = scene_.safety * (scene_.bracket ? report.bracket->safe : *report.metricStep);
+      const double certified = scene_.safety * (scene_.proves() ? report.bracket->safe : *report.metricStep);
       double next = certified;
       if (!(next > 0)) next = 0.5 * h_;           // nothing can be certified: keep reducing
       if (!automatic) next = std::min(next, h_);  // a fixed step is shortened, never lengthened
@@ -277,6 +277,10 @@ class Run {
     result_.time = state_.time;
     if (result_.reason == ExitReason::end && (!state_.x.allFinite() || !state_.v.allFinite()))
       end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result_.steps));
+    if (monitor_)
+      for (MonitorEvent& event : result_.events)
+        for (const MonitorEvent& known : monitor_->events())
+          if (known.kind == event.kind && known.step == event.step) event.end = known.end;
     const Stopwatch output(result_.outputTime);
     history_->finish();
     result_.files.emplace_back("history.csv");

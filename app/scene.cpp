@@ -419,7 +419,16 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
   scene.end = integrator.get<double>("end");
   scene.safety = integrator.get<double>("safety");
 
-  scene.bracket = monitor.get<bool>("bracket");
+  const auto mode = monitor.get<std::string>("mode");
+  scene.mode = mode == "threshold" ? MonitorMode::threshold
+               : mode == "metric"  ? MonitorMode::metric
+                                   : MonitorMode::bracket;
+  if (!monitor.get<bool>("bracket")) {
+    if (scene.mode == MonitorMode::threshold)
+      fail(monitor.at("bracket").origin, "monitor.bracket",
+           "false leaves nothing to prove, but mode = \"threshold\" does; take one of them out");
+    scene.mode = MonitorMode::metric;
+  }
   scene.metric = monitor.get<std::string>("metric");
   if (scene.metric == "none") scene.metric.clear();
   scene.margin = monitor.get<double>("margin");
@@ -433,9 +442,11 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
   if (scene.step && *scene.step > scene.end)
     fail(integrator.at("step").origin, "integrator.step",
          fmt::format("{} s is beyond the end; must be <= end = {} s", *scene.step, scene.end));
-  if (!scene.step && !scene.bracket)
+  if (mode == "metric" && scene.metric.empty())
+    fail(monitor.at("mode").origin, "monitor.mode", "\"metric\" needs a metric; set monitor.metric");
+  if (!scene.step && scene.mode != MonitorMode::bracket)
     fail(integrator.at("step").origin, "integrator.step",
-         "\"auto\" follows the safe step; it needs monitor.bracket = true");
+         "\"auto\" follows the safe step; it needs monitor.bracket = true and monitor.mode = \"bracket\"");
   if (scene.onViolation == OnViolation::reduceStep && !scene.monitored())
     fail(monitor.at("on_violation").origin, "monitor.on_violation",
          "\"reduce-step\" needs monitor.bracket = true or a monitor.metric");
@@ -453,7 +464,7 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
       fail(integrator.at("step").origin, "integrator.step",
            fmt::format("\"auto\" follows the critical step, and \"{}\" {}; give a number", scene.method,
                        info.partitioned ? "chooses its stiff elements by the step" : "is stable at every step"));
-    scene.bracket = false;
+    scene.mode = MonitorMode::metric;
     scene.metric.clear();
   }
   if (scene.bracket && scene.damping.any() && !info.highestModeBinds)

@@ -12,6 +12,7 @@
 #include <ringwatch/body/body.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh.h>
+#include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch {
 
@@ -68,7 +69,7 @@ struct Scene {
 
   std::string metric;  // "" for none
   double margin = 0;
-  bool bracket = true;
+  MonitorMode mode = MonitorMode::bracket;
   std::int64_t every = 1;
   OnViolation onViolation = OnViolation::stop;
   double energyTolerance = 0;
@@ -83,7 +84,9 @@ struct Scene {
   bool energy = true;
   bool picture = true;
 
-  bool monitored() const { return bracket || !metric.empty(); }
+  /// Whether the monitor proves anything; a metric does not.
+  bool proves() const { return mode != MonitorMode::metric; }
+  bool monitored() const { return proves() || !metric.empty(); }
 };
 
 /// Reads and checks a scene file. overrides: `section.key=value` each, value as TOML (a bare word is taken for a

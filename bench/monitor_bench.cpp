@@ -1,12 +1,20 @@
 // Metrics and bracket of the critical step, ns an element, each with how far its step is from the true one, and dense
-// eigenvalues element by element as the peer.
+// eigenvalues element by element as the peer; then what a monitor costs along a run, over the step it watches.
+#include <algorithm>
+#include <ctime>
+#include <memory>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 
 #include <bench/support.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/integrators/body_system.h>
+#include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/monitor/lanczos_bound.h>
 #include <ringwatch/monitor/metrics.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
@@ -69,6 +77,101 @@ void denseEigenvalues(benchmark::State& state, const Case& c) {
   report(state, s.body.mesh().elementCount(), stepError(largest, trueLambda(c, s)));
 }
 
+/// The bound by Lanczos from scratch, 1 % of the step at eta = 1e-9.
+void lanczos(benchmark::State& state, const Case& c) {
+  Setup& s = setupOf(c);
+  LanczosBound bound;
+  for (auto _ : state) {
+    bound = lanczosUpperBound(s.body, s.x);
+    benchmark::DoNotOptimize(std::as_const(bound));
+  }
+  report(state, s.body.mesh().elementCount(), stepError(bound.upper.value, trueLambda(c, s)));
+  state.counters["products"] = bound.products;
+}
+
+/// The peer: the global eigenvalue from scratch.
+void spectra(benchmark::State& state, const Case& c) {
+  Setup& s = setupOf(c);
+  GlobalFrequency global;
+  for (auto _ : state) {
+    global = globalFrequency(s.body, s.x, 1e-6);
+    benchmark::DoNotOptimize(std::as_const(global));
+  }
+  report(state, s.body.mesh().elementCount(), stepError(global.lambda, trueLambda(c, s)));
+  state.counters["products"] = global.products;
+}
+
+/// CPU seconds of this process: other programs run beside.
+double cpuSeconds() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// A box pulled at one face by `rate` of its length a second, watched at every step; the monitor's time over that of
+/// the steps. h: of the critical step at rest.
+struct Pull {
+  std::string name;
+  double rate;
+  double h;
+};
+void watchedRun(benchmark::State& state, const Case& c, int split, MonitorMode mode, const Pull& pull) {
+  Body body(makeMesh(c, split), makeMaterial(c.law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, c.threads});
+  const double length = body.mesh().X.row(0).maxCoeff();
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
+    if (body.mesh().X(0, i) < 1e-9) body.constraints().fix(i);
+    if (body.mesh().X(0, i) > length - 1e-9) {
+      body.constraints().fix(i);
+      body.constraints().move(i, 0, pull.rate * length);
+    }
+  }
+  BodySystem system(body);
+  SymplecticEuler integrator;
+  MonitorOptions options;
+  options.mode = mode;
+  if (mode == MonitorMode::metric) options.metric = "reduced-1-ring";
+  const double h = pull.h * 2 / std::sqrt(globalFrequency(body, body.mesh().X, 1e-6).lambda);
+  // The source looks only now and then; so does a metric here, for it costs the same at every look.
+  const int steps = mode == MonitorMode::metric ? 3 : 300;
+  double stepTime = 0, watchTime = 0, startTime = 0, refreshed = 0, certified = 0;
+  std::vector<double> width;
+  for (auto _ : state) {
+    StabilityMonitor monitor(body, options);
+    State at = system.initialState();
+    stepTime = watchTime = refreshed = certified = 0;
+    width.clear();
+    for (int step = 0; step <= steps; ++step) {
+      const double before = cpuSeconds();
+      const MonitorReport& now = monitor.observe(step, at.time, at.x, at.v, h);
+      const double watched = cpuSeconds();
+      if (step == 0) {
+        startTime = watched - before;  // from scratch, once a run
+      } else {
+        watchTime += watched - before;
+        refreshed += static_cast<double>(now.elementsRefreshed);
+        certified += now.verdict == Verdict::certified;
+        if (now.bracket) width.push_back(now.bracket->safe / now.bracket->optimistic - 1);
+      }
+      const double begin = cpuSeconds();
+      integrator.step(system, at, h);
+      if (step > 0) stepTime += cpuSeconds() - begin;
+    }
+    state.SetIterationTime(stepTime + watchTime + startTime);
+  }
+  const auto elements = static_cast<double>(body.mesh().elementCount());
+  state.counters["elements"] = elements;
+  state.counters["step_ns"] = 1e9 * stepTime / steps / elements;
+  state.counters["monitor_ns"] = 1e9 * watchTime / steps / elements;
+  state.counters["over_step"] = watchTime / stepTime;
+  state.counters["start_in_steps"] = startTime / (stepTime / steps);
+  state.counters["refreshed"] = refreshed / steps / elements;
+  state.counters["certified"] = certified / steps;
+  if (!width.empty()) {
+    std::nth_element(width.begin(), width.begin() + static_cast<std::ptrdiff_t>(width.size() / 2), width.end());
+    state.counters["median_width"] = width[width.size() / 2];
+  }
+}
+
 void registerAll() {
   for (const ElementInfo& element : allElements())
     for (const int elements : {5000, 100000})
@@ -84,7 +187,26 @@ void registerAll() {
           if (elements <= 5000 || info.name.find("-ring") == std::string_view::npos || info.name == "reduced-1-ring")
             add(info.name, [c, name = info.name](benchmark::State& state) { metric(state, c, name); });
         add("bracket", [c](benchmark::State& state) { bracket(state, c); });
-        if (threads == 1) add("dense_eigenvalues", [c](benchmark::State& state) { denseEigenvalues(state, c); });
+        add("lanczos", [c](benchmark::State& state) { lanczos(state, c); });
+        add("spectra", [c](benchmark::State& state) { spectra(state, c); });
+        if (threads != 1) continue;
+        add("dense_eigenvalues", [c](benchmark::State& state) { denseEigenvalues(state, c); });
+        // A pull of 80 % a second, eight times slower, and by a step that leaves less room.
+        for (const Pull& pull : {Pull{"fast", 0.8, 0.8}, Pull{"slow", 0.1, 0.8}, Pull{"slow_close", 0.1, 0.9}})
+          for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold, MonitorMode::metric})
+            for (const CellSplit& split : allCellSplits()) {
+              if (split.element != c.element || split.centre) continue;
+              if (mode == MonitorMode::metric && pull.name != "fast") continue;
+              benchmark::RegisterBenchmark(joinText("watched/", monitorModeName(mode), "/", pull.name, "/",
+                                                    split.elementsPerCell, "_a_cell/", c.name())
+                                               .c_str(),
+                                           [c, mode, pull, cut = split.elementsPerCell](benchmark::State& state) {
+                                             watchedRun(state, c, cut, mode, pull);
+                                           })
+                  ->UseManualTime()
+                  ->Iterations(1)
+                  ->Unit(benchmark::kMillisecond);
+            }
       }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -31,14 +32,16 @@ struct Setup {
   Body::Workspace workspace;
 };
 
-inline Mesh makeMesh(const Case& c) {
+/// split: elements a cell, one of the element's splits; 0 for its first.
+inline Mesh makeMesh(const Case& c, int split = 0) {
   BarOptions options;
   options.element = c.element;
   options.jitter = 0.15;
-  int perCell = 1;
-  for (const CellSplit& split : allCellSplits())
-    if (split.element == c.element) {
-      perCell = split.elementsPerCell;
+  options.split = split;
+  int perCell = std::max(1, split);
+  for (const CellSplit& known : allCellSplits())
+    if (split == 0 && known.element == c.element) {
+      perCell = known.elementsPerCell;
       break;
     }
   const int n = static_cast<int>(std::lround(std::cbrt(static_cast<double>(c.elements) / perCell)));

@@ -8,16 +8,20 @@
 namespace ringwatch {
 
 /// Tells which elements of a block have left a ball |F - F0| <= r around an anchor, cheaply: groups of batches are
-/// passed over while their nodes have moved, relative to each other, by less than the slack that the last look left,
-/// for
-///   |F - F'| <= γ_e max_a |u_a - u'_a - t|   for any translation t,  γ_e = max_q Σ_a |∂N_a/∂X|.
-/// Norms are Frobenius norms. Numbers are kept in single precision and rounded to the safe side.
+/// passed over while their nodes have moved, but for an affine motion, by less than the slack that the last look left.
+/// With y the positions and F' the deformation gradient at that look, x = y + t + A y + r for any t and A,
+///   |F - F'| <= |A| |F'| + γ_e max_a |r_a|,   γ_e = max_q Σ_a |∂N_a/∂X|.
+/// t and A are those of four nodes of the group that lie far apart. Norms are Frobenius norms. Numbers are kept in
+/// single precision and rounded to the safe side.
 struct DeformationWatch {
   static constexpr int groupBatches = 8;
   struct Group {
     std::int32_t batchBegin, batchEnd;
     std::int32_t nodeBegin, nodeEnd;  // into groupNodes
-    double slack = -1;                // how far nodes may move before the next look; < 0: look
+    double slack = -1;                // min of room over γ: what |A| reach + |r| may be; < 0: look
+    double reach = 0;                 // max of |F'| over γ
+    std::int32_t frame[4] = {};       // group nodes that t and A are taken from
+    double inverse[9] = {};           // of the frame's edges at the look, row by row
   };
   AlignedVector<float> anchor;        // [batch][q][9][lane], F0
   AlignedVector<float> radius;        // [batch][lane], r; < 0: always left; infinity: never

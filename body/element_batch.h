@@ -145,24 +145,39 @@ class ElementBatch final : public ElementBlock {
           anchor[i * lanes] = static_cast<float>(own.m[i]);
         }
         TangentDrift& all = drift[lane];
-        if (q == 0) all = TangentDrift{};
-        // s3 = det F / (s1 s2) >= 2 det F / |F|², and no matrix closer than s3 is singular.
-        const double det = determinant(own), size2 = innerProduct(own, own);
-        const double distance = det > 0 ? 2 * det / size2 : 0;
-        all.inversionDistance = q == 0 ? distance : std::min(all.inversionDistance, distance);
-        all.determinant = std::min(all.determinant, det);
-        if (mean_) {
-          drift[lane] = TangentDrift{};  // the share at the mean is not in the law's bound
-        } else if constexpr (requires { law_.drift(own); }) {
-          const auto here = law_.drift(own);
-          all.known = true;
-          all.kappa = std::max(all.kappa, here.kappa);
-          all.linear = std::max(all.linear, here.linear);
-          all.quadratic = std::max(all.quadratic, here.quadratic);
-          all.negative = std::max(all.negative, here.negative);
+        if (q == 0) {
+          all = TangentDrift{};
+          all.inversionDistance = std::numeric_limits<double>::infinity();
         }
+        noteDeterminant(own, all);
+        const TangentDriftCoefficients here = law_.drift(own);
+        all.kappa = std::max(all.kappa, here.kappa);
+        all.linear = std::max(all.linear, here.linear);
+        all.quadratic = std::max(all.quadratic, here.quadratic);
+        all.negative = std::max(all.negative, here.negative);
+        all.radius = std::min(all.radius, here.radius);
       }
     }
+    if constexpr (offersMean)
+      if (mean_) {
+        // The mean of F moves by no more than the farthest F_q, and V B̄ᵀB̄ ≼ Σ w BᵀB: the shares' bounds add up.
+        P stored[3 * n + 1];
+        meanGradients(gathered.data(), stored);
+        const Matrix3<P> F = meanGradient(position, stored);
+        for (int lane = 0; lane < lanes; ++lane) {
+          if (elements[lane] < 0) continue;
+          Matrix3<double> own;
+          for (int i = 0; i < 9; ++i) own.m[i] = F.m[i][lane];
+          TangentDrift& all = drift[lane];
+          noteDeterminant(own, all);
+          const TangentDriftCoefficients mean = meanLaw_.drift(own);
+          all.kappa += mean.kappa;
+          all.linear += mean.linear;
+          all.quadratic += mean.quadratic;
+          all.negative += mean.negative;
+          all.radius = std::min(all.radius, mean.radius);
+        }
+      }
   }
 
   void lookAtPatch(std::int32_t patchIndex, const double* x, DeformationWatch& watch,
@@ -175,10 +190,8 @@ class ElementBatch final : public ElementBlock {
     for (std::size_t g = first; g < last; ++g) {
       DeformationWatch::Group& group = watch.groups[g];
       if (group.slack >= 0 && relativeMotion(watch, group, rows) <= group.slack) continue;
-      group.slack = lookAtGroup(watch, group, rows, left);
-      for (std::int32_t i = group.nodeBegin; i < group.nodeEnd; ++i)
-        std::copy_n(rows + 4 * watch.groupNodes[static_cast<std::size_t>(i)], 4,
-                    watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
+      lookAtGroup(watch, group, rows, left);
+      keepPositions(watch, group, rows);
     }
   }
 
@@ -234,6 +247,12 @@ class ElementBatch final : public ElementBlock {
                                 LawType::name, " is none"));
     }
     return law;
+  }
+  static void noteDeterminant(const Matrix3<double>& F, TangentDrift& drift) {
+    // s3 = det F / (s1 s2) >= 2 det F / |F|², and no matrix closer than s3 is singular.
+    const double det = determinant(F);
+    drift.inversionDistance = std::min(drift.inversionDistance, det > 0 ? 2 * det / innerProduct(F, F) : 0.0);
+    drift.determinant = std::min(drift.determinant, det);
   }
   /// k += w g ⊗ (∂P/∂F) g
   template <class Linearization>
@@ -317,39 +336,84 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  /// Largest distance that a node of the group has moved since the last look, against the group's first node; component
-  /// by component, hence never too small.
+  /// |A| reach + max |r| of DeformationWatch for the motion since the last look; r component by component, hence never
+  /// too small.
   static double relativeMotion(const DeformationWatch& watch, const DeformationWatch::Group& group,
                                const double* rows) {
     const std::uint16_t* node = watch.groupNodes.data();
-    auto moved = [&](std::int32_t i) {
-      return detail::loadRow(rows + 4 * node[i]) -
-             detail::loadRow(watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
+    const auto y = [&](std::int32_t i) {
+      return detail::loadRow(watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
     };
-    const detail::Row4 translation = moved(group.nodeBegin);
+    const auto moved = [&](std::int32_t i) { return detail::loadRow(rows + 4 * node[i]) - y(i); };
+    const detail::Row4 origin = y(group.frame[0]), translation = moved(group.frame[0]);
+    detail::Row4 A[3] = {};  // columns
+    for (int k = 0; k < 3; ++k) {
+      const detail::Row4 edge = moved(group.frame[k + 1]) - translation;
+      for (int j = 0; j < 3; ++j) A[j] += edge * group.inverse[3 * k + j];
+    }
     detail::Row4 largest{}, poison{};  // a NaN would pass the comparison unseen
-    for (std::int32_t i = group.nodeBegin + 1; i < group.nodeEnd; ++i) {
-      const detail::Row4 d = moved(i) - translation, size = d < 0 ? -d : d;
+    for (std::int32_t i = group.nodeBegin; i < group.nodeEnd; ++i) {
+      const detail::Row4 at = y(i) - origin;
+      const detail::Row4 d = moved(i) - translation - A[0] * at[0] - A[1] * at[1] - A[2] * at[2];
+      const detail::Row4 size = d < 0 ? -d : d;
       largest = size > largest ? size : largest;
       poison += d;
     }
-    if (!std::isfinite(poison[0] + poison[1] + poison[2])) return std::numeric_limits<double>::infinity();
-    return std::sqrt(largest[0] * largest[0] + largest[1] * largest[1] + largest[2] * largest[2]);
+    const detail::Row4 squares = A[0] * A[0] + A[1] * A[1] + A[2] * A[2];
+    const double sum = poison[0] + poison[1] + poison[2] + squares[0] + squares[1] + squares[2];
+    if (!std::isfinite(sum)) return std::numeric_limits<double>::infinity();
+    return std::sqrt(squares[0] + squares[1] + squares[2]) * group.reach +
+           std::sqrt(largest[0] * largest[0] + largest[1] * largest[1] + largest[2] * largest[2]);
   }
 
-  /// Compares every element of the group with its ball; returns how far nodes may move before the next look.
-  double lookAtGroup(const DeformationWatch& watch, const DeformationWatch::Group& group, const double* rows,
-                     std::vector<std::int32_t>& left) const {
-    double slack = std::numeric_limits<double>::infinity();
+  /// Remembers the nodes' positions, and four of them that lie far apart.
+  static void keepPositions(DeformationWatch& watch, DeformationWatch::Group& group, const double* rows) {
+    const auto at = [&](std::int32_t i) { return rows + 4 * watch.groupNodes[static_cast<std::size_t>(i)]; };
+    for (std::int32_t i = group.nodeBegin; i < group.nodeEnd; ++i)
+      std::copy_n(at(i), 4, watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
+    // Farthest from the first, from their line, from their plane: by size of the cross and triple product.
+    Matrix3<double> edges = Matrix3<double>::zero();  // rows
+    double normal[3] = {0, 0, 0};
+    group.frame[0] = group.nodeBegin;
+    for (int k = 0; k < 3; ++k) {
+      double most = -1;
+      for (std::int32_t i = group.nodeBegin; i < group.nodeEnd; ++i) {
+        double d[3], size = 0;
+        for (int c = 0; c < 3; ++c) d[c] = at(i)[c] - at(group.frame[0])[c];
+        if (k == 0) size = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        if (k == 1)
+          for (int c = 0; c < 3; ++c) {
+            const double cross = edges(0, c) * d[(c + 1) % 3] - edges(0, (c + 1) % 3) * d[c];
+            size += cross * cross;
+          }
+        if (k == 2) size = std::abs(normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2]);
+        if (!(size > most)) continue;
+        most = size;
+        group.frame[k + 1] = i;
+        for (int c = 0; c < 3; ++c) edges(k, c) = d[c];
+      }
+      for (int c = 0; c < 3 && k == 1; ++c)
+        normal[c] = edges(0, (c + 1) % 3) * edges(1, (c + 2) % 3) - edges(0, (c + 2) % 3) * edges(1, (c + 1) % 3);
+    }
+    // Column k of A follows from edges: A eᵢ = Σ_k (moved edge k) (E⁻¹)_(k,i) with the edges as columns of E.
+    const Matrix3<double> inverseEdges = inverse(transpose(edges));
+    std::copy_n(inverseEdges.m, 9, group.inverse);
+  }
+
+  /// Compares every element of the group with its ball, and sets how far it may move before the next look.
+  void lookAtGroup(const DeformationWatch& watch, DeformationWatch::Group& group, const double* rows,
+                   std::vector<std::int32_t>& left) const {
+    double slack = std::numeric_limits<double>::infinity(), reach = 0;
     for (std::int32_t batch = group.batchBegin; batch < group.batchEnd; ++batch) {
       P position[n][3];
       load(rows, batch, position);
       const P* geometry = geometryOf(batch);
       const float* anchor = watch.anchor.data() + static_cast<std::ptrdiff_t>(batch) * points_ * 9 * lanes;
-      P distance2(0.0), size2(0.0);
+      P distance2(0.0), size2(0.0), here2(0.0);
       for (int q = 0; q < pointCount(); ++q, geometry += 10) {
         const Matrix3<P> F = gradient(position, q) * inverseJacobian(geometry);
         P d2(0.0), s2(0.0);
+        here2 = math::max(here2, innerProduct(F, F));
         for (int i = 0; i < 9; ++i, anchor += lanes) {
           P a;
           for (int lane = 0; lane < lanes; ++lane) a.v[lane] = static_cast<double>(anchor[lane]);
@@ -370,10 +434,13 @@ class ElementBatch final : public ElementBlock {
         const auto place = static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane);
         const double room = static_cast<double>(watch.radius[place]) - distance[lane];
         if (!(room >= 0)) left.push_back(e);
-        slack = std::min(slack, room >= 0 ? room / static_cast<double>(watch.gradientNorm[place]) : -1.0);
+        const auto gradientNorm = static_cast<double>(watch.gradientNorm[place]);
+        slack = std::min(slack, room >= 0 ? room / gradientNorm : -1.0);
+        reach = std::max(reach, std::sqrt(here2[lane]) / gradientNorm);
       }
     }
-    return slack;
+    group.slack = slack;
+    group.reach = reach;
   }
 
   /// Copies the patch's nodes into rows of four, once, and calls kernel(rows, batch) for its batches.

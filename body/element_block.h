@@ -36,13 +36,12 @@ PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block);
 struct DeformationWatch;
 
 /// How fast an element's highest eigenvalue can grow when its deformation gradients move away from an anchor. With l
-/// the largest eigenvalue of D⁻¹K_e at the anchor, b >= lambda_max(D⁻¹ Σ_q w_q B_qᵀB_q), and |F_q - F0_q| <= δ for all
-/// q:
+/// the largest eigenvalue of D⁻¹K_e at the anchor, b >= lambda_max(D⁻¹ Σ_q w_q B_qᵀB_q), and |F_q - F0_q| <= δ <=
+/// radius for all q:
 ///   l(F) <= l + (2 √((l + b negative) kappa b) + b linear) δ + b (kappa + quadratic) δ².
-/// `known` is false for a law that gives no such bound; its elements are then evaluated at every look.
 struct TangentDrift {
-  bool known = false;
   double kappa = 0, linear = 0, quadratic = 0, negative = 0;     // Pa
+  double radius = std::numeric_limits<double>::infinity();       // < 0: no bound here
   double determinant = std::numeric_limits<double>::infinity();  // least det F0
   double inversionDistance = 0;  // no F_q inverts while |F_q - F0_q| is smaller; 0 when one is inverted
 };

@@ -55,6 +55,30 @@ struct Corotational {
     return {*this, R, inverse(Matrix3<S>::diagonal(trace(U)) - U),
             S(constants.lambda) * (trace(U) - S(3)) - S(2 * constants.mu)};
   }
+
+  /// ∂P/∂F = 2μ I + λ R⊗R + t H with s = tr(U), t = λ (s - 3) - 2μ and H = ∂R/∂F. H = ∂²s/∂F² has the norm 2/g, g the
+  /// sum of the two least stretches. For |ΔF| <= δ without inversion:
+  ///   - signed singular values move by at most |ΔF| as a vector (Miranda & Thompson 1993): g' >= g - √2 δ;
+  ///   - |ΔR| <= 2 δ / (g - √2 δ), and λ_max(R'⊗R' - R⊗R) <= √3 |ΔR| for vectors of equal norm √3;
+  ///   - |Δt| <= √3 |λ| δ;
+  ///   - H = R J (tr(U) I - U)⁻¹ Jᵀ Rᵀ, J w = [w]×, |J|² = 2: along dF the rotation turns by at most √2 |dF| / g, and
+  ///     tr(U) I - U changes by at most 2 |dF| (√2 |dF| off the diagonal, Araki & Yamagami 1981), so that
+  ///     |dH| <= (4√2 + 4) |dF| / g².
+  /// With g - √2 δ >= q g inside the radius these sum up to linear δ + quadratic δ². A lower bound of g follows from s
+  /// and |F|²: the largest of three numbers of mean s/3 lies at most √(2/3) of their deviation |U - s/3 I| above it.
+  /// The least eigenvalue is at least 2μ + min(0, 3λ, 2 t/g), since H R = 0.
+  RINGWATCH_INLINE TangentDriftCoefficients drift(const Matrix3<double>& F) const {
+    constexpr double root2 = 1.4142135623730951, root3 = 1.7320508075688773;
+    constexpr double share = 0.1, q = 1 - root2 * share;  // of g, that the radius spends
+    const double s = innerProduct(closestRotation(F), F), size2 = innerProduct(F, F);
+    const double spread = math::sqrt(math::max(0.0, size2 - s * s / 3) * (2.0 / 3.0));
+    const double g = (2.0 / 3.0) * s - spread - 1e-7 * math::sqrt(size2);
+    if (!(g > 0)) return {0, 0, 0, 0, -1};
+    const double lambda = math::abs(constants.lambda);
+    const double t = constants.lambda * (s - 3) - 2 * constants.mu, dH = (4 * root2 + 4) / (q * g * g);
+    return {0, root3 * lambda * (2 / g) * (1 + 1 / q) + math::abs(t) * dH, root3 * lambda * dH,
+            math::max(0.0, -2 * constants.mu - math::min(3 * constants.lambda, t * (2 / g))), share * g};
+  }
 };
 
 }  // namespace ringwatch

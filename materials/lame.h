@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <limits>
 
 namespace ringwatch {
 
@@ -21,9 +22,11 @@ inline double pressureWaveSpeed(Lame constants, double density) {
 
 /// Coefficients of a law's bound on how fast its tangent ∂P/∂F grows away from a deformation gradient F, Pa. For
 /// |F' - F| <= δ (Frobenius): the square root of the quadratic form of ∂P/∂F plus `negative` |dF|² grows by at most
-/// √kappa δ |dF|, and the rest by at most (linear δ + quadratic δ²) |dF|².
+/// √kappa δ |dF|, and the rest by at most (linear δ + quadratic δ²) |dF|². Holds for δ <= radius; radius < 0: never. No
+/// eigenvalue of ∂P/∂F at F is below -negative.
 struct TangentDriftCoefficients {
   double kappa, linear, quadratic, negative;
+  double radius = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace ringwatch

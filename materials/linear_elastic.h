@@ -40,8 +40,10 @@ struct LinearElastic {
     return {*this};
   }
 
-  /// The tangent is constant: it does not drift.
-  RINGWATCH_INLINE TangentDriftCoefficients drift(const Matrix3<double>&) const { return {0, 0, 0, 0}; }
+  /// The tangent is constant: it does not drift. Its eigenvalues are 0, 2μ and 3λ+2μ.
+  RINGWATCH_INLINE TangentDriftCoefficients drift(const Matrix3<double>&) const {
+    return {0, 0, 0, math::max(0.0, -3 * constants.lambda - 2 * constants.mu)};
+  }
 
  private:
   template <class S>

@@ -46,6 +46,28 @@ struct NeoHookean {
     const S J = F.m[0] * cof.m[0] + F.m[1] * cof.m[1] + F.m[2] * cof.m[2];
     return {*this, (S(1) / J) * cof, S(constants.mu) - S(constants.lambda) * math::log(J)};
   }
+
+  /// ∂P/∂F = μ I + a T + λ G⊗G with G = F⁻ᵀ, T dF = G dFᵀ G, a = μ - λ ln J. With 1/w <= σ_min(F) and δ <= θ/w the
+  /// resolvent identity gives |ΔG| <= k w² δ, k = 1/(1 - θ); |G| <= w in the spectral norm. Hence
+  ///   |ΔT| <= |ΔG| (2 w + |ΔG|),   |Δa| <= |λ| (|G| δ + k w² δ²/2),
+  ///   λ_max(G'⊗G' - G⊗G) <= |ΔG| (2 |G| + |ΔG|),
+  /// and the tangent moves by |a| |ΔT| + |Δa| (w² + |ΔT|) + |λ| |ΔG| (2 |G| + |ΔG|), all norms but w's Frobenius. w² is
+  /// bounded as the largest eigenvalue of GᵀG, by its trace and norm. No eigenvalue is below μ - |a| w² + min(0, λ)
+  /// |G|².
+  RINGWATCH_INLINE TangentDriftCoefficients drift(const Matrix3<double>& F) const {
+    constexpr double share = 0.1, k = 1 / (1 - share);  // θ
+    if (!(determinant(F) > 0)) return {0, 0, 0, 0, -1};
+    const Linearization<double> l = linearize(F);
+    const Matrix3<double> C = transposeTimes(l.inverseTranspose, l.inverseTranspose);
+    const double trace2 = trace(C), spread2 = math::max(0.0, innerProduct(C, C) - trace2 * trace2 / 3);
+    const double w2 = (trace2 / 3 + math::sqrt((2.0 / 3.0) * spread2)) * (1 + 1e-7), w = math::sqrt(w2);
+    const double G = math::sqrt(trace2), a = math::abs(l.a), lambda = math::abs(constants.lambda);
+    const double linear = 2 * k * a * w * w2 + lambda * G * w2 * (1 + 2 * k);
+    const double quadratic = w2 * w2 * (k * k * (a + lambda) + 0.5 * k * lambda) +
+                             lambda * (G + 0.5 * k * share * w) * k * w2 * (2 + k * share) * w;
+    const double negative = math::max(0.0, a * w2 - constants.mu) + math::max(0.0, -constants.lambda) * trace2;
+    return {0, linear, quadratic, negative, share / w};
+  }
 };
 
 }  // namespace ringwatch

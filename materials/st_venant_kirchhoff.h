@@ -42,10 +42,10 @@ struct StVenantKirchhoff {
     return {*this, F, secondStress(greenStrain(F))};
   }
 
-  /// The material part dE:ℂ:dE of dF:∂P/∂F:dF is a squared norm whose root moves by at most √(λ+2μ) |ΔF| |dF|
-  /// (Cauchy–Schwarz on tr²(ΔFᵀdF) and |sym(ΔFᵀdF)|²); it exceeds the whole by at most max(0, -lambda_min(S)). The
-  /// geometric part dF S : dF moves by lambda_max(ΔS) <= c |ΔE|, c = √((λ+2μ)² + 2λ²), |ΔE| <= |F|₂ δ + δ²/2. Spectral
-  /// norms and eigenvalues are bounded by Gershgorin's circles.
+  /// The material part dE:ℂ:dE of dF:∂P/∂F:dF is a squared norm (3λ+2μ >= 0) whose root moves by at most
+  /// √(max(0, λ)+2μ) |ΔF| |dF| (Cauchy–Schwarz on tr²(ΔFᵀdF) and |sym(ΔFᵀdF)|²); it exceeds the whole by at most max(0,
+  /// -lambda_min(S)). The geometric part dF S : dF moves by lambda_max(ΔS) <= c |ΔE|, c = √((λ+2μ)² + 2λ²), |ΔE| <=
+  /// |F|₂ δ + δ²/2. Spectral norms and eigenvalues are bounded by Gershgorin's circles.
   RINGWATCH_INLINE TangentDriftCoefficients drift(const Matrix3<double>& F) const {
     const double lambda = constants.lambda, mu = constants.mu;
     const double c = math::sqrt((lambda + 2 * mu) * (lambda + 2 * mu) + 2 * lambda * lambda);
@@ -56,7 +56,10 @@ struct StVenantKirchhoff {
       stretch2 = math::max(stretch2, 1 + 2 * (E(i, i) + math::abs(E(i, j)) + math::abs(E(i, k))));
       lowest = math::min(lowest, S(i, i) - math::abs(S(i, j)) - math::abs(S(i, k)));
     }
-    return {lambda + 2 * mu, c * math::sqrt(stretch2), 0.5 * c, math::max(0.0, -lowest)};
+    const double negative = math::max(0.0, -lowest) + math::max(0.0, -3 * lambda - 2 * mu) * stretch2;
+    // Without a norm, as in a rule's share of λ < 0 alone, there is no bound.
+    if (!(3 * lambda + 2 * mu >= 0)) return {0, 0, 0, negative, -1};
+    return {math::max(0.0, lambda) + 2 * mu, c * math::sqrt(stretch2), 0.5 * c, negative};
   }
 
   /// E = (FᵀF - I)/2

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include <ringwatch/meshes/mesh.h>
@@ -15,6 +16,11 @@ std::string_view directionName(Direction direction);
 /// The highest eigenvalue lambda of M⁻¹K (omega², rad²/s²) lies at or below `value`: proven.
 struct UpperBound {
   double value;
+};
+/// It lies at or below `value` with probability 1 - eta: no proof, and never an UpperBound.
+struct ProbableUpperBound {
+  double value;
+  double eta;
 };
 /// It lies at or above `value`: proven.
 struct LowerBound {
@@ -45,11 +51,30 @@ class StepRule {
 
   double operator()(double lambda) const { return step_ ? step_(lambda) : stepFor(lambda, limit_); }
   bool proven() const { return proven_; }
+  /// The largest lambda, rad²/s², to rounding from below, at which the step h (s, > 0) is allowed: the rule turned
+  /// round.
+  double lambdaFor(double h) const {
+    if (!step_) return (limit_ / h) * (limit_ / h);
+    double low = 0, high = 4 / (h * h);
+    for (int i = 0; i < 200 && step_(high) >= h && high < std::numeric_limits<double>::max() / 4; ++i) high *= 2;
+    for (int i = 0; i < 80; ++i) {
+      const double middle = 0.5 * (low + high);
+      (step_(middle) >= h ? low : high) = middle;
+    }
+    return low;
+  }
 
  private:
   double limit_ = 0;
   std::function<double(double)> step_;
   bool proven_ = true;
+};
+
+/// A step that is safe with probability 1 - eta, s: below the critical one unless chance was against it.
+struct ProbableStep {
+  double safe;
+  double eta;
+  int products;  // tangent products it took
 };
 
 /// The bracket safe <= h_crit <= optimistic of the critical step at one state, s, both sides proven for the tangent at
@@ -62,6 +87,7 @@ struct CriticalStep {
   std::string_view optimisticBy;
   double lowestRing;  // least eigenvalue seen in any reduced 1-ring, rad²/s²; < 0 proves K indefinite
   ElementRef lowestRingElement;
+  std::optional<ProbableStep> probable{};  // when asked for; never part of the proven bracket
 };
 /// The side of the bracket made from a bound: the types say which.
 inline double safeStep(UpperBound lambda, const StepRule& rule) { return rule(lambda.value); }

@@ -14,7 +14,9 @@ namespace {
 
 constexpr int lanes = PatchLayout::lanes;
 constexpr int coldSweeps = 12;  // of a retarget
-constexpr int firstGap = 40;    // updates between two retargets; doubles while they do not help
+constexpr int firstGap = 40;    // updates between two retargets; longer and longer while they do not help
+constexpr int lastGap = 10240;
+int longer(int gap) { return std::min(4 * gap, lastGap); }
 
 double largest(const Eigen::Matrix3d& S) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly).eigenvalues()[2];
@@ -56,12 +58,13 @@ void LazyBound::setBall(std::int32_t b, std::int32_t element, double value, cons
   data.value[place] = value;
   const double gap = data.budget[place] - value, reach = data.reach[place];
   double radius = -1;
-  if (gap >= 0 && drift.known) {
+  if (gap >= 0) {
     const double linear = 2 * std::sqrt((value + reach * drift.negative) * drift.kappa * reach) + reach * drift.linear;
     const double quadratic = reach * (drift.kappa + drift.quadratic);
     const double denominator = linear + std::sqrt(linear * linear + 4 * quadratic * gap);
     radius = denominator > 0 ? 2 * gap / denominator : std::numeric_limits<double>::infinity();
-    radius = std::min(radius, drift.inversionDistance);  // whoever inverts leaves its ball before
+    // The drift bound has a radius of its own; and whoever inverts leaves its ball before.
+    radius = std::min({radius, drift.radius, drift.inversionDistance});
   }
   data.watch.radius[place] = static_cast<float>(std::min(radius * (1 - 1e-6), 1e30));
 }
@@ -119,7 +122,8 @@ void LazyBound::note(ElementRef element, const TangentDrift& drift) {
     spent_.leastDeterminant = drift.determinant;
     spent_.leastDeterminantElement = element;
   }
-  if (drift.kappa > 0) spent_.compression = std::max(spent_.compression, drift.negative / drift.kappa);
+  const Lame lame = body_.blocks()[static_cast<std::size_t>(element.block)]->material().lame();
+  spent_.compression = std::max(spent_.compression, drift.negative / (lame.lambda + 2 * lame.mu));
 }
 
 void LazyBound::dealBudgets(const NodeVectors& x) {
@@ -169,6 +173,7 @@ void LazyBound::retarget(const NodeVectors& x, int sweeps) {
   spent_.evaluated += shapes_.evaluations();
   ++spent_.retargets;
   lastRetarget_ = updates_;
+  tightOverLower_ = 0;
 }
 
 LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
@@ -221,25 +226,23 @@ UpperBound LazyBound::update(const NodeVectors& x) {
 bool LazyBound::certify(const NodeVectors& x, double sigma) {
   spent_ = {};
   ++updates_;
-  Outcome outcome = Outcome::flooded;
-  if (started_ && sigma == sigma_) {
-    outcome = follow(x, false);
+  if (started_ && sigma_ <= sigma) {
+    const Outcome outcome = follow(x, false);
     if (outcome == Outcome::fine) return true;
     started_ = false;
+    if (outcome == Outcome::notFinite) return false;
   }
-  if (outcome == Outcome::notFinite) return false;
   // From scratch, but not at every step while it keeps failing.
   if (updates_ - lastRetarget_ < retargetGap_) return false;
   retarget(x, coldSweeps);
-  if (!(shapes_.last() <= sigma * (1 - 1e-3))) {
-    retargetGap_ = std::min(2 * retargetGap_, 640);
-    return false;
-  }
-  retargetGap_ = firstGap;
-  sigma_ = sigma;
-  started_ = true;
-  dealBudgets(x);
-  return true;
+  const double tight = shapes_.last();
+  const bool proven = tight <= sigma * (1 - 1e-3);
+  retargetGap_ = proven ? firstGap : longer(retargetGap_);
+  // What was found serves update() in any case.
+  sigma_ = proven ? sigma : tight * (1 + slack_);
+  started_ = std::isfinite(sigma_);
+  if (started_) dealBudgets(x);
+  return proven;
 }
 
 bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) {
@@ -351,11 +354,16 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
   if (!started_ || !(lower.value > 0)) return false;
   const double allowed = (1 + width) * (1 + width) * lower.value;
   if (sigma_ <= allowed) return false;
+  // What the family of shapes reached at the last retarget it will hardly undercut now: where that is wide, as on
+  // regular grids, lowering sigma would only send elements out of their balls.
+  if (tightOverLower_ == 0) tightOverLower_ = shapes_.last() / lower.value;
+  const double target =
+      std::max((1 + 0.8 * width) * (1 + 0.8 * width), tightOverLower_ * (1 + 0.5 * slack_)) * lower.value;
   // Lowering sigma scales every budget; balls shrink at least in proportion to the gaps, since r is concave in the gap.
-  if (updates_ - lastLowering_ >= loweringGap_) {
+  if (target < 0.99 * sigma_ && updates_ - lastLowering_ >= loweringGap_) {
     loweringGap_ = updates_ - lastLowering_ < 200 ? std::min(2 * loweringGap_, 640) : 40;
     lastLowering_ = updates_;
-    const double target = (1 + 0.8 * width) * (1 + 0.8 * width) * lower.value, factor = target / sigma_;
+    const double factor = target / sigma_;
     sigma_ = target;
     for (BlockData& data : blocks_) {
       for (std::size_t place = 0; place < data.budget.size(); ++place) {
@@ -374,7 +382,7 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
     spent_ = {};
     retarget(x, coldSweeps);
     const double fresh = shapes_.last() * (1 + slack_);
-    retargetGap_ = fresh > 0.97 * sigma_ ? std::min(2 * retargetGap_, 640) : firstGap;
+    retargetGap_ = fresh > 0.97 * sigma_ ? longer(retargetGap_) : firstGap;
     sigma_ = fresh;
     dealBudgets(x);
     return true;

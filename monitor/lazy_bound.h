@@ -27,7 +27,8 @@ class LazyBound {
   bool steer(const NodeVectors& x, LowerBound lower, double width);
 
   /// Threshold mode: proves lambda_max <= sigma for a sigma of the caller's at x, or returns false. Where there is much
-  /// room below sigma, balls are large and hardly any element is ever looked at again.
+  /// room below sigma, balls are large and hardly any element is ever looked at again. A proof that is kept for a
+  /// smaller sigma serves too.
   bool certify(const NodeVectors& x, double sigma);
 
   double sigma() const { return sigma_; }
@@ -39,8 +40,8 @@ class LazyBound {
     double leastDeterminant =
         std::numeric_limits<double>::infinity();  // det F of the elements evaluated; no other can be <= 0
     ElementRef leastDeterminantElement;
-    double compression =
-        0;  // largest -lambda_min(S) over kappa of the elements evaluated: without any, K has no negative part
+    double compression = 0;  // largest bound of -lambda_min(∂P/∂F) over λ+2μ of the elements evaluated: without any, K
+                             // has no negative part
   };
   const Spent& spent() const { return spent_; }
   /// Checks the two statements of the proof at x from nothing but the shapes and budgets; for tests. Returns the
@@ -77,6 +78,7 @@ class LazyBound {
   Spent spent_;
   std::int64_t updates_ = 0, lastRetarget_ = -1000, lastLowering_ = -1000;
   int retargetGap_ = 40, loweringGap_ = 40;
+  double tightOverLower_ = 0;  // the tight bound at the last retarget over the lower bound then; 0: not known yet
 };
 
 }  // namespace ringwatch

@@ -4,13 +4,17 @@
 #include <cmath>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/monitor/element_cause.h>
 #include <ringwatch/monitor/lazy_bound.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/rayleigh.h>
 #include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/monitor/split_bound.h>
 
 namespace ringwatch {
 namespace {
+
+constexpr int energySettling = 20;  // looks before the energy balance is judged
 
 /// A start for the top mode and a lower bound at once: the hottest reduced ring's vector, sharpened by Lanczos.
 LowerBound restartMode(ReducedRing& ring, const Body& body, const NodeVectors& x, int products, NodeVectors& mode,
@@ -49,18 +53,11 @@ class Bracketer {
       // The hot spot is a part of the whole, its bound a little lower.
       restartGap_ = whole.value > 1.02 * lower.value ? firstGap : std::min(2 * restartGap_, 320);
       lower.value = std::max({lower.value, whole.value, hotSpot_.evaluate(x).value});
-      lowestRing_ = ring_.last().lowest;
-      lowestRingElement_ = ring_.last().lowestElement;
+      lowest_ = {ring_.last().lowest, ring_.last().lowestElement};
       sinceRestart_ = sinceMode_ = 0;
       spent_.evaluated += body_.mesh().elementCount();
-    } else if (spent_.compression > compressed && ++sinceCompressed_ >= firstGap) {
-      // Only elements under compression can make the tangent indefinite; rings tell.
-      const ReducedRing::Result& rings = ring_.evaluate(x, true);
-      lowestRing_ = rings.lowest;
-      lowestRingElement_ = rings.lowestElement;
-      lower.value = std::max(lower.value, rings.highest);
-      sinceCompressed_ = 0;
-      spent_.evaluated += body_.mesh().elementCount();
+    } else if (lookUnderCompression(x)) {
+      lower.value = std::max(lower.value, ring_.last().highest);
     }
     if (upper.value > allowed * lower.value && lazy_.steer(x, lower, width_)) {
       spent_.evaluated += lazy_.spent().evaluated;
@@ -72,10 +69,32 @@ class Bracketer {
              hotSpot_.hottestElement(),
              "lazy-nodal-bound",
              byRing ? "reduced-1-ring" : "rayleigh-quotient",
-             lowestRing_,
-             lowestRingElement_};
+             lowest_.value,
+             lowest_.element};
     return step_;
   }
+  /// Whether h is certified at x, in the cheapest way. While it is not, the bracket is kept, and some looks longer:
+  /// then last() is fresh and `bracketed` true.
+  bool judge(const NodeVectors& x, const StepRule& limit, double h) {
+    std::int64_t before = 0;
+    if (sinceDoubt_ >= firstGap) {
+      const bool certified = lazy_.certify(x, limit.lambdaFor(h));
+      spent_ = lazy_.spent();
+      bracketed_ = false;
+      if (certified) {
+        lookUnderCompression(x);
+        return true;
+      }
+      before = spent_.evaluated;
+    }
+    evaluate(x, limit);
+    spent_.evaluated += before;
+    bracketed_ = true;
+    const bool certified = h <= step_.safe;
+    sinceDoubt_ = certified ? sinceDoubt_ + 1 : 0;
+    return certified;
+  }
+  bool bracketed() const { return bracketed_; }
   /// Both sides as sharp as they can be had, for a step that comes close to the limit.
   void sharpen(const NodeVectors& x, const StepRule& limit) {
     LowerBound lower;
@@ -92,8 +111,23 @@ class Bracketer {
   }
   const LazyBound::Spent& spent() const { return spent_; }
   const CriticalStep& last() const { return step_; }
+  /// Least eigenvalue of any reduced 1-ring when rings were last looked at, rad²/s².
+  struct LowestRing {
+    double value;
+    ElementRef element;
+  };
+  const LowestRing& lowestRing() const { return lowest_; }
 
  private:
+  /// Only elements under compression can make the tangent indefinite; where there are some, rings tell now and then.
+  bool lookUnderCompression(const NodeVectors& x) {
+    if (!(spent_.compression > compressed) || ++sinceCompressed_ < firstGap) return false;
+    const ReducedRing::Result& rings = ring_.evaluate(x, true);
+    lowest_ = {rings.lowest, rings.lowestElement};
+    sinceCompressed_ = 0;
+    spent_.evaluated += body_.mesh().elementCount();
+    return true;
+  }
   void refreshMode(const NodeVectors& x, int products) {
     lastQuotient_ = rayleighLowerBound(body_, x, mode_, products);
     hotSpot_.choose(mode_);
@@ -113,9 +147,10 @@ class Bracketer {
   NodeVectors mode_;
   LowerBound lastQuotient_{0};
   LazyBound::Spent spent_;
+  bool bracketed_ = true;
+  int sinceDoubt_ = firstGap;  // looks in a row that certified the step asked about
   int sinceRings_ = 0, sinceMode_ = 0, sinceRestart_ = 0, restartGap_ = firstGap, sinceCompressed_ = firstGap;
-  double lowestRing_ = 0;
-  ElementRef lowestRingElement_;
+  LowestRing lowest_{0, {}};
   CriticalStep step_{};
 };
 
@@ -149,6 +184,18 @@ std::string_view verdictName(Verdict verdict) {
   return "";
 }
 
+std::string_view monitorModeName(MonitorMode mode) {
+  switch (mode) {
+    case MonitorMode::bracket:
+      return "bracket";
+    case MonitorMode::threshold:
+      return "threshold";
+    case MonitorMode::metric:
+      return "metric";
+  }
+  return "";
+}
+
 std::string_view eventName(EventKind kind) {
   switch (kind) {
     case EventKind::violated:
@@ -167,7 +214,7 @@ std::string_view eventName(EventKind kind) {
 
 struct StabilityMonitor::Impl {
   Impl(const Body& b, const MonitorOptions& o) : body(b), options(o) {
-    if (o.bracket) bracketer.emplace(b, o.width);
+    if (o.mode != MonitorMode::metric) bracketer.emplace(b, o.width);
   }
 
   const Body& body;
@@ -175,21 +222,39 @@ struct StabilityMonitor::Impl {
   std::optional<Bracketer> bracketer;
   MonitorReport report;
   std::vector<MonitorEvent> events;
-  bool active[5] = {};  // by EventKind: going on at the last observation
+  struct Course {
+    std::optional<std::size_t> event;  // of `events`, that has not ended
+    int clear = 0;                     // looks in a row without it
+    std::int64_t clearSince = 0;       // step of the first of them
+  };
+  Course courses[5];  // by EventKind
   double largestEnergy = 0;
-  std::int64_t observations = 0;
+  std::int64_t observations = 0, energyLooks = 0;
+  const NodeVectors* positions = nullptr;  // of the observation going on
 
-  /// Records an event when it begins; it may be reported again after it has ended.
+  /// Records an event when it begins and when it ends. Near a limit it may come and go from step to step: one event
+  /// until it has stayed away for a while.
   void tell(EventKind kind, bool now, double value, std::optional<ElementRef> element, const std::string& what) {
-    bool& before = active[static_cast<int>(kind)];
-    if (now && !before) {
-      MonitorEvent event{kind,  report.step, report.time,
-                         value, element,     joinText("step ", report.step, ", t = ", report.time, " s: ", what)};
-      if (element) event.text += ", " + elementText(body, *element);
+    Course& course = courses[static_cast<int>(kind)];
+    if (now) {
+      course.clear = 0;
+      if (course.event) return;
+      MonitorEvent event{kind,         report.step, report.time,
+                         value,        element,     joinText("step ", report.step, ", t = ", report.time, " s: ", what),
+                         std::nullopt, {}};
+      if (element) {
+        event.cause = elementCause(body, *positions, *element);
+        event.text += joinText(", ", elementText(body, *element), ": ", event.cause);
+      }
       report.newEvents.push_back(event);
+      course.event = events.size();
       events.push_back(std::move(event));
+    } else if (course.event) {
+      if (course.clear++ == 0) course.clearSince = report.step;
+      if (course.clear < options.clearLooks) return;
+      events[*course.event].end = course.clearSince;
+      course.event.reset();
     }
-    before = now;
   }
 };
 
@@ -199,6 +264,9 @@ StabilityMonitor::StabilityMonitor(const Body& body, const MonitorOptions& optio
   if (!(options.margin >= 0 && options.margin < 1))
     throw InputError(joinText("margin = ", options.margin, ": must be >= 0 and < 1"));
   if (options.every < 1) throw InputError(joinText("every = ", options.every, ": must be >= 1"));
+  if (options.clearLooks < 1) throw InputError(joinText("clearLooks = ", options.clearLooks, ": must be >= 1"));
+  if (options.mode == MonitorMode::metric && options.metric.empty())
+    throw InputError("mode = metric: needs a metric; name one, or choose bracket or threshold");
   if (!(options.width > 0 && options.width < 1))
     throw InputError(joinText("width = ", options.width, ": must be > 0 and < 1"));
   // The step at lambda = 1 rad²/s² is the limit itself.
@@ -207,7 +275,7 @@ StabilityMonitor::StabilityMonitor(const Body& body, const MonitorOptions& optio
                               ": an integrator that is never stable cannot be monitored; choose another"));
   if (!(options.energyTolerance > 0))
     throw InputError(joinText("energyTolerance = ", options.energyTolerance, ": must be > 0"));
-  if (options.bracket) requireProof(options.limit);
+  if (options.mode != MonitorMode::metric) requireProof(options.limit);
   impl_ = std::make_unique<Impl>(body, options);
 }
 StabilityMonitor::~StabilityMonitor() = default;
@@ -224,10 +292,12 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
   report.h = h;
   report.newEvents.clear();
   report.fresh = false;
+  m.positions = &x;
 
   const bool finite = x.allFinite() && v.allFinite();
   m.tell(EventKind::nonFinite, !finite, 0, std::nullopt, "positions or velocities are not finite");
   if (!finite) {
+    report.certified = 0;
     report.verdict = Verdict::violated;
     return report;
   }
@@ -235,29 +305,38 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
     m.largestEnergy =
         std::max({m.largestEnergy, energies->kinetic + std::abs(energies->strain), std::abs(energies->externalWork)});
     const double share = m.largestEnergy > 0 ? std::abs(energies->balanceError) / m.largestEnergy : 0;
-    m.tell(EventKind::energyBalance, share > m.options.energyTolerance, share, std::nullopt,
+    // Schemes whose velocities are half a step behind, symplectic Euler for one, are off by 1/n of the energy at step n
+    // of a run that starts under load.
+    const bool settled = m.energyLooks++ >= energySettling;
+    m.tell(EventKind::energyBalance, settled && share > m.options.energyTolerance, share, std::nullopt,
            joinText("energy balance is off by ", 100 * share, " % of the largest energy so far"));
   }
   if (m.observations++ % m.options.every == 0) {
     report.fresh = true;
     report.elementsRefreshed = 0;
     if (m.bracketer) {
-      report.bracket = m.bracketer->evaluate(x, m.options.limit);
+      Bracketer& bracketer = *m.bracketer;
+      bool certified = false, bracketed = true;
+      if (m.options.mode == MonitorMode::threshold) {
+        certified = bracketer.judge(x, m.options.limit, h);
+        bracketed = bracketer.bracketed();
+      } else {
+        certified = h <= bracketer.evaluate(x, m.options.limit).safe;
+      }
       // Where the step is not certified, the optimistic side decides between "not certified" and "violated": it is made
       // sharp at every look, lest a mode that has moved on says so late.
-      if (!(h <= report.bracket->safe)) {
-        m.bracketer->sharpen(x, m.options.limit);
-        report.bracket = m.bracketer->last();
-      }
-      const LazyBound::Spent& spent = m.bracketer->spent();
+      if (!certified) bracketer.sharpen(x, m.options.limit);
+      report.bracket.reset();
+      if (bracketed) report.bracket = bracketer.last();
+      report.certified = bracketed ? report.bracket->safe : h;
+      const LazyBound::Spent& spent = bracketer.spent();
       report.elementsRefreshed = spent.evaluated;
       // Whoever inverts leaves its ball first, so the elements evaluated are all that can have inverted.
-      if (std::isfinite(spent.leastDeterminant))
-        m.tell(EventKind::inverted, !(spent.leastDeterminant > 0), spent.leastDeterminant,
-               spent.leastDeterminantElement, joinText("inverted, det F = ", spent.leastDeterminant));
-      m.tell(EventKind::indefinite, report.bracket->lowestRing < 0, report.bracket->lowestRing,
-             report.bracket->lowestRingElement,
-             joinText("tangent indefinite, eigenvalue ", report.bracket->lowestRing, " rad2/s2: no step cures that"));
+      m.tell(EventKind::inverted, !(spent.leastDeterminant > 0), spent.leastDeterminant, spent.leastDeterminantElement,
+             joinText("inverted, det F = ", spent.leastDeterminant));
+      const Bracketer::LowestRing& lowest = bracketer.lowestRing();
+      m.tell(EventKind::indefinite, lowest.value < 0, lowest.value, lowest.element,
+             joinText("tangent indefinite, eigenvalue ", lowest.value, " rad2/s2: no step cures that"));
     }
     if (!m.options.metric.empty()) {
       report.metricStep = (1 - m.options.margin) * m.options.limit(evaluateMetric(m.options.metric, m.body, x).lambda);
@@ -267,38 +346,53 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
              joinText("inverted, det F = ", least.value));
     }
   }
+  // A metric with a margin proves nothing: it can only say that the step is above what it recommends.
+  const bool above = report.bracket && !(h <= report.bracket->optimistic);
+  report.verdict = m.bracketer && h <= report.certified ? Verdict::certified
+                   : above                              ? Verdict::violated
+                                                        : Verdict::notCertified;
   if (report.bracket) {
     const CriticalStep& b = *report.bracket;
-    report.verdict = h <= b.safe ? Verdict::certified : h <= b.optimistic ? Verdict::notCertified : Verdict::violated;
-    m.tell(EventKind::violated, report.verdict == Verdict::violated, h / b.optimistic, b.controlling,
+    m.tell(EventKind::violated, above, h / b.optimistic, b.controlling,
            joinText("violated: h = ", h, " s is above the critical step, which is at most ", b.optimistic, " s"));
-  } else if (report.metricStep) {
-    // A metric with a margin proves nothing: it can only say that the step is above what it recommends.
-    report.verdict = Verdict::notCertified;
+  } else if (m.bracketer) {
+    m.tell(EventKind::violated, false, 0, std::nullopt, "");
   }
   return report;
 }
 
-CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit) {
+CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit,
+                          const std::optional<LanczosOptions>& lanczos) {
   requireProof(limit);
-  constexpr int products = 20, sweeps = 20;
-  constexpr double wide = 1.06;  // in lambda: 3 % of the step
+  constexpr int products = 20, sweeps = 12, iterations = 60;
+  constexpr double aim = 1.01, narrow = 1.02;    // in lambda: 0.5 % and 1 % of the step
+  constexpr std::int64_t mostBytes = 4LL << 30;  // beyond, the nodal bound has to do
   ReducedRing ring(body);
   NodeVectors mode;
   bool byRing = false;
   const LowerBound lower = restartMode(ring, body, x, products, mode, byRing);
-  UpperBound upper = NodalBound(body).evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);
-  if (!(upper.value <= wide * lower.value)) {
-    const UpperBound other = NodalBound(body).evaluate(x, sweeps, NodalBound::Start::stiffness);
-    if (other.value < upper.value) upper = other;
+  NodalBound shapes(body);
+  UpperBound upper = shapes.evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);
+  std::string_view safeBy = "nodal-bound";
+  if (upper.value > narrow * lower.value && splitBoundBytes(body) <= mostBytes) {
+    const SplitBound split = splitUpperBound(body, x, shapes, aim * lower.value, narrow * lower.value, iterations);
+    if (split.upper.value < upper.value) {
+      upper = split.upper;
+      safeBy = "split-bound";
+    }
   }
-  return {safeStep(upper, limit),
-          optimisticStep(lower, limit),
-          ring.last().highestElement,
-          "nodal-bound",
-          byRing ? "reduced-1-ring" : "rayleigh-quotient",
-          ring.last().lowest,
-          ring.last().lowestElement};
+  CriticalStep step{safeStep(upper, limit),
+                    optimisticStep(lower, limit),
+                    ring.last().highestElement,
+                    safeBy,
+                    byRing ? "reduced-1-ring" : "rayleigh-quotient",
+                    ring.last().lowest,
+                    ring.last().lowestElement};
+  if (lanczos) {
+    const LanczosBound bound = lanczosUpperBound(body, x, lanczos->width, lanczos->eta, lanczos->seed);
+    step.probable = {limit(bound.upper.value), bound.upper.eta, bound.products};
+  }
+  return step;
 }
 
 }  // namespace ringwatch

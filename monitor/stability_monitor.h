@@ -6,19 +6,29 @@
 
 #include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/energy_balance.h>
+#include <ringwatch/monitor/lanczos_bound.h>
 #include <ringwatch/monitor/metrics.h>
 
 namespace ringwatch {
 
+/// What is kept along a run.
+enum class MonitorMode {
+  bracket,    ///< both sides of the critical step, at every look
+  threshold,  ///< only whether the step taken is certified: cheapest. While it is not, both sides, to tell how far
+  metric      ///< neither: a metric with a margin, which proves nothing
+};
+std::string_view monitorModeName(MonitorMode mode);
+
 struct MonitorOptions {
-  StepRule limit = 2.0;          ///< the integrator's largest stable h·omega on the imaginary axis, or, for a damped
-                                 ///< run, the rule that makes a step of the highest eigenvalue
-  bool bracket = true;           ///< keep safe and optimistic
+  StepRule limit = 2.0;  ///< the integrator's largest stable h·omega on the imaginary axis, or, for a damped
+                         ///< run, the rule that makes a step of the highest eigenvalue
+  MonitorMode mode = MonitorMode::bracket;
   std::string metric;            ///< the source's way: a metric with a margin, e.g. "reduced-1-ring"; "" for none
   double margin = 0.1;           ///< of the metric's step: h_metric (1 - margin)
   int every = 1;                 ///< steps between evaluations
   double width = 0.05;           ///< of the bracket, relative to the step, that the proven side is steered to
   double energyTolerance = 0.1;  ///< balance error over the largest energy so far that is reported
+  int clearLooks = 20;           ///< looks in a row without it that end an event; sooner, it has only paused
 };
 
 enum class Verdict {
@@ -28,7 +38,8 @@ enum class Verdict {
 };
 std::string_view verdictName(Verdict verdict);
 
-/// Something that happened, reported once when it begins.
+/// Something that happened, reported once when it begins. It ends with the first of MonitorOptions::clearLooks
+/// looks in a row that do not see it.
 enum class EventKind { violated, energyBalance, inverted, nonFinite, indefinite };
 std::string_view eventName(EventKind kind);
 struct MonitorEvent {
@@ -38,17 +49,20 @@ struct MonitorEvent {
   double value;  // h over the optimistic step; balance error over energy; det F; -; lambda, rad²/s²
   std::optional<ElementRef> element;  // where, when it is an element's doing
   std::string text;                   // one line for people
+  std::optional<std::int64_t> end;    // first step without it; empty while it goes on
+  std::string cause;                  // why that element is in the way (elementCause); "" without an element
 };
 
 /// What the monitor knows after a step.
 struct MonitorReport {
   std::int64_t step = 0;
-  double time = 0;     // s
-  double h = 0;        // s, the step the run takes
-  bool fresh = false;  // evaluated at this very state, or `every` steps have not passed
-  std::optional<CriticalStep> bracket;
-  std::int64_t elementsRefreshed = 0;  // element evaluations spent at this observation
-  std::optional<double> metricStep;    // s, an estimate, margin applied
+  double time = 0;                      // s
+  double h = 0;                         // s, the step the run takes
+  bool fresh = false;                   // evaluated at this very state, or `every` steps have not passed
+  std::optional<CriticalStep> bracket;  // in threshold mode only while the step is not certified
+  double certified = 0;                 // s, the largest step proven at the last look; 0 for none
+  std::int64_t elementsRefreshed = 0;   // element evaluations spent at this observation
+  std::optional<double> metricStep;     // s, an estimate, margin applied
   Verdict verdict = Verdict::notCertified;
   std::vector<MonitorEvent> newEvents;  // begun at this step
 };
@@ -56,8 +70,8 @@ struct MonitorReport {
 /// Keeps the bracket of the critical step current along a run. Reports; never stops a run itself.
 class StabilityMonitor {
  public:
-  /// The body must outlive the monitor. Throws InputError for an unknown metric, margin outside [0, 1), every < 1, or a
-  /// bracket wanted by a rule that is not proven.
+  /// The body must outlive the monitor. Throws InputError for an unknown metric, a margin outside [0, 1), every or
+  /// clearLooks < 1, or a bracket wanted by a rule that is not proven.
   StabilityMonitor(const Body& body, const MonitorOptions& options);
   ~StabilityMonitor();
 
@@ -74,8 +88,17 @@ class StabilityMonitor {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The bracket at one state from scratch, both sides as tight as the methods give without a run's history.
+/// How a probabilistic safe side is wanted; see lanczosUpperBound.
+struct LanczosOptions {
+  double width = 0.01;
+  double eta = 1e-9;
+  std::uint64_t seed = 1;
+};
+
+/// The bracket at one state from scratch, both sides as tight as the methods give without a run's history; with
+/// `lanczos` also CriticalStep::probable, which is far tighter than the proven side on regular grids.
 /// limit: the integrator's largest stable h·omega, or a proven rule; throws InputError for one that is not.
-CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit);
+CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit,
+                          const std::optional<LanczosOptions>& lanczos = std::nullopt);
 
 }  // namespace ringwatch

@@ -80,7 +80,7 @@ TEST(Scene, ReadsAGoodOneAndFillsDefaults) {
   EXPECT_EQ(scene.method, "symplectic-euler");
   EXPECT_EQ(scene.safety, 0.95);
   EXPECT_EQ(scene.margin, 0.2);
-  EXPECT_TRUE(scene.bracket);
+  EXPECT_EQ(scene.mode, MonitorMode::bracket);
   EXPECT_EQ(scene.metric, "");
   EXPECT_EQ(scene.onViolation, OnViolation::stop);
   EXPECT_EQ(scene.frameInterval, 1e-3);
@@ -157,6 +157,11 @@ TEST(Scene, NamesFileLineKeyAndWhatWouldBeRight) {
       {with("margin = 0.2", "every = 1.5"), "scene.toml:14: monitor.every: the number 1.5 where an integer is needed"},
       {with("margin = 0.2", "bracket = 1"),
        "scene.toml:14: monitor.bracket: the number 1 where true or false is needed"},
+      {with("margin = 0.2", "mode = \"treshold\""), "scene.toml:14: monitor.mode: unknown \"treshold\"; did you mean"},
+      {with("margin = 0.2", "mode = \"threshold\"\nbracket = false"),
+       "scene.toml:15: monitor.bracket: false leaves nothing to prove, but mode = \"threshold\" does"},
+      {with("margin = 0.2", "mode = \"metric\"\nmetric = \"none\""),
+       "scene.toml:14: monitor.mode: \"metric\" needs a metric"},
       {with("margin = 0.2", "metric = \"reduced-1-rings\""), "did you mean \"reduced-1-ring\"?"},
       {with("margin = 0.2", "on_violation = \"handle\""), "scene.toml:14: monitor.on_violation: unknown \"handle\""},
       {with("margin = 0.2", "[handler]\nmethod = \"imex\""),
@@ -221,9 +226,12 @@ TEST(Scene, OverridesWinAndAreNamedInErrors) {
   EXPECT_EQ(scene.step, 2e-4);
   EXPECT_EQ(scene.method, "verlet");
   EXPECT_EQ(scene.moves[0].velocity, Eigen::Vector3d(0, 1, 0));
-  EXPECT_FALSE(scene.bracket);
+  EXPECT_EQ(scene.mode, MonitorMode::metric);
   EXPECT_EQ(scene.metric, "single-element");
   EXPECT_EQ(readScene(file, {"integrator.step=auto"}).step, std::nullopt);
+  EXPECT_EQ(readScene(file, {"monitor.mode=threshold"}).mode, MonitorMode::threshold);
+  EXPECT_TRUE(readScene(file, {"monitor.mode=threshold"}).proves());
+  EXPECT_EQ(readScene(file, {"monitor.mode=metric", "monitor.metric=single-element"}).mode, MonitorMode::metric);
 
   const std::map<std::string, std::string> faults{
       {"integrator.step=-1", "--set integrator.step=-1: integrator.step: -1 is out of range; must be > 0 s"},

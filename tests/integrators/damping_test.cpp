@@ -151,7 +151,7 @@ TEST(RayleighDampedBody, HasNoBracketWhereNothingIsProven) {
   options.limit = ruleOf(*findIntegrator("rk4"), {0, 1e-3});
   EXPECT_THROW(StabilityMonitor(body, options), InputError);
   EXPECT_THROW(criticalStep(body, body.mesh().X, options.limit), InputError);
-  options.bracket = false;
+  options.mode = MonitorMode::metric;
   options.metric = "single-element";
   StabilityMonitor monitor(body, options);
   const MonitorReport report = monitor.observe(0, 0, body.mesh().X, 0 * body.mesh().X, 1e-6);

@@ -1,0 +1,63 @@
+// The certificate by factorisation against dense eigenvalues: yes just above the truth, never below.
+#include <gtest/gtest.h>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/factored_certificate.h>
+#include <tests/monitor/monitor_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::Cut;
+using test::DenseTangent;
+using test::Hold;
+
+TEST(FactoredCertificate, SaysYesAboveTheTruthAndNeverBelow) {
+  for (const Cut& cut : test::allCuts())
+    for (const LawInfo& law : allLaws())
+      for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
+        Body body = test::boxBody(cut, law.name);
+        test::holdBody(body, hold);
+        for (const test::NamedState& state : test::deformedStates(body.mesh().X, 4)) {
+          const DenseTangent dense(body, state.x);
+          const std::string what = joinText(cut.name, ", ", law.name, ", ", test::holdName(hold), ", ", state.name);
+          if (!dense.finite()) {
+            EXPECT_FALSE(certifiesFrequency(body, state.x, 1e30)) << what;
+            continue;
+          }
+          const Eigen::VectorXd lambda = dense.eigenvalues();
+          const double top = lambda[lambda.size() - 1], size = std::max(top, -lambda[0]);
+          for (const double near : {1e-9, 1e-6, 1e-3, 1.0}) {
+            EXPECT_TRUE(certifiesFrequency(body, state.x, top + near * size)) << what << ", " << near;
+            EXPECT_FALSE(certifiesFrequency(body, state.x, top - near * size)) << what << ", " << near;
+          }
+          EXPECT_FALSE(certifiesFrequency(body, state.x, top)) << what;
+          if (!(top > 0)) continue;
+          const double h = 2 / std::sqrt(top);
+          EXPECT_TRUE(certifies(body, state.x, 0.999 * h, 2)) << what;
+          EXPECT_FALSE(certifies(body, state.x, 1.001 * h, 2)) << what;
+          EXPECT_TRUE(certifies(body, state.x, 1.399 * h, 2.8)) << what;
+          EXPECT_FALSE(certifies(body, state.x, 1.401 * h, 2.8)) << what;
+        }
+      }
+}
+
+TEST(FactoredCertificate, OfABodyWithNothingFree) {
+  Body body = test::boxBody(test::allCuts()[0], "stvk");
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.constraints().fix(i);
+  EXPECT_TRUE(certifies(body, body.mesh().X, 1e6, 2));
+}
+
+TEST(FactoredCertificate, RefusesNoStepAtAll) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double bad : {0.0, -1.0, nan}) {
+    EXPECT_THROW(certifies(body, body.mesh().X, bad, 2), InputError) << bad;
+    EXPECT_THROW(certifies(body, body.mesh().X, 1e-3, bad), InputError) << bad;
+    EXPECT_FALSE(certifiesFrequency(body, body.mesh().X, bad)) << bad;
+  }
+  EXPECT_FALSE(certifiesFrequency(body, body.mesh().X, std::numeric_limits<double>::infinity()));
+}
+
+}  // namespace
+}  // namespace ringwatch

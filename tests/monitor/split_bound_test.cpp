@@ -1,0 +1,148 @@
+// The bound by shared stiffness: true for every target and after every iteration, and tight where no shapes are.
+#include <gtest/gtest.h>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/packed_jacobi.h>
+#include <ringwatch/monitor/split_bound.h>
+#include <tests/monitor/monitor_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::Cut;
+using test::DenseTangent;
+using test::Hold;
+
+TEST(PackedJacobi, IsEigensOwnDecomposition) {
+  constexpr int lanes = PatchLayout::lanes;
+  test::Random random(21);
+  for (const int n : {1, 2, 3, 12, 15, 24})
+    for (int repeat = 0; repeat < 30; ++repeat) {
+      std::vector<Eigen::MatrixXd> matrices;
+      const auto entries = static_cast<std::size_t>(n * n);
+      AlignedVector<NativePack> A(entries), VT(entries);
+      for (int lane = 0; lane < lanes; ++lane) {
+        // Any, of low rank, already diagonal, zero.
+        const int kind = random.index(4), rank = kind == 1 ? std::min(n, 2) : n;
+        Eigen::MatrixXd B = Eigen::MatrixXd::NullaryExpr(n, rank, [&] { return random.uniform(-1, 1); });
+        Eigen::MatrixXd M = kind == 0 ? Eigen::MatrixXd(B + B.transpose()) : Eigen::MatrixXd(B * B.transpose());
+        if (kind == 2) M = Eigen::MatrixXd(M.diagonal().asDiagonal());
+        if (kind == 3 && repeat % 3 == 0) M.setZero();
+        matrices.push_back(M);
+        for (int i = 0; i < n * n; ++i) A[static_cast<std::size_t>(i)].set(lane, M(i / n, i % n));
+      }
+      const NativePack left = diagonalize<0>(A.data(), VT.data(), n, 1e-12, 30);
+      for (int lane = 0; lane < lanes; ++lane) {
+        const Eigen::MatrixXd& M = matrices[static_cast<std::size_t>(lane)];
+        Eigen::MatrixXd V(n, n);
+        Eigen::VectorXd values(n);
+        for (int i = 0; i < n; ++i) {
+          values[i] = A[static_cast<std::size_t>(i * n + i)][lane];
+          for (int j = 0; j < n; ++j) V(j, i) = VT[static_cast<std::size_t>(i * n + j)][lane];
+        }
+        const double size = 1 + M.norm();
+        EXPECT_LE(left[lane], 1e-11 * size);
+        EXPECT_LE((V.transpose() * V - Eigen::MatrixXd::Identity(n, n)).norm(), 1e-12) << n;
+        EXPECT_LE((V * values.asDiagonal() * V.transpose() - M).norm(), 1e-11 * size) << n;
+        std::sort(values.begin(), values.end());
+        EXPECT_LE((values - Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues()).norm(), 1e-11 * size) << n;
+      }
+    }
+}
+
+TEST(PackedJacobi, SaysHowFarItGot) {
+  constexpr int n = 12;
+  test::Random random(22);
+  AlignedVector<NativePack> A(n * n), VT(n * n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j <= i; ++j)
+      A[static_cast<std::size_t>(i * n + j)] = A[static_cast<std::size_t>(j * n + i)] =
+          NativePack(random.uniform(-1, 1));
+  Eigen::MatrixXd M(n, n);
+  for (int i = 0; i < n * n; ++i) M(i / n, i % n) = A[static_cast<std::size_t>(i)][0];
+  const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues()[0];
+  const double left = diagonalize<n>(A.data(), VT.data(), n, 0.0, 1)[0];
+  EXPECT_GT(left, 1e-6);
+  double found = A[0][0];
+  for (int i = 1; i < n; ++i) found = std::min(found, A[static_cast<std::size_t>(i * n + i)][0]);
+  EXPECT_LE(std::abs(found - least), left);
+}
+
+TEST(SplitBound, HoldsForAnyTargetAfterAnyIteration) {
+  for (const Cut& cut : test::allCuts())
+    for (const LawInfo& law : allLaws())
+      for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
+        Body body = test::boxBody(cut, law.name);
+        test::holdBody(body, hold);
+        for (const test::NamedState& state : test::deformedStates(body.mesh().X, 6)) {
+          const DenseTangent dense(body, state.x);
+          if (!dense.finite()) continue;
+          const double lambda = dense.largest();
+          NodalBound shapes(body);
+          shapes.evaluate(state.x, 2);
+          for (const double share : {0.0, 0.7, 1.001, 2.0})
+            for (const int iterations : {1, 4, 12}) {
+              const SplitBound bound = splitUpperBound(body, state.x, shapes, share * lambda, 0, iterations);
+              EXPECT_GE(bound.upper.value, lambda * (1 - 1e-10))
+                  << cut.name << ", " << law.name << ", " << test::holdName(hold) << ", " << state.name << ", share "
+                  << share << ", " << iterations << " iterations";
+              EXPECT_EQ(bound.iterations, iterations);
+            }
+        }
+      }
+}
+
+TEST(SplitBound, IsWithinOnePercentOnRegularGrids) {
+  for (const Cut& cut : test::allCuts())
+    for (const double jitter : {0.0, 0.2}) {
+      const Body body = test::boxBody(cut, "stvk", {3, 3, 3}, jitter);
+      const NodeVectors& X = body.mesh().X;
+      const double lambda = DenseTangent(body, X).largest();
+      NodalBound shapes(body);
+      shapes.evaluate(X, 12);
+      const SplitBound bound = splitUpperBound(body, X, shapes, 1.01 * lambda, 1.02 * lambda, 60);
+      EXPECT_GE(bound.upper.value, lambda) << cut.name;
+      EXPECT_LE(bound.upper.value, 1.02 * lambda) << cut.name << ", jitter " << jitter;
+      EXPECT_LT(bound.iterations, 60) << cut.name;
+    }
+}
+
+TEST(SplitBound, StopsWhereItIsAccepted) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk", {3, 3, 3}, 0);
+  const NodeVectors& X = body.mesh().X;
+  const double lambda = DenseTangent(body, X).largest();
+  NodalBound shapes(body);
+  shapes.evaluate(X, 5);
+  int before = 0;
+  for (const double accept : {1.3, 1.1, 1.03}) {
+    const SplitBound bound = splitUpperBound(body, X, shapes, 1.01 * lambda, accept * lambda, 100);
+    EXPECT_LE(bound.upper.value, accept * lambda);
+    EXPECT_GT(bound.iterations, before);
+    EXPECT_LE(bound.decompositions, bound.iterations * static_cast<std::int64_t>(body.mesh().elementCount()));
+    before = bound.iterations;
+  }
+}
+
+TEST(SplitBound, IsInfiniteWithoutATangent) {
+  const Body body = test::boxBody(test::allCuts()[0], "neo-hookean");
+  const NodeVectors& X = body.mesh().X;
+  NodalBound shapes(body);
+  shapes.evaluate(X, 1);
+  const NodeVectors inverted = Eigen::Vector3d(-0.5, 1, 1).asDiagonal() * X;
+  EXPECT_TRUE(std::isinf(splitUpperBound(body, inverted, shapes, 1e6, 0, 5).upper.value));
+}
+
+TEST(SplitBound, IsTheSameForAnyNumberOfThreads) {
+  double one = 0;
+  for (const int threads : {1, 2, 3}) {
+    const Body body = test::boxBody(test::allCuts()[0], "stvk", {4, 3, 3}, 0.1, 3, threads);
+    NodalBound shapes(body);
+    const double value = shapes.evaluate(body.mesh().X, 3).value;
+    const double bound = splitUpperBound(body, body.mesh().X, shapes, 0.8 * value, 0, 8).upper.value;
+    if (threads == 1) one = bound;
+    EXPECT_EQ(bound, one);
+  }
+}
+
+}  // namespace
+}  // namespace ringwatch
