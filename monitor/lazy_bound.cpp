@@ -378,7 +378,10 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
     }
     return true;
   }
-  if (updates_ - lastRetarget_ >= retargetGap_) {
+  // Starting afresh pays where sigma has drifted above what it gave last; else only a state that has changed much
+  // helps.
+  const bool drifted = sigma_ > 1.02 * tightOverLower_ * (1 + slack_) * lower.value;
+  if (updates_ - lastRetarget_ >= (drifted ? retargetGap_ : std::max(retargetGap_, 640))) {
     spent_ = {};
     retarget(x, coldSweeps);
     const double fresh = shapes_.last() * (1 + slack_);
