@@ -467,7 +467,7 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
     scene.mode = MonitorMode::metric;
     scene.metric.clear();
   }
-  if (scene.bracket && scene.damping.any() && !info.highestModeBinds)
+  if (scene.proves() && scene.damping.any() && !info.highestModeBinds)
     fail(integrator.at("method").origin, "integrator.method",
          fmt::format("\"{}\": with [damping] the bracket is proven for symplectic-euler and verlet only; choose one of "
                      "them, or set monitor.bracket = false, with a monitor.metric for an estimate",
