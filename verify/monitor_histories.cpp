@@ -120,7 +120,7 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
     figure.curves[curve].x.push_back(state.time);
     figure.curves[curve].y.push_back(value);
   };
-  const int sampleEvery = std::max(1, history.steps / 60);
+  const int sampleEvery = std::max(1, history.steps / 200);
   std::vector<double> width;  // of the safe side against the exact step, %
   double worstOptimistic = -std::numeric_limits<double>::infinity();
   std::int64_t outside = 0, falseAlarms = 0, evaluated = 0, looks = 0;

@@ -328,7 +328,8 @@ TEST(Metrics, DoNotSeeARigidMotion) {
                 EXPECT_NEAR(after.elementLambda[b][e], before.elementLambda[b][e], 1e-8 * before.lambda)
                     << metric.name << ", " << cut.name << ", " << law.name << ", " << b << ":" << e;
           }
-          EXPECT_NEAR(criticalStep(body, turned, limit).safe, safe, 1e-8 * safe) << cut.name << ", " << law.name;
+          // Iterated until it is narrow enough, which turned numbers reach a little earlier or later.
+          EXPECT_NEAR(criticalStep(body, turned, limit).safe, safe, 1e-5 * safe) << cut.name << ", " << law.name;
         }
       }
     }

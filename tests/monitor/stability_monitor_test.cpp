@@ -222,17 +222,19 @@ TEST(StabilityMonitor, ReportsAnEnergyImbalance) {
     return monitor.observe(step, 0.1 * static_cast<double>(step), body.mesh().X, noVelocity(body), 1e-9, &energies)
         .newEvents.size();
   };
-  EXPECT_EQ(observe(0, 0.0), 0u);
-  EXPECT_EQ(observe(1, 0.39), 0u);
-  EXPECT_EQ(observe(2, -0.41), 1u);
-  EXPECT_EQ(observe(3, 0.5), 0u);  // goes on
-  EXPECT_EQ(observe(4, 0.1), 0u);  // ends
-  EXPECT_EQ(observe(5, 0.5), 1u);  // begins again
+  // Schemes with lagging velocities are off at the start of a run under load.
+  for (int step = 0; step < 20; ++step) EXPECT_EQ(observe(step, step == 0 ? 0.0 : 4.0 / step), 0u) << step;
+  EXPECT_EQ(observe(20, 0.0), 0u);
+  EXPECT_EQ(observe(21, 0.39), 0u);
+  EXPECT_EQ(observe(22, -0.41), 1u);
+  EXPECT_EQ(observe(23, 0.5), 0u);  // goes on
+  EXPECT_EQ(observe(24, 0.1), 0u);  // ends
+  EXPECT_EQ(observe(25, 0.5), 1u);  // begins again
   ASSERT_EQ(countEvents(monitor, EventKind::energyBalance), 2);
   const MonitorEvent& event = monitor.events()[0];
-  EXPECT_EQ(event.step, 2);
+  EXPECT_EQ(event.step, 22);
   EXPECT_NEAR(event.value, 0.1025, 1e-12);
-  expectText(event, {"step 2", "0.2 s", "energy", "10.25 %"});
+  expectText(event, {"step 22", "2.2 s", "energy", "10.25 %"});
 }
 
 TEST(StabilityMonitor, SeesTheEnergyOfARunBeyondItsStep) {
