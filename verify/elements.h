@@ -11,9 +11,8 @@ namespace ringwatch {
 ///  - a manufactured solution (linear law, and St. Venant–Kirchhoff at large strain): rates in L2 and H1, theory: order
 ///  + 1
 ///    and order, within 0.1;
-///  - natural frequencies: a free rod (ν = 0, exact), a ball of linear elements (Lamb 1882, breathing mode), a
-///  cantilever
-///    against Timoshenko's beam, statically; all with the observed order where the answer is exact;
+///  - natural frequencies: a free rod (ν = 0, exact), a ball of linear elements (Lamb 1882, breathing and torsion), a
+///    cantilever against Timoshenko's beam; all with the observed order;
 ///  - locking: the tip deflection of a cantilever at ν = 0.3, 0.45, 0.49, 0.499;
 ///  - cost: tip error against the time that a simulated second of an explicit run takes.
 /// quick: seconds, coarse meshes; full: one refinement more.
