@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <random>
 #include <string>
 #include <tuple>
 
+#include <ringwatch/base/random.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/meshes/generators.h>
 
@@ -58,8 +58,8 @@ inline Setup& setupOf(const Case& c) {
   setup.reset();
   setup.reset(
       new Setup{Body(makeMesh(c), makeMaterial(c.law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, c.threads}), {}, {}, {}});
-  std::mt19937_64 engine(1);
-  const auto random = [&] { return static_cast<double>(engine() >> 11) * 0x1p-52 - 1; };
+  Random source(1);
+  const auto random = [&] { return source.uniform(-1, 1); };
   const NodeVectors& X = setup->body.mesh().X;
   Eigen::Matrix3d F;
   F << 1.1, 0.02, 0, -0.03, 0.95, 0.01, 0, 0.04, 1.02;

@@ -4,39 +4,42 @@
 
 #include <ringwatch/base/aligned.h>
 #include <ringwatch/body/element_block.h>
+#include <ringwatch/body/motion_odometer.h>
 
 namespace ringwatch {
 
-/// Tells which elements of a block have left a ball |F - F0| <= r around an anchor, cheaply: groups of batches are
-/// passed over while their nodes have moved, but for an affine motion, by less than the slack that the last look left.
-/// With y the positions and F' the deformation gradient at that look, x = y + t + A y + r for any t and A,
-///   |F - F'| <= |A| |F'| + γ_e max_a |r_a|,   γ_e = max_q Σ_a |∂N_a/∂X|.
-/// t and A are those of four nodes of the group that lie far apart. Norms are Frobenius norms. Numbers are kept in
-/// single precision and rounded to the safe side.
+/// Tells which elements of a block have left a ball |F - F0| <= r around an anchor, cheaply: groups of batches rest
+/// while an odometer says that nothing has moved by more than the room that the last look left. Norms are Frobenius
+/// norms. Numbers are kept in single precision and rounded to the safe side.
 struct DeformationWatch {
-  static constexpr int groupBatches = 8;
+  static constexpr int groupBatches = 64;
   struct Group {
     std::int32_t batchBegin, batchEnd;
-    std::int32_t nodeBegin, nodeEnd;  // into groupNodes
-    double slack = -1;                // min of room over γ: what |A| reach + |r| may be; < 0: look
-    double reach = 0;                 // max of |F'| over γ
-    std::int32_t frame[4] = {};       // group nodes that t and A are taken from
-    double inverse[9] = {};           // of the frame's edges at the look, row by row
+    std::size_t runBegin, runEnd;  // into runs
+    double room = -1;              // at the last look: min of (r - |F - F0|) over γ; < 0: look
+    double reach = 0;              // largest |F| over γ that elements come to within that room
+    double turnedSince = 0;        // the odometer then
   };
-  AlignedVector<float> anchor;        // [batch][q][9][lane], F0
-  AlignedVector<float> radius;        // [batch][lane], r; < 0: always left; infinity: never
-  AlignedVector<float> gradientNorm;  // [batch][lane], γ
+  AlignedVector<float> anchor;               // [batch][q][9][lane], F0
+  AlignedVector<float> radius;               // [batch][lane], r; < 0: always left; infinity: never
+  AlignedVector<float> inverseGradientNorm;  // [batch][lane], 1/γ, m
   std::vector<Group> groups;
-  std::vector<std::int32_t> patchGroups;  // patches + 1: groups of each patch
-  std::vector<std::uint16_t> groupNodes;  // rows of the patch's node list
-  AlignedVector<double> lookedAt;         // [group node][4], position at the last look
+  std::vector<std::int32_t> patchGroups;      // patches + 1: groups of each patch
+  std::vector<std::int32_t> runs;             // the odometer's runs of nodes that each group touches
+  std::vector<MotionOdometer::Course> since;  // of each of them, the odometer at the last look
 
   /// Sizes everything for a block; every element counts as having left until it is anchored.
-  explicit DeformationWatch(const ElementBlock& block);
-  /// Forgets every slack: the next look visits every element.
+  DeformationWatch(const ElementBlock& block, const MotionOdometer& odometer);
+  /// Forgets all room: the next look visits every element.
   void lookAtAll() {
-    for (Group& group : groups) group.slack = -1;
+    for (Group& group : groups) group.room = -1;
   }
+  /// Forgets the room of a batch's group: its elements' balls have become smaller.
+  void lookAtBatch(std::int32_t batch);
+  /// Whether no element of the group can have left its ball.
+  bool rests(const Group& group, const MotionOdometer& odometer) const;
+  /// A group has been looked at.
+  void startRest(Group& group, double room, double reach, const MotionOdometer& odometer);
 };
 
 }  // namespace ringwatch

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include <ringwatch/base/error.h>
@@ -180,18 +181,19 @@ class ElementBatch final : public ElementBlock {
       }
   }
 
-  void lookAtPatch(std::int32_t patchIndex, const double* x, DeformationWatch& watch,
+  void lookAtPatch(std::int32_t patchIndex, const double* x, const MotionOdometer& odometer, DeformationWatch& watch,
                    std::vector<std::int32_t>& left) const override {
     const Patch& patch = layout().patches[static_cast<std::size_t>(patchIndex)];
     alignas(64) double rows[4 * maxPatchNodes];
-    gatherRows(patch, x, rows);
+    bool gathered = false;
     const auto first = static_cast<std::size_t>(watch.patchGroups[static_cast<std::size_t>(patchIndex)]);
     const auto last = static_cast<std::size_t>(watch.patchGroups[static_cast<std::size_t>(patchIndex) + 1]);
     for (std::size_t g = first; g < last; ++g) {
       DeformationWatch::Group& group = watch.groups[g];
-      if (group.slack >= 0 && relativeMotion(watch, group, rows) <= group.slack) continue;
-      lookAtGroup(watch, group, rows, left);
-      keepPositions(watch, group, rows);
+      if (watch.rests(group, odometer)) continue;
+      if (!gathered) gatherRows(patch, x, rows);
+      gathered = true;
+      lookAtGroup(watch, group, rows, odometer, left);
     }
   }
 
@@ -336,111 +338,57 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  /// |A| reach + max |r| of DeformationWatch for the motion since the last look; r component by component, hence never
-  /// too small.
-  static double relativeMotion(const DeformationWatch& watch, const DeformationWatch::Group& group,
-                               const double* rows) {
-    const std::uint16_t* node = watch.groupNodes.data();
-    const auto y = [&](std::int32_t i) {
-      return detail::loadRow(watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
+  /// Compares every element of the group with its ball, and sets how far nodes may move before the next look.
+  void lookAtGroup(DeformationWatch& watch, DeformationWatch::Group& group, const double* rows,
+                   const MotionOdometer& odometer, std::vector<std::int32_t>& left) const {
+    typedef float Floats __attribute__((vector_size(lanes * sizeof(float))));
+    const auto loadFloats = [](const float* from) {
+      Floats values;
+      std::memcpy(&values, from, sizeof values);
+      return P(__builtin_convertvector(values, typename P::Values));
     };
-    const auto moved = [&](std::int32_t i) { return detail::loadRow(rows + 4 * node[i]) - y(i); };
-    const detail::Row4 origin = y(group.frame[0]), translation = moved(group.frame[0]);
-    detail::Row4 A[3] = {};  // columns
-    for (int k = 0; k < 3; ++k) {
-      const detail::Row4 edge = moved(group.frame[k + 1]) - translation;
-      for (int j = 0; j < 3; ++j) A[j] += edge * group.inverse[3 * k + j];
-    }
-    detail::Row4 largest{}, poison{};  // a NaN would pass the comparison unseen
-    for (std::int32_t i = group.nodeBegin; i < group.nodeEnd; ++i) {
-      const detail::Row4 at = y(i) - origin;
-      const detail::Row4 d = moved(i) - translation - A[0] * at[0] - A[1] * at[1] - A[2] * at[2];
-      const detail::Row4 size = d < 0 ? -d : d;
-      largest = size > largest ? size : largest;
-      poison += d;
-    }
-    const detail::Row4 squares = A[0] * A[0] + A[1] * A[1] + A[2] * A[2];
-    const double sum = poison[0] + poison[1] + poison[2] + squares[0] + squares[1] + squares[2];
-    if (!std::isfinite(sum)) return std::numeric_limits<double>::infinity();
-    return std::sqrt(squares[0] + squares[1] + squares[2]) * group.reach +
-           std::sqrt(largest[0] * largest[0] + largest[1] * largest[1] + largest[2] * largest[2]);
-  }
-
-  /// Remembers the nodes' positions, and four of them that lie far apart.
-  static void keepPositions(DeformationWatch& watch, DeformationWatch::Group& group, const double* rows) {
-    const auto at = [&](std::int32_t i) { return rows + 4 * watch.groupNodes[static_cast<std::size_t>(i)]; };
-    for (std::int32_t i = group.nodeBegin; i < group.nodeEnd; ++i)
-      std::copy_n(at(i), 4, watch.lookedAt.data() + 4 * static_cast<std::ptrdiff_t>(i));
-    // Farthest from the first, from their line, from their plane: by size of the cross and triple product.
-    Matrix3<double> edges = Matrix3<double>::zero();  // rows
-    double normal[3] = {0, 0, 0};
-    group.frame[0] = group.nodeBegin;
-    for (int k = 0; k < 3; ++k) {
-      double most = -1;
-      for (std::int32_t i = group.nodeBegin; i < group.nodeEnd; ++i) {
-        double d[3], size = 0;
-        for (int c = 0; c < 3; ++c) d[c] = at(i)[c] - at(group.frame[0])[c];
-        if (k == 0) size = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-        if (k == 1)
-          for (int c = 0; c < 3; ++c) {
-            const double cross = edges(0, c) * d[(c + 1) % 3] - edges(0, (c + 1) % 3) * d[c];
-            size += cross * cross;
-          }
-        if (k == 2) size = std::abs(normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2]);
-        if (!(size > most)) continue;
-        most = size;
-        group.frame[k + 1] = i;
-        for (int c = 0; c < 3; ++c) edges(k, c) = d[c];
-      }
-      for (int c = 0; c < 3 && k == 1; ++c)
-        normal[c] = edges(0, (c + 1) % 3) * edges(1, (c + 2) % 3) - edges(0, (c + 2) % 3) * edges(1, (c + 1) % 3);
-    }
-    // Column k of A follows from edges: A eᵢ = Σ_k (moved edge k) (E⁻¹)_(k,i) with the edges as columns of E.
-    const Matrix3<double> inverseEdges = inverse(transpose(edges));
-    std::copy_n(inverseEdges.m, 9, group.inverse);
-  }
-
-  /// Compares every element of the group with its ball, and sets how far it may move before the next look.
-  void lookAtGroup(const DeformationWatch& watch, DeformationWatch::Group& group, const double* rows,
-                   std::vector<std::int32_t>& left) const {
-    double slack = std::numeric_limits<double>::infinity(), reach = 0;
+    const auto roughRoot = [](P a) {  // to 1e-7
+      Floats values = __builtin_convertvector(a.v, Floats);
+      for (int lane = 0; lane < lanes; ++lane) values[lane] = std::sqrt(values[lane]);
+      return P(__builtin_convertvector(values, typename P::Values));
+    };
+    P leastRoom(std::numeric_limits<double>::infinity()), reach(0.0);
+    const std::size_t leftBefore = left.size();
     for (std::int32_t batch = group.batchBegin; batch < group.batchEnd; ++batch) {
       P position[n][3];
       load(rows, batch, position);
       const P* geometry = geometryOf(batch);
       const float* anchor = watch.anchor.data() + static_cast<std::ptrdiff_t>(batch) * points_ * 9 * lanes;
-      P distance2(0.0), size2(0.0), here2(0.0);
+      P distance2(0.0), here2(0.0);
       for (int q = 0; q < pointCount(); ++q, geometry += 10) {
         const Matrix3<P> F = gradient(position, q) * inverseJacobian(geometry);
-        P d2(0.0), s2(0.0);
+        P d2(0.0);
         here2 = math::max(here2, innerProduct(F, F));
         for (int i = 0; i < 9; ++i, anchor += lanes) {
-          P a;
-          for (int lane = 0; lane < lanes; ++lane) a.v[lane] = static_cast<double>(anchor[lane]);
-          const P d = F.m[i] - a;
+          const P d = F.m[i] - loadFloats(anchor);
           d2 += d * d;
-          s2 += a * a;
         }
         // A NaN fails the comparison inside max and would pass unseen: keep it.
         distance2 = select(d2 <= distance2, distance2, d2);
-        size2 = math::max(size2, s2);
       }
-      // The anchor's rounding to single precision belongs to the distance.
-      const P distance = math::sqrt(distance2) + P(1e-7) * math::sqrt(size2);
-      for (int lane = 0; lane < lanes; ++lane) {
-        const std::int32_t e =
-            layout().elements[static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane)];
-        if (e < 0) continue;
-        const auto place = static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane);
-        const double room = static_cast<double>(watch.radius[place]) - distance[lane];
-        if (!(room >= 0)) left.push_back(e);
-        const auto gradientNorm = static_cast<double>(watch.gradientNorm[place]);
-        slack = std::min(slack, room >= 0 ? room / gradientNorm : -1.0);
-        reach = std::max(reach, std::sqrt(here2[lane]) / gradientNorm);
-      }
+      // Roots in single precision, rounded up, cost a third. The anchor's rounding to single precision belongs to the
+      // distance too, and |F0| <= |F| + |F - F0|.
+      const P distance = P(1 + 1e-6) * roughRoot(distance2), here = P(1 + 1e-6) * roughRoot(here2);
+      const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(batch) * lanes;
+      const P inverseNorm = loadFloats(watch.inverseGradientNorm.data() + place);
+      const P room = loadFloats(watch.radius.data() + place) - distance - P(1e-7) * here;
+      leastRoom = math::min(leastRoom, room * inverseNorm);
+      reach = math::max(reach, P(1 + 3e-6) * here * inverseNorm);
+      if (allOf(room >= P(0.0))) continue;
+      for (int lane = 0; lane < lanes; ++lane)
+        if (!(room[lane] >= 0)) left.push_back(layout().elements[static_cast<std::size_t>(place + lane)]);
     }
-    group.slack = slack;
-    group.reach = reach;
+    double least = leastRoom[0], most = reach[0];
+    for (int lane = 1; lane < lanes; ++lane) {
+      least = std::min(least, leastRoom[lane]);
+      most = std::max(most, reach[lane]);
+    }
+    watch.startRest(group, left.size() > leftBefore ? -1 : least, most, odometer);
   }
 
   /// Copies the patch's nodes into rows of four, once, and calls kernel(rows, batch) for its batches.

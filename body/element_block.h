@@ -34,6 +34,7 @@ struct PatchLayout {
 PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block);
 
 struct DeformationWatch;
+class MotionOdometer;
 
 /// How fast an element's highest eigenvalue can grow when its deformation gradients move away from an anchor. With l
 /// the largest eigenvalue of D⁻¹K_e at the anchor, b >= lambda_max(D⁻¹ Σ_q w_q B_qᵀB_q), and |F_q - F0_q| <= δ <=
@@ -81,8 +82,8 @@ class ElementBlock {
   /// Anchors the watch of elements at positions x: writes F0 and returns each lane's drift coefficients in drift[lane].
   virtual void anchorOf(const std::int32_t* elements, const double* x, DeformationWatch& watch,
                         TangentDrift* drift) const = 0;
-  /// Appends the elements of a patch that have left their balls to `left`.
-  virtual void lookAtPatch(std::int32_t patch, const double* x, DeformationWatch& watch,
+  /// Appends the elements of a patch that have left their balls to `left`; the odometer has come to x.
+  virtual void lookAtPatch(std::int32_t patch, const double* x, const MotionOdometer& odometer, DeformationWatch& watch,
                            std::vector<std::int32_t>& left) const = 0;
   /// max_q Σ_a |∂N_a/∂X| of the elements of a batch, 1/m: norms[lane].
   virtual void gradientNormBatch(std::int32_t batch, double* norms) const = 0;

@@ -23,7 +23,8 @@ class TangentBlock final : public ElementBlock {
   void anchorOf(const std::int32_t*, const double*, DeformationWatch&, TangentDrift*) const override {
     unknown("deformation gradient");
   }
-  void lookAtPatch(std::int32_t, const double*, DeformationWatch&, std::vector<std::int32_t>&) const override {
+  void lookAtPatch(std::int32_t, const double*, const MotionOdometer&, DeformationWatch&,
+                   std::vector<std::int32_t>&) const override {
     unknown("deformation gradient");
   }
   void gradientNormBatch(std::int32_t, double*) const override { unknown("shape gradients"); }

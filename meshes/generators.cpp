@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <unordered_map>
 #include <vector>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/random.h>
 #include <ringwatch/meshes/quality.h>
 
 namespace ringwatch {
@@ -263,9 +263,7 @@ Mesh makeBar(const BarOptions& options, bool mixed) {
   }
 
   Mesh mesh = mixed ? fillMixed(grid) : fillElements(grid, split);
-  // std::uniform_real_distribution differs between standard libraries; the engine itself does not.
-  std::mt19937_64 engine(options.seed);
-  const auto uniform = [&] { return 2.0 * (static_cast<double>(engine() >> 11) * 0x1p-53) - 1.0; };
+  Random random(options.seed);
   static constexpr const char* faceNames[3][2] = {{"x-min", "x-max"}, {"y-min", "y-max"}, {"z-min", "z-max"}};
   for (int k = 0; k <= grid.cells[2]; ++k)
     for (int j = 0; j <= grid.cells[1]; ++j)
@@ -279,7 +277,8 @@ Mesh makeBar(const BarOptions& options, bool mixed) {
           if (at == 0) mesh.nodeSets[faceNames[axis][0]].push_back(node);
           if (at == last) mesh.nodeSets[faceNames[axis][1]].push_back(node);
           if (options.jitter > 0) {
-            const double draw = uniform();  // drawn for every node, so that the sequence does not depend on the shape
+            const double draw =
+                random.uniform(-1, 1);  // drawn for every node, so that the sequence does not depend on the shape
             if (at > 0 && at < last) x += options.jitter * draw * std::min(t[at] - t[at - 1], t[at + 1] - t[at]);
           }
           mesh.X(axis, node) = x;

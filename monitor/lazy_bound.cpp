@@ -31,13 +31,39 @@ double roomFor(const Eigen::Matrix3d& base, const Eigen::Matrix3d& part, double 
   return top > 0 ? 1 / (top * (1 + 1e-12)) : std::numeric_limits<double>::infinity();
 }
 
+/// Largest number first, elements in order among equals.
+template <class T>
+std::vector<ElementRef> mostFirst(std::vector<std::pair<T, ElementRef>> found) {
+  std::sort(found.begin(), found.end(),
+            [](const auto& a, const auto& b) { return a.first != b.first ? a.first > b.first : a.second < b.second; });
+  std::vector<ElementRef> result;
+  for (const auto& entry : found) result.push_back(entry.second);
+  return result;
+}
+
+/// All nodes, patch after patch: neighbours in space stand near one another.
+std::vector<std::int32_t> nodesByPatch(const Body& body) {
+  std::vector<std::int32_t> order;
+  std::vector<bool> taken(static_cast<std::size_t>(body.nodeCount()));
+  const auto take = [&](std::int32_t node) {
+    if (taken[static_cast<std::size_t>(node)]) return;
+    taken[static_cast<std::size_t>(node)] = true;
+    order.push_back(node);
+  };
+  for (const auto& block : body.blocks())
+    for (const std::int32_t node : block->layout().nodes) take(node);
+  for (std::int32_t node = 0; node < body.nodeCount(); ++node) take(node);
+  return order;
+}
+
 }  // namespace
 
-LazyBound::LazyBound(const Body& body, double slack) : body_(body), slack_(slack), shapes_(body) {
+LazyBound::LazyBound(const Body& body, double slack)
+    : body_(body), slack_(slack), shapes_(body), odometer_(nodesByPatch(body), body.threads()) {
   for (const auto& block : body.blocks()) {
     const std::size_t places = block->layout().elements.size();
-    blocks_.push_back({DeformationWatch(*block), std::vector<double>(places), std::vector<double>(places),
-                       std::vector<double>(places)});
+    blocks_.push_back({DeformationWatch(*block, odometer_), std::vector<double>(places), std::vector<double>(places),
+                       std::vector<double>(places), std::vector<float>(places)});
   }
 }
 
@@ -123,7 +149,18 @@ void LazyBound::note(ElementRef element, const TangentDrift& drift) {
     spent_.leastDeterminantElement = element;
   }
   const Lame lame = body_.blocks()[static_cast<std::size_t>(element.block)]->material().lame();
-  spent_.compression = std::max(spent_.compression, drift.negative / (lame.lambda + 2 * lame.mu));
+  blocks_[static_cast<std::size_t>(element.block)].compression[placeOf(element)] =
+      static_cast<float>(drift.negative / (lame.lambda + 2 * lame.mu));
+}
+
+std::vector<ElementRef> LazyBound::compressedElements(double least) const {
+  std::vector<std::pair<float, ElementRef>> found;
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    for (std::size_t place = 0; place < blocks_[b].compression.size(); ++place)
+      if (static_cast<double>(blocks_[b].compression[place]) > least)
+        found.push_back({blocks_[b].compression[place],
+                         {static_cast<std::int32_t>(b), body_.blocks()[b]->layout().elements[place]}});
+  return mostFirst(std::move(found));
 }
 
 void LazyBound::dealBudgets(const NodeVectors& x) {
@@ -177,6 +214,7 @@ void LazyBound::retarget(const NodeVectors& x, int sweeps) {
 }
 
 LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
+  overBudget_.clear();
   // Who has left its ball?
   std::vector<ElementRef> gone;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -184,22 +222,25 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
     const auto patches = static_cast<std::int64_t>(block.layout().patches.size());
     std::vector<std::vector<std::int32_t>> left(static_cast<std::size_t>(patches));
     parallelFor(0, patches, body_.threads(), [&](std::int64_t p) {
-      block.lookAtPatch(static_cast<std::int32_t>(p), x.data(), blocks_[b].watch, left[static_cast<std::size_t>(p)]);
+      block.lookAtPatch(static_cast<std::int32_t>(p), x.data(), odometer_, blocks_[b].watch,
+                        left[static_cast<std::size_t>(p)]);
     });
     for (const auto& list : left)
       for (std::int32_t e : list) gone.push_back({static_cast<std::int32_t>(b), e});
   }
   std::vector<double> values;
   evaluate(x, gone, false, values);
-  std::vector<ElementRef> over;
+  std::vector<std::pair<double, ElementRef>> over;
   for (std::size_t i = 0; i < gone.size(); ++i) {
     if (!std::isfinite(values[i])) return Outcome::notFinite;
-    if (values[i] > blocks_[static_cast<std::size_t>(gone[i].block)].budget[placeOf(gone[i])]) over.push_back(gone[i]);
+    const double budget = blocks_[static_cast<std::size_t>(gone[i].block)].budget[placeOf(gone[i])];
+    if (values[i] > budget) over.push_back({budget > 0 ? values[i] / budget : values[i], gone[i]});
   }
+  overBudget_ = mostFirst(std::move(over));
   // When very many are over, mending one by one costs more than starting afresh.
-  if (static_cast<double>(over.size()) > 0.05 * static_cast<double>(body_.mesh().elementCount()))
+  if (static_cast<double>(overBudget_.size()) > 0.05 * static_cast<double>(body_.mesh().elementCount()))
     return Outcome::flooded;
-  for (ElementRef e : over) {
+  for (ElementRef e : overBudget_) {
     const BlockData& data = blocks_[static_cast<std::size_t>(e.block)];
     if (data.value[placeOf(e)] <= data.budget[placeOf(e)]) continue;  // a neighbour's repair served it
     if (!repair(x, e, mayRaise)) return Outcome::failed;
@@ -210,6 +251,7 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
 UpperBound LazyBound::update(const NodeVectors& x) {
   spent_ = {};
   ++updates_;
+  odometer_.advance(x);
   const Outcome outcome = started_ ? follow(x, true) : Outcome::flooded;
   if (outcome == Outcome::flooded || outcome == Outcome::failed) {
     retarget(x, coldSweeps);
@@ -226,6 +268,7 @@ UpperBound LazyBound::update(const NodeVectors& x) {
 bool LazyBound::certify(const NodeVectors& x, double sigma) {
   spent_ = {};
   ++updates_;
+  odometer_.advance(x);
   if (started_ && sigma_ <= sigma) {
     const Outcome outcome = follow(x, false);
     if (outcome == Outcome::fine) return true;
@@ -321,12 +364,7 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
         evaluate(x, ring, false, again);  // balls for the new budgets
         // Other elements of the ring's groups were judged against old slacks.
         for (ElementRef e : ring) {
-          BlockData& data = blocks_[static_cast<std::size_t>(e.block)];
-          const std::int32_t batch = static_cast<std::int32_t>(placeOf(e)) / lanes;
-          auto group =
-              std::upper_bound(data.watch.groups.begin(), data.watch.groups.end(), batch,
-                               [](std::int32_t at, const DeformationWatch::Group& g) { return at < g.batchEnd; });
-          group->slack = -1;
+          blocks_[static_cast<std::size_t>(e.block)].watch.lookAtBatch(static_cast<std::int32_t>(placeOf(e)) / lanes);
         }
         return true;
       }

@@ -40,10 +40,14 @@ class LazyBound {
     double leastDeterminant =
         std::numeric_limits<double>::infinity();  // det F of the elements evaluated; no other can be <= 0
     ElementRef leastDeterminantElement;
-    double compression = 0;  // largest bound of -lambda_min(∂P/∂F) over λ+2μ of the elements evaluated: without any, K
-                             // has no negative part
   };
   const Spent& spent() const { return spent_; }
+  /// Elements whose -lambda_min(∂P/∂F) over λ+2μ was above `least` when last evaluated, most first. Only elements under
+  /// compression can make the tangent indefinite.
+  std::vector<ElementRef> compressedElements(double least) const;
+  /// Elements that exceeded their budgets at the last update, by how much, most first: where the highest eigenvalue may
+  /// have risen.
+  const std::vector<ElementRef>& overBudget() const { return overBudget_; }
   /// Checks the two statements of the proof at x from nothing but the shapes and budgets; for tests. Returns the
   /// largest excess, relative: <= 0 when both hold.
   double verify(const NodeVectors& x) const;
@@ -52,6 +56,7 @@ class LazyBound {
   struct BlockData {
     DeformationWatch watch;
     std::vector<double> budget, value, reach;  // by place = batch * lanes + lane: budget_e, l_e at the anchor, b_e
+    std::vector<float> compression;            // -lambda_min(∂P/∂F) / (λ+2μ) at the anchor, at most
   };
   void retarget(const NodeVectors& x, int sweeps);
   void note(ElementRef element, const TangentDrift& drift);
@@ -72,10 +77,12 @@ class LazyBound {
   const Body& body_;
   double slack_;
   NodalBound shapes_;
+  MotionOdometer odometer_;
   std::vector<BlockData> blocks_;
   double sigma_ = 0;
   bool started_ = false;
   Spent spent_;
+  std::vector<ElementRef> overBudget_;
   std::int64_t updates_ = 0, lastRetarget_ = -1000, lastLowering_ = -1000;
   int retargetGap_ = 40, loweringGap_ = 40;
   double tightOverLower_ = 0;  // the tight bound at the last retarget over the lower bound then; 0: not known yet

@@ -1,8 +1,6 @@
 #pragma once
-#include <vector>
-
 #include <ringwatch/monitor/bounds.h>
-#include <ringwatch/monitor/nodal_bound.h>
+#include <ringwatch/monitor/node_submatrix.h>
 
 namespace ringwatch {
 
@@ -11,26 +9,21 @@ namespace ringwatch {
 /// eigenvalue problem can make too large. products >= 1 tangent products are spent. start = 0 gives a bound of 0.
 LowerBound rayleighLowerBound(const Body& body, const NodeVectors& x, NodeVectors& start, int products);
 
-/// A lower bound of the highest eigenvalue from a few nodes only: M^-½ K M^-½ cut to the nodes where a tracked mode
-/// moves most. A principal submatrix, so proven as the reduced rings are; its cost does not grow with the mesh.
+/// A lower bound of the highest eigenvalue from the few nodes where a tracked mode moves most.
 class HotSpot {
  public:
-  HotSpot(const Body& body, const NodalBound& incidences) : body_(body), incidences_(incidences) {}
+  HotSpot(const Body& body, const NodalBound& incidences) : submatrix_(body, incidences) {}
 
   /// Chooses the nodes where `mode` (3×N, mass-scaled coordinates) is largest, and starts from it.
   void choose(const NodeVectors& mode);
-  bool chosen() const { return !nodes_.empty(); }
   /// The bound at positions x (3×N, m), by a few power iterations from the last vector.
   LowerBound evaluate(const NodeVectors& x);
   /// The element that held most of the last vector's energy.
   ElementRef hottestElement() const { return hottest_; }
 
  private:
-  const Body& body_;
-  const NodalBound& incidences_;
-  std::vector<std::int32_t> nodes_;                  // ascending
-  std::vector<std::vector<std::int32_t>> elements_;  // [block], those at the nodes
-  Eigen::VectorXd vector_;                           // 3 a node
+  NodeSubmatrix submatrix_;
+  Eigen::VectorXd vector_;  // 3 a node
   ElementRef hottest_;
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/monitor/packed_jacobi.h>
 #include <ringwatch/monitor/scaled_tangent.h>
 
@@ -184,12 +185,7 @@ class Splitting {
 
   /// P_e = -A_e, constrained components zero.
   void fillTangents(const NodeVectors& x) {
-    std::vector<std::size_t> firstOfBlock;
-    std::size_t first = 0;
-    for (const auto& block : body_.blocks()) {
-      firstOfBlock.push_back(first);
-      first += static_cast<std::size_t>(block->elementCount());
-    }
+    const std::vector<std::size_t> firstOfBlock = blockOffsets(body_.mesh());
     body_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, NativePack* K) {
       const ElementBlock& block = *body_.blocks()[b];
       const int n = block.element().nodes, size = 3 * n;
@@ -251,9 +247,7 @@ class Splitting {
 
   /// P_e += l_e D_e, the nodal bound's own split.
   void startFrom(const NodalBound& shapes) {
-    std::vector<std::size_t> firstOfBlock(1, 0);
-    for (const auto& block : body_.blocks())
-      firstOfBlock.push_back(firstOfBlock.back() + static_cast<std::size_t>(block->elementCount()));
+    const std::vector<std::size_t> firstOfBlock = blockOffsets(body_.mesh());
     for (std::int32_t node = 0; node < body_.nodeCount(); ++node)
       for (const NodalBound::Incidence& incidence : shapes.incidences(node)) {
         const ElementRef ref = shapes.elementAt(incidence);

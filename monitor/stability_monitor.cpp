@@ -3,62 +3,52 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/element_cause.h>
 #include <ringwatch/monitor/lazy_bound.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/rayleigh.h>
-#include <ringwatch/monitor/reduced_ring.h>
 #include <ringwatch/monitor/split_bound.h>
+#include <ringwatch/monitor/top_mode.h>
 
 namespace ringwatch {
 namespace {
 
 constexpr int energySettling = 20;  // looks before the energy balance is judged
 
-/// A start for the top mode and a lower bound at once: the hottest reduced ring's vector, sharpened by Lanczos.
-LowerBound restartMode(ReducedRing& ring, const Body& body, const NodeVectors& x, int products, NodeVectors& mode,
-                       bool& byRing) {
-  const ReducedRing::Result& rings = ring.evaluate(x, true);
-  // A tracked vector alone can miss a jump of the top mode; the ring's alone can lie beside it: start from their sum.
-  NodeVectors start = ring.topVector(rings.highestElement);
-  if (mode.size() > 0) start += (start.cwiseProduct(mode).sum() < 0 ? -1.0 : 1.0) * mode;
-  mode = std::move(start);
-  const LowerBound quotient = rayleighLowerBound(body, x, mode, products);
-  byRing = !(quotient.value > rings.highest);
-  return {byRing ? rings.highest : quotient.value};
-}
-
 /// Keeps both sides of the bracket along a run: the lazy bound from above, a hot spot of the tracked mode from below.
 class Bracketer {
  public:
   Bracketer(const Body& body, double width)
-      : body_(body), width_(width), lazy_(body, 1.6 * width), hotSpot_(body, lazy_.shapes()), ring_(body) {}
+      : body_(body),
+        width_(width),
+        lazy_(body, slackOfWidth * width),
+        hotSpot_(body, lazy_.shapes()),
+        ringNodes_(body, lazy_.shapes()),
+        ring_(body) {}
 
   const CriticalStep& evaluate(const NodeVectors& x, const StepRule& limit) {
     UpperBound upper = lazy_.update(x);
     spent_ = lazy_.spent();
-    bool byRing = false;
+    method_ = "rayleigh-quotient";
     LowerBound lower{0};
-    const bool first = mode_.size() == 0;
+    const bool first = mode_.size() == 0, afresh = spent_.retargets > 0;
     if (!first) {
       if (++sinceMode_ >= modeEvery) refreshMode(x, warmProducts);
-      lower = hotSpot_.evaluate(x);
+      lower = lookWhereItRose(x, hotSpot_.evaluate(x));
     }
     const double allowed = (1 + width_) * (1 + width_);
     // A bracket that is too wide is either side's fault: look again from below before moving the upper side.
-    if (first || (upper.value > allowed * lower.value && ++sinceRestart_ >= restartGap_)) {
-      const LowerBound whole = restartMode(ring_, body_, x, first ? coldProducts : restartProducts, mode_, byRing);
-      hotSpot_.choose(mode_);
+    if (first || afresh || (upper.value > allowed * lower.value && ++sinceRestart_ >= restartGap_)) {
+      const double before = lower.value;
+      lower = restartMode(x);
       // The hot spot is a part of the whole, its bound a little lower.
-      restartGap_ = whole.value > 1.02 * lower.value ? firstGap : std::min(2 * restartGap_, 320);
-      lower.value = std::max({lower.value, whole.value, hotSpot_.evaluate(x).value});
-      lowest_ = {ring_.last().lowest, ring_.last().lowestElement};
-      sinceRestart_ = sinceMode_ = 0;
-      spent_.evaluated += body_.mesh().elementCount();
-    } else if (lookUnderCompression(x)) {
-      lower.value = std::max(lower.value, ring_.last().highest);
+      restartGap_ = lower.value > 1.02 * before ? firstGap : std::min(4 * restartGap_, lastGap);
+      sinceRestart_ = 0;
     }
+    lookUnderCompression(x);
     if (upper.value > allowed * lower.value && lazy_.steer(x, lower, width_)) {
       spent_.evaluated += lazy_.spent().evaluated;
       upper = lazy_.update(x);
@@ -68,7 +58,7 @@ class Bracketer {
              optimisticStep(lower, limit),
              hotSpot_.hottestElement(),
              "lazy-nodal-bound",
-             byRing ? "reduced-1-ring" : "rayleigh-quotient",
+             method_,
              lowest_.value,
              lowest_.element};
     return step_;
@@ -95,18 +85,9 @@ class Bracketer {
     return certified;
   }
   bool bracketed() const { return bracketed_; }
-  /// Both sides as sharp as they can be had, for a step that comes close to the limit.
+  /// The optimistic side as sharp as it can be had, for a step that comes close to the limit.
   void sharpen(const NodeVectors& x, const StepRule& limit) {
-    LowerBound lower;
-    bool byRing = false;
-    if (sinceRings_++ % firstGap == 0) {
-      lower = restartMode(ring_, body_, x, restartProducts, mode_, byRing);
-      hotSpot_.choose(mode_);
-      sinceMode_ = 0;
-    } else {
-      refreshMode(x, restartProducts);
-      lower = lastQuotient_;
-    }
+    const LowerBound lower = sinceSharpened_++ % firstGap == 0 ? restartMode(x) : refreshMode(x, restartProducts);
     step_.optimistic = std::min(step_.optimistic, optimisticStep(lower, limit));
   }
   const LazyBound::Spent& spent() const { return spent_; }
@@ -119,40 +100,95 @@ class Bracketer {
   const LowestRing& lowestRing() const { return lowest_; }
 
  private:
-  /// Only elements under compression can make the tangent indefinite; where there are some, rings tell now and then.
-  bool lookUnderCompression(const NodeVectors& x) {
-    if (!(spent_.compression > compressed) || ++sinceCompressed_ < firstGap) return false;
-    const ReducedRing::Result& rings = ring_.evaluate(x, true);
-    lowest_ = {rings.lowest, rings.lowestElement};
+  /// Only elements under compression can make the tangent indefinite: the rings of those most compressed tell now and
+  /// then.
+  void lookUnderCompression(const NodeVectors& x) {
+    if (++sinceCompressed_ < firstGap) return;
     sinceCompressed_ = 0;
-    spent_.evaluated += body_.mesh().elementCount();
-    return true;
+    const std::vector<ElementRef> all = lazy_.compressedElements(compressed);
+    // The most compressed ones, the lowest so far, and others by turns.
+    std::vector<ElementRef> chosen;
+    for (std::size_t i = 0; i < all.size() && i < compressedRings; ++i) {
+      chosen.push_back(all[i]);
+      chosen.push_back(all[nextCompressed_++ % all.size()]);
+    }
+    if (lowest_.value < 0) chosen.push_back(lowest_.element);
+    lowest_ = {0, {}};
+    for (const ElementRef e : chosen) {
+      if (!decomposeRing(x, e)) continue;
+      // Constrained components have eigenvalues of zero, to rounding.
+      const double least = solver_.eigenvalues()[0] + 1e-10 * solver_.eigenvalues().cwiseAbs().maxCoeff();
+      if (least < lowest_.value) lowest_ = {least, e};
+    }
   }
-  void refreshMode(const NodeVectors& x, int products) {
-    lastQuotient_ = rayleighLowerBound(body_, x, mode_, products);
+  /// The top mode jumps to where an element has become stiffer than it had been: rings there are looked at at once.
+  LowerBound lookWhereItRose(const NodeVectors& x, LowerBound lower) {
+    bool jumped = false;
+    for (std::size_t i = 0; i < lazy_.overBudget().size() && i < risenRings; ++i) {
+      if (!decomposeRing(x, lazy_.overBudget()[i])) continue;
+      const Eigen::Index top = solver_.eigenvalues().size() - 1;
+      const double value = solver_.eigenvalues()[top] * (1 - 1e-12);
+      if (!(value > lower.value)) continue;
+      lower = {value};
+      method_ = "reduced-1-ring";
+      jumped = true;
+      mode_.normalize();
+      for (std::size_t k = 0; k < ringNodes_.nodes().size(); ++k)
+        mode_.col(ringNodes_.nodes()[k]) +=
+            solver_.eigenvectors().col(top).segment<3>(static_cast<Eigen::Index>(3 * k));
+    }
+    if (jumped) hotSpot_.choose(mode_);
+    return lower;
+  }
+  /// The reduced ring of one element into solver_; false when it fails.
+  bool decomposeRing(const NodeVectors& x, ElementRef e) {
+    const auto nodes = body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element);
+    ringNodes_.choose({nodes.begin(), nodes.end()});
+    solver_.compute(ringNodes_.evaluate(x));
+    return solver_.info() == Eigen::Success;
+  }
+  LowerBound restartMode(const NodeVectors& x) {
+    const TopMode top = findTopMode(ring_, body_, x, mode_, coldProducts, restartProducts);
+    method_ = top.method;
+    spent_.evaluated += body_.mesh().elementCount();
+    return followMode(x, top.lower);
+  }
+  LowerBound refreshMode(const NodeVectors& x, int products) {
+    return followMode(x, rayleighLowerBound(body_, x, mode_, products));
+  }
+  LowerBound followMode(const NodeVectors& x, LowerBound whole) {
     hotSpot_.choose(mode_);
     sinceMode_ = 0;
+    return {std::max(whole.value, hotSpot_.evaluate(x).value)};
   }
+  static constexpr double slackOfWidth = 1.6;
   static constexpr int coldProducts = 20, restartProducts = 8, warmProducts = 3;
   static constexpr int modeEvery = 64;  // evaluations between two looks at the whole mode
-  static constexpr int firstGap =
-      10;  // evaluations between two restarts or looks at compressed rings; doubles while useless
-  static constexpr double compressed = 0.05;
+  // Evaluations between two restarts or looks under compression; restarts become rarer while useless.
+  static constexpr int firstGap = 10, lastGap = 2560;
+  static constexpr std::size_t compressedRings = 16, risenRings = 3;  // looked at each time
+  static constexpr double compressed = 0.05;                          // of λ+2μ
 
   const Body& body_;
   double width_;
   LazyBound lazy_;
   HotSpot hotSpot_;
+  NodeSubmatrix ringNodes_;
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver_;
   ReducedRing ring_;
   NodeVectors mode_;
-  LowerBound lastQuotient_{0};
+  std::string_view method_;
   LazyBound::Spent spent_;
   bool bracketed_ = true;
   int sinceDoubt_ = firstGap;  // looks in a row that certified the step asked about
-  int sinceRings_ = 0, sinceMode_ = 0, sinceRestart_ = 0, restartGap_ = firstGap, sinceCompressed_ = firstGap;
+  int sinceSharpened_ = 0, sinceMode_ = 0, sinceRestart_ = 0, restartGap_ = firstGap, sinceCompressed_ = firstGap;
   LowestRing lowest_{0, {}};
+  std::size_t nextCompressed_ = 0;
   CriticalStep step_{};
 };
+
+/// A sum is quicker than a look at every number, and finite numbers whose sum overflows are rare.
+bool allFinite(const NodeVectors& a) { return std::isfinite(a.sum()) || a.allFinite(); }
 
 void requireProof(const StepRule& rule) {
   if (!rule.proven())
@@ -230,20 +266,23 @@ struct StabilityMonitor::Impl {
   Course courses[5];  // by EventKind
   double largestEnergy = 0;
   std::int64_t observations = 0, energyLooks = 0;
-  const NodeVectors* positions = nullptr;  // of the observation going on
 
   /// Records an event when it begins and when it ends. Near a limit it may come and go from step to step: one event
   /// until it has stayed away for a while.
-  void tell(EventKind kind, bool now, double value, std::optional<ElementRef> element, const std::string& what) {
+  /// what() is the line for people.
+  template <class What>
+  void tell(EventKind kind, bool now, double value, const NodeVectors& x, std::optional<ElementRef> element,
+            const What& what) {
     Course& course = courses[static_cast<int>(kind)];
     if (now) {
       course.clear = 0;
       if (course.event) return;
-      MonitorEvent event{kind,         report.step, report.time,
-                         value,        element,     joinText("step ", report.step, ", t = ", report.time, " s: ", what),
+      MonitorEvent event{kind,         report.step,
+                         report.time,  value,
+                         element,      joinText("step ", report.step, ", t = ", report.time, " s: ", what()),
                          std::nullopt, {}};
       if (element) {
-        event.cause = elementCause(body, *positions, *element);
+        event.cause = elementCause(body, x, *element);
         event.text += joinText(", ", elementText(body, *element), ": ", event.cause);
       }
       report.newEvents.push_back(event);
@@ -292,10 +331,9 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
   report.h = h;
   report.newEvents.clear();
   report.fresh = false;
-  m.positions = &x;
 
-  const bool finite = x.allFinite() && v.allFinite();
-  m.tell(EventKind::nonFinite, !finite, 0, std::nullopt, "positions or velocities are not finite");
+  const bool finite = allFinite(x) && allFinite(v);
+  m.tell(EventKind::nonFinite, !finite, 0, x, std::nullopt, [] { return "positions or velocities are not finite"; });
   if (!finite) {
     report.certified = 0;
     report.verdict = Verdict::violated;
@@ -308,8 +346,8 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
     // Schemes whose velocities are half a step behind, symplectic Euler for one, are off by 1/n of the energy at step n
     // of a run that starts under load.
     const bool settled = m.energyLooks++ >= energySettling;
-    m.tell(EventKind::energyBalance, settled && share > m.options.energyTolerance, share, std::nullopt,
-           joinText("energy balance is off by ", 100 * share, " % of the largest energy so far"));
+    m.tell(EventKind::energyBalance, settled && share > m.options.energyTolerance, share, x, std::nullopt,
+           [&] { return joinText("energy balance is off by ", 100 * share, " % of the largest energy so far"); });
   }
   if (m.observations++ % m.options.every == 0) {
     report.fresh = true;
@@ -332,18 +370,18 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
       const LazyBound::Spent& spent = bracketer.spent();
       report.elementsRefreshed = spent.evaluated;
       // Whoever inverts leaves its ball first, so the elements evaluated are all that can have inverted.
-      m.tell(EventKind::inverted, !(spent.leastDeterminant > 0), spent.leastDeterminant, spent.leastDeterminantElement,
-             joinText("inverted, det F = ", spent.leastDeterminant));
+      m.tell(EventKind::inverted, !(spent.leastDeterminant > 0), spent.leastDeterminant, x,
+             spent.leastDeterminantElement, [&] { return joinText("inverted, det F = ", spent.leastDeterminant); });
       const Bracketer::LowestRing& lowest = bracketer.lowestRing();
-      m.tell(EventKind::indefinite, lowest.value < 0, lowest.value, lowest.element,
-             joinText("tangent indefinite, eigenvalue ", lowest.value, " rad2/s2: no step cures that"));
+      m.tell(EventKind::indefinite, lowest.value < 0, lowest.value, x, lowest.element,
+             [&] { return joinText("tangent indefinite, eigenvalue ", lowest.value, " rad2/s2: no step cures that"); });
     }
     if (!m.options.metric.empty()) {
       report.metricStep = (1 - m.options.margin) * m.options.limit(evaluateMetric(m.options.metric, m.body, x).lambda);
       report.elementsRefreshed += static_cast<std::int64_t>(m.body.mesh().elementCount());
       const Body::LeastDeterminant least = m.body.leastDeterminant(x);
-      m.tell(EventKind::inverted, !(least.value > 0), least.value, least.element,
-             joinText("inverted, det F = ", least.value));
+      m.tell(EventKind::inverted, !(least.value > 0), least.value, x, least.element,
+             [&] { return joinText("inverted, det F = ", least.value); });
     }
   }
   // A metric with a margin proves nothing: it can only say that the step is above what it recommends.
@@ -353,10 +391,11 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
                                                         : Verdict::notCertified;
   if (report.bracket) {
     const CriticalStep& b = *report.bracket;
-    m.tell(EventKind::violated, above, h / b.optimistic, b.controlling,
-           joinText("violated: h = ", h, " s is above the critical step, which is at most ", b.optimistic, " s"));
+    m.tell(EventKind::violated, above, h / b.optimistic, x, b.controlling, [&] {
+      return joinText("violated: h = ", h, " s is above the critical step, which is at most ", b.optimistic, " s");
+    });
   } else if (m.bracketer) {
-    m.tell(EventKind::violated, false, 0, std::nullopt, "");
+    m.tell(EventKind::violated, false, 0, x, std::nullopt, [] { return ""; });
   }
   return report;
 }
@@ -369,8 +408,8 @@ CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule
   constexpr std::int64_t mostBytes = 4LL << 30;  // beyond, the nodal bound has to do
   ReducedRing ring(body);
   NodeVectors mode;
-  bool byRing = false;
-  const LowerBound lower = restartMode(ring, body, x, products, mode, byRing);
+  const TopMode top = findTopMode(ring, body, x, mode, products, products);
+  const LowerBound lower = top.lower;
   NodalBound shapes(body);
   UpperBound upper = shapes.evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);
   std::string_view safeBy = "nodal-bound";
@@ -381,13 +420,9 @@ CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule
       safeBy = "split-bound";
     }
   }
-  CriticalStep step{safeStep(upper, limit),
-                    optimisticStep(lower, limit),
-                    ring.last().highestElement,
-                    safeBy,
-                    byRing ? "reduced-1-ring" : "rayleigh-quotient",
-                    ring.last().lowest,
-                    ring.last().lowestElement};
+  CriticalStep step{
+      safeStep(upper, limit), optimisticStep(lower, limit), ring.last().highestElement, safeBy, top.method,
+      ring.last().lowest,     ring.last().lowestElement};
   if (lanczos) {
     const LanczosBound bound = lanczosUpperBound(body, x, lanczos->width, lanczos->eta, lanczos->seed);
     step.probable = {limit(bound.upper.value), bound.upper.eta, bound.products};

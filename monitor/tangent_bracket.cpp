@@ -7,8 +7,7 @@
 #include <ringwatch/body/body.h>
 #include <ringwatch/body/tangent_block.h>
 #include <ringwatch/monitor/nodal_bound.h>
-#include <ringwatch/monitor/rayleigh.h>
-#include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/monitor/top_mode.h>
 
 namespace ringwatch {
 namespace {
@@ -167,21 +166,14 @@ CriticalStep TangentBracket::evaluate(const std::vector<std::span<const double>>
   }
 
   const NodeVectors& x = m.body->mesh().X;
-  const ReducedRing::Result& rings = m.ring->evaluate(x, true);
-  // The tracked mode alone can miss a jump of the top mode; the hottest ring's alone can lie beside it.
-  NodeVectors start = m.ring->topVector(rings.highestElement);
-  const bool cold = m.mode.size() == 0;
-  if (!cold) start += (start.cwiseProduct(m.mode).sum() < 0 ? -1.0 : 1.0) * m.mode;
-  m.mode = std::move(start);
-  const LowerBound quotient = rayleighLowerBound(*m.body, x, m.mode, cold ? Impl::coldProducts : Impl::products);
-  const bool byRing = !(quotient.value > rings.highest);
-  const LowerBound lower{byRing ? rings.highest : quotient.value};
-  const UpperBound upper = m.upperBound(x, lower);
+  const TopMode top = findTopMode(*m.ring, *m.body, x, m.mode, Impl::coldProducts, Impl::products);
+  const ReducedRing::Result& rings = m.ring->last();
+  const UpperBound upper = m.upperBound(x, top.lower);
   return {safeStep(upper, limit),
-          optimisticStep(lower, limit),
+          optimisticStep(top.lower, limit),
           rings.highestElement,
           "nodal-bound",
-          byRing ? "reduced-1-ring" : "rayleigh-quotient",
+          top.method,
           rings.lowest,
           rings.lowestElement};
 }

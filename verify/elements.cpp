@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include <Eigen/Dense>
 
+#include <ringwatch/base/random.h>
 #include <ringwatch/meshes/generators.h>
 #include <ringwatch/verify/elements_studies.h>
 #include <ringwatch/verify/static_solver.h>
@@ -18,20 +18,16 @@ constexpr double young = 30e3, poisson = 0.3, density = 1000;
 constexpr double edge = 0.03;                       // m, of the cubes below
 constexpr double forceScale = young * 0.01 * 0.01;  // N, order one strain on a face of 1 cm
 
-/// Uniform in [-1, 1], the same on every machine.
-class Draw {
+class Draw : public Random {
  public:
-  explicit Draw(std::uint64_t seed) : engine_(seed) {}
-  double operator()() { return 2.0 * (static_cast<double>(engine_() >> 11) * 0x1p-53) - 1.0; }
+  using Random::Random;
+  double operator()() { return uniform(-1, 1); }
   Eigen::Matrix3d matrix(double scale) {
-    return Eigen::Matrix3d::NullaryExpr([&] { return scale * (*this)(); });
+    return Eigen::Matrix3d::NullaryExpr([&] { return uniform(-scale, scale); });
   }
   NodeVectors nodes(Eigen::Index count, double scale) {
-    return NodeVectors::NullaryExpr(3, count, [&] { return scale * (*this)(); });
+    return NodeVectors::NullaryExpr(3, count, [&] { return uniform(-scale, scale); });
   }
-
- private:
-  std::mt19937_64 engine_;
 };
 
 Mesh jitteredCube(std::string_view element, double jitter = 0.2) {
@@ -82,13 +78,6 @@ std::vector<bool> boundaryNodes(const Mesh& mesh) {
 }
 
 }  // namespace
-
-void checkNear(StudyReport& report, std::string name, double measured, double expected, double tolerance) {
-  report.checks.push_back({std::move(name), measured, expected, tolerance, std::abs(measured - expected) <= tolerance});
-}
-void checkBelow(StudyReport& report, std::string name, double measured, double bound) {
-  report.checks.push_back({std::move(name), measured, 0, bound, measured <= bound});
-}
 
 void studyShapes(StudyReport& report) {
   StudyTable table{

@@ -23,11 +23,6 @@ inline std::vector<ElementRule> allElementRules() {
   return all;
 }
 
-/// Adds a check that |measured - expected| <= tolerance.
-void checkNear(StudyReport& report, std::string name, double measured, double expected, double tolerance);
-/// Adds a check that measured <= bound.
-void checkBelow(StudyReport& report, std::string name, double measured, double bound);
-
 void studyShapes(StudyReport& report);
 void studyRank(StudyReport& report);
 void studyPatch(StudyReport& report);

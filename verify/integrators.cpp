@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <sstream>
 
 #include <Eigen/LU>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/random.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/stability_limit.h>
 #include <ringwatch/meshes/generators.h>
@@ -26,11 +26,10 @@ constexpr double dampingRatios[] = {0.01, 0.05, 0.1, 0.2, 0.5, 1, 2, 5};
 
 /// Small displacements and velocities of every free component, the same on every machine.
 void perturb(State& state, double displacement, double velocity, const DifferentiableSystem& system) {
-  std::mt19937_64 engine(1);
-  const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-52 - 1; };
+  Random random(1);
   for (Eigen::Index i = 0; i < state.x.cols(); ++i)
     for (int c = 0; c < 3; ++c) {
-      const double dx = uniform(), dv = uniform();
+      const double dx = random.uniform(-1, 1), dv = random.uniform(-1, 1);
       if (system.isConstrained(static_cast<std::int32_t>(i), c)) continue;
       state.x(c, i) += displacement * dx;
       state.v(c, i) += velocity * dv;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include <Eigen/Dense>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/random.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/meshes/generators.h>
@@ -20,16 +20,9 @@
 namespace ringwatch::detail {
 namespace {
 
-constexpr double limit = 2;  // symplectic Euler's
-
-/// Random numbers from a seed, the same on every machine.
-class Random {
+class RandomMatrices : public Random {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
-  }
-  int index(int count) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(count)); }
+  using Random::Random;
   Eigen::Matrix3d matrix(double scale) {
     return Eigen::Matrix3d::NullaryExpr([&] { return uniform(-scale, scale); });
   }
@@ -37,9 +30,6 @@ class Random {
     return Eigen::AngleAxisd(uniform(0, 2 * std::numbers::pi), Eigen::Vector3d(matrix(1).col(0)).normalized())
         .toRotationMatrix();
   }
-
- private:
-  std::mt19937_64 engine_;
 };
 
 /// Largest eigenvalue of M⁻¹K over the free degrees of freedom by a dense solver; 0 where nothing is free.
@@ -53,20 +43,7 @@ double denseLargest(const Body& body, const NodeVectors& x) {
   return solver.info() == Eigen::Success ? std::max(0.0, solver.eigenvalues()[dofs.count() - 1]) : std::nan("");
 }
 
-double percent(double step, double exact) { return 100 * (step / exact - 1); }
-
-double median(std::vector<double> values) {
-  if (values.empty()) return std::nan("");
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-void check(StudyReport& report, std::string name, double measured, double bound) {
-  report.checks.push_back({std::move(name), measured, 0, bound, measured <= bound});
-}
-
-Mesh randomBox(Random& random, std::string_view element) {
+Mesh randomBox(RandomMatrices& random, std::string_view element) {
   BarOptions options;
   for (std::size_t k = 0; k < 3; ++k) {
     options.cells[k] = 1 + random.index(2);
@@ -82,7 +59,7 @@ Mesh randomBox(Random& random, std::string_view element) {
 enum class Strain { none, moderate, large, inverted };
 constexpr std::array strains{Strain::none, Strain::moderate, Strain::large, Strain::inverted};
 
-NodeVectors deformed(Random& random, const NodeVectors& X, Strain strain) {
+NodeVectors deformed(RandomMatrices& random, const NodeVectors& X, Strain strain) {
   if (strain == Strain::none) return X;
   // Rotation, a stretch of every direction between half and double, and noise on the nodes.
   const double reach = strain == Strain::moderate ? 0.1 : 0.7;
@@ -117,7 +94,7 @@ void studyBracket(StudyReport& report, StudyEffort effort) {
       {}};
   const int rounds = effort == StudyEffort::full ? 25 : 2;
   for (const ElementInfo& info : allElements()) {
-    Random random(1000 + static_cast<std::uint64_t>(info.nodes));
+    RandomMatrices random(1000 + static_cast<std::uint64_t>(info.nodes));
     std::vector<double> safe, optimistic;
     std::int64_t violations = 0, trials = 0;
     for (int round = 0; round < rounds; ++round)
@@ -140,13 +117,13 @@ void studyBracket(StudyReport& report, StudyEffort effort) {
           const CriticalStep step = criticalStep(body, x, limit);
           ++trials;
           violations += !(step.safe <= exact * (1 + 1e-9)) || !(step.optimistic >= exact * (1 - 1e-9));
-          safe.push_back(percent(step.safe, exact));
-          optimistic.push_back(percent(step.optimistic, exact));
+          safe.push_back(percentBelow(step.safe, exact));
+          optimistic.push_back(percentBelow(step.optimistic, exact));
         }
     table.rows.push_back({std::string(info.name), trials, *std::min_element(safe.begin(), safe.end()), median(safe),
                           *std::max_element(optimistic.begin(), optimistic.end()), violations});
-    check(report, joinText(info.name, ": violations of the bracket in ", trials, " trials"),
-          static_cast<double>(violations), 0);
+    checkBelow(report, joinText(info.name, ": violations of the bracket in ", trials, " trials"),
+               static_cast<double>(violations), 0);
   }
   report.tables.push_back(std::move(table));
 }
@@ -165,7 +142,7 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
   std::int64_t total = 0, violated = 0;
   for (const ElementInfo* info : elements)
     for (const LawInfo& law : allLaws()) {
-      Random random(77 + static_cast<std::uint64_t>(info->nodes));
+      RandomMatrices random(77 + static_cast<std::uint64_t>(info->nodes));
       BarOptions bar;
       bar.cells = effort == StudyEffort::full ? std::array{8, 4, 4} : std::array{3, 2, 2};
       for (std::size_t k = 0; k < 3; ++k) bar.size[k] = 0.01 * bar.cells[k];
@@ -200,8 +177,8 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
       table.rows.push_back({std::string(info->name), std::string(law.name), trials,
                             100.0 * static_cast<double>(evaluated) / static_cast<double>(trials), violations, room});
     }
-  check(report, joinText("violations of the lazy bound in ", total, " element and state trials"),
-        static_cast<double>(violated), 0);
+  checkBelow(report, joinText("violations of the lazy bound in ", total, " element and state trials"),
+             static_cast<double>(violated), 0);
   report.tables.push_back(std::move(table));
 }
 
@@ -269,7 +246,7 @@ void studyTetrahedron(StudyReport& report) {
     byShape.curves[1].x.push_back(share);
     byShape.curves[1].y.push_back(row(share, 1, 0.3).first / regular);
   }
-  check(report, "tetrahedron: relative difference to the closed form", worst, 1e-9);
+  checkBelow(report, "tetrahedron: relative difference to the closed form", worst, 1e-9);
   report.tables.push_back(std::move(table));
   report.figures.push_back(std::move(byPoisson));
   report.figures.push_back(std::move(byShape));
@@ -349,20 +326,20 @@ void studyMetrics(StudyReport& report, StudyEffort effort) {
     for (const MetricInfo& info : allMetrics()) {
       const double step = stepFor(evaluateMetric(info.name, body, X).lambda, limit);
       table.rows.push_back(
-          {name, std::string(info.name), std::string(directionName(info.direction)), percent(step, exact)});
+          {name, std::string(info.name), std::string(directionName(info.direction)), percentBelow(step, exact)});
       if (info.direction == Direction::upperBound)
-        check(report, joinText(name, ", ", info.name, " is pessimistic: its step over the exact one"), step / exact,
-              1 + 1e-9);
+        checkBelow(report, joinText(name, ", ", info.name, " is pessimistic: its step over the exact one"),
+                   step / exact, 1 + 1e-9);
       if (info.direction == Direction::lowerBound)
-        check(report, joinText(name, ", ", info.name, " is optimistic: the exact step over its own"), exact / step,
-              1 + 1e-9);
+        checkBelow(report, joinText(name, ", ", info.name, " is optimistic: the exact step over its own"), exact / step,
+                   1 + 1e-9);
     }
     const CriticalStep bracket = criticalStep(body, X, limit);
-    rest.rows.push_back({name, static_cast<std::int64_t>(mesh.elementCount()), percent(bracket.safe, exact),
-                         percent(bracket.optimistic, exact)});
-    check(report, name + ": safe over exact", bracket.safe / exact, 1 + 1e-9);
-    check(report, name + ": exact over optimistic", exact / bracket.optimistic, 1 + 1e-9);
-    check(report, name + ": optimistic over exact", bracket.optimistic / exact, 1.01);
+    rest.rows.push_back({name, static_cast<std::int64_t>(mesh.elementCount()), percentBelow(bracket.safe, exact),
+                         percentBelow(bracket.optimistic, exact)});
+    checkBelow(report, name + ": safe over exact", bracket.safe / exact, 1 + 1e-9);
+    checkBelow(report, name + ": exact over optimistic", exact / bracket.optimistic, 1 + 1e-9);
+    checkBelow(report, name + ": optimistic over exact", bracket.optimistic / exact, 1.01);
   }
   report.tables.push_back(std::move(table));
   report.tables.push_back(std::move(rest));
@@ -382,7 +359,7 @@ void studyObserved(StudyReport& report, StudyEffort effort) {
     const NodeVectors& X = body.mesh().X;
     const CriticalStep bracket = criticalStep(body, X, limit);
     BodySystem system(body);
-    Random random(5);
+    RandomMatrices random(5);
     NodeVectors kick(3, X.cols());
     for (Eigen::Index i = 0; i < kick.size(); ++i) kick.data()[i] = 1e-6 * random.uniform(-1, 1);
     const auto survives = [&](double h) {
@@ -406,8 +383,8 @@ void studyObserved(StudyReport& report, StudyEffort effort) {
     table.rows.push_back({name, bracket.safe, observed, bracket.optimistic, observed / exact});
     // Just above the limit growth is slower than the run is long.
     constexpr double late = 1e-4;
-    check(report, name + ": safe over observed", bracket.safe / observed, 1 + late);
-    check(report, name + ": observed over optimistic", observed / bracket.optimistic, 1 + late);
+    checkBelow(report, name + ": safe over observed", bracket.safe / observed, 1 + late);
+    checkBelow(report, name + ": observed over optimistic", observed / bracket.optimistic, 1 + late);
     report.checks.push_back(
         {name + ": observed over exact", observed / exact, 1, late, std::abs(observed / exact - 1) <= late});
   }

@@ -19,7 +19,6 @@
 namespace ringwatch::detail {
 namespace {
 
-constexpr double limit = 2;  // symplectic Euler's
 constexpr double young = 30e3, poisson = 0.3, density = 1000;
 
 /// A run of St. Venant–Kirchhoff at a fixed step that its critical step falls below.
@@ -89,15 +88,6 @@ Body hangingBall(int cells) {
   for (std::int32_t node = 0; node < body.nodeCount(); ++node)
     body.externalForce()(2, node) = -body.lumpedMass()[node] * 250 * (1 - body.mesh().X(2, node) / options.radius);
   return body;
-}
-
-double percentBelow(double step, double exact) { return 100 * (step / exact - 1); }
-
-double median(std::vector<double> values) {
-  if (values.empty()) return std::nan("");
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 void runHistory(StudyReport& report, StudyTable& table, const History& history) {

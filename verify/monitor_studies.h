@@ -6,6 +6,10 @@
 
 namespace ringwatch::detail {
 
+inline constexpr double limit = 2;  // symplectic Euler's
+/// Of a step against the exact one, %; negative: below.
+inline double percentBelow(double step, double exact) { return 100 * (step / exact - 1); }
+
 /// A figure with named curves that have no points yet.
 StudyFigure figureOf(std::string name, std::string title, std::string xLabel, std::string yLabel, bool logarithmic,
                      std::initializer_list<const char*> curves);

@@ -51,6 +51,14 @@ struct StudyReport {
   }
 };
 
+/// Adds a check that |measured - expected| <= tolerance.
+void checkNear(StudyReport& report, std::string name, double measured, double expected, double tolerance);
+/// Adds a check that measured <= bound.
+void checkBelow(StudyReport& report, std::string name, double measured, double bound);
+
+/// Middle of some values; NaN without any.
+double median(std::vector<double> values);
+
 /// How much work a study may do: quick for every test run (seconds), full for the command line.
 enum class StudyEffort { quick, full };
 

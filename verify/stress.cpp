@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include <Eigen/Geometry>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/random.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/generators.h>
 #include <ringwatch/monitor/global_frequency.h>
@@ -88,8 +88,8 @@ class StressRun {
 };
 
 void setRandomVelocities(State& state, double scale) {
-  std::mt19937_64 engine(7);
-  for (double& v : state.v.reshaped()) v = scale * (static_cast<double>(engine() >> 11) * 0x1p-52 - 1);
+  Random random(7);
+  for (double& v : state.v.reshaped()) v = random.uniform(-scale, scale);
 }
 
 }  // namespace

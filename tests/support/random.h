@@ -1,22 +1,15 @@
 #pragma once
-#include <cstdint>
-#include <random>
-
 #include <Eigen/Dense>
 
 #include <ringwatch/base/matrix3.h>
+#include <ringwatch/base/random.h>
 
 namespace ringwatch::test {
 
 /// Random numbers and matrices from a seed, the same on every machine.
-class Random {
+class Random : public ringwatch::Random {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-
-  double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
-  }
-  int index(int count) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(count)); }
+  using ringwatch::Random::Random;
   /// Entries uniform in [-scale, scale].
   Eigen::Matrix3d matrix(double scale) {
     return Eigen::Matrix3d::NullaryExpr([&] { return uniform(-scale, scale); });
@@ -35,9 +28,6 @@ class Random {
   Eigen::Matrix3Xd nodeVectors(Eigen::Index count, double scale) {
     return Eigen::Matrix3Xd::NullaryExpr(3, count, [&] { return uniform(-scale, scale); });
   }
-
- private:
-  std::mt19937_64 engine_;
 };
 
 /// Eigen's matrix as the kernels' and back.
