@@ -48,6 +48,47 @@ Body::Body(Mesh mesh, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::
   indexSlots();
 }
 
+Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
+    : options_(whole.options_),
+      lumpedMass_(whole.lumpedMass_),
+      constraints_(whole.constraints_),
+      externalForce_(whole.externalForce_) {
+  const Mesh& all = whole.mesh_;
+  bool fits = chosen.size() == all.blocks.size();
+  for (std::size_t b = 0; fits && b < chosen.size(); ++b) fits = chosen[b].size() == all.blocks[b].elementCount();
+  if (!fits) throw InputError("chosen elements: one flag is needed for each element of each block");
+  mesh_.X = all.X;
+  mesh_.nodeIds = all.nodeIds;
+  for (std::size_t b = 0; b < chosen.size(); ++b) {
+    const MeshBlock& from = all.blocks[b];
+    MeshBlock block{from.type, {}, {}};
+    for (std::size_t e = 0; e < from.elementCount(); ++e) {
+      if (!chosen[b][e]) continue;
+      block.ids.push_back(from.ids[e]);
+      block.connectivity.insert(block.connectivity.end(), from.element(e), from.element(e) + from.nodesPerElement());
+    }
+    mesh_.blocks.push_back(std::move(block));
+  }
+  double volumes[PatchLayout::lanes];
+  for (std::size_t b = 0; b < chosen.size(); ++b) {
+    const ElementBlock& face = *whole.blocks_[b];
+    materials_.push_back(face.material());
+    blocks_.push_back(makeElementBlock(mesh_, mesh_.blocks[b], face.material(), face.rule().name));
+    for (std::int32_t batch = 0; batch < blocks_.back()->layout().batchCount(); ++batch) {
+      blocks_.back()->volumeBatch(batch, volumes);
+      for (double volume : volumes) volume_ += volume;
+    }
+  }
+  indexSlots();
+}
+
+void Body::addNodalMass(std::int32_t node, double mass) {
+  if (node < 0 || node >= nodeCount() || !(mass >= 0) || !std::isfinite(mass))
+    throw InputError(joinText("node ", node, ", added mass ", mass, " kg: the node must be one of ", nodeCount(),
+                              " and the mass >= 0 and finite"));
+  lumpedMass_[node] += mass;
+}
+
 void Body::elementLumpedMass(ElementRef ref, double* mass) const {
   const ElementBlock& block = *blocks_[static_cast<std::size_t>(ref.block)];
   const ElementInfo& element = block.element();
@@ -208,6 +249,8 @@ void Body::makePattern(BlockMatrix& matrix) const {
       }
     }
   matrix.rowBegin.assign(1, 0);
+  // A node without elements, in a part of a body, has its diagonal all the same.
+  for (std::size_t i = 0; i < neighbours.size(); ++i) neighbours[i].push_back(static_cast<std::int32_t>(i));
   for (auto& list : neighbours) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());

@@ -51,6 +51,10 @@ class Body {
   /// Of blocks made elsewhere, one for each of the mesh, with the lumped mass of each node, kg. Answers for what its
   /// blocks know.
   Body(Mesh mesh, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::VectorXd lumpedMass, int threads = 0);
+  /// Some elements of another body, chosen[block][element], on all of its nodes and with its lumped mass, constraints
+  /// and loads. Blocks keep their numbers and chosen elements their order; a block may end up empty. For bodies made of
+  /// a mesh and materials. Throws InputError when `chosen` does not fit the mesh.
+  Body(const Body& whole, const std::vector<std::vector<bool>>& chosen);
 
   const Mesh& mesh() const { return mesh_; }
   std::int32_t nodeCount() const { return static_cast<std::int32_t>(mesh_.nodeCount()); }
@@ -58,6 +62,9 @@ class Body {
   /// Lumped mass of each node, kg.
   const Eigen::VectorXd& lumpedMass() const { return lumpedMass_; }
   double totalMass() const { return lumpedMass_.sum(); }
+  /// Adds a point mass, kg, to a node: a part that is not meshed, or mass scaling. Only inertia changes; loads that are
+  /// set and the elements' own mass stay. Throws InputError unless the node exists and mass >= 0 and finite.
+  void addNodalMass(std::int32_t node, double mass);
   /// Volume at rest, m³.
   double volume() const { return volume_; }
   int threads() const { return options_.threads; }

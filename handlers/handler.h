@@ -1,0 +1,106 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <ringwatch/body/body.h>
+#include <ringwatch/handlers/implicit_cluster.h>
+#include <ringwatch/handlers/selection.h>
+#include <ringwatch/integrators/integrator.h>
+
+namespace ringwatch {
+
+struct HandlerOptions {
+  /// "certified": the smallest set found such that the rest is proven stable; "reduced-1-ring": the source's, which
+  /// proves nothing.
+  std::string selection = "certified";
+  /// Elements are chosen as for a step of h/(1 - margin), >= 0 and < 1: room for a rest that stiffens along the run.
+  double margin = 0.1;
+  double dissipation = 0.3;     ///< of the implicit part: 0 none and second order, 1 implicit Euler
+  ClusterOptions cluster = {};  ///< of the implicit part
+};
+
+/// What a handler declares of itself.
+struct HandlerInfo {
+  std::string_view name;
+  std::string_view help;
+};
+
+/// A number that a handler reports, for summaries.
+struct HandlerFigure {
+  std::string name;  // with its unit, e.g. "added_mass_kg"
+  double value;
+};
+
+/// Keeps a step that is too large for some elements: an explicit integrator that also owns the set of elements which it
+/// treats apart, chosen for a step at a state. Where it chooses none it is the base integrator, bit for bit.
+class Handler : public Integrator {
+ public:
+  /// base: an explicit scheme with a stability limit of 2 and one force a step (symplectic-euler, verlet); others throw
+  /// InputError. The body must outlive the handler; its constraints and elements must not change between prepare and
+  /// the steps.
+  Handler(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
+
+  virtual const HandlerInfo& handlerInfo() const = 0;
+  const IntegratorInfo& info() const override { return base_->info(); }
+
+  /// Chooses the elements to handle for steps of h (s, > 0) at positions x (3×N, m), those chosen before among them.
+  /// Throws InputError for options or a body that it cannot work with.
+  void prepare(const NodeVectors& x, double h);
+  /// One step of the size that it was prepared for; another throws InputError.
+  StepStatus step(SecondOrderSystem& system, State& state, double h) override;
+  void reset() override { base_->reset(); }
+
+  /// The handled elements, ascending.
+  const std::vector<ElementRef>& elements() const { return elements_; }
+  /// The elements that the base scheme alone must be stable for, on the whole lumped mass: what a monitor watches. The
+  /// body itself where no element leaves the explicit part.
+  const Body& explicitBody() const { return explicitPart_ ? *explicitPart_ : body_; }
+  /// The element of the body that has a number in explicitBody().
+  ElementRef wholeElement(ElementRef part) const;
+  /// Whether the explicit part is proven stable for the tangent at the positions it was prepared for.
+  bool certified() const { return certified_; }
+  virtual std::vector<HandlerFigure> figures() const { return {}; }
+
+ protected:
+  /// Called after a choice that is not empty.
+  virtual void take(const NodeVectors& x, double h, const ElementFlags& chosen) = 0;
+  virtual StepStatus handledStep(SecondOrderSystem& system, State& state, double h) = 0;
+  /// Leaves the chosen elements out of explicitBody().
+  void splitOff(const ElementFlags& chosen);
+  /// The highest frequency squared that is left to the rest, rad²/s²: ((1 - margin) limit/h)².
+  double allowedLambda(double h) const;
+  /// The bound behind a certified choice; empty with "reduced-1-ring".
+  const std::optional<CertifiedSelection>& certificate() const { return certificate_; }
+
+  Body& body_;
+  std::unique_ptr<Integrator> base_;
+  HandlerOptions options_;
+
+ private:
+  double h_ = 0;
+  bool certified_ = false;
+  ElementFlags chosen_;
+  std::vector<ElementRef> elements_;
+  std::optional<CertifiedSelection> certificate_;
+  std::optional<Body> explicitPart_;
+  std::vector<std::vector<std::int32_t>> numbers_;  // [block][element of the part]: number in the body
+};
+
+/// A handler that can be made by name.
+struct HandlerEntry {
+  const HandlerInfo* info;
+  std::unique_ptr<Handler> (*make)(Body& body, std::unique_ptr<Integrator> base, const HandlerOptions& options);
+};
+/// Every handler, one line each in registry.cpp.
+std::span<const HandlerEntry> allHandlers();
+/// Throws InputError that lists the names when there is none of that name.
+std::unique_ptr<Handler> makeHandler(std::string_view name, Body& body, std::unique_ptr<Integrator> base,
+                                     const HandlerOptions& options = {});
+/// Whether handlers work on top of an integrator.
+bool takesHandler(const IntegratorInfo& info);
+
+}  // namespace ringwatch

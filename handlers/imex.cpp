@@ -1,0 +1,84 @@
+#include <ringwatch/handlers/imex.h>
+
+#include <algorithm>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/parallel.h>
+
+namespace ringwatch {
+
+class ImplicitExplicit::Corrected final : public SecondOrderSystem {
+ public:
+  Corrected(ImplicitExplicit& owner, SecondOrderSystem& inner, double c) : owner_(owner), inner_(inner), c_(c) {}
+  void acceleration(double time, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
+    inner_.acceleration(time, x, v, a);
+    auto& clusters = owner_.clusters_;
+    owner_.failed_.assign(clusters.size(), 0);
+    parallelFor(0, static_cast<std::int64_t>(clusters.size()), owner_.body_.threads(), [&](std::int64_t k) {
+      ImplicitCluster& cluster = clusters[static_cast<std::size_t>(k)];
+      if (!cluster.follow(x))
+        owner_.failed_[static_cast<std::size_t>(k)] = 1;
+      else if (!cluster.solve(a, v, c_))
+        owner_.failed_[static_cast<std::size_t>(k)] = 2;
+    });
+    const auto worst = std::max_element(owner_.failed_.begin(), owner_.failed_.end());
+    if (*worst != 0 && fault.empty()) {
+      const ImplicitCluster& cluster = clusters[static_cast<std::size_t>(worst - owner_.failed_.begin())];
+      const ElementRef first = cluster.elements().front();
+      fault = joinText(*worst == 1 ? "the implicit matrix is not positive definite or not finite"
+                                   : "conjugate gradients did not converge",
+                       " in the cluster of ", cluster.elements().size(), " elements at element ", first.block, ":",
+                       first.element);
+    }
+  }
+  bool velocityDependent() const override { return c_ != 0 || inner_.velocityDependent(); }
+
+  std::string fault;
+
+ private:
+  ImplicitExplicit& owner_;
+  SecondOrderSystem& inner_;
+  double c_;
+};
+
+ImplicitExplicit::ImplicitExplicit(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
+    : Handler(body, std::move(base), std::move(options)) {
+  if (!(options_.dissipation >= 0 && options_.dissipation <= 1))
+    throw InputError(joinText("dissipation ", options_.dissipation, ": must be >= 0 and <= 1"));
+}
+
+void ImplicitExplicit::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
+  const double beta = 0.25 * (1 + options_.dissipation) * (1 + options_.dissipation);
+  clusters_.clear();
+  for (auto& elements : clustersOf(body_, chosenElements(chosen)))
+    clusters_.emplace_back(body_, std::move(elements), beta * h * h, x, options_.cluster);
+  splitOff(chosen);
+}
+
+StepStatus ImplicitExplicit::handledStep(SecondOrderSystem& system, State& state, double h) {
+  const double alpha = options_.dissipation, beta = 0.25 * (1 + alpha) * (1 + alpha);
+  // With u = a + c v, c = α/(beta h), the damping force needs no product of its own: (M + beta h² K̂) u = M (a₀ + c v).
+  Corrected corrected(*this, system, alpha / (beta * h));
+  const State before = state;
+  const StepStatus status = base_->step(corrected, state, h);
+  if (status.done && corrected.fault.empty()) return status;
+  state = before;
+  reset();
+  return status.done ? StepStatus{false, corrected.fault} : status;
+}
+
+std::vector<HandlerFigure> ImplicitExplicit::figures() const {
+  std::size_t largest = 0;
+  std::int64_t factorisations = 0, iterations = 0;
+  for (const ImplicitCluster& cluster : clusters_) {
+    largest = std::max(largest, cluster.nodes().size());
+    factorisations += cluster.factorisations();
+    iterations += cluster.iterations();
+  }
+  return {{"clusters", static_cast<double>(clusters_.size())},
+          {"largest_cluster_nodes", static_cast<double>(largest)},
+          {"factorisations", static_cast<double>(factorisations)},
+          {"iterations", static_cast<double>(iterations)}};
+}
+
+}  // namespace ringwatch

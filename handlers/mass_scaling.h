@@ -1,0 +1,35 @@
+#pragma once
+#include <ringwatch/handlers/handler.h>
+
+namespace ringwatch {
+
+/// Mass scaling, the baseline of commercial codes: point masses at the nodes of the critical elements until the
+/// certified bound of the whole body meets the step. With the rest below Σ_rest and D_e = (K_aa)^½ for each critical
+/// element (which minimises the trace of l_e D_e for a single stiff mode),
+///   m_i + added_i >= lambda_max(Σ_rest,i + Σ l_e D_e,i) / lambda,   lambda = ((1 - margin) limit/h)².
+/// Loads stay what they are. The mass goes to the Body, for good. Always uses the certified selection: options with
+/// another throw InputError.
+class MassScaling final : public Handler {
+ public:
+  static constexpr HandlerInfo description{"mass-scaling",
+                                           "adds mass to the nodes of critical elements; changes the physics"};
+  MassScaling(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
+  const HandlerInfo& handlerInfo() const override { return description; }
+
+  /// Added mass, kg and % of the body's own, and the lowest elastic frequencies with and without it, Hz, at the
+  /// positions of the first mass that was added.
+  std::vector<HandlerFigure> figures() const override;
+  double addedMass() const { return added_.sum(); }
+
+ protected:
+  void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
+  StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override {
+    return base_->step(system, state, h);
+  }
+
+ private:
+  Eigen::VectorXd ownMass_, added_;  // kg, by node
+  NodeVectors x_;                    // where mass was added first, m
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,40 @@
+#include <array>
+#include <string>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/handlers/imex.h>
+#include <ringwatch/handlers/mass_scaling.h>
+
+namespace ringwatch {
+namespace {
+
+template <class H>
+constexpr HandlerEntry handlerEntry() {
+  return {&H::description,
+          [](Body& body, std::unique_ptr<Integrator> base, const HandlerOptions& options) -> std::unique_ptr<Handler> {
+            return std::make_unique<H>(body, std::move(base), options);
+          }};
+}
+
+/// Every handler of the library, one line each.
+constexpr std::array entries{
+    handlerEntry<ImplicitExplicit>(),
+    handlerEntry<MassScaling>(),
+};
+
+}  // namespace
+
+std::span<const HandlerEntry> allHandlers() { return entries; }
+
+std::unique_ptr<Handler> makeHandler(std::string_view name, Body& body, std::unique_ptr<Integrator> base,
+                                     const HandlerOptions& options) {
+  std::string names;
+  for (const HandlerEntry& entry : entries) {
+    if (entry.info->name == name) return entry.make(body, std::move(base), options);
+    names += names.empty() ? "" : ", ";
+    names += entry.info->name;
+  }
+  throw InputError(joinText("handler \"", name, "\": must be one of ", names));
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,212 @@
+#include <ringwatch/handlers/selection.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/nodal_bound.h>
+#include <ringwatch/monitor/reduced_ring.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr double slack = 1e-9;  // kept free for the rounding of sums and small eigenvalues
+
+ElementFlags inverse(ElementFlags flags) {
+  for (std::vector<bool>& block : flags) block.flip();
+  return flags;
+}
+
+/// The elements of the rest, by their number there.
+std::vector<std::vector<std::int32_t>> numbersOf(const ElementFlags& flags) {
+  std::vector<std::vector<std::int32_t>> numbers(flags.size());
+  for (std::size_t b = 0; b < flags.size(); ++b)
+    for (std::size_t e = 0; e < flags[b].size(); ++e)
+      if (flags[b][e]) numbers[b].push_back(static_cast<std::int32_t>(e));
+  return numbers;
+}
+
+class Greedy {
+ public:
+  Greedy(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep)
+      : body_(body), x_(x), lambda_(lambda), keep_(keep.empty() ? noElements(body.mesh()) : keep), chosen_(keep_) {}
+
+  CertifiedSelection run() {
+    // The worst elements bend the shapes of their whole neighbourhood, so they leave first, and the shapes are swept
+    // without them before the next ones are judged.
+    for (const double hot : {16.0, 4.0, 1.0, 1.0}) {
+      takeOut(hot * lambda_);
+      if (hot == 1) bringBack();
+    }
+    CertifiedSelection result;
+    result.chosen = std::move(chosen_);
+    double rest = 0;
+    for (std::int32_t i = 0; i < body_.nodeCount(); ++i) rest = std::max(rest, nodal(i).first);
+    result.rest = {rest};
+    result.nodalSums = std::move(sums_);
+    return result;
+  }
+
+ private:
+  /// lambda_max of a node's sum over its mass and the direction that has it.
+  std::pair<double, Eigen::Vector3d> nodal(std::int32_t i) const {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(sums_[static_cast<std::size_t>(i)] /
+                                                               body_.lumpedMass()[i]);
+    return {eigen.eigenvalues()[2], eigen.eigenvectors().col(2)};
+  }
+  Eigen::Matrix3d clearConstrained(Eigen::Matrix3d A, std::int32_t node) const {
+    for (int c = 0; c < 3; ++c)
+      if (body_.constraints().isConstrained(node, c)) {
+        A.row(c).setZero();
+        A.col(c).setZero();
+      }
+    return A;
+  }
+
+  /// Hands over elements until no node of the rest is above `allowed`.
+  void takeOut(double allowed) {
+    const ElementFlags left = inverse(chosen_);
+    const Body rest(body_, left);
+    NodalBound bound(rest);
+    if (std::isnan(bound.evaluate(x_, sweeps).value))
+      throw NumericalError("no elements can be selected: the tangent at these positions is not finite");
+    const auto numbers = numbersOf(left);
+    sums_.assign(static_cast<std::size_t>(body_.nodeCount()), Eigen::Matrix3d::Zero());
+    std::priority_queue<std::pair<double, std::int32_t>> queue;
+    for (std::int32_t i = 0; i < body_.nodeCount(); ++i) {
+      Eigen::Matrix3d& sum = sums_[static_cast<std::size_t>(i)];
+      for (const auto at : bound.incidences(i)) sum += bound.value(bound.elementAt(at)) * bound.shape(at);
+      sum = clearConstrained(sum, i);
+      queue.push({nodal(i).first, i});
+    }
+    while (!queue.empty()) {
+      const auto [value, i] = queue.top();
+      queue.pop();
+      const auto [now, direction] = nodal(i);
+      if (now < value * (1 - slack)) {  // a neighbour has left since
+        queue.push({now, i});
+        continue;
+      }
+      if (now <= allowed * (1 - slack)) return;
+      double most = -1;
+      ElementRef worst;
+      for (const auto at : bound.incidences(i)) {
+        const ElementRef e = bound.elementAt(at);
+        if (chosen_[static_cast<std::size_t>(e.block)][number(numbers, e)]) continue;
+        const double share = bound.value(e) * direction.dot(clearConstrained(bound.shape(at), i) * direction);
+        if (share > most) {
+          most = share;
+          worst = e;
+        }
+      }
+      if (most < 0) {  // nothing is left here but rounding
+        sums_[static_cast<std::size_t>(i)].setZero();
+        continue;
+      }
+      chosen_[static_cast<std::size_t>(worst.block)][number(numbers, worst)] = true;
+      const auto nodes = rest.blocks()[static_cast<std::size_t>(worst.block)]->nodesOf(worst.element);
+      for (const std::int32_t node : nodes) {
+        // Summed anew: differences would keep the rounding of what has left.
+        Eigen::Matrix3d& sum = sums_[static_cast<std::size_t>(node)];
+        sum.setZero();
+        for (const auto at : bound.incidences(node)) {
+          const ElementRef e = bound.elementAt(at);
+          if (!chosen_[static_cast<std::size_t>(e.block)][number(numbers, e)])
+            sum += bound.value(e) * clearConstrained(bound.shape(at), node);
+        }
+      }
+      queue.push({nodal(i).first, i});
+    }
+  }
+  static std::size_t number(const std::vector<std::vector<std::int32_t>>& numbers, ElementRef e) {
+    return static_cast<std::size_t>(numbers[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)]);
+  }
+
+  /// Takes back, softest first, every element that the slack of its nodes holds.
+  void bringBack() {
+    std::vector<std::pair<double, ElementRef>> candidates;
+    for (const ElementRef e : chosenElements(chosen_))
+      if (!keep_[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)])
+        candidates.push_back({use(e), e});
+    std::sort(candidates.begin(), candidates.end());
+    for (const auto& [before, e] : candidates) {
+      const double l = use(e);
+      if (!(l <= 1 - slack)) continue;
+      for (const std::int32_t node : body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element))
+        sums_[static_cast<std::size_t>(node)] += l * slackOf(node);
+      chosen_[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)] = false;
+    }
+  }
+  Eigen::Matrix3d slackOf(std::int32_t node) const {
+    return clearConstrained(lambda_ * (1 - slack) * body_.lumpedMass()[node] * Eigen::Matrix3d::Identity() -
+                                sums_[static_cast<std::size_t>(node)],
+                            node);
+  }
+  /// l_e with the slack of its nodes as shapes: the share of it that an element would use up; infinite without slack.
+  double use(ElementRef e) const {
+    Eigen::MatrixXd K = body_.elementTangent(e, x_);
+    const auto nodes = body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element);
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      Eigen::Matrix3d T = slackOf(nodes[a]);
+      const auto at = static_cast<Eigen::Index>(3 * a);
+      for (int c = 0; c < 3; ++c)
+        if (body_.constraints().isConstrained(nodes[a], c)) {
+          K.row(at + c).setZero();
+          K.col(at + c).setZero();
+          T(c, c) = 1;
+        }
+      const Eigen::LLT<Eigen::Matrix3d> factor(T);
+      if (factor.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
+      K.middleRows<3>(at) = factor.matrixL().solve(K.middleRows<3>(at).eval()).eval();
+      K.middleCols<3>(at) = factor.matrixL().solve(K.middleCols<3>(at).transpose().eval()).transpose().eval();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K, Eigen::EigenvaluesOnly);
+    const double largest = eigen.eigenvalues().tail<1>()[0];
+    return largest >= 0 ? largest : largest < 0 ? 0 : std::numeric_limits<double>::infinity();
+  }
+
+  static constexpr int sweeps = 8;
+  const Body& body_;
+  const NodeVectors& x_;
+  double lambda_;
+  ElementFlags keep_, chosen_;
+  std::vector<Eigen::Matrix3d> sums_;
+};
+
+}  // namespace
+
+ElementFlags noElements(const Mesh& mesh) {
+  ElementFlags flags;
+  for (const MeshBlock& block : mesh.blocks) flags.emplace_back(block.elementCount(), false);
+  return flags;
+}
+
+std::vector<ElementRef> chosenElements(const ElementFlags& flags) {
+  std::vector<ElementRef> elements;
+  for (std::size_t b = 0; b < flags.size(); ++b)
+    for (std::size_t e = 0; e < flags[b].size(); ++e)
+      if (flags[b][e]) elements.push_back({static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)});
+  return elements;
+}
+
+ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double lambda) {
+  if (!(lambda > 0)) throw InputError(joinText("selection: lambda = ", lambda, " rad2/s2 must be > 0"));
+  ElementFlags flags = noElements(body.mesh());
+  ReducedRing rings(body);
+  const auto& largest = rings.evaluate(x).largest;
+  for (std::size_t b = 0; b < flags.size(); ++b)
+    for (std::size_t e = 0; e < flags[b].size(); ++e) flags[b][e] = !(largest[b][e] <= lambda);
+  return flags;
+}
+
+CertifiedSelection selectCertified(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep) {
+  if (!(lambda > 0)) throw InputError(joinText("selection: lambda = ", lambda, " rad2/s2 must be > 0"));
+  return Greedy(body, x, lambda, keep).run();
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,372 @@
+// Implicit-explicit by elements: the step against dense solves, its stability, order, and long runs.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/handlers/imex.h>
+#include <tests/handlers/handler_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::denseHighest;
+using ::testing::HasSubstr;
+
+double criticalStepOf(const Body& body) { return 2 / std::sqrt(denseHighest(body, body.mesh().X)); }
+
+std::unique_ptr<Handler> imex(Body& body, double h, HandlerOptions options = {},
+                              std::string_view base = "symplectic-euler") {
+  auto handler = makeHandler("imex", body, makeIntegrator(base), options);
+  handler->prepare(body.mesh().X, h);
+  return handler;
+}
+HandlerOptions withDissipation(double alpha, ClusterSolver solver = ClusterSolver::automatic) {
+  HandlerOptions options;
+  options.dissipation = alpha;
+  options.cluster.solver = solver;
+  return options;
+}
+
+Eigen::VectorXd flat(const NodeVectors& v) { return Eigen::VectorXd::Map(v.data(), v.size()); }
+
+struct StepCase {
+  double alpha;
+  ClusterSolver solver;
+  double steps;  // of the critical one: small clusters, and one larger than a dense inverse is made for
+  int held;      // 0: nothing, 1: some nodes of handled elements fixed, 2: also moved
+};
+class ImexStep : public ::testing::TestWithParam<StepCase> {};
+INSTANTIATE_TEST_SUITE_P(
+    All, ImexStep, ::testing::ValuesIn([] {
+      std::vector<StepCase> cases;
+      for (const double alpha : {0.0, 0.3, 1.0})
+        for (const ClusterSolver solver : {ClusterSolver::cholesky, ClusterSolver::conjugateGradients})
+          for (const double steps : {2.0, 30.0})
+            for (const int held : {0, 1, 2}) cases.push_back({alpha, solver, steps, held});
+      return cases;
+    }()));
+
+// For the linear law K̂ is the very stiffness of the handled elements.
+TEST_P(ImexStep, IsThatOfADenseSolve) {
+  const StepCase c = GetParam();
+  Body body = test::sliverBody("linear", 0.98, false);
+  const std::int32_t moved = test::nodeNearest(body.mesh(), {0.118, 0.02, 0.02});
+  if (c.held >= 1) body.constraints().fix(test::nodeNearest(body.mesh(), {0.1, 0.02, 0.0}));
+  if (c.held >= 2) body.constraints().move(moved, 1, 0.3);
+  body.addBodyForce({0, 0.5, -1});
+  const double h = c.steps * criticalStepOf(body);
+  HandlerOptions options = withDissipation(c.alpha, c.solver);
+  options.cluster.tolerance = 1e-13;
+  options.cluster.iterations = 2000;
+  const auto handler = imex(body, h, options);
+  ASSERT_FALSE(handler->elements().empty());
+
+  BodySystem system(body);
+  State state = system.initialState();
+  test::Random random(3);
+  state.x += random.nodeVectors(state.x.cols(), 1e-4);
+  NodeVectors v = random.nodeVectors(state.x.cols(), 0.1);
+  state.v = v;
+  body.constraints().imposeVelocity(state.v);
+  v = state.v;
+  const NodeVectors x = state.x;
+
+  ElementFlags flags = noElements(body.mesh());
+  for (const ElementRef e : handler->elements())
+    flags[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)] = true;
+  const Eigen::MatrixXd K = test::stiffnessOf(body, body.mesh().X, flags, true);
+  const double beta = 0.25 * (1 + c.alpha) * (1 + c.alpha);
+  Eigen::MatrixXd A = beta * h * h * K;
+  for (Eigen::Index d = 0; d < A.rows(); ++d) A(d, d) += body.lumpedMass()[d / 3];
+  Body::Workspace workspace;
+  NodeVectors f;
+  body.internalForce(x, f, workspace);
+  Eigen::VectorXd right = flat(body.externalForce() - f) - c.alpha * h * K * flat(v);
+  for (Eigen::Index d = 0; d < A.rows(); ++d)
+    if (body.constraints().isConstrained(static_cast<std::int32_t>(d / 3), static_cast<int>(d % 3))) {
+      A.row(d).setZero();
+      A.col(d).setZero();
+      A(d, d) = 1;
+      right[d] = 0;
+    }
+  const Eigen::VectorXd a = A.lu().solve(right);
+
+  ASSERT_TRUE(handler->step(system, state, h).done);
+  EXPECT_LE((flat(state.v - v) / h - a).norm(), 1e-8 * a.norm());
+  EXPECT_LE((state.x - x - h * state.v).norm(), 1e-14 * x.norm());
+}
+
+class ImexStability : public ::testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(All, ImexStability, ::testing::Values(0.0, 0.3, 1.0));
+
+// The amplification matrix of the whole linear body, column by column from the program's own steps.
+TEST_P(ImexStability, NoModeGrowsAtManyTimesTheCriticalStep) {
+  Body body = test::sliverBody("linear", 0.98);
+  const double h = 4 * criticalStepOf(body);
+  const auto handler = imex(body, h, withDissipation(GetParam()));
+  BodySystem system(body);
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index d = 0; d < 3 * body.nodeCount(); ++d)
+    if (!body.constraints().isConstrained(static_cast<std::int32_t>(d / 3), static_cast<int>(d % 3))) free.push_back(d);
+  const auto n = static_cast<Eigen::Index>(free.size());
+  Eigen::MatrixXd G(2 * n, 2 * n);
+  const auto spectralRadius = [&](Integrator& integrator) {
+    for (Eigen::Index k = 0; k < 2 * n; ++k) {
+      State state{0, body.mesh().X, NodeVectors::Zero(3, body.nodeCount())};
+      constexpr double unit = 1e-3;
+      (k < n ? state.x : state.v).data()[free[static_cast<std::size_t>(k % n)]] += k < n ? unit : unit / h;
+      integrator.step(system, state, h);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const Eigen::Index d = free[static_cast<std::size_t>(i)];
+        G(i, k) = (state.x.data()[d] - body.mesh().X.data()[d]) / unit;
+        G(n + i, k) = state.v.data()[d] * h / unit;
+      }
+    }
+    return G.eigenvalues().cwiseAbs().maxCoeff();
+  };
+  EXPECT_LE(spectralRadius(*handler), 1 + 1e-6);
+  const auto plain = makeIntegrator("symplectic-euler");
+  EXPECT_GT(spectralRadius(*plain), 2);  // so the test can fail
+}
+
+TEST(Imex, IsPlainExplicitWhereTheStepIsFine) {
+  for (const char* base : {"symplectic-euler", "verlet"}) {
+    Body body = test::sliverBody("corotational");
+    body.addBodyForce({0, 0, -1});
+    const double h = 0.8 * criticalStepOf(body);
+    const auto handler = imex(body, h, {}, base);
+    EXPECT_TRUE(handler->elements().empty());
+    EXPECT_EQ(&handler->explicitBody(), &body);
+    const auto plain = makeIntegrator(base);
+    BodySystem a(body), b(body);
+    State with = a.initialState(), without = b.initialState();
+    for (int i = 0; i < 50; ++i) {
+      handler->step(a, with, h);
+      plain->step(b, without, h);
+    }
+    EXPECT_EQ(with.x, without.x);
+    EXPECT_EQ(with.v, without.v);
+  }
+}
+
+// Positions after a swing, against plain explicit at a tiny step.
+double errorOf(std::string_view law, double alpha, double h, std::string_view base, bool keepAll = true) {
+  constexpr double end = 0.08;
+  const auto body = [&] {
+    Body b = test::sliverBody(law, 0.95);
+    b.addBodyForce({0, 0, -2});
+    return b;
+  };
+  static std::map<std::string, NodeVectors> references;
+  NodeVectors& reference = references[std::string(law)];
+  Body own = body();
+  BodySystem system(own);
+  if (reference.size() == 0) {
+    State state = system.initialState();
+    const auto verlet = makeIntegrator("verlet");
+    const auto steps = static_cast<int>(std::ceil(end / (0.1 * criticalStepOf(own))));
+    for (int i = 0; i < steps; ++i) verlet->step(system, state, end / steps);
+    reference = state.x;
+  }
+  const int steps = static_cast<int>(std::lround(end / h));
+  const auto handler = makeHandler("imex", own, makeIntegrator(base), withDissipation(alpha));
+  // The elements of the largest step stay handled at all others, so that one scheme is compared with itself.
+  if (keepAll) handler->prepare(own.mesh().X, 4 * criticalStepOf(own));
+  handler->prepare(own.mesh().X, end / steps);
+  EXPECT_FALSE(handler->elements().empty());
+  State state = system.initialState();
+  for (int i = 0; i < steps; ++i) EXPECT_TRUE(handler->step(system, state, end / steps).done);
+  return (state.x - reference).norm() / (reference - own.mesh().X).norm();
+}
+
+TEST(Imex, ConvergesWithSecondOrderWithoutDissipation) {
+  for (const char* law : {"linear", "corotational", "stvk"}) {
+    const double h = 0.08 / 250;
+    const double coarse = errorOf(law, 0, h, "verlet"), fine = errorOf(law, 0, h / 2, "verlet");
+    EXPECT_GT(coarse / fine, 3) << law << " " << coarse << " " << fine;
+  }
+}
+
+TEST(Imex, ConvergesWithFirstOrderAsImplicitEuler) {
+  const double h = 0.08 / 400;
+  const double coarse = errorOf("linear", 1, h, "verlet"), fine = errorOf("linear", 1, h / 2, "verlet");
+  EXPECT_GT(coarse / fine, 1.6);
+  EXPECT_LT(errorOf("linear", 0, h, "verlet"), coarse);
+}
+
+TEST(Imex, FollowsTheMotionAtFourTimesTheCriticalStep) {
+  for (const char* law : {"linear", "corotational", "stvk", "neo-hookean"}) {
+    Body body = test::sliverBody(law, 0.95);
+    EXPECT_LT(errorOf(law, 0.3, 4 * criticalStepOf(body), "verlet", false), 0.01) << law;
+  }
+}
+
+TEST(Imex, KeepsEnergyBoundedAndMomentumOverManySteps) {
+  for (const char* law : {"corotational", "stvk"})
+    for (const double alpha : {0.0, 0.3}) {
+      Body body = test::sliverBody(law, 0.98, false);
+      const double h = 4 * criticalStepOf(body);
+      const auto handler = imex(body, h, withDissipation(alpha), "verlet");
+      BodySystem system(body);
+      State state = system.initialState();
+      // A gentle vibration on top of a spin about y: the slivers turn round several times.
+      const Eigen::Vector3d centre = body.mesh().X.rowwise().mean(), spin(0, 8, 0);
+      for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+        state.v.col(i) =
+            spin.cross(body.mesh().X.col(i) - centre) + Eigen::Vector3d(0, 0, 0.05 * std::sin(20 * state.x(0, i)));
+      Body::Workspace workspace;
+      const auto energy = [&] {
+        return body.energy(state.x, workspace) + 0.5 * (state.v.colwise().squaredNorm() * body.lumpedMass()).value();
+      };
+      const auto momentum = [&] { return Eigen::Vector3d(state.v * body.lumpedMass()); };
+      const auto angular = [&] {
+        Eigen::Vector3d L = Eigen::Vector3d::Zero();
+        for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+          L += body.lumpedMass()[i] * state.x.col(i).cross(state.v.col(i));
+        return L;
+      };
+      const double start = energy();
+      const Eigen::Vector3d p = momentum(), L = angular();
+      double most = start;
+      for (int i = 0; i < 4000; ++i) {
+        ASSERT_TRUE(handler->step(system, state, h).done) << law << " " << i;
+        if (i % 20 == 0) most = std::max(most, energy());
+      }
+      EXPECT_LT(most, 1.02 * start) << law << " " << alpha;
+      EXPECT_GT(energy(), 0.9 * start) << law << " " << alpha;
+      EXPECT_LE((momentum() - p).norm(), 1e-10 * body.totalMass()) << law;  // exact: K̂ has translations as null space
+      EXPECT_LE((angular() - L).norm(), 0.01 * L.norm()) << law;  // not exact: K̂ knows rotations at rest only
+    }
+}
+
+TEST(Imex, SaysSoWhenConjugateGradientsDoNotConverge) {
+  Body body = test::sliverBody("stvk", 0.98);
+  body.addBodyForce({0, 0, -1});
+  const double h = 8 * criticalStepOf(body);
+  HandlerOptions options = withDissipation(0, ClusterSolver::conjugateGradients);
+  options.cluster.iterations = 1;
+  for (const char* base : {"symplectic-euler", "verlet"}) {
+    const auto handler = imex(body, h, options, base);
+    BodySystem system(body);
+    State state = system.initialState();
+    const State before = state;
+    const StepStatus status = handler->step(system, state, h);
+    EXPECT_FALSE(status.done);
+    EXPECT_THAT(status.reason, HasSubstr("conjugate gradients did not converge"));
+    EXPECT_EQ(state.x, before.x);
+    EXPECT_EQ(state.v, before.v);
+    EXPECT_EQ(state.time, before.time);
+  }
+}
+
+TEST(Imex, SurvivesAStepThatMakesEverythingImplicit) {
+  Body body = test::sliverBody("corotational", 0.98);
+  body.addBodyForce({0, 0, -1});
+  const double h = 200 * criticalStepOf(body);
+  const auto handler = imex(body, h, withDissipation(1));
+  EXPECT_EQ(handler->elements().size(), body.mesh().elementCount());
+  BodySystem system(body);
+  State state = system.initialState();
+  for (int i = 0; i < 200; ++i) ASSERT_TRUE(handler->step(system, state, h).done);
+  EXPECT_TRUE(state.x.allFinite());
+  EXPECT_LT((state.x - body.mesh().X).cwiseAbs().maxCoeff(), 0.2);
+}
+
+TEST(Imex, DoesNotPassNotANumberOn) {
+  Body body = test::sliverBody("stvk", 0.98);
+  const double h = 4 * criticalStepOf(body);
+  const auto handler = imex(body, h);
+  BodySystem system(body);
+  State state = system.initialState();
+  const std::int32_t node = body.blocks()[0]->nodesOf(handler->elements().front().element)[0];
+  state.x(0, node) = std::nan("");
+  EXPECT_FALSE(handler->step(system, state, h).done);
+}
+
+TEST(Imex, GivesTheSameBitsForAnyNumberOfThreads) {
+  NodeVectors x[2];
+  for (int k = 0; k < 2; ++k) {
+    Body body(test::sliverBar(0.98), makeMaterial("stvk", test::young, test::poisson, test::density),
+              {{}, Lumping::rowSum, k == 0 ? 1 : 3});
+    body.addBodyForce({0, 0, -1});
+    const double h = 4 * criticalStepOf(body);
+    const auto handler = imex(body, h);
+    BodySystem system(body);
+    State state = system.initialState();
+    for (int i = 0; i < 100; ++i) handler->step(system, state, h);
+    x[k] = state.x;
+  }
+  EXPECT_EQ(x[0], x[1]);
+}
+
+TEST(Imex, WatchesTheExplicitElementsUnderTheirOwnNumbers) {
+  Body body = test::sliverBody("stvk", 0.98);
+  const auto handler = imex(body, 4 * criticalStepOf(body));
+  const Body& rest = handler->explicitBody();
+  EXPECT_EQ(rest.mesh().elementCount() + handler->elements().size(), body.mesh().elementCount());
+  EXPECT_LE(denseHighest(rest, body.mesh().X), denseHighest(body, body.mesh().X) / 16);
+  for (std::int32_t e = 0; e < rest.blocks()[0]->elementCount(); ++e) {
+    const auto own = rest.blocks()[0]->nodesOf(e),
+               whole = body.blocks()[0]->nodesOf(handler->wholeElement({0, e}).element);
+    ASSERT_TRUE(std::equal(own.begin(), own.end(), whole.begin()));
+  }
+}
+
+TEST(Clusters, ArePartsThatShareNoNode) {
+  const Body body = test::sliverBody();
+  test::Random random(9);
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<ElementRef> elements;
+    for (std::int32_t e = 0; e < body.blocks()[0]->elementCount(); ++e)
+      if (random.uniform(0, 1) < 0.01 * trial) elements.push_back({0, e});
+    const auto clusters = clustersOf(body, elements);
+    std::vector<ElementRef> all;
+    std::vector<int> owner(static_cast<std::size_t>(body.nodeCount()), -1);
+    for (std::size_t k = 0; k < clusters.size(); ++k) {
+      // Connected: grows from its first element to all of it.
+      std::set<std::int32_t> reached;
+      std::size_t taken = 0;
+      std::vector<bool> in(clusters[k].size(), false);
+      for (bool grown = true; grown;) {
+        grown = false;
+        for (std::size_t i = 0; i < clusters[k].size(); ++i) {
+          if (in[i]) continue;
+          const auto nodes = body.blocks()[0]->nodesOf(clusters[k][i].element);
+          const bool touches =
+              std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return reached.count(n) != 0; });
+          if (!reached.empty() && !touches) continue;
+          reached.insert(nodes.begin(), nodes.end());
+          in[i] = grown = true;
+          ++taken;
+        }
+      }
+      EXPECT_EQ(taken, clusters[k].size());
+      for (const std::int32_t node : reached) {
+        EXPECT_EQ(owner[static_cast<std::size_t>(node)], -1);
+        owner[static_cast<std::size_t>(node)] = static_cast<int>(k);
+      }
+      all.insert(all.end(), clusters[k].begin(), clusters[k].end());
+    }
+    std::sort(all.begin(), all.end());
+    EXPECT_EQ(all, elements);
+  }
+}
+
+TEST(Imex, RefusesADissipationOutOfRange) {
+  Body body = test::sliverBody();
+  EXPECT_THROW(imex(body, 1e-3, withDissipation(-0.1)), InputError);
+  EXPECT_THROW(imex(body, 1e-3, withDissipation(1.1)), InputError);
+  const auto handler = imex(body, 4 * criticalStepOf(body));
+  BodySystem system(body);
+  State state = system.initialState();
+  EXPECT_THROW(handler->step(system, state, criticalStepOf(body)), InputError);  // prepared for another
+}
+
+}  // namespace
+}  // namespace ringwatch

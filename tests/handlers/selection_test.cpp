@@ -1,0 +1,133 @@
+// Which elements a handler takes: the certified rest against dense eigenvalues of assembled matrices.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <ringwatch/base/error.h>
+#include <tests/handlers/handler_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::denseHighest;
+
+class CertifiedSelectionTest : public ::testing::TestWithParam<std::tuple<const char*, bool, bool>> {};
+INSTANTIATE_TEST_SUITE_P(All, CertifiedSelectionTest,
+                         ::testing::Combine(::testing::Values("stvk", "corotational", "linear", "neo-hookean"),
+                                            ::testing::Bool(), ::testing::Bool()),
+                         [](const auto& test) {
+                           return test::testName(std::get<0>(test.param)) +
+                                  (std::get<1>(test.param) ? "_clamped" : "_free") +
+                                  (std::get<2>(test.param) ? "_strained" : "_rest");
+                         });
+
+TEST_P(CertifiedSelectionTest, LeavesARestBelowTheWantedFrequency) {
+  const auto [law, clamped, strained] = GetParam();
+  const Body body = test::sliverBody(law, 0.95, clamped);
+  const NodeVectors x = strained ? test::strained(body.mesh().X, 5, 0.002) : body.mesh().X;
+  const double highest = denseHighest(body, x);
+  std::size_t before = 0;
+  for (const double share : {0.9, 0.3, 0.1, 0.03}) {
+    const double lambda = share * highest;
+    const CertifiedSelection selection = selectCertified(body, x, lambda);
+    const double rest = denseHighest(body, test::stiffnessOf(body, x, selection.chosen, false), body.lumpedMass());
+    EXPECT_LE(selection.rest.value, lambda) << share;
+    EXPECT_LE(rest, selection.rest.value * (1 + 1e-9)) << share;  // the claim
+    const std::size_t count = chosenElements(selection.chosen).size();
+    EXPECT_GT(count, 0u) << share;
+    EXPECT_GE(count, before);
+    before = count;
+  }
+}
+
+TEST(CertifiedSelection, TakesNothingWhereTheStepIsFine) {
+  const Body body = test::sliverBody();
+  const double highest = denseHighest(body, body.mesh().X);
+  EXPECT_TRUE(chosenElements(selectCertified(body, body.mesh().X, 1.2 * highest).chosen).empty());
+}
+
+TEST(CertifiedSelection, TakesTheSliversAndLittleElse) {
+  const Body body = test::sliverBody("stvk", 0.98);
+  const Mesh regular = test::gridMesh("tet4", {10, 2, 2}, {0.2, 0.04, 0.04});
+  const Body good(regular, makeMaterial("stvk", test::young, test::poisson, test::density));
+  // Twice the square of the good mesh's frequency: on regular grids the nodal bound itself is some 20 % off.
+  const double lambda = 2 * denseHighest(good, regular.X);
+  const auto chosen = chosenElements(selectCertified(body, body.mesh().X, lambda).chosen);
+  const auto rings = chosenElements(selectByReducedRing(body, body.mesh().X, lambda));
+  EXPECT_GE(chosen.size(), 1u);
+  EXPECT_LE(chosen.size(), 24u);  // those at the node that was moved
+  EXPECT_LT(chosen.size(), rings.size());
+}
+
+TEST(CertifiedSelection, KeepsWhatItIsToldTo) {
+  const Body body = test::sliverBody();
+  ElementFlags keep = noElements(body.mesh());
+  keep[0][7] = true;
+  const auto chosen = chosenElements(selectCertified(body, body.mesh().X, 1e12, keep).chosen);
+  EXPECT_EQ(chosen, (std::vector<ElementRef>{{0, 7}}));
+}
+
+TEST(CertifiedSelection, TakesEverythingForAnAbsurdStep) {
+  const Body body = test::sliverBody("stvk", 0.95, false);
+  const CertifiedSelection selection = selectCertified(body, body.mesh().X, 1e-3);
+  EXPECT_EQ(chosenElements(selection.chosen).size(), body.mesh().elementCount());
+  EXPECT_LE(selection.rest.value, 1e-3);
+}
+
+TEST(CertifiedSelection, LeavesASliverAloneWhoseNodesAreAllFixed) {
+  Body body = test::sliverBody("stvk", 0.98, false);
+  const double lambda = denseHighest(body, body.mesh().X) / 2;
+  ASSERT_FALSE(chosenElements(selectCertified(body, body.mesh().X, lambda).chosen).empty());
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.constraints().fix(i);
+  EXPECT_TRUE(chosenElements(selectCertified(body, body.mesh().X, lambda).chosen).empty());
+}
+
+TEST(CertifiedSelection, RefusesWhatHasNoMeaning) {
+  const Body body = test::sliverBody();
+  EXPECT_THROW(selectCertified(body, body.mesh().X, 0), InputError);
+  EXPECT_THROW(selectByReducedRing(body, body.mesh().X, 0), InputError);
+  NodeVectors x = body.mesh().X;
+  x(0, 3) = std::nan("");
+  EXPECT_THROW(selectCertified(body, x, 1e6), NumericalError);
+}
+
+TEST(CertifiedSelection, WorksOnMixedElements) {
+  BarOptions options;
+  options.size = {0.2, 0.04, 0.04};
+  options.cells = {6, 2, 2};
+  options.jitter = 0.2;
+  const Body body(generateMixedBar(options), makeMaterial("stvk", test::young, test::poisson, test::density));
+  const double lambda = 0.4 * denseHighest(body, body.mesh().X);
+  const CertifiedSelection selection = selectCertified(body, body.mesh().X, lambda);
+  EXPECT_LE(denseHighest(body, test::stiffnessOf(body, body.mesh().X, selection.chosen, false), body.lumpedMass()),
+            lambda);
+}
+
+// A part of a body is what a monitor watches.
+TEST(PartOfABody, HasItsElementsForcesAndTheWholeMass) {
+  const Body body = test::sliverBody();
+  ElementFlags flags = noElements(body.mesh());
+  for (std::size_t e = 0; e < flags[0].size(); e += 3) flags[0][e] = true;
+  ElementFlags others = flags;
+  others[0].flip();
+  const Body part(body, flags), rest(body, others);
+  EXPECT_EQ(part.lumpedMass(), body.lumpedMass());
+  EXPECT_EQ(part.mesh().elementCount(), chosenElements(flags).size());
+  EXPECT_NEAR(part.volume() + rest.volume(), body.volume(), 1e-12 * body.volume());
+  const NodeVectors x = test::strained(body.mesh().X);
+  NodeVectors f, g, whole;
+  Body::Workspace workspace, workspaceOfPart, workspaceOfRest;
+  part.internalForce(x, f, workspaceOfPart);
+  rest.internalForce(x, g, workspaceOfRest);
+  body.internalForce(x, whole, workspace);
+  EXPECT_LE((f + g - whole).norm(), 1e-12 * whole.norm());
+  EXPECT_LE((Eigen::MatrixXd(part.assembleTangent(x)) - test::stiffnessOf(body, x, flags, true)).norm(),
+            1e-12 * part.assembleTangent(x).norm());
+  ElementFlags wrong = flags;
+  wrong[0].pop_back();
+  EXPECT_THROW(Body(body, wrong), InputError);
+}
+
+}  // namespace
+}  // namespace ringwatch
