@@ -161,7 +161,7 @@ struct RunCommand {
                                     : std::filesystem::path(folder);
     options.progress = !quiet;
     options.interrupt = &interrupted;
-    const Body body = sceneBody(description, sceneMesh(description, options.notes), threads);
+    Body body = sceneBody(description, sceneMesh(description, options.notes), threads);
     const InterruptGuard guard;
     const RunResult result = runScene(description, body, options);
     if (!quiet) printOut(summaryText(description, body, result, options.folder));
@@ -187,6 +187,11 @@ struct CompareCommand {
     command->add_option("SCENE", options.scene, "scene file (TOML); its motion is what is computed, to its end")
         ->required();
     command->add_option("--integrators", options.integrators, "names, separated by commas, or all (default: all)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command
+        ->add_option("--handlers", options.handlers,
+                     "handlers on verlet, separated by commas, or all (default: none); options from the scene")
         ->delimiter(',')
         ->allow_extra_args(false);
     command

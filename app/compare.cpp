@@ -1,5 +1,6 @@
 #include <ringwatch/app/compare.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -37,6 +38,34 @@ std::vector<IntegratorEntry> chosenIntegrators(const std::vector<std::string>& n
     chosen.push_back(*found);
   }
   return chosen;
+}
+
+std::vector<std::string> chosenHandlers(const std::vector<std::string>& names) {
+  std::vector<std::string> all, chosen;
+  for (const HandlerEntry& entry : allHandlers()) all.emplace_back(entry.info->name);
+  for (const std::string& name : names) {
+    if (name == "all") return all;
+    if (std::find(all.begin(), all.end(), name) == all.end())
+      throw InputError(fmt::format("--handlers: unknown \"{}\"; did you mean \"{}\"? known are all, {}", name,
+                                   nearestName(name, all), fmt::join(all, ", ")));
+    chosen.push_back(name);
+  }
+  return chosen;
+}
+
+/// A handler on verlet, with a body of its own: mass scaling changes it.
+WorkPrecisionRun runHandler(const WorkPrecisionCase& c, const Scene& scene, const Mesh& mesh, int threads,
+                            const std::string& name, double h) {
+  HandlerOptions options = scene.handlerOptions;
+  if (name == "mass-scaling") options.selection = "certified";
+  WorkPrecisionRun run = runPrepared(c, name, h, [&](double step) {
+    auto body = std::make_shared<Body>(sceneBody(scene, mesh, threads));
+    auto handler = makeHandler(name, *body, makeIntegrator("verlet"), options);
+    handler->prepare(body->mesh().X, step);
+    return PreparedRun{std::move(handler), std::make_unique<BodySystem>(*body), body};
+  });
+  run.forces = c.end / run.h;
+  return run;
 }
 
 std::string cheapestText(const std::vector<WorkPrecisionRun>& runs) {
@@ -84,7 +113,11 @@ CompareResult compareScene(const CompareOptions& options) {
   const std::vector<IntegratorEntry> integrators = chosenIntegrators(options.integrators);
   for (const double h : options.steps)
     if (!(h > 0) || !std::isfinite(h)) throw InputError(fmt::format("--step: {} s must be > 0 and finite", h));
+  const std::vector<std::string> handlers = chosenHandlers(options.handlers);
   const Scene scene = readScene(options.scene, options.overrides);
+  if (!handlers.empty() && scene.damping.any())
+    throw InputError(
+        fmt::format("{}: handlers do not work with [damping]; remove it or --handlers", scene.file.string()));
   for (const double h : options.steps)
     if (h > scene.end) throw InputError(fmt::format("--step: {} s is beyond the end of the scene, {} s", h, scene.end));
   std::vector<std::string> notes;
@@ -112,7 +145,14 @@ CompareResult compareScene(const CompareOptions& options) {
   wanted.progress = [&](const std::string& what, double share) {
     if (progress.due()) progress.show(what, share);
   };
-  const std::vector<WorkPrecisionRun> runs = runWorkPrecision(c, integrators, wanted);
+  std::vector<WorkPrecisionRun> runs = runWorkPrecision(c, integrators, wanted);
+  // Unless steps are given: from where plain explicit ends upwards, since that is what handlers are for.
+  std::vector<double> handlerSteps = options.steps;
+  if (handlerSteps.empty())
+    for (const double times : {1.8, 3.6, 7.2, 14.4})
+      handlerSteps.push_back(std::min(scene.end, times / std::sqrt(top.lambda)));
+  for (const std::string& name : handlers)
+    for (const double h : handlerSteps) runs.push_back(runHandler(c, scene, body.mesh(), options.threads, name, h));
   progress.clear();
 
   CompareResult result;

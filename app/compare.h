@@ -14,6 +14,7 @@ struct CompareOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;           // section.key=value
   std::vector<std::string> integrators{"all"};  // names, or "all"
+  std::vector<std::string> handlers;            // names, or "all"; with the options of the scene's [handler]
   std::vector<double> steps;                    // s; empty: a range for each integrator
   int threads = 1;                              // 0: as many as the mesh keeps busy
   bool progress = true;
@@ -25,9 +26,9 @@ struct CompareResult {
   std::string text;    // for people: who is cheapest
 };
 
-/// Runs a scene's motion with several integrators over several steps against a converged reference. Handlers and
-/// monitor of the scene take no part. Throws InputError for bad input, NumericalError when there is no converged
-/// reference.
+/// Runs a scene's motion with several integrators, and several handlers on verlet, over several steps against a
+/// converged reference. The monitor of the scene takes no part. Throws InputError for bad input, NumericalError when
+/// there is no converged reference.
 CompareResult compareScene(const CompareOptions& options);
 
 /// { title, end, reference_error, runs: [ … ], cheapest: { "1 %": { by_time, seconds, h, by_forces, forces }, … } };

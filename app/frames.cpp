@@ -36,7 +36,8 @@ std::vector<double> FrameWriter::elementSteps(const std::string& metric, const N
   return steps;
 }
 
-void FrameWriter::write(double time, const NodeVectors& x, const NodeVectors& v, double h, Verdict verdict) {
+void FrameWriter::write(double time, const NodeVectors& x, const NodeVectors& v, double h, Verdict verdict,
+                        std::span<const ElementRef> handledElements) {
   const NodeVectors displacement = x - body_.mesh().X;
   const auto values = [](const NodeVectors& vectors) {
     return std::span<const double>(vectors.data(), static_cast<std::size_t>(vectors.size()));
@@ -58,6 +59,10 @@ void FrameWriter::write(double time, const NodeVectors& x, const NodeVectors& v,
   }
   if (asksFor("handler")) {
     handled.assign(body_.mesh().elementCount(), 0);
+    std::vector<std::size_t> first{0};
+    for (const MeshBlock& block : body_.mesh().blocks) first.push_back(first.back() + block.elementCount());
+    for (const ElementRef e : handledElements)
+      handled[first[static_cast<std::size_t>(e.block)] + static_cast<std::size_t>(e.element)] = 1;
     cells.push_back({"handler", 1, std::span<const std::int32_t>(handled)});
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ class FrameWriter {
   FrameWriter(std::filesystem::path folder, const Scene& scene, const Body& body, StepRule rule);
 
   /// A frame of the state, which must be finite, before a step of size h. Throws InputError when it cannot be written.
-  void write(double time, const NodeVectors& x, const NodeVectors& v, double h, Verdict verdict);
+  void write(double time, const NodeVectors& x, const NodeVectors& v, double h, Verdict verdict,
+             std::span<const ElementRef> handled = {});
   std::size_t count() const { return entries_.size(); }
   /// Removes frames of an earlier, longer run from the folder.
   void removeStale() const;

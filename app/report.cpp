@@ -7,6 +7,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json handlerJson(const Scene& scene, const RunResult& result) {
+  if (!result.handler) return nullptr;
+  Json json{{"method", scene.handler},
+            {"selection", scene.handlerOptions.selection},
+            {"handled_elements", result.handler->elements},
+            {"explicit_part_certified", result.handler->certified},
+            {"selections", result.handler->selections}};
+  for (const HandlerFigure& figure : result.handler->figures) json[figure.name] = figure.value;
+  return json;
+}
+
 Json momentJson(const std::optional<RunResult::Moment>& moment) {
   if (!moment) return nullptr;
   return Json{{"step", moment->step}, {"time", moment->time}};
@@ -80,6 +91,7 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
               {"exit_text", result.reasonText},
               {"steps", result.steps},
               {"end_time", result.time},
+              {"handler", handlerJson(scene, result)},
               {"smallest_step", result.smallestStep},
               {"largest_step", result.largestStep},
               {"first_violated", momentJson(result.firstViolated)},
@@ -108,6 +120,13 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
                 ? fmt::format("step {:.6g} s, ", result.smallestStep)
                 : fmt::format("steps {:.6g} to {:.6g} s, ", result.smallestStep, result.largestStep);
   text += fmt::format("verdict {}\n", result.verdict());
+  if (result.handler) {
+    text += fmt::format("handler {}: {} of {} elements", scene.handler, result.handler->elements,
+                        body.mesh().elementCount());
+    for (const HandlerFigure& figure : result.handler->figures)
+      text += fmt::format(", {} {:.4g}", figure.name, figure.value);
+    text += "\n";
+  }
   // The first few events; all of them are in summary.json.
   constexpr std::size_t most = 6;
   for (std::size_t i = 0; i < result.events.size() && i < most; ++i)

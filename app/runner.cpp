@@ -59,26 +59,22 @@ void prepareFolder(const std::filesystem::path& folder) {
 /// A run in progress.
 class Run {
  public:
-  Run(const Scene& scene, const Body& body, const RunOptions& options)
+  Run(const Scene& scene, Body& body, const RunOptions& options)
       : scene_(scene),
         body_(body),
         options_(options),
         rule_(stepRule(*integratorCatalog().find(scene.method), scene.damping)),
         integrator_(integratorCatalog().make(scene.method)),
-        system_(body, scene.damping, scene.energy),
         balance_(body),
         progress_(options.progress) {
-    if (scene_.monitored()) {
-      MonitorOptions wanted;
-      wanted.limit = rule_;
-      wanted.mode = scene_.mode;
-      wanted.metric = scene_.metric;
-      wanted.margin = scene_.margin;
-      wanted.every = static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max()));
-      wanted.energyTolerance = scene_.energyTolerance;
-      monitor_.emplace(body_, wanted);
-    }
     result_.notes = options.notes;
+    if (!scene_.handler.empty()) {
+      auto handler = makeHandler(scene_.handler, body_, std::move(integrator_), scene_.handlerOptions);
+      handler_ = handler.get();
+      integrator_ = std::move(handler);
+      prepareHandler(body_.mesh().X, *scene_.step);
+    }
+    startSystem();
     if (integrator_->info().partitioned) splitBody();
   }
 
@@ -91,7 +87,7 @@ class Run {
         history_.emplace(options_.folder);
         if (scene_.frameInterval) frames_.emplace(options_.folder, scene_, body_, rule_);
       }
-      state_ = system_.initialState();
+      state_ = system_->initialState();
       h_ = scene_.step.value_or(0);
       advance();
       progress_.clear();
@@ -112,7 +108,7 @@ class Run {
 
       const bool rowDue = k % scene_.historyEvery == 0;
       keepBooks(rowDue);
-      MonitorReport report = observe(k);
+      MonitorReport report = handleMore(k, observe(k));
       if (!state_.x.allFinite() || !state_.v.allFinite()) {
         keepEvents(report);
         return end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", k));
@@ -120,11 +116,71 @@ class Run {
       if (!adaptStep(report)) return;
       checkRunaway(k);
       record(report, rowDue);
-      if (report.verdict == Verdict::violated && monitor_ && scene_.onViolation == OnViolation::stop)
+      if (report.verdict == Verdict::violated && monitor_ &&
+          (scene_.onViolation == OnViolation::stop || scene_.onViolation == OnViolation::handle))
         return end(ExitReason::violated, fmt::format("stopped before step {}, which is violated", k));
       if (!takeStep(report)) return;
       showProgress(report);
     }
+  }
+
+  /// What depends on the masses and on which elements are explicit.
+  void startSystem() {
+    system_.emplace(body_, scene_.damping, scene_.energy);
+    closeEvents();
+    monitor_.reset();
+    if (!scene_.monitored()) return;
+    const Body& watched = handler_ ? handler_->explicitBody() : body_;
+    if (watched.mesh().elementCount() == 0) {
+      if (result_.handler->selections == 1)
+        result_.notes.emplace_back("every element is handled: there is no explicit one to monitor");
+      return;
+    }
+    MonitorOptions wanted;
+    wanted.limit = rule_;
+    wanted.mode = scene_.mode;
+    wanted.metric = scene_.metric;
+    wanted.margin = scene_.margin;
+    wanted.every = static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max()));
+    wanted.energyTolerance = scene_.energyTolerance;
+    monitor_.emplace(watched, wanted);
+  }
+
+  void prepareHandler(const NodeVectors& x, double h) {
+    handler_->prepare(x, h);
+    if (!result_.handler) result_.handler.emplace();
+    result_.handler->elements = static_cast<std::int64_t>(handler_->elements().size());
+    result_.handler->certified = handler_->certified();
+    ++result_.handler->selections;
+  }
+
+  /// The monitor sees the explicit elements under numbers of their own.
+  void nameElements(MonitorReport& report) const {
+    if (report.bracket) {
+      report.bracket->controlling = handler_->wholeElement(report.bracket->controlling);
+      report.bracket->lowestRingElement = handler_->wholeElement(report.bracket->lowestRingElement);
+    }
+    for (MonitorEvent& event : report.newEvents) {
+      if (!event.element) continue;
+      const ElementRef part = *event.element, whole = handler_->wholeElement(part);
+      event.element = whole;
+      const std::string own = fmt::format("element {}:{} (", part.block, part.element);
+      if (const std::size_t at = event.text.find(own); at != std::string::npos)
+        event.text.replace(at, own.size(), fmt::format("element {}:{} (", whole.block, whole.element));
+    }
+  }
+
+  /// For "handle": more elements where the explicit rest is no longer certified, and another look at what is left.
+  MonitorReport handleMore(std::int64_t k, MonitorReport report) {
+    if (!handler_ || !monitor_ || scene_.onViolation != OnViolation::handle || !report.fresh ||
+        report.verdict == Verdict::certified || !state_.x.allFinite())
+      return report;
+    {
+      const Stopwatch watch(result_.monitorTime);
+      prepareHandler(state_.x, h_);
+      startSystem();
+    }
+    return observe(k);
   }
 
   void end(ExitReason reason, std::string text) {
@@ -148,9 +204,9 @@ class Run {
     energies_.reset();
     if (!scene_.energy || (!rowDue && !body_.constraints().moving() && !scene_.damping.any())) return;
     const Stopwatch force(result_.forceTime);
-    balance_.record(state_.x, system_.internalForce(state_.time, state_.x, state_.v));
+    balance_.record(state_.x, system_->internalForce(state_.time, state_.x, state_.v));
     if (scene_.damping.any())
-      balance_.recordDamping(state_.time, state_.v, system_.dampingForce(state_.time, state_.x, state_.v));
+      balance_.recordDamping(state_.time, state_.v, system_->dampingForce(state_.time, state_.x, state_.v));
     if (rowDue) energies_ = balance_.energies(state_.v);
   }
 
@@ -163,7 +219,9 @@ class Run {
       return report;
     }
     const Stopwatch watch(result_.monitorTime);
-    return monitor_->observe(k, state_.time, state_.x, state_.v, h_, energies_ ? &*energies_ : nullptr);
+    MonitorReport report = monitor_->observe(k, state_.time, state_.x, state_.v, h_, energies_ ? &*energies_ : nullptr);
+    if (handler_) nameElements(report);
+    return report;
   }
 
   /// Sets the step by what the monitor knows, for "auto" and "reduce-step". False when no step can be had.
@@ -232,23 +290,36 @@ class Run {
       row.bracket = report.bracket;
       row.energies = energies_;
       row.elementsRefreshed = monitor_ && report.fresh ? report.elementsRefreshed : 0;
-      row.handledElements = stiffElements_;
+      row.handledElements = handler_ ? static_cast<std::int64_t>(handler_->elements().size()) : stiffElements_;
       row.metricStep = report.metricStep;
       if (monitor_) row.verdict = report.verdict;
       history_->write(row);
       if (scene_.picture && monitor_) picture_.add(row);
     }
     if (frames_ && state_.time >= nextFrame_ - 1e-3 * h_) {
-      frames_->write(state_.time, state_.x, state_.v, h_, report.verdict);
+      writeFrame(report.verdict);
       lastFrame_ = report.step;
       while (nextFrame_ <= state_.time + 1e-3 * h_)
         nextFrame_ = static_cast<double>(++framesDue_) * *scene_.frameInterval;
     }
   }
 
+  void writeFrame(Verdict verdict) {
+    frames_->write(state_.time, state_.x, state_.v, h_, verdict,
+                   handler_ ? std::span<const ElementRef>(handler_->elements()) : std::span<const ElementRef>());
+  }
+
   bool takeStep(const MonitorReport& report) {
     const Stopwatch force(result_.forceTime);
-    const StepStatus status = split_ ? integrator_->step(*split_, state_, h_) : integrator_->step(system_, state_, h_);
+    StepStatus status = split_ ? integrator_->step(*split_, state_, h_) : integrator_->step(*system_, state_, h_);
+    while (!status.done && handler_ && scene_.reduceOnFailure && h_ > 2 * collapse * firstStep_) {
+      h_ *= 0.5;
+      result_.notes.push_back(
+          fmt::format("step {}: {}; the step is halved to {:.6g} s", report.step, status.reason, h_));
+      prepareHandler(state_.x, h_);
+      startSystem();
+      status = integrator_->step(*system_, state_, h_);
+    }
     if (!status.done) {
       end(ExitReason::stepFailed, fmt::format("step {} failed: {}", report.step, status.reason));
       return false;
@@ -277,22 +348,26 @@ class Run {
     result_.time = state_.time;
     if (result_.reason == ExitReason::end && (!state_.x.allFinite() || !state_.v.allFinite()))
       end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result_.steps));
-    if (monitor_)
-      for (MonitorEvent& event : result_.events)
-        for (const MonitorEvent& known : monitor_->events())
-          if (known.kind == event.kind && known.step == event.step) event.end = known.end;
+    closeEvents();
+    if (handler_) result_.handler->figures = handler_->figures();
     const Stopwatch output(result_.outputTime);
     history_->finish();
     result_.files.emplace_back("history.csv");
     if (frames_) {
       // The last state closes the animation, unless it is not finite: then the last good frame is the last one.
-      if (result_.reason != ExitReason::nonFinite && lastFrame_ != result_.steps)
-        frames_->write(state_.time, state_.x, state_.v, h_, lastVerdict_);
+      if (result_.reason != ExitReason::nonFinite && lastFrame_ != result_.steps) writeFrame(lastVerdict_);
       frames_->removeStale();
       result_.frames = frames_->count();
       result_.files.push_back(fmt::format("run.pvd ({} frames)", frames_->count()));
     }
     if (scene_.picture && monitor_) drawPicture();
+  }
+
+  void closeEvents() {
+    if (!monitor_) return;
+    for (MonitorEvent& event : result_.events)
+      for (const MonitorEvent& known : monitor_->events())
+        if (known.kind == event.kind && known.step == event.step) event.end = known.end;
   }
 
   void drawPicture() {
@@ -312,11 +387,12 @@ class Run {
   static constexpr double collapse = 1e-6;  // of the first step: a run that needs less goes nowhere
 
   const Scene& scene_;
-  const Body& body_;
+  Body& body_;
   const RunOptions& options_;
   StepRule rule_;
   std::unique_ptr<Integrator> integrator_;
-  RunSystem system_;
+  Handler* handler_ = nullptr;  // the same, where it is one
+  std::optional<RunSystem> system_;
   std::optional<SplitBodySystem> split_;  // for partitioned schemes
   std::int64_t stiffElements_ = 0;
   EnergyBalance balance_;
@@ -361,8 +437,6 @@ std::string_view RunResult::verdict() const {
   return worst ? verdictName(*worst) : "unmonitored";
 }
 
-RunResult runScene(const Scene& scene, const Body& body, const RunOptions& options) {
-  return Run(scene, body, options).go();
-}
+RunResult runScene(const Scene& scene, Body& body, const RunOptions& options) { return Run(scene, body, options).go(); }
 
 }  // namespace ringwatch

@@ -45,6 +45,13 @@ struct RunResult {
   std::optional<Moment> firstViolated;  // the monitor first said violated
   std::optional<Moment> runaway;        // the energy balance went off by more than runawayShare for good
   std::vector<MonitorEvent> events;
+  struct Handling {
+    std::int64_t elements = 0;    // handled at the end
+    std::int64_t selections = 0;  // how often they were chosen
+    bool certified = false;       // the explicit rest, at the last choice
+    std::vector<HandlerFigure> figures;
+  };
+  std::optional<Handling> handler;                                      // empty without one
   double forceTime = 0, monitorTime = 0, outputTime = 0, wallTime = 0;  // s
   std::size_t frames = 0;
   std::vector<std::string> files;  // written, relative to the folder
@@ -59,9 +66,10 @@ struct RunResult {
 /// Balance error over the largest energy so far that counts as a runaway.
 inline constexpr double runawayShare = 0.1;
 
-/// Runs a scene on its body: before each step the monitor looks at the state, then the integrator takes the step.
-/// Writes history.csv, summary.json, what [output] asks for and the picture into options.folder, however the run ends.
-/// Throws InputError when the folder cannot be written, before anything is computed.
-RunResult runScene(const Scene& scene, const Body& body, const RunOptions& options);
+/// Runs a scene on its body, to which a handler may add mass: before each step the monitor looks at the state, then the
+/// integrator takes the step. Writes history.csv, summary.json, what [output] asks for and the picture into
+/// options.folder, however the run ends. Throws InputError when the folder cannot be written, before anything is
+/// computed.
+RunResult runScene(const Scene& scene, Body& body, const RunOptions& options);
 
 }  // namespace ringwatch

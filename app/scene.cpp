@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -435,9 +436,10 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
   scene.every = monitor.get<std::int64_t>("every");
   scene.energyTolerance = monitor.get<double>("energy_tolerance");
   const auto onViolation = monitor.get<std::string>("on_violation");
-  scene.onViolation = onViolation == "stop"   ? OnViolation::stop
-                      : onViolation == "warn" ? OnViolation::warn
-                                              : OnViolation::reduceStep;
+  scene.onViolation = onViolation == "stop"     ? OnViolation::stop
+                      : onViolation == "warn"   ? OnViolation::warn
+                      : onViolation == "handle" ? OnViolation::handle
+                                                : OnViolation::reduceStep;
 
   if (scene.step && *scene.step > scene.end)
     fail(integrator.at("step").origin, "integrator.step",
@@ -472,6 +474,59 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
          fmt::format("\"{}\": with [damping] the bracket is proven for symplectic-euler and verlet only; choose one of "
                      "them, or set monitor.bracket = false, with a monitor.metric for an estimate",
                      scene.method));
+}
+
+void readHandlerSection(const Section& handler, const Section& integrator, const Section& monitor,
+                        const Section& damping, Scene& scene) {
+  scene.handler = handler.get<std::string>("method");
+  if (scene.handler == "none") scene.handler.clear();
+  scene.handlerOptions.selection = handler.get<std::string>("selection");
+  scene.handlerOptions.margin = handler.get<double>("margin");
+  scene.handlerOptions.dissipation = handler.get<double>("dissipation");
+  const auto solver = handler.get<std::string>("solver");
+  scene.handlerOptions.cluster.solver = solver == "cg"         ? ClusterSolver::conjugateGradients
+                                        : solver == "cholesky" ? ClusterSolver::cholesky
+                                                               : ClusterSolver::automatic;
+  scene.handlerOptions.cluster.tolerance = handler.get<double>("tolerance");
+  scene.handlerOptions.cluster.iterations = static_cast<int>(
+      std::min<std::int64_t>(handler.get<std::int64_t>("iterations"), std::numeric_limits<int>::max()));
+  scene.reduceOnFailure = handler.get<std::string>("on_failure") == "reduce-step";
+
+  if (scene.handler.empty()) {
+    for (const auto& [key, entry] : handler.entries)
+      if (entry.given && key != "method")
+        fail(entry.origin, "handler." + key, "there is no handler; set handler.method");
+    if (scene.onViolation == OnViolation::handle)
+      fail(monitor.at("on_violation").origin, "monitor.on_violation", "\"handle\" needs a handler; set handler.method");
+    return;
+  }
+  const IntegratorInfo& info = *integratorCatalog().find(scene.method);
+  if (!takesHandler(info))
+    fail(integrator.at("method").origin, "integrator.method",
+         fmt::format("\"{}\": handlers work on symplectic-euler and verlet; choose one of them", scene.method));
+  if (!scene.step)
+    fail(integrator.at("step").origin, "integrator.step",
+         "\"auto\" follows the safe step, which a handler is there to exceed; give a number");
+  if (scene.handler == "mass-scaling" && scene.handlerOptions.selection != "certified")
+    fail(handler.at("selection").origin, "handler.selection",
+         "mass-scaling adds mass until the step is proven; must be \"certified\"");
+  if (scene.handler != "imex")
+    for (const char* key : {"dissipation", "solver", "tolerance", "iterations", "on_failure"})
+      if (handler.given(key))
+        fail(handler.at(key).origin, std::string("handler.") + key,
+             fmt::format("is a key of imex; \"{}\" does not take it", scene.handler));
+  if (scene.handlerOptions.cluster.solver == ClusterSolver::cholesky)
+    for (const char* key : {"tolerance", "iterations"})
+      if (handler.given(key))
+        fail(handler.at(key).origin, std::string("handler.") + key, "is for conjugate gradients, not for \"cholesky\"");
+  if (scene.onViolation == OnViolation::reduceStep)
+    fail(monitor.at("on_violation").origin, "monitor.on_violation",
+         "\"reduce-step\" works against the handler; set it to \"handle\", \"warn\" or \"stop\"");
+  if (scene.onViolation == OnViolation::handle && !scene.proves())
+    fail(monitor.at("on_violation").origin, "monitor.on_violation",
+         "\"handle\" follows the proven bracket; it needs monitor.mode = \"bracket\" or \"threshold\"");
+  if (scene.damping.any())
+    fail(damping.origin, "[damping]", "handlers do not work with damping; remove it or set handler.method = \"none\"");
 }
 
 void readLoadSection(const Section& section, Scene& scene) {
@@ -566,6 +621,7 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
   scene.lumping = material.get<std::string>("lumping") == "equal" ? Lumping::equal : Lumping::rowSum;
 
   readIntegratorSection(section("integrator"), section("monitor"), section("damping"), scene);
+  readHandlerSection(section("handler"), section("integrator"), section("monitor"), section("damping"), scene);
   for (const Section& s : sections)
     if (s.name == "fix" || s.name == "move" || s.name == "force") readLoadSection(s, scene);
 

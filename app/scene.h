@@ -10,6 +10,7 @@
 
 #include <ringwatch/app/where_expression.h>
 #include <ringwatch/body/body.h>
+#include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh.h>
 #include <ringwatch/monitor/stability_monitor.h>
@@ -30,7 +31,7 @@ struct NodeSelection {
 };
 
 /// What a run does when the monitor no longer certifies its step.
-enum class OnViolation { stop, warn, reduceStep };
+enum class OnViolation { stop, warn, reduceStep, handle };
 
 /// A validated description of a run. SI units.
 struct Scene {
@@ -73,6 +74,10 @@ struct Scene {
   std::int64_t every = 1;
   OnViolation onViolation = OnViolation::stop;
   double energyTolerance = 0;
+
+  std::string handler;  // "" for none
+  HandlerOptions handlerOptions;
+  bool reduceOnFailure = false;  // halve the step when the handler cannot take it
 
   std::vector<Fix> fixes;
   std::vector<Move> moves;

@@ -9,6 +9,7 @@
 #include <ringwatch/app/frames.h>
 #include <ringwatch/app/scene_mesh.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/materials/registry.h>
 #include <ringwatch/monitor/metrics.h>
@@ -21,7 +22,8 @@ constexpr SceneRange anything{};
 constexpr SceneRange positive{0, infinity, false, true};
 constexpr SceneRange notNegative{0, infinity, true, true};
 constexpr SceneRange atLeastOne{1, infinity, true, true};
-constexpr SceneRange share{0, 1, true, false};   // 0 <= s < 1
+constexpr SceneRange share{0, 1, true, false};  // 0 <= s < 1
+constexpr SceneRange unitInterval{0, 1, true, true};
 constexpr SceneRange factor{0, 1, false, true};  // 0 < s <= 1
 constexpr SceneRange poissonRange{-1, 0.5, false, false};
 
@@ -48,6 +50,12 @@ std::vector<std::string> namesOf(const Table& table) {
 std::vector<std::string> metricNames() {
   std::vector<std::string> names = namesOf(allMetrics());
   names.emplace_back("none");
+  return names;
+}
+
+std::vector<std::string> handlerNames() {
+  std::vector<std::string> names{"none"};
+  for (const HandlerEntry& entry : allHandlers()) names.emplace_back(entry.info->name);
   return names;
 }
 
@@ -134,8 +142,8 @@ std::vector<SceneKey> makeKeys() {
        false,
        "\"stop\"",
        anything,
-       {"stop", "warn", "reduce-step"},
-       "stop the run, go on, or shorten the step as soon as it is no longer certified"},
+       {"stop", "warn", "reduce-step", "handle"},
+       "stop the run, go on, shorten the step as soon as it is no longer certified, or give the handler more elements"},
       {"monitor",
        "energy_tolerance",
        T::number,
@@ -145,7 +153,55 @@ std::vector<SceneKey> makeKeys() {
        positive,
        {},
        "energy balance error, as a share of the largest energy so far, that is reported"},
-      {"handler", "method", T::text, "", false, "\"none\"", anything, {"none"}, "handler of ill-shaped elements"},
+      {"handler", "method", T::text, "", false, "\"none\"", anything, handlerNames(),
+       "how elements that need a smaller step are treated"},
+      {"handler",
+       "selection",
+       T::text,
+       "",
+       false,
+       "\"certified\"",
+       anything,
+       {"certified", "reduced-1-ring"},
+       "which elements: those without which the rest is proven stable, or those whose reduced 1-ring is too hot"},
+      {"handler",
+       "margin",
+       T::number,
+       "",
+       false,
+       "0.1",
+       share,
+       {},
+       "elements are chosen as for a step of step/(1 - margin), so that the rest may stiffen"},
+      {"handler",
+       "dissipation",
+       T::number,
+       "",
+       false,
+       "0.0",
+       unitInterval,
+       {},
+       "imex: of the implicit elements; 0 none and second order, 1 implicit Euler"},
+      {"handler",
+       "solver",
+       T::text,
+       "",
+       false,
+       "\"auto\"",
+       anything,
+       {"auto", "cholesky", "cg"},
+       "imex: factored and turned with its elements, or conjugate gradients; auto by the size of each cluster"},
+      {"handler", "tolerance", T::number, "", false, "1e-8", factor, {}, "imex: of cg, relative"},
+      {"handler", "iterations", T::integer, "", false, "200", atLeastOne, {}, "imex: of cg, at most"},
+      {"handler",
+       "on_failure",
+       T::text,
+       "",
+       false,
+       "\"stop\"",
+       anything,
+       {"stop", "reduce-step"},
+       "imex: when cg does not converge, stop the run or halve its step"},
   };
   keys.insert(keys.end(), rest.begin(), rest.end());
   for (const char* section : {"fix", "move", "force"}) {

@@ -13,6 +13,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/verify/elements.h>
+#include <ringwatch/verify/handlers.h>
 #include <ringwatch/verify/integrators.h>
 #include <ringwatch/verify/monitor.h>
 #include <ringwatch/verify/stress.h>
@@ -20,9 +21,12 @@
 namespace ringwatch {
 namespace {
 
-const std::array<StudyInfo, 4> studies{{
+const std::array<StudyInfo, 5> studies{{
     {"elements", "every element and quadrature rule: rank, patch test, derivatives, convergence, frequencies, locking",
      verifyElements},
+    {"handlers",
+     "every handler beyond the critical step: what it takes, error, cost, energy and momentum over many steps",
+     verifyHandlers},
     {"integrators", "every integrator: stability limit, order, energy drift, reversibility, damping",
      [](StudyEffort effort) { return verifyIntegrators(effort, integratorCatalog().entries()); }},
     {"monitor", "bracket, metrics, drift bounds and alarms of the monitor against exact values; nonlinear histories",

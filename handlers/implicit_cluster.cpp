@@ -73,7 +73,6 @@ std::vector<std::vector<ElementRef>> clustersOf(const Body& body, const std::vec
 ImplicitCluster::ImplicitCluster(const Body& body, std::vector<ElementRef> elements, double w, const NodeVectors& x,
                                  const ClusterOptions& options)
     : body_(body), w_(w), options_(options), elements_(std::move(elements)) {
-  if (options_.solver == ClusterSolver::automatic) options_.solver = ClusterSolver::cholesky;
   const NodeVectors& X = body.mesh().X;
   for (const ElementRef e : elements_)
     for (const std::int32_t node : body.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element))
@@ -81,6 +80,9 @@ ImplicitCluster::ImplicitCluster(const Body& body, std::vector<ElementRef> eleme
   std::sort(nodes_.begin(), nodes_.end());
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
 
+  constexpr std::size_t mostForCholesky = 400;
+  if (options_.solver == ClusterSolver::automatic)
+    options_.solver = nodes_.size() <= mostForCholesky ? ClusterSolver::cholesky : ClusterSolver::conjugateGradients;
   const auto size = static_cast<Eigen::Index>(3 * nodes_.size());
   mass_.resize(size);
   constrained_.resize(static_cast<std::size_t>(size));

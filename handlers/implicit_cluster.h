@@ -12,7 +12,7 @@ namespace ringwatch {
 
 /// How the equations of a cluster are solved.
 enum class ClusterSolver {
-  automatic,          ///< Cholesky
+  automatic,          ///< Cholesky, and conjugate gradients for clusters of more than 400 nodes
   cholesky,           ///< factored once and turned with the cluster; anew when its shape has changed
   conjugateGradients  ///< block-Jacobi preconditioned, in the form with one synchronisation an iteration
 };

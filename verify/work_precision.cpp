@@ -114,27 +114,19 @@ std::string advance(Integrator& integrator, SecondOrderSystem& system, State& st
 }
 
 WorkPrecisionRun runOne(const WorkPrecisionCase& c, const IntegratorEntry& entry, double h) {
-  const auto steps = static_cast<std::int64_t>(std::ceil(c.end / h - 1e-9));
-  WorkPrecisionRun run{std::string(entry.info->name), c.end / static_cast<double>(steps), nan, 0, 0, 0, 0, {}};
-  double least = std::numeric_limits<double>::infinity();
-  State state;
-  // The best of three, when that is quick: others share the machine.
-  for (int repeat = 0; repeat < 3 && (repeat == 0 || least < 0.2); ++repeat) {
-    const std::unique_ptr<Integrator> integrator = entry.make();
-    Counts counts;
-    std::unique_ptr<SecondOrderSystem> system;
+  Counts counts;
+  WorkPrecisionRun run = runPrepared(c, entry.info->name, h, [&](double step) {
+    counts = {};
+    PreparedRun prepared{entry.make(), nullptr};
     if (entry.info->partitioned)
-      system = std::make_unique<CountedParts>(c.split(*entry.info, run.h), counts);
+      prepared.system = std::make_unique<CountedParts>(c.split(*entry.info, step), counts);
     else
-      system = std::make_unique<Counted>(c.system, counts);
-    state = c.start;
-    least = std::min(least, secondsOf([&] { run.reason = advance(*integrator, *system, state, c.end, steps); }));
-    run.forces = counts.forces;
-    run.products = counts.products;
-    run.matrices = counts.matrices;
-  }
-  run.seconds = least;
-  if (run.reason.empty()) run.error = (state.x - c.reference).norm() / (c.reference - c.start.x).norm();
+      prepared.system = std::make_unique<Counted>(c.system, counts);
+    return prepared;
+  });
+  run.forces = counts.forces;
+  run.products = counts.products;
+  run.matrices = counts.matrices;
   return run;
 }
 
@@ -185,6 +177,24 @@ double highestEigenvalue(const Body& body, double tolerance = 1e-9) {
 StudyTable::Cell textOrNone(const WorkPrecisionRun* run) { return run ? run->integrator : std::string("none"); }
 
 }  // namespace
+
+WorkPrecisionRun runPrepared(const WorkPrecisionCase& c, std::string_view name, double h,
+                             const std::function<PreparedRun(double h)>& prepare) {
+  const auto steps = static_cast<std::int64_t>(std::ceil(c.end / h - 1e-9));
+  WorkPrecisionRun run{std::string(name), c.end / static_cast<double>(steps), nan, 0, 0, 0, 0, {}};
+  double least = std::numeric_limits<double>::infinity();
+  State state;
+  // The best of three, when that is quick: others share the machine.
+  for (int repeat = 0; repeat < 3 && (repeat == 0 || least < 0.2); ++repeat) {
+    const PreparedRun prepared = prepare(run.h);
+    state = c.start;
+    least = std::min(
+        least, secondsOf([&] { run.reason = advance(*prepared.integrator, *prepared.system, state, c.end, steps); }));
+  }
+  run.seconds = least;
+  if (run.reason.empty()) run.error = (state.x - c.reference).norm() / (c.reference - c.start.x).norm();
+  return run;
+}
 
 ConvergedMotion convergedMotion(SecondOrderSystem& system, const State& start, double end, double lambda,
                                 double tolerance) {

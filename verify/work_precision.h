@@ -44,6 +44,18 @@ struct WorkPrecisionRun {
   std::string reason;  // why it was lost; "" when it was not
 };
 
+/// What a run is made of: an integrator ready for its step, and the system that it is to run, with all that this needs
+/// to stay alive.
+struct PreparedRun {
+  std::unique_ptr<Integrator> integrator;
+  std::unique_ptr<SecondOrderSystem> system;
+  std::shared_ptr<void> keep = nullptr;
+};
+/// One run of a case at a step of at most h (s) that divides its end. prepare: called before each of up to three
+/// repetitions, with the step; its time does not count. Counts of forces, products and matrices are left to the caller.
+WorkPrecisionRun runPrepared(const WorkPrecisionCase& c, std::string_view name, double h,
+                             const std::function<PreparedRun(double h)>& prepare);
+
 struct WorkPrecisionOptions {
   std::vector<double> steps;  // s; empty: halvings of the largest step that makes sense for each integrator
   int levels = 7;             // of halvings

@@ -25,6 +25,7 @@
 #include <ringwatch/monitor/global_frequency.h>
 #include <ringwatch/monitor/metrics.h>
 
+#include <tests/handlers/handler_cases.h>
 #include "temporary_folder.h"
 
 namespace ringwatch {
@@ -655,6 +656,146 @@ TEST_F(Program, ComparesIntegratorsOnAScene) {
   expectRefused("compare tiny.toml --step 0", "--step: 0 s must be > 0");
   expectRefused("compare tiny.toml --step 1", "beyond the end");
   expectRefused("compare absent.toml", "absent.toml");
+}
+
+// A bar with slivers, swinging under its weight at four times its critical step.
+class HandledProgram : public Program {
+ protected:
+  void SetUp() override {
+    writeMesh(test::sliverBar(0.98), folder_.path() / "slivers.msh");
+    const Body body = test::sliverBody("stvk", 0.98);
+    critical_ = 2 / std::sqrt(test::denseHighest(body, body.mesh().X));
+    write("");
+  }
+  void write(const std::string& handler, const std::string& rest = "", const std::string& monitor = "") {
+    folder_.write("slivers.toml",
+                  "[mesh]\nfile = \"slivers.msh\"\n[material]\nmodel = \"stvk\"\nyoung = 30e3\npoisson = 0.3\n"
+                  "density = 1000\n[integrator]\nmethod = \"verlet\"\nstep = " +
+                      std::to_string(4 * critical_) + "\nend = 0.1\n[[fix]]\nwhere = \"x < 1e-6\"\n" +
+                      (rest.empty() ? "[[force]]\nwhere = \"all\"\nacceleration = [0, 0, -1]\n" : rest) +
+                      "[monitor]\n" + monitor + "\n" + handler);
+  }
+  double critical_ = 0;
+};
+
+TEST_F(HandledProgram, RunsAtFourTimesTheCriticalStep) {
+  EXPECT_EQ(call("run slivers.toml --out plain").status, 1);  // without a handler
+
+  write("[handler]\nmethod = \"imex\"\n[output]\nevery = 0.05\nfields = [\"handler\"]\n");
+  const Outcome outcome = call("run slivers.toml --out imex");
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("handler imex: "), HasSubstr("of 240 elements"), HasSubstr("certified")));
+  const Json summary = json("imex/summary.json");
+  EXPECT_EQ(summary["verdict"], "certified");
+  const Json& handler = summary["handler"];
+  EXPECT_EQ(handler["method"], "imex");
+  EXPECT_EQ(handler["selection"], "certified");
+  EXPECT_EQ(handler["explicit_part_certified"], true);
+  EXPECT_EQ(handler["selections"], 1);
+  EXPECT_GT(handler["clusters"].get<double>(), 0);
+  const auto handled = handler["handled_elements"].get<int>();
+  EXPECT_GT(handled, 0);
+  EXPECT_LT(handled, 120);
+  const Table history = table("imex/history.csv");
+  for (std::size_t i = 0; i < history.rows.size(); ++i) {
+    EXPECT_EQ(history.at(i, "handled_elements"), std::to_string(handled));
+    EXPECT_EQ(history.at(i, "verdict"), "certified");
+    EXPECT_LE(history.number(i, "h_s"), history.number(i, "safe_s"));  // of the explicit elements
+  }
+
+  // Against plain explicit at a small step.
+  write("");
+  ASSERT_EQ(call("run slivers.toml --out fine --set integrator.step=" + std::to_string(critical_ / 4) +
+                 " --set output.every=0.05")
+                .status,
+            0);
+  const NodeVectors X = readMesh(folder_.path() / "fine/frames/frame_000001.vtu").X,
+                    fine = readMesh(folder_.path() / "fine/frames/frame_000003.vtu").X,
+                    own = readMesh(folder_.path() / "imex/frames/frame_000003.vtu").X;
+  EXPECT_LE((own - fine).norm(), 0.02 * (fine - X).norm());
+}
+
+TEST_F(HandledProgram, ScalesMass) {
+  write("[handler]\nmethod = \"mass-scaling\"\n");
+  const Outcome outcome = call("run slivers.toml --out scaled");
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  const Json summary = json("scaled/summary.json");
+  EXPECT_EQ(summary["verdict"], "certified");
+  const Json& handler = summary["handler"];
+  EXPECT_GT(handler["added_mass_percent"].get<double>(), 0);
+  EXPECT_NEAR(summary["mass"].get<double>(), 0.32 + handler["added_mass_kg"].get<double>(), 1e-9);
+  EXPECT_LT(handler["frequency_1_shift_percent"].get<double>(), 0);
+  EXPECT_LT(handler["frequency_1_with_added_mass_Hz"].get<double>(), handler["frequency_1_Hz"].get<double>());
+}
+
+TEST_F(HandledProgram, IsPlainExplicitWhereNothingIsCritical) {
+  const std::string step = " --set integrator.step=" + std::to_string(critical_ / 2);
+  ASSERT_EQ(call("run slivers.toml --out plain" + step).status, 0);
+  for (const char* method : {"imex", "mass-scaling"}) {
+    ASSERT_EQ(call("run slivers.toml --out handled --set handler.method=" + std::string(method) + step).status, 0);
+    EXPECT_EQ(folder_.read("plain/history.csv"), folder_.read("handled/history.csv")) << method;
+    EXPECT_EQ(json("handled/summary.json")["handler"]["handled_elements"], 0);
+  }
+}
+
+TEST_F(HandledProgram, TakesMoreElementsWhenTheRestStiffens) {
+  const std::string pull = "[[move]]\nwhere = \"x > 0.2 - 1e-6\"\nvelocity = [0.6, 0, 0]\n",
+                    imex = "[handler]\nmethod = \"imex\"\nmargin = 0.02\n";
+  write(imex, pull);
+  EXPECT_EQ(call("run slivers.toml --out stopped").status, 1);
+  write(imex, pull, "on_violation = \"handle\"");
+  const Outcome outcome = call("run slivers.toml --out handled");
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  const Json handler = json("handled/summary.json")["handler"];
+  EXPECT_GT(handler["selections"].get<int>(), 1);
+  const Table history = table("handled/history.csv");
+  EXPECT_GT(history.number(history.rows.size() - 1, "handled_elements"), history.number(0, "handled_elements"));
+}
+
+TEST_F(HandledProgram, SaysWhenConjugateGradientsDoNotConverge) {
+  write("[handler]\nmethod = \"imex\"\nsolver = \"cg\"\niterations = 2\n");
+  const Outcome stopped = call("run slivers.toml --out stopped");
+  EXPECT_EQ(stopped.status, 1);
+  EXPECT_EQ(json("stopped/summary.json")["exit_reason"], "step-failed");
+  EXPECT_THAT(stopped.out, HasSubstr("conjugate gradients did not converge"));
+  const Outcome reduced = call("run slivers.toml --out reduced --set handler.on_failure=reduce-step");
+  EXPECT_EQ(reduced.status, 0) << reduced.out;
+  EXPECT_LT(json("reduced/summary.json")["smallest_step"].get<double>(), 3 * critical_);
+  EXPECT_EQ(call("run slivers.toml --out enough --set handler.iterations=500").status, 0);
+}
+
+TEST_F(HandledProgram, ComparesHandlersWithIntegrators) {
+  const Outcome outcome = call("compare slivers.toml --integrators verlet --handlers all --json c.json --step " +
+                               std::to_string(4 * critical_) + "," + std::to_string(critical_ / 2));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json runs = json("c.json")["runs"];
+  ASSERT_EQ(runs.size(), 6u);
+  for (const Json& run : runs) {
+    const bool large = run["h"].get<double>() > critical_;
+    if (run["integrator"] == "verlet" && large)
+      EXPECT_TRUE(run["error"].is_null() || run["error"].get<double>() > 1);
+    else if (run["integrator"] == "imex" || !large)
+      EXPECT_LT(run["error"].get<double>(), large ? 0.02 : 1e-3) << run;
+    else
+      EXPECT_TRUE(run["error"].is_number());  // mass scaling runs; with what error is its own affair
+  }
+  expectRefused("compare slivers.toml --handlers magic", "--handlers: unknown \"magic\"");
+  expectRefused("compare slivers.toml --handlers imex --set damping.mass=1", "handlers do not work with [damping]");
+}
+
+TEST_F(HandledProgram, RefusesWhatDoesNotFitTogether) {
+  const std::string run = "run slivers.toml --set handler.method=imex ";
+  expectRefused("run slivers.toml --set handler.margin=0.2", "handler.margin: there is no handler");
+  expectRefused("run slivers.toml --set monitor.on_violation=handle", "\"handle\" needs a handler");
+  expectRefused(run + "--set integrator.method=rk4", "handlers work on symplectic-euler and verlet");
+  expectRefused(run + "--set integrator.step=auto", "give a number");
+  expectRefused(run + "--set handler.dissipation=2", "handler.dissipation: 2 is out of range; must be >= 0 and <= 1");
+  expectRefused(run + "--set handler.solver=cholesky --set handler.tolerance=1e-3", "is for conjugate gradients");
+  expectRefused(run + "--set monitor.on_violation=reduce-step", "works against the handler");
+  expectRefused(run + "--set damping.mass=1", "handlers do not work with damping");
+  expectRefused("run slivers.toml --set handler.method=mass-scaling --set handler.dissipation=0.1", "is a key of imex");
+  expectRefused("run slivers.toml --set handler.method=mass-scaling --set handler.selection=reduced-1-ring",
+                "must be \"certified\"");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <set>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <ringwatch/base/error.h>
