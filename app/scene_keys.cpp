@@ -178,7 +178,7 @@ std::vector<SceneKey> makeKeys() {
        T::number,
        "",
        false,
-       "0.0",
+       "0.1",
        unitInterval,
        {},
        "imex: of the implicit elements; 0 none and second order, 1 implicit Euler"},

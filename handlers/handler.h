@@ -19,7 +19,7 @@ struct HandlerOptions {
   std::string selection = "certified";
   /// Elements are chosen as for a step of h/(1 - margin), >= 0 and < 1: room for a rest that stiffens along the run.
   double margin = 0.1;
-  double dissipation = 0;       ///< of the implicit part: 0 none and second order, 1 implicit Euler
+  double dissipation = 0.1;     ///< of the implicit part: 0 none and second order, 1 implicit Euler
   ClusterOptions cluster = {};  ///< of the implicit part
 };
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <ringwatch/base/error.h>
@@ -29,8 +28,22 @@ Eigen::Matrix3d rotationOf(const Eigen::Matrix3d& F) {
   return R;
 }
 
+/// The highest eigenvalue by power iteration, to some per cent: it only scales K̂. NaN for a matrix that is not finite.
 double highest(const Eigen::MatrixXd& K) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues().tail<1>()[0];
+  constexpr int iterations = 8;
+  Eigen::Index strongest = 0;
+  K.colwise().squaredNorm().maxCoeff(&strongest);
+  Eigen::VectorXd v = K.col(strongest), Kv(v.size());
+  double value = 0;
+  for (int i = 0; i < iterations; ++i) {
+    const double norm = v.norm();
+    if (!(norm > 0)) return norm;
+    v /= norm;
+    Kv.noalias() = K * v;
+    value = v.dot(Kv);
+    v.swap(Kv);
+  }
+  return value;
 }
 
 Eigen::Index component(std::int32_t local, int c) { return 3 * static_cast<Eigen::Index>(local) + c; }
