@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -201,6 +202,77 @@ RINGWATCH_INLINE void addRows(T* table, const std::uint16_t* row, const Pack<T, 
     for (int i = 0; i < W; ++i)
       for (int k = 0; k < 3; ++k) table[4 * row[i] + k] += c[k].v[i];
   }
+}
+
+namespace detail {
+/// Eight vectors of eight: element j of vector i goes to element i of vector j.
+template <class V>
+RINGWATCH_INLINE void transpose8(V (&v)[8]) {
+  V a[8], b[8];
+  for (int i = 0; i < 8; i += 2) {
+    a[i] = __builtin_shufflevector(v[i], v[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+    a[i + 1] = __builtin_shufflevector(v[i], v[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  for (int i = 0; i < 8; i += 4)
+    for (int k = 0; k < 2; ++k) {
+      b[i + k] = __builtin_shufflevector(a[i + k], a[i + k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+      b[i + k + 2] = __builtin_shufflevector(a[i + k], a[i + k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+  for (int k = 0; k < 4; ++k) {
+    v[k] = __builtin_shufflevector(b[k], b[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+    v[k + 4] = __builtin_shufflevector(b[k], b[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+}
+}  // namespace detail
+
+/// Adds a 3×3 block of each lane, row r and column c in block[r * stride + c], to block `place[lane]` of two tables:
+/// the first eight entries, column by column, to `eight`, the last to `ninth`. Where the place is negative, the
+/// transpose to ~place. Lanes are added one after the other, so lanes may share a place. `eight` is aligned to 64
+/// bytes.
+template <class T, int W>
+RINGWATCH_INLINE void addBlocks(T* eight, T* ninth, const std::int32_t* place, const Pack<T, W>* block, int stride) {
+  if constexpr (sizeof(T) == 8 && W == 8) {
+    using Values = typename Pack<T, W>::Values;
+    typename Pack<T, W>::Mask flipped;
+    std::int32_t at[W];
+    for (int lane = 0; lane < W; ++lane) {
+      flipped[lane] = place[lane] < 0 ? -1 : 0;
+      at[lane] = place[lane] ^ (place[lane] >> 31);
+    }
+    Values v[8];
+    for (int c = 0; c < 3; ++c)
+      for (int r = 0; r < 3 && r + 3 * c < 8; ++r)
+        v[r + 3 * c] = flipped ? block[c * stride + r].v : block[r * stride + c].v;
+    const Values last = block[2 * stride + 2].v;
+    detail::transpose8(v);
+    for (int lane = 0; lane < W; ++lane) {
+      Values sum;
+      std::memcpy(&sum, eight + 8 * static_cast<std::ptrdiff_t>(at[lane]), sizeof sum);
+      sum += v[lane];
+      std::memcpy(eight + 8 * static_cast<std::ptrdiff_t>(at[lane]), &sum, sizeof sum);
+    }
+    for (int lane = 0; lane < W; ++lane) ninth[at[lane]] += last[lane];
+  } else {
+    for (int lane = 0; lane < W; ++lane) {
+      const bool flipped = place[lane] < 0;
+      const std::ptrdiff_t at = flipped ? ~place[lane] : place[lane];
+      for (int i = 0; i < 8; ++i)
+        eight[8 * at + i] += block[flipped ? i / 3 * stride + i % 3 : i % 3 * stride + i / 3][lane];
+      ninth[at] += block[2 * stride + 2][lane];
+    }
+  }
+}
+
+/// Writes a 3×3 block, column by column, eight entries and the last, to position `upper` of a list of such blocks, and
+/// its transpose to `lower`; of the same place stays what `upper` has.
+template <class T>
+RINGWATCH_INLINE void storeBlock(T* blocks, std::ptrdiff_t upper, std::ptrdiff_t lower, const T* eight, T ninth) {
+  T* to = blocks + 9 * lower;
+  for (int i = 0; i < 8; ++i) to[i] = eight[i % 3 * 3 + i / 3];
+  to[8] = ninth;
+  to = blocks + 9 * upper;
+  for (int i = 0; i < 8; ++i) to[i] = eight[i];
+  to[8] = ninth;
 }
 
 }  // namespace ringwatch

@@ -71,6 +71,14 @@ void elementTangents(benchmark::State& state, const Case& c) {
   report(state, s.body.mesh().elementCount(), relativeDifference(Kv, expected));
 }
 
+double productError(const Case& c, const Setup& s, const Eigen::SparseMatrix<double>& K) {
+  NodeVectors Kv(3, s.x.cols()), expected;
+  Kv.reshaped() = K * s.v.reshaped();
+  withReference(c, s, [&](const auto& reference) { reference.tangentProduct(s.x, s.v, expected); });
+  return relativeDifference(Kv, expected);
+}
+
+/// The sparse matrix from scratch, pattern included.
 void assembleTangent(benchmark::State& state, const Case& c) {
   Setup& s = setupOf(c);
   Eigen::SparseMatrix<double> K;
@@ -78,10 +86,36 @@ void assembleTangent(benchmark::State& state, const Case& c) {
     K = s.body.assembleTangent(s.x);
     benchmark::DoNotOptimize(K.valuePtr());
   }
-  NodeVectors Kv(3, s.x.cols()), expected;
-  Kv.reshaped() = K * s.v.reshaped();
-  withReference(c, s, [&](const auto& reference) { reference.tangentProduct(s.x, s.v, expected); });
-  report(state, s.body.mesh().elementCount(), relativeDifference(Kv, expected));
+  report(state, s.body.mesh().elementCount(), productError(c, s, K));
+}
+
+/// The sparse matrix again, its pattern kept.
+void reassembleTangent(benchmark::State& state, const Case& c) {
+  Setup& s = setupOf(c);
+  SparseTangent K;
+  s.body.assembleTangent(s.x, K);
+  for (auto _ : state) {
+    s.body.assembleTangent(s.x, K);
+    benchmark::DoNotOptimize(K.matrix.valuePtr());
+    benchmark::ClobberMemory();
+  }
+  const auto elements = static_cast<double>(s.body.mesh().elementCount());
+  report(state, s.body.mesh().elementCount(), productError(c, s, K.matrix));
+  state.counters["pattern_bytes"] = static_cast<double>(K.blocks.patternBytes()) / elements;
+  state.counters["value_bytes"] = static_cast<double>(K.blocks.valueBytes()) / elements;
+}
+
+/// Node and edge blocks only, their pattern kept.
+void reassembleBlocks(benchmark::State& state, const Case& c) {
+  Setup& s = setupOf(c);
+  SparseTangent K;
+  s.body.assembleTangent(s.x, K);
+  for (auto _ : state) {
+    s.body.assembleBlocks(s.x, K.blocks);
+    benchmark::DoNotOptimize(K.blocks.block.data());
+    benchmark::ClobberMemory();
+  }
+  report(state, s.body.mesh().elementCount(), productError(c, s, K.matrix));
 }
 
 /// The peer: the same law, one element after the other in plain doubles.
@@ -148,6 +182,8 @@ void registerAll() {
           add("energy", energy);
           add("element_tangents", elementTangents);
           add("assemble_tangent", assembleTangent);
+          add("reassemble_tangent", reassembleTangent);
+          add("reassemble_blocks", reassembleBlocks);
         }
 }
 

@@ -7,6 +7,7 @@
 #include <Eigen/SparseCore>
 
 #include <ringwatch/base/parallel.h>
+#include <ringwatch/body/block_matrix.h>
 #include <ringwatch/body/constraints.h>
 #include <ringwatch/body/element_block.h>
 
@@ -25,13 +26,10 @@ struct BodyOptions {
   int threads = 0;  // 0: all that OpenMP offers
 };
 
-/// A symmetric matrix of 3×3 blocks by node pair in compressed rows, N/m; both triangles are stored.
-struct BlockMatrix {
-  std::vector<std::int64_t> rowBegin;  // N+1
-  std::vector<std::int32_t> column;    // ascending within a row; holds the diagonal
-  std::vector<Eigen::Matrix3d> block;
-  /// Where the blocks of each element are: [mesh block][(element * n + a) * n + b], positions in `block`.
-  std::vector<std::vector<std::int32_t>> elementBlocks;
+/// An assembled tangent with what its assembly keeps from call to call.
+struct SparseTangent {
+  BlockMatrix blocks;
+  Eigen::SparseMatrix<double> matrix;  // 3N×3N, N/m, degree of freedom 3·node + component
 };
 
 /// Mesh + material + density made computable. Knows no time. All passes are const and keep their scratch memory in a
@@ -89,7 +87,10 @@ class Body {
   void assembleBlocks(const NodeVectors& x, BlockMatrix& matrix) const;
   /// Lumped mass that an element gives to its nodes, kg: mass[n].
   void elementLumpedMass(ElementRef element, double* mass) const;
-  /// Exact tangent, 3N×3N, degree of freedom 3·node + component; constrained ones are kept.
+  /// Exact tangent as a sparse matrix; constrained degrees of freedom are kept. The pattern is made when `tangent` is
+  /// empty and reused else.
+  void assembleTangent(const NodeVectors& x, SparseTangent& tangent) const;
+  /// The same from scratch, pattern included.
   Eigen::SparseMatrix<double> assembleTangent(const NodeVectors& x) const;
   /// Least det F over all elements and quadrature points, with its element.
   struct LeastDeterminant {
@@ -126,6 +127,7 @@ class Body {
   };
   void lumpMass();
   void makePattern(BlockMatrix& matrix) const;
+  void placePairs(BlockMatrix& matrix) const;
   void indexSlots();
   template <class AddPatch>
   void sumOverPatches(NodeVectors& result, Workspace& workspace, const AddPatch& addPatch) const;

@@ -256,9 +256,31 @@ class ElementBatch final : public ElementBlock {
     drift.inversionDistance = std::min(drift.inversionDistance, det > 0 ? 2 * det / innerProduct(F, F) : 0.0);
     drift.determinant = std::min(drift.determinant, det);
   }
-  /// k += w g ⊗ (∂P/∂F) g
+  /// k += w g ⊗ (∂P/∂F) g, for the blocks of nodes a <= b; `first` overwrites.
   template <class Linearization>
-  static void addTangent(const Linearization& linearization, const P& weight, const P (&g)[n][3], P* k) {
+  RINGWATCH_INLINE static void addTangent(const Linearization& linearization, const P& weight, const P (&g)[n][3],
+                                          bool first, P* k) {
+    if constexpr (requires { linearization.nodeBlocks(weight); }) {
+      const auto blocks = linearization.nodeBlocks(weight);
+      typename std::remove_const_t<decltype(blocks)>::Node node[n];
+      for (int a = 0; a < n; ++a) node[a] = blocks.node(g[a]);
+      for (int a = 0; a < n; ++a)
+        for (int b = a; b < n; ++b) {
+          const Matrix3<P> block = blocks(node[a], node[b]);
+          P* target = k + 3 * a * 3 * n + 3 * b;
+          for (int i = 0; i < 9; ++i) {
+            P& entry = target[i / 3 * 3 * n + i % 3];
+            entry = first ? block.m[i] : entry + block.m[i];
+          }
+        }
+    } else {
+      addTangentByColumns(linearization, weight, g, first, k);
+    }
+  }
+  /// For laws that do not offer `nodeBlocks`.
+  template <class Linearization>
+  static void addTangentByColumns(const Linearization& linearization, const P& weight, const P (&g)[n][3], bool first,
+                                  P* k) {
     // modulus[(k,K)] = ∂P/∂F_kK · w
     Matrix3<P> modulus[9];
     for (int c = 0; c < 9; ++c) {
@@ -272,10 +294,12 @@ class ElementBatch final : public ElementBlock {
         for (int i = 0; i < 9; ++i)
           t.m[i] = modulus[3 * column].m[i] * g[b][0] + modulus[3 * column + 1].m[i] * g[b][1] +
                    modulus[3 * column + 2].m[i] * g[b][2];
-        for (int a = 0; a < n; ++a)
-          for (int row = 0; row < 3; ++row)
-            k[(3 * a + row) * 3 * n + 3 * b + column] +=
-                t(row, 0) * g[a][0] + t(row, 1) * g[a][1] + t(row, 2) * g[a][2];
+        for (int a = 0; a <= b; ++a)
+          for (int row = 0; row < 3; ++row) {
+            P& entry = k[(3 * a + row) * 3 * n + 3 * b + column];
+            const P added = t(row, 0) * g[a][0] + t(row, 1) * g[a][1] + t(row, 2) * g[a][2];
+            entry = first ? added : entry + added;
+          }
       }
   }
   /// Mean gradients ∂N_a/∂X of a batch, row by row, then the volume.
@@ -300,21 +324,23 @@ class ElementBatch final : public ElementBlock {
     P position[n][3];
     loadFromMesh(x, elements, position);
     P* k = reinterpret_cast<P*>(K);
-    for (int i = 0; i < 9 * n * n; ++i) k[i] = P(0.0);
     for (int q = 0; q < pointCount(); ++q, geometry += 10) {
       const Matrix3<P> J1 = inverseJacobian(geometry);
       const auto linearization = law.linearize(gradient(position, q) * J1);
       P g[n][3];
       referenceGradients(geometry, q, g);
-      addTangent(linearization, geometry[9], g, k);
+      addTangent(linearization, geometry[9], g, q == 0, k);
     }
     if constexpr (offersMean)
       if (mean_) {
         P stored[3 * n + 1], g[n][3];
         meanGradients(first, stored);
         for (int i = 0; i < 3 * n; ++i) g[i / 3][i % 3] = stored[i];
-        addTangent(meanLaw_.linearize(meanGradient(position, stored)), stored[3 * n], g, k);
+        addTangent(meanLaw_.linearize(meanGradient(position, stored)), stored[3 * n], g, false, k);
       }
+    // Symmetric to the last bit.
+    for (int i = 1; i < 3 * n; ++i)
+      for (int j = 0; j < i; ++j) k[i * 3 * n + j] = k[j * 3 * n + i];
   }
 
   /// g_a = J⁻ᵀ ∂N_a/∂ξ, the gradients in reference coordinates.
@@ -427,12 +453,19 @@ class ElementBatch final : public ElementBlock {
     loadFromMesh(x, layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, out);
   }
   void loadFromMesh(const double* x, const std::int32_t* elements, P (&out)[n][3]) const {
+    alignas(64) double rows[4 * n * lanes];
+    std::uint16_t local[n * lanes];
     for (int lane = 0; lane < lanes; ++lane) {
       const auto nodes = nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]);
-      for (int a = 0; a < n; ++a)
-        for (int c = 0; c < 3; ++c)
-          out[a][c].set(lane, x[3 * static_cast<std::ptrdiff_t>(nodes[static_cast<std::size_t>(a)]) + c]);
+      for (int a = 0; a < n; ++a) {
+        const int row = a * lanes + lane;
+        const double* from = x + 3 * static_cast<std::ptrdiff_t>(nodes[static_cast<std::size_t>(a)]);
+        const detail::Row4 padded{from[0], from[1], from[2], 0.0};
+        std::memcpy(rows + 4 * row, &padded, sizeof padded);
+        local[row] = static_cast<std::uint16_t>(row);
+      }
     }
+    for (int a = 0; a < n; ++a) loadRows(rows, local + a * lanes, out[a]);
   }
 
   double dN(int q, int a, int j) const { return shapeGradients_[static_cast<std::size_t>((q * n + a) * 3 + j)]; }

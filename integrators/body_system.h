@@ -40,11 +40,14 @@ class BodySystem final : public DifferentiableSystem {
   void stiffnessProduct(const NodeVectors& x, const NodeVectors& u, NodeVectors& Ku) override {
     body_.tangentProduct(x, u, Ku, workspace_);
   }
-  Eigen::SparseMatrix<double> stiffness(const NodeVectors& x) override { return body_.assembleTangent(x); }
+  Eigen::SparseMatrix<double> stiffness(const NodeVectors& x) override {
+    body_.assembleTangent(x, tangent_);
+    return tangent_.matrix;
+  }
   void stiffnessDiagonal(const NodeVectors& x, std::vector<Eigen::Matrix3d>& blocks) override {
-    body_.assembleBlocks(x, blocks_);
-    blocks.resize(blocks_.rowBegin.size() - 1);
-    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = diagonalBlock(blocks_, i);
+    body_.assembleBlocks(x, tangent_.blocks);
+    blocks.resize(tangent_.blocks.rowBegin.size() - 1);
+    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = diagonalBlock(tangent_.blocks, i);
   }
   bool isConstrained(std::int32_t node, int component) const override {
     return body_.constraints().isConstrained(node, component);
@@ -70,7 +73,7 @@ class BodySystem final : public DifferentiableSystem {
   Eigen::VectorXd inverseMass_;
   NodeVectors internalForce_, dampingForce_;
   Body::Workspace workspace_;
-  BlockMatrix blocks_;
+  SparseTangent tangent_;
 };
 
 }  // namespace ringwatch

@@ -47,6 +47,46 @@ struct Corotational {
       const Matrix3<S> cross{{o, -w2, w1, w2, o, -w0, -w1, w0, o}};
       return S(2 * law.constants.mu) * dF + (S(law.constants.lambda) * trace(a)) * R + t * (R * cross);
     }
+
+    /// weight Σ_KL g_aK g_bL ∂P_iK/∂F_jL, the tangent's 3×3 block of two nodes with shape gradients g: with r = R g and
+    /// G = R (tr(U) I - U)⁻¹ Rᵀ,
+    ///   2μ (g_a·g_b) I + λ r_a r_bᵀ - (λ tr(RᵀF - I) - 2μ) [r_a]× G [r_b]×.
+    struct NodeBlocks {
+      struct Node {
+        S g[3], r[3];
+        Matrix3<S> turn;  // G [r]×
+      };
+      Matrix3<S> R, G;  // G with its factor
+      S lambda, twoMu;
+      RINGWATCH_INLINE Node node(const S (&g)[3]) const {
+        Node a;
+        for (int i = 0; i < 3; ++i) {
+          a.g[i] = g[i];
+          a.r[i] = R(i, 0) * g[0] + R(i, 1) * g[1] + R(i, 2) * g[2];
+        }
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j) {
+            const int k = (j + 1) % 3, l = (j + 2) % 3;  // [r]×: column j holds r_l in row k and -r_k in row l
+            a.turn(i, j) = G(i, k) * a.r[l] - G(i, l) * a.r[k];
+          }
+        return a;
+      }
+      RINGWATCH_INLINE Matrix3<S> operator()(const Node& a, const Node& b) const {
+        const S product = twoMu * (a.g[0] * b.g[0] + a.g[1] * b.g[1] + a.g[2] * b.g[2]);
+        Matrix3<S> r;
+        for (int i = 0; i < 3; ++i) {
+          const S lambdaR = lambda * a.r[i];
+          const int k = (i + 1) % 3, l = (i + 2) % 3;
+          for (int j = 0; j < 3; ++j) r(i, j) = lambdaR * b.r[j] + a.r[l] * b.turn(k, j) - a.r[k] * b.turn(l, j);
+          r(i, i) += product;
+        }
+        return r;
+      }
+    };
+    RINGWATCH_INLINE NodeBlocks nodeBlocks(const S& weight) const {
+      return {R, (weight * t) * timesTranspose(R * spin, R), weight * S(law.constants.lambda),
+              weight * S(2 * law.constants.mu)};
+    }
   };
   template <class S>
   RINGWATCH_INLINE Linearization<S> linearize(const Matrix3<S>& F) const {

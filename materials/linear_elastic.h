@@ -34,6 +34,29 @@ struct LinearElastic {
     RINGWATCH_INLINE Matrix3<S> operator()(const Matrix3<S>& dF) const {
       return law.stressOfStrain(S(0.5) * (dF + transpose(dF)));
     }
+
+    /// weight Σ_KL g_aK g_bL ∂P_iK/∂F_jL, the tangent's 3×3 block of two nodes with shape gradients g:
+    ///   λ g_a g_bᵀ + μ g_b g_aᵀ + μ (g_a·g_b) I.
+    struct NodeBlocks {
+      struct Node {
+        S g[3];
+      };
+      S lambda, mu;
+      RINGWATCH_INLINE Node node(const S (&g)[3]) const { return {{g[0], g[1], g[2]}}; }
+      RINGWATCH_INLINE Matrix3<S> operator()(const Node& a, const Node& b) const {
+        const S product = mu * (a.g[0] * b.g[0] + a.g[1] * b.g[1] + a.g[2] * b.g[2]);
+        Matrix3<S> r;
+        for (int i = 0; i < 3; ++i) {
+          const S lambdaG = lambda * a.g[i], muG = mu * b.g[i];
+          for (int j = 0; j < 3; ++j) r(i, j) = lambdaG * b.g[j] + muG * a.g[j];
+          r(i, i) += product;
+        }
+        return r;
+      }
+    };
+    RINGWATCH_INLINE NodeBlocks nodeBlocks(const S& weight) const {
+      return {weight * S(law.constants.lambda), weight * S(law.constants.mu)};
+    }
   };
   template <class S>
   RINGWATCH_INLINE Linearization<S> linearize(const Matrix3<S>&) const {

@@ -39,6 +39,37 @@ struct NeoHookean {
       const S c = S(law.constants.lambda) * innerProduct(inverseTranspose, dF);
       return S(law.constants.mu) * dF + a * b + c * inverseTranspose;
     }
+
+    /// weight Σ_KL g_aK g_bL ∂P_iK/∂F_jL, the tangent's 3×3 block of two nodes with shape gradients g: with h = F⁻ᵀ g,
+    ///   μ (g_a·g_b) I + λ h_a h_bᵀ + (μ - λ ln J) h_b h_aᵀ.
+    struct NodeBlocks {
+      struct Node {
+        S g[3], h[3];
+      };
+      Matrix3<S> inverseTranspose;
+      S lambda, mu, a;
+      RINGWATCH_INLINE Node node(const S (&g)[3]) const {
+        Node r;
+        for (int i = 0; i < 3; ++i) {
+          r.g[i] = g[i];
+          r.h[i] = inverseTranspose(i, 0) * g[0] + inverseTranspose(i, 1) * g[1] + inverseTranspose(i, 2) * g[2];
+        }
+        return r;
+      }
+      RINGWATCH_INLINE Matrix3<S> operator()(const Node& first, const Node& second) const {
+        const S product = mu * (first.g[0] * second.g[0] + first.g[1] * second.g[1] + first.g[2] * second.g[2]);
+        Matrix3<S> r;
+        for (int i = 0; i < 3; ++i) {
+          const S lambdaH = lambda * first.h[i], aH = a * second.h[i];
+          for (int j = 0; j < 3; ++j) r(i, j) = lambdaH * second.h[j] + aH * first.h[j];
+          r(i, i) += product;
+        }
+        return r;
+      }
+    };
+    RINGWATCH_INLINE NodeBlocks nodeBlocks(const S& weight) const {
+      return {inverseTranspose, weight * S(law.constants.lambda), weight * S(law.constants.mu), weight * a};
+    }
   };
   template <class S>
   RINGWATCH_INLINE Linearization<S> linearize(const Matrix3<S>& F) const {

@@ -36,6 +36,40 @@ struct StVenantKirchhoff {
       const Matrix3<S> a = transposeTimes(F, dF);
       return dF * secondStress + F * law.secondStress(symmetricPart(a));
     }
+
+    /// weight Σ_KL g_aK g_bL ∂P_iK/∂F_jL, the tangent's 3×3 block of two nodes with shape gradients g: with p = F g,
+    ///   (g_a·S g_b) I + λ p_a p_bᵀ + μ p_b p_aᵀ + μ (g_a·g_b) F Fᵀ.
+    struct NodeBlocks {
+      struct Node {
+        S g[3], p[3], Sg[3];
+      };
+      Matrix3<S> F, stress, muFFt;
+      S lambda, mu;
+      RINGWATCH_INLINE Node node(const S (&g)[3]) const {
+        Node a;
+        for (int i = 0; i < 3; ++i) {
+          a.g[i] = g[i];
+          a.p[i] = F(i, 0) * g[0] + F(i, 1) * g[1] + F(i, 2) * g[2];
+          a.Sg[i] = stress(i, 0) * g[0] + stress(i, 1) * g[1] + stress(i, 2) * g[2];
+        }
+        return a;
+      }
+      RINGWATCH_INLINE Matrix3<S> operator()(const Node& a, const Node& b) const {
+        const S product = a.g[0] * b.g[0] + a.g[1] * b.g[1] + a.g[2] * b.g[2];
+        const S geometric = a.g[0] * b.Sg[0] + a.g[1] * b.Sg[1] + a.g[2] * b.Sg[2];
+        Matrix3<S> r;
+        for (int i = 0; i < 3; ++i) {
+          const S lambdaP = lambda * a.p[i], muP = mu * b.p[i];
+          for (int j = 0; j < 3; ++j) r(i, j) = lambdaP * b.p[j] + muP * a.p[j] + product * muFFt(i, j);
+          r(i, i) += geometric;
+        }
+        return r;
+      }
+    };
+    RINGWATCH_INLINE NodeBlocks nodeBlocks(const S& weight) const {
+      const S mu = weight * S(law.constants.mu);
+      return {F, weight * secondStress, mu * timesTranspose(F, F), weight * S(law.constants.lambda), mu};
+    }
   };
   template <class S>
   RINGWATCH_INLINE Linearization<S> linearize(const Matrix3<S>& F) const {

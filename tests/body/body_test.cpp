@@ -449,6 +449,50 @@ TEST(BlockMatrix, HoldsTheAssembledTangentAndKeepsItsPattern) {
   }
 }
 
+TEST(BlockMatrix, AddsUpOverPatchesAndMeshBlocks) {
+  for (const char* element : {"tet4", "hex8", "tet10"}) {
+    // Two mesh blocks, each of several patches, that share nodes in every way.
+    Mesh mesh = test::distortedBox(element, {11, 10, 9});
+    MeshBlock& whole = mesh.blocks[0];
+    MeshBlock half = whole;
+    const auto middle = static_cast<std::ptrdiff_t>(whole.elementCount() / 2) * whole.nodesPerElement();
+    half.connectivity.erase(half.connectivity.begin(), half.connectivity.begin() + middle);
+    whole.connectivity.resize(static_cast<std::size_t>(middle));
+    whole.ids.clear();
+    half.ids.clear();
+    mesh.blocks.push_back(half);
+    const Body body(mesh, makeMaterial("stvk", 30e3, 0.3, 1000), {{}, Lumping::rowSum, 2});
+    ASSERT_GE(body.blocks()[0]->layout().patches.size(), 2u);
+    SparseTangent tangent;
+    for (const std::uint64_t seed : {1u, 2u}) {  // the second time over the first one's numbers
+      const NodeVectors x = strained(body.mesh().X, seed);
+      body.assembleTangent(x, tangent);
+      std::vector<Eigen::Matrix3d> expected(tangent.blocks.block.size(), Eigen::Matrix3d::Zero());
+      for (std::size_t b = 0; b < 2; ++b) {
+        const int n = body.blocks()[b]->element().nodes;
+        for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
+          const Eigen::MatrixXd K = body.elementTangent({static_cast<std::int32_t>(b), e}, x);
+          for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j)
+              expected[static_cast<std::size_t>(
+                  tangent.blocks.elementBlocks[b][static_cast<std::size_t>((e * n + i) * n + j)])] +=
+                  K.block<3, 3>(3 * i, 3 * j);
+        }
+      }
+      double largest = 0, difference = 0;
+      for (std::size_t s = 0; s < expected.size(); ++s) {
+        largest = std::max(largest, expected[s].norm());
+        difference = std::max(difference, (expected[s] - tangent.blocks.block[s]).norm());
+      }
+      EXPECT_LE(difference, 1e-14 * largest) << element;
+      const Eigen::SparseMatrix<double> transposed = tangent.matrix.transpose();
+      EXPECT_EQ((tangent.matrix - transposed).norm(), 0) << element;
+      EXPECT_TRUE(tangent.matrix.isCompressed());
+    }
+    EXPECT_GT(tangent.blocks.patternBytes(), tangent.blocks.column.size() * sizeof(std::int32_t));
+  }
+}
+
 TEST_P(MassTest, ElementsShareTheLumpedMass) {
   const Mesh mesh = test::distortedBox(GetParam(), {3, 3, 3});
   for (const Lumping lumping : {Lumping::rowSum, Lumping::equal}) {

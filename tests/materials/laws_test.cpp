@@ -100,6 +100,21 @@ TYPED_TEST(LawTest, ModulusIsSymmetric) {
   }
 }
 
+TYPED_TEST(LawTest, NodeBlocksAreTheModulusBetweenTwoGradients) {
+  test::Random random(12);
+  for (const auto& [kind, F] : this->domain()) {
+    const auto A = this->modulus(F);
+    const Eigen::Vector3d first = random.vector(1), second = random.vector(1);
+    Eigen::Matrix3d expected = Eigen::Matrix3d::Zero();
+    for (int i = 0; i < 9; ++i)
+      for (int j = 0; j < 9; ++j) expected(i / 3, j / 3) += 2.5 * first[i % 3] * A(i, j) * second[j % 3];
+    const auto blocks = this->law.linearize(test::toMatrix3(F)).nodeBlocks(2.5);
+    const double a[3] = {first[0], first[1], first[2]}, b[3] = {second[0], second[1], second[2]};
+    const Eigen::Matrix3d block = test::toEigen(blocks(blocks.node(a), blocks.node(b)));
+    EXPECT_LE((block - expected).norm(), 1e-12 * A.norm()) << kind << "\n" << F;
+  }
+}
+
 TYPED_TEST(LawTest, LinearizationIsLinear) {
   test::Random random(5);
   for (const auto& [kind, F] : this->domain()) {

@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""Compares result files of the benchmark programs, or prints one.
+
+usage: compare.py BEFORE.json [AFTER.json] [--filter REGEX] [--match]
+
+Files come from --benchmark_format=json or --benchmark_out=FILE. Of repetitions the least CPU time counts, since other
+programs only ever add to it. A ratio below 1 is faster. With --match only rows of both files are printed.
+"""
+import argparse
+import json
+import re
+import sys
+
+NANOSECONDS = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
+
+
+def read(path):
+    """Name -> (least CPU time, ns; elements or 0; error or None)."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            rows = json.load(file)["benchmarks"]
+    except (OSError, ValueError, KeyError) as problem:
+        sys.exit(f"{path}: no benchmark results: {problem}")
+    best = {}
+    for row in rows:
+        if row.get("run_type") == "aggregate" or "error_message" in row or "cpu_time" not in row:
+            continue
+        time = row["cpu_time"] * NANOSECONDS[row["time_unit"]]
+        name = row["run_name"].removesuffix("/real_time").removesuffix("/threads:1")
+        if name not in best or time < best[name][0]:
+            best[name] = (time, row.get("elements", 0), row.get("error"))
+    return best
+
+
+def shown(entry):
+    if entry is None:
+        return f"{'-':>12} {'-':>9}"
+    time, elements, error = entry
+    each = time / elements if elements else time
+    return f"{each:12.4g} {'' if error is None else format(error, '9.1e'):>9}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("before")
+    parser.add_argument("after", nargs="?")
+    parser.add_argument("--filter", default="", help="only rows whose name matches")
+    parser.add_argument("--match", action="store_true", help="only rows of both files")
+    options = parser.parse_args()
+    before = read(options.before)
+    after = read(options.after) if options.after else None
+    names = [n for n in {**before, **(after or {})} if re.search(options.filter, n)]
+    if options.match and after is not None:
+        names = [n for n in names if n in before and n in after]
+    if not names:
+        sys.exit("no rows to show")
+    width = max(map(len, names))
+    if after is None:
+        print(f"{'':{width}} {'ns':>12} {'error':>9}    (ns an element where the row counts elements)")
+        for name in names:
+            print(f"{name:{width}} {shown(before[name])}")
+        return
+    print(f"{'':{width}} {'before, ns':>12} {'error':>9} {'after, ns':>12} {'error':>9} {'ratio':>7}")
+    for name in names:
+        a, b = before.get(name), after.get(name)
+        ratio = f"{b[0] / a[0]:7.3f}" if a and b else f"{'-':>7}"
+        print(f"{name:{width}} {shown(a)} {shown(b)} {ratio}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,240 @@
+// Assembled tangents: the pattern and the places of all elements' blocks once, then numbers only.
+#include <algorithm>
+#include <numeric>
+
+#include <ringwatch/body/body.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr int lanes = PatchLayout::lanes;
+
+/// Node pairs (a, b), a <= b, of an element in the order of `places`.
+constexpr int pairCount(int n) { return n * (n + 1) / 2; }
+
+template <class T>
+std::size_t bytesOf(const std::vector<T>& v) {
+  return v.size() * sizeof(T);
+}
+
+}  // namespace
+
+std::size_t PatchPairs::bytes() const {
+  std::size_t sum = bytesOf(pairs) + bytesOf(pairBegin) + bytesOf(shared) + slots.size() * sizeof(double);
+  for (const auto& own : places) sum += bytesOf(own);
+  return sum;
+}
+
+std::size_t BlockMatrix::patternBytes() const {
+  std::size_t sum = bytesOf(rowBegin) + bytesOf(column) + patchPairs.bytes();
+  for (const auto& own : elementBlocks) sum += bytesOf(own);
+  return sum;
+}
+
+void Body::makePattern(BlockMatrix& matrix) const {
+  const std::size_t nodes = mesh_.nodeCount();
+  // Neighbours of every node with repetitions, row after row, then sorted and thinned in place. A node without
+  // elements, in a part of a body, has its diagonal all the same.
+  std::vector<std::int64_t> begin(nodes + 1, 1);
+  begin[0] = 0;
+  for (const auto& block : blocks_)
+    for (std::int32_t e = 0; e < block->elementCount(); ++e)
+      for (std::int32_t i : block->nodesOf(e)) begin[static_cast<std::size_t>(i) + 1] += block->element().nodes;
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::int32_t> neighbour(static_cast<std::size_t>(begin.back()));
+  {
+    std::vector<std::int64_t> next(begin.begin(), begin.end() - 1);
+    for (std::size_t i = 0; i < nodes; ++i)
+      neighbour[static_cast<std::size_t>(next[i]++)] = static_cast<std::int32_t>(i);
+    for (const auto& block : blocks_)
+      for (std::int32_t e = 0; e < block->elementCount(); ++e) {
+        const auto own = block->nodesOf(e);
+        for (std::int32_t i : own) {
+          std::int64_t& to = next[static_cast<std::size_t>(i)];
+          std::copy(own.begin(), own.end(), neighbour.begin() + to);
+          to += static_cast<std::int64_t>(own.size());
+        }
+      }
+  }
+  std::vector<std::int64_t> count(nodes);
+  parallelFor(
+      0, static_cast<std::int64_t>(nodes), threads(),
+      [&](std::int64_t i) {
+        const auto first = neighbour.begin() + begin[static_cast<std::size_t>(i)],
+                   last = neighbour.begin() + begin[static_cast<std::size_t>(i) + 1];
+        std::sort(first, last);
+        count[static_cast<std::size_t>(i)] = std::unique(first, last) - first;
+      },
+      256);
+  matrix.rowBegin.assign(nodes + 1, 0);
+  std::partial_sum(count.begin(), count.end(), matrix.rowBegin.begin() + 1);
+  matrix.column.resize(static_cast<std::size_t>(matrix.rowBegin.back()));
+  for (std::size_t i = 0; i < nodes; ++i)
+    std::copy_n(neighbour.begin() + begin[i], count[i], matrix.column.begin() + matrix.rowBegin[i]);
+  matrix.block.assign(matrix.column.size(), Eigen::Matrix3d::Zero());
+  for (const auto& block : blocks_) {
+    const auto n = static_cast<std::size_t>(block->element().nodes);
+    auto& positions = matrix.elementBlocks.emplace_back(static_cast<std::size_t>(block->elementCount()) * n * n);
+    parallelFor(
+        0, block->elementCount(), threads(),
+        [&](std::int64_t e) {
+          const auto own = block->nodesOf(static_cast<std::int32_t>(e));
+          for (std::size_t a = 0; a < n; ++a) {
+            const auto row = static_cast<std::size_t>(own[a]);
+            const auto first = matrix.column.begin() + matrix.rowBegin[row],
+                       last = matrix.column.begin() + matrix.rowBegin[row + 1];
+            for (std::size_t b = 0; b < n; ++b)
+              positions[(static_cast<std::size_t>(e) * n + a) * n + b] =
+                  static_cast<std::int32_t>(std::lower_bound(first, last, own[b]) - matrix.column.begin());
+          }
+        },
+        256);
+  }
+  placePairs(matrix);
+}
+
+void Body::placePairs(BlockMatrix& matrix) const {
+  PatchPairs& own = matrix.patchPairs;
+  std::vector<std::int32_t> placeOf(matrix.column.size(), -1);  // of the upper block, in the current patch
+  std::vector<std::int32_t> patches(matrix.column.size(), 0);   // that have the pair
+  own.places.resize(blocks_.size());
+  own.pairBegin.assign(1, 0);
+  for (std::size_t m = 0; m < blocks_.size(); ++m) {
+    const ElementBlock& block = *blocks_[m];
+    const int n = block.element().nodes;
+    own.places[m].resize(block.layout().elements.size() * static_cast<std::size_t>(pairCount(n)));
+    std::int32_t* place = own.places[m].data();
+    for (const Patch& patch : block.layout().patches) {
+      for (std::int32_t batch = patch.batchBegin; batch < patch.batchEnd; ++batch) {
+        const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
+        for (int a = 0; a < n; ++a)
+          for (int b = a; b < n; ++b)
+            for (int lane = 0; lane < lanes; ++lane) {
+              // Lanes without an element add zeros where the first adds.
+              const std::int32_t e = elements[lane] < 0 ? elements[0] : elements[lane];
+              const auto nodes = block.nodesOf(e);
+              const std::int32_t* positions = matrix.elementBlocks[m].data() + static_cast<std::ptrdiff_t>(e) * n * n;
+              const bool flipped = nodes[static_cast<std::size_t>(a)] > nodes[static_cast<std::size_t>(b)];
+              const std::int32_t upper = positions[flipped ? b * n + a : a * n + b];
+              std::int32_t& known = placeOf[static_cast<std::size_t>(upper)];
+              if (known < 0) {
+                known = static_cast<std::int32_t>(static_cast<std::int64_t>(own.pairs.size()) - own.pairBegin.back());
+                own.pairs.push_back({upper, positions[flipped ? a * n + b : b * n + a], -1});
+                ++patches[static_cast<std::size_t>(upper)];
+              }
+              *place++ = flipped ? ~known : known;
+            }
+      }
+      for (auto p = static_cast<std::size_t>(own.pairBegin.back()); p < own.pairs.size(); ++p)
+        placeOf[static_cast<std::size_t>(own.pairs[p].upper)] = -1;
+      own.pairBegin.push_back(static_cast<std::int64_t>(own.pairs.size()));
+    }
+  }
+  // Slots of a pair lie beside one another, in the order of the patches.
+  std::int64_t slotCount = 0;
+  for (PatchPairs::Pair& pair : own.pairs) {
+    const auto upper = static_cast<std::size_t>(pair.upper);
+    if (patches[upper] < 2) continue;
+    if (placeOf[upper] < 0) {
+      own.shared.push_back({pair.upper, pair.lower, slotCount});
+      placeOf[upper] = static_cast<std::int32_t>(slotCount);
+      slotCount += patches[upper];
+    }
+    pair.slot = placeOf[upper]++;
+  }
+  own.shared.push_back({0, 0, slotCount});
+  own.slots.resize(9 * static_cast<std::size_t>(slotCount));
+}
+
+void Body::assembleBlocks(const NodeVectors& x, BlockMatrix& matrix) const {
+  if (matrix.rowBegin.empty()) makePattern(matrix);
+  PatchPairs& own = matrix.patchPairs;
+  double* values = matrix.block.data()->data();
+  std::size_t firstPatch = 0;
+  for (std::size_t m = 0; m < blocks_.size(); ++m) {
+    const ElementBlock& block = *blocks_[m];
+    const int n = block.element().nodes, size = 3 * n, count = pairCount(n);
+    const auto& patches = block.layout().patches;
+    parallelFor(0, static_cast<std::int64_t>(patches.size()), threads(), [&](std::int64_t p) {
+      // A patch's sums stay in the second-level cache; kept from patch to patch, for fresh memory costs page faults.
+      thread_local AlignedVector<double> sums;
+      thread_local AlignedVector<NativePack> K;
+      const Patch& patch = patches[static_cast<std::size_t>(p)];
+      const std::int64_t first = own.pairBegin[firstPatch + static_cast<std::size_t>(p)];
+      const auto pairs = static_cast<std::size_t>(own.pairBegin[firstPatch + static_cast<std::size_t>(p) + 1] - first);
+      sums.assign(9 * pairs, 0.0);
+      K.resize(static_cast<std::size_t>(size * size));
+      // The first eight entries of a block fill a cache line; the ninth ones lie apart.
+      double *eight = sums.data(), *ninth = sums.data() + 8 * pairs;
+      const std::int32_t* place = own.places[m].data() + static_cast<std::ptrdiff_t>(patch.batchBegin) * count * lanes;
+      for (std::int32_t batch = patch.batchBegin; batch < patch.batchEnd; ++batch) {
+        block.tangentBatch(batch, x.data(), reinterpret_cast<double*>(K.data()));
+        for (int a = 0; a < n; ++a)
+          for (int b = a; b < n; ++b, place += lanes)
+            addBlocks(eight, ninth, place, K.data() + static_cast<std::ptrdiff_t>(3 * a) * size + 3 * b, size);
+      }
+      for (std::size_t i = 0; i < pairs; ++i) {
+        const PatchPairs::Pair& pair = own.pairs[static_cast<std::size_t>(first) + i];
+        if (pair.slot >= 0) {
+          double* slot = own.slots.data() + 9 * static_cast<std::ptrdiff_t>(pair.slot);
+          std::copy_n(eight + 8 * i, 8, slot);
+          slot[8] = ninth[i];
+        } else {
+          storeBlock(values, pair.upper, pair.lower, eight + 8 * i, ninth[i]);
+        }
+      }
+    });
+    firstPatch += patches.size();
+  }
+  parallelFor(
+      0, static_cast<std::int64_t>(own.shared.size()) - 1, threads(),
+      [&](std::int64_t i) {
+        const PatchPairs::Shared& pair = own.shared[static_cast<std::size_t>(i)];
+        const std::int64_t end = own.shared[static_cast<std::size_t>(i) + 1].slotBegin;
+        double sum[9] = {};
+        for (std::int64_t s = pair.slotBegin; s < end; ++s)
+          for (int k = 0; k < 9; ++k) sum[k] += own.slots[static_cast<std::size_t>(9 * s + k)];
+        storeBlock(values, pair.upper, pair.lower, sum, sum[8]);
+      },
+      1024);
+}
+
+void Body::assembleTangent(const NodeVectors& x, SparseTangent& tangent) const {
+  BlockMatrix& blocks = tangent.blocks;
+  Eigen::SparseMatrix<double>& K = tangent.matrix;
+  assembleBlocks(x, blocks);
+  const bool fresh = K.nonZeros() == 0;
+  if (fresh) {
+    K.resize(3 * nodeCount(), 3 * nodeCount());
+    K.resizeNonZeros(static_cast<Eigen::Index>(9 * blocks.column.size()));
+  }
+  // Symmetric: row i of blocks gives columns 3i to 3i+2.
+  parallelFor(
+      0, nodeCount(), threads(),
+      [&](std::int64_t i) {
+        const std::int64_t begin = blocks.rowBegin[static_cast<std::size_t>(i)],
+                           count = blocks.rowBegin[static_cast<std::size_t>(i) + 1] - begin;
+        if (fresh)
+          for (std::int64_t c = 0; c < 3; ++c) {
+            K.outerIndexPtr()[3 * i + c] = static_cast<int>(9 * begin + 3 * c * count);
+            int* rows = K.innerIndexPtr() + 9 * begin + 3 * c * count;
+            for (std::int64_t s = 0; s < 3 * count; ++s)
+              rows[s] = 3 * blocks.column[static_cast<std::size_t>(begin + s / 3)] + static_cast<int>(s % 3);
+          }
+        double* to = K.valuePtr() + 9 * begin;
+        const double* from = blocks.block.data()->data() + 9 * begin;
+        for (std::int64_t s = 0; s < count; ++s, from += 9, to += 3)
+          for (std::int64_t c = 0; c < 3; ++c)
+            for (std::int64_t r = 0; r < 3; ++r) to[3 * c * count + r] = from[c + 3 * r];
+      },
+      256);
+  if (fresh) K.outerIndexPtr()[3 * nodeCount()] = static_cast<int>(9 * blocks.column.size());
+}
+
+Eigen::SparseMatrix<double> Body::assembleTangent(const NodeVectors& x) const {
+  SparseTangent tangent;
+  assembleTangent(x, tangent);
+  return std::move(tangent.matrix);
+}
+
+}  // namespace ringwatch
