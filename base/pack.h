@@ -263,6 +263,27 @@ RINGWATCH_INLINE void addBlocks(T* eight, T* ninth, const std::int32_t* place, c
   }
 }
 
+/// The reverse for one list of blocks of nine numbers, column by column: block `place[lane]` of each lane, entry (r, c)
+/// of all of them to block[r * stride + c].
+template <class T, int W>
+RINGWATCH_INLINE void loadBlocks(const T* blocks, const std::int32_t* place, Pack<T, W>* block, int stride) {
+  if constexpr (sizeof(T) == 8 && W == 8) {
+    typename Pack<T, W>::Values v[8], last;
+    for (int lane = 0; lane < W; ++lane) {
+      const T* from = blocks + 9 * static_cast<std::ptrdiff_t>(place[lane]);
+      std::memcpy(&v[lane], from, sizeof v[lane]);
+      last[lane] = from[8];
+    }
+    detail::transpose8(v);
+    for (int i = 0; i < 8; ++i) block[i % 3 * stride + i / 3].v = v[i];
+    block[2 * stride + 2].v = last;
+  } else {
+    for (int lane = 0; lane < W; ++lane)
+      for (int i = 0; i < 9; ++i)
+        block[i % 3 * stride + i / 3].set(lane, blocks[9 * static_cast<std::ptrdiff_t>(place[lane]) + i]);
+  }
+}
+
 /// Writes a 3×3 block, column by column, eight entries and the last, to position `upper` of a list of such blocks, and
 /// its transpose to `lower`; of the same place stays what `upper` has.
 template <class T>

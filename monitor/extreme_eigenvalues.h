@@ -1,4 +1,6 @@
 #pragma once
+#include <utility>
+
 #include <ringwatch/base/math.h>
 
 namespace ringwatch {
@@ -16,49 +18,82 @@ struct ExtremeEigenvalues {
   P scale;  // Gershgorin bound of the spectral radius
 };
 
+namespace detail {
+/// Calls body(i) for begin <= i < end; `Unrolled` asks the compiler for straight code, which takes constant bounds.
+template <bool Unrolled, class Loop>
+RINGWATCH_INLINE void forRange(int begin, int end, const Loop& body) {
+  if constexpr (Unrolled) {
+#if defined(__clang__)
+#pragma unroll
+#else
+#pragma GCC unroll 16
+#endif
+    for (int i = begin; i < end; ++i) body(i);
+  } else {
+    for (int i = begin; i < end; ++i) body(i);
+  }
+}
+
+/// Householder's reflection of column k, applied to the columns right of it. What bounds the speed is the chain from
+/// sum to root to quotient to sum: sums are split in four, and the product with A starts before the root is known.
+template <bool Unrolled, class P>
+RINGWATCH_INLINE void reduceColumn(P* A, int n, int k, P* d, P* e2, P* v, P* p) {
+  const auto sumOf = [](const P* part) { return (part[0] + part[1]) + (part[2] + part[3]); };
+  P squares[4] = {P(0.0), P(0.0), P(0.0), P(0.0)};
+  forRange<Unrolled>(k + 1, n, [&](int i) {
+    v[i] = A[i * n + k];
+    squares[i % 4] += v[i] * v[i];
+    p[i] = P(0.0);
+  });
+  // p = A x from the lower triangle, x the column
+  forRange<Unrolled>(k + 1, n, [&](int i) {
+    const P* row = A + i * n;
+    P sum = row[i] * v[i];
+    const P vi = v[i];
+    forRange<Unrolled>(k + 1, i, [&](int j) {
+      sum += row[j] * v[j];
+      p[j] += row[j] * vi;
+    });
+    p[i] += sum;
+  });
+  const P norm2 = sumOf(squares), norm = math::sqrt(norm2);
+  const P alpha = select(v[k + 1] > P(0.0), -norm, norm);
+  const P vv = P(2.0) * (norm2 + norm * math::abs(v[k + 1]));
+  e2[k] = norm2;
+  d[k] = A[k * n + k];
+  const auto nonzero = vv > P(1e-250);  // below, 2 / vv and its products overflow, and nothing is left to reflect
+  const P beta = select(nonzero, P(2.0) / select(nonzero, vv, P(1.0)), P(0.0));
+  // v = x - alpha e, p = beta A v
+  v[k + 1] -= alpha;
+  P products[4] = {P(0.0), P(0.0), P(0.0), P(0.0)};
+  forRange<Unrolled>(k + 1, n, [&](int i) {
+    p[i] = beta * (p[i] - alpha * A[i * n + k + 1]);
+    products[i % 4] += v[i] * p[i];
+  });
+  const P half = P(0.5) * beta * sumOf(products);
+  forRange<Unrolled>(k + 1, n, [&](int i) { p[i] -= half * v[i]; });
+  forRange<Unrolled>(k + 1, n, [&](int i) {
+    P* row = A + i * n;
+    const P vi = v[i], pi = p[i];
+    forRange<Unrolled>(k + 1, i + 1, [&](int j) { row[j] = row[j] - vi * p[j] - pi * v[j]; });
+  });
+}
+template <int N, class P, int... K>
+RINGWATCH_INLINE void reduceColumns(P* A, P* d, P* e2, P* v, P* p, std::integer_sequence<int, K...>) {
+  (reduceColumn<true>(A, N, K, d, e2, v, p), ...);
+}
+}  // namespace detail
+
 /// Reduces A (n×n, row by row, lower triangle read, destroyed) to tridiagonal form: diagonal d[n], squared off-diagonal
 /// e2[n-1].
 template <int N, class P>
 RINGWATCH_HOST_DEVICE inline void tridiagonalize(P* A, int anyN, P* d, P* e2, P* v, P* p) {
-  const int n = N > 0 ? N : anyN;  // a constant lets the compiler unroll
-  for (int k = 0; k + 2 < n; ++k) {
-    P norm2(0.0);
-    for (int i = k + 1; i < n; ++i) {
-      v[i] = A[i * n + k];
-      norm2 += v[i] * v[i];
-    }
-    const P norm = math::sqrt(norm2);
-    const P alpha = select(v[k + 1] > P(0.0), -norm, norm);
-    e2[k] = norm2;
-    d[k] = A[k * n + k];
-    v[k + 1] -= alpha;
-    const P vv = P(2.0) * (norm2 + norm * math::abs(A[(k + 1) * n + k]));
-    const auto nonzero = vv > P(1e-250);  // below, 2 / vv and its products overflow, and nothing is left to reflect
-    const P beta = select(nonzero, P(2.0) / select(nonzero, vv, P(1.0)), P(0.0));
-    // p = beta A v from the lower triangle
-    for (int i = k + 1; i < n; ++i) p[i] = P(0.0);
-    for (int i = k + 1; i < n; ++i) {
-      const P* row = A + i * n;
-      P sum = row[i] * v[i];
-      const P vi = v[i];
-      for (int j = k + 1; j < i; ++j) {
-        sum += row[j] * v[j];
-        p[j] += row[j] * vi;
-      }
-      p[i] += sum;
-    }
-    P vp(0.0);
-    for (int i = k + 1; i < n; ++i) {
-      p[i] *= beta;
-      vp += v[i] * p[i];
-    }
-    const P half = P(0.5) * beta * vp;
-    for (int i = k + 1; i < n; ++i) p[i] -= half * v[i];
-    for (int i = k + 1; i < n; ++i) {
-      P* row = A + i * n;
-      const P vi = v[i], pi = p[i];
-      for (int j = k + 1; j <= i; ++j) row[j] -= vi * p[j] + pi * v[j];
-    }
+  const int n = N > 0 ? N : anyN;
+  if constexpr (N > 2 && N <= 12) {  // straight code, v and p in registers
+    P own[2][N];
+    detail::reduceColumns<N>(A, d, e2, own[0], own[1], std::make_integer_sequence<int, N - 2>());
+  } else {
+    for (int k = 0; k + 2 < n; ++k) detail::reduceColumn<false>(A, n, k, d, e2, v, p);
   }
   if (n >= 2) {
     d[n - 2] = A[(n - 2) * n + n - 2];
@@ -67,37 +102,106 @@ RINGWATCH_HOST_DEVICE inline void tridiagonalize(P* A, int anyN, P* d, P* e2, P*
   d[n - 1] = A[(n - 1) * n + n - 1];
 }
 
-/// Largest eigenvalue of sign·T, T tridiagonal, by Laguerre's iteration from `start`, which must lie at or above it.
+/// Sums over the eigenvalues λ_i of a tridiagonal matrix, from its characteristic polynomial p at x.
+template <class P>
+struct CharacteristicSums {
+  P first;   // Σ 1/(x - λ_i) = p'/p
+  P second;  // Σ 1/(x - λ_i)² = (p'/p)² - p''/p
+  P least;   // positive where x lies right of all λ_i: then all leading minors are
+};
+/// By the three-term recurrence, without a division in it; for numbers of order one and n <= 24, else minors underflow.
 template <int N, class P>
-RINGWATCH_HOST_DEVICE inline P largestByLaguerre(const P* d, const P* e2, int anyN, P sign, P start, P scale) {
+RINGWATCH_HOST_DEVICE inline CharacteristicSums<P> sumsByMinors(const P* d, const P* e2, int anyN, P x) {
   const int n = N > 0 ? N : anyN;
+  // p, p', p''/2 of the leading minors of order k and k - 1
+  P p = x - d[0], dp(1.0), ddp(0.0), p0(1.0), dp0(0.0), ddp0(0.0), least = p;
+  detail::forRange<(N > 0)>(1, n, [&](int k) {
+    const P q = x - d[k], e = e2[k - 1];
+    const P ddp1 = q * ddp + (dp - e * ddp0), dp1 = q * dp + (p - e * dp0), p1 = q * p - e * p0;
+    ddp0 = ddp;
+    dp0 = dp;
+    p0 = p;
+    ddp = ddp1;
+    dp = dp1;
+    p = p1;
+    least = math::min(least, p);
+  });
+  const P inverse = P(1.0) / select(p > P(1e-290), p, P(1.0));
+  const P first = dp * inverse;
+  return {first, first * first - P(2.0) * ddp * inverse, least - P(1e-290)};
+}
+/// By ratios of successive minors: for any n.
+template <class P>
+RINGWATCH_HOST_DEVICE inline CharacteristicSums<P> sumsByRatios(const P* d, const P* e2, int n, P x) {
+  const P tiny(1e-16);
+  // q_k = p_k / p_(k-1), r = q'/q, s = q''/q
+  P r(0.0), s(0.0), first(0.0), second(0.0), previousInverse(0.0), least(1.0);
+  for (int k = 0; k < n; ++k) {
+    const P c = k == 0 ? P(0.0) : e2[k - 1] * previousInverse;
+    const P q = x - d[k] - c;
+    least = math::min(least, q);
+    const P inverse = P(1.0) / math::max(q, tiny);
+    const P slope = P(1.0) + c * r, bend = c * (s - P(2.0) * r * r);
+    r = slope * inverse;
+    s = bend * inverse;
+    first += r;
+    second += r * r - s;
+    previousInverse = inverse;
+  }
+  return {first, second, least - tiny};
+}
+
+/// Largest eigenvalue of a tridiagonal matrix of spectral radius at most one, by Laguerre's iteration from `start`,
+/// which must lie at or above it.
+template <int N, class P>
+RINGWATCH_HOST_DEVICE inline P largestByLaguerre(const P* d, const P* e2, int anyN, P start) {
+  const int n = N > 0 ? N : anyN;
+  const P count(static_cast<double>(n));
   P lambda = start;
   // A few, mostly; a cluster of half the eigenvalues makes convergence linear, by a quarter each time at n = 60.
   constexpr int maxIterations = 250;
-  const P tiny = P(1e-300) + P(1e-16) * scale, enough = P(1e-14) * scale + P(1e-300);
   for (int iteration = 0; iteration < maxIterations; ++iteration) {
-    // Ratios of leading principal minors q_k = p_k / p_(k-1) > 0 right of the spectrum; r = q'/q, s = q''/q.
-    P r(0.0), s(0.0), sumR(0.0), sumH(0.0), previousInverse(0.0), lowest = scale;
-    for (int k = 0; k < n; ++k) {
-      const P c = k == 0 ? P(0.0) : e2[k - 1] * previousInverse;  // e²/q_(k-1)
-      const P q = lambda - sign * d[k] - c;
-      lowest = math::min(lowest, q);
-      const P inverse = P(1.0) / math::max(q, tiny);
-      const P slope = P(1.0) + c * r, bend = c * (s - P(2.0) * r * r);
-      r = slope * inverse;
-      s = bend * inverse;
-      sumR += r;
-      sumH += r * r - s;
-      previousInverse = inverse;
-    }
-    // Laguerre: lambda - n / (G + √((n-1)(n H - G²)))
-    const P count(static_cast<double>(n));
-    const P root = math::sqrt(math::max((count - P(1.0)) * (count * sumH - sumR * sumR), P(0.0)));
-    const P step = select(lowest > tiny, count / (sumR + root), P(0.0));
+    const CharacteristicSums<P> sums = n <= 24 ? sumsByMinors<N>(d, e2, n, lambda) : sumsByRatios(d, e2, n, lambda);
+    // λ - n / (G + √((n-1)(n H - G²))) with the sums G, H; the root is at most G/H away, since the largest of positive
+    // numbers is at least the ratio of their squares' sum to their own.
+    const auto right = (sums.least > P(0.0)) & (sums.first > P(0.0)) & (sums.second > P(0.0));
+    const P first = select(right, sums.first, P(1.0)), second = select(right, sums.second, P(1.0));
+    const P root = math::sqrt(math::max((count - P(1.0)) * (count * second - first * first), P(0.0)));
+    const P step = select(right, count / (first + root), P(0.0));
+    const P left = select(right, first / second, P(0.0)) - step;
     lambda -= step;
-    if (!anyOf(step > enough)) break;
+    if (!anyOf((left > P(1e-13)) & (step > P(1e-15)))) break;
   }
   return lambda;
+}
+
+/// Bounds of a tridiagonal matrix's eigenvalues and its largest one.
+template <class P>
+struct TridiagonalBounds {
+  P low, high, scale;  // Gershgorin's circles
+  P mean, deviation;   // of the eigenvalues
+};
+template <class P>
+RINGWATCH_HOST_DEVICE inline TridiagonalBounds<P> tridiagonalBounds(const P* d, const P* e2, int n) {
+  TridiagonalBounds<P> b;
+  P before(0.0), sum(0.0);
+  for (int k = 0; k < n; ++k) {
+    sum += d[k];
+    const P after = k + 1 < n ? math::sqrt(e2[k]) : P(0.0);
+    b.high = k == 0 ? d[k] + after : math::max(b.high, d[k] + before + after);
+    b.low = k == 0 ? d[k] - after : math::min(b.low, d[k] - before - after);
+    before = after;
+  }
+  b.scale = math::max(math::abs(b.high), math::abs(b.low));
+  b.mean = sum * P(1.0 / n);
+  P squares(0.0);
+  for (int k = 0; k < n; ++k) {
+    const P off = d[k] - b.mean;
+    squares += off * off;
+    if (k + 1 < n) squares += P(2.0) * e2[k];
+  }
+  b.deviation = math::sqrt(squares * P(1.0 / n));
+  return b;
 }
 
 /// Extreme eigenvalues of A (n×n, row by row, destroyed), n >= 1, for an N known to the compiler or N = 0. `work` holds
@@ -107,25 +211,29 @@ RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvaluesOf(P* A, in
   const int n = N > 0 ? N : anyN;
   P *d = work, *e2 = work + n, *v = work + 2 * n, *p = work + 3 * n;
   tridiagonalize<N>(A, n, d, e2, v, p);
-  P high = d[0], low = d[0], before(0.0), sum(0.0);
+  P poison(0.0);  // min and max lose NaN: added back; 0 for finite numbers
+  for (int k = 0; k < n; ++k) poison += k + 1 < n ? d[k] + e2[k] : d[k];
+  poison *= P(0.0);
+  const TridiagonalBounds<P> bounds = tridiagonalBounds(d, e2, n);
+  // To a spectral radius of at most one; a zero matrix stays as it is.
+  const auto zero = bounds.scale <= P(1e-290);
+  const P unit = P(1.0) / select(zero, P(1.0), bounds.scale);
   for (int k = 0; k < n; ++k) {
-    sum += k + 1 < n ? d[k] + e2[k] : d[k];
-    const P after = k + 1 < n ? math::sqrt(e2[k]) : P(0.0);
-    high = k == 0 ? d[k] + after : math::max(high, d[k] + before + after);
-    low = k == 0 ? d[k] - after : math::min(low, d[k] - before - after);
-    before = after;
+    d[k] *= unit;
+    if (k + 1 < n) e2[k] = e2[k] * unit * unit;
   }
-  const P scale = math::max(math::abs(high), math::abs(low));
-  const P margin = P(1e-13) * scale + P(1e-300);
+  // No eigenvalue is farther than √(n-1) deviations from the mean (Samuelson 1968).
+  const P reach = P(math::sqrt(n - 1.0)) * bounds.deviation, margin(1e-13);
   ExtremeEigenvalues<P> result;
-  // min and max lose NaN: added back; 0 for finite numbers. A zero matrix would keep the margin.
-  const P poison = P(0.0) * sum;
-  const auto zero = scale == P(0.0);
-  result.scale = scale + poison;
-  result.largest = select(zero, P(0.0), largestByLaguerre<N>(d, e2, n, P(1.0), high + margin, scale)) + poison;
+  result.scale = bounds.scale + poison;
+  const P high = math::min(bounds.high, bounds.mean + reach) * unit + margin;
+  result.largest = select(zero, P(0.0), bounds.scale * largestByLaguerre<N>(d, e2, n, high)) + poison;
   result.least = P(0.0);
-  if (wantLeast)
-    result.least = select(zero, P(0.0), -largestByLaguerre<N>(d, e2, n, P(-1.0), margin - low, scale)) + poison;
+  if (wantLeast) {
+    for (int k = 0; k < n; ++k) d[k] = -d[k];
+    const P low = math::min(-bounds.low, reach - bounds.mean) * unit + margin;
+    result.least = select(zero, P(0.0), -bounds.scale * largestByLaguerre<N>(d, e2, n, low)) + poison;
+  }
   return result;
 }
 

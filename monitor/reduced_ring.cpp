@@ -11,6 +11,7 @@ namespace {
 
 /// Rounding of the packed eigenvalues, relative to the spectral radius; taken off a proven lower bound.
 constexpr double rounding = 1e-11;
+constexpr int lanes = PatchLayout::lanes;
 
 }  // namespace
 
@@ -18,23 +19,9 @@ const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool want
   body_.assembleBlocks(x, matrix_);
   result_.largest.resize(body_.blocks().size());
   result_.highest = result_.lowest = 0;
-  // Mass scaling once, on the assembled blocks: entry (i,j) becomes K_ij / √(m_i m_j), zero where constrained.
-  const Eigen::VectorXd inverseRoot = body_.lumpedMass().cwiseSqrt().cwiseInverse();
-  parallelFor(
-      0, body_.nodeCount(), body_.threads(),
-      [&](std::int64_t i) {
-        for (std::int64_t s = matrix_.rowBegin[static_cast<std::size_t>(i)];
-             s < matrix_.rowBegin[static_cast<std::size_t>(i) + 1]; ++s) {
-          const std::int32_t j = matrix_.column[static_cast<std::size_t>(s)];
-          auto& entry = matrix_.block[static_cast<std::size_t>(s)];
-          entry *= inverseRoot[i] * inverseRoot[j];
-          if (body_.constraints().any())
-            for (int r = 0; r < 3; ++r)
-              for (int c = 0; c < 3; ++c)
-                entry(r, c) *= freeFactor(body_, static_cast<std::int32_t>(i), r) * freeFactor(body_, j, c);
-        }
-      },
-      256);
+  scale_ = NodeVectors(3, body_.nodeCount());
+  for (std::int32_t i = 0; i < body_.nodeCount(); ++i)
+    for (int c = 0; c < 3; ++c) scale_(c, i) = freeFactor(body_, i, c) / std::sqrt(body_.lumpedMass()[i]);
   for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
     const ElementBlock& block = *body_.blocks()[b];
     const int n = block.element().nodes, size = 3 * n;
@@ -44,19 +31,36 @@ const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool want
     constexpr std::int32_t chunk = 64;
     const std::int32_t batches = block.layout().batchCount();
     parallelFor(0, (batches + chunk - 1) / chunk, body_.threads(), [&](std::int64_t c) {
-      AlignedVector<NativePack> A(static_cast<std::size_t>(size * size)), work(static_cast<std::size_t>(4 * size));
+      AlignedVector<NativePack> A(static_cast<std::size_t>(size * size)), work(static_cast<std::size_t>(4 * size)),
+          factor(static_cast<std::size_t>(size));
       const std::int32_t end = std::min(batches, static_cast<std::int32_t>(c + 1) * chunk);
       for (auto batch = static_cast<std::int32_t>(c) * chunk; batch < end; ++batch) {
+        const std::int32_t* blocksOf[lanes];
         forEachLane(block, batch, [&](int lane, std::int32_t e) {
-          const std::int32_t* position = matrix_.elementBlocks[b].data() + static_cast<std::ptrdiff_t>(e) * n * n;
-          for (int i = 0; i < n; ++i)
-            for (int j = 0; j <= i; ++j) {
-              const auto& entry = matrix_.block[static_cast<std::size_t>(position[i * n + j])];
-              for (int r = 0; r < 3; ++r)
-                for (int k = 0; k < 3; ++k)
-                  A[static_cast<std::size_t>((3 * i + r) * size + 3 * j + k)].set(lane, entry(r, k));
-            }
+          blocksOf[lane] = matrix_.elementBlocks[b].data() + static_cast<std::ptrdiff_t>(e) * n * n;
+          const auto nodes = block.nodesOf(e);
+          for (int i = 0; i < size; ++i)
+            factor[static_cast<std::size_t>(i)].set(lane, scale_(i % 3, nodes[static_cast<std::size_t>(i / 3)]));
         });
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j <= i; ++j) {
+            std::int32_t place[lanes];
+            for (int lane = 0; lane < lanes; ++lane) place[lane] = blocksOf[lane][i * n + j];
+            NativePack* entry = A.data() + static_cast<std::ptrdiff_t>(3 * i) * size + 3 * j;
+            loadBlocks(matrix_.block.data()->data(), place, entry, size);
+            // Entry (i,j) becomes K_ij / √(m_i m_j), zero where constrained.
+            for (int r = 0; r < 3; ++r)
+              for (int k = 0; k < 3; ++k)
+                entry[r * size + k] *=
+                    factor[static_cast<std::size_t>(3 * i + r)] * factor[static_cast<std::size_t>(3 * j + k)];
+          }
+        // The blocks of the next batch arrive while this one's eigenvalues are computed.
+        if (batch + 1 < end)
+          forEachLane(block, batch + 1, [&](int, std::int32_t e) {
+            const std::int32_t* next = matrix_.elementBlocks[b].data() + static_cast<std::ptrdiff_t>(e) * n * n;
+            for (int i = 0; i < n; ++i)
+              for (int j = 0; j <= i; ++j) __builtin_prefetch(matrix_.block.data() + next[i * n + j]);
+          });
         const auto extremes = extremeEigenvalues(A.data(), size, work.data(), wantLowest);
         forEachLane(block, batch, [&](int lane, std::int32_t e) {
           const auto place = static_cast<std::size_t>(e);
@@ -92,10 +96,13 @@ NodeVectors ReducedRing::topVector(ElementRef ref) const {
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
       A.block<3, 3>(3 * i, 3 * j) = matrix_.block[static_cast<std::size_t>(position[i * n + j])];
+  const auto nodes = block.nodesOf(ref.element);
+  Eigen::VectorXd factor(3 * n);
+  for (int i = 0; i < n; ++i) factor.segment<3>(3 * i) = scale_.col(nodes[static_cast<std::size_t>(i)]);
+  A = factor.asDiagonal() * A * factor.asDiagonal();
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A);
   NodeVectors v = NodeVectors::Zero(3, body_.nodeCount());
   if (solver.info() != Eigen::Success) return v;
-  const auto nodes = block.nodesOf(ref.element);
   for (int i = 0; i < n; ++i)
     v.col(nodes[static_cast<std::size_t>(i)]) = solver.eigenvectors().col(3 * n - 1).segment<3>(3 * i);
   return v;

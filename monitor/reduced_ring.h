@@ -28,7 +28,8 @@ class ReducedRing {
 
  private:
   const Body& body_;
-  BlockMatrix matrix_;
+  BlockMatrix matrix_;  // as assembled
+  NodeVectors scale_;   // 1/√m, 0 where constrained
   Result result_;
 };
 

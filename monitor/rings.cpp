@@ -99,10 +99,17 @@ class Lanczos {
                                 (i + 1 < diagonal_.size() ? std::sqrt(square_[i]) : 0.0));
     return most;
   }
-  double topOfTridiagonal() const {
+  double topOfTridiagonal() {
     const double radius = scale();
-    return largestByLaguerre<0, double>(diagonal_.data(), square_.data(), static_cast<int>(diagonal_.size()), 1.0,
-                                        radius * (1 + 1e-13) + 1e-300, radius);
+    if (!(radius > 0)) return radius;
+    scaledDiagonal_.resize(diagonal_.size());
+    scaledSquare_.resize(square_.size());
+    for (std::size_t i = 0; i < diagonal_.size(); ++i) {
+      scaledDiagonal_[i] = diagonal_[i] / radius;
+      scaledSquare_[i] = square_[i] / radius / radius;
+    }
+    return radius * largestByLaguerre<0, double>(scaledDiagonal_.data(), scaledSquare_.data(),
+                                                 static_cast<int>(diagonal_.size()), 1 + 1e-13);
   }
   /// |last component| of the tridiagonal matrix's unit eigenvector at its top eigenvalue.
   double lastComponent(double ritz) const {
@@ -118,7 +125,8 @@ class Lanczos {
   }
 
   std::vector<Eigen::VectorXd> basis_;
-  std::vector<double> diagonal_, square_;  // of T: diagonal, squares beside it
+  std::vector<double> diagonal_, square_;              // of T: diagonal, squares beside it
+  std::vector<double> scaledDiagonal_, scaledSquare_;  // to a spectral radius of at most one
   Eigen::VectorXd product_;
 };
 
