@@ -1,7 +1,20 @@
 #pragma once
+#include <utility>
+
 #include <ringwatch/base/matrix3.h>
 
 namespace ringwatch {
+
+namespace detail {
+/// Whether a kernel scalar, or the numbers of a pack, are of single precision.
+template <class S>
+inline constexpr bool isSingle = [] {
+  if constexpr (requires(const S& s) { s[0]; })
+    return sizeof(std::declval<const S&>()[0]) == sizeof(float);
+  else
+    return sizeof(S) == sizeof(float);
+}();
+}  // namespace detail
 
 /// The rotation closest to F: R in SO(3) that maximises tr(RᵀF), also for inverted F (then the smallest singular value
 /// counts negative). Analytic polar decomposition after Kugelstadt, Koschier & Bender 2018 ("Fast corotated FEM using
@@ -17,16 +30,18 @@ RINGWATCH_INLINE Matrix3<S> closestRotation(const Matrix3<S>& F) {
   const S J = F.m[0] * cof.m[0] + F.m[1] * cof.m[1] + F.m[2] * cof.m[2];
   const S I2 = I + I, J8 = S(8) * J, c0 = I * I - S(4) * II;
   S x = math::sqrt(S(3) * I);
+  // Newton leaves step² g''/(2 g') behind; the last step below squares that once more.
+  constexpr double enough = detail::isSingle<S> ? 1e-4 : 1e-8;
   for (int iteration = 0; iteration < 40; ++iteration) {
-    const S g = ((x * x - I2) * x - J8) * x + c0;
-    const S slope = S(4) * (x * x - I) * x - J8;
+    const S x2 = x * x, g = ((x2 - I2) * x - J8) * x + c0;
+    const S slope = S(4) * (x2 - I) * x - J8;
     // At rest g and slope are exact zeros of rounding; a step that would go up is noise: the root has been reached.
     const auto falling = (g > S(0)) & (slope > S(0));
     const S step = select(falling, g / select(falling, slope, S(1)), S(0));
     x -= step;
-    if (!anyOf(step > S(1e-9) * x)) break;
+    if (!anyOf(falling & (step * step * (S(6) * x2 - I2) > S(enough) * x * slope))) break;
   }
-  // One more, signed step: brings x from 1e-9 to rounding, and a dual number's derivative with it.
+  // One more, signed step: brings x to rounding, and a dual number's derivative with it.
   const S slope = S(4) * (x * x - I) * x - J8;
   const auto unique = slope > S(1e-5) * I * x;  // below, rounding spoils R
   x -= select(unique, (((x * x - I2) * x - J8) * x + c0) / select(unique, slope, S(1)), S(0));
