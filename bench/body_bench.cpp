@@ -1,9 +1,9 @@
 // Force, tangent and energy passes, ns an element, each with the largest relative difference from a plain reference,
 // and the floor of the machine in the same run.
-#include <cstring>
 #include <tuple>
 #include <utility>
 
+#include <bench/flops.h>
 #include <bench/support.h>
 #include <tests/support/scalar_reference.h>
 
@@ -17,6 +17,51 @@ void withReference(const Case& c, const Setup& setup, const Visit& visit) {
                             visit);
 }
 
+enum class Pass { force, product, tangent, assembly };
+
+/// Operations of an element counted by running the law's own source on numbers that count, and the least bytes:
+/// geometry, places of nodes, each nodal vector once, and what the pass writes.
+Need needOf(const Case& c, const Setup& s, Pass pass) {
+  const ElementBlock& block = *s.body.blocks()[0];
+  const double n = block.element().nodes, points = static_cast<double>(block.rule().points.size());
+  const bool tet = block.element().name == "tet4";
+  const double gradient = tet ? 9 : 18 * n - 9, scatter = tet ? 15 : 18 * n, product = 45;
+  Matrix3<Counted> F = Matrix3<Counted>::identity(), dF = F;
+  F(0, 0) = 1.1;
+  F(1, 2) = 0.1;
+  double flops = 0;
+  std::visit(
+      [&](const auto& law) {
+        const auto linearization = law.linearize(F);
+        if (pass == Pass::force)
+          flops = gradient + product + operationsOf([&] { law.stress(F); }) + 9 + product + scatter;
+        else if (pass == Pass::product)
+          flops = 2 * (gradient + product) + operationsOf([&] { law.linearize(F)(dF); }) + 9 + product + scatter;
+        else {
+          const Counted g[3] = {1.0, 0.5, 0.25};
+          const auto blocks = linearization.nodeBlocks(1.0);
+          const auto node = blocks.node(g);
+          flops = gradient + product + 15 * n + operationsOf([&] { law.linearize(F).nodeBlocks(1.0); }) +
+                  n * operationsOf([&] { blocks.node(g); }) +
+                  n * (n + 1) / 2 * (operationsOf([&] { blocks(node, node); }) + (points > 1 ? 9 : 0));
+        }
+      },
+      makeMaterial(c.law, 30e3, 0.3, 1000).law);
+  flops *= points;
+  // Into the nodes' slots, or the pairs'.
+  if (pass == Pass::force || pass == Pass::product) flops += 3 * n;
+  if (pass == Pass::assembly) flops += 9 * n * (n + 1) / 2;
+  const double perElement = 1.0 / static_cast<double>(s.body.mesh().elementCount());
+  double bytes = 80 * points + 2 * n + 24 * s.body.nodeCount() * perElement * (pass == Pass::tangent ? 1 : 2);
+  if (pass == Pass::product) bytes += 24 * s.body.nodeCount() * perElement;
+  if (pass == Pass::assembly) {
+    BlockMatrix pattern;
+    s.body.assembleBlocks(s.x, pattern);
+    bytes += static_cast<double>(pattern.valueBytes()) * perElement;
+  }
+  return {flops, c.elements > 5000 ? bytes : 0};
+}
+
 void force(benchmark::State& state, const Case& c) {
   Setup& s = setupOf(c);
   NodeVectors f, expected;
@@ -27,6 +72,7 @@ void force(benchmark::State& state, const Case& c) {
   }
   withReference(c, s, [&](const auto& reference) { reference.force(s.x, expected); });
   report(state, s.body.mesh().elementCount(), relativeDifference(f, expected));
+  reportFloor(state, s.body.mesh().elementCount(), needOf(c, s, Pass::force));
 }
 
 void tangentProduct(benchmark::State& state, const Case& c) {
@@ -39,6 +85,7 @@ void tangentProduct(benchmark::State& state, const Case& c) {
   }
   withReference(c, s, [&](const auto& reference) { reference.tangentProduct(s.x, s.v, expected); });
   report(state, s.body.mesh().elementCount(), relativeDifference(Kv, expected));
+  reportFloor(state, s.body.mesh().elementCount(), needOf(c, s, Pass::product));
 }
 
 void energy(benchmark::State& state, const Case& c) {
@@ -69,6 +116,7 @@ void elementTangents(benchmark::State& state, const Case& c) {
   }
   withReference(c, s, [&](const auto& reference) { reference.tangentProduct(s.x, s.v, expected); });
   report(state, s.body.mesh().elementCount(), relativeDifference(Kv, expected));
+  reportFloor(state, s.body.mesh().elementCount(), needOf(c, s, Pass::tangent));
 }
 
 double productError(const Case& c, const Setup& s, const Eigen::SparseMatrix<double>& K) {
@@ -101,6 +149,7 @@ void reassembleTangent(benchmark::State& state, const Case& c) {
   }
   const auto elements = static_cast<double>(s.body.mesh().elementCount());
   report(state, s.body.mesh().elementCount(), productError(c, s, K.matrix));
+  reportFloor(state, s.body.mesh().elementCount(), needOf(c, s, Pass::assembly));
   state.counters["pattern_bytes"] = static_cast<double>(K.blocks.patternBytes()) / elements;
   state.counters["value_bytes"] = static_cast<double>(K.blocks.valueBytes()) / elements;
 }
@@ -133,38 +182,19 @@ void scalarForce(benchmark::State& state, const Case& c) {
   report(state, s.body.mesh().elementCount(), relativeDifference(f, expected));
 }
 
-/// Bytes read and written a second when copying 64 MiB.
-void copyBandwidth(benchmark::State& state) {
-  std::vector<double> from(1 << 23, 1.0), to(from.size());
-  for (auto _ : state) {
-    std::memcpy(to.data(), from.data(), from.size() * sizeof(double));
-    benchmark::ClobberMemory();
-  }
-  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) * 2 *
-                          static_cast<std::int64_t>(from.size() * sizeof(double)));
-}
-
-/// Floating-point operations a second of independent fused multiply-adds in packs.
-void multiplyAddPeak(benchmark::State& state) {
-  constexpr int chains = 16, rounds = 1000;
-  NativePack sum[chains];
-  for (int i = 0; i < chains; ++i) sum[i] = NativePack(i);
-  NativePack a(0.999999), b(1e-6);
-  benchmark::DoNotOptimize(a);
-  benchmark::DoNotOptimize(b);
-  for (auto _ : state) {
-    for (int r = 0; r < rounds; ++r)
-#pragma GCC unroll 16
-      for (int i = 0; i < chains; ++i) sum[i] = sum[i] * a + b;
-    benchmark::DoNotOptimize(sum);
-  }
-  state.counters["flop/s"] =
-      benchmark::Counter(2.0 * chains * rounds * NativePack::width, benchmark::Counter::kIsIterationInvariantRate);
+/// The machine's best, as rows.
+void floorRow(benchmark::State& state, const char* name, double value) {
+  for (auto _ : state) benchmark::ClobberMemory();
+  state.counters[name] = value;
 }
 
 void registerAll() {
-  benchmark::RegisterBenchmark("floor/copy_bandwidth", copyBandwidth)->UseRealTime();
-  benchmark::RegisterBenchmark("floor/multiply_add_peak", multiplyAddPeak)->UseRealTime();
+  benchmark::RegisterBenchmark("floor/copy_bandwidth", [](benchmark::State& state) {
+    floorRow(state, "bytes_per_second", machine().bytesPerSecond);
+  })->Iterations(1);
+  benchmark::RegisterBenchmark("floor/multiply_add_peak", [](benchmark::State& state) {
+    floorRow(state, "flops_per_second", machine().flopsPerSecond);
+  })->Iterations(1);
   for (const ElementInfo& element : allElements())
     for (const int elements : {5000, 100000})
       for (const LawInfo& law : allLaws())

@@ -15,7 +15,7 @@ NANOSECONDS = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
 
 
 def read(path):
-    """Name -> (least CPU time, ns; elements or 0; error or None)."""
+    """Name -> (least CPU time, ns; elements or 0; error, floor in ns and iterations an element, or None)."""
     try:
         with open(path, encoding="utf-8") as file:
             rows = json.load(file)["benchmarks"]
@@ -28,16 +28,33 @@ def read(path):
         time = row["cpu_time"] * NANOSECONDS[row["time_unit"]]
         name = row["run_name"].removesuffix("/real_time").removesuffix("/threads:1")
         if name not in best or time < best[name][0]:
-            best[name] = (time, row.get("elements", 0), row.get("error"))
+            best[name] = (time, row.get("elements", 0), row.get("error"), row.get("floor_ns"), row.get("iterations_each"))
     return best
 
 
 def shown(entry):
     if entry is None:
         return f"{'-':>12} {'-':>9}"
-    time, elements, error = entry
+    time, elements, error = entry[:3]
     each = time / elements if elements else time
     return f"{each:12.4g} {'' if error is None else format(error, '9.1e'):>9}"
+
+
+def show(results, names, width, markdown):
+    """One file's rows: ns an element where the row counts elements, error, floor, time over floor, iterations."""
+    bar = " | " if markdown else " "
+    heads = ["row".ljust(width), "ns".rjust(9), "error".rjust(8), "floor".rjust(8), "over".rjust(6), "iterations".rjust(10)]
+    print(("| " if markdown else "") + bar.join(heads) + (" |" if markdown else ""))
+    if markdown:
+        print("|" + "---|" * len(heads))
+    for name in names:
+        time, elements, error, floor, iterations = results[name]
+        each = time / elements if elements else time
+        cells = [name.ljust(width), f"{each:9.4g}", "" if error is None else f"{error:.1e}"]
+        cells += [f"{floor:.3g}", f"{each / floor:.1f}"] if floor else ["", ""]
+        cells += [f"{iterations:.1f}" if iterations else ""]
+        widths = (width, 9, 8, 8, 6, 10)
+        print(("| " if markdown else "") + bar.join(c.rjust(w) if c != cells[0] else c for c, w in zip(cells, widths)) + (" |" if markdown else ""))
 
 
 def main():
@@ -46,6 +63,7 @@ def main():
     parser.add_argument("after", nargs="?")
     parser.add_argument("--filter", default="", help="only rows whose name matches")
     parser.add_argument("--match", action="store_true", help="only rows of both files")
+    parser.add_argument("--markdown", action="store_true", help="of one file: a table for a document")
     options = parser.parse_args()
     before = read(options.before)
     after = read(options.after) if options.after else None
@@ -56,9 +74,7 @@ def main():
         sys.exit("no rows to show")
     width = max(map(len, names))
     if after is None:
-        print(f"{'':{width}} {'ns':>12} {'error':>9}    (ns an element where the row counts elements)")
-        for name in names:
-            print(f"{name:{width}} {shown(before[name])}")
+        show(before, names, width, options.markdown)
         return
     print(f"{'':{width}} {'before, ns':>12} {'error':>9} {'after, ns':>12} {'error':>9} {'ratio':>7}")
     for name in names:

@@ -2,10 +2,13 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include <ringwatch/base/random.h>
 #include <ringwatch/body/body.h>
@@ -67,6 +70,64 @@ inline Setup& setupOf(const Case& c) {
   setup->v = NodeVectors::NullaryExpr(3, X.cols(), random);
   last = std::make_unique<Case>(c);
   return *setup;
+}
+
+/// What this machine's core does at best: the least times of a few rounds, measured once in every program.
+struct Machine {
+  double bytesPerSecond;  // read and written when copying 64 MiB
+  double flopsPerSecond;  // of independent fused multiply-adds in packs
+};
+inline const Machine& machine() {
+  static const Machine measured = [] {
+    const auto seconds = [](const auto& work) {
+      double least = 1e9;
+      for (int round = 0; round < 15; ++round) {
+        const auto begin = std::chrono::steady_clock::now();
+        work();
+        least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+      }
+      return least;
+    };
+    const std::vector<double> from(1 << 23, 1.0);
+    std::vector<double> to(from.size());
+    const double copied = seconds([&] {
+      std::memcpy(to.data(), from.data(), from.size() * sizeof(double));
+      benchmark::ClobberMemory();
+    });
+    constexpr int chains = 16, rounds = 100000;
+    NativePack sum[chains];
+    for (int i = 0; i < chains; ++i) sum[i] = NativePack(i);
+    NativePack a(0.999999), b(1e-6);
+    benchmark::DoNotOptimize(a);
+    benchmark::DoNotOptimize(b);
+    const double added = seconds([&] {
+      for (int r = 0; r < rounds; ++r)
+#pragma GCC unroll 16
+        for (int i = 0; i < chains; ++i) sum[i] = sum[i] * a + b;
+      benchmark::DoNotOptimize(sum);
+    });
+    return Machine{2.0 * static_cast<double>(from.size() * sizeof(double)) / copied,
+                   2.0 * chains * rounds * NativePack::width / added};
+  }();
+  return measured;
+}
+
+/// What one element needs at least: operations counted in the kernel's own source, and bytes of a mesh that does not
+/// fit into the cache; 0 where it does.
+struct Need {
+  double flops, bytes;
+  double nanoseconds() const {
+    return 1e9 * std::max(flops / machine().flopsPerSecond, bytes / machine().bytesPerSecond);
+  }
+};
+/// Time over the floor, and what makes the floor.
+inline void reportFloor(benchmark::State& state, std::size_t elements, const Need& need) {
+  using benchmark::Counter;
+  state.counters["flops"] = need.flops;
+  state.counters["bytes"] = need.bytes;
+  state.counters["floor_ns"] = need.nanoseconds();
+  state.counters["over_floor"] = Counter(static_cast<double>(elements) * need.nanoseconds() * 1e-9,
+                                         Counter::kIsIterationInvariantRate | Counter::kInvert);
 }
 
 /// Time over elements and the error of the result, beside one another.
