@@ -62,9 +62,11 @@ struct Elements {
     std::mt19937_64 engine(7);
     const auto random = [&] { return static_cast<double>(engine() >> 11) * 0x1p-52 - 1; };
     for (int e = 0; e < count; ++e) {
-      const Eigen::Matrix3d turn =
-          Eigen::Quaterniond(Eigen::Vector4d::NullaryExpr(random)).normalized().toRotationMatrix();
-      const Eigen::Matrix3d off = Eigen::Matrix3d::Identity() + 0.03 * Eigen::Matrix3d::NullaryExpr(random);
+      Eigen::Vector4d quaternion;
+      Eigen::Matrix3d off = Eigen::Matrix3d::Identity();
+      for (double& value : quaternion) value = random();
+      for (double& value : off.reshaped()) value += 0.03 * random();
+      const Eigen::Matrix3d turn = Eigen::Quaterniond(quaternion).normalized().toRotationMatrix();
       for (int a = 0; a < n; ++a) {
         mesh.X.col(e * n + a) = turn * off * shape.nodes[static_cast<std::size_t>(a)];
         block.connectivity.push_back(e * n + a);

@@ -1,6 +1,7 @@
 // Rotation extraction: ns a matrix with the rotation's error beside it, of packed methods and of Eigen's
 // decompositions. Inputs: random (singular values 0.2 to 3), near (a rotation and 5 % of noise), inverted, collapsed
 // (the least singular value 1e-9, of either sign).
+#include <random>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
@@ -18,7 +19,9 @@ constexpr int count = 4096;
 const char* const inputNames[] = {"random", "near", "inverted", "collapsed"};
 
 Eigen::Matrix3d randomMatrix(std::mt19937_64& engine) {
-  return Eigen::Matrix3d::NullaryExpr([&] { return static_cast<double>(engine() >> 11) * 0x1p-52 - 1; });
+  Eigen::Matrix3d values;
+  for (int i = 0; i < 9; ++i) values(i / 3, i % 3) = static_cast<double>(engine() >> 11) * 0x1p-52 - 1;
+  return values;
 }
 Eigen::Matrix3d randomRotation(std::mt19937_64& engine) {
   const Eigen::Matrix3d Q = Eigen::HouseholderQR<Eigen::Matrix3d>(randomMatrix(engine)).householderQ();
