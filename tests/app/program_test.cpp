@@ -747,7 +747,7 @@ TEST_F(HandledProgram, IsPlainExplicitWhereNothingIsCritical) {
 }
 
 TEST_F(HandledProgram, TakesMoreElementsWhenTheRestStiffens) {
-  const std::string pull = "[[move]]\nwhere = \"x > 0.2 - 1e-6\"\nvelocity = [1.4, 0, 0]\n",
+  const std::string pull = "[[move]]\nwhere = \"x > 0.2 - 1e-6\"\nvelocity = [1.2, 0, 0]\n",
                     imex = "[handler]\nmethod = \"imex\"\nmargin = 0.02\n";
   write(imex, pull);
   EXPECT_EQ(call("run slivers.toml --out stopped").status, 1);
