@@ -29,6 +29,14 @@ struct RunOptions {
   std::vector<std::string> notes;                // of the mesh reader, for the summary
 };
 
+/// What a handler did in a run.
+struct Handling {
+  std::int64_t elements = 0;    // handled at the end
+  std::int64_t selections = 0;  // how often they were chosen
+  bool certified = false;       // the explicit rest, at the last choice
+  std::vector<HandlerFigure> figures;
+};
+
 /// What came of a run.
 struct RunResult {
   struct Moment {
@@ -45,12 +53,6 @@ struct RunResult {
   std::optional<Moment> firstViolated;  // the monitor first said violated
   std::optional<Moment> runaway;        // the energy balance went off by more than runawayShare for good
   std::vector<MonitorEvent> events;
-  struct Handling {
-    std::int64_t elements = 0;    // handled at the end
-    std::int64_t selections = 0;  // how often they were chosen
-    bool certified = false;       // the explicit rest, at the last choice
-    std::vector<HandlerFigure> figures;
-  };
   std::optional<Handling> handler;                                      // empty without one
   double forceTime = 0, monitorTime = 0, outputTime = 0, wallTime = 0;  // s
   std::size_t frames = 0;
