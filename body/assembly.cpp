@@ -234,7 +234,9 @@ void Body::assembleTangent(const NodeVectors& x, SparseTangent& tangent) const {
 Eigen::SparseMatrix<double> Body::assembleTangent(const NodeVectors& x) const {
   SparseTangent tangent;
   assembleTangent(x, tangent);
-  return std::move(tangent.matrix);
+  Eigen::SparseMatrix<double> K;
+  K.swap(tangent.matrix);  // Eigen 3.4 has no move construction of sparse matrices
+  return K;
 }
 
 }  // namespace ringwatch

@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 
 double criticalStepOf(const Body& body) { return 2 / std::sqrt(denseHighest(body, body.mesh().X)); }
 
-std::unique_ptr<Handler> imex(Body& body, double h, HandlerOptions options = {},
+std::unique_ptr<Handler> imex(Body& body, double h, const HandlerOptions& options = {},
                               std::string_view base = "symplectic-euler") {
   auto handler = makeHandler("imex", body, makeIntegrator(base), options);
   handler->prepare(body.mesh().X, h);

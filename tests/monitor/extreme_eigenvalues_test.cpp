@@ -59,7 +59,7 @@ class ExtremeEigenvaluesTest : public ::testing::Test {
   static void expectExact(const Eigen::MatrixXd& A, const ExtremeEigenvalues<double>& found, const std::string& what) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A, Eigen::EigenvaluesOnly);
     ASSERT_EQ(solver.info(), Eigen::Success);
-    const Eigen::VectorXd lambda = solver.eigenvalues();
+    const Eigen::VectorXd& lambda = solver.eigenvalues();
     const double radius = lambda.cwiseAbs().maxCoeff();
     EXPECT_GE(found.scale, radius * (1 - 1e-13)) << what;
     EXPECT_LE(found.scale, 3 * radius + 1e-290) << what;  // a Gershgorin bound of a tridiagonal matrix
