@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/monitor/metrics.h>
 
 namespace ringwatch {
@@ -59,8 +60,7 @@ void FrameWriter::write(double time, const NodeVectors& x, const NodeVectors& v,
   }
   if (asksFor("handler")) {
     handled.assign(body_.mesh().elementCount(), 0);
-    std::vector<std::size_t> first{0};
-    for (const MeshBlock& block : body_.mesh().blocks) first.push_back(first.back() + block.elementCount());
+    const std::vector<std::size_t> first = blockOffsets(body_.mesh());
     for (const ElementRef e : handledElements)
       handled[first[static_cast<std::size_t>(e.block)] + static_cast<std::size_t>(e.element)] = 1;
     cells.push_back({"handler", 1, std::span<const std::int32_t>(handled)});

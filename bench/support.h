@@ -149,4 +149,14 @@ inline double relativeDifference(const NodeVectors& a, const NodeVectors& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 
+/// The main of a benchmark program.
+inline int runBenchmarks(int argc, char** argv, void (*registerAll)()) {
+  registerAll();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
+
 }  // namespace ringwatch::bench

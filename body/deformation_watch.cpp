@@ -3,7 +3,17 @@
 #include <algorithm>
 #include <limits>
 
+#include <ringwatch/body/affine_motion.h>
+
 namespace ringwatch {
+namespace {
+
+void takeOnce(std::vector<std::int32_t>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+}  // namespace
 
 DeformationWatch::DeformationWatch(const ElementBlock& block, const MotionOdometer& odometer) {
   constexpr int lanes = PatchLayout::lanes;
@@ -32,27 +42,55 @@ DeformationWatch::DeformationWatch(const ElementBlock& block, const MotionOdomet
       touched.clear();
       for (std::size_t i = static_cast<std::size_t>(first) * n * lanes;
            i < static_cast<std::size_t>(group.batchEnd) * n * lanes; ++i)
-        touched.push_back(
-            odometer.runOf(layout.nodes[static_cast<std::size_t>(patch.nodeBegin) + layout.localNodes[i]]));
-      std::sort(touched.begin(), touched.end());
+        touched.push_back(layout.nodes[static_cast<std::size_t>(patch.nodeBegin) + layout.localNodes[i]]);
+      takeOnce(touched);
+      group.nodeBegin = nodes.size();
+      nodes.insert(nodes.end(), touched.begin(), touched.end());
+      while (nodes.size() % 8 != 0) nodes.push_back(touched.back());
+      group.nodeEnd = nodes.size();
+      for (std::int32_t& node : touched) node = odometer.runOf(node);
+      takeOnce(touched);
       group.runBegin = runs.size();
-      runs.insert(runs.end(), touched.begin(), std::unique(touched.begin(), touched.end()));
+      runs.insert(runs.end(), touched.begin(), touched.end());
       group.runEnd = runs.size();
       groups.push_back(group);
     }
     patchGroups.push_back(static_cast<std::int32_t>(groups.size()));
   }
   since.resize(runs.size());
+  before.resize(3 * nodes.size());
 }
 
-void DeformationWatch::lookAtBatch(std::int32_t batch) {
-  const auto group = std::upper_bound(groups.begin(), groups.end(), batch,
-                                      [](std::int32_t at, const Group& g) { return at < g.batchEnd; });
-  group->room = -1;
+void DeformationWatch::noteBall(std::size_t place, const MotionOdometer& odometer) {
+  const auto group =
+      std::upper_bound(groups.begin(), groups.end(), static_cast<std::int32_t>(place / PatchLayout::lanes),
+                       [](std::int32_t batch, const Group& g) { return batch < g.batchEnd; });
+  // The room counts from the positions of the last look: only when that was now does the ball fit in.
+  const double room = group->lookedAt == odometer.advances()
+                          ? static_cast<double>(radius[place]) * static_cast<double>(inverseGradientNorm[place])
+                          : -1;
+  group->roomAtLook = std::min(group->roomAtLook, room);
+  group->room = std::min(group->room, room);
 }
 
-bool DeformationWatch::rests(const Group& group, const MotionOdometer& odometer) const {
-  if (group.room < 0) return false;
+bool DeformationWatch::rests(Group& group, const MotionOdometer& odometer, const NodeVectors& x) {
+  if (group.roomAtLook < 0) return false;
+  if (restsByOdometer(group, odometer)) return true;
+  constexpr std::size_t sample = 24;  // nodes
+  const TrackedNodes tracked{nodes.data() + group.nodeBegin, before.data() + 3 * group.nodeBegin,
+                             group.nodeEnd - group.nodeBegin};
+  const AffineMotion motion = fitAffineMotion(tracked, x, sample);
+  const Residuals residuals = ResidualsOf(motion)(tracked, x, false);
+  // Rounding of positions and of their differences.
+  const double rounding = 1e-15 * (motion.centre.lpNorm<1>() + motion.translation.lpNorm<1>());
+  const double used = motion.A.norm() * group.reach + residuals.about + rounding;
+  const double left = group.roomAtLook * (1 - 1e-9) - used;
+  if (!(left >= 0)) return false;  // NaN among them
+  setRoom(group, left, odometer);
+  return true;
+}
+
+bool DeformationWatch::restsByOdometer(const Group& group, const MotionOdometer& odometer) const {
   const double room = group.room * (1 - 1e-9) - (odometer.turned() - group.turnedSince) * group.reach;
   Eigen::Vector3d common = Eigen::Vector3d::Zero();
   for (std::size_t k = group.runBegin; k < group.runEnd; ++k)
@@ -67,9 +105,18 @@ bool DeformationWatch::rests(const Group& group, const MotionOdometer& odometer)
   return true;
 }
 
-void DeformationWatch::startRest(Group& group, double room, double reach, const MotionOdometer& odometer) {
-  group.room = room;
+void DeformationWatch::startRest(Group& group, double room, double reach, const MotionOdometer& odometer,
+                                 const NodeVectors& x) {
+  group.roomAtLook = room;
+  group.lookedAt = odometer.advances();
   group.reach = std::min(reach + room, 1e100);  // times no turn at all it must be nothing
+  for (std::size_t i = group.nodeBegin; i < group.nodeEnd; ++i)
+    std::copy_n(x.col(nodes[i]).data(), 3, before.data() + 3 * i);
+  setRoom(group, room, odometer);
+}
+
+void DeformationWatch::setRoom(Group& group, double room, const MotionOdometer& odometer) {
+  group.room = room;
   group.turnedSince = odometer.turned();
   for (std::size_t k = group.runBegin; k < group.runEnd; ++k)
     since[k] = odometer.courses()[static_cast<std::size_t>(runs[k])];

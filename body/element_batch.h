@@ -181,8 +181,8 @@ class ElementBatch final : public ElementBlock {
       }
   }
 
-  void lookAtPatch(std::int32_t patchIndex, const double* x, const MotionOdometer& odometer, DeformationWatch& watch,
-                   std::vector<std::int32_t>& left) const override {
+  void lookAtPatch(std::int32_t patchIndex, const NodeVectors& x, const MotionOdometer& odometer,
+                   DeformationWatch& watch, std::vector<std::int32_t>& left) const override {
     const Patch& patch = layout().patches[static_cast<std::size_t>(patchIndex)];
     alignas(64) double rows[4 * maxPatchNodes];
     bool gathered = false;
@@ -190,10 +190,11 @@ class ElementBatch final : public ElementBlock {
     const auto last = static_cast<std::size_t>(watch.patchGroups[static_cast<std::size_t>(patchIndex) + 1]);
     for (std::size_t g = first; g < last; ++g) {
       DeformationWatch::Group& group = watch.groups[g];
-      if (watch.rests(group, odometer)) continue;
-      if (!gathered) gatherRows(patch, x, rows);
+      if (watch.rests(group, odometer, x)) continue;
+      if (!gathered) gatherRows(patch, x.data(), rows);
       gathered = true;
-      lookAtGroup(watch, group, rows, odometer, left);
+      const auto [room, reach] = lookAtGroup(watch, group, rows, left);
+      watch.startRest(group, room, reach, odometer, x);
     }
   }
 
@@ -365,8 +366,8 @@ class ElementBatch final : public ElementBlock {
   }
 
   /// Compares every element of the group with its ball, and sets how far nodes may move before the next look.
-  void lookAtGroup(DeformationWatch& watch, DeformationWatch::Group& group, const double* rows,
-                   const MotionOdometer& odometer, std::vector<std::int32_t>& left) const {
+  std::pair<double, double> lookAtGroup(const DeformationWatch& watch, const DeformationWatch::Group& group,
+                                        const double* rows, std::vector<std::int32_t>& left) const {
     typedef float Floats __attribute__((vector_size(lanes * sizeof(float))));
     const auto loadFloats = [](const float* from) {
       Floats values;
@@ -379,7 +380,6 @@ class ElementBatch final : public ElementBlock {
       return P(__builtin_convertvector(values, typename P::Values));
     };
     P leastRoom(std::numeric_limits<double>::infinity()), reach(0.0);
-    const std::size_t leftBefore = left.size();
     for (std::int32_t batch = group.batchBegin; batch < group.batchEnd; ++batch) {
       P position[n][3];
       load(rows, batch, position);
@@ -402,19 +402,21 @@ class ElementBatch final : public ElementBlock {
       const P distance = P(1 + 1e-6) * roughRoot(distance2), here = P(1 + 1e-6) * roughRoot(here2);
       const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(batch) * lanes;
       const P inverseNorm = loadFloats(watch.inverseGradientNorm.data() + place);
-      const P room = loadFloats(watch.radius.data() + place) - distance - P(1e-7) * here;
-      leastRoom = math::min(leastRoom, room * inverseNorm);
+      const P radius = loadFloats(watch.radius.data() + place), room = radius - distance - P(1e-7) * here;
+      const auto stays = room >= P(DeformationWatch::restingShare) * radius;
+      leastRoom = math::min(leastRoom, select(stays, room * inverseNorm, leastRoom));
       reach = math::max(reach, P(1 + 3e-6) * here * inverseNorm);
-      if (allOf(room >= P(0.0))) continue;
+      if (allOf(stays)) continue;
+      const P inside = select(stays, P(1.0), P(0.0));
       for (int lane = 0; lane < lanes; ++lane)
-        if (!(room[lane] >= 0)) left.push_back(layout().elements[static_cast<std::size_t>(place + lane)]);
+        if (inside[lane] == 0) left.push_back(layout().elements[static_cast<std::size_t>(place + lane)]);
     }
     double least = leastRoom[0], most = reach[0];
     for (int lane = 1; lane < lanes; ++lane) {
       least = std::min(least, leastRoom[lane]);
       most = std::max(most, reach[lane]);
     }
-    watch.startRest(group, left.size() > leftBefore ? -1 : least, most, odometer);
+    return {least, most};
   }
 
   /// Copies the patch's nodes into rows of four, once, and calls kernel(rows, batch) for its batches.

@@ -83,8 +83,8 @@ class ElementBlock {
   virtual void anchorOf(const std::int32_t* elements, const double* x, DeformationWatch& watch,
                         TangentDrift* drift) const = 0;
   /// Appends the elements of a patch that have left their balls to `left`; the odometer has come to x.
-  virtual void lookAtPatch(std::int32_t patch, const double* x, const MotionOdometer& odometer, DeformationWatch& watch,
-                           std::vector<std::int32_t>& left) const = 0;
+  virtual void lookAtPatch(std::int32_t patch, const NodeVectors& x, const MotionOdometer& odometer,
+                           DeformationWatch& watch, std::vector<std::int32_t>& left) const = 0;
   /// max_q Σ_a |∂N_a/∂X| of the elements of a batch, 1/m: norms[lane].
   virtual void gradientNormBatch(std::int32_t batch, double* norms) const = 0;
   /// Least determinant of F over the quadrature points of each element of a batch: determinants[lane].

@@ -28,12 +28,14 @@ class MotionOdometer {
   /// Goes on to positions x (3×N, m); the first call begins at zero. Positions that are not finite make `about`
   /// infinite for good: differences of readings then fail every comparison.
   void advance(const NodeVectors& x);
+  /// How many times it has gone on.
+  std::int64_t advances() const { return advances_; }
   double turned() const { return turned_; }
   /// Of each run.
   const std::vector<Course>& courses() const { return courses_; }
 
  private:
-  bool started_ = false;
+  std::int64_t advances_ = 0;
   double turned_ = 0;
   std::vector<Course> courses_;
   std::vector<std::int32_t> runOf_;    // by node

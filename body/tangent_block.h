@@ -23,7 +23,7 @@ class TangentBlock final : public ElementBlock {
   void anchorOf(const std::int32_t*, const double*, DeformationWatch&, TangentDrift*) const override {
     unknown("deformation gradient");
   }
-  void lookAtPatch(std::int32_t, const double*, const MotionOdometer&, DeformationWatch&,
+  void lookAtPatch(std::int32_t, const NodeVectors&, const MotionOdometer&, DeformationWatch&,
                    std::vector<std::int32_t>&) const override {
     unknown("deformation gradient");
   }

@@ -55,11 +55,9 @@ StepStatus Handler::step(SecondOrderSystem& system, State& state, double h) {
 }
 
 void Handler::splitOff(const ElementFlags& chosen) {
-  ElementFlags left = chosen;
-  for (std::vector<bool>& block : left) block.flip();
+  const ElementFlags left = complement(chosen);
   explicitPart_.emplace(body_, left);
-  numbers_.assign(left.size(), {});
-  for (const ElementRef e : chosenElements(left)) numbers_[static_cast<std::size_t>(e.block)].push_back(e.element);
+  numbers_ = elementNumbers(left);
 }
 
 ElementRef Handler::wholeElement(ElementRef part) const {

@@ -7,6 +7,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/lowest_frequencies.h>
+#include <ringwatch/monitor/scaled_tangent.h>
 
 namespace ringwatch {
 namespace {
@@ -60,12 +61,7 @@ void MassScaling::take(const NodeVectors& x, double h, const ElementFlags& chose
   }
   const double lambda = allowedLambda(h);
   for (std::int32_t i = 0; i < body_.nodeCount(); ++i) {
-    Eigen::Matrix3d sum = sums[static_cast<std::size_t>(i)];
-    for (int c = 0; c < 3; ++c)
-      if (body_.constraints().isConstrained(i, c)) {
-        sum.row(c).setZero();
-        sum.col(c).setZero();
-      }
+    const Eigen::Matrix3d sum = freePart(body_, i, sums[static_cast<std::size_t>(i)]);
     const double needed =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum, Eigen::EigenvaluesOnly).eigenvalues()[2] / lambda;
     const double more = needed * (1 + 1e-12) - body_.lumpedMass()[i];

@@ -11,25 +11,12 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/monitor/scaled_tangent.h>
 
 namespace ringwatch {
 namespace {
 
 constexpr double slack = 1e-9;  // kept free for the rounding of sums and small eigenvalues
-
-ElementFlags inverse(ElementFlags flags) {
-  for (std::vector<bool>& block : flags) block.flip();
-  return flags;
-}
-
-/// The elements of the rest, by their number there.
-std::vector<std::vector<std::int32_t>> numbersOf(const ElementFlags& flags) {
-  std::vector<std::vector<std::int32_t>> numbers(flags.size());
-  for (std::size_t b = 0; b < flags.size(); ++b)
-    for (std::size_t e = 0; e < flags[b].size(); ++e)
-      if (flags[b][e]) numbers[b].push_back(static_cast<std::int32_t>(e));
-  return numbers;
-}
 
 class Greedy {
  public:
@@ -59,29 +46,20 @@ class Greedy {
                                                                body_.lumpedMass()[i]);
     return {eigen.eigenvalues()[2], eigen.eigenvectors().col(2)};
   }
-  Eigen::Matrix3d clearConstrained(Eigen::Matrix3d A, std::int32_t node) const {
-    for (int c = 0; c < 3; ++c)
-      if (body_.constraints().isConstrained(node, c)) {
-        A.row(c).setZero();
-        A.col(c).setZero();
-      }
-    return A;
-  }
-
   /// Hands over elements until no node of the rest is above `allowed`.
   void takeOut(double allowed) {
-    const ElementFlags left = inverse(chosen_);
+    const ElementFlags left = complement(chosen_);
     const Body rest(body_, left);
     NodalBound bound(rest);
     if (std::isnan(bound.evaluate(x_, sweeps).value))
       throw NumericalError("no elements can be selected: the tangent at these positions is not finite");
-    const auto numbers = numbersOf(left);
+    const auto numbers = elementNumbers(left);
     sums_.assign(static_cast<std::size_t>(body_.nodeCount()), Eigen::Matrix3d::Zero());
     std::priority_queue<std::pair<double, std::int32_t>> queue;
     for (std::int32_t i = 0; i < body_.nodeCount(); ++i) {
       Eigen::Matrix3d& sum = sums_[static_cast<std::size_t>(i)];
       for (const auto at : bound.incidences(i)) sum += bound.value(bound.elementAt(at)) * bound.shape(at);
-      sum = clearConstrained(sum, i);
+      sum = freePart(body_, i, sum);
       queue.push({nodal(i).first, i});
     }
     while (!queue.empty()) {
@@ -98,7 +76,7 @@ class Greedy {
       for (const auto at : bound.incidences(i)) {
         const ElementRef e = bound.elementAt(at);
         if (chosen_[static_cast<std::size_t>(e.block)][number(numbers, e)]) continue;
-        const double share = bound.value(e) * direction.dot(clearConstrained(bound.shape(at), i) * direction);
+        const double share = bound.value(e) * direction.dot(freePart(body_, i, bound.shape(at)) * direction);
         if (share > most) {
           most = share;
           worst = e;
@@ -117,7 +95,7 @@ class Greedy {
         for (const auto at : bound.incidences(node)) {
           const ElementRef e = bound.elementAt(at);
           if (!chosen_[static_cast<std::size_t>(e.block)][number(numbers, e)])
-            sum += bound.value(e) * clearConstrained(bound.shape(at), node);
+            sum += bound.value(e) * freePart(body_, node, bound.shape(at));
         }
       }
       queue.push({nodal(i).first, i});
@@ -143,9 +121,9 @@ class Greedy {
     }
   }
   Eigen::Matrix3d slackOf(std::int32_t node) const {
-    return clearConstrained(lambda_ * (1 - slack) * body_.lumpedMass()[node] * Eigen::Matrix3d::Identity() -
-                                sums_[static_cast<std::size_t>(node)],
-                            node);
+    return freePart(body_, node,
+                    lambda_ * (1 - slack) * body_.lumpedMass()[node] * Eigen::Matrix3d::Identity() -
+                        sums_[static_cast<std::size_t>(node)]);
   }
   /// l_e with the slack of its nodes as shapes: the share of it that an element would use up; infinite without slack.
   double use(ElementRef e) const {
@@ -192,6 +170,17 @@ std::vector<ElementRef> chosenElements(const ElementFlags& flags) {
     for (std::size_t e = 0; e < flags[b].size(); ++e)
       if (flags[b][e]) elements.push_back({static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)});
   return elements;
+}
+
+ElementFlags complement(ElementFlags flags) {
+  for (std::vector<bool>& block : flags) block.flip();
+  return flags;
+}
+
+std::vector<std::vector<std::int32_t>> elementNumbers(const ElementFlags& flags) {
+  std::vector<std::vector<std::int32_t>> numbers(flags.size());
+  for (const ElementRef e : chosenElements(flags)) numbers[static_cast<std::size_t>(e.block)].push_back(e.element);
+  return numbers;
 }
 
 ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double lambda) {

@@ -14,6 +14,11 @@ ElementFlags noElements(const Mesh& mesh);
 /// The flags as a list, ascending.
 std::vector<ElementRef> chosenElements(const ElementFlags& flags);
 
+/// The elements that are not flagged.
+ElementFlags complement(ElementFlags flags);
+/// The flagged elements of each block, ascending: in a body made of them alone, element i of a block is the i-th.
+std::vector<std::vector<std::int32_t>> elementNumbers(const ElementFlags& flags);
+
 /// The source's choice (section 3.4): the elements whose reduced 1-ring at positions x (3×N, m) has a highest
 /// eigenvalue above lambda, rad²/s², (limit/h)² for a step h. Proves nothing about the rest: the ring is a lower bound.
 /// Throws InputError unless lambda > 0.

@@ -13,8 +13,9 @@ namespace ringwatch {
 namespace {
 
 constexpr int lanes = PatchLayout::lanes;
-constexpr int coldSweeps = 12;  // of a retarget
-constexpr int firstGap = 40;    // updates between two retargets; longer and longer while they do not help
+constexpr int coldSweeps = 12;      // of a retarget, at most
+constexpr double leastGain = 0.01;  // of two sweeps; half of it in the step
+constexpr int firstGap = 40;        // updates between two retargets; longer and longer while they do not help
 constexpr int lastGap = 10240;
 int longer(int gap) { return std::min(4 * gap, lastGap); }
 
@@ -65,17 +66,6 @@ LazyBound::LazyBound(const Body& body, double slack)
     blocks_.push_back({DeformationWatch(*block, odometer_), std::vector<double>(places), std::vector<double>(places),
                        std::vector<double>(places), std::vector<float>(places)});
   }
-}
-
-Eigen::Matrix3d LazyBound::freeProjection(std::int32_t node, const Eigen::Matrix3d& S) const {
-  if (!body_.constraints().any()) return S;
-  Eigen::Matrix3d result = S;
-  for (int c = 0; c < 3; ++c)
-    if (freeFactor(body_, node, c) == 0) {
-      result.row(c).setZero();
-      result.col(c).setZero();
-    }
-  return result;
 }
 
 void LazyBound::setBall(std::int32_t b, std::int32_t element, double value, const TangentDrift& drift) {
@@ -206,7 +196,7 @@ void LazyBound::dealBudgets(const NodeVectors& x) {
 
 void LazyBound::retarget(const NodeVectors& x, int sweeps) {
   shapes_.reset();  // warm shapes get stuck at a front that moves through the mesh
-  shapes_.evaluate(x, sweeps);
+  shapes_.evaluate(x, sweeps, NodalBound::Start::rootOfStiffness, leastGain);
   spent_.evaluated += shapes_.evaluations();
   ++spent_.retargets;
   lastRetarget_ = updates_;
@@ -222,7 +212,7 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
     const auto patches = static_cast<std::int64_t>(block.layout().patches.size());
     std::vector<std::vector<std::int32_t>> left(static_cast<std::size_t>(patches));
     parallelFor(0, patches, body_.threads(), [&](std::int64_t p) {
-      block.lookAtPatch(static_cast<std::int32_t>(p), x.data(), odometer_, blocks_[b].watch,
+      block.lookAtPatch(static_cast<std::int32_t>(p), x, odometer_, blocks_[b].watch,
                         left[static_cast<std::size_t>(p)]);
     });
     for (const auto& list : left)
@@ -230,6 +220,7 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
   }
   std::vector<double> values;
   evaluate(x, gone, false, values);
+  anchored_ = gone;
   std::vector<std::pair<double, ElementRef>> over;
   for (std::size_t i = 0; i < gone.size(); ++i) {
     if (!std::isfinite(values[i])) return Outcome::notFinite;
@@ -245,6 +236,7 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
     if (data.value[placeOf(e)] <= data.budget[placeOf(e)]) continue;  // a neighbour's repair served it
     if (!repair(x, e, mayRaise)) return Outcome::failed;
   }
+  for (ElementRef e : anchored_) blocks_[static_cast<std::size_t>(e.block)].watch.noteBall(placeOf(e), odometer_);
   return Outcome::fine;
 }
 
@@ -322,7 +314,7 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
         const ElementRef e = shapes_.elementAt(at);
         if (!inRing(e)) outside[i] += blocks_[static_cast<std::size_t>(e.block)].budget[placeOf(e)] * shapes_.shape(at);
       }
-      outside[i] = freeProjection(rim[i], outside[i] / body_.lumpedMass()[rim[i]]);
+      outside[i] = freePart(body_, rim[i], outside[i] / body_.lumpedMass()[rim[i]]);
     }
     std::vector<double> values;
     for (int sweep = 0;; ++sweep) {
@@ -335,7 +327,7 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
           const ElementRef e = shapes_.elementAt(at);
           if (inRing(e)) inside[i] += valueOf(e) * shapes_.shape(at);
         }
-        inside[i] = freeProjection(rim[i], inside[i] / body_.lumpedMass()[rim[i]]);
+        inside[i] = freePart(body_, rim[i], inside[i] / body_.lumpedMass()[rim[i]]);
         room[i] = roomFor(outside[i], inside[i], sigma_);
         least = std::min(least, room[i]);
         need = std::max(need, largest(outside[i] + inside[i]));
@@ -362,10 +354,7 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
         }
         std::vector<double> again;
         evaluate(x, ring, false, again);  // balls for the new budgets
-        // Other elements of the ring's groups were judged against old slacks.
-        for (ElementRef e : ring) {
-          blocks_[static_cast<std::size_t>(e.block)].watch.lookAtBatch(static_cast<std::int32_t>(placeOf(e)) / lanes);
-        }
+        anchored_.insert(anchored_.end(), ring.begin(), ring.end());
         return true;
       }
       if (sweep == sweeps) break;
@@ -449,7 +438,7 @@ double LazyBound::verify(const NodeVectors& x) const {
       const ElementRef e = shapes_.elementAt(at);
       S += blocks_[static_cast<std::size_t>(e.block)].budget[placeOf(e)] * shapes_.shape(at);
     }
-    excess = std::max(excess, largest(freeProjection(node, S / body_.lumpedMass()[node])) / sigma_ - 1);
+    excess = std::max(excess, largest(freePart(body_, node, S / body_.lumpedMass()[node])) / sigma_ - 1);
   }
   return excess;
 }

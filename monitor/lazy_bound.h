@@ -72,7 +72,6 @@ class LazyBound {
                                         ->layout()
                                         .batchOfElement[static_cast<std::size_t>(e.element)]);
   }
-  Eigen::Matrix3d freeProjection(std::int32_t node, const Eigen::Matrix3d& S) const;
 
   const Body& body_;
   double slack_;
@@ -82,7 +81,7 @@ class LazyBound {
   double sigma_ = 0;
   bool started_ = false;
   Spent spent_;
-  std::vector<ElementRef> overBudget_;
+  std::vector<ElementRef> overBudget_, anchored_;  // anchored_: given new balls by this update
   std::int64_t updates_ = 0, lastRetarget_ = -1000, lastLowering_ = -1000;
   int retargetGap_ = 40, loweringGap_ = 40;
   double tightOverLower_ = 0;  // the tight bound at the last retarget over the lower bound then; 0: not known yet

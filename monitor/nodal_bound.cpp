@@ -251,11 +251,11 @@ void NodalBound::sweepShapes(double bound) {
   }
 }
 
-UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps, Start start) {
+UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps, Start start, double leastGain) {
   evaluations_ = 0;
   if (!started_) startShapes(x, start);
   started_ = true;
-  double best = std::numeric_limits<double>::infinity();
+  double best = std::numeric_limits<double>::infinity(), before[2] = {best, best};
   for (int sweep = 0;; ++sweep) {
     evaluateElements(x);
     const double bound = sumAtNodes();
@@ -265,7 +265,9 @@ UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps, Start start) {
       return {bound};
     }
     best = std::min(best, bound);
-    if (sweep == sweeps || !(bound > 0)) break;
+    if (sweep == sweeps || !(bound > 0) || (leastGain > 0 && bound >= (1 - leastGain) * before[0])) break;
+    before[0] = before[1];
+    before[1] = bound;
     sweepShapes(bound);
   }
   return {best};

@@ -21,7 +21,8 @@ class NodalBound {
   explicit NodalBound(const Body& body);
 
   /// The bound at positions x (3×N, m): the best of up to `sweeps` + 1 evaluations. From scratch when nothing is kept.
-  UpperBound evaluate(const NodeVectors& x, int sweeps, Start start = Start::rootOfStiffness);
+  /// It ends when two sweeps lowered the bound by no more than leastGain, relative.
+  UpperBound evaluate(const NodeVectors& x, int sweeps, Start start = Start::rootOfStiffness, double leastGain = 0);
   /// Forgets the shapes.
   void reset() { started_ = false; }
   /// The bound with the shapes as they are now: that of the last sweep, which need not be the best.

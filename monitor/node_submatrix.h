@@ -16,25 +16,28 @@ class NodeSubmatrix {
   void choose(std::vector<std::int32_t> nodes);
   /// Ascending; rows and columns of the matrix are 3·position + component.
   const std::vector<std::int32_t>& nodes() const { return nodes_; }
-  /// At positions x (3×N, m), rad²/s²; rows and columns of constrained components are zero.
-  const Eigen::MatrixXd& evaluate(const NodeVectors& x);
-  /// The element whose part of the last matrix has the largest quadratic form with v (3 a node).
-  ElementRef mostOf(const Eigen::VectorXd& v) const;
+  /// At positions x (3×N, m), rad²/s²; rows and columns of constrained components are zero. With v (3 a node), the
+  /// element whose part of the matrix has the largest quadratic form with it is noted.
+  const Eigen::MatrixXd& evaluate(const NodeVectors& x, const Eigen::VectorXd* v = nullptr);
+  ElementRef mostOfLast() const { return most_; }
 
  private:
+  /// An element's degrees of freedom that are chosen and free: which of its own, which row, and 1/√m.
   struct Part {
-    ElementRef element;
-    int count;                           // of its nodes that are chosen
-    std::ptrdiff_t at[maxElementNodes];  // their positions
-    std::size_t first;                   // of its matrix in parts_
+    int count = 0;
+    int own[3 * maxElementNodes], row[3 * maxElementNodes];
+    double scale[3 * maxElementNodes];
+  };
+  struct BlockParts {
+    std::vector<std::int32_t> elements;
+    std::vector<Part> parts;
   };
   const Body& body_;
   const NodalBound& incidences_;
   std::vector<std::int32_t> nodes_;
-  std::vector<std::vector<std::int32_t>> elements_;  // [block], those at the nodes
+  std::vector<BlockParts> blocks_;
   Eigen::MatrixXd matrix_;
-  std::vector<Part> parts_;
-  std::vector<double> entries_;  // 3·count × 3·count a part
+  ElementRef most_;
 };
 
 }  // namespace ringwatch

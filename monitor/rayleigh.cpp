@@ -71,8 +71,7 @@ void HotSpot::choose(const NodeVectors& mode) {
 
 LowerBound HotSpot::evaluate(const NodeVectors& x) {
   if (submatrix_.nodes().empty()) return {0};
-  const Eigen::MatrixXd& A = submatrix_.evaluate(x);
-  hottest_ = submatrix_.mostOf(vector_);
+  const Eigen::MatrixXd& A = submatrix_.evaluate(x, &vector_);
   // Power iteration on A shifted by half its norm, so that a large negative eigenvalue cannot win; the quotient is A's
   // own.
   const double shift = 0.5 * A.cwiseAbs().rowwise().sum().maxCoeff();

@@ -19,12 +19,11 @@ class HotSpot {
   /// The bound at positions x (3×N, m), by a few power iterations from the last vector.
   LowerBound evaluate(const NodeVectors& x);
   /// The element that held most of the last vector's energy.
-  ElementRef hottestElement() const { return hottest_; }
+  ElementRef hottestElement() const { return submatrix_.mostOfLast(); }
 
  private:
   NodeSubmatrix submatrix_;
   Eigen::VectorXd vector_;  // 3 a node
-  ElementRef hottest_;
 };
 
 }  // namespace ringwatch

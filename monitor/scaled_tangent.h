@@ -8,6 +8,16 @@ RINGWATCH_INLINE double freeFactor(const Body& body, std::int32_t node, int comp
   return body.constraints().any() && body.constraints().isConstrained(node, component) ? 0.0 : 1.0;
 }
 
+/// A 3×3 block at a node without the rows and columns of its constrained components.
+inline Eigen::Matrix3d freePart(const Body& body, std::int32_t node, Eigen::Matrix3d S) {
+  for (int c = 0; c < 3; ++c)
+    if (freeFactor(body, node, c) == 0) {
+      S.row(c).setZero();
+      S.col(c).setZero();
+    }
+  return S;
+}
+
 /// K ← diag(s) K diag(s) for the elements of a batch. s: 3n packs.
 RINGWATCH_INLINE void scaleSymmetric(NativePack* K, int size, const NativePack* s) {
   for (int i = 0; i < size; ++i)

@@ -36,8 +36,14 @@ class Bracketer {
     LowerBound lower{0};
     const bool first = mode_.size() == 0, afresh = spent_.retargets > 0;
     if (!first) {
-      if (++sinceMode_ >= modeEvery) refreshMode(x, warmProducts);
-      lower = lookWhereItRose(x, hotSpot_.evaluate(x));
+      lower = hotSpot_.evaluate(x);
+      if (++sinceMode_ >= modeGap_) {
+        const LowerBound whole = refreshMode(x, warmProducts);
+        // Seldom while the hot spot tells all.
+        modeGap_ = whole.value > 1.005 * lower.value ? firstModeGap : std::min(2 * modeGap_, lastModeGap);
+        lower = {std::max(lower.value, whole.value)};
+      }
+      lower = lookWhereItRose(x, lower);
     }
     const double allowed = (1 + width_) * (1 + width_);
     // A bracket that is too wide is either side's fault: look again from below before moving the upper side.
@@ -148,7 +154,7 @@ class Bracketer {
     return solver_.info() == Eigen::Success;
   }
   LowerBound restartMode(const NodeVectors& x) {
-    const TopMode top = findTopMode(ring_, body_, x, mode_, coldProducts, restartProducts);
+    const TopMode top = findTopMode(ring_, body_, x, mode_, coldProducts, restartProducts, false);
     method_ = top.method;
     spent_.evaluated += body_.mesh().elementCount();
     return followMode(x, top.lower);
@@ -163,7 +169,7 @@ class Bracketer {
   }
   static constexpr double slackOfWidth = 1.6;
   static constexpr int coldProducts = 20, restartProducts = 8, warmProducts = 3;
-  static constexpr int modeEvery = 64;  // evaluations between two looks at the whole mode
+  static constexpr int firstModeGap = 64, lastModeGap = 512;  // evaluations between two looks at the whole mode
   // Evaluations between two restarts or looks under compression; restarts become rarer while useless.
   static constexpr int firstGap = 10, lastGap = 2560;
   static constexpr std::size_t compressedRings = 16, risenRings = 3;  // looked at each time
@@ -181,7 +187,8 @@ class Bracketer {
   LazyBound::Spent spent_;
   bool bracketed_ = true;
   int sinceDoubt_ = firstGap;  // looks in a row that certified the step asked about
-  int sinceSharpened_ = 0, sinceMode_ = 0, sinceRestart_ = 0, restartGap_ = firstGap, sinceCompressed_ = firstGap;
+  int sinceSharpened_ = 0, sinceMode_ = 0, modeGap_ = firstModeGap, sinceRestart_ = 0, restartGap_ = firstGap,
+      sinceCompressed_ = firstGap;
   LowestRing lowest_{0, {}};
   std::size_t nextCompressed_ = 0;
   CriticalStep step_{};
@@ -421,7 +428,7 @@ CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule
   constexpr std::int64_t mostBytes = 4LL << 30;  // beyond, the nodal bound has to do
   ReducedRing ring(body);
   NodeVectors mode;
-  const TopMode top = findTopMode(ring, body, x, mode, products, products);
+  const TopMode top = findTopMode(ring, body, x, mode, products, products, true);
   const LowerBound lower = top.lower;
   NodalBound shapes(body);
   UpperBound upper = shapes.evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);

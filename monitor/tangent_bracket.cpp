@@ -166,7 +166,7 @@ CriticalStep TangentBracket::evaluate(const std::vector<std::span<const double>>
   }
 
   const NodeVectors& x = m.body->mesh().X;
-  const TopMode top = findTopMode(*m.ring, *m.body, x, m.mode, Impl::coldProducts, Impl::products);
+  const TopMode top = findTopMode(*m.ring, *m.body, x, m.mode, Impl::coldProducts, Impl::products, true);
   const ReducedRing::Result& rings = m.ring->last();
   const UpperBound upper = m.upperBound(x, top.lower);
   return {safeStep(upper, limit),

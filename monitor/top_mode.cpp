@@ -7,8 +7,8 @@
 namespace ringwatch {
 
 TopMode findTopMode(ReducedRing& ring, const Body& body, const NodeVectors& x, NodeVectors& mode, int coldProducts,
-                    int warmProducts) {
-  const ReducedRing::Result& rings = ring.evaluate(x, true);
+                    int warmProducts, bool wantLowest) {
+  const ReducedRing::Result& rings = ring.evaluate(x, wantLowest);
   NodeVectors start = ring.topVector(rings.highestElement);
   const bool cold = mode.size() == 0;
   if (!cold) start += (start.cwiseProduct(mode).sum() < 0 ? -1.0 : 1.0) * mode;

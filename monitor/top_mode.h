@@ -14,8 +14,8 @@ struct TopMode {
 /// Looks for the top mode at positions x (3×N, m): evaluates all reduced rings, and sharpens the hottest one's vector,
 /// added to the mode tracked so far, by Lanczos. A tracked vector alone can miss a jump of the top mode; the ring's
 /// alone can lie beside it. mode: 3×N, mass-scaled coordinates, empty at first; becomes the one found. products:
-/// coldProducts tangent products the first time, warmProducts then.
+/// coldProducts tangent products the first time, warmProducts then. wantLowest: the rings' lowest eigenvalues too.
 TopMode findTopMode(ReducedRing& ring, const Body& body, const NodeVectors& x, NodeVectors& mode, int coldProducts,
-                    int warmProducts);
+                    int warmProducts, bool wantLowest);
 
 }  // namespace ringwatch
