@@ -249,6 +249,8 @@ struct InspectCommand {
     command->add_option("--fix", options.fix, "condition on nodes that are held, e.g. \"x < 1e-6\"; may be given again")
         ->allow_extra_args(false);
     command->add_flag("--global", options.global, "also the exact critical step, by a global eigenvalue");
+    command->add_option("--lanczos", options.lanczos,
+                        "also a step that is safe but for this probability, e.g. 1e-9, within 1 %, by Lanczos");
     command->add_option("--json", json,
                         "write the numbers to this file; - for standard output, and nothing else there");
     command->add_flag("--distribution", options.distribution,

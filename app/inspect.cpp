@@ -187,6 +187,9 @@ InspectResult inspectMesh(const InspectOptions& options) {
   const double limit = limitOf(options.integrator);
   if (options.step && !(*options.step > 0 && std::isfinite(*options.step)))
     throw InputError(fmt::format("--step: {} is out of range; must be > 0 s", *options.step));
+  if (options.lanczos && !(*options.lanczos > 0 && *options.lanczos <= 0.5))
+    throw InputError(
+        fmt::format("--lanczos: {} is out of range; must be > 0 and <= 0.5, a probability", *options.lanczos));
   if (options.picture) checkPictureName(*options.picture);
   std::vector<NodeSelection> held;
   for (const std::string& text : options.fix) held.push_back(NodeSelection::parse(text, "--fix"));
@@ -210,11 +213,19 @@ InspectResult inspectMesh(const InspectOptions& options) {
   json["quality"] = qualityJson(summaries);
   text += qualityText(summaries);
 
-  const CriticalStep step = criticalStep(body, mesh.X, limit);
+  std::optional<LanczosOptions> lanczos;
+  if (options.lanczos) lanczos.emplace().eta = *options.lanczos;
+  const CriticalStep step = criticalStep(body, mesh.X, limit, lanczos);
   json["critical_step"] = Json{{"safe", step.safe}, {"optimistic", step.optimistic}};
   text +=
       fmt::format("critical step at rest: {}, {}, limit h omega = {:.6g}\n", options.model, options.integrator, limit);
   text += fmt::format("  safe        {:.10g} s   proven stable up to here, by {}\n", step.safe, step.safeBy);
+  if (step.probable) {
+    json["critical_step"]["probable"] = Json{{"safe", step.probable->safe}, {"eta", step.probable->eta}};
+    text +=
+        fmt::format("  probable    {:.10g} s   stable up to here with probability 1 - {:.3g}, {} tangent products\n",
+                    step.probable->safe, step.probable->eta, step.probable->products);
+  }
   text += fmt::format("  optimistic  {:.10g} s   proven unstable above, by {}\n", step.optimistic, step.optimisticBy);
   if (step.lowestRing < 0)
     text +=

@@ -21,6 +21,7 @@ struct InspectOptions {
   std::vector<std::string> metrics;  // names; "all" for every one; empty for the usual ones
   std::vector<std::string> fix;      // conditions on nodes that are held
   bool global = false;               // also the exact critical step, by a global eigenvalue
+  std::optional<double> lanczos;     // also a step that is safe but for this probability
   bool distribution = false;         // histogram and cumulative share by metric, the worst elements with their shapes
   std::optional<std::filesystem::path> picture;  // of the distribution, .svg or .png
   std::optional<std::filesystem::path> vtu;

@@ -379,7 +379,7 @@ TEST_F(Program, InspectsTetrahedraAndHexahedra) {
     ASSERT_EQ(call("mesh generate bar --size 0.2 0.04 0.04 --cells 10,2,2 --element " + element + " -o bar.msh").status,
               0);
     const Outcome outcome =
-        call(std::string("inspect bar.msh --metric all --global --step 2.5e-3 --json -") + material);
+        call(std::string("inspect bar.msh --metric all --global --lanczos 1e-9 --step 2.5e-3 --json -") + material);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     const Json report = Json::parse(outcome.out);
@@ -394,6 +394,9 @@ TEST_F(Program, InspectsTetrahedraAndHexahedra) {
     EXPECT_NEAR(global, element == "tet4" ? 2.085284449e-3 : 2.973862796e-3, 2e-9);
     EXPECT_LE(step["safe"].get<double>(), global * (1 + 1e-9));
     EXPECT_GE(step["optimistic"].get<double>(), global * (1 - 1e-9));
+    EXPECT_EQ(step["probable"]["eta"], 1e-9);
+    EXPECT_LE(step["probable"]["safe"].get<double>(), global);
+    EXPECT_GE(step["probable"]["safe"].get<double>(), 0.985 * global);
     EXPECT_LE(step["metrics"]["single-element"].get<double>(), global);
     EXPECT_LE(step["metrics"]["nodal-bound"].get<double>(), global);
     EXPECT_GE(step["metrics"]["reduced-1-ring"].get<double>(), global * (1 - 1e-9));
@@ -497,6 +500,8 @@ TEST_F(Program, InspectRefusesBadInput) {
   expectRefused(std::string("inspect cube.msh --integrator verlett") + material, "did you mean \"verlet\"?");
   expectRefused(std::string("inspect cube.msh --step 0") + material, "--step: 0 is out of range");
   expectRefused(std::string("inspect cube.msh --step nan") + material, "--step");
+  expectRefused(std::string("inspect cube.msh --lanczos 1") + material, "--lanczos: 1 is out of range");
+  expectRefused(std::string("inspect cube.msh --lanczos 1e-300") + material, "eta = 1e-300");
   expectRefused(std::string("inspect cube.msh --fix 'x > 5'") + material, "selects no node");
   expectRefused(std::string("inspect cube.msh --fix all --json nowhere/a.json") + material, "nowhere");
 }
