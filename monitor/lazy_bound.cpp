@@ -32,6 +32,13 @@ double roomFor(const Eigen::Matrix3d& base, const Eigen::Matrix3d& part, double 
   return top > 0 ? 1 / (top * (1 + 1e-12)) : std::numeric_limits<double>::infinity();
 }
 
+/// Single precision at or below, and at or above a number; NaN stays.
+float roundedDown(double number) {
+  const auto near = static_cast<float>(number);
+  return static_cast<double>(near) > number ? std::nextafter(near, -std::numeric_limits<float>::infinity()) : near;
+}
+float roundedUp(double number) { return -roundedDown(-number); }
+
 /// Largest number first, elements in order among equals.
 template <class T>
 std::vector<ElementRef> mostFirst(std::vector<std::pair<T, ElementRef>> found) {
@@ -63,16 +70,16 @@ LazyBound::LazyBound(const Body& body, double slack)
     : body_(body), slack_(slack), shapes_(body), odometer_(nodesByPatch(body), body.threads()) {
   for (const auto& block : body.blocks()) {
     const std::size_t places = block->layout().elements.size();
-    blocks_.push_back({DeformationWatch(*block, odometer_), std::vector<double>(places), std::vector<double>(places),
-                       std::vector<double>(places), std::vector<float>(places)});
+    blocks_.push_back({DeformationWatch(*block, odometer_), std::vector<float>(places), std::vector<float>(places),
+                       std::vector<float>(places), std::vector<float>(places)});
   }
 }
 
 void LazyBound::setBall(std::int32_t b, std::int32_t element, double value, const TangentDrift& drift) {
   BlockData& data = blocks_[static_cast<std::size_t>(b)];
   const std::size_t place = placeOf({b, element});
-  data.value[place] = value;
-  const double gap = data.budget[place] - value, reach = data.reach[place];
+  data.value[place] = roundedUp(value);
+  const double gap = static_cast<double>(data.budget[place]) - value, reach = static_cast<double>(data.reach[place]);
   double radius = -1;
   if (gap >= 0) {
     const double linear = 2 * std::sqrt((value + reach * drift.negative) * drift.kappa * reach) + reach * drift.linear;
@@ -122,7 +129,7 @@ void LazyBound::evaluate(const NodeVectors& x, const std::vector<ElementRef>& el
         block.anchorOf(pack.element, x.data(), data.watch, drift);
         for (int lane = 0; lane < pack.count; ++lane) {
           values[pack.at[lane]] = value[lane];
-          if (withReach) data.reach[placeOf({pack.block, pack.element[lane]})] = reach[lane];
+          if (withReach) data.reach[placeOf({pack.block, pack.element[lane]})] = roundedUp(reach[lane]);
           setBall(pack.block, pack.element[lane], value[lane], drift[lane]);
         }
       },
@@ -175,11 +182,11 @@ void LazyBound::dealBudgets(const NodeVectors& x) {
           for (std::int32_t node : block.nodesOf(elements[lane]))
             if (shapes_.nodal()[static_cast<std::size_t>(node)] > 0)
               room = std::min(room, sigma_ / shapes_.nodal()[static_cast<std::size_t>(node)]);
-          data.reach[place] = reach[lane];
+          data.reach[place] = roundedUp(reach[lane]);
           // The value of the last sweep, which the nodal sums were made of, gets the room; this one is the same to
           // rounding.
           const double swept = shapes_.value({static_cast<std::int32_t>(b), elements[lane]});
-          data.budget[place] = swept > 0 ? swept * room * (1 - 1e-12) : 0;
+          data.budget[place] = swept > 0 ? roundedDown(swept * room * (1 - 1e-12)) : 0;
           setBall(static_cast<std::int32_t>(b), elements[lane], value[lane], drift[lane]);
           // Nothing of a wholly constrained element is left in the problem.
           if (body_.constraints().any() && value[lane] == 0 && reach[lane] <= 1e-200)
@@ -192,6 +199,7 @@ void LazyBound::dealBudgets(const NodeVectors& x) {
     spent_.evaluated += block.elementCount();
     data.watch.lookAtAll();
   }
+  shapes_.releaseSums();
 }
 
 void LazyBound::retarget(const NodeVectors& x, int sweeps) {
@@ -224,7 +232,7 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
   std::vector<std::pair<double, ElementRef>> over;
   for (std::size_t i = 0; i < gone.size(); ++i) {
     if (!std::isfinite(values[i])) return Outcome::notFinite;
-    const double budget = blocks_[static_cast<std::size_t>(gone[i].block)].budget[placeOf(gone[i])];
+    const auto budget = static_cast<double>(blocks_[static_cast<std::size_t>(gone[i].block)].budget[placeOf(gone[i])]);
     if (values[i] > budget) over.push_back({budget > 0 ? values[i] / budget : values[i], gone[i]});
   }
   overBudget_ = mostFirst(std::move(over));
@@ -299,20 +307,22 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
     patch = freeNodesOf(seed);
     ring.clear();
     for (std::int32_t node : patch)
-      for (const NodalBound::Incidence& at : shapes_.incidences(node)) ring.push_back(shapes_.elementAt(at));
+      for (const NodalBound::Incidence at : shapes_.incidences(node)) ring.push_back(shapes_.elementAt(at));
     std::sort(ring.begin(), ring.end());
     ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
     rim = freeNodesOf(ring);
     auto inRing = [&](ElementRef e) { return std::binary_search(ring.begin(), ring.end(), e); };
-    auto valueOf = [&](ElementRef e) { return blocks_[static_cast<std::size_t>(e.block)].value[placeOf(e)]; };
+    auto valueOf = [&](ElementRef e) {
+      return static_cast<double>(blocks_[static_cast<std::size_t>(e.block)].value[placeOf(e)]);
+    };
 
     // What the elements outside the ring use of sigma at the rim.
     std::vector<Eigen::Matrix3d> outside(rim.size()), inside(rim.size());
     for (std::size_t i = 0; i < rim.size(); ++i) {
       outside[i].setZero();
-      for (const NodalBound::Incidence& at : shapes_.incidences(rim[i])) {
+      for (const NodalBound::Incidence at : shapes_.incidences(rim[i])) {
         const ElementRef e = shapes_.elementAt(at);
-        if (!inRing(e)) outside[i] += blocks_[static_cast<std::size_t>(e.block)].budget[placeOf(e)] * shapes_.shape(at);
+        if (!inRing(e)) outside[i] += budgetOf(e) * shapes_.shape(at);
       }
       outside[i] = freePart(body_, rim[i], outside[i] / body_.lumpedMass()[rim[i]]);
     }
@@ -323,7 +333,7 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
       std::vector<double> room(rim.size());
       for (std::size_t i = 0; i < rim.size(); ++i) {
         inside[i].setZero();
-        for (const NodalBound::Incidence& at : shapes_.incidences(rim[i])) {
+        for (const NodalBound::Incidence at : shapes_.incidences(rim[i])) {
           const ElementRef e = shapes_.elementAt(at);
           if (inRing(e)) inside[i] += valueOf(e) * shapes_.shape(at);
         }
@@ -350,7 +360,7 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
           }
           BlockData& data = blocks_[static_cast<std::size_t>(e.block)];
           const std::size_t place = placeOf(e);
-          if (std::isfinite(own)) data.budget[place] = data.value[place] * own * (1 - 1e-12);
+          if (std::isfinite(own)) data.budget[place] = roundedDown(valueOf(e) * own * (1 - 1e-12));
         }
         std::vector<double> again;
         evaluate(x, ring, false, again);  // balls for the new budgets
@@ -367,7 +377,7 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(S);
         const Eigen::Vector3d power = solver.eigenvalues().cwiseMax(1e-3).array().pow(-0.25);
         const Eigen::Matrix3d R = solver.eigenvectors() * power.asDiagonal() * solver.eigenvectors().transpose();
-        for (const NodalBound::Incidence& incidence : shapes_.incidences(node))
+        for (const NodalBound::Incidence incidence : shapes_.incidences(node))
           shapes_.setShape(incidence, R * shapes_.shape(incidence) * R);
       }
       for (ElementRef e : ring) shapes_.normaliseElement(e.block, e.element);
@@ -394,12 +404,15 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
     sigma_ = target;
     for (BlockData& data : blocks_) {
       for (std::size_t place = 0; place < data.budget.size(); ++place) {
-        const double before = data.budget[place] - data.value[place];
-        data.budget[place] *= factor;
-        const double after = data.budget[place] - data.value[place];
+        const auto value = static_cast<double>(data.value[place]);
+        const double before = static_cast<double>(data.budget[place]) - value;
+        data.budget[place] = roundedDown(static_cast<double>(data.budget[place]) * factor);
+        const double after = static_cast<double>(data.budget[place]) - value;
         float& radius = data.watch.radius[place];
         if (radius > 0 && radius < 1e29F)
-          radius = after > 0 && before > 0 ? static_cast<float>(radius * after / before * (1 - 1e-6)) : -1.0F;
+          radius = after > 0 && before > 0
+                       ? static_cast<float>(static_cast<double>(radius) * after / before * (1 - 1e-6))
+                       : -1.0F;
       }
       data.watch.lookAtAll();
     }
@@ -429,14 +442,14 @@ double LazyBound::verify(const NodeVectors& x) const {
       elements[0] = e;
       double value[lanes];
       shapes_.elementValues(static_cast<std::int32_t>(b), elements, x, value, nullptr);
-      const double budget = blocks_[b].budget[placeOf({static_cast<std::int32_t>(b), e})];
+      const double budget = budgetOf({static_cast<std::int32_t>(b), e});
       if (value[0] > 0) excess = std::max(excess, value[0] / budget - 1);
     }
   for (std::int32_t node = 0; node < body_.nodeCount(); ++node) {
     Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
-    for (const NodalBound::Incidence& at : shapes_.incidences(node)) {
+    for (const NodalBound::Incidence at : shapes_.incidences(node)) {
       const ElementRef e = shapes_.elementAt(at);
-      S += blocks_[static_cast<std::size_t>(e.block)].budget[placeOf(e)] * shapes_.shape(at);
+      S += budgetOf(e) * shapes_.shape(at);
     }
     excess = std::max(excess, largest(freePart(body_, node, S / body_.lumpedMass()[node])) / sigma_ - 1);
   }

@@ -55,8 +55,9 @@ class LazyBound {
  private:
   struct BlockData {
     DeformationWatch watch;
-    std::vector<double> budget, value, reach;  // by place = batch * lanes + lane: budget_e, l_e at the anchor, b_e
-    std::vector<float> compression;            // -lambda_min(∂P/∂F) / (λ+2μ) at the anchor, at most
+    // By place = batch * lanes + lane, rounded to the safe side: budget_e, l_e at the anchor, b_e, and
+    // -lambda_min(∂P/∂F) / (λ+2μ) at the anchor.
+    std::vector<float> budget, value, reach, compression;
   };
   void retarget(const NodeVectors& x, int sweeps);
   void note(ElementRef element, const TangentDrift& drift);
@@ -71,6 +72,9 @@ class LazyBound {
     return static_cast<std::size_t>(body_.blocks()[static_cast<std::size_t>(e.block)]
                                         ->layout()
                                         .batchOfElement[static_cast<std::size_t>(e.element)]);
+  }
+  double budgetOf(ElementRef e) const {
+    return static_cast<double>(blocks_[static_cast<std::size_t>(e.block)].budget[placeOf(e)]);
   }
 
   const Body& body_;

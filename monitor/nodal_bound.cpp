@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <ringwatch/base/error.h>
 #include <ringwatch/monitor/extreme_eigenvalues.h>
 #include <ringwatch/monitor/scaled_tangent.h>
 
@@ -41,16 +42,24 @@ RINGWATCH_INLINE Symmetric3<P> inverse(const Symmetric3<P>& a) {
   return (P(1.0) / (a.m[0] * c.m[0] + a.m[5] * c.m[5] + a.m[4] * c.m[4])) * c;
 }
 
-/// Trace 1 over the element, and a floor under every direction: positive definite beyond rounding.
+/// A floor under every direction, over the trace: positive definite beyond the rounding to single precision.
+constexpr double shapeFloor = 1e-6;
+/// And one for nodes that have no stiffness left, where everything is constrained: beyond underflow.
+constexpr double smallestShape = 1e-12;
+
+/// Trace 1 over the element.
 RINGWATCH_INLINE void normalise(Symmetric3<P>* shapes, int n) {
   P sum(0.0);
   for (int a = 0; a < n; ++a) {
-    const P floor = P(1e-7) * shapes[a].trace() + P(1e-200);
+    const P floor = P(shapeFloor) * shapes[a].trace() + P(1e-200);
     for (int c = 0; c < 3; ++c) shapes[a].m[c] += floor;
     sum += shapes[a].trace();
   }
   const P scale = P(1.0) / sum;
-  for (int a = 0; a < n; ++a) shapes[a] = scale * shapes[a];
+  for (int a = 0; a < n; ++a) {
+    shapes[a] = scale * shapes[a];
+    for (int c = 0; c < 3; ++c) shapes[a].m[c] += P(smallestShape);
+  }
 }
 
 /// K_ab ← L_a⁻¹ K_ab L_b⁻ᵀ, D_a = L_a L_aᵀ, for the lower triangle.
@@ -118,19 +127,51 @@ NodalBound::NodalBound(const Body& body) : body_(&body) {
   forEachIncidence([&](std::int32_t node, Incidence) { ++count[static_cast<std::size_t>(node) + 1]; });
   for (std::size_t i = 1; i < count.size(); ++i) count[i] += count[i - 1];
   incidenceBegin_ = count;
+  std::int64_t places = 0;
+  for (const auto& block : body.blocks()) {
+    const auto shapes =
+        static_cast<std::size_t>(block->layout().batchCount()) * static_cast<std::size_t>(block->element().nodes);
+    firstOfBlock_.push_back(static_cast<std::int32_t>(places));
+    places += static_cast<std::int64_t>(shapes * lanes);
+    if (places > std::numeric_limits<std::int32_t>::max())
+      throw InputError("the nodal bound: more than 2^31 nodes of elements; use a metric for a body of this size");
+    shapes_.emplace_back(shapes);
+  }
+  firstOfBlock_.push_back(static_cast<std::int32_t>(places));
   incidence_.resize(static_cast<std::size_t>(count.back()));
   forEachIncidence([&](std::int32_t node, Incidence i) {
-    incidence_[static_cast<std::size_t>(count[static_cast<std::size_t>(node)]++)] = i;
+    incidence_[static_cast<std::size_t>(count[static_cast<std::size_t>(node)]++)] =
+        firstOfBlock_[static_cast<std::size_t>(i.block)] + i.place;
   });
-  for (const auto& block : body.blocks()) {
-    const auto batches = static_cast<std::size_t>(block->layout().batchCount());
-    shapes_.emplace_back(batches * static_cast<std::size_t>(block->element().nodes));
-    values_.emplace_back(batches);
-  }
-  const std::size_t packs = (static_cast<std::size_t>(body.nodeCount()) + lanes - 1) / lanes;
+}
+
+Symmetric3<P> NodalBound::load(const StoredShape& stored) {
+  Symmetric3<P> shape;
+  for (int c = 0; c < 6; ++c) shape.m[c] = P(__builtin_convertvector(stored.m[c].v, P::Values));
+  return shape;
+}
+
+NodalBound::StoredShape NodalBound::rounded(const Symmetric3<P>& shape) {
+  StoredShape stored;
+  for (int c = 0; c < 6; ++c) stored.m[c].v = __builtin_convertvector(shape.m[c].v, decltype(stored.m[c].v));
+  return stored;
+}
+
+void NodalBound::prepareSums() {
+  const std::size_t packs = (static_cast<std::size_t>(body_->nodeCount()) + lanes - 1) / lanes;
+  if (sums_.size() == packs && values_.size() == shapes_.size()) return;
+  for (const auto& block : body_->blocks())
+    values_.emplace_back(static_cast<std::size_t>(block->layout().batchCount()));
   sums_.resize(packs);
   factors_.resize(packs);
   nodal_.resize(packs * lanes);
+}
+
+void NodalBound::releaseSums() {
+  values_ = {};
+  sums_ = {};
+  factors_ = {};
+  nodal_ = {};
 }
 
 void NodalBound::startShapes(const NodeVectors& x, Start start) {
@@ -138,7 +179,7 @@ void NodalBound::startShapes(const NodeVectors& x, Start start) {
     const ElementBlock& block = *body_->blocks()[b];
     const int n = block.element().nodes, size = 3 * n;
     clearConstrained(*body_, block, block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, K);
-    Symmetric3<P>* shapes = shapes_[b].data() + static_cast<std::ptrdiff_t>(batch) * n;
+    Symmetric3<P> shapes[maxElementNodes];
     for (int a = 0; a < n; ++a) {
       Symmetric3<P> k;
       for (int r = 0; r < 3; ++r)
@@ -151,6 +192,8 @@ void NodalBound::startShapes(const NodeVectors& x, Start start) {
       if (start == Start::rootOfStiffness) shapes[a] = squareRoot(shapes[a]);
     }
     normalise(shapes, n);
+    StoredShape* stored = shapes_[b].data() + static_cast<std::ptrdiff_t>(batch) * n;
+    for (int a = 0; a < n; ++a) stored[a] = rounded(shapes[a]);
   });
 }
 
@@ -160,7 +203,9 @@ void NodalBound::evaluateElements(const NodeVectors& x) {
     const int n = block.element().nodes, size = 3 * n;
     clearConstrained(*body_, block, block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, K);
     P work[12 * maxElementNodes];
-    scaleByShapes(shapes_[b].data() + static_cast<std::ptrdiff_t>(batch) * n, n, K);
+    Symmetric3<P> shapes[maxElementNodes];
+    for (int a = 0; a < n; ++a) shapes[a] = load(shapes_[b][static_cast<std::size_t>(batch * n + a)]);
+    scaleByShapes(shapes, n, K);
     values_[b][static_cast<std::size_t>(batch)] = largestRoundedUp(K, size, work);
   });
   for (const auto& block : body_->blocks()) evaluations_ += block->elementCount();
@@ -177,15 +222,13 @@ double NodalBound::sumAtNodes() {
           const auto node = static_cast<std::int32_t>(pack) * lanes + lane;
           if (node >= nodes) continue;
           double sum[6] = {0, 0, 0, 0, 0, 0};
-          for (std::int64_t k = incidenceBegin_[static_cast<std::size_t>(node)];
-               k < incidenceBegin_[static_cast<std::size_t>(node) + 1]; ++k) {
-            const Incidence& at = incidence_[static_cast<std::size_t>(k)];
+          for (const Incidence at : incidences(node)) {
             const auto block = static_cast<std::size_t>(at.block);
             const int l = at.place % lanes;
-            const Symmetric3<P>& D = shapes_[block][static_cast<std::size_t>(at.place / lanes)];
+            const StoredShape& D = shapes_[block][static_cast<std::size_t>(at.place / lanes)];
             const double value =
                 values_[block][static_cast<std::size_t>(at.place / lanes / body_->blocks()[block]->element().nodes)][l];
-            for (int c = 0; c < 6; ++c) sum[c] += value * D.m[c][l];
+            for (int c = 0; c < 6; ++c) sum[c] += value * static_cast<double>(D.m[c][l]);
           }
           const double inverseMass = 1 / body_->lumpedMass()[node];
           // Constrained components leave the problem: their rows and columns count nothing.
@@ -235,7 +278,8 @@ void NodalBound::sweepShapes(double bound) {
     parallelFor(
         0, block.layout().batchCount(), body_->threads(),
         [&](std::int64_t batch) {
-          Symmetric3<P>* shapes = shapes_[b].data() + batch * n;
+          StoredShape* stored = shapes_[b].data() + batch * n;
+          Symmetric3<P> shapes[maxElementNodes];
           for (int a = 0; a < n; ++a) {
             Symmetric3<P> R;
             forEachLane(block, static_cast<std::int32_t>(batch), [&](int lane, std::int32_t e) {
@@ -243,9 +287,10 @@ void NodalBound::sweepShapes(double bound) {
               const Symmetric3<P>& from = factors_[static_cast<std::size_t>(node / lanes)];
               for (int c = 0; c < 6; ++c) R.m[c].set(lane, from.m[c][node % lanes]);
             });
-            shapes[a] = congruence(R, shapes[a]);
+            shapes[a] = congruence(R, load(stored[a]));
           }
           normalise(shapes, n);
+          for (int a = 0; a < n; ++a) stored[a] = rounded(shapes[a]);
         },
         64);
   }
@@ -253,6 +298,7 @@ void NodalBound::sweepShapes(double bound) {
 
 UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps, Start start, double leastGain) {
   evaluations_ = 0;
+  prepareSums();
   if (!started_) startShapes(x, start);
   started_ = true;
   double best = std::numeric_limits<double>::infinity(), before[2] = {best, best};
@@ -280,35 +326,30 @@ ElementRef NodalBound::elementAt(Incidence at) const {
 }
 
 Eigen::Matrix3d NodalBound::shape(Incidence at) const {
-  const Symmetric3<P>& D = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
+  const StoredShape& D = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
   Eigen::Matrix3d result;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) result(i, j) = D(i, j)[at.place % lanes];
+    for (int j = 0; j < 3; ++j) result(i, j) = static_cast<double>(D(i, j)[at.place % lanes]);
   return result;
 }
 
 void NodalBound::setShape(Incidence at, const Eigen::Matrix3d& D) {
-  Symmetric3<P>& target = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
+  StoredShape& target = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
   for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) target(i, j).set(at.place % lanes, 0.5 * (D(i, j) + D(j, i)));
+    for (int j = i; j < 3; ++j) target(i, j).set(at.place % lanes, static_cast<float>(0.5 * (D(i, j) + D(j, i))));
 }
 
 void NodalBound::normaliseElement(std::int32_t b, std::int32_t element) {
   const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(b)];
   const int n = block.element().nodes;
   const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(element)];
-  Symmetric3<P>* own = shapes_[static_cast<std::size_t>(b)].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
+  StoredShape* stored = shapes_[static_cast<std::size_t>(b)].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
   const int lane = place % lanes;
-  double sum = 0;
-  for (int a = 0; a < n; ++a) {
-    const double floor = 1e-7 * (own[a].m[0][lane] + own[a].m[1][lane] + own[a].m[2][lane]) + 1e-200;
-    for (int c = 0; c < 3; ++c) {
-      own[a].m[c].set(lane, own[a].m[c][lane] + floor);
-      sum += own[a].m[c][lane];
-    }
-  }
+  Symmetric3<P> own[maxElementNodes];
+  for (int a = 0; a < n; ++a) own[a] = load(stored[a]);
+  normalise(own, n);
   for (int a = 0; a < n; ++a)
-    for (P& entry : own[a].m) entry.set(lane, entry[lane] / sum);
+    for (int c = 0; c < 6; ++c) stored[a].m[c].set(lane, static_cast<float>(own[a].m[c][lane]));
 }
 
 void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, const NodeVectors& x, double* values,
@@ -319,10 +360,10 @@ void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, con
   for (int lane = 0; lane < lanes; ++lane) {
     const std::int32_t place =
         block.layout().batchOfElement[static_cast<std::size_t>(elements[lane] < 0 ? elements[0] : elements[lane])];
-    const Symmetric3<P>* from =
+    const StoredShape* from =
         shapes_[static_cast<std::size_t>(b)].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
     for (int a = 0; a < n; ++a)
-      for (int c = 0; c < 6; ++c) own[a].m[c].set(lane, from[a].m[c][place % lanes]);
+      for (int c = 0; c < 6; ++c) own[a].m[c].set(lane, static_cast<double>(from[a].m[c][place % lanes]));
   }
   P K[9 * maxElementNodes * maxElementNodes], work[12 * maxElementNodes];
   block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K));

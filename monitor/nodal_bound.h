@@ -33,9 +33,38 @@ class NodalBound {
     std::int32_t block;
     std::int32_t place;  // (batch * n + a) * lanes + lane
   };
-  std::span<const Incidence> incidences(std::int32_t node) const {
+  /// Those of one node, to loop over.
+  class Incidences {
+   public:
+    class Iterator {
+     public:
+      Iterator(const std::int32_t* code, const std::int32_t* firstOfBlock) : code_(code), firstOfBlock_(firstOfBlock) {}
+      Incidence operator*() const {
+        std::int32_t block = 0;
+        while (*code_ >= firstOfBlock_[block + 1]) ++block;  // bodies have a few blocks
+        return {block, *code_ - firstOfBlock_[block]};
+      }
+      Iterator& operator++() {
+        ++code_;
+        return *this;
+      }
+      bool operator!=(const Iterator& other) const { return code_ != other.code_; }
+
+     private:
+      const std::int32_t *code_, *firstOfBlock_;
+    };
+    Incidences(std::span<const std::int32_t> codes, const std::int32_t* firstOfBlock)
+        : codes_(codes), firstOfBlock_(firstOfBlock) {}
+    Iterator begin() const { return {codes_.data(), firstOfBlock_}; }
+    Iterator end() const { return {codes_.data() + codes_.size(), firstOfBlock_}; }
+
+   private:
+    std::span<const std::int32_t> codes_;
+    const std::int32_t* firstOfBlock_;
+  };
+  Incidences incidences(std::int32_t node) const {
     const auto i = static_cast<std::size_t>(node);
-    return {incidence_.data() + incidenceBegin_[i], incidence_.data() + incidenceBegin_[i + 1]};
+    return {{incidence_.data() + incidenceBegin_[i], incidence_.data() + incidenceBegin_[i + 1]}, firstOfBlock_.data()};
   }
   ElementRef elementAt(Incidence at) const;
   /// Shape of an incidence.
@@ -49,14 +78,17 @@ class NodalBound {
                      double* reach) const;
   /// l_e of the last sweep.
   double value(ElementRef e) const;
-
   /// lambda_max(S_i) of every node at the last sweep, rad²/s².
   const std::vector<double>& nodal() const { return nodal_; }
+  /// Gives the memory back that only evaluate(), value() and nodal() need; the shapes stay.
+  void releaseSums();
+
   /// Elements times evaluations in the last call.
   std::int64_t evaluations() const { return evaluations_; }
 
  private:
   using Pack = NativePack;
+  void prepareSums();
   void startShapes(const NodeVectors& x, Start start);
   void evaluateElements(const NodeVectors& x);
   double sumAtNodes();
@@ -64,11 +96,17 @@ class NodalBound {
 
   const Body* body_;
   bool started_ = false;
-  std::vector<AlignedVector<Symmetric3<Pack>>> shapes_;  // [block][batch * n + a]
-  std::vector<AlignedVector<Pack>> values_;              // [block][batch], l_e
+  // Any shapes give a bound, so those in memory may as well be rounded ones.
+  using StoredShape = Symmetric3<ringwatch::Pack<float, Pack::width>>;
+  static Symmetric3<Pack> load(const StoredShape& stored);
+  static StoredShape rounded(const Symmetric3<Pack>& shape);
+
+  std::vector<AlignedVector<StoredShape>> shapes_;  // [block][batch * n + a]
+  std::vector<AlignedVector<Pack>> values_;         // [block][batch], l_e
   std::vector<std::int64_t> incidenceBegin_;
-  std::vector<Incidence> incidence_;
-  AlignedVector<Symmetric3<Pack>> sums_;  // S_i, one node a lane
+  std::vector<std::int32_t> incidence_;     // firstOfBlock_[block] + place
+  std::vector<std::int32_t> firstOfBlock_;  // blocks + 1
+  AlignedVector<Symmetric3<Pack>> sums_;    // S_i, one node a lane
   AlignedVector<Symmetric3<Pack>> factors_;
   std::vector<double> nodal_;
   std::int64_t evaluations_ = 0;

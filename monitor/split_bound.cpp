@@ -249,7 +249,7 @@ class Splitting {
   void startFrom(const NodalBound& shapes) {
     const std::vector<std::size_t> firstOfBlock = blockOffsets(body_.mesh());
     for (std::int32_t node = 0; node < body_.nodeCount(); ++node)
-      for (const NodalBound::Incidence& incidence : shapes.incidences(node)) {
+      for (const NodalBound::Incidence incidence : shapes.incidences(node)) {
         const ElementRef ref = shapes.elementAt(incidence);
         const Element& element =
             elements_[firstOfBlock[static_cast<std::size_t>(ref.block)] + static_cast<std::size_t>(ref.element)];

@@ -26,8 +26,7 @@ class Bracketer {
         width_(width),
         lazy_(body, slackOfWidth * width),
         hotSpot_(body, lazy_.shapes()),
-        ringNodes_(body, lazy_.shapes()),
-        ring_(body) {}
+        ringNodes_(body, lazy_.shapes()) {}
 
   const CriticalStep& evaluate(const NodeVectors& x, const StepRule& limit) {
     UpperBound upper = lazy_.update(x);
@@ -154,7 +153,8 @@ class Bracketer {
     return solver_.info() == Eigen::Success;
   }
   LowerBound restartMode(const NodeVectors& x) {
-    const TopMode top = findTopMode(ring_, body_, x, mode_, coldProducts, restartProducts, false);
+    ReducedRing ring(body_);  // restarts are rare, and its pattern is as large as all the rest
+    const TopMode top = findTopMode(ring, body_, x, mode_, coldProducts, restartProducts, false);
     method_ = top.method;
     spent_.evaluated += body_.mesh().elementCount();
     return followMode(x, top.lower);
@@ -169,7 +169,7 @@ class Bracketer {
   }
   static constexpr double slackOfWidth = 1.6;
   static constexpr int coldProducts = 20, restartProducts = 8, warmProducts = 3;
-  static constexpr int firstModeGap = 64, lastModeGap = 512;  // evaluations between two looks at the whole mode
+  static constexpr int firstModeGap = 64, lastModeGap = 256;  // evaluations between two looks at the whole mode
   // Evaluations between two restarts or looks under compression; restarts become rarer while useless.
   static constexpr int firstGap = 10, lastGap = 2560;
   static constexpr std::size_t compressedRings = 16, risenRings = 3;  // looked at each time
@@ -181,7 +181,6 @@ class Bracketer {
   HotSpot hotSpot_;
   NodeSubmatrix ringNodes_;
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver_;
-  ReducedRing ring_;
   NodeVectors mode_;
   std::string_view method_;
   LazyBound::Spent spent_;
@@ -209,7 +208,8 @@ std::string elementText(const Body& body, ElementRef e) {
   const MeshBlock& block = body.mesh().blocks[static_cast<std::size_t>(e.block)];
   std::string text = joinText(elementInfo(block.type).name, " element ", e.block, ":", e.element, " (nodes");
   for (int a = 0; a < block.nodesPerElement(); ++a)
-    text += joinText(" ", block.element(static_cast<std::size_t>(e.element))[a]);
+    text += joinText(
+        " ", body.mesh().nodeIds[static_cast<std::size_t>(block.element(static_cast<std::size_t>(e.element))[a])]);
   return text + ")";
 }
 

@@ -323,9 +323,11 @@ TEST(Metrics, DoNotSeeARigidMotion) {
           for (const MetricInfo& metric : allMetrics()) {
             const MetricResult before = evaluateMetric(metric.name, body, x),
                                after = evaluateMetric(metric.name, body, turned);
+            // Shapes are kept in single precision, in the world's axes.
+            const double allowed = (metric.name == "nodal-bound" ? 1e-6 : 1e-8) * before.lambda;
             for (std::size_t b = 0; b < before.elementLambda.size(); ++b)
               for (std::size_t e = 0; e < before.elementLambda[b].size(); ++e)
-                EXPECT_NEAR(after.elementLambda[b][e], before.elementLambda[b][e], 1e-8 * before.lambda)
+                EXPECT_NEAR(after.elementLambda[b][e], before.elementLambda[b][e], allowed)
                     << metric.name << ", " << cut.name << ", " << law.name << ", " << b << ":" << e;
           }
           // Iterated until it is narrow enough, which turned numbers reach a little earlier or later.
