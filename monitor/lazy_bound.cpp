@@ -14,6 +14,7 @@ namespace {
 
 constexpr int lanes = PatchLayout::lanes;
 constexpr int coldSweeps = 12;      // of a retarget, at most
+constexpr double leastShare = 0.9;  // of what counts as risen
 constexpr double leastGain = 0.01;  // of two sweeps; half of it in the step
 constexpr int firstGap = 40;        // updates between two retargets; longer and longer while they do not help
 constexpr int lastGap = 10240;
@@ -212,7 +213,7 @@ void LazyBound::retarget(const NodeVectors& x, int sweeps) {
 }
 
 LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
-  overBudget_.clear();
+  risen_.clear();
   // Who has left its ball?
   std::vector<ElementRef> gone;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -229,17 +230,21 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
   std::vector<double> values;
   evaluate(x, gone, false, values);
   anchored_ = gone;
-  std::vector<std::pair<double, ElementRef>> over;
   for (std::size_t i = 0; i < gone.size(); ++i) {
     if (!std::isfinite(values[i])) return Outcome::notFinite;
     const auto budget = static_cast<double>(blocks_[static_cast<std::size_t>(gone[i].block)].budget[placeOf(gone[i])]);
-    if (values[i] > budget) over.push_back({budget > 0 ? values[i] / budget : values[i], gone[i]});
+    const double share = budget > 0 ? values[i] / budget : values[i] > 0 ? std::numeric_limits<double>::infinity() : 0;
+    if (share > leastShare) risen_.push_back({share, gone[i]});
   }
-  overBudget_ = mostFirst(std::move(over));
-  // When very many are over, mending one by one costs more than starting afresh.
-  if (static_cast<double>(overBudget_.size()) > 0.05 * static_cast<double>(body_.mesh().elementCount()))
+  std::sort(risen_.begin(), risen_.end(), [](const Risen& a, const Risen& b) {
+    return a.share != b.share ? a.share > b.share : a.element < b.element;
+  });
+  const auto overEnd = std::find_if(risen_.begin(), risen_.end(), [](const Risen& r) { return r.share <= 1; });
+  // When very many are over their budgets, mending one by one costs more than starting afresh.
+  if (static_cast<double>(overEnd - risen_.begin()) > 0.05 * static_cast<double>(body_.mesh().elementCount()))
     return Outcome::flooded;
-  for (ElementRef e : overBudget_) {
+  for (auto over = risen_.begin(); over != overEnd; ++over) {
+    const ElementRef e = over->element;
     const BlockData& data = blocks_[static_cast<std::size_t>(e.block)];
     if (data.value[placeOf(e)] <= data.budget[placeOf(e)]) continue;  // a neighbour's repair served it
     if (!repair(x, e, mayRaise)) return Outcome::failed;

@@ -45,9 +45,14 @@ class LazyBound {
   /// Elements whose -lambda_min(∂P/∂F) over λ+2μ was above `least` when last evaluated, most first. Only elements under
   /// compression can make the tangent indefinite.
   std::vector<ElementRef> compressedElements(double least) const;
-  /// Elements that exceeded their budgets at the last update, by how much, most first: where the highest eigenvalue may
-  /// have risen.
-  const std::vector<ElementRef>& overBudget() const { return overBudget_; }
+  /// An element's exact value over its budget, which is about the bound at its hottest node over sigma.
+  struct Risen {
+    double share;
+    ElementRef element;
+  };
+  /// Of the elements evaluated at the last update those with a share above 0.9, largest first, before any repair: where
+  /// the highest eigenvalue may have come to.
+  const std::vector<Risen>& risen() const { return risen_; }
   /// Checks the two statements of the proof at x from nothing but the shapes and budgets; for tests. Returns the
   /// largest excess, relative: <= 0 when both hold.
   double verify(const NodeVectors& x) const;
@@ -85,7 +90,8 @@ class LazyBound {
   double sigma_ = 0;
   bool started_ = false;
   Spent spent_;
-  std::vector<ElementRef> overBudget_, anchored_;  // anchored_: given new balls by this update
+  std::vector<Risen> risen_;
+  std::vector<ElementRef> anchored_;  // given new balls by this update
   std::int64_t updates_ = 0, lastRetarget_ = -1000, lastLowering_ = -1000;
   int retargetGap_ = 40, loweringGap_ = 40;
   double tightOverLower_ = 0;  // the tight bound at the last retarget over the lower bound then; 0: not known yet

@@ -29,6 +29,7 @@ class Bracketer {
         ringNodes_(body, lazy_.shapes()) {}
 
   const CriticalStep& evaluate(const NodeVectors& x, const StepRule& limit) {
+    const double sigma = lazy_.sigma();  // that shares of budgets are measured by
     UpperBound upper = lazy_.update(x);
     spent_ = lazy_.spent();
     method_ = "rayleigh-quotient";
@@ -42,7 +43,7 @@ class Bracketer {
         modeGap_ = whole.value > 1.005 * lower.value ? firstModeGap : std::min(2 * modeGap_, lastModeGap);
         lower = {std::max(lower.value, whole.value)};
       }
-      lower = lookWhereItRose(x, lower);
+      lower = lookWhereItRose(x, sigma, lower);
     }
     const double allowed = (1 + width_) * (1 + width_);
     // A bracket that is too wide is either side's fault: look again from below before moving the upper side.
@@ -127,10 +128,14 @@ class Bracketer {
     }
   }
   /// The top mode jumps to where an element has become stiffer than it had been: rings there are looked at at once.
-  LowerBound lookWhereItRose(const NodeVectors& x, LowerBound lower) {
+  LowerBound lookWhereItRose(const NodeVectors& x, double sigma, LowerBound lower) {
     bool jumped = false;
-    for (std::size_t i = 0; i < lazy_.overBudget().size() && i < risenRings; ++i) {
-      if (!decomposeRing(x, lazy_.overBudget()[i])) continue;
+    std::size_t looks = 0;
+    for (const LazyBound::Risen& risen : lazy_.risen()) {
+      // One that is within its budget is worth a look when the bound there is above what is known from below.
+      if (looks >= (risen.share > 1 ? risenRings : 1) || risen.share * sigma < 1.005 * lower.value) break;
+      ++looks;
+      if (!decomposeRing(x, risen.element)) continue;
       const Eigen::Index top = solver_.eigenvalues().size() - 1;
       const double value = solver_.eigenvalues()[top] * (1 - 1e-12);
       if (!(value > lower.value)) continue;
