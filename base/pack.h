@@ -80,19 +80,22 @@ RINGWATCH_INLINE Pack<T, W> select(typename Pack<T, W>::Mask mask, Pack<T, W> ye
   return Pack<T, W>(mask ? yes.v : no.v);
 }
 
-/// True where at least one lane of the mask is set.
+/// Whether at least one lane of the mask is set. One test of the register: lane by lane, compilers take every lane out
+/// of it, some 25 instructions in each turn of an iteration.
 template <class Mask>
 requires(sizeof(Mask) > 8) RINGWATCH_INLINE bool anyOf(Mask mask) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Mask) == 64) return _mm512_test_epi64_mask((__m512i)mask, (__m512i)mask) != 0;
+#endif
+#if defined(__AVX__)
+  if constexpr (sizeof(Mask) == 32) return _mm256_testz_si256((__m256i)mask, (__m256i)mask) == 0;
+#endif
   bool any = false;
   for (unsigned i = 0; i < sizeof(Mask) / sizeof(mask[0]); ++i) any |= mask[i] != 0;
   return any;
 }
 template <class Mask>
-requires(sizeof(Mask) > 8) RINGWATCH_INLINE bool allOf(Mask mask) {
-  bool all = true;
-  for (unsigned i = 0; i < sizeof(Mask) / sizeof(mask[0]); ++i) all &= mask[i] != 0;
-  return all;
-}
+requires(sizeof(Mask) > 8) RINGWATCH_INLINE bool allOf(Mask mask) { return !anyOf(Mask(mask == 0)); }
 
 namespace math {
 template <class T, int W>

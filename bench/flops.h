@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <variant>
 
@@ -7,45 +8,67 @@
 
 namespace ringwatch::bench {
 
-/// A number that counts what is done with it: each + - * / square root and logarithm is one operation.
-struct Counted {
-  double value = 0;
-  static inline std::int64_t operations = 0;
-  Counted() = default;
-  Counted(double v) : value(v) {}
-  static Counted counted(double v) {
-    ++operations;
+inline std::int64_t countedOperations = 0;
+
+/// A number that counts what is done with it: each + - * / square root and logarithm is one operation. T as a kernel
+/// may iterate until T's rounding.
+template <class T>
+struct CountedAs {
+  T value = 0;
+  CountedAs() = default;
+  CountedAs(T v) : value(v) {}
+  static CountedAs counted(T v) {
+    ++countedOperations;
     return v;
   }
-  friend Counted operator+(Counted a, Counted b) { return counted(a.value + b.value); }
-  friend Counted operator-(Counted a, Counted b) { return counted(a.value - b.value); }
-  friend Counted operator*(Counted a, Counted b) { return counted(a.value * b.value); }
-  friend Counted operator/(Counted a, Counted b) { return counted(a.value / b.value); }
-  friend Counted operator-(Counted a) { return -a.value; }
-  Counted& operator+=(Counted b) { return *this = *this + b; }
-  Counted& operator-=(Counted b) { return *this = *this - b; }
-  Counted& operator*=(Counted b) { return *this = *this * b; }
-  friend bool operator<(Counted a, Counted b) { return a.value < b.value; }
-  friend bool operator>(Counted a, Counted b) { return a.value > b.value; }
-  friend bool operator<=(Counted a, Counted b) { return a.value <= b.value; }
-  friend bool operator>=(Counted a, Counted b) { return a.value >= b.value; }
+  friend CountedAs operator+(CountedAs a, CountedAs b) { return counted(a.value + b.value); }
+  friend CountedAs operator-(CountedAs a, CountedAs b) { return counted(a.value - b.value); }
+  friend CountedAs operator*(CountedAs a, CountedAs b) { return counted(a.value * b.value); }
+  friend CountedAs operator/(CountedAs a, CountedAs b) { return counted(a.value / b.value); }
+  friend CountedAs operator-(CountedAs a) { return -a.value; }
+  CountedAs& operator+=(CountedAs b) { return *this = *this + b; }
+  CountedAs& operator-=(CountedAs b) { return *this = *this - b; }
+  CountedAs& operator*=(CountedAs b) { return *this = *this * b; }
+  friend bool operator<(CountedAs a, CountedAs b) { return a.value < b.value; }
+  friend bool operator>(CountedAs a, CountedAs b) { return a.value > b.value; }
+  friend bool operator<=(CountedAs a, CountedAs b) { return a.value <= b.value; }
+  friend bool operator>=(CountedAs a, CountedAs b) { return a.value >= b.value; }
 };
-inline Counted select(bool condition, Counted yes, Counted no) { return condition ? yes : no; }
+using Counted = CountedAs<double>;
+template <class T>
+CountedAs<T> select(bool condition, CountedAs<T> yes, CountedAs<T> no) {
+  return condition ? yes : no;
+}
 
 /// Operations of a call.
 template <class Call>
 double operationsOf(const Call& call) {
-  Counted::operations = 0;
+  countedOperations = 0;
   call();
-  return static_cast<double>(Counted::operations);
+  return static_cast<double>(countedOperations);
 }
 
 }  // namespace ringwatch::bench
 
 namespace ringwatch::math {
-inline bench::Counted sqrt(bench::Counted a) { return bench::Counted::counted(::sqrt(a.value)); }
-inline bench::Counted log(bench::Counted a) { return bench::Counted::counted(::log(a.value)); }
-inline bench::Counted abs(bench::Counted a) { return ::fabs(a.value); }
-inline bench::Counted max(bench::Counted a, bench::Counted b) { return a.value > b.value ? a : b; }
-inline bench::Counted min(bench::Counted a, bench::Counted b) { return a.value < b.value ? a : b; }
+template <class T>
+bench::CountedAs<T> sqrt(bench::CountedAs<T> a) {
+  return bench::CountedAs<T>::counted(std::sqrt(a.value));
+}
+template <class T>
+bench::CountedAs<T> log(bench::CountedAs<T> a) {
+  return bench::CountedAs<T>::counted(std::log(a.value));
+}
+template <class T>
+bench::CountedAs<T> abs(bench::CountedAs<T> a) {
+  return std::fabs(a.value);
+}
+template <class T>
+bench::CountedAs<T> max(bench::CountedAs<T> a, bench::CountedAs<T> b) {
+  return a.value > b.value ? a : b;
+}
+template <class T>
+bench::CountedAs<T> min(bench::CountedAs<T> a, bench::CountedAs<T> b) {
+  return a.value < b.value ? a : b;
+}
 }  // namespace ringwatch::math

@@ -22,16 +22,16 @@ class BodySystem final : public DifferentiableSystem {
 
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
     body_.internalForce(x, internalForce_, workspace_);
-    a = body_.externalForce() - internalForce_;
-    if (damping_.any()) {
+    if (!damping_.any()) {
+      a = (body_.externalForce() - internalForce_) * inverseMass_.asDiagonal();  // in one pass
+    } else {
       if (damping_.beta != 0)
         body_.tangentProduct(x, v, dampingForce_, workspace_);
       else
         dampingForce_.setZero(3, x.cols());
       dampingForce_ = damping_.beta * dampingForce_ + damping_.alpha * v * body_.lumpedMass().asDiagonal();
-      a -= dampingForce_;
+      a = (body_.externalForce() - internalForce_ - dampingForce_) * inverseMass_.asDiagonal();
     }
-    a = a * inverseMass_.asDiagonal();
     body_.constraints().clearConstrained(a);
   }
   bool velocityDependent() const override { return damping_.any(); }
