@@ -19,6 +19,7 @@
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh_io.h>
+#include <ringwatch/meshes/node_order.h>
 
 namespace ringwatch {
 namespace {
@@ -652,7 +653,9 @@ int threadsThatPay(int requested, const Mesh& mesh) {
 Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes) {
   if (scene.generator.empty()) {
     try {
-      return loadMesh(scene.meshFile, &notes);
+      Mesh mesh = loadMesh(scene.meshFile, &notes);
+      renumberNodes(mesh);  // a mesher's order may cost a fifth of every step
+      return mesh;
     } catch (const InputError& fault) {
       throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));
     }

@@ -4,20 +4,10 @@
 #include <numeric>
 
 #include <ringwatch/body/element_block.h>
+#include <ringwatch/meshes/node_order.h>
 
 namespace ringwatch {
 namespace {
-
-/// Spreads the lower 21 bits of v so that two zero bits follow each.
-std::uint64_t spreadBits(std::uint64_t v) {
-  v &= 0x1fffff;
-  v = (v | v << 32) & 0x1f00000000ffffULL;
-  v = (v | v << 16) & 0x1f0000ff0000ffULL;
-  v = (v | v << 8) & 0x100f00f00f00f00fULL;
-  v = (v | v << 4) & 0x10c30c30c30c30c3ULL;
-  v = (v | v << 2) & 0x1249249249249249ULL;
-  return v;
-}
 
 /// Elements along a Morton curve through their centroids: neighbours in the list are neighbours in space.
 std::vector<std::int32_t> mortonOrder(const Mesh& mesh, const MeshBlock& block) {
@@ -29,11 +19,7 @@ std::vector<std::int32_t> mortonOrder(const Mesh& mesh, const MeshBlock& block) 
   for (std::size_t e = 0; e < count; ++e) {
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
     for (int a = 0; a < n; ++a) centroid += mesh.X.col(block.element(e)[a]);
-    const Eigen::Vector3d unit = (centroid / n - low) / extent;
-    std::uint64_t key = 0;
-    for (int c = 0; c < 3; ++c)
-      key |= spreadBits(static_cast<std::uint64_t>(std::clamp(unit[c], 0.0, 1.0) * 2097151.0)) << c;
-    keyed[e] = {key, static_cast<std::int32_t>(e)};
+    keyed[e] = {mortonKey((centroid / n - low) / extent), static_cast<std::int32_t>(e)};
   }
   std::sort(keyed.begin(), keyed.end());
   std::vector<std::int32_t> order(count);
