@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares result files of the benchmark programs, or prints one.
 
-usage: compare.py BEFORE.json [AFTER.json] [--filter REGEX] [--match]
+usage: compare.py BEFORE.json [AFTER.json] [--filter REGEX] [--match] [--markdown] [--pivot]
 
 Files come from --benchmark_format=json or --benchmark_out=FILE. Of repetitions the least CPU time counts, since other
 programs only ever add to it. A ratio below 1 is faster. With --match only rows of both files are printed.
@@ -15,7 +15,7 @@ NANOSECONDS = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
 
 
 def read(path):
-    """Name -> (least CPU time, ns; elements or 0; error, floor in ns and iterations an element, or None)."""
+    """Name -> (least CPU time, ns; elements or 0; error, floor in ns, iterations an element and ratio, or None)."""
     try:
         with open(path, encoding="utf-8") as file:
             rows = json.load(file)["benchmarks"]
@@ -29,7 +29,7 @@ def read(path):
         time = row["real_time" if manual else "cpu_time"] * NANOSECONDS[row["time_unit"]]
         name = re.sub(r"(/iterations:\d+)?(/(real|manual)_time)?$", "", row["run_name"]).removesuffix("/threads:1")
         if name not in best or time < best[name][0]:
-            best[name] = (time, row.get("elements", 0), row.get("error"), row.get("floor_ns"), row.get("iterations_each"))
+            best[name] = (time, row.get("elements", 0), row.get("error"), row.get("floor_ns"), row.get("iterations_each"), row.get("ratio"))
     return best
 
 
@@ -42,20 +42,35 @@ def shown(entry):
 
 
 def show(results, names, width, markdown):
-    """One file's rows: ns an element where the row counts elements, error, floor, time over floor, iterations."""
+    """One file's rows: ns an element where the row counts elements, error, floor, time over floor, iterations, and the row's own ratio."""
     bar = " | " if markdown else " "
-    heads = ["row".ljust(width), "ns".rjust(9), "error".rjust(8), "floor".rjust(8), "over".rjust(6), "iterations".rjust(10)]
+    heads = ["row".ljust(width), "ns".rjust(9), "error".rjust(8), "floor".rjust(8), "over".rjust(6), "iterations".rjust(10), "ratio".rjust(7)]
     print(("| " if markdown else "") + bar.join(heads) + (" |" if markdown else ""))
     if markdown:
         print("|" + "---|" * len(heads))
     for name in names:
-        time, elements, error, floor, iterations = results[name]
+        time, elements, error, floor, iterations, ratio = results[name]
         each = time / elements if elements else time
         cells = [name.ljust(width), f"{each:9.4g}", "" if error is None else f"{error:.1e}"]
         cells += [f"{floor:.3g}", f"{each / floor:.1f}"] if floor else ["", ""]
-        cells += [f"{iterations:.1f}" if iterations else ""]
-        widths = (width, 9, 8, 8, 6, 10)
+        cells += [f"{iterations:.1f}" if iterations else "", f"{ratio:.3g}" if ratio else ""]
+        widths = (width, 9, 8, 8, 6, 10, 7)
         print(("| " if markdown else "") + bar.join(c.rjust(w) if c != cells[0] else c for c, w in zip(cells, widths)) + (" |" if markdown else ""))
+
+
+def pivot(results, names):
+    """A Markdown table with a column for each last part of the names: ns (error)."""
+    rows, columns = {}, []
+    for name in names:
+        head, last = name.rsplit("/", 1)
+        if last not in columns:
+            columns.append(last)
+        time, elements, error = results[name][:3]
+        each = time / elements if elements else time
+        rows.setdefault(head, {})[last] = f"{each:.3g}" + ("" if error is None else f" ({error:.0e})")
+    print("| ns (error) | " + " | ".join(columns) + " |\n|" + "---|" * (len(columns) + 1))
+    for head, cells in rows.items():
+        print(f"| `{head}` | " + " | ".join(cells.get(column, "") for column in columns) + " |")
 
 
 def main():
@@ -65,6 +80,7 @@ def main():
     parser.add_argument("--filter", default="", help="only rows whose name matches")
     parser.add_argument("--match", action="store_true", help="only rows of both files")
     parser.add_argument("--markdown", action="store_true", help="of one file: a table for a document")
+    parser.add_argument("--pivot", action="store_true", help="of one file: a column for each last part of the names")
     options = parser.parse_args()
     before = read(options.before)
     after = read(options.after) if options.after else None
@@ -74,6 +90,9 @@ def main():
     if not names:
         sys.exit("no rows to show")
     width = max(map(len, names))
+    if after is None and options.pivot:
+        pivot(before, names)
+        return
     if after is None:
         show(before, names, width, options.markdown)
         return

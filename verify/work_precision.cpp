@@ -192,7 +192,8 @@ WorkPrecisionRun runPrepared(const WorkPrecisionCase& c, std::string_view name, 
         least, secondsOf([&] { run.reason = advance(*prepared.integrator, *prepared.system, state, c.end, steps); }));
   }
   run.seconds = least;
-  if (run.reason.empty()) run.error = (state.x - c.reference).norm() / (c.reference - c.start.x).norm();
+  if (run.reason.empty())
+    run.error = c.errorOf ? c.errorOf(state.x) : (state.x - c.reference).norm() / (c.reference - c.start.x).norm();
   return run;
 }
 

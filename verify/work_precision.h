@@ -30,13 +30,15 @@ struct WorkPrecisionCase {
     double stiffShare;
   };
   std::function<Parts(const IntegratorInfo&, double h)> split;
+  /// The error of positions at the end; empty: |x - reference| over |reference - start|.
+  std::function<double(const NodeVectors& x)> errorOf = {};
 };
 
 /// One integrator at one step.
 struct WorkPrecisionRun {
   std::string integrator;
   double h;            // s
-  double error;        // |x - reference| over |reference - start|; NaN when the run was lost
+  double error;        // see WorkPrecisionCase::errorOf; NaN when the run was lost
   double seconds;      // of computing by the calling thread, the best of up to three
   double forces;       // evaluations of the force; those of a part count by its share
   double products;     // tangent products, K(x) u

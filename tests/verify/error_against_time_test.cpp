@@ -1,0 +1,110 @@
+// The whole picture of error against time: errors shrink with the mesh, fronts hold what nothing beats, and what is
+// said to be cheapest is.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <ringwatch/verify/error_against_time.h>
+
+namespace ringwatch {
+namespace {
+
+TEST(ErrorAgainstTime, AFrontHoldsWhatNoOtherRunBeats) {
+  const auto run = [](const char* name, double error, double seconds) {
+    ErrorCost r;
+    r.method = name;
+    r.error = error;
+    r.seconds = seconds;
+    return r;
+  };
+  const std::vector<ErrorCost> front =
+      paretoFront({run("slow and good", 1e-3, 9), run("beaten", 1e-2, 8), run("quick", 1e-1, 1),
+                   run("lost", std::nan(""), 0.1), run("middle", 1e-2, 3), run("as good, slower", 1e-3, 10)});
+  ASSERT_EQ(front.size(), 3U);
+  EXPECT_EQ(front[0].method, "quick");
+  EXPECT_EQ(front[1].method, "middle");
+  EXPECT_EQ(front[2].method, "slow and good");
+}
+
+class WholePicture : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    report_ = new StudyReport;
+    // Explicit ones of one force a step suffice here; the others' errors have tests of their own.
+    std::vector<IntegratorEntry> integrators;
+    for (const IntegratorEntry& entry : coreIntegrators())
+      if (entry.info->name == "verlet") integrators.push_back(entry);
+    runs_ = new std::vector<ErrorCost>(addErrorAgainstTime(integrators, StudyEffort::quick, *report_));
+  }
+  static void TearDownTestSuite() {
+    delete runs_;
+    delete report_;
+  }
+  static double leastError(const std::string& motion, const std::string& element, std::int64_t elements) {
+    double least = 1e9;
+    for (const ErrorCost& run : *runs_)
+      if (run.motion == motion && run.element == element && run.mesh == "regular" && run.elements == elements)
+        least = std::min(least, run.error);
+    return least;
+  }
+  static inline std::vector<ErrorCost>* runs_ = nullptr;
+  static inline StudyReport* report_ = nullptr;
+};
+
+TEST_F(WholePicture, TheReferencesAgree) {
+  EXPECT_EQ(report_->checks.size(), 2U);
+  for (const StudyCheck& check : report_->checks) EXPECT_TRUE(check.passed) << check.name << " " << check.measured;
+}
+
+TEST_F(WholePicture, FinerMeshesOfEveryElementErrLess) {
+  std::map<std::pair<std::string, std::string>, std::set<std::int64_t>> sizes;
+  for (const ErrorCost& run : *runs_)
+    if (run.mesh == "regular") sizes[{run.motion, run.element}].insert(run.elements);
+  EXPECT_EQ(sizes.size(), 2 * allElements().size());
+  for (const auto& [key, counts] : sizes) {
+    ASSERT_GE(counts.size(), 2U) << key.first << " " << key.second;
+    EXPECT_LT(leastError(key.first, key.second, *counts.rbegin()),
+              0.6 * leastError(key.first, key.second, *counts.begin()))
+        << key.first << " " << key.second;
+  }
+}
+
+TEST_F(WholePicture, HandlersRunBeyondTheStepOfTheSlivers) {
+  double largestPlain = 0, leastHandled = 1e9;
+  int handled = 0;
+  for (const ErrorCost& run : *runs_) {
+    if (run.mesh != "slivers" || run.motion != "swinging") continue;
+    if (run.method == "verlet")
+      largestPlain = std::max(largestPlain, run.h);
+    else {
+      ++handled;
+      leastHandled = std::min(leastHandled, run.h);
+      EXPECT_LT(run.error, 0.5) << run.method;
+    }
+  }
+  EXPECT_GE(handled, 2);
+  EXPECT_GT(leastHandled, largestPlain);
+}
+
+TEST_F(WholePicture, TheCheapestIsNoSlowerThanAnyOtherThatIsAsGood) {
+  const StudyTable& table = report_->tables.back();
+  EXPECT_EQ(table.name, "error_against_time_cheapest");
+  int found = 0;
+  for (const auto& row : table.rows) {
+    if (std::get<std::string>(row[5]) == "none") continue;
+    const double wanted = std::get<std::string>(row[1]) == "1 %" ? 1e-2 : 1e-3;
+    EXPECT_LE(std::get<double>(row[7]), wanted);
+    for (const ErrorCost& run : *runs_) {
+      const bool sameGroup = run.motion == std::get<std::string>(row[0]) &&
+                             run.element == std::get<std::string>(row[2]) && run.mesh == std::get<std::string>(row[3]);
+      EXPECT_TRUE(!sameGroup || run.error > wanted || run.seconds >= std::get<double>(row[8]));
+    }
+    ++found;
+  }
+  EXPECT_GE(found, 4);
+}
+
+}  // namespace
+}  // namespace ringwatch
