@@ -5,7 +5,8 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <optional>
+#include <numbers>
+#include <utility>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/handler.h>
@@ -26,8 +27,11 @@ struct Motion {
   double end;      // s
   double pull;     // speed of the far end over the length, 1/s; 0: hangs and swings
   double gravity;  // m/s², downwards
+  double poisson;  // 0 for the swinging bar: else its clamp has corners of infinite stress, where every mesh errs
+  int firstProbe, lastProbe;  // tenths of the length where displacements are compared
 };
-const Motion motions[] = {{"swinging", "Swinging StVK bar", 0.5, 0, 1}, {"stretched", "Stretched StVK bar", 0.2, 1, 0}};
+const Motion motions[] = {{"swinging", "Swinging StVK bar", 0.5, 0, 1, 0, 0, 10},
+                          {"stretched", "Stretched StVK bar", 0.4, 0.5, 0, 0.3, 3, 7}};
 
 /// cells: across; five times as many along.
 Mesh barMesh(std::string_view element, int cells, bool slivers) {
@@ -49,7 +53,8 @@ Mesh barMesh(std::string_view element, int cells, bool slivers) {
 }
 
 Body barBody(const Motion& motion, std::string_view element, int cells, bool slivers) {
-  Body body(barMesh(element, cells, slivers), makeMaterial("stvk", 30e3, 0.3, 1000), {{}, Lumping::rowSum, 1});
+  Body body(barMesh(element, cells, slivers), makeMaterial("stvk", 30e3, motion.poisson, 1000),
+            {{}, Lumping::rowSum, 1});
   for (const std::int32_t n : body.mesh().nodeSets.at("x-min")) body.constraints().fix(n);
   if (motion.pull != 0)
     for (const std::int32_t n : body.mesh().nodeSets.at("x-max")) {
@@ -60,18 +65,22 @@ Body barBody(const Motion& motion, std::string_view element, int cells, bool sli
   return body;
 }
 
-/// Stretching already as a whole, so that no shock runs through the bar.
+/// Stretching already as a whole, and growing thinner but at its ends, so that hardly a wave runs through the bar.
 State startOf(const Motion& motion, const Body& body) {
   State state{0, body.mesh().X, NodeVectors::Zero(3, body.nodeCount())};
   state.v.row(0) = motion.pull * state.x.row(0);
+  for (Eigen::Index i = 0; i < state.x.cols(); ++i)
+    for (const int side : {1, 2})
+      state.v(side, i) = -motion.poisson * motion.pull * std::sin(std::numbers::pi * state.x(0, i) / length) *
+                         (state.x(side, i) - width / 2);
   body.constraints().imposeVelocity(state.v);
   return state;
 }
 
-/// The nodes on the bar's four long edges at every tenth of its length, in one order for all meshes.
-std::vector<std::int32_t> probesOf(const Mesh& mesh) {
+/// The nodes on the bar's four long edges at tenths of its length, in one order for all meshes.
+std::vector<std::int32_t> probesOf(const Motion& motion, const Mesh& mesh) {
   std::vector<std::int32_t> probes;
-  for (int i = 0; i <= 10; ++i)
+  for (int i = motion.firstProbe; i <= motion.lastProbe; ++i)
     for (int edge = 0; edge < 4; ++edge) {
       const Eigen::Vector3d at(0.1 * i * length, edge % 2 * width, edge / 2 * width);
       Eigen::Index nearest = 0;
@@ -136,11 +145,6 @@ std::vector<double> stepsOf(const IntegratorInfo& info, double lambda, double en
   return steps;
 }
 
-struct Reference {
-  NodeVectors x;
-  double change;  // from the second finest, as an error
-};
-
 }  // namespace
 
 std::vector<ErrorCost> paretoFront(std::vector<ErrorCost> runs) {
@@ -160,7 +164,7 @@ std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> inte
   constexpr std::int32_t mostImplicit = 150;  // nodes: beyond, factors cost more than any explicit run
   // Quadrature points: beyond, only schemes of one force a step and their largest one, since the mesh's error rules.
   constexpr std::size_t mostPoints = 40000;
-  const double wanted[] = {1e-2, 1e-3};
+  const std::pair<const char*, double> wanted[] = {{"10 %", 1e-1}, {"1 %", 1e-2}, {"0.1 %", 1e-3}};
   const bool full = effort == StudyEffort::full;
   std::vector<ErrorCost> all;
   StudyTable cheapest{
@@ -180,20 +184,21 @@ std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> inte
       const std::unique_ptr<Integrator> integrator = makeIntegrator("verlet");
       for (std::int64_t k = 0; k < steps; ++k) integrator->step(system, state, motion.end / static_cast<double>(steps));
       if (!state.x.allFinite()) throw NumericalError(joinText(motion.name, ": the reference was lost"));
-      const std::vector<std::int32_t> probes = probesOf(body.mesh());
+      const std::vector<std::int32_t> probes = probesOf(motion, body.mesh());
       return NodeVectors(atProbes(state.x, probes) - uniformAtProbes(motion, body.mesh(), probes));
     };
     const int finest = full ? 8 : 4;
     const NodeVectors reference = endOf(finest);
     const double referenceError = (endOf(finest / 2) - reference).norm() / reference.norm();
-    checkBelow(report, motion.name + ": the two finest references differ by", referenceError, full ? wanted[1] : 1e-2);
+    checkBelow(report, motion.name + ": the two finest references differ by", referenceError, full ? 1e-3 : 1e-2);
 
+    if (progress) progress(joinText(motion.name, ": the two finest references differ by ", referenceError));
     std::vector<ErrorCost> runs;
     for (const Choice& choice : choices(effort)) {
       const Body body = barBody(motion, choice.element, choice.cells, choice.slivers);
       BodySystem system(body);
       const double lambda = highestEigenvalue(body);
-      const std::vector<std::int32_t> probes = probesOf(body.mesh());
+      const std::vector<std::int32_t> probes = probesOf(motion, body.mesh());
       const NodeVectors uniform = uniformAtProbes(motion, body.mesh(), probes);
       WorkPrecisionCase c{
           motion.name,
@@ -262,11 +267,11 @@ std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> inte
       figure.curves.push_back(std::move(curve));
     }
     report.figures.push_back(std::move(figure));
-    const auto addCheapest = [&](const std::string& group, double error, const std::vector<ErrorCost>& of) {
+    const auto addCheapest = [&](const std::string& group, const std::string& label, double error,
+                                 const std::vector<ErrorCost>& of) {
       const ErrorCost* best = nullptr;
       for (const ErrorCost& run : of)
         if (run.error <= error && (!best || run.seconds < best->seconds)) best = &run;
-      const std::string label = error == wanted[0] ? "1 %" : "0.1 %";
       if (best)
         cheapest.rows.push_back({motion.name, label, best->element, best->mesh, best->elements, best->method, best->h,
                                  best->error, best->seconds});
@@ -274,9 +279,9 @@ std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> inte
         cheapest.rows.push_back(
             {motion.name, label, group, std::string(), std::int64_t{0}, std::string("none"), nan, nan, nan});
     };
-    for (const double error : wanted) {
-      for (const auto& [name, own] : groups) addCheapest(name, error, own);
-      addCheapest("all", error, runs);
+    for (const auto& [label, error] : wanted) {
+      for (const auto& [name, own] : groups) addCheapest(name, label, error, own);
+      addCheapest("all", label, error, runs);
     }
     all.insert(all.end(), runs.begin(), runs.end());
   }

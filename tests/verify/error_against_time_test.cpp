@@ -72,16 +72,17 @@ TEST_F(WholePicture, FinerMeshesOfEveryElementErrLess) {
 }
 
 TEST_F(WholePicture, HandlersRunBeyondTheStepOfTheSlivers) {
-  double largestPlain = 0, leastHandled = 1e9;
+  double largestPlain = 0, plainError = 0, leastHandled = 1e9;
   int handled = 0;
   for (const ErrorCost& run : *runs_) {
     if (run.mesh != "slivers" || run.motion != "swinging") continue;
-    if (run.method == "verlet")
+    if (run.method == "verlet") {
       largestPlain = std::max(largestPlain, run.h);
-    else {
+      plainError = run.error;  // that of the mesh
+    } else {
       ++handled;
       leastHandled = std::min(leastHandled, run.h);
-      EXPECT_LT(run.error, 0.5) << run.method;
+      EXPECT_NEAR(run.error, plainError, 0.2 * plainError) << run.method;
     }
   }
   EXPECT_GE(handled, 2);
@@ -94,7 +95,7 @@ TEST_F(WholePicture, TheCheapestIsNoSlowerThanAnyOtherThatIsAsGood) {
   int found = 0;
   for (const auto& row : table.rows) {
     if (std::get<std::string>(row[5]) == "none") continue;
-    const double wanted = std::get<std::string>(row[1]) == "1 %" ? 1e-2 : 1e-3;
+    const double wanted = std::stod(std::get<std::string>(row[1])) / 100;
     EXPECT_LE(std::get<double>(row[7]), wanted);
     for (const ErrorCost& run : *runs_) {
       const bool sameGroup = run.motion == std::get<std::string>(row[0]) &&
@@ -103,7 +104,7 @@ TEST_F(WholePicture, TheCheapestIsNoSlowerThanAnyOtherThatIsAsGood) {
     }
     ++found;
   }
-  EXPECT_GE(found, 4);
+  EXPECT_GE(found, 2);
 }
 
 }  // namespace
