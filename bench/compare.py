@@ -27,7 +27,7 @@ def read(path):
             continue
         manual = row["run_name"].endswith("/manual_time")  # the row has taken its time itself
         time = row["real_time" if manual else "cpu_time"] * NANOSECONDS[row["time_unit"]]
-        name = re.sub(r"(/iterations:\d+)?(/(real|manual)_time)?$", "", row["run_name"]).removesuffix("/threads:1")
+        name = re.sub(r"(/iterations:\d+)?(/repeats:\d+)?(/(real|manual)_time)?$", "", row["run_name"]).removesuffix("/threads:1")
         if name not in best or time < best[name][0]:
             best[name] = (time, row.get("elements", 0), row.get("error"), row.get("floor_ns"), row.get("iterations_each"), row.get("ratio"))
     return best
