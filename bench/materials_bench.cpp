@@ -356,7 +356,7 @@ void rotations(benchmark::State& state, int kind) {
     worst.add(unpacked(R[i / width], static_cast<int>(i % width)), inputs.exact[i]);
   reportRotations(state, worst);
   if constexpr (width > 1) {
-    constexpr double perLane = sizeof(double) / sizeof(typename ScalarOf<S>::type);
+    constexpr double perLane = detail::isSingle<S> ? 2 : 1;  // a pack of floats has twice the lanes
     reportFloor(state, count, {countedFlops<C, counted>(inputs) / perLane, 0});
   }
 }

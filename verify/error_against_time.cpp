@@ -45,7 +45,7 @@ Mesh barMesh(std::string_view element, int cells, bool slivers) {
   const double cell = width / cells;
   for (Eigen::Index i = 0; i < mesh.X.cols(); ++i) {
     const Eigen::Vector3d at = mesh.X.col(i) / cell;
-    const bool middle = std::abs(at.y() - cells / 2) < 1e-6 && std::abs(at.z() - cells / 2) < 1e-6;
+    const bool middle = std::abs(at.y() - 0.5 * cells) < 1e-6 && std::abs(at.z() - 0.5 * cells) < 1e-6;
     const long along = std::lround(at.x());
     if (middle && along % 6 == 3 && along + 2 < 5 * cells) mesh.X(0, i) += 0.9 * cell;
   }
@@ -82,7 +82,7 @@ std::vector<std::int32_t> probesOf(const Motion& motion, const Mesh& mesh) {
   std::vector<std::int32_t> probes;
   for (int i = motion.firstProbe; i <= motion.lastProbe; ++i)
     for (int edge = 0; edge < 4; ++edge) {
-      const Eigen::Vector3d at(0.1 * i * length, edge % 2 * width, edge / 2 * width);
+      const Eigen::Vector3d at(0.1 * i * length, (edge & 1) * width, (edge >> 1) * width);
       Eigen::Index nearest = 0;
       const double distance = (mesh.X.colwise() - at).colwise().squaredNorm().minCoeff(&nearest);
       if (distance > 1e-16)

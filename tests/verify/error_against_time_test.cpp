@@ -31,36 +31,36 @@ TEST(ErrorAgainstTime, AFrontHoldsWhatNoOtherRunBeats) {
 class WholePicture : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    report_ = new StudyReport;
+    report = new StudyReport;
     // Explicit ones of one force a step suffice here; the others' errors have tests of their own.
     std::vector<IntegratorEntry> integrators;
     for (const IntegratorEntry& entry : coreIntegrators())
       if (entry.info->name == "verlet") integrators.push_back(entry);
-    runs_ = new std::vector<ErrorCost>(addErrorAgainstTime(integrators, StudyEffort::quick, *report_));
+    runs = new std::vector<ErrorCost>(addErrorAgainstTime(integrators, StudyEffort::quick, *report));
   }
   static void TearDownTestSuite() {
-    delete runs_;
-    delete report_;
+    delete runs;
+    delete report;
   }
   static double leastError(const std::string& motion, const std::string& element, std::int64_t elements) {
     double least = 1e9;
-    for (const ErrorCost& run : *runs_)
+    for (const ErrorCost& run : *runs)
       if (run.motion == motion && run.element == element && run.mesh == "regular" && run.elements == elements)
         least = std::min(least, run.error);
     return least;
   }
-  static inline std::vector<ErrorCost>* runs_ = nullptr;
-  static inline StudyReport* report_ = nullptr;
+  static inline std::vector<ErrorCost>* runs = nullptr;
+  static inline StudyReport* report = nullptr;
 };
 
 TEST_F(WholePicture, TheReferencesAgree) {
-  EXPECT_EQ(report_->checks.size(), 2U);
-  for (const StudyCheck& check : report_->checks) EXPECT_TRUE(check.passed) << check.name << " " << check.measured;
+  EXPECT_EQ(report->checks.size(), 2U);
+  for (const StudyCheck& check : report->checks) EXPECT_TRUE(check.passed) << check.name << " " << check.measured;
 }
 
 TEST_F(WholePicture, FinerMeshesOfEveryElementErrLess) {
   std::map<std::pair<std::string, std::string>, std::set<std::int64_t>> sizes;
-  for (const ErrorCost& run : *runs_)
+  for (const ErrorCost& run : *runs)
     if (run.mesh == "regular") sizes[{run.motion, run.element}].insert(run.elements);
   EXPECT_EQ(sizes.size(), 2 * allElements().size());
   for (const auto& [key, counts] : sizes) {
@@ -74,7 +74,7 @@ TEST_F(WholePicture, FinerMeshesOfEveryElementErrLess) {
 TEST_F(WholePicture, HandlersRunBeyondTheStepOfTheSlivers) {
   double largestPlain = 0, plainError = 0, leastHandled = 1e9;
   int handled = 0;
-  for (const ErrorCost& run : *runs_) {
+  for (const ErrorCost& run : *runs) {
     if (run.mesh != "slivers" || run.motion != "swinging") continue;
     if (run.method == "verlet") {
       largestPlain = std::max(largestPlain, run.h);
@@ -90,14 +90,14 @@ TEST_F(WholePicture, HandlersRunBeyondTheStepOfTheSlivers) {
 }
 
 TEST_F(WholePicture, TheCheapestIsNoSlowerThanAnyOtherThatIsAsGood) {
-  const StudyTable& table = report_->tables.back();
+  const StudyTable& table = report->tables.back();
   EXPECT_EQ(table.name, "error_against_time_cheapest");
   int found = 0;
   for (const auto& row : table.rows) {
     if (std::get<std::string>(row[5]) == "none") continue;
     const double wanted = std::stod(std::get<std::string>(row[1])) / 100;
     EXPECT_LE(std::get<double>(row[7]), wanted);
-    for (const ErrorCost& run : *runs_) {
+    for (const ErrorCost& run : *runs) {
       const bool sameGroup = run.motion == std::get<std::string>(row[0]) &&
                              run.element == std::get<std::string>(row[2]) && run.mesh == std::get<std::string>(row[3]);
       EXPECT_TRUE(!sameGroup || run.error > wanted || run.seconds >= std::get<double>(row[8]));
