@@ -131,7 +131,8 @@ std::vector<Choice> choices(StudyEffort effort) {
   return all;
 }
 
-/// Steps to try, s: shares of the stable one; implicit and partitioned schemes go beyond.
+/// Steps to try, s: shares of the stable one at rest, the first of which survives both motions, though this law
+/// stiffens; implicit and partitioned schemes go beyond.
 std::vector<double> stepsOf(const IntegratorInfo& info, double lambda, double end) {
   std::vector<double> steps;
   const double omega = std::sqrt(lambda);
@@ -140,7 +141,7 @@ std::vector<double> stepsOf(const IntegratorInfo& info, double lambda, double en
   else if (info.partitioned)
     for (const double z : {8.0, 4.0}) steps.push_back(z / omega);
   else
-    for (const double share : {0.9, 0.45}) steps.push_back(share * info.imaginaryLimit / omega);
+    for (const double share : {0.75, 0.9, 0.45}) steps.push_back(share * info.imaginaryLimit / omega);
   for (double& h : steps) h = std::min(h, end);
   return steps;
 }
@@ -162,7 +163,7 @@ std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> inte
                                            StudyReport& report,
                                            const std::function<void(const std::string&)>& progress) {
   constexpr std::int32_t mostImplicit = 150;  // nodes: beyond, factors cost more than any explicit run
-  // Quadrature points: beyond, only schemes of one force a step and their largest one, since the mesh's error rules.
+  // Quadrature points: beyond, only schemes of one force a step and their first step, since the mesh's error rules.
   constexpr std::size_t mostPoints = 40000;
   const std::pair<const char*, double> wanted[] = {{"10 %", 1e-1}, {"1 %", 1e-2}, {"0.1 %", 1e-3}};
   const bool full = effort == StudyEffort::full;
@@ -170,7 +171,7 @@ std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> inte
   StudyTable cheapest{
       "error_against_time_cheapest",
       "Cheapest run for an error, of each element and of all",
-      {"motion", "error", "element", "mesh", "elements", "method", "h (s)", "error reached", "time (s)"},
+      {"motion", "error", "among", "element", "mesh", "elements", "method", "h (s)", "error reached", "time (s)"},
       {}};
   for (const Motion& motion : motions) {
     // The end by a step so small that only the mesh's error is left.
@@ -190,7 +191,7 @@ std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> inte
     const int finest = full ? 8 : 4;
     const NodeVectors reference = endOf(finest);
     const double referenceError = (endOf(finest / 2) - reference).norm() / reference.norm();
-    checkBelow(report, motion.name + ": the two finest references differ by", referenceError, full ? 1e-3 : 1e-2);
+    checkBelow(report, motion.name + ": the two finest references differ by", referenceError, full ? 3e-3 : 1e-2);
 
     if (progress) progress(joinText(motion.name, ": the two finest references differ by ", referenceError));
     std::vector<ErrorCost> runs;
@@ -273,15 +274,16 @@ std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> inte
       for (const ErrorCost& run : of)
         if (run.error <= error && (!best || run.seconds < best->seconds)) best = &run;
       if (best)
-        cheapest.rows.push_back({motion.name, label, best->element, best->mesh, best->elements, best->method, best->h,
-                                 best->error, best->seconds});
-      else
-        cheapest.rows.push_back(
-            {motion.name, label, group, std::string(), std::int64_t{0}, std::string("none"), nan, nan, nan});
+        cheapest.rows.push_back({motion.name, label, group, best->element, best->mesh, best->elements, best->method,
+                                 best->h, best->error, best->seconds});
+      else if (group == "all")
+        cheapest.rows.push_back({motion.name, label, group, std::string(), std::string(), std::int64_t{0},
+                                 std::string("none"), nan, nan, nan});
     };
     for (const auto& [label, error] : wanted) {
-      for (const auto& [name, own] : groups) addCheapest(name, label, error, own);
+      if (error < referenceError) continue;  // nobody could tell
       addCheapest("all", label, error, runs);
+      for (const auto& [name, own] : groups) addCheapest(name, label, error, own);
     }
     all.insert(all.end(), runs.begin(), runs.end());
   }
