@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include <ringwatch/monitor/nodal_shapes.h>
 #include <ringwatch/monitor/scaled_tangent.h>
 
 namespace ringwatch {
@@ -80,17 +81,10 @@ void LazyBound::setBall(std::int32_t b, std::int32_t element, double value, cons
   BlockData& data = blocks_[static_cast<std::size_t>(b)];
   const std::size_t place = placeOf({b, element});
   data.value[place] = roundedUp(value);
-  const double gap = static_cast<double>(data.budget[place]) - value, reach = static_cast<double>(data.reach[place]);
-  double radius = -1;
-  if (gap >= 0) {
-    const double linear = 2 * std::sqrt((value + reach * drift.negative) * drift.kappa * reach) + reach * drift.linear;
-    const double quadratic = reach * (drift.kappa + drift.quadratic);
-    const double denominator = linear + std::sqrt(linear * linear + 4 * quadratic * gap);
-    radius = denominator > 0 ? 2 * gap / denominator : std::numeric_limits<double>::infinity();
-    // The drift bound has a radius of its own; and whoever inverts leaves its ball before.
-    radius = std::min({radius, drift.radius, drift.inversionDistance});
-  }
-  data.watch.radius[place] = static_cast<float>(std::min(radius * (1 - 1e-6), 1e30));
+  const double radius =
+      ballRadius({drift.kappa, drift.linear, drift.quadratic, drift.negative, drift.radius}, drift.inversionDistance,
+                 value, static_cast<double>(data.budget[place]), static_cast<double>(data.reach[place]));
+  data.watch.radius[place] = static_cast<float>(std::min(radius, 1e30));
 }
 
 void LazyBound::evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withReach,

@@ -5,93 +5,21 @@
 #include <limits>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/monitor/extreme_eigenvalues.h>
+#include <ringwatch/monitor/nodal_shapes.h>
 #include <ringwatch/monitor/scaled_tangent.h>
 
 namespace ringwatch {
 namespace {
 
 constexpr int lanes = PatchLayout::lanes;
-constexpr double rounding = 1e-11;  // of the packed eigenvalues, relative to the spectral radius
 
 using P = NativePack;
 
-/// Inverse of the Cholesky factor of D: lower triangle, 00, 10, 11, 20, 21, 22.
-RINGWATCH_INLINE void inverseCholesky(const Symmetric3<P>& D, P w[6]) {
-  const P l00 = math::sqrt(D.m[0]);
-  const P i00 = P(1.0) / l00, l10 = D.m[5] * i00, l20 = D.m[4] * i00;
-  const P i11 = P(1.0) / math::sqrt(D.m[1] - l10 * l10);
-  const P l21 = (D.m[3] - l20 * l10) * i11;
-  const P i22 = P(1.0) / math::sqrt(D.m[2] - l20 * l20 - l21 * l21);
-  w[0] = i00;
-  w[2] = i11;
-  w[5] = i22;
-  w[1] = -(l10 * i00) * i11;
-  w[4] = -(l21 * i11) * i22;
-  w[3] = -(l20 * i00 + l21 * w[1]) * i22;
-}
-
-RINGWATCH_INLINE Symmetric3<P> inverse(const Symmetric3<P>& a) {
-  Symmetric3<P> c;
-  c.m[0] = a.m[1] * a.m[2] - a.m[3] * a.m[3];
-  c.m[1] = a.m[0] * a.m[2] - a.m[4] * a.m[4];
-  c.m[2] = a.m[0] * a.m[1] - a.m[5] * a.m[5];
-  c.m[3] = a.m[4] * a.m[5] - a.m[0] * a.m[3];
-  c.m[4] = a.m[5] * a.m[3] - a.m[1] * a.m[4];
-  c.m[5] = a.m[3] * a.m[4] - a.m[2] * a.m[5];
-  return (P(1.0) / (a.m[0] * c.m[0] + a.m[5] * c.m[5] + a.m[4] * c.m[4])) * c;
-}
-
-/// A floor under every direction, over the trace: positive definite beyond the rounding to single precision.
-constexpr double shapeFloor = 1e-6;
-/// And one for nodes that have no stiffness left, where everything is constrained: beyond underflow.
-constexpr double smallestShape = 1e-12;
-
-/// Trace 1 over the element.
-RINGWATCH_INLINE void normalise(Symmetric3<P>* shapes, int n) {
-  P sum(0.0);
-  for (int a = 0; a < n; ++a) {
-    const P floor = P(shapeFloor) * shapes[a].trace() + P(1e-200);
-    for (int c = 0; c < 3; ++c) shapes[a].m[c] += floor;
-    sum += shapes[a].trace();
-  }
-  const P scale = P(1.0) / sum;
-  for (int a = 0; a < n; ++a) {
-    shapes[a] = scale * shapes[a];
-    for (int c = 0; c < 3; ++c) shapes[a].m[c] += P(smallestShape);
-  }
-}
-
 /// K_ab ← L_a⁻¹ K_ab L_b⁻ᵀ, D_a = L_a L_aᵀ, for the lower triangle.
 void scaleByShapes(const Symmetric3<P>* shapes, int n, P* K) {
-  const int size = 3 * n;
   P w[maxElementNodes][6];
   for (int a = 0; a < n; ++a) inverseCholesky(shapes[a], w[a]);
-  for (int a = 0; a < n; ++a)
-    for (int c = 0; c <= a; ++c) {
-      P* first = K + (3 * a) * size + 3 * c;
-      for (int j = 0; j < 3; ++j) {  // rows
-        P& k0 = first[j];
-        P& k1 = first[size + j];
-        P& k2 = first[2 * size + j];
-        k2 = w[a][3] * k0 + w[a][4] * k1 + w[a][5] * k2;
-        k1 = w[a][1] * k0 + w[a][2] * k1;
-        k0 = w[a][0] * k0;
-      }
-      for (int i = 0; i < 3; ++i) {  // columns
-        P* row = first + i * size;
-        row[2] = w[c][3] * row[0] + w[c][4] * row[1] + w[c][5] * row[2];
-        row[1] = w[c][1] * row[0] + w[c][2] * row[1];
-        row[0] = w[c][0] * row[0];
-      }
-    }
-}
-
-/// max(0, largest eigenvalue), rounded up; NaN stays: it must not pass for zero.
-RINGWATCH_INLINE P largestRoundedUp(P* K, int size, P* work) {
-  const auto extremes = extremeEigenvalues(K, size, work, false);
-  const P l = extremes.largest + P(rounding) * extremes.scale;
-  return select(l < P(0.0), P(0.0), l);
+  scaleByFactors(w, n, K);
 }
 
 /// Zeroes the rows and columns of constrained degrees of freedom.
@@ -184,14 +112,9 @@ void NodalBound::startShapes(const NodeVectors& x, Start start) {
       Symmetric3<P> k;
       for (int r = 0; r < 3; ++r)
         for (int c = r; c < 3; ++c) k(r, c) = K[(3 * a + r) * size + 3 * a + c];
-      // |K_aa| as (K_aa² + ε²)^½: an indefinite block counts by its size.
-      Symmetric3<P> squared = square(k);
-      const P floor = P(1e-4) * squared.trace() + P(1e-200);
-      for (int c = 0; c < 3; ++c) squared.m[c] += floor;
-      shapes[a] = squareRoot(squared);
-      if (start == Start::rootOfStiffness) shapes[a] = squareRoot(shapes[a]);
+      shapes[a] = startShape(k, start == Start::rootOfStiffness);
     }
-    normalise(shapes, n);
+    normaliseShapes(shapes, n);
     StoredShape* stored = shapes_[b].data() + static_cast<std::ptrdiff_t>(batch) * n;
     for (int a = 0; a < n; ++a) stored[a] = rounded(shapes[a]);
   });
@@ -242,7 +165,7 @@ double NodalBound::sumAtNodes() {
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j <= i; ++j) A[3 * i + j] = S(i, j);
         const auto extremes = extremeEigenvalues(A, 3, work, false);
-        (extremes.largest + P(rounding) * extremes.scale).store(nodal_.data() + pack * lanes);
+        (extremes.largest + P(eigenvalueRounding) * extremes.scale).store(nodal_.data() + pack * lanes);
       },
       64);
   double bound = 0;
@@ -267,9 +190,7 @@ void NodalBound::sweepShapes(double bound) {
             for (int c = 0; c < 3; ++c)
               if (freeFactor(*body_, node, c) == 0) S.m[c].set(lane, 1.0);
         }
-        const P floor = P(1e-5) * S.trace() + P(1e-8);
-        for (int c = 0; c < 3; ++c) S.m[c] += floor;
-        factors_[static_cast<std::size_t>(pack)] = inverse(squareRoot(S));
+        factors_[static_cast<std::size_t>(pack)] = sweepFactor(S);
       },
       64);
   for (std::size_t b = 0; b < body_->blocks().size(); ++b) {
@@ -289,7 +210,7 @@ void NodalBound::sweepShapes(double bound) {
             });
             shapes[a] = congruence(R, load(stored[a]));
           }
-          normalise(shapes, n);
+          normaliseShapes(shapes, n);
           for (int a = 0; a < n; ++a) stored[a] = rounded(shapes[a]);
         },
         64);
@@ -347,7 +268,7 @@ void NodalBound::normaliseElement(std::int32_t b, std::int32_t element) {
   const int lane = place % lanes;
   Symmetric3<P> own[maxElementNodes];
   for (int a = 0; a < n; ++a) own[a] = load(stored[a]);
-  normalise(own, n);
+  normaliseShapes(own, n);
   for (int a = 0; a < n; ++a)
     for (int c = 0; c < 6; ++c) stored[a].m[c].set(lane, static_cast<float>(own[a].m[c][lane]));
 }

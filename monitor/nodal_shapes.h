@@ -1,0 +1,130 @@
+#pragma once
+#include <limits>
+
+#include <ringwatch/materials/lame.h>
+#include <ringwatch/monitor/extreme_eigenvalues.h>
+#include <ringwatch/monitor/symmetric3.h>
+
+/// The arithmetic of the block nodal bound (nodal_bound.h) and of its balls (lazy_bound.h) for one element, or a pack
+/// of them: one source for the CPU's and the device's.
+namespace ringwatch {
+
+/// Of the eigenvalues of extremeEigenvalues, relative to the spectral radius, for a proven side.
+inline constexpr double eigenvalueRounding = 1e-11;
+
+/// Inverse of the Cholesky factor of D: lower triangle, 00, 10, 11, 20, 21, 22.
+template <class P>
+RINGWATCH_INLINE void inverseCholesky(const Symmetric3<P>& D, P w[6]) {
+  const P l00 = math::sqrt(D.m[0]);
+  const P i00 = P(1.0) / l00, l10 = D.m[5] * i00, l20 = D.m[4] * i00;
+  const P i11 = P(1.0) / math::sqrt(D.m[1] - l10 * l10);
+  const P l21 = (D.m[3] - l20 * l10) * i11;
+  const P i22 = P(1.0) / math::sqrt(D.m[2] - l20 * l20 - l21 * l21);
+  w[0] = i00;
+  w[2] = i11;
+  w[5] = i22;
+  w[1] = -(l10 * i00) * i11;
+  w[4] = -(l21 * i11) * i22;
+  w[3] = -(l20 * i00 + l21 * w[1]) * i22;
+}
+
+template <class P>
+RINGWATCH_INLINE Symmetric3<P> inverse(const Symmetric3<P>& a) {
+  Symmetric3<P> c;
+  c.m[0] = a.m[1] * a.m[2] - a.m[3] * a.m[3];
+  c.m[1] = a.m[0] * a.m[2] - a.m[4] * a.m[4];
+  c.m[2] = a.m[0] * a.m[1] - a.m[5] * a.m[5];
+  c.m[3] = a.m[4] * a.m[5] - a.m[0] * a.m[3];
+  c.m[4] = a.m[5] * a.m[3] - a.m[1] * a.m[4];
+  c.m[5] = a.m[3] * a.m[4] - a.m[2] * a.m[5];
+  return (P(1.0) / (a.m[0] * c.m[0] + a.m[5] * c.m[5] + a.m[4] * c.m[4])) * c;
+}
+
+/// A shape to start from, |K_aa| or its root, of a diagonal block: (K_aa² + ε²)^½, so that an indefinite block counts
+/// by its size.
+template <class P>
+RINGWATCH_INLINE Symmetric3<P> startShape(const Symmetric3<P>& k, bool root) {
+  Symmetric3<P> squared = square(k);
+  const P floor = P(1e-4) * squared.trace() + P(1e-200);
+  for (int c = 0; c < 3; ++c) squared.m[c] += floor;
+  const Symmetric3<P> size = squareRoot(squared);
+  return root ? squareRoot(size) : size;
+}
+
+/// A floor under every direction, over the trace: positive definite beyond the rounding to single precision.
+inline constexpr double shapeFloor = 1e-6;
+/// And one for nodes that have no stiffness left, where everything is constrained: beyond underflow.
+inline constexpr double smallestShape = 1e-12;
+
+/// Trace 1 over the element.
+template <class P>
+RINGWATCH_INLINE void normaliseShapes(Symmetric3<P>* shapes, int n) {
+  P sum(0.0);
+  for (int a = 0; a < n; ++a) {
+    const P floor = P(shapeFloor) * shapes[a].trace() + P(1e-200);
+    for (int c = 0; c < 3; ++c) shapes[a].m[c] += floor;
+    sum += shapes[a].trace();
+  }
+  const P scale = P(1.0) / sum;
+  for (int a = 0; a < n; ++a) {
+    shapes[a] = scale * shapes[a];
+    for (int c = 0; c < 3; ++c) shapes[a].m[c] += P(smallestShape);
+  }
+}
+
+/// R = (S/t)^-½ of a node, S with ones on the diagonal where constrained; for D ← R D R.
+template <class P>
+RINGWATCH_INLINE Symmetric3<P> sweepFactor(Symmetric3<P> S) {
+  const P floor = P(1e-5) * S.trace() + P(1e-8);
+  for (int c = 0; c < 3; ++c) S.m[c] += floor;
+  return inverse(squareRoot(S));
+}
+
+/// K_ac ← L_a⁻¹ K_ac L_c⁻ᵀ for c <= a, with the inverse factors w of the shapes: K's lower triangle, 3n×3n.
+template <class P>
+RINGWATCH_INLINE void scaleByFactors(const P (*w)[6], int n, P* K) {
+  const int size = 3 * n;
+  for (int a = 0; a < n; ++a)
+    for (int c = 0; c <= a; ++c) {
+      P* first = K + (3 * a) * size + 3 * c;
+      for (int j = 0; j < 3; ++j) {  // rows
+        P& k0 = first[j];
+        P& k1 = first[size + j];
+        P& k2 = first[2 * size + j];
+        k2 = w[a][3] * k0 + w[a][4] * k1 + w[a][5] * k2;
+        k1 = w[a][1] * k0 + w[a][2] * k1;
+        k0 = w[a][0] * k0;
+      }
+      for (int i = 0; i < 3; ++i) {  // columns
+        P* row = first + i * size;
+        row[2] = w[c][3] * row[0] + w[c][4] * row[1] + w[c][5] * row[2];
+        row[1] = w[c][1] * row[0] + w[c][2] * row[1];
+        row[0] = w[c][0] * row[0];
+      }
+    }
+}
+
+/// max(0, largest eigenvalue), rounded up; NaN stays: it must not pass for zero.
+template <class P>
+RINGWATCH_INLINE P largestRoundedUp(P* K, int size, P* work) {
+  const auto extremes = extremeEigenvalues(K, size, work, false);
+  const P l = extremes.largest + P(eigenvalueRounding) * extremes.scale;
+  return select(l < P(0.0), P(0.0), l);
+}
+
+/// Radius of the ball |F_q - F0_q| <= r around an anchor within which an element of value l_e = `value` there stays
+/// within its budget (TangentDrift says why), and does not invert. reach = lambda_max(D⁻¹ Σ w BᵀB). -1: none.
+RINGWATCH_INLINE double ballRadius(const TangentDriftCoefficients& drift, double inversionDistance, double value,
+                                   double budget, double reach) {
+  const double gap = budget - value;
+  if (!(gap >= 0)) return -1;
+  const double linear = 2 * math::sqrt((value + reach * drift.negative) * drift.kappa * reach) + reach * drift.linear;
+  const double quadratic = reach * (drift.kappa + drift.quadratic);
+  const double denominator = linear + math::sqrt(linear * linear + 4 * quadratic * gap);
+  double radius = denominator > 0 ? 2 * gap / denominator : std::numeric_limits<double>::infinity();
+  // The drift bound has a radius of its own; and whoever inverts leaves its ball before.
+  radius = math::min(radius, math::min(drift.radius, inversionDistance));
+  return radius * (1 - 1e-6);
+}
+
+}  // namespace ringwatch
