@@ -1,0 +1,13 @@
+# What stands in for packages on a bare machine: of the core's dependencies only Eigen's headers.
+set(RINGWATCH_WITH_CUDA ON)
+set(RINGWATCH_WITH_VTK OFF)
+set(RINGWATCH_BUILD_TESTS OFF)
+find_package(Eigen3 3.4 QUIET NO_MODULE)
+if(NOT TARGET Eigen3::Eigen)
+  find_path(RINGWATCH_EIGEN_INCLUDE Eigen/Core PATH_SUFFIXES eigen3)
+  if(NOT RINGWATCH_EIGEN_INCLUDE)
+    message(FATAL_ERROR "Eigen's headers were not found: name the folder that holds Eigen/Core with -DRINGWATCH_EIGEN_INCLUDE=…")
+  endif()
+  add_library(Eigen3::Eigen INTERFACE IMPORTED GLOBAL)
+  target_include_directories(Eigen3::Eigen INTERFACE ${RINGWATCH_EIGEN_INCLUDE})
+endif()

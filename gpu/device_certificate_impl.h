@@ -1,0 +1,39 @@
+#pragma once
+#include <ringwatch/gpu/certificate_operations.h>
+#include <ringwatch/gpu/device_body_impl.h>
+#include <ringwatch/gpu/device_certificate.h>
+
+namespace ringwatch {
+
+struct DeviceCertificate::Impl {
+  struct Block {
+    CertificateOperations operations;
+    int elementNodes = 0;
+    CertificateView view;
+    DeviceVector<double> shapes, value, budget, reach, leftF;
+    DeviceVector<std::uint32_t> balls;
+    DeviceVector<std::int32_t> leftPlace;
+    DeviceVector<unsigned> counters;
+  };
+
+  explicit Impl(DeviceBody<double>& deviceBody);
+  void launch(CertificateOperations::Launch CertificateOperations::*which, double sigma);
+  /// The bound with the shapes as they are: values and nodal sums.
+  double evaluate();
+  void deal(double forSigma);
+  void enqueueStep();
+
+  DeviceBody<double>::Impl& body;
+  std::vector<Block> blocks;
+  NodalSums sums;
+  DeviceVector<double> slots, nodeSums, factors, nodal;
+  DeviceVector<unsigned long long> boundBits;
+  DeviceVector<CertificateFlags> flags;
+  cudaStream_t side = nullptr;
+  cudaEvent_t forked = nullptr, joined = nullptr;
+  double sigma = 0;
+  bool started = false, certified = false;
+  std::unique_ptr<DeviceGraph> graphs[2];
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,199 @@
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <Eigen/Eigenvalues>
+
+#include <ringwatch/gpu/device_certificate_impl.h>
+#include <ringwatch/monitor/nodal_bound.h>
+#include <tests/gpu/cases.h>
+#include <tests/gpu/checks.h>
+
+using namespace ringwatch;
+using checks::expect;
+using checks::expectAtMost;
+using checks::Test;
+
+namespace {
+
+/// Highest eigenvalue of M⁻¹K over the free degrees of freedom.
+double exactHighest(const Body& body, const NodeVectors& x) {
+  Eigen::MatrixXd K = body.assembleTangent(x);
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const double scale = body.constraints().isConstrained(i, c) ? 0.0 : 1 / std::sqrt(body.lumpedMass()[i]);
+      K.row(3 * i + c) *= scale;
+      K.col(3 * i + c) *= scale;
+    }
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+}
+
+void boundAgrees() {
+  for (const char* element : elementNames)
+    for (const char* law : lawNames) {
+      const Body body = loadedBar(element, law, {4, 2, 2});
+      const NodeVectors x = randomState(body.mesh(), 0.01, 3);
+      DeviceBody<double> device(body);
+      device.setPositions(x);
+      DeviceCertificate certificate(device);
+      NodalBound host(body);
+      const std::string what = std::string(element) + " " + law;
+      // The CPU keeps its shapes in single precision.
+      for (const int sweeps : {0, 3, 12}) {
+        host.reset();
+        const double here = certificate.bound(sweeps).value, there = host.evaluate(x, sweeps).value;
+        expectAtMost(std::abs(here / there - 1), 1e-5, what + " bound after " + std::to_string(sweeps) + " sweeps");
+      }
+      const double exact = exactHighest(body, x), bound = certificate.bound().value;
+      expectAtMost(exact, bound, what + " bound lies above the exact value");
+      expectAtMost(bound, 1.6 * exact, what + " bound is of use");
+      expect(!certificate.certify(0.999 * exact), what + " nothing below the exact value is certified");
+      expect(certificate.certify(1.1 * bound), what + " what has room is certified");
+    }
+}
+
+/// A bar that is held at one end, drawn at the other and vibrates, without gravity: so soft a bar would not bear it.
+struct Drawn {
+  Body body;
+  NodeVectors v;
+  Drawn(const char* element, const char* law, std::array<int, 3> cells, double noise)
+      : body(bar(element, cells), makeMaterial(law, 3e4, 0.3, 1000)), v(randomVectors(body.nodeCount(), noise, 13)) {
+    const NodeVectors& X = body.mesh().X;
+    for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
+      if (X(0, i) < 1e-9) body.constraints().fix(i);
+      if (X(0, i) > X.row(0).maxCoeff() - 1e-9) body.constraints().move(i, 0, 0.2);
+    }
+    body.constraints().imposeVelocity(v);
+  }
+};
+
+/// Runs it step by step, and checks from scratch what the balls say about each step.
+void ballsHold(const char* element, const char* law) {
+  const Drawn drawn(element, law, {6, 3, 3}, 0.1);
+  DeviceBody<double> device(drawn.body);
+  device.setVelocities(drawn.v);
+  DeviceCertificate certificate(device);
+  const std::string what = std::string(element) + " " + law;
+  double sigma = 1.05 * certificate.bound().value;
+  expect(certificate.certify(sigma), what + " certified at the start");
+  auto& impl = certificate.impl();
+  auto& block = impl.blocks.front();
+  const auto patches = device.impl().blocks.front().patches.download();
+  const auto threads = static_cast<std::size_t>(device.impl().blocks.front().threads);
+  std::vector<double> budget = block.budget.download();
+  int renewed = 0, lost = 0, certified = 0;
+  double excess = 0;
+  std::int64_t evaluated = 0;
+  for (int k = 0; k < 300; ++k) {
+    impl.evaluate();  // all elements, at the state that is about to be checked
+    const std::vector<double> value = block.value.download();
+    double most = 0;
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      for (std::size_t t = 0; t < static_cast<std::size_t>(patches[p].elementCount); ++t) {
+        const std::size_t place = p * threads + t;
+        if (value[place] > 0) most = std::max(most, value[place] / budget[place]);
+      }
+    const std::int64_t before = certificate.look().evaluated;
+    certificate.step(0.5 * 2 / std::sqrt(sigma));
+    const DeviceCertificate::Look look = certificate.look();
+    evaluated += look.evaluated - before;
+    if (look.certified) {
+      ++certified;
+      excess = std::max(excess, most);
+    } else {
+      ++lost;
+      expect(most > 1 - 1e-9, what + " is lost only where an element exceeds its budget");
+    }
+    if (look.certified && !look.nearlyLost) continue;
+    ++renewed;
+    if (!certificate.renew()) {  // it has stiffened beyond sigma
+      sigma = 1.05 * certificate.bound().value;
+      if (!certificate.certify(sigma)) break;
+    }
+    budget = block.budget.download();
+  }
+  expectAtMost(excess, 1 + 1e-9, what + " certified steps keep every element within its budget");
+  expect(device.positions().allFinite(), what + " stays finite");
+  expect(certified > 200, what + " most steps are certified");
+  expect(renewed > 0 && evaluated > 100, what + " comes close to its budgets, else this tests nothing");
+  std::printf("    %s: %d of 300 steps certified, renewed %d times, %lld evaluations\n", what.c_str(), certified,
+              renewed, static_cast<long long>(evaluated));
+}
+
+void fewAreEvaluated() {
+  const Drawn drawn("tet4", "stvk", {16, 8, 8}, 0.02);
+  DeviceBody<double> device(drawn.body);
+  device.setVelocities(drawn.v);
+  DeviceCertificate certificate(device);
+  const double sigma = 1.5 * certificate.bound().value, h = 2 / std::sqrt(sigma);
+  expect(certificate.certify(sigma), "certified at the start");
+  certificate.step(h, 50);
+  const DeviceCertificate::Look look = certificate.look();
+  expect(look.certified, "a slow run stays certified");
+  expect(look.checked == 50, "every step is checked");
+  expectAtMost(static_cast<double>(look.evaluated), 0.05 * 50 * static_cast<double>(device.elementCount()),
+               "few elements are evaluated");
+  DeviceBody<double> plain(drawn.body);
+  plain.setVelocities(drawn.v);
+  plain.step(h, 50);
+  expectAtMost((plain.positions() - device.positions()).norm() / plain.positions().norm(), 1e-13,
+               "checked steps lead where others lead");
+}
+
+void mixedBlocks() {
+  BarOptions options;
+  options.cells = {8, 3, 3};
+  options.size = {2, 0.75, 0.75};
+  const Body body(generateMixedBar(options), makeMaterial("neo-hookean", 3e4, 0.3, 1000));
+  DeviceBody<double> device(body);
+  device.setVelocities(randomVectors(body.nodeCount(), 0.02, 13));
+  DeviceCertificate certificate(device);
+  NodalBound host(body);
+  const double bound = certificate.bound(6).value;
+  expectAtMost(std::abs(bound / host.evaluate(body.mesh().X, 6).value - 1), 1e-5, "bound of a mixed mesh");
+  expect(certificate.certify(1.3 * bound), "certified");
+  certificate.step(1 / std::sqrt(bound), 25);
+  expect(certificate.look().checked == 25, "all blocks together check a step once");
+  expect(certificate.look().certified, "stays certified");
+}
+
+void losesWhatItMust() {
+  const Body body = loadedBar("tet4", "stvk");
+  DeviceBody<double> device(body);
+  DeviceCertificate certificate(device);
+  const double sigma = 1.2 * certificate.bound().value, h = 1 / std::sqrt(sigma);
+  expect(certificate.certify(sigma), "certified at rest");
+  NodeVectors x = body.mesh().X;
+  device.setPositions(1.5 * x);  // far stiffer
+  certificate.step(h, 3);
+  expect(!certificate.look().certified && certificate.look().lostAt == 0, "a jump is lost at once");
+  expect(!certificate.renew(), "and cannot be certified");
+  device.setPositions(x);
+  device.setVelocities(NodeVectors::Zero(3, x.cols()));
+  expect(certificate.renew(), "at rest it is again");
+  x(0, 3) = std::numeric_limits<double>::quiet_NaN();
+  device.setPositions(x);
+  certificate.step(h);
+  expect(!certificate.look().certified, "what is not a number is not certified");
+  expect(!certificate.renew(), "nor later");
+  expect(std::isnan(certificate.bound().value), "and has no bound");
+  checks::expectThrows<InputError>([&] { certificate.certify(0); }, "must be > 0");
+}
+
+const Test tests[] = {
+    {"certificate-bound", true, boundAgrees},
+    {"certificate-balls-tet4", true,
+     [] {
+       for (const char* law : lawNames)
+         if (law != std::string("linear")) ballsHold("tet4", law);  // the tangent of "linear" never changes
+     }},
+    {"certificate-balls-others", true,
+     [] {
+       for (const char* element : {"hex8", "wedge6", "pyramid5"}) ballsHold(element, "stvk");
+     }},
+    {"certificate-few", true, fewAreEvaluated},
+    {"certificate-mixed", true, mixedBlocks},
+    {"certificate-loses", true, losesWhatItMust},
+};
+
+}  // namespace
