@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/device_run.h>
 #include <ringwatch/app/frames.h>
 #include <ringwatch/app/history.h>
 #include <ringwatch/app/picture.h>
@@ -74,6 +75,7 @@ class Run {
       integrator_ = std::move(handler);
       prepareHandler(body_.mesh().X, *scene_.step);
     }
+    startDevice();
     startSystem();
     if (integrator_->info().partitioned) splitBody();
   }
@@ -101,7 +103,7 @@ class Run {
  private:
   /// Steps until something ends the run.
   void advance() {
-    for (std::int64_t k = 0;; ++k) {
+    for (std::int64_t k = 0;; k = result_.steps) {
       // A rounding error in the sum of the steps must not add one.
       if (h_ > 0 && state_.time >= scene_.end - 1e-3 * h_) return end(ExitReason::end, "end time reached");
       if (options_.interrupt && options_.interrupt->load()) return end(ExitReason::interrupted, "interrupted");
@@ -141,9 +143,46 @@ class Run {
     wanted.mode = scene_.mode;
     wanted.metric = scene_.metric;
     wanted.margin = scene_.margin;
-    wanted.every = static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max()));
+    // A run on a GPU calls it only where it is to look.
+    wanted.every =
+        device_ ? 1 : static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max()));
     wanted.energyTolerance = scene_.energyTolerance;
     monitor_.emplace(watched, wanted);
+  }
+
+  /// Moves the steps to a GPU, when the scene wants that.
+  void startDevice() {
+    if (scene_.device == RunDevice::cpu) return;
+    std::string reason = whyNoDevice();
+    if (reason.empty()) {
+      try {
+        device_ = makeDeviceRun(body_, BodySystem(body_).initialState());
+        return;
+      } catch (const InputError& fault) {
+        reason = fault.what();
+      }
+    }
+    if (scene_.device == RunDevice::cuda)
+      throw InputError(fmt::format("{}: \"cuda\": {}; set it to \"cpu\" or \"auto\"", scene_.deviceOrigin, reason));
+    result_.notes.push_back(fmt::format("device = \"auto\": the steps are taken on the CPU, since {}", reason));
+  }
+
+  /// Steps from number k on that the GPU may take before somebody looks at the state.
+  std::int64_t stepsUntilLook(std::int64_t k) const {
+    // The work of prescribed motion is done in every step.
+    if (scene_.energy && body_.constraints().moving()) return 1;
+    const auto until = [k](std::int64_t every) { return every - k % every; };
+    constexpr std::int64_t most = 256;  // an interrupt is not to wait longer, nor the certificate to be renewed
+    std::int64_t count = std::min(most, until(scene_.historyEvery));
+    if (monitor_) count = std::min(count, until(scene_.every));
+    const auto stepsTo = [this](double time) {
+      return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil((time - state_.time) / h_ - 1e-3)));
+    };
+    count = std::min(count, stepsTo(scene_.end));
+    if (!scene_.step && state_.time + static_cast<double>(count) * h_ > scene_.end * (1 + 1e-12))
+      count = std::max<std::int64_t>(1, count - 1);  // the last step of "auto" is shortened to end at the end
+    if (frames_) count = std::min(count, stepsTo(nextFrame_));
+    return count;
   }
 
   void prepareHandler(const NodeVectors& x, double h) {
@@ -219,7 +258,15 @@ class Run {
       return report;
     }
     const Stopwatch watch(result_.monitorTime);
+    if (device_ && k % scene_.every != 0) {
+      lastReport_.step = k;
+      lastReport_.time = state_.time;
+      lastReport_.fresh = false;
+      lastReport_.newEvents.clear();
+      return lastReport_;
+    }
     MonitorReport report = monitor_->observe(k, state_.time, state_.x, state_.v, h_, energies_ ? &*energies_ : nullptr);
+    if (device_) lastReport_ = report;
     if (handler_) nameElements(report);
     return report;
   }
@@ -311,7 +358,13 @@ class Run {
 
   bool takeStep(const MonitorReport& report) {
     const Stopwatch force(result_.forceTime);
-    StepStatus status = split_ ? integrator_->step(*split_, state_, h_) : integrator_->step(*system_, state_, h_);
+    std::int64_t taken = 1;
+    if (device_) taken = stepsUntilLook(result_.steps);
+    StepStatus status;
+    if (device_)
+      device_->step(state_, h_, taken, monitor_ && scene_.proves() ? rule_.lambdaFor(h_) : 0);
+    else
+      status = split_ ? integrator_->step(*split_, state_, h_) : integrator_->step(*system_, state_, h_);
     while (!status.done && handler_ && scene_.reduceOnFailure && h_ > 2 * collapse * firstStep_) {
       h_ *= 0.5;
       result_.notes.push_back(
@@ -324,9 +377,9 @@ class Run {
       end(ExitReason::stepFailed, fmt::format("step {} failed: {}", report.step, status.reason));
       return false;
     }
-    ++result_.steps;
-    result_.smallestStep = result_.steps == 1 ? h_ : std::min(result_.smallestStep, h_);
+    result_.smallestStep = result_.steps == 0 ? h_ : std::min(result_.smallestStep, h_);
     result_.largestStep = std::max(result_.largestStep, h_);
+    result_.steps += taken;
     if (monitor_) {
       result_.worst = std::max(result_.worst.value_or(Verdict::certified), report.verdict);
       result_.violatedStepTaken = result_.violatedStepTaken || report.verdict == Verdict::violated;
@@ -350,6 +403,7 @@ class Run {
       end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result_.steps));
     closeEvents();
     if (handler_) result_.handler->figures = handler_->figures();
+    if (device_) result_.notes.push_back(device_->summary());
     const Stopwatch output(result_.outputTime);
     history_->finish();
     result_.files.emplace_back("history.csv");
@@ -394,6 +448,8 @@ class Run {
   Handler* handler_ = nullptr;  // the same, where it is one
   std::optional<RunSystem> system_;
   std::optional<SplitBodySystem> split_;  // for partitioned schemes
+  std::unique_ptr<DeviceRun> device_;     // when the steps are taken on a GPU
+  MonitorReport lastReport_;              // then: of the monitor's last look
   std::int64_t stiffElements_ = 0;
   EnergyBalance balance_;
   ProgressLine progress_;

@@ -530,6 +530,18 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
     fail(damping.origin, "[damping]", "handlers do not work with damping; remove it or set handler.method = \"none\"");
 }
 
+void readDevice(const Section& integrator, Scene& scene) {
+  const auto device = integrator.get<std::string>("device");
+  if (device == "cpu") return;
+  scene.device = device == "cuda" ? RunDevice::cuda : RunDevice::automatic;
+  scene.deviceOrigin = integrator.at("device").origin + ": integrator.device";
+  const bool offered = scene.method == "symplectic-euler" && !scene.damping.any() && scene.handler.empty();
+  if (scene.device == RunDevice::cuda && !offered)
+    fail(integrator.at("device").origin, "integrator.device",
+         "\"cuda\" runs symplectic-euler without [damping] and [handler]; leave those away, or set it to \"cpu\"");
+  if (!offered) scene.device = RunDevice::cpu;
+}
+
 void readLoadSection(const Section& section, Scene& scene) {
   NodeSelection nodes = selectionOf(section);
   if (section.name == "fix") {
@@ -623,6 +635,7 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
 
   readIntegratorSection(section("integrator"), section("monitor"), section("damping"), scene);
   readHandlerSection(section("handler"), section("integrator"), section("monitor"), section("damping"), scene);
+  readDevice(section("integrator"), scene);
   for (const Section& s : sections)
     if (s.name == "fix" || s.name == "move" || s.name == "force") readLoadSection(s, scene);
 

@@ -33,6 +33,9 @@ struct NodeSelection {
 /// What a run does when the monitor no longer certifies its step.
 enum class OnViolation { stop, warn, reduceStep, handle };
 
+/// Where a run takes its steps. automatic: on a GPU if that can be, else on the CPU.
+enum class RunDevice { cpu, cuda, automatic };
+
 /// A validated description of a run. SI units.
 struct Scene {
   struct Fix {
@@ -66,7 +69,9 @@ struct Scene {
   std::optional<double> step;  // s; empty for "auto"
   double end = 0;              // s
   RayleighDamping damping;
-  double safety = 0;  // share of the safe step that "auto" and "reduce-step" take
+  RunDevice device = RunDevice::cpu;
+  std::string deviceOrigin;  // "scene.toml:9: integrator.device", for messages
+  double safety = 0;         // share of the safe step that "auto" and "reduce-step" take
 
   std::string metric;  // "" for none
   double margin = 0;

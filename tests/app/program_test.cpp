@@ -18,6 +18,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <ringwatch/app/device_run.h>
 #include <ringwatch/app/report.h>
 #include <ringwatch/app/scene.h>
 #include <ringwatch/integrators/body_system.h>
@@ -256,6 +257,27 @@ TEST_F(Program, FollowsTheSafeStepWhenAuto) {
   for (std::size_t i = 0; i + 1 < history.rows.size(); ++i)
     EXPECT_NEAR(history.number(i, "h_s"), 0.9 * history.number(i, "safe_s"), 1e-12);
   EXPECT_EQ(call("run tiny.toml --out r --set integrator.step=auto --set monitor.every=7").status, 0);
+}
+
+TEST_F(Program, TakesAGpuOnlyWhereThereIsOne) {
+  folder_.write("tiny.toml", tiny);
+  const std::string reason = whyNoDevice(), cuda = "run tiny.toml --set integrator.device=cuda --out ";
+  if (!reason.empty()) expectRefused(cuda + "g", "integrator.device: \"cuda\": " + reason);
+  expectRefused(cuda + "g --set integrator.method=verlet", "\"cuda\" runs symplectic-euler without");
+  expectRefused(cuda + "g --set damping.mass=1.0", "\"cuda\" runs symplectic-euler without");
+  expectRefused("run tiny.toml --set integrator.device=gpu --out g", "must be one of cpu, cuda, auto");
+  EXPECT_FALSE(exists("g"));
+  EXPECT_EQ(call("run tiny.toml --out auto --set integrator.device=auto --set monitor.every=3").status, 0);
+  const std::string notes = json("auto/summary.json")["notes"].dump();
+  EXPECT_THAT(notes, HasSubstr(reason.empty() ? "the steps were taken on" : "the steps are taken on the CPU, since"));
+  EXPECT_EQ(call("run tiny.toml --out cpu --set monitor.every=3").status, 0);
+  const Table here = table("auto/history.csv"), there = table("cpu/history.csv");
+  ASSERT_EQ(here.rows.size(), there.rows.size());
+  for (std::size_t i = 0; i < here.rows.size(); ++i) {
+    EXPECT_EQ(here.at(i, "verdict"), there.at(i, "verdict"));
+    for (const char* column : {"time_s", "safe_s", "kinetic_J", "strain_J"})
+      EXPECT_NEAR(here.number(i, column), there.number(i, column), 1e-9 * std::abs(there.number(i, column)) + 1e-15);
+  }
 }
 
 TEST_F(Program, GivesTheSameForOneAndTwoThreads) {
