@@ -106,11 +106,12 @@ class ElementBlock {
   const QuadratureRule* rule_;
   Material material_;
   PatchLayout layout_;
-  std::vector<std::int32_t> connectivity_;
+  std::span<const std::int32_t> connectivity_;  // the mesh's
 };
 
 /// The block for a mesh block: picks ElementBatch<element, law>. Throws InputError when the element has no rule of that
-/// name ("" is the default), NumericalError when an element has a Jacobian determinant <= 0 at a quadrature point.
+/// name ("" is the default), NumericalError when an element has a Jacobian determinant <= 0 at a quadrature point. The
+/// block reads the mesh block's connectivity, whose array must outlive it; the mesh may move.
 std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material,
                                                std::string_view ruleName = {});
 
