@@ -153,7 +153,7 @@ class Run {
   /// Moves the steps to a GPU, when the scene wants that.
   void startDevice() {
     if (scene_.device == RunDevice::cpu) return;
-    std::string reason = whyNoDevice();
+    std::string reason = scene_.noDevice.empty() ? whyNoDevice() : scene_.noDevice;
     if (reason.empty()) {
       try {
         device_ = makeDeviceRun(body_, BodySystem(body_).initialState());

@@ -535,11 +535,11 @@ void readDevice(const Section& integrator, Scene& scene) {
   if (device == "cpu") return;
   scene.device = device == "cuda" ? RunDevice::cuda : RunDevice::automatic;
   scene.deviceOrigin = integrator.at("device").origin + ": integrator.device";
-  const bool offered = scene.method == "symplectic-euler" && !scene.damping.any() && scene.handler.empty();
-  if (scene.device == RunDevice::cuda && !offered)
+  if (scene.method == "symplectic-euler" && !scene.damping.any() && scene.handler.empty()) return;
+  scene.noDevice = "a GPU runs symplectic-euler without [damping] and [handler]";
+  if (scene.device == RunDevice::cuda)
     fail(integrator.at("device").origin, "integrator.device",
-         "\"cuda\" runs symplectic-euler without [damping] and [handler]; leave those away, or set it to \"cpu\"");
-  if (!offered) scene.device = RunDevice::cpu;
+         scene.noDevice + "; leave those away, or set it to \"cpu\"");
 }
 
 void readLoadSection(const Section& section, Scene& scene) {

@@ -71,6 +71,7 @@ struct Scene {
   RayleighDamping damping;
   RunDevice device = RunDevice::cpu;
   std::string deviceOrigin;  // "scene.toml:9: integrator.device", for messages
+  std::string noDevice;      // why this scene cannot run on a GPU; "" when it can
   double safety = 0;         // share of the safe step that "auto" and "reduce-step" take
 
   std::string metric;  // "" for none
