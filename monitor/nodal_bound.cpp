@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include <ringwatch/base/error.h>
@@ -14,6 +15,7 @@ namespace {
 constexpr int lanes = PatchLayout::lanes;
 
 using P = NativePack;
+typedef float Floats __attribute__((vector_size(lanes * sizeof(float))));
 
 /// K_ab ← L_a⁻¹ K_ab L_b⁻ᵀ, D_a = L_a L_aᵀ, for the lower triangle.
 void scaleByShapes(const Symmetric3<P>* shapes, int n, P* K) {
@@ -75,13 +77,20 @@ NodalBound::NodalBound(const Body& body) : body_(&body) {
 
 Symmetric3<P> NodalBound::load(const StoredShape& stored) {
   Symmetric3<P> shape;
-  for (int c = 0; c < 6; ++c) shape.m[c] = P(__builtin_convertvector(stored.m[c].v, P::Values));
+  for (int c = 0; c < 6; ++c) {
+    Floats values;
+    std::memcpy(&values, stored.m[c], sizeof values);
+    shape.m[c] = P(__builtin_convertvector(values, P::Values));
+  }
   return shape;
 }
 
 NodalBound::StoredShape NodalBound::rounded(const Symmetric3<P>& shape) {
   StoredShape stored;
-  for (int c = 0; c < 6; ++c) stored.m[c].v = __builtin_convertvector(shape.m[c].v, decltype(stored.m[c].v));
+  for (int c = 0; c < 6; ++c) {
+    const Floats values = __builtin_convertvector(shape.m[c].v, Floats);
+    std::memcpy(stored.m[c], &values, sizeof values);
+  }
   return stored;
 }
 
@@ -250,14 +259,15 @@ Eigen::Matrix3d NodalBound::shape(Incidence at) const {
   const StoredShape& D = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
   Eigen::Matrix3d result;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) result(i, j) = static_cast<double>(D(i, j)[at.place % lanes]);
+    for (int j = 0; j < 3; ++j) result(i, j) = static_cast<double>(D.m[Symmetric3<P>::index(i, j)][at.place % lanes]);
   return result;
 }
 
 void NodalBound::setShape(Incidence at, const Eigen::Matrix3d& D) {
   StoredShape& target = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
   for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) target(i, j).set(at.place % lanes, static_cast<float>(0.5 * (D(i, j) + D(j, i))));
+    for (int j = i; j < 3; ++j)
+      target.m[Symmetric3<P>::index(i, j)][at.place % lanes] = static_cast<float>(0.5 * (D(i, j) + D(j, i)));
 }
 
 void NodalBound::normaliseElement(std::int32_t b, std::int32_t element) {
@@ -270,7 +280,7 @@ void NodalBound::normaliseElement(std::int32_t b, std::int32_t element) {
   for (int a = 0; a < n; ++a) own[a] = load(stored[a]);
   normaliseShapes(own, n);
   for (int a = 0; a < n; ++a)
-    for (int c = 0; c < 6; ++c) stored[a].m[c].set(lane, static_cast<float>(own[a].m[c][lane]));
+    for (int c = 0; c < 6; ++c) stored[a].m[c][lane] = static_cast<float>(own[a].m[c][lane]);
 }
 
 void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, const NodeVectors& x, double* values,

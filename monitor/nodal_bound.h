@@ -97,7 +97,9 @@ class NodalBound {
   const Body* body_;
   bool started_ = false;
   // Any shapes give a bound, so those in memory may as well be rounded ones.
-  using StoredShape = Symmetric3<ringwatch::Pack<float, Pack::width>>;
+  struct StoredShape {
+    alignas(Pack::width * sizeof(float)) float m[6][Pack::width];  // of a Symmetric3
+  };
   static Symmetric3<Pack> load(const StoredShape& stored);
   static StoredShape rounded(const Symmetric3<Pack>& shape);
 

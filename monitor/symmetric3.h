@@ -9,8 +9,10 @@ struct Symmetric3 {
   S m[6];
 
   RINGWATCH_INLINE static Symmetric3 diagonal(S d) { return {{d, d, d, S(0), S(0), S(0)}}; }
-  RINGWATCH_INLINE const S& operator()(int i, int j) const { return m[i == j ? i : 6 - i - j]; }
-  RINGWATCH_INLINE S& operator()(int i, int j) { return m[i == j ? i : 6 - i - j]; }
+  /// Where entry (i, j) is in m.
+  RINGWATCH_INLINE static constexpr int index(int i, int j) { return i == j ? i : 6 - i - j; }
+  RINGWATCH_INLINE const S& operator()(int i, int j) const { return m[index(i, j)]; }
+  RINGWATCH_INLINE S& operator()(int i, int j) { return m[index(i, j)]; }
   RINGWATCH_INLINE S trace() const { return m[0] + m[1] + m[2]; }
   RINGWATCH_INLINE S determinant() const {
     return m[0] * (m[1] * m[2] - m[3] * m[3]) - m[5] * (m[5] * m[2] - m[3] * m[4]) + m[4] * (m[5] * m[3] - m[1] * m[4]);
