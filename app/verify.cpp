@@ -164,8 +164,9 @@ std::vector<std::string> drawFigures(const StudyReport& report, const std::files
         "set linetype 4 lc rgb '#cc79a7'\nset linetype 5 lc rgb '#d55e00'\nset linetype 6 lc rgb '#56b4e9'\n"
         "set linetype 7 lc rgb '#000000'\nset linetype 8 lc rgb '#999999'\n",
         figure.name, gnuplotQuoted(figure.title), gnuplotQuoted(figure.xLabel), gnuplotQuoted(figure.yLabel));
-    if (figure.logX) script += "set logscale x\nset format x '10^{%L}'\n";
-    if (figure.logY) script += "set logscale y\nset format y '10^{%L}'\n";
+    // gnuplot's own format has two digits for small numbers.
+    script += figure.logX ? "set logscale x\nset format x '10^{%L}'\n" : "set format x '%.4g'\n";
+    script += figure.logY ? "set logscale y\nset format y '10^{%L}'\n" : "set format y '%.4g'\n";
     std::string plot;
     constexpr std::size_t colours = 8;  // then they come again, with dashes
     for (std::size_t c = 0; c < figure.curves.size(); ++c)
