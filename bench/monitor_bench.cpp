@@ -1,7 +1,6 @@
 // Metrics and bracket of the critical step, ns an element, each with how far its step is from the true one, and dense
 // eigenvalues element by element as the peer; then what a monitor costs along a run, over the step it watches.
 #include <algorithm>
-#include <ctime>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -9,6 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <bench/runs.h>
 #include <bench/support.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
@@ -49,18 +49,7 @@ void metric(benchmark::State& state, const Case& c, std::string_view name) {
 /// nothing, so that every step costs the same.
 void explicitStep(benchmark::State& state, const Case& c) {
   Setup& s = setupOf(c);
-  BodySystem system(s.body);
-  SymplecticEuler integrator;
-  State at = system.initialState();
-  at.x = s.x;
-  const double h = 1e-9;  // the state stays what it is
-  integrator.step(system, at, h);
-  for (auto _ : state) {
-    integrator.step(system, at, h);
-    benchmark::DoNotOptimize(at.x.data());
-    benchmark::ClobberMemory();
-  }
-  report(state, s.body.mesh().elementCount(), relativeDifference(at.x, s.x));
+  timeSteps(state, s);
   // Force pass: 88 bytes of geometry and places a tetrahedron, positions and forces of its nodes' share; the update
   // reads x, v, f, 1/m and the external force, and writes x and v.
   const double nodes = static_cast<double>(s.body.nodeCount()) / static_cast<double>(s.body.mesh().elementCount());
@@ -70,12 +59,7 @@ void explicitStep(benchmark::State& state, const Case& c) {
 /// All reduced 1-rings from element tangents, as a run needs them: patterns kept from the look before.
 void reducedRings(benchmark::State& state, const Case& c) {
   Setup& s = setupOf(c);
-  ReducedRing ring(s.body);
-  double lambda = ring.evaluate(s.x).highest;
-  for (auto _ : state) {
-    lambda = ring.evaluate(s.x).highest;
-    benchmark::DoNotOptimize(std::as_const(lambda));
-  }
+  const double lambda = timeReducedRings(state, s);
   report(state, s.body.mesh().elementCount(), stepError(lambda, trueLambda(c, s)));
 }
 
@@ -134,13 +118,6 @@ void spectra(benchmark::State& state, const Case& c) {
   }
   report(state, s.body.mesh().elementCount(), stepError(global.lambda, trueLambda(c, s)));
   state.counters["products"] = global.products;
-}
-
-/// CPU seconds of this process: other programs run beside.
-double cpuSeconds() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 /// A bar five times as long as wide, of cubes of 1 cm with strongly jittered nodes.

@@ -1,7 +1,6 @@
 // How cost grows: the passes of a run from a thousand to four million tetrahedra, the order of nodes in memory, two
 // threads over one; each with its error and, where it has one, its floor.
 #include <algorithm>
-#include <ctime>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -9,6 +8,7 @@
 #include <Eigen/IterativeLinearSolvers>
 
 #include <bench/needs.h>
+#include <bench/runs.h>
 #include <bench/support.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
@@ -23,8 +23,6 @@
 
 namespace ringwatch::bench {
 namespace {
-
-constexpr double stillStep = 1e-9;  // s; the state stays what it is, so that every step costs the same
 
 double nodesPerElement(const Setup& s) {
   return static_cast<double>(s.body.nodeCount()) / static_cast<double>(s.body.mesh().elementCount());
@@ -63,17 +61,7 @@ void force(benchmark::State& state, const Case& c) {
 /// Symplectic Euler, force and update.
 void explicitStep(benchmark::State& state, const Case& c) {
   Setup& s = setupOf(c);
-  BodySystem system(s.body);
-  SymplecticEuler integrator;
-  State at = system.initialState();
-  at.x = s.x;
-  integrator.step(system, at, stillStep);
-  for (auto _ : state) {
-    integrator.step(system, at, stillStep);
-    benchmark::DoNotOptimize(at.x.data());
-    benchmark::ClobberMemory();
-  }
-  report(state, s.body.mesh().elementCount(), relativeDifference(at.x, s.x));
+  timeSteps(state, s);
   // Beside the force: reads x, v, the external force and 1/m, writes x and v. f need not leave the cache.
   reportFloor(state, s.body.mesh().elementCount(), sum(needOf(c, s, Pass::force), nodalBytes(c, s, 3 * 24 + 8)));
 }
@@ -118,12 +106,7 @@ constexpr double tridiagonalFlops = 4.0 / 3 * 12 * 12 * 12;
 /// All reduced 1-rings, pattern kept.
 void reducedRing(benchmark::State& state, const Case& c) {
   Setup& s = setupOf(c);
-  ReducedRing ring(s.body);
-  double lambda = ring.evaluate(s.x).highest;
-  for (auto _ : state) {
-    lambda = ring.evaluate(s.x).highest;
-    benchmark::DoNotOptimize(std::as_const(lambda));
-  }
+  const double lambda = timeReducedRings(state, s);
   report(state, s.body.mesh().elementCount(), stepError(c, s, lambda));
   // Assembly; then ten blocks cut out and scaled, their places read, the matrix read again.
   Need need = needOf(c, s, Pass::assembly);
@@ -148,18 +131,11 @@ void nodalBound(benchmark::State& state, const Case& c) {
   }
   report(state, s.body.mesh().elementCount(), stepError(c, s, lambda));
   // Tangent; ten blocks scaled by two triangles each; then the nodes' sums and their 3×3 eigenvalues, a few hundred
-  // operations a node. Shapes are read, six numbers for each of four nodes, and incidences, 8 bytes each.
+  // operations a node. Shapes are read, six numbers for each of four nodes, and incidences, 4 bytes each.
   Need need = needOf(c, s, Pass::tangent);
   need.flops += 10 * 54 + tridiagonalFlops + 4 * 12 + 200 * nodesPerElement(s);
-  if (need.bytes > 0) need.bytes += 4 * (6 * 8 + 8) + 8;
+  if (need.bytes > 0) need.bytes += 4 * (6 * 4 + 4) + 8;
   reportFloor(state, s.body.mesh().elementCount(), need);
-}
-
-/// CPU seconds of this process: other programs run beside.
-double cpuSeconds() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 /// What the certificate of a step costs along a run: threshold mode, at every step, a box pulled by a tenth of its
@@ -512,10 +488,4 @@ void registerAll() {
 }  // namespace
 }  // namespace ringwatch::bench
 
-int main(int argc, char** argv) {
-  ringwatch::bench::registerAll();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-}
+int main(int argc, char** argv) { return ringwatch::bench::runBenchmarks(argc, argv, ringwatch::bench::registerAll); }

@@ -199,10 +199,4 @@ void registerAll() {
 }  // namespace
 }  // namespace ringwatch::bench
 
-int main(int argc, char** argv) {
-  ringwatch::bench::registerAll();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-}
+int main(int argc, char** argv) { return ringwatch::bench::runBenchmarks(argc, argv, ringwatch::bench::registerAll); }

@@ -11,13 +11,13 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <string>
 
+#include <bench/runs.h>
 #include <bench/support.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
@@ -30,11 +30,6 @@
 namespace ringwatch::bench {
 namespace {
 
-double cpuSeconds() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 double secondsOf(const std::function<void()>& work) {
   const double begin = cpuSeconds();
   work();

@@ -365,7 +365,7 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  /// Compares every element of the group with its ball, and sets how far nodes may move before the next look.
+  /// Compares every element of the group with its ball: the least room of those that stay, and the largest reach, m.
   std::pair<double, double> lookAtGroup(const DeformationWatch& watch, const DeformationWatch::Group& group,
                                         const double* rows, std::vector<std::int32_t>& left) const {
     typedef float Floats __attribute__((vector_size(lanes * sizeof(float))));

@@ -41,14 +41,10 @@ float roundedDown(double number) {
 }
 float roundedUp(double number) { return -roundedDown(-number); }
 
-/// Largest number first, elements in order among equals.
-template <class T>
-std::vector<ElementRef> mostFirst(std::vector<std::pair<T, ElementRef>> found) {
-  std::sort(found.begin(), found.end(),
-            [](const auto& a, const auto& b) { return a.first != b.first ? a.first > b.first : a.second < b.second; });
-  std::vector<ElementRef> result;
-  for (const auto& entry : found) result.push_back(entry.second);
-  return result;
+void sortMostFirst(std::vector<LazyBound::Risen>& found) {
+  std::sort(found.begin(), found.end(), [](const LazyBound::Risen& a, const LazyBound::Risen& b) {
+    return a.share != b.share ? a.share > b.share : a.element < b.element;
+  });
 }
 
 /// All nodes, patch after patch: neighbours in space stand near one another.
@@ -146,13 +142,17 @@ void LazyBound::note(ElementRef element, const TangentDrift& drift) {
 }
 
 std::vector<ElementRef> LazyBound::compressedElements(double least) const {
-  std::vector<std::pair<float, ElementRef>> found;
+  std::vector<Risen> found;  // by compression
   for (std::size_t b = 0; b < blocks_.size(); ++b)
-    for (std::size_t place = 0; place < blocks_[b].compression.size(); ++place)
-      if (static_cast<double>(blocks_[b].compression[place]) > least)
-        found.push_back({blocks_[b].compression[place],
-                         {static_cast<std::int32_t>(b), body_.blocks()[b]->layout().elements[place]}});
-  return mostFirst(std::move(found));
+    for (std::size_t place = 0; place < blocks_[b].compression.size(); ++place) {
+      const auto compression = static_cast<double>(blocks_[b].compression[place]);
+      if (compression > least)
+        found.push_back({compression, {static_cast<std::int32_t>(b), body_.blocks()[b]->layout().elements[place]}});
+    }
+  sortMostFirst(found);
+  std::vector<ElementRef> result;
+  for (const Risen& entry : found) result.push_back(entry.element);
+  return result;
 }
 
 void LazyBound::dealBudgets(const NodeVectors& x) {
@@ -230,9 +230,7 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
     const double share = budget > 0 ? values[i] / budget : values[i] > 0 ? std::numeric_limits<double>::infinity() : 0;
     if (share > leastShare) risen_.push_back({share, gone[i]});
   }
-  std::sort(risen_.begin(), risen_.end(), [](const Risen& a, const Risen& b) {
-    return a.share != b.share ? a.share > b.share : a.element < b.element;
-  });
+  sortMostFirst(risen_);
   const auto overEnd = std::find_if(risen_.begin(), risen_.end(), [](const Risen& r) { return r.share <= 1; });
   // When very many are over their budgets, mending one by one costs more than starting afresh.
   if (static_cast<double>(overEnd - risen_.begin()) > 0.05 * static_cast<double>(body_.mesh().elementCount()))

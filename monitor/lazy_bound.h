@@ -60,8 +60,8 @@ class LazyBound {
  private:
   struct BlockData {
     DeformationWatch watch;
-    // By place = batch * lanes + lane, rounded to the safe side: budget_e, l_e at the anchor, b_e, and
-    // -lambda_min(∂P/∂F) / (λ+2μ) at the anchor.
+    // By place = batch * lanes + lane, rounded to the safe side: budget_e, l_e at the anchor, b_e; and, to the
+    // nearest, -lambda_min(∂P/∂F) / (λ+2μ) at the anchor.
     std::vector<float> budget, value, reach, compression;
   };
   void retarget(const NodeVectors& x, int sweeps);
