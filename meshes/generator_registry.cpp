@@ -55,10 +55,19 @@ constexpr GeneratorParameter gradedParameters[] = {size3, cells3, origin, elemen
 constexpr GeneratorParameter mixedParameters[] = {size3, mixedCells3, origin, jitter, seed, grading};
 constexpr GeneratorParameter ballParameters[] = {radius, cellsAcross, element, split};
 
+constexpr GeneratorParameter finest{"finest", "m",  "longest edge at the plane", K::number, 1, {0.005}, "", 0, inf,
+                                    false,    false};
+constexpr GeneratorParameter plane{"plane", "m",  "x of the plane, from the corner", K::number, 1, {0}, "", -inf, inf,
+                                   false,   false};
+constexpr GeneratorParameter growth{
+    "growth", "m/m", "of the longest edge with distance from the plane", K::number, 1, {0.3}, "", 0, inf, true, false};
+constexpr GeneratorParameter refinedParameters[] = {size3, cells3, origin, jitter, seed, finest, plane, growth};
+
 constexpr GeneratorInfo generators[] = {
     {"bar", "a box of cells", barParameters},
     {"cube", "a box with equal edges", cubeParameters},
     {"graded", "a box with small elements toward its face x-min", gradedParameters},
+    {"refined", "a box of tetrahedra bisected until they are small at a plane across x", refinedParameters},
     {"mixed", "a bar of wedges, hexahedra, pyramids and tetrahedra that share faces", mixedParameters},
     {"ball", "a ball, a cube of cells mapped onto it", ballParameters},
 };
@@ -151,7 +160,7 @@ BarOptions boxOptions(const Values& values) {
   }
   o.jitter = values.number("jitter");
   o.seed = static_cast<std::uint64_t>(values.number("seed"));
-  o.grading = values.number("grading");
+  if (values.has("grading")) o.grading = values.number("grading");
   return o;
 }
 
@@ -197,6 +206,8 @@ Mesh generateMesh(std::string_view kind, const GeneratorArguments& arguments) {
       options.size[k] = values.number("size", k);
       options.cells[k] = static_cast<int>(values.number("cells", k));
     }
+    if (info->name == "refined")
+      return generateRefinedBar({options, values.number("finest"), values.number("plane"), values.number("growth")});
     return info->name == "mixed" ? generateMixedBar(options) : generateBar(options);
   } catch (const InputError& error) {
     throw InputError(joinText(info->name, ": ", error.what()));

@@ -31,7 +31,7 @@ struct GeneratorInfo {
   std::span<const GeneratorParameter> parameters;
 };
 
-/// Every kind of generated mesh: bar, cube, graded, ball.
+/// Every kind of generated mesh, as `ringwatch help scene` lists them.
 std::span<const GeneratorInfo> allGenerators();
 /// nullptr when there is none of that name.
 const GeneratorInfo* findGenerator(std::string_view name);

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <unordered_map>
 #include <vector>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/random.h>
+#include <ringwatch/meshes/bisection.h>
 #include <ringwatch/meshes/quality.h>
 
 namespace ringwatch {
@@ -299,6 +301,18 @@ Mesh generateMixedBar(const BarOptions& options) {
     throw InputError(
         joinText("cells = ", options.cells[0], ": a mixed bar needs at least 5 along x, one for each of its sections"));
   return makeBar(options, true);
+}
+
+Mesh generateRefinedBar(const RefinedBarOptions& options) {
+  if (!(options.finest > 0)) throw InputError(joinText("finest = ", options.finest, " m: it must be above 0"));
+  if (!(options.growth >= 0)) throw InputError(joinText("growth = ", options.growth, ": it must be 0 or more"));
+  const double x = options.coarse.origin[0] + options.plane;
+  Mesh mesh = refineTetrahedra(generateBar(options.coarse), [&](const Eigen::Vector3d& middle) {
+    return options.finest + options.growth * std::abs(middle.x() - x);
+  });
+  std::iota(mesh.nodeIds.begin(), mesh.nodeIds.end(), 0);
+  for (MeshBlock& block : mesh.blocks) std::iota(block.ids.begin(), block.ids.end(), 0);
+  return mesh;
 }
 
 Mesh generateCube(double edge, int cells, BarOptions rest) {

@@ -61,6 +61,18 @@ struct BallOptions {
 /// would be flat along their common edge. Throws InputError like `generateBar`.
 Mesh generateBall(const BallOptions& options);
 
+/// A box of tetrahedra that are small at a plane.
+struct RefinedBarOptions {
+  BarOptions coarse;    // cells to begin with; element and split are tet4's
+  double finest = 0;    // longest edge at the plane, m, > 0
+  double plane = 0;     // its x, m, from the smallest coordinates of the box
+  double growth = 0.3;  // of the longest edge a metre of distance from the plane, m/m, ≥ 0
+};
+
+/// The box, its tetrahedra bisected until no edge is longer than finest + growth × (distance of their middle from the
+/// plane). Sets as `generateBar`. Throws InputError like it.
+Mesh generateRefinedBar(const RefinedBarOptions& options);
+
 /// A cube: `generateBar` with equal sizes and counts; edge in m.
 Mesh generateCube(double edge, int cells, BarOptions rest = {});
 
