@@ -12,6 +12,7 @@
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
+#include <ringwatch/verify/deformations.h>
 #include <ringwatch/verify/elements.h>
 #include <ringwatch/verify/handlers.h>
 #include <ringwatch/verify/integrators.h>
@@ -21,7 +22,10 @@
 namespace ringwatch {
 namespace {
 
-const std::array<StudyInfo, 5> studies{{
+const std::array<StudyInfo, 6> studies{{
+    {"deformations",
+     "the source's cube and bar with small elements, stretched, compressed, bent and twisted with every handler",
+     [](StudyEffort effort) { return verifyDeformations(effort, integratorCatalog().entries()); }},
     {"elements", "every element and quadrature rule: rank, patch test, derivatives, convergence, frequencies, locking",
      verifyElements},
     {"handlers",
@@ -72,6 +76,90 @@ std::string tableText(const StudyTable& table) {
 
 nlohmann::ordered_json number(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(fmt::format("{}", value));
+}
+
+std::string curveData(const StudyFigure& figure) {
+  std::string data;
+  for (const StudyFigure::Curve& curve : figure.curves) {
+    data += fmt::format("# {}\n", curve.label);
+    for (std::size_t i = 0; i < curve.x.size() && i < curve.y.size(); ++i)
+      data += fmt::format("{} {}\n", curve.x[i], curve.y[i]);
+    data += "\n\n";
+  }
+  return data;
+}
+
+std::string curveScript(const StudyFigure& figure) {
+  std::string script = fmt::format(
+      "set terminal pngcairo size 1200,900 font 'DejaVu Sans,14'\nset output '{0}.png'\nset title {1} noenhanced\n"
+      "set xlabel {2} noenhanced\nset ylabel {3} noenhanced\nset grid\nset key outside right noenhanced\n"
+      "set linetype 1 lc rgb '#0072b2'\nset linetype 2 lc rgb '#e69f00'\nset linetype 3 lc rgb '#009e73'\n"
+      "set linetype 4 lc rgb '#cc79a7'\nset linetype 5 lc rgb '#d55e00'\nset linetype 6 lc rgb '#56b4e9'\n"
+      "set linetype 7 lc rgb '#000000'\nset linetype 8 lc rgb '#999999'\n",
+      figure.name, gnuplotQuoted(figure.title), gnuplotQuoted(figure.xLabel), gnuplotQuoted(figure.yLabel));
+  // gnuplot's own format has two digits for small numbers.
+  script += figure.logX ? "set logscale x\nset format x '10^{%L}'\n" : "set format x '%.4g'\n";
+  script += figure.logY ? "set logscale y\nset format y '10^{%L}'\n" : "set format y '%.4g'\n";
+  std::string plot;
+  constexpr std::size_t colours = 8;  // then they come again, with dashes
+  for (std::size_t c = 0; c < figure.curves.size(); ++c)
+    plot += fmt::format(
+        "{}'{}.dat' index {} with {} title {}", plot.empty() ? "plot " : ", \\\n     ", figure.name, c,
+        figure.lines ? fmt::format("linespoints lw 2 dt {}", c < colours ? 1 : 2) : std::string("points lw 2 ps 1.5"),
+        gnuplotQuoted(figure.curves[c].label));
+  return script + plot + "\n";
+}
+
+std::string surfaceData(const StudySurfaces& surfaces) {
+  std::string data;
+  for (const StudySurfaces::Panel& panel : surfaces.panels) {
+    // A triangle is a sheet of two lines, the second of one point twice.
+    for (std::size_t i = 0; i + 2 < panel.points.size() && i + 2 < panel.values.size(); i += 3)
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t at = i + std::min<std::size_t>(k, 2);
+        const auto& p = panel.points[at];
+        data += fmt::format("{:.5g} {:.5g} {:.5g} {:.4g}\n{}", p[0], p[1], p[2], panel.values[at],
+                            k == 1 ? "\n" : (k == 3 ? "\n\n" : ""));
+      }
+  }
+  return data;
+}
+
+std::string surfaceScript(const StudySurfaces& surfaces) {
+  std::array<double, 3> least, most;
+  least.fill(HUGE_VAL);
+  most.fill(-HUGE_VAL);
+  double largest = 0;
+  for (const StudySurfaces::Panel& panel : surfaces.panels) {
+    for (const auto& p : panel.points)
+      for (std::size_t c = 0; c < 3; ++c) {
+        least[c] = std::min(least[c], p[c]);
+        most[c] = std::max(most[c], p[c]);
+      }
+    for (const double value : panel.values) largest = std::max(largest, value);
+  }
+  constexpr std::size_t perRow = 4;
+  const std::size_t rows = (surfaces.panels.size() + perRow - 1) / perRow;
+  constexpr double decades = 1e-4;  // of the largest value are shown
+  std::string script = fmt::format(
+      "set terminal pngcairo size 1600,{} font 'DejaVu Sans,13'\nset output '{}.png'\n"
+      "set multiplot layout {},{} title {} noenhanced\nset view 65,330\nset view equal xyz\nunset border\n"
+      "unset xtics\nunset ytics\nunset ztics\nunset key\nset pm3d depthorder\nset pm3d border lc rgb '#505050' lw 0.2\n"
+      "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n"
+      "set logscale cb\nset format cb '10^{{%L}}'\nset cbrange [{:g}:{:g}]\nset cblabel {} noenhanced\n"
+      "set xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\nset zrange [{:g}:{:g}]\n",
+      80 + 380 * rows, surfaces.name, rows, std::min(perRow, surfaces.panels.size()), gnuplotQuoted(surfaces.title),
+      decades * largest, largest, gnuplotQuoted(surfaces.valueLabel), least[0], most[0], least[1], most[1], least[2],
+      most[2]);
+  std::size_t first = 0;
+  for (const StudySurfaces::Panel& panel : surfaces.panels) {
+    const std::size_t triangles = panel.points.size() / 3;
+    if (triangles == 0) continue;
+    script += fmt::format("set title {} noenhanced\nsplot '{}.dat' index {}:{} using 1:2:3:4 with pm3d\n",
+                          gnuplotQuoted(panel.label), surfaces.name, first, first + triangles - 1);
+    first += triangles;
+  }
+  return script + "unset multiplot\n";
 }
 
 }  // namespace
@@ -149,41 +237,21 @@ nlohmann::ordered_json studiesJson(const std::vector<StudyReport>& reports) {
 
 std::vector<std::string> drawFigures(const StudyReport& report, const std::filesystem::path& folder) {
   std::vector<std::string> notes;
-  for (const StudyFigure& figure : report.figures) {
-    std::string data;
-    for (const StudyFigure::Curve& curve : figure.curves) {
-      data += fmt::format("# {}\n", curve.label);
-      for (std::size_t i = 0; i < curve.x.size() && i < curve.y.size(); ++i)
-        data += fmt::format("{} {}\n", curve.x[i], curve.y[i]);
-      data += "\n\n";
-    }
-    std::string script = fmt::format(
-        "set terminal pngcairo size 1200,900 font 'DejaVu Sans,14'\nset output '{0}.png'\nset title {1} noenhanced\n"
-        "set xlabel {2} noenhanced\nset ylabel {3} noenhanced\nset grid\nset key outside right noenhanced\n"
-        "set linetype 1 lc rgb '#0072b2'\nset linetype 2 lc rgb '#e69f00'\nset linetype 3 lc rgb '#009e73'\n"
-        "set linetype 4 lc rgb '#cc79a7'\nset linetype 5 lc rgb '#d55e00'\nset linetype 6 lc rgb '#56b4e9'\n"
-        "set linetype 7 lc rgb '#000000'\nset linetype 8 lc rgb '#999999'\n",
-        figure.name, gnuplotQuoted(figure.title), gnuplotQuoted(figure.xLabel), gnuplotQuoted(figure.yLabel));
-    // gnuplot's own format has two digits for small numbers.
-    script += figure.logX ? "set logscale x\nset format x '10^{%L}'\n" : "set format x '%.4g'\n";
-    script += figure.logY ? "set logscale y\nset format y '10^{%L}'\n" : "set format y '%.4g'\n";
-    std::string plot;
-    constexpr std::size_t colours = 8;  // then they come again, with dashes
-    for (std::size_t c = 0; c < figure.curves.size(); ++c)
-      plot += fmt::format("{}'{}.dat' index {} with linespoints lw 2 dt {} title {}",
-                          plot.empty() ? "plot " : ", \\\n     ", figure.name, c, c < colours ? 1 : 2,
-                          gnuplotQuoted(figure.curves[c].label));
-    if (plot.empty()) continue;
-    writeFileAtomically(folder / (figure.name + ".dat"), data);
-    writeFileAtomically(folder / (figure.name + ".gp"), script + plot + "\n");
-    const ProgramResult result = runProgram({"gnuplot", figure.name + ".gp"}, folder);
+  const auto draw = [&](const std::string& name, const std::string& data, const std::string& script) {
+    writeFileAtomically(folder / (name + ".dat"), data);
+    writeFileAtomically(folder / (name + ".gp"), script);
+    const ProgramResult result = runProgram({"gnuplot", name + ".gp"}, folder);
     if (!result.found)
       notes.push_back(
-          fmt::format("no picture {}.png: gnuplot is not installed (Debian: gnuplot-nox); its script is in {}",
-                      figure.name, folder.string()));
+          fmt::format("no picture {}.png: gnuplot is not installed (Debian: gnuplot-nox); its script is in {}", name,
+                      folder.string()));
     else if (result.status != 0)
-      notes.push_back(fmt::format("no picture {}.png: gnuplot said {}", figure.name, result.output));
-  }
+      notes.push_back(fmt::format("no picture {}.png: gnuplot said {}", name, result.output));
+  };
+  for (const StudyFigure& figure : report.figures)
+    if (!figure.curves.empty()) draw(figure.name, curveData(figure), curveScript(figure));
+  for (const StudySurfaces& surfaces : report.surfaces)
+    if (!surfaces.panels.empty()) draw(surfaces.name, surfaceData(surfaces), surfaceScript(surfaces));
   return notes;
 }
 

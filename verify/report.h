@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -36,6 +37,19 @@ struct StudyFigure {
   std::string title, xLabel, yLabel;
   bool logX = false, logY = false;
   std::vector<Curve> curves;
+  bool lines = true;  // between the points of a curve
+};
+
+/// Surfaces in space, coloured by a value on one logarithmic scale.
+struct StudySurfaces {
+  struct Panel {
+    std::string label;
+    std::vector<std::array<double, 3>> points;  // of triangles, three each
+    std::vector<double> values;                 // at the points
+  };
+  std::string name;  // file name without extension
+  std::string title, valueLabel;
+  std::vector<Panel> panels;
 };
 
 struct StudyReport {
@@ -43,6 +57,7 @@ struct StudyReport {
   std::vector<StudyTable> tables;
   std::vector<StudyCheck> checks;
   std::vector<StudyFigure> figures;
+  std::vector<StudySurfaces> surfaces = {};
 
   bool passed() const {
     for (const StudyCheck& check : checks)

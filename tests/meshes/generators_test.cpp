@@ -20,22 +20,6 @@ namespace {
 using namespace test;
 using ::testing::HasSubstr;
 
-/// Area of the boundary: a mesh whose inner faces do not match would have more of it.
-double boundaryArea(const Mesh& mesh) {
-  double area = 0;
-  for (const ElementFace& f : boundaryFaces(mesh)) {
-    const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(f.block)];
-    const auto& face = elementInfo(block.type).faces[static_cast<std::size_t>(f.face)];
-    const auto at = [&](int k) -> Eigen::Vector3d {
-      return mesh.X.col(block.element(static_cast<std::size_t>(f.element))[face[static_cast<std::size_t>(k)]]);
-    };
-    const Eigen::Vector3d p = at(2) - at(0),
-                          q = face[3] < 0 ? Eigen::Vector3d(at(1) - at(0)) : Eigen::Vector3d(at(3) - at(1));
-    area += p.cross(q).norm() / 2;
-  }
-  return area;
-}
-
 TEST(Generators, EverySplitFillsTheBoxExactlyAndConformingly) {
   for (const CellSplit& split : allCellSplits())
     for (const std::array<int, 3> cells : {std::array{1, 1, 1}, std::array{2, 3, 4}, std::array{5, 2, 3}})

@@ -7,7 +7,10 @@
 #include <functional>
 #include <string>
 
+#include <Eigen/Geometry>
+
 #include <ringwatch/base/error.h>
+#include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch::test {
@@ -99,6 +102,22 @@ inline Mesh mixedMesh() {
   mesh.elementSets["box"] = {{0, 0}, {0, 1}};
   mesh.elementSets["tip"] = {{0, 1}, {1, 1}};
   return mesh;
+}
+
+/// Area of the boundary: a mesh whose inner faces do not match would have more of it.
+inline double boundaryArea(const Mesh& mesh) {
+  double area = 0;
+  for (const ElementFace& f : boundaryFaces(mesh)) {
+    const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(f.block)];
+    const auto& face = elementInfo(block.type).faces[static_cast<std::size_t>(f.face)];
+    const auto at = [&](int k) -> Eigen::Vector3d {
+      return mesh.X.col(block.element(static_cast<std::size_t>(f.element))[face[static_cast<std::size_t>(k)]]);
+    };
+    const Eigen::Vector3d p = at(2) - at(0),
+                          q = face[3] < 0 ? Eigen::Vector3d(at(1) - at(0)) : Eigen::Vector3d(at(3) - at(1));
+    area += p.cross(q).norm() / 2;
+  }
+  return area;
 }
 
 }  // namespace ringwatch::test

@@ -1,0 +1,409 @@
+#include <ringwatch/verify/deformations.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/handlers/handler.h>
+#include <ringwatch/integrators/body_system.h>
+#include <ringwatch/meshes/adjacency.h>
+#include <ringwatch/meshes/generators.h>
+#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/monitor/stability_monitor.h>
+
+namespace ringwatch {
+namespace {
+
+using Cell = StudyTable::Cell;
+using Eigen::Vector3d;
+
+constexpr double edge = 0.05;    // m, of the cube; the bar is twice as long
+constexpr double target = 4e-4;  // s, the source's step
+constexpr double limit = 2;      // of Verlet
+constexpr double ramp = 0.1;     // s, in which a face is led over the length of the cube
+
+/// How a mode drives its face.
+struct Mode {
+  std::string_view name;
+  double led;                      // stretch, or rad
+  double traction;                 // Pa; of twist, at the middle of an edge of the face
+  std::array<double, 2> forceEnd;  // s, cube and bar: soon before the dead load has pulled it as far as it will go
+};
+constexpr std::array<Mode, 4> modes{{{"stretch", 0.4, 6e3, {0.016, 0.032}},
+                                     {"compress", -0.2, -3e3, {0.016, 0.032}},
+                                     {"bend", std::numbers::pi / 4, 900, {0.026, 0.05}},
+                                     {"twist", std::numbers::pi / 4, 1900, {0.026, 0.052}}}};
+const Mode& modeOf(const Deformation& d) {
+  return *std::find_if(modes.begin(), modes.end(), [&](const Mode& m) { return m.name == d.mode; });
+}
+
+bool isBar(const Deformation& d) { return d.mesh == "bar"; }
+
+/// The frame of a mesh: along from the held to the driven face, and where bending goes.
+struct Frame {
+  Vector3d along, sideways, heldCentre;
+  double length;
+  const char *held, *driven;
+};
+Frame frameOf(const Deformation& d) {
+  if (isBar(d)) return {Vector3d::UnitX(), -Vector3d::UnitZ(), {0, edge / 2, edge / 2}, 2 * edge, "x-min", "x-max"};
+  return {Vector3d::UnitZ(), -Vector3d::UnitX(), {edge / 2, edge / 2, 0}, edge, "z-min", "z-max"};
+}
+
+/// Where a point of the driven face belongs when a share s of the way is done.
+Vector3d ledPosition(const Deformation& d, const Vector3d& X, double s) {
+  const Frame frame = frameOf(d);
+  const double amount = s * modeOf(d).led * (isBar(d) && modeOf(d).name == "twist" ? 2 : 1);
+  const Vector3d centre = frame.heldCentre + frame.length * frame.along;
+  if (d.mode == "twist") return centre + Eigen::AngleAxisd(amount, frame.along) * (X - centre);
+  if (d.mode != "bend") return X + amount * frame.length * frame.along;
+  if (amount == 0) return X;
+  // Along a circle, with the length of the middle line kept.
+  const Vector3d moved =
+      frame.heldCentre +
+      frame.length / amount * (std::sin(amount) * frame.along + (1 - std::cos(amount)) * frame.sideways);
+  return moved + Eigen::AngleAxisd(amount, frame.along.cross(frame.sideways)) * (X - centre);
+}
+
+/// Smoothly from 0 to 1.
+double shareAt(const Deformation& d, double t) {
+  const double s = std::clamp(t / d.end(), 0.0, 1.0);
+  return s * s * (3 - 2 * s);
+}
+
+Mesh meshOf(const Deformation& d) {
+  RefinedBarOptions options;
+  options.coarse.size = {isBar(d) ? 2 * edge : edge, edge, edge};
+  options.coarse.cells = {isBar(d) ? 10 : 5, 5, 5};
+  options.coarse.jitter = 0.25;
+  options.finest = 0.005;
+  options.growth = 0.5;
+  options.plane = isBar(d) ? edge : 0;
+  return generateRefinedBar(options);
+}
+
+/// Traction over the driven face as nodal forces, by areas at rest.
+void load(const Deformation& d, Body& body) {
+  const Frame frame = frameOf(d);
+  const Mesh& mesh = body.mesh();
+  std::vector<bool> driven(mesh.nodeCount(), false);
+  for (const std::int32_t n : mesh.nodeSets.at(frame.driven)) driven[static_cast<std::size_t>(n)] = true;
+  const Vector3d centre = frame.heldCentre + frame.length * frame.along;
+  for (const ElementFace& f : boundaryFaces(mesh)) {
+    const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(f.block)];
+    const std::array<int, 4>& corners = elementInfo(block.type).faces[static_cast<std::size_t>(f.face)];
+    const std::int32_t* nodes = block.element(static_cast<std::size_t>(f.element));
+    const std::array<std::int32_t, 3> n{nodes[corners[0]], nodes[corners[1]], nodes[corners[2]]};
+    if (!std::all_of(n.begin(), n.end(), [&](std::int32_t i) { return driven[static_cast<std::size_t>(i)]; })) continue;
+    const double area =
+        (mesh.X.col(n[1]) - mesh.X.col(n[0])).cross(Vector3d(mesh.X.col(n[2]) - mesh.X.col(n[0]))).norm() / 2;
+    const Vector3d middle = (mesh.X.col(n[0]) + mesh.X.col(n[1]) + mesh.X.col(n[2])) / 3;
+    const double traction = modeOf(d).traction;
+    Vector3d t = traction * frame.along;
+    if (d.mode == "bend") t = (isBar(d) ? 0.5 : 1.0) * traction * frame.sideways;
+    if (d.mode == "twist") t = traction / (edge / 2) * frame.along.cross(Vector3d(middle - centre));
+    for (const std::int32_t i : n) body.externalForce().col(i) += area / 3 * t;
+  }
+}
+
+struct Ran {
+  NodeVectors x;
+  double energy = 0;   // J, kinetic and strain, at the end
+  double seconds = 0;  // of computing, steps alone
+  std::string lost;
+};
+
+/// The deformation in steps of at most h that divide the target step, the best time of some repetitions.
+Ran run(const Deformation& d, Body& body, Integrator& integrator, double h) {
+  const int substeps = static_cast<int>(std::ceil(target / h - 1e-9));
+  const auto frames = static_cast<int>(std::llround(d.end() / target));
+  BodySystem system(body);
+  State state = system.initialState();
+  Ran result;
+  for (int k = 0; k < frames && result.lost.empty(); ++k) {
+    d.lead(body, k * target, target);
+    body.constraints().imposeVelocity(state.v);
+    const std::clock_t start = std::clock();
+    for (int i = 0; i < substeps && result.lost.empty(); ++i)
+      result.lost = integrator.step(system, state, target / substeps).reason;
+    result.seconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  }
+  if (result.lost.empty() && !state.x.allFinite()) result.lost = "positions are not finite";
+  Body::Workspace workspace;
+  if (result.lost.empty())
+    result.energy =
+        body.energy(state.x, workspace) + 0.5 * (state.v.colwise().squaredNorm() * body.lumpedMass()).value();
+  result.x = state.x;
+  return result;
+}
+
+/// A method at a step.
+struct Contestant {
+  std::string name;
+  double h;  // s
+  std::string handler = {};
+  HandlerOptions options = {};
+};
+
+std::vector<Contestant> contestants(double h) {
+  std::vector<Contestant> all;
+  for (const HandlerEntry& entry : allHandlers()) {
+    const std::string name(entry.info->name);
+    all.push_back({name, name == "filtered" ? h / 2 : h, name, {}});
+  }
+  HandlerOptions ring;
+  ring.selection = "reduced-1-ring";
+  all.push_back({"imex, reduced-1-ring", h, "imex", ring});
+  ring.dissipation = 1;
+  all.push_back({"imex, as the source's", h, "imex", ring});  // implicit Euler
+  return all;
+}
+
+/// The source's mean errors, mm (tables 4.2 to 4.6); NaN where its constraints could not be solved.
+struct SourceErrors {
+  std::string_view mode, mesh;
+  std::array<double, 4> force, position;  // filtered, fe-pbd, imex, adaptive
+};
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<SourceErrors, 8> sourceErrors{{
+    {"stretch", "bar", {none, 0.34, 0.01, 0.03}, {none, 0.73, 0.07, 0.1}},
+    {"stretch", "cube", {0.13, 0.26, 0.02, 0.007}, {0.18, 0.25, 0.06, 0.03}},
+    {"compress", "bar", {none, 0.29, 0.009, 0.003}, {none, 0.7, 0.18, 0.05}},
+    {"compress", "cube", {0.17, 0.19, 0.02, 0.005}, {0.3, 0.4, 0.07, 0.03}},
+    {"bend", "bar", {none, 0.37, 0.14, 0.11}, {none, 0.35, 0.02, 0.01}},
+    {"bend", "cube", {0.27, 0.31, 0.06, 0.02}, {0.21, 0.20, 0.012, 0.01}},
+    {"twist", "bar", {none, 0.11, 0.03, 0.02}, {none, 0.21, 0.11, 0.03}},
+    {"twist", "cube", {0.08, 0.09, 0.05, 0.04}, {0.33, 0.23, 0.03, 0.02}},
+}};
+constexpr std::array<std::string_view, 4> sourceHandlers{"filtered", "fe-pbd", "imex", "adaptive"};
+/// NaN when the source has no such row.
+double sourceError(const Deformation& d, std::string_view handler) {
+  const auto column = std::find(sourceHandlers.begin(), sourceHandlers.end(), handler) - sourceHandlers.begin();
+  for (const SourceErrors& row : sourceErrors)
+    if (row.mode == d.mode && row.mesh == d.mesh && d.poisson == 0.3 && column < 4)
+      return (d.byForce ? row.force : row.position)[static_cast<std::size_t>(column)];
+  return none;
+}
+
+Cell numberOr(double value, const char* otherwise) { return std::isfinite(value) ? Cell(value) : Cell(otherwise); }
+
+StudySurfaces::Panel surfaceOf(std::string label, const Mesh& mesh, const NodeVectors& x,
+                               const Eigen::VectorXd& error) {
+  StudySurfaces::Panel panel{std::move(label), {}, {}};
+  for (const ElementFace& f : boundaryFaces(mesh)) {
+    const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(f.block)];
+    const std::int32_t* nodes = block.element(static_cast<std::size_t>(f.element));
+    const std::array<int, 4>& corners = elementInfo(block.type).faces[static_cast<std::size_t>(f.face)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3d p = 1e2 * x.col(nodes[corners[k]]);  // cm
+      panel.points.push_back({p.x(), p.y(), p.z()});
+      panel.values.push_back(1e3 * error[nodes[corners[k]]]);
+    }
+  }
+  return panel;
+}
+
+class Study {
+ public:
+  explicit Study(std::span<const IntegratorEntry> integrators) : integrators_(integrators) {
+    table_ = {
+        "deformations",
+        "Every handler on a cube and a bar with small elements; errors against Verlet at 0.05 ms, times of one "
+        "target step over four steps of Verlet at 0.1 ms",
+        {"mesh", "mode", "driven by", "nu", "method", "step (ms)", "handled", "mean error (mm)", "largest error (mm)",
+         "mean error (% of displacement)", "time of 0.4 ms (ms)", "time/reference", "energy/reference - 1 (%)", "lost"},
+        {}};
+    source_ = {"source",
+               "Mean errors beside the source's (mm); its motions are the same in kind, not in size",
+               {"mode", "mesh", "driven by", "handler", "source", "ours", "ours is"},
+               {}};
+  }
+
+  void add(const Deformation& d, bool peers) {
+    const double reduced = d.poisson > 0.46 ? 0.5 : 1;  // the source's target step there
+    Body body = d.body();
+    const NodeVectors X = body.mesh().X;
+    const auto verlet = [] { return makeIntegrator("verlet"); };
+    const Ran exact = run(d, body, *verlet(), reduced * 5e-5 / (d.poisson > 0.42 ? 2 : 1));
+    if (!exact.lost.empty()) throw NumericalError(joinText("verify deformations: the reference is lost: ", exact.lost));
+    // The source's reference: 4 steps in the target one at nu = 0.3 and 0.4, 5 beyond.
+    const double referenceStep = d.poisson > 0.42 ? reduced * target / 5 : target / 4;
+    const auto add = [&](const std::string& name, double h, std::int64_t handled, const Ran& ran, double over) {
+      const Eigen::VectorXd error = (ran.x - exact.x).colwise().norm();
+      const bool lost = !ran.lost.empty();
+      const double displacement = (exact.x - X).colwise().norm().maxCoeff();
+      const double seconds = ran.seconds * target / d.end();
+      table_.rows.push_back({std::string(d.mesh), std::string(d.mode), d.byForce ? "force" : "position", d.poisson,
+                             name, 1e3 * h, handled, lost ? Cell("") : Cell(1e3 * error.mean()),
+                             lost ? Cell("") : Cell(1e3 * error.maxCoeff()),
+                             lost ? Cell("") : Cell(100 * error.mean() / displacement), 1e3 * seconds,
+                             over > 0 ? Cell(ran.seconds / over) : Cell(1.0),
+                             lost ? Cell("") : Cell(100 * (ran.energy / exact.energy - 1)), ran.lost});
+      return lost ? std::numeric_limits<double>::infinity() : error.mean();
+    };
+    const auto again = [&](const auto& once) {  // for the time alone
+      Ran best = once();
+      for (int i = 0; i < 2 && best.lost.empty() && best.seconds < 0.1; ++i)
+        best.seconds = std::min(best.seconds, once().seconds);
+      return best;
+    };
+    const Ran reference = again([&] {
+      Body own = d.body();
+      return run(d, own, *verlet(), referenceStep);
+    });
+    add("verlet", referenceStep, 0, reference, 0);
+    const double safe = 0.95 * criticalStep(body, X, limit).safe;
+    add("verlet, certified", target / std::ceil(target / safe), 0, again([&] {
+          Body own = d.body();
+          return run(d, own, *verlet(), safe);
+        }),
+        reference.seconds);
+    for (const Contestant& c : contestants(reduced * target)) {
+      std::int64_t handled = 0;
+      Ran ran;
+      try {
+        ran = again([&] {
+          Body own = d.body();
+          const auto handler = makeHandler(c.handler, own, verlet(), c.options);
+          handler->prepare(X, c.h);
+          handled = static_cast<std::int64_t>(handler->elements().size());
+          return run(d, own, *handler, c.h);
+        });
+      } catch (const NumericalError& fault) {
+        ran.lost = fault.what();
+        ran.x = X;
+      }
+      const double error = add(c.name, c.h, handled, ran, reference.seconds);
+      compareWithSource(d, c, error);
+      const double share = 100 * error / (exact.x - X).colwise().norm().maxCoeff();
+      const bool accurate = c.handler == "imex" || c.handler == "adaptive";
+      checkBelow(report_,
+                 joinText(d.mesh, ", ", d.mode, d.byForce ? " by force, nu = " : " by position, nu = ", d.poisson, ", ",
+                          c.name, ": mean error (% of the largest displacement)"),
+                 share, accurate ? 2 : 25);
+      if (ran.lost.empty() && d.poisson == 0.3 && c.name.find(',') == std::string::npos)
+        picture(d).panels.push_back(surfaceOf(joinText(c.name, d.byForce ? ", force" : ", position"), body.mesh(),
+                                              ran.x, Eigen::VectorXd((ran.x - exact.x).colwise().norm().transpose())));
+    }
+    if (peers)
+      for (const IntegratorEntry& entry : integrators_)
+        if (entry.info->name == "implicit-euler") {
+          Body own = d.body();
+          add("implicit-euler", target, 0, run(d, own, *entry.make(), target), reference.seconds);
+        }
+  }
+
+  StudyReport finish() {
+    report_.study = "deformations";
+    addErrorAgainstTime();
+    report_.tables.push_back(std::move(table_));
+    report_.tables.push_back(std::move(source_));
+    return std::move(report_);
+  }
+
+ private:
+  StudySurfaces& picture(const Deformation& d) {
+    const std::string name = joinText("deformation_", d.mesh, "_", d.mode);
+    for (StudySurfaces& surfaces : report_.surfaces)
+      if (surfaces.name == name) return surfaces;
+    report_.surfaces.push_back({name, joinText(d.mesh, ", ", d.mode, ": error at the end"), "error (mm)", {}});
+    return report_.surfaces.back();
+  }
+
+  void compareWithSource(const Deformation& d, const Contestant& c, double error) {
+    const bool named = std::find(sourceHandlers.begin(), sourceHandlers.end(), c.name) != sourceHandlers.end();
+    if (!named || d.poisson != 0.3) return;
+    const double theirs = sourceError(d, c.name), ours = 1e3 * error;
+    const bool unsolved = std::isnan(theirs);
+    source_.rows.push_back({std::string(d.mode), std::string(d.mesh), d.byForce ? "force" : "position", c.name,
+                            numberOr(theirs, "unsolvable"), numberOr(ours, "lost"),
+                            unsolved ? "a result" : (ours <= theirs ? "better" : "worse")});
+  }
+
+  /// A point for every deformation at nu = 0.3, by method.
+  void addErrorAgainstTime() {
+    for (const std::string_view mesh : {"cube", "bar"}) {
+      StudyFigure figure{joinText("deformations_", mesh),
+                         joinText("The ", mesh, " with small elements: eight deformations by every method"),
+                         "time over four steps of Verlet at 0.1 ms",
+                         "mean error (mm)",
+                         true,
+                         true,
+                         {},
+                         false};
+      for (const auto& row : table_.rows) {
+        if (std::get<std::string>(row[0]) != mesh || std::get<double>(row[3]) != 0.3) continue;
+        const double* error = std::get_if<double>(&row[7]);
+        if (!error || !(*error > 0)) continue;
+        const auto& method = std::get<std::string>(row[4]);
+        auto curve = std::find_if(figure.curves.begin(), figure.curves.end(),
+                                  [&](const StudyFigure::Curve& known) { return known.label == method; });
+        if (curve == figure.curves.end()) curve = figure.curves.insert(curve, {method, {}, {}});
+        curve->x.push_back(std::get<double>(row[11]));
+        curve->y.push_back(*error);
+      }
+      if (!figure.curves.empty()) report_.figures.push_back(std::move(figure));
+    }
+  }
+
+  std::span<const IntegratorEntry> integrators_;
+  StudyReport report_;
+  StudyTable table_, source_;
+};
+
+}  // namespace
+
+double Deformation::end() const {
+  const double t = byForce ? modeOf(*this).forceEnd[isBar(*this)] : ramp * (isBar(*this) ? 2 : 1);
+  return target * std::round(t / target);
+}
+
+Body Deformation::body() const {
+  Body b(meshOf(*this), makeMaterial("corotational", 30e3, poisson, 1000), {{}, Lumping::rowSum, 1});
+  const Frame frame = frameOf(*this);
+  for (const std::int32_t n : b.mesh().nodeSets.at(frame.held)) b.constraints().fix(n);
+  if (byForce)
+    load(*this, b);
+  else
+    for (const std::int32_t n : b.mesh().nodeSets.at(frame.driven)) b.constraints().fix(n);
+  return b;
+}
+
+void Deformation::lead(Body& body, double t, double dt) const {
+  if (byForce) return;
+  const NodeVectors& X = body.mesh().X;
+  const double from = shareAt(*this, t), to = shareAt(*this, t + dt);
+  for (const std::int32_t n : body.mesh().nodeSets.at(frameOf(*this).driven)) {
+    const Vector3d velocity = (ledPosition(*this, X.col(n), to) - ledPosition(*this, X.col(n), from)) / dt;
+    for (int c = 0; c < 3; ++c) body.constraints().move(n, c, velocity[c]);
+  }
+}
+
+std::vector<Deformation> allDeformations(double poisson) {
+  std::vector<Deformation> all;
+  for (const std::string_view mesh : {"cube", "bar"})
+    for (const Mode& mode : modes)
+      for (const bool byForce : {false, true}) all.push_back({mesh, mode.name, byForce, poisson});
+  return all;
+}
+
+StudyReport verifyDeformations(StudyEffort effort, std::span<const IntegratorEntry> integrators) {
+  const bool full = effort == StudyEffort::full;
+  Study study(integrators);
+  for (const Deformation& d : allDeformations(0.3))
+    if (full || (d.mesh == "cube" && d.byForce)) study.add(d, full && d.mesh == "cube");
+  if (full)
+    for (const double poisson : {0.4, 0.45, 0.49})
+      for (const Deformation& d : allDeformations(poisson))
+        if (d.mesh == "cube") study.add(d, false);
+  return study.finish();
+}
+
+}  // namespace ringwatch
