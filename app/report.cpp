@@ -7,6 +7,28 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json cutsJson(const RunResult& result) {
+  Json json = Json::array();
+  const auto bracket = [](const CriticalStep& step) {
+    return Json{{"safe", step.safe}, {"optimistic", step.optimistic}};
+  };
+  for (const CutRecord& cut : result.cuts)
+    json.push_back({{"step", cut.step},
+                    {"time", cut.time},
+                    {"elements", {{"before", cut.elementsBefore}, {"after", cut.elementsAfter}}},
+                    {"elements_cut", cut.elementsCut},
+                    {"nodes_added", cut.nodesAdded},
+                    {"faces_opened", cut.facesOpened},
+                    {"area", cut.area},
+                    {"critical_step", {{"before", bracket(cut.before)}, {"after", bracket(cut.after)}}},
+                    {"kinetic", {{"before", cut.kineticBefore}, {"after", cut.kineticAfter}}},
+                    {"handled_elements", {{"before", cut.handledBefore}, {"after", cut.handledAfter}}},
+                    {"elements_looked_at", cut.lookedAt},
+                    {"cut_time", cut.cutTime},
+                    {"selection_time", cut.selectionTime}});
+  return json;
+}
+
 Json handlerJson(const Scene& scene, const RunResult& result) {
   if (!result.handler) return nullptr;
   Json json{{"method", scene.handler},
@@ -92,6 +114,7 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
               {"steps", result.steps},
               {"end_time", result.time},
               {"handler", handlerJson(scene, result)},
+              {"cuts", cutsJson(result)},
               {"smallest_step", result.smallestStep},
               {"largest_step", result.largestStep},
               {"first_violated", momentJson(result.firstViolated)},
@@ -125,6 +148,15 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
                         body.mesh().elementCount());
     for (const HandlerFigure& figure : result.handler->figures)
       text += fmt::format(", {} {:.4g}", figure.name, figure.value);
+    text += "\n";
+  }
+  for (const CutRecord& cut : result.cuts) {
+    text += fmt::format(
+        "cut at t = {:.6g} s: {} of {} elements cut, {} now; critical step of all {:.4g} s, before {:.4g} s", cut.time,
+        cut.elementsCut, cut.elementsBefore, cut.elementsAfter, cut.after.safe, cut.before.safe);
+    if (result.handler)
+      text += fmt::format("; {} handled, {} before, {} looked at in {:.3g} ms", cut.handledAfter, cut.handledBefore,
+                          cut.lookedAt, 1e3 * cut.selectionTime);
     text += "\n";
   }
   // The first few events; all of them are in summary.json.

@@ -66,15 +66,16 @@ class Run {
         options_(options),
         rule_(stepRule(*integratorCatalog().find(scene.method), scene.damping)),
         integrator_(integratorCatalog().make(scene.method)),
-        balance_(body),
         progress_(options.progress) {
     result_.notes = options.notes;
-    if (!scene_.handler.empty()) {
-      auto handler = makeHandler(scene_.handler, body_, std::move(integrator_), scene_.handlerOptions);
-      handler_ = handler.get();
-      integrator_ = std::move(handler);
-      prepareHandler(body_.mesh().X, *scene_.step);
-    }
+    balance_.emplace(body_);
+    for (const Scene::Cut& cut : scene_.cuts)
+      for (const MeshBlock& block : body_.mesh().blocks)
+        if (block.type != elementTypeOf<Tet4>)
+          throw InputError(fmt::format("{}: only tetrahedra of four nodes can be cut; the mesh has {}", cut.origin,
+                                       elementInfo(block.type).name));
+    startHandler();
+    if (handler_) prepareHandler(body_.mesh().X, *scene_.step);
     startDevice();
     startSystem();
     if (integrator_->info().partitioned) splitBody();
@@ -107,6 +108,9 @@ class Run {
       // A rounding error in the sum of the steps must not add one.
       if (h_ > 0 && state_.time >= scene_.end - 1e-3 * h_) return end(ExitReason::end, "end time reached");
       if (options_.interrupt && options_.interrupt->load()) return end(ExitReason::interrupted, "interrupted");
+      while (result_.cuts.size() + cutsMissed_ < scene_.cuts.size() &&
+             state_.time >= scene_.cuts[result_.cuts.size() + cutsMissed_].time - 1e-3 * h_)
+        cut(scene_.cuts[result_.cuts.size() + cutsMissed_]);
 
       const bool rowDue = k % scene_.historyEvery == 0;
       keepBooks(rowDue);
@@ -185,12 +189,86 @@ class Run {
     return count;
   }
 
+  void startHandler() {
+    if (scene_.handler.empty()) return;
+    auto handler = makeHandler(scene_.handler, body_, std::move(integrator_), scene_.handlerOptions);
+    handler_ = handler.get();
+    integrator_ = std::move(handler);
+  }
+
   void prepareHandler(const NodeVectors& x, double h) {
     handler_->prepare(x, h);
+    noteChoice();
+  }
+
+  void noteChoice() {
     if (!result_.handler) result_.handler.emplace();
     result_.handler->elements = static_cast<std::int64_t>(handler_->elements().size());
     result_.handler->certified = handler_->certified();
     ++result_.handler->selections;
+  }
+
+  double kineticEnergy() const { return 0.5 * (state_.v.colwise().squaredNorm() * body_.lumpedMass()).value(); }
+
+  /// Cuts the body, carries the state over and starts anew what depends on the mesh.
+  void cut(const Scene::Cut& wanted) {
+    CutRecord record;
+    record.step = result_.steps;
+    record.time = state_.time;
+    const auto handled = [&] { return handler_ ? static_cast<std::int64_t>(handler_->elements().size()) : 0; };
+    record.elementsBefore = static_cast<std::int64_t>(body_.mesh().elementCount());
+    keepBooks(true);
+    record.before = criticalStep(body_, state_.x, rule_);
+    record.kineticBefore = kineticEnergy();
+    record.handledBefore = handled();
+    {
+      const Stopwatch watch(record.cutTime);
+      const CutMesh made =
+          cutMesh(body_.mesh(), wanted.surface, wanted.atRest ? body_.mesh().X : state_.x, wanted.snap);
+      if (made.facesOpened == 0) {
+        ++cutsMissed_;
+        result_.notes.push_back(fmt::format("{}: at t = {:.6g} s it opens nothing: no face of the mesh lies within it",
+                                            wanted.origin, state_.time));
+        return;
+      }
+      const ElementFlags chosen = handler_ ? handler_->chosen() : ElementFlags{};
+      // All of these hold on to the body or to vectors of its size.
+      monitor_.reset();
+      split_.reset();
+      system_.reset();
+      handler_ = nullptr;
+      integrator_.reset();
+      balance_.reset();
+      closeEvents();
+      state_.x = carriedOver(made, state_.x);
+      state_.v = carriedOver(made, state_.v);
+      body_ = sceneBody(scene_, made.mesh, body_.threads());
+      body_.constraints().imposeVelocity(state_.v);
+      integrator_ = integratorCatalog().make(scene_.method);
+      balance_.emplace(body_);
+      if (energies_) beforeCut_ = *energies_;
+      startHandler();
+      if (handler_) {
+        const Stopwatch selection(record.selectionTime);
+        handler_->prepare(state_.x, h_, made, chosen);
+        noteChoice();
+        record.lookedAt = scene_.handlerOptions.selection == "certified"
+                              ? static_cast<std::int64_t>(made.mesh.elementCount())
+                              : static_cast<std::int64_t>(chosenElements(made.changed).size());
+      }
+      startSystem();
+      if (integrator_->info().partitioned) splitBody();
+      record.elementsCut = static_cast<std::int64_t>(made.elementsCut);
+      record.nodesAdded = static_cast<std::int64_t>(made.nodesAdded);
+      record.facesOpened = static_cast<std::int64_t>(made.facesOpened);
+      record.area = made.area;
+    }
+    record.cutTime -= record.selectionTime;
+    record.elementsAfter = static_cast<std::int64_t>(body_.mesh().elementCount());
+    record.after = criticalStep(body_, state_.x, rule_);
+    record.kineticAfter = kineticEnergy();
+    record.handledAfter = handled();
+    result_.cuts.push_back(record);
   }
 
   /// The monitor sees the explicit elements under numbers of their own.
@@ -243,10 +321,14 @@ class Run {
     energies_.reset();
     if (!scene_.energy || (!rowDue && !body_.constraints().moving() && !scene_.damping.any())) return;
     const Stopwatch force(result_.forceTime);
-    balance_.record(state_.x, system_->internalForce(state_.time, state_.x, state_.v));
+    balance_->record(state_.x, system_->internalForce(state_.time, state_.x, state_.v));
     if (scene_.damping.any())
-      balance_.recordDamping(state_.time, state_.v, system_->dampingForce(state_.time, state_.x, state_.v));
-    if (rowDue) energies_ = balance_.energies(state_.v);
+      balance_->recordDamping(state_.time, state_.v, system_->dampingForce(state_.time, state_.x, state_.v));
+    if (!rowDue) return;
+    energies_ = balance_->energies(state_.v);
+    energies_->externalWork += beforeCut_.externalWork;
+    energies_->dissipated += beforeCut_.dissipated;
+    energies_->balanceError += beforeCut_.balanceError;
   }
 
   MonitorReport observe(std::int64_t k) {
@@ -451,7 +533,9 @@ class Run {
   std::unique_ptr<DeviceRun> device_;     // when the steps are taken on a GPU
   MonitorReport lastReport_;              // then: of the monitor's last look
   std::int64_t stiffElements_ = 0;
-  EnergyBalance balance_;
+  std::optional<EnergyBalance> balance_;  // always there but within a cut
+  Energies beforeCut_;                    // what the books of the bodies before have come to
+  std::size_t cutsMissed_ = 0;
   ProgressLine progress_;
   std::optional<StabilityMonitor> monitor_;
   std::optional<HistoryWriter> history_;

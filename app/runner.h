@@ -37,6 +37,20 @@ struct Handling {
   std::vector<HandlerFigure> figures;
 };
 
+/// What a cut did to a run.
+struct CutRecord {
+  std::int64_t step = 0;
+  double time = 0;                                     // s
+  std::int64_t elementsBefore = 0, elementsAfter = 0;  // of the mesh
+  std::int64_t elementsCut = 0, nodesAdded = 0, facesOpened = 0;
+  double area = 0;                                   // opened, at rest, one side, m²
+  CriticalStep before, after;                        // of the whole body there, whatever a handler does
+  double kineticBefore = 0, kineticAfter = 0;        // J; lumped masses move it a little
+  std::int64_t handledBefore = 0, handledAfter = 0;  // elements
+  std::int64_t lookedAt = 0;                         // elements that the handler judged anew
+  double cutTime = 0, selectionTime = 0;             // s of wall time: of mesh and body, of the handler
+};
+
 /// What came of a run.
 struct RunResult {
   struct Moment {
@@ -53,7 +67,8 @@ struct RunResult {
   std::optional<Moment> firstViolated;  // the monitor first said violated
   std::optional<Moment> runaway;        // the energy balance went off by more than runawayShare for good
   std::vector<MonitorEvent> events;
-  std::optional<Handling> handler;                                      // empty without one
+  std::optional<Handling> handler;  // empty without one
+  std::vector<CutRecord> cuts;
   double forceTime = 0, monitorTime = 0, outputTime = 0, wallTime = 0;  // s
   std::size_t frames = 0;
   std::vector<std::string> files;  // written, relative to the folder
@@ -68,10 +83,10 @@ struct RunResult {
 /// Balance error over the largest energy so far that counts as a runaway.
 inline constexpr double runawayShare = 0.1;
 
-/// Runs a scene on its body, to which a handler may add mass: before each step the monitor looks at the state, then the
-/// integrator takes the step. Writes history.csv, summary.json, what [output] asks for and the picture into
-/// options.folder, however the run ends. Throws InputError when the folder cannot be written, before anything is
-/// computed.
+/// Runs a scene on its body, to which a handler may add mass and which cuts replace: before each step the monitor looks
+/// at the state, then the integrator takes the step. Writes history.csv, summary.json, what [output] asks for and the
+/// picture into options.folder, however the run ends. Throws InputError when the folder cannot be written, before
+/// anything is computed.
 RunResult runScene(const Scene& scene, Body& body, const RunOptions& options);
 
 }  // namespace ringwatch

@@ -327,6 +327,13 @@ class Reader {
         if (values.size() != 3) wrongType(kindOf(node));
         return values;
       }
+      case SceneType::vectors:
+        return list([&](const toml::node& point) {
+          if (!point.is_array() || point.as_array()->size() != 3) wrongType("a list with " + kindOf(point));
+          Json values = Json::array();
+          for (const toml::node& n : *point.as_array()) values.push_back(number(n));
+          return values;
+        });
       case SceneType::numberOrAuto:
         if (node.is_string() && **node.as_string() == "auto") return "auto";
         return number(node);
@@ -562,6 +569,35 @@ void readLoadSection(const Section& section, Scene& scene) {
   }
 }
 
+void readCutSection(const Section& section, Scene& scene) {
+  for (const auto& [one, other] : {std::pair{"point", "normal"}, std::pair{"line", "sweep"}})
+    if (section.given(one) != section.given(other))
+      fail(section.origin, std::string("cut.") + (section.given(one) ? other : one),
+           fmt::format("missing; it goes with {}", section.given(one) ? one : other));
+  if (section.given("point") == section.given("line"))
+    fail(section.origin, "[[cut]]",
+         section.given("line") ? "both a plane and a line are given; give one of them"
+                               : "missing; give point and normal, or line and sweep");
+  const std::string origin = section.origin + ": [[cut]]";
+  const auto time = section.get<double>("time");
+  if (!(time < scene.end))
+    fail(section.at("time").origin, "cut.time",
+         fmt::format("{} s is not before the end; must be < end = {} s", time, scene.end));
+  try {
+    CutSurface surface = [&] {
+      if (section.given("point"))
+        return CutSurface::plane(vectorOf(section.at("point").value), vectorOf(section.at("normal").value));
+      std::vector<Eigen::Vector3d> line;
+      for (const Json& point : section.at("line").value) line.push_back(vectorOf(point));
+      return CutSurface::swept(std::move(line), vectorOf(section.at("sweep").value));
+    }();
+    scene.cuts.push_back({std::move(surface), time, section.get<double>("snap"),
+                          section.get<std::string>("positions") == "reference", origin});
+  } catch (const InputError& fault) {
+    throw InputError(fmt::format("{}: {}", origin, fault.what()));
+  }
+}
+
 Json echoOf(const std::vector<Section>& sections) {
   Json echo = Json::object();
   for (const Section& section : sections) {
@@ -569,7 +605,7 @@ Json echoOf(const std::vector<Section>& sections) {
     for (const SceneKey& key : sceneKeys())  // the table's order
       if (key.section == section.name && section.entries.count(key.key) != 0)
         values[key.key] = section.at(key.key).value;
-    if (section.name == "fix" || section.name == "move" || section.name == "force")
+    if (section.name == "fix" || section.name == "move" || section.name == "force" || section.name == "cut")
       echo[section.name].push_back(std::move(values));
     else
       echo[section.name] = std::move(values);
@@ -638,6 +674,14 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
   readDevice(section("integrator"), scene);
   for (const Section& s : sections)
     if (s.name == "fix" || s.name == "move" || s.name == "force") readLoadSection(s, scene);
+
+  for (const Section& s : sections)
+    if (s.name == "cut") readCutSection(s, scene);
+  std::stable_sort(scene.cuts.begin(), scene.cuts.end(),
+                   [](const Scene::Cut& a, const Scene::Cut& b) { return a.time < b.time; });
+  if (!scene.cuts.empty() && scene.device == RunDevice::cuda)
+    throw InputError(fmt::format("{}: \"cuda\": a GPU runs no cuts; set it to \"cpu\"", scene.deviceOrigin));
+  if (!scene.cuts.empty() && scene.device == RunDevice::automatic) scene.noDevice = "a GPU runs no cuts";
 
   const Section& output = section("output");
   if (output.given("every")) scene.frameInterval = output.get<double>("every");

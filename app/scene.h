@@ -12,6 +12,7 @@
 #include <ringwatch/body/body.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/integrator.h>
+#include <ringwatch/meshes/cut.h>
 #include <ringwatch/meshes/mesh.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
@@ -53,6 +54,14 @@ struct Scene {
     std::optional<Eigen::Vector3d> total;         // N, spread over the nodes by mass
   };
 
+  struct Cut {
+    CutSurface surface;
+    double time = 0;  // s
+    double snap = 0;  // edge lengths
+    bool atRest = false;
+    std::string origin;  // "scene.toml:31: [[cut]]", for messages
+  };
+
   std::filesystem::path file;
   nlohmann::ordered_json echo;  // every section and key with defaults filled in
 
@@ -88,6 +97,7 @@ struct Scene {
   std::vector<Fix> fixes;
   std::vector<Move> moves;
   std::vector<Force> forces;
+  std::vector<Cut> cuts;  // by time
 
   std::optional<double> frameInterval;  // s; empty for no frames
   std::vector<std::string> fields;

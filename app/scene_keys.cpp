@@ -27,7 +27,7 @@ constexpr SceneRange unitInterval{0, 1, true, true};
 constexpr SceneRange factor{0, 1, false, true};  // 0 < s <= 1
 constexpr SceneRange poissonRange{-1, 0.5, false, false};
 
-constexpr std::array<SceneSection, 10> sections{{
+constexpr std::array<SceneSection, 11> sections{{
     {"mesh", false, true, "a file or a generator with its parameters"},
     {"material", false, true, "one material for the whole body"},
     {"integrator", false, true, "how time advances"},
@@ -37,6 +37,8 @@ constexpr std::array<SceneSection, 10> sections{{
     {"fix", true, false, "nodes that stay; each [[fix]] adds to the others"},
     {"move", true, false, "nodes that move at a constant velocity"},
     {"force", true, false, "dead loads"},
+    {"cut", true, false,
+     "cuts through a mesh of tetrahedra along a plane or a swept line; lips may pass through each other"},
     {"output", false, false, "what is written besides history.csv and summary.json"},
 }};
 
@@ -249,6 +251,29 @@ std::vector<SceneKey> makeKeys() {
        {},
        "force = mass x acceleration; or give force"},
       {"force", "force", T::vector, "N", false, "", anything, {}, "total force, spread over the nodes by mass"},
+      {"cut", "time", T::number, "s", true, "", notNegative, {}, "it is made before the first step that begins then"},
+      {"cut", "point", T::vector, "m", false, "", anything, {}, "of an endless plane; with normal"},
+      {"cut", "normal", T::vector, "", false, "", anything, {}, "of the plane, of any length"},
+      {"cut", "line", T::vectors, "m", false, "", anything, {}, "or two and more points, with sweep"},
+      {"cut", "sweep", T::vector, "m", false, "", anything, {}, "how far the line is swept; the cut ends with it"},
+      {"cut",
+       "snap",
+       T::number,
+       "edge lengths",
+       false,
+       "0.1",
+       SceneRange{0, 0.5, true, true},
+       {},
+       "nodes nearer than this are taken as on the surface, which saves slivers; 0 cuts exactly"},
+      {"cut",
+       "positions",
+       T::text,
+       "",
+       false,
+       "\"deformed\"",
+       anything,
+       {"deformed", "reference"},
+       "where the surface lies: in space at that time, or in the body at rest"},
       {"output",
        "every",
        T::number,
@@ -312,6 +337,8 @@ std::string_view sceneTypeName(SceneType type) {
       return "list of texts";
     case SceneType::vector:
       return "list of three numbers";
+    case SceneType::vectors:
+      return "list of points, each a list of three numbers";
     case SceneType::numberOrAuto:
       return "number or \"auto\"";
     case SceneType::parameter:

@@ -15,6 +15,7 @@ enum class SceneType {
   text,
   texts,         ///< list of strings
   vector,        ///< three numbers
+  vectors,       ///< list of them
   numberOrAuto,  ///< a number or "auto"
   parameter      ///< of a mesh generator: a number, a text or a list of numbers, checked against the generator's table
 };
@@ -33,7 +34,7 @@ struct SceneRange {
 
 /// One key of the scene format. The table of these drives validation, defaults, messages and the listing for people.
 struct SceneKey {
-  std::string section;  // "fix", "move" and "force" are lists of tables
+  std::string section;  // "fix", "move", "force" and "cut" are lists of tables
   std::string key;
   SceneType type;
   std::string unit;  // "" for none

@@ -21,7 +21,14 @@ Handler::Handler(Body& body, std::unique_ptr<Integrator> base, HandlerOptions op
     throw InputError(joinText("margin ", options_.margin, ": must be >= 0 and < 1"));
 }
 
-void Handler::prepare(const NodeVectors& x, double h) {
+void Handler::prepare(const NodeVectors& x, double h) { choose(x, h, {}); }
+
+void Handler::prepare(const NodeVectors& x, double h, const CutMesh& cut, const ElementFlags& chosenBefore) {
+  chosen_ = carriedOver(cut, chosenBefore);
+  choose(x, h, cut.changed);
+}
+
+void Handler::choose(const NodeVectors& x, double h, const ElementFlags& lookAt) {
   if (!(h > 0) || !std::isfinite(h)) throw InputError(joinText("step ", h, " s: must be > 0 and finite"));
   const double lambda = allowedLambda(h);
   const bool proven = options_.selection == "certified";
@@ -31,7 +38,7 @@ void Handler::prepare(const NodeVectors& x, double h) {
     chosen = certificate_->chosen;
   } else {
     certificate_.reset();
-    chosen = selectByReducedRing(body_, x, lambda);
+    chosen = selectByReducedRing(body_, x, lambda, lookAt);
     for (std::size_t b = 0; b < chosen.size(); ++b)
       for (std::size_t e = 0; e < chosen[b].size(); ++e) chosen[b][e] = chosen[b][e] || chosen_[b][e];
   }

@@ -50,11 +50,15 @@ class Handler : public Integrator {
   /// Chooses the elements to handle for steps of h (s, > 0) at positions x (3×N, m), those chosen before among them.
   /// Throws InputError for options or a body that it cannot work with.
   void prepare(const NodeVectors& x, double h);
+  /// The same for a body whose mesh was cut: the choice made before it, carried over to what the cut left as it was.
+  /// With "reduced-1-ring" only the changed elements are looked at; "certified" proves the whole anew.
+  void prepare(const NodeVectors& x, double h, const CutMesh& cut, const ElementFlags& chosenBefore);
   /// One step of the size that it was prepared for; another throws InputError.
   StepStatus step(SecondOrderSystem& system, State& state, double h) override;
   void reset() override { base_->reset(); }
 
-  /// The handled elements, ascending.
+  /// The handled elements, as flags and ascending.
+  const ElementFlags& chosen() const { return chosen_; }
   const std::vector<ElementRef>& elements() const { return elements_; }
   /// The elements that the base scheme alone must be stable for, on the whole lumped mass: what a monitor watches. The
   /// body itself where no element leaves the explicit part.
@@ -81,6 +85,9 @@ class Handler : public Integrator {
   HandlerOptions options_;
 
  private:
+  /// lookAt: the elements to judge; empty for all.
+  void choose(const NodeVectors& x, double h, const ElementFlags& lookAt);
+
   double h_ = 0;
   bool certified_ = false;
   ElementFlags chosen_;

@@ -183,14 +183,51 @@ std::vector<std::vector<std::int32_t>> elementNumbers(const ElementFlags& flags)
   return numbers;
 }
 
-ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double lambda) {
+ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& lookAt) {
   if (!(lambda > 0)) throw InputError(joinText("selection: lambda = ", lambda, " rad2/s2 must be > 0"));
   ElementFlags flags = noElements(body.mesh());
-  ReducedRing rings(body);
-  const auto& largest = rings.evaluate(x).largest;
-  for (std::size_t b = 0; b < flags.size(); ++b)
-    for (std::size_t e = 0; e < flags[b].size(); ++e) flags[b][e] = !(largest[b][e] <= lambda);
+  const auto judge = [&](const Body& part, const auto& numberOf) {
+    ReducedRing rings(part);
+    const auto& largest = rings.evaluate(x).largest;
+    for (std::size_t b = 0; b < largest.size(); ++b)
+      for (std::size_t e = 0; e < largest[b].size(); ++e) {
+        const std::size_t whole = numberOf(b, e);
+        flags[b][whole] = !(largest[b][e] <= lambda) && (lookAt.empty() || lookAt[b][whole]);
+      }
+  };
+  if (lookAt.empty()) {
+    judge(body, [](std::size_t, std::size_t e) { return e; });
+    return flags;
+  }
+  // A ring is made of all elements at the nodes of its own: with these, a part of the body has the same rings.
+  std::vector<bool> near(static_cast<std::size_t>(body.nodeCount()), false);
+  const std::vector<MeshBlock>& blocks = body.mesh().blocks;
+  const auto nodesOf = [&](std::size_t b, std::size_t e) {
+    return std::span(blocks[b].element(e), static_cast<std::size_t>(blocks[b].nodesPerElement()));
+  };
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    for (std::size_t e = 0; e < lookAt[b].size(); ++e)
+      if (lookAt[b][e])
+        for (const std::int32_t n : nodesOf(b, e)) near[static_cast<std::size_t>(n)] = true;
+  ElementFlags around = noElements(body.mesh());
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    for (std::size_t e = 0; e < around[b].size(); ++e) {
+      const auto nodes = nodesOf(b, e);
+      around[b][e] =
+          std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return near[static_cast<std::size_t>(n)]; });
+    }
+  if (chosenElements(around).empty()) return flags;
+  const auto numbers = elementNumbers(around);
+  judge(Body(body, around), [&](std::size_t b, std::size_t e) { return static_cast<std::size_t>(numbers[b][e]); });
   return flags;
+}
+
+ElementFlags carriedOver(const CutMesh& cut, const ElementFlags& before) {
+  ElementFlags after = cut.changed;
+  for (std::size_t b = 0; b < after.size(); ++b)
+    for (std::size_t e = 0; e < after[b].size(); ++e)
+      after[b][e] = !cut.changed[b][e] && before[b][static_cast<std::size_t>(cut.parent[b][e])];
+  return after;
 }
 
 CertifiedSelection selectCertified(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep) {

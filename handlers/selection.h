@@ -2,6 +2,7 @@
 #include <vector>
 
 #include <ringwatch/body/body.h>
+#include <ringwatch/meshes/cut.h>
 #include <ringwatch/monitor/bounds.h>
 
 namespace ringwatch {
@@ -21,8 +22,14 @@ std::vector<std::vector<std::int32_t>> elementNumbers(const ElementFlags& flags)
 
 /// The source's choice (section 3.4): the elements whose reduced 1-ring at positions x (3×N, m) has a highest
 /// eigenvalue above lambda, rad²/s², (limit/h)² for a step h. Proves nothing about the rest: the ring is a lower bound.
+/// lookAt: the elements to judge; others are not flagged and cost nothing. Empty: all.
 /// Throws InputError unless lambda > 0.
-ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double lambda);
+ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double lambda,
+                                 const ElementFlags& lookAt = {});
+
+/// A choice in a mesh before a cut, carried over to the elements that the cut left as they were; changed ones are not
+/// flagged.
+ElementFlags carriedOver(const CutMesh& cut, const ElementFlags& before);
 
 /// A set of elements without which the rest is proven stable.
 struct CertifiedSelection {

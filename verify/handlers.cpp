@@ -15,6 +15,7 @@
 #include <ringwatch/meshes/generators.h>
 #include <ringwatch/monitor/global_frequency.h>
 #include <ringwatch/monitor/stability_monitor.h>
+#include <ringwatch/verify/cutting.h>
 
 namespace ringwatch {
 namespace {
@@ -243,6 +244,7 @@ StudyReport verifyHandlers(StudyEffort effort) {
   report.tables.push_back(std::move(selection));
   report.tables.push_back(std::move(motions));
   addEnergies(full ? 100'000 : 4000, withoutSlivers(1), report);
+  addCutting(effort, report);
   return report;
 }
 

@@ -2,9 +2,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/handlers/handler.h>
+#include <ringwatch/meshes/cut.h>
+#include <ringwatch/meshes/generators.h>
+#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/monitor/stability_monitor.h>
 #include <tests/handlers/handler_cases.h>
 
 namespace ringwatch {
@@ -127,6 +134,58 @@ TEST(PartOfABody, HasItsElementsForcesAndTheWholeMass) {
   ElementFlags wrong = flags;
   wrong[0].pop_back();
   EXPECT_THROW(Body(body, wrong), InputError);
+}
+
+TEST(Selection, RingsOfAPartAreThoseOfTheWhole) {
+  BarOptions options;
+  options.cells = {6, 3, 3};
+  options.jitter = 0.3;
+  const Body body(generateBar(options), makeMaterial("stvk", 30e3, 0.3, 1000));
+  const NodeVectors x = 1.1 * body.mesh().X;
+  ElementFlags some = noElements(body.mesh());
+  for (std::size_t e = 0; e < some[0].size(); e += 7) some[0][e] = true;
+  // A threshold in the midst of the rings.
+  std::vector<double> values = ReducedRing(body).evaluate(x).largest[0];
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  const double lambda = values[values.size() / 2];
+  const ElementFlags all = selectByReducedRing(body, x, lambda), part = selectByReducedRing(body, x, lambda, some);
+  std::size_t flagged = 0;
+  for (std::size_t e = 0; e < all[0].size(); ++e) {
+    EXPECT_EQ(part[0][e], all[0][e] && some[0][e]);
+    flagged += part[0][e];
+  }
+  EXPECT_GT(flagged, 5u);
+  EXPECT_LT(flagged, chosenElements(some).size() - 5);
+  EXPECT_TRUE(chosenElements(selectByReducedRing(body, x, lambda, noElements(body.mesh()))).empty());
+}
+
+TEST(Selection, AfterACutOnlyTheChangedElementsAreChosenAnew) {
+  BarOptions options;
+  options.size = {0.2, 0.05, 0.05};
+  options.cells = {12, 3, 3};
+  options.jitter = 0.2;
+  const Mesh mesh = generateBar(options);
+  const Material material = makeMaterial("corotational", 30e3, 0.3, 1000);
+  const CutMesh cut = cutMesh(mesh, CutSurface::plane({0.1, 0, 0}, {1, 0.1, 0}), mesh.X, 0.01);
+  for (const char* selection : {"certified", "reduced-1-ring"}) {
+    HandlerOptions handlerOptions;
+    handlerOptions.selection = selection;
+    Body before(mesh, material);
+    const auto first = makeHandler("imex", before, makeIntegrator("verlet"), handlerOptions);
+    const double h = 0.9 * criticalStep(before, mesh.X, 2).safe;
+    first->prepare(mesh.X, h);
+    Body after(cut.mesh, material), fresh(cut.mesh, material);
+    const auto second = makeHandler("imex", after, makeIntegrator("verlet"), handlerOptions),
+               anew = makeHandler("imex", fresh, makeIntegrator("verlet"), handlerOptions);
+    second->prepare(cut.mesh.X, h, cut, first->chosen());
+    anew->prepare(cut.mesh.X, h);
+    EXPECT_GT(second->elements().size(), first->elements().size());
+    if (second->certified()) {
+      EXPECT_LE(globalFrequency(second->explicitBody(), cut.mesh.X).lambda, 4 / (h * h));
+    } else {
+      EXPECT_EQ(second->chosen(), anew->chosen());  // rings elsewhere are what they were
+    }
+  }
 }
 
 }  // namespace

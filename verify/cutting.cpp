@@ -1,0 +1,181 @@
+#include <ringwatch/verify/cutting.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/handlers/handler.h>
+#include <ringwatch/integrators/body_system.h>
+#include <ringwatch/meshes/cut.h>
+#include <ringwatch/meshes/generators.h>
+#include <ringwatch/monitor/stability_monitor.h>
+
+namespace ringwatch {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double limit = 2;    // of Verlet
+constexpr double snap = 0.02;  // little: slivers are what this is about
+const Vector3d size{0.12, 0.06, 0.06};
+
+std::vector<CutSurface> fourCuts() {
+  return {CutSurface::plane({0.1, 0, 0}, {1, 0.2, 0.1}),
+          CutSurface::swept({{0.07, -0.01, 0.03}, {0.07, 0.07, 0.03}}, {0, 0, 0.04}),
+          CutSurface::swept({{0.02, -0.01, 0.041}, {0.02, 0.031, 0.041}}, {0.04, 0, 0}),
+          CutSurface::swept({{0.03, -0.01, -0.01}, {0.045, -0.01, 0.02}, {0.06, -0.01, -0.01}}, {0, 0.08, 0})};
+}
+
+Body bodyOf(const Mesh& mesh) {
+  Body body(mesh, makeMaterial("corotational", 30e3, 0.3, 1000), {{}, Lumping::rowSum, 1});
+  for (const std::int32_t n : body.mesh().nodeSets.at("x-min")) body.constraints().fix(n);
+  return body;
+}
+
+double energyOf(const Body& body, const State& state) {
+  Body::Workspace workspace;
+  return body.energy(state.x, workspace) + 0.5 * (state.v.colwise().squaredNorm() * body.lumpedMass()).value();
+}
+
+/// One way to run: with a handler at a fixed step, or without one at the certified step.
+class CutRun {
+ public:
+  CutRun(const Mesh& mesh, std::string handler, std::string selection, double h)
+      : handlerName_(std::move(handler)), h_(h), body_(bodyOf(mesh)) {
+    options_.selection = std::move(selection);
+    state_ = BodySystem(body_).initialState();
+    for (std::int32_t i = 0; i < body_.nodeCount(); ++i)
+      state_.v.col(i) = Vector3d(0, 0.3 * std::pow(state_.x(0, i) / size.x(), 2), 0.1 * state_.x(0, i) / size.x());
+    energy_ = energyOf(body_, state_);
+    start(nullptr, {});
+  }
+
+  /// Steps to a time, s.
+  void advanceTo(double end) {
+    const auto steps = static_cast<std::int64_t>(std::ceil((end - state_.time) / h_ - 1e-6));
+    const double h = handlerName_.empty() ? (end - state_.time) / static_cast<double>(steps) : h_;
+    BodySystem system(body_);
+    const double from = state_.time;
+    const std::clock_t begin = std::clock();
+    for (std::int64_t i = 0; i < steps && lost_.empty(); ++i) lost_ = integrator_->step(system, state_, h).reason;
+    secondsPerSecond_ = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / (state_.time - from);
+    if (lost_.empty() && !state_.x.allFinite()) lost_ = "positions are not finite";
+    if (lost_.empty()) energy_ = energyOf(body_, state_);
+  }
+
+  void cut(const CutSurface& surface) {
+    const CutMesh made = cutMesh(body_.mesh(), surface, body_.mesh().X, snap);
+    const ElementFlags chosen = handler_ ? handler_->chosen() : ElementFlags{};
+    integrator_.reset();
+    state_.x = carriedOver(made, state_.x);
+    state_.v = carriedOver(made, state_.v);
+    body_ = bodyOf(made.mesh);
+    start(&made, chosen);
+    energy_ = energyOf(body_, state_);
+  }
+
+  const Body& body() const { return body_; }
+  std::int64_t handled() const { return handler_ ? static_cast<std::int64_t>(handler_->elements().size()) : 0; }
+  std::int64_t judged() const { return judged_; }
+  double judgingTime() const { return judgingTime_; }
+  double critical() const { return critical_; }
+  double step() const { return h_; }
+  double energy() const { return energy_; }
+  double secondsPerSecond() const { return secondsPerSecond_; }
+  const std::string& lost() const { return lost_; }
+
+ private:
+  void start(const CutMesh* cut, const ElementFlags& chosen) {
+    critical_ = criticalStep(body_, state_.x, limit).safe;
+    integrator_ = makeIntegrator("verlet");
+    if (handlerName_.empty()) {
+      h_ = 0.95 * critical_;
+      return;
+    }
+    auto handler = makeHandler(handlerName_, body_, std::move(integrator_), options_);
+    handler_ = handler.get();
+    integrator_ = std::move(handler);
+    const std::clock_t begin = std::clock();
+    if (cut)
+      handler_->prepare(state_.x, h_, *cut, chosen);
+    else
+      handler_->prepare(state_.x, h_);
+    judgingTime_ = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    judged_ = cut && options_.selection == "reduced-1-ring"
+                  ? static_cast<std::int64_t>(chosenElements(cut->changed).size())
+                  : static_cast<std::int64_t>(body_.mesh().elementCount());
+  }
+
+  std::string handlerName_;
+  HandlerOptions options_;
+  double h_;
+  Body body_;
+  State state_;
+  std::unique_ptr<Integrator> integrator_;
+  Handler* handler_ = nullptr;
+  double energy_ = 0, critical_ = 0, judgingTime_ = 0, secondsPerSecond_ = 0;
+  std::int64_t judged_ = 0;
+  std::string lost_;
+};
+
+}  // namespace
+
+void addCutting(StudyEffort effort, StudyReport& report) {
+  const int cells = effort == StudyEffort::full ? 6 : 4;            // across
+  const double between = effort == StudyEffort::full ? 0.1 : 0.02;  // s, from cut to cut
+  BarOptions options;
+  options.size = {size.x(), size.y(), size.z()};
+  options.cells = {2 * cells, cells, cells};
+  options.jitter = 0.1;
+  const Mesh mesh = generateBar(options);
+  const Body whole = bodyOf(mesh);
+  const double before = criticalStep(whole, whole.mesh().X, limit).safe, h = 0.5 * before;
+
+  StudyTable table{"cutting",
+                   "A bar cut four times, corotational; handlers keep the step that they began with, Verlet takes 0.95 "
+                   "of the certified one",
+                   {"method", "selection", "after cut", "elements", "handled", "judged anew", "judged in (ms)",
+                    "critical step (ms)", "step (ms)", "seconds a simulated second", "energy/start", "lost"},
+                   {}};
+  const auto run = [&](const std::string& handler, const std::string& selection) {
+    CutRun cutRun(mesh, handler, selection, h);
+    const double start = cutRun.energy();
+    double most = 1;
+    int done = 0;
+    const auto goOn = [&] {
+      cutRun.advanceTo((done + 1) * between);
+      most = std::max(most, cutRun.energy() / start);
+      table.rows.push_back({handler.empty() ? "verlet" : handler, handler.empty() ? "" : selection,
+                            static_cast<std::int64_t>(done),
+                            static_cast<std::int64_t>(cutRun.body().mesh().elementCount()), cutRun.handled(),
+                            cutRun.judged(), 1e3 * cutRun.judgingTime(), 1e3 * cutRun.critical(), 1e3 * cutRun.step(),
+                            cutRun.secondsPerSecond(), cutRun.energy() / start, cutRun.lost()});
+    };
+    goOn();
+    for (const CutSurface& surface : fourCuts()) {
+      if (!cutRun.lost().empty()) break;
+      cutRun.cut(surface);
+      ++done;
+      goOn();
+    }
+    const std::string what = joinText("cutting, ", handler.empty() ? "verlet" : handler + ", " + selection);
+    const bool kept = cutRun.lost().empty() && done == 4;
+    if (handler == "mass-scaling")  // mass that comes with its velocity is energy
+      checkBelow(report, what + ": lost", kept ? 0 : 1, 0);
+    else
+      checkBelow(report, what + ": largest energy over four cuts / start",
+                 kept ? most : std::numeric_limits<double>::infinity(), 1.02);
+    if (handler.empty())
+      checkBelow(report, what + ": critical step after / before four cuts", cutRun.critical() / before, 0.2);
+  };
+  run("", "");
+  for (const HandlerEntry& entry : allHandlers()) {
+    run(std::string(entry.info->name), "certified");
+    if (entry.info->name != "mass-scaling") run(std::string(entry.info->name), "reduced-1-ring");
+  }
+  report.tables.push_back(std::move(table));
+}
+
+}  // namespace ringwatch
