@@ -498,6 +498,9 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
   scene.handlerOptions.cluster.tolerance = handler.get<double>("tolerance");
   scene.handlerOptions.cluster.iterations = static_cast<int>(
       std::min<std::int64_t>(handler.get<std::int64_t>("iterations"), std::numeric_limits<int>::max()));
+  scene.handlerOptions.levels =
+      static_cast<int>(std::min<std::int64_t>(handler.get<std::int64_t>("levels"), std::numeric_limits<int>::max()));
+  scene.handlerOptions.stabilised = handler.get<std::string>("variant") == "stabilised";
   scene.reduceOnFailure = handler.get<std::string>("on_failure") == "reduce-step";
 
   if (scene.handler.empty()) {
@@ -518,11 +521,16 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
   if (scene.handler == "mass-scaling" && scene.handlerOptions.selection != "certified")
     fail(handler.at("selection").origin, "handler.selection",
          "mass-scaling adds mass until the step is proven; must be \"certified\"");
-  if (scene.handler != "imex")
+  if (scene.handler != "imex" && scene.handler != "adaptive")
     for (const char* key : {"dissipation", "solver", "tolerance", "iterations", "on_failure"})
       if (handler.given(key))
         fail(handler.at(key).origin, std::string("handler.") + key,
-             fmt::format("is a key of imex; \"{}\" does not take it", scene.handler));
+             fmt::format("is a key of imex and adaptive; \"{}\" does not take it", scene.handler));
+  if (scene.handler != "adaptive")
+    for (const char* key : {"levels", "variant"})
+      if (handler.given(key))
+        fail(handler.at(key).origin, std::string("handler.") + key,
+             fmt::format("is a key of adaptive; \"{}\" does not take it", scene.handler));
   if (scene.handlerOptions.cluster.solver == ClusterSolver::cholesky)
     for (const char* key : {"tolerance", "iterations"})
       if (handler.given(key))

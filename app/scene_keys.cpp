@@ -22,6 +22,7 @@ constexpr SceneRange anything{};
 constexpr SceneRange positive{0, infinity, false, true};
 constexpr SceneRange notNegative{0, infinity, true, true};
 constexpr SceneRange atLeastOne{1, infinity, true, true};
+constexpr SceneRange levelCount{1, 12, true, true};
 constexpr SceneRange share{0, 1, true, false};  // 0 <= s < 1
 constexpr SceneRange unitInterval{0, 1, true, true};
 constexpr SceneRange factor{0, 1, false, true};  // 0 < s <= 1
@@ -193,7 +194,7 @@ std::vector<SceneKey> makeKeys() {
        "0.1",
        unitInterval,
        {},
-       "imex: of the implicit elements; 0 none and second order, 1 implicit Euler"},
+       "imex, adaptive: of the handled elements; 0 none and second order, 1 with imex implicit Euler"},
       {"handler",
        "solver",
        T::text,
@@ -202,9 +203,28 @@ std::vector<SceneKey> makeKeys() {
        "\"auto\"",
        anything,
        {"auto", "cholesky", "cg"},
-       "imex: factored and turned with its elements, or conjugate gradients; auto by the size of each cluster"},
-      {"handler", "tolerance", T::number, "", false, "1e-8", factor, {}, "imex: of cg, relative"},
-      {"handler", "iterations", T::integer, "", false, "200", atLeastOne, {}, "imex: of cg, at most"},
+       "imex, implicit elements of adaptive: factored and turned with its elements, or conjugate gradients; auto by "
+       "the size of each cluster"},
+      {"handler", "tolerance", T::number, "", false, "1e-8", factor, {}, "of cg, relative"},
+      {"handler", "iterations", T::integer, "", false, "200", atLeastOne, {}, "of cg, at most"},
+      {"handler",
+       "levels",
+       T::integer,
+       "",
+       false,
+       "6",
+       levelCount,
+       {},
+       "adaptive: finest step is step/2^levels; elements that need a smaller one are implicit"},
+      {"handler",
+       "variant",
+       T::text,
+       "",
+       false,
+       "\"stabilised\"",
+       anything,
+       {"stabilised", "plain"},
+       "adaptive: damped local time stepping, or the plain one, which has resonances"},
       {"handler",
        "on_failure",
        T::text,
@@ -213,7 +233,7 @@ std::vector<SceneKey> makeKeys() {
        "\"stop\"",
        anything,
        {"stop", "reduce-step"},
-       "imex: when cg does not converge, stop the run or halve its step"},
+       "imex, adaptive: when a step fails, stop the run or halve its step"},
   };
   keys.insert(keys.end(), rest.begin(), rest.end());
   for (const char* section : {"fix", "move", "force"}) {

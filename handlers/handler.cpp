@@ -21,33 +21,35 @@ Handler::Handler(Body& body, std::unique_ptr<Integrator> base, HandlerOptions op
     throw InputError(joinText("margin ", options_.margin, ": must be >= 0 and < 1"));
 }
 
-void Handler::prepare(const NodeVectors& x, double h) { choose(x, h, {}); }
+void Handler::prepare(const NodeVectors& x, double h) { prepareFor(x, h, {}); }
 
 void Handler::prepare(const NodeVectors& x, double h, const CutMesh& cut, const ElementFlags& chosenBefore) {
   chosen_ = carriedOver(cut, chosenBefore);
-  choose(x, h, cut.changed);
+  prepareFor(x, h, cut.changed);
 }
 
-void Handler::choose(const NodeVectors& x, double h, const ElementFlags& lookAt) {
+void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& lookAt) {
   if (!(h > 0) || !std::isfinite(h)) throw InputError(joinText("step ", h, " s: must be > 0 and finite"));
-  const double lambda = allowedLambda(h);
-  const bool proven = options_.selection == "certified";
-  ElementFlags chosen;
-  if (proven) {
-    certificate_ = selectCertified(body_, x, lambda, chosen_);
-    chosen = certificate_->chosen;
-  } else {
-    certificate_.reset();
-    chosen = selectByReducedRing(body_, x, lambda, lookAt);
-    for (std::size_t b = 0; b < chosen.size(); ++b)
-      for (std::size_t e = 0; e < chosen[b].size(); ++e) chosen[b][e] = chosen[b][e] || chosen_[b][e];
-  }
+  lookAt_ = lookAt;
+  ElementFlags chosen = choose(x, h, chosen_);
   h_ = h;
-  certified_ = proven;
+  certified_ = certificate_.has_value();
   chosen_ = std::move(chosen);
   elements_ = chosenElements(chosen_);
   reset();
   if (!elements_.empty()) take(x, h, chosen_);
+}
+
+ElementFlags Handler::chooseFor(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep) {
+  certificate_.reset();
+  if (options_.selection == "certified") {
+    certificate_ = selectCertified(body, x, lambda, keep);
+    return certificate_->chosen;
+  }
+  ElementFlags chosen = selectByReducedRing(body, x, lambda, lookAt_);
+  for (std::size_t b = 0; b < keep.size(); ++b)
+    for (std::size_t e = 0; e < keep[b].size(); ++e) chosen[b][e] = chosen[b][e] || keep[b][e];
+  return chosen;
 }
 
 double Handler::allowedLambda(double h) const {
@@ -61,10 +63,19 @@ StepStatus Handler::step(SecondOrderSystem& system, State& state, double h) {
   return handledStep(system, state, h);
 }
 
-void Handler::splitOff(const ElementFlags& chosen) {
+void Handler::splitOff(const ElementFlags& chosen, double massShare) {
   const ElementFlags left = complement(chosen);
-  explicitPart_.emplace(body_, left);
   numbers_ = elementNumbers(left);
+  explicitPart_.emplace(body_, left);
+  if (massShare == 1) return;
+  Mesh mesh = explicitPart_->mesh();
+  std::vector<std::unique_ptr<ElementBlock>> blocks;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const ElementBlock& own = *body_.blocks()[b];
+    blocks.push_back(makeElementBlock(mesh, mesh.blocks[b], own.material(), own.rule().name));
+  }
+  explicitPart_.emplace(std::move(mesh), std::move(blocks), massShare * body_.lumpedMass(), body_.threads());
+  explicitPart_->constraints() = body_.constraints();
 }
 
 ElementRef Handler::wholeElement(ElementRef part) const {

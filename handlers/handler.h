@@ -19,7 +19,9 @@ struct HandlerOptions {
   std::string selection = "certified";
   /// Elements are chosen as for a step of h/(1 - margin), >= 0 and < 1: room for a rest that stiffens along the run.
   double margin = 0.1;
-  double dissipation = 0.1;     ///< of the implicit part: 0 none and second order, 1 implicit Euler
+  double dissipation = 0.1;     ///< of the handled part: 0 none and second order, 1 implicit Euler with imex
+  int levels = 6;               ///< adaptive: the finest step is h/2^levels at least, >= 1 and <= 12
+  bool stabilised = true;       ///< adaptive: false is plain local time stepping, which has resonances
   ClusterOptions cluster = {};  ///< of the implicit part
 };
 
@@ -73,8 +75,14 @@ class Handler : public Integrator {
   /// Called after a choice that is not empty.
   virtual void take(const NodeVectors& x, double h, const ElementFlags& chosen) = 0;
   virtual StepStatus handledStep(SecondOrderSystem& system, State& state, double h) = 0;
-  /// Leaves the chosen elements out of explicitBody().
-  void splitOff(const ElementFlags& chosen);
+  /// Which elements, those of `keep` among them: those that a limit of allowedLambda(h) asks for.
+  virtual ElementFlags choose(const NodeVectors& x, double h, const ElementFlags& keep) {
+    return chooseFor(body_, x, allowedLambda(h), keep);
+  }
+  /// The elements of a body on its nodes that a limit of lambda, rad²/s², asks for, as the selection says.
+  ElementFlags chooseFor(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep);
+  /// Leaves the chosen elements out of explicitBody(), which gets a share, > 0, of the lumped mass.
+  void splitOff(const ElementFlags& chosen, double massShare = 1);
   /// The highest frequency squared that is left to the rest, rad²/s²: ((1 - margin) limit/h)².
   double allowedLambda(double h) const;
   /// The bound behind a certified choice; empty with "reduced-1-ring".
@@ -86,11 +94,11 @@ class Handler : public Integrator {
 
  private:
   /// lookAt: the elements to judge; empty for all.
-  void choose(const NodeVectors& x, double h, const ElementFlags& lookAt);
+  void prepareFor(const NodeVectors& x, double h, const ElementFlags& lookAt);
 
   double h_ = 0;
   bool certified_ = false;
-  ElementFlags chosen_;
+  ElementFlags chosen_, lookAt_;
   std::vector<ElementRef> elements_;
   std::optional<CertifiedSelection> certificate_;
   std::optional<Body> explicitPart_;

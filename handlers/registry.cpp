@@ -2,6 +2,7 @@
 #include <string>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/handlers/adaptive.h>
 #include <ringwatch/handlers/imex.h>
 #include <ringwatch/handlers/mass_scaling.h>
 
@@ -18,6 +19,7 @@ constexpr HandlerEntry handlerEntry() {
 
 /// Every handler of the library, one line each.
 constexpr std::array entries{
+    handlerEntry<Adaptive>(),
     handlerEntry<ImplicitExplicit>(),
     handlerEntry<MassScaling>(),
 };

@@ -1,0 +1,273 @@
+#include <ringwatch/handlers/adaptive.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/reduced_ring.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr double trough = 0.05;  // of the stabilised filters: their least value is that share of their largest
+
+/// Each level more costs some of the range of those above it.
+constexpr std::size_t mostFineLevels = 3;
+
+/// An element's share of one evaluation beyond its own force, in elements: calls and sums over nodes of a small part.
+constexpr double callCost = 20, implicitCost = 60;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+/// The base scheme's view of the body.
+class Adaptive::Averaged final : public SecondOrderSystem {
+ public:
+  Averaged(Adaptive& owner, double h) : owner_(owner), h_(h) {}
+  void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
+    owner_.averagedAcceleration(x, v, h_, a);
+  }
+  bool velocityDependent() const override { return owner_.options_.dissipation != 0; }
+
+ private:
+  Adaptive& owner_;
+  double h_;
+};
+
+Adaptive::Adaptive(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
+    : Handler(body, std::move(base), std::move(options)) {
+  if (!(options_.dissipation >= 0 && options_.dissipation <= 1))
+    throw InputError(joinText("dissipation ", options_.dissipation, ": must be >= 0 and <= 1"));
+  constexpr int most = 12;
+  if (!(options_.levels >= 1 && options_.levels <= most))
+    throw InputError(joinText("levels ", options_.levels, ": must be >= 1 and <= ", most));
+}
+
+double Adaptive::deepest(double h) const { return std::pow(4.0, options_.levels) * allowedLambda(h); }
+
+std::vector<Adaptive::Level> Adaptive::plan(const std::vector<std::vector<double>>& lambdas, double h) const {
+  std::vector<double> sorted;
+  for (const auto& block : lambdas) sorted.insert(sorted.end(), block.begin(), block.end());
+  std::sort(sorted.begin(), sorted.end());
+  const double room = allowedLambda(h) * h * h / 4;  // (1 - margin)²
+  const auto below = [&](double lambda) {
+    return static_cast<double>(std::upper_bound(sorted.begin(), sorted.end(), lambda) - sorted.begin());
+  };
+  const double deep = static_cast<double>(sorted.size()) - below(deepest(h));
+  const double damping = options_.stabilised ? 2 * options_.dissipation : 0;
+
+  std::vector<Level> best, levels(1);
+  double least = std::numeric_limits<double>::infinity();
+  // Every ascending choice of exponents, and for each the share of a level's ceiling that its own tangent may have.
+  const auto extend = [&](const auto& self, double cost, double ceiling, double counted) -> void {
+    const int exponent = levels.back().exponent;
+    const double step = std::ldexp(h, -exponent);
+    if (cost >= least) return;
+    {
+      Level& last = levels.back();
+      last.lambda = ceiling * room / (step * step);
+      const double own = below(last.lambda) - counted, left = static_cast<double>(sorted.size()) - counted - own;
+      const double total = cost + std::ldexp(std::max(0.0, own) + callCost + implicitCost * left, exponent);
+      if ((left <= deep || exponent == options_.levels) && total < least) {
+        least = total;
+        best = levels;
+      }
+    }
+    for (int next = exponent + 1; next <= options_.levels && levels.size() <= mostFineLevels; ++next)
+      for (const double share : {0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8}) {
+        const double weight = levels.size() == 1 ? 1 + damping : 1, coarse = options_.stabilised ? share * ceiling : 0;
+        const int steps = 1 << (next - exponent);
+        levels.back().lambda = (options_.stabilised ? coarse : ceiling) * room / (step * step);
+        const double own = std::max(0.0, below(levels.back().lambda) - counted);
+        Level level;
+        level.exponent = next;
+        level.filter = chebyshevFilter(steps, ceiling, coarse, weight, options_.stabilised ? trough : 0);
+        const double reach = level.filter.range / (1.0 * steps * steps);
+        levels.push_back(std::move(level));
+        self(self, cost + std::ldexp(own + (exponent > 0 ? callCost : 0), exponent), reach, counted + own);
+        levels.pop_back();
+        if (!options_.stabilised) break;
+      }
+  };
+  extend(extend, 0, 4, 0);
+  return best;
+}
+
+ElementFlags Adaptive::choose(const NodeVectors& x, double h, const ElementFlags& keep) {
+  levels_.clear();
+  ElementFlags chosen = Handler::choose(x, h, keep);
+  if (chosenElements(chosen).empty()) return chosen;
+  ReducedRing rings(body_);
+  std::vector<std::vector<double>> lambdas = rings.evaluate(x).largest;
+  idealShare_ = smallest_ = 0;
+  double count = 0;
+  for (auto& block : lambdas)
+    for (double& lambda : block) {
+      if (std::isnan(lambda)) lambda = std::numeric_limits<double>::infinity();
+      const double steps = std::sqrt(lambda / allowedLambda(h));
+      idealShare_ += std::max(1.0, steps);
+      smallest_ = std::max(smallest_, steps);
+      ++count;
+    }
+  idealShare_ /= count;
+  // The estimate may be below what the selection proves: elements that the last level cannot have are taken for
+  // stiffer, and the plan is made anew.
+  constexpr int attempts = 30;
+  for (int attempt = 0;; ++attempt) {
+    std::vector<Level> levels = plan(lambdas, h);
+    ElementFlags left = complement(noElements(body_.mesh()));
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      Level& level = levels[k];
+      ElementFlags finer;
+      if (k == 0) {
+        finer = chooseFor(body_, x, level.lambda, keep);
+        chosen = finer;
+      } else if (options_.selection == "certified") {
+        const Body rest(body_, left);
+        const ElementFlags own = selectCertified(rest, x, level.lambda).chosen;
+        const auto numbers = elementNumbers(left);
+        finer = noElements(body_.mesh());
+        for (const ElementRef e : chosenElements(own))
+          finer[at(e.block)][at(numbers[at(e.block)][at(e.element)])] = true;
+      } else {
+        finer = selectByReducedRing(body_, x, level.lambda);
+        for (std::size_t b = 0; b < finer.size(); ++b)
+          for (std::size_t e = 0; e < finer[b].size(); ++e) finer[b][e] = finer[b][e] && left[b][e];
+      }
+      level.elements = left;
+      for (const ElementRef e : chosenElements(finer)) level.elements[at(e.block)][at(e.element)] = false;
+      left = std::move(finer);
+    }
+    bool again = false;
+    if (levels.back().exponent < options_.levels)
+      for (const ElementRef e : chosenElements(left)) {
+        double& lambda = lambdas[at(e.block)][at(e.element)];
+        if (!(lambda <= deepest(h))) continue;
+        lambda = std::max(lambda, levels.back().lambda) * 1.1;
+        again = true;
+      }
+    if (again && attempt < attempts) continue;
+    implicit_ = std::move(left);
+    levels_ = std::move(levels);
+    return chosen;
+  }
+}
+
+void Adaptive::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
+  std::vector<FineLevel> fine;
+  for (std::size_t k = 1; k < levels_.size(); ++k)
+    fine.push_back({levels_[k].elements, levels_[k].filter, std::ldexp(h, -levels_[k - 1].exponent)});
+  const Level& last = levels_.back();
+  const double room = allowedLambda(h) * h * h / 4, step = std::ldexp(h, -last.exponent),
+               ceiling = last.lambda * step * step / room;
+  if (fine.empty()) fine.push_back({noElements(body_.mesh()), {}, h});
+  // A tenth more than at rest: K̂ is kept while elements turn by a few hundredths (ImplicitCluster).
+  constexpr double lag = 1.1;
+  const double weight = lag * (levels_.size() == 1 ? 1 + 2 * options_.dissipation : 1);
+  filter_.emplace(body_, std::move(fine), implicit_, weight * step * step / ceiling, x, options_.cluster);
+  coarse_.emplace(body_, complement(chosen));
+  // What the monitor has to hold against 4/h² is K_0 M⁻¹ times 4/c.
+  splitOff(chosen, levels_.front().lambda / allowedLambda(h));
+
+  std::vector<std::int32_t> position(at(body_.nodeCount()), -1);
+  for (std::size_t i = 0; i < filter_->nodes().size(); ++i)
+    position[at(filter_->nodes()[i])] = static_cast<std::int32_t>(i);
+  clusterNodes_.clear();
+  for (const auto& cluster : clustersOf(body_, chosenElements(chosen))) {
+    auto& own = clusterNodes_.emplace_back();
+    for (const ElementRef e : cluster)
+      for (const std::int32_t node : body_.blocks()[at(e.block)]->nodesOf(e.element)) own.push_back(position[at(node)]);
+    std::sort(own.begin(), own.end());
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+  }
+}
+
+void Adaptive::addStrainVelocity(const NodeVectors& x, const NodeVectors& v, double share) {
+  const auto& nodes = filter_->nodes();
+  for (const auto& cluster : clusterNodes_) {
+    double mass = 0;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero(), drift = Eigen::Vector3d::Zero();
+    for (const std::int32_t i : cluster) {
+      const std::int32_t node = nodes[at(i)];
+      const double m = body_.lumpedMass()[node];
+      mass += m;
+      centre += m * x.col(node);
+      drift += m * v.col(node);
+    }
+    centre /= mass;
+    drift /= mass;
+    Eigen::Vector3d angular = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+    for (const std::int32_t i : cluster) {
+      const std::int32_t node = nodes[at(i)];
+      const double m = body_.lumpedMass()[node];
+      const Eigen::Vector3d arm = x.col(node) - centre;
+      angular += m * arm.cross(v.col(node));
+      inertia += m * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
+    }
+    const Eigen::Vector3d spin = inertia.ldlt().solve(angular);
+    for (const std::int32_t i : cluster) {
+      const std::int32_t node = nodes[at(i)];
+      fineX_.col(i) += share * (v.col(node) - drift - spin.cross(x.col(node) - centre));
+    }
+  }
+}
+
+void Adaptive::averagedAcceleration(const NodeVectors& x, const NodeVectors& v, double h, NodeVectors& a) {
+  coarse_->internalForce(x, force_, workspace_);
+  a = (body_.externalForce() - force_) * body_.lumpedMass().cwiseInverse().asDiagonal();
+  body_.constraints().clearConstrained(a);
+  const auto& nodes = filter_->nodes();
+  const auto n = static_cast<Eigen::Index>(nodes.size());
+  fineX_.resize(3, n);
+  fineA_.resize(3, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    fineX_.col(i) = x.col(nodes[static_cast<std::size_t>(i)]);
+    fineA_.col(i) = a.col(nodes[static_cast<std::size_t>(i)]);
+  }
+  if (options_.dissipation != 0) addStrainVelocity(x, v, options_.dissipation * h);
+  std::string fault = filter_->apply(fineX_, fineA_);
+  if (fault_.empty()) fault_ = std::move(fault);
+  for (Eigen::Index i = 0; i < n; ++i) a.col(nodes[static_cast<std::size_t>(i)]) = fineA_.col(i);
+}
+
+StepStatus Adaptive::handledStep(SecondOrderSystem& system, State& state, double h) {
+  if (system.velocityDependent()) throw InputError("adaptive: the system has damping, which it does not work with");
+  Averaged averaged(*this, h);
+  fault_.clear();
+  const State before = state;
+  const StepStatus status = base_->step(averaged, state, h);
+  if (status.done && fault_.empty()) return status;
+  state = before;
+  reset();
+  return status.done ? StepStatus{false, fault_} : status;
+}
+
+std::int64_t Adaptive::evaluations() const {
+  std::int64_t sum = 0;
+  for (const Level& level : levels_)
+    sum += static_cast<std::int64_t>(chosenElements(level.elements).size()) << level.exponent;
+  if (!levels_.empty()) sum += static_cast<std::int64_t>(chosenElements(implicit_).size()) << levels_.back().exponent;
+  return sum;
+}
+
+std::vector<HandlerFigure> Adaptive::figures() const {
+  std::vector<HandlerFigure> result;
+  if (levels_.empty()) return result;
+  for (const Level& level : levels_)
+    result.push_back({joinText("elements_at_step_over_", 1 << level.exponent),
+                      static_cast<double>(chosenElements(level.elements).size())});
+  const auto count = static_cast<double>(body_.mesh().elementCount());
+  result.push_back({"implicit_elements", static_cast<double>(chosenElements(implicit_).size())});
+  result.push_back({"evaluations_an_element_and_step", static_cast<double>(evaluations()) / count});
+  result.push_back({"ideal_speed_up", smallest_ / idealShare_});
+  result.push_back({"speed_up_in_evaluations", smallest_ * count / static_cast<double>(evaluations())});
+  return result;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,78 @@
+#pragma once
+#include <optional>
+
+#include <ringwatch/handlers/handler.h>
+#include <ringwatch/handlers/level_filter.h>
+
+namespace ringwatch {
+
+/// Local time stepping by elements (the source's section 4.4): level 0 takes the step h, level k the step τ_k =
+/// h/2^e_k, and only nodes of fine elements are looked at within a step. Leapfrog local time stepping in the form of
+/// Diaz & Grote (2009, 2015), split by elements: with the other forces frozen, the fine elements' forces along a motion
+/// that starts from rest at x_n are averaged over the step,
+///   a_n = E_0 (M⁻¹ (f_ext - f_0(x_n)) - M⁻¹ Σ_(k>=1) f_k(x_n + α h ṽ_n)),   v ← v + h a_n,   x ← x + h v,
+/// E_0 as in LevelFilter, α the dissipation, ṽ the velocity without the rigid motion of its cluster of fine elements.
+/// Any base scheme with these steps (handler.h); order two for α = 0.
+///
+/// Plain local time stepping (stabilised = false) is unstable where a fine mode makes an odd number of half swings in
+/// a step of its neighbours. The filters Q_k of the stabilised one leave room for those: with G_1 = 4, weights
+/// r_1 = 1 + 2α and r_k = 1, K_k the tangent of level k, it is stable for a frozen tangent when
+///   K_(k-1) ≼ c_k M/τ_(k-1)²,   K_n ≼ G_(n+1) M/τ_n²,   Q_k(b) (c_k + r_k b) <= G_k for 0 <= b <= p_k² G_(k+1),
+/// p_k = τ_(k-1)/τ_k. By induction from the deepest level, r_(k+1) Σ_(i>k) K_i + K_k ≼ (G_(k+1)/τ_k²) M E_k⁻¹: the
+/// spectrum of B_k is within the range of Q_k, and E_(k-1)⁻¹ = E_k^-½ Q_k(B_k)⁻¹ E_k^-½ is above
+/// (c_k E_k⁻¹ + r_k τ_(k-1)² M⁻¹ Σ_(i>=k) K_i)/G_k, where E_k⁻¹ is at least 1. At the top that is
+/// K_0 + (1 + 2α) Σ K_k ≼ (4/h²) M E_0⁻¹: with the quotients b of h² E_0 M⁻¹ K and d of its fine part,
+/// z² - (2 - b - α d) z + 1 - α d = 0, whose roots have |z| <= 1 for 0 <= b, b + 2 α d <= 4. The certified selection
+/// proves each level's tangent, on the whole mass; c_k is the planner's to choose.
+///
+/// Elements that need a step below h/2^levels are implicit: E_n⁻¹ = 1 + M⁻¹ w K̂ with w = 1.1 r τ_n²/G_(n+1), K̂ of
+/// ImplicitCluster and r that of the last level, carries every K_I ≼ K̂ by the same induction, at one solve of their
+/// clusters for each evaluation of the last level.
+class Adaptive final : public Handler {
+ public:
+  static constexpr HandlerInfo description{"adaptive", "smaller steps where they are needed, by levels h/2^k"};
+  Adaptive(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
+  const HandlerInfo& handlerInfo() const override { return description; }
+  std::vector<HandlerFigure> figures() const override;
+
+  /// One level of the choice.
+  struct Level {
+    int exponent = 0;        // its step is h/2^exponent
+    double lambda = 0;       // its tangent over the whole mass is at most this, rad²/s²
+    ElementFlags elements;   // [block][element]
+    ChebyshevFilter filter;  // over the step of the level above; not of level 0
+  };
+  /// Level 0 first; empty where nothing is handled.
+  const std::vector<Level>& levels() const { return levels_; }
+  /// Elements that are implicit.
+  const ElementFlags& implicitElements() const { return implicit_; }
+  /// Evaluations of an element in a step, summed over all elements.
+  std::int64_t evaluations() const;
+
+ protected:
+  ElementFlags choose(const NodeVectors& x, double h, const ElementFlags& keep) override;
+  void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
+  /// system: that of the body. Its forces are evaluated level by level, thus by the handler.
+  StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
+
+ private:
+  class Averaged;
+  /// The levels that cost least by an estimate of each element's highest eigenvalue, without their elements.
+  std::vector<Level> plan(const std::vector<std::vector<double>>& lambdas, double h) const;
+  double deepest(double h) const;
+  void averagedAcceleration(const NodeVectors& x, const NodeVectors& v, double h, NodeVectors& a);
+  void addStrainVelocity(const NodeVectors& x, const NodeVectors& v, double share);
+
+  std::vector<Level> levels_;
+  ElementFlags implicit_;
+  std::optional<Body> coarse_;  // the elements of level 0
+  std::optional<LevelFilter> filter_;
+  std::vector<std::vector<std::int32_t>> clusterNodes_;  // positions in filter_->nodes()
+  double idealShare_ = 0;                                // Σ max(1, h/h_e) over Σ h/h_min
+  double smallest_ = 0;                                  // h/h_min
+  NodeVectors force_, fineX_, fineA_;
+  Body::Workspace workspace_;
+  std::string fault_;
+};
+
+}  // namespace ringwatch
