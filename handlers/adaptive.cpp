@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/reduced_ring.h>
@@ -17,6 +17,11 @@ constexpr double trough = 0.05;  // of the stabilised filters: their least value
 
 /// Each level more costs some of the range of those above it.
 constexpr std::size_t mostFineLevels = 3;
+
+/// Of the steps of a level to those of the next, and the shares of a level's ceiling for its own tangent, that plans
+/// try.
+const std::vector<int> ratios{2, 3, 4, 5, 6, 8, 12, 16, 24, 32, 48, 64, 128, 256, 512, 1024, 2048, 4096};
+const std::vector<double> coarseShares{0.15, 0.25, 0.35, 0.45, 0.55, 0.65, 0.75, 0.85};
 
 /// An element's share of one evaluation beyond its own force, in elements: calls and sums over nodes of a small part.
 constexpr double callCost = 20, implicitCost = 60;
@@ -54,48 +59,65 @@ std::vector<Adaptive::Level> Adaptive::plan(const std::vector<std::vector<double
   std::vector<double> sorted;
   for (const auto& block : lambdas) sorted.insert(sorted.end(), block.begin(), block.end());
   std::sort(sorted.begin(), sorted.end());
+  const auto count = static_cast<double>(sorted.size());
   const double room = allowedLambda(h) * h * h / 4;  // (1 - margin)²
   const auto below = [&](double lambda) {
     return static_cast<double>(std::upper_bound(sorted.begin(), sorted.end(), lambda) - sorted.begin());
   };
-  const double deep = static_cast<double>(sorted.size()) - below(deepest(h));
-  const double damping = options_.stabilised ? 2 * options_.dissipation : 0;
+  const double deep = count - below(deepest(h));
+  const double weights[]{options_.stabilised ? 1 + 2 * options_.dissipation : 1, 1};
+  // Ceilings only scale the filters: their reach over that of p small steps, [ratio][share][whether inner].
+  const std::vector<double> shares = options_.stabilised ? coarseShares : std::vector<double>{0};
+  const double least = options_.stabilised ? trough : 0;
+  std::vector<double> reach;
+  for (const int p : ratios)
+    for (const double share : shares)
+      for (const double weight : weights)
+        reach.push_back(chebyshevFilter(p, 1, share, weight, least).range / (1.0 * p * p));
 
-  std::vector<Level> best, levels(1);
-  double least = std::numeric_limits<double>::infinity();
-  // Every ascending choice of exponents, and for each the share of a level's ceiling that its own tangent may have.
-  const auto extend = [&](const auto& self, double cost, double ceiling, double counted) -> void {
-    const int exponent = levels.back().exponent;
-    const double step = std::ldexp(h, -exponent);
-    if (cost >= least) return;
+  struct Step {
+    int substeps;
+    double ceiling, share;  // share: of the ceiling that the level's own tangent has
+  };
+  std::vector<Step> best, steps{{1, 4, 1}};
+  double leastCost = std::numeric_limits<double>::infinity();
+  // Every ascending choice of steps, and for each the share of a level's ceiling that its own tangent may have.
+  const auto extend = [&](const auto& self, double cost, double counted) -> void {
+    if (cost >= leastCost) return;
+    const auto [substeps, ceiling, whole] = steps.back();
+    const double unit = room * substeps * substeps / (h * h);
     {
-      Level& last = levels.back();
-      last.lambda = ceiling * room / (step * step);
-      const double own = below(last.lambda) - counted, left = static_cast<double>(sorted.size()) - counted - own;
-      const double total = cost + std::ldexp(std::max(0.0, own) + callCost + implicitCost * left, exponent);
-      if ((left <= deep || exponent == options_.levels) && total < least) {
-        least = total;
-        best = levels;
+      const double own = std::max(0.0, below(ceiling * unit) - counted), left = count - counted - own;
+      const double total = cost + substeps * (own + callCost + implicitCost * left);
+      if ((left <= deep || substeps == 1 << options_.levels) && total < leastCost) {
+        leastCost = total;
+        best = steps;
       }
     }
-    for (int next = exponent + 1; next <= options_.levels && levels.size() <= mostFineLevels; ++next)
-      for (const double share : {0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8}) {
-        const double weight = levels.size() == 1 ? 1 + damping : 1, coarse = options_.stabilised ? share * ceiling : 0;
-        const int steps = 1 << (next - exponent);
-        levels.back().lambda = (options_.stabilised ? coarse : ceiling) * room / (step * step);
-        const double own = std::max(0.0, below(levels.back().lambda) - counted);
-        Level level;
-        level.exponent = next;
-        level.filter = chebyshevFilter(steps, ceiling, coarse, weight, options_.stabilised ? trough : 0);
-        const double reach = level.filter.range / (1.0 * steps * steps);
-        levels.push_back(std::move(level));
-        self(self, cost + std::ldexp(own + (exponent > 0 ? callCost : 0), exponent), reach, counted + own);
-        levels.pop_back();
-        if (!options_.stabilised) break;
+    if (steps.size() > mostFineLevels) return;
+    for (std::size_t p = 0; p < ratios.size() && (substeps * ratios[p] <= 1 << options_.levels); ++p)
+      for (std::size_t k = 0; k < shares.size(); ++k) {
+        steps.back().share = options_.stabilised ? shares[k] : 1;
+        const double own = std::max(0.0, below(steps.back().share * ceiling * unit) - counted);
+        steps.push_back({substeps * ratios[p], ceiling * reach[2 * (p * shares.size() + k) + (steps.size() > 1)], 1});
+        self(self, cost + substeps * (own + (substeps > 1 ? callCost : 0)), counted + own);
+        steps.pop_back();
       }
+    steps.back().share = whole;
   };
-  extend(extend, 0, 4, 0);
-  return best;
+  extend(extend, 0, 0);
+
+  std::vector<Level> levels;
+  for (std::size_t k = 0; k < best.size(); ++k) {
+    Level& level = levels.emplace_back();
+    level.substeps = best[k].substeps;
+    level.lambda = best[k].share * best[k].ceiling * room * level.substeps * level.substeps / (h * h);
+    if (k == 0) continue;
+    const Step& above = best[k - 1];
+    level.filter = chebyshevFilter(level.substeps / above.substeps, above.ceiling,
+                                   options_.stabilised ? above.share * above.ceiling : 0, weights[k > 1], least);
+  }
+  return levels;
 }
 
 ElementFlags Adaptive::choose(const NodeVectors& x, double h, const ElementFlags& keep) {
@@ -144,7 +166,7 @@ ElementFlags Adaptive::choose(const NodeVectors& x, double h, const ElementFlags
       left = std::move(finer);
     }
     bool again = false;
-    if (levels.back().exponent < options_.levels)
+    if (levels.back().substeps < 1 << options_.levels)
       for (const ElementRef e : chosenElements(left)) {
         double& lambda = lambdas[at(e.block)][at(e.element)];
         if (!(lambda <= deepest(h))) continue;
@@ -154,6 +176,8 @@ ElementFlags Adaptive::choose(const NodeVectors& x, double h, const ElementFlags
     if (again && attempt < attempts) continue;
     implicit_ = std::move(left);
     levels_ = std::move(levels);
+    const bool deep = !chosenElements(implicit_).empty();
+    while (!deep && levels_.size() > 1 && chosenElements(levels_.back().elements).empty()) levels_.pop_back();
     return chosen;
   }
 }
@@ -161,9 +185,9 @@ ElementFlags Adaptive::choose(const NodeVectors& x, double h, const ElementFlags
 void Adaptive::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
   std::vector<FineLevel> fine;
   for (std::size_t k = 1; k < levels_.size(); ++k)
-    fine.push_back({levels_[k].elements, levels_[k].filter, std::ldexp(h, -levels_[k - 1].exponent)});
+    fine.push_back({levels_[k].elements, levels_[k].filter, h / levels_[k - 1].substeps});
   const Level& last = levels_.back();
-  const double room = allowedLambda(h) * h * h / 4, step = std::ldexp(h, -last.exponent),
+  const double room = allowedLambda(h) * h * h / 4, step = h / last.substeps,
                ceiling = last.lambda * step * step / room;
   if (fine.empty()) fine.push_back({noElements(body_.mesh()), {}, h});
   // A tenth more than at rest: K̂ is kept while elements turn by a few hundredths (ImplicitCluster).
@@ -171,6 +195,7 @@ void Adaptive::take(const NodeVectors& x, double h, const ElementFlags& chosen) 
   const double weight = lag * (levels_.size() == 1 ? 1 + 2 * options_.dissipation : 1);
   filter_.emplace(body_, std::move(fine), implicit_, weight * step * step / ceiling, x, options_.cluster);
   coarse_.emplace(body_, complement(chosen));
+  inverseMass_ = body_.lumpedMass().cwiseInverse();
   // What the monitor has to hold against 4/h² is K_0 M⁻¹ times 4/c.
   splitOff(chosen, levels_.front().lambda / allowedLambda(h));
 
@@ -210,7 +235,7 @@ void Adaptive::addStrainVelocity(const NodeVectors& x, const NodeVectors& v, dou
       angular += m * arm.cross(v.col(node));
       inertia += m * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
     }
-    const Eigen::Vector3d spin = inertia.ldlt().solve(angular);
+    const Eigen::Vector3d spin = inertia.inverse() * angular;  // of a tetrahedron at least, so not singular
     for (const std::int32_t i : cluster) {
       const std::int32_t node = nodes[at(i)];
       fineX_.col(i) += share * (v.col(node) - drift - spin.cross(x.col(node) - centre));
@@ -220,7 +245,7 @@ void Adaptive::addStrainVelocity(const NodeVectors& x, const NodeVectors& v, dou
 
 void Adaptive::averagedAcceleration(const NodeVectors& x, const NodeVectors& v, double h, NodeVectors& a) {
   coarse_->internalForce(x, force_, workspace_);
-  a = (body_.externalForce() - force_) * body_.lumpedMass().cwiseInverse().asDiagonal();
+  a = (body_.externalForce() - force_) * inverseMass_.asDiagonal();
   body_.constraints().clearConstrained(a);
   const auto& nodes = filter_->nodes();
   const auto n = static_cast<Eigen::Index>(nodes.size());
@@ -249,10 +274,9 @@ StepStatus Adaptive::handledStep(SecondOrderSystem& system, State& state, double
 }
 
 std::int64_t Adaptive::evaluations() const {
-  std::int64_t sum = 0;
-  for (const Level& level : levels_)
-    sum += static_cast<std::int64_t>(chosenElements(level.elements).size()) << level.exponent;
-  if (!levels_.empty()) sum += static_cast<std::int64_t>(chosenElements(implicit_).size()) << levels_.back().exponent;
+  const auto count = [](const ElementFlags& flags) { return static_cast<std::int64_t>(chosenElements(flags).size()); };
+  std::int64_t sum = levels_.empty() ? 0 : levels_.back().substeps * count(implicit_);
+  for (const Level& level : levels_) sum += level.substeps * count(level.elements);
   return sum;
 }
 
@@ -260,7 +284,7 @@ std::vector<HandlerFigure> Adaptive::figures() const {
   std::vector<HandlerFigure> result;
   if (levels_.empty()) return result;
   for (const Level& level : levels_)
-    result.push_back({joinText("elements_at_step_over_", 1 << level.exponent),
+    result.push_back({joinText("elements_at_step_over_", level.substeps),
                       static_cast<double>(chosenElements(level.elements).size())});
   const auto count = static_cast<double>(body_.mesh().elementCount());
   result.push_back({"implicit_elements", static_cast<double>(chosenElements(implicit_).size())});

@@ -37,7 +37,7 @@ class Adaptive final : public Handler {
 
   /// One level of the choice.
   struct Level {
-    int exponent = 0;        // its step is h/2^exponent
+    int substeps = 1;        // its step is h/substeps
     double lambda = 0;       // its tangent over the whole mass is at most this, rad²/s²
     ElementFlags elements;   // [block][element]
     ChebyshevFilter filter;  // over the step of the level above; not of level 0
@@ -70,6 +70,7 @@ class Adaptive final : public Handler {
   std::vector<std::vector<std::int32_t>> clusterNodes_;  // positions in filter_->nodes()
   double idealShare_ = 0;                                // Σ max(1, h/h_e) over Σ h/h_min
   double smallest_ = 0;                                  // h/h_min
+  Eigen::VectorXd inverseMass_;
   NodeVectors force_, fineX_, fineA_;
   Body::Workspace workspace_;
   std::string fault_;

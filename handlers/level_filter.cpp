@@ -147,9 +147,12 @@ std::string LevelFilter::apply(const NodeVectors& x, NodeVectors& a) {
   sum_ = a + levels_.front().base;
   if (!average(0, x, sum_, a)) return "conjugate gradients did not converge";
   // E_0 is at most 1 in the norm of M, of which rounding of the forces is a small part.
-  const auto norm = [&](const NodeVectors& v) { return (v.colwise().squaredNorm() * mass_).value(); };
   constexpr double most = 3, rounding = 1e-8;
-  const double averaged = norm(a), whole = norm(sum_) + rounding * rounding * norm(levels_.front().base);
+  double averaged = 0, whole = 0;
+  for (Eigen::Index i = 0; i < a.cols(); ++i) {
+    averaged += mass_[i] * a.col(i).squaredNorm();
+    whole += mass_[i] * (sum_.col(i).squaredNorm() + rounding * rounding * levels_.front().base.col(i).squaredNorm());
+  }
   if (!(averaged <= most * most * whole))
     return joinText("the averaged force is ", std::sqrt(averaged / whole),
                     " times the force: fine elements are stiffer than their level allows, or positions not finite");

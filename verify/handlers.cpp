@@ -16,6 +16,7 @@
 #include <ringwatch/monitor/global_frequency.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/verify/cutting.h>
+#include <ringwatch/verify/resonance.h>
 
 namespace ringwatch {
 namespace {
@@ -88,6 +89,9 @@ std::vector<Variant> allVariants() {
           {"imex, implicit Euler", "imex", withOptions(1, direct, "certified")},
           {"imex, cg", "imex", withOptions(0.1, ClusterSolver::conjugateGradients, "certified")},
           {"imex, reduced-1-ring", "imex", withOptions(0.1, direct, "reduced-1-ring")},
+          {"adaptive", "adaptive", withOptions(0.1, direct, "certified")},
+          {"adaptive, no dissipation", "adaptive", withOptions(0, direct, "certified")},
+          {"adaptive, reduced-1-ring", "adaptive", withOptions(0.1, direct, "reduced-1-ring")},
           {"mass-scaling", "mass-scaling", withOptions(0, direct, "certified")}};
 }
 
@@ -245,6 +249,7 @@ StudyReport verifyHandlers(StudyEffort effort) {
   report.tables.push_back(std::move(motions));
   addEnergies(full ? 100'000 : 4000, withoutSlivers(1), report);
   addCutting(effort, report);
+  addResonance(effort, report);
   return report;
 }
 

@@ -898,7 +898,8 @@ TEST_F(HandledProgram, RefusesWhatDoesNotFitTogether) {
   expectRefused(run + "--set handler.solver=cholesky --set handler.tolerance=1e-3", "is for conjugate gradients");
   expectRefused(run + "--set monitor.on_violation=reduce-step", "works against the handler");
   expectRefused(run + "--set damping.mass=1", "handlers do not work with damping");
-  expectRefused("run slivers.toml --set handler.method=mass-scaling --set handler.dissipation=0.1", "is a key of imex");
+  expectRefused("run slivers.toml --set handler.method=mass-scaling --set handler.dissipation=0.1",
+                "is a key of imex and adaptive");
   expectRefused("run slivers.toml --set handler.method=mass-scaling --set handler.selection=reduced-1-ring",
                 "must be \"certified\"");
 }

@@ -1,0 +1,470 @@
+// Local time stepping by elements: its filters, its levels against dense eigenvalues, a step against one by hand,
+// stability, order, conservation, and hard bodies.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/handlers/adaptive.h>
+#include <tests/handlers/handler_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::denseHighest;
+using ::testing::HasSubstr;
+
+double criticalStepOf(const Body& body) { return 2 / std::sqrt(denseHighest(body, body.mesh().X)); }
+
+HandlerOptions adaptiveOptions(double dissipation, int levels = 6, bool stabilised = true) {
+  HandlerOptions options;
+  options.dissipation = dissipation;
+  options.levels = levels;
+  options.stabilised = stabilised;
+  return options;
+}
+std::unique_ptr<Adaptive> adaptive(Body& body, double h, const HandlerOptions& options = {},
+                                   std::string_view base = "symplectic-euler") {
+  auto handler = std::make_unique<Adaptive>(body, makeIntegrator(base), options);
+  handler->prepare(body.mesh().X, h);
+  return handler;
+}
+Eigen::VectorXd flat(const NodeVectors& v) { return Eigen::VectorXd::Map(v.data(), v.size()); }
+
+TEST(ChebyshevFilter, IsOneAtZeroAndBelowItsCeilingInItsRange) {
+  for (const int p : {2, 3, 4, 8, 64})
+    for (const double ceiling : {4.0, 2.5})
+      for (const double share : {0.0, 0.2, 0.5, 0.8})
+        for (const double weight : {1.0, 1.2, 3.0}) {
+          const double c = share * ceiling;
+          const ChebyshevFilter Q = chebyshevFilter(p, ceiling, c, weight, 0.05);
+          EXPECT_NEAR(Q(0), 1, 1e-10) << p << " " << share;
+          EXPECT_GT(Q.range, 0);
+          for (int i = 0; i <= 4000; ++i) {
+            const double b = Q.range * i / 4000;
+            ASSERT_LE(Q(b) * (c + weight * b), ceiling * (1 + 1e-9)) << p << " " << share << " " << b;
+            ASSERT_GT(Q(b), 0) << p << " " << share << " " << b;
+            ASSERT_LE(Q(b), 1 + 1e-10) << p << " " << share << " " << b;
+          }
+          const double beyond = 1.02 * Q.range + 0.1;
+          const double there = Q(beyond) * (c + weight * beyond);
+          EXPECT_TRUE(there > ceiling || there < 0.05 * ceiling * 0.99) << p << " " << share;  // it could not be larger
+        }
+}
+
+// p leapfrog steps from rest under z'' = -b z with the force b at the start taken as g = 1: 2 z(1)/g is Q.
+TEST(ChebyshevFilter, IsLeapfrogWithoutDamping) {
+  for (const int p : {2, 4, 16}) {
+    const ChebyshevFilter Q = chebyshevFilter(p, 4, 0, 1, 0);
+    EXPECT_NEAR(Q.range, 4.0 * p * p, 1e-9 * p * p);
+    for (const double b : {0.1, 1.0, 3.0 * p}) {
+      const double square = 1.0 / (p * p);
+      double before = 0, z = 0.5 * square;
+      for (int m = 1; m < p; ++m) {
+        const double next = 2 * z - before + square * (1 - b * z);
+        before = z;
+        z = next;
+      }
+      EXPECT_NEAR(Q(b), 2 * z, 1e-12);
+    }
+  }
+}
+
+class AdaptiveLevels : public ::testing::TestWithParam<std::tuple<double, const char*>> {};
+INSTANTIATE_TEST_SUITE_P(All, AdaptiveLevels,
+                         ::testing::Combine(::testing::Values(1.5, 3.0, 10.0, 60.0),
+                                            ::testing::Values("stvk", "corotational")));
+
+TEST_P(AdaptiveLevels, AreProvenEachForItsOwnStep) {
+  const auto [steps, law] = GetParam();
+  for (const int deepest : {1, 6}) {
+    Body body = test::sliverBody(law, 0.99);
+    const double h = steps * criticalStepOf(body);
+    const auto handler = adaptive(body, h, adaptiveOptions(0.1, deepest));
+    ASSERT_FALSE(handler->levels().empty());
+    EXPECT_TRUE(handler->certified());
+    ElementFlags seen = handler->implicitElements();
+    double ceiling = 4;
+    for (std::size_t k = 0; k < handler->levels().size(); ++k) {
+      const Adaptive::Level& level = handler->levels()[k];
+      const double step = h / level.substeps;
+      EXPECT_LE(level.substeps, 1 << deepest);
+      const double highest =
+          denseHighest(body, test::stiffnessOf(body, body.mesh().X, level.elements, true), body.lumpedMass());
+      EXPECT_LE(highest, level.lambda * (1 + 1e-9)) << k;
+      // What the proof of stability asks for, without the margin.
+      const bool last = k + 1 == handler->levels().size();
+      const double allowed = last ? ceiling : handler->levels()[k + 1].filter.coarse;
+      EXPECT_LE(highest * step * step, allowed * 0.81 * (1 + 1e-9)) << k;
+      if (!last) {
+        const ChebyshevFilter& filter = handler->levels()[k + 1].filter;
+        EXPECT_EQ(filter.steps * level.substeps, handler->levels()[k + 1].substeps);
+        EXPECT_NEAR(filter.ceiling, ceiling, 1e-12);
+        ceiling = filter.range / (filter.steps * filter.steps);
+      }
+      for (std::size_t e = 0; e < seen[0].size(); ++e)
+        if (level.elements[0][e]) {
+          EXPECT_FALSE(seen[0][e]) << e;
+          seen[0][e] = true;
+        }
+    }
+    EXPECT_EQ(chosenElements(seen).size(), body.mesh().elementCount());
+  }
+}
+
+// The plain variant with one level of half steps, written out with dense matrices.
+TEST(Adaptive, IsLeapfrogLocalTimeSteppingWhenPlain) {
+  Body body = test::sliverBody("linear", 0.9, false);
+  const std::int32_t moved = test::nodeNearest(body.mesh(), {0.118, 0.02, 0.02});
+  body.constraints().move(moved, 1, 0.3);
+  body.addBodyForce({0, 0.5, -1});
+  double h = 1.2 * criticalStepOf(body);
+  const auto handler = adaptive(body, h, adaptiveOptions(0, 1, false));
+  ASSERT_EQ(handler->levels().size(), 2u);
+  ASSERT_TRUE(chosenElements(handler->implicitElements()).empty());
+  BodySystem system(body);
+  test::Random random(3);
+  State state = system.initialState();
+  state.x += random.nodeVectors(state.x.cols(), 1e-4);
+  state.v = random.nodeVectors(state.x.cols(), 0.1);
+  body.constraints().imposeVelocity(state.v);
+  const NodeVectors x = state.x, v = state.v;
+
+  const Eigen::MatrixXd fine = test::stiffnessOf(body, x, handler->levels()[1].elements, true);
+  const auto overMass = [&](Eigen::VectorXd f) {
+    for (Eigen::Index d = 0; d < f.size(); ++d) f[d] = d == 3 * moved + 1 ? 0 : f[d] / body.lumpedMass()[d / 3];
+    return f;
+  };
+  NodeVectors a;
+  system.acceleration(0, x, v, a);
+  const double square = 0.25 * h * h;
+  const Eigen::VectorXd half = 0.5 * square * flat(a);
+  const Eigen::VectorXd whole = 2 * half + square * (flat(a) - overMass(fine * half));
+  const Eigen::VectorXd expected = 2 / (h * h) * whole;
+  ASSERT_TRUE(handler->step(system, state, h).done);
+  EXPECT_LE((flat(state.v - v) / h - expected).norm(), 1e-9 * expected.norm());
+  EXPECT_GT((expected - flat(a)).norm(), 1e-3 * expected.norm());
+}
+
+// The amplification matrix of the whole linear body, column by column from the program's own steps.
+double spectralRadius(Body& body, double h, const HandlerOptions& options) {
+  const auto handler = adaptive(body, h, options);
+  BodySystem system(body);
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index d = 0; d < 3 * body.nodeCount(); ++d)
+    if (!body.constraints().isConstrained(static_cast<std::int32_t>(d / 3), static_cast<int>(d % 3))) free.push_back(d);
+  const auto n = static_cast<Eigen::Index>(free.size());
+  Eigen::MatrixXd G(2 * n, 2 * n);
+  for (Eigen::Index k = 0; k < 2 * n; ++k) {
+    State state{0, body.mesh().X, NodeVectors::Zero(3, body.nodeCount())};
+    (k < n ? state.x : state.v).data()[free[static_cast<std::size_t>(k % n)]] += k < n ? 1 : 1 / h;
+    EXPECT_TRUE(handler->step(system, state, h).done);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Eigen::Index d = free[static_cast<std::size_t>(i)];
+      G(i, k) = state.x.data()[d] - body.mesh().X.data()[d];
+      G(n + i, k) = state.v.data()[d] * h;
+    }
+  }
+  return G.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+Body smallSliverBody(std::string_view law) {
+  Mesh mesh = test::gridMesh("tet4", {4, 2, 2}, {0.08, 0.04, 0.04});
+  const auto node = [](int i, int j, int k) { return i + 5 * (j + 3 * k); };
+  mesh.X(0, node(2, 1, 1)) += 0.98 * (mesh.X(0, node(3, 1, 1)) - mesh.X(0, node(2, 1, 1)));
+  Body body(mesh, makeMaterial(law, test::young, test::poisson, test::density), {{}, Lumping::rowSum, 1});
+  for (const std::int32_t n : body.mesh().nodeSets.at("x-min")) body.constraints().fix(n);
+  return body;
+}
+
+TEST(Adaptive, LetsNoModeGrowAtManyTimesTheCriticalStep) {
+  for (const double steps : {2.0, 3.0, 7.0})
+    for (const double dissipation : {0.0, 0.1, 0.5})
+      for (const int levels : {1, 6}) {  // one level: the worst elements are implicit
+        Body body = smallSliverBody("linear");
+        EXPECT_LE(spectralRadius(body, steps * criticalStepOf(body), adaptiveOptions(dissipation, levels)), 1 + 1e-9)
+            << steps << " " << dissipation << " " << levels;
+      }
+}
+
+TEST(Adaptive, IsPlainExplicitWhereTheStepIsFine) {
+  for (const char* base : {"symplectic-euler", "verlet"}) {
+    Body body = test::sliverBody("corotational");
+    body.addBodyForce({0, 0, -1});
+    const double h = 0.8 * criticalStepOf(body);
+    const auto handler = adaptive(body, h, {}, base);
+    EXPECT_TRUE(handler->elements().empty());
+    EXPECT_EQ(&handler->explicitBody(), &body);
+    EXPECT_TRUE(handler->figures().empty());
+    const auto plain = makeIntegrator(base);
+    BodySystem a(body), b(body);
+    State with = a.initialState(), without = b.initialState();
+    for (int i = 0; i < 50; ++i) {
+      handler->step(a, with, h);
+      plain->step(b, without, h);
+    }
+    EXPECT_EQ(with.x, without.x);
+    EXPECT_EQ(with.v, without.v);
+  }
+}
+
+// Positions after a swing, relative to plain explicit at a tiny step.
+double errorOf(std::string_view law, double h, const HandlerOptions& options, std::string_view base = "verlet",
+               double nu = test::poisson, double flatness = 0.95) {
+  constexpr double end = 0.08;
+  Body own(test::sliverBar(flatness), makeMaterial(law, test::young, nu, test::density), {{}, Lumping::rowSum, 1});
+  for (const std::int32_t n : own.mesh().nodeSets.at("x-min")) own.constraints().fix(n);
+  own.addBodyForce({0, 0, -2});
+  static std::map<std::tuple<std::string, double, double>, NodeVectors> references;
+  NodeVectors& reference = references[{std::string(law), nu, flatness}];
+  BodySystem system(own);
+  if (reference.size() == 0) {
+    State state = system.initialState();
+    const auto verlet = makeIntegrator("verlet");
+    const auto steps = static_cast<int>(std::ceil(end / (0.1 * criticalStepOf(own))));
+    for (int i = 0; i < steps; ++i) verlet->step(system, state, end / steps);
+    reference = state.x;
+  }
+  const int steps = static_cast<int>(std::lround(end / h));
+  Adaptive handler(own, makeIntegrator(base), options);
+  handler.prepare(own.mesh().X, end / steps);
+  EXPECT_FALSE(handler.elements().empty());
+  State state = system.initialState();
+  for (int i = 0; i < steps; ++i) EXPECT_TRUE(handler.step(system, state, end / steps).done);
+  return (state.x - reference).norm() / (reference - own.mesh().X).norm();
+}
+
+TEST(Adaptive, ConvergesWithSecondOrderWithoutDissipation) {
+  for (const char* law : {"linear", "corotational", "stvk"}) {
+    constexpr double flatness = 0.99;
+    const double h = 0.08 / std::round(0.08 / (8 * criticalStepOf(test::sliverBody(law, flatness))));
+    const auto error = [&](double step) {
+      return errorOf(law, step, adaptiveOptions(0), "verlet", test::poisson, flatness);
+    };
+    const double coarse = error(h), fine = error(h / 2);
+    EXPECT_GT(coarse / fine, 3.3) << law << " " << coarse << " " << fine;
+    EXPECT_LT(coarse / fine, 5) << law << " " << coarse << " " << fine;
+  }
+}
+
+TEST(Adaptive, FollowsTheMotionAtFourTimesTheCriticalStep) {
+  for (const char* law : {"linear", "corotational", "stvk", "neo-hookean"}) {
+    Body body = test::sliverBody(law, 0.95);
+    for (const int levels : {1, 6})
+      for (const char* selection : {"certified", "reduced-1-ring"}) {
+        HandlerOptions options = adaptiveOptions(0.1, levels);
+        options.selection = selection;
+        EXPECT_LT(errorOf(law, 4 * criticalStepOf(body), options), 5e-3) << law << " " << levels << " " << selection;
+      }
+  }
+}
+
+TEST(Adaptive, FollowsTheMotionOfANearlyIncompressibleBody) {
+  Body body(test::sliverBar(0.95), makeMaterial("corotational", test::young, 0.499, test::density));
+  const double h = 3 * criticalStepOf(body);
+  EXPECT_LT(errorOf("corotational", h, adaptiveOptions(0.1), "verlet", 0.499), 5e-3);
+}
+
+TEST(Adaptive, KeepsEnergyBoundedAndMomentumOverManySteps) {
+  for (const char* law : {"corotational", "stvk"})
+    for (const int levels : {1, 6}) {
+      Body body = test::sliverBody(law, 0.98, false);
+      const double h = 4 * criticalStepOf(body);
+      const auto handler = adaptive(body, h, adaptiveOptions(0.1, levels), "verlet");
+      EXPECT_EQ(chosenElements(handler->implicitElements()).empty(), levels == 6);
+      BodySystem system(body);
+      State state = system.initialState();
+      // A gentle vibration on top of a spin about y: the slivers turn round several times.
+      const Eigen::Vector3d centre = body.mesh().X.rowwise().mean(), spin(0, 8, 0);
+      for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+        state.v.col(i) =
+            spin.cross(body.mesh().X.col(i) - centre) + Eigen::Vector3d(0, 0, 0.05 * std::sin(20 * state.x(0, i)));
+      Body::Workspace workspace;
+      const auto energy = [&] {
+        return body.energy(state.x, workspace) + 0.5 * (state.v.colwise().squaredNorm() * body.lumpedMass()).value();
+      };
+      const auto momentum = [&] { return Eigen::Vector3d(state.v * body.lumpedMass()); };
+      const auto angular = [&] {
+        Eigen::Vector3d L = Eigen::Vector3d::Zero();
+        for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+          L += body.lumpedMass()[i] * state.x.col(i).cross(state.v.col(i));
+        return L;
+      };
+      const double start = energy();
+      const Eigen::Vector3d p = momentum(), L = angular();
+      double most = start;
+      for (int i = 0; i < 4000; ++i) {
+        ASSERT_TRUE(handler->step(system, state, h).done) << law << " " << i;
+        if (i % 20 == 0) most = std::max(most, energy());
+      }
+      EXPECT_LT(most, 1.02 * start) << law << " " << levels;
+      EXPECT_GT(energy(), 0.95 * start) << law << " " << levels;
+      EXPECT_LE((momentum() - p).norm(), 1e-10 * body.totalMass()) << law;
+      EXPECT_LE((angular() - L).norm(), 0.002 * L.norm()) << law;
+    }
+}
+
+TEST(Adaptive, SurvivesAStepThatIsTooLargeForEveryElement) {
+  for (const int levels : {2, 6}) {  // implicit beyond the second level, and levels for all
+    Body body = test::sliverBody("corotational", 0.95);
+    body.addBodyForce({0, 0, -1});
+    const double h = 12 * criticalStepOf(body);
+    const auto handler = adaptive(body, h, adaptiveOptions(0.1, levels));
+    EXPECT_GT(handler->elements().size(), body.mesh().elementCount() / 2);
+    EXPECT_EQ(chosenElements(handler->implicitElements()).empty(), levels == 6);
+    BodySystem system(body);
+    State state = system.initialState();
+    for (int i = 0; i < 200; ++i) ASSERT_TRUE(handler->step(system, state, h).done);
+    EXPECT_LT((state.x - body.mesh().X).cwiseAbs().maxCoeff(), 0.2);
+  }
+}
+
+TEST(Adaptive, CostsAnIsolatedSliverNoMoreThanItsOwnSteps) {
+  Body body = test::sliverBody("stvk", 0.999);
+  const double h = 30 * criticalStepOf(body);
+  const auto handler = adaptive(body, h);
+  const auto figures = handler->figures();
+  const auto figure = [&](const std::string& name) {
+    for (const HandlerFigure& f : figures)
+      if (f.name == name) return f.value;
+    return -1.0;
+  };
+  EXPECT_GT(figure("speed_up_in_evaluations"), 2);
+  EXPECT_GE(figure("ideal_speed_up"), 1);
+  EXPECT_EQ(figure("implicit_elements"), static_cast<double>(chosenElements(handler->implicitElements()).size()));
+  double elements = figure("implicit_elements");
+  for (const Adaptive::Level& level : handler->levels())
+    elements += figure(joinText("elements_at_step_over_", level.substeps));
+  EXPECT_EQ(elements, static_cast<double>(body.mesh().elementCount()));
+}
+
+TEST(Adaptive, LeavesASliverAloneWhoseNodesAreAllFixed) {
+  Body body = test::sliverBody("stvk", 0.999);
+  const double h = 1.05 * criticalStepOf(test::sliverBody("stvk", 0));
+  ASSERT_FALSE(adaptive(body, h)->elements().empty());
+  for (const ElementRef e : adaptive(body, h)->elements())
+    for (const std::int32_t node : body.blocks()[0]->nodesOf(e.element)) body.constraints().fix(node);
+  const double left = 0.8 * 2 / std::sqrt(denseHighest(body, body.mesh().X));
+  EXPECT_TRUE(adaptive(body, left)->elements().empty());
+  // Some nodes fixed: what is handled includes them.
+  Body half = test::sliverBody("stvk", 0.999);
+  const std::int32_t centre = half.blocks()[0]->nodesOf(adaptive(half, h)->elements().front().element)[0];
+  half.constraints().fix(centre);
+  half.addBodyForce({0, 0, -1});
+  const double step = 3 * criticalStepOf(half);
+  const auto handler = adaptive(half, step);
+  ASSERT_FALSE(handler->elements().empty());
+  BodySystem system(half);
+  State state = system.initialState();
+  for (int i = 0; i < 200; ++i) ASSERT_TRUE(handler->step(system, state, step).done);
+  EXPECT_EQ(state.x.col(centre), half.mesh().X.col(centre));
+  EXPECT_TRUE(state.x.allFinite());
+}
+
+TEST(Adaptive, SaysSoWhenAStepIsLost) {
+  for (const char* law : {"stvk", "corotational", "neo-hookean"}) {
+    Body body = test::sliverBody(law, 0.98);
+    const double h = 4 * criticalStepOf(body);
+    const auto handler = adaptive(body, h, {}, "verlet");
+    BodySystem system(body);
+    State state = system.initialState();
+    // Far beyond the certified state: a handled element is driven through itself.
+    const std::int32_t node = body.blocks()[0]->nodesOf(handler->elements().front().element)[0];
+    state.v.col(node) = Eigen::Vector3d(-200, 0, 0);
+    bool lost = false;
+    for (int i = 0; i < 300 && !lost; ++i) {
+      const State before = state;
+      const StepStatus status = handler->step(system, state, h);
+      lost = !status.done;
+      if (lost) {
+        EXPECT_THAT(status.reason, HasSubstr("averaged force")) << law;
+        EXPECT_EQ(state.x, before.x);
+        EXPECT_EQ(state.v, before.v);
+      } else {
+        ASSERT_TRUE(state.x.allFinite()) << law << " " << i;
+      }
+    }
+    state = system.initialState();
+    handler->reset();
+    state.x(0, node) = std::nan("");
+    EXPECT_FALSE(handler->step(system, state, h).done) << law;
+  }
+}
+
+TEST(Adaptive, GivesTheSameBitsForAnyNumberOfThreads) {
+  NodeVectors x[2];
+  for (int k = 0; k < 2; ++k) {
+    Body body(test::sliverBar(0.98), makeMaterial("stvk", test::young, test::poisson, test::density),
+              {{}, Lumping::rowSum, k == 0 ? 1 : 3});
+    body.addBodyForce({0, 0, -1});
+    const double h = 4 * criticalStepOf(body);
+    const auto handler = adaptive(body, h);
+    BodySystem system(body);
+    State state = system.initialState();
+    for (int i = 0; i < 100; ++i) handler->step(system, state, h);
+    x[k] = state.x;
+  }
+  EXPECT_EQ(x[0], x[1]);
+}
+
+// The watched body's critical step is h where the tangent of level 0 is at what its filter leaves room for.
+TEST(Adaptive, WatchesTheCoarseElementsAgainstTheirOwnBound) {
+  Body body = test::sliverBody("stvk", 0.98);
+  const double h = 4 * criticalStepOf(body);
+  const auto handler = adaptive(body, h);
+  const Body& watched = handler->explicitBody();
+  EXPECT_EQ(watched.mesh().elementCount() + handler->elements().size(), body.mesh().elementCount());
+  const double coarse = handler->levels()[1].filter.coarse;
+  EXPECT_LT(coarse, 4);
+  EXPECT_LE((watched.lumpedMass() - coarse / 4 * body.lumpedMass()).norm(), 1e-9 * body.lumpedMass().norm());
+  EXPECT_LE(denseHighest(watched, body.mesh().X) * h * h, 4 * 0.81 * (1 + 1e-9));
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+    EXPECT_EQ(watched.constraints().freeComponents(i), body.constraints().freeComponents(i));
+}
+
+TEST(Adaptive, WorksOnMixedElements) {
+  BarOptions options;
+  options.size = {0.2, 0.04, 0.04};
+  options.cells = {6, 2, 2};
+  options.jitter = 0.2;
+  Body body(generateMixedBar(options), makeMaterial("stvk", test::young, test::poisson, test::density));
+  body.addBodyForce({0, 0, -1});
+  const double h = 2 * criticalStepOf(body);
+  const auto handler = adaptive(body, h);
+  ASSERT_FALSE(handler->elements().empty());
+  BodySystem system(body);
+  State state = system.initialState();
+  for (int i = 0; i < 200; ++i) ASSERT_TRUE(handler->step(system, state, h).done);
+  const Eigen::Vector3d fallen =
+      (state.x - body.mesh().X) * body.lumpedMass() / body.totalMass();  // free: its centre falls as a point does
+  EXPECT_NEAR(fallen.z(), -0.5 * 200 * 201 * h * h, 1e-9 * std::abs(fallen.z()) + 1e-12);
+}
+
+TEST(Adaptive, RefusesWhatItCannotDo) {
+  Body body = test::sliverBody();
+  const double h = 4 * criticalStepOf(body);
+  const auto refusal = [&](const auto& act) -> std::string {
+    try {
+      act();
+    } catch (const InputError& fault) {
+      return fault.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refusal([&] { adaptive(body, h, adaptiveOptions(-0.1)); }), HasSubstr("dissipation -0.1"));
+  EXPECT_THAT(refusal([&] { adaptive(body, h, adaptiveOptions(0.1, 0)); }), HasSubstr("levels 0"));
+  EXPECT_THAT(refusal([&] { adaptive(body, h, adaptiveOptions(0.1, 13)); }), HasSubstr("levels 13"));
+  const auto handler = adaptive(body, h);
+  BodySystem system(body), damped(body, {0.1, 0});
+  State state = system.initialState();
+  EXPECT_THAT(refusal([&] { handler->step(system, state, 0.5 * h); }), HasSubstr("prepared for"));
+  EXPECT_THAT(refusal([&] { handler->step(damped, state, h); }), HasSubstr("damping"));
+}
+
+}  // namespace
+}  // namespace ringwatch
