@@ -18,10 +18,11 @@ constexpr double trough = 0.05;  // of the stabilised filters: their least value
 /// Each level more costs some of the range of those above it.
 constexpr std::size_t mostFineLevels = 3;
 
-/// Of the steps of a level to those of the next, and the shares of a level's ceiling for its own tangent, that plans
-/// try.
+/// Of the steps of a level to those of the next, that plans try.
 const std::vector<int> ratios{2, 3, 4, 5, 6, 8, 12, 16, 24, 32, 48, 64, 128, 256, 512, 1024, 2048, 4096};
-const std::vector<double> coarseShares{0.15, 0.25, 0.35, 0.45, 0.55, 0.65, 0.75, 0.85};
+
+/// c_k by the ceiling. Where levels meet each has only some of a node's elements, thus needs only some of its mass.
+constexpr double coarseShare = 0.65;
 
 /// An element's share of one evaluation beyond its own force, in elements: calls and sums over nodes of a small part.
 constexpr double callCost = 20, implicitCost = 60;
@@ -65,59 +66,82 @@ std::vector<Adaptive::Level> Adaptive::plan(const std::vector<std::vector<double
     return static_cast<double>(std::upper_bound(sorted.begin(), sorted.end(), lambda) - sorted.begin());
   };
   const double deep = count - below(deepest(h));
-  const double weights[]{options_.stabilised ? 1 + 2 * options_.dissipation : 1, 1};
-  // Ceilings only scale the filters: their reach over that of p small steps, [ratio][share][whether inner].
-  const std::vector<double> shares = options_.stabilised ? coarseShares : std::vector<double>{0};
-  const double least = options_.stabilised ? trough : 0;
+  const double weights[]{options_.stabilised ? 1 + 2 * options_.dissipation : 1, 1},
+      share = options_.stabilised ? coarseShare : 0, least = options_.stabilised ? trough : 0;
+  // Ceilings only scale the filters: their reach over that of p small steps, [ratio][whether inner].
   std::vector<double> reach;
   for (const int p : ratios)
-    for (const double share : shares)
-      for (const double weight : weights)
-        reach.push_back(chebyshevFilter(p, 1, share, weight, least).range / (1.0 * p * p));
+    for (const double weight : weights)
+      reach.push_back(chebyshevFilter(p, 1, share, weight, least).range / (1.0 * p * p));
 
   struct Step {
     int substeps;
-    double ceiling, share;  // share: of the ceiling that the level's own tangent has
+    double ceiling;
   };
-  std::vector<Step> best, steps{{1, 4, 1}};
+  std::vector<Step> best, steps{{1, 4}};
   double leastCost = std::numeric_limits<double>::infinity();
-  // Every ascending choice of steps, and for each the share of a level's ceiling that its own tangent may have.
-  const auto extend = [&](const auto& self, double cost, double counted) -> void {
+  const auto extend = [&](const auto& self, double cost, double counted) -> void {  // every ascending choice of steps
     if (cost >= leastCost) return;
-    const auto [substeps, ceiling, whole] = steps.back();
-    const double unit = room * substeps * substeps / (h * h);
-    {
-      const double own = std::max(0.0, below(ceiling * unit) - counted), left = count - counted - own;
-      const double total = cost + substeps * (own + callCost + implicitCost * left);
-      if ((left <= deep || substeps == 1 << options_.levels) && total < leastCost) {
-        leastCost = total;
-        best = steps;
-      }
+    const auto [substeps, ceiling] = steps.back();
+    const double own = std::max(0.0, below(ceiling * room * substeps * substeps / (h * h)) - counted),
+                 left = count - counted - own, total = cost + substeps * (own + (substeps > 1 ? callCost : 0));
+    const double whole = total + substeps * implicitCost * left;
+    if ((left <= deep || substeps == 1 << options_.levels) && whole < leastCost) {
+      leastCost = whole;
+      best = steps;
     }
     if (steps.size() > mostFineLevels) return;
-    for (std::size_t p = 0; p < ratios.size() && (substeps * ratios[p] <= 1 << options_.levels); ++p)
-      for (std::size_t k = 0; k < shares.size(); ++k) {
-        steps.back().share = options_.stabilised ? shares[k] : 1;
-        const double own = std::max(0.0, below(steps.back().share * ceiling * unit) - counted);
-        steps.push_back({substeps * ratios[p], ceiling * reach[2 * (p * shares.size() + k) + (steps.size() > 1)], 1});
-        self(self, cost + substeps * (own + (substeps > 1 ? callCost : 0)), counted + own);
-        steps.pop_back();
-      }
-    steps.back().share = whole;
+    for (std::size_t p = 0; p < ratios.size() && substeps * ratios[p] <= 1 << options_.levels; ++p) {
+      steps.push_back({substeps * ratios[p], ceiling * reach[2 * p + (steps.size() > 1)]});
+      self(self, total, counted + own);
+      steps.pop_back();
+    }
   };
   extend(extend, 0, 0);
 
   std::vector<Level> levels;
   for (std::size_t k = 0; k < best.size(); ++k) {
+    const auto [substeps, ceiling] = best[k];
     Level& level = levels.emplace_back();
-    level.substeps = best[k].substeps;
-    level.lambda = best[k].share * best[k].ceiling * room * level.substeps * level.substeps / (h * h);
-    if (k == 0) continue;
-    const Step& above = best[k - 1];
-    level.filter = chebyshevFilter(level.substeps / above.substeps, above.ceiling,
-                                   options_.stabilised ? above.share * above.ceiling : 0, weights[k > 1], least);
+    level.substeps = substeps;
+    level.lambda = ceiling * room * substeps * substeps / (h * h);
+    level.massShare = k + 1 < best.size() && options_.stabilised ? share : 1;
+    if (k > 0)
+      level.filter = chebyshevFilter(substeps / best[k - 1].substeps, best[k - 1].ceiling, share * best[k - 1].ceiling,
+                                     weights[k > 1], least);
   }
   return levels;
+}
+
+Eigen::VectorXd Adaptive::massBeside(const ElementFlags& finer, double share) const {
+  Eigen::VectorXd mass = body_.lumpedMass();
+  for (const ElementRef e : chosenElements(finer))
+    for (const std::int32_t node : body_.blocks()[at(e.block)]->nodesOf(e.element))
+      mass[node] = share * body_.lumpedMass()[node];
+  return mass;
+}
+
+ElementFlags Adaptive::finerThan(const Level& level, const ElementFlags& left, const NodeVectors& x,
+                                 ElementFlags finer) const {
+  if (options_.selection != "certified") {
+    const ElementFlags hot = selectByReducedRing(body_, x, level.lambda);
+    for (std::size_t b = 0; b < finer.size(); ++b)
+      for (std::size_t e = 0; e < finer[b].size(); ++e) finer[b][e] = finer[b][e] || (hot[b][e] && left[b][e]);
+    return finer;
+  }
+  // What leaves takes mass away from its neighbours, which may make them leave too.
+  const auto numbers = elementNumbers(left);
+  for (std::size_t count = chosenElements(finer).size();;) {
+    const Body rest = partWithMass(left, massBeside(finer, level.massShare));
+    ElementFlags keep = noElements(rest.mesh());
+    for (std::size_t b = 0; b < numbers.size(); ++b)
+      for (std::size_t i = 0; i < numbers[b].size(); ++i) keep[b][i] = finer[b][at(numbers[b][i])];
+    for (const ElementRef e : chosenElements(selectCertified(rest, x, level.lambda, keep).chosen))
+      finer[at(e.block)][at(numbers[at(e.block)][at(e.element)])] = true;
+    const std::size_t now = chosenElements(finer).size();
+    if (now == count) return finer;
+    count = now;
+  }
 }
 
 ElementFlags Adaptive::choose(const NodeVectors& x, double h, const ElementFlags& keep) {
@@ -145,22 +169,8 @@ ElementFlags Adaptive::choose(const NodeVectors& x, double h, const ElementFlags
     ElementFlags left = complement(noElements(body_.mesh()));
     for (std::size_t k = 0; k < levels.size(); ++k) {
       Level& level = levels[k];
-      ElementFlags finer;
-      if (k == 0) {
-        finer = chooseFor(body_, x, level.lambda, keep);
-        chosen = finer;
-      } else if (options_.selection == "certified") {
-        const Body rest(body_, left);
-        const ElementFlags own = selectCertified(rest, x, level.lambda).chosen;
-        const auto numbers = elementNumbers(left);
-        finer = noElements(body_.mesh());
-        for (const ElementRef e : chosenElements(own))
-          finer[at(e.block)][at(numbers[at(e.block)][at(e.element)])] = true;
-      } else {
-        finer = selectByReducedRing(body_, x, level.lambda);
-        for (std::size_t b = 0; b < finer.size(); ++b)
-          for (std::size_t e = 0; e < finer[b].size(); ++e) finer[b][e] = finer[b][e] && left[b][e];
-      }
+      ElementFlags finer = finerThan(level, left, x, k == 0 && !keep.empty() ? keep : noElements(body_.mesh()));
+      if (k == 0) chosen = finer;
       level.elements = left;
       for (const ElementRef e : chosenElements(finer)) level.elements[at(e.block)][at(e.element)] = false;
       left = std::move(finer);
@@ -196,8 +206,7 @@ void Adaptive::take(const NodeVectors& x, double h, const ElementFlags& chosen) 
   filter_.emplace(body_, std::move(fine), implicit_, weight * step * step / ceiling, x, options_.cluster);
   coarse_.emplace(body_, complement(chosen));
   inverseMass_ = body_.lumpedMass().cwiseInverse();
-  // What the monitor has to hold against 4/h² is K_0 M⁻¹ times 4/c.
-  splitOff(chosen, levels_.front().lambda / allowedLambda(h));
+  splitOff(chosen, massBeside(chosen, levels_.front().massShare));
 
   std::vector<std::int32_t> position(at(body_.nodeCount()), -1);
   for (std::size_t i = 0; i < filter_->nodes().size(); ++i)

@@ -38,7 +38,8 @@ class Adaptive final : public Handler {
   /// One level of the choice.
   struct Level {
     int substeps = 1;        // its step is h/substeps
-    double lambda = 0;       // its tangent over the whole mass is at most this, rad²/s²
+    double lambda = 0;       // its tangent is at most this times M, rad²/s², M shared where finer elements are
+    double massShare = 1;    // of the lumped mass, at nodes of finer elements
     ElementFlags elements;   // [block][element]
     ChebyshevFilter filter;  // over the step of the level above; not of level 0
   };
@@ -60,6 +61,10 @@ class Adaptive final : public Handler {
   /// The levels that cost least by an estimate of each element's highest eigenvalue, without their elements.
   std::vector<Level> plan(const std::vector<std::vector<double>>& lambdas, double h) const;
   double deepest(double h) const;
+  /// The lumped mass, at nodes of some elements a share of it.
+  Eigen::VectorXd massBeside(const ElementFlags& finer, double share) const;
+  /// Of the elements left, those that a level cannot have, `finer` among them.
+  ElementFlags finerThan(const Level& level, const ElementFlags& left, const NodeVectors& x, ElementFlags finer) const;
   void averagedAcceleration(const NodeVectors& x, const NodeVectors& v, double h, NodeVectors& a);
   void addStrainVelocity(const NodeVectors& x, const NodeVectors& v, double share);
 

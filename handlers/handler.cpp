@@ -63,19 +63,38 @@ StepStatus Handler::step(SecondOrderSystem& system, State& state, double h) {
   return handledStep(system, state, h);
 }
 
-void Handler::splitOff(const ElementFlags& chosen, double massShare) {
+void Handler::splitOff(const ElementFlags& chosen, const Eigen::VectorXd& mass) {
   const ElementFlags left = complement(chosen);
   numbers_ = elementNumbers(left);
-  explicitPart_.emplace(body_, left);
-  if (massShare == 1) return;
-  Mesh mesh = explicitPart_->mesh();
+  if (mass.size() == 0)
+    explicitPart_.emplace(body_, left);
+  else
+    explicitPart_.emplace(partWithMass(left, mass));
+}
+
+Body Handler::partWithMass(const ElementFlags& elements, const Eigen::VectorXd& mass) const {
+  const Mesh& all = body_.mesh();
+  Mesh mesh;
+  mesh.X = all.X;
+  mesh.nodeIds = all.nodeIds;
   std::vector<std::unique_ptr<ElementBlock>> blocks;
-  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
-    const ElementBlock& own = *body_.blocks()[b];
-    blocks.push_back(makeElementBlock(mesh, mesh.blocks[b], own.material(), own.rule().name));
+  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
+    const MeshBlock& from = all.blocks[b];
+    MeshBlock block{from.type, {}, {}};
+    for (std::size_t e = 0; e < from.elementCount(); ++e) {
+      if (!elements[b][e]) continue;
+      block.ids.push_back(from.ids[e]);
+      block.connectivity.insert(block.connectivity.end(), from.element(e), from.element(e) + from.nodesPerElement());
+    }
+    mesh.blocks.push_back(std::move(block));
   }
-  explicitPart_.emplace(std::move(mesh), std::move(blocks), massShare * body_.lumpedMass(), body_.threads());
-  explicitPart_->constraints() = body_.constraints();
+  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
+    const ElementBlock& face = *body_.blocks()[b];
+    blocks.push_back(makeElementBlock(mesh, mesh.blocks[b], face.material(), face.rule().name));
+  }
+  Body part(std::move(mesh), std::move(blocks), mass, body_.threads());
+  part.constraints() = body_.constraints();
+  return part;
 }
 
 ElementRef Handler::wholeElement(ElementRef part) const {

@@ -81,8 +81,10 @@ class Handler : public Integrator {
   }
   /// The elements of a body on its nodes that a limit of lambda, rad²/s², asks for, as the selection says.
   ElementFlags chooseFor(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep);
-  /// Leaves the chosen elements out of explicitBody(), which gets a share, > 0, of the lumped mass.
-  void splitOff(const ElementFlags& chosen, double massShare = 1);
+  /// Leaves the chosen elements out of explicitBody(); with mass (kg, N numbers > 0), that is its lumped mass.
+  void splitOff(const ElementFlags& chosen, const Eigen::VectorXd& mass = {});
+  /// Some elements of the body with another lumped mass, kg, N numbers > 0; without loads.
+  Body partWithMass(const ElementFlags& elements, const Eigen::VectorXd& mass) const;
   /// The highest frequency squared that is left to the rest, rad²/s²: ((1 - margin) limit/h)².
   double allowedLambda(double h) const;
   /// The bound behind a certified choice; empty with "reduced-1-ring".
