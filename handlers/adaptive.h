@@ -6,8 +6,8 @@
 
 namespace ringwatch {
 
-/// Local time stepping by elements (the source's section 4.4): level 0 takes the step h, level k the step τ_k =
-/// h/2^e_k, and only nodes of fine elements are looked at within a step. Leapfrog local time stepping in the form of
+/// Local time stepping by elements (the source's section 4.4): level 0 takes the step h, level k a whole fraction
+/// of it, and only nodes of fine elements are looked at within a step. Leapfrog local time stepping in the form of
 /// Diaz & Grote (2009, 2015), split by elements: with the other forces frozen, the fine elements' forces along a motion
 /// that starts from rest at x_n are averaged over the step,
 ///   a_n = E_0 (M⁻¹ (f_ext - f_0(x_n)) - M⁻¹ Σ_(k>=1) f_k(x_n + α h ṽ_n)),   v ← v + h a_n,   x ← x + h v,
@@ -15,19 +15,25 @@ namespace ringwatch {
 /// Any base scheme with these steps (handler.h); order two for α = 0.
 ///
 /// Plain local time stepping (stabilised = false) is unstable where a fine mode makes an odd number of half swings in
-/// a step of its neighbours. The filters Q_k of the stabilised one leave room for those: with G_1 = 4, weights
-/// r_1 = 1 + 2α and r_k = 1, K_k the tangent of level k, it is stable for a frozen tangent when
-///   K_(k-1) ≼ c_k M/τ_(k-1)²,   K_n ≼ G_(n+1) M/τ_n²,   Q_k(b) (c_k + r_k b) <= G_k for 0 <= b <= p_k² G_(k+1),
-/// p_k = τ_(k-1)/τ_k. By induction from the deepest level, r_(k+1) Σ_(i>k) K_i + K_k ≼ (G_(k+1)/τ_k²) M E_k⁻¹: the
-/// spectrum of B_k is within the range of Q_k, and E_(k-1)⁻¹ = E_k^-½ Q_k(B_k)⁻¹ E_k^-½ is above
-/// (c_k E_k⁻¹ + r_k τ_(k-1)² M⁻¹ Σ_(i>=k) K_i)/G_k, where E_k⁻¹ is at least 1. At the top that is
-/// K_0 + (1 + 2α) Σ K_k ≼ (4/h²) M E_0⁻¹: with the quotients b of h² E_0 M⁻¹ K and d of its fine part,
-/// z² - (2 - b - α d) z + 1 - α d = 0, whose roots have |z| <= 1 for 0 <= b, b + 2 α d <= 4. The certified selection
-/// proves each level's tangent, on the whole mass; c_k is the planner's to choose.
+/// a step of its neighbours. The filters Q_k of the stabilised one leave room for those. With G_1 = 4, r_1 = 1 + 2α,
+/// r_k = 1 for the others, K_k the tangent of level k, τ_k its step and p_k = τ_(k-1)/τ_k, it is stable for a frozen
+/// tangent when
+///   K_(k-1) ≼ M_k/τ_(k-1)²,   K_n ≼ G_(n+1) M/τ_n²,   Q_k(b) (c_k + r_k b) <= G_k for 0 <= b <= p_k² G_(k+1),
+/// M_k the lumped mass times c_k at nodes of levels k and deeper, and times G_k at all others. By induction from the
+/// deepest level, K_k + r_(k+1) Σ_(i>k) K_i ≼ (G_(k+1)/τ_k²) M E_k⁻¹: the spectrum of B_k is then in the range of Q_k,
+/// and E_(k-1)⁻¹ = E_k^-½ Q_k(B_k)⁻¹ E_k^-½ is 1 at the other nodes and at least
+/// (c_k E_k⁻¹ + r_k τ_(k-1)² M⁻¹ Σ_(i>=k) K_i)/G_k at those of levels k and deeper, where E_k⁻¹ >= 1. At the top that
+/// is K_0 + (1 + 2α) Σ K_k ≼ (4/h²) M E_0⁻¹: with the quotients b of h² E_0 M⁻¹ K and d of its fine part, z² - (2 - b -
+/// α d) z + 1 - α d = 0, whose roots have |z| <= 1 for 0 <= b, d and b + 2 α d <= 4. The certified selection proves
+/// each level's tangent; levels, p_k among them, are chosen for the least number of evaluations by the reduced 1-rings.
+/// With "reduced-1-ring" nothing is proven.
 ///
 /// Elements that need a step below h/2^levels are implicit: E_n⁻¹ = 1 + M⁻¹ w K̂ with w = 1.1 r τ_n²/G_(n+1), K̂ of
-/// ImplicitCluster and r that of the last level, carries every K_I ≼ K̂ by the same induction, at one solve of their
+/// ImplicitCluster and r that of the last level, carries every K_I ≼ 1.1 K̂ by the same induction, at one solve of their
 /// clusters for each evaluation of the last level.
+///
+/// explicitBody() has the elements of level 0 on M_1/4: its critical step is h where the proof for level 0 ends. Finer
+/// levels are proven where they are chosen, with the margin; a step whose averaged force outgrows the force fails.
 class Adaptive final : public Handler {
  public:
   static constexpr HandlerInfo description{"adaptive", "smaller steps where they are needed, by levels h/2^k"};
