@@ -842,6 +842,22 @@ TEST_F(HandledProgram, IsPlainExplicitWhereNothingIsCritical) {
   }
 }
 
+TEST_F(HandledProgram, TakesSmallerStepsWhereTheyAreNeeded) {
+  write("[handler]\nmethod = \"adaptive\"\n");
+  const Outcome outcome = call("run slivers.toml --out fine");
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  const Json fine = json("fine/summary.json")["handler"];
+  EXPECT_GT(fine["handled_elements"].get<int>(), 0);
+  EXPECT_EQ(fine["implicit_elements"], 0);
+  EXPECT_EQ(fine["elements_at_step_over_1"].get<int>() + fine["handled_elements"].get<int>(), 240);
+  EXPECT_GT(fine["speed_up_in_evaluations"].get<double>(), 1);
+  ASSERT_EQ(call("run slivers.toml --out capped --set handler.levels=1").status, 0);
+  EXPECT_GT(json("capped/summary.json")["handler"]["implicit_elements"].get<int>(), 0);
+  EXPECT_THAT(call("run slivers.toml --set handler.variant=magic").err, HasSubstr("stabilised"));
+  EXPECT_THAT(call("run slivers.toml --set handler.method=imex --set handler.levels=2").err,
+              HasSubstr("is a key of adaptive"));
+}
+
 TEST_F(HandledProgram, TakesMoreElementsWhenTheRestStiffens) {
   // With less dissipation choices anew disturb the energy: docs/handlers.md.
   const std::string pull = "[[move]]\nwhere = \"x > 0.2 - 1e-6\"\nvelocity = [1.2, 0, 0]\n",
