@@ -491,6 +491,10 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
   scene.handlerOptions.cluster.tolerance = handler.get<double>("tolerance");
   scene.handlerOptions.cluster.iterations = static_cast<int>(
       std::min<std::int64_t>(handler.get<std::int64_t>("iterations"), std::numeric_limits<int>::max()));
+  const auto variant = handler.get<std::string>("variant");
+  scene.handlerOptions.variant = variant == "auto" ? "" : variant;
+  scene.handlerOptions.passes =
+      static_cast<int>(std::min<std::int64_t>(handler.get<std::int64_t>("passes"), std::numeric_limits<int>::max()));
   scene.reduceOnFailure = handler.get<std::string>("on_failure") == "reduce-step";
 
   if (scene.handler.empty()) {
@@ -516,6 +520,13 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
       if (handler.given(key))
         fail(handler.at(key).origin, std::string("handler.") + key,
              fmt::format("is a key of imex; \"{}\" does not take it", scene.handler));
+  if (scene.handler != "fe-pbd")
+    for (const char* key : {"variant", "passes"})
+      if (handler.given(key))
+        fail(handler.at(key).origin, std::string("handler.") + key,
+             fmt::format("is a key of fe-pbd; \"{}\" does not take it", scene.handler));
+  if (variant == "rigid" && handler.given("passes"))
+    fail(handler.at("passes").origin, "handler.passes", "is for variant = \"linear\"");
   if (scene.handlerOptions.cluster.solver == ClusterSolver::cholesky)
     for (const char* key : {"tolerance", "iterations"})
       if (handler.given(key))

@@ -21,6 +21,8 @@ struct HandlerOptions {
   double margin = 0.1;
   double dissipation = 0.1;     ///< of the implicit part: 0 none and second order, 1 implicit Euler
   ClusterOptions cluster = {};  ///< of the implicit part
+  std::string variant = {};     ///< "rigid" or "linear" (fe-pbd); empty: the handler's own choice
+  int passes = 3;               ///< of fe-pbd's linear variant: more of them make crowded elements less soft
 };
 
 /// What a handler declares of itself.

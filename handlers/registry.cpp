@@ -2,6 +2,7 @@
 #include <string>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/handlers/fe_pbd.h>
 #include <ringwatch/handlers/imex.h>
 #include <ringwatch/handlers/mass_scaling.h>
 
@@ -19,6 +20,7 @@ constexpr HandlerEntry handlerEntry() {
 /// Every handler of the library, one line each.
 constexpr std::array entries{
     handlerEntry<ImplicitExplicit>(),
+    handlerEntry<PositionBased>(),
     handlerEntry<MassScaling>(),
 };
 
