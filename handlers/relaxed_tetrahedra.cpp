@@ -59,6 +59,31 @@ std::vector<double> passFactors(int passes, double least) {
   return factors;
 }
 
+using P = NativePack;
+
+RINGWATCH_INLINE Matrix3<P> symmetric(const P (&s)[6]) {
+  return {{s[0], s[5], s[4], s[5], s[1], s[3], s[4], s[3], s[2]}};
+}
+
+/// The turn [w]× F A, A = diag(inertia), with the torque of a stress about F: (tr(C) I - C) w = axial(stress Fᵀ), C =
+/// F A Fᵀ. Zero where the nodes lie on one line, which has no such axis.
+RINGWATCH_INLINE Matrix3<P> turnAgainst(const Matrix3<P>& stress, const Matrix3<P>& F, const P (&inertia)[3]) {
+  Matrix3<P> FA;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) FA(i, j) = F(i, j) * inertia[j];
+  const Matrix3<P> C = timesTranspose(FA, F), T = timesTranspose(stress, F);
+  const P size = trace(C);
+  const Matrix3<P> J = Matrix3<P>::diagonal(size) - C, cof = cofactor(J);
+  const P det = J.m[0] * cof.m[0] + J.m[1] * cof.m[1] + J.m[2] * cof.m[2];
+  const auto turns = det > P(1e-13) * size * size * size;
+  const P scale = select(turns, P(1.0) / select(turns, det, P(1.0)), P(0.0));
+  const P t0 = scale * (T.m[7] - T.m[5]), t1 = scale * (T.m[2] - T.m[6]), t2 = scale * (T.m[3] - T.m[1]);
+  const P w0 = cof.m[0] * t0 + cof.m[1] * t1 + cof.m[2] * t2, w1 = cof.m[3] * t0 + cof.m[4] * t1 + cof.m[5] * t2,
+          w2 = cof.m[6] * t0 + cof.m[7] * t1 + cof.m[8] * t2;
+  const P o(0.0);
+  return Matrix3<P>{{o, -w2, w1, w2, o, -w0, -w1, w0, o}} * FA;
+}
+
 }  // namespace
 
 RelaxedTetrahedra::RelaxedTetrahedra(const Body& body, const std::vector<ElementRef>& elements, double h,
@@ -178,20 +203,22 @@ void RelaxedTetrahedra::setElement(std::size_t i, const Body& body, ElementRef r
   batch.dilatation.set(lane, dilatation);
 }
 
-template <GoalShape goal>
+template <GoalShape goal, bool first, bool last>
 void RelaxedTetrahedra::relaxPatch(const Patch& patch, const NodeVectors& x, const NodeVectors& v, const NodeVectors& a,
-                                   int pass, double* slots) {
-  alignas(64) double start[4 * rowsOfPatch];
-  alignas(64) double moved[4 * rowsOfPatch];  // x* - x
+                                   double factor, double* slots) {
+  alignas(64) double predicted[4 * rowsOfPatch];
+  alignas(64) double start[last ? 4 * rowsOfPatch : 1];
   const std::int32_t* nodes = layout_.nodes.data() + patch.nodeBegin;
   const int count = patch.nodeEnd - patch.nodeBegin;
   for (int i = 0; i < count; ++i) {
     const std::ptrdiff_t from = 3 * static_cast<std::ptrdiff_t>(nodes[i]);
     for (int c = 0; c < 3; ++c) {
-      start[4 * i + c] = x.data()[from + c];
-      moved[4 * i + c] = h_ * (v.data()[from + c] + h_ * a.data()[from + c]);
+      const double now = x.data()[from + c];
+      predicted[4 * i + c] = now + h_ * (v.data()[from + c] + h_ * a.data()[from + c]);
+      if constexpr (last) start[4 * i + c] = now;
     }
-    start[4 * i + 3] = moved[4 * i + 3] = 0;
+    predicted[4 * i + 3] = 0;
+    if constexpr (last) start[4 * i + 3] = 0;
   }
   for (std::int32_t k = patch.batchBegin; k < patch.batchEnd; ++k) {
     const Batch& batch = batches_[static_cast<std::size_t>(k)];
@@ -207,9 +234,9 @@ void RelaxedTetrahedra::relaxPatch(const Patch& patch, const NodeVectors& x, con
       }
       return F;
     };
-    const Matrix3<P> F0 = gradientOf(start), F = F0 + gradientOf(moved);
     Matrix3<P> R, stress;
-    if (pass == 0)
+    const Matrix3<P> F = gradientOf(predicted);
+    if constexpr (first)
       R = closestRotation(F);
     else
       for (int i = 0; i < 9; ++i) R.m[i] = memory_[static_cast<std::size_t>(k)].R[i];
@@ -220,19 +247,20 @@ void RelaxedTetrahedra::relaxPatch(const Patch& patch, const NodeVectors& x, con
                    P(0.5) * (S.m[5] + S.m[7]),
                    P(0.5) * (S.m[2] + S.m[6]),
                    P(0.5) * (S.m[1] + S.m[3])};
+    [[maybe_unused]] Matrix3<P> before = Matrix3<P>::zero();
     if constexpr (goal == GoalShape::rigid) {
       const P(&n)[3] = batch.normal;
       stress = {{strain[0] * n[0], strain[5] * n[1], strain[4] * n[2], strain[5] * n[0], strain[1] * n[1],
                  strain[3] * n[2], strain[4] * n[0], strain[3] * n[1], strain[2] * n[2]}};
     } else {
-      if (pass > 0) {
-        const P(&before)[6] = memory_[static_cast<std::size_t>(k)].stress;
-        const P pressure = batch.dilatation * (before[0] + before[1] + before[2]);
-        for (int i = 0; i < 6; ++i) strain[i] -= batch.compliance * before[i];
+      if constexpr (!first) {
+        const P(&s)[6] = memory_[static_cast<std::size_t>(k)].stress;
+        const P pressure = batch.dilatation * (s[0] + s[1] + s[2]);
+        for (int i = 0; i < 6; ++i) strain[i] -= batch.compliance * s[i];
         for (int i = 0; i < 3; ++i) strain[i] += pressure;
+        before = symmetric(s);
       }
-      const P factor(factors_[static_cast<std::size_t>(pass)]);
-      for (P& e : strain) e *= factor;
+      for (P& e : strain) e *= P(factor);
       P d[3], all(0.0);
       for (int i = 0; i < 3; ++i) {
         d[i] = batch.normal[i] * strain[i];
@@ -244,35 +272,19 @@ void RelaxedTetrahedra::relaxPatch(const Patch& patch, const NodeVectors& x, con
         s[i] = d[i] + all * batch.normal[i];
         s[i + 3] = batch.shear[i] * strain[i + 3];
       }
-      stress = {{s[0], s[5], s[4], s[5], s[1], s[3], s[4], s[3], s[2]}};
-      if (passes_ > 1) {
+      stress = symmetric(s);
+      if constexpr (!last) {
         Memory& memory = memory_[static_cast<std::size_t>(k)];
-        if (pass == 0) {
+        for (int i = 0; i < 6; ++i) memory.stress[i] = first ? s[i] : memory.stress[i] + s[i];
+        if constexpr (first)
           for (int i = 0; i < 9; ++i) memory.R[i] = R.m[i];
-          for (int i = 0; i < 6; ++i) memory.stress[i] = s[i];
-        } else {
-          for (int i = 0; i < 6; ++i) memory.stress[i] += s[i];
-        }
       }
     }
     Matrix3<P> piola = R * stress;
-
-    // The turn [w]× F0 A that takes the torque away: (tr(C) I - C) w = axial(P F0ᵀ), C = F0 A F0ᵀ.
-    Matrix3<P> FA;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) FA(i, j) = F0(i, j) * batch.inertia[j];
-    const Matrix3<P> C = timesTranspose(FA, F0), T = timesTranspose(piola, F0);
-    const P size = trace(C);
-    const Matrix3<P> J = Matrix3<P>::diagonal(size) - C, cof = cofactor(J);
-    const P determinant = J.m[0] * cof.m[0] + J.m[1] * cof.m[1] + J.m[2] * cof.m[2];
-    const auto turns = determinant > P(1e-13) * size * size * size;  // nodes on one line have no such axis
-    const P scale = select(turns, P(1.0) / select(turns, determinant, P(1.0)), P(0.0));
-    const P t0 = scale * (T.m[7] - T.m[5]), t1 = scale * (T.m[2] - T.m[6]), t2 = scale * (T.m[3] - T.m[1]);
-    const P w0 = cof.m[0] * t0 + cof.m[1] * t1 + cof.m[2] * t2, w1 = cof.m[3] * t0 + cof.m[4] * t1 + cof.m[5] * t2,
-            w2 = cof.m[6] * t0 + cof.m[7] * t1 + cof.m[8] * t2;
-    const P o(0.0);
-    piola = piola - Matrix3<P>{{o, -w2, w1, w2, o, -w0, -w1, w0, o}} * FA;
-
+    if constexpr (last) {
+      const Matrix3<P> F0 = gradientOf(start);
+      piola = piola - turnAgainst(first ? piola : R * (before + stress), F0, batch.inertia);
+    }
     P force[3], sum[3] = {P(0.0), P(0.0), P(0.0)};
     for (int n = 0; n < 3; ++n) {
       const P(&g)[3] = batch.gradient[n];
@@ -314,10 +326,18 @@ bool RelaxedTetrahedra::relax(const NodeVectors& x, const NodeVectors& v, NodeVe
       const Patch& patch = layout_.patches[static_cast<std::size_t>(p)];
       double* own = slots_.data() + 4 * static_cast<std::ptrdiff_t>(patch.nodeBegin);
       std::fill(own, own + 4 * static_cast<std::ptrdiff_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
+      const bool first = pass == 0, last = pass == passes_ - 1;
+      const double factor = factors_[static_cast<std::size_t>(pass)];
       if (goal_ == GoalShape::rigid)
-        relaxPatch<GoalShape::rigid>(patch, x, v, a, pass, own);
+        relaxPatch<GoalShape::rigid, true, true>(patch, x, v, a, factor, own);
+      else if (first && last)
+        relaxPatch<GoalShape::linear, true, true>(patch, x, v, a, factor, own);
+      else if (first)
+        relaxPatch<GoalShape::linear, true, false>(patch, x, v, a, factor, own);
+      else if (last)
+        relaxPatch<GoalShape::linear, false, true>(patch, x, v, a, factor, own);
       else
-        relaxPatch<GoalShape::linear>(patch, x, v, a, pass, own);
+        relaxPatch<GoalShape::linear, false, false>(patch, x, v, a, factor, own);
     });
     if (!addForces(a)) return false;
   }

@@ -65,8 +65,8 @@ class RelaxedTetrahedra {
     P R[9], stress[6];  // Vσ: 00 11 22 12 20 01, N·m
   };
   void setElement(std::size_t lane, const Body& body, ElementRef e, const double* share, double h, GoalShape goal);
-  template <GoalShape goal>
-  void relaxPatch(const Patch& patch, const NodeVectors& x, const NodeVectors& v, const NodeVectors& a, int pass,
+  template <GoalShape goal, bool first, bool last>
+  void relaxPatch(const Patch& patch, const NodeVectors& x, const NodeVectors& v, const NodeVectors& a, double factor,
                   double* slots);
   bool addForces(NodeVectors& a);
 
