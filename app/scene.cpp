@@ -515,18 +515,18 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
   if (scene.handler == "mass-scaling" && scene.handlerOptions.selection != "certified")
     fail(handler.at("selection").origin, "handler.selection",
          "mass-scaling adds mass until the step is proven; must be \"certified\"");
-  if (scene.handler != "imex")
-    for (const char* key : {"dissipation", "solver", "tolerance", "iterations", "on_failure"})
-      if (handler.given(key))
+  const bool imex = scene.handler == "imex", pbd = scene.handler == "fe-pbd", filtered = scene.handler == "filtered";
+  const bool rigid = variant == "rigid" || variant == "projection";
+  const auto belongsTo = [&](std::initializer_list<const char*> keys, bool fits, const char* owners) {
+    for (const char* key : keys)
+      if (handler.given(key) && !fits)
         fail(handler.at(key).origin, std::string("handler.") + key,
-             fmt::format("is a key of imex; \"{}\" does not take it", scene.handler));
-  if (scene.handler != "fe-pbd")
-    for (const char* key : {"variant", "passes"})
-      if (handler.given(key))
-        fail(handler.at(key).origin, std::string("handler.") + key,
-             fmt::format("is a key of fe-pbd; \"{}\" does not take it", scene.handler));
-  if (variant == "rigid" && handler.given("passes"))
-    fail(handler.at("passes").origin, "handler.passes", "is for variant = \"linear\"");
+             fmt::format("is a key of {}; \"{}\" does not take it", owners, scene.handler));
+  };
+  belongsTo({"dissipation", "solver", "on_failure"}, imex, "imex");
+  belongsTo({"tolerance", "iterations"}, imex || (filtered && variant == "projection"), "imex and projected filtered");
+  belongsTo({"variant"}, pbd || filtered, "fe-pbd and filtered");
+  belongsTo({"passes"}, (pbd || filtered) && !rigid, "linear fe-pbd and compliant filtered");
   if (scene.handlerOptions.cluster.solver == ClusterSolver::cholesky)
     for (const char* key : {"tolerance", "iterations"})
       if (handler.given(key))

@@ -35,6 +35,7 @@ class PositionBased::Relaxed final : public SecondOrderSystem {
 
 PositionBased::PositionBased(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
     : Handler(body, std::move(base), std::move(options)), goal_(goalOf(options_.variant)) {
+  if (options_.passes == 0) options_.passes = 3;
   if (options_.passes < 1 || options_.passes > 32)
     throw InputError(
         joinText("passes ", options_.passes, ": must be >= 1 and <= 32; where that is too few, take imex"));
@@ -42,14 +43,7 @@ PositionBased::PositionBased(Body& body, std::unique_ptr<Integrator> base, Handl
 
 void PositionBased::take(const NodeVectors&, double h, const ElementFlags& chosen) {
   const auto elements = chosenElements(chosen);
-  for (const ElementRef e : elements) {
-    const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(e.block)];
-    if (block.element().name != "tet4")
-      throw InputError(joinText("fe-pbd handles tet4, and element ", e.block, ":", e.element, " is a ",
-                                block.element().name, "; take imex"));
-    if (block.material().lawName() == "linear")
-      throw InputError("fe-pbd turns with its elements, and the law \"linear\" does not; take imex");
-  }
+  requireTurningTetrahedra(elements);
   relaxed_ = std::make_unique<RelaxedTetrahedra>(body_, elements, h, goal_, options_.passes);
   inverseMass_ = body_.lumpedMass().cwiseInverse();
   splitOff(chosen);

@@ -15,14 +15,16 @@ namespace ringwatch {
 
 struct HandlerOptions {
   /// "certified": the smallest set found such that the rest is proven stable; "reduced-1-ring": the source's, which
-  /// proves nothing.
+  /// proves nothing; "single-element": all whose own frequency is too high, a larger set that proves the rest as well.
   std::string selection = "certified";
   /// Elements are chosen as for a step of h/(1 - margin), >= 0 and < 1: room for a rest that stiffens along the run.
   double margin = 0.1;
   double dissipation = 0.1;     ///< of the implicit part: 0 none and second order, 1 implicit Euler
   ClusterOptions cluster = {};  ///< of the implicit part
-  std::string variant = {};     ///< "rigid" or "linear" (fe-pbd); empty: the handler's own choice
-  int passes = 3;               ///< of fe-pbd's linear variant: more of them make crowded elements less soft
+  /// Of fe-pbd "linear" or "rigid", of filtered "compliant" or "projection"; empty: the first of them.
+  std::string variant = {};
+  /// Of fe-pbd, linear, and filtered, compliant: more make crowded elements less soft. 0: 3 and 1.
+  int passes = 0;
 };
 
 /// What a handler declares of itself.
@@ -71,11 +73,16 @@ class Handler : public Integrator {
   /// Called after a choice that is not empty.
   virtual void take(const NodeVectors& x, double h, const ElementFlags& chosen) = 0;
   virtual StepStatus handledStep(SecondOrderSystem& system, State& state, double h) = 0;
+  std::span<const std::int32_t> nodesOf(ElementRef e) const {
+    return body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element);
+  }
+  /// Throws InputError unless all are tet4 of a law that turns with its element.
+  void requireTurningTetrahedra(const std::vector<ElementRef>& elements) const;
   /// Leaves the chosen elements out of explicitBody().
   void splitOff(const ElementFlags& chosen);
   /// The highest frequency squared that is left to the rest, rad²/s²: ((1 - margin) limit/h)².
   double allowedLambda(double h) const;
-  /// The bound behind a certified choice; empty with "reduced-1-ring".
+  /// The bound behind a certified choice; empty with other selections.
   const std::optional<CertifiedSelection>& certificate() const { return certificate_; }
 
   Body& body_;

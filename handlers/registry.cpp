@@ -3,6 +3,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/fe_pbd.h>
+#include <ringwatch/handlers/filtered.h>
 #include <ringwatch/handlers/imex.h>
 #include <ringwatch/handlers/mass_scaling.h>
 
@@ -21,6 +22,7 @@ constexpr HandlerEntry handlerEntry() {
 constexpr std::array entries{
     handlerEntry<ImplicitExplicit>(),
     handlerEntry<PositionBased>(),
+    handlerEntry<Filtered>(),
     handlerEntry<MassScaling>(),
 };
 

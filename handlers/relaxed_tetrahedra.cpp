@@ -53,7 +53,8 @@ std::vector<double> passFactors(int passes, double least) {
   std::vector<double> factors;
   for (int i = 0; i < passes; ++i) {
     const int j = i % 2 == 0 ? i / 2 : passes - 1 - i / 2;  // large and small in turn, so that rounding does not grow
-    const double y = std::cos(std::numbers::pi * (2 * (j / 2) + 1) / passes);  // twice each, but for -1
+    const int odd = j | 1;                                  // each root twice, but for -1
+    const double y = std::cos(std::numbers::pi * odd / passes);
     factors.push_back(2 / (1 + low - y * (1 - low)));
   }
   return factors;

@@ -769,7 +769,7 @@ TEST_F(HandledProgram, ScalesMass) {
 TEST_F(HandledProgram, IsPlainExplicitWhereNothingIsCritical) {
   const std::string step = " --set integrator.step=" + number(critical_ / 2);
   ASSERT_EQ(call("run slivers.toml --out plain" + step).status, 0);
-  for (const char* method : {"imex", "fe-pbd", "mass-scaling"}) {
+  for (const char* method : {"imex", "fe-pbd", "filtered", "mass-scaling"}) {
     ASSERT_EQ(call("run slivers.toml --out handled --set handler.method=" + std::string(method) + step).status, 0);
     EXPECT_EQ(folder_.read("plain/history.csv"), folder_.read("handled/history.csv")) << method;
     EXPECT_EQ(json("handled/summary.json")["handler"]["handled_elements"], 0);
@@ -813,7 +813,7 @@ TEST_F(HandledProgram, ComparesHandlersWithIntegrators) {
     const bool large = run["h"].get<double>() > critical_;
     if (run["integrator"] == "verlet" && large)
       EXPECT_TRUE(run["error"].is_null() || run["error"].get<double>() > 1);
-    else if (run["integrator"] == "imex" || !large)
+    else if (run["integrator"] == "imex" || run["integrator"] == "filtered" || !large)
       EXPECT_LT(run["error"].get<double>(), large ? 0.02 : 1e-3) << run;
     else if (run["integrator"] == "fe-pbd")
       EXPECT_LT(run["error"].get<double>(), 0.1) << run;
@@ -835,9 +835,11 @@ TEST_F(HandledProgram, RefusesWhatDoesNotFitTogether) {
   expectRefused(run + "--set monitor.on_violation=reduce-step", "works against the handler");
   expectRefused(run + "--set damping.mass=1", "handlers do not work with damping");
   expectRefused("run slivers.toml --set handler.method=mass-scaling --set handler.dissipation=0.1", "is a key of imex");
-  expectRefused(run + "--set handler.variant=rigid", "is a key of fe-pbd");
+  expectRefused(run + "--set handler.variant=rigid", "is a key of fe-pbd and filtered");
+  expectRefused("run slivers.toml --set handler.method=filtered --set handler.variant=rigid",
+                "must be one of compliant");
   expectRefused("run slivers.toml --set handler.method=fe-pbd --set handler.variant=rigid --set handler.passes=3",
-                "is for variant = \"linear\"");
+                "is a key of linear fe-pbd and compliant filtered");
   expectRefused("run slivers.toml --set handler.method=fe-pbd --set handler.passes=99", "must be >= 1 and <= 32");
   expectRefused("run slivers.toml --set handler.method=mass-scaling --set handler.selection=reduced-1-ring",
                 "must be \"certified\"");
