@@ -265,7 +265,7 @@ TEST(Filtered, SaysWhenTheProjectionDoesNotConverge) {
   options.variant = "projection";
   options.cluster.tolerance = 1e-14;
   options.cluster.iterations = 1;
-  const double h = 1.5 * criticalStepOf(body);
+  const double h = 3 * criticalStepOf(body);
   const auto handler = makeHandler("filtered", body, makeIntegrator("verlet"), options);
   handler->prepare(body.mesh().X, h);
   BodySystem system(body);
@@ -276,7 +276,7 @@ TEST(Filtered, SaysWhenTheProjectionDoesNotConverge) {
   const State before = state;
   const StepStatus status = handler->step(system, state, h);
   EXPECT_FALSE(status.done);
-  EXPECT_THAT(status.reason, HasSubstr("did not meet its"));
+  EXPECT_THAT(status.reason, HasSubstr("constraints"));
   EXPECT_EQ(state.x, before.x);
   EXPECT_EQ(state.v, before.v);
   EXPECT_EQ(state.time, 0);
