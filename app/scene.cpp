@@ -500,7 +500,10 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
       std::min<std::int64_t>(handler.get<std::int64_t>("iterations"), std::numeric_limits<int>::max()));
   scene.handlerOptions.levels =
       static_cast<int>(std::min<std::int64_t>(handler.get<std::int64_t>("levels"), std::numeric_limits<int>::max()));
-  scene.handlerOptions.stabilised = handler.get<std::string>("variant") == "stabilised";
+  const auto variant = handler.get<std::string>("variant");
+  scene.handlerOptions.variant = variant == "auto" ? "" : variant;
+  scene.handlerOptions.passes =
+      static_cast<int>(std::min<std::int64_t>(handler.get<std::int64_t>("passes"), std::numeric_limits<int>::max()));
   scene.reduceOnFailure = handler.get<std::string>("on_failure") == "reduce-step";
 
   if (scene.handler.empty()) {
@@ -521,16 +524,21 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
   if (scene.handler == "mass-scaling" && scene.handlerOptions.selection != "certified")
     fail(handler.at("selection").origin, "handler.selection",
          "mass-scaling adds mass until the step is proven; must be \"certified\"");
-  if (scene.handler != "imex" && scene.handler != "adaptive")
-    for (const char* key : {"dissipation", "solver", "tolerance", "iterations", "on_failure"})
-      if (handler.given(key))
+  const bool imex = scene.handler == "imex" || scene.handler == "adaptive", adaptive = scene.handler == "adaptive",
+             pbd = scene.handler == "fe-pbd", filtered = scene.handler == "filtered";
+  const bool rigid = variant == "rigid" || variant == "projection";
+  const auto belongsTo = [&](std::initializer_list<const char*> keys, bool fits, const char* owners) {
+    for (const char* key : keys)
+      if (handler.given(key) && !fits)
         fail(handler.at(key).origin, std::string("handler.") + key,
-             fmt::format("is a key of imex and adaptive; \"{}\" does not take it", scene.handler));
-  if (scene.handler != "adaptive")
-    for (const char* key : {"levels", "variant"})
-      if (handler.given(key))
-        fail(handler.at(key).origin, std::string("handler.") + key,
-             fmt::format("is a key of adaptive; \"{}\" does not take it", scene.handler));
+             fmt::format("is a key of {}; \"{}\" does not take it", owners, scene.handler));
+  };
+  belongsTo({"dissipation", "solver", "on_failure"}, imex, "imex and adaptive");
+  belongsTo({"tolerance", "iterations"}, imex || (filtered && variant == "projection"),
+            "imex, adaptive and projected filtered");
+  belongsTo({"levels"}, adaptive, "adaptive");
+  belongsTo({"variant"}, adaptive || pbd || filtered, "adaptive, fe-pbd and filtered");
+  belongsTo({"passes"}, (pbd || filtered) && !rigid, "linear fe-pbd and compliant filtered");
   if (scene.handlerOptions.cluster.solver == ClusterSolver::cholesky)
     for (const char* key : {"tolerance", "iterations"})
       if (handler.given(key))

@@ -46,7 +46,12 @@ class Adaptive::Averaged final : public SecondOrderSystem {
 };
 
 Adaptive::Adaptive(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
-    : Handler(body, std::move(base), std::move(options)) {
+    : Handler(body, std::move(base), std::move(options)), stabilised_(options_.variant != "plain") {
+  if (stabilised_ && !options_.variant.empty() && options_.variant != "stabilised")
+    throw InputError(joinText("variant \"", options_.variant, "\" of adaptive: must be one of stabilised, plain"));
+  // Levels split the mass of a node, and the bound by single elements needs each to have its own.
+  if (options_.selection == "single-element")
+    throw InputError("selection \"single-element\": adaptive takes certified or reduced-1-ring");
   if (!(options_.dissipation >= 0 && options_.dissipation <= 1))
     throw InputError(joinText("dissipation ", options_.dissipation, ": must be >= 0 and <= 1"));
   constexpr int most = 12;
@@ -66,8 +71,8 @@ std::vector<Adaptive::Level> Adaptive::plan(const std::vector<std::vector<double
     return static_cast<double>(std::upper_bound(sorted.begin(), sorted.end(), lambda) - sorted.begin());
   };
   const double deep = count - below(deepest(h));
-  const double weights[]{options_.stabilised ? 1 + 2 * options_.dissipation : 1, 1},
-      share = options_.stabilised ? coarseShare : 0, least = options_.stabilised ? trough : 0;
+  const double weights[]{stabilised_ ? 1 + 2 * options_.dissipation : 1, 1}, share = stabilised_ ? coarseShare : 0,
+                                                                             least = stabilised_ ? trough : 0;
   // Ceilings only scale the filters: their reach over that of p small steps, [ratio][whether inner].
   std::vector<double> reach;
   for (const int p : ratios)
@@ -105,7 +110,7 @@ std::vector<Adaptive::Level> Adaptive::plan(const std::vector<std::vector<double
     Level& level = levels.emplace_back();
     level.substeps = substeps;
     level.lambda = ceiling * room * substeps * substeps / (h * h);
-    level.massShare = k + 1 < best.size() && options_.stabilised ? share : 1;
+    level.massShare = k + 1 < best.size() && stabilised_ ? share : 1;
     if (k > 0)
       level.filter = chebyshevFilter(substeps / best[k - 1].substeps, best[k - 1].ceiling, share * best[k - 1].ceiling,
                                      weights[k > 1], least);

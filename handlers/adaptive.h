@@ -14,7 +14,7 @@ namespace ringwatch {
 /// E_0 as in LevelFilter, α the dissipation, ṽ the velocity without the rigid motion of its cluster of fine elements.
 /// Any base scheme with these steps (handler.h); order two for α = 0.
 ///
-/// Plain local time stepping (stabilised = false) is unstable where a fine mode makes an odd number of half swings in
+/// Plain local time stepping ("plain") is unstable where a fine mode makes an odd number of half swings in
 /// a step of its neighbours. The filters Q_k of the stabilised one leave room for those. With G_1 = 4, r_1 = 1 + 2α,
 /// r_k = 1 for the others, K_k the tangent of level k, τ_k its step and p_k = τ_(k-1)/τ_k, it is stable for a frozen
 /// tangent when
@@ -74,6 +74,7 @@ class Adaptive final : public Handler {
   void averagedAcceleration(const NodeVectors& x, const NodeVectors& v, double h, NodeVectors& a);
   void addStrainVelocity(const NodeVectors& x, const NodeVectors& v, double share);
 
+  bool stabilised_;
   std::vector<Level> levels_;
   ElementFlags implicit_;
   std::optional<Body> coarse_;  // the elements of level 0

@@ -15,8 +15,10 @@ Handler::Handler(Body& body, std::unique_ptr<Integrator> base, HandlerOptions op
     : body_(body), base_(std::move(base)), options_(std::move(options)), chosen_(noElements(body.mesh())) {
   if (!takesHandler(base_->info()))
     throw InputError(joinText("handlers work on symplectic-euler and verlet, not on \"", base_->info().name, "\""));
-  if (options_.selection != "certified" && options_.selection != "reduced-1-ring")
-    throw InputError(joinText("selection \"", options_.selection, "\": must be one of certified, reduced-1-ring"));
+  if (options_.selection != "certified" && options_.selection != "reduced-1-ring" &&
+      options_.selection != "single-element")
+    throw InputError(
+        joinText("selection \"", options_.selection, "\": must be one of certified, reduced-1-ring, single-element"));
   if (!(options_.margin >= 0 && options_.margin < 1))
     throw InputError(joinText("margin ", options_.margin, ": must be >= 0 and < 1"));
 }
@@ -33,7 +35,7 @@ void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& loo
   lookAt_ = lookAt;
   ElementFlags chosen = choose(x, h, chosen_);
   h_ = h;
-  certified_ = certificate_.has_value();
+  certified_ = options_.selection != "reduced-1-ring";
   chosen_ = std::move(chosen);
   elements_ = chosenElements(chosen_);
   reset();
@@ -46,7 +48,8 @@ ElementFlags Handler::chooseFor(const Body& body, const NodeVectors& x, double l
     certificate_ = selectCertified(body, x, lambda, keep);
     return certificate_->chosen;
   }
-  ElementFlags chosen = selectByReducedRing(body, x, lambda, lookAt_);
+  ElementFlags chosen = options_.selection == "single-element" ? selectBySingleElement(body, x, lambda)
+                                                               : selectByReducedRing(body, x, lambda, lookAt_);
   for (std::size_t b = 0; b < keep.size(); ++b)
     for (std::size_t e = 0; e < keep[b].size(); ++e) chosen[b][e] = chosen[b][e] || keep[b][e];
   return chosen;
@@ -61,6 +64,18 @@ StepStatus Handler::step(SecondOrderSystem& system, State& state, double h) {
   if (elements_.empty()) return base_->step(system, state, h);
   if (h != h_) throw InputError(joinText("step ", h, " s: the handler was prepared for ", h_, " s"));
   return handledStep(system, state, h);
+}
+
+void Handler::requireTurningTetrahedra(const std::vector<ElementRef>& elements) const {
+  for (const ElementRef e : elements) {
+    const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(e.block)];
+    const std::string_view name = handlerInfo().name;
+    if (block.element().name != "tet4")
+      throw InputError(joinText(name, " handles tet4, and element ", e.block, ":", e.element, " is a ",
+                                block.element().name, "; take imex"));
+    if (block.material().lawName() == "linear")
+      throw InputError(joinText(name, " turns with its elements, and the law \"linear\" does not; take imex"));
+  }
 }
 
 void Handler::splitOff(const ElementFlags& chosen, const Eigen::VectorXd& mass) {

@@ -15,14 +15,18 @@ namespace ringwatch {
 
 struct HandlerOptions {
   /// "certified": the smallest set found such that the rest is proven stable; "reduced-1-ring": the source's, which
-  /// proves nothing.
+  /// proves nothing; "single-element": all whose own frequency is too high, a larger set that proves the rest as well.
   std::string selection = "certified";
   /// Elements are chosen as for a step of h/(1 - margin), >= 0 and < 1: room for a rest that stiffens along the run.
   double margin = 0.1;
   double dissipation = 0.1;     ///< of the handled part: 0 none and second order, 1 implicit Euler with imex
   int levels = 6;               ///< adaptive: the finest step is h/2^levels at least, >= 1 and <= 12
-  bool stabilised = true;       ///< adaptive: false is plain local time stepping, which has resonances
   ClusterOptions cluster = {};  ///< of the implicit part
+  /// Of adaptive "stabilised" or "plain", of fe-pbd "linear" or "rigid", of filtered "compliant" or "projection";
+  /// empty: the first of them.
+  std::string variant = {};
+  /// Of fe-pbd, linear, and filtered, compliant: more make crowded elements less soft. 0: 3 and 1.
+  int passes = 0;
 };
 
 /// What a handler declares of itself.
@@ -75,6 +79,11 @@ class Handler : public Integrator {
   /// Called after a choice that is not empty.
   virtual void take(const NodeVectors& x, double h, const ElementFlags& chosen) = 0;
   virtual StepStatus handledStep(SecondOrderSystem& system, State& state, double h) = 0;
+  std::span<const std::int32_t> nodesOf(ElementRef e) const {
+    return body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element);
+  }
+  /// Throws InputError unless all are tet4 of a law that turns with its element.
+  void requireTurningTetrahedra(const std::vector<ElementRef>& elements) const;
   /// Which elements, those of `keep` among them: those that a limit of allowedLambda(h) asks for.
   virtual ElementFlags choose(const NodeVectors& x, double h, const ElementFlags& keep) {
     return chooseFor(body_, x, allowedLambda(h), keep);
@@ -87,7 +96,7 @@ class Handler : public Integrator {
   Body partWithMass(const ElementFlags& elements, const Eigen::VectorXd& mass) const;
   /// The highest frequency squared that is left to the rest, rad²/s²: ((1 - margin) limit/h)².
   double allowedLambda(double h) const;
-  /// The bound behind a certified choice; empty with "reduced-1-ring".
+  /// The bound behind a certified choice; empty with other selections.
   const std::optional<CertifiedSelection>& certificate() const { return certificate_; }
 
   Body& body_;

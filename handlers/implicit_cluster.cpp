@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/materials/rotation.h>
+#include <ringwatch/handlers/rotation_of.h>
 
 namespace ringwatch {
 namespace {
@@ -16,17 +16,6 @@ namespace {
 // directions that K̂ takes for soft the true stiffness then shows with the square of the first.
 constexpr double rotationChange = 0.05, stretchChange = 1.1;
 constexpr Eigen::Index denseSize = 72;  // up to here a full inverse is faster than a sparse factor
-
-Eigen::Matrix3d rotationOf(const Eigen::Matrix3d& F) {
-  Matrix3<double> f;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) f(i, j) = F(i, j);
-  const Matrix3<double> r = closestRotation(f);
-  Eigen::Matrix3d R;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) R(i, j) = r(i, j);
-  return R;
-}
 
 /// The highest eigenvalue by power iteration, to some per cent: it only scales K̂. NaN for a matrix that is not finite.
 double highest(const Eigen::MatrixXd& K) {

@@ -3,6 +3,8 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/adaptive.h>
+#include <ringwatch/handlers/fe_pbd.h>
+#include <ringwatch/handlers/filtered.h>
 #include <ringwatch/handlers/imex.h>
 #include <ringwatch/handlers/mass_scaling.h>
 
@@ -19,9 +21,8 @@ constexpr HandlerEntry handlerEntry() {
 
 /// Every handler of the library, one line each.
 constexpr std::array entries{
-    handlerEntry<Adaptive>(),
-    handlerEntry<ImplicitExplicit>(),
-    handlerEntry<MassScaling>(),
+    handlerEntry<Adaptive>(), handlerEntry<ImplicitExplicit>(), handlerEntry<PositionBased>(),
+    handlerEntry<Filtered>(), handlerEntry<MassScaling>(),
 };
 
 }  // namespace

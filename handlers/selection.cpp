@@ -230,6 +230,28 @@ ElementFlags carriedOver(const CutMesh& cut, const ElementFlags& before) {
   return after;
 }
 
+ElementFlags selectBySingleElement(const Body& body, const NodeVectors& x, double lambda) {
+  if (!(lambda > 0)) throw InputError(joinText("lambda ", lambda, ": must be > 0"));
+  ElementFlags flags = noElements(body.mesh());
+  for (std::size_t b = 0; b < flags.size(); ++b) {
+    std::vector<double> mass(static_cast<std::size_t>(body.blocks()[b]->element().nodes));
+    for (std::size_t e = 0; e < flags[b].size(); ++e) {
+      const ElementRef ref{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
+      Eigen::MatrixXd K = body.elementTangent(ref, x);
+      body.elementLumpedMass(ref, mass.data());
+      for (Eigen::Index i = 0; i < K.rows(); ++i) {
+        const double root = std::sqrt(mass[static_cast<std::size_t>(i / 3)]);
+        K.row(i) /= root;
+        K.col(i) /= root;
+      }
+      const double highest =
+          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues().tail<1>()[0];
+      flags[b][e] = !(highest <= lambda * (1 - slack));
+    }
+  }
+  return flags;
+}
+
 CertifiedSelection selectCertified(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep) {
   if (!(lambda > 0)) throw InputError(joinText("selection: lambda = ", lambda, " rad2/s2 must be > 0"));
   return Greedy(body, x, lambda, keep).run();

@@ -31,6 +31,11 @@ ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double 
 /// flagged.
 ElementFlags carriedOver(const CutMesh& cut, const ElementFlags& before);
 
+/// All elements with a highest eigenvalue of M_e⁻¹K_e at positions x above lambda, rad²/s², M_e the lumped mass of the
+/// element alone: the source's section 3.3.1. Proves the rest, Σ K_e ≼ lambda Σ M_e ≼ lambda M, constraints or not,
+/// with more elements than it takes. Throws InputError unless lambda > 0.
+ElementFlags selectBySingleElement(const Body& body, const NodeVectors& x, double lambda);
+
 /// A set of elements without which the rest is proven stable.
 struct CertifiedSelection {
   ElementFlags chosen;

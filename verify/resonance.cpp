@@ -122,7 +122,7 @@ void addResonance(StudyEffort effort, StudyReport& report) {
           const double wanted = x * std::numbers::pi / h;
           Body body = bar(std::max(1.0, wanted * wanted / slope), graded);
           HandlerOptions options;
-          options.stabilised = variant.stabilised;
+          options.variant = variant.stabilised ? "stabilised" : "plain";
           options.dissipation = variant.dissipation;
           const auto handler = makeHandler("adaptive", body, makeIntegrator("symplectic-euler"), options);
           handler->prepare(body.mesh().X, h);

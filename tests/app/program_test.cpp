@@ -21,6 +21,7 @@
 #include <ringwatch/app/device_run.h>
 #include <ringwatch/app/report.h>
 #include <ringwatch/app/scene.h>
+#include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/monitor/global_frequency.h>
@@ -835,7 +836,7 @@ TEST_F(HandledProgram, ScalesMass) {
 TEST_F(HandledProgram, IsPlainExplicitWhereNothingIsCritical) {
   const std::string step = " --set integrator.step=" + number(critical_ / 2);
   ASSERT_EQ(call("run slivers.toml --out plain" + step).status, 0);
-  for (const char* method : {"imex", "mass-scaling"}) {
+  for (const char* method : {"imex", "fe-pbd", "filtered", "mass-scaling"}) {
     ASSERT_EQ(call("run slivers.toml --out handled --set handler.method=" + std::string(method) + step).status, 0);
     EXPECT_EQ(folder_.read("plain/history.csv"), folder_.read("handled/history.csv")) << method;
     EXPECT_EQ(json("handled/summary.json")["handler"]["handled_elements"], 0);
@@ -856,6 +857,8 @@ TEST_F(HandledProgram, TakesSmallerStepsWhereTheyAreNeeded) {
   EXPECT_THAT(call("run slivers.toml --set handler.variant=magic").err, HasSubstr("stabilised"));
   EXPECT_THAT(call("run slivers.toml --set handler.method=imex --set handler.levels=2").err,
               HasSubstr("is a key of adaptive"));
+  EXPECT_THAT(call("run slivers.toml --set handler.variant=rigid").err, HasSubstr("must be one of stabilised"));
+  EXPECT_THAT(call("run slivers.toml --set handler.selection=single-element").err, HasSubstr("adaptive takes"));
 }
 
 TEST_F(HandledProgram, TakesMoreElementsWhenTheRestStiffens) {
@@ -890,13 +893,16 @@ TEST_F(HandledProgram, ComparesHandlersWithIntegrators) {
                                number(step_) + "," + number(critical_ / 2));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const Json runs = json("c.json")["runs"];
-  ASSERT_EQ(runs.size(), 8u);
+  ASSERT_EQ(runs.size(), 2 * (1 + allHandlers().size()));
   for (const Json& run : runs) {
     const bool large = run["h"].get<double>() > critical_;
     if (run["integrator"] == "verlet" && large)
       EXPECT_TRUE(run["error"].is_null() || run["error"].get<double>() > 1);
-    else if (run["integrator"] != "mass-scaling" || !large)
+    else if (run["integrator"] == "imex" || run["integrator"] == "adaptive" || run["integrator"] == "filtered" ||
+             !large)
       EXPECT_LT(run["error"].get<double>(), large ? 0.02 : 1e-3) << run;
+    else if (run["integrator"] == "fe-pbd")
+      EXPECT_LT(run["error"].get<double>(), 0.1) << run;
     else
       EXPECT_TRUE(run["error"].is_number());  // mass scaling runs; with what error is its own affair
   }
@@ -916,6 +922,12 @@ TEST_F(HandledProgram, RefusesWhatDoesNotFitTogether) {
   expectRefused(run + "--set damping.mass=1", "handlers do not work with damping");
   expectRefused("run slivers.toml --set handler.method=mass-scaling --set handler.dissipation=0.1",
                 "is a key of imex and adaptive");
+  expectRefused(run + "--set handler.variant=rigid", "is a key of adaptive, fe-pbd and filtered");
+  expectRefused("run slivers.toml --set handler.method=filtered --set handler.variant=rigid",
+                "must be one of compliant");
+  expectRefused("run slivers.toml --set handler.method=fe-pbd --set handler.variant=rigid --set handler.passes=3",
+                "is a key of linear fe-pbd and compliant filtered");
+  expectRefused("run slivers.toml --set handler.method=fe-pbd --set handler.passes=99", "must be >= 1 and <= 32");
   expectRefused("run slivers.toml --set handler.method=mass-scaling --set handler.selection=reduced-1-ring",
                 "must be \"certified\"");
 }

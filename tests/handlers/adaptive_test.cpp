@@ -25,7 +25,7 @@ HandlerOptions adaptiveOptions(double dissipation, int levels = 6, bool stabilis
   HandlerOptions options;
   options.dissipation = dissipation;
   options.levels = levels;
-  options.stabilised = stabilised;
+  options.variant = stabilised ? "stabilised" : "plain";
   return options;
 }
 std::unique_ptr<Adaptive> adaptive(Body& body, double h, const HandlerOptions& options = {},

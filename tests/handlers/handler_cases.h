@@ -44,6 +44,29 @@ inline double denseHighest(const Body& body, const NodeVectors& x) {
   return denseHighest(body, Eigen::MatrixXd(body.assembleTangent(x)), body.lumpedMass());
 }
 
+inline double criticalStepOf(const Body& body) { return 2 / std::sqrt(denseHighest(body, body.mesh().X)); }
+
+/// Of the amplification matrix of a step about rest, column by column from the integrator's own steps; unit: m.
+inline double spectralRadius(const Body& body, Integrator& integrator, double h, double unit) {
+  BodySystem system(body);
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index d = 0; d < 3 * body.nodeCount(); ++d)
+    if (!body.constraints().isConstrained(static_cast<std::int32_t>(d / 3), static_cast<int>(d % 3))) free.push_back(d);
+  const auto n = static_cast<Eigen::Index>(free.size());
+  Eigen::MatrixXd G(2 * n, 2 * n);
+  for (Eigen::Index k = 0; k < 2 * n; ++k) {
+    State state{0, body.mesh().X, NodeVectors::Zero(3, body.nodeCount())};
+    (k < n ? state.x : state.v).data()[free[static_cast<std::size_t>(k % n)]] += k < n ? unit : unit / h;
+    integrator.step(system, state, h);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Eigen::Index d = free[static_cast<std::size_t>(i)];
+      G(i, k) = (state.x.data()[d] - body.mesh().X.data()[d]) / unit;
+      G(n + i, k) = state.v.data()[d] * h / unit;
+    }
+  }
+  return G.eigenvalues().cwiseAbs().maxCoeff();
+}
+
 /// The stiffness of some elements only.
 inline Eigen::MatrixXd stiffnessOf(const Body& body, const NodeVectors& x, const ElementFlags& flags, bool wanted) {
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3 * body.nodeCount(), 3 * body.nodeCount());

@@ -16,10 +16,9 @@
 namespace ringwatch {
 namespace {
 
+using test::criticalStepOf;
 using test::denseHighest;
 using ::testing::HasSubstr;
-
-double criticalStepOf(const Body& body) { return 2 / std::sqrt(denseHighest(body, body.mesh().X)); }
 
 std::unique_ptr<Handler> imex(Body& body, double h, const HandlerOptions& options = {},
                               std::string_view base = "symplectic-euler") {
@@ -111,29 +110,9 @@ TEST_P(ImexStability, NoModeGrowsAtManyTimesTheCriticalStep) {
   Body body = test::sliverBody("linear", 0.98);
   const double h = 4 * criticalStepOf(body);
   const auto handler = imex(body, h, withDissipation(GetParam()));
-  BodySystem system(body);
-  std::vector<Eigen::Index> free;
-  for (Eigen::Index d = 0; d < 3 * body.nodeCount(); ++d)
-    if (!body.constraints().isConstrained(static_cast<std::int32_t>(d / 3), static_cast<int>(d % 3))) free.push_back(d);
-  const auto n = static_cast<Eigen::Index>(free.size());
-  Eigen::MatrixXd G(2 * n, 2 * n);
-  const auto spectralRadius = [&](Integrator& integrator) {
-    for (Eigen::Index k = 0; k < 2 * n; ++k) {
-      State state{0, body.mesh().X, NodeVectors::Zero(3, body.nodeCount())};
-      constexpr double unit = 1e-3;
-      (k < n ? state.x : state.v).data()[free[static_cast<std::size_t>(k % n)]] += k < n ? unit : unit / h;
-      integrator.step(system, state, h);
-      for (Eigen::Index i = 0; i < n; ++i) {
-        const Eigen::Index d = free[static_cast<std::size_t>(i)];
-        G(i, k) = (state.x.data()[d] - body.mesh().X.data()[d]) / unit;
-        G(n + i, k) = state.v.data()[d] * h / unit;
-      }
-    }
-    return G.eigenvalues().cwiseAbs().maxCoeff();
-  };
-  EXPECT_LE(spectralRadius(*handler), 1 + 1e-6);
+  EXPECT_LE(test::spectralRadius(body, *handler, h, 1e-3), 1 + 1e-6);
   const auto plain = makeIntegrator("symplectic-euler");
-  EXPECT_GT(spectralRadius(*plain), 2);  // so the test can fail
+  EXPECT_GT(test::spectralRadius(body, *plain, h, 1e-3), 2);  // so the test can fail
 }
 
 TEST(Imex, IsPlainExplicitWhereTheStepIsFine) {

@@ -1,0 +1,72 @@
+#include <ringwatch/handlers/fe_pbd.h>
+
+#include <algorithm>
+
+#include <ringwatch/base/error.h>
+
+namespace ringwatch {
+namespace {
+
+GoalShape goalOf(const std::string& variant) {
+  if (variant.empty() || variant == "linear") return GoalShape::linear;
+  if (variant == "rigid") return GoalShape::rigid;
+  throw InputError(joinText("variant \"", variant, "\" of fe-pbd: must be one of linear, rigid"));
+}
+
+}  // namespace
+
+class PositionBased::Relaxed final : public SecondOrderSystem {
+ public:
+  explicit Relaxed(PositionBased& owner) : owner_(owner) {}
+  void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
+    PositionBased& o = owner_;
+    o.explicitBody().internalForce(x, o.force_, o.workspace_);
+    a = (o.body_.externalForce() - o.force_) * o.inverseMass_.asDiagonal();
+    o.body_.constraints().clearConstrained(a);
+    finite = o.relaxed_->relax(x, v, a) && finite;
+  }
+  bool velocityDependent() const override { return true; }
+
+  bool finite = true;
+
+ private:
+  PositionBased& owner_;
+};
+
+PositionBased::PositionBased(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
+    : Handler(body, std::move(base), std::move(options)), goal_(goalOf(options_.variant)) {
+  if (options_.passes == 0) options_.passes = 3;
+  if (options_.passes < 1 || options_.passes > 32)
+    throw InputError(
+        joinText("passes ", options_.passes, ": must be >= 1 and <= 32; where that is too few, take imex"));
+}
+
+void PositionBased::take(const NodeVectors&, double h, const ElementFlags& chosen) {
+  const auto elements = chosenElements(chosen);
+  requireTurningTetrahedra(elements);
+  relaxed_ = std::make_unique<RelaxedTetrahedra>(body_, elements, h, goal_, options_.passes);
+  inverseMass_ = body_.lumpedMass().cwiseInverse();
+  splitOff(chosen);
+}
+
+StepStatus PositionBased::handledStep(SecondOrderSystem&, State& state, double h) {
+  Relaxed relaxed(*this);
+  before_ = state;
+  const StepStatus status = base_->step(relaxed, state, h);
+  if (status.done && relaxed.finite) return status;
+  state = before_;
+  reset();
+  return status.done ? StepStatus{false, "the handled elements' nodes are not at finite positions"} : status;
+}
+
+std::vector<HandlerFigure> PositionBased::figures() const {
+  if (!relaxed_) return {};
+  const auto [least, most] = std::minmax_element(relaxed_->alpha().begin(), relaxed_->alpha().end());
+  return {{"handled_nodes", static_cast<double>(relaxed_->nodeCount())},
+          {"largest_overlap", static_cast<double>(relaxed_->largestOverlap())},
+          {"passes", static_cast<double>(relaxed_->passes())},
+          {"least_alpha", *least},
+          {"largest_alpha", *most}};
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,42 @@
+#pragma once
+#include <memory>
+
+#include <ringwatch/handlers/handler.h>
+#include <ringwatch/handlers/relaxed_tetrahedra.h>
+
+namespace ringwatch {
+
+/// Finite elements with position-based ones (the source's section 4.2): the handled tetrahedra leave the explicit part,
+/// and after its forces they move their predicted nodes towards their goal shapes, blended by shares of mass; see
+/// RelaxedTetrahedra. With P of the last pass, near rest and in the two-step form,
+///   x_(n+1) = P (2 x_n - x_(n-1) + h² M⁻¹ (f_ext - K_E x_n)).
+/// At an eigenvector u of the recursion, c = u·P⁻¹u/u·u >= 1 and a = h² u·M⁻¹K_E u/u·u, c z² - (2 - a) z + 1 = 0: the
+/// roots have |z| <= 1 for 0 <= a <= 3 + c, and |z|² = 1/c where they are complex. So it is stable wherever the
+/// explicit part alone is, by any number of passes, and damps what strains the handled elements as implicit Euler does.
+///
+/// Handled elements follow linear elasticity in the frame that turns with them, at small strains any law here. Other
+/// elements than tet4, and laws that do not turn with the element, are refused.
+class PositionBased final : public Handler {
+ public:
+  static constexpr HandlerInfo description{"fe-pbd", "moves critical tetrahedra towards goal shapes, one pass"};
+  PositionBased(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
+  const HandlerInfo& handlerInfo() const override { return description; }
+  std::vector<HandlerFigure> figures() const override;
+
+ protected:
+  void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
+  StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
+
+ private:
+  /// The base scheme's view: the acceleration that leads to the relaxed positions.
+  class Relaxed;
+
+  GoalShape goal_;
+  std::unique_ptr<RelaxedTetrahedra> relaxed_;
+  Eigen::VectorXd inverseMass_;
+  NodeVectors force_;
+  Body::Workspace workspace_;
+  State before_;
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,74 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <ringwatch/handlers/handler.h>
+#include <ringwatch/handlers/modal_filter.h>
+#include <ringwatch/handlers/shape_constraints.h>
+
+namespace ringwatch {
+
+/// Modal filter by element (the source's section 4.1): handled tetrahedra act in the explicit part with the stiffness
+/// K' that the step allows them (modal_filter.h), turned with them, f_a = R K' (Rᵀx - X), and the modes that are
+/// filtered out hold by constraints on the predicted positions x* = x + h (v + h a):
+///
+/// projection, the source's: rigid constraints by the shape of the element, met by fast projection
+/// (shape_constraints.h). Fails where they contradict each other.
+///
+/// compliant: the filtered-out modes themselves, C_k = b_k·(Rᵀx - X), each with the compliance of its stiffness (XPBD,
+/// Macklin et al. 2016), so that they are implicit Euler for K - K' with R held. Always solvable. Block Gauss–Seidel
+/// forward and back over the elements: near rest, any number of passes moves the nodes by (I + h² M⁻¹ Σ(K - K'))⁻¹ ≼ P
+/// ≼ I, and the step is stable as in PositionBased.
+///
+/// Budgets of stiffness: the element's own lumped mass times ω²_max with the selection "single-element", the source's;
+/// with "certified" an even share of what the bound of the other elements leaves at each node. Either way K_E + K' ≼
+/// ω²_max M at the state of the choice, the explicit part is proven stable.
+///
+/// Handled elements follow linear elasticity in the frame that turns with them, at small strains any law here; the
+/// linear law and other elements than tet4 are refused. Forces and constraints of the compliant variant are free of
+/// torque about x; those of the projection about the positions it ends at.
+class Filtered final : public Handler {
+ public:
+  static constexpr HandlerInfo description{"filtered", "critical tetrahedra softened, and held by constraints"};
+  Filtered(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
+  const HandlerInfo& handlerInfo() const override { return description; }
+  std::vector<HandlerFigure> figures() const override;
+
+ protected:
+  void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
+  StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
+
+ private:
+  using Vector12 = Eigen::Matrix<double, 12, 1>;
+  struct Item {
+    std::array<std::int32_t, 4> nodes;
+    FilteredStiffness stiffness;
+    Eigen::Matrix<double, 6, 6> inverse;  // (h² Bᵀ M⁻¹ B + compliance)⁻¹
+    Eigen::Matrix<double, 3, 4> rest;     // X, m
+    Eigen::Matrix3d inverseEdges;         // 1/m
+    Eigen::Vector4d inverseMass;          // 0 at fixed nodes, 1/kg
+    bool constrained = false;             // any component of a node
+    Eigen::Matrix3d R;
+    Eigen::Matrix<double, 6, 1> multiplier;
+  };
+  /// The base scheme's view.
+  class Corrected;
+
+  void addFilteredForces(const NodeVectors& x, NodeVectors& a);
+  void addCompliance(const NodeVectors& x, const NodeVectors& v, NodeVectors& a);
+  void relaxItem(Item& item);
+  void addForces(const Item& item, const NodeVectors& x, const Vector12& local, NodeVectors& a) const;
+  Vector12 displacementOf(const Item& item, const NodeVectors& x) const;
+
+  bool projects_;
+  double h_ = 0;
+  std::vector<Item> items_;
+  std::optional<ConstraintProjection> projection_;
+  Eigen::VectorXd inverseMass_;
+  NodeVectors force_, predicted_;
+  Body::Workspace workspace_;
+  State before_;
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,385 @@
+// Modal filter: eigenvalues against dense ones, constraints against differences, and the handler's stability and runs.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/handlers/filtered.h>
+#include <ringwatch/meshes/quality.h>
+#include <tests/handlers/handler_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::criticalStepOf;
+using ::testing::HasSubstr;
+using Matrix12 = Eigen::Matrix<double, 12, 12>;
+using Vector12 = Eigen::Matrix<double, 12, 1>;
+
+std::unique_ptr<Handler> filtered(Body& body, double h, std::string variant = {},
+                                  std::string_view base = "symplectic-euler", std::string selection = "certified") {
+  HandlerOptions options;
+  options.variant = std::move(variant);
+  options.selection = std::move(selection);
+  auto handler = makeHandler("filtered", body, makeIntegrator(base), options);
+  handler->prepare(body.mesh().X, h);
+  return handler;
+}
+
+std::vector<ElementRef> allElements(const Body& body) {
+  std::vector<ElementRef> elements;
+  for (std::int32_t e = 0; e < body.blocks()[0]->elementCount(); ++e) elements.push_back({0, e});
+  return elements;
+}
+
+// Against the definition: the generalised eigenvalues of K' are min(mu, 1), its vectors those of K.
+TEST(ModalFilter, CutsTheEigenvaluesAndNothingElse) {
+  const Body body = test::sliverBody("corotational", 0.9);
+  test::Random random(3);
+  int modes[7] = {};
+  for (const ElementRef e : allElements(body)) {
+    const Matrix12 K = body.elementTangent(e, body.mesh().X);
+    Eigen::Vector4d budget;
+    for (int a = 0; a < 4; ++a) budget[a] = 0.2 * K.norm() * random.uniform(0.1, 1);
+    Vector12 T;
+    for (int d = 0; d < 12; ++d) T[d] = budget[d / 3];
+    const FilteredStiffness filtered = filterModes(K, budget);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix12> before(0.5 * (K + K.transpose()),
+                                                                    Matrix12(T.asDiagonal()));
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix12> after(filtered.kept, Matrix12(T.asDiagonal()));
+    int cut = 0;
+    for (int k = 0; k < 12; ++k) {
+      EXPECT_NEAR(after.eigenvalues()[k], std::min(before.eigenvalues()[k], 1.0), 1e-9);
+      cut += before.eigenvalues()[k] > 1;
+      const Vector12 phi = before.eigenvectors().col(k);
+      EXPECT_LE((filtered.kept * phi - std::min(before.eigenvalues()[k], 1.0) * T.cwiseProduct(phi)).norm(),
+                1e-9 * T.cwiseProduct(phi).norm());
+    }
+    EXPECT_EQ(filtered.modes, cut);
+    ++modes[cut];
+    Matrix12 whole = filtered.kept;
+    for (int k = 0; k < filtered.modes; ++k)
+      whole += filtered.mode.col(k) * filtered.mode.col(k).transpose() / filtered.compliance[k];
+    EXPECT_LE((whole - K).norm(), 1e-10 * K.norm());
+  }
+  EXPECT_GT(std::count_if(modes + 1, modes + 7, [](int n) { return n > 0; }), 2);  // several numbers of them occur
+}
+
+TEST(ShapeConstraints, HaveTheGradientOfTheirDifferences) {
+  test::Random random(8);
+  for (const ConstraintKind kind : {ConstraintKind::edge, ConstraintKind::height, ConstraintKind::volume})
+    for (int trial = 0; trial < 20; ++trial) {
+      const NodeVectors x = random.nodeVectors(4, 1);
+      const ShapeConstraint c{
+          kind, {0, 1, kind == ConstraintKind::edge ? -1 : 2, kind == ConstraintKind::edge ? -1 : 3}, 0.7};
+      Eigen::Matrix<double, 3, 4> gradient, unused;
+      constraintValue(c, x, gradient);
+      constexpr double unit = 1e-6;
+      for (int a = 0; a < 4; ++a)
+        for (int i = 0; i < 3; ++i) {
+          NodeVectors plus = x, minus = x;
+          plus(i, a) += unit;
+          minus(i, a) -= unit;
+          EXPECT_NEAR((constraintValue(c, plus, unused) - constraintValue(c, minus, unused)) / (2 * unit),
+                      gradient(i, a), 1e-6 * (1 + gradient.norm()));
+        }
+    }
+}
+
+TEST(ShapeConstraints, FollowTheShapeOfTheElement) {
+  const auto kinds = [](const Eigen::Matrix<double, 3, 4>& corners) {
+    Mesh mesh = test::gridMesh("tet4", {1, 1, 1}, {1, 1, 1});
+    mesh.X = corners;
+    mesh.blocks[0].connectivity = {0, 1, 2, 3};
+    mesh.blocks[0].ids = {1};
+    std::string text(shapeName(elementShape(mesh.blocks[0], 0, mesh.X, 0).shape));
+    for (const ShapeConstraint& c : shapeConstraints(mesh, {{0, 0}})) {
+      EXPECT_GT(c.rest, 0);
+      text += c.kind == ConstraintKind::edge ? " edge" : c.kind == ConstraintKind::height ? " height" : " volume";
+    }
+    return text;
+  };
+  Eigen::Matrix<double, 3, 4> x;
+  x << 0, 1, 0.5, 0.5, 0, 0, 0.9, 0.3, 0, 0, 0, 0.02;
+  EXPECT_EQ(kinds(x), "cap height");
+  x << -1, 0, 1, 0, 0, -1, 0, 1, 0, 0.02, 0, 0.02;
+  EXPECT_EQ(kinds(x), "sliver volume");
+  x << 0, 1, 0.5, 0.5, 0, 0, 0.9, 0.9, 0, 0, -0.01, 0.01;
+  EXPECT_EQ(kinds(x), "wedge edge");
+  x << 0, 0.02, 0, 0, 0, 0, 0.02, 0, 0, 0, 0, 1;
+  EXPECT_EQ(kinds(x), "needle edge edge edge");
+  x << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
+  EXPECT_EQ(kinds(x), "round volume");
+}
+
+TEST(Projection, MeetsItsToleranceAndKeepsMomentum) {
+  const Body body = test::sliverBody("corotational", 0.98, false);
+  std::vector<ElementRef> few{{0, 3}, {0, 60}, {0, 120}, {0, 130}, {0, 200}};
+  ConstraintProjection projection(body, shapeConstraints(body.mesh(), few), 1e-10, 20);
+  test::Random random(2);
+  const NodeVectors start = body.mesh().X + random.nodeVectors(body.nodeCount(), 5e-4);
+  NodeVectors x = start;
+  EXPECT_EQ(projection.project(x), "");
+  EXPECT_GT(projection.iterations(), 1);
+  Eigen::Matrix<double, 3, 4> gradient;
+  for (const ShapeConstraint& c : projection.constraints()) EXPECT_LE(std::abs(constraintValue(c, x, gradient)), 1e-10);
+  const NodeVectors move = x - start;
+  EXPECT_LE((move * body.lumpedMass()).norm(), 1e-12 * move.norm() * body.totalMass());
+  ConstraintProjection hasty(body, shapeConstraints(body.mesh(), few), 1e-10, 1);
+  x = start;
+  EXPECT_THAT(hasty.project(x), HasSubstr("did not meet its 5 constraints in 1 iterations"));
+}
+
+TEST(Filtered, IsPlainExplicitWhereTheStepIsFine) {
+  for (const char* variant : {"compliant", "projection"}) {
+    Body body = test::sliverBody("corotational");
+    body.addBodyForce({0, 0, -1});
+    const double h = 0.8 * criticalStepOf(body);
+    const auto handler = filtered(body, h, variant, "verlet");
+    EXPECT_TRUE(handler->elements().empty());
+    const auto plain = makeIntegrator("verlet");
+    BodySystem a(body), b(body);
+    State with = a.initialState(), without = b.initialState();
+    for (int i = 0; i < 50; ++i) {
+      handler->step(a, with, h);
+      plain->step(b, without, h);
+    }
+    EXPECT_EQ(with.x, without.x);
+    EXPECT_EQ(with.v, without.v);
+  }
+}
+
+TEST(Filtered, LeavesRigidMotionAlone) {
+  for (const char* variant : {"compliant", "projection"}) {
+    Body body = test::sliverBody("corotational", 0.95, false);
+    const double h = 1.5 * criticalStepOf(body);
+    const auto handler = filtered(body, h, variant);
+    ASSERT_FALSE(handler->elements().empty());
+    BodySystem system(body);
+    const Eigen::Matrix3d Q(Eigen::AngleAxisd(2.1, Eigen::Vector3d(1, -2, 0.5).normalized()));
+    const Eigen::Vector3d v(0.5, 0.1, -0.4);
+    State state = system.initialState();
+    state.x = Q * body.mesh().X;
+    state.v.colwise() = v;
+    const NodeVectors x = state.x;
+    for (int i = 0; i < 50; ++i) {
+      const StepStatus status = handler->step(system, state, h);
+      ASSERT_TRUE(status.done) << status.reason;
+    }
+    EXPECT_LE((state.x - (x.colwise() + 50 * h * v)).cwiseAbs().maxCoeff(), 1e-9) << variant;
+  }
+}
+
+class FilteredStability : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(All, FilteredStability, ::testing::Values("certified", "single-element"));
+
+TEST_P(FilteredStability, NoModeGrowsAtManyTimesTheCriticalStep) {
+  Body body = test::sliverBody("corotational", 0.98);
+  const double h = 4 * criticalStepOf(body);
+  const auto handler = filtered(body, h, {}, "symplectic-euler", GetParam());
+  EXPECT_FALSE(handler->elements().empty());
+  EXPECT_TRUE(handler->certified());
+  EXPECT_LE(test::spectralRadius(body, *handler, h, 1e-7), 1 + 1e-5);
+}
+
+TEST(Filtered, KeepsBothMomentaAndBoundsTheEnergy) {
+  Body body = test::sliverBody("corotational", 0.98, false);
+  const double h = 4 * criticalStepOf(body);
+  const auto handler = filtered(body, h);
+  BodySystem system(body);
+  State state = system.initialState();
+  const Eigen::Vector3d centre = body.mesh().X.rowwise().mean(), spin(0, 8, 0);
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+    state.v.col(i) =
+        spin.cross(body.mesh().X.col(i) - centre) + Eigen::Vector3d(0, 0, 0.05 * std::sin(20 * state.x(0, i)));
+  Body::Workspace workspace;
+  const auto energy = [&] {
+    return body.energy(state.x, workspace) + 0.5 * (state.v.colwise().squaredNorm() * body.lumpedMass()).value();
+  };
+  const auto angular = [&] {
+    Eigen::Vector3d L = Eigen::Vector3d::Zero();
+    for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+      L += body.lumpedMass()[i] * state.x.col(i).cross(state.v.col(i));
+    return L;
+  };
+  const double start = energy();
+  const Eigen::Vector3d p = state.v * body.lumpedMass(), L = angular();
+  double most = start;
+  for (int i = 0; i < 2000; ++i) {
+    ASSERT_TRUE(handler->step(system, state, h).done) << i;
+    if (i % 20 == 0) most = std::max(most, energy());
+  }
+  EXPECT_LT(most, 1.02 * start);
+  EXPECT_LE((Eigen::Vector3d(state.v * body.lumpedMass()) - p).norm(), 1e-11 * body.totalMass());
+  EXPECT_LE((angular() - L).norm(), 1e-9 * L.norm());
+}
+
+double errorOf(const char* variant, double nu, double times) {
+  constexpr double end = 0.05;
+  const auto swing = [&](Integrator& integrator, Body& body, double h) {
+    BodySystem system(body);
+    State state = system.initialState();
+    const auto steps = static_cast<int>(std::ceil(end / h));
+    for (int i = 0; i < steps; ++i) {
+      const StepStatus status = integrator.step(system, state, h);
+      EXPECT_TRUE(status.done) << status.reason;
+      if (!status.done) break;
+    }
+    return state.x;
+  };
+  Body body(test::sliverBar(0.95), makeMaterial("corotational", test::young, nu, test::density),
+            {{}, Lumping::rowSum, 1});
+  for (const std::int32_t n : body.mesh().nodeSets.at("x-min")) body.constraints().fix(n);
+  body.addBodyForce({0, 0, -2});
+  const double h = end / std::ceil(end / (times * criticalStepOf(body)));
+  const auto handler = filtered(body, h, variant, "verlet");
+  EXPECT_FALSE(handler->elements().empty());
+  const NodeVectors x = swing(*handler, body, h);
+  const auto plain = makeIntegrator("verlet");
+  const NodeVectors exact = swing(*plain, body, h / 16);
+  return (x - exact).norm() / (exact - body.mesh().X).norm();
+}
+
+TEST(Filtered, FollowsTheMotion) {
+  EXPECT_LT(errorOf("compliant", test::poisson, 3), 0.01);
+  EXPECT_LT(errorOf("compliant", 0.499, 3), 0.05);
+  EXPECT_LT(errorOf("projection", test::poisson, 1.3), 0.1);
+}
+
+TEST(Projection, SaysWhenItsConstraintsContradictEachOther) {
+  const Body body = test::sliverBody("corotational", 0.98, false);
+  std::vector<ShapeConstraint> both{{ConstraintKind::edge, {0, 1, -1, -1}, 0.02},
+                                    {ConstraintKind::edge, {0, 1, -1, -1}, 0.03}};
+  ConstraintProjection projection(body, both, 1e-8, 20);
+  NodeVectors x = body.mesh().X;
+  EXPECT_THAT(projection.project(x), HasSubstr("constraints"));
+}
+
+TEST(Filtered, SaysWhenTheProjectionDoesNotConverge) {
+  Body body = test::sliverBody("corotational", 0.95);
+  HandlerOptions options;
+  options.variant = "projection";
+  options.cluster.tolerance = 1e-14;
+  options.cluster.iterations = 1;
+  const double h = 3 * criticalStepOf(body);
+  const auto handler = makeHandler("filtered", body, makeIntegrator("verlet"), options);
+  handler->prepare(body.mesh().X, h);
+  BodySystem system(body);
+  State state = system.initialState();
+  test::Random random(4);
+  state.v = random.nodeVectors(body.nodeCount(), 0.1);
+  body.constraints().imposeVelocity(state.v);
+  const State before = state;
+  const StepStatus status = handler->step(system, state, h);
+  EXPECT_FALSE(status.done);
+  EXPECT_THAT(status.reason, HasSubstr("constraints"));
+  EXPECT_EQ(state.x, before.x);
+  EXPECT_EQ(state.v, before.v);
+  EXPECT_EQ(state.time, 0);
+}
+
+TEST(Filtered, SurvivesAStepThatMakesEverythingCritical) {
+  Body body = test::sliverBody("corotational", 0.98);
+  body.addBodyForce({0, 0, -1});
+  const double h = 50 * criticalStepOf(body);
+  const auto handler = filtered(body, h);
+  EXPECT_EQ(handler->elements().size(), body.mesh().elementCount());
+  BodySystem system(body);
+  State state = system.initialState();
+  for (int i = 0; i < 200; ++i) ASSERT_TRUE(handler->step(system, state, h).done);
+  EXPECT_LT((state.x - body.mesh().X).cwiseAbs().maxCoeff(), 0.2);
+}
+
+TEST(Filtered, HoldsAnIsolatedSliverWithAnyNodesFixed) {
+  for (const int fixed : {0, 1, 2, 3, 4}) {
+    Mesh mesh = test::gridMesh("tet4", {1, 1, 1}, {1, 1, 1});
+    mesh.X = (Eigen::Matrix<double, 3, 4>() << -0.01, 0, 0.01, 0, 0, -0.011, 0, 0.009, 0, 2e-4, 0, 2e-4).finished();
+    mesh.blocks[0].connectivity = {0, 1, 2, 3};
+    mesh.blocks[0].ids = {1};
+    mesh.nodeSets.clear();
+    mesh.nodeIds.clear();
+    Body body(mesh, makeMaterial("corotational", test::young, test::poisson, test::density), {{}, Lumping::rowSum, 1});
+    for (int n = 0; n < fixed; ++n) body.constraints().fix(n);
+    body.addBodyForce({0, 0.2, -1});
+    const auto handler = filtered(body, 1e-3);
+    BodySystem system(body);
+    State state = system.initialState();
+    for (int i = 0; i < 500; ++i) ASSERT_TRUE(handler->step(system, state, 1e-3).done) << fixed;
+    ASSERT_TRUE(state.x.allFinite());
+    EXPECT_GT(body.leastDeterminant(state.x).value, 0.5) << fixed;
+    for (int n = 0; n < fixed; ++n) EXPECT_EQ(state.x.col(n), body.mesh().X.col(n));
+  }
+}
+
+TEST(Filtered, TurnsAnInvertedElementBackAndReportsNotANumber) {
+  Body body = test::sliverBody("corotational", 0.98);
+  const double h = 4 * criticalStepOf(body);
+  const auto handler = filtered(body, h);
+  BodySystem system(body);
+  State state = system.initialState();
+  const auto nodes = body.blocks()[0]->nodesOf(handler->elements().front().element);
+  state.x.col(nodes[3]) += 1.2 * (state.x.col(nodes[0]) - state.x.col(nodes[3]));
+  ASSERT_LT(body.leastDeterminant(state.x).value, 0.1);
+  for (int i = 0; i < 3000; ++i) ASSERT_TRUE(handler->step(system, state, h).done);
+  EXPECT_GT(body.leastDeterminant(state.x).value, 0.3);
+  state.x(1, nodes[2]) = std::nan("");
+  const StepStatus status = handler->step(system, state, h);
+  EXPECT_FALSE(status.done);
+  EXPECT_THAT(status.reason, HasSubstr("finite"));
+}
+
+TEST(Filtered, GivesTheSameBitsForAnyNumberOfThreads) {
+  NodeVectors x[2];
+  for (int k = 0; k < 2; ++k) {
+    Body body(test::sliverBar(0.98), makeMaterial("stvk", test::young, test::poisson, test::density),
+              {{}, Lumping::rowSum, k == 0 ? 1 : 3});
+    body.addBodyForce({0, 0, -1});
+    const double h = 6 * criticalStepOf(body);
+    const auto handler = filtered(body, h);
+    BodySystem system(body);
+    State state = system.initialState();
+    for (int i = 0; i < 100; ++i) handler->step(system, state, h);
+    x[k] = state.x;
+  }
+  EXPECT_EQ(x[0], x[1]);
+}
+
+TEST(Filtered, RefusesWhatItCannotDo) {
+  const auto message = [](Body& body, const HandlerOptions& options) -> std::string {
+    try {
+      makeHandler("filtered", body, makeIntegrator("verlet"), options)->prepare(body.mesh().X, 1);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  Body hexahedra(test::gridMesh("hex8", {2, 2, 2}, {1, 1, 1}),
+                 makeMaterial("corotational", test::young, test::poisson, test::density), {});
+  EXPECT_THAT(message(hexahedra, {}), HasSubstr("filtered handles tet4, and element 0:0 is a hex8"));
+  Body linear = test::sliverBody("linear");
+  EXPECT_THAT(message(linear, {}), HasSubstr("\"linear\""));
+  Body body = test::sliverBody();
+  HandlerOptions options;
+  options.variant = "rigid";
+  EXPECT_THAT(message(body, options), HasSubstr("variant \"rigid\" of filtered: must be one of compliant, projection"));
+  options.variant = {};
+  options.selection = "reduced-1-ring";
+  EXPECT_THAT(message(body, options), HasSubstr("must be certified or single-element"));
+}
+
+TEST(SingleElementSelection, ProvesItsRest) {
+  const Body body = test::sliverBody("corotational", 0.98);
+  const double lambda = std::pow(2 / (1.3 * criticalStepOf(body)), 2);
+  const ElementFlags chosen = selectBySingleElement(body, body.mesh().X, lambda);
+  EXPECT_FALSE(chosenElements(chosen).empty());
+  EXPECT_LT(chosenElements(chosen).size(), body.mesh().elementCount());
+  EXPECT_LE(test::denseHighest(body, test::stiffnessOf(body, body.mesh().X, chosen, false), body.lumpedMass()), lambda);
+  EXPECT_THROW(selectBySingleElement(body, body.mesh().X, 0), InputError);
+}
+
+}  // namespace
+}  // namespace ringwatch
