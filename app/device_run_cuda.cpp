@@ -1,8 +1,13 @@
 #include <ringwatch/app/device_run.h>
 
+#include <algorithm>
+#include <optional>
+
 #include <fmt/format.h>
 
 #include <ringwatch/gpu/device_certificate.h>
+#include <ringwatch/gpu/device_imex.h>
+#include <ringwatch/gpu/device_rings.h>
 #include <ringwatch/gpu/device_status.h>
 
 namespace ringwatch {
@@ -10,12 +15,55 @@ namespace {
 
 class CudaRun final : public DeviceRun {
  public:
-  CudaRun(const Body& body, const State& state) : device_(body), certificate_(device_) {
+  CudaRun(const Body& body, const State& state, bool rings) : body_(body), device_(body), certificate_(device_) {
     device_.setPositions(state.x);
     device_.setVelocities(state.v);
+    const auto& blocks = body.mesh().blocks;
+    if (rings && std::all_of(blocks.begin(), blocks.end(),
+                             [](const MeshBlock& block) { return block.type == elementTypeOf<Tet4>; }))
+      rings_.emplace(device_);
   }
 
-  void step(State& state, double h, std::int64_t count, double sigma) override {
+  void handle(const std::vector<ElementRef>& elements, double h, const HandlerOptions& options) override {
+    iterations_ = iterations();
+    imex_.reset();
+    held_ = false;
+    if (elements.empty()) return;
+    DeviceImexOptions wanted;
+    wanted.dissipation = options.dissipation;
+    wanted.tolerance = options.cluster.tolerance;
+    wanted.iterations = options.cluster.iterations;
+    imex_ = std::make_unique<DeviceImex>(device_, body_.mesh(), clustersOf(body_, elements), h, wanted);
+  }
+
+  Taken step(State& state, double h, std::int64_t count, double sigma) override {
+    Taken taken{count, ""};
+    if (imex_) {
+      imex_->step(count);
+      DeviceImex::Look look = imex_->look();
+      taken = {look.steps, std::move(look.fault)};
+    } else {
+      explicitSteps(h, count, sigma);
+    }
+    state.x = device_.positions();
+    state.v = device_.velocities();
+    state.time += static_cast<double>(taken.steps) * h;
+    return taken;
+  }
+  bool hasRings() const override { return rings_.has_value(); }
+  double highestRing() override { return rings_->highest().value; }
+  std::int64_t iterations() const override { return iterations_ + (imex_ ? imex_->iterations() : 0); }
+  std::string device() const override { return deviceStatus().text; }
+  std::string summary() const override {
+    std::string text = fmt::format("the steps were taken on {}", device());
+    if (watched_ > 0)
+      text += fmt::format("; its certificate proved {} of {} steps, {} elements were evaluated for it", certified_,
+                          watched_, evaluated_);
+    return text;
+  }
+
+ private:
+  void explicitSteps(double h, std::int64_t count, double sigma) {
     if (sigma > 0) {
       // After a failure, which costs a bound from scratch, the next attempt waits.
       if (!(held_ && sigma == sigma_) && waited_++ % 16 == 0) {
@@ -35,25 +83,16 @@ class CudaRun final : public DeviceRun {
     } else {
       device_.step(h, count);
     }
-    state.x = device_.positions();
-    state.v = device_.velocities();
-    state.time += static_cast<double>(count) * h;
-  }
-  std::string device() const override { return deviceStatus().text; }
-  std::string summary() const override {
-    std::string text = fmt::format("the steps were taken on {}", device());
-    if (watched_ > 0)
-      text += fmt::format("; its certificate proved {} of {} steps, {} elements were evaluated for it", certified_,
-                          watched_, evaluated_);
-    return text;
   }
 
- private:
+  const Body& body_;
   DeviceBody<double> device_;
   DeviceCertificate certificate_;
+  std::unique_ptr<DeviceImex> imex_;
+  std::optional<DeviceRings> rings_;
   double sigma_ = 0;
   bool held_ = false;
-  std::int64_t waited_ = 0, watched_ = 0, certified_ = 0, evaluated_ = 0;
+  std::int64_t waited_ = 0, watched_ = 0, certified_ = 0, evaluated_ = 0, iterations_ = 0;
 };
 
 }  // namespace
@@ -62,8 +101,8 @@ std::string whyNoDevice() {
   const DeviceStatus status = deviceStatus();
   return status.available ? "" : status.text;
 }
-std::unique_ptr<DeviceRun> makeDeviceRun(const Body& body, const State& state) {
-  return std::make_unique<CudaRun>(body, state);
+std::unique_ptr<DeviceRun> makeDeviceRun(const Body& body, const State& state, bool rings) {
+  return std::make_unique<CudaRun>(body, state, rings);
 }
 
 }  // namespace ringwatch

@@ -5,7 +5,7 @@
 namespace ringwatch {
 
 std::string whyNoDevice() { return "this build has no CUDA (RINGWATCH_WITH_CUDA, preset \"cuda\")"; }
-std::unique_ptr<DeviceRun> makeDeviceRun(const Body& /*body*/, const State& /*state*/) {
+std::unique_ptr<DeviceRun> makeDeviceRun(const Body& /*body*/, const State& /*state*/, bool /*rings*/) {
   throw InputError(whyNoDevice());
 }
 

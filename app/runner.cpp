@@ -151,6 +151,8 @@ class Run {
     wanted.every =
         device_ ? 1 : static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max()));
     wanted.energyTolerance = scene_.energyTolerance;
+    if (device_ && device_->hasRings())  // it is at the state that the monitor looks at
+      wanted.metricElsewhere = [this](const NodeVectors&) { return device_->highestRing(); };
     monitor_.emplace(watched, wanted);
   }
 
@@ -160,9 +162,13 @@ class Run {
     std::string reason = scene_.noDevice.empty() ? whyNoDevice() : scene_.noDevice;
     if (reason.empty()) {
       try {
-        device_ = makeDeviceRun(body_, BodySystem(body_).initialState());
+        // A handler's monitor watches the explicit elements, the GPU's rings would be those of all.
+        device_ =
+            makeDeviceRun(body_, BodySystem(body_).initialState(), scene_.metric == "reduced-1-ring" && !handler_);
+        handOver();
         return;
       } catch (const InputError& fault) {
+        device_.reset();
         reason = fault.what();
       }
     }
@@ -199,6 +205,7 @@ class Run {
   void prepareHandler(const NodeVectors& x, double h) {
     handler_->prepare(x, h);
     noteChoice();
+    handOver();
   }
 
   void noteChoice() {
@@ -206,6 +213,12 @@ class Run {
     result_.handler->elements = static_cast<std::int64_t>(handler_->elements().size());
     result_.handler->certified = handler_->certified();
     ++result_.handler->selections;
+  }
+
+  /// The handler's elements, to a GPU that takes the steps.
+  void handOver() {
+    if (device_ && handler_)
+      device_->handle(handler_->elements(), result_.handler->selections > 1 ? h_ : *scene_.step, scene_.handlerOptions);
   }
 
   double kineticEnergy() const { return 0.5 * (state_.v.colwise().squaredNorm() * body_.lumpedMass()).value(); }
@@ -438,22 +451,29 @@ class Run {
                    handler_ ? std::span<const ElementRef>(handler_->elements()) : std::span<const ElementRef>());
   }
 
+  /// One step, or on a GPU up to `count`: `count` becomes what was taken, and a step that fails after others is tried
+  /// again by the next call.
+  StepStatus tryStep(std::int64_t& count) {
+    if (!device_) return split_ ? integrator_->step(*split_, state_, h_) : integrator_->step(*system_, state_, h_);
+    const DeviceRun::Taken taken =
+        device_->step(state_, h_, count, monitor_ && scene_.proves() ? rule_.lambdaFor(h_) : 0);
+    count = taken.steps;
+    return {taken.steps > 0 || taken.fault.empty(), taken.fault};
+  }
+
   bool takeStep(const MonitorReport& report) {
     const Stopwatch force(result_.forceTime);
     std::int64_t taken = 1;
     if (device_) taken = stepsUntilLook(result_.steps);
-    StepStatus status;
-    if (device_)
-      device_->step(state_, h_, taken, monitor_ && scene_.proves() ? rule_.lambdaFor(h_) : 0);
-    else
-      status = split_ ? integrator_->step(*split_, state_, h_) : integrator_->step(*system_, state_, h_);
+    StepStatus status = tryStep(taken);
     while (!status.done && handler_ && scene_.reduceOnFailure && h_ > 2 * collapse * firstStep_) {
       h_ *= 0.5;
       result_.notes.push_back(
           fmt::format("step {}: {}; the step is halved to {:.6g} s", report.step, status.reason, h_));
       prepareHandler(state_.x, h_);
       startSystem();
-      status = integrator_->step(*system_, state_, h_);
+      taken = 1;
+      status = tryStep(taken);
     }
     if (!status.done) {
       end(ExitReason::stepFailed, fmt::format("step {} failed: {}", report.step, status.reason));
@@ -479,12 +499,22 @@ class Run {
         state_.time / scene_.end);
   }
 
+  /// A GPU solves the clusters in its own way.
+  std::vector<HandlerFigure> handlerFigures() const {
+    std::vector<HandlerFigure> figures = handler_->figures();
+    if (!device_) return figures;
+    std::erase_if(figures, [](const HandlerFigure& figure) { return figure.name == "factorisations"; });
+    for (HandlerFigure& figure : figures)
+      if (figure.name == "iterations") figure.value = static_cast<double>(device_->iterations());
+    return figures;
+  }
+
   void finish() {
     result_.time = state_.time;
     if (result_.reason == ExitReason::end && (!state_.x.allFinite() || !state_.v.allFinite()))
       end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result_.steps));
     closeEvents();
-    if (handler_) result_.handler->figures = handler_->figures();
+    if (handler_) result_.handler->figures = handlerFigures();
     if (device_) result_.notes.push_back(device_->summary());
     const Stopwatch output(result_.outputTime);
     history_->finish();

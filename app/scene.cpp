@@ -558,11 +558,16 @@ void readDevice(const Section& integrator, Scene& scene) {
   if (device == "cpu") return;
   scene.device = device == "cuda" ? RunDevice::cuda : RunDevice::automatic;
   scene.deviceOrigin = integrator.at("device").origin + ": integrator.device";
-  if (scene.method == "symplectic-euler" && !scene.damping.any() && scene.handler.empty()) return;
-  scene.noDevice = "a GPU runs symplectic-euler without [damping] and [handler]";
+  const bool handled = !scene.handler.empty();
+  const bool factored = scene.handlerOptions.cluster.solver == ClusterSolver::cholesky;
+  if (scene.method != "symplectic-euler" || scene.damping.any() || (handled && scene.handler != "imex"))
+    scene.noDevice = "a GPU runs symplectic-euler without [damping], and of the handlers imex alone";
+  else if (handled && factored)
+    scene.noDevice = "a GPU solves implicit clusters by conjugate gradients, not by \"cholesky\"";
+  else
+    return;
   if (scene.device == RunDevice::cuda)
-    fail(integrator.at("device").origin, "integrator.device",
-         scene.noDevice + "; leave those away, or set it to \"cpu\"");
+    fail(integrator.at("device").origin, "integrator.device", scene.noDevice + "; change that, or set it to \"cpu\"");
 }
 
 void readLoadSection(const Section& section, Scene& scene) {

@@ -104,7 +104,8 @@ std::vector<SceneKey> makeKeys() {
        "\"cpu\"",
        anything,
        {"cpu", "cuda", "auto"},
-       "where the steps are taken; \"auto\" takes a GPU if there is one. Symplectic Euler without damping or handler; "
+       "where the steps are taken; \"auto\" takes a GPU if there is one. Symplectic Euler without damping, alone or "
+       "with imex; "
        "the state comes back at every look of the monitor and every row of the history"},
       {"integrator",
        "safety",

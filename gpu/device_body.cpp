@@ -117,6 +117,8 @@ DeviceBody<R>::Impl::Impl(const DeviceBodyInput& input, const DevicePlan& plan) 
     block.elementNodes = mesh.blocks[b].nodesPerElement();
     block.threads = from.threads;
     block.points = elementInfo(block.type).constantGradient ? 1 : static_cast<int>(input.rules[b]->points.size());
+    block.elementCount = mesh.blocks[b].elementCount();
+    block.elements = from.elements;
     block.operations = patchOperations<R>(block.type, block.lawIndex);
     block.law = {input.materials[b].lame(), input.rules[b]};
     block.patches = DeviceVector<DevicePatch>(from.patches);

@@ -56,6 +56,8 @@ struct DeviceBody<R>::Impl {
     ElementType type;
     std::size_t lawIndex = 0;
     int elementNodes = 0, threads = 0, points = 0;  // points at which geometry is stored
+    std::size_t elementCount = 0;
+    std::vector<std::int32_t> elements;  // [patch][thread] position in the mesh block, -1: none
     PatchOperations<R> operations;
     LawParameters law;
     BlockView<R> view;

@@ -106,32 +106,6 @@ void cut(const Mesh& mesh, const MeshBlock& block, DeviceBlockPlan& plan, std::v
   }
 }
 
-/// Fills rows with the corners of 32 nodes, one of each a row. Which corner of a node comes in which row is free: each
-/// half of a warp reads sixteen banks of 8 bytes at once, so that corners of the same bank are kept apart.
-void fillRows(std::vector<std::vector<std::uint16_t>>& cornersOf, std::size_t first, std::size_t last,
-              std::uint16_t none, std::vector<std::uint16_t>& rows) {
-  constexpr std::size_t banks = 16;
-  std::size_t depth = 0;
-  for (std::size_t i = first; i < last; ++i) depth = std::max(depth, cornersOf[i].size());
-  for (std::size_t row = 0; row < depth; ++row)
-    for (std::size_t half = 0; half < group; half += banks) {
-      std::array<int, banks> taken{};
-      for (std::size_t i = first + half; i < first + half + banks; ++i) {
-        if (i >= last || cornersOf[i].empty()) {
-          rows.push_back(none);
-          continue;
-        }
-        std::vector<std::uint16_t>& own = cornersOf[i];
-        const auto best = std::min_element(own.begin(), own.end(), [&](std::uint16_t a, std::uint16_t b) {
-          return taken[a % banks] < taken[b % banks];
-        });
-        ++taken[*best % banks];
-        rows.push_back(*best);
-        own.erase(best);
-      }
-    }
-}
-
 /// The corners of each local node, in rows of 32 nodes.
 void listCorners(const MeshBlock& block, std::size_t p, const std::vector<std::int32_t>& local, DeviceBlockPlan& plan) {
   const int n = block.nodesPerElement(), threads = plan.threads;
@@ -155,6 +129,30 @@ void listCorners(const MeshBlock& block, std::size_t p, const std::vector<std::i
 }
 
 }  // namespace
+
+void fillRows(std::vector<std::vector<std::uint16_t>>& entriesOf, std::size_t first, std::size_t last,
+              std::uint16_t none, std::vector<std::uint16_t>& rows) {
+  constexpr std::size_t banks = 16;
+  std::size_t depth = 0;
+  for (std::size_t i = first; i < last; ++i) depth = std::max(depth, entriesOf[i].size());
+  for (std::size_t row = 0; row < depth; ++row)
+    for (std::size_t half = 0; half < group; half += banks) {
+      std::array<int, banks> taken{};
+      for (std::size_t i = first + half; i < first + half + banks; ++i) {
+        if (i >= last || entriesOf[i].empty()) {
+          rows.push_back(none);
+          continue;
+        }
+        std::vector<std::uint16_t>& own = entriesOf[i];
+        const auto best = std::min_element(own.begin(), own.end(), [&](std::uint16_t a, std::uint16_t b) {
+          return taken[a % banks] < taken[b % banks];
+        });
+        ++taken[*best % banks];
+        rows.push_back(*best);
+        own.erase(best);
+      }
+    }
+}
 
 DevicePlan planPatches(const Mesh& mesh) {
   DevicePlan plan;

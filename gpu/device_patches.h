@@ -43,4 +43,10 @@ struct DevicePlan {
 /// which the device does not have.
 DevicePlan planPatches(const Mesh& mesh);
 
+/// Adds rows with what belongs to the numbers first to last, 32 at most: one entry of each a row, `none` where nothing
+/// is left. Which entry of a number comes in which row is free: each half of a warp reads sixteen banks of 8 bytes at
+/// once, so that entries of the same bank are kept apart. Empties the lists.
+void fillRows(std::vector<std::vector<std::uint16_t>>& entriesOf, std::size_t first, std::size_t last,
+              std::uint16_t none, std::vector<std::uint16_t>& rows);
+
 }  // namespace ringwatch

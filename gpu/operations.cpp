@@ -2,6 +2,7 @@
 
 #include <ringwatch/gpu/certificate_operations.h>
 #include <ringwatch/gpu/patch_operations.h>
+#include <ringwatch/gpu/tangent_operations.h>
 #include <ringwatch/materials/registry.h>
 
 namespace ringwatch {
@@ -12,6 +13,9 @@ PatchOperations<R> lawOperations(ElementType type);
 // The same in certificate_kernels.cuh.
 template <std::size_t law>
 CertificateOperations certificateOfLaw(ElementType type);
+// The same in tangent_kernels.cuh.
+template <std::size_t law>
+TangentOperations tangentsOfLaw(ElementType type);
 }  // namespace detail
 
 template <class R>
@@ -30,6 +34,15 @@ CertificateOperations certificateOperations(ElementType type, std::size_t law) {
   CertificateOperations result;
   [&]<std::size_t... i>(std::index_sequence<i...>) {
     ((law == i ? void(result = detail::certificateOfLaw<i>(type)) : void()), ...);
+  }
+  (std::make_index_sequence<std::variant_size_v<Law>>{});
+  return result;
+}
+
+TangentOperations tangentOperations(ElementType type, std::size_t law) {
+  TangentOperations result;
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    ((law == i ? void(result = detail::tangentsOfLaw<i>(type)) : void()), ...);
   }
   (std::make_index_sequence<std::variant_size_v<Law>>{});
   return result;

@@ -8,6 +8,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/rotation_of.h>
+#include <ringwatch/monitor/power_iteration.h>
 
 namespace ringwatch {
 namespace {
@@ -17,22 +18,10 @@ namespace {
 constexpr double rotationChange = 0.05, stretchChange = 1.1;
 constexpr Eigen::Index denseSize = 72;  // up to here a full inverse is faster than a sparse factor
 
-/// The highest eigenvalue by power iteration, to some per cent: it only scales K̂. NaN for a matrix that is not finite.
+/// To some per cent: it only scales K̂. NaN for a matrix that is not finite.
 double highest(const Eigen::MatrixXd& K) {
-  constexpr int iterations = 8;
-  Eigen::Index strongest = 0;
-  K.colwise().squaredNorm().maxCoeff(&strongest);
-  Eigen::VectorXd v = K.col(strongest), Kv(v.size());
-  double value = 0;
-  for (int i = 0; i < iterations; ++i) {
-    const double norm = v.norm();
-    if (!(norm > 0)) return norm;
-    v /= norm;
-    Kv.noalias() = K * v;
-    value = v.dot(Kv);
-    v.swap(Kv);
-  }
-  return value;
+  Eigen::VectorXd v(K.rows()), Kv(K.rows());
+  return highestByPowerIteration<0>(K.data(), static_cast<int>(K.rows()), v.data(), Kv.data());
 }
 
 Eigen::Index component(std::int32_t local, int c) { return 3 * static_cast<Eigen::Index>(local) + c; }

@@ -1,4 +1,5 @@
 #pragma once
+#include <type_traits>
 #include <utility>
 
 #include <ringwatch/base/math.h>
@@ -23,7 +24,7 @@ namespace detail {
 template <bool Unrolled, class Loop>
 RINGWATCH_INLINE void forRange(int begin, int end, const Loop& body) {
   if constexpr (Unrolled) {
-#if defined(__clang__)
+#if defined(__clang__) || defined(__CUDACC__)
 #pragma unroll
 #else
 #pragma GCC unroll 16
@@ -126,9 +127,10 @@ RINGWATCH_HOST_DEVICE inline CharacteristicSums<P> sumsByMinors(const P* d, cons
     p = p1;
     least = math::min(least, p);
   });
-  const P inverse = P(1.0) / select(p > P(1e-290), p, P(1.0));
+  constexpr double tiny = std::is_same_v<P, float> ? 1e-30 : 1e-290;
+  const P inverse = P(1.0) / select(p > P(tiny), p, P(1.0));
   const P first = dp * inverse;
-  return {first, first * first - P(2.0) * ddp * inverse, least - P(1e-290)};
+  return {first, first * first - P(2.0) * ddp * inverse, least - P(tiny)};
 }
 /// By ratios of successive minors: for any n.
 template <class P>
@@ -157,6 +159,9 @@ template <int N, class P>
 RINGWATCH_HOST_DEVICE inline P largestByLaguerre(const P* d, const P* e2, int anyN, P start) {
   const int n = N > 0 ? N : anyN;
   const P count(static_cast<double>(n));
+  // What may be left, and the least step that is worth another one.
+  constexpr bool single = std::is_same_v<P, float>;
+  constexpr double enough = single ? 3e-6 : 1e-13, shortest = single ? 1e-7 : 1e-15;
   P lambda = start;
   // A few, mostly; a cluster of half the eigenvalues makes convergence linear, by a quarter each time at n = 60.
   constexpr int maxIterations = 250;
@@ -170,9 +175,28 @@ RINGWATCH_HOST_DEVICE inline P largestByLaguerre(const P* d, const P* e2, int an
     const P step = select(right, count / (first + root), P(0.0));
     const P left = select(right, first / second, P(0.0)) - step;
     lambda -= step;
-    if (!anyOf((left > P(1e-13)) & (step > P(1e-15)))) break;
+    if (!anyOf((left > P(enough)) & (step > P(shortest)))) break;
   }
   return lambda;
+}
+/// The same for n <= 24, most of the way in single precision: half of the work where that is the faster one.
+template <int N>
+RINGWATCH_HOST_DEVICE inline double largestFromSingle(const double* d, const double* e2, double start) {
+  static_assert(N > 0 && N <= 24);
+  float single[N], single2[N];
+  for (int k = 0; k < N; ++k) {
+    single[k] = static_cast<float>(d[k]);
+    single2[k] = k + 1 < N ? static_cast<float>(e2[k]) : 0.0F;
+  }
+  // Rounding moves eigenvalues of order one by less than this; whether it was enough is seen in double precision.
+  constexpr double room = 5e-6;
+  const double guess =
+      static_cast<double>(largestByLaguerre<N>(single, single2, N, static_cast<float>(start + room))) + room;
+  if (guess < start) {
+    const double found = largestByLaguerre<N>(d, e2, N, guess);
+    if (found < guess) return found;  // else it did not lie above
+  }
+  return largestByLaguerre<N>(d, e2, N, start);
 }
 
 /// Bounds of a tridiagonal matrix's eigenvalues and its largest one.
@@ -205,8 +229,8 @@ RINGWATCH_HOST_DEVICE inline TridiagonalBounds<P> tridiagonalBounds(const P* d, 
 }
 
 /// Extreme eigenvalues of A (n×n, row by row, destroyed), n >= 1, for an N known to the compiler or N = 0. `work` holds
-/// 4n numbers.
-template <int N, class P>
+/// 4n numbers. fromSingle: iterates in single precision first.
+template <int N, class P, bool fromSingle = false>
 RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvaluesOf(P* A, int anyN, P* work, bool wantLeast) {
   const int n = N > 0 ? N : anyN;
   P *d = work, *e2 = work + n, *v = work + 2 * n, *p = work + 3 * n;
@@ -227,7 +251,12 @@ RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvaluesOf(P* A, in
   ExtremeEigenvalues<P> result;
   result.scale = bounds.scale + poison;
   const P high = math::min(bounds.high, bounds.mean + reach) * unit + margin;
-  result.largest = select(zero, P(0.0), bounds.scale * largestByLaguerre<N>(d, e2, n, high)) + poison;
+  P largest;
+  if constexpr (fromSingle)
+    largest = largestFromSingle<N>(d, e2, high);
+  else
+    largest = largestByLaguerre<N>(d, e2, n, high);
+  result.largest = select(zero, P(0.0), bounds.scale * largest) + poison;
   result.least = P(0.0);
   if (wantLeast) {
     for (int k = 0; k < n; ++k) d[k] = -d[k];

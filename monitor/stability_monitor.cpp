@@ -263,10 +263,11 @@ std::string_view eventName(EventKind kind) {
 struct StabilityMonitor::Impl {
   Impl(const Body& b, const MonitorOptions& o) : body(b), options(o) {
     if (o.mode != MonitorMode::metric) bracketer.emplace(b, o.width);
-    if (o.metric == "reduced-1-ring") ring.emplace(b);
+    if (o.metric == "reduced-1-ring" && !o.metricElsewhere) ring.emplace(b);
   }
   /// The metric's highest value at x, rad²/s². Reduced rings keep their pattern from look to look: half of their cost.
   double metricLambda(const NodeVectors& x) {
+    if (options.metricElsewhere) return options.metricElsewhere(x);
     if (!ring) return evaluateMetric(options.metric, body, x).lambda;
     double highest = 0;
     for (const auto& block : ring->evaluate(x).largest)

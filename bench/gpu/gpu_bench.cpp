@@ -16,23 +16,23 @@
 
 #include <Eigen/LU>
 
+#include <bench/gpu/bench.h>
 #include <ringwatch/base/parallel.h>
 #include <ringwatch/gpu/device_body_impl.h>
 #include <ringwatch/gpu/device_certificate.h>
+#include <ringwatch/gpu/device_rings.h>
 #include <ringwatch/gpu/device_status.h>
 #include <ringwatch/meshes/generators.h>
 #include <ringwatch/meshes/mesh_io.h>
 
 using namespace ringwatch;
+using bench::seconds;
+using bench::timeOf;
 
-namespace {
-
-double copyBandwidth = 0;  // bytes/s, read and written
-std::string filter;
+namespace ringwatch::bench {
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// Median time of one repetition, s. repeat(k) puts k repetitions into the device's queue, wait() waits for them.
 double timeOf(const std::function<void(std::int64_t)>& repeat, const std::function<void()>& wait) {
   repeat(3);
   wait();
@@ -50,6 +50,13 @@ double timeOf(const std::function<void(std::int64_t)>& repeat, const std::functi
   std::nth_element(times.begin(), times.begin() + 4, times.end());
   return times[4];
 }
+
+}  // namespace ringwatch::bench
+
+namespace {
+
+double copyBandwidth = 0;  // bytes/s, read and written
+std::string filter;
 
 void measureCopy() {
   const std::size_t bytes = std::size_t{4} << 30;
@@ -240,6 +247,26 @@ void measureCertificate(const std::string& name, DeviceBody<double>& body, const
       scratch * 1e3, renewal * 1e3, bound);
 }
 
+/// All reduced rings of a body of tetrahedra at its positions: assembly and eigenvalues.
+template <class Report>
+void measureRings(const std::string& name, DeviceBody<double>& body, const Mesh& mesh, const Report& report) {
+  for (const MeshBlock& block : mesh.blocks)
+    if (block.nodesPerElement() != 4) return;
+  const double start = seconds();
+  DeviceRings rings(body);
+  const double planned = seconds() - start;
+  report("reduced 1-ring",
+         timeOf(
+             [&](std::int64_t n) {
+               for (; n > 0; --n) rings.compute();
+             },
+             [&] { body.synchronize(); }),
+         0);
+  const DeviceRings::Highest highest = rings.highest();
+  std::printf("%-34s reduced 1-ring: highest %.8g rad2/s2 at element %d:%d, planned in %.1f s\n", name.c_str(),
+              highest.value, highest.element.block, highest.element.element, planned);
+}
+
 template <class R>
 void measure(const Case& c, const DevicePlan& plan, const DeviceBodyInput& input) {
   const char* scalar = sizeof(R) == 8 ? "double" : "float";
@@ -285,6 +312,7 @@ void measure(const Case& c, const DevicePlan& plan, const DeviceBodyInput& input
              },
              wait),
          0);
+  if constexpr (std::is_same_v<R, double>) measureRings(name, body, mesh, report);
   if constexpr (std::is_same_v<R, double>) measureCertificate(name, body, mesh, flat ? 1e-5 : 0.1, report);
   if (!body.positions().allFinite()) std::printf("%-34s WARNING: the run did not stay finite\n", name.c_str());
 }
@@ -359,5 +387,6 @@ int main(int argc, char** argv) {
   };
   for (const Case& c : cases)
     if (wanted(c.name)) runCase(c, meshOf(c));
+  bench::measureImex(filter);
   return 0;
 }

@@ -266,6 +266,9 @@ TEST_F(Program, TakesAGpuOnlyWhereThereIsOne) {
   if (!reason.empty()) expectRefused(cuda + "g", "integrator.device: \"cuda\": " + reason);
   expectRefused(cuda + "g --set integrator.method=verlet", "a GPU runs symplectic-euler without");
   expectRefused(cuda + "g --set damping.mass=1.0", "a GPU runs symplectic-euler without");
+  expectRefused(cuda + "g --set handler.method=mass-scaling --set integrator.step=1e-3", "of the handlers imex alone");
+  expectRefused(cuda + "g --set handler.method=imex --set integrator.step=1e-3 --set handler.solver=cholesky",
+                "by conjugate gradients, not by");
   expectRefused("run tiny.toml --set integrator.device=gpu --out g", "must be one of cpu, cuda, auto");
   EXPECT_FALSE(exists("g"));
   EXPECT_EQ(call("run tiny.toml --out auto --set integrator.device=auto --set monitor.every=3").status, 0);
@@ -273,6 +276,13 @@ TEST_F(Program, TakesAGpuOnlyWhereThereIsOne) {
   EXPECT_THAT(notes, HasSubstr(reason.empty() ? "the steps were taken on" : "the steps are taken on the CPU, since"));
   EXPECT_EQ(call("run tiny.toml --out verlet --set integrator.device=auto --set integrator.method=verlet").status, 0);
   EXPECT_THAT(json("verlet/summary.json")["notes"].dump(), HasSubstr("a GPU runs symplectic-euler without"));
+  const std::string metric = " --set monitor.mode=metric --set monitor.metric=reduced-1-ring";
+  EXPECT_EQ(call("run tiny.toml --out rings --set integrator.device=auto" + metric).status, 0);
+  EXPECT_EQ(call("run tiny.toml --out rings_cpu" + metric).status, 0);
+  const Table rings = table("rings/history.csv"), ringsHere = table("rings_cpu/history.csv");
+  ASSERT_EQ(rings.rows.size(), ringsHere.rows.size());
+  for (std::size_t i = 0; i < rings.rows.size(); ++i)
+    EXPECT_NEAR(rings.number(i, "metric_step_s"), ringsHere.number(i, "metric_step_s"), 1e-9);
   EXPECT_EQ(call("run tiny.toml --out cpu --set monitor.every=3").status, 0);
   const Table here = table("auto/history.csv"), there = table("cpu/history.csv");
   ASSERT_EQ(here.rows.size(), there.rows.size());
@@ -886,6 +896,26 @@ TEST_F(HandledProgram, SaysWhenConjugateGradientsDoNotConverge) {
   EXPECT_EQ(reduced.status, 0) << reduced.out;
   EXPECT_LT(json("reduced/summary.json")["smallest_step"].get<double>(), 3 * critical_);
   EXPECT_EQ(call("run slivers.toml --out enough --set handler.iterations=500").status, 0);
+}
+
+TEST_F(HandledProgram, RunsOnAGpuWhereThereIsOne) {
+  write("[handler]\nmethod = \"imex\"\n[output]\nevery = 1\n");
+  const std::string run = "run slivers.toml --set monitor.every=5 --set integrator.method=symplectic-euler --out ";
+  const Outcome onHost = call(run + "cpu"), onGpu = call(run + "auto --set integrator.device=auto");
+  ASSERT_EQ(onGpu.status, onHost.status) << onGpu.out << onHost.out;
+  const Json here = json("auto/summary.json"), there = json("cpu/summary.json");
+  EXPECT_THAT(here["notes"].dump(),
+              HasSubstr(whyNoDevice().empty() ? "the steps were taken on" : "the steps are taken on the CPU, since"));
+  EXPECT_EQ(here["exit_reason"], "end");
+  EXPECT_EQ(there["exit_reason"], "end");
+  EXPECT_EQ(here["handler"]["handled_elements"], there["handler"]["handled_elements"]);
+  const Table gpu = table("auto/history.csv"), host = table("cpu/history.csv");
+  ASSERT_EQ(gpu.rows.size(), host.rows.size());
+  for (std::size_t i = 0; i < gpu.rows.size(); ++i) {
+    EXPECT_EQ(gpu.at(i, "verdict"), host.at(i, "verdict"));
+    for (const char* column : {"safe_s", "strain_J"})
+      EXPECT_NEAR(gpu.number(i, column), host.number(i, column), 1e-2 * std::abs(host.number(i, column)) + 1e-12);
+  }
 }
 
 TEST_F(HandledProgram, ComparesHandlersWithIntegrators) {

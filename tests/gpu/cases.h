@@ -38,6 +38,35 @@ inline Mesh bar(const std::string& element, std::array<int, 3> cells, double jit
   return generateBar(options);
 }
 
+/// The first `count` elements of a mesh of one block, without the nodes that they do not have.
+inline Mesh firstElements(const Mesh& mesh, std::size_t count) {
+  Mesh part;
+  const MeshBlock& from = mesh.blocks.front();
+  MeshBlock block{from.type, {}, {}};
+  std::vector<std::int32_t> number(mesh.nodeCount(), -1), nodes;
+  for (std::size_t e = 0; e < count; ++e) {
+    block.ids.push_back(static_cast<std::int64_t>(e));
+    for (int a = 0; a < from.nodesPerElement(); ++a) {
+      const std::int32_t node = from.element(e)[a];
+      if (number[static_cast<std::size_t>(node)] < 0) {
+        number[static_cast<std::size_t>(node)] = static_cast<std::int32_t>(nodes.size());
+        nodes.push_back(node);
+      }
+      block.connectivity.push_back(number[static_cast<std::size_t>(node)]);
+    }
+  }
+  part.X.resize(3, static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    part.X.col(static_cast<Eigen::Index>(i)) = mesh.X.col(nodes[i]);
+    part.nodeIds.push_back(static_cast<std::int64_t>(i));
+  }
+  part.blocks.push_back(std::move(block));
+  return part;
+}
+
+inline double relative(const NodeVectors& a, const NodeVectors& b) { return (a - b).norm() / b.norm(); }
+inline bool sameBits(const NodeVectors& a, const NodeVectors& b) { return (a.array() == b.array()).all(); }
+
 /// A hanging bar, one end held, the other drawn, under gravity.
 inline Body loadedBar(const char* element, const char* law, std::array<int, 3> cells = {6, 3, 3}) {
   Body body(bar(element, cells), makeMaterial(law, 3e4, 0.3, 1000));

@@ -24,35 +24,6 @@ constexpr double boundOf = sizeof(R) == 8 ? doubleBound : floatBound;
 template <class R>
 constexpr const char* nameOf = sizeof(R) == 8 ? "double" : "float";
 
-/// The first `count` elements of a mesh of one block, without the nodes that they do not have.
-Mesh firstElements(const Mesh& mesh, std::size_t count) {
-  Mesh part;
-  const MeshBlock& from = mesh.blocks.front();
-  MeshBlock block{from.type, {}, {}};
-  std::vector<std::int32_t> number(mesh.nodeCount(), -1), nodes;
-  for (std::size_t e = 0; e < count; ++e) {
-    block.ids.push_back(static_cast<std::int64_t>(e));
-    for (int a = 0; a < from.nodesPerElement(); ++a) {
-      const std::int32_t node = from.element(e)[a];
-      if (number[static_cast<std::size_t>(node)] < 0) {
-        number[static_cast<std::size_t>(node)] = static_cast<std::int32_t>(nodes.size());
-        nodes.push_back(node);
-      }
-      block.connectivity.push_back(number[static_cast<std::size_t>(node)]);
-    }
-  }
-  part.X.resize(3, static_cast<Eigen::Index>(nodes.size()));
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    part.X.col(static_cast<Eigen::Index>(i)) = mesh.X.col(nodes[i]);
-    part.nodeIds.push_back(static_cast<std::int64_t>(i));
-  }
-  part.blocks.push_back(std::move(block));
-  return part;
-}
-
-double relative(const NodeVectors& a, const NodeVectors& b) { return (a - b).norm() / b.norm(); }
-bool sameBits(const NodeVectors& a, const NodeVectors& b) { return (a.array() == b.array()).all(); }
-
 /// Force, tangent product and energy on the device against the CPU's double result, into poisoned memory.
 template <class R>
 void compare(const Body& body, const NodeVectors& x, const std::string& what) {
