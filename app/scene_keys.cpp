@@ -203,7 +203,7 @@ std::vector<SceneKey> makeKeys() {
        anything,
        {"auto", "cholesky", "cg"},
        "imex: factored and turned with its elements, or conjugate gradients; auto by the size of each cluster"},
-      {"handler", "tolerance", T::number, "", false, "1e-8", factor, {}, "imex: of cg, relative"},
+      {"handler", "tolerance", T::number, "", false, "2e-3", factor, {}, "imex: of cg, relative"},
       {"handler", "iterations", T::integer, "", false, "200", atLeastOne, {}, "imex: of cg, at most"},
       {"handler",
        "on_failure",
