@@ -495,7 +495,8 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
   scene.handlerOptions.cluster.solver = solver == "cg"         ? ClusterSolver::conjugateGradients
                                         : solver == "cholesky" ? ClusterSolver::cholesky
                                                                : ClusterSolver::automatic;
-  scene.handlerOptions.cluster.tolerance = handler.get<double>("tolerance");
+  if (const Json& tolerance = handler.at("tolerance").value; tolerance.is_number())
+    scene.handlerOptions.cluster.tolerance = scene.handlerOptions.projectionTolerance = tolerance.get<double>();
   scene.handlerOptions.cluster.iterations = static_cast<int>(
       std::min<std::int64_t>(handler.get<std::int64_t>("iterations"), std::numeric_limits<int>::max()));
   scene.handlerOptions.levels =

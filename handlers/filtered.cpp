@@ -97,7 +97,7 @@ void Filtered::take(const NodeVectors&, double h, const ElementFlags& chosen) {
     items_.push_back(item);
   }
   if (projects_)
-    projection_.emplace(body_, shapeConstraints(body_.mesh(), elements), options_.cluster.tolerance,
+    projection_.emplace(body_, shapeConstraints(body_.mesh(), elements), options_.projectionTolerance,
                         options_.cluster.iterations);
   inverseMass_ = body_.lumpedMass().cwiseInverse();
   splitOff(chosen);

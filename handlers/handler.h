@@ -25,6 +25,7 @@ struct HandlerOptions {
   /// Of adaptive "stabilised" or "plain", of fe-pbd "linear" or "rigid", of filtered "compliant" or "projection";
   /// empty: the first of them.
   std::string variant = {};
+  double projectionTolerance = 1e-8;  ///< filtered, projection: of the largest constraint
   /// Of fe-pbd, linear, and filtered, compliant: more make crowded elements less soft. 0: 3 and 1.
   int passes = 0;
 };

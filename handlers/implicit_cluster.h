@@ -1,26 +1,30 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-#include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 
 #include <ringwatch/body/body.h>
 
 namespace ringwatch {
 
+class ClusterMatrix;
+
 /// How the equations of a cluster are solved.
 enum class ClusterSolver {
-  automatic,          ///< Cholesky, and conjugate gradients for clusters of more than 400 nodes
+  automatic,          ///< Cholesky, and conjugate gradients for clusters of more than 100 nodes
   cholesky,           ///< factored once and turned with the cluster; anew when its shape has changed
-  conjugateGradients  ///< block-Jacobi preconditioned, in the form with one synchronisation an iteration
+  conjugateGradients  ///< block-Jacobi preconditioned, from the solutions of the last two steps extrapolated
 };
 
 struct ClusterOptions {
   ClusterSolver solver = ClusterSolver::automatic;
-  double tolerance = 1e-8;  ///< of conjugate gradients: residual over right-hand side, in the preconditioner's norm
-  int iterations = 200;     ///< of conjugate gradients, at most
+  /// Of conjugate gradients: residual over right-hand side, in the preconditioner's norm. In single precision from
+  /// 1e-5.
+  double tolerance = 2e-3;
+  int iterations = 200;  ///< of conjugate gradients, at most
 };
 
 /// Elements that share nodes, with the matrix M + w K̂ on their nodes: M the lumped mass of the whole body, K̂ the sum
@@ -29,15 +33,23 @@ struct ClusterOptions {
 /// highest eigenvalues of K_e(x) and K_e(X), for laws that stiffen. K̂ is positive semidefinite in every state, which
 /// the exact tangent is not.
 ///
+/// The corotational law counts as one that does not stiffen: its tangent grows with stretch on spins alone, where K̂ has
+/// nothing to scale.
+///
 /// K̂ is kept while the elements' rotations and stretches, seen from the rotating frame of the cluster, stay close to
-/// those it was made for; the factor turns with that frame. A cluster with constrained nodes, or of a law that is
-/// not objective, keeps the world's frame.
+/// those it was made for (ClusterMatrix tells how close). Beyond, it is made anew for all elements where it is
+/// factored, and the factor turns with the frame; for conjugate gradients only the elements that have turned are
+/// changed. A cluster with constrained nodes, or of a law that is not objective, keeps the world's frame.
+///
+/// The momentum of components that no node of the cluster has constrained is exact to rounding, whatever the tolerance.
 class ImplicitCluster {
  public:
   /// w: s². x: positions (3×N, m) to start from. The body must outlive the cluster. Throws NumericalError when K̂ is not
   /// finite.
   ImplicitCluster(const Body& body, std::vector<ElementRef> elements, double w, const NodeVectors& x,
                   const ClusterOptions& options);
+  ImplicitCluster(ImplicitCluster&& other) noexcept;
+  ~ImplicitCluster();
 
   const std::vector<std::int32_t>& nodes() const { return nodes_; }
   const std::vector<ElementRef>& elements() const { return elements_; }
@@ -49,53 +61,40 @@ class ImplicitCluster {
   /// is then as before. c: 1/s.
   bool solve(NodeVectors& a, const NodeVectors& v, double c);
 
+  /// How many times the matrix has changed.
   std::int64_t factorisations() const { return factorisations_; }
   std::int64_t iterations() const { return iterations_; }
   /// M + w K̂ as a dense matrix over the cluster's nodes in the world's frame, constrained rows and columns included.
   Eigen::MatrixXd matrix() const;
 
  private:
-  struct Element {
-    ElementRef ref;
-    std::vector<std::int32_t> local;  // positions in nodes_
-    Eigen::MatrixXd rest;             // K_e(X), N/m
-    Eigen::MatrixXd restShape;        // n×3: F = Σ x_a restShape_a, fitted to the nodes
-    double restHighest = 0;           // N/m
-    bool objective = true;
-    Eigen::Matrix3d F, R;   // in the cluster's frame: F at the last look, R that K̂ was made for
-    double stretch = 0;     // |F|² that K̂ was made for
-    double stiffening = 1;  // s_e
-  };
-  Eigen::Matrix3d gradientOf(const Element& e, const NodeVectors& x) const;
   Eigen::Matrix3d frameOf(const NodeVectors& x) const;
-  bool remake(const NodeVectors& x);
-  void makePattern();
   bool factor();
   bool solveByConjugateGradients();
-  void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& Ap) const;
-  void clearConstrained(Eigen::VectorXd& u) const;
+  void subtractProduct(const Eigen::VectorXd& p);
+  void addTranslation();
 
   const Body& body_;
   double w_;
   ClusterOptions options_;
   std::vector<ElementRef> elements_;
-  std::vector<Element> items_;
   std::vector<std::int32_t> nodes_;
   std::vector<std::uint8_t> constrained_;  // by local component
-  bool anyConstrained_ = false, turns_ = true;
+  std::array<bool, 3> anyConstrained_{};   // by component
+  bool turns_ = true;
   Eigen::MatrixXd frameShape_;  // n×3 of all nodes, mass-weighted
   Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
   Eigen::VectorXd mass_;  // by local component
+  std::unique_ptr<ClusterMatrix> matrix_;
 
-  // M + w K̂ in the cluster's frame: blocks by row for products, and its factor over the free components.
-  std::vector<std::int32_t> rowBegin_, column_;
-  std::vector<Eigen::Matrix3d> block_;
-  std::vector<std::vector<std::int32_t>> position_;  // [element][a * n + b]
-  std::vector<Eigen::Matrix3d> preconditioner_;      // inverse diagonal blocks
-  Eigen::MatrixXd denseInverse_;                     // of small clusters
-  Eigen::SparseMatrix<double> sparse_;               // of others, lower triangle
+  struct Iterative;
+  std::unique_ptr<Iterative> iterative_;  // of conjugate gradients
+  // The factor over the free components.
+  Eigen::MatrixXd denseInverse_;        // of small clusters
+  Eigen::SparseMatrix<double> sparse_;  // of others, lower triangle
+  std::vector<std::ptrdiff_t> place_;   // of the entries as factor() visits them
   std::unique_ptr<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower>> sparseFactor_;
-  Eigen::VectorXd right_, u_, r_, z_, p_, q_, s_;
+  Eigen::VectorXd right_, u_, prescribed_;
   std::int64_t factorisations_ = 0, iterations_ = 0;
 };
 
