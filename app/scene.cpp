@@ -554,12 +554,14 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
     fail(damping.origin, "[damping]", "handlers do not work with damping; remove it or set handler.method = \"none\"");
 }
 
-void readDevice(const Section& integrator, Scene& scene) {
+void readDevice(const Section& integrator, const Section& handler, Scene& scene) {
   const auto device = integrator.get<std::string>("device");
   if (device == "cpu") return;
   scene.device = device == "cuda" ? RunDevice::cuda : RunDevice::automatic;
   scene.deviceOrigin = integrator.at("device").origin + ": integrator.device";
   const bool handled = !scene.handler.empty();
+  // Conjugate gradients start from nothing there, and what they leave out of the momentum is not put back.
+  if (!handler.at("tolerance").value.is_number()) scene.handlerOptions.cluster.tolerance = 1e-8;
   const bool factored = scene.handlerOptions.cluster.solver == ClusterSolver::cholesky;
   if (scene.method != "symplectic-euler" || scene.damping.any() || (handled && scene.handler != "imex"))
     scene.noDevice = "a GPU runs symplectic-euler without [damping], and of the handlers imex alone";
@@ -693,7 +695,7 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
 
   readIntegratorSection(section("integrator"), section("monitor"), section("damping"), scene);
   readHandlerSection(section("handler"), section("integrator"), section("monitor"), section("damping"), scene);
-  readDevice(section("integrator"), scene);
+  readDevice(section("integrator"), section("handler"), scene);
   for (const Section& s : sections)
     if (s.name == "fix" || s.name == "move" || s.name == "force") readLoadSection(s, scene);
 

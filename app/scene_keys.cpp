@@ -247,7 +247,8 @@ std::vector<SceneKey> makeKeys() {
        "\"auto\"",
        factor,
        {},
-       "imex and adaptive: of cg, relative, auto 2e-3; filtered: of the projected constraints, auto 1e-8"},
+       "imex and adaptive: of cg, relative, auto 2e-3, on a GPU 1e-8; filtered: of the projected constraints, auto "
+       "1e-8"},
       {"handler",
        "iterations",
        T::integer,

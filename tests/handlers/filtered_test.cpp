@@ -263,7 +263,7 @@ TEST(Filtered, SaysWhenTheProjectionDoesNotConverge) {
   Body body = test::sliverBody("corotational", 0.95);
   HandlerOptions options;
   options.variant = "projection";
-  options.cluster.tolerance = 1e-14;
+  options.projectionTolerance = 1e-14;
   options.cluster.iterations = 1;
   const double h = 3 * criticalStepOf(body);
   const auto handler = makeHandler("filtered", body, makeIntegrator("verlet"), options);
