@@ -1,6 +1,7 @@
 #pragma once
 #include <ringwatch/gpu/tangent_operations.h>
 #include <ringwatch/materials/rotation.h>
+#include <ringwatch/materials/stiffening.h>
 #include <ringwatch/monitor/power_iteration.h>
 #include <ringwatch/gpu/certificate_kernels.cuh>
 
@@ -132,8 +133,10 @@ __global__ void __launch_bounds__(listThreads)
   const KeptDisplacements kept{imex.u, elements.node + e, elements.count};
 
   Matrix3<double> R = Matrix3<double>::identity();
+  constexpr bool stiffens = stiffensWithStretch(Law::name);
   double stiffening = 1;
-  if (rest || Law::objective) {
+  bool finite = true;
+  if (rest || stiffens) {
     double K[size * size], v[size], Kv[size];
     Bound::clear(K);
 #pragma unroll 1
@@ -170,8 +173,10 @@ __global__ void __launch_bounds__(listThreads)
       return;
     }
     stiffening = highest / elements.restHighest[e];
-    bool finite = isfinite(stiffening);
+    finite = isfinite(stiffening);
     stiffening = fmax(stiffening, 1.0);
+  }
+  if constexpr (Law::objective) {
     Matrix3<double> F = Matrix3<double>::identity();
     for (int a = 0; a < n; ++a)
       for (int i = 0; i < 3; ++i) {

@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include <ringwatch/materials/rotation.h>
+#include <ringwatch/materials/stiffening.h>
 
 namespace ringwatch {
 namespace {
@@ -52,12 +53,6 @@ P highest(const P* K, int size) {
   }
   return value;
 }
-
-/// Laws whose tangent stiffens with stretch. Linear elasticity has one tangent. The corotational law's ∂P/∂F exceeds
-/// the turned one at rest by its part on spins alone, 2μ + 2 (λ (tr U - 3) - 2μ)/(sum of two stretches), where K̂ has
-/// nothing that could be scaled, and its highest eigenvalue stays 3λ + 2μ while three times that sum exceeds 2 (tr U -
-/// 3).
-bool stiffensWithStretch(std::string_view law) { return law != "linear" && law != "corotational"; }
 
 }  // namespace
 
