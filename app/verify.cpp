@@ -138,11 +138,11 @@ std::string surfaceScript(const StudySurfaces& surfaces) {
       }
     for (const double value : panel.values) largest = std::max(largest, value);
   }
-  constexpr std::size_t perRow = 4;
+  constexpr std::size_t perRow = 5;
   const std::size_t rows = (surfaces.panels.size() + perRow - 1) / perRow;
   constexpr double decades = 1e-4;  // of the largest value are shown
   std::string script = fmt::format(
-      "set terminal pngcairo size 1600,{} font 'DejaVu Sans,13'\nset output '{}.png'\n"
+      "set terminal pngcairo size 1900,{} font 'DejaVu Sans,13'\nset output '{}.png'\n"
       "set multiplot layout {},{} title {} noenhanced\nset view 65,330\nset view equal xyz\nunset border\n"
       "unset xtics\nunset ytics\nunset ztics\nunset key\nset pm3d depthorder\nset pm3d border lc rgb '#505050' lw 0.2\n"
       "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n"
