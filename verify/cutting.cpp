@@ -174,7 +174,8 @@ void addCutting(StudyEffort effort, StudyReport& report) {
   for (const HandlerEntry& entry : allHandlers()) {
     run(std::string(entry.info->name), "certified");
     // The others keep handled elements in the explicit part, which needs a proof.
-    if (entry.info->name != "mass-scaling" && entry.info->name != "filtered") run(std::string(entry.info->name), "reduced-1-ring");
+    if (entry.info->name != "mass-scaling" && entry.info->name != "filtered")
+      run(std::string(entry.info->name), "reduced-1-ring");
   }
   report.tables.push_back(std::move(table));
 }
