@@ -246,13 +246,13 @@ class Run {
       }
       const ElementFlags chosen = handler_ ? handler_->chosen() : ElementFlags{};
       // All of these hold on to the body or to vectors of its size.
+      closeEvents();
       monitor_.reset();
       split_.reset();
       system_.reset();
       handler_ = nullptr;
       integrator_.reset();
       balance_.reset();
-      closeEvents();
       state_.x = carriedOver(made, state_.x);
       state_.v = carriedOver(made, state_.v);
       body_ = sceneBody(scene_, made.mesh, body_.threads());

@@ -9,6 +9,7 @@
 
 #include <ringwatch/materials/rotation.h>
 #include <ringwatch/materials/stiffening.h>
+#include <ringwatch/monitor/power_iteration.h>
 
 namespace ringwatch {
 namespace {
@@ -22,36 +23,10 @@ constexpr double stretchOfAll = 1.1, stretchOfEach = 1.01;
 constexpr std::int32_t chunkBatches = 32;  // nodes of a chunk must have 16-bit numbers
 constexpr int longestWait = 4;
 
-/// The highest eigenvalue of each lane's matrix by power iteration, to some per cent: it only scales K̂. NaN for one
-/// that is not finite.
+/// Of each lane's matrix, to some per cent: it only scales K̂.
 P highest(const P* K, int size) {
-  constexpr int iterations = 8;
-  AlignedVector<P> v(static_cast<std::size_t>(size), P(0)), Kv(v);
-  P most(-1);
-  for (int column = 0; column < size; ++column) {
-    P length(0);
-    for (int row = 0; row < size; ++row) length += K[row * size + column] * K[row * size + column];
-    const auto longer = length > most;
-    most = select(longer, length, most);
-    for (int row = 0; row < size; ++row)
-      v[static_cast<std::size_t>(row)] = select(longer, K[row * size + column], v[static_cast<std::size_t>(row)]);
-  }
-  P value(0);
-  for (int i = 0; i < iterations; ++i) {
-    P length(0);
-    for (const P& c : v) length += c * c;
-    const P scale = select(length > P(0), P(1) / math::sqrt(length), length);
-    value = P(0);
-    for (int row = 0; row < size; ++row) {
-      P sum(0);
-      for (int column = 0; column < size; ++column) sum += K[row * size + column] * v[static_cast<std::size_t>(column)];
-      Kv[static_cast<std::size_t>(row)] = scale * sum;
-      value += v[static_cast<std::size_t>(row)] * Kv[static_cast<std::size_t>(row)];
-    }
-    value *= scale;
-    v.swap(Kv);
-  }
-  return value;
+  AlignedVector<P> v(static_cast<std::size_t>(size)), Kv(v);
+  return highestByPowerIteration<0>(K, size, v.data(), Kv.data());
 }
 
 }  // namespace

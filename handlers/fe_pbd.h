@@ -18,7 +18,7 @@ namespace ringwatch {
 /// elements than tet4, and laws that do not turn with the element, are refused.
 class PositionBased final : public Handler {
  public:
-  static constexpr HandlerInfo description{"fe-pbd", "moves critical tetrahedra towards goal shapes, one pass"};
+  static constexpr HandlerInfo description{"fe-pbd", "moves the nodes of critical tetrahedra towards goal shapes"};
   PositionBased(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   const HandlerInfo& handlerInfo() const override { return description; }
   std::vector<HandlerFigure> figures() const override;

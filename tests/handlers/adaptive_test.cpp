@@ -404,22 +404,6 @@ TEST(Adaptive, SaysSoWhenAStepIsLost) {
   }
 }
 
-TEST(Adaptive, GivesTheSameBitsForAnyNumberOfThreads) {
-  NodeVectors x[2];
-  for (int k = 0; k < 2; ++k) {
-    Body body(test::sliverBar(0.98), makeMaterial("stvk", test::young, test::poisson, test::density),
-              {{}, Lumping::rowSum, k == 0 ? 1 : 3});
-    body.addBodyForce({0, 0, -1});
-    const double h = 4 * criticalStepOf(body);
-    const auto handler = adaptive(body, h);
-    BodySystem system(body);
-    State state = system.initialState();
-    for (int i = 0; i < 100; ++i) handler->step(system, state, h);
-    x[k] = state.x;
-  }
-  EXPECT_EQ(x[0], x[1]);
-}
-
 // The watched body's critical step is h where the tangent of level 0 is at what its filter leaves room for.
 TEST(Adaptive, WatchesTheCoarseElementsAgainstTheirOwnBound) {
   Body body = test::sliverBody("stvk", 0.98);

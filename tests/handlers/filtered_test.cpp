@@ -332,22 +332,6 @@ TEST(Filtered, TurnsAnInvertedElementBackAndReportsNotANumber) {
   EXPECT_THAT(status.reason, HasSubstr("finite"));
 }
 
-TEST(Filtered, GivesTheSameBitsForAnyNumberOfThreads) {
-  NodeVectors x[2];
-  for (int k = 0; k < 2; ++k) {
-    Body body(test::sliverBar(0.98), makeMaterial("stvk", test::young, test::poisson, test::density),
-              {{}, Lumping::rowSum, k == 0 ? 1 : 3});
-    body.addBodyForce({0, 0, -1});
-    const double h = 6 * criticalStepOf(body);
-    const auto handler = filtered(body, h);
-    BodySystem system(body);
-    State state = system.initialState();
-    for (int i = 0; i < 100; ++i) handler->step(system, state, h);
-    x[k] = state.x;
-  }
-  EXPECT_EQ(x[0], x[1]);
-}
-
 TEST(Filtered, RefusesWhatItCannotDo) {
   const auto message = [](Body& body, const HandlerOptions& options) -> std::string {
     try {
