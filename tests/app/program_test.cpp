@@ -830,6 +830,19 @@ TEST_F(HandledProgram, RunsAtThreeTimesTheCriticalStep) {
   EXPECT_LE((own - fine).norm(), 0.005 * (fine - X).norm());
 }
 
+// Two ways to take stiff elements implicitly that share no code but the force: ours, and ARKODE's additive Runge-Kutta.
+TEST_F(HandledProgram, ImexAndAdditiveRungeKuttaFindTheSameMotion) {
+  const Outcome outcome = call("compare slivers.toml --integrators arkode-ark --handlers imex --json c.json --step " +
+                               number(step_) + "," + number(step_ / 2));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json runs = json("c.json")["runs"];
+  ASSERT_EQ(runs.size(), 4u);
+  for (const Json& run : runs) {
+    ASSERT_TRUE(run["error"].is_number()) << run;
+    EXPECT_LT(run["error"].get<double>(), 0.005) << run;
+  }
+}
+
 TEST_F(HandledProgram, ScalesMass) {
   write("[handler]\nmethod = \"mass-scaling\"\n");
   const Outcome outcome = call("run slivers.toml --out scaled");
