@@ -279,12 +279,7 @@ StepStatus Adaptive::handledStep(SecondOrderSystem& system, State& state, double
   if (system.velocityDependent()) throw InputError("adaptive: the system has damping, which it does not work with");
   Averaged averaged(*this, h);
   fault_.clear();
-  const State before = state;
-  const StepStatus status = base_->step(averaged, state, h);
-  if (status.done && fault_.empty()) return status;
-  state = before;
-  reset();
-  return status.done ? StepStatus{false, fault_} : status;
+  return baseStep(averaged, state, h, fault_);
 }
 
 std::int64_t Adaptive::evaluations() const {

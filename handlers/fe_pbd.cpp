@@ -23,11 +23,11 @@ class PositionBased::Relaxed final : public SecondOrderSystem {
     o.explicitBody().internalForce(x, o.force_, o.workspace_);
     a = (o.body_.externalForce() - o.force_) * o.inverseMass_.asDiagonal();
     o.body_.constraints().clearConstrained(a);
-    finite = o.relaxed_->relax(x, v, a) && finite;
+    if (!o.relaxed_->relax(x, v, a)) fault = "the handled elements' nodes are not at finite positions";
   }
   bool velocityDependent() const override { return true; }
 
-  bool finite = true;
+  std::string fault;
 
  private:
   PositionBased& owner_;
@@ -51,12 +51,7 @@ void PositionBased::take(const NodeVectors&, double h, const ElementFlags& chose
 
 StepStatus PositionBased::handledStep(SecondOrderSystem&, State& state, double h) {
   Relaxed relaxed(*this);
-  before_ = state;
-  const StepStatus status = base_->step(relaxed, state, h);
-  if (status.done && relaxed.finite) return status;
-  state = before_;
-  reset();
-  return status.done ? StepStatus{false, "the handled elements' nodes are not at finite positions"} : status;
+  return baseStep(relaxed, state, h, relaxed.fault);
 }
 
 std::vector<HandlerFigure> PositionBased::figures() const {

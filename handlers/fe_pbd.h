@@ -36,7 +36,6 @@ class PositionBased final : public Handler {
   Eigen::VectorXd inverseMass_;
   NodeVectors force_;
   Body::Workspace workspace_;
-  State before_;
 };
 
 }  // namespace ringwatch

@@ -181,12 +181,7 @@ void Filtered::addCompliance(const NodeVectors& x, const NodeVectors& v, NodeVec
 
 StepStatus Filtered::handledStep(SecondOrderSystem&, State& state, double h) {
   Corrected corrected(*this, h);
-  before_ = state;
-  const StepStatus status = base_->step(corrected, state, h);
-  if (status.done && corrected.fault.empty()) return status;
-  state = before_;
-  reset();
-  return status.done ? StepStatus{false, corrected.fault} : status;
+  return baseStep(corrected, state, h, corrected.fault);
 }
 
 std::vector<HandlerFigure> Filtered::figures() const {

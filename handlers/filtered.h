@@ -68,7 +68,6 @@ class Filtered final : public Handler {
   Eigen::VectorXd inverseMass_;
   NodeVectors force_, predicted_;
   Body::Workspace workspace_;
-  State before_;
 };
 
 }  // namespace ringwatch

@@ -1,6 +1,7 @@
 #include <ringwatch/handlers/handler.h>
 
 #include <cmath>
+#include <numeric>
 
 #include <ringwatch/base/error.h>
 
@@ -78,6 +79,15 @@ void Handler::requireTurningTetrahedra(const std::vector<ElementRef>& elements) 
   }
 }
 
+StepStatus Handler::baseStep(SecondOrderSystem& system, State& state, double h, const std::string& fault) {
+  before_ = state;
+  const StepStatus status = base_->step(system, state, h);
+  if (status.done && fault.empty()) return status;
+  state = before_;
+  reset();
+  return status.done ? StepStatus{false, fault} : status;
+}
+
 void Handler::splitOff(const ElementFlags& chosen, const Eigen::VectorXd& mass) {
   const ElementFlags left = complement(chosen);
   numbers_ = elementNumbers(left);
@@ -88,26 +98,9 @@ void Handler::splitOff(const ElementFlags& chosen, const Eigen::VectorXd& mass) 
 }
 
 Body Handler::partWithMass(const ElementFlags& elements, const Eigen::VectorXd& mass) const {
-  const Mesh& all = body_.mesh();
-  Mesh mesh;
-  mesh.X = all.X;
-  mesh.nodeIds = all.nodeIds;
-  std::vector<std::unique_ptr<ElementBlock>> blocks;
-  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
-    const MeshBlock& from = all.blocks[b];
-    MeshBlock block{from.type, {}, {}};
-    for (std::size_t e = 0; e < from.elementCount(); ++e) {
-      if (!elements[b][e]) continue;
-      block.ids.push_back(from.ids[e]);
-      block.connectivity.insert(block.connectivity.end(), from.element(e), from.element(e) + from.nodesPerElement());
-    }
-    mesh.blocks.push_back(std::move(block));
-  }
-  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
-    const ElementBlock& face = *body_.blocks()[b];
-    blocks.push_back(makeElementBlock(mesh, mesh.blocks[b], face.material(), face.rule().name));
-  }
-  Body part(std::move(mesh), std::move(blocks), mass, body_.threads());
+  std::vector<std::int32_t> nodes(body_.mesh().nodeCount());
+  std::iota(nodes.begin(), nodes.end(), 0);
+  Body part = bodyOf(body_, elements, nodes, mass);
   part.constraints() = body_.constraints();
   return part;
 }

@@ -80,6 +80,9 @@ class Handler : public Integrator {
   /// Called after a choice that is not empty.
   virtual void take(const NodeVectors& x, double h, const ElementFlags& chosen) = 0;
   virtual StepStatus handledStep(SecondOrderSystem& system, State& state, double h) = 0;
+  /// A step of the base scheme in which the system may find a fault: then the state is as before it, and the status
+  /// says what it is. fault: filled in by the system, empty else.
+  StepStatus baseStep(SecondOrderSystem& system, State& state, double h, const std::string& fault);
   std::span<const std::int32_t> nodesOf(ElementRef e) const {
     return body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element);
   }
@@ -111,6 +114,7 @@ class Handler : public Integrator {
   double h_ = 0;
   bool certified_ = false;
   ElementFlags chosen_, lookAt_;
+  State before_;  // the step that is being taken
   std::vector<ElementRef> elements_;
   std::optional<CertifiedSelection> certificate_;
   std::optional<Body> explicitPart_;

@@ -59,12 +59,7 @@ StepStatus ImplicitExplicit::handledStep(SecondOrderSystem& system, State& state
   const double alpha = options_.dissipation, beta = 0.25 * (1 + alpha) * (1 + alpha);
   // With u = a + c v, c = α/(beta h), the damping force needs no product of its own: (M + beta h² K̂) u = M (a₀ + c v).
   Corrected corrected(*this, system, alpha / (beta * h));
-  const State before = state;
-  const StepStatus status = base_->step(corrected, state, h);
-  if (status.done && corrected.fault.empty()) return status;
-  state = before;
-  reset();
-  return status.done ? StepStatus{false, corrected.fault} : status;
+  return baseStep(corrected, state, h, corrected.fault);
 }
 
 std::vector<HandlerFigure> ImplicitExplicit::figures() const {

@@ -57,40 +57,14 @@ void LevelFilter::number(const Body& body, const ElementFlags& implicit) {
   std::stable_sort(nodes_.begin(), nodes_.end(), [&](std::int32_t a, std::int32_t b) {
     return depth[static_cast<std::size_t>(a)] > depth[static_cast<std::size_t>(b)];
   });
-  numberOf_.assign(static_cast<std::size_t>(body.nodeCount()), -1);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const auto node = static_cast<std::size_t>(nodes_[i]);
-    numberOf_[node] = static_cast<std::int32_t>(i);
     for (std::size_t k = 0; k < depth[node]; ++k) ++levels_[k].count;
   }
 }
 
 Body LevelFilter::partOf(const Body& body, const ElementFlags& elements, Eigen::Index count) const {
-  const Mesh& all = body.mesh();
-  Mesh mesh;
-  mesh.X.resize(3, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const std::int32_t node = nodes_[static_cast<std::size_t>(i)];
-    mesh.X.col(i) = all.X.col(node);
-    mesh.nodeIds.push_back(all.nodeIds[static_cast<std::size_t>(node)]);
-  }
-  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
-    const MeshBlock& from = all.blocks[b];
-    MeshBlock block{from.type, {}, {}};
-    for (std::size_t e = 0; e < from.elementCount(); ++e) {
-      if (!elements[b][e]) continue;
-      block.ids.push_back(from.ids[e]);
-      for (int a = 0; a < from.nodesPerElement(); ++a)
-        block.connectivity.push_back(numberOf_[static_cast<std::size_t>(from.element(e)[a])]);
-    }
-    mesh.blocks.push_back(std::move(block));
-  }
-  std::vector<std::unique_ptr<ElementBlock>> blocks;
-  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
-    const ElementBlock& face = *body.blocks()[b];
-    blocks.push_back(makeElementBlock(mesh, mesh.blocks[b], face.material(), face.rule().name));
-  }
-  Body part(std::move(mesh), std::move(blocks), mass_.head(count), body.threads());
+  Body part = bodyOf(body, elements, std::span(nodes_).first(static_cast<std::size_t>(count)), mass_.head(count));
   for (const Eigen::Index d : held_)
     if (d < 3 * count) part.constraints().fix(static_cast<std::int32_t>(d / 3), static_cast<int>(d % 3));
   return part;

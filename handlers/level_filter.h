@@ -62,7 +62,7 @@ class LevelFilter {
   bool average(std::size_t level, const NodeVectors& x, const NodeVectors& a, NodeVectors& result);
 
   std::vector<Level> levels_;
-  std::vector<std::int32_t> nodes_, numberOf_;
+  std::vector<std::int32_t> nodes_;
   Eigen::VectorXd mass_, inverseMass_;
   std::vector<Eigen::Index> held_;  // constrained components, ascending
   std::vector<ImplicitCluster> clusters_;

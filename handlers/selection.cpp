@@ -183,6 +183,36 @@ std::vector<std::vector<std::int32_t>> elementNumbers(const ElementFlags& flags)
   return numbers;
 }
 
+Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::int32_t> nodes,
+            const Eigen::VectorXd& mass) {
+  const Mesh& all = body.mesh();
+  Mesh mesh;
+  mesh.X.resize(3, static_cast<Eigen::Index>(nodes.size()));
+  std::vector<std::int32_t> numberOf(all.nodeCount(), -1);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    mesh.X.col(static_cast<Eigen::Index>(i)) = all.X.col(nodes[i]);
+    mesh.nodeIds.push_back(all.nodeIds[static_cast<std::size_t>(nodes[i])]);
+    numberOf[static_cast<std::size_t>(nodes[i])] = static_cast<std::int32_t>(i);
+  }
+  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
+    const MeshBlock& from = all.blocks[b];
+    MeshBlock block{from.type, {}, {}};
+    for (std::size_t e = 0; e < from.elementCount(); ++e) {
+      if (!flags[b][e]) continue;
+      block.ids.push_back(from.ids[e]);
+      for (int a = 0; a < from.nodesPerElement(); ++a)
+        block.connectivity.push_back(numberOf[static_cast<std::size_t>(from.element(e)[a])]);
+    }
+    mesh.blocks.push_back(std::move(block));
+  }
+  std::vector<std::unique_ptr<ElementBlock>> blocks;
+  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
+    const ElementBlock& face = *body.blocks()[b];
+    blocks.push_back(makeElementBlock(mesh, mesh.blocks[b], face.material(), face.rule().name));
+  }
+  return Body(std::move(mesh), std::move(blocks), mass, body.threads());
+}
+
 ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& lookAt) {
   if (!(lambda > 0)) throw InputError(joinText("selection: lambda = ", lambda, " rad2/s2 must be > 0"));
   ElementFlags flags = noElements(body.mesh());

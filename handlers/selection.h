@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <vector>
 
 #include <ringwatch/body/body.h>
@@ -19,6 +20,11 @@ std::vector<ElementRef> chosenElements(const ElementFlags& flags);
 ElementFlags complement(ElementFlags flags);
 /// The flagged elements of each block, ascending: in a body made of them alone, element i of a block is the i-th.
 std::vector<std::vector<std::int32_t>> elementNumbers(const ElementFlags& flags);
+
+/// The flagged elements as a body of their own on some nodes of another one (all that they have), with a lumped mass
+/// for each, kg; without loads and constraints. Blocks keep their numbers.
+Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::int32_t> nodes,
+            const Eigen::VectorXd& mass);
 
 /// The source's choice (section 3.4): the elements whose reduced 1-ring at positions x (3×N, m) has a highest
 /// eigenvalue above lambda, rad²/s², (limit/h)² for a step h. Proves nothing about the rest: the ring is a lower bound.

@@ -287,33 +287,19 @@ TEST(Adaptive, KeepsEnergyBoundedAndMomentumOverManySteps) {
       EXPECT_EQ(chosenElements(handler->implicitElements()).empty(), levels == 6);
       BodySystem system(body);
       State state = system.initialState();
-      // A gentle vibration on top of a spin about y: the slivers turn round several times.
-      const Eigen::Vector3d centre = body.mesh().X.rowwise().mean(), spin(0, 8, 0);
-      for (std::int32_t i = 0; i < body.nodeCount(); ++i)
-        state.v.col(i) =
-            spin.cross(body.mesh().X.col(i) - centre) + Eigen::Vector3d(0, 0, 0.05 * std::sin(20 * state.x(0, i)));
-      Body::Workspace workspace;
-      const auto energy = [&] {
-        return body.energy(state.x, workspace) + 0.5 * (state.v.colwise().squaredNorm() * body.lumpedMass()).value();
-      };
-      const auto momentum = [&] { return Eigen::Vector3d(state.v * body.lumpedMass()); };
-      const auto angular = [&] {
-        Eigen::Vector3d L = Eigen::Vector3d::Zero();
-        for (std::int32_t i = 0; i < body.nodeCount(); ++i)
-          L += body.lumpedMass()[i] * state.x.col(i).cross(state.v.col(i));
-        return L;
-      };
-      const double start = energy();
-      const Eigen::Vector3d p = momentum(), L = angular();
+      test::spinAndVibrate(body, state);
+      const test::MotionBooks books(body);
+      const double start = books.energy(state);
+      const Eigen::Vector3d p = books.momentum(state), L = books.angular(state);
       double most = start;
       for (int i = 0; i < 4000; ++i) {
         ASSERT_TRUE(handler->step(system, state, h).done) << law << " " << i;
-        if (i % 20 == 0) most = std::max(most, energy());
+        if (i % 20 == 0) most = std::max(most, books.energy(state));
       }
       EXPECT_LT(most, 1.02 * start) << law << " " << levels;
-      EXPECT_GT(energy(), 0.95 * start) << law << " " << levels;
-      EXPECT_LE((momentum() - p).norm(), 1e-10 * body.totalMass()) << law;
-      EXPECT_LE((angular() - L).norm(), 0.002 * L.norm()) << law;
+      EXPECT_GT(books.energy(state), 0.95 * start) << law << " " << levels;
+      EXPECT_LE((books.momentum(state) - p).norm(), 1e-10 * body.totalMass()) << law;
+      EXPECT_LE((books.angular(state) - L).norm(), 0.002 * L.norm()) << law;
     }
 }
 

@@ -259,31 +259,19 @@ TEST(PositionBased, KeepsBothMomentaAndBoundsTheEnergy) {
     const auto handler = pbd(body, h, variant);
     BodySystem system(body);
     State state = system.initialState();
-    const Eigen::Vector3d centre = body.mesh().X.rowwise().mean(), spin(0, 8, 0);
-    for (std::int32_t i = 0; i < body.nodeCount(); ++i)
-      state.v.col(i) =
-          spin.cross(body.mesh().X.col(i) - centre) + Eigen::Vector3d(0, 0, 0.05 * std::sin(20 * state.x(0, i)));
-    Body::Workspace workspace;
-    const auto energy = [&] {
-      return body.energy(state.x, workspace) + 0.5 * (state.v.colwise().squaredNorm() * body.lumpedMass()).value();
-    };
-    const auto angular = [&] {
-      Eigen::Vector3d L = Eigen::Vector3d::Zero();
-      for (std::int32_t i = 0; i < body.nodeCount(); ++i)
-        L += body.lumpedMass()[i] * state.x.col(i).cross(state.v.col(i));
-      return L;
-    };
-    const double start = energy();
-    const Eigen::Vector3d p = state.v * body.lumpedMass(), L = angular();
+    test::spinAndVibrate(body, state);
+    const test::MotionBooks books(body);
+    const double start = books.energy(state);
+    const Eigen::Vector3d p = books.momentum(state), L = books.angular(state);
     double most = start;
     for (int i = 0; i < 4000; ++i) {
       ASSERT_TRUE(handler->step(system, state, h).done) << i;
-      if (i % 20 == 0) most = std::max(most, energy());
+      if (i % 20 == 0) most = std::max(most, books.energy(state));
     }
     // The body's energy, not that of the softer elements that rigid goals make.
     EXPECT_LT(most, (variant == std::string("linear") ? 1.02 : 1.5) * start) << variant;
-    EXPECT_LE((Eigen::Vector3d(state.v * body.lumpedMass()) - p).norm(), 1e-11 * body.totalMass()) << variant;
-    EXPECT_LE((angular() - L).norm(), 1e-9 * L.norm()) << variant;
+    EXPECT_LE((books.momentum(state) - p).norm(), 1e-11 * body.totalMass()) << variant;
+    EXPECT_LE((books.angular(state) - L).norm(), 1e-9 * L.norm()) << variant;
   }
 }
 

@@ -84,4 +84,34 @@ inline Eigen::MatrixXd stiffnessOf(const Body& body, const NodeVectors& x, const
   return K;
 }
 
+/// A gentle vibration on top of a spin about y: over some thousand steps the slivers turn round several times.
+inline void spinAndVibrate(const Body& body, State& state) {
+  const Eigen::Vector3d centre = body.mesh().X.rowwise().mean(), spin(0, 8, 0);
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+    state.v.col(i) =
+        spin.cross(body.mesh().X.col(i) - centre) + Eigen::Vector3d(0, 0, 0.05 * std::sin(20 * state.x(0, i)));
+}
+
+/// What a free body keeps.
+class MotionBooks {
+ public:
+  explicit MotionBooks(const Body& body) : body_(body) {}
+  /// Strain and kinetic, J.
+  double energy(const State& state) const {
+    Body::Workspace workspace;
+    return body_.energy(state.x, workspace) + 0.5 * (state.v.colwise().squaredNorm() * body_.lumpedMass()).value();
+  }
+  Eigen::Vector3d momentum(const State& state) const { return state.v * body_.lumpedMass(); }
+  /// About the origin.
+  Eigen::Vector3d angular(const State& state) const {
+    Eigen::Vector3d L = Eigen::Vector3d::Zero();
+    for (std::int32_t i = 0; i < body_.nodeCount(); ++i)
+      L += body_.lumpedMass()[i] * state.x.col(i).cross(state.v.col(i));
+    return L;
+  }
+
+ private:
+  const Body& body_;
+};
+
 }  // namespace ringwatch::test
