@@ -75,7 +75,10 @@ void DeformationWatch::noteBall(std::size_t place, const MotionOdometer& odomete
 
 bool DeformationWatch::rests(Group& group, const MotionOdometer& odometer, const NodeVectors& x) {
   if (group.roomAtLook < 0) return false;
-  if (restsByOdometer(group, odometer)) return true;
+  if (restsByOdometer(group, odometer)) {
+    noteRest(group);
+    return true;
+  }
   constexpr std::size_t sample = 24;  // nodes
   const TrackedNodes tracked{nodes.data() + group.nodeBegin, before.data() + 3 * group.nodeBegin,
                              group.nodeEnd - group.nodeBegin};
@@ -87,6 +90,7 @@ bool DeformationWatch::rests(Group& group, const MotionOdometer& odometer, const
   const double left = group.roomAtLook * (1 - 1e-9) - used;
   if (!(left >= 0)) return false;  // NaN among them
   setRoom(group, left, odometer);
+  noteRest(group);
   return true;
 }
 
@@ -107,6 +111,19 @@ bool DeformationWatch::restsByOdometer(const Group& group, const MotionOdometer&
 
 void DeformationWatch::startRest(Group& group, double room, double reach, const MotionOdometer& odometer,
                                  const NodeVectors& x) {
+  // Where elements leave their balls at every step, trying to rest costs as much as looking.
+  constexpr int longestPause = 15;
+  if (!group.rested) {
+    group.rested = true;
+    group.pause = static_cast<std::int16_t>(std::min(2 * group.pause + 1, longestPause));
+    group.waits = group.pause;
+  }
+  if (group.waits > 0) {
+    --group.waits;
+    group.roomAtLook = -1;
+    return;
+  }
+  group.rested = false;
   group.roomAtLook = room;
   group.lookedAt = odometer.advances();
   group.reach = std::min(reach + room, 1e100);  // times no turn at all it must be nothing

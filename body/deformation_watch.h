@@ -27,6 +27,8 @@ struct DeformationWatch {
     double room = 0;                 // what was left of it when the group last rested by its own nodes
     double turnedSince = 0;          // the odometer then
     std::int64_t lookedAt = 0;       // the odometer's count at the last look
+    bool rested = true;              // since it last began to rest
+    std::int16_t pause = 0, waits = 0;  // looks without trying to rest after one that was in vain; those still to come
   };
   AlignedVector<float> anchor;               // [batch][q][9][lane], F0
   AlignedVector<float> radius;               // [batch][lane], r; < 0: always left; infinity: never
@@ -53,6 +55,10 @@ struct DeformationWatch {
 
  private:
   bool restsByOdometer(const Group& group, const MotionOdometer& odometer) const;
+  static void noteRest(Group& group) {
+    group.rested = true;
+    group.pause = 0;
+  }
   void setRoom(Group& group, double room, const MotionOdometer& odometer);
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -84,8 +85,8 @@ void LazyBound::setBall(std::int32_t b, std::int32_t element, double value, cons
 }
 
 void LazyBound::evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withReach,
-                         std::vector<double>& values) {
-  values.resize(elements.size());
+                         std::vector<Evaluated>& results) {
+  results.resize(elements.size());
   // Packs of elements of one block.
   struct Pack {
     std::int32_t block;
@@ -107,27 +108,24 @@ void LazyBound::evaluate(const NodeVectors& x, const std::vector<ElementRef>& el
     pack.at[pack.count] = i;
     if (++pack.count == lanes) p = -1;
   }
-  std::vector<TangentDrift> drifts(packs.size() * lanes);
   parallelFor(
       0, static_cast<std::int64_t>(packs.size()), body_.threads(),
       [&](std::int64_t k) {
         const Pack& pack = packs[static_cast<std::size_t>(k)];
         double value[lanes], reach[lanes];
-        TangentDrift* drift = drifts.data() + k * lanes;
+        TangentDrift drift[lanes];
         BlockData& data = blocks_[static_cast<std::size_t>(pack.block)];
         const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(pack.block)];
         shapes_.elementValues(pack.block, pack.element, x, value, withReach ? reach : nullptr);
         block.anchorOf(pack.element, x.data(), data.watch, drift);
         for (int lane = 0; lane < pack.count; ++lane) {
-          values[pack.at[lane]] = value[lane];
+          results[pack.at[lane]] = {value[lane], drift[lane]};
           if (withReach) data.reach[placeOf({pack.block, pack.element[lane]})] = roundedUp(reach[lane]);
           setBall(pack.block, pack.element[lane], value[lane], drift[lane]);
         }
       },
       8);
-  for (std::size_t k = 0; k < packs.size(); ++k)
-    for (int lane = 0; lane < packs[k].count; ++lane)
-      note({packs[k].block, packs[k].element[lane]}, drifts[k * lanes + static_cast<std::size_t>(lane)]);
+  for (std::size_t i = 0; i < elements.size(); ++i) note(elements[i], results[i].drift);
   spent_.evaluated += static_cast<std::int64_t>(elements.size());
 }
 
@@ -152,6 +150,39 @@ std::vector<ElementRef> LazyBound::compressedElements(double least) const {
   sortMostFirst(found);
   std::vector<ElementRef> result;
   for (const Risen& entry : found) result.push_back(entry.element);
+  return result;
+}
+
+std::vector<ElementRef> LazyBound::hottestElements(std::size_t count) {
+  if (!started_) return {};
+  std::vector<std::span<const float>> values;
+  for (const BlockData& data : blocks_) values.emplace_back(data.value);
+  const std::vector<double>& nodal = shapes_.sumsOf(values);
+  std::vector<std::int32_t> nodes(static_cast<std::size_t>(body_.nodeCount()));
+  std::iota(nodes.begin(), nodes.end(), 0);
+  const auto end = nodes.begin() + static_cast<std::ptrdiff_t>(std::min(count, nodes.size()));
+  std::partial_sort(nodes.begin(), end, nodes.end(), [&](std::int32_t a, std::int32_t b) {
+    const double at = nodal[static_cast<std::size_t>(a)], other = nodal[static_cast<std::size_t>(b)];
+    return at != other ? at > other : a < b;
+  });
+  std::vector<ElementRef> result;
+  for (auto node = nodes.begin(); node != end; ++node) {
+    double most = 0;
+    ElementRef hottest;
+    for (const NodalBound::Incidence at : shapes_.incidences(*node)) {
+      const ElementRef e = shapes_.elementAt(at);
+      const double part = static_cast<double>(blocks_[static_cast<std::size_t>(e.block)].value[placeOf(e)]) *
+                          shapes_.shape(at).trace();
+      if (part > most) {
+        most = part;
+        hottest = e;
+      }
+    }
+    if (most > 0) result.push_back(hottest);
+  }
+  shapes_.releaseSums();
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 
@@ -221,13 +252,14 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
     for (const auto& list : left)
       for (std::int32_t e : list) gone.push_back({static_cast<std::int32_t>(b), e});
   }
-  std::vector<double> values;
-  evaluate(x, gone, false, values);
+  std::vector<Evaluated> now;
+  evaluate(x, gone, false, now);
   anchored_ = gone;
   for (std::size_t i = 0; i < gone.size(); ++i) {
-    if (!std::isfinite(values[i])) return Outcome::notFinite;
+    if (!std::isfinite(now[i].value)) return Outcome::notFinite;
     const auto budget = static_cast<double>(blocks_[static_cast<std::size_t>(gone[i].block)].budget[placeOf(gone[i])]);
-    const double share = budget > 0 ? values[i] / budget : values[i] > 0 ? std::numeric_limits<double>::infinity() : 0;
+    const double value = now[i].value;
+    const double share = budget > 0 ? value / budget : value > 0 ? std::numeric_limits<double>::infinity() : 0;
     if (share > leastShare) risen_.push_back({share, gone[i]});
   }
   sortMostFirst(risen_);
@@ -323,9 +355,9 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
       }
       outside[i] = freePart(body_, rim[i], outside[i] / body_.lumpedMass()[rim[i]]);
     }
-    std::vector<double> values;
+    std::vector<Evaluated> now;
     for (int sweep = 0;; ++sweep) {
-      evaluate(x, ring, sweep > 0, values);
+      evaluate(x, ring, sweep > 0, now);
       double least = std::numeric_limits<double>::infinity(), need = 0;
       std::vector<double> room(rim.size());
       for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -349,7 +381,8 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
         deal = true;
       }
       if (deal) {
-        for (ElementRef e : ring) {
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+          const ElementRef e = ring[k];
           double own = std::numeric_limits<double>::infinity();
           for (std::int32_t node : body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element)) {
             const auto at = std::lower_bound(rim.begin(), rim.end(), node);
@@ -358,9 +391,8 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
           BlockData& data = blocks_[static_cast<std::size_t>(e.block)];
           const std::size_t place = placeOf(e);
           if (std::isfinite(own)) data.budget[place] = roundedDown(valueOf(e) * own * (1 - 1e-12));
+          setBall(e.block, e.element, now[k].value, now[k].drift);
         }
-        std::vector<double> again;
-        evaluate(x, ring, false, again);  // balls for the new budgets
         anchored_.insert(anchored_.end(), ring.begin(), ring.end());
         return true;
       }

@@ -53,6 +53,9 @@ class LazyBound {
   /// Of the elements evaluated at the last update those with a share above 0.9, largest first, before any repair: where
   /// the highest eigenvalue may have come to.
   const std::vector<Risen>& risen() const { return risen_; }
+  /// The elements that hold most of the bound at the `count` nodes where it is highest, by their values when last
+  /// evaluated: where the top mode may live. Empty while nothing is proven.
+  std::vector<ElementRef> hottestElements(std::size_t count);
   /// Checks the two statements of the proof at x from nothing but the shapes and budgets; for tests. Returns the
   /// largest excess, relative: <= 0 when both hold.
   double verify(const NodeVectors& x) const;
@@ -70,8 +73,12 @@ class LazyBound {
   Outcome follow(const NodeVectors& x, bool mayRaise);
   void dealBudgets(const NodeVectors& x);
   void setBall(std::int32_t block, std::int32_t element, double value, const TangentDrift& drift);
+  struct Evaluated {
+    double value;
+    TangentDrift drift;
+  };
   void evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withReach,
-                std::vector<double>& values);
+                std::vector<Evaluated>& results);
   bool repair(const NodeVectors& x, ElementRef element, bool mayRaise);
   std::size_t placeOf(ElementRef e) const {
     return static_cast<std::size_t>(body_.blocks()[static_cast<std::size_t>(e.block)]

@@ -28,6 +28,11 @@ void scaleByShapes(const Symmetric3<P>* shapes, int n, P* K) {
 void clearConstrained(const Body& body, const ElementBlock& block, const std::int32_t* elements, P* K) {
   if (!body.constraints().any()) return;
   const int n = block.element().nodes;
+  bool some = false;
+  for (int lane = 0; lane < lanes; ++lane)
+    for (const std::int32_t node : block.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]))
+      some |= body.constraints().freeComponents(node) < 3;
+  if (!some) return;
   P factor[3 * maxElementNodes];
   for (int lane = 0; lane < lanes; ++lane) {
     const auto nodes = block.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]);
@@ -287,15 +292,17 @@ void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, con
                                double* reach) const {
   const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(b)];
   const int n = block.element().nodes, size = 3 * n;
-  Symmetric3<P> own[maxElementNodes];
+  StoredShape gathered[maxElementNodes];
   for (int lane = 0; lane < lanes; ++lane) {
     const std::int32_t place =
         block.layout().batchOfElement[static_cast<std::size_t>(elements[lane] < 0 ? elements[0] : elements[lane])];
     const StoredShape* from =
         shapes_[static_cast<std::size_t>(b)].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
     for (int a = 0; a < n; ++a)
-      for (int c = 0; c < 6; ++c) own[a].m[c].set(lane, static_cast<double>(from[a].m[c][place % lanes]));
+      for (int c = 0; c < 6; ++c) gathered[a].m[c][lane] = from[a].m[c][place % lanes];
   }
+  Symmetric3<P> own[maxElementNodes];
+  for (int a = 0; a < n; ++a) own[a] = load(gathered[a]);
   P K[9 * maxElementNodes * maxElementNodes], work[12 * maxElementNodes];
   block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
   clearConstrained(*body_, block, elements, K);
@@ -309,6 +316,15 @@ void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, con
   clearConstrained(*body_, block, elements, K);
   scaleByShapes(own, n, K);
   largestRoundedUp(K, size, work).store(reach);
+}
+
+const std::vector<double>& NodalBound::sumsOf(const std::vector<std::span<const float>>& values) {
+  prepareSums();
+  for (std::size_t b = 0; b < values_.size(); ++b)
+    for (std::size_t place = 0; place < values[b].size(); ++place)
+      values_[b][place / lanes].set(static_cast<int>(place % lanes), static_cast<double>(values[b][place]));
+  sumAtNodes();
+  return nodal_;
 }
 
 double NodalBound::value(ElementRef e) const {

@@ -80,7 +80,9 @@ class NodalBound {
   double value(ElementRef e) const;
   /// lambda_max(S_i) of every node at the last sweep, rad²/s².
   const std::vector<double>& nodal() const { return nodal_; }
-  /// Gives the memory back that only evaluate(), value() and nodal() need; the shapes stay.
+  /// The same with the shapes as they are and other element values, [block][batch * lanes + lane].
+  const std::vector<double>& sumsOf(const std::vector<std::span<const float>>& values);
+  /// Gives the memory back that only evaluate(), value(), nodal() and sumsOf() need; the shapes stay.
   void releaseSums();
 
   /// Elements times evaluations in the last call.

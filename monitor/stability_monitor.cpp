@@ -136,16 +136,13 @@ class Bracketer {
       if (looks >= (risen.share > 1 ? risenRings : 1) || risen.share * sigma < 1.005 * lower.value) break;
       ++looks;
       if (!decomposeRing(x, risen.element)) continue;
-      const Eigen::Index top = solver_.eigenvalues().size() - 1;
-      const double value = solver_.eigenvalues()[top] * (1 - 1e-12);
+      const double value = topOfRing();
       if (!(value > lower.value)) continue;
       lower = {value};
       method_ = "reduced-1-ring";
       jumped = true;
       mode_.normalize();
-      for (std::size_t k = 0; k < ringNodes_.nodes().size(); ++k)
-        mode_.col(ringNodes_.nodes()[k]) +=
-            solver_.eigenvectors().col(top).segment<3>(static_cast<Eigen::Index>(3 * k));
+      addTopOfRing(mode_);
     }
     if (jumped) hotSpot_.choose(mode_);
     return lower;
@@ -157,12 +154,34 @@ class Bracketer {
     solver_.compute(ringNodes_.evaluate(x));
     return solver_.info() == Eigen::Success;
   }
+  /// From the highest of the rings where the nodal bound is highest, and the mode followed so far.
   LowerBound restartMode(const NodeVectors& x) {
-    ReducedRing ring(body_);  // restarts are rare, and its pattern is as large as all the rest
-    const TopMode top = findTopMode(ring, body_, x, mode_, coldProducts, restartProducts, false);
-    method_ = top.method;
-    spent_.evaluated += body_.mesh().elementCount();
-    return followMode(x, top.lower);
+    const bool cold = mode_.size() == 0;
+    const std::vector<ElementRef> hot = lazy_.hottestElements(hotRings);
+    if (cold) mode_ = NodeVectors::Zero(3, body_.nodeCount());
+    double highest = 0;
+    NodeVectors start = NodeVectors::Zero(3, body_.nodeCount());
+    for (const ElementRef e : hot) {
+      if (!decomposeRing(x, e)) continue;
+      const double value = topOfRing();
+      if (!(value > highest)) continue;
+      highest = value;
+      start.setZero();
+      addTopOfRing(start);
+    }
+    spent_.evaluated += static_cast<std::int64_t>(hot.size());
+    if (start.cwiseProduct(mode_).sum() < 0) start = -start;
+    mode_ += start;
+    const LowerBound quotient = rayleighLowerBound(body_, x, mode_, cold ? coldProducts : restartProducts);
+    method_ = quotient.value > highest ? "rayleigh-quotient" : "reduced-1-ring";
+    return followMode(x, {std::max(quotient.value, highest)});
+  }
+  /// Of the ring that was decomposed last: its highest eigenvalue, rounded down, and that one's vector.
+  double topOfRing() const { return solver_.eigenvalues()[solver_.eigenvalues().size() - 1] * (1 - 1e-12); }
+  void addTopOfRing(NodeVectors& mode) const {
+    const auto top = solver_.eigenvectors().col(solver_.eigenvectors().cols() - 1);
+    for (std::size_t k = 0; k < ringNodes_.nodes().size(); ++k)
+      mode.col(ringNodes_.nodes()[k]) += top.segment<3>(static_cast<Eigen::Index>(3 * k));
   }
   LowerBound refreshMode(const NodeVectors& x, int products) {
     return followMode(x, rayleighLowerBound(body_, x, mode_, products));
@@ -177,7 +196,7 @@ class Bracketer {
   static constexpr int firstModeGap = 64, lastModeGap = 256;  // evaluations between two looks at the whole mode
   // Evaluations between two restarts or looks under compression; restarts become rarer while useless.
   static constexpr int firstGap = 10, lastGap = 2560;
-  static constexpr std::size_t compressedRings = 16, risenRings = 3;  // looked at each time
+  static constexpr std::size_t compressedRings = 16, risenRings = 3, hotRings = 64;  // looked at each time
   static constexpr double compressed = 0.05;                          // of λ+2μ
 
   const Body& body_;
