@@ -158,9 +158,12 @@ void Body::lumpMass() {
 
 void Body::indexSlots() {
   std::vector<std::int64_t> count(mesh_.nodeCount() + 1, 0);
-  for (const auto& block : blocks_) {
-    for (const Patch& patch : block->layout().patches)
-      patches_.push_back({block.get(), patch, slotCount_ + patch.nodeBegin});
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const auto& block = blocks_[b];
+    const std::vector<Patch>& patches = block->layout().patches;
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      patches_.push_back(
+          {static_cast<std::int32_t>(b), static_cast<std::int32_t>(p), slotCount_ + patches[p].nodeBegin});
     for (std::int32_t node : block->layout().nodes) ++count[static_cast<std::size_t>(node) + 1];
     slotCount_ += static_cast<std::int64_t>(block->layout().nodes.size());
   }
@@ -177,16 +180,19 @@ void Body::addBodyForce(const Eigen::Vector3d& acceleration) {
   externalForce_ += acceleration * lumpedMass_.transpose();
 }
 
-template <class AddPatch>
-void Body::sumOverPatches(NodeVectors& result, Workspace& workspace, const AddPatch& addPatch) const {
+void Body::sumOverPatches(
+    NodeVectors& result, Workspace& workspace,
+    const std::function<void(std::size_t block, std::int32_t patch, double* slots)>& addPatch) const {
   workspace.slots.resize(static_cast<std::size_t>(4 * slotCount_));
   result.resize(3, nodeCount());
   double* slots = workspace.slots.data();
   parallelFor(0, static_cast<std::int64_t>(patches_.size()), threads(), [&](std::int64_t p) {
     const PatchRef& ref = patches_[static_cast<std::size_t>(p)];
     double* own = slots + 4 * ref.firstSlot;
-    std::fill(own, own + 4 * static_cast<std::ptrdiff_t>(ref.patch.nodeEnd - ref.patch.nodeBegin), 0.0);
-    addPatch(ref, own);
+    const auto block = static_cast<std::size_t>(ref.block);
+    const Patch& patch = blocks_[block]->layout().patches[static_cast<std::size_t>(ref.patch)];
+    std::fill(own, own + 4 * static_cast<std::ptrdiff_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
+    addPatch(block, ref.patch, own);
   });
   constexpr std::int64_t chunk = 2048;
   const std::int64_t nodes = nodeCount();
@@ -205,13 +211,15 @@ void Body::sumOverPatches(NodeVectors& result, Workspace& workspace, const AddPa
 }
 
 void Body::internalForce(const NodeVectors& x, NodeVectors& f, Workspace& workspace) const {
-  sumOverPatches(f, workspace,
-                 [&](const PatchRef& ref, double* slots) { ref.block->forcePatch(ref.patch, x.data(), slots); });
+  sumOverPatches(f, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
+    blocks_[b]->forcePatch(blocks_[b]->layout().patches[static_cast<std::size_t>(p)], x.data(), slots);
+  });
 }
 
 void Body::tangentProduct(const NodeVectors& x, const NodeVectors& v, NodeVectors& Kv, Workspace& workspace) const {
-  sumOverPatches(Kv, workspace, [&](const PatchRef& ref, double* slots) {
-    ref.block->tangentProductPatch(ref.patch, x.data(), v.data(), slots);
+  sumOverPatches(Kv, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
+    blocks_[b]->tangentProductPatch(blocks_[b]->layout().patches[static_cast<std::size_t>(p)], x.data(), v.data(),
+                                    slots);
   });
 }
 
@@ -219,7 +227,9 @@ double Body::energy(const NodeVectors& x, Workspace& workspace) const {
   workspace.partial.resize(patches_.size());
   parallelFor(0, static_cast<std::int64_t>(patches_.size()), threads(), [&](std::int64_t p) {
     const PatchRef& ref = patches_[static_cast<std::size_t>(p)];
-    workspace.partial[static_cast<std::size_t>(p)] = ref.block->energyPatch(ref.patch, x.data());
+    const ElementBlock& block = *blocks_[static_cast<std::size_t>(ref.block)];
+    workspace.partial[static_cast<std::size_t>(p)] =
+        block.energyPatch(block.layout().patches[static_cast<std::size_t>(ref.patch)], x.data());
   });
   double sum = 0;
   for (double part : workspace.partial) sum += part;

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -77,6 +78,10 @@ class Body {
 
   /// Internal force ∂(strain energy)/∂x at positions x (3×N, m), N. The equation of motion is m a = externalForce - f.
   void internalForce(const NodeVectors& x, NodeVectors& f, Workspace& workspace) const;
+  /// The sum at the nodes, 3×N, of what addPatch adds into the slots of each patch of each block (the slots are zero
+  /// before); in parallel, the same bits for any number of threads.
+  void sumOverPatches(NodeVectors& result, Workspace& workspace,
+                      const std::function<void(std::size_t block, std::int32_t patch, double* slots)>& addPatch) const;
   /// K(x) v with the exact tangent K = ∂f/∂x.
   void tangentProduct(const NodeVectors& x, const NodeVectors& v, NodeVectors& Kv, Workspace& workspace) const;
   /// Strain energy, J.
@@ -121,17 +126,13 @@ class Body {
 
  private:
   struct PatchRef {
-    const ElementBlock* block;
-    Patch patch;
+    std::int32_t block, patch;
     std::int64_t firstSlot;  // of the patch, counted over all blocks
   };
   void lumpMass();
   void makePattern(BlockMatrix& matrix) const;
   void placePairs(BlockMatrix& matrix) const;
   void indexSlots();
-  template <class AddPatch>
-  void sumOverPatches(NodeVectors& result, Workspace& workspace, const AddPatch& addPatch) const;
-
   Mesh mesh_;
   BodyOptions options_;
   std::vector<std::unique_ptr<ElementBlock>> blocks_;

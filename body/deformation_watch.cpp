@@ -79,19 +79,33 @@ bool DeformationWatch::rests(Group& group, const MotionOdometer& odometer, const
     noteRest(group);
     return true;
   }
-  constexpr std::size_t sample = 24;  // nodes
-  const TrackedNodes tracked{nodes.data() + group.nodeBegin, before.data() + 3 * group.nodeBegin,
-                             group.nodeEnd - group.nodeBegin};
-  const AffineMotion motion = fitAffineMotion(tracked, x, sample);
-  const Residuals residuals = ResidualsOf(motion)(tracked, x, false);
-  // Rounding of positions and of their differences.
-  const double rounding = 1e-15 * (motion.centre.lpNorm<1>() + motion.translation.lpNorm<1>());
-  const double used = motion.A.norm() * group.reach + residuals.about + rounding;
-  const double left = group.roomAtLook * (1 - 1e-9) - used;
+  const double left = roomLeft(group, x);
   if (!(left >= 0)) return false;  // NaN among them
   setRoom(group, left, odometer);
   noteRest(group);
   return true;
+}
+
+double DeformationWatch::roomLeft(Group& group, const NodeVectors& x) {
+  constexpr std::size_t sample = 24;  // nodes
+  const TrackedNodes tracked{nodes.data() + group.nodeBegin, before.data() + 3 * group.nodeBegin,
+                             group.nodeEnd - group.nodeBegin};
+  const auto leftBy = [&](const AffineMotion& motion) {
+    const Residuals residuals = ResidualsOf(motion)(tracked, x, false);
+    // Rounding of positions and of their differences.
+    const double rounding = 1e-15 * (motion.centre.lpNorm<1>() + motion.translation.lpNorm<1>());
+    return group.roomAtLook * (1 - 1e-9) - motion.A.norm() * group.reach - residuals.about - rounding;
+  };
+  // Any motion will do, and the last one fitted is mostly good enough. The residuals' middle takes up a translation.
+  AffineMotion motion;
+  motion.centre = Eigen::Map<const Eigen::Vector3d>(tracked.before);
+  motion.translation = x.col(tracked.nodes[0]) - motion.centre;
+  motion.A = group.turn;
+  const double left = leftBy(motion);
+  if (left >= 0) return left;
+  motion = fitAffineMotion(tracked, x, sample);
+  group.turn = motion.A;
+  return leftBy(motion);
 }
 
 bool DeformationWatch::restsByOdometer(const Group& group, const MotionOdometer& odometer) const {
@@ -126,6 +140,7 @@ void DeformationWatch::startRest(Group& group, double room, double reach, const 
   group.rested = false;
   group.roomAtLook = room;
   group.lookedAt = odometer.advances();
+  group.turn.setZero();
   group.reach = std::min(reach + room, 1e100);  // times no turn at all it must be nothing
   for (std::size_t i = group.nodeBegin; i < group.nodeEnd; ++i)
     std::copy_n(x.col(nodes[i]).data(), 3, before.data() + 3 * i);

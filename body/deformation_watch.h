@@ -20,14 +20,15 @@ struct DeformationWatch {
   static constexpr double restingShare = 0.25;
   struct Group {
     std::int32_t batchBegin, batchEnd;
-    std::size_t runBegin, runEnd;    // into runs
-    std::size_t nodeBegin, nodeEnd;  // into nodes
-    double roomAtLook = -1;          // at the last look: min of (r - |F - F0|) over γ, m; < 0: look
-    double reach = 0;                // largest |F| over γ that elements come to within that room, m
-    double room = 0;                 // what was left of it when the group last rested by its own nodes
-    double turnedSince = 0;          // the odometer then
-    std::int64_t lookedAt = 0;       // the odometer's count at the last look
-    bool rested = true;              // since it last began to rest
+    std::size_t runBegin, runEnd;                    // into runs
+    std::size_t nodeBegin, nodeEnd;                  // into nodes
+    double roomAtLook = -1;                          // at the last look: min of (r - |F - F0|) over γ, m; < 0: look
+    double reach = 0;                                // largest |F| over γ that elements come to within that room, m
+    double room = 0;                                 // what was left of it when the group last rested by its own nodes
+    double turnedSince = 0;                          // the odometer then
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();  // A of the common motion since then, as last fitted
+    std::int64_t lookedAt = 0;                       // the odometer's count at the last look
+    bool rested = true;                              // since it last began to rest
     std::int16_t pause = 0, waits = 0;  // looks without trying to rest after one that was in vain; those still to come
   };
   AlignedVector<float> anchor;               // [batch][q][9][lane], F0
@@ -50,11 +51,17 @@ struct DeformationWatch {
   void noteBall(std::size_t place, const MotionOdometer& odometer);
   /// Whether no element of the group can have left its ball at x, where the odometer stands.
   bool rests(Group& group, const MotionOdometer& odometer, const NodeVectors& x);
-  /// A group has been looked at, at x.
+  /// A group is looked at without an odometer: it is not known any more what has moved since.
+  static void getUp(Group& group) {
+    group.roomAtLook = -1;
+    group.rested = true;
+  }
+  /// A group has been looked at, at x, where the odometer stands.
   void startRest(Group& group, double room, double reach, const MotionOdometer& odometer, const NodeVectors& x);
 
  private:
   bool restsByOdometer(const Group& group, const MotionOdometer& odometer) const;
+  double roomLeft(Group& group, const NodeVectors& x);
   static void noteRest(Group& group) {
     group.rested = true;
     group.pause = 0;

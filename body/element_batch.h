@@ -34,24 +34,10 @@ class ElementBatch final : public ElementBlock {
   }
 
   void forcePatch(const Patch& patch, const double* x, double* slots) const override {
-    const LawType law = law_;
-    overPatch(patch, x, [&](const double* rows, std::int32_t batch) {
-      P position[n][3], force[n][3];
-      load(rows, batch, position);
-      clear(force);
-      const P* geometry = geometryOf(batch);
-      for (int q = 0; q < pointCount(); ++q, geometry += 10) {
-        const Matrix3<P> J1 = inverseJacobian(geometry);
-        const Matrix3<P> F = gradient(position, q) * J1;
-        scatter(timesTranspose(geometry[9] * law.stress(F), J1), q, force);
-      }
-      if constexpr (offersMean)
-        if (mean_) {
-          const P* g = meanGradientsOf(batch);
-          scatterMean(g[3 * n] * meanLaw_.stress(meanGradient(position, g)), g, force);
-        }
-      add(slots, batch, force);
-    });
+    alignas(64) double rows[4 * maxPatchNodes];
+    gatherRows(patch, x, rows);
+    NoTest none;
+    addForces(patch.batchBegin, patch.batchEnd, rows, slots, none);
   }
 
   void tangentProductPatch(const Patch& patch, const double* x, const double* v, double* slots) const override {
@@ -104,17 +90,17 @@ class ElementBatch final : public ElementBlock {
   }
 
   void tangentOf(const std::int32_t* elements, const double* x, double* K) const override {
-    AlignedVector<P> geometry;
+    P geometry[10 * maxPoints];
     gatherGeometry(elements, geometry);
-    tangent(elements, geometry.data(), x, K);
+    tangent(elements, geometry, x, K);
   }
 
   void laplacianOf(const std::int32_t* elements, double* L) const override {
-    AlignedVector<P> gathered;
+    P gathered[10 * maxPoints];
     gatherGeometry(elements, gathered);
     P* l = reinterpret_cast<P*>(L);
     for (int i = 0; i < n * n; ++i) l[i] = P(0.0);
-    const P* geometry = gathered.data();
+    const P* geometry = gathered;
     for (int q = 0; q < pointCount(); ++q, geometry += 10) {
       P g[n][3];
       referenceGradients(geometry, q, g);
@@ -126,11 +112,11 @@ class ElementBatch final : public ElementBlock {
 
   void anchorOf(const std::int32_t* elements, const double* x, DeformationWatch& watch,
                 TangentDrift* drift) const override {
-    AlignedVector<P> gathered;
+    P gathered[10 * maxPoints];
     gatherGeometry(elements, gathered);
     P position[n][3];
     loadFromMesh(x, elements, position);
-    const P* geometry = gathered.data();
+    const P* geometry = gathered;
     for (int q = 0; q < pointCount(); ++q, geometry += 10) {
       const Matrix3<P> F = gradient(position, q) * inverseJacobian(geometry);
       for (int lane = 0; lane < lanes; ++lane) {
@@ -163,7 +149,7 @@ class ElementBatch final : public ElementBlock {
       if (mean_) {
         // The mean of F moves by no more than the farthest F_q, and V B̄ᵀB̄ ≼ Σ w BᵀB: the shares' bounds add up.
         P stored[3 * n + 1];
-        meanGradients(gathered.data(), stored);
+        meanGradients(gathered, stored);
         const Matrix3<P> F = meanGradient(position, stored);
         for (int lane = 0; lane < lanes; ++lane) {
           if (elements[lane] < 0) continue;
@@ -193,8 +179,40 @@ class ElementBatch final : public ElementBlock {
       if (watch.rests(group, odometer, x)) continue;
       if (!gathered) gatherRows(patch, x.data(), rows);
       gathered = true;
-      const auto [room, reach] = lookAtGroup(watch, group, rows, left);
-      watch.startRest(group, room, reach, odometer, x);
+      BallTest test(*this, watch, left);
+      for (std::int32_t batch = group.batchBegin; batch < group.batchEnd; ++batch) {
+        P position[n][3];
+        load(rows, batch, position);
+        const P* geometry = geometryOf(batch);
+        test.begin(batch);
+        for (int q = 0; q < pointCount(); ++q, geometry += 10)
+          test.at(gradient(position, q) * inverseJacobian(geometry));
+        test.end();
+      }
+      watch.startRest(group, test.leastRoom(), test.reach(), odometer, x);
+    }
+  }
+
+  void forceAndLookPatch(std::int32_t patchIndex, const NodeVectors& x, const MotionOdometer* odometer,
+                         DeformationWatch& watch, double* slots, std::vector<std::int32_t>& left) const override {
+    const Patch& patch = layout().patches[static_cast<std::size_t>(patchIndex)];
+    alignas(64) double rows[4 * maxPatchNodes];
+    gatherRows(patch, x.data(), rows);
+    const auto first = static_cast<std::size_t>(watch.patchGroups[static_cast<std::size_t>(patchIndex)]);
+    const auto last = static_cast<std::size_t>(watch.patchGroups[static_cast<std::size_t>(patchIndex) + 1]);
+    for (std::size_t g = first; g < last; ++g) {
+      DeformationWatch::Group& group = watch.groups[g];
+      if (odometer && watch.rests(group, *odometer, x)) {
+        NoTest none;
+        addForces(group.batchBegin, group.batchEnd, rows, slots, none);
+        continue;
+      }
+      BallTest test(*this, watch, left);
+      addForces(group.batchBegin, group.batchEnd, rows, slots, test);
+      if (odometer)
+        watch.startRest(group, test.leastRoom(), test.reach(), *odometer, x);
+      else
+        DeformationWatch::getUp(group);
     }
   }
 
@@ -352,72 +370,119 @@ class ElementBatch final : public ElementBlock {
         g[a][j] = P(dN(q, a, 0)) * J1(0, j) + P(dN(q, a, 1)) * J1(1, j) + P(dN(q, a, 2)) * J1(2, j);
   }
   /// Geometry of scattered elements; lanes without one repeat the first and weigh nothing.
-  void gatherGeometry(const std::int32_t* elements, AlignedVector<P>& geometry) const {
-    const int count = points_ * 10;
-    geometry.resize(static_cast<std::size_t>(count));
+  void gatherGeometry(const std::int32_t* elements, P* geometry) const {
+    const int count = pointCount() * 10;
     for (int lane = 0; lane < lanes; ++lane) {
       const std::int32_t e = elements[lane] < 0 ? elements[0] : elements[lane];
       const std::int32_t place = layout().batchOfElement[static_cast<std::size_t>(e)];
       const P* from = geometryOf(place / lanes);
-      for (int i = 0; i < count; ++i) geometry[static_cast<std::size_t>(i)].set(lane, from[i][place % lanes]);
+      for (int i = 0; i < count; ++i) geometry[i].set(lane, from[i][place % lanes]);
       if (elements[lane] < 0)
-        for (int q = 0; q < points_; ++q) geometry[static_cast<std::size_t>(10 * q + 9)].set(lane, 0.0);
+        for (int q = 0; q < pointCount(); ++q) geometry[10 * q + 9].set(lane, 0.0);
     }
   }
 
-  /// Compares every element of the group with its ball: the least room of those that stay, and the largest reach, m.
-  std::pair<double, double> lookAtGroup(const DeformationWatch& watch, const DeformationWatch::Group& group,
-                                        const double* rows, std::vector<std::int32_t>& left) const {
+  /// Adds the forces of some batches of a patch; `test` sees every deformation gradient.
+  template <class Test>
+  void addForces(std::int32_t first, std::int32_t last, const double* rows, double* slots, Test& test) const {
+    const LawType law = law_;
+    for (std::int32_t batch = first; batch < last; ++batch) {
+      P position[n][3], force[n][3];
+      load(rows, batch, position);
+      clear(force);
+      const P* geometry = geometryOf(batch);
+      test.begin(batch);
+      for (int q = 0; q < pointCount(); ++q, geometry += 10) {
+        const Matrix3<P> J1 = inverseJacobian(geometry);
+        const Matrix3<P> F = gradient(position, q) * J1;
+        test.at(F);
+        scatter(timesTranspose(geometry[9] * law.stress(F), J1), q, force);
+      }
+      if constexpr (offersMean)
+        if (mean_) {
+          const P* g = meanGradientsOf(batch);
+          scatterMean(g[3 * n] * meanLaw_.stress(meanGradient(position, g)), g, force);
+        }
+      add(slots, batch, force);
+      test.end();
+    }
+  }
+  struct NoTest {
+    void begin(std::int32_t) {}
+    void at(const Matrix3<P>&) {}
+    void end() {}
+  };
+  /// Compares elements with their balls, a batch after another: who has left, the least room of those that stay, and
+  /// the largest reach, m.
+  class BallTest {
+   public:
+    BallTest(const ElementBatch& block, const DeformationWatch& watch, std::vector<std::int32_t>& left)
+        : block_(block), watch_(watch), left_(left) {}
+    RINGWATCH_INLINE void begin(std::int32_t batch) {
+      batch_ = batch;
+      anchor_ = watch_.anchor.data() + static_cast<std::ptrdiff_t>(batch) * block_.points_ * 9 * lanes;
+      distance2_ = here2_ = P(0.0);
+    }
+    RINGWATCH_INLINE void at(const Matrix3<P>& F) {
+      P d2(0.0);
+      here2_ = math::max(here2_, innerProduct(F, F));
+      for (int i = 0; i < 9; ++i, anchor_ += lanes) {
+        const P d = F.m[i] - loadFloats(anchor_);
+        d2 += d * d;
+      }
+      // A NaN fails the comparison inside max and would pass unseen: keep it.
+      distance2_ = select(d2 <= distance2_, distance2_, d2);
+    }
+    RINGWATCH_INLINE void end() {
+      // Roots in single precision, rounded up, cost a third. The anchor's rounding to single precision belongs to the
+      // distance too, and |F0| <= |F| + |F - F0|.
+      const P distance = P(1 + 1e-6) * roughRoot(distance2_), here = P(1 + 1e-6) * roughRoot(here2_);
+      const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(batch_) * lanes;
+      const P inverseNorm = loadFloats(watch_.inverseGradientNorm.data() + place);
+      const P radius = loadFloats(watch_.radius.data() + place), room = radius - distance - P(1e-7) * here;
+      const auto stays = room >= P(DeformationWatch::restingShare) * radius;
+      leastRoom_ = math::min(leastRoom_, select(stays, room * inverseNorm, leastRoom_));
+      reach_ = math::max(reach_, P(1 + 3e-6) * here * inverseNorm);
+      if (allOf(stays)) return;
+      const P inside = select(stays, P(1.0), P(0.0));
+      for (int lane = 0; lane < lanes; ++lane) {
+        // Lanes without an element never leave, but for positions whose squares overflow.
+        const std::int32_t element = block_.layout().elements[static_cast<std::size_t>(place + lane)];
+        if (inside[lane] == 0 && element >= 0) left_.push_back(element);
+      }
+    }
+    double leastRoom() const {
+      double least = leastRoom_[0];
+      for (int lane = 1; lane < lanes; ++lane) least = std::min(least, leastRoom_[lane]);
+      return least;
+    }
+    double reach() const {
+      double most = reach_[0];
+      for (int lane = 1; lane < lanes; ++lane) most = std::max(most, reach_[lane]);
+      return most;
+    }
+
+   private:
     typedef float Floats __attribute__((vector_size(lanes * sizeof(float))));
-    const auto loadFloats = [](const float* from) {
+    RINGWATCH_INLINE static P loadFloats(const float* from) {
       Floats values;
       std::memcpy(&values, from, sizeof values);
       return P(__builtin_convertvector(values, typename P::Values));
-    };
-    const auto roughRoot = [](P a) {  // to 1e-7
+    }
+    RINGWATCH_INLINE static P roughRoot(P a) {  // to 1e-7
       Floats values = __builtin_convertvector(a.v, Floats);
       for (int lane = 0; lane < lanes; ++lane) values[lane] = std::sqrt(values[lane]);
       return P(__builtin_convertvector(values, typename P::Values));
-    };
-    P leastRoom(std::numeric_limits<double>::infinity()), reach(0.0);
-    for (std::int32_t batch = group.batchBegin; batch < group.batchEnd; ++batch) {
-      P position[n][3];
-      load(rows, batch, position);
-      const P* geometry = geometryOf(batch);
-      const float* anchor = watch.anchor.data() + static_cast<std::ptrdiff_t>(batch) * points_ * 9 * lanes;
-      P distance2(0.0), here2(0.0);
-      for (int q = 0; q < pointCount(); ++q, geometry += 10) {
-        const Matrix3<P> F = gradient(position, q) * inverseJacobian(geometry);
-        P d2(0.0);
-        here2 = math::max(here2, innerProduct(F, F));
-        for (int i = 0; i < 9; ++i, anchor += lanes) {
-          const P d = F.m[i] - loadFloats(anchor);
-          d2 += d * d;
-        }
-        // A NaN fails the comparison inside max and would pass unseen: keep it.
-        distance2 = select(d2 <= distance2, distance2, d2);
-      }
-      // Roots in single precision, rounded up, cost a third. The anchor's rounding to single precision belongs to the
-      // distance too, and |F0| <= |F| + |F - F0|.
-      const P distance = P(1 + 1e-6) * roughRoot(distance2), here = P(1 + 1e-6) * roughRoot(here2);
-      const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(batch) * lanes;
-      const P inverseNorm = loadFloats(watch.inverseGradientNorm.data() + place);
-      const P radius = loadFloats(watch.radius.data() + place), room = radius - distance - P(1e-7) * here;
-      const auto stays = room >= P(DeformationWatch::restingShare) * radius;
-      leastRoom = math::min(leastRoom, select(stays, room * inverseNorm, leastRoom));
-      reach = math::max(reach, P(1 + 3e-6) * here * inverseNorm);
-      if (allOf(stays)) continue;
-      const P inside = select(stays, P(1.0), P(0.0));
-      for (int lane = 0; lane < lanes; ++lane)
-        if (inside[lane] == 0) left.push_back(layout().elements[static_cast<std::size_t>(place + lane)]);
     }
-    double least = leastRoom[0], most = reach[0];
-    for (int lane = 1; lane < lanes; ++lane) {
-      least = std::min(least, leastRoom[lane]);
-      most = std::max(most, reach[lane]);
-    }
-    return {least, most};
-  }
+
+    const ElementBatch& block_;
+    const DeformationWatch& watch_;
+    std::vector<std::int32_t>& left_;
+    std::int32_t batch_ = 0;
+    const float* anchor_ = nullptr;
+    P distance2_, here2_;
+    P leastRoom_ = P(std::numeric_limits<double>::infinity()), reach_ = P(0.0);
+  };
 
   /// Copies the patch's nodes into rows of four, once, and calls kernel(rows, batch) for its batches.
   template <class Kernel>
@@ -524,6 +589,12 @@ class ElementBatch final : public ElementBlock {
   static_assert(!Element::constantGradient || std::ranges::all_of(Element::rules, [](const QuadratureRule& rule) {
     return rule.points.size() == 1;
   }));
+
+  static constexpr std::size_t maxPoints = [] {
+    std::size_t most = 1;
+    for (const QuadratureRule& rule : Element::rules) most = std::max(most, rule.points.size());
+    return most;
+  }();
 
   LawType law_, meanLaw_;
   bool mean_;

@@ -85,6 +85,10 @@ class ElementBlock {
   /// Appends the elements of a patch that have left their balls to `left`; the odometer has come to x.
   virtual void lookAtPatch(std::int32_t patch, const NodeVectors& x, const MotionOdometer& odometer,
                            DeformationWatch& watch, std::vector<std::int32_t>& left) const = 0;
+  /// forcePatch and lookAtPatch in one pass over the elements, for less than both apart. Without an odometer no group
+  /// rests.
+  virtual void forceAndLookPatch(std::int32_t patch, const NodeVectors& x, const MotionOdometer* odometer,
+                                 DeformationWatch& watch, double* slots, std::vector<std::int32_t>& left) const = 0;
   /// max_q Σ_a |∂N_a/∂X| of the elements of a batch, 1/m: norms[lane].
   virtual void gradientNormBatch(std::int32_t batch, double* norms) const = 0;
   /// Least determinant of F over the quadrature points of each element of a batch: determinants[lane].

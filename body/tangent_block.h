@@ -27,6 +27,10 @@ class TangentBlock final : public ElementBlock {
                    std::vector<std::int32_t>&) const override {
     unknown("deformation gradient");
   }
+  void forceAndLookPatch(std::int32_t, const NodeVectors&, const MotionOdometer*, DeformationWatch&, double*,
+                         std::vector<std::int32_t>&) const override {
+    unknown("force");
+  }
   void gradientNormBatch(std::int32_t, double*) const override { unknown("shape gradients"); }
   void minimumDeterminantBatch(std::int32_t, const double*, double*) const override { unknown("deformation gradient"); }
   void volumeBatch(std::int32_t, double*) const override { unknown("volume"); }

@@ -21,7 +21,8 @@ class BodySystem final : public DifferentiableSystem {
       : body_(body), damping_(damping), inverseMass_(body.lumpedMass().cwiseInverse()) {}
 
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
-    body_.internalForce(x, internalForce_, workspace_);
+    if (!taken_) body_.internalForce(x, internalForce_, workspace_);
+    taken_ = false;
     if (!damping_.any()) {
       a = (body_.externalForce() - internalForce_) * inverseMass_.asDiagonal();  // in one pass
     } else {
@@ -33,6 +34,12 @@ class BodySystem final : public DifferentiableSystem {
       a = (body_.externalForce() - internalForce_ - dampingForce_) * inverseMass_.asDiagonal();
     }
     body_.constraints().clearConstrained(a);
+  }
+  /// Takes over the internal force, 3×N, N, at the positions of the next call of acceleration, which then does not
+  /// compute it: what StabilityMonitor::observe hands out. `force` gets an older array in exchange.
+  void takeForce(NodeVectors& force) {
+    internalForce_.swap(force);
+    taken_ = true;
   }
   bool velocityDependent() const override { return damping_.any(); }
   const Eigen::VectorXd& mass() const override { return body_.lumpedMass(); }
@@ -72,6 +79,7 @@ class BodySystem final : public DifferentiableSystem {
   RayleighDamping damping_;
   Eigen::VectorXd inverseMass_;
   NodeVectors internalForce_, dampingForce_;
+  bool taken_ = false;
   Body::Workspace workspace_;
   SparseTangent tangent_;
 };

@@ -8,6 +8,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include <ringwatch/materials/rotation.h>
 #include <ringwatch/monitor/nodal_shapes.h>
 #include <ringwatch/monitor/scaled_tangent.h>
 
@@ -20,10 +21,15 @@ constexpr double leastShare = 0.9;  // of what counts as risen
 constexpr double leastGain = 0.01;  // of two sweeps; half of it in the step
 constexpr int firstGap = 40;        // updates between two retargets; longer and longer while they do not help
 constexpr int lastGap = 10240;
+constexpr int restlessLooks = 16;  // between two looks whether groups rest again
+constexpr double leastResting = 0.9;
 int longer(int gap) { return std::min(4 * gap, lastGap); }
 
 double largest(const Eigen::Matrix3d& S) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly).eigenvalues()[2];
+  Eigen::Matrix3d A = S;
+  double work[12];
+  const auto extremes = extremeEigenvalues(A.data(), 3, work, false);
+  return extremes.largest + eigenvalueRounding * extremes.scale;
 }
 
 /// Largest t with base + t part ≼ sigma I; 0 when base alone is too large.
@@ -171,8 +177,8 @@ std::vector<ElementRef> LazyBound::hottestElements(std::size_t count) {
     ElementRef hottest;
     for (const NodalBound::Incidence at : shapes_.incidences(*node)) {
       const ElementRef e = shapes_.elementAt(at);
-      const double part = static_cast<double>(blocks_[static_cast<std::size_t>(e.block)].value[placeOf(e)]) *
-                          shapes_.shape(at).trace();
+      const double part =
+          static_cast<double>(blocks_[static_cast<std::size_t>(e.block)].value[placeOf(e)]) * shapes_.shape(at).trace();
       if (part > most) {
         most = part;
         hottest = e;
@@ -226,6 +232,11 @@ void LazyBound::dealBudgets(const NodeVectors& x) {
     data.watch.lookAtAll();
   }
   shapes_.releaseSums();
+  frames_.resize(static_cast<std::size_t>(body_.nodeCount()));
+  parallelFor(
+      0, body_.nodeCount(), body_.threads(),
+      [&](std::int64_t node) { frames_[static_cast<std::size_t>(node)] = frameOf(static_cast<std::int32_t>(node)); },
+      64);
 }
 
 void LazyBound::retarget(const NodeVectors& x, int sweeps) {
@@ -237,21 +248,46 @@ void LazyBound::retarget(const NodeVectors& x, int sweeps) {
   tightOverLower_ = 0;
 }
 
-LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
-  risen_.clear();
-  // Who has left its ball?
-  std::vector<ElementRef> gone;
+std::vector<ElementRef> LazyBound::whoLeft(const NodeVectors& x, NodeVectors* force) {
+  left_.resize(blocks_.size());
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const ElementBlock& block = *body_.blocks()[b];
-    const auto patches = static_cast<std::int64_t>(block.layout().patches.size());
-    std::vector<std::vector<std::int32_t>> left(static_cast<std::size_t>(patches));
-    parallelFor(0, patches, body_.threads(), [&](std::int64_t p) {
-      block.lookAtPatch(static_cast<std::int32_t>(p), x, odometer_, blocks_[b].watch,
-                        left[static_cast<std::size_t>(p)]);
-    });
-    for (const auto& list : left)
-      for (std::int32_t e : list) gone.push_back({static_cast<std::int32_t>(b), e});
+    left_[b].resize(body_.blocks()[b]->layout().patches.size());
+    for (auto& list : left_[b]) list.clear();
   }
+  // Where hardly any group rests and the force pass looks at them all in passing, the odometer is not worth its pass.
+  const bool mayRest = !force || updates_ % restlessLooks < 2 || restingShare_ > leastResting;
+  if (mayRest) odometer_.advance(x);
+  if (force) {
+    body_.sumOverPatches(*force, workspace_, [&](std::size_t b, std::int32_t p, double* slots) {
+      body_.blocks()[b]->forceAndLookPatch(p, x, mayRest ? &odometer_ : nullptr, blocks_[b].watch, slots,
+                                           left_[b][static_cast<std::size_t>(p)]);
+    });
+    if (mayRest && updates_ % restlessLooks > 0) {  // at the first of two looks groups lie down
+      std::size_t groups = 0, resting = 0;
+      for (const BlockData& data : blocks_)
+        for (const DeformationWatch::Group& group : data.watch.groups) {
+          ++groups;
+          resting += group.roomAtLook >= 0 && group.lookedAt != odometer_.advances();
+        }
+      restingShare_ = static_cast<double>(resting) / static_cast<double>(groups);
+    }
+  } else {
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      parallelFor(0, static_cast<std::int64_t>(left_[b].size()), body_.threads(), [&](std::int64_t p) {
+        body_.blocks()[b]->lookAtPatch(static_cast<std::int32_t>(p), x, odometer_, blocks_[b].watch,
+                                       left_[b][static_cast<std::size_t>(p)]);
+      });
+  }
+  std::vector<ElementRef> gone;
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    for (const auto& list : left_[b])
+      for (std::int32_t e : list) gone.push_back({static_cast<std::int32_t>(b), e});
+  return gone;
+}
+
+LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise, NodeVectors* force) {
+  risen_.clear();
+  const std::vector<ElementRef> gone = whoLeft(x, force);
   std::vector<Evaluated> now;
   evaluate(x, gone, false, now);
   anchored_ = gone;
@@ -277,11 +313,11 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise) {
   return Outcome::fine;
 }
 
-UpperBound LazyBound::update(const NodeVectors& x) {
+UpperBound LazyBound::update(const NodeVectors& x, NodeVectors* force) {
   spent_ = {};
   ++updates_;
-  odometer_.advance(x);
-  const Outcome outcome = started_ ? follow(x, true) : Outcome::flooded;
+  const Outcome outcome = started_ ? follow(x, true, force) : Outcome::flooded;
+  if (!started_ && force) body_.internalForce(x, *force, workspace_);
   if (outcome == Outcome::flooded || outcome == Outcome::failed) {
     retarget(x, coldSweeps);
     sigma_ = shapes_.last() * (1 + slack_);
@@ -294,15 +330,16 @@ UpperBound LazyBound::update(const NodeVectors& x) {
   return {sigma_};
 }
 
-bool LazyBound::certify(const NodeVectors& x, double sigma) {
+bool LazyBound::certify(const NodeVectors& x, double sigma, NodeVectors* force) {
   spent_ = {};
   ++updates_;
-  odometer_.advance(x);
   if (started_ && sigma_ <= sigma) {
-    const Outcome outcome = follow(x, false);
+    const Outcome outcome = follow(x, false, force);
     if (outcome == Outcome::fine) return true;
     started_ = false;
     if (outcome == Outcome::notFinite) return false;
+  } else if (force) {
+    body_.internalForce(x, *force, workspace_);
   }
   // From scratch, but not at every step while it keeps failing.
   if (updates_ - lastRetarget_ < retargetGap_) return false;
@@ -315,6 +352,44 @@ bool LazyBound::certify(const NodeVectors& x, double sigma) {
   started_ = std::isfinite(sigma_);
   if (started_) dealBudgets(x);
   return proven;
+}
+
+Eigen::Quaternionf LazyBound::frameOf(std::int32_t node) const {
+  constexpr int enough = 6;  // elements; the same ones every time
+  Matrix3<double> F = Matrix3<double>::zero();
+  int count = 0;
+  for (const NodalBound::Incidence at : shapes_.incidences(node)) {
+    if (++count > enough) break;
+    const ElementRef e = shapes_.elementAt(at);
+    const auto block = static_cast<std::size_t>(e.block);
+    const std::size_t points = body_.blocks()[block]->rule().points.size(), place = placeOf(e);
+    const float* anchor = blocks_[block].watch.anchor.data() + place / lanes * points * 9 * lanes + place % lanes;
+    for (std::size_t i = 0; i < 9 * points; ++i) F.m[i % 9] += static_cast<double>(anchor[i * lanes]);
+  }
+  const Matrix3<double> R = closestRotation(F);
+  Eigen::Matrix3d matrix;
+  for (int i = 0; i < 9; ++i) matrix(i / 3, i % 3) = R.m[i];
+  return Eigen::Quaterniond(matrix).cast<float>();
+}
+
+/// D ← Q D Qᵀ for all elements at a node with the same Q leaves the eigenvalues of its sum where they are. Returns
+/// whether any node was turned by enough to matter. Anchors must be of now.
+bool LazyBound::turnShapes(const std::vector<std::int32_t>& nodes) {
+  constexpr float enough = 0.01F;  // rad
+  bool turned = false;
+  for (const std::int32_t node : nodes) {
+    // Where components are constrained the sum is cut along fixed axes.
+    if (body_.constraints().any() && body_.constraints().freeComponents(node) < 3) continue;
+    const Eigen::Quaternionf frame = frameOf(node);
+    if (frame.angularDistance(frames_[static_cast<std::size_t>(node)]) < enough) continue;
+    const Eigen::Matrix3d Q =
+        (frame * frames_[static_cast<std::size_t>(node)].conjugate()).normalized().toRotationMatrix().cast<double>();
+    for (const NodalBound::Incidence at : shapes_.incidences(node))
+      shapes_.setShape(at, Q * shapes_.shape(at) * Q.transpose());
+    frames_[static_cast<std::size_t>(node)] = frame;
+    turned = true;
+  }
+  return turned;
 }
 
 bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) {
@@ -340,41 +415,62 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
     std::sort(ring.begin(), ring.end());
     ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
     rim = freeNodesOf(ring);
-    auto inRing = [&](ElementRef e) { return std::binary_search(ring.begin(), ring.end(), e); };
     auto valueOf = [&](ElementRef e) {
       return static_cast<double>(blocks_[static_cast<std::size_t>(e.block)].value[placeOf(e)]);
     };
 
-    // What the elements outside the ring use of sigma at the rim.
+    // What the elements outside the ring use of sigma at the rim, and where those of the ring meet it.
+    struct Meeting {
+      std::size_t rim, ring;
+      NodalBound::Incidence at;
+    };
+    std::vector<Meeting> meetings;
     std::vector<Eigen::Matrix3d> outside(rim.size()), inside(rim.size());
     for (std::size_t i = 0; i < rim.size(); ++i) {
       outside[i].setZero();
       for (const NodalBound::Incidence at : shapes_.incidences(rim[i])) {
         const ElementRef e = shapes_.elementAt(at);
-        if (!inRing(e)) outside[i] += budgetOf(e) * shapes_.shape(at);
+        const auto own = std::lower_bound(ring.begin(), ring.end(), e);
+        if (own != ring.end() && *own == e)
+          meetings.push_back({i, static_cast<std::size_t>(own - ring.begin()), at});
+        else
+          outside[i] += budgetOf(e) * shapes_.shape(at);
       }
       outside[i] = freePart(body_, rim[i], outside[i] / body_.lumpedMass()[rim[i]]);
     }
     std::vector<Evaluated> now;
+    evaluate(x, ring, false, now);
+    bool reshaped = false;
+    if (growth == 0 && turnShapes(patch)) {
+      // Turned shapes are rounded to single precision, which adds less than 6e-7 of it to a node's sum.
+      for (const ElementRef e : ring) {
+        float& budget = blocks_[static_cast<std::size_t>(e.block)].budget[placeOf(e)];
+        budget = roundedDown(static_cast<double>(budget) * (1 - 1e-6));
+      }
+      evaluate(x, ring, true, now);
+      if (std::all_of(ring.begin(), ring.end(), [&](ElementRef e) { return valueOf(e) <= budgetOf(e); })) {
+        anchored_.insert(anchored_.end(), ring.begin(), ring.end());
+        return true;
+      }
+    }
     for (int sweep = 0;; ++sweep) {
-      evaluate(x, ring, sweep > 0, now);
-      double least = std::numeric_limits<double>::infinity(), need = 0;
+      if (reshaped) evaluate(x, ring, true, now);
+      reshaped = true;
+      double least = std::numeric_limits<double>::infinity();
       std::vector<double> room(rim.size());
+      std::fill(inside.begin(), inside.end(), Eigen::Matrix3d::Zero());
+      for (const Meeting& m : meetings) inside[m.rim] += valueOf(ring[m.ring]) * shapes_.shape(m.at);
       for (std::size_t i = 0; i < rim.size(); ++i) {
-        inside[i].setZero();
-        for (const NodalBound::Incidence at : shapes_.incidences(rim[i])) {
-          const ElementRef e = shapes_.elementAt(at);
-          if (inRing(e)) inside[i] += valueOf(e) * shapes_.shape(at);
-        }
         inside[i] = freePart(body_, rim[i], inside[i] / body_.lumpedMass()[rim[i]]);
         room[i] = roomFor(outside[i], inside[i], sigma_);
         least = std::min(least, room[i]);
-        need = std::max(need, largest(outside[i] + inside[i]));
       }
       const bool last = sweep == sweeps && growth == growths;
       bool deal = least > 1 + (sweep == sweeps ? 0.05 : 0.25) * slack_;
       if (!deal && last && mayRaise) {
         // Everybody else's proof holds for a larger sigma too.
+        double need = 0;
+        for (std::size_t i = 0; i < rim.size(); ++i) need = std::max(need, largest(outside[i] + inside[i]));
         sigma_ = std::max(sigma_, need * (1 + 0.5 * slack_));
         ++spent_.raises;
         for (std::size_t i = 0; i < rim.size(); ++i) room[i] = roomFor(outside[i], inside[i], sigma_);
@@ -408,6 +504,7 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
         const Eigen::Matrix3d R = solver.eigenvectors() * power.asDiagonal() * solver.eigenvectors().transpose();
         for (const NodalBound::Incidence incidence : shapes_.incidences(node))
           shapes_.setShape(incidence, R * shapes_.shape(incidence) * R);
+        frames_[static_cast<std::size_t>(node)] = frameOf(node);
       }
       for (ElementRef e : ring) shapes_.normaliseElement(e.block, e.element);
     }

@@ -2,6 +2,8 @@
 #include <limits>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include <ringwatch/body/deformation_watch.h>
 #include <ringwatch/monitor/nodal_bound.h>
 
@@ -12,15 +14,17 @@ namespace ringwatch {
 ///   l_e <= budget_e for all e  and  Σ_(e∋i) budget_e D_(e,a(i)) ≼ sigma m_i I for all i   prove   lambda_max(M⁻¹K) <=
 ///   sigma.
 /// The radius of a ball follows from the law's drift bound. An element that leaves is evaluated exactly; when it
-/// exceeds its budget, budgets around it are dealt anew, then shapes there, then sigma is raised, which is free for all
-/// others.
+/// exceeds its budget, shapes there are turned with their nodes, which changes no sum, budgets around it are dealt
+/// anew, then shapes, then sigma is raised, which is free for all others.
 class LazyBound {
  public:
   /// slack: relative room of sigma above the tight bound at a retarget, which budgets share.
   explicit LazyBound(const Body& body, double slack = 0.06);
 
-  /// sigma, proven at positions x (3×N, m). NaN when x or the tangent is not finite.
-  UpperBound update(const NodeVectors& x);
+  /// sigma, proven at positions x (3×N, m). NaN when x or the tangent is not finite. Unless nullptr, `force` becomes
+  /// the internal force at x, 3×N, N: elements are tested in the pass that computes it, which costs less than both
+  /// apart.
+  UpperBound update(const NodeVectors& x, NodeVectors* force = nullptr);
   /// Tells the bound what a lower bound is at x, so that it can follow downwards: sigma is lowered, or shapes start
   /// afresh, when it lies more than `width` (relative, in the step) above. Proves nothing: when it returns true, sigma
   /// has changed and holds only after the next update.
@@ -29,7 +33,7 @@ class LazyBound {
   /// Threshold mode: proves lambda_max <= sigma for a sigma of the caller's at x, or returns false. Where there is much
   /// room below sigma, balls are large and hardly any element is ever looked at again. A proof that is kept for a
   /// smaller sigma serves too.
-  bool certify(const NodeVectors& x, double sigma);
+  bool certify(const NodeVectors& x, double sigma, NodeVectors* force = nullptr);
 
   double sigma() const { return sigma_; }
   const NodalBound& shapes() const { return shapes_; }
@@ -70,7 +74,8 @@ class LazyBound {
   void retarget(const NodeVectors& x, int sweeps);
   void note(ElementRef element, const TangentDrift& drift);
   enum class Outcome { fine, flooded, failed, notFinite };
-  Outcome follow(const NodeVectors& x, bool mayRaise);
+  Outcome follow(const NodeVectors& x, bool mayRaise, NodeVectors* force);
+  std::vector<ElementRef> whoLeft(const NodeVectors& x, NodeVectors* force);
   void dealBudgets(const NodeVectors& x);
   void setBall(std::int32_t block, std::int32_t element, double value, const TangentDrift& drift);
   struct Evaluated {
@@ -80,6 +85,9 @@ class LazyBound {
   void evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withReach,
                 std::vector<Evaluated>& results);
   bool repair(const NodeVectors& x, ElementRef element, bool mayRaise);
+  /// The rotation of a node's surroundings since the reference configuration, by the anchors of its elements.
+  Eigen::Quaternionf frameOf(std::int32_t node) const;
+  bool turnShapes(const std::vector<std::int32_t>& nodes);
   std::size_t placeOf(ElementRef e) const {
     return static_cast<std::size_t>(body_.blocks()[static_cast<std::size_t>(e.block)]
                                         ->layout()
@@ -93,7 +101,11 @@ class LazyBound {
   double slack_;
   NodalBound shapes_;
   MotionOdometer odometer_;
+  Body::Workspace workspace_;
+  double restingShare_ = 1;                                   // of the groups, at the odometer's last look
+  std::vector<std::vector<std::vector<std::int32_t>>> left_;  // elements, [block][patch]
   std::vector<BlockData> blocks_;
+  std::vector<Eigen::Quaternionf> frames_;  // by node: its frame when its shapes were made or turned last
   double sigma_ = 0;
   bool started_ = false;
   Spent spent_;

@@ -28,9 +28,10 @@ class Bracketer {
         hotSpot_(body, lazy_.shapes()),
         ringNodes_(body, lazy_.shapes()) {}
 
-  const CriticalStep& evaluate(const NodeVectors& x, const StepRule& limit) {
+  /// Unless nullptr, `force` becomes the internal force at x.
+  const CriticalStep& evaluate(const NodeVectors& x, const StepRule& limit, NodeVectors* force) {
     const double sigma = lazy_.sigma();  // that shares of budgets are measured by
-    UpperBound upper = lazy_.update(x);
+    UpperBound upper = lazy_.update(x, force);
     spent_ = lazy_.spent();
     method_ = "rayleigh-quotient";
     LowerBound lower{0};
@@ -71,10 +72,11 @@ class Bracketer {
   }
   /// Whether h is certified at x, in the cheapest way. While it is not, the bracket is kept, and some looks longer:
   /// then last() is fresh and `bracketed` true.
-  bool judge(const NodeVectors& x, const StepRule& limit, double h) {
+  bool judge(const NodeVectors& x, const StepRule& limit, double h, NodeVectors* force) {
     std::int64_t before = 0;
     if (sinceDoubt_ >= firstGap) {
-      const bool certified = lazy_.certify(x, limit.lambdaFor(h));
+      const bool certified = lazy_.certify(x, limit.lambdaFor(h), force);
+      force = nullptr;
       spent_ = lazy_.spent();
       bracketed_ = false;
       if (certified) {
@@ -83,7 +85,7 @@ class Bracketer {
       }
       before = spent_.evaluated;
     }
-    evaluate(x, limit);
+    evaluate(x, limit, force);
     spent_.evaluated += before;
     bracketed_ = true;
     const bool certified = h <= step_.safe;
@@ -197,7 +199,7 @@ class Bracketer {
   // Evaluations between two restarts or looks under compression; restarts become rarer while useless.
   static constexpr int firstGap = 10, lastGap = 2560;
   static constexpr std::size_t compressedRings = 16, risenRings = 3, hotRings = 64;  // looked at each time
-  static constexpr double compressed = 0.05;                          // of λ+2μ
+  static constexpr double compressed = 0.05;                                         // of λ+2μ
 
   const Body& body_;
   double width_;
@@ -298,6 +300,7 @@ struct StabilityMonitor::Impl {
   }
 
   const Body& body;
+  Body::Workspace workspace;
   MonitorOptions options;
   std::optional<Bracketer> bracketer;
   std::optional<ReducedRing> ring;  // of that metric
@@ -368,7 +371,8 @@ const std::vector<MonitorEvent>& StabilityMonitor::events() const { return impl_
 const MonitorOptions& StabilityMonitor::options() const { return impl_->options; }
 
 const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, const NodeVectors& x,
-                                               const NodeVectors& v, double h, const Energies* energies) {
+                                               const NodeVectors& v, double h, const Energies* energies,
+                                               NodeVectors* force) {
   Impl& m = *impl_;
   MonitorReport& report = m.report;
   report.step = step;
@@ -379,6 +383,10 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
 
   const bool finite = allFinite(x) && allFinite(v);
   m.tell(EventKind::nonFinite, !finite, 0, x, std::nullopt, [] { return "positions or velocities are not finite"; });
+  if (force && (!finite || !m.bracketer || m.observations % m.options.every != 0)) {
+    m.body.internalForce(x, *force, m.workspace);
+    force = nullptr;
+  }
   if (!finite) {
     report.certified = 0;
     report.verdict = Verdict::violated;
@@ -401,10 +409,10 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
       Bracketer& bracketer = *m.bracketer;
       bool certified = false, bracketed = true;
       if (m.options.mode == MonitorMode::threshold) {
-        certified = bracketer.judge(x, m.options.limit, h);
+        certified = bracketer.judge(x, m.options.limit, h, force);
         bracketed = bracketer.bracketed();
       } else {
-        certified = h <= bracketer.evaluate(x, m.options.limit).safe;
+        certified = h <= bracketer.evaluate(x, m.options.limit, force).safe;
       }
       // Where the step is not certified, the optimistic side decides between "not certified" and "violated": it is made
       // sharp at every look, lest a mode that has moved on says so late.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Dense>
 
@@ -54,6 +56,20 @@ struct Watched {
       block.lookAtPatch(static_cast<std::int32_t>(p), x, odometer, watch, left);
     return {left.begin(), left.end()};
   }
+  /// The same in the pass that computes the force, which must be the force.
+  std::set<std::int32_t> lookWithForce(const NodeVectors& x, bool mayRest) {
+    if (mayRest) odometer.advance(x);
+    std::vector<std::int32_t> left;
+    Body::Workspace workspace;
+    NodeVectors force, expected;
+    body.sumOverPatches(force, workspace, [&](std::size_t, std::int32_t p, double* slots) {
+      block.forceAndLookPatch(p, x, mayRest ? &odometer : nullptr, watch, slots, left);
+    });
+    body.internalForce(x, expected, workspace);
+    // Compilers contract products and sums in two loops differently.
+    if (expected.allFinite()) EXPECT_LE((force - expected).norm(), 1e-13 * expected.norm() + 1e-15);
+    return {left.begin(), left.end()};
+  }
 
   const Body& body;
   const ElementBlock& block;
@@ -69,8 +85,17 @@ TEST(DeformationWatch, NamesWhoeverLeavesItsBallAndLetsOthersRest) {
   options.jitter = 0.2;
   const Body body(generateBar(options), makeMaterial("stvk", 1e4, 0.3, 1000), {{}, Lumping::rowSum, 1});
   const NodeVectors& X = body.mesh().X;
-  // A smooth wave, motions of the whole, noise at a few nodes; slow and fast.
-  for (const double rate : {1e-5, 1e-4, 1e-3, 1e-2}) {
+  // A smooth wave, motions of the whole, noise at a few nodes; slow and fast. Apart from the force, with it, by turns.
+  for (const auto& [rate, pass] : std::vector<std::pair<double, int>>{{1e-5, 0},
+                                                                      {1e-5, 1},
+                                                                      {1e-5, 2},
+                                                                      {1e-4, 0},
+                                                                      {1e-4, 2},
+                                                                      {1e-3, 0},
+                                                                      {1e-3, 1},
+                                                                      {1e-3, 2},
+                                                                      {1e-2, 1},
+                                                                      {1e-2, 2}}) {
     Random random(31);
     Watched watched(body);
     std::vector<Eigen::Matrix3d> anchors(static_cast<std::size_t>(watched.block.elementCount()));
@@ -88,7 +113,8 @@ TEST(DeformationWatch, NamesWhoeverLeavesItsBallAndLetsOthersRest) {
         x = ((Eigen::Matrix3d::Identity() + time * random.matrix(0.1)) * x).colwise() + random.vector(0.1);
         x.col(random.index(body.nodeCount())) += random.vector(rate * 0.02);
       }
-      const std::set<std::int32_t> gone = watched.look(x);
+      const bool withForce = pass == 1 || (pass == 2 && step / 3 % 2 == 1);
+      const std::set<std::int32_t> gone = withForce ? watched.lookWithForce(x, step % 5 > 0) : watched.look(x);
       for (std::int32_t e = 0; e < watched.block.elementCount(); ++e) {
         const auto at = static_cast<std::size_t>(e);
         const Eigen::Matrix3d F = watched.gradient(e, x);
@@ -134,8 +160,16 @@ TEST(DeformationWatch, AGroupWithoutRoomOrWithNaNIsLookedAt) {
   watched.watch.noteBall(watched.placeOf(7), watched.odometer);
   x.col(watched.block.nodesOf(7)[0]) += Eigen::Vector3d(1e-4, 0, 0);
   EXPECT_EQ(watched.look(x), std::set<std::int32_t>{7});
+  // Positions whose squares overflow: every element leaves, and nobody else.
+  const NodeVectors huge = 1e200 * x;
+  for (const bool withForce : {false, true}) {
+    const std::set<std::int32_t> left = withForce ? watched.lookWithForce(huge, true) : watched.look(huge);
+    EXPECT_EQ(left.size(), static_cast<std::size_t>(watched.block.elementCount()));
+    EXPECT_GE(*left.begin(), 0);
+  }
   x(1, watched.block.nodesOf(9)[2]) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(watched.look(x).count(9), 1U);
+  EXPECT_EQ(watched.lookWithForce(x, true).count(9), 1U);
 }
 
 }  // namespace
