@@ -9,8 +9,8 @@ using Json = nlohmann::ordered_json;
 
 Json cutsJson(const RunResult& result) {
   Json json = Json::array();
-  const auto bracket = [](const CriticalStep& step) {
-    return Json{{"safe", step.safe}, {"optimistic", step.optimistic}};
+  const auto bracket = [](const std::optional<CriticalStep>& step) {
+    return step ? Json{{"safe", step->safe}, {"optimistic", step->optimistic}} : Json(nullptr);
   };
   for (const CutRecord& cut : result.cuts)
     json.push_back({{"step", cut.step},
@@ -20,10 +20,12 @@ Json cutsJson(const RunResult& result) {
                     {"nodes_added", cut.nodesAdded},
                     {"faces_opened", cut.facesOpened},
                     {"area", cut.area},
+                    {"critical_step_at_most", cut.atMost},
                     {"critical_step", {{"before", bracket(cut.before)}, {"after", bracket(cut.after)}}},
                     {"kinetic", {{"before", cut.kineticBefore}, {"after", cut.kineticAfter}}},
                     {"handled_elements", {{"before", cut.handledBefore}, {"after", cut.handledAfter}}},
-                    {"elements_looked_at", cut.lookedAt},
+                    {"elements_looked_at", cut.judged.elements},
+                    {"element_evaluations", cut.judged.evaluations},
                     {"cut_time", cut.cutTime},
                     {"selection_time", cut.selectionTime}});
   return json;
@@ -35,7 +37,8 @@ Json handlerJson(const Scene& scene, const RunResult& result) {
             {"selection", scene.handlerOptions.selection},
             {"handled_elements", result.handler->elements},
             {"explicit_part_certified", result.handler->certified},
-            {"selections", result.handler->selections}};
+            {"selections", result.handler->selections},
+            {"element_evaluations", result.handler->evaluations}};
   for (const HandlerFigure& figure : result.handler->figures) json[figure.name] = figure.value;
   return json;
 }
@@ -152,11 +155,13 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
   }
   for (const CutRecord& cut : result.cuts) {
     text += fmt::format(
-        "cut at t = {:.6g} s: {} of {} elements cut, {} now; critical step of all {:.4g} s, before {:.4g} s", cut.time,
-        cut.elementsCut, cut.elementsBefore, cut.elementsAfter, cut.after.safe, cut.before.safe);
+        "cut at t = {:.6g} s: {} of {} elements cut, {} now; they leave a critical step of at most {:.4g} s", cut.time,
+        cut.elementsCut, cut.elementsBefore, cut.elementsAfter, cut.atMost);
+    if (cut.before && cut.after)
+      text += fmt::format(", that of all is {:.4g} s, before {:.4g} s", cut.after->safe, cut.before->safe);
     if (result.handler)
       text += fmt::format("; {} handled, {} before, {} looked at in {:.3g} ms", cut.handledAfter, cut.handledBefore,
-                          cut.lookedAt, 1e3 * cut.selectionTime);
+                          cut.judged.elements, 1e3 * cut.selectionTime);
     text += "\n";
   }
   // The first few events; all of them are in summary.json.

@@ -10,6 +10,7 @@
 
 #include <ringwatch/app/device_run.h>
 #include <ringwatch/app/frames.h>
+#include <ringwatch/app/handled_watch.h>
 #include <ringwatch/app/history.h>
 #include <ringwatch/app/picture.h>
 #include <ringwatch/app/progress.h>
@@ -213,6 +214,7 @@ class Run {
     result_.handler->elements = static_cast<std::int64_t>(handler_->elements().size());
     result_.handler->certified = handler_->certified();
     ++result_.handler->selections;
+    result_.handler->evaluations += handler_->judged().evaluations;
   }
 
   /// The handler's elements, to a GPU that takes the steps.
@@ -231,7 +233,7 @@ class Run {
     const auto handled = [&] { return handler_ ? static_cast<std::int64_t>(handler_->elements().size()) : 0; };
     record.elementsBefore = static_cast<std::int64_t>(body_.mesh().elementCount());
     keepBooks(true);
-    record.before = criticalStep(body_, state_.x, rule_);
+    if (wanted.criticalStep) record.before = criticalStep(body_, state_.x, rule_);
     record.kineticBefore = kineticEnergy();
     record.handledBefore = handled();
     {
@@ -244,14 +246,14 @@ class Run {
                                             wanted.origin, state_.time));
         return;
       }
-      const ElementFlags chosen = handler_ ? handler_->chosen() : ElementFlags{};
+      const Handler* const before = handler_;
+      const std::unique_ptr<Integrator> integratorBefore = std::move(integrator_);  // its choice is carried over
       // All of these hold on to the body or to vectors of its size.
       closeEvents();
       monitor_.reset();
       split_.reset();
       system_.reset();
       handler_ = nullptr;
-      integrator_.reset();
       balance_.reset();
       state_.x = carriedOver(made, state_.x);
       state_.v = carriedOver(made, state_.v);
@@ -263,11 +265,9 @@ class Run {
       startHandler();
       if (handler_) {
         const Stopwatch selection(record.selectionTime);
-        handler_->prepare(state_.x, h_, made, chosen);
+        handler_->prepare(state_.x, h_, made, *before);
         noteChoice();
-        record.lookedAt = scene_.handlerOptions.selection == "certified"
-                              ? static_cast<std::int64_t>(made.mesh.elementCount())
-                              : static_cast<std::int64_t>(chosenElements(made.changed).size());
+        record.judged = handler_->judged();
       }
       startSystem();
       if (integrator_->info().partitioned) splitBody();
@@ -275,10 +275,11 @@ class Run {
       record.nodesAdded = static_cast<std::int64_t>(made.nodesAdded);
       record.facesOpened = static_cast<std::int64_t>(made.facesOpened);
       record.area = made.area;
+      record.atMost = optimisticStep(highestReducedRing(body_, state_.x, made.changed), rule_);
     }
     record.cutTime -= record.selectionTime;
     record.elementsAfter = static_cast<std::int64_t>(body_.mesh().elementCount());
-    record.after = criticalStep(body_, state_.x, rule_);
+    if (wanted.criticalStep) record.after = criticalStep(body_, state_.x, rule_);
     record.kineticAfter = kineticEnergy();
     record.handledAfter = handled();
     result_.cuts.push_back(record);
@@ -345,6 +346,23 @@ class Run {
   }
 
   MonitorReport observe(std::int64_t k) {
+    MonitorReport report = observeExplicit(k);
+    if (!handler_ || !scene_.monitored()) return report;
+    if (k % scene_.every == 0 && state_.x.allFinite()) {
+      const Stopwatch watch(result_.monitorTime);
+      std::string note = handledWatch_.look(*handler_, body_, k, state_.time, state_.x, result_.events);
+      if (!note.empty()) result_.notes.push_back(std::move(note));
+    }
+    judgeHandled(report);
+    return report;
+  }
+
+  /// A step is certified only with the handled parts that need a proof of their own.
+  void judgeHandled(MonitorReport& report) const {
+    if (!handledWatch_.proven() && report.verdict == Verdict::certified) report.verdict = Verdict::notCertified;
+  }
+
+  MonitorReport observeExplicit(std::int64_t k) {
     if (!monitor_) {
       MonitorReport report;
       report.step = k;
@@ -395,6 +413,7 @@ class Run {
     report.h = h_;
     // A step that was shortened in time was not taken: the monitor's alarm at the longer one is no event of the run.
     if (report.bracket) report.verdict = verdictFor(h_, *report.bracket);
+    judgeHandled(report);
     if (report.verdict != Verdict::violated)
       std::erase_if(report.newEvents, [](const MonitorEvent& event) { return event.kind == EventKind::violated; });
     return true;
@@ -531,9 +550,12 @@ class Run {
 
   void closeEvents() {
     if (!monitor_) return;
-    for (MonitorEvent& event : result_.events)
+    for (std::size_t i = 0; i < result_.events.size(); ++i) {
+      MonitorEvent& event = result_.events[i];
+      if (handledWatch_.added(i)) continue;
       for (const MonitorEvent& known : monitor_->events())
         if (known.kind == event.kind && known.step == event.step) event.end = known.end;
+    }
   }
 
   void drawPicture() {
@@ -561,7 +583,8 @@ class Run {
   std::optional<RunSystem> system_;
   std::optional<SplitBodySystem> split_;  // for partitioned schemes
   std::unique_ptr<DeviceRun> device_;     // when the steps are taken on a GPU
-  MonitorReport lastReport_;              // then: of the monitor's last look
+  HandledWatch handledWatch_;
+  MonitorReport lastReport_;  // then: of the monitor's last look
   std::int64_t stiffElements_ = 0;
   std::optional<EnergyBalance> balance_;  // always there but within a cut
   Energies beforeCut_;                    // what the books of the bodies before have come to

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <ringwatch/app/scene.h>
+#include <ringwatch/handlers/handler.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch {
@@ -31,9 +32,10 @@ struct RunOptions {
 
 /// What a handler did in a run.
 struct Handling {
-  std::int64_t elements = 0;    // handled at the end
-  std::int64_t selections = 0;  // how often they were chosen
-  bool certified = false;       // the explicit rest, at the last choice
+  std::int64_t elements = 0;     // handled at the end
+  std::int64_t selections = 0;   // how often they were chosen
+  std::int64_t evaluations = 0;  // of single elements or rings, all selections together
+  bool certified = false;        // the explicit rest, at the last choice
   std::vector<HandlerFigure> figures;
 };
 
@@ -43,11 +45,12 @@ struct CutRecord {
   double time = 0;                                     // s
   std::int64_t elementsBefore = 0, elementsAfter = 0;  // of the mesh
   std::int64_t elementsCut = 0, nodesAdded = 0, facesOpened = 0;
-  double area = 0;                                   // opened, at rest, one side, m²
-  CriticalStep before, after;                        // of the whole body there, whatever a handler does
+  double area = 0;    // opened, at rest, one side, m²
+  double atMost = 0;  // s, what the changed elements leave of the critical step of the whole body, by their rings
+  std::optional<CriticalStep> before, after;         // of the whole body there, whatever a handler does; where wanted
   double kineticBefore = 0, kineticAfter = 0;        // J; lumped masses move it a little
   std::int64_t handledBefore = 0, handledAfter = 0;  // elements
-  std::int64_t lookedAt = 0;                         // elements that the handler judged anew
+  Handler::Judged judged;                            // anew, by the handler
   double cutTime = 0, selectionTime = 0;             // s of wall time: of mesh and body, of the handler
 };
 

@@ -616,7 +616,8 @@ void readCutSection(const Section& section, Scene& scene) {
       return CutSurface::swept(std::move(line), vectorOf(section.at("sweep").value));
     }();
     scene.cuts.push_back({std::move(surface), time, section.get<double>("snap"),
-                          section.get<std::string>("positions") == "reference", origin});
+                          section.get<std::string>("positions") == "reference", section.get<bool>("critical_step"),
+                          origin});
   } catch (const InputError& fault) {
     throw InputError(fmt::format("{}: {}", origin, fault.what()));
   }

@@ -59,7 +59,8 @@ struct Scene {
     double time = 0;  // s
     double snap = 0;  // edge lengths
     bool atRest = false;
-    std::string origin;  // "scene.toml:31: [[cut]]", for messages
+    bool criticalStep = false;  // of the whole body, before and after, is wanted
+    std::string origin;         // "scene.toml:31: [[cut]]", for messages
   };
 
   std::filesystem::path file;

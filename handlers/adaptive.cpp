@@ -126,10 +126,11 @@ Eigen::VectorXd Adaptive::massBeside(const ElementFlags& finer, double share) co
   return mass;
 }
 
-ElementFlags Adaptive::finerThan(const Level& level, const ElementFlags& left, const NodeVectors& x,
-                                 ElementFlags finer) const {
+ElementFlags Adaptive::finerThan(const Level& level, const ElementFlags& left, const NodeVectors& x, ElementFlags finer,
+                                 std::int64_t& evaluations) const {
   if (options_.selection != "certified") {
     const ElementFlags hot = selectByReducedRing(body_, x, level.lambda);
+    evaluations += static_cast<std::int64_t>(body_.mesh().elementCount());
     for (std::size_t b = 0; b < finer.size(); ++b)
       for (std::size_t e = 0; e < finer[b].size(); ++e) finer[b][e] = finer[b][e] || (hot[b][e] && left[b][e]);
     return finer;
@@ -141,7 +142,9 @@ ElementFlags Adaptive::finerThan(const Level& level, const ElementFlags& left, c
     ElementFlags keep = noElements(rest.mesh());
     for (std::size_t b = 0; b < numbers.size(); ++b)
       for (std::size_t i = 0; i < numbers[b].size(); ++i) keep[b][i] = finer[b][at(numbers[b][i])];
-    for (const ElementRef e : chosenElements(selectCertified(rest, x, level.lambda, keep).chosen))
+    const CertifiedSelection selection = selectCertified(rest, x, level.lambda, keep);
+    evaluations += selection.evaluations;
+    for (const ElementRef e : chosenElements(selection.chosen))
       finer[at(e.block)][at(numbers[at(e.block)][at(e.element)])] = true;
     const std::size_t now = chosenElements(finer).size();
     if (now == count) return finer;
@@ -151,6 +154,7 @@ ElementFlags Adaptive::finerThan(const Level& level, const ElementFlags& left, c
 
 ElementFlags Adaptive::choose(const NodeVectors& x, double h, const ElementFlags& keep) {
   levels_.clear();
+  watches_.clear();
   ElementFlags chosen = Handler::choose(x, h, keep);
   if (chosenElements(chosen).empty()) return chosen;
   ReducedRing rings(body_);
@@ -169,12 +173,14 @@ ElementFlags Adaptive::choose(const NodeVectors& x, double h, const ElementFlags
   // The estimate may be below what the selection proves: elements that the last level cannot have are taken for
   // stiffer, and the plan is made anew.
   constexpr int attempts = 30;
+  std::int64_t evaluations = judged().evaluations;
   for (int attempt = 0;; ++attempt) {
     std::vector<Level> levels = plan(lambdas, h);
     ElementFlags left = complement(noElements(body_.mesh()));
     for (std::size_t k = 0; k < levels.size(); ++k) {
       Level& level = levels[k];
-      ElementFlags finer = finerThan(level, left, x, k == 0 && !keep.empty() ? keep : noElements(body_.mesh()));
+      ElementFlags finer =
+          finerThan(level, left, x, k == 0 && !keep.empty() ? keep : noElements(body_.mesh()), evaluations);
       if (k == 0) chosen = finer;
       level.elements = left;
       for (const ElementRef e : chosenElements(finer)) level.elements[at(e.block)][at(e.element)] = false;
@@ -189,6 +195,7 @@ ElementFlags Adaptive::choose(const NodeVectors& x, double h, const ElementFlags
         again = true;
       }
     if (again && attempt < attempts) continue;
+    noteJudged({static_cast<std::int64_t>(body_.mesh().elementCount()), evaluations});
     implicit_ = std::move(left);
     levels_ = std::move(levels);
     const bool deep = !chosenElements(implicit_).empty();
@@ -280,6 +287,25 @@ StepStatus Adaptive::handledStep(SecondOrderSystem& system, State& state, double
   Averaged averaged(*this, h);
   fault_.clear();
   return baseStep(averaged, state, h, fault_);
+}
+
+std::string Adaptive::uncertifiedPart(const NodeVectors& x) {
+  if (watches_.empty()) {
+    const double room = (1 - options_.margin) * (1 - options_.margin);
+    ElementFlags finer = implicit_;
+    for (std::size_t k = levels_.size(); k-- > 1;) {
+      const Level& level = levels_[k];
+      const auto elements = chosenElements(level.elements);
+      if (!elements.empty())
+        watches_.emplace_back(body_, level.elements, massBeside(finer, level.massShare), level.lambda / room,
+                              level.substeps);
+      for (const ElementRef e : elements) finer[at(e.block)][at(e.element)] = true;
+    }
+  }
+  for (LevelWatch& watch : watches_)
+    if (!watch.certifies(x))
+      return joinText("the elements that take ", watch.substeps(), " steps in each are no longer proven stable");
+  return {};
 }
 
 std::int64_t Adaptive::evaluations() const {

@@ -3,6 +3,7 @@
 
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/handlers/level_filter.h>
+#include <ringwatch/handlers/level_watch.h>
 
 namespace ringwatch {
 
@@ -33,13 +34,16 @@ namespace ringwatch {
 /// clusters for each evaluation of the last level.
 ///
 /// explicitBody() has the elements of level 0 on M_1/4: its critical step is h where the proof for level 0 ends. Finer
-/// levels are proven where they are chosen, with the margin; a step whose averaged force outgrows the force fails.
+/// levels are proven where they are chosen, with the margin, and watched by uncertifiedPart(); a step whose averaged
+/// force outgrows the force fails.
 class Adaptive final : public Handler {
  public:
   static constexpr HandlerInfo description{"adaptive", "smaller steps where they are needed, by levels h/2^k"};
   Adaptive(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   const HandlerInfo& handlerInfo() const override { return description; }
   std::vector<HandlerFigure> figures() const override;
+  /// A finer level whose tangent is above what its filter takes. Of implicit elements nothing is said.
+  std::string uncertifiedPart(const NodeVectors& x) override;
 
   /// One level of the choice.
   struct Level {
@@ -69,8 +73,9 @@ class Adaptive final : public Handler {
   double deepest(double h) const;
   /// The lumped mass, at nodes of some elements a share of it.
   Eigen::VectorXd massBeside(const ElementFlags& finer, double share) const;
-  /// Of the elements left, those that a level cannot have, `finer` among them.
-  ElementFlags finerThan(const Level& level, const ElementFlags& left, const NodeVectors& x, ElementFlags finer) const;
+  /// Of the elements left, those that a level cannot have, `finer` among them. Adds to the evaluations that it took.
+  ElementFlags finerThan(const Level& level, const ElementFlags& left, const NodeVectors& x, ElementFlags finer,
+                         std::int64_t& evaluations) const;
   void averagedAcceleration(const NodeVectors& x, const NodeVectors& v, double h, NodeVectors& a);
   void addStrainVelocity(const NodeVectors& x, const NodeVectors& v, double share);
 
@@ -79,6 +84,7 @@ class Adaptive final : public Handler {
   ElementFlags implicit_;
   std::optional<Body> coarse_;  // the elements of level 0
   std::optional<LevelFilter> filter_;
+  std::vector<LevelWatch> watches_;  // of the finer levels that have elements; made at the first look
   std::vector<std::vector<std::int32_t>> clusterNodes_;  // positions in filter_->nodes()
   double idealShare_ = 0;                                // Σ max(1, h/h_e) over Σ h/h_min
   double smallest_ = 0;                                  // h/h_min

@@ -1,5 +1,6 @@
 #include <ringwatch/handlers/handler.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -26,8 +27,18 @@ Handler::Handler(Body& body, std::unique_ptr<Integrator> base, HandlerOptions op
 
 void Handler::prepare(const NodeVectors& x, double h) { prepareFor(x, h, {}); }
 
-void Handler::prepare(const NodeVectors& x, double h, const CutMesh& cut, const ElementFlags& chosenBefore) {
-  chosen_ = carriedOver(cut, chosenBefore);
+void Handler::prepare(const NodeVectors& x, double h, const CutMesh& cut, const Handler& before) {
+  chosen_ = carriedOver(cut, before.chosen_);
+  kept_ = before.kept_;
+  kept_.carryOver(cut);
+  if (options_.selection == "certified") {
+    // What stands beside the cut may be given back.
+    const std::vector<bool> near = touchedNodes(body_, cut.changed);
+    for (const ElementRef e : chosenElements(chosen_))
+      for (const std::int32_t node : nodesOf(e))
+        if (near[static_cast<std::size_t>(node)])
+          chosen_[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)] = false;
+  }
   prepareFor(x, h, cut.changed);
 }
 
@@ -39,21 +50,34 @@ void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& loo
   certified_ = options_.selection != "reduced-1-ring";
   chosen_ = std::move(chosen);
   elements_ = chosenElements(chosen_);
+  places_.assign(body_.blocks().size(), {});
+  for (const ElementRef e : elements_)
+    places_[static_cast<std::size_t>(e.block)].push_back(body_.blocks()[static_cast<std::size_t>(e.block)]
+                                                             ->layout()
+                                                             .batchOfElement[static_cast<std::size_t>(e.element)]);
+  for (auto& places : places_) std::sort(places.begin(), places.end());
   reset();
   if (!elements_.empty()) take(x, h, chosen_);
 }
 
-ElementFlags Handler::chooseFor(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep) {
-  certificate_.reset();
+ElementFlags Handler::chooseFor(const NodeVectors& x, double lambda, const ElementFlags& keep) {
   if (options_.selection == "certified") {
-    certificate_ = selectCertified(body, x, lambda, keep);
-    return certificate_->chosen;
+    const ElementFlags chosen = kept_.choose(body_, x, lambda, keep).chosen;
+    judged_ = {kept_.judged(), kept_.last().evaluations};
+    return chosen;
   }
-  ElementFlags chosen = options_.selection == "single-element" ? selectBySingleElement(body, x, lambda)
-                                                               : selectByReducedRing(body, x, lambda, lookAt_);
+  const bool rings = options_.selection == "reduced-1-ring";
+  ElementFlags chosen =
+      rings ? selectByReducedRing(body_, x, lambda, lookAt_) : selectBySingleElement(body_, x, lambda);
+  const std::size_t count = rings && !lookAt_.empty() ? chosenElements(lookAt_).size() : body_.mesh().elementCount();
+  judged_.elements = judged_.evaluations = static_cast<std::int64_t>(count);
   for (std::size_t b = 0; b < keep.size(); ++b)
     for (std::size_t e = 0; e < keep[b].size(); ++e) chosen[b][e] = chosen[b][e] || keep[b][e];
   return chosen;
+}
+
+const CertifiedSelection* Handler::certificate() const {
+  return options_.selection == "certified" ? &kept_.last() : nullptr;
 }
 
 double Handler::allowedLambda(double h) const {
@@ -86,6 +110,28 @@ StepStatus Handler::baseStep(SecondOrderSystem& system, State& state, double h, 
   state = before_;
   reset();
   return status.done ? StepStatus{false, fault} : status;
+}
+
+std::optional<Body::LeastDeterminant> Handler::leastHandledDeterminant(const NodeVectors& x) const {
+  if (elements_.empty() || !explicitPart_) return std::nullopt;
+  constexpr int lanes = PatchLayout::lanes;
+  std::optional<Body::LeastDeterminant> least;
+  double values[lanes];
+  for (std::size_t b = 0; b < places_.size(); ++b) {
+    const ElementBlock& block = *body_.blocks()[b];
+    std::int32_t batch = -1;
+    for (const std::int32_t place : places_[b]) {
+      if (place / lanes != batch) {
+        batch = place / lanes;
+        block.minimumDeterminantBatch(batch, x.data(), values);
+      }
+      const double value = values[place % lanes];
+      if (!least || !(value >= least->value))
+        least = {value, {static_cast<std::int32_t>(b), block.layout().elements[static_cast<std::size_t>(place)]}};
+      if (std::isnan(value)) return least;
+    }
+  }
+  return least;
 }
 
 void Handler::splitOff(const ElementFlags& chosen, const Eigen::VectorXd& mass) {

@@ -8,7 +8,7 @@
 
 #include <ringwatch/body/body.h>
 #include <ringwatch/handlers/implicit_cluster.h>
-#include <ringwatch/handlers/selection.h>
+#include <ringwatch/handlers/kept_selection.h>
 #include <ringwatch/integrators/integrator.h>
 
 namespace ringwatch {
@@ -57,9 +57,10 @@ class Handler : public Integrator {
   /// Chooses the elements to handle for steps of h (s, > 0) at positions x (3×N, m), those chosen before among them.
   /// Throws InputError for options or a body that it cannot work with.
   void prepare(const NodeVectors& x, double h);
-  /// The same for a body whose mesh was cut: the choice made before it, carried over to what the cut left as it was.
-  /// With "reduced-1-ring" only the changed elements are looked at; "certified" proves the whole anew.
-  void prepare(const NodeVectors& x, double h, const CutMesh& cut, const ElementFlags& chosenBefore);
+  /// The same for a body whose mesh was cut: the choice of the handler of the body before, carried over to what the cut
+  /// left as it was. With "reduced-1-ring" only the changed elements are looked at; "certified" chooses anew among
+  /// those and their neighbours and keeps the proof of all others (KeptSelection).
+  void prepare(const NodeVectors& x, double h, const CutMesh& cut, const Handler& before);
   /// One step of the size that it was prepared for; another throws InputError.
   StepStatus step(SecondOrderSystem& system, State& state, double h) override;
   void reset() override { base_->reset(); }
@@ -75,6 +76,17 @@ class Handler : public Integrator {
   /// Whether the explicit part is proven stable for the tangent at the positions it was prepared for.
   bool certified() const { return certified_; }
   virtual std::vector<HandlerFigure> figures() const { return {}; }
+  /// Least det F over the handled elements and their quadrature points at positions x (3×N, m), with its element; for
+  /// those that are not in explicitBody(), where a monitor looks. Nothing where there are none.
+  std::optional<Body::LeastDeterminant> leastHandledDeterminant(const NodeVectors& x) const;
+  /// Which handled part is no longer proven stable for the tangent at positions x (3×N, m), and "" when none is known
+  /// to be: where a proof for explicitBody() is not all that it takes.
+  virtual std::string uncertifiedPart(const NodeVectors&) { return {}; }
+  /// What the last choice took: elements judged anew, and evaluations of a single element or ring.
+  struct Judged {
+    std::int64_t elements = 0, evaluations = 0;
+  };
+  const Judged& judged() const { return judged_; }
 
  protected:
   /// Called after a choice that is not empty.
@@ -90,18 +102,20 @@ class Handler : public Integrator {
   void requireTurningTetrahedra(const std::vector<ElementRef>& elements) const;
   /// Which elements, those of `keep` among them: those that a limit of allowedLambda(h) asks for.
   virtual ElementFlags choose(const NodeVectors& x, double h, const ElementFlags& keep) {
-    return chooseFor(body_, x, allowedLambda(h), keep);
+    return chooseFor(x, allowedLambda(h), keep);
   }
-  /// The elements of a body on its nodes that a limit of lambda, rad²/s², asks for, as the selection says.
-  ElementFlags chooseFor(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep);
+  /// The elements that a limit of lambda, rad²/s², asks for, as the selection says.
+  ElementFlags chooseFor(const NodeVectors& x, double lambda, const ElementFlags& keep);
   /// Leaves the chosen elements out of explicitBody(); with mass (kg, N numbers > 0), that is its lumped mass.
   void splitOff(const ElementFlags& chosen, const Eigen::VectorXd& mass = {});
   /// Some elements of the body with another lumped mass, kg, N numbers > 0; without loads.
   Body partWithMass(const ElementFlags& elements, const Eigen::VectorXd& mass) const;
   /// The highest frequency squared that is left to the rest, rad²/s²: ((1 - margin) limit/h)².
   double allowedLambda(double h) const;
-  /// The bound behind a certified choice; empty with other selections.
-  const std::optional<CertifiedSelection>& certificate() const { return certificate_; }
+  /// The bound behind a certified choice; none with other selections.
+  const CertifiedSelection* certificate() const;
+  /// For choices that are not those of chooseFor.
+  void noteJudged(Judged judged) { judged_ = judged; }
 
   Body& body_;
   std::unique_ptr<Integrator> base_;
@@ -116,7 +130,9 @@ class Handler : public Integrator {
   ElementFlags chosen_, lookAt_;
   State before_;  // the step that is being taken
   std::vector<ElementRef> elements_;
-  std::optional<CertifiedSelection> certificate_;
+  std::vector<std::vector<std::int32_t>> places_;  // of elements_ in the layouts of their blocks, ascending
+  KeptSelection kept_;
+  Judged judged_;
   std::optional<Body> explicitPart_;
   std::vector<std::vector<std::int32_t>> numbers_;  // [block][element of the part]: number in the body
 };

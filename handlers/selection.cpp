@@ -2,159 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <queue>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/reduced_ring.h>
-#include <ringwatch/monitor/scaled_tangent.h>
 
 namespace ringwatch {
 namespace {
 
-constexpr double slack = 1e-9;  // kept free for the rounding of sums and small eigenvalues
-
-class Greedy {
- public:
-  Greedy(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep)
-      : body_(body), x_(x), lambda_(lambda), keep_(keep.empty() ? noElements(body.mesh()) : keep), chosen_(keep_) {}
-
-  CertifiedSelection run() {
-    // The worst elements bend the shapes of their whole neighbourhood, so they leave first, and the shapes are swept
-    // without them before the next ones are judged.
-    for (const double hot : {16.0, 4.0, 1.0, 1.0}) {
-      takeOut(hot * lambda_);
-      if (hot == 1) bringBack();
-    }
-    CertifiedSelection result;
-    result.chosen = std::move(chosen_);
-    double rest = 0;
-    for (std::int32_t i = 0; i < body_.nodeCount(); ++i) rest = std::max(rest, nodal(i).first);
-    result.rest = {rest};
-    result.nodalSums = std::move(sums_);
-    return result;
-  }
-
- private:
-  /// lambda_max of a node's sum over its mass and the direction that has it.
-  std::pair<double, Eigen::Vector3d> nodal(std::int32_t i) const {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(sums_[static_cast<std::size_t>(i)] /
-                                                               body_.lumpedMass()[i]);
-    return {eigen.eigenvalues()[2], eigen.eigenvectors().col(2)};
-  }
-  /// Hands over elements until no node of the rest is above `allowed`.
-  void takeOut(double allowed) {
-    const ElementFlags left = complement(chosen_);
-    const Body rest(body_, left);
-    NodalBound bound(rest);
-    if (std::isnan(bound.evaluate(x_, sweeps).value))
-      throw NumericalError("no elements can be selected: the tangent at these positions is not finite");
-    const auto numbers = elementNumbers(left);
-    sums_.assign(static_cast<std::size_t>(body_.nodeCount()), Eigen::Matrix3d::Zero());
-    std::priority_queue<std::pair<double, std::int32_t>> queue;
-    for (std::int32_t i = 0; i < body_.nodeCount(); ++i) {
-      Eigen::Matrix3d& sum = sums_[static_cast<std::size_t>(i)];
-      for (const auto at : bound.incidences(i)) sum += bound.value(bound.elementAt(at)) * bound.shape(at);
-      sum = freePart(body_, i, sum);
-      queue.push({nodal(i).first, i});
-    }
-    while (!queue.empty()) {
-      const auto [value, i] = queue.top();
-      queue.pop();
-      const auto [now, direction] = nodal(i);
-      if (now < value * (1 - slack)) {  // a neighbour has left since
-        queue.push({now, i});
-        continue;
-      }
-      if (now <= allowed * (1 - slack)) return;
-      double most = -1;
-      ElementRef worst;
-      for (const auto at : bound.incidences(i)) {
-        const ElementRef e = bound.elementAt(at);
-        if (chosen_[static_cast<std::size_t>(e.block)][number(numbers, e)]) continue;
-        const double share = bound.value(e) * direction.dot(freePart(body_, i, bound.shape(at)) * direction);
-        if (share > most) {
-          most = share;
-          worst = e;
-        }
-      }
-      if (most < 0) {  // nothing is left here but rounding
-        sums_[static_cast<std::size_t>(i)].setZero();
-        continue;
-      }
-      chosen_[static_cast<std::size_t>(worst.block)][number(numbers, worst)] = true;
-      const auto nodes = rest.blocks()[static_cast<std::size_t>(worst.block)]->nodesOf(worst.element);
-      for (const std::int32_t node : nodes) {
-        // Summed anew: differences would keep the rounding of what has left.
-        Eigen::Matrix3d& sum = sums_[static_cast<std::size_t>(node)];
-        sum.setZero();
-        for (const auto at : bound.incidences(node)) {
-          const ElementRef e = bound.elementAt(at);
-          if (!chosen_[static_cast<std::size_t>(e.block)][number(numbers, e)])
-            sum += bound.value(e) * freePart(body_, node, bound.shape(at));
-        }
-      }
-      queue.push({nodal(i).first, i});
-    }
-  }
-  static std::size_t number(const std::vector<std::vector<std::int32_t>>& numbers, ElementRef e) {
-    return static_cast<std::size_t>(numbers[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)]);
-  }
-
-  /// Takes back, softest first, every element that the slack of its nodes holds.
-  void bringBack() {
-    std::vector<std::pair<double, ElementRef>> candidates;
-    for (const ElementRef e : chosenElements(chosen_))
-      if (!keep_[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)])
-        candidates.push_back({use(e), e});
-    std::sort(candidates.begin(), candidates.end());
-    for (const auto& [before, e] : candidates) {
-      const double l = use(e);
-      if (!(l <= 1 - slack)) continue;
-      for (const std::int32_t node : body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element))
-        sums_[static_cast<std::size_t>(node)] += l * slackOf(node);
-      chosen_[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)] = false;
-    }
-  }
-  Eigen::Matrix3d slackOf(std::int32_t node) const {
-    return freePart(body_, node,
-                    lambda_ * (1 - slack) * body_.lumpedMass()[node] * Eigen::Matrix3d::Identity() -
-                        sums_[static_cast<std::size_t>(node)]);
-  }
-  /// l_e with the slack of its nodes as shapes: the share of it that an element would use up; infinite without slack.
-  double use(ElementRef e) const {
-    Eigen::MatrixXd K = body_.elementTangent(e, x_);
-    const auto nodes = body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element);
-    for (std::size_t a = 0; a < nodes.size(); ++a) {
-      Eigen::Matrix3d T = slackOf(nodes[a]);
-      const auto at = static_cast<Eigen::Index>(3 * a);
-      for (int c = 0; c < 3; ++c)
-        if (body_.constraints().isConstrained(nodes[a], c)) {
-          K.row(at + c).setZero();
-          K.col(at + c).setZero();
-          T(c, c) = 1;
-        }
-      const Eigen::LLT<Eigen::Matrix3d> factor(T);
-      if (factor.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
-      K.middleRows<3>(at) = factor.matrixL().solve(K.middleRows<3>(at).eval()).eval();
-      K.middleCols<3>(at) = factor.matrixL().solve(K.middleCols<3>(at).transpose().eval()).transpose().eval();
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K, Eigen::EigenvaluesOnly);
-    const double largest = eigen.eigenvalues().tail<1>()[0];
-    return largest >= 0 ? largest : largest < 0 ? 0 : std::numeric_limits<double>::infinity();
-  }
-
-  static constexpr int sweeps = 8;
-  const Body& body_;
-  const NodeVectors& x_;
-  double lambda_;
-  ElementFlags keep_, chosen_;
-  std::vector<Eigen::Matrix3d> sums_;
-};
+constexpr double slack = 1e-9;  // kept free for the rounding of small eigenvalues
 
 }  // namespace
 
@@ -181,6 +38,22 @@ std::vector<std::vector<std::int32_t>> elementNumbers(const ElementFlags& flags)
   std::vector<std::vector<std::int32_t>> numbers(flags.size());
   for (const ElementRef e : chosenElements(flags)) numbers[static_cast<std::size_t>(e.block)].push_back(e.element);
   return numbers;
+}
+
+std::vector<bool> touchedNodes(const Body& body, const ElementFlags& elements) {
+  std::vector<bool> touched(static_cast<std::size_t>(body.nodeCount()), false);
+  for (const ElementRef e : chosenElements(elements))
+    for (const std::int32_t node : body.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element))
+      touched[static_cast<std::size_t>(node)] = true;
+  return touched;
+}
+
+std::vector<std::int32_t> nodesOf(const Body& body, const ElementFlags& elements) {
+  const std::vector<bool> touched = touchedNodes(body, elements);
+  std::vector<std::int32_t> nodes;
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+    if (touched[static_cast<std::size_t>(i)]) nodes.push_back(i);
+  return nodes;
 }
 
 Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::int32_t> nodes,
@@ -210,46 +83,66 @@ Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::in
     const ElementBlock& face = *body.blocks()[b];
     blocks.push_back(makeElementBlock(mesh, mesh.blocks[b], face.material(), face.rule().name));
   }
-  return Body(std::move(mesh), std::move(blocks), mass, body.threads());
+  Body part(std::move(mesh), std::move(blocks), mass, body.threads());
+  for (std::int32_t i = 0; i < part.nodeCount(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const std::int32_t whole = nodes[static_cast<std::size_t>(i)];
+      if (body.constraints().isConstrained(whole, c))
+        part.constraints().move(i, c, body.constraints().velocity()(c, whole));
+    }
+  return part;
 }
+
+namespace {
+
+/// Calls visit(block, element, value) with the highest eigenvalues of the reduced 1-rings of some elements; all when
+/// lookAt is empty.
+template <class Visit>
+void forEachReducedRing(const Body& body, const NodeVectors& x, const ElementFlags& lookAt, const Visit& visit) {
+  if (lookAt.empty()) {
+    ReducedRing rings(body);
+    const auto& largest = rings.evaluate(x).largest;
+    for (std::size_t b = 0; b < largest.size(); ++b)
+      for (std::size_t e = 0; e < largest[b].size(); ++e) visit(b, e, largest[b][e]);
+    return;
+  }
+  // A ring is made of all elements at the nodes of its own: with these, a part of the body has the same rings.
+  const std::vector<bool> near = touchedNodes(body, lookAt);
+  ElementFlags around = noElements(body.mesh());
+  for (std::size_t b = 0; b < around.size(); ++b)
+    for (std::size_t e = 0; e < around[b].size(); ++e) {
+      const auto nodes = body.blocks()[b]->nodesOf(static_cast<std::int32_t>(e));
+      around[b][e] =
+          std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return near[static_cast<std::size_t>(n)]; });
+    }
+  if (chosenElements(around).empty()) return;
+  const auto numbers = elementNumbers(around);
+  const Body part(body, around);
+  ReducedRing rings(part);
+  const auto& largest = rings.evaluate(x).largest;
+  for (std::size_t b = 0; b < largest.size(); ++b)
+    for (std::size_t e = 0; e < largest[b].size(); ++e) {
+      const auto whole = static_cast<std::size_t>(numbers[b][e]);
+      if (lookAt[b][whole]) visit(b, whole, largest[b][e]);
+    }
+}
+
+}  // namespace
 
 ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& lookAt) {
   if (!(lambda > 0)) throw InputError(joinText("selection: lambda = ", lambda, " rad2/s2 must be > 0"));
   ElementFlags flags = noElements(body.mesh());
-  const auto judge = [&](const Body& part, const auto& numberOf) {
-    ReducedRing rings(part);
-    const auto& largest = rings.evaluate(x).largest;
-    for (std::size_t b = 0; b < largest.size(); ++b)
-      for (std::size_t e = 0; e < largest[b].size(); ++e) {
-        const std::size_t whole = numberOf(b, e);
-        flags[b][whole] = !(largest[b][e] <= lambda) && (lookAt.empty() || lookAt[b][whole]);
-      }
-  };
-  if (lookAt.empty()) {
-    judge(body, [](std::size_t, std::size_t e) { return e; });
-    return flags;
-  }
-  // A ring is made of all elements at the nodes of its own: with these, a part of the body has the same rings.
-  std::vector<bool> near(static_cast<std::size_t>(body.nodeCount()), false);
-  const std::vector<MeshBlock>& blocks = body.mesh().blocks;
-  const auto nodesOf = [&](std::size_t b, std::size_t e) {
-    return std::span(blocks[b].element(e), static_cast<std::size_t>(blocks[b].nodesPerElement()));
-  };
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    for (std::size_t e = 0; e < lookAt[b].size(); ++e)
-      if (lookAt[b][e])
-        for (const std::int32_t n : nodesOf(b, e)) near[static_cast<std::size_t>(n)] = true;
-  ElementFlags around = noElements(body.mesh());
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    for (std::size_t e = 0; e < around[b].size(); ++e) {
-      const auto nodes = nodesOf(b, e);
-      around[b][e] =
-          std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return near[static_cast<std::size_t>(n)]; });
-    }
-  if (chosenElements(around).empty()) return flags;
-  const auto numbers = elementNumbers(around);
-  judge(Body(body, around), [&](std::size_t b, std::size_t e) { return static_cast<std::size_t>(numbers[b][e]); });
+  forEachReducedRing(body, x, lookAt,
+                     [&](std::size_t b, std::size_t e, double value) { flags[b][e] = !(value <= lambda); });
   return flags;
+}
+
+LowerBound highestReducedRing(const Body& body, const NodeVectors& x, const ElementFlags& lookAt) {
+  LowerBound highest{0};
+  forEachReducedRing(body, x, lookAt, [&](std::size_t, std::size_t, double value) {
+    if (!std::isnan(highest.value) && !(value <= highest.value)) highest.value = value;  // NaN stays
+  });
+  return highest;
 }
 
 ElementFlags carriedOver(const CutMesh& cut, const ElementFlags& before) {
@@ -280,11 +173,6 @@ ElementFlags selectBySingleElement(const Body& body, const NodeVectors& x, doubl
     }
   }
   return flags;
-}
-
-CertifiedSelection selectCertified(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep) {
-  if (!(lambda > 0)) throw InputError(joinText("selection: lambda = ", lambda, " rad2/s2 must be > 0"));
-  return Greedy(body, x, lambda, keep).run();
 }
 
 }  // namespace ringwatch

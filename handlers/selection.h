@@ -21,8 +21,11 @@ ElementFlags complement(ElementFlags flags);
 /// The flagged elements of each block, ascending: in a body made of them alone, element i of a block is the i-th.
 std::vector<std::vector<std::int32_t>> elementNumbers(const ElementFlags& flags);
 
+/// The nodes that flagged elements have, as flags by node and ascending.
+std::vector<bool> touchedNodes(const Body& body, const ElementFlags& elements);
+std::vector<std::int32_t> nodesOf(const Body& body, const ElementFlags& elements);
 /// The flagged elements as a body of their own on some nodes of another one (all that they have), with a lumped mass
-/// for each, kg; without loads and constraints. Blocks keep their numbers.
+/// for each, kg, and the constraints of the other; without loads. Blocks keep their numbers.
 Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::int32_t> nodes,
             const Eigen::VectorXd& mass);
 
@@ -33,6 +36,10 @@ Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::in
 ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double lambda,
                                  const ElementFlags& lookAt = {});
 
+/// The highest eigenvalue of M⁻¹K that the reduced 1-rings of some elements show, rad²/s², a lower bound of the body's;
+/// NaN where the tangent is not finite. lookAt: as for selectByReducedRing.
+LowerBound highestReducedRing(const Body& body, const NodeVectors& x, const ElementFlags& lookAt);
+
 /// A choice in a mesh before a cut, carried over to the elements that the cut left as they were; changed ones are not
 /// flagged.
 ElementFlags carriedOver(const CutMesh& cut, const ElementFlags& before);
@@ -41,24 +48,5 @@ ElementFlags carriedOver(const CutMesh& cut, const ElementFlags& before);
 /// element alone: the source's section 3.3.1. Proves the rest, Σ K_e ≼ lambda Σ M_e ≼ lambda M, constraints or not,
 /// with more elements than it takes. Throws InputError unless lambda > 0.
 ElementFlags selectBySingleElement(const Body& body, const NodeVectors& x, double lambda);
-
-/// A set of elements without which the rest is proven stable.
-struct CertifiedSelection {
-  ElementFlags chosen;
-  UpperBound rest;  // of the highest eigenvalue of M⁻¹ Σ K_e over the elements not chosen, rad²/s²; <= lambda
-  /// Σ l_e D_e at each node over the elements not chosen, N/m: the rest's stiffness is below this block-diagonal
-  /// matrix, and it below lambda M.
-  std::vector<Eigen::Matrix3d> nodalSums;
-};
-
-/// The smallest set found whose removal brings the block nodal bound of the rest, on the whole lumped mass, to lambda
-/// or below: with K_e ≼ l_e D_e for each remaining element and lambda_max(Σ l_e D_e) <= lambda m_i at every node i, the
-/// rest is proven stable at the step limit/√lambda, for the tangent at x. Greedy: the hottest node hands over the
-/// element with the largest share of it, until no node is too hot, with shapes D_e swept anew as the worst ones leave;
-/// then elements that fit into the slack T_i = lambda m_i - Σ l_e D_e of their nodes, K_e ≼ diag(T_i), come back.
-/// keep: elements that stay chosen whatever the bound says, e.g. those chosen so far; may be empty.
-/// Throws InputError unless lambda > 0, NumericalError when the tangent is not finite.
-CertifiedSelection selectCertified(const Body& body, const NodeVectors& x, double lambda,
-                                   const ElementFlags& keep = {});
 
 }  // namespace ringwatch

@@ -51,11 +51,9 @@ NodalBound::NodalBound(const Body& body) : body_(&body) {
       const ElementBlock& block = *body.blocks()[b];
       const int n = block.element().nodes;
       for (std::int32_t e = 0; e < block.elementCount(); ++e) {
-        const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(e)];
         const auto nodes = block.nodesOf(e);
         for (int a = 0; a < n; ++a)
-          visit(nodes[static_cast<std::size_t>(a)],
-                Incidence{static_cast<std::int32_t>(b), (place / lanes * n + a) * lanes + place % lanes});
+          visit(nodes[static_cast<std::size_t>(a)], incidenceOf({static_cast<std::int32_t>(b), e}, a));
       }
     }
   };
@@ -159,6 +157,10 @@ double NodalBound::sumAtNodes() {
           const auto node = static_cast<std::int32_t>(pack) * lanes + lane;
           if (node >= nodes) continue;
           double sum[6] = {0, 0, 0, 0, 0, 0};
+          if (!outside_.empty())
+            for (int r = 0; r < 3; ++r)
+              for (int c = r; c < 3; ++c)
+                sum[Symmetric3<P>::index(r, c)] = outside_[static_cast<std::size_t>(node)](r, c);
           for (const Incidence at : incidences(node)) {
             const auto block = static_cast<std::size_t>(at.block);
             const int l = at.place % lanes;
@@ -258,6 +260,12 @@ ElementRef NodalBound::elementAt(Incidence at) const {
   const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(at.block)];
   const std::int32_t batch = at.place / lanes / block.element().nodes;
   return {at.block, block.layout().elements[static_cast<std::size_t>(batch * lanes + at.place % lanes)]};
+}
+
+NodalBound::Incidence NodalBound::incidenceOf(ElementRef e, int a) const {
+  const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(e.block)];
+  const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(e.element)];
+  return {e.block, (place / lanes * block.element().nodes + a) * lanes + place % lanes};
 }
 
 Eigen::Matrix3d NodalBound::shape(Incidence at) const {

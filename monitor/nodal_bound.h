@@ -23,6 +23,9 @@ class NodalBound {
   /// The bound at positions x (3×N, m): the best of up to `sweeps` + 1 evaluations. From scratch when nothing is kept.
   /// It ends when two sweeps lowered the bound by no more than leastGain, relative.
   UpperBound evaluate(const NodeVectors& x, int sweeps, Start start = Start::rootOfStiffness, double leastGain = 0);
+  /// Elements that are not in the body and share nodes with it, by their Σ l_e D_e at each node (N of them, N/m): they
+  /// count in every sum and thus in the bound, and are not swept.
+  void setOutside(std::vector<Eigen::Matrix3d> sums) { outside_ = std::move(sums); }
   /// Forgets the shapes.
   void reset() { started_ = false; }
   /// The bound with the shapes as they are now: that of the last sweep, which need not be the best.
@@ -67,6 +70,8 @@ class NodalBound {
     return {{incidence_.data() + incidenceBegin_[i], incidence_.data() + incidenceBegin_[i + 1]}, firstOfBlock_.data()};
   }
   ElementRef elementAt(Incidence at) const;
+  /// Of an element at its node a.
+  Incidence incidenceOf(ElementRef e, int a) const;
   /// Shape of an incidence.
   Eigen::Matrix3d shape(Incidence at) const;
   void setShape(Incidence at, const Eigen::Matrix3d& D);
@@ -112,6 +117,7 @@ class NodalBound {
   std::vector<std::int32_t> firstOfBlock_;  // blocks + 1
   AlignedVector<Symmetric3<Pack>> sums_;    // S_i, one node a lane
   AlignedVector<Symmetric3<Pack>> factors_;
+  std::vector<Eigen::Matrix3d> outside_;  // by node; empty for none
   std::vector<double> nodal_;
   std::int64_t evaluations_ = 0;
   double last_ = 0;

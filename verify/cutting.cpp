@@ -49,7 +49,7 @@ class CutRun {
     for (std::int32_t i = 0; i < body_.nodeCount(); ++i)
       state_.v.col(i) = Vector3d(0, 0.3 * std::pow(state_.x(0, i) / size.x(), 2), 0.1 * state_.x(0, i) / size.x());
     energy_ = energyOf(body_, state_);
-    start(nullptr, {});
+    start(nullptr, nullptr);
   }
 
   /// Steps to a time, s.
@@ -67,12 +67,11 @@ class CutRun {
 
   void cut(const CutSurface& surface) {
     const CutMesh made = cutMesh(body_.mesh(), surface, body_.mesh().X, snap);
-    const ElementFlags chosen = handler_ ? handler_->chosen() : ElementFlags{};
-    integrator_.reset();
+    const std::unique_ptr<Integrator> before = std::move(integrator_);
     state_.x = carriedOver(made, state_.x);
     state_.v = carriedOver(made, state_.v);
     body_ = bodyOf(made.mesh);
-    start(&made, chosen);
+    start(&made, handler_);
     energy_ = energyOf(body_, state_);
   }
 
@@ -87,7 +86,7 @@ class CutRun {
   const std::string& lost() const { return lost_; }
 
  private:
-  void start(const CutMesh* cut, const ElementFlags& chosen) {
+  void start(const CutMesh* cut, const Handler* before) {
     critical_ = criticalStep(body_, state_.x, limit).safe;
     integrator_ = makeIntegrator("verlet");
     if (handlerName_.empty()) {
@@ -99,13 +98,11 @@ class CutRun {
     integrator_ = std::move(handler);
     const std::clock_t begin = std::clock();
     if (cut)
-      handler_->prepare(state_.x, h_, *cut, chosen);
+      handler_->prepare(state_.x, h_, *cut, *before);
     else
       handler_->prepare(state_.x, h_);
     judgingTime_ = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    judged_ = cut && options_.selection == "reduced-1-ring"
-                  ? static_cast<std::int64_t>(chosenElements(cut->changed).size())
-                  : static_cast<std::int64_t>(body_.mesh().elementCount());
+    judged_ = handler_->judged().elements;
   }
 
   std::string handlerName_;

@@ -728,7 +728,9 @@ class HandledProgram : public Program {
 };
 
 TEST_F(Program, CutsAndKeepsItsStep) {
-  const std::string scene = "run '" RINGWATCH_EXAMPLES "/four_cuts.toml' --set integrator.end=0.22";
+  const std::string scene = "run '" RINGWATCH_EXAMPLES
+                            "/four_cuts.toml' --set integrator.end=0.22 --set cut.0.critical_step=true "
+                            "--set cut.3.critical_step=true";
   const Outcome outcome = call(scene + " --out cut");
   EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
   EXPECT_THAT(outcome.out, HasSubstr("cut at t = 0.0504 s: "));
@@ -747,6 +749,13 @@ TEST_F(Program, CutsAndKeepsItsStep) {
   const Json &first = summary["cuts"].front(), &last = summary["cuts"].back();
   EXPECT_GT(first["critical_step"]["before"]["safe"].get<double>(), 6e-4);
   EXPECT_LT(last["critical_step"]["after"]["safe"].get<double>(), 6e-4 / 5);
+  EXPECT_TRUE(summary["cuts"][1]["critical_step"]["before"].is_null());  // not asked for
+  for (const Json* cut : {&first, &last}) {
+    EXPECT_GE((*cut)["critical_step_at_most"].get<double>(), (*cut)["critical_step"]["after"]["safe"].get<double>());
+    EXPECT_LT((*cut)["critical_step_at_most"].get<double>(), 6e-4);
+    EXPECT_LE((*cut)["elements_looked_at"].get<int>(), (*cut)["elements"]["after"].get<int>());
+    EXPECT_GE((*cut)["element_evaluations"].get<int>(), (*cut)["elements_looked_at"].get<int>());
+  }
   EXPECT_EQ(first["handled_elements"]["before"], 0);
   EXPECT_GT(last["handled_elements"]["after"].get<int>(), 0);
   const Table history = table("cut/history.csv");
@@ -895,8 +904,48 @@ TEST_F(HandledProgram, TakesMoreElementsWhenTheRestStiffens) {
   EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
   const Json handler = json("handled/summary.json")["handler"];
   EXPECT_GT(handler["selections"].get<int>(), 1);
+  // Later choices keep most of the proof.
+  const Json first = json("stopped/summary.json")["handler"];
+  EXPECT_EQ(first["selections"], 1);
+  EXPECT_LT(handler["element_evaluations"].get<double>(),
+            0.7 * handler["selections"].get<double>() * first["element_evaluations"].get<double>());
   const Table history = table("handled/history.csv");
   EXPECT_GT(history.number(history.rows.size() - 1, "handled_elements"), history.number(0, "handled_elements"));
+}
+
+TEST_F(Program, ReportsAHandledElementThatInverts) {
+  // A node in the midst of a bar is led along it, faster than the rest can follow.
+  folder_.write("led.toml",
+                "[mesh]\ngenerate = \"bar\"\nsize = [0.2, 0.04, 0.04]\ncells = [10, 2, 2]\n[material]\n"
+                "model = \"corotational\"\nyoung = 30e3\npoisson = 0.3\ndensity = 1000\n[integrator]\n"
+                "method = \"verlet\"\nstep = 2.5e-3\nend = 0.03\n[[fix]]\nwhere = \"x < 1e-6\"\n[[move]]\n"
+                "where = \"abs(x - 0.1) < 0.01 and abs(y - 0.02) < 0.01 and abs(z - 0.02) < 0.01\"\n"
+                "velocity = [4, 0, 0]\n[monitor]\non_violation = \"warn\"\n[handler]\nmethod = \"imex\"\n"
+                "[output]\nevery = 2.5e-3\n");
+  const Outcome outcome = call("run led.toml --out led");
+  EXPECT_THAT(outcome.out, HasSubstr("handled element inverted, det F = "));
+  const Json summary = json("led/summary.json");
+  int found = 0;
+  for (const Json& event : summary["events"]) {
+    if (event["text"].get<std::string>().find("handled element inverted") == std::string::npos) continue;
+    ++found;
+    EXPECT_EQ(event["kind"], "inverted");
+    // By the positions in the frames of that step and of the one before.
+    const auto nodes = event["element"]["nodes"].get<std::vector<int>>();
+    const auto volumeIn = [&](std::int64_t step) {
+      const std::string digits = std::to_string(1000001 + step).substr(1);
+      const NodeVectors x = readMesh(folder_.path() / ("led/frames/frame_" + digits + ".vtu")).X;
+      Eigen::Matrix3d edges;
+      for (int k = 0; k < 3; ++k) edges.col(k) = x.col(nodes[static_cast<std::size_t>(k) + 1]) - x.col(nodes[0]);
+      return edges.determinant();
+    };
+    const auto step = event["step"].get<std::int64_t>();
+    EXPECT_GT(step, 1);
+    EXPECT_NEAR(event["value"].get<double>(), volumeIn(step) / volumeIn(0), 1e-4);
+    EXPECT_LT(event["value"].get<double>(), 0);
+    EXPECT_GT(volumeIn(step - 1), 0);
+  }
+  EXPECT_EQ(found, 1);
 }
 
 TEST_F(HandledProgram, SaysWhenConjugateGradientsDoNotConverge) {

@@ -1,12 +1,25 @@
 // What holds of every handler.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+
+#include <ringwatch/base/error.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/body_system.h>
 #include <tests/handlers/handler_cases.h>
 
 namespace ringwatch {
 namespace {
+
+/// All variants of a handler; "" is its default.
+std::vector<const char*> variantsOf(std::string_view handler) {
+  static const std::map<std::string_view, const char*> others{
+      {"adaptive", "plain"}, {"fe-pbd", "rigid"}, {"filtered", "projection"}};
+  const auto other = others.find(handler);
+  return other == others.end() ? std::vector<const char*>{""} : std::vector<const char*>{"", other->second};
+}
 
 class EveryHandler : public ::testing::TestWithParam<HandlerEntry> {};
 INSTANTIATE_TEST_SUITE_P(All, EveryHandler, ::testing::ValuesIn(allHandlers().begin(), allHandlers().end()),
@@ -30,6 +43,122 @@ TEST_P(EveryHandler, GivesTheSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(x[0], x[1]);
 }
 
+TEST_P(EveryHandler, IsPlainExplicitWhereTheStepIsFine) {
+  for (const char* variant : variantsOf(GetParam().info->name))
+    for (const char* base : {"symplectic-euler", "verlet"}) {
+      Body body = test::sliverBody("corotational");
+      body.addBodyForce({0, 0, -1});
+      const double h = 0.8 * test::criticalStepOf(body);
+      HandlerOptions options;
+      options.variant = variant;
+      const auto handler = GetParam().make(body, makeIntegrator(base), options);
+      handler->prepare(body.mesh().X, h);
+      EXPECT_TRUE(handler->elements().empty());
+      EXPECT_EQ(&handler->explicitBody(), &body);
+      EXPECT_FALSE(handler->leastHandledDeterminant(body.mesh().X).has_value());
+      EXPECT_EQ(handler->uncertifiedPart(body.mesh().X), "");
+      const auto plain = makeIntegrator(base);
+      BodySystem a(body), b(body);
+      State with = a.initialState(), without = b.initialState();
+      for (int i = 0; i < 50; ++i) {
+        handler->step(a, with, h);
+        plain->step(b, without, h);
+      }
+      EXPECT_EQ(with.x, without.x);
+      EXPECT_EQ(with.v, without.v);
+    }
+}
+
+TEST_P(EveryHandler, FindsTheHandledElementThatIsInverted) {
+  Body body = test::sliverBody("corotational", 0.98);
+  const auto handler = GetParam().make(body, makeIntegrator("verlet"), {});
+  handler->prepare(body.mesh().X, 4 * test::criticalStepOf(body));
+  const auto least = handler->leastHandledDeterminant(body.mesh().X);
+  if (&handler->explicitBody() == &body) {  // all are explicit, where a monitor looks
+    EXPECT_FALSE(least.has_value());
+    return;
+  }
+  ASSERT_TRUE(least.has_value());
+  EXPECT_NEAR(least->value, 1, 1e-12);
+  // One node through the opposite face.
+  const ElementRef e = handler->elements()[handler->elements().size() / 2];
+  const auto nodes = body.blocks()[0]->nodesOf(e.element);
+  NodeVectors x = body.mesh().X;
+  const Eigen::Vector3d centre = (x.col(nodes[0]) + x.col(nodes[1]) + x.col(nodes[2])) / 3;
+  x.col(nodes[3]) += 1.5 * (centre - x.col(nodes[3]));
+  double own = 1;
+  for (const ElementRef one : handler->elements()) {
+    const auto at = body.blocks()[0]->nodesOf(one.element);
+    Eigen::Matrix3d now, rest;
+    for (int k = 0; k < 3; ++k) {
+      now.col(k) = x.col(at[static_cast<std::size_t>(k) + 1]) - x.col(at[0]);
+      rest.col(k) = body.mesh().X.col(at[static_cast<std::size_t>(k) + 1]) - body.mesh().X.col(at[0]);
+    }
+    own = std::min(own, now.determinant() / rest.determinant());
+  }
+  ASSERT_LT(own, 0);
+  EXPECT_NEAR(handler->leastHandledDeterminant(x)->value, own, 1e-9 * std::abs(own));
+}
+
+TEST_P(EveryHandler, RefusesAStepThatItWasNotPreparedFor) {
+  Body body = test::sliverBody();
+  const double h = 4 * test::criticalStepOf(body);
+  const auto handler = GetParam().make(body, makeIntegrator("verlet"), {});
+  handler->prepare(body.mesh().X, h);
+  BodySystem system(body);
+  State state = system.initialState();
+  try {
+    handler->step(system, state, 0.5 * h);
+    ADD_FAILURE() << "no refusal";
+  } catch (const InputError& fault) {
+    EXPECT_THAT(fault.what(), ::testing::HasSubstr("prepared for"));
+  }
+}
+
+TEST(Handlers, RefuseWhatTheyCannotDo) {
+  const Material material = makeMaterial("corotational", test::young, test::poisson, test::density);
+  Body hexahedra(test::gridMesh("hex8", {2, 2, 2}, {1, 1, 1}), material, {}), linear = test::sliverBody("linear"),
+                                                                              slivers = test::sliverBody();
+  HandlerOptions plain, variant, passes, rings, single, below, above, noLevel, manyLevels;
+  variant.variant = "round";
+  passes.passes = 33;
+  rings.selection = "reduced-1-ring";
+  single.selection = "single-element";
+  below.dissipation = -0.1;
+  above.dissipation = 1.1;
+  noLevel.levels = 0;
+  manyLevels.levels = 13;
+  const struct {
+    const char* handler;
+    Body& body;
+    const HandlerOptions& options;
+    const char* text;
+  } cases[]{
+      {"fe-pbd", hexahedra, plain, "fe-pbd handles tet4, and element 0:0 is a hex8"},
+      {"filtered", hexahedra, plain, "filtered handles tet4, and element 0:0 is a hex8"},
+      {"fe-pbd", linear, plain, "\"linear\""},
+      {"filtered", linear, plain, "\"linear\""},
+      {"fe-pbd", slivers, variant, "variant \"round\" of fe-pbd: must be one of linear, rigid"},
+      {"filtered", slivers, variant, "variant \"round\" of filtered: must be one of compliant, projection"},
+      {"adaptive", slivers, variant, "variant \"round\" of adaptive: must be one of stabilised, plain"},
+      {"fe-pbd", slivers, passes, "passes 33"},
+      {"filtered", slivers, rings, "must be certified or single-element"},
+      {"mass-scaling", slivers, rings, "must be certified"},
+      {"adaptive", slivers, single, "adaptive takes certified or reduced-1-ring"},
+      {"imex", slivers, below, "dissipation -0.1"},
+      {"imex", slivers, above, "dissipation 1.1"},
+      {"adaptive", slivers, below, "dissipation -0.1"},
+      {"adaptive", slivers, noLevel, "levels 0"},
+      {"adaptive", slivers, manyLevels, "levels 13"},
+  };
+  for (const auto& one : cases) try {
+      makeHandler(one.handler, one.body, makeIntegrator("verlet"), one.options)->prepare(one.body.mesh().X, 1);
+      ADD_FAILURE() << one.handler << " does not refuse: " << one.text;
+    } catch (const InputError& fault) {
+      EXPECT_THAT(fault.what(), ::testing::HasSubstr(one.text)) << one.handler;
+    }
+}
+
 TEST_P(EveryHandler, GoesOnAfterACutWithTheChoiceMadeBefore) {
   const Mesh mesh = test::sliverBar(0.98);
   const CutMesh cut = cutMesh(mesh, CutSurface::plane({0.11, 0, 0}, {1, 0.2, 0.1}), mesh.X, 0.02);
@@ -40,11 +169,15 @@ TEST_P(EveryHandler, GoesOnAfterACutWithTheChoiceMadeBefore) {
   const auto first = GetParam().make(before, makeIntegrator("verlet"), {}),
              second = GetParam().make(after, makeIntegrator("verlet"), {});
   first->prepare(mesh.X, h);
-  second->prepare(cut.mesh.X, h, cut, first->chosen());
-  // What was handled far from the cut still is.
+  second->prepare(cut.mesh.X, h, cut, *first);
+  // What was handled away from the cut still is; beside it, certified elements may be given back.
+  const std::vector<bool> near = touchedNodes(after, cut.changed);
   std::size_t carried = 0;
   for (std::size_t e = 0; e < cut.changed[0].size(); ++e) {
-    if (cut.changed[0][e] || !first->chosen()[0][static_cast<std::size_t>(cut.parent[0][e])]) continue;
+    const auto nodes = after.blocks()[0]->nodesOf(static_cast<std::int32_t>(e));
+    if (!first->chosen()[0][static_cast<std::size_t>(cut.parent[0][e])] ||
+        std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return near[static_cast<std::size_t>(n)]; }))
+      continue;
     EXPECT_TRUE(second->chosen()[0][e]) << e;
     ++carried;
   }

@@ -233,25 +233,6 @@ TEST_P(PositionBasedStability, NoModeGrowsAtManyTimesTheCriticalStep) {
   EXPECT_GT(test::spectralRadius(body, *plain, h, 1e-7), 2);  // so the test can fail
 }
 
-TEST(PositionBased, IsPlainExplicitWhereTheStepIsFine) {
-  for (const char* base : {"symplectic-euler", "verlet"}) {
-    Body body = test::sliverBody("corotational");
-    body.addBodyForce({0, 0, -1});
-    const double h = 0.8 * criticalStepOf(body);
-    const auto handler = pbd(body, h, {}, 3, base);
-    EXPECT_TRUE(handler->elements().empty());
-    const auto plain = makeIntegrator(base);
-    BodySystem a(body), b(body);
-    State with = a.initialState(), without = b.initialState();
-    for (int i = 0; i < 50; ++i) {
-      handler->step(a, with, h);
-      plain->step(b, without, h);
-    }
-    EXPECT_EQ(with.x, without.x);
-    EXPECT_EQ(with.v, without.v);
-  }
-}
-
 TEST(PositionBased, KeepsBothMomentaAndBoundsTheEnergy) {
   for (const char* variant : {"linear", "rigid"}) {
     Body body = test::sliverBody("corotational", 0.98, false);
@@ -395,29 +376,6 @@ TEST(PositionBased, DoesNotPassNotANumberOn) {
     EXPECT_EQ(state.v, v);
     EXPECT_EQ(state.time, 0);
   }
-}
-
-TEST(PositionBased, RefusesWhatItCannotDo) {
-  const auto message = [](Body& body, const HandlerOptions& options) -> std::string {
-    try {
-      makeHandler("fe-pbd", body, makeIntegrator("verlet"), options)->prepare(body.mesh().X, 1);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "nothing";
-  };
-  Body hexahedra(test::gridMesh("hex8", {2, 2, 2}, {1, 1, 1}),
-                 makeMaterial("corotational", test::young, test::poisson, test::density), {});
-  EXPECT_THAT(message(hexahedra, {}), HasSubstr("fe-pbd handles tet4, and element 0:0 is a hex8"));
-  Body linear = test::sliverBody("linear");
-  EXPECT_THAT(message(linear, {}), HasSubstr("\"linear\""));
-  Body body = test::sliverBody();
-  HandlerOptions options;
-  options.variant = "round";
-  EXPECT_THAT(message(body, options), HasSubstr("variant \"round\" of fe-pbd: must be one of linear, rigid"));
-  options.variant = "linear";
-  options.passes = 33;
-  EXPECT_THAT(message(body, options), HasSubstr("passes 33"));
 }
 
 }  // namespace

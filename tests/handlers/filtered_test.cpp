@@ -134,25 +134,6 @@ TEST(Projection, MeetsItsToleranceAndKeepsMomentum) {
   EXPECT_THAT(hasty.project(x), HasSubstr("did not meet its 5 constraints in 1 iterations"));
 }
 
-TEST(Filtered, IsPlainExplicitWhereTheStepIsFine) {
-  for (const char* variant : {"compliant", "projection"}) {
-    Body body = test::sliverBody("corotational");
-    body.addBodyForce({0, 0, -1});
-    const double h = 0.8 * criticalStepOf(body);
-    const auto handler = filtered(body, h, variant, "verlet");
-    EXPECT_TRUE(handler->elements().empty());
-    const auto plain = makeIntegrator("verlet");
-    BodySystem a(body), b(body);
-    State with = a.initialState(), without = b.initialState();
-    for (int i = 0; i < 50; ++i) {
-      handler->step(a, with, h);
-      plain->step(b, without, h);
-    }
-    EXPECT_EQ(with.x, without.x);
-    EXPECT_EQ(with.v, without.v);
-  }
-}
-
 TEST(Filtered, LeavesRigidMotionAlone) {
   for (const char* variant : {"compliant", "projection"}) {
     Body body = test::sliverBody("corotational", 0.95, false);
@@ -318,29 +299,6 @@ TEST(Filtered, TurnsAnInvertedElementBackAndReportsNotANumber) {
   const StepStatus status = handler->step(system, state, h);
   EXPECT_FALSE(status.done);
   EXPECT_THAT(status.reason, HasSubstr("finite"));
-}
-
-TEST(Filtered, RefusesWhatItCannotDo) {
-  const auto message = [](Body& body, const HandlerOptions& options) -> std::string {
-    try {
-      makeHandler("filtered", body, makeIntegrator("verlet"), options)->prepare(body.mesh().X, 1);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "nothing";
-  };
-  Body hexahedra(test::gridMesh("hex8", {2, 2, 2}, {1, 1, 1}),
-                 makeMaterial("corotational", test::young, test::poisson, test::density), {});
-  EXPECT_THAT(message(hexahedra, {}), HasSubstr("filtered handles tet4, and element 0:0 is a hex8"));
-  Body linear = test::sliverBody("linear");
-  EXPECT_THAT(message(linear, {}), HasSubstr("\"linear\""));
-  Body body = test::sliverBody();
-  HandlerOptions options;
-  options.variant = "rigid";
-  EXPECT_THAT(message(body, options), HasSubstr("variant \"rigid\" of filtered: must be one of compliant, projection"));
-  options.variant = {};
-  options.selection = "reduced-1-ring";
-  EXPECT_THAT(message(body, options), HasSubstr("must be certified or single-element"));
 }
 
 TEST(SingleElementSelection, ProvesItsRest) {

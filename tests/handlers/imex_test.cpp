@@ -115,26 +115,6 @@ TEST_P(ImexStability, NoModeGrowsAtManyTimesTheCriticalStep) {
   EXPECT_GT(test::spectralRadius(body, *plain, h, 1e-3), 2);  // so the test can fail
 }
 
-TEST(Imex, IsPlainExplicitWhereTheStepIsFine) {
-  for (const char* base : {"symplectic-euler", "verlet"}) {
-    Body body = test::sliverBody("corotational");
-    body.addBodyForce({0, 0, -1});
-    const double h = 0.8 * criticalStepOf(body);
-    const auto handler = imex(body, h, {}, base);
-    EXPECT_TRUE(handler->elements().empty());
-    EXPECT_EQ(&handler->explicitBody(), &body);
-    const auto plain = makeIntegrator(base);
-    BodySystem a(body), b(body);
-    State with = a.initialState(), without = b.initialState();
-    for (int i = 0; i < 50; ++i) {
-      handler->step(a, with, h);
-      plain->step(b, without, h);
-    }
-    EXPECT_EQ(with.x, without.x);
-    EXPECT_EQ(with.v, without.v);
-  }
-}
-
 // Positions after a swing, against plain explicit at a tiny step.
 double errorOf(std::string_view law, double alpha, double h, std::string_view base, bool keepAll = true) {
   constexpr double end = 0.08;
@@ -308,16 +288,6 @@ TEST(Clusters, ArePartsThatShareNoNode) {
     std::sort(all.begin(), all.end());
     EXPECT_EQ(all, elements);
   }
-}
-
-TEST(Imex, RefusesADissipationOutOfRange) {
-  Body body = test::sliverBody();
-  EXPECT_THROW(imex(body, 1e-3, withDissipation(-0.1)), InputError);
-  EXPECT_THROW(imex(body, 1e-3, withDissipation(1.1)), InputError);
-  const auto handler = imex(body, 4 * criticalStepOf(body));
-  BodySystem system(body);
-  State state = system.initialState();
-  EXPECT_THROW(handler->step(system, state, criticalStepOf(body)), InputError);  // prepared for another
 }
 
 }  // namespace

@@ -177,7 +177,7 @@ TEST(Selection, AfterACutOnlyTheChangedElementsAreChosenAnew) {
     Body after(cut.mesh, material), fresh(cut.mesh, material);
     const auto second = makeHandler("imex", after, makeIntegrator("verlet"), handlerOptions),
                anew = makeHandler("imex", fresh, makeIntegrator("verlet"), handlerOptions);
-    second->prepare(cut.mesh.X, h, cut, first->chosen());
+    second->prepare(cut.mesh.X, h, cut, *first);
     anew->prepare(cut.mesh.X, h);
     EXPECT_GT(second->elements().size(), first->elements().size());
     if (second->certified()) {
