@@ -238,7 +238,7 @@ std::vector<SceneKey> makeKeys() {
        {},
        "fe-pbd, linear, and filtered, compliant: passes over the handled elements in a step; more make crowded ones "
        "less "
-       "soft; 0: 3 and 1"},
+       "soft; 0: 1"},
       {"handler",
        "tolerance",
        T::numberOrAuto,

@@ -22,7 +22,7 @@ constexpr std::size_t mostFineLevels = 3;
 const std::vector<int> ratios{2, 3, 4, 5, 6, 8, 12, 16, 24, 32, 48, 64, 128, 256, 512, 1024, 2048, 4096};
 
 /// c_k by the ceiling. Where levels meet each has only some of a node's elements, thus needs only some of its mass.
-constexpr double coarseShare = 0.65;
+constexpr double coarseShare = 0.85;
 
 /// An element's share of one evaluation beyond its own force, in elements: calls and sums over nodes of a small part.
 constexpr double callCost = 20, implicitCost = 60;

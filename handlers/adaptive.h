@@ -63,7 +63,8 @@ class Adaptive final : public Handler {
  protected:
   ElementFlags choose(const NodeVectors& x, double h, const ElementFlags& keep) override;
   void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
-  /// system: that of the body. Its forces are evaluated level by level, thus by the handler.
+  /// system: that of the body. Its forces are evaluated level by level, thus by the handler: a system that counts or
+  /// splits forces sees none.
   StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
 
  private:

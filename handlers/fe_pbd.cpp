@@ -35,7 +35,7 @@ class PositionBased::Relaxed final : public SecondOrderSystem {
 
 PositionBased::PositionBased(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
     : Handler(body, std::move(base), std::move(options)), goal_(goalOf(options_.variant)) {
-  if (options_.passes == 0) options_.passes = 3;
+  if (options_.passes == 0) options_.passes = 1;
   if (options_.passes < 1 || options_.passes > 32)
     throw InputError(
         joinText("passes ", options_.passes, ": must be >= 1 and <= 32; where that is too few, take imex"));

@@ -7,8 +7,8 @@
 namespace ringwatch {
 
 /// Finite elements with position-based ones (the source's section 4.2): the handled tetrahedra leave the explicit part,
-/// and after its forces they move their predicted nodes towards their goal shapes, blended by shares of mass; see
-/// RelaxedTetrahedra. With P of the last pass, near rest and in the two-step form,
+/// and after its forces they move their predicted nodes towards their goal shapes, blended by shares of mass or one
+/// after the other; see RelaxedTetrahedra. With P of the last pass, near rest and in the two-step form,
 ///   x_(n+1) = P (2 x_n - x_(n-1) + h² M⁻¹ (f_ext - K_E x_n)).
 /// At an eigenvector u of the recursion, c = u·P⁻¹u/u·u >= 1 and a = h² u·M⁻¹K_E u/u·u, c z² - (2 - a) z + 1 = 0: the
 /// roots have |z| <= 1 for 0 <= a <= 3 + c, and |z|² = 1/c where they are complex. So it is stable wherever the
@@ -25,6 +25,8 @@ class PositionBased final : public Handler {
 
  protected:
   void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
+  /// system: that of the body. The handled elements have no force of their own there, so the handler evaluates the
+  /// others itself, and a system that counts or splits forces sees none.
   StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
 
  private:

@@ -1,10 +1,9 @@
 #pragma once
 #include <memory>
 #include <optional>
-#include <vector>
 
+#include <ringwatch/handlers/filtered_tetrahedra.h>
 #include <ringwatch/handlers/handler.h>
-#include <ringwatch/handlers/modal_filter.h>
 #include <ringwatch/handlers/shape_constraints.h>
 
 namespace ringwatch {
@@ -16,10 +15,10 @@ namespace ringwatch {
 /// projection, the source's: rigid constraints by the shape of the element, met by fast projection
 /// (shape_constraints.h). Fails where they contradict each other.
 ///
-/// compliant: the filtered-out modes themselves, C_k = b_k·(Rᵀx - X), each with the compliance of its stiffness (XPBD,
-/// Macklin et al. 2016), so that they are implicit Euler for K - K' with R held. Always solvable. Block Gauss–Seidel
-/// forward and back over the elements: near rest, any number of passes moves the nodes by (I + h² M⁻¹ Σ(K - K'))⁻¹ ≼ P
-/// ≼ I, and the step is stable as in PositionBased.
+/// compliant (FilteredTetrahedra): the filtered-out modes themselves, C_k = b_k·(Rᵀx - X), each with the compliance of
+/// its stiffness (XPBD, Macklin et al. 2016), so that they are implicit Euler for K - K' with R held. Always solvable.
+/// Block Gauss–Seidel forward and back over the elements: near rest, any number of passes moves the nodes by (I + h²
+/// M⁻¹ Σ(K - K'))⁻¹ ≼ P ≼ I, and the step is stable as in PositionBased.
 ///
 /// Budgets of stiffness: the element's own lumped mass times ω²_max with the selection "single-element", the source's;
 /// with "certified" an even share of what the bound of the other elements leaves at each node. Either way K_E + K' ≼
@@ -37,33 +36,16 @@ class Filtered final : public Handler {
 
  protected:
   void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
+  /// system: that of the body. Handled elements pull with K' instead of their own force, so the handler evaluates the
+  /// others itself, and a system that counts or splits forces sees none.
   StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
 
  private:
-  using Vector12 = Eigen::Matrix<double, 12, 1>;
-  struct Item {
-    std::array<std::int32_t, 4> nodes;
-    FilteredStiffness stiffness;
-    Eigen::Matrix<double, 6, 6> inverse;  // (h² Bᵀ M⁻¹ B + compliance)⁻¹
-    Eigen::Matrix<double, 3, 4> rest;     // X, m
-    Eigen::Matrix3d inverseEdges;         // 1/m
-    Eigen::Vector4d inverseMass;          // 0 at fixed nodes, 1/kg
-    bool constrained = false;             // any component of a node
-    Eigen::Matrix3d R;
-    Eigen::Matrix<double, 6, 1> multiplier;
-  };
   /// The base scheme's view.
   class Corrected;
 
-  void addFilteredForces(const NodeVectors& x, NodeVectors& a);
-  void addCompliance(const NodeVectors& x, const NodeVectors& v, NodeVectors& a);
-  void relaxItem(Item& item);
-  void addForces(const Item& item, const NodeVectors& x, const Vector12& local, NodeVectors& a) const;
-  Vector12 displacementOf(const Item& item, const NodeVectors& x) const;
-
   bool projects_;
-  double h_ = 0;
-  std::vector<Item> items_;
+  std::unique_ptr<FilteredTetrahedra> tetrahedra_;
   std::optional<ConstraintProjection> projection_;
   Eigen::VectorXd inverseMass_;
   NodeVectors force_, predicted_;

@@ -26,7 +26,7 @@ struct HandlerOptions {
   /// empty: the first of them.
   std::string variant = {};
   double projectionTolerance = 1e-8;  ///< filtered, projection: of the largest constraint
-  /// Of fe-pbd, linear, and filtered, compliant: more make crowded elements less soft. 0: 3 and 1.
+  /// Of fe-pbd, linear, and filtered, compliant: more make crowded elements less soft. 0: 1.
   int passes = 0;
 };
 

@@ -73,8 +73,8 @@ Body LevelFilter::partOf(const Body& body, const ElementFlags& elements, Eigen::
 void LevelFilter::evaluate(std::size_t level, const NodeVectors& x, bool first) {
   for (std::size_t k = levels_.size(); k-- > level;) {
     Level& own = levels_[k];
-    own.body->internalForce(x, own.force, own.workspace);
     NodeVectors& sum = k == level && !first ? own.now : own.base;
+    own.body->internalForce(x, own.force, own.workspace);
     sum.noalias() = -(own.force * inverseMass_.head(own.count).asDiagonal());
     for (const Eigen::Index d : held_) {
       if (d >= 3 * own.count) break;
@@ -95,20 +95,25 @@ bool LevelFilter::average(std::size_t level, const NodeVectors& x, const NodeVec
   const Eigen::Index n = own.count;
   const double w0 = filter.atShift[1] - filter.w1 * filter.coarse, w1 = filter.w1 * filter.weight,
                square = own.fine.step * own.fine.step;
-  own.answer = a.leftCols(n);
-  if (!average(level + 1, x, a, own.answer)) return false;
-  own.u = filter.w1 * own.answer;
+  const bool deeper = level + 1 < levels_.size() || !clusters_.empty();
+  own.u = filter.w1 * a.leftCols(n);
+  if (deeper) {
+    own.answer = a.leftCols(n);
+    if (!average(level + 1, x, a, own.answer)) return false;
+    own.u = filter.w1 * own.answer;
+  }
   own.before.setZero(3, n);
   for (int m = 1; m < filter.steps; ++m) {
+    const double share = filter.w1 * filter.atShift[static_cast<std::size_t>(m)] / w1;
     own.x = x.leftCols(n) + square * own.u;
     evaluate(level, own.x, false);
-    const double share = filter.w1 * filter.atShift[static_cast<std::size_t>(m)] / w1;
     own.residual = share * a.leftCols(n) + (own.now - own.base);
-    own.answer = own.residual;
-    if (!average(level + 1, own.x, own.residual, own.answer)) return false;
-    own.next = (2 * w0) * own.u - own.before + (2 * w1) * own.answer;
+    if (deeper) {
+      own.answer = own.residual;
+      if (!average(level + 1, own.x, own.residual, own.answer)) return false;
+    }
+    own.before = (2 * w0) * own.u - own.before + (2 * w1) * (deeper ? own.answer : own.residual);
     own.before.swap(own.u);
-    own.u.swap(own.next);
   }
   result.leftCols(n) = filter.kappa * own.u;
   return true;

@@ -23,8 +23,9 @@ struct FineLevel {
 ///   a = E_0 (a_0 + Σ_(k>=1) a_k),   E_(k-1) = Q_k(B_k) E_k,   B_k = τ_(k-1)² E_k M⁻¹ Σ_(i>=k) K_i,   k = 1 … n,
 /// a_k the acceleration by the elements of level k, Q_k the filter of level k, E_n = 1 or, with implicit elements,
 /// E_n = (1 + M⁻¹ w K̂)⁻¹. By the three-term recursion of the filters with forces in place of products with K_k: every
-/// law and every rotation is seen where the nodes are. E_0 is symmetric in the product of M for a frozen tangent, and 1
-/// for translations, so that momentum is kept.
+/// law and every rotation is seen where the nodes are (products with a tangent that is frozen over the step would spoil
+/// the angular momentum). E_0 is symmetric in the product of M for a frozen tangent, and 1 for translations, so that
+/// momentum is kept.
 ///
 /// Each level's elements are a body of their own on the nodes that it or a deeper level touches. Nodes are numbered
 /// from the deepest level up, so that a level's nodes are the first ones of all levels above.
@@ -54,7 +55,7 @@ class LevelFilter {
     NodeVectors force;
     NodeVectors base;  // acceleration by this and deeper levels where the recursion of this level starts
     NodeVectors now;   // and at its current positions
-    NodeVectors x, u, before, next, residual, answer;
+    NodeVectors x, u, before, residual, answer;
   };
   void number(const Body& body, const ElementFlags& implicit);
   Body partOf(const Body& body, const ElementFlags& elements, Eigen::Index count) const;

@@ -2,8 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <ringwatch/base/aligned.h>
-#include <ringwatch/body/body.h>
+#include <ringwatch/handlers/coloured_tetrahedra.h>
 
 namespace ringwatch {
 
@@ -14,25 +13,27 @@ enum class GoalShape {
 };
 
 /// Tetrahedra that pull the predicted positions x* = x + h (v + h a) of their nodes towards goal shapes (position-based
-/// dynamics), each on its own share of the nodal masses: node i gives w_ie m_i to element e, Σ_e w_ie = 1. With the
-/// deformation gradient F* = R S of x*, R the closest rotation also for inverted elements, element e asks for the
-/// forces
-///   f_a = -V P ∂N_a/∂X,
-/// rigid: V P = (α/h²) (F* - R) A, which moves node a by α (goal_a - x*_a), and α = 1 - (1 + h² λ_max)⁻¹ with the
-/// highest eigenvalue λ_max of M_e⁻¹K_e at rest (the source's eq. 4.19) on that share of mass, w_ie = 1/(overlap
-/// count); linear: P = R σ, σ = C E' the stress at the strain E' that an implicit Euler step of the corotational law
-/// leaves of E* = S - I when R is held,
-///   E' = E* - h² V sym(σ H),   hence V σ = (C⁻¹/V + h² B)⁻¹ E*,  B σ = sym(σ H),
-/// w_ie in proportion to the trace of the element's stiffness at the node, which is exact for parallel springs.
-/// A = Σ m_a X_a X_aᵀ about the centre of mass and H = Σ ∂N_a ∂N_aᵀ/m_a = A⁻¹, m_a the shares; a fixed node has 1/m_a =
-/// 0. In the principal axes of H the 6×6 matrix is three shear factors and a rank-one change of a diagonal, so every
-/// mode has its α = h²λ/(1 + h²λ), deviatoric and volumetric ones alike.
+/// dynamics). With the deformation gradient F* = R S of x*, R the closest rotation also for inverted elements, element
+/// e asks for the forces
+///   f_a = -V P ∂N_a/∂X.
+/// A = Σ m_a X_a X_aᵀ about the centre of mass and H = Σ ∂N_a ∂N_aᵀ/m_a = A⁻¹; a fixed node has 1/m_a = 0.
 ///
-/// Each element's forces are then made free of torque about x by the rigid rotation that costs least, so that both
-/// momenta are kept to rounding where no node is constrained. The moves of an element are averages with weights m_ia of
-/// maps that do not expand: near rest the nodes move by a matrix P, (I + h² M⁻¹K)⁻¹ ≼ P ≼ I in the metric of M, K the
-/// stiffness of all elements here. One pass is softer than K where elements overlap; more passes repeat it on what is
-/// left, (C⁻¹/V + h² B) Δ(V σ) = E - C⁻¹σ, and converge to implicit Euler from the soft side.
+/// rigid, the source's: all elements at once, each with m_a its share 1/(overlap count) of the nodal mass.
+/// V P = (α/h²) (F* - R) A moves node a by α (goal_a - x*_a), and α = 1 - (1 + h² λ_max)⁻¹ with the highest eigenvalue
+/// λ_max of M_e⁻¹K_e at rest (the source's eq. 4.19) on that share of mass.
+///
+/// linear: element after element, each on all of the mass of its nodes, forward and back. P = R σ, σ = C E' the stress
+/// at the strain E' that an implicit Euler step of the corotational law leaves of E* = S - I when R is held,
+///   E' = E* - h² V sym(σ H),   hence V σ = (C⁻¹/V + h² B)⁻¹ E*,  B σ = sym(σ H),
+/// and on every later visit (C⁻¹/V + h² B) Δ(V σ) = E - C⁻¹σ. In the principal axes of H the 6×6 matrix is three shear
+/// factors and a rank-one change of a diagonal, so every mode has its α = h²λ/(1 + h²λ), deviatoric and volumetric ones
+/// alike. With D = C⁻¹/V + h² B over all elements and L its part below the diagonal blocks N in the order of the
+/// visits, a pass takes (N + L) N⁻¹ (N + L)ᵀ ≽ D for D: near rest the nodes move by a matrix P, (I + h² M⁻¹K)⁻¹ ≼ P ≼ I
+/// in the metric of M, K the stiffness of all elements here, and more passes converge to implicit Euler from the soft
+/// side.
+///
+/// Each element's forces are made free of torque about x by the rigid rotation that costs least, so that both momenta
+/// are kept to rounding where no node is constrained.
 class RelaxedTetrahedra {
  public:
   /// elements: of type tet4. h: s, passes: 1 to 32 (rigid takes one). Mass, constraints and rest shapes are those of
@@ -44,14 +45,15 @@ class RelaxedTetrahedra {
   bool relax(const NodeVectors& x, const NodeVectors& v, NodeVectors& a);
 
   int passes() const { return passes_; }
-  std::size_t nodeCount() const { return nodes_.size(); }
+  std::size_t nodeCount() const { return tetrahedra_.nodes().size(); }
   /// The most elements at a node.
-  int largestOverlap() const { return largestOverlap_; }
+  int largestOverlap() const { return tetrahedra_.largestOverlap(); }
   /// 1 - (1 + h² λ_max)⁻¹ of each element, in the order given.
   const std::vector<double>& alpha() const { return alpha_; }
 
  private:
-  using P = NativePack;
+  using P = ColouredTetrahedra::P;
+  static constexpr int lanes = ColouredTetrahedra::lanes;
   /// An element's constants, one lane each.
   struct Batch {
     P gradient[3][3];       // ∂N_a/∂X of nodes 1 to 3 in the principal axes of H, 1/m
@@ -60,30 +62,21 @@ class RelaxedTetrahedra {
     P compliance, dilatation;  // C⁻¹/V = compliance I - dilatation 1⊗1, 1/(N·m)
     P inertia[3];              // A, kg·m²; linear: 0 with constrained nodes, no torque to be free of
   };
-  /// What passes hand on.
+  /// What visits hand on: the rotation, from step to step, and V σ, 00 11 22 12 20 01, N·m.
   struct Memory {
-    P R[9], stress[6];  // Vσ: 00 11 22 12 20 01, N·m
+    P R[9], stress[6];
   };
-  void setElement(std::size_t lane, const Body& body, ElementRef e, const double* share, double h, GoalShape goal);
-  template <GoalShape goal, bool first, bool last>
-  void relaxPatch(const Patch& patch, const NodeVectors& x, const NodeVectors& v, const NodeVectors& a, double factor,
-                  double* slots);
-  bool addForces(NodeVectors& a);
 
-  const Body& body_;
-  double h_;
+  void setElement(std::size_t element, const Body& body, ElementRef e, const std::vector<int>& overlap, double h);
+  template <GoalShape goal, bool first, bool last>
+  void visit(std::int32_t batch);
+
+  ColouredTetrahedra tetrahedra_;
   GoalShape goal_;
   int passes_;
-  std::vector<double> factors_;  // of the passes
-  PatchLayout layout_;
   AlignedVector<Batch> batches_;
-  AlignedVector<Memory> memory_;  // empty for one pass
-  AlignedVector<double> slots_;   // rows of 4, N
-  std::vector<std::int32_t> nodes_, slotBegin_, slot_;
-  std::vector<double> inverseMass_;  // by node and component; 0 where constrained, 1/kg
-  std::vector<std::uint8_t> finite_;
+  AlignedVector<Memory> memory_;
   std::vector<double> alpha_;
-  int largestOverlap_ = 0;
 };
 
 }  // namespace ringwatch

@@ -67,7 +67,9 @@ struct Watched {
     });
     body.internalForce(x, expected, workspace);
     // Compilers contract products and sums in two loops differently.
-    if (expected.allFinite()) EXPECT_LE((force - expected).norm(), 1e-13 * expected.norm() + 1e-15);
+    if (expected.allFinite()) {
+      EXPECT_LE((force - expected).norm(), 1e-13 * expected.norm() + 1e-15);
+    }
     return {left.begin(), left.end()};
   }
 

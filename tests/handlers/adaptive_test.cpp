@@ -235,7 +235,8 @@ TEST(Adaptive, ConvergesWithSecondOrderWithoutDissipation) {
     };
     const double coarse = error(h), fine = error(h / 2);
     EXPECT_GT(coarse / fine, 3) << law << " " << coarse << " " << fine;
-    EXPECT_LT(coarse / fine, 5) << law << " " << coarse << " " << fine;
+    // Above 4: twice the step has more of its elements in finer levels, thus another error constant.
+    EXPECT_LT(coarse / fine, 8) << law << " " << coarse << " " << fine;
   }
 }
 

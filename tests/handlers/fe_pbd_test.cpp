@@ -116,11 +116,10 @@ TEST(Relaxation, OfAUniformStretchIsImplicitEulersAtAnyStrain) {
   const double edge2 = 8e-4, mass = body.lumpedMass()[0], eta = 1 / (mass * edge2 / 2);
   for (const double e : {-0.5, 0.3, 2.0}) {
     const double h = 2e-3, left = e / (1 + h * h * (2 * lame.mu + 3 * lame.lambda) * body.volume() * eta);
-    for (const int passes : {1, 2, 5}) {  // an odd number is exact for an element alone
+    for (const int passes : {1, 2, 5}) {  // the first visit is exact for an element alone
       RelaxedTetrahedra one(body, allElements(body), h, GoalShape::linear, passes);
       const NodeVectors x = relaxed(one, (1 + e) * body.mesh().X, h);
-      const double allowed = passes % 2 == 1 ? 1e-12 : 0.11 * std::abs(e - left);
-      EXPECT_LE((x - (1 + left) * body.mesh().X).norm(), allowed * body.mesh().X.norm()) << e << " " << passes;
+      EXPECT_LE((x - (1 + left) * body.mesh().X).norm(), 1e-12 * body.mesh().X.norm()) << e << " " << passes;
     }
   }
 }
@@ -278,12 +277,12 @@ double errorOf(const char* variant, int passes, double nu = test::poisson) {
   return (x - exact).norm() / (exact - body.mesh().X).norm();
 }
 
-TEST(PositionBased, FollowsTheMotionBetterWithLinearGoalsAndMorePasses) {
+// What three passes leave is implicit Euler's own error; one is softer and damps less.
+TEST(PositionBased, FollowsTheMotionBetterWithLinearGoals) {
   const double rigid = errorOf("rigid", 1), one = errorOf("linear", 1), three = errorOf("linear", 3);
   EXPECT_LT(rigid, 0.1);
-  EXPECT_LT(one, 0.1);
-  EXPECT_LT(three, 0.5 * std::min(one, rigid));
-  EXPECT_LT(three, 0.01);
+  EXPECT_LT(std::max(one, three), 0.4 * rigid);
+  EXPECT_LT(std::max(one, three), 0.01);
 }
 
 TEST(PositionBased, StandsNearlyIncompressibleBodies) { EXPECT_LT(errorOf("linear", 3, 0.499), 0.05); }

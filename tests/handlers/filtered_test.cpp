@@ -9,6 +9,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/filtered.h>
+#include <ringwatch/handlers/modal_filter.h>
 #include <ringwatch/meshes/quality.h>
 #include <tests/handlers/handler_cases.h>
 
