@@ -18,7 +18,7 @@ namespace {
 constexpr int lanes = PatchLayout::lanes;
 constexpr int coldSweeps = 12;      // of a retarget, at most
 constexpr double leastShare = 0.9;  // of what counts as risen
-constexpr double leastGain = 0.01;  // of two sweeps; half of it in the step
+constexpr double leastGain = 0.005;  // of two sweeps; half of it in the step
 constexpr int firstGap = 40;        // updates between two retargets; longer and longer while they do not help
 constexpr int lastGap = 10240;
 constexpr int restlessLooks = 16;  // between two looks whether groups rest again
@@ -521,7 +521,7 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
   // regular grids, lowering sigma would only send elements out of their balls.
   if (tightOverLower_ == 0) tightOverLower_ = shapes_.last() / lower.value;
   const double target =
-      std::max((1 + 0.8 * width) * (1 + 0.8 * width), tightOverLower_ * (1 + 0.5 * slack_)) * lower.value;
+      std::max((1 + 0.8 * width) * (1 + 0.8 * width), tightOverLower_ * (1 + 0.3 * slack_)) * lower.value;
   // Lowering sigma scales every budget; balls shrink at least in proportion to the gaps, since r is concave in the gap.
   if (target < 0.99 * sigma_ && updates_ - lastLowering_ >= loweringGap_) {
     loweringGap_ = updates_ - lastLowering_ < 200 ? std::min(2 * loweringGap_, 640) : 40;

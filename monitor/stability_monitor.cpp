@@ -50,7 +50,7 @@ class Bracketer {
     // A bracket that is too wide is either side's fault: look again from below before moving the upper side.
     if (first || afresh || (upper.value > allowed * lower.value && ++sinceRestart_ >= restartGap_)) {
       const double before = lower.value;
-      lower = restartMode(x);
+      lower = first || afresh ? startMode(x) : restartMode(x);
       // The hot spot is a part of the whole, its bound a little lower.
       restartGap_ = lower.value > 1.02 * before ? firstGap : std::min(4 * restartGap_, lastGap);
       sinceRestart_ = 0;
@@ -156,8 +156,16 @@ class Bracketer {
     solver_.compute(ringNodes_.evaluate(x));
     return solver_.info() == Eigen::Success;
   }
-  /// From the highest of the rings where the nodal bound is highest, and the mode followed so far.
+  /// From the highest of all rings.
   LowerBound restartMode(const NodeVectors& x) {
+    ReducedRing ring(body_);  // restarts are rare, and its pattern is as large as all the rest
+    const TopMode top = findTopMode(ring, body_, x, mode_, coldProducts, restartProducts, false);
+    method_ = top.method;
+    spent_.evaluated += body_.mesh().elementCount();
+    return followMode(x, top.lower);
+  }
+  /// From the highest of the rings where the nodal bound, which is of now, is highest, and the mode followed so far.
+  LowerBound startMode(const NodeVectors& x) {
     const bool cold = mode_.size() == 0;
     const std::vector<ElementRef> hot = lazy_.hottestElements(hotRings);
     if (cold) mode_ = NodeVectors::Zero(3, body_.nodeCount());
