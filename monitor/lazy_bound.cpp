@@ -16,10 +16,10 @@ namespace ringwatch {
 namespace {
 
 constexpr int lanes = PatchLayout::lanes;
-constexpr int coldSweeps = 12;      // of a retarget, at most
-constexpr double leastShare = 0.9;  // of what counts as risen
+constexpr int coldSweeps = 12;       // of a retarget, at most
+constexpr double leastShare = 0.9;   // of what counts as risen
 constexpr double leastGain = 0.005;  // of two sweeps; half of it in the step
-constexpr int firstGap = 40;        // updates between two retargets; longer and longer while they do not help
+constexpr int firstGap = 40;         // updates between two retargets; longer and longer while they do not help
 constexpr int lastGap = 10240;
 constexpr int restlessLooks = 16;  // between two looks whether groups rest again
 constexpr double leastResting = 0.9;
