@@ -50,7 +50,7 @@ class Bracketer {
     // A bracket that is too wide is either side's fault: look again from below before moving the upper side.
     if (first || afresh || (upper.value > allowed * lower.value && ++sinceRestart_ >= restartGap_)) {
       const double before = lower.value;
-      lower = first || afresh ? startMode(x) : restartMode(x);
+      lower = first ? startMode(x) : restartMode(x);
       // The hot spot is a part of the whole, its bound a little lower.
       restartGap_ = lower.value > 1.02 * before ? firstGap : std::min(4 * restartGap_, lastGap);
       sinceRestart_ = 0;
@@ -164,25 +164,21 @@ class Bracketer {
     spent_.evaluated += body_.mesh().elementCount();
     return followMode(x, top.lower);
   }
-  /// From the highest of the rings where the nodal bound, which is of now, is highest, and the mode followed so far.
+  /// At first, when the nodal bound is of now: from the highest of the rings where it is highest.
   LowerBound startMode(const NodeVectors& x) {
-    const bool cold = mode_.size() == 0;
     const std::vector<ElementRef> hot = lazy_.hottestElements(hotRings);
-    if (cold) mode_ = NodeVectors::Zero(3, body_.nodeCount());
+    mode_ = NodeVectors::Zero(3, body_.nodeCount());
     double highest = 0;
-    NodeVectors start = NodeVectors::Zero(3, body_.nodeCount());
     for (const ElementRef e : hot) {
       if (!decomposeRing(x, e)) continue;
       const double value = topOfRing();
       if (!(value > highest)) continue;
       highest = value;
-      start.setZero();
-      addTopOfRing(start);
+      mode_.setZero();
+      addTopOfRing(mode_);
     }
     spent_.evaluated += static_cast<std::int64_t>(hot.size());
-    if (start.cwiseProduct(mode_).sum() < 0) start = -start;
-    mode_ += start;
-    const LowerBound quotient = rayleighLowerBound(body_, x, mode_, cold ? coldProducts : restartProducts);
+    const LowerBound quotient = rayleighLowerBound(body_, x, mode_, coldProducts);
     method_ = quotient.value > highest ? "rayleigh-quotient" : "reduced-1-ring";
     return followMode(x, {std::max(quotient.value, highest)});
   }

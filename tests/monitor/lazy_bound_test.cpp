@@ -1,8 +1,12 @@
 // The lazy bound along random paths: proven at every state, by dense eigenvalues and by its own two statements.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <ringwatch/base/error.h>
+#include <ringwatch/meshes/generators.h>
 #include <ringwatch/monitor/lazy_bound.h>
+#include <ringwatch/monitor/reduced_ring.h>
 #include <tests/monitor/monitor_cases.h>
 
 namespace ringwatch {
@@ -108,6 +112,41 @@ TEST_P(LazyBoundTest, LooksAtFewElementsWhileLittleChanges) {
           << law.name;
     }
   }
+}
+
+TEST(LazyBound, TurnsItsShapesWithTheBody) {
+  BarOptions options;
+  options.cells = {6, 3, 3};
+  options.jitter = 0.2;
+  const Body body(generateBar(options), makeMaterial("stvk", 1e4, 0.3, 1000), test::onThreads(1));
+  const NodeVectors& X = body.mesh().X;
+  LazyBound bound(body);
+  const double start = bound.update(X).value;
+  for (int step = 1; step <= 90; ++step) {
+    const Eigen::AngleAxisd turn(step * EIGEN_PI / 180, Eigen::Vector3d(1, 2, 2) / 3);
+    bound.update(turn.toRotationMatrix() * X);
+    // A turn changes no eigenvalue, and shapes that turn too no bound.
+    EXPECT_LE(bound.sigma(), 1.01 * start) << step;
+    EXPECT_EQ(bound.spent().retargets, 0) << step;
+    EXPECT_LE(bound.verify(turn.toRotationMatrix() * X), 1e-9) << step;
+  }
+}
+
+TEST(LazyBound, KnowsWhereTheHighestRingsMayBe) {
+  BarOptions options;
+  options.cells = {8, 4, 4};
+  options.jitter = 0.3;
+  const Body body(generateBar(options), makeMaterial("stvk", 1e4, 0.3, 1000), test::onThreads(1));
+  const NodeVectors& X = body.mesh().X;
+  LazyBound bound(body);
+  EXPECT_TRUE(bound.hottestElements(8).empty());
+  bound.update(X);
+  ReducedRing ring(body);
+  const ReducedRing::Result& rings = ring.evaluate(X);
+  double highest = 0;
+  for (const ElementRef e : bound.hottestElements(8))
+    highest = std::max(highest, rings.largest[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)]);
+  EXPECT_GE(highest, 0.95 * rings.highest);
 }
 
 TEST_P(LazyBoundTest, CertifiesOnlyWhatIsTrue) {
