@@ -85,7 +85,7 @@ class ElementBlock {
   /// Appends the elements of a patch that have left their balls to `left`; the odometer has come to x.
   virtual void lookAtPatch(std::int32_t patch, const NodeVectors& x, const MotionOdometer& odometer,
                            DeformationWatch& watch, std::vector<std::int32_t>& left) const = 0;
-  /// forcePatch and lookAtPatch in one pass over the elements, for less than both apart. Without an odometer no group
+  /// forcePatch and lookAtPatch in one pass over the elements, for one price. Without an odometer no group
   /// rests.
   virtual void forceAndLookPatch(std::int32_t patch, const NodeVectors& x, const MotionOdometer* odometer,
                                  DeformationWatch& watch, double* slots, std::vector<std::int32_t>& left) const = 0;

@@ -104,16 +104,17 @@ class ColouredTetrahedra {
   const std::int32_t* rowsOf(std::int32_t batch, int node) const {
     return row_.data() + (4 * static_cast<std::ptrdiff_t>(batch) + node) * lanes;
   }
-  /// Rows of a node of each lane.
-  RINGWATCH_INLINE static void loadRow(const double* rows, const std::int32_t* row, P (&x)[4], P (&q)[3]) {
-    if constexpr (P::width == 8) {
-      P::Values v[8];
+  /// Rows of a node of each lane. A template, as storeRow is, lest packs of other widths meet the branch for eight.
+  template <class Pack>
+  RINGWATCH_INLINE static void loadRow(const double* rows, const std::int32_t* row, Pack (&x)[4], Pack (&q)[3]) {
+    if constexpr (Pack::width == 8) {
+      typename Pack::Values v[8];
       for (int lane = 0; lane < 8; ++lane) std::memcpy(&v[lane], rows + rowSize * row[lane], sizeof v[lane]);
       detail::transpose8(v);
       for (int k = 0; k < 4; ++k) x[k].v = v[k];
       for (int k = 0; k < 3; ++k) q[k].v = v[k + 4];
     } else {
-      for (int lane = 0; lane < P::width; ++lane) {
+      for (int lane = 0; lane < Pack::width; ++lane) {
         const double* from = rows + rowSize * row[lane];
         for (int k = 0; k < 4; ++k) x[k].set(lane, from[k]);
         for (int k = 0; k < 3; ++k) q[k].set(lane, from[k + 4]);
@@ -121,8 +122,9 @@ class ColouredTetrahedra {
     }
   }
   /// Lanes without an element, of the last batch of a colour alone, share rows, where they write zeros.
-  RINGWATCH_INLINE static void storeRow(double* rows, const std::int32_t* row, const P (&q)[3]) {
-    if constexpr (P::width == 8) {
+  template <class Pack>
+  RINGWATCH_INLINE static void storeRow(double* rows, const std::int32_t* row, const Pack (&q)[3]) {
+    if constexpr (Pack::width == 8) {
       const auto four = [&](int first, auto half) {
         const detail::Row4 x = half(q[0].v), y = half(q[1].v), z = half(q[2].v), zero{};
         const detail::Row4 t0 = __builtin_shufflevector(x, y, 0, 4, 2, 6),
@@ -137,7 +139,7 @@ class ColouredTetrahedra {
       four(0, [](auto v) { return __builtin_shufflevector(v, v, 0, 1, 2, 3); });
       four(4, [](auto v) { return __builtin_shufflevector(v, v, 4, 5, 6, 7); });
     } else {
-      for (int lane = 0; lane < P::width; ++lane)
+      for (int lane = 0; lane < Pack::width; ++lane)
         for (int k = 0; k < 3; ++k) rows[rowSize * row[lane] + 4 + k] = q[k][lane];
     }
   }

@@ -22,7 +22,7 @@ constexpr double leastGain = 0.005;  // of two sweeps; half of it in the step
 constexpr int firstGap = 40;         // updates between two retargets; longer and longer while they do not help
 constexpr int lastGap = 10240;
 constexpr int restlessLooks = 16;  // between two looks whether groups rest again
-constexpr double leastResting = 0.9;
+constexpr double leastResting = 0.5;
 int longer(int gap) { return std::min(4 * gap, lastGap); }
 
 double largest(const Eigen::Matrix3d& S) {

@@ -23,7 +23,7 @@ class LazyBound {
 
   /// sigma, proven at positions x (3×N, m). NaN when x or the tangent is not finite. Unless nullptr, `force` becomes
   /// the internal force at x, 3×N, N: elements are tested in the pass that computes it, which costs less than both
-  /// apart.
+  /// apart where many leave their balls.
   UpperBound update(const NodeVectors& x, NodeVectors* force = nullptr);
   /// Tells the bound what a lower bound is at x, so that it can follow downwards: sigma is lowered, or shapes start
   /// afresh, when it lies more than `width` (relative, in the step) above. Proves nothing: when it returns true, sigma

@@ -80,7 +80,7 @@ class StabilityMonitor {
 
   /// Looks at positions x and velocities v (3×N) before step number `step` of size h is taken from them. Energies are
   /// those of an EnergyBalance, when kept. Unless nullptr, `force` becomes the internal force at x, 3×N, N: bracket and
-  /// threshold test the elements in the pass that computes it, which costs less than both apart.
+  /// threshold test the elements in the pass that computes it, which costs less than both apart where much moves.
   const MonitorReport& observe(std::int64_t step, double time, const NodeVectors& x, const NodeVectors& v, double h,
                                const Energies* energies = nullptr, NodeVectors* force = nullptr);
   /// All events so far.
