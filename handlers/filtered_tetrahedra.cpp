@@ -40,12 +40,9 @@ RINGWATCH_INLINE Matrix3<P> stressOf(const P (&s)[6]) {
 FilteredTetrahedra::FilteredTetrahedra(const Body& body, const std::vector<ElementRef>& elements,
                                        const std::vector<Eigen::Vector4d>& budget, double h)
     : tetrahedra_(body, elements, h) {
-  const P zero(0.0), one(1.0);
-  Batch none;
-  std::fill_n(&none.gradient[0][0], sizeof(Batch) / sizeof(P), zero);
-  Memory rest;
-  std::fill_n(&rest.R[0], sizeof(Memory) / sizeof(P), zero);
-  for (int i = 0; i < 3; ++i) none.gradient[i][i] = rest.R[4 * i] = one;
+  Batch none{};
+  Memory rest{};
+  for (int i = 0; i < 3; ++i) none.gradient[i][i] = rest.R(i, i) = P(1.0);
   batches_.assign(static_cast<std::size_t>(tetrahedra_.batchCount()), none);
   memory_.assign(batches_.size(), rest);
   for (std::size_t i = 0; i < elements.size(); ++i) setElement(i, body, elements[i], budget[i], h);
@@ -101,11 +98,9 @@ void FilteredTetrahedra::keep(std::int32_t k) {
   Memory& memory = memory_[static_cast<std::size_t>(k)];
   ColouredTetrahedra::Nodes nodes;
   tetrahedra_.load(k, nodes);
-  Matrix3<P> F0, F, R;
+  Matrix3<P> F0, F;
   tetrahedra_.gradients(nodes, batch.gradient, F0, F);
-  for (int i = 0; i < 9; ++i) R.m[i] = memory.R[i];
-  R = turnedRotation(F0, R);
-  for (int i = 0; i < 9; ++i) memory.R[i] = R.m[i];
+  const Matrix3<P> R = memory.R = turnedRotation(F0, memory.R);
   P strain[6], s[6];
   turnedStrain(R, F0, strain);
   for (P& own : s) own = P(0.0);
@@ -125,9 +120,9 @@ void FilteredTetrahedra::relax(std::int32_t k) {
   Memory& memory = memory_[static_cast<std::size_t>(k)];
   ColouredTetrahedra::Nodes nodes;
   tetrahedra_.load(k, nodes);
-  Matrix3<P> F0, F, R;
+  Matrix3<P> F0, F;
   tetrahedra_.gradients(nodes, batch.gradient, F0, F);
-  for (int i = 0; i < 9; ++i) R.m[i] = memory.R[i];
+  const Matrix3<P> R = memory.R;
   P strain[6], added[6], all[6];
   turnedStrain(R, F, strain);
   for (int c = 0; c < 6; ++c) added[c] = all[c] = P(0.0);

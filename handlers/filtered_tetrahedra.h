@@ -38,7 +38,8 @@ class FilteredTetrahedra {
   };
   /// What visits hand on: the rotation, from step to step, and s_k, √(N·m).
   struct Memory {
-    P R[9], s[6];
+    Matrix3<P> R;
+    P s[6];
   };
   void setElement(std::size_t element, const Body& body, ElementRef e, const Eigen::Vector4d& budget, double h);
   void keep(std::int32_t batch);

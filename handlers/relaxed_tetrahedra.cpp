@@ -23,12 +23,9 @@ double highestEigenvalue(Lame lame, double volume, const Eigen::Vector3d& eta) {
 RelaxedTetrahedra::RelaxedTetrahedra(const Body& body, const std::vector<ElementRef>& elements, double h,
                                      GoalShape goal, int passes)
     : tetrahedra_(body, elements, h), goal_(goal), passes_(goal == GoalShape::rigid ? 1 : passes) {
-  const P zero(0.0), one(1.0);
-  Batch none;
-  std::fill_n(&none.gradient[0][0], sizeof(Batch) / sizeof(P), zero);
-  Memory rest;
-  std::fill_n(&rest.R[0], sizeof(Memory) / sizeof(P), zero);
-  for (int i = 0; i < 3; ++i) none.gradient[i][i] = rest.R[4 * i] = one;
+  Batch none{};
+  Memory rest{};
+  for (int i = 0; i < 3; ++i) none.gradient[i][i] = rest.R(i, i) = P(1.0);
   batches_.assign(static_cast<std::size_t>(tetrahedra_.batchCount()), none);
   memory_.assign(batches_.size(), rest);
   std::vector<int> overlap(body.mesh().nodeCount(), 0);
@@ -96,12 +93,8 @@ void RelaxedTetrahedra::visit(std::int32_t k) {
   tetrahedra_.load(k, nodes);
   Matrix3<P> F0, F;
   tetrahedra_.gradients(nodes, batch.gradient, F0, F);
-  Matrix3<P> R;
-  for (int i = 0; i < 9; ++i) R.m[i] = memory.R[i];
-  if constexpr (first) {
-    R = turnedRotation(F, R);
-    for (int i = 0; i < 9; ++i) memory.R[i] = R.m[i];
-  }
+  if constexpr (first) memory.R = turnedRotation(F, memory.R);
+  const Matrix3<P> R = memory.R;
   P strain[6];
   turnedStrain(R, F, strain);
   Matrix3<P> stress, all;  // of this visit, of all so far

@@ -64,7 +64,8 @@ class RelaxedTetrahedra {
   };
   /// What visits hand on: the rotation, from step to step, and V σ, 00 11 22 12 20 01, N·m.
   struct Memory {
-    P R[9], stress[6];
+    Matrix3<P> R;
+    P stress[6];
   };
 
   void setElement(std::size_t element, const Body& body, ElementRef e, const std::vector<int>& overlap, double h);

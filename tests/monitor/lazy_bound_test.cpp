@@ -114,11 +114,15 @@ TEST_P(LazyBoundTest, LooksAtFewElementsWhileLittleChanges) {
   }
 }
 
-TEST(LazyBound, TurnsItsShapesWithTheBody) {
+Body jitteredBar(std::array<int, 3> cells, double jitter) {
   BarOptions options;
-  options.cells = {6, 3, 3};
-  options.jitter = 0.2;
-  const Body body(generateBar(options), makeMaterial("stvk", 1e4, 0.3, 1000), test::onThreads(1));
+  options.cells = cells;
+  options.jitter = jitter;
+  return Body(generateBar(options), makeMaterial("stvk", 1e4, 0.3, 1000), test::onThreads(1));
+}
+
+TEST(LazyBound, TurnsItsShapesWithTheBody) {
+  const Body body = jitteredBar({6, 3, 3}, 0.2);
   const NodeVectors& X = body.mesh().X;
   LazyBound bound(body);
   const double start = bound.update(X).value;
@@ -133,10 +137,7 @@ TEST(LazyBound, TurnsItsShapesWithTheBody) {
 }
 
 TEST(LazyBound, KnowsWhereTheHighestRingsMayBe) {
-  BarOptions options;
-  options.cells = {8, 4, 4};
-  options.jitter = 0.3;
-  const Body body(generateBar(options), makeMaterial("stvk", 1e4, 0.3, 1000), test::onThreads(1));
+  const Body body = jitteredBar({8, 4, 4}, 0.3);
   const NodeVectors& X = body.mesh().X;
   LazyBound bound(body);
   EXPECT_TRUE(bound.hottestElements(8).empty());
