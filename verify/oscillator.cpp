@@ -87,6 +87,15 @@ Eigen::Vector2d Oscillator::exact(double t, double x0, double v0) const {
   return {decay * (x0 * c + (v0 + d * x0) * s), decay * (v0 * c - (w * w * x0 + d * v0) * s)};
 }
 
+Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& A) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> real(A, false);
+  if (real.info() == Eigen::Success) return real.eigenvalues();
+  const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(A.cast<std::complex<double>>(), false);
+  if (solver.info() != Eigen::Success)
+    throw NumericalError(joinText("eigenvalues of a ", A.rows(), " by ", A.cols(), " matrix: the iteration failed"));
+  return solver.eigenvalues();
+}
+
 double TransitionMatrix::spectralRadius() const {
   if (!found) return nan;
   if (memory == 1) {
@@ -96,7 +105,7 @@ double TransitionMatrix::spectralRadius() const {
         0.25 * (matrix(0, 0) - matrix(1, 1)) * (matrix(0, 0) - matrix(1, 1)) + matrix(0, 1) * matrix(1, 0);
     return inside > 0 ? std::abs(half) + std::sqrt(inside) : std::sqrt(std::max(det, 0.0));
   }
-  return matrix.eigenvalues().cwiseAbs().maxCoeff();
+  return eigenvaluesOf(matrix).cwiseAbs().maxCoeff();
 }
 
 TransitionMatrix transitionMatrix(const IntegratorFactory& make, double z, double dampingRatio, double stiffShare) {
@@ -186,7 +195,7 @@ double measureOrder(const IntegratorFactory& make, double dampingRatio) {
 PeriodErrors periodErrors(const IntegratorFactory& make, double z) {
   const TransitionMatrix T = transitionMatrix(make, z, 0);
   if (!T.found) return {nan, nan};
-  const Eigen::VectorXcd values = T.matrix.eigenvalues();
+  const Eigen::VectorXcd values = eigenvaluesOf(T.matrix);
   // The principal pair is the one nearest to exp(±iz).
   const std::complex<double> exact = std::polar(1.0, z);
   std::complex<double> principal = values[0];

@@ -10,6 +10,7 @@
 #include <ringwatch/handlers/adaptive.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/generators.h>
+#include <ringwatch/verify/oscillator.h>
 
 namespace ringwatch {
 namespace {
@@ -79,7 +80,7 @@ double spectralRadius(const Body& body, Integrator& integrator, double h) {
       G(n + i, k) = state.v.data()[d] * h;
     }
   }
-  return G.eigenvalues().cwiseAbs().maxCoeff();
+  return eigenvaluesOf(G).cwiseAbs().maxCoeff();
 }
 
 struct Variant {

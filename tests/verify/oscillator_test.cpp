@@ -85,6 +85,17 @@ TEST(TransitionMatrix, OfATwoStepMethodIsACompanion) {
   EXPECT_EQ(measureStabilityLimit(make, 0), 0);          // weakly unstable on the imaginary axis
 }
 
+TEST(Eigenvalues, AreFoundWhereTheyComeInDefectivePairs) {
+  // Bits of the two-step companion at critical damping at which Eigen's real solver does not converge.
+  Eigen::Matrix4d A;
+  A << 0x1.ffffffffffff9p-1, 0x1.5cccccccccdp+0, 0x1.1a5f8f8c36333p-51, -0x1.d11111111113ep-2,   //
+      -0x1.5ccccccccccf5p+0, -0x1.b9999999999f8p+0, 0x1.d111111111137p-2, 0x1.d111111111145p-1,  //
+      1, 0, 0, 0,                                                                                //
+      0, 1, 0, 0;
+  const double w = 0x1.d111111111145p-1, b = 1 - 1.5 * w, r = 0.5 * (b - std::sqrt(b * b + 2 * w));
+  EXPECT_NEAR(eigenvaluesOf(A).cwiseAbs().maxCoeff(), -r, 1e-6);
+}
+
 TEST(StabilityLimit, IsFoundToTenDigits) {
   EXPECT_NEAR(measureStabilityLimit(named("symplectic-euler")), 2, 2e-10);
   EXPECT_NEAR(measureStabilityLimit(named("rk4")), 2 * std::sqrt(2.0), 2e-10);
