@@ -75,6 +75,10 @@ Json elementJson(const Mesh& mesh, ElementRef ref) {
   return result;
 }
 
+Json elementJson(const Mesh& mesh, const std::optional<ElementRef>& ref) {
+  return ref ? elementJson(mesh, *ref) : Json(nullptr);
+}
+
 std::string elementCounts(const Mesh& mesh) {
   std::string text;
   const Json counts = meshJson(mesh, 0)["elements"];
@@ -95,15 +99,18 @@ std::string elementText(const Mesh& mesh, ElementRef ref) {
 
 Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) {
   Json events = Json::array();
-  for (const MonitorEvent& event : result.events)
+  for (std::size_t i = 0; i < result.events.size(); ++i) {
+    const MonitorEvent& event = result.events[i];
     events.push_back(Json{{"kind", std::string(eventName(event.kind))},
                           {"step", event.step},
                           {"time", event.time},
                           {"end_step", event.end ? Json(*event.end) : Json(nullptr)},
-                          {"element", event.element ? elementJson(body.mesh(), *event.element) : Json(nullptr)},
+                          {"element", i < result.eventElements.size() ? result.eventElements[i]
+                                                                      : elementJson(body.mesh(), event.element)},
                           {"cause", event.element ? Json(event.cause) : Json(nullptr)},
                           {"value", event.value},
                           {"text", event.text}});
+  }
   return Json{{"program", "ringwatch"},
               {"version", std::string(programVersion())},
               {"scene_file", scene.file.string()},

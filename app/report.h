@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -11,6 +12,8 @@ namespace ringwatch {
 nlohmann::ordered_json meshJson(const Mesh& mesh, double volume);
 /// An element by block, index, id and nodes: positions counted from 0, and the numbers of the mesh's file.
 nlohmann::ordered_json elementJson(const Mesh& mesh, ElementRef element);
+/// The same, or null without one.
+nlohmann::ordered_json elementJson(const Mesh& mesh, const std::optional<ElementRef>& element);
 /// "1600 tet4, 64 hex8"
 std::string elementCounts(const Mesh& mesh);
 /// "tet4 element 0:17 (file number 23), nodes 1 2 3 4"

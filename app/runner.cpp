@@ -250,6 +250,8 @@ class Run {
       const std::unique_ptr<Integrator> integratorBefore = std::move(integrator_);  // its choice is carried over
       // All of these hold on to the body or to vectors of its size.
       closeEvents();
+      for (std::size_t i = result_.eventElements.size(); i < result_.events.size(); ++i)
+        result_.eventElements.push_back(elementJson(body_.mesh(), result_.events[i].element));
       monitor_.reset();
       split_.reset();
       system_.reset();

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include <ringwatch/app/scene.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/monitor/stability_monitor.h>
@@ -70,7 +72,8 @@ struct RunResult {
   std::optional<Moment> firstViolated;  // the monitor first said violated
   std::optional<Moment> runaway;        // the energy balance went off by more than runawayShare for good
   std::vector<MonitorEvent> events;
-  std::optional<Handling> handler;  // empty without one
+  std::vector<nlohmann::ordered_json> eventElements;  // elementJson of those before the last cut: meshes go with cuts
+  std::optional<Handling> handler;                    // empty without one
   std::vector<CutRecord> cuts;
   double forceTime = 0, monitorTime = 0, outputTime = 0, wallTime = 0;  // s
   std::size_t frames = 0;

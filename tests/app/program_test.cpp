@@ -777,6 +777,27 @@ TEST_F(Program, CutsAndKeepsItsStep) {
   EXPECT_LT(json("plain/summary.json")["end_time"].get<double>(), 0.06);
 }
 
+TEST_F(Program, EventsNameElementsOfTheMeshOfTheirTime) {
+  const Outcome outcome =
+      call("run '" RINGWATCH_EXAMPLES
+           "/four_cuts.toml' --out events --set handler.method=none "
+           "--set monitor.on_violation=warn --set cut.1.time=0.0515 "
+           "--set cut.1.line='[[0.102,-0.01,-0.01],[0.102,0.07,-0.01]]' --set cut.1.sweep='[0,0,0.08]'");
+  ASSERT_EQ(outcome.status, 1) << outcome.err;  // the step is too large from the first cut on
+  const Json summary = json("events/summary.json");
+  ASSERT_GT(summary["cuts"].size(), 1u);
+  int before = 0;
+  for (const Json& event : summary["events"]) {
+    if (event["element"].is_null()) continue;
+    before += event["step"] < summary["cuts"].back()["step"];
+    // The line was made when it happened.
+    std::string nodes = "nodes";
+    for (const Json& id : event["element"]["node_ids"]) nodes += ' ' + id.dump();
+    EXPECT_THAT(event["text"].get<std::string>(), HasSubstr(nodes));
+  }
+  EXPECT_GT(before, 0);
+}
+
 TEST_F(Program, ACutThatMissesIsNotedAndChangesNothing) {
   folder_.write("plain.toml", tiny);
   folder_.write("missed.toml", std::string(tiny) + "[[cut]]\ntime = 0.01\npoint = [1, 0, 0]\nnormal = [1, 0, 0]\n");
