@@ -110,110 +110,77 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  void anchorOf(const std::int32_t* elements, const double* x, DeformationWatch& watch,
-                TangentDrift* drift) const override {
+  void deformationOf(const std::int32_t* elements, const double* x, double* F, TangentDrift* drift) const override {
     P gathered[10 * maxPoints];
     gatherGeometry(elements, gathered);
     P position[n][3];
     loadFromMesh(x, elements, position);
     const P* geometry = gathered;
+    PackedDrift all;
     for (int q = 0; q < pointCount(); ++q, geometry += 10) {
-      const Matrix3<P> F = gradient(position, q) * inverseJacobian(geometry);
-      for (int lane = 0; lane < lanes; ++lane) {
-        if (elements[lane] < 0) continue;
-        const std::size_t place =
-            static_cast<std::size_t>(layout().batchOfElement[static_cast<std::size_t>(elements[lane])]);
-        float* anchor = watch.anchor.data() +
-                        (place / lanes * static_cast<std::size_t>(points_) + static_cast<std::size_t>(q)) * 9 * lanes +
-                        place % lanes;
-        Matrix3<double> own;
-        for (int i = 0; i < 9; ++i) {
-          own.m[i] = F.m[i][lane];
-          anchor[i * lanes] = static_cast<float>(own.m[i]);
-        }
-        TangentDrift& all = drift[lane];
-        if (q == 0) {
-          all = TangentDrift{};
-          all.inversionDistance = std::numeric_limits<double>::infinity();
-        }
-        noteDeterminant(own, all);
-        const TangentDriftCoefficients here = law_.drift(own);
-        all.kappa = std::max(all.kappa, here.kappa);
-        all.linear = std::max(all.linear, here.linear);
-        all.quadratic = std::max(all.quadratic, here.quadratic);
-        all.negative = std::max(all.negative, here.negative);
-        all.radius = std::min(all.radius, here.radius);
-      }
+      const Matrix3<P> own = gradient(position, q) * inverseJacobian(geometry);
+      for (int i = 0; i < 9; ++i) own.m[i].store(F + (9 * q + i) * lanes);
+      all.noteDeterminant(own);
+      const TangentDriftCoefficients<P> here = law_.drift(own);
+      all.law.kappa = math::max(all.law.kappa, here.kappa);
+      all.law.linear = math::max(all.law.linear, here.linear);
+      all.law.quadratic = math::max(all.law.quadratic, here.quadratic);
+      all.law.negative = math::max(all.law.negative, here.negative);
+      all.law.radius = math::min(all.law.radius, here.radius);
     }
     if constexpr (offersMean)
       if (mean_) {
         // The mean of F moves by no more than the farthest F_q, and V B̄ᵀB̄ ≼ Σ w BᵀB: the shares' bounds add up.
         P stored[3 * n + 1];
         meanGradients(gathered, stored);
-        const Matrix3<P> F = meanGradient(position, stored);
-        for (int lane = 0; lane < lanes; ++lane) {
-          if (elements[lane] < 0) continue;
-          Matrix3<double> own;
-          for (int i = 0; i < 9; ++i) own.m[i] = F.m[i][lane];
-          TangentDrift& all = drift[lane];
-          noteDeterminant(own, all);
-          const TangentDriftCoefficients mean = meanLaw_.drift(own);
-          all.kappa += mean.kappa;
-          all.linear += mean.linear;
-          all.quadratic += mean.quadratic;
-          all.negative += mean.negative;
-          all.radius = std::min(all.radius, mean.radius);
-        }
+        const Matrix3<P> own = meanGradient(position, stored);
+        all.noteDeterminant(own);
+        const TangentDriftCoefficients<P> mean = meanLaw_.drift(own);
+        all.law.kappa += mean.kappa;
+        all.law.linear += mean.linear;
+        all.law.quadratic += mean.quadratic;
+        all.law.negative += mean.negative;
+        all.law.radius = math::min(all.law.radius, mean.radius);
       }
+    for (int lane = 0; lane < lanes; ++lane)
+      drift[lane] = {{all.law.kappa[lane], all.law.linear[lane], all.law.quadratic[lane], all.law.negative[lane],
+                      all.law.radius[lane]},
+                     all.determinant[lane],
+                     all.inversionDistance[lane]};
   }
 
-  void lookAtPatch(std::int32_t patchIndex, const NodeVectors& x, const MotionOdometer& odometer,
-                   DeformationWatch& watch, std::vector<std::int32_t>& left) const override {
+  void lookAtPatch(std::int32_t patchIndex, const double* x, DeformationWatch& watch,
+                   std::vector<std::int32_t>& left) const override {
     const Patch& patch = layout().patches[static_cast<std::size_t>(patchIndex)];
     alignas(64) double rows[4 * maxPatchNodes];
-    bool gathered = false;
-    const auto first = static_cast<std::size_t>(watch.patchGroups[static_cast<std::size_t>(patchIndex)]);
-    const auto last = static_cast<std::size_t>(watch.patchGroups[static_cast<std::size_t>(patchIndex) + 1]);
-    for (std::size_t g = first; g < last; ++g) {
-      DeformationWatch::Group& group = watch.groups[g];
-      if (watch.rests(group, odometer, x)) continue;
-      if (!gathered) gatherRows(patch, x.data(), rows);
-      gathered = true;
-      BallTest test(*this, watch, left);
-      for (std::int32_t batch = group.batchBegin; batch < group.batchEnd; ++batch) {
-        P position[n][3];
-        load(rows, batch, position);
-        const P* geometry = geometryOf(batch);
-        test.begin(batch);
-        for (int q = 0; q < pointCount(); ++q, geometry += 10)
-          test.at(gradient(position, q) * inverseJacobian(geometry));
-        test.end();
-      }
-      watch.startRest(group, test.leastRoom(), test.reach(), odometer, x);
-    }
+    gatherRows(patch, x, rows);
+    forEachGroup(
+        patchIndex, rows, watch, left, [](const DeformationWatch::Group&) {},
+        [&](const DeformationWatch::Group& group, BallTest& test) {
+          for (std::int32_t batch = group.batchBegin; batch < group.batchEnd; ++batch) {
+            P position[n][3];
+            load(rows, batch, position);
+            const P* geometry = geometryOf(batch);
+            test.begin(batch);
+            for (int q = 0; q < pointCount(); ++q, geometry += 10)
+              test.at(gradient(position, q) * inverseJacobian(geometry));
+            test.end();
+          }
+        });
   }
 
-  void forceAndLookPatch(std::int32_t patchIndex, const NodeVectors& x, const MotionOdometer* odometer,
-                         DeformationWatch& watch, double* slots, std::vector<std::int32_t>& left) const override {
+  void forceAndLookPatch(std::int32_t patchIndex, const double* x, DeformationWatch& watch, double* slots,
+                         std::vector<std::int32_t>& left) const override {
     const Patch& patch = layout().patches[static_cast<std::size_t>(patchIndex)];
     alignas(64) double rows[4 * maxPatchNodes];
-    gatherRows(patch, x.data(), rows);
-    const auto first = static_cast<std::size_t>(watch.patchGroups[static_cast<std::size_t>(patchIndex)]);
-    const auto last = static_cast<std::size_t>(watch.patchGroups[static_cast<std::size_t>(patchIndex) + 1]);
-    for (std::size_t g = first; g < last; ++g) {
-      DeformationWatch::Group& group = watch.groups[g];
-      if (odometer && watch.rests(group, *odometer, x)) {
-        NoTest none;
-        addForces(group.batchBegin, group.batchEnd, rows, slots, none);
-        continue;
-      }
-      BallTest test(*this, watch, left);
-      addForces(group.batchBegin, group.batchEnd, rows, slots, test);
-      if (odometer)
-        watch.startRest(group, test.leastRoom(), test.reach(), *odometer, x);
-      else
-        DeformationWatch::getUp(group);
-    }
+    gatherRows(patch, x, rows);
+    NoTest none;
+    forEachGroup(
+        patchIndex, rows, watch, left,
+        [&](const DeformationWatch::Group& group) { addForces(group.batchBegin, group.batchEnd, rows, slots, none); },
+        [&](const DeformationWatch::Group& group, BallTest& test) {
+          addForces(group.batchBegin, group.batchEnd, rows, slots, test);
+        });
   }
 
   void gradientNormBatch(std::int32_t batch, double* norms) const override {
@@ -269,12 +236,18 @@ class ElementBatch final : public ElementBlock {
     }
     return law;
   }
-  static void noteDeterminant(const Matrix3<double>& F, TangentDrift& drift) {
-    // s3 = det F / (s1 s2) >= 2 det F / |F|², and no matrix closer than s3 is singular.
-    const double det = determinant(F);
-    drift.inversionDistance = std::min(drift.inversionDistance, det > 0 ? 2 * det / innerProduct(F, F) : 0.0);
-    drift.determinant = std::min(drift.determinant, det);
-  }
+  /// A TangentDrift in every lane.
+  struct PackedDrift {
+    TangentDriftCoefficients<P> law{P(0.0), P(0.0), P(0.0), P(0.0)};
+    P determinant = P(std::numeric_limits<double>::infinity()), inversionDistance = determinant;
+
+    RINGWATCH_INLINE void noteDeterminant(const Matrix3<P>& F) {
+      // s3 = det F / (s1 s2) >= 2 det F / |F|², and no matrix closer than s3 is singular.
+      const P det = ringwatch::determinant(F);
+      inversionDistance = math::min(inversionDistance, select(det > P(0.0), P(2.0) * det / innerProduct(F, F), P(0.0)));
+      determinant = math::min(determinant, det);
+    }
+  };
   /// k += w g ⊗ (∂P/∂F) g, for the blocks of nodes a <= b; `first` overwrites.
   template <class Linearization>
   RINGWATCH_INLINE static void addTangent(const Linearization& linearization, const P& weight, const P (&g)[n][3],
@@ -427,22 +400,22 @@ class ElementBatch final : public ElementBlock {
       P d2(0.0);
       here2_ = math::max(here2_, innerProduct(F, F));
       for (int i = 0; i < 9; ++i, anchor_ += lanes) {
-        const P d = F.m[i] - loadFloats(anchor_);
+        const P d = F.m[i] - P(DeformationWatch::anchorUnit) * loadUnits(anchor_);
         d2 += d * d;
       }
       // A NaN fails the comparison inside max and would pass unseen: keep it.
       distance2_ = select(d2 <= distance2_, distance2_, d2);
     }
     RINGWATCH_INLINE void end() {
-      // Roots in single precision, rounded up, cost a third. The anchor's rounding to single precision belongs to the
-      // distance too, and |F0| <= |F| + |F - F0|.
+      // Roots in single precision, rounded up, cost a third.
       const P distance = P(1 + 1e-6) * roughRoot(distance2_), here = P(1 + 1e-6) * roughRoot(here2_);
       const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(batch_) * lanes;
-      const P inverseNorm = loadFloats(watch_.inverseGradientNorm.data() + place);
-      const P radius = loadFloats(watch_.radius.data() + place), room = radius - distance - P(1e-7) * here;
+      const P inverseNorm = Bfloat16::load(watch_.inverseGradientNorm.data() + place);
+      const P radius = Bfloat16::load(watch_.radius.data() + place), room = radius - distance;
       const auto stays = room >= P(DeformationWatch::restingShare) * radius;
       leastRoom_ = math::min(leastRoom_, select(stays, room * inverseNorm, leastRoom_));
-      reach_ = math::max(reach_, P(1 + 3e-6) * here * inverseNorm);
+      // 1/γ is rounded down.
+      reach_ = math::max(reach_, P(1 + 1.0 / 64) * here * inverseNorm);
       if (allOf(stays)) return;
       const P inside = select(stays, P(1.0), P(0.0));
       for (int lane = 0; lane < lanes; ++lane) {
@@ -463,26 +436,40 @@ class ElementBatch final : public ElementBlock {
     }
 
    private:
-    typedef float Floats __attribute__((vector_size(lanes * sizeof(float))));
-    RINGWATCH_INLINE static P loadFloats(const float* from) {
-      Floats values;
-      std::memcpy(&values, from, sizeof values);
-      return P(__builtin_convertvector(values, typename P::Values));
+    RINGWATCH_INLINE static P loadUnits(const std::int16_t* from) {
+      return P(__builtin_convertvector(detail::loadShorts(from), typename P::Values));
     }
     RINGWATCH_INLINE static P roughRoot(P a) {  // to 1e-7
-      Floats values = __builtin_convertvector(a.v, Floats);
+      auto values = __builtin_convertvector(a.v, detail::NativeFloats);
       for (int lane = 0; lane < lanes; ++lane) values[lane] = std::sqrt(values[lane]);
-      return P(__builtin_convertvector(values, typename P::Values));
+      return detail::packOf(values);
     }
 
     const ElementBatch& block_;
     const DeformationWatch& watch_;
     std::vector<std::int32_t>& left_;
     std::int32_t batch_ = 0;
-    const float* anchor_ = nullptr;
+    const std::int16_t* anchor_ = nullptr;
     P distance2_, here2_;
     P leastRoom_ = P(std::numeric_limits<double>::infinity()), reach_ = P(0.0);
   };
+
+  /// Calls resting(group) or looking(group, test) for the groups of a patch.
+  template <class Resting, class Looking>
+  void forEachGroup(std::int32_t patch, const double* rows, DeformationWatch& watch, std::vector<std::int32_t>& left,
+                    const Resting& resting, const Looking& looking) const {
+    const auto at = static_cast<std::size_t>(patch);
+    for (std::int32_t g = watch.patchGroups[at]; g < watch.patchGroups[at + 1]; ++g) {
+      DeformationWatch::Group& group = watch.groups[static_cast<std::size_t>(g)];
+      if (watch.rests(group, rows)) {
+        resting(group);
+        continue;
+      }
+      BallTest test(*this, watch, left);
+      looking(group, test);
+      watch.startRest(group, test.leastRoom(), test.reach(), rows);
+    }
+  }
 
   /// Copies the patch's nodes into rows of four, once, and calls kernel(rows, batch) for its batches.
   template <class Kernel>

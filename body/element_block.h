@@ -34,15 +34,13 @@ struct PatchLayout {
 PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block);
 
 struct DeformationWatch;
-class MotionOdometer;
 
 /// How fast an element's highest eigenvalue can grow when its deformation gradients move away from an anchor. With l
 /// the largest eigenvalue of D⁻¹K_e at the anchor, b >= lambda_max(D⁻¹ Σ_q w_q B_qᵀB_q), and |F_q - F0_q| <= δ <=
 /// radius for all q:
 ///   l(F) <= l + (2 √((l + b negative) kappa b) + b linear) δ + b (kappa + quadratic) δ².
 struct TangentDrift {
-  double kappa = 0, linear = 0, quadratic = 0, negative = 0;     // Pa
-  double radius = std::numeric_limits<double>::infinity();       // < 0: no bound here
+  TangentDriftCoefficients<double> law{0, 0, 0, 0};              // largest of the points'
   double determinant = std::numeric_limits<double>::infinity();  // least det F0
   double inversionDistance = 0;  // no F_q inverts while |F_q - F0_q| is smaller; 0 when one is inverted
 };
@@ -79,16 +77,15 @@ class ElementBlock {
   virtual void tangentOf(const std::int32_t* elements, const double* x, double* K) const = 0;
   /// Σ_q w_q ∇N_a · ∇N_b of any elements, one a lane: L[(a * n + b) * lanes + lane], m; the matrix Σ w BᵀB is L ⊗ I₃.
   virtual void laplacianOf(const std::int32_t* elements, double* L) const = 0;
-  /// Anchors the watch of elements at positions x: writes F0 and returns each lane's drift coefficients in drift[lane].
-  virtual void anchorOf(const std::int32_t* elements, const double* x, DeformationWatch& watch,
-                        TangentDrift* drift) const = 0;
-  /// Appends the elements of a patch that have left their balls to `left`; the odometer has come to x.
-  virtual void lookAtPatch(std::int32_t patch, const NodeVectors& x, const MotionOdometer& odometer,
-                           DeformationWatch& watch, std::vector<std::int32_t>& left) const = 0;
-  /// forcePatch and lookAtPatch in one pass over the elements, for one price. Without an odometer no group
-  /// rests.
-  virtual void forceAndLookPatch(std::int32_t patch, const NodeVectors& x, const MotionOdometer* odometer,
-                                 DeformationWatch& watch, double* slots, std::vector<std::int32_t>& left) const = 0;
+  /// Deformation gradients at positions x of any elements, one a lane (-1: none), F[(q * 9 + i) * lanes + lane] row by
+  /// row, q the quadrature point, and how fast the tangent can grow from there, drift[lane].
+  virtual void deformationOf(const std::int32_t* elements, const double* x, double* F, TangentDrift* drift) const = 0;
+  /// Appends the elements of a patch that have left their balls at positions x to `left`.
+  virtual void lookAtPatch(std::int32_t patch, const double* x, DeformationWatch& watch,
+                           std::vector<std::int32_t>& left) const = 0;
+  /// forcePatch and lookAtPatch in one pass over the elements.
+  virtual void forceAndLookPatch(std::int32_t patch, const double* x, DeformationWatch& watch, double* slots,
+                                 std::vector<std::int32_t>& left) const = 0;
   /// max_q Σ_a |∂N_a/∂X| of the elements of a batch, 1/m: norms[lane].
   virtual void gradientNormBatch(std::int32_t batch, double* norms) const = 0;
   /// Least determinant of F over the quadrature points of each element of a batch: determinants[lane].

@@ -20,14 +20,13 @@ class TangentBlock final : public ElementBlock {
   void forcePatch(const Patch&, const double*, double*) const override { unknown("force"); }
   double energyPatch(const Patch&, const double*) const override { unknown("energy"); }
   void laplacianOf(const std::int32_t*, double*) const override { unknown("shape gradients"); }
-  void anchorOf(const std::int32_t*, const double*, DeformationWatch&, TangentDrift*) const override {
+  void deformationOf(const std::int32_t*, const double*, double*, TangentDrift*) const override {
     unknown("deformation gradient");
   }
-  void lookAtPatch(std::int32_t, const NodeVectors&, const MotionOdometer&, DeformationWatch&,
-                   std::vector<std::int32_t>&) const override {
+  void lookAtPatch(std::int32_t, const double*, DeformationWatch&, std::vector<std::int32_t>&) const override {
     unknown("deformation gradient");
   }
-  void forceAndLookPatch(std::int32_t, const NodeVectors&, const MotionOdometer*, DeformationWatch&, double*,
+  void forceAndLookPatch(std::int32_t, const double*, DeformationWatch&, double*,
                          std::vector<std::int32_t>&) const override {
     unknown("force");
   }

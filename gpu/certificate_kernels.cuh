@@ -131,7 +131,7 @@ struct ElementBound {
           if ((constrained >> i & 1U) != 0 || (constrained >> j & 1U) != 0) K[i * size + j] = 0;
     double w[n][6], work[4 * size];
 #pragma unroll
-    for (int a = 0; a < n; ++a) inverseCholesky(shapes[a], w[a]);
+    for (int a = 0; a < n; ++a) invertFactor(factorOf(shapes[a]), w[a]);
     scaleByFactors(w, n, K);
     const auto extremes = extremeEigenvaluesOf < size == 12 ? 12 : 0 > (K, size, work, false);
     const double l = extremes.largest + eigenvalueRounding * extremes.scale;
@@ -153,11 +153,11 @@ struct ElementBound {
   template <class Gradients>
   static __device__ void setBall(const Law& law, const CertificateView& view, std::size_t place, int points,
                                  const Gradients& F, double value, double budget, double reach) {
-    TangentDriftCoefficients drift{0, 0, 0, 0, std::numeric_limits<double>::infinity()};
+    TangentDriftCoefficients<double> drift{0, 0, 0, 0, std::numeric_limits<double>::infinity()};
     double inversion = std::numeric_limits<double>::infinity(), rounding2 = 0, size2 = 0;
     for (int q = 0; q < points; ++q) {
       const Matrix3<double> own = F(q);
-      const TangentDriftCoefficients here = law.drift(own);
+      const TangentDriftCoefficients<double> here = law.drift(own);
       drift.kappa = fmax(drift.kappa, here.kappa);
       drift.linear = fmax(drift.linear, here.linear);
       drift.quadratic = fmax(drift.quadratic, here.quadratic);

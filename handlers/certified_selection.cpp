@@ -51,12 +51,8 @@ class Greedy {
     for (std::size_t b = 0; b < result.shapes.size(); ++b) {
       const ElementBlock& block = *body_.blocks()[b];
       for (std::int32_t e = 0; e < block.elementCount(); ++e)
-        for (int a = 0; a < block.element().nodes; ++a) {
-          const Eigen::Matrix3d D = shapes_.shape(shapes_.incidenceOf({static_cast<std::int32_t>(b), e}, a));
-          NodalShape& shape = result.shapes[b].emplace_back();
-          for (int r = 0; r < 3; ++r)
-            for (int c = r; c < 3; ++c) shape[at(Symmetric3<double>::index(r, c))] = static_cast<float>(D(r, c));
-        }
+        for (int a = 0; a < block.element().nodes; ++a)
+          result.shapes[b].push_back(shapes_.factor(shapes_.incidenceOf({static_cast<std::int32_t>(b), e}, a)));
     }
     return result;
   }
@@ -136,7 +132,7 @@ class Greedy {
         const ElementRef part{static_cast<std::int32_t>(b), static_cast<std::int32_t>(i)},
             whole{part.block, numbers_[b][i]};
         for (int a = 0; a < body_.blocks()[b]->element().nodes; ++a)
-          shapes_.setShape(shapes_.incidenceOf(whole, a), bound_->shape(bound_->incidenceOf(part, a)));
+          shapes_.setFactor(shapes_.incidenceOf(whole, a), bound_->factor(bound_->incidenceOf(part, a)));
       }
     kept_ = true;
   }
@@ -174,15 +170,14 @@ class Greedy {
   Use useOfSlack(ElementRef e) {
     const auto nodes = body_.blocks()[at(e.block)]->nodesOf(e.element);
     double trace = 0;
-    for (std::size_t a = 0; a < nodes.size(); ++a) {
-      const Eigen::Matrix3d T =
-          freePart(body_, nodes[a],
-                   lambda_ * (1 - selectionSlack) * body_.lumpedMass()[nodes[a]] * Eigen::Matrix3d::Identity() -
-                       sums_[at(nodes[a])]);
-      trace += T.trace();
-      shapes_.setShape(shapes_.incidenceOf(e, static_cast<int>(a)), T);
+    std::vector<Eigen::Matrix3d> slack;
+    for (const std::int32_t node : nodes) {
+      slack.push_back(freePart(
+          body_, node,
+          lambda_ * (1 - selectionSlack) * body_.lumpedMass()[node] * Eigen::Matrix3d::Identity() - sums_[at(node)]));
+      trace += slack.back().trace();
     }
-    shapes_.normaliseElement(e.block, e.element);
+    shapes_.setShapes(e, slack);
     std::int32_t elements[PatchLayout::lanes];
     std::fill(std::begin(elements), std::end(elements), -1);
     elements[0] = e.element;

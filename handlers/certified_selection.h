@@ -1,17 +1,14 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include <ringwatch/handlers/selection.h>
-#include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/nodal_bound.h>
 
 namespace ringwatch {
 
-/// An entry D_(e,a) of the nodal bound, of trace 1 over its element: 00, 11, 22, 12, 02, 01.
-using NodalShape = std::array<float, 6>;
-/// Those of a body's elements, [block][element * nodes of an element + a].
-using NodalShapes = std::vector<std::vector<NodalShape>>;
+/// Factors of the shapes D_(e,a) of a body's elements, [block][element * nodes of an element + a].
+using NodalShapes = std::vector<std::vector<NodalBound::Factor>>;
 
 /// A set of elements without which the rest is proven stable.
 struct CertifiedSelection {

@@ -8,7 +8,6 @@
 #include <Eigen/Eigenvalues>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/body/deformation_watch.h>
 #include <ringwatch/handlers/rotation_of.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/scaled_tangent.h>
@@ -29,47 +28,36 @@ double largest(const Eigen::Matrix3d& S) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly).eigenvalues()[2];
 }
 
-Eigen::Matrix3d matrixOf(const NodalShape& shape) {
-  Eigen::Matrix3d D;
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) D(r, c) = static_cast<double>(shape[at(Symmetric3<double>::index(r, c))]);
-  return D;
-}
-
 std::vector<std::int32_t> allNodes(const Body& body) {
   std::vector<std::int32_t> nodes(at(body.nodeCount()));
   std::iota(nodes.begin(), nodes.end(), 0);
   return nodes;
 }
 
-/// Calls visit(block, elements[lanes], positions q of F: anchor at [q][9], drift[lanes]) for all elements of a body.
+/// Calls visit(block, elements[lanes], F[q][9][lane], drift[lanes]) for all elements of a body.
 template <class Visit>
-void forEachAnchor(const Body& body, const NodeVectors& x, const Visit& visit) {
-  const MotionOdometer odometer(allNodes(body), 1);
+void forEachDeformation(const Body& body, const NodeVectors& x, const Visit& visit) {
   for (std::size_t b = 0; b < body.blocks().size(); ++b) {
     const ElementBlock& block = *body.blocks()[b];
-    DeformationWatch watch(block, odometer);
     parallelFor(
         0, block.layout().batchCount(), body.threads(),
         [&](std::int64_t batch) {
           const std::int32_t* elements = block.layout().elements.data() + batch * lanes;
+          std::vector<double> F(9 * block.rule().points.size() * lanes);
           TangentDrift drift[lanes];
-          block.anchorOf(elements, x.data(), watch, drift);
-          visit(b, batch, elements, watch.anchor, drift);
+          block.deformationOf(elements, x.data(), F.data(), drift);
+          visit(b, elements, F.data(), drift);
         },
         16);
   }
 }
 
-/// F_q of a lane of a batch.
-Eigen::Matrix3d gradientAt(const AlignedVector<float>& anchor, std::size_t points, std::int64_t batch, std::size_t q,
-                           int lane) {
-  Eigen::Matrix3d F;
+/// F_q of a lane.
+Eigen::Matrix3d gradientAt(const double* F, std::size_t q, int lane) {
+  Eigen::Matrix3d own;
   for (int i = 0; i < 9; ++i)
-    F(i / 3, i % 3) = static_cast<double>(
-        anchor[((static_cast<std::size_t>(batch) * points + q) * 9 + static_cast<std::size_t>(i)) * lanes +
-               static_cast<std::size_t>(lane)]);
-  return F;
+    own(i / 3, i % 3) = F[(9 * q + static_cast<std::size_t>(i)) * lanes + static_cast<std::size_t>(lane)];
+  return own;
 }
 
 }  // namespace
@@ -103,45 +91,41 @@ void KeptSelection::learn(const Body& part, const NodeVectors& x, const Numbers&
     const int n = block.element().nodes;
     for (std::int32_t e = 0; e < block.elementCount(); ++e)
       for (int a = 0; a < n; ++a) {
-        const NodalShape& shape = shapes[b][at(e * n + a)];
-        bound.setShape(bound.incidenceOf({static_cast<std::int32_t>(b), e}, a), matrixOf(shape));
+        const NodalBound::Factor& shape = shapes[b][at(e * n + a)];
+        bound.setFactor(bound.incidenceOf({static_cast<std::int32_t>(b), e}, a), shape);
         last_.shapes[b][at(numbers[b][at(e)] * n + a)] = shape;
       }
   }
-  forEachAnchor(part, x,
-                [&](std::size_t b, std::int64_t batch, const std::int32_t* elements, const AlignedVector<float>& anchor,
-                    const TangentDrift* drifts) {
-                  const std::size_t points = part.blocks()[b]->rule().points.size();
-                  double value[lanes], reach[lanes];
-                  bound.elementValues(static_cast<std::int32_t>(b), elements, x, value, reach);
-                  for (int lane = 0; lane < lanes; ++lane) {
-                    if (elements[lane] < 0) continue;
-                    const std::size_t whole = at(numbers[b][at(elements[lane])]);
-                    const TangentDrift& drift = drifts[lane];
-                    Growth& growth = known_[b].growth[whole];
-                    growth.value = value[lane];
-                    growth.linear = roundedUp(
-                        2 * std::sqrt((value[lane] + reach[lane] * drift.negative) * drift.kappa * reach[lane]) +
+  forEachDeformation(
+      part, x, [&](std::size_t b, const std::int32_t* elements, const double* F, const TangentDrift* drifts) {
+        const std::size_t points = part.blocks()[b]->rule().points.size();
+        double value[lanes], reach[lanes];
+        bound.elementValues(static_cast<std::int32_t>(b), elements, x, value, reach);
+        for (int lane = 0; lane < lanes; ++lane) {
+          if (elements[lane] < 0) continue;
+          const std::size_t whole = at(numbers[b][at(elements[lane])]);
+          const TangentDriftCoefficients<double>& drift = drifts[lane].law;
+          Growth& growth = known_[b].growth[whole];
+          growth.value = value[lane];
+          growth.linear =
+              roundedUp(2 * std::sqrt((value[lane] + reach[lane] * drift.negative) * drift.kappa * reach[lane]) +
                         reach[lane] * drift.linear);
-                    growth.quadratic = roundedUp(reach[lane] * (drift.kappa + drift.quadratic));
-                    growth.radius = static_cast<float>(std::min(drift.radius * (1 - 1e-6), 1e30));
-                    for (std::size_t q = 0; q < points; ++q)
-                      for (std::size_t i = 0; i < 9; ++i)
-                        known_[b].anchor[(whole * points + q) * 9 + i] =
-                            anchor[((static_cast<std::size_t>(batch) * points + q) * 9 + i) * lanes +
-                                   static_cast<std::size_t>(lane)];
-                  }
-                });
+          growth.quadratic = roundedUp(reach[lane] * (drift.kappa + drift.quadratic));
+          growth.radius = static_cast<float>(std::min(drift.radius * (1 - 1e-6), 1e30));
+          for (std::size_t q = 0; q < points; ++q)
+            for (std::size_t i = 0; i < 9; ++i)
+              known_[b].anchor[(whole * points + q) * 9 + i] =
+                  static_cast<float>(F[(9 * q + i) * lanes + static_cast<std::size_t>(lane)]);
+        }
+      });
   last_.evaluations += static_cast<std::int64_t>(part.mesh().elementCount());
 }
 
 void KeptSelection::lookAtAll(const Body& body, const NodeVectors& x) {
   now_.resize(known_.size());
   for (std::size_t b = 0; b < known_.size(); ++b) now_[b].assign(known_[b].growth.size(), {});
-  forEachAnchor(
-      body, x,
-      [&](std::size_t b, std::int64_t batch, const std::int32_t* elements, const AlignedVector<float>& gradients,
-          const TangentDrift*) {
+  forEachDeformation(
+      body, x, [&](std::size_t b, const std::int32_t* elements, const double* gradients, const TangentDrift*) {
         const ElementBlock& block = *body.blocks()[b];
         const std::size_t points = block.rule().points.size();
         for (int lane = 0; lane < lanes; ++lane) {
@@ -159,15 +143,14 @@ void KeptSelection::lookAtAll(const Body& body, const NodeVectors& x) {
             turns = turns && body.constraints().freeComponents(node) % 3 == 0;
           if (turns) {
             Eigen::Matrix3d product = Eigen::Matrix3d::Zero();
-            for (std::size_t q = 0; q < points; ++q)
-              product += gradientAt(gradients, points, batch, q, lane) * before(q).transpose();
+            for (std::size_t q = 0; q < points; ++q) product += gradientAt(gradients, q, lane) * before(q).transpose();
             now.R = rotationOf(product);
           }
           double distance = 0;
           for (std::size_t q = 0; q < points; ++q) {
-            const Eigen::Matrix3d F = gradientAt(gradients, points, batch, q, lane);
-            // Both are rounded to single precision.
-            const double here = (F - now.R * before(q)).norm() + 1e-7 * (F.norm() + before(q).norm());
+            const Eigen::Matrix3d F = gradientAt(gradients, q, lane);
+            // The one before is rounded to single precision.
+            const double here = (F - now.R * before(q)).norm() + 1e-7 * before(q).norm();
             distance = here <= distance ? distance : here;  // NaN is kept
           }
           if (distance <= static_cast<double>(growth.radius))
@@ -188,8 +171,8 @@ void KeptSelection::sumAt(const Body& body, const std::vector<std::int32_t>& nod
           const auto own = body.blocks()[at(e.block)]->nodesOf(e.element);
           const auto a = static_cast<std::size_t>(std::find(own.begin(), own.end(), node) - own.begin());
           const Now& now = now_[at(e.block)][at(e.element)];
-          sum += now.value *
-                 (now.R * matrixOf(last_.shapes[at(e.block)][at(e.element) * own.size() + a]) * now.R.transpose());
+          sum += now.value * (now.R * NodalBound::shapeOf(last_.shapes[at(e.block)][at(e.element) * own.size() + a]) *
+                              now.R.transpose());
         }
         last_.nodalSums[at(node)] = freePart(body, node, sum);
       },
@@ -223,10 +206,8 @@ void KeptSelection::evaluateAtX(const Body& body, const NodeVectors& x, const El
     for (const std::int32_t e : numbers[b]) {
       Now& now = now_[b][at(e)];
       for (std::size_t a = 0; a < n; ++a) {
-        const Eigen::Matrix3d D = now.R * matrixOf(last_.shapes[b][at(e) * n + a]) * now.R.transpose();
-        NodalShape& shape = shapes[b].emplace_back();
-        for (int r = 0; r < 3; ++r)
-          for (int c = r; c < 3; ++c) shape[at(Symmetric3<double>::index(r, c))] = static_cast<float>(D(r, c));
+        const Eigen::Matrix3d D = now.R * NodalBound::shapeOf(last_.shapes[b][at(e) * n + a]) * now.R.transpose();
+        shapes[b].push_back(NodalBound::factorOf(D));
       }
     }
   }
@@ -335,9 +316,9 @@ const CertifiedSelection& KeptSelection::choose(const Body& body, const NodeVect
   last_.rest = {0};
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
     last_.rest.value = std::max(last_.rest.value, largest(last_.nodalSums[at(i)]) / body.lumpedMass()[i]);
-  now_ = {};
-  firstAt_ = {};
-  elementsAt_ = {};
+  now_.clear();
+  firstAt_ = std::vector<std::size_t>();
+  elementsAt_ = std::vector<ElementRef>();
   return last_;
 }
 
@@ -351,7 +332,7 @@ void KeptSelection::carryOver(const CutMesh& cut) {
     Known known;
     known.growth.resize(count);
     known.anchor.resize(count * numbers);
-    std::vector<NodalShape> shapes(count * nodes);
+    std::vector<NodalBound::Factor> shapes(count * nodes);
     for (std::size_t e = 0; e < count; ++e) {
       if (cut.changed[b][e]) continue;
       const auto from = at(cut.parent[b][e]);

@@ -107,17 +107,20 @@ struct Corotational {
   /// With g - √2 δ >= q g inside the radius these sum up to linear δ + quadratic δ². A lower bound of g follows from s
   /// and |F|²: the largest of three numbers of mean s/3 lies at most √(2/3) of their deviation |U - s/3 I| above it.
   /// The least eigenvalue is at least 2μ + min(0, 3λ, 2 t/g), since H R = 0.
-  RINGWATCH_INLINE TangentDriftCoefficients drift(const Matrix3<double>& F) const {
+  template <class S>
+  RINGWATCH_INLINE TangentDriftCoefficients<S> drift(const Matrix3<S>& F) const {
     constexpr double root2 = 1.4142135623730951, root3 = 1.7320508075688773;
     constexpr double share = 0.1, q = 1 - root2 * share;  // of g, that the radius spends
-    const double s = innerProduct(closestRotation(F), F), size2 = innerProduct(F, F);
-    const double spread = math::sqrt(math::max(0.0, size2 - s * s / 3) * (2.0 / 3.0));
-    const double g = (2.0 / 3.0) * s - spread - 1e-7 * math::sqrt(size2);
-    if (!(g > 0)) return {0, 0, 0, 0, -1};
+    const S zero(0.0), s = innerProduct(closestRotation(F), F), size2 = innerProduct(F, F);
+    const S spread = math::sqrt(math::max(zero, size2 - s * s * S(1.0 / 3.0)) * S(2.0 / 3.0));
+    const S least = S(2.0 / 3.0) * s - spread - S(1e-7) * math::sqrt(size2);
+    const auto bounded = least > zero;
+    const S g = select(bounded, least, S(1.0)), twoOverG = S(2.0) / g;
     const double lambda = math::abs(constants.lambda);
-    const double t = constants.lambda * (s - 3) - 2 * constants.mu, dH = (4 * root2 + 4) / (q * g * g);
-    return {0, root3 * lambda * (2 / g) * (1 + 1 / q) + math::abs(t) * dH, root3 * lambda * dH,
-            math::max(0.0, -2 * constants.mu - math::min(3 * constants.lambda, t * (2 / g))), share * g};
+    const S t = S(constants.lambda) * (s - S(3.0)) - S(2 * constants.mu), dH = S((4 * root2 + 4) / q) / (g * g);
+    const S negative = math::max(zero, S(-2 * constants.mu) - math::min(S(3 * constants.lambda), t * twoOverG));
+    return {zero, S(root3 * lambda * (1 + 1 / q)) * twoOverG + math::abs(t) * dH, S(root3 * lambda) * dH,
+            select(bounded, negative, zero), select(bounded, S(share) * g, S(-1.0))};
   }
 };
 

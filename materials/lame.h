@@ -24,9 +24,10 @@ inline double pressureWaveSpeed(Lame constants, double density) {
 /// |F' - F| <= δ (Frobenius): the square root of the quadratic form of ∂P/∂F plus `negative` |dF|² grows by at most
 /// √kappa δ |dF|, and the rest by at most (linear δ + quadratic δ²) |dF|². Holds for δ <= radius; radius < 0: never. No
 /// eigenvalue of ∂P/∂F at F is below -negative.
+template <class S>
 struct TangentDriftCoefficients {
-  double kappa, linear, quadratic, negative;
-  double radius = std::numeric_limits<double>::infinity();
+  S kappa, linear, quadratic, negative;
+  S radius = S(std::numeric_limits<double>::infinity());
 };
 
 }  // namespace ringwatch

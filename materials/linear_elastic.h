@@ -64,8 +64,10 @@ struct LinearElastic {
   }
 
   /// The tangent is constant: it does not drift. Its eigenvalues are 0, 2μ and 3λ+2μ.
-  RINGWATCH_INLINE TangentDriftCoefficients drift(const Matrix3<double>&) const {
-    return {0, 0, 0, math::max(0.0, -3 * constants.lambda - 2 * constants.mu)};
+  template <class S>
+  RINGWATCH_INLINE TangentDriftCoefficients<S> drift(const Matrix3<S>&) const {
+    const S zero(0.0);
+    return {zero, zero, zero, S(math::max(0.0, -3 * constants.lambda - 2 * constants.mu))};
   }
 
  private:

@@ -85,19 +85,24 @@ struct NeoHookean {
   /// and the tangent moves by |a| |ΔT| + |Δa| (w² + |ΔT|) + |λ| |ΔG| (2 |G| + |ΔG|), all norms but w's Frobenius. w² is
   /// bounded as the largest eigenvalue of GᵀG, by its trace and norm. No eigenvalue is below μ - |a| w² + min(0, λ)
   /// |G|².
-  RINGWATCH_INLINE TangentDriftCoefficients drift(const Matrix3<double>& F) const {
+  template <class S>
+  RINGWATCH_INLINE TangentDriftCoefficients<S> drift(const Matrix3<S>& F) const {
     constexpr double share = 0.1, k = 1 / (1 - share);  // θ
-    if (!(determinant(F) > 0)) return {0, 0, 0, 0, -1};
-    const Linearization<double> l = linearize(F);
-    const Matrix3<double> C = transposeTimes(l.inverseTranspose, l.inverseTranspose);
-    const double trace2 = trace(C), spread2 = math::max(0.0, innerProduct(C, C) - trace2 * trace2 / 3);
-    const double w2 = (trace2 / 3 + math::sqrt((2.0 / 3.0) * spread2)) * (1 + 1e-7), w = math::sqrt(w2);
-    const double G = math::sqrt(trace2), a = math::abs(l.a), lambda = math::abs(constants.lambda);
-    const double linear = 2 * k * a * w * w2 + lambda * G * w2 * (1 + 2 * k);
-    const double quadratic = w2 * w2 * (k * k * (a + lambda) + 0.5 * k * lambda) +
-                             lambda * (G + 0.5 * k * share * w) * k * w2 * (2 + k * share) * w;
-    const double negative = math::max(0.0, a * w2 - constants.mu) + math::max(0.0, -constants.lambda) * trace2;
-    return {0, linear, quadratic, negative, share / w};
+    const S zero(0.0);
+    const auto upright = determinant(F) > zero;
+    Matrix3<S> own = Matrix3<S>::identity();
+    for (int i = 0; i < 9; ++i) own.m[i] = select(upright, F.m[i], own.m[i]);
+    const Linearization<S> l = linearize(own);
+    const Matrix3<S> C = transposeTimes(l.inverseTranspose, l.inverseTranspose);
+    const S trace2 = trace(C), spread2 = math::max(zero, innerProduct(C, C) - trace2 * trace2 * S(1.0 / 3.0));
+    const S w2 = (trace2 * S(1.0 / 3.0) + math::sqrt(S(2.0 / 3.0) * spread2)) * S(1 + 1e-7), w = math::sqrt(w2);
+    const S G = math::sqrt(trace2), a = math::abs(l.a), lambda(math::abs(constants.lambda));
+    const S linear = S(2 * k) * a * w * w2 + lambda * G * w2 * S(1 + 2 * k);
+    const S quadratic = w2 * w2 * (S(k * k) * (a + lambda) + S(0.5 * k) * lambda) +
+                        lambda * (G + S(0.5 * k * share) * w) * S(k * (2 + k * share)) * w2 * w;
+    const S negative = math::max(zero, a * w2 - S(constants.mu)) + S(math::max(0.0, -constants.lambda)) * trace2;
+    return {zero, select(upright, linear, zero), select(upright, quadratic, zero), select(upright, negative, zero),
+            select(upright, S(share) / w, S(-1.0))};
   }
 };
 

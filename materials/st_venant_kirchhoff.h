@@ -80,20 +80,22 @@ struct StVenantKirchhoff {
   /// √(max(0, λ)+2μ) |ΔF| |dF| (Cauchy–Schwarz on tr²(ΔFᵀdF) and |sym(ΔFᵀdF)|²); it exceeds the whole by at most max(0,
   /// -lambda_min(S)). The geometric part dF S : dF moves by lambda_max(ΔS) <= c |ΔE|, c = √((λ+2μ)² + 2λ²), |ΔE| <=
   /// |F|₂ δ + δ²/2. Spectral norms and eigenvalues are bounded by Gershgorin's circles.
-  RINGWATCH_INLINE TangentDriftCoefficients drift(const Matrix3<double>& F) const {
+  template <class S>
+  RINGWATCH_INLINE TangentDriftCoefficients<S> drift(const Matrix3<S>& F) const {
     const double lambda = constants.lambda, mu = constants.mu;
     const double c = math::sqrt((lambda + 2 * mu) * (lambda + 2 * mu) + 2 * lambda * lambda);
-    const Matrix3<double> E = greenStrain(F), S = secondStress(E);
-    double stretch2 = 0, lowest = S.m[0];
+    const Matrix3<S> E = greenStrain(F), stress = secondStress(E);
+    const S zero(0.0);
+    S stretch2 = zero, lowest = stress.m[0];
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
-      stretch2 = math::max(stretch2, 1 + 2 * (E(i, i) + math::abs(E(i, j)) + math::abs(E(i, k))));
-      lowest = math::min(lowest, S(i, i) - math::abs(S(i, j)) - math::abs(S(i, k)));
+      stretch2 = math::max(stretch2, S(1.0) + S(2.0) * (E(i, i) + math::abs(E(i, j)) + math::abs(E(i, k))));
+      lowest = math::min(lowest, stress(i, i) - math::abs(stress(i, j)) - math::abs(stress(i, k)));
     }
-    const double negative = math::max(0.0, -lowest) + math::max(0.0, -3 * lambda - 2 * mu) * stretch2;
+    const S negative = math::max(zero, -lowest) + S(math::max(0.0, -3 * lambda - 2 * mu)) * stretch2;
     // Without a norm, as in a rule's share of λ < 0 alone, there is no bound.
-    if (!(3 * lambda + 2 * mu >= 0)) return {0, 0, 0, negative, -1};
-    return {math::max(0.0, lambda) + 2 * mu, c * math::sqrt(stretch2), 0.5 * c, negative};
+    if (!(3 * lambda + 2 * mu >= 0)) return {zero, zero, zero, negative, S(-1.0)};
+    return {S(math::max(0.0, lambda) + 2 * mu), S(c) * math::sqrt(stretch2), S(0.5 * c), negative};
   }
 
   /// E = (FᵀF - I)/2

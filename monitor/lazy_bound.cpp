@@ -21,8 +21,6 @@ constexpr double leastShare = 0.9;   // of what counts as risen
 constexpr double leastGain = 0.005;  // of two sweeps; half of it in the step
 constexpr int firstGap = 40;         // updates between two retargets; longer and longer while they do not help
 constexpr int lastGap = 10240;
-constexpr int restlessLooks = 16;  // between two looks whether groups rest again
-constexpr double leastResting = 0.5;
 int longer(int gap) { return std::min(4 * gap, lastGap); }
 
 double largest(const Eigen::Matrix3d& S) {
@@ -48,46 +46,50 @@ float roundedDown(double number) {
 }
 float roundedUp(double number) { return -roundedDown(-number); }
 
-void sortMostFirst(std::vector<LazyBound::Risen>& found) {
-  std::sort(found.begin(), found.end(), [](const LazyBound::Risen& a, const LazyBound::Risen& b) {
-    return a.share != b.share ? a.share > b.share : a.element < b.element;
-  });
-}
+/// Where sigma is put when it is steered.
+double comfortable(LowerBound lower, double width) { return (1 + 0.8 * width) * (1 + 0.8 * width) * lower.value; }
 
-/// All nodes, patch after patch: neighbours in space stand near one another.
-std::vector<std::int32_t> nodesByPatch(const Body& body) {
-  std::vector<std::int32_t> order;
-  std::vector<bool> taken(static_cast<std::size_t>(body.nodeCount()));
-  const auto take = [&](std::int32_t node) {
-    if (taken[static_cast<std::size_t>(node)]) return;
-    taken[static_cast<std::size_t>(node)] = true;
-    order.push_back(node);
-  };
-  for (const auto& block : body.blocks())
-    for (const std::int32_t node : block->layout().nodes) take(node);
-  for (std::int32_t node = 0; node < body.nodeCount(); ++node) take(node);
-  return order;
+bool isBefore(const LazyBound::Risen& a, const LazyBound::Risen& b) {
+  return a.share != b.share ? a.share > b.share : a.element < b.element;
 }
 
 }  // namespace
 
-LazyBound::LazyBound(const Body& body, double slack)
-    : body_(body), slack_(slack), shapes_(body), odometer_(nodesByPatch(body), body.threads()) {
+LazyBound::LazyBound(const Body& body, double slack) : body_(body), slack_(slack), shapes_(body) {
   for (const auto& block : body.blocks()) {
     const std::size_t places = block->layout().elements.size();
-    blocks_.push_back({DeformationWatch(*block, odometer_), std::vector<float>(places), std::vector<float>(places),
-                       std::vector<float>(places), std::vector<float>(places)});
+    blocks_.push_back({DeformationWatch(*block), std::vector<float>(places), std::vector<float>(places),
+                       std::vector<Bfloat16>(places), std::vector<Bfloat16>(places)});
   }
 }
 
-void LazyBound::setBall(std::int32_t b, std::int32_t element, double value, const TangentDrift& drift) {
+void LazyBound::setBall(std::int32_t b, std::int32_t element, const Evaluated& evaluated) {
   BlockData& data = blocks_[static_cast<std::size_t>(b)];
   const std::size_t place = placeOf({b, element});
-  data.value[place] = roundedUp(value);
-  const double radius =
-      ballRadius({drift.kappa, drift.linear, drift.quadratic, drift.negative, drift.radius}, drift.inversionDistance,
-                 value, static_cast<double>(data.budget[place]), static_cast<double>(data.reach[place]));
-  data.watch.radius[place] = static_cast<float>(std::min(radius, 1e30));
+  data.value[place] = roundedUp(evaluated.value);
+  data.watch.setRadius(place,
+                       ballRadius(evaluated.drift.law, evaluated.drift.inversionDistance, evaluated.value,
+                                  static_cast<double>(data.budget[place]), data.reach[place]),
+                       evaluated.fromAnchor);
+}
+
+void LazyBound::evaluatePack(const NodeVectors& x, std::int32_t b, const std::int32_t* elements, const double* known,
+                             bool withReach, Evaluated* results) {
+  const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(b)];
+  BlockData& data = blocks_[static_cast<std::size_t>(b)];
+  const auto points = static_cast<int>(block.rule().points.size());
+  double value[lanes], reach[lanes];
+  TangentDrift drift[lanes];
+  std::vector<double> F(static_cast<std::size_t>(9 * points * lanes));
+  if (known) std::copy_n(known, lanes, value);
+  shapes_.elementValues(b, elements, x, known ? nullptr : value, withReach ? reach : nullptr);
+  block.deformationOf(elements, x.data(), F.data(), drift);
+  for (int lane = 0; lane < lanes; ++lane) {
+    if (elements[lane] < 0) continue;
+    const std::size_t place = placeOf({b, elements[lane]});
+    if (withReach) data.reach[place] = Bfloat16::up(reach[lane]);
+    results[lane] = {value[lane], drift[lane], data.watch.setAnchor(place, F.data(), points, lane)};
+  }
 }
 
 void LazyBound::evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withReach,
@@ -118,16 +120,11 @@ void LazyBound::evaluate(const NodeVectors& x, const std::vector<ElementRef>& el
       0, static_cast<std::int64_t>(packs.size()), body_.threads(),
       [&](std::int64_t k) {
         const Pack& pack = packs[static_cast<std::size_t>(k)];
-        double value[lanes], reach[lanes];
-        TangentDrift drift[lanes];
-        BlockData& data = blocks_[static_cast<std::size_t>(pack.block)];
-        const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(pack.block)];
-        shapes_.elementValues(pack.block, pack.element, x, value, withReach ? reach : nullptr);
-        block.anchorOf(pack.element, x.data(), data.watch, drift);
+        Evaluated own[lanes];
+        evaluatePack(x, pack.block, pack.element, nullptr, withReach, own);
         for (int lane = 0; lane < pack.count; ++lane) {
-          results[pack.at[lane]] = {value[lane], drift[lane]};
-          if (withReach) data.reach[placeOf({pack.block, pack.element[lane]})] = roundedUp(reach[lane]);
-          setBall(pack.block, pack.element[lane], value[lane], drift[lane]);
+          results[pack.at[lane]] = own[lane];
+          setBall(pack.block, pack.element[lane], own[lane]);
         }
       },
       8);
@@ -141,19 +138,21 @@ void LazyBound::note(ElementRef element, const TangentDrift& drift) {
     spent_.leastDeterminantElement = element;
   }
   const Lame lame = body_.blocks()[static_cast<std::size_t>(element.block)]->material().lame();
-  blocks_[static_cast<std::size_t>(element.block)].compression[placeOf(element)] =
-      static_cast<float>(drift.negative / (lame.lambda + 2 * lame.mu));
+  const Bfloat16 compression = Bfloat16::up(drift.law.negative / (lame.lambda + 2 * lame.mu));
+  blocks_[static_cast<std::size_t>(element.block)].compression[placeOf(element)] = compression;
+  mostCompression_ = std::max(mostCompression_, static_cast<double>(compression));
 }
 
 std::vector<ElementRef> LazyBound::compressedElements(double least) const {
+  if (!(mostCompression_ > least)) return {};
   std::vector<Risen> found;  // by compression
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     for (std::size_t place = 0; place < blocks_[b].compression.size(); ++place) {
-      const auto compression = static_cast<double>(blocks_[b].compression[place]);
+      const double compression = blocks_[b].compression[place];
       if (compression > least)
         found.push_back({compression, {static_cast<std::int32_t>(b), body_.blocks()[b]->layout().elements[place]}});
     }
-  sortMostFirst(found);
+  std::sort(found.begin(), found.end(), isBefore);
   std::vector<ElementRef> result;
   for (const Risen& entry : found) result.push_back(entry.element);
   return result;
@@ -193,6 +192,7 @@ std::vector<ElementRef> LazyBound::hottestElements(std::size_t count) {
 }
 
 void LazyBound::dealBudgets(const NodeVectors& x) {
+  mostCompression_ = 0;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ElementBlock& block = *body_.blocks()[b];
     BlockData& data = blocks_[b];
@@ -203,26 +203,24 @@ void LazyBound::dealBudgets(const NodeVectors& x) {
       const std::int32_t end = std::min(batches, static_cast<std::int32_t>(c + 1) * chunk);
       for (auto batch = static_cast<std::int32_t>(c) * chunk; batch < end; ++batch) {
         const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
-        double value[lanes], reach[lanes];
-        TangentDrift* drift = drifts.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
-        shapes_.elementValues(static_cast<std::int32_t>(b), elements, x, value, reach);
-        block.anchorOf(elements, x.data(), data.watch, drift);
+        Evaluated own[lanes];
+        double swept[lanes] = {};
+        for (int lane = 0; lane < lanes; ++lane)
+          if (elements[lane] >= 0) swept[lane] = shapes_.value({static_cast<std::int32_t>(b), elements[lane]});
+        evaluatePack(x, static_cast<std::int32_t>(b), elements, swept, true, own);
         for (int lane = 0; lane < lanes; ++lane) {
           if (elements[lane] < 0) continue;
           const std::size_t place = static_cast<std::size_t>(batch * lanes + lane);
+          drifts[place] = own[lane].drift;
           double room = std::numeric_limits<double>::infinity();
           for (std::int32_t node : block.nodesOf(elements[lane]))
             if (shapes_.nodal()[static_cast<std::size_t>(node)] > 0)
               room = std::min(room, sigma_ / shapes_.nodal()[static_cast<std::size_t>(node)]);
-          data.reach[place] = roundedUp(reach[lane]);
-          // The value of the last sweep, which the nodal sums were made of, gets the room; this one is the same to
-          // rounding.
-          const double swept = shapes_.value({static_cast<std::int32_t>(b), elements[lane]});
-          data.budget[place] = swept > 0 ? roundedDown(swept * room * (1 - 1e-12)) : 0;
-          setBall(static_cast<std::int32_t>(b), elements[lane], value[lane], drift[lane]);
+          data.budget[place] = swept[lane] > 0 ? roundedDown(swept[lane] * room * (1 - 1e-12)) : 0;
+          setBall(static_cast<std::int32_t>(b), elements[lane], own[lane]);
           // Nothing of a wholly constrained element is left in the problem.
-          if (body_.constraints().any() && value[lane] == 0 && reach[lane] <= 1e-200)
-            data.watch.radius[place] = std::numeric_limits<float>::infinity();
+          if (body_.constraints().any() && own[lane].value == 0 && data.reach[place] <= 1e-200)
+            data.watch.radius[place] = Bfloat16::down(std::numeric_limits<double>::infinity());
         }
       }
     });
@@ -253,28 +251,16 @@ std::vector<ElementRef> LazyBound::whoLeft(const NodeVectors& x, NodeVectors* fo
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     left_[b].resize(body_.blocks()[b]->layout().patches.size());
     for (auto& list : left_[b]) list.clear();
+    ++blocks_[b].watch.looks;
   }
-  // Where hardly any group rests and the force pass looks at them all in passing, the odometer is not worth its pass.
-  const bool mayRest = !force || updates_ % restlessLooks < 2 || restingShare_ > leastResting;
-  if (mayRest) odometer_.advance(x);
   if (force) {
     body_.sumOverPatches(*force, workspace_, [&](std::size_t b, std::int32_t p, double* slots) {
-      body_.blocks()[b]->forceAndLookPatch(p, x, mayRest ? &odometer_ : nullptr, blocks_[b].watch, slots,
-                                           left_[b][static_cast<std::size_t>(p)]);
+      body_.blocks()[b]->forceAndLookPatch(p, x.data(), blocks_[b].watch, slots, left_[b][static_cast<std::size_t>(p)]);
     });
-    if (mayRest && updates_ % restlessLooks > 0) {  // at the first of two looks groups lie down
-      std::size_t groups = 0, resting = 0;
-      for (const BlockData& data : blocks_)
-        for (const DeformationWatch::Group& group : data.watch.groups) {
-          ++groups;
-          resting += group.roomAtLook >= 0 && group.lookedAt != odometer_.advances();
-        }
-      restingShare_ = static_cast<double>(resting) / static_cast<double>(groups);
-    }
   } else {
     for (std::size_t b = 0; b < blocks_.size(); ++b)
       parallelFor(0, static_cast<std::int64_t>(left_[b].size()), body_.threads(), [&](std::int64_t p) {
-        body_.blocks()[b]->lookAtPatch(static_cast<std::int32_t>(p), x, odometer_, blocks_[b].watch,
+        body_.blocks()[b]->lookAtPatch(static_cast<std::int32_t>(p), x.data(), blocks_[b].watch,
                                        left_[b][static_cast<std::size_t>(p)]);
       });
   }
@@ -293,12 +279,11 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise, NodeVe
   anchored_ = gone;
   for (std::size_t i = 0; i < gone.size(); ++i) {
     if (!std::isfinite(now[i].value)) return Outcome::notFinite;
-    const auto budget = static_cast<double>(blocks_[static_cast<std::size_t>(gone[i].block)].budget[placeOf(gone[i])]);
-    const double value = now[i].value;
+    const double budget = budgetOf(gone[i]), value = now[i].value;
     const double share = budget > 0 ? value / budget : value > 0 ? std::numeric_limits<double>::infinity() : 0;
     if (share > leastShare) risen_.push_back({share, gone[i]});
   }
-  sortMostFirst(risen_);
+  std::sort(risen_.begin(), risen_.end(), isBefore);
   const auto overEnd = std::find_if(risen_.begin(), risen_.end(), [](const Risen& r) { return r.share <= 1; });
   // When very many are over their budgets, mending one by one costs more than starting afresh.
   if (static_cast<double>(overEnd - risen_.begin()) > 0.05 * static_cast<double>(body_.mesh().elementCount()))
@@ -309,7 +294,7 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise, NodeVe
     if (data.value[placeOf(e)] <= data.budget[placeOf(e)]) continue;  // a neighbour's repair served it
     if (!repair(x, e, mayRaise)) return Outcome::failed;
   }
-  for (ElementRef e : anchored_) blocks_[static_cast<std::size_t>(e.block)].watch.noteBall(placeOf(e), odometer_);
+  for (ElementRef e : anchored_) blocks_[static_cast<std::size_t>(e.block)].watch.noteBall(placeOf(e));
   return Outcome::fine;
 }
 
@@ -363,8 +348,9 @@ Eigen::Quaternionf LazyBound::frameOf(std::int32_t node) const {
     const ElementRef e = shapes_.elementAt(at);
     const auto block = static_cast<std::size_t>(e.block);
     const std::size_t points = body_.blocks()[block]->rule().points.size(), place = placeOf(e);
-    const float* anchor = blocks_[block].watch.anchor.data() + place / lanes * points * 9 * lanes + place % lanes;
-    for (std::size_t i = 0; i < 9 * points; ++i) F.m[i % 9] += static_cast<double>(anchor[i * lanes]);
+    const std::int16_t* anchor =
+        blocks_[block].watch.anchor.data() + place / lanes * points * 9 * lanes + place % lanes;
+    for (std::size_t i = 0; i < 9 * points; ++i) F.m[i % 9] += DeformationWatch::anchorUnit * anchor[i * lanes];
   }
   const Matrix3<double> R = closestRotation(F);
   Eigen::Matrix3d matrix;
@@ -372,11 +358,11 @@ Eigen::Quaternionf LazyBound::frameOf(std::int32_t node) const {
   return Eigen::Quaterniond(matrix).cast<float>();
 }
 
-/// D ← Q D Qᵀ for all elements at a node with the same Q leaves the eigenvalues of its sum where they are. Returns
-/// whether any node was turned by enough to matter. Anchors must be of now.
-bool LazyBound::turnShapes(const std::vector<std::int32_t>& nodes) {
+/// D ← Q D Qᵀ for all elements at a node with the same Q leaves the eigenvalues of its sum where they are, but for
+/// rounding. Returns the nodes that were turned by enough to matter. Anchors must be of now.
+std::vector<std::int32_t> LazyBound::turnShapes(const std::vector<std::int32_t>& nodes) {
   constexpr float enough = 0.01F;  // rad
-  bool turned = false;
+  std::vector<std::int32_t> turned;
   for (const std::int32_t node : nodes) {
     // Where components are constrained the sum is cut along fixed axes.
     if (body_.constraints().any() && body_.constraints().freeComponents(node) < 3) continue;
@@ -387,7 +373,7 @@ bool LazyBound::turnShapes(const std::vector<std::int32_t>& nodes) {
     for (const NodalBound::Incidence at : shapes_.incidences(node))
       shapes_.setShape(at, Q * shapes_.shape(at) * Q.transpose());
     frames_[static_cast<std::size_t>(node)] = frame;
-    turned = true;
+    turned.push_back(node);
   }
   return turned;
 }
@@ -440,12 +426,20 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
     }
     std::vector<Evaluated> now;
     evaluate(x, ring, false, now);
-    bool reshaped = false;
-    if (growth == 0 && turnShapes(patch)) {
-      // Turned shapes are rounded to single precision, which adds less than 6e-7 of it to a node's sum.
-      for (const ElementRef e : ring) {
-        float& budget = blocks_[static_cast<std::size_t>(e.block)].budget[placeOf(e)];
-        budget = roundedDown(static_cast<double>(budget) * (1 - 1e-6));
+    const std::vector<std::int32_t> turned = growth == 0 ? turnShapes(patch) : std::vector<std::int32_t>();
+    if (!turned.empty()) {
+      // Turned shapes are rounded: budgets there pay for what that adds to the sums.
+      for (const std::int32_t node : turned) {
+        Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+        for (const NodalBound::Incidence at : shapes_.incidences(node))
+          sum += budgetOf(shapes_.elementAt(at)) * shapes_.shape(at);
+        const double share = sigma_ * body_.lumpedMass()[node] / largest(sum);
+        if (share > 1) continue;
+        for (const NodalBound::Incidence at : shapes_.incidences(node)) {
+          const ElementRef e = shapes_.elementAt(at);
+          float& budget = blocks_[static_cast<std::size_t>(e.block)].budget[placeOf(e)];
+          budget = roundedDown(static_cast<double>(budget) * share * (1 - 1e-12));
+        }
       }
       evaluate(x, ring, true, now);
       if (std::all_of(ring.begin(), ring.end(), [&](ElementRef e) { return valueOf(e) <= budgetOf(e); })) {
@@ -454,8 +448,7 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
       }
     }
     for (int sweep = 0;; ++sweep) {
-      if (reshaped) evaluate(x, ring, true, now);
-      reshaped = true;
+      if (sweep > 0) evaluate(x, ring, true, now);  // with new shapes
       double least = std::numeric_limits<double>::infinity();
       std::vector<double> room(rim.size());
       std::fill(inside.begin(), inside.end(), Eigen::Matrix3d::Zero());
@@ -487,30 +480,48 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
           BlockData& data = blocks_[static_cast<std::size_t>(e.block)];
           const std::size_t place = placeOf(e);
           if (std::isfinite(own)) data.budget[place] = roundedDown(valueOf(e) * own * (1 - 1e-12));
-          setBall(e.block, e.element, now[k].value, now[k].drift);
+          setBall(e.block, e.element, now[k]);
         }
         anchored_.insert(anchored_.end(), ring.begin(), ring.end());
         return true;
       }
       if (sweep == sweeps) break;
       // Shapes at the patch's own nodes: what they gain there costs nobody outside the ring.
-      for (std::int32_t node : patch) {
+      std::vector<Eigen::Matrix3d> factors;
+      for (const std::int32_t node : patch) {
         const auto at = static_cast<std::size_t>(std::lower_bound(rim.begin(), rim.end(), node) - rim.begin());
         Eigen::Matrix3d S = (outside[at] + inside[at]) / sigma_;
         for (int c = 0; c < 3; ++c)
           if (freeFactor(body_, node, c) == 0) S(c, c) = 1;
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(S);
         const Eigen::Vector3d power = solver.eigenvalues().cwiseMax(1e-3).array().pow(-0.25);
-        const Eigen::Matrix3d R = solver.eigenvectors() * power.asDiagonal() * solver.eigenvectors().transpose();
-        for (const NodalBound::Incidence incidence : shapes_.incidences(node))
-          shapes_.setShape(incidence, R * shapes_.shape(incidence) * R);
+        factors.push_back(solver.eigenvectors() * power.asDiagonal() * solver.eigenvectors().transpose());
         frames_[static_cast<std::size_t>(node)] = frameOf(node);
       }
-      for (ElementRef e : ring) shapes_.normaliseElement(e.block, e.element);
+      for (const ElementRef e : ring) {
+        std::vector<Eigen::Matrix3d> own;
+        for (const std::int32_t node : body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element)) {
+          own.push_back(shapes_.shape(shapes_.incidenceOf(e, static_cast<int>(own.size()))));
+          const auto at = std::lower_bound(patch.begin(), patch.end(), node);
+          if (at == patch.end() || *at != node) continue;
+          const Eigen::Matrix3d& R = factors[static_cast<std::size_t>(at - patch.begin())];
+          own.back() = R * own.back() * R;
+        }
+        shapes_.setShapes(e, own);
+      }
     }
     if (growth == growths) return false;
     seed = ring;
   }
+}
+
+void LazyBound::ease(LowerBound lower, double width) {
+  if (!started_ || !(sigma_ < (1 + 0.6 * width) * (1 + 0.6 * width) * lower.value)) return;
+  const double eased = comfortable(lower, width);
+  for (BlockData& data : blocks_)
+    for (float& budget : data.budget)
+      budget = roundedDown(static_cast<double>(budget) * (eased / sigma_) * (1 - 1e-12));
+  sigma_ = eased;
 }
 
 bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
@@ -520,9 +531,9 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
   // What the family of shapes reached at the last retarget it will hardly undercut now: where that is wide, as on
   // regular grids, lowering sigma would only send elements out of their balls.
   if (tightOverLower_ == 0) tightOverLower_ = shapes_.last() / lower.value;
-  const double target =
-      std::max((1 + 0.8 * width) * (1 + 0.8 * width), tightOverLower_ * (1 + 0.3 * slack_)) * lower.value;
+  const double target = std::max(comfortable(lower, width), tightOverLower_ * (1 + 0.3 * slack_) * lower.value);
   // Lowering sigma scales every budget; balls shrink at least in proportion to the gaps, since r is concave in the gap.
+  constexpr double anchorError = DeformationWatch::anchorError;
   if (target < 0.99 * sigma_ && updates_ - lastLowering_ >= loweringGap_) {
     loweringGap_ = updates_ - lastLowering_ < 200 ? std::min(2 * loweringGap_, 640) : 40;
     lastLowering_ = updates_;
@@ -534,11 +545,10 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
         const double before = static_cast<double>(data.budget[place]) - value;
         data.budget[place] = roundedDown(static_cast<double>(data.budget[place]) * factor);
         const double after = static_cast<double>(data.budget[place]) - value;
-        float& radius = data.watch.radius[place];
-        if (radius > 0 && radius < 1e29F)
-          radius = after > 0 && before > 0
-                       ? static_cast<float>(static_cast<double>(radius) * after / before * (1 - 1e-6))
-                       : -1.0F;
+        const double radius = data.watch.radius[place];
+        if (radius >= 0 && radius < 1e29)
+          data.watch.setRadius(place, after > 0 && before > 0 ? (radius + anchorError) * (after / before) : -1,
+                               anchorError);
       }
       data.watch.lookAtAll();
     }
@@ -546,7 +556,7 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
   }
   // Starting afresh pays where sigma has drifted above what it gave last; else only a state that has changed much
   // helps.
-  const bool drifted = sigma_ > 1.02 * tightOverLower_ * (1 + slack_) * lower.value;
+  const bool drifted = sigma_ > 1.05 * tightOverLower_ * (1 + slack_) * lower.value;
   if (updates_ - lastRetarget_ >= (drifted ? retargetGap_ : std::max(retargetGap_, 640))) {
     spent_ = {};
     retarget(x, coldSweeps);

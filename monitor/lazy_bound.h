@@ -25,6 +25,9 @@ class LazyBound {
   /// the internal force at x, 3×N, N: elements are tested in the pass that computes it, which costs less than both
   /// apart where many leave their balls.
   UpperBound update(const NodeVectors& x, NodeVectors* force = nullptr);
+  /// The same upwards: raises sigma and all budgets when it lies so little above a lower bound at x that elements would
+  /// soon exceed their budgets everywhere. Nothing need be looked at again.
+  void ease(LowerBound lower, double width);
   /// Tells the bound what a lower bound is at x, so that it can follow downwards: sigma is lowered, or shapes start
   /// afresh, when it lies more than `width` (relative, in the step) above. Proves nothing: when it returns true, sigma
   /// has changed and holds only after the next update.
@@ -67,27 +70,32 @@ class LazyBound {
  private:
   struct BlockData {
     DeformationWatch watch;
-    // By place = batch * lanes + lane, rounded to the safe side: budget_e, l_e at the anchor, b_e; and, to the
-    // nearest, -lambda_min(∂P/∂F) / (λ+2μ) at the anchor.
-    std::vector<float> budget, value, reach, compression;
+    // By place = batch * lanes + lane, rounded to the safe side: budget_e, l_e at the anchor, b_e, and
+    // -lambda_min(∂P/∂F) / (λ+2μ) at the anchor, at most.
+    std::vector<float> budget, value;
+    std::vector<Bfloat16> reach, compression;
   };
   void retarget(const NodeVectors& x, int sweeps);
+  struct Evaluated {
+    double value;
+    TangentDrift drift;
+    double fromAnchor;  // of F0
+  };
   void note(ElementRef element, const TangentDrift& drift);
   enum class Outcome { fine, flooded, failed, notFinite };
   Outcome follow(const NodeVectors& x, bool mayRaise, NodeVectors* force);
   std::vector<ElementRef> whoLeft(const NodeVectors& x, NodeVectors* force);
   void dealBudgets(const NodeVectors& x);
-  void setBall(std::int32_t block, std::int32_t element, double value, const TangentDrift& drift);
-  struct Evaluated {
-    double value;
-    TangentDrift drift;
-  };
+  /// Values, unless known, and anchors of a pack of elements of a block, one a lane (-1: none).
+  void evaluatePack(const NodeVectors& x, std::int32_t block, const std::int32_t* elements, const double* known,
+                    bool withReach, Evaluated* results);
+  void setBall(std::int32_t block, std::int32_t element, const Evaluated& evaluated);
   void evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withReach,
                 std::vector<Evaluated>& results);
   bool repair(const NodeVectors& x, ElementRef element, bool mayRaise);
   /// The rotation of a node's surroundings since the reference configuration, by the anchors of its elements.
   Eigen::Quaternionf frameOf(std::int32_t node) const;
-  bool turnShapes(const std::vector<std::int32_t>& nodes);
+  std::vector<std::int32_t> turnShapes(const std::vector<std::int32_t>& nodes);
   std::size_t placeOf(ElementRef e) const {
     return static_cast<std::size_t>(body_.blocks()[static_cast<std::size_t>(e.block)]
                                         ->layout()
@@ -100,13 +108,11 @@ class LazyBound {
   const Body& body_;
   double slack_;
   NodalBound shapes_;
-  MotionOdometer odometer_;
   Body::Workspace workspace_;
-  double restingShare_ = 1;                                   // of the groups, at the odometer's last look
   std::vector<std::vector<std::vector<std::int32_t>>> left_;  // elements, [block][patch]
   std::vector<BlockData> blocks_;
   std::vector<Eigen::Quaternionf> frames_;  // by node: its frame when its shapes were made or turned last
-  double sigma_ = 0;
+  double sigma_ = 0, mostCompression_ = 0;  // that of any element since budgets were dealt
   bool started_ = false;
   Spent spent_;
   std::vector<Risen> risen_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 
@@ -15,13 +16,32 @@ namespace {
 constexpr int lanes = PatchLayout::lanes;
 
 using P = NativePack;
-typedef float Floats __attribute__((vector_size(lanes * sizeof(float))));
+/// A sweep touches the elements at nodes with more than this share of the bound, and all their nodes: others do not
+/// stand in its way yet.
+constexpr double hotShare = 0.6;
 
-/// K_ab ← L_a⁻¹ K_ab L_b⁻ᵀ, D_a = L_a L_aᵀ, for the lower triangle.
-void scaleByShapes(const Symmetric3<P>* shapes, int n, P* K) {
-  P w[maxElementNodes][6];
-  for (int a = 0; a < n; ++a) inverseCholesky(shapes[a], w[a]);
-  scaleByFactors(w, n, K);
+Symmetric3<double> symmetricOf(const NodalBound::Factor& factor) {
+  CholeskyFactor<double> L;
+  std::copy(factor.begin(), factor.end(), L.m);
+  return productOf(L);
+}
+Symmetric3<double> symmetricOf(const Eigen::Matrix3d& D) {
+  Symmetric3<double> result;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) result(i, j) = 0.5 * (D(i, j) + D(j, i));
+  return result;
+}
+Eigen::Matrix3d matrixOf(const Symmetric3<double>& D) {
+  Eigen::Matrix3d result;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) result(i, j) = D(i, j);
+  return result;
+}
+
+/// To empty is not enough: `vector = {}` keeps the memory.
+template <class Vector>
+void giveBack(Vector& numbers) {
+  Vector().swap(numbers);
 }
 
 /// Zeroes the rows and columns of constrained degrees of freedom.
@@ -78,24 +98,25 @@ NodalBound::NodalBound(const Body& body) : body_(&body) {
   });
 }
 
-Symmetric3<P> NodalBound::load(const StoredShape& stored) {
-  Symmetric3<P> shape;
-  for (int c = 0; c < 6; ++c) {
-    Floats values;
-    std::memcpy(&values, stored.m[c], sizeof values);
-    shape.m[c] = P(__builtin_convertvector(values, P::Values));
-  }
-  return shape;
+CholeskyFactor<P> NodalBound::load(const StoredFactor& stored) {
+  CholeskyFactor<P> L;
+  for (int c = 0; c < 6; ++c) L.m[c] = ShortRoot::load(stored.m[c]);
+  return L;
 }
 
-NodalBound::StoredShape NodalBound::rounded(const Symmetric3<P>& shape) {
-  StoredShape stored;
-  for (int c = 0; c < 6; ++c) {
-    const Floats values = __builtin_convertvector(shape.m[c].v, Floats);
-    std::memcpy(stored.m[c], &values, sizeof values);
-  }
-  return stored;
+void NodalBound::store(const Symmetric3<P>& shape, StoredFactor& stored) {
+  const CholeskyFactor<P> L = ringwatch::factorOf(shape);
+  for (int c = 0; c < 6; ++c) ShortRoot::store(L.m[c], stored.m[c]);
 }
+
+NodalBound::Factor NodalBound::factorOf(const Eigen::Matrix3d& D) {
+  const CholeskyFactor<double> L = ringwatch::factorOf(symmetricOf(D));
+  Factor rounded;
+  for (std::size_t c = 0; c < 6; ++c) rounded[c] = ShortRoot(L.m[c]);
+  return rounded;
+}
+
+Eigen::Matrix3d NodalBound::shapeOf(const Factor& factor) { return matrixOf(symmetricOf(factor)); }
 
 void NodalBound::prepareSums() {
   const std::size_t packs = (static_cast<std::size_t>(body_->nodeCount()) + lanes - 1) / lanes;
@@ -105,45 +126,41 @@ void NodalBound::prepareSums() {
   sums_.resize(packs);
   factors_.resize(packs);
   nodal_.resize(packs * lanes);
+  changed_.resize(packs * lanes);
 }
 
 void NodalBound::releaseSums() {
-  values_ = {};
-  sums_ = {};
-  factors_ = {};
-  nodal_ = {};
+  giveBack(values_);
+  giveBack(sums_);
+  giveBack(factors_);
+  giveBack(nodal_);
+  giveBack(changed_);
 }
 
-void NodalBound::startShapes(const NodeVectors& x, Start start) {
+void NodalBound::evaluateAll(const NodeVectors& x, const Start* start) {
   body_->forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
     const ElementBlock& block = *body_->blocks()[b];
     const int n = block.element().nodes, size = 3 * n;
     clearConstrained(*body_, block, block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, K);
-    Symmetric3<P> shapes[maxElementNodes];
-    for (int a = 0; a < n; ++a) {
-      Symmetric3<P> k;
-      for (int r = 0; r < 3; ++r)
-        for (int c = r; c < 3; ++c) k(r, c) = K[(3 * a + r) * size + 3 * a + c];
-      shapes[a] = startShape(k, start == Start::rootOfStiffness);
+    StoredFactor* stored = shapes_[b].data() + static_cast<std::ptrdiff_t>(batch) * n;
+    if (start) {
+      Symmetric3<P> shapes[maxElementNodes];
+      for (int a = 0; a < n; ++a) {
+        Symmetric3<P> k;
+        for (int r = 0; r < 3; ++r)
+          for (int c = r; c < 3; ++c) k(r, c) = K[(3 * a + r) * size + 3 * a + c];
+        shapes[a] = startShape(k, *start == Start::rootOfStiffness);
+      }
+      normaliseShapes(shapes, n);
+      for (int a = 0; a < n; ++a) store(shapes[a], stored[a]);
     }
-    normaliseShapes(shapes, n);
-    StoredShape* stored = shapes_[b].data() + static_cast<std::ptrdiff_t>(batch) * n;
-    for (int a = 0; a < n; ++a) stored[a] = rounded(shapes[a]);
-  });
-}
-
-void NodalBound::evaluateElements(const NodeVectors& x) {
-  body_->forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
-    const ElementBlock& block = *body_->blocks()[b];
-    const int n = block.element().nodes, size = 3 * n;
-    clearConstrained(*body_, block, block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, K);
-    P work[12 * maxElementNodes];
-    Symmetric3<P> shapes[maxElementNodes];
-    for (int a = 0; a < n; ++a) shapes[a] = load(shapes_[b][static_cast<std::size_t>(batch * n + a)]);
-    scaleByShapes(shapes, n, K);
+    P work[12 * maxElementNodes], w[maxElementNodes][6];
+    for (int a = 0; a < n; ++a) invertFactor(load(stored[a]), w[a]);
+    scaleByFactors(w, n, K);
     values_[b][static_cast<std::size_t>(batch)] = largestRoundedUp(K, size, work);
   });
   for (const auto& block : body_->blocks()) evaluations_ += block->elementCount();
+  std::fill(changed_.begin(), changed_.end(), true);
 }
 
 double NodalBound::sumAtNodes() {
@@ -151,6 +168,8 @@ double NodalBound::sumAtNodes() {
   parallelFor(
       0, static_cast<std::int64_t>(sums_.size()), body_->threads(),
       [&](std::int64_t pack) {
+        const auto* changed = changed_.data() + pack * lanes;
+        if (std::find(changed, changed + lanes, true) == changed + lanes) return;
         Symmetric3<P> S;
         for (P& entry : S.m) entry = P(0.0);
         for (int lane = 0; lane < lanes; ++lane) {
@@ -164,10 +183,10 @@ double NodalBound::sumAtNodes() {
           for (const Incidence at : incidences(node)) {
             const auto block = static_cast<std::size_t>(at.block);
             const int l = at.place % lanes;
-            const StoredShape& D = shapes_[block][static_cast<std::size_t>(at.place / lanes)];
+            const Symmetric3<double> D = symmetricOf(factor(at));
             const double value =
                 values_[block][static_cast<std::size_t>(at.place / lanes / body_->blocks()[block]->element().nodes)][l];
-            for (int c = 0; c < 6; ++c) sum[c] += value * static_cast<double>(D.m[c][l]);
+            for (int c = 0; c < 6; ++c) sum[c] += value * D.m[c];
           }
           const double inverseMass = 1 / body_->lumpedMass()[node];
           // Constrained components leave the problem: their rows and columns count nothing.
@@ -192,7 +211,7 @@ double NodalBound::sumAtNodes() {
   return bound;
 }
 
-void NodalBound::sweepShapes(double bound) {
+void NodalBound::findFactors(double bound) {
   const std::int32_t nodes = body_->nodeCount();
   parallelFor(
       0, static_cast<std::int64_t>(sums_.size()), body_->threads(),
@@ -209,38 +228,68 @@ void NodalBound::sweepShapes(double bound) {
         factors_[static_cast<std::size_t>(pack)] = sweepFactor(S);
       },
       64);
+}
+
+void NodalBound::sweep(const NodeVectors& x, double bound) {
+  findFactors(bound);
+  std::fill(changed_.begin(), changed_.end(), false);
   for (std::size_t b = 0; b < body_->blocks().size(); ++b) {
     const ElementBlock& block = *body_->blocks()[b];
     const int n = block.element().nodes;
+    std::vector<std::int32_t> hot;
+    for (const std::int32_t e : block.layout().elements) {
+      if (e < 0) continue;
+      const auto nodes = block.nodesOf(e);
+      if (std::none_of(nodes.begin(), nodes.end(),
+                       [&](std::int32_t node) { return nodal_[static_cast<std::size_t>(node)] > hotShare * bound; }))
+        continue;
+      hot.push_back(e);
+      for (const std::int32_t node : nodes) changed_[static_cast<std::size_t>(node)] = true;
+    }
+    evaluations_ += static_cast<std::int64_t>(hot.size());
+    hot.resize((hot.size() + lanes - 1) / lanes * lanes, -1);
     parallelFor(
-        0, block.layout().batchCount(), body_->threads(),
-        [&](std::int64_t batch) {
-          StoredShape* stored = shapes_[b].data() + batch * n;
+        0, static_cast<std::int64_t>(hot.size() / lanes), body_->threads(),
+        [&](std::int64_t pack) {
+          const std::int32_t* elements = hot.data() + pack * lanes;
+          StoredFactor stored[maxElementNodes];
+          gather(b, elements, stored);
           Symmetric3<P> shapes[maxElementNodes];
           for (int a = 0; a < n; ++a) {
             Symmetric3<P> R;
-            forEachLane(block, static_cast<std::int32_t>(batch), [&](int lane, std::int32_t e) {
-              const std::int32_t node = block.nodesOf(e)[static_cast<std::size_t>(a)];
+            for (int lane = 0; lane < lanes; ++lane) {
+              const std::int32_t node =
+                  block.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane])[static_cast<std::size_t>(a)];
               const Symmetric3<P>& from = factors_[static_cast<std::size_t>(node / lanes)];
               for (int c = 0; c < 6; ++c) R.m[c].set(lane, from.m[c][node % lanes]);
-            });
-            shapes[a] = congruence(R, load(stored[a]));
+            }
+            shapes[a] = congruence(R, productOf(load(stored[a])));
           }
           normaliseShapes(shapes, n);
-          for (int a = 0; a < n; ++a) stored[a] = rounded(shapes[a]);
+          for (int a = 0; a < n; ++a) store(shapes[a], stored[a]);
+          double value[lanes];
+          for (int lane = 0; lane < lanes; ++lane) {
+            if (elements[lane] < 0) continue;
+            const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(elements[lane])];
+            for (int a = 0; a < n; ++a)
+              for (int c = 0; c < 6; ++c)
+                shapes_[b][static_cast<std::size_t>(place / lanes * n + a)].m[c][place % lanes] = stored[a].m[c][lane];
+          }
+          elementValues(static_cast<std::int32_t>(b), elements, x, value, nullptr);
+          for (int lane = 0; lane < lanes; ++lane)
+            if (elements[lane] >= 0) setValue({static_cast<std::int32_t>(b), elements[lane]}, value[lane]);
         },
-        64);
+        8);
   }
 }
 
 UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps, Start start, double leastGain) {
   evaluations_ = 0;
   prepareSums();
-  if (!started_) startShapes(x, start);
+  evaluateAll(x, started_ ? nullptr : &start);
   started_ = true;
   double best = std::numeric_limits<double>::infinity(), before[2] = {best, best};
-  for (int sweep = 0;; ++sweep) {
-    evaluateElements(x);
+  for (int done = 0;; ++done) {
     const double bound = sumAtNodes();
     last_ = bound;
     if (std::isnan(bound)) {
@@ -248,10 +297,10 @@ UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps, Start start, d
       return {bound};
     }
     best = std::min(best, bound);
-    if (sweep == sweeps || !(bound > 0) || (leastGain > 0 && bound >= (1 - leastGain) * before[0])) break;
+    if (done == sweeps || !(bound > 0) || (leastGain > 0 && bound >= (1 - leastGain) * before[0])) break;
     before[0] = before[1];
     before[1] = bound;
-    sweepShapes(bound);
+    sweep(x, bound);
   }
   return {best};
 }
@@ -268,61 +317,60 @@ NodalBound::Incidence NodalBound::incidenceOf(ElementRef e, int a) const {
   return {e.block, (place / lanes * block.element().nodes + a) * lanes + place % lanes};
 }
 
-Eigen::Matrix3d NodalBound::shape(Incidence at) const {
-  const StoredShape& D = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
-  Eigen::Matrix3d result;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) result(i, j) = static_cast<double>(D.m[Symmetric3<P>::index(i, j)][at.place % lanes]);
-  return result;
+NodalBound::Factor NodalBound::factor(Incidence at) const {
+  const StoredFactor& stored = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
+  Factor L;
+  for (std::size_t c = 0; c < 6; ++c) L[c] = stored.m[c][at.place % lanes];
+  return L;
 }
 
-void NodalBound::setShape(Incidence at, const Eigen::Matrix3d& D) {
-  StoredShape& target = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j)
-      target.m[Symmetric3<P>::index(i, j)][at.place % lanes] = static_cast<float>(0.5 * (D(i, j) + D(j, i)));
+void NodalBound::setFactor(Incidence at, const Factor& L) {
+  StoredFactor& stored = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
+  for (std::size_t c = 0; c < 6; ++c) stored.m[c][at.place % lanes] = L[c];
 }
 
-void NodalBound::normaliseElement(std::int32_t b, std::int32_t element) {
-  const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(b)];
-  const int n = block.element().nodes;
-  const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(element)];
-  StoredShape* stored = shapes_[static_cast<std::size_t>(b)].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
-  const int lane = place % lanes;
-  Symmetric3<P> own[maxElementNodes];
-  for (int a = 0; a < n; ++a) own[a] = load(stored[a]);
+void NodalBound::setShapes(ElementRef e, std::span<const Eigen::Matrix3d> shapes) {
+  const auto n = static_cast<int>(shapes.size());
+  Symmetric3<double> own[maxElementNodes];
+  for (int a = 0; a < n; ++a) own[a] = symmetricOf(shapes[static_cast<std::size_t>(a)]);
   normaliseShapes(own, n);
-  for (int a = 0; a < n; ++a)
-    for (int c = 0; c < 6; ++c) stored[a].m[c][lane] = static_cast<float>(own[a].m[c][lane]);
+  for (int a = 0; a < n; ++a) setShape(incidenceOf(e, a), matrixOf(own[a]));
+}
+
+void NodalBound::gather(std::size_t b, const std::int32_t* elements, StoredFactor* factors) const {
+  const ElementBlock& block = *body_->blocks()[b];
+  const int n = block.element().nodes;
+  for (int lane = 0; lane < lanes; ++lane) {
+    const std::int32_t place =
+        block.layout().batchOfElement[static_cast<std::size_t>(elements[lane] < 0 ? elements[0] : elements[lane])];
+    const StoredFactor* from = shapes_[b].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
+    for (int a = 0; a < n; ++a)
+      for (int c = 0; c < 6; ++c) factors[a].m[c][lane] = from[a].m[c][place % lanes];
+  }
 }
 
 void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, const NodeVectors& x, double* values,
                                double* reach) const {
   const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(b)];
   const int n = block.element().nodes, size = 3 * n;
-  StoredShape gathered[maxElementNodes];
-  for (int lane = 0; lane < lanes; ++lane) {
-    const std::int32_t place =
-        block.layout().batchOfElement[static_cast<std::size_t>(elements[lane] < 0 ? elements[0] : elements[lane])];
-    const StoredShape* from =
-        shapes_[static_cast<std::size_t>(b)].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
-    for (int a = 0; a < n; ++a)
-      for (int c = 0; c < 6; ++c) gathered[a].m[c][lane] = from[a].m[c][place % lanes];
-  }
-  Symmetric3<P> own[maxElementNodes];
-  for (int a = 0; a < n; ++a) own[a] = load(gathered[a]);
+  StoredFactor gathered[maxElementNodes];
+  gather(static_cast<std::size_t>(b), elements, gathered);
+  P w[maxElementNodes][6];
+  for (int a = 0; a < n; ++a) invertFactor(load(gathered[a]), w[a]);
   P K[9 * maxElementNodes * maxElementNodes], work[12 * maxElementNodes];
-  block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
-  clearConstrained(*body_, block, elements, K);
-  scaleByShapes(own, n, K);
-  largestRoundedUp(K, size, work).store(values);
+  if (values) {
+    block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
+    clearConstrained(*body_, block, elements, K);
+    scaleByFactors(w, n, K);
+    largestRoundedUp(K, size, work).store(values);
+  }
   if (!reach) return;
   P L[maxElementNodes * maxElementNodes];
   block.laplacianOf(elements, reinterpret_cast<double*>(L));
   for (int i = 0; i < size; ++i)
     for (int j = 0; j < size; ++j) K[i * size + j] = i % 3 == j % 3 ? L[i / 3 * n + j / 3] : P(0.0);
   clearConstrained(*body_, block, elements, K);
-  scaleByShapes(own, n, K);
+  scaleByFactors(w, n, K);
   largestRoundedUp(K, size, work).store(reach);
 }
 
@@ -331,8 +379,18 @@ const std::vector<double>& NodalBound::sumsOf(const std::vector<std::span<const 
   for (std::size_t b = 0; b < values_.size(); ++b)
     for (std::size_t place = 0; place < values[b].size(); ++place)
       values_[b][place / lanes].set(static_cast<int>(place % lanes), static_cast<double>(values[b][place]));
+  std::fill(changed_.begin(), changed_.end(), true);
   sumAtNodes();
   return nodal_;
+}
+
+void NodalBound::setValue(ElementRef e, double value) {
+  const std::int32_t place =
+      body_->blocks()[static_cast<std::size_t>(e.block)]->layout().batchOfElement[static_cast<std::size_t>(e.element)];
+  // Other lanes belong to other threads.
+  std::memcpy(reinterpret_cast<std::byte*>(values_[static_cast<std::size_t>(e.block)].data()) +
+                  static_cast<std::size_t>(place) * sizeof value,
+              &value, sizeof value);
 }
 
 double NodalBound::value(ElementRef e) const {

@@ -1,10 +1,12 @@
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
+#include <ringwatch/base/short_floats.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/monitor/bounds.h>
-#include <ringwatch/monitor/symmetric3.h>
+#include <ringwatch/monitor/nodal_shapes.h>
 
 namespace ringwatch {
 
@@ -12,7 +14,8 @@ namespace ringwatch {
 /// 3×3 shapes D_(e,a), one for each element and node, and l_e = max(0, lambda_max(D_e⁻¹ K_e)):
 ///   K_e ≼ l_e D_e,  hence  lambda_max(M⁻¹K) <= max_i lambda_max(S_i),  S_i = (1/m_i) Σ_(e∋i) l_e D_(e,a(i)).
 /// True for every symmetric K_e, indefinite ones included. Good shapes make it tight: they start at (K_aa)^½ or K_aa
-/// and are swept, D_a ← R_i D_a R_i with R_i = (S_i/t)^-½, t the bound. Shapes are kept from call to call.
+/// and are swept, D_a ← R_i D_a R_i with R_i = (S_i/t)^-½, t the bound. Shapes are kept from call to
+/// call.
 class NodalBound {
  public:
   /// Shapes to start from. The root wins on irregular meshes, the stiffness itself on regular ones.
@@ -72,12 +75,19 @@ class NodalBound {
   ElementRef elementAt(Incidence at) const;
   /// Of an element at its node a.
   Incidence incidenceOf(ElementRef e, int a) const;
-  /// Shape of an incidence.
-  Eigen::Matrix3d shape(Incidence at) const;
-  void setShape(Incidence at, const Eigen::Matrix3d& D);
-  /// Trace 1 again over an element after setShape.
-  void normaliseElement(std::int32_t block, std::int32_t element);
-  /// l_e at positions x and, unless nullptr, b = lambda_max(D⁻¹ Σ w BᵀB) of any elements of a block, one a lane (-1:
+  /// L of a shape D = L Lᵀ, lower triangle 00, 11, 22, 21, 20, 10. Any shapes give a bound, so those in memory may as
+  /// well be rounded ones, each an L of 16 bits an entry, all at most 1 by size.
+  using Factor = std::array<ShortRoot, 6>;
+  static Factor factorOf(const Eigen::Matrix3d& D);
+  static Eigen::Matrix3d shapeOf(const Factor& L);
+  Factor factor(Incidence at) const;
+  void setFactor(Incidence at, const Factor& L);
+  Eigen::Matrix3d shape(Incidence at) const { return shapeOf(factor(at)); }
+  /// To within the rounding, as all of these.
+  void setShape(Incidence at, const Eigen::Matrix3d& D) { setFactor(at, factorOf(D)); }
+  /// Of all nodes of an element, of any size: they get trace 1 over the element.
+  void setShapes(ElementRef e, std::span<const Eigen::Matrix3d> shapes);
+  /// Unless nullptr, l_e at positions x and b = lambda_max(D⁻¹ Σ w BᵀB) of any elements of a block, one a lane (-1:
   /// none).
   void elementValues(std::int32_t block, const std::int32_t* elements, const NodeVectors& x, double* values,
                      double* reach) const;
@@ -96,22 +106,27 @@ class NodalBound {
  private:
   using Pack = NativePack;
   void prepareSums();
-  void startShapes(const NodeVectors& x, Start start);
-  void evaluateElements(const NodeVectors& x);
+  /// l_e of all elements; shapes start afresh unless `start` is nullptr.
+  void evaluateAll(const NodeVectors& x, const Start* start);
+  /// The sums of the nodes that have changed, and the largest of all.
   double sumAtNodes();
-  void sweepShapes(double bound);
+  /// New shapes and values where they stand in the way of a lower bound.
+  void sweep(const NodeVectors& x, double bound);
+  void findFactors(double bound);
+  void setValue(ElementRef e, double value);
 
   const Body* body_;
   bool started_ = false;
-  // Any shapes give a bound, so those in memory may as well be rounded ones.
-  struct StoredShape {
-    alignas(Pack::width * sizeof(float)) float m[6][Pack::width];  // of a Symmetric3
+  struct StoredFactor {
+    alignas(Pack::width * sizeof(ShortRoot)) ShortRoot m[6][Pack::width];
   };
-  static Symmetric3<Pack> load(const StoredShape& stored);
-  static StoredShape rounded(const Symmetric3<Pack>& shape);
+  /// Of any elements of a block, one a lane (-1: the first one's again).
+  void gather(std::size_t block, const std::int32_t* elements, StoredFactor* factors) const;
+  static CholeskyFactor<Pack> load(const StoredFactor& stored);
+  static void store(const Symmetric3<Pack>& shape, StoredFactor& stored);
 
-  std::vector<AlignedVector<StoredShape>> shapes_;  // [block][batch * n + a]
-  std::vector<AlignedVector<Pack>> values_;         // [block][batch], l_e
+  std::vector<AlignedVector<StoredFactor>> shapes_;  // [block][batch * n + a]
+  std::vector<AlignedVector<Pack>> values_;          // [block][batch], l_e
   std::vector<std::int64_t> incidenceBegin_;
   std::vector<std::int32_t> incidence_;     // firstOfBlock_[block] + place
   std::vector<std::int32_t> firstOfBlock_;  // blocks + 1
@@ -119,6 +134,7 @@ class NodalBound {
   AlignedVector<Symmetric3<Pack>> factors_;
   std::vector<Eigen::Matrix3d> outside_;  // by node; empty for none
   std::vector<double> nodal_;
+  std::vector<std::uint8_t> changed_;  // by node: since its sum was made
   std::int64_t evaluations_ = 0;
   double last_ = 0;
 };

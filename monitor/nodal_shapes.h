@@ -12,20 +12,37 @@ namespace ringwatch {
 /// Of the eigenvalues of extremeEigenvalues, relative to the spectral radius, for a proven side.
 inline constexpr double eigenvalueRounding = 1e-11;
 
-/// Inverse of the Cholesky factor of D: lower triangle, 00, 10, 11, 20, 21, 22.
+/// L of D = L Lᵀ, lower triangle: 00, 11, 22, 21, 20, 10. NaN where D is not positive definite.
 template <class P>
-RINGWATCH_INLINE void inverseCholesky(const Symmetric3<P>& D, P w[6]) {
-  const P l00 = math::sqrt(D.m[0]);
-  const P i00 = P(1.0) / l00, l10 = D.m[5] * i00, l20 = D.m[4] * i00;
-  const P i11 = P(1.0) / math::sqrt(D.m[1] - l10 * l10);
-  const P l21 = (D.m[3] - l20 * l10) * i11;
-  const P i22 = P(1.0) / math::sqrt(D.m[2] - l20 * l20 - l21 * l21);
-  w[0] = i00;
-  w[2] = i11;
-  w[5] = i22;
-  w[1] = -(l10 * i00) * i11;
-  w[4] = -(l21 * i11) * i22;
-  w[3] = -(l20 * i00 + l21 * w[1]) * i22;
+struct CholeskyFactor {
+  P m[6];
+};
+template <class P>
+RINGWATCH_INLINE CholeskyFactor<P> factorOf(const Symmetric3<P>& D) {
+  CholeskyFactor<P> L;
+  L.m[0] = math::sqrt(D.m[0]);
+  const P i00 = P(1.0) / L.m[0];
+  L.m[5] = D.m[5] * i00;
+  L.m[4] = D.m[4] * i00;
+  L.m[1] = math::sqrt(D.m[1] - L.m[5] * L.m[5]);
+  L.m[3] = (D.m[3] - L.m[4] * L.m[5]) * (P(1.0) / L.m[1]);
+  L.m[2] = math::sqrt(D.m[2] - L.m[4] * L.m[4] - L.m[3] * L.m[3]);
+  return L;
+}
+template <class P>
+RINGWATCH_INLINE Symmetric3<P> productOf(const CholeskyFactor<P>& L) {
+  return {{L.m[0] * L.m[0], L.m[5] * L.m[5] + L.m[1] * L.m[1], L.m[4] * L.m[4] + L.m[3] * L.m[3] + L.m[2] * L.m[2],
+           L.m[5] * L.m[4] + L.m[1] * L.m[3], L.m[0] * L.m[4], L.m[0] * L.m[5]}};
+}
+/// L⁻¹, lower triangle: 00, 10, 11, 20, 21, 22.
+template <class P>
+RINGWATCH_INLINE void invertFactor(const CholeskyFactor<P>& L, P w[6]) {
+  w[0] = P(1.0) / L.m[0];
+  w[2] = P(1.0) / L.m[1];
+  w[5] = P(1.0) / L.m[2];
+  w[1] = -(L.m[5] * w[0]) * w[2];
+  w[4] = -(L.m[3] * w[2]) * w[5];
+  w[3] = -(L.m[4] * w[0] + L.m[3] * w[1]) * w[5];
 }
 
 template <class P>
@@ -72,7 +89,8 @@ RINGWATCH_INLINE void normaliseShapes(Symmetric3<P>* shapes, int n) {
   }
 }
 
-/// R = (S/t)^-½ of a node, S with ones on the diagonal where constrained; for D ← R D R.
+/// R = (S/t)^-½ of a node, S with ones on the diagonal where constrained; for D ← R D R. Longer steps save a third of
+/// the sweeps on good meshes and swing at slivers.
 template <class P>
 RINGWATCH_INLINE Symmetric3<P> sweepFactor(Symmetric3<P> S) {
   const P floor = P(1e-5) * S.trace() + P(1e-8);
@@ -114,8 +132,8 @@ RINGWATCH_INLINE P largestRoundedUp(P* K, int size, P* work) {
 
 /// Radius of the ball |F_q - F0_q| <= r around an anchor within which an element of value l_e = `value` there stays
 /// within its budget (TangentDrift says why), and does not invert. reach = lambda_max(D⁻¹ Σ w BᵀB). -1: none.
-RINGWATCH_INLINE double ballRadius(const TangentDriftCoefficients& drift, double inversionDistance, double value,
-                                   double budget, double reach) {
+RINGWATCH_INLINE double ballRadius(const TangentDriftCoefficients<double>& drift, double inversionDistance,
+                                   double value, double budget, double reach) {
   const double gap = budget - value;
   if (!(gap >= 0)) return -1;
   const double linear = 2 * math::sqrt((value + reach * drift.negative) * drift.kappa * reach) + reach * drift.linear;

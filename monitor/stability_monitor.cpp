@@ -56,6 +56,8 @@ class Bracketer {
       sinceRestart_ = 0;
     }
     lookUnderCompression(x);
+    lazy_.ease(lower, width_);
+    upper.value = std::max(upper.value, lazy_.sigma());
     if (upper.value > allowed * lower.value && lazy_.steer(x, lower, width_)) {
       spent_.evaluated += lazy_.spent().evaluated;
       upper = lazy_.update(x);
@@ -199,7 +201,7 @@ class Bracketer {
   }
   static constexpr double slackOfWidth = 1.6;
   static constexpr int coldProducts = 20, restartProducts = 8, warmProducts = 3;
-  static constexpr int firstModeGap = 64, lastModeGap = 256;  // evaluations between two looks at the whole mode
+  static constexpr int firstModeGap = 64, lastModeGap = 512;  // evaluations between two looks at the whole mode
   // Evaluations between two restarts or looks under compression; restarts become rarer while useless.
   static constexpr int firstGap = 10, lastGap = 2560;
   static constexpr std::size_t compressedRings = 16, risenRings = 3, hotRings = 64;  // looked at each time

@@ -21,13 +21,7 @@ using test::Random;
 constexpr int lanes = PatchLayout::lanes;
 
 struct Watched {
-  explicit Watched(const Body& b)
-      : body(b), block(*b.blocks()[0]), odometer(allNodes(b.nodeCount()), 1), watch(block, odometer) {}
-  static std::vector<std::int32_t> allNodes(std::int32_t count) {
-    std::vector<std::int32_t> order;
-    for (std::int32_t i = 0; i < count; ++i) order.push_back(i);
-    return order;
-  }
+  explicit Watched(const Body& b) : body(b), block(*b.blocks()[0]), watch(block) {}
   std::size_t placeOf(std::int32_t e) const {
     return static_cast<std::size_t>(block.layout().batchOfElement[static_cast<std::size_t>(e)]);
   }
@@ -45,25 +39,26 @@ struct Watched {
     std::fill(elements, elements + lanes, -1);
     elements[0] = e;
     TangentDrift drift[lanes];
-    block.anchorOf(elements, x.data(), watch, drift);
-    watch.radius[placeOf(e)] = static_cast<float>(radius);
+    double F[9 * lanes];
+    block.deformationOf(elements, x.data(), F, drift);
+    watch.setRadius(placeOf(e), radius, watch.setAnchor(placeOf(e), F, 1, 0));
   }
   /// Those that left, after which they have new balls.
   std::set<std::int32_t> look(const NodeVectors& x) {
-    odometer.advance(x);
+    ++watch.looks;
     std::vector<std::int32_t> left;
     for (std::size_t p = 0; p < block.layout().patches.size(); ++p)
-      block.lookAtPatch(static_cast<std::int32_t>(p), x, odometer, watch, left);
+      block.lookAtPatch(static_cast<std::int32_t>(p), x.data(), watch, left);
     return {left.begin(), left.end()};
   }
   /// The same in the pass that computes the force, which must be the force.
-  std::set<std::int32_t> lookWithForce(const NodeVectors& x, bool mayRest) {
-    if (mayRest) odometer.advance(x);
+  std::set<std::int32_t> lookWithForce(const NodeVectors& x) {
+    ++watch.looks;
     std::vector<std::int32_t> left;
     Body::Workspace workspace;
     NodeVectors force, expected;
     body.sumOverPatches(force, workspace, [&](std::size_t, std::int32_t p, double* slots) {
-      block.forceAndLookPatch(p, x, mayRest ? &odometer : nullptr, watch, slots, left);
+      block.forceAndLookPatch(p, x.data(), watch, slots, left);
     });
     body.internalForce(x, expected, workspace);
     // Compilers contract products and sums in two loops differently.
@@ -75,7 +70,6 @@ struct Watched {
 
   const Body& body;
   const ElementBlock& block;
-  MotionOdometer odometer;
   DeformationWatch watch;
 };
 
@@ -116,7 +110,7 @@ TEST(DeformationWatch, NamesWhoeverLeavesItsBallAndLetsOthersRest) {
         x.col(random.index(body.nodeCount())) += random.vector(rate * 0.02);
       }
       const bool withForce = pass == 1 || (pass == 2 && step / 3 % 2 == 1);
-      const std::set<std::int32_t> gone = withForce ? watched.lookWithForce(x, step % 5 > 0) : watched.look(x);
+      const std::set<std::int32_t> gone = withForce ? watched.lookWithForce(x) : watched.look(x);
       for (std::int32_t e = 0; e < watched.block.elementCount(); ++e) {
         const auto at = static_cast<std::size_t>(e);
         const Eigen::Matrix3d F = watched.gradient(e, x);
@@ -128,10 +122,9 @@ TEST(DeformationWatch, NamesWhoeverLeavesItsBallAndLetsOthersRest) {
           ASSERT_LE((F - anchors[at]).norm(), radius[at] * (1 + 1e-6)) << "element " << e << ", step " << step;
         }
       }
-      for (const std::int32_t e : gone) watched.watch.noteBall(watched.placeOf(e), watched.odometer);
+      for (const std::int32_t e : gone) watched.watch.noteBall(watched.placeOf(e));
       left += static_cast<std::int64_t>(gone.size());
-      for (const DeformationWatch::Group& group : watched.watch.groups)
-        looks += group.lookedAt == watched.odometer.advances();
+      for (const DeformationWatch::Group& group : watched.watch.groups) looks += group.lookedAt == watched.watch.looks;
     }
     if (rate > 5e-5) {
       EXPECT_GT(left, watched.block.elementCount());  // some after the first look
@@ -154,24 +147,24 @@ TEST(DeformationWatch, AGroupWithoutRoomOrWithNaNIsLookedAt) {
   EXPECT_EQ(watched.look(x).size(), static_cast<std::size_t>(watched.block.elementCount()));
   for (std::int32_t e = 0; e < watched.block.elementCount(); ++e) {
     watched.anchor(e, x, 0.1);
-    watched.watch.noteBall(watched.placeOf(e), watched.odometer);
+    watched.watch.noteBall(watched.placeOf(e));
   }
   EXPECT_TRUE(watched.look(x).empty());
   // A ball that is too small for any motion of its group.
   watched.anchor(7, x, 1e-6);
-  watched.watch.noteBall(watched.placeOf(7), watched.odometer);
+  watched.watch.noteBall(watched.placeOf(7));
   x.col(watched.block.nodesOf(7)[0]) += Eigen::Vector3d(1e-4, 0, 0);
   EXPECT_EQ(watched.look(x), std::set<std::int32_t>{7});
   // Positions whose squares overflow: every element leaves, and nobody else.
   const NodeVectors huge = 1e200 * x;
   for (const bool withForce : {false, true}) {
-    const std::set<std::int32_t> left = withForce ? watched.lookWithForce(huge, true) : watched.look(huge);
+    const std::set<std::int32_t> left = withForce ? watched.lookWithForce(huge) : watched.look(huge);
     EXPECT_EQ(left.size(), static_cast<std::size_t>(watched.block.elementCount()));
     EXPECT_GE(*left.begin(), 0);
   }
   x(1, watched.block.nodesOf(9)[2]) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(watched.look(x).count(9), 1U);
-  EXPECT_EQ(watched.lookWithForce(x, true).count(9), 1U);
+  EXPECT_EQ(watched.lookWithForce(x).count(9), 1U);
 }
 
 }  // namespace

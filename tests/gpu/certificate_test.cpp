@@ -38,11 +38,11 @@ void boundAgrees() {
       DeviceCertificate certificate(device);
       NodalBound host(body);
       const std::string what = std::string(element) + " " + law;
-      // The CPU keeps its shapes in single precision.
+      // The CPU keeps its shapes in 16 bits.
       for (const int sweeps : {0, 3, 12}) {
         host.reset();
         const double here = certificate.bound(sweeps).value, there = host.evaluate(x, sweeps).value;
-        expectAtMost(std::abs(here / there - 1), 1e-5, what + " bound after " + std::to_string(sweeps) + " sweeps");
+        expectAtMost(std::abs(here / there - 1), 5e-4, what + " bound after " + std::to_string(sweeps) + " sweeps");
       }
       const double exact = exactHighest(body, x), bound = certificate.bound().value;
       expectAtMost(exact, bound, what + " bound lies above the exact value");
@@ -150,7 +150,7 @@ void mixedBlocks() {
   DeviceCertificate certificate(device);
   NodalBound host(body);
   const double bound = certificate.bound(6).value;
-  expectAtMost(std::abs(bound / host.evaluate(body.mesh().X, 6).value - 1), 1e-5, "bound of a mixed mesh");
+  expectAtMost(std::abs(bound / host.evaluate(body.mesh().X, 6).value - 1), 5e-4, "bound of a mixed mesh");
   expect(certificate.certify(1.3 * bound), "certified");
   certificate.step(1 / std::sqrt(bound), 25);
   expect(certificate.look().checked == 25, "all blocks together check a step once");

@@ -68,7 +68,7 @@ TYPED_TEST(DriftTest, BoundsTheTangentOfEveryStateInItsBall) {
     const int share = random.index(4);
     const TypeParam law{{share == 1 ? 0 : lame.lambda, share == 2 ? 0 : lame.mu}};
     const Eigen::Matrix3d F0 = randomState(random);
-    const TangentDriftCoefficients drift = law.drift(test::toMatrix3(F0));
+    const TangentDriftCoefficients<double> drift = law.drift(test::toMatrix3(F0));
     // Balls end before anything can invert.
     const double reach = std::min({drift.radius, 2 * F0.determinant() / F0.squaredNorm(), 1.0});
     if (!(reach > 0)) continue;

@@ -323,15 +323,15 @@ TEST(Metrics, DoNotSeeARigidMotion) {
           for (const MetricInfo& metric : allMetrics()) {
             const MetricResult before = evaluateMetric(metric.name, body, x),
                                after = evaluateMetric(metric.name, body, turned);
-            // Shapes are kept in single precision, in the world's axes.
-            const double allowed = (metric.name == "nodal-bound" ? 1e-6 : 1e-8) * before.lambda;
+            // Shapes are kept with eleven bits, in the world's axes.
+            const double allowed = (metric.name == "nodal-bound" ? 1e-3 : 1e-8) * before.lambda;
             for (std::size_t b = 0; b < before.elementLambda.size(); ++b)
               for (std::size_t e = 0; e < before.elementLambda[b].size(); ++e)
                 EXPECT_NEAR(after.elementLambda[b][e], before.elementLambda[b][e], allowed)
                     << metric.name << ", " << cut.name << ", " << law.name << ", " << b << ":" << e;
           }
           // Iterated until it is narrow enough, which turned numbers reach a little earlier or later.
-          EXPECT_NEAR(criticalStep(body, turned, limit).safe, safe, 1e-5 * safe) << cut.name << ", " << law.name;
+          EXPECT_NEAR(criticalStep(body, turned, limit).safe, safe, 1e-3 * safe) << cut.name << ", " << law.name;
         }
       }
     }

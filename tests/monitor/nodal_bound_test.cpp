@@ -40,7 +40,10 @@ TEST(NodalBound, SweepsTightenIt) {
       NodalBound bound(body);
       const double value = bound.evaluate(body.mesh().X, sweeps).value;
       EXPECT_LE(value, before) << cut.name << ", " << sweeps;
-      EXPECT_EQ(bound.evaluations(), static_cast<std::int64_t>(body.mesh().elementCount()) * (sweeps + 1)) << cut.name;
+      // A sweep evaluates only where it changes something.
+      const auto elements = static_cast<std::int64_t>(body.mesh().elementCount());
+      EXPECT_GE(bound.evaluations(), elements) << cut.name;
+      EXPECT_LE(bound.evaluations(), elements * (sweeps + 1)) << cut.name;
       before = value;
     }
     EXPECT_LE(before, 1.35 * lambda) << cut.name;

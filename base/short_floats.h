@@ -1,0 +1,96 @@
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include <ringwatch/base/pack.h>
+
+/// Numbers of 16 bits in memory, for what need not be known better: half of the traffic of single precision.
+/// Conversions are integer arithmetic, which every target has vectors for.
+namespace ringwatch {
+
+namespace detail {
+typedef std::int16_t NativeShorts __attribute__((vector_size(nativeWidth * sizeof(std::int16_t))));
+typedef std::int32_t NativeIntegers __attribute__((vector_size(nativeWidth * sizeof(std::int32_t))));
+typedef float NativeFloats __attribute__((vector_size(nativeWidth * sizeof(float))));
+
+template <class To, class From>
+RINGWATCH_INLINE To bitCast(const From& from) {
+  static_assert(sizeof(To) == sizeof(From));
+  To to;
+  std::memcpy(&to, &from, sizeof to);
+  return to;
+}
+RINGWATCH_INLINE NativeIntegers loadShorts(const void* from) {
+  NativeShorts shorts;
+  std::memcpy(&shorts, from, sizeof shorts);
+  return __builtin_convertvector(shorts, NativeIntegers);
+}
+RINGWATCH_INLINE NativePack packOf(NativeFloats values) {
+  return NativePack(__builtin_convertvector(values, NativePack::Values));
+}
+}  // namespace detail
+
+/// A number between -1 and 1 by the root of its size, as a multiple of 1/32767: off by at most 3.1e-5 √|number|, so
+/// that small ones are known better than by equal steps. Larger ones become ±1, what is not finite zero.
+class ShortRoot {
+ public:
+  ShortRoot() = default;
+  explicit ShortRoot(double value) : root_(static_cast<std::int16_t>(rounded(value))) {}
+  operator double() const { return unit * static_cast<double>(root_ * std::abs(root_)); }
+
+  static NativePack load(const ShortRoot* from) {
+    const detail::NativeIntegers roots = detail::loadShorts(from);
+    const detail::NativeIntegers squares = roots * (roots < 0 ? -roots : roots);
+    return NativePack(unit) * NativePack(__builtin_convertvector(squares, NativePack::Values));
+  }
+  static void store(NativePack values, ShortRoot* to) {
+    const auto shorts = __builtin_convertvector(__builtin_convertvector(rounded(values).v, detail::NativeIntegers),
+                                                detail::NativeShorts);
+    std::memcpy(static_cast<void*>(to), &shorts, sizeof shorts);
+  }
+
+ private:
+  static constexpr double most = 32767, unit = 1 / (most * most);
+  /// To the nearest when what follows the point is cut off.
+  template <class S>
+  RINGWATCH_INLINE static S rounded(S value) {
+    const S size = math::abs(value), root = S(most) * math::sqrt(math::min(size, S(1.0))) + S(0.5);
+    return select(size < S(std::numeric_limits<double>::infinity()), select(value < S(0.0), -root, root), S(0.0));
+  }
+  std::int16_t root_ = 0;
+};
+
+/// The upper half of a single-precision number: its range, 8 significant bits. Rounded to a side of the caller's, which
+/// costs up to 0.8 %.
+class Bfloat16 {
+ public:
+  Bfloat16() = default;
+  /// At or below, at or above the number; NaN stays.
+  static Bfloat16 down(double value) {
+    const auto near = static_cast<float>(value);
+    const float at =
+        static_cast<double>(near) > value ? std::nextafter(near, -std::numeric_limits<float>::infinity()) : near;
+    Bfloat16 result;
+    auto bits = detail::bitCast<std::uint32_t>(at);
+    if (at < 0) bits += 0xffffU;  // away from zero
+    result.bits_ = static_cast<std::uint16_t>(bits >> 16);
+    return result;
+  }
+  static Bfloat16 up(double value) {
+    Bfloat16 result = down(-value);
+    result.bits_ ^= 0x8000U;
+    return result;
+  }
+  operator double() const { return static_cast<double>(detail::bitCast<float>(std::uint32_t{bits_} << 16)); }
+
+  static NativePack load(const Bfloat16* from) {
+    return detail::packOf(detail::bitCast<detail::NativeFloats>(detail::loadShorts(from) << 16));
+  }
+
+ private:
+  std::uint16_t bits_ = 0;
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,71 @@
+// Numbers of 16 bits: every pattern there and back, the nearest or the wanted side for random numbers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include <ringwatch/base/short_floats.h>
+#include <tests/support/random.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+
+TEST(ShortRoot, KnowsSmallNumbersBetter) {
+  test::Random random(3);
+  for (int trial = 0; trial < 100000; ++trial) {
+    const double value = random.uniform(-1, 1) * std::pow(10.0, random.uniform(-8, 0)), kept = ShortRoot(value);
+    EXPECT_LE(std::abs(kept - value), 3.1e-5 * std::sqrt(std::abs(value)) + 2.4e-10) << value;
+    EXPECT_EQ(static_cast<double>(ShortRoot(kept)), kept);
+  }
+  for (const double exact : {0.0, 1.0, -1.0}) EXPECT_EQ(static_cast<double>(ShortRoot(exact)), exact);
+  EXPECT_NE(static_cast<double>(ShortRoot(1e-9)), 0);
+}
+
+TEST(ShortRoot, KnowsItsRange) {
+  for (const double other : {notANumber, infinite, -infinite}) EXPECT_EQ(static_cast<double>(ShortRoot(other)), 0);
+  EXPECT_EQ(static_cast<double>(ShortRoot(1 + 1e-12)), 1);
+  EXPECT_EQ(static_cast<double>(ShortRoot(-2)), -1);
+}
+
+TEST(ShortRoot, PacksConvertAsSingleNumbersDo) {
+  test::Random random(4);
+  for (int trial = 0; trial < 1000; ++trial) {
+    NativePack values;
+    for (int lane = 0; lane < NativePack::width; ++lane)
+      values.set(lane, trial == 0 ? notANumber : trial == 1 ? (lane % 2 == 0 ? 1.0 : -1.0) : random.uniform(-1, 1));
+    ShortRoot stored[NativePack::width];
+    ShortRoot::store(values, stored);
+    const NativePack back = ShortRoot::load(stored);
+    for (int lane = 0; lane < NativePack::width; ++lane) {
+      EXPECT_EQ(back[lane], static_cast<double>(ShortRoot(values[lane])));
+      EXPECT_EQ(back[lane], static_cast<double>(stored[lane]));
+    }
+  }
+}
+
+TEST(Bfloat16, RoundsToTheSafeSide) {
+  test::Random random(5);
+  for (int trial = 0; trial < 100000; ++trial) {
+    const double value = random.uniform(-1, 1) * std::pow(10.0, random.uniform(-30, 30));
+    const double down = Bfloat16::down(value), up = Bfloat16::up(value);
+    EXPECT_LE(down, value);
+    EXPECT_GE(up, value);
+    EXPECT_LE(up - down, std::ldexp(std::abs(value), -6)) << value;
+  }
+  for (const double exact : {0.0, 1.0, -1.0, 0.75, infinite, -infinite}) {
+    EXPECT_EQ(static_cast<double>(Bfloat16::down(exact)), exact);
+    EXPECT_EQ(static_cast<double>(Bfloat16::up(exact)), exact);
+  }
+  EXPECT_TRUE(std::isnan(static_cast<double>(Bfloat16::down(notANumber))));
+  EXPECT_TRUE(std::isnan(static_cast<double>(Bfloat16::up(notANumber))));
+  Bfloat16 stored[NativePack::width];
+  for (int lane = 0; lane < NativePack::width; ++lane) stored[lane] = Bfloat16::down(lane - 1.5);
+  const NativePack back = Bfloat16::load(stored);
+  for (int lane = 0; lane < NativePack::width; ++lane) EXPECT_EQ(back[lane], lane - 1.5);
+}
+
+}  // namespace
+}  // namespace ringwatch
