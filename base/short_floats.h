@@ -6,8 +6,7 @@
 
 #include <ringwatch/base/pack.h>
 
-/// Numbers of 16 bits in memory, for what need not be known better: half of the traffic of single precision.
-/// Conversions are integer arithmetic, which every target has vectors for.
+/// Numbers of fewer bits in memory, for what need not be known better, and rounding to a side.
 namespace ringwatch {
 
 namespace detail {
@@ -31,6 +30,13 @@ RINGWATCH_INLINE NativePack packOf(NativeFloats values) {
   return NativePack(__builtin_convertvector(values, NativePack::Values));
 }
 }  // namespace detail
+
+/// Single precision at or below, at or above a number; NaN stays.
+inline float roundedDown(double number) {
+  const auto near = static_cast<float>(number);
+  return static_cast<double>(near) > number ? std::nextafter(near, -std::numeric_limits<float>::infinity()) : near;
+}
+inline float roundedUp(double number) { return -roundedDown(-number); }
 
 /// A number between -1 and 1 by the root of its size, as a multiple of 1/32767: off by at most 3.1e-5 √|number|, so
 /// that small ones are known better than by equal steps. Larger ones become ±1, what is not finite zero.
@@ -69,9 +75,7 @@ class Bfloat16 {
   Bfloat16() = default;
   /// At or below, at or above the number; NaN stays.
   static Bfloat16 down(double value) {
-    const auto near = static_cast<float>(value);
-    const float at =
-        static_cast<double>(near) > value ? std::nextafter(near, -std::numeric_limits<float>::infinity()) : near;
+    const float at = roundedDown(value);
     Bfloat16 result;
     auto bits = detail::bitCast<std::uint32_t>(at);
     if (at < 0) bits += 0xffffU;  // away from zero

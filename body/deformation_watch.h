@@ -28,7 +28,7 @@ struct DeformationWatch {
     std::int32_t batchBegin, batchEnd;
     std::size_t nodeBegin, nodeEnd;                    // into nodes
     double roomAtLook = -1;                            // at the last look: min of (r - |F - F0|) over γ, m; < 0: look
-    double reach = 0;                                  // largest |F| over γ that elements come to within that room, m
+    double reach = 0;                                  // largest |F| over γ then, m
     double rounding = 0;                               // of `before`, m
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // of `before`, m
     Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();    // A of the common motion since then, as last fitted

@@ -8,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/short_floats.h>
 #include <ringwatch/handlers/rotation_of.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/scaled_tangent.h>
@@ -18,11 +19,6 @@ namespace {
 constexpr int lanes = PatchLayout::lanes;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-float roundedUp(double number) {
-  const auto near = static_cast<float>(number);
-  return static_cast<double>(near) < number ? std::nextafter(near, std::numeric_limits<float>::infinity()) : near;
-}
 
 double largest(const Eigen::Matrix3d& S) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly).eigenvalues()[2];

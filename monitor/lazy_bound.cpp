@@ -39,13 +39,6 @@ double roomFor(const Eigen::Matrix3d& base, const Eigen::Matrix3d& part, double 
   return top > 0 ? 1 / (top * (1 + 1e-12)) : std::numeric_limits<double>::infinity();
 }
 
-/// Single precision at or below, and at or above a number; NaN stays.
-float roundedDown(double number) {
-  const auto near = static_cast<float>(number);
-  return static_cast<double>(near) > number ? std::nextafter(near, -std::numeric_limits<float>::infinity()) : near;
-}
-float roundedUp(double number) { return -roundedDown(-number); }
-
 /// Where sigma is put when it is steered.
 double comfortable(LowerBound lower, double width) { return (1 + 0.8 * width) * (1 + 0.8 * width) * lower.value; }
 
@@ -378,6 +371,13 @@ std::vector<std::int32_t> LazyBound::turnShapes(const std::vector<std::int32_t>&
   return turned;
 }
 
+Eigen::Matrix3d LazyBound::sumOfBudgets(std::int32_t node) const {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const NodalBound::Incidence at : shapes_.incidences(node))
+    sum += budgetOf(shapes_.elementAt(at)) * shapes_.shape(at);
+  return sum;
+}
+
 bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) {
   constexpr int growths = 2, sweeps = 3;
   ++spent_.repairs;
@@ -430,10 +430,7 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
     if (!turned.empty()) {
       // Turned shapes are rounded: budgets there pay for what that adds to the sums.
       for (const std::int32_t node : turned) {
-        Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-        for (const NodalBound::Incidence at : shapes_.incidences(node))
-          sum += budgetOf(shapes_.elementAt(at)) * shapes_.shape(at);
-        const double share = sigma_ * body_.lumpedMass()[node] / largest(sum);
+        const double share = sigma_ * body_.lumpedMass()[node] / largest(sumOfBudgets(node));
         if (share > 1) continue;
         for (const NodalBound::Incidence at : shapes_.incidences(node)) {
           const ElementRef e = shapes_.elementAt(at);
@@ -533,7 +530,6 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
   if (tightOverLower_ == 0) tightOverLower_ = shapes_.last() / lower.value;
   const double target = std::max(comfortable(lower, width), tightOverLower_ * (1 + 0.3 * slack_) * lower.value);
   // Lowering sigma scales every budget; balls shrink at least in proportion to the gaps, since r is concave in the gap.
-  constexpr double anchorError = DeformationWatch::anchorError;
   if (target < 0.99 * sigma_ && updates_ - lastLowering_ >= loweringGap_) {
     loweringGap_ = updates_ - lastLowering_ < 200 ? std::min(2 * loweringGap_, 640) : 40;
     lastLowering_ = updates_;
@@ -545,10 +541,9 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
         const double before = static_cast<double>(data.budget[place]) - value;
         data.budget[place] = roundedDown(static_cast<double>(data.budget[place]) * factor);
         const double after = static_cast<double>(data.budget[place]) - value;
-        const double radius = data.watch.radius[place];
-        if (radius >= 0 && radius < 1e29)
-          data.watch.setRadius(place, after > 0 && before > 0 ? (radius + anchorError) * (after / before) : -1,
-                               anchorError);
+        const double radius = data.watch.radius[place], error = DeformationWatch::anchorError;
+        if (radius >= 0 && std::isfinite(radius))
+          data.watch.setRadius(place, after > 0 && before > 0 ? (radius + error) * (after / before) : -1, error);
       }
       data.watch.lookAtAll();
     }
@@ -582,12 +577,8 @@ double LazyBound::verify(const NodeVectors& x) const {
       if (value[0] > 0) excess = std::max(excess, value[0] / budget - 1);
     }
   for (std::int32_t node = 0; node < body_.nodeCount(); ++node) {
-    Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
-    for (const NodalBound::Incidence at : shapes_.incidences(node)) {
-      const ElementRef e = shapes_.elementAt(at);
-      S += budgetOf(e) * shapes_.shape(at);
-    }
-    excess = std::max(excess, largest(freePart(body_, node, S / body_.lumpedMass()[node])) / sigma_ - 1);
+    excess =
+        std::max(excess, largest(freePart(body_, node, sumOfBudgets(node) / body_.lumpedMass()[node])) / sigma_ - 1);
   }
   return excess;
 }

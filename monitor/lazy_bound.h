@@ -25,13 +25,13 @@ class LazyBound {
   /// the internal force at x, 3×N, N: elements are tested in the pass that computes it, which costs less than both
   /// apart where many leave their balls.
   UpperBound update(const NodeVectors& x, NodeVectors* force = nullptr);
-  /// The same upwards: raises sigma and all budgets when it lies so little above a lower bound at x that elements would
-  /// soon exceed their budgets everywhere. Nothing need be looked at again.
-  void ease(LowerBound lower, double width);
   /// Tells the bound what a lower bound is at x, so that it can follow downwards: sigma is lowered, or shapes start
   /// afresh, when it lies more than `width` (relative, in the step) above. Proves nothing: when it returns true, sigma
   /// has changed and holds only after the next update.
   bool steer(const NodeVectors& x, LowerBound lower, double width);
+  /// The same upwards: raises sigma and all budgets when it lies so little above a lower bound at x that elements would
+  /// soon exceed their budgets everywhere. Nothing need be looked at again.
+  void ease(LowerBound lower, double width);
 
   /// Threshold mode: proves lambda_max <= sigma for a sigma of the caller's at x, or returns false. Where there is much
   /// room below sigma, balls are large and hardly any element is ever looked at again. A proof that is kept for a
@@ -93,6 +93,8 @@ class LazyBound {
   void evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withReach,
                 std::vector<Evaluated>& results);
   bool repair(const NodeVectors& x, ElementRef element, bool mayRaise);
+  /// Σ budget_e D_e at a node, N/m.
+  Eigen::Matrix3d sumOfBudgets(std::int32_t node) const;
   /// The rotation of a node's surroundings since the reference configuration, by the anchors of its elements.
   Eigen::Quaternionf frameOf(std::int32_t node) const;
   std::vector<std::int32_t> turnShapes(const std::vector<std::int32_t>& nodes);

@@ -121,6 +121,22 @@ Body jitteredBar(std::array<int, 3> cells, double jitter) {
   return Body(generateBar(options), makeMaterial("stvk", 1e4, 0.3, 1000), test::onThreads(1));
 }
 
+// A tangent that does not drift gives balls without an end; a sigma that is lowered too far must reach them too.
+TEST(LazyBound, LooksAgainAtElementsThatNeverLeaveWhenSigmaIsLoweredBelowThem) {
+  BarOptions options;
+  options.cells = {4, 3, 3};
+  const Body body(generateBar(options), makeMaterial("linear", 1e4, 0.3, 1000), test::onThreads(1));
+  const NodeVectors& X = body.mesh().X;
+  LazyBound bound(body);
+  bound.update(X);
+  const double lambda = DenseTangent(body, X).largest();
+  for (const double share : {1.0, 0.7, 0.5}) {
+    bound.steer(X, {share * lambda}, 0.05);
+    for (int look = 0; look < 50; ++look) EXPECT_GE(bound.update(X).value, lambda) << share;
+    EXPECT_LE(bound.verify(X), 1e-9) << share;
+  }
+}
+
 TEST(LazyBound, TurnsItsShapesWithTheBody) {
   const Body body = jitteredBar({6, 3, 3}, 0.2);
   const NodeVectors& X = body.mesh().X;
