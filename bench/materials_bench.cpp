@@ -4,13 +4,13 @@
 #include <random>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
 #include <bench/flops.h>
 #include <bench/support.h>
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/materials/rotation.h>
 
 namespace ringwatch::bench {

@@ -16,7 +16,7 @@ target_compile_options(ringwatch_options INTERFACE
 # GCC 12 finds its own AVX-512 intrinsics uninitialised (GCC bug 105593) wherever Eigen uses them, and strings that
 # overlap themselves (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(ringwatch_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict>)
+  target_compile_options(ringwatch_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread>)
 endif()
 # -ffp-contract=fast lets the compiler fuse a*b+c; -ffast-math stays off, since it voids NaN checks and proven bounds.
 target_compile_options(ringwatch_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=fast -fno-math-errno>)
@@ -74,6 +74,7 @@ function(ringwatch_folder name)
       $<BUILD_INTERFACE:${RINGWATCH_INCLUDE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_compile_features(${target} PUBLIC cxx_std_20)
     target_link_libraries(${target} PUBLIC ringwatch_abi ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS} $<BUILD_INTERFACE:ringwatch_options>)
+    ringwatch_use_precompiled(${target} ringwatch_precompiled)
   else()
     add_library(${target} INTERFACE)
     target_include_directories(${target} INTERFACE

@@ -6,8 +6,7 @@
 #include <optional>
 #include <queue>
 
-#include <Eigen/Eigenvalues>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/scaled_tangent.h>

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+
+#include <ringwatch/base/eigen_instances.h>
 
 namespace ringwatch {
 namespace {

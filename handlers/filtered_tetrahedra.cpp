@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/handlers/modal_filter.h>
 #include <ringwatch/handlers/turned_tetrahedron.h>
 
@@ -60,10 +60,12 @@ void FilteredTetrahedra::setElement(std::size_t i, const Body& body, ElementRef 
     inverseMass[a] = free == 0 ? 0 : 1 / body.lumpedMass()[node];
   }
   const PrincipalTetrahedron shape = principalTetrahedron(body.mesh().X, nodes, inverseMass);
-  Eigen::Matrix<double, 12, 12> turned = Eigen::Matrix<double, 12, 12>::Zero();
-  for (int a = 0; a < 4; ++a) turned.block<3, 3>(3 * a, 3 * a) = shape.axes;
-  const FilteredStiffness filtered =
-      filterModes(turned.transpose() * body.elementTangent(e, body.mesh().X) * turned, budget);
+  const Eigen::MatrixXd K = body.elementTangent(e, body.mesh().X);
+  Eigen::Matrix<double, 12, 12> turned;  // K in the principal axes
+  for (int a = 0; a < 12; a += 3)
+    for (int b = 0; b < 12; b += 3)
+      turned.block<3, 3>(a, b) = shape.axes.transpose() * K.block<3, 3>(a, b) * shape.axes;
+  const FilteredStiffness filtered = filterModes(turned, budget);
   const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 12, 6>> strains(strainsOf(shape.gradient));
   const Eigen::Matrix<double, 6, 12> half = strains.solve(filtered.kept);
   const Matrix6 kept = strains.solve(half.transpose().eval());
@@ -74,8 +76,9 @@ void FilteredTetrahedra::setElement(std::size_t i, const Body& body, ElementRef 
   Vector12 root;
   for (int d = 0; d < 12; ++d) root[d] = h * std::sqrt(inverseMass[d / 3]);
   const Eigen::Matrix<double, 12, 6> weighted = root.asDiagonal() * mode;
-  const Eigen::SelfAdjointEigenSolver<Matrix6> mixed(Matrix6::Identity() + weighted.transpose() * weighted);
-  const Matrix6 Y = strains.solve((mode * mixed.eigenvectors()).eval());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> mixed(
+      Eigen::MatrixXd{Matrix6::Identity() + weighted.transpose() * weighted});
+  const Matrix6 Y = strains.solve((mode * Matrix6(mixed.eigenvectors())).eval());
 
   const std::int32_t at = tetrahedra_.placeOf(i);
   Batch& batch = batches_[static_cast<std::size_t>(at / lanes)];

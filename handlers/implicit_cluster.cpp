@@ -6,8 +6,7 @@
 #include <numeric>
 #include <variant>
 
-#include <Eigen/Cholesky>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/cluster_gradients.h>
 #include <ringwatch/handlers/cluster_matrix.h>

@@ -4,8 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include <Eigen/SparseCholesky>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/body/body.h>
 
 namespace ringwatch {

@@ -5,8 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include <Eigen/Eigenvalues>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/short_floats.h>
 #include <ringwatch/handlers/rotation_of.h>

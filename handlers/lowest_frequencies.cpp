@@ -5,7 +5,8 @@
 #include <stdexcept>
 
 #include <Spectra/SymEigsShiftSolver.h>
-#include <Eigen/SparseCholesky>
+
+#include <ringwatch/base/eigen_instances.h>
 
 namespace ringwatch {
 namespace {

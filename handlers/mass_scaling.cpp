@@ -3,8 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/lowest_frequencies.h>
 #include <ringwatch/monitor/scaled_tangent.h>

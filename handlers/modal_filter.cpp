@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
+#include <ringwatch/base/eigen_instances.h>
 
 namespace ringwatch {
 
@@ -11,7 +11,7 @@ FilteredStiffness filterModes(const Eigen::Matrix<double, 12, 12>& K, const Eige
   for (int d = 0; d < 12; ++d) root[d] = std::sqrt(budget[d / 3]);
   const Eigen::Matrix<double, 12, 12> scaled =
       root.cwiseInverse().asDiagonal() * (0.5 * (K + K.transpose())) * root.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>> eigen(scaled);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(Eigen::MatrixXd{scaled});
   FilteredStiffness result;
   result.kept.setZero();
   for (int k = 11; k >= 6; --k) {  // six more are rigid

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/SparseCholesky>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/body/body.h>
 
 namespace ringwatch {

@@ -4,8 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include <Eigen/SparseCholesky>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 
 namespace ringwatch {

@@ -5,9 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/materials/rotation.h>
 #include <ringwatch/monitor/nodal_shapes.h>
 #include <ringwatch/monitor/scaled_tangent.h>

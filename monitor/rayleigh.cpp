@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/monitor/mass_scaled_operator.h>
 
 namespace ringwatch {

@@ -1,7 +1,6 @@
 #include <ringwatch/monitor/reduced_ring.h>
 
-#include <Eigen/Eigenvalues>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/extreme_eigenvalues.h>
 #include <ringwatch/monitor/scaled_tangent.h>

@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/random.h>
 #include <ringwatch/meshes/generators.h>
 #include <ringwatch/verify/elements_studies.h>

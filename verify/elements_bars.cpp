@@ -7,6 +7,7 @@
 
 #include <Eigen/Dense>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/meshes/generators.h>
 #include <ringwatch/monitor/global_frequency.h>
 #include <ringwatch/verify/elements_studies.h>

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/random.h>
 #include <ringwatch/integrators/body_system.h>

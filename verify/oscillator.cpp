@@ -8,6 +8,7 @@
 
 #include <Eigen/Dense>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/stability_limit.h>
 
@@ -88,12 +89,19 @@ Eigen::Vector2d Oscillator::exact(double t, double x0, double v0) const {
 }
 
 Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& A) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> real(A, false);
-  if (real.info() == Eigen::Success) return real.eigenvalues();
-  const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(A.cast<std::complex<double>>(), false);
-  if (solver.info() != Eigen::Success)
-    throw NumericalError(joinText("eigenvalues of a ", A.rows(), " by ", A.cols(), " matrix: the iteration failed"));
-  return solver.eigenvalues();
+  // Eigen's iteration fails on some matrices. A reflection keeps the eigenvalues and sends it another way.
+  Eigen::MatrixXd similar = A;
+  constexpr int attempts = 4;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(similar, false);
+    if (solver.info() == Eigen::Success) return solver.eigenvalues();
+    Eigen::VectorXd normal(A.rows());
+    for (Eigen::Index i = 0; i < A.rows(); ++i) normal[i] = std::cos(1.0 + attempt + 2.0 * static_cast<double>(i));
+    normal.normalize();
+    similar -= 2 * normal * (normal.transpose() * similar).eval();
+    similar -= 2 * (similar * normal).eval() * normal.transpose();
+  }
+  throw NumericalError(joinText("eigenvalues of a ", A.rows(), " by ", A.cols(), " matrix: the iteration failed"));
 }
 
 double TransitionMatrix::spectralRadius() const {

@@ -6,7 +6,8 @@
 
 #include <Spectra/SymEigsShiftSolver.h>
 #include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
+
+#include <ringwatch/base/eigen_instances.h>
 
 namespace ringwatch {
 

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include <sunlinsol/sunlinsol_spgmr.h>
-#include <Eigen/Cholesky>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 
 namespace ringwatch::detail {

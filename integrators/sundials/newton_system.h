@@ -4,8 +4,8 @@
 #include <vector>
 
 #include <sundials/sundials_linearsolver.h>
-#include <Eigen/SparseCholesky>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/integrators/sundials/implicit.h>
 #include <ringwatch/integrators/sundials/state_vector.h>
 

@@ -2,11 +2,10 @@
 // gravity. E = 30 kPa, nu = 0.3, rho = 1000 kg/m3, St. Venant–Kirchhoff, 0.2 × 0.04 × 0.04 m, x = 0 clamped.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SparseCholesky>
 #include <cmath>
 #include <numbers>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/stormer_verlet.h>
 #include <tests/support/body_cases.h>

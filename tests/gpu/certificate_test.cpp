@@ -2,8 +2,7 @@
 #include <limits>
 #include <string>
 
-#include <Eigen/Eigenvalues>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/gpu/device_certificate_impl.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <tests/gpu/cases.h>

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/adaptive.h>
 #include <tests/handlers/handler_cases.h>

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/handlers/selection.h>
 #include <ringwatch/integrators/body_system.h>

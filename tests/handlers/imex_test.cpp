@@ -5,10 +5,10 @@
 #include <cmath>
 #include <set>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/imex.h>
 #include <tests/handlers/handler_cases.h>

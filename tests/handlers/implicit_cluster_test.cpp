@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/handlers/implicit_cluster.h>
 #include <tests/handlers/handler_cases.h>
 

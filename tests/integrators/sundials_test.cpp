@@ -10,9 +10,9 @@
 #include <sstream>
 
 #include <arkode/arkode_arkstep.h>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/split_body_system.h>

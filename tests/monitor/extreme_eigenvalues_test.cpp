@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/pack.h>
 #include <ringwatch/monitor/extreme_eigenvalues.h>

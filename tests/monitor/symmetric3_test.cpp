@@ -4,8 +4,7 @@
 
 #include <string>
 
-#include <Eigen/Eigenvalues>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/pack.h>
 #include <ringwatch/monitor/symmetric3.h>

@@ -1,0 +1,35 @@
+#include <ringwatch/base/error.h>
+
+#include <cstdio>
+
+namespace ringwatch::detail {
+
+void TextPart::appendTo(std::string& text) const {
+  switch (kind_) {
+    case Kind::text:
+      text += text_;
+      break;
+    case Kind::character:
+      text += static_cast<char>(integer_);
+      break;
+    case Kind::integer:
+      text += std::to_string(integer_);
+      break;
+    case Kind::natural:
+      text += std::to_string(natural_);
+      break;
+    case Kind::real: {
+      char digits[32];
+      text.append(digits, static_cast<std::size_t>(std::snprintf(digits, sizeof digits, "%.9g", real_)));
+      break;
+    }
+  }
+}
+
+std::string join(std::initializer_list<TextPart> parts) {
+  std::string text;
+  for (const TextPart& part : parts) part.appendTo(text);
+  return text;
+}
+
+}  // namespace ringwatch::detail
