@@ -5,14 +5,22 @@
 
 namespace ringwatch::detail {
 
-/// The batch of the block's element type with law number `lawIndex` of `Laws`. Instantiated once a law.
-template <std::size_t lawIndex>
-std::unique_ptr<ElementBlock> makeBatch(const Mesh& mesh, const MeshBlock& block, const Material& material,
-                                        const QuadratureRule& rule) {
-  using LawType = std::variant_alternative_t<lawIndex, Law>;
-  std::unique_ptr<ElementBlock> result;
-  visitElement(block.type, [&](auto tag) {
-    result = std::make_unique<ElementBatch<typename decltype(tag)::type, LawType>>(mesh, block, material, rule);
+/// Makes the batch of a block.
+using BatchMaker = std::unique_ptr<ElementBlock> (*)(const Mesh&, const MeshBlock&, const Material&,
+                                                     const QuadratureRule&);
+
+/// The maker of batches of an element type with law number `law` of `Laws`; nullptr when the law is in another shard.
+template <std::size_t shard>
+BatchMaker batchMakerOfShard(ElementType type, std::size_t law) {
+  BatchMaker result = nullptr;
+  visitLawOfShard<shard>(law, [&](auto lawTag) {
+    visitElement(type, [&](auto elementTag) {
+      using Batch = ElementBatch<typename decltype(elementTag)::type, typename decltype(lawTag)::type>;
+      result = [](const Mesh& mesh, const MeshBlock& block, const Material& material,
+                  const QuadratureRule& rule) -> std::unique_ptr<ElementBlock> {
+        return std::make_unique<Batch>(mesh, block, material, rule);
+      };
+    });
   });
   return result;
 }

@@ -7,9 +7,11 @@
 
 namespace ringwatch {
 namespace detail {
-// Defined in batch_factory.h, instantiated in one generated file a law.
-template <std::size_t lawIndex>
-std::unique_ptr<ElementBlock> makeBatch(const Mesh&, const MeshBlock&, const Material&, const QuadratureRule&);
+// Defined in batch_factory.h, instantiated in one generated file a shard.
+using BatchMaker = std::unique_ptr<ElementBlock> (*)(const Mesh&, const MeshBlock&, const Material&,
+                                                     const QuadratureRule&);
+template <std::size_t shard>
+BatchMaker batchMakerOfShard(ElementType type, std::size_t law);
 }  // namespace detail
 
 std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material,
@@ -21,12 +23,12 @@ std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock
     for (const QuadratureRule& r : element.rules) names += (names.empty() ? "" : ", ") + std::string(r.name);
     throw InputError(joinText("rule \"", ruleName, "\" for ", element.name, ": must be one of ", names));
   }
-  std::unique_ptr<ElementBlock> result;
-  [&]<std::size_t... i>(std::index_sequence<i...>) {
-    ((material.law.index() == i ? void(result = detail::makeBatch<i>(mesh, block, material, *rule)) : void()), ...);
+  detail::BatchMaker make = nullptr;
+  [&]<std::size_t... shard>(std::index_sequence<shard...>) {
+    ((make = make ? make : detail::batchMakerOfShard<shard>(block.type, material.law.index())), ...);
   }
-  (std::make_index_sequence<std::variant_size_v<Law>>{});
-  return result;
+  (std::make_index_sequence<lawShards>{});
+  return make(mesh, block, material, *rule);
 }
 
 }  // namespace ringwatch

@@ -1,6 +1,6 @@
-# One target a folder. `ringwatch_folder(NAME SOURCES … LINKS … PRIVATE_LINKS …)` makes the library of the
-# folder NAME (an interface library when it has no sources), its alias ringwatch::NAME, its include path and
-# its install rule, so that a folder's CMakeLists.txt holds nothing but its own list.
+# One library a folder. `ringwatch_folder(NAME SOURCES … LINKS … PRIVATE_LINKS …)` makes the library of the folder NAME, its
+# alias ringwatch::NAME, its include path and its install rule, so that a folder's CMakeLists.txt holds nothing but its own
+# list.
 
 # Headers are included as <ringwatch/FOLDER/file.h> here, in examples and after installation alike. In the
 # build tree that path is a link to the source tree.
@@ -36,12 +36,13 @@ if(RINGWATCH_SANITIZE)
   target_link_options(ringwatch_abi INTERFACE -fsanitize=${RINGWATCH_SANITIZE})
 endif()
 
-# ringwatch_find_package(NAME [VERSION] …): find_package for every folder of this tree, and for whoever finds the
-# installed ringwatch. Takes what find_package takes; what is only linked by programs and tests does not belong here.
-macro(ringwatch_find_package)
+# ringwatch_find_package(COMPONENT NAME [VERSION] …): find_package for every folder of this tree, and for whoever finds the
+# installed ringwatch with that component; COMPONENT `core` is for all. What is only linked by programs and tests does not
+# belong here.
+macro(ringwatch_find_package component)
   find_package(${ARGN} REQUIRED GLOBAL)
   string(REPLACE ";" " " ringwatch_package "${ARGN}")
-  set_property(GLOBAL APPEND PROPERTY RINGWATCH_PACKAGES "${ringwatch_package}")
+  set_property(GLOBAL APPEND PROPERTY RINGWATCH_PACKAGES_${component} "${ringwatch_package}")
 endmacro()
 
 # `check_headers` compiles every header alone, with nothing but what its folder links.
@@ -64,26 +65,49 @@ function(ringwatch_check_headers name)
   endif()
 endfunction()
 
-function(ringwatch_folder name)
+# ringwatch_law_files(FILES TEMPLATE): configures TEMPLATE, a .in file, once for each shard of the laws (lawShards of
+# materials/registry.h) and appends the results to the list FILES. @SHARD@ is the shard's number.
+set(RINGWATCH_LAW_SHARDS 4)
+function(ringwatch_law_files files template)
+  math(EXPR last "${RINGWATCH_LAW_SHARDS} - 1")
+  foreach(SHARD RANGE ${last})
+    string(REGEX REPLACE "\\.([a-z]+)\\.in$" "_${SHARD}.\\1" name ${template})
+    if(RINGWATCH_SCALAR)
+      string(REPLACE "_${SHARD}." "_${SHARD}_${RINGWATCH_SCALAR}." name ${name})
+    endif()
+    configure_file(${template} ${CMAKE_CURRENT_BINARY_DIR}/${name} @ONLY)
+    list(APPEND ${files} ${CMAKE_CURRENT_BINARY_DIR}/${name})
+  endforeach()
+  set(${files} ${${files}} PARENT_SCOPE)
+endfunction()
+
+# ringwatch_library(NAME SOURCES … LINKS … PRIVATE_LINKS …): the library ringwatch::NAME, a component of the installed
+# package; an interface library when it has no sources.
+function(ringwatch_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   set(target ringwatch_${name})
   if(ARG_SOURCES)
     add_library(${target} STATIC ${ARG_SOURCES})
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-    target_include_directories(${target} PUBLIC
-      $<BUILD_INTERFACE:${RINGWATCH_INCLUDE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-    target_compile_features(${target} PUBLIC cxx_std_20)
-    target_link_libraries(${target} PUBLIC ringwatch_abi ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS} $<BUILD_INTERFACE:ringwatch_options>)
+    set(public PUBLIC)
+    target_link_libraries(${target} PRIVATE ${ARG_PRIVATE_LINKS} $<BUILD_INTERFACE:ringwatch_options>)
     ringwatch_use_precompiled(${target} ringwatch_precompiled)
   else()
     add_library(${target} INTERFACE)
-    target_include_directories(${target} INTERFACE
-      $<BUILD_INTERFACE:${RINGWATCH_INCLUDE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-    target_compile_features(${target} INTERFACE cxx_std_20)
-    target_link_libraries(${target} INTERFACE ringwatch_abi ${ARG_LINKS})
+    set(public INTERFACE)
   endif()
+  target_include_directories(${target} ${public}
+    $<BUILD_INTERFACE:${RINGWATCH_INCLUDE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_features(${target} ${public} cxx_std_20)
+  target_link_libraries(${target} ${public} ringwatch_abi ${ARG_LINKS})
   add_library(ringwatch::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  set_property(GLOBAL APPEND PROPERTY RINGWATCH_LIBRARIES ${name})
+endfunction()
+
+# ringwatch_folder(NAME …): ringwatch_library for the folder NAME, with its headers.
+function(ringwatch_folder name)
+  ringwatch_library(${name} ${ARGN})
   set_property(GLOBAL APPEND PROPERTY RINGWATCH_FOLDERS ${name})
   if(RINGWATCH_BUILD_TESTS)
     ringwatch_check_headers(${name})

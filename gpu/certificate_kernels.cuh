@@ -431,20 +431,20 @@ struct CertificateLauncher {
 #undef RINGWATCH_LAUNCH
 };
 
-/// The certificate of an element type with law number `law`. Instantiated in a generated file a law.
-template <std::size_t law>
-CertificateOperations certificateOfLaw(ElementType type) {
-  using LawType = std::variant_alternative_t<law, Law>;
-  CertificateOperations all;
-  visitElement(type, [&](auto tag) {
-    using Element = typename decltype(tag)::type;
-    if constexpr (Element::order == 1) {
-      using Launcher = CertificateLauncher<Element, LawType>;
-      all = {&Launcher::start, &Launcher::evaluate, &Launcher::sweep,
-             &Launcher::deal,  &Launcher::step,     &Launcher::refresh};
-    }
+/// Sets the certificate of an element type with law number `law` when the law is in this shard. Instantiated in a
+/// generated file a shard.
+template <std::size_t shard>
+void certificateOperationsOfShard(ElementType type, std::size_t law, CertificateOperations& result) {
+  visitLawOfShard<shard>(law, [&](auto lawTag) {
+    visitElement(type, [&](auto tag) {
+      using Element = typename decltype(tag)::type;
+      if constexpr (Element::order == 1) {
+        using Launcher = CertificateLauncher<Element, typename decltype(lawTag)::type>;
+        result = {&Launcher::start, &Launcher::evaluate, &Launcher::sweep,
+                  &Launcher::deal,  &Launcher::step,     &Launcher::refresh};
+      }
+    });
   });
-  return all;
 }
 
 }  // namespace ringwatch::detail

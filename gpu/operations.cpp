@@ -1,4 +1,4 @@
-#include <variant>
+#include <utility>
 
 #include <ringwatch/gpu/certificate_operations.h>
 #include <ringwatch/gpu/patch_operations.h>
@@ -7,24 +7,23 @@
 
 namespace ringwatch {
 namespace detail {
-// Defined in patch_kernels.cuh, instantiated in one generated file a law and scalar.
-template <std::size_t law, class R>
-PatchOperations<R> lawOperations(ElementType type);
-// The same in certificate_kernels.cuh.
-template <std::size_t law>
-CertificateOperations certificateOfLaw(ElementType type);
-// The same in tangent_kernels.cuh.
-template <std::size_t law>
-TangentOperations tangentsOfLaw(ElementType type);
+// Defined in patch_kernels.cuh, certificate_kernels.cuh and tangent_kernels.cuh, instantiated in one generated file a
+// shard of the laws.
+template <std::size_t shard, class R>
+void patchOperationsOfShard(ElementType type, std::size_t law, PatchOperations<R>& result);
+template <std::size_t shard>
+void certificateOperationsOfShard(ElementType type, std::size_t law, CertificateOperations& result);
+template <std::size_t shard>
+void tangentOperationsOfShard(ElementType type, std::size_t law, TangentOperations& result);
 }  // namespace detail
 
 template <class R>
 PatchOperations<R> patchOperations(ElementType type, std::size_t law) {
   PatchOperations<R> result;
-  [&]<std::size_t... i>(std::index_sequence<i...>) {
-    ((law == i ? void(result = detail::lawOperations<i, R>(type)) : void()), ...);
+  [&]<std::size_t... shard>(std::index_sequence<shard...>) {
+    (detail::patchOperationsOfShard<shard, R>(type, law, result), ...);
   }
-  (std::make_index_sequence<std::variant_size_v<Law>>{});
+  (std::make_index_sequence<lawShards>{});
   return result;
 }
 template PatchOperations<double> patchOperations(ElementType, std::size_t);
@@ -32,19 +31,19 @@ template PatchOperations<float> patchOperations(ElementType, std::size_t);
 
 CertificateOperations certificateOperations(ElementType type, std::size_t law) {
   CertificateOperations result;
-  [&]<std::size_t... i>(std::index_sequence<i...>) {
-    ((law == i ? void(result = detail::certificateOfLaw<i>(type)) : void()), ...);
+  [&]<std::size_t... shard>(std::index_sequence<shard...>) {
+    (detail::certificateOperationsOfShard<shard>(type, law, result), ...);
   }
-  (std::make_index_sequence<std::variant_size_v<Law>>{});
+  (std::make_index_sequence<lawShards>{});
   return result;
 }
 
 TangentOperations tangentOperations(ElementType type, std::size_t law) {
   TangentOperations result;
-  [&]<std::size_t... i>(std::index_sequence<i...>) {
-    ((law == i ? void(result = detail::tangentsOfLaw<i>(type)) : void()), ...);
+  [&]<std::size_t... shard>(std::index_sequence<shard...>) {
+    (detail::tangentOperationsOfShard<shard>(type, law, result), ...);
   }
-  (std::make_index_sequence<std::variant_size_v<Law>>{});
+  (std::make_index_sequence<lawShards>{});
   return result;
 }
 

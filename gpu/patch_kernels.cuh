@@ -411,16 +411,17 @@ struct PatchLauncher {
   }
 };
 
-/// The operations of an element type with law number `law` of `Laws`. Instantiated in a generated file a law.
-template <std::size_t law, class R>
-PatchOperations<R> lawOperations(ElementType type) {
-  using LawType = std::variant_alternative_t<law, Law>;
-  PatchOperations<R> result;
-  visitElement(type, [&](auto tag) {
-    using Element = typename decltype(tag)::type;
-    if constexpr (Element::order == 1) result = PatchLauncher<Element, LawType, R>::operations();
+/// Sets the operations of an element type with law number `law` of `Laws` when the law is in this shard. Instantiated
+/// in a generated file a shard.
+template <std::size_t shard, class R>
+void patchOperationsOfShard(ElementType type, std::size_t law, PatchOperations<R>& result) {
+  visitLawOfShard<shard>(law, [&](auto lawTag) {
+    visitElement(type, [&](auto tag) {
+      using Element = typename decltype(tag)::type;
+      if constexpr (Element::order == 1)
+        result = PatchLauncher<Element, typename decltype(lawTag)::type, R>::operations();
+    });
   });
-  return result;
 }
 
 }  // namespace ringwatch::detail

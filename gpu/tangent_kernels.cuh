@@ -220,21 +220,21 @@ struct TangentLauncher {
   }
 };
 
-/// The operations of an element type with law number `law`. Instantiated in a generated file a law.
-template <std::size_t law>
-TangentOperations tangentsOfLaw(ElementType type) {
-  using LawType = std::variant_alternative_t<law, Law>;
-  TangentOperations all;
-  visitElement(type, [&](auto tag) {
-    using Element = typename decltype(tag)::type;
-    using Launcher = TangentLauncher<Element, LawType>;
-    if constexpr (std::is_same_v<Element, Tet4>) all.assembleRings = &Launcher::assembleRings;
-    if constexpr (Element::order == 1) {
-      all.restTangents = &Launcher::template implicitElements<true>;
-      all.turnTangents = &Launcher::template implicitElements<false>;
-    }
+/// Sets the operations of an element type with law number `law` when the law is in this shard. Instantiated in a
+/// generated file a shard.
+template <std::size_t shard>
+void tangentOperationsOfShard(ElementType type, std::size_t law, TangentOperations& result) {
+  visitLawOfShard<shard>(law, [&](auto lawTag) {
+    visitElement(type, [&](auto tag) {
+      using Element = typename decltype(tag)::type;
+      using Launcher = TangentLauncher<Element, typename decltype(lawTag)::type>;
+      if constexpr (std::is_same_v<Element, Tet4>) result.assembleRings = &Launcher::assembleRings;
+      if constexpr (Element::order == 1) {
+        result.restTangents = &Launcher::template implicitElements<true>;
+        result.turnTangents = &Launcher::template implicitElements<false>;
+      }
+    });
   });
-  return all;
 }
 
 }  // namespace ringwatch::detail

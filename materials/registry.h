@@ -2,6 +2,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
 #include <ringwatch/base/type_list.h>
@@ -22,6 +24,24 @@ std::variant<Ls...> lawVariant(TypeList<Ls...>);
 }
 /// Any one of `Laws`.
 using Law = decltype(detail::lawVariant(Laws{}));
+
+/// Code for all laws is compiled side by side in this many files: file s holds the laws with number % lawShards == s.
+/// cmake/RingwatchTargets.cmake has the same number, and each file checks that.
+inline constexpr std::size_t lawShards = 4;
+
+/// Calls visit(TypeTag<L>{}) when law number `law` of `Laws` is in that file.
+template <std::size_t shard, class Visit>
+void visitLawOfShard(std::size_t law, Visit&& visit) {
+  static_assert(shard < lawShards);
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    const auto tryLaw = [&]<std::size_t number>(std::integral_constant<std::size_t, number>) {
+      if constexpr (number % lawShards == shard)
+        if (number == law) visit(TypeTag<std::variant_alternative_t<number, Law>>{});
+    };
+    (tryLaw(std::integral_constant<std::size_t, i>{}), ...);
+  }
+  (std::make_index_sequence<std::variant_size_v<Law>>{});
+}
 
 /// A law and a density, kg/m³.
 struct Material {

@@ -1,14 +1,18 @@
-# cmake -D WAY=find_package|add_subdirectory -D SOURCE=… -D BUILD=… -D WORK=… … -P run_consumer.cmake
-# Installs the build tree into a folder of its own if need be, then configures, builds and runs the outside project.
+# cmake -D WAY=find_package|component|add_subdirectory -D SOURCE=… -D BUILD=… -D WORK=… … -P run_consumer.cmake
+# Installs the build tree into a folder of its own if need be, then configures, builds and runs an outside project.
 file(REMOVE_RECURSE ${WORK})
-set(configure ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/outside -B ${WORK}/build -G ${GENERATOR}
-  -D CMAKE_CXX_COMPILER=${COMPILER})
-if(WAY STREQUAL "find_package")
+set(configure ${CMAKE_COMMAND} -B ${WORK}/build -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${COMPILER})
+if(WAY STREQUAL "add_subdirectory")
+  list(APPEND configure -S ${CMAKE_CURRENT_LIST_DIR}/outside -D OUTSIDE_RINGWATCH_SOURCE=${SOURCE} -D CMAKE_BUILD_TYPE=Debug)
+else()
   execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   list(APPEND configure -D CMAKE_PREFIX_PATH=${WORK}/prefix -D CMAKE_BUILD_TYPE=${BUILD_TYPE})
-else()
-  list(APPEND configure -D OUTSIDE_RINGWATCH_SOURCE=${SOURCE} -D CMAKE_BUILD_TYPE=Debug)
+  if(WAY STREQUAL "component")
+    list(APPEND configure -S ${CMAKE_CURRENT_LIST_DIR}/outside_monitor -D PROGRAM=${SOURCE}/examples/embed_tangents.cpp)
+  else()
+    list(APPEND configure -S ${CMAKE_CURRENT_LIST_DIR}/outside)
+  endif()
 endif()
 execute_process(COMMAND ${configure} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --target outside COMMAND_ERROR_IS_FATAL ANY)
