@@ -13,9 +13,9 @@ using BatchMaker = std::unique_ptr<ElementBlock> (*)(const Mesh&, const MeshBloc
 template <std::size_t shard>
 BatchMaker batchMakerOfShard(ElementType type, std::size_t law) {
   BatchMaker result = nullptr;
-  visitLawOfShard<shard>(law, [&](auto lawTag) {
+  visitLawOfShard<shard>(law, [&]<class LawType>(TypeTag<LawType>) {
     visitElement(type, [&](auto elementTag) {
-      using Batch = ElementBatch<typename decltype(elementTag)::type, typename decltype(lawTag)::type>;
+      using Batch = ElementBatch<typename decltype(elementTag)::type, LawType>;
       result = [](const Mesh& mesh, const MeshBlock& block, const Material& material,
                   const QuadratureRule& rule) -> std::unique_ptr<ElementBlock> {
         return std::make_unique<Batch>(mesh, block, material, rule);

@@ -435,11 +435,11 @@ struct CertificateLauncher {
 /// generated file a shard.
 template <std::size_t shard>
 void certificateOperationsOfShard(ElementType type, std::size_t law, CertificateOperations& result) {
-  visitLawOfShard<shard>(law, [&](auto lawTag) {
+  visitLawOfShard<shard>(law, [&]<class LawType>(TypeTag<LawType>) {
     visitElement(type, [&](auto tag) {
       using Element = typename decltype(tag)::type;
       if constexpr (Element::order == 1) {
-        using Launcher = CertificateLauncher<Element, typename decltype(lawTag)::type>;
+        using Launcher = CertificateLauncher<Element, LawType>;
         result = {&Launcher::start, &Launcher::evaluate, &Launcher::sweep,
                   &Launcher::deal,  &Launcher::step,     &Launcher::refresh};
       }

@@ -415,11 +415,10 @@ struct PatchLauncher {
 /// in a generated file a shard.
 template <std::size_t shard, class R>
 void patchOperationsOfShard(ElementType type, std::size_t law, PatchOperations<R>& result) {
-  visitLawOfShard<shard>(law, [&](auto lawTag) {
+  visitLawOfShard<shard>(law, [&]<class LawType>(TypeTag<LawType>) {
     visitElement(type, [&](auto tag) {
       using Element = typename decltype(tag)::type;
-      if constexpr (Element::order == 1)
-        result = PatchLauncher<Element, typename decltype(lawTag)::type, R>::operations();
+      if constexpr (Element::order == 1) result = PatchLauncher<Element, LawType, R>::operations();
     });
   });
 }

@@ -224,10 +224,10 @@ struct TangentLauncher {
 /// generated file a shard.
 template <std::size_t shard>
 void tangentOperationsOfShard(ElementType type, std::size_t law, TangentOperations& result) {
-  visitLawOfShard<shard>(law, [&](auto lawTag) {
+  visitLawOfShard<shard>(law, [&]<class LawType>(TypeTag<LawType>) {
     visitElement(type, [&](auto tag) {
       using Element = typename decltype(tag)::type;
-      using Launcher = TangentLauncher<Element, typename decltype(lawTag)::type>;
+      using Launcher = TangentLauncher<Element, LawType>;
       if constexpr (std::is_same_v<Element, Tet4>) result.assembleRings = &Launcher::assembleRings;
       if constexpr (Element::order == 1) {
         result.restTangents = &Launcher::template implicitElements<true>;
