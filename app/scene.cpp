@@ -17,6 +17,7 @@
 #include <ringwatch/app/scene_mesh.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/node_order.h>
@@ -49,16 +50,7 @@ struct Section {
 };
 
 [[noreturn]] void fail(const std::string& origin, const std::string& key, const std::string& what) {
-  throw InputError(fmt::format("{}: {}: {}", origin, key, what));
-}
-
-std::string inQuotes(std::string_view text) {
-  std::string result = "\"";
-  for (char c : text.substr(0, 80)) {
-    const auto byte = static_cast<unsigned char>(c);
-    result += byte < 0x20 || byte == 0x7f ? '?' : c;
-  }
-  return result + (text.size() > 80 ? "…\"" : "\"");
+  throw InputError(fmt::format("{}: {}: {}", origin, shortened(key), what));
 }
 
 std::string withArticle(std::string_view type) {
@@ -220,9 +212,9 @@ class Reader {
       if (!node.is_table() && !node.is_array_of_tables())
         fail(originOf(name, node), name,
              fmt::format("a key outside of a section; sections are {}", fmt::join(known, ", ")));
-      fail(originOf(name, node), fmt::format("[{}]", name),
-           fmt::format("unknown section {}; did you mean \"{}\"? known are {}", inQuotes(name),
-                       nearestName(name, known), fmt::join(known, ", ")));
+      fail(originOf(name, node), fmt::format("[{}]", shortened(name)),
+           fmt::format("unknown section {}; {}known are {}", inQuotes(name), didYouMean(name, known),
+                       fmt::join(known, ", ")));
     }
   }
 
@@ -257,8 +249,8 @@ class Reader {
       }
       if (!found)
         fail(origin, name + "." + key,
-             fmt::format("unknown key {} in [{}]; did you mean \"{}\"? known are {}", inQuotes(key), name,
-                         nearestName(key, known), fmt::join(known, ", ")));
+             fmt::format("unknown key {} in [{}]; {}known are {}", inQuotes(key), name, didYouMean(key, known),
+                         fmt::join(known, ", ")));
       section.entries[key] = {check(*found, node, origin), origin, true};
     }
     for (const SceneKey& key : sceneKeys()) {
@@ -299,9 +291,8 @@ class Reader {
       std::string value = **n.as_string();
       if (!key.choices.empty() && std::find(key.choices.begin(), key.choices.end(), value) == key.choices.end())
         fail(origin, name,
-             fmt::format("unknown {}; did you mean \"{}\"? must be {}{}", inQuotes(value),
-                         nearestName(value, key.choices), key.choices.size() > 1 ? "one of " : "",
-                         fmt::join(key.choices, ", ")));
+             fmt::format("unknown {}; {}must be {}{}", inQuotes(value), didYouMean(value, key.choices),
+                         key.choices.size() > 1 ? "one of " : "", fmt::join(key.choices, ", ")));
       return value;
     };
     const auto list = [&](const auto& element) {
@@ -659,8 +650,8 @@ std::vector<std::int32_t> NodeSelection::nodesOf(const Mesh& mesh) const {
       throw InputError(fmt::format("{}: the node set {} is empty", origin, inQuotes(set)));
     throw InputError(known.empty()
                          ? fmt::format("{}: unknown node set {}; the mesh has no named sets", origin, inQuotes(set))
-                         : fmt::format("{}: unknown node set {}; did you mean \"{}\"? the mesh has {}", origin,
-                                       inQuotes(set), nearestName(set, known), fmt::join(known, ", ")));
+                         : fmt::format("{}: unknown node set {}; {}the mesh has {}", origin, inQuotes(set),
+                                       didYouMean(set, known), shortList(known)));
   }
   std::vector<std::int32_t> nodes;
   try {

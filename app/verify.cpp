@@ -11,7 +11,7 @@
 #include <ringwatch/app/subprocess.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
 #include <ringwatch/verify/deformations.h>
 #include <ringwatch/verify/elements.h>
 #include <ringwatch/verify/handlers.h>
@@ -177,7 +177,7 @@ std::vector<StudyReport> runStudies(const std::vector<std::string>& names, Study
     if (found == studies.end()) {
       std::string known = "all";
       for (const StudyInfo& s : studies) known += fmt::format(", {}", s.name);
-      throw InputError(fmt::format("verify: \"{}\": there is no such study; known are {}", name, known));
+      throw InputError(fmt::format("verify: {}: there is no such study; known are {}", inQuotes(name), known));
     }
     chosen.push_back(found);
   }
