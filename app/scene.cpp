@@ -614,6 +614,50 @@ void readCutSection(const Section& section, Scene& scene) {
   }
 }
 
+/// What the [[fix]] and [[move]] of a scene prescribe at each component of each node. Two that ask for different
+/// velocities at one of them are refused.
+class PrescribedMotions {
+ public:
+  explicit PrescribedMotions(std::int32_t nodes) : by_(3 * static_cast<std::size_t>(nodes), -1) {}
+
+  void add(const std::string& origin, const std::vector<std::int32_t>& nodes, const std::array<bool, 3>& components,
+           const Eigen::Vector3d& velocity) {
+    const auto own = static_cast<std::int32_t>(all_.size());
+    all_.push_back({origin, velocity});
+    std::map<std::int32_t, std::pair<std::size_t, int>> conflicts;  // of an earlier one: shared nodes, first component
+    for (const std::int32_t node : nodes) {
+      std::int32_t counted = -1;
+      for (int c = 0; c < 3; ++c) {
+        if (!components[static_cast<std::size_t>(c)]) continue;
+        std::int32_t& by = by_[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(c)];
+        if (by < 0) {
+          by = own;
+        } else if (all_[static_cast<std::size_t>(by)].velocity[c] != velocity[c] && by != counted) {
+          conflicts.try_emplace(by, 0, c).first->second.first += 1;
+          counted = by;
+        }
+      }
+    }
+    if (conflicts.empty()) return;
+    const auto& [other, shared] = *conflicts.begin();
+    const auto& [count, c] = shared;
+    throw InputError(
+        fmt::format("{}: it prescribes another velocity than {} at {} node{} of both ({} and {} m/s along {}); change "
+                    "a condition or "
+                    "components so that no node has two",
+                    origin, all_[static_cast<std::size_t>(other)].origin, count, count == 1 ? "" : "s", velocity[c],
+                    all_[static_cast<std::size_t>(other)].velocity[c], "xyz"[c]));
+  }
+
+ private:
+  struct Motion {
+    std::string origin;
+    Eigen::Vector3d velocity;  // m/s
+  };
+  std::vector<Motion> all_;
+  std::vector<std::int32_t> by_;  // [node][component]: which of all_; -1: none
+};
+
 Json echoOf(const std::vector<Section>& sections) {
   Json echo = Json::object();
   for (const Section& section : sections) {
@@ -750,14 +794,21 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads) {
   } catch (const NumericalError& fault) {
     throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));  // the mesh is what the user can mend
   }
-  for (const Scene::Fix& fix : scene.fixes)
-    for (std::int32_t node : fix.nodes.nodesOf(body->mesh()))
+  PrescribedMotions prescribed(body->nodeCount());
+  for (const Scene::Fix& fix : scene.fixes) {
+    const std::vector<std::int32_t> nodes = fix.nodes.nodesOf(body->mesh());
+    prescribed.add(fix.nodes.origin, nodes, fix.components, Eigen::Vector3d::Zero());
+    for (std::int32_t node : nodes)
       for (int c = 0; c < 3; ++c)
         if (fix.components[static_cast<std::size_t>(c)]) body->constraints().fix(node, c);
-  for (const Scene::Move& move : scene.moves)
-    for (std::int32_t node : move.nodes.nodesOf(body->mesh()))
+  }
+  for (const Scene::Move& move : scene.moves) {
+    const std::vector<std::int32_t> nodes = move.nodes.nodesOf(body->mesh());
+    prescribed.add(move.nodes.origin, nodes, move.components, move.velocity);
+    for (std::int32_t node : nodes)
       for (int c = 0; c < 3; ++c)
         if (move.components[static_cast<std::size_t>(c)]) body->constraints().move(node, c, move.velocity[c]);
+  }
   for (const Scene::Force& force : scene.forces) {
     const std::vector<std::int32_t> nodes = force.nodes.nodesOf(body->mesh());
     double mass = 0;
