@@ -14,6 +14,7 @@ namespace {
 
 using namespace test;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::string msh(const std::string& nodes, const std::string& elements) {
   return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + nodes + "$EndNodes\n$Elements\n" + elements +
@@ -126,6 +127,25 @@ TEST(BadInput, TetgenFaults) {
   }
   std::filesystem::remove(folder / "t.ele");
   EXPECT_THAT(errorOf([&] { readMesh(folder / "t.node"); }), HasSubstr("t.ele: cannot read"));
+}
+
+TEST(BadInput, EveryFormatIsNamedAndHasAReader) {
+  const TemporaryFolder folder;
+  writeBytes(folder / "a.stl", "solid\n");
+  const std::string unknown = errorOf([&] { readMesh(folder / "a.stl"); });
+  for (const MeshFormatInfo& format : allMeshFormats()) {
+    const std::string extensions(format.extensions);
+    EXPECT_THAT(unknown, HasSubstr(std::string(format.name) + " (" + extensions + ")"));
+    EXPECT_THAT(readableExtensions(), HasSubstr(extensions));
+    const std::string file = "a" + extensions.substr(0, extensions.find('/'));
+    writeBytes(folder / file, "solid\n");
+    EXPECT_THAT(errorOf([&] { readMesh(folder / file); }), Not(HasSubstr("not a known mesh format"))) << extensions;
+    if (format.writes)
+      EXPECT_NO_THROW(writeMesh(mixedMesh(), folder / ("b" + extensions))) << extensions;
+    else
+      EXPECT_THAT(errorOf([&] { writeMesh(mixedMesh(), folder / file); }), HasSubstr("use .msh or .vtu")) << extensions;
+  }
+  EXPECT_EQ(writableExtensions(), ".msh or .vtu");
 }
 
 TEST(BadInput, FilesThatCannotBeReadOrAreNoMesh) {
