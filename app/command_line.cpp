@@ -278,6 +278,7 @@ struct InspectCommand {
 
   ExitStatus execute() {
     if (stepOption->count() > 0) options.step = step;
+  bool allProblems = false;
     if (!vtu.empty()) options.vtu = vtu;
     if (!picture.empty()) options.picture = picture;
     options.lumping = lumping == "equal" ? Lumping::equal : Lumping::rowSum;
@@ -311,11 +312,11 @@ struct MeshCommand {
         "Kinds and their parameters, lists as --size 0.2 0.04 0.04 or --size 0.2,0.04,0.04:\n" + generatorHelp() +
         "\nExample: ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 --element hex8 -o bar.msh");
     convert = command->add_subcommand("convert", "read a mesh and write it in another format");
-    convert->add_option("IN", input, "mesh file: .msh, .node/.ele, .vtu or .vtk")->required();
-    convert->add_option("OUT", target, "mesh file to write: .msh or .vtu")->required();
-    check = command->add_subcommand("check",
-                                    "list everything that is wrong with a mesh; exit status 1 when there is something");
-    check->add_option("MESH", checked, "mesh file")->required();
+    convert->add_option("IN", input, "mesh file: " + readableExtensions())->required();
+    convert->add_option("OUT", target, "mesh file to write: " + writableExtensions())->required();
+    check = command->add_subcommand("check", "list what is wrong with a mesh; exit status 1 when there is something");
+    check->add_option("MESH", checked, "mesh file: " + readableExtensions())->required();
+    check->add_flag("--all", allProblems, "list every problem, not the first ten");
   }
 
   ExitStatus execute() const {
@@ -367,11 +368,18 @@ struct MeshCommand {
     const std::vector<MeshProblem> problems = checkMeshFile(checked, &notes);
     std::string text;
     for (const std::string& note : notes) text += "note: " + note + "\n";
-    for (const MeshProblem& problem : problems)
-      text += fmt::format("{}: {}\n", problemName(problem.kind), problem.text);
-    text += problems.empty()
-                ? fmt::format("{}: nothing wrong\n", checked)
-                : fmt::format("{}: {} problem{}\n", checked, problems.size(), problems.size() == 1 ? "" : "s");
+    constexpr std::size_t shownAtFirst = 10;
+    const std::size_t shown = allProblems ? problems.size() : std::min(shownAtFirst, problems.size());
+    for (std::size_t i = 0; i < shown; ++i)
+      text += fmt::format("{}: {}\n", problemName(problems[i].kind), problems[i].text);
+    if (shown < problems.size()) text += fmt::format("… and {} more; --all lists them\n", problems.size() - shown);
+    std::map<std::string_view, std::size_t> counts;
+    for (const MeshProblem& problem : problems) ++counts[problemName(problem.kind)];
+    std::string kinds;
+    for (const auto& [name, count] : counts) kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, name);
+    text += problems.empty()       ? fmt::format("{}: nothing wrong\n", checked)
+            : problems.size() == 1 ? fmt::format("{}: 1 problem\n", checked)
+                                   : fmt::format("{}: {} problems: {}\n", checked, problems.size(), kinds);
     printOut(text);
     return problems.empty() ? ExitStatus::done : ExitStatus::unstable;
   }

@@ -68,6 +68,7 @@ double limitOf(const std::string& integrator) {
 Body makeBody(const InspectOptions& options, std::vector<std::string>& notes) {
   const Material material = makeMaterial(options.model, options.young, options.poisson, options.density);
   Mesh mesh = loadMesh(options.mesh, &notes);
+  for (std::string& note : meshNotes(mesh, options.mesh.string())) notes.push_back(std::move(note));
   BodyOptions bodyOptions;
   bodyOptions.lumping = options.lumping;
   bodyOptions.threads = threadsThatPay(options.threads, mesh);

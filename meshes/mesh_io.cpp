@@ -146,6 +146,11 @@ std::vector<MeshProblem> checkMeshFile(const fs::path& path, std::vector<std::st
     problem.text = path.string() + ": " + problem.text;
     problems.push_back(std::move(problem));
   }
+  const bool complete = std::none_of(problems.begin(), problems.end(), [](const MeshProblem& problem) {
+    return problem.kind == MeshProblem::Kind::missingNode || problem.kind == MeshProblem::Kind::nonFinite;
+  });
+  if (notes != nullptr && complete)
+    for (std::string& note : meshNotes(mesh, path.string())) notes->push_back(std::move(note));
   return problems;
 }
 
