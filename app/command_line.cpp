@@ -7,6 +7,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <map>
 #include <new>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 
 #include <ringwatch/app/compare.h>
 #include <ringwatch/app/exit_status.h>
+#include <ringwatch/app/help.h>
 #include <ringwatch/app/inspect.h>
 #include <ringwatch/app/integrator_catalog.h>
 #include <ringwatch/app/report.h>
@@ -24,6 +26,7 @@
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/monitor/metrics.h>
@@ -60,60 +63,30 @@ class InterruptGuard {
   }, oldTerminate_{};
 };
 
-template <class Table>
-std::string listing(const Table& table) {
-  std::string text;
-  for (const auto& entry : table) text += fmt::format("  {:<17} {}\n", entry.name, entry.help);
-  return text;
-}
-
-std::string integratorListing() {
-  std::string text;
-  for (const IntegratorInfo& info : integratorInfos())
-    text += fmt::format("  {:<17} {}; stable for h omega {}\n", info.name, info.help,
-                        std::isinf(info.imaginaryLimit) ? "at every step"
-                        : info.imaginaryLimit > 0       ? fmt::format("< {:.6g}", info.imaginaryLimit)
-                                                        : "at no step");
-  return text;
-}
-
-std::string metricListing() {
-  std::string text;
-  for (const MetricInfo& info : allMetrics())
-    text +=
-        fmt::format("  {:<31} {}; of the highest frequency: {}\n", info.name, info.help, directionName(info.direction));
-  return text;
-}
-
-std::string exitStatusListing() {
-  std::string text;
-  for (const ExitStatusInfo& info : exitStatuses)
-    text += fmt::format("  {}  {}\n", static_cast<int>(info.status), info.meaning);
-  return text;
-}
+/// Where the help of a command sends for what is not its own.
+std::string seeTopics(std::string_view topics) { return fmt::format("More: ringwatch help {}\n", topics); }
 
 /// What the help of every command says of its exit status.
 constexpr const char* exitStatusHint =
-    "\nExit status: 0 when all is well; ringwatch --help has the table of the others.";
+    "\nExit status: 0 when all is well; ringwatch help exit-status has the table of the others.";
 
 std::string mainFooter() {
-  return "Everything in SI units: m, s, kg, N, Pa, J.\n\n"
-         "Exit status:\n" +
-         exitStatusListing() +
+  return std::string(unitsText) + "\n" + findHelpTopic("exit-status")->text() +
          "\n"
          "Examples:\n"
          "  ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 -o bar.msh\n"
          "  ringwatch inspect bar.msh --young 30e3 --poisson 0.3 --density 1000 --metric all --global\n"
          "  ringwatch run examples/stretch_bar.toml --out out/stretch_bar\n"
          "  ringwatch compare examples/swinging_bar.toml --integrators all --out out/compare\n"
-         "  ringwatch run scene.toml --set integrator.step=1e-4 --set output.every=0.01\n"
-         "  ringwatch run --help-scene\n\n"
-         "Laws:\n" +
-         listing(allLaws()) + "\nIntegrators:\n" + integratorListing() + "\nMetrics:\n" + metricListing() +
-         "\nMesh generators:\n" + generatorHelp();
+         "  ringwatch run scene.toml --set integrator.step=1e-4 --set output.every=0.01\n\n"
+         "Topics of ringwatch help TOPIC:\n" +
+         helpTopicListing();
 }
 
-/// A text on one line: what reaches standard error must not break it.
+/// A word of a message is shown to this length: file names fit in, and no argument fills the screen.
+constexpr std::size_t longestWord = 400;
+
+/// A text on one line, with every word shortened: what reaches standard error must not break it.
 std::string oneLine(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
   std::string result;
@@ -121,6 +94,16 @@ std::string oneLine(std::string text) {
     const bool space = c == '\n' || c == '\r' || c == '\t';
     if (!space || (!result.empty() && result.back() != ' '))
       result += space ? ' ' : static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+  }
+  for (std::size_t begin = 0; begin < result.size();) {
+    const std::size_t end = std::min(result.find(' ', begin), result.size());
+    if (end - begin > longestWord) {
+      const std::string word = shortened(std::string_view(result).substr(begin, end - begin), longestWord);
+      result.replace(begin, end - begin, word);
+      begin += word.size() + 1;
+    } else {
+      begin = end + 1;
+    }
   }
   return result;
 }
@@ -144,7 +127,7 @@ struct RunCommand {
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
-    command->add_option("SCENE", scene, "scene file (TOML); see --help-scene");
+    command->add_option("SCENE", scene, "scene file (TOML); see ringwatch help scene");
     command->add_option("--out", folder,
                         "folder for the results, made when missing (default: out/ and the scene's name)");
     command->add_option("--set", overrides, "section.key=value, replaces the value of the scene; may be given again")
@@ -154,7 +137,7 @@ struct RunCommand {
                      "threads (default: as many as the mesh keeps busy); results do not depend on it")
         ->check(CLI::Range(0, 4096));
     command->add_flag("--quiet", quiet, "print nothing but errors; the exit status tells how it went");
-    command->add_flag("--help-scene", helpScene, "list every key of a scene file");
+    command->add_flag("--help-scene", helpScene, "list every key of a scene file, as ringwatch help scene does");
     command->footer(
         std::string("Writes history.csv, summary.json, critical_step.png and, with output.every, run.pvd for "
                     "ParaView.\n") +
@@ -166,8 +149,7 @@ struct RunCommand {
       printOut(sceneHelp());
       return ExitStatus::done;
     }
-    if (scene.empty())
-      throw InputError("run: SCENE is missing; give a scene file (TOML), see ringwatch run --help-scene");
+    if (scene.empty()) throw InputError("run: SCENE is missing; give a scene file (TOML), see ringwatch help scene");
     const Scene description = readScene(scene, overrides);
     RunOptions options;
     options.folder = folder.empty() ? std::filesystem::path("out") / std::filesystem::path(scene).stem()
@@ -221,8 +203,8 @@ struct CompareCommand {
     command->add_option("--out", folder, "folder for pictures, made when missing");
     command->footer(
         "Against a reference that is refined until it no longer changes. Errors are those of the positions at the end, "
-        "relative\nto the displacement.\n\nIntegrators:\n" +
-        integratorListing() + exitStatusHint);
+        "relative\nto the displacement.\n" +
+        seeTopics("integrators | handlers | scene") + exitStatusHint);
   }
 
   ExitStatus execute() const {
@@ -246,7 +228,7 @@ struct InspectCommand {
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
-    command->add_option("MESH", options.mesh, "mesh file: .msh, .node/.ele, .vtu or .vtk, in m")->required();
+    command->add_option("MESH", options.mesh, "mesh file: " + readableExtensions())->required();
     command->add_option("--young", options.young, "Young's modulus, Pa")->required();
     command->add_option("--poisson", options.poisson, "Poisson's ratio, > -1 and < 0.5")->required();
     command->add_option("--density", options.density, "density, kg/m3")->required();
@@ -272,13 +254,12 @@ struct InspectCommand {
     command->add_option("--vtu", vtu, "write the mesh with the steps by each metric for ParaView");
     command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
         ->check(CLI::Range(0, 4096));
-    command->footer("Laws:\n" + listing(allLaws()) + "\nIntegrators:\n" + integratorListing() + "\nMetrics:\n" +
-                    metricListing() + exitStatusHint);
+    command->footer(std::string(unitsText) + "\n" + seeTopics("laws | integrators | metrics | formats") +
+                    exitStatusHint);
   }
 
   ExitStatus execute() {
     if (stepOption->count() > 0) options.step = step;
-  bool allProblems = false;
     if (!vtu.empty()) options.vtu = vtu;
     if (!picture.empty()) options.picture = picture;
     options.lumping = lumping == "equal" ? Lumping::equal : Lumping::rowSum;
@@ -297,6 +278,7 @@ struct InspectCommand {
 struct MeshCommand {
   std::string kind, output, input, target, checked;
   std::map<std::string, std::vector<std::string>> parameters;  // of generators, as given
+  bool allProblems = false;
   CLI::App *generate = nullptr, *convert = nullptr, *check = nullptr;
 
   void declare(CLI::App& app) {
@@ -305,12 +287,14 @@ struct MeshCommand {
     command->footer(exitStatusHint);
     generate = command->add_subcommand("generate", "make a mesh");
     generate->add_option("KIND", kind, "kind of mesh")->required();
-    generate->add_option("-o,--output", output, "mesh file to write: .msh or .vtu")->required();
+    generate->add_option("-o,--output", output, "mesh file to write: " + writableExtensions())->required();
     for (const SceneKey& key : generatorSceneKeys())
       generate->add_option("--" + key.key, parameters[key.key], key.help)->expected(1, 3)->delimiter(',');
     generate->footer(
-        "Kinds and their parameters, lists as --size 0.2 0.04 0.04 or --size 0.2,0.04,0.04:\n" + generatorHelp() +
-        "\nExample: ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 --element hex8 -o bar.msh");
+        fmt::format("Kinds: {}. Lists are written as --size 0.2 0.04 0.04 or --size 0.2,0.04,0.04.\n",
+                    fmt::join(generatorNames(), ", ")) +
+        "Example: ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 --element hex8 -o bar.msh\n" +
+        "\nUnits, ranges and defaults of the parameters: ringwatch help generators");
     convert = command->add_subcommand("convert", "read a mesh and write it in another format");
     convert->add_option("IN", input, "mesh file: " + readableExtensions())->required();
     convert->add_option("OUT", target, "mesh file to write: " + writableExtensions())->required();
@@ -328,8 +312,8 @@ struct MeshCommand {
   ExitStatus executeGenerate() const {
     if (!findGenerator(kind)) {
       const std::vector<std::string> known = generatorNames();
-      throw InputError(fmt::format("KIND: unknown \"{}\"; did you mean \"{}\"? known are {}", kind,
-                                   nearestName(kind, known), fmt::join(known, ", ")));
+      throw InputError(fmt::format("KIND: unknown {}; {}known are {}", inQuotes(kind), didYouMean(kind, known),
+                                   fmt::join(known, ", ")));
     }
     nlohmann::ordered_json values = nlohmann::ordered_json::object();
     for (const auto& [name, texts] : parameters) {
@@ -397,8 +381,8 @@ struct VerifyCommand {
                         "write the results to this file; - for standard output, and nothing else there");
     command->add_option("--out", folder, "folder for pictures, made when missing");
     command->add_flag("--quick", quick, "coarser and shorter: seconds instead of minutes");
-    command->footer("Exit status 1 when a check fails; ringwatch --help has the table.\n\nStudies:\n" +
-                    listing(allStudies()));
+    command->footer("Exit status 1 when a check fails; ringwatch help exit-status has the table.\n\n" +
+                    findHelpTopic("studies")->text());
   }
 
   ExitStatus execute() const {
@@ -420,6 +404,45 @@ struct VerifyCommand {
   }
 };
 
+struct HelpCommand {
+  std::vector<std::string> words;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("help", "explain a topic or a command");
+    command->add_option("TOPIC", words, "one of the topics below, or a command such as run or mesh generate");
+    command->footer("Topics:\n" + helpTopicListing());
+  }
+
+  ExitStatus execute(const CLI::App& app) const {
+    if (words.size() == 1)
+      if (const HelpTopic* topic = findHelpTopic(words[0])) {
+        printOut(topic->text());
+        return ExitStatus::done;
+      }
+    const auto isCommand = [](const CLI::App*) { return true; };
+    const CLI::App* command = &app;
+    std::string name = app.get_name();
+    for (const std::string& word : words) {
+      std::vector<std::string> known;
+      const CLI::App* found = nullptr;
+      for (const CLI::App* next : command->get_subcommands(isCommand)) {
+        known.push_back(next->get_name());
+        if (next->get_name() == word) found = next;
+      }
+      if (command == &app)
+        for (const HelpTopic& topic : helpTopics()) known.emplace_back(topic.name);
+      if (!found)
+        throw InputError(known.empty() ? fmt::format("help: {} has no command {}", name, inQuotes(word))
+                                       : fmt::format("help: unknown topic {}; {}known are {}", inQuotes(word),
+                                                     didYouMean(word, known), fmt::join(known, ", ")));
+      command = found;
+      name += " " + word;
+    }
+    printOut(app.get_formatter()->make_help(command, name, CLI::AppFormatMode::Normal));
+    return ExitStatus::done;
+  }
+};
+
 /// CLI11's message for a wrong usage, on one line, with the nearest known option or command.
 std::string usageText(const CLI::App& app, const CLI::ParseError& fault) {
   std::string text = oneLine(fault.what());
@@ -434,7 +457,9 @@ std::string usageText(const CLI::App& app, const CLI::ParseError& fault) {
     for (const CLI::App* command : innermost->get_subcommands([](const CLI::App*) { return true; }))
       known.push_back(command->get_name());
     const std::string extra = app.remaining(true).front();
-    text = fmt::format("unknown argument \"{}\"; did you mean \"{}\"?", extra, nearestName(extra, known));
+    const std::string hint = didYouMean(extra, known);
+    text = fmt::format("unknown argument {}{}", inQuotes(extra),
+                       hint.empty() ? "" : "; " + hint.substr(0, hint.size() - 1));
   }
   return text + "; see ringwatch --help";
 }
@@ -450,6 +475,8 @@ ExitStatus dispatch(int argc, char** argv) {
   MeshCommand mesh;
   VerifyCommand verify;
   CompareCommand compare;
+  HelpCommand help;
+  help.declare(app);
   run.declare(app);
   inspect.declare(app);
   mesh.declare(app);
@@ -463,6 +490,7 @@ ExitStatus dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& fault) {
     return complain(usageText(app, fault), ExitStatus::badInput);
   }
+  if (app.got_subcommand("help")) return help.execute(app);
   if (app.got_subcommand("run")) return run.execute();
   if (app.got_subcommand("inspect")) return inspect.execute();
   if (app.got_subcommand("verify")) return verify.execute();
