@@ -7,12 +7,15 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <map>
 #include <new>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <ringwatch/app/compare.h>
+#include <ringwatch/app/exit_status.h>
+#include <ringwatch/app/help.h>
 #include <ringwatch/app/inspect.h>
 #include <ringwatch/app/integrator_catalog.h>
 #include <ringwatch/app/report.h>
@@ -23,6 +26,7 @@
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/monitor/metrics.h>
@@ -59,50 +63,30 @@ class InterruptGuard {
   }, oldTerminate_{};
 };
 
-template <class Table>
-std::string listing(const Table& table) {
-  std::string text;
-  for (const auto& entry : table) text += fmt::format("  {:<17} {}\n", entry.name, entry.help);
-  return text;
-}
+/// Where the help of a command sends for what is not its own.
+std::string seeTopics(std::string_view topics) { return fmt::format("More: ringwatch help {}\n", topics); }
 
-std::string integratorListing() {
-  std::string text;
-  for (const IntegratorInfo& info : integratorInfos())
-    text += fmt::format("  {:<17} {}; stable for h omega {}\n", info.name, info.help,
-                        std::isinf(info.imaginaryLimit) ? "at every step"
-                        : info.imaginaryLimit > 0       ? fmt::format("< {:.6g}", info.imaginaryLimit)
-                                                        : "at no step");
-  return text;
-}
-
-std::string metricListing() {
-  std::string text;
-  for (const MetricInfo& info : allMetrics())
-    text +=
-        fmt::format("  {:<31} {}; of the highest frequency: {}\n", info.name, info.help, directionName(info.direction));
-  return text;
-}
+/// What the help of every command says of its exit status.
+constexpr const char* exitStatusHint =
+    "\nExit status: 0 when all is well; ringwatch help exit-status has the table of the others.";
 
 std::string mainFooter() {
-  return "Everything in SI units: m, s, kg, N, Pa, J.\n\n"
-         "Exit status:\n"
-         "  0  done and stable\n"
-         "  1  the run failed: instability found, a bound violated, no convergence\n"
-         "  2  bad usage or bad input; one line on standard error says what and where\n\n"
+  return std::string(unitsText) + "\n" + findHelpTopic("exit-status")->text() +
+         "\n"
          "Examples:\n"
          "  ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 -o bar.msh\n"
          "  ringwatch inspect bar.msh --young 30e3 --poisson 0.3 --density 1000 --metric all --global\n"
          "  ringwatch run examples/stretch_bar.toml --out out/stretch_bar\n"
          "  ringwatch compare examples/swinging_bar.toml --integrators all --out out/compare\n"
-         "  ringwatch run scene.toml --set integrator.step=1e-4 --set output.every=0.01\n"
-         "  ringwatch run --help-scene\n\n"
-         "Laws:\n" +
-         listing(allLaws()) + "\nIntegrators:\n" + integratorListing() + "\nMetrics:\n" + metricListing() +
-         "\nMesh generators:\n" + generatorHelp();
+         "  ringwatch run scene.toml --set integrator.step=1e-4 --set output.every=0.01\n\n"
+         "Topics of ringwatch help TOPIC:\n" +
+         helpTopicListing();
 }
 
-/// A text on one line: what reaches standard error must not break it.
+/// A word of a message is shown to this length: file names fit in, and no argument fills the screen.
+constexpr std::size_t longestWord = 400;
+
+/// A text on one line, with every word shortened: what reaches standard error must not break it.
 std::string oneLine(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
   std::string result;
@@ -111,10 +95,20 @@ std::string oneLine(std::string text) {
     if (!space || (!result.empty() && result.back() != ' '))
       result += space ? ' ' : static_cast<unsigned char>(c) < 0x20 ? '?' : c;
   }
+  for (std::size_t begin = 0; begin < result.size();) {
+    const std::size_t end = std::min(result.find(' ', begin), result.size());
+    if (end - begin > longestWord) {
+      const std::string word = shortened(std::string_view(result).substr(begin, end - begin), longestWord);
+      result.replace(begin, end - begin, word);
+      begin += word.size() + 1;
+    } else {
+      begin = end + 1;
+    }
+  }
   return result;
 }
 
-int complain(const std::string& text, ExitStatus status) {
+ExitStatus complain(const std::string& text, ExitStatus status) {
   fmt::print(stderr, "ringwatch: {}\n", oneLine(text));
   return status;
 }
@@ -133,7 +127,7 @@ struct RunCommand {
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
-    command->add_option("SCENE", scene, "scene file (TOML); see --help-scene");
+    command->add_option("SCENE", scene, "scene file (TOML); see ringwatch help scene");
     command->add_option("--out", folder,
                         "folder for the results, made when missing (default: out/ and the scene's name)");
     command->add_option("--set", overrides, "section.key=value, replaces the value of the scene; may be given again")
@@ -143,18 +137,19 @@ struct RunCommand {
                      "threads (default: as many as the mesh keeps busy); results do not depend on it")
         ->check(CLI::Range(0, 4096));
     command->add_flag("--quiet", quiet, "print nothing but errors; the exit status tells how it went");
-    command->add_flag("--help-scene", helpScene, "list every key of a scene file");
+    command->add_flag("--help-scene", helpScene, "list every key of a scene file, as ringwatch help scene does");
     command->footer(
-        "Writes history.csv, summary.json, critical_step.png and, with output.every, run.pvd for ParaView.");
+        std::string("Writes history.csv, summary.json, critical_step.png and, with output.every, run.pvd for "
+                    "ParaView.\n") +
+        exitStatusHint);
   }
 
-  int execute() const {
+  ExitStatus execute() const {
     if (helpScene) {
       printOut(sceneHelp());
-      return exitStable;
+      return ExitStatus::done;
     }
-    if (scene.empty())
-      throw InputError("run: SCENE is missing; give a scene file (TOML), see ringwatch run --help-scene");
+    if (scene.empty()) throw InputError("run: SCENE is missing; give a scene file (TOML), see ringwatch help scene");
     const Scene description = readScene(scene, overrides);
     RunOptions options;
     options.folder = folder.empty() ? std::filesystem::path("out") / std::filesystem::path(scene).stem()
@@ -165,7 +160,7 @@ struct RunCommand {
     const InterruptGuard guard;
     const RunResult result = runScene(description, body, options);
     if (!quiet) printOut(summaryText(description, body, result, options.folder));
-    return result.stable() ? exitStable : exitUnstable;
+    return result.stable() ? ExitStatus::done : ExitStatus::unstable;
   }
 };
 
@@ -208,11 +203,11 @@ struct CompareCommand {
     command->add_option("--out", folder, "folder for pictures, made when missing");
     command->footer(
         "Against a reference that is refined until it no longer changes. Errors are those of the positions at the end, "
-        "relative\nto the displacement.\n\nIntegrators:\n" +
-        integratorListing());
+        "relative\nto the displacement.\n" +
+        seeTopics("integrators | handlers | scene") + exitStatusHint);
   }
 
-  int execute() const {
+  ExitStatus execute() const {
     const CompareResult result = compareScene(options);
     const std::string text = result.json.dump(2) + "\n";
     if (json == "-")
@@ -221,7 +216,7 @@ struct CompareCommand {
       printOut(studyText(result.report) + result.text);
     if (!json.empty() && json != "-") writeFileAtomically(json, text);
     if (!folder.empty()) drawInto(folder, result.report);
-    return exitStable;
+    return ExitStatus::done;
   }
 };
 
@@ -233,7 +228,7 @@ struct InspectCommand {
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
-    command->add_option("MESH", options.mesh, "mesh file: .msh, .node/.ele, .vtu or .vtk, in m")->required();
+    command->add_option("MESH", options.mesh, "mesh file: " + readableExtensions())->required();
     command->add_option("--young", options.young, "Young's modulus, Pa")->required();
     command->add_option("--poisson", options.poisson, "Poisson's ratio, > -1 and < 0.5")->required();
     command->add_option("--density", options.density, "density, kg/m3")->required();
@@ -259,11 +254,11 @@ struct InspectCommand {
     command->add_option("--vtu", vtu, "write the mesh with the steps by each metric for ParaView");
     command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
         ->check(CLI::Range(0, 4096));
-    command->footer("Laws:\n" + listing(allLaws()) + "\nIntegrators:\n" + integratorListing() + "\nMetrics:\n" +
-                    metricListing());
+    command->footer(std::string(unitsText) + "\n" + seeTopics("laws | integrators | metrics | formats") +
+                    exitStatusHint);
   }
 
-  int execute() {
+  ExitStatus execute() {
     if (stepOption->count() > 0) options.step = step;
     if (!vtu.empty()) options.vtu = vtu;
     if (!picture.empty()) options.picture = picture;
@@ -276,45 +271,49 @@ struct InspectCommand {
       if (!json.empty()) writeFileAtomically(json, text);
       printOut(result.text);
     }
-    return result.failure.empty() ? static_cast<int>(exitStable) : complain(result.failure, exitUnstable);
+    return result.failure.empty() ? ExitStatus::done : complain(result.failure, ExitStatus::unstable);
   }
 };
 
 struct MeshCommand {
   std::string kind, output, input, target, checked;
   std::map<std::string, std::vector<std::string>> parameters;  // of generators, as given
+  bool allProblems = false;
   CLI::App *generate = nullptr, *convert = nullptr, *check = nullptr;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("mesh", "generate, convert or check a mesh");
     command->require_subcommand(1);
+    command->footer(exitStatusHint);
     generate = command->add_subcommand("generate", "make a mesh");
     generate->add_option("KIND", kind, "kind of mesh")->required();
-    generate->add_option("-o,--output", output, "mesh file to write: .msh or .vtu")->required();
+    generate->add_option("-o,--output", output, "mesh file to write: " + writableExtensions())->required();
     for (const SceneKey& key : generatorSceneKeys())
       generate->add_option("--" + key.key, parameters[key.key], key.help)->expected(1, 3)->delimiter(',');
     generate->footer(
-        "Kinds and their parameters, lists as --size 0.2 0.04 0.04 or --size 0.2,0.04,0.04:\n" + generatorHelp() +
-        "\nExample: ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 --element hex8 -o bar.msh");
+        fmt::format("Kinds: {}. Lists are written as --size 0.2 0.04 0.04 or --size 0.2,0.04,0.04.\n",
+                    fmt::join(generatorNames(), ", ")) +
+        "Example: ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 --element hex8 -o bar.msh\n" +
+        "\nUnits, ranges and defaults of the parameters: ringwatch help generators");
     convert = command->add_subcommand("convert", "read a mesh and write it in another format");
-    convert->add_option("IN", input, "mesh file: .msh, .node/.ele, .vtu or .vtk")->required();
-    convert->add_option("OUT", target, "mesh file to write: .msh or .vtu")->required();
-    check = command->add_subcommand("check",
-                                    "list everything that is wrong with a mesh; exit status 1 when there is something");
-    check->add_option("MESH", checked, "mesh file")->required();
+    convert->add_option("IN", input, "mesh file: " + readableExtensions())->required();
+    convert->add_option("OUT", target, "mesh file to write: " + writableExtensions())->required();
+    check = command->add_subcommand("check", "list what is wrong with a mesh; exit status 1 when there is something");
+    check->add_option("MESH", checked, "mesh file: " + readableExtensions())->required();
+    check->add_flag("--all", allProblems, "list every problem, not the first ten");
   }
 
-  int execute() const {
+  ExitStatus execute() const {
     if (generate->parsed()) return executeGenerate();
     return convert->parsed() ? executeConvert() : executeCheck();
   }
 
  private:
-  int executeGenerate() const {
+  ExitStatus executeGenerate() const {
     if (!findGenerator(kind)) {
       const std::vector<std::string> known = generatorNames();
-      throw InputError(fmt::format("KIND: unknown \"{}\"; did you mean \"{}\"? known are {}", kind,
-                                   nearestName(kind, known), fmt::join(known, ", ")));
+      throw InputError(fmt::format("KIND: unknown {}; {}known are {}", inQuotes(kind), didYouMean(kind, known),
+                                   fmt::join(known, ", ")));
     }
     nlohmann::ordered_json values = nlohmann::ordered_json::object();
     for (const auto& [name, texts] : parameters) {
@@ -328,7 +327,7 @@ struct MeshCommand {
     const Mesh mesh = generateMesh(kind, generatorArguments(values));
     writeMesh(mesh, output);
     printOut(fmt::format("{}: {} nodes, {}\n", output, mesh.nodeCount(), elementCounts(mesh)));
-    return exitStable;
+    return ExitStatus::done;
   }
 
   static nlohmann::ordered_json numberOrText(const std::string& text) {
@@ -339,27 +338,34 @@ struct MeshCommand {
     return text;
   }
 
-  int executeConvert() const {
+  ExitStatus executeConvert() const {
     std::vector<std::string> notes;
     const Mesh mesh = readMesh(input, &notes);
     writeMesh(mesh, target);
     for (const std::string& note : notes) printOut("note: " + note + "\n");
     printOut(fmt::format("{}: {} nodes, {}\n", target, mesh.nodeCount(), elementCounts(mesh)));
-    return exitStable;
+    return ExitStatus::done;
   }
 
-  int executeCheck() const {
+  ExitStatus executeCheck() const {
     std::vector<std::string> notes;
     const std::vector<MeshProblem> problems = checkMeshFile(checked, &notes);
     std::string text;
     for (const std::string& note : notes) text += "note: " + note + "\n";
-    for (const MeshProblem& problem : problems)
-      text += fmt::format("{}: {}\n", problemName(problem.kind), problem.text);
-    text += problems.empty()
-                ? fmt::format("{}: nothing wrong\n", checked)
-                : fmt::format("{}: {} problem{}\n", checked, problems.size(), problems.size() == 1 ? "" : "s");
+    constexpr std::size_t shownAtFirst = 10;
+    const std::size_t shown = allProblems ? problems.size() : std::min(shownAtFirst, problems.size());
+    for (std::size_t i = 0; i < shown; ++i)
+      text += fmt::format("{}: {}\n", problemName(problems[i].kind), problems[i].text);
+    if (shown < problems.size()) text += fmt::format("… and {} more; --all lists them\n", problems.size() - shown);
+    std::map<std::string_view, std::size_t> counts;
+    for (const MeshProblem& problem : problems) ++counts[problemName(problem.kind)];
+    std::string kinds;
+    for (const auto& [name, count] : counts) kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, name);
+    text += problems.empty()       ? fmt::format("{}: nothing wrong\n", checked)
+            : problems.size() == 1 ? fmt::format("{}: 1 problem\n", checked)
+                                   : fmt::format("{}: {} problems: {}\n", checked, problems.size(), kinds);
     printOut(text);
-    return problems.empty() ? exitStable : exitUnstable;
+    return problems.empty() ? ExitStatus::done : ExitStatus::unstable;
   }
 };
 
@@ -375,10 +381,11 @@ struct VerifyCommand {
                         "write the results to this file; - for standard output, and nothing else there");
     command->add_option("--out", folder, "folder for pictures, made when missing");
     command->add_flag("--quick", quick, "coarser and shorter: seconds instead of minutes");
-    command->footer("Exit status 1 when a check fails.\n\nStudies:\n" + listing(allStudies()));
+    command->footer("Exit status 1 when a check fails; ringwatch help exit-status has the table.\n\n" +
+                    findHelpTopic("studies")->text());
   }
 
-  int execute() const {
+  ExitStatus execute() const {
     const std::vector<StudyReport> reports = runStudies(studies, quick ? StudyEffort::quick : StudyEffort::full);
     const std::string results = studiesJson(reports).dump(2) + "\n";
     bool passed = true;
@@ -393,7 +400,46 @@ struct VerifyCommand {
     } else if (!json.empty()) {
       writeFileAtomically(json, results);
     }
-    return passed ? exitStable : exitUnstable;
+    return passed ? ExitStatus::done : ExitStatus::unstable;
+  }
+};
+
+struct HelpCommand {
+  std::vector<std::string> words;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("help", "explain a topic or a command");
+    command->add_option("TOPIC", words, "one of the topics below, or a command such as run or mesh generate");
+    command->footer("Topics:\n" + helpTopicListing());
+  }
+
+  ExitStatus execute(const CLI::App& app) const {
+    if (words.size() == 1)
+      if (const HelpTopic* topic = findHelpTopic(words[0])) {
+        printOut(topic->text());
+        return ExitStatus::done;
+      }
+    const auto isCommand = [](const CLI::App*) { return true; };
+    const CLI::App* command = &app;
+    std::string name = app.get_name();
+    for (const std::string& word : words) {
+      std::vector<std::string> known;
+      const CLI::App* found = nullptr;
+      for (const CLI::App* next : command->get_subcommands(isCommand)) {
+        known.push_back(next->get_name());
+        if (next->get_name() == word) found = next;
+      }
+      if (command == &app)
+        for (const HelpTopic& topic : helpTopics()) known.emplace_back(topic.name);
+      if (!found)
+        throw InputError(known.empty() ? fmt::format("help: {} has no command {}", name, inQuotes(word))
+                                       : fmt::format("help: unknown topic {}; {}known are {}", inQuotes(word),
+                                                     didYouMean(word, known), fmt::join(known, ", ")));
+      command = found;
+      name += " " + word;
+    }
+    printOut(app.get_formatter()->make_help(command, name, CLI::AppFormatMode::Normal));
+    return ExitStatus::done;
   }
 };
 
@@ -411,12 +457,14 @@ std::string usageText(const CLI::App& app, const CLI::ParseError& fault) {
     for (const CLI::App* command : innermost->get_subcommands([](const CLI::App*) { return true; }))
       known.push_back(command->get_name());
     const std::string extra = app.remaining(true).front();
-    text = fmt::format("unknown argument \"{}\"; did you mean \"{}\"?", extra, nearestName(extra, known));
+    const std::string hint = didYouMean(extra, known);
+    text = fmt::format("unknown argument {}{}", inQuotes(extra),
+                       hint.empty() ? "" : "; " + hint.substr(0, hint.size() - 1));
   }
   return text + "; see ringwatch --help";
 }
 
-int dispatch(int argc, char** argv) {
+ExitStatus dispatch(int argc, char** argv) {
   CLI::App app("ringwatch: how large a step can this explicit finite element run take, and what stands in the way",
                "ringwatch");
   app.set_version_flag("--version", "ringwatch " + std::string(programVersion()));
@@ -427,6 +475,8 @@ int dispatch(int argc, char** argv) {
   MeshCommand mesh;
   VerifyCommand verify;
   CompareCommand compare;
+  HelpCommand help;
+  help.declare(app);
   run.declare(app);
   inspect.declare(app);
   mesh.declare(app);
@@ -435,10 +485,12 @@ int dispatch(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help and --version
-    return app.exit(asked);
+    app.exit(asked);
+    return ExitStatus::done;
   } catch (const CLI::ParseError& fault) {
-    return complain(usageText(app, fault), exitUsage);
+    return complain(usageText(app, fault), ExitStatus::badInput);
   }
+  if (app.got_subcommand("help")) return help.execute(app);
   if (app.got_subcommand("run")) return run.execute();
   if (app.got_subcommand("inspect")) return inspect.execute();
   if (app.got_subcommand("verify")) return verify.execute();
@@ -449,17 +501,20 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int runCommandLine(int argc, char** argv) {
-  try {
-    return dispatch(argc, argv);
-  } catch (const InputError& fault) {
-    return complain(fault.what(), exitUsage);
-  } catch (const NumericalError& fault) {
-    return complain(fault.what(), exitUnstable);
-  } catch (const std::bad_alloc&) {
-    return complain("out of memory; use a smaller mesh or more memory", exitUsage);
-  } catch (const std::exception& fault) {
-    return complain(fault.what(), exitUsage);
-  }
+  const auto status = [&] {
+    try {
+      return dispatch(argc, argv);
+    } catch (const InputError& fault) {
+      return complain(fault.what(), ExitStatus::badInput);
+    } catch (const NumericalError& fault) {
+      return complain(fault.what(), ExitStatus::unstable);
+    } catch (const std::bad_alloc&) {
+      return complain("out of memory; use a smaller mesh or more memory", ExitStatus::badInput);
+    } catch (const std::exception& fault) {
+      return complain(fault.what(), ExitStatus::badInput);
+    }
+  }();
+  return static_cast<int>(status);
 }
 
 }  // namespace ringwatch

@@ -11,6 +11,7 @@
 #include <ringwatch/app/scene.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/monitor/global_frequency.h>
 
@@ -33,8 +34,8 @@ std::vector<IntegratorEntry> chosenIntegrators(const std::vector<std::string>& n
       if (entry.info->name == name) found = &entry;
     }
     if (!found)
-      throw InputError(fmt::format("--integrators: unknown \"{}\"; did you mean \"{}\"? known are {}", name,
-                                   nearestName(name, known), fmt::join(known, ", ")));
+      throw InputError(fmt::format("--integrators: unknown {}; {}known are {}", inQuotes(name), didYouMean(name, known),
+                                   fmt::join(known, ", ")));
     chosen.push_back(*found);
   }
   return chosen;
@@ -46,8 +47,8 @@ std::vector<std::string> chosenHandlers(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     if (name == "all") return all;
     if (std::find(all.begin(), all.end(), name) == all.end())
-      throw InputError(fmt::format("--handlers: unknown \"{}\"; did you mean \"{}\"? known are all, {}", name,
-                                   nearestName(name, all), fmt::join(all, ", ")));
+      throw InputError(fmt::format("--handlers: unknown {}; {}known are all, {}", inQuotes(name), didYouMean(name, all),
+                                   fmt::join(all, ", ")));
     chosen.push_back(name);
   }
   return chosen;

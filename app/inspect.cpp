@@ -12,6 +12,7 @@
 #include <ringwatch/app/scene.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/quality.h>
@@ -33,8 +34,8 @@ std::vector<std::string> metricsWanted(const std::vector<std::string>& asked) {
   for (const std::string& name : asked) {
     if (name == "all") return known;
     if (!findMetric(name))
-      throw InputError(fmt::format("--metric: unknown \"{}\"; did you mean \"{}\"? known are all, {}", name,
-                                   nearestName(name, known), knownMetrics(name)));
+      throw InputError(fmt::format("--metric: unknown {}; {}known are all, {}", inQuotes(name), didYouMean(name, known),
+                                   knownMetrics(name)));
     if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
   }
   return wanted;
@@ -45,8 +46,8 @@ double limitOf(const std::string& integrator) {
   if (!info) {
     std::vector<std::string> known;
     for (const IntegratorInfo& other : integratorInfos()) known.emplace_back(other.name);
-    throw InputError(fmt::format("--integrator: unknown \"{}\"; did you mean \"{}\"? known are {}", integrator,
-                                 nearestName(integrator, known), fmt::join(known, ", ")));
+    throw InputError(fmt::format("--integrator: unknown {}; {}known are {}", inQuotes(integrator),
+                                 didYouMean(integrator, known), fmt::join(known, ", ")));
   }
   if (!(info->imaginaryLimit > 0))
     throw InputError(
@@ -67,6 +68,7 @@ double limitOf(const std::string& integrator) {
 Body makeBody(const InspectOptions& options, std::vector<std::string>& notes) {
   const Material material = makeMaterial(options.model, options.young, options.poisson, options.density);
   Mesh mesh = loadMesh(options.mesh, &notes);
+  for (std::string& note : meshNotes(mesh, options.mesh.string())) notes.push_back(std::move(note));
   BodyOptions bodyOptions;
   bodyOptions.lumping = options.lumping;
   bodyOptions.threads = threadsThatPay(options.threads, mesh);

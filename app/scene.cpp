@@ -17,6 +17,7 @@
 #include <ringwatch/app/scene_mesh.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/node_order.h>
@@ -49,16 +50,7 @@ struct Section {
 };
 
 [[noreturn]] void fail(const std::string& origin, const std::string& key, const std::string& what) {
-  throw InputError(fmt::format("{}: {}: {}", origin, key, what));
-}
-
-std::string inQuotes(std::string_view text) {
-  std::string result = "\"";
-  for (char c : text.substr(0, 80)) {
-    const auto byte = static_cast<unsigned char>(c);
-    result += byte < 0x20 || byte == 0x7f ? '?' : c;
-  }
-  return result + (text.size() > 80 ? "…\"" : "\"");
+  throw InputError(fmt::format("{}: {}: {}", origin, shortened(key), what));
 }
 
 std::string withArticle(std::string_view type) {
@@ -220,9 +212,9 @@ class Reader {
       if (!node.is_table() && !node.is_array_of_tables())
         fail(originOf(name, node), name,
              fmt::format("a key outside of a section; sections are {}", fmt::join(known, ", ")));
-      fail(originOf(name, node), fmt::format("[{}]", name),
-           fmt::format("unknown section {}; did you mean \"{}\"? known are {}", inQuotes(name),
-                       nearestName(name, known), fmt::join(known, ", ")));
+      fail(originOf(name, node), fmt::format("[{}]", shortened(name)),
+           fmt::format("unknown section {}; {}known are {}", inQuotes(name), didYouMean(name, known),
+                       fmt::join(known, ", ")));
     }
   }
 
@@ -257,8 +249,8 @@ class Reader {
       }
       if (!found)
         fail(origin, name + "." + key,
-             fmt::format("unknown key {} in [{}]; did you mean \"{}\"? known are {}", inQuotes(key), name,
-                         nearestName(key, known), fmt::join(known, ", ")));
+             fmt::format("unknown key {} in [{}]; {}known are {}", inQuotes(key), name, didYouMean(key, known),
+                         fmt::join(known, ", ")));
       section.entries[key] = {check(*found, node, origin), origin, true};
     }
     for (const SceneKey& key : sceneKeys()) {
@@ -299,9 +291,8 @@ class Reader {
       std::string value = **n.as_string();
       if (!key.choices.empty() && std::find(key.choices.begin(), key.choices.end(), value) == key.choices.end())
         fail(origin, name,
-             fmt::format("unknown {}; did you mean \"{}\"? must be {}{}", inQuotes(value),
-                         nearestName(value, key.choices), key.choices.size() > 1 ? "one of " : "",
-                         fmt::join(key.choices, ", ")));
+             fmt::format("unknown {}; {}must be {}{}", inQuotes(value), didYouMean(value, key.choices),
+                         key.choices.size() > 1 ? "one of " : "", fmt::join(key.choices, ", ")));
       return value;
     };
     const auto list = [&](const auto& element) {
@@ -623,6 +614,50 @@ void readCutSection(const Section& section, Scene& scene) {
   }
 }
 
+/// What the [[fix]] and [[move]] of a scene prescribe at each component of each node. Two that ask for different
+/// velocities at one of them are refused.
+class PrescribedMotions {
+ public:
+  explicit PrescribedMotions(std::int32_t nodes) : by_(3 * static_cast<std::size_t>(nodes), -1) {}
+
+  void add(const std::string& origin, const std::vector<std::int32_t>& nodes, const std::array<bool, 3>& components,
+           const Eigen::Vector3d& velocity) {
+    const auto own = static_cast<std::int32_t>(all_.size());
+    all_.push_back({origin, velocity});
+    std::map<std::int32_t, std::pair<std::size_t, int>> conflicts;  // of an earlier one: shared nodes, first component
+    for (const std::int32_t node : nodes) {
+      std::int32_t counted = -1;
+      for (int c = 0; c < 3; ++c) {
+        if (!components[static_cast<std::size_t>(c)]) continue;
+        std::int32_t& by = by_[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(c)];
+        if (by < 0) {
+          by = own;
+        } else if (all_[static_cast<std::size_t>(by)].velocity[c] != velocity[c] && by != counted) {
+          conflicts.try_emplace(by, 0, c).first->second.first += 1;
+          counted = by;
+        }
+      }
+    }
+    if (conflicts.empty()) return;
+    const auto& [other, shared] = *conflicts.begin();
+    const auto& [count, c] = shared;
+    throw InputError(
+        fmt::format("{}: it prescribes another velocity than {} at {} node{} of both ({} and {} m/s along {}); change "
+                    "a condition or "
+                    "components so that no node has two",
+                    origin, all_[static_cast<std::size_t>(other)].origin, count, count == 1 ? "" : "s", velocity[c],
+                    all_[static_cast<std::size_t>(other)].velocity[c], "xyz"[c]));
+  }
+
+ private:
+  struct Motion {
+    std::string origin;
+    Eigen::Vector3d velocity;  // m/s
+  };
+  std::vector<Motion> all_;
+  std::vector<std::int32_t> by_;  // [node][component]: which of all_; -1: none
+};
+
 Json echoOf(const std::vector<Section>& sections) {
   Json echo = Json::object();
   for (const Section& section : sections) {
@@ -659,8 +694,8 @@ std::vector<std::int32_t> NodeSelection::nodesOf(const Mesh& mesh) const {
       throw InputError(fmt::format("{}: the node set {} is empty", origin, inQuotes(set)));
     throw InputError(known.empty()
                          ? fmt::format("{}: unknown node set {}; the mesh has no named sets", origin, inQuotes(set))
-                         : fmt::format("{}: unknown node set {}; did you mean \"{}\"? the mesh has {}", origin,
-                                       inQuotes(set), nearestName(set, known), fmt::join(known, ", ")));
+                         : fmt::format("{}: unknown node set {}; {}the mesh has {}", origin, inQuotes(set),
+                                       didYouMean(set, known), shortList(known)));
   }
   std::vector<std::int32_t> nodes;
   try {
@@ -759,14 +794,21 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads) {
   } catch (const NumericalError& fault) {
     throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));  // the mesh is what the user can mend
   }
-  for (const Scene::Fix& fix : scene.fixes)
-    for (std::int32_t node : fix.nodes.nodesOf(body->mesh()))
+  PrescribedMotions prescribed(body->nodeCount());
+  for (const Scene::Fix& fix : scene.fixes) {
+    const std::vector<std::int32_t> nodes = fix.nodes.nodesOf(body->mesh());
+    prescribed.add(fix.nodes.origin, nodes, fix.components, Eigen::Vector3d::Zero());
+    for (std::int32_t node : nodes)
       for (int c = 0; c < 3; ++c)
         if (fix.components[static_cast<std::size_t>(c)]) body->constraints().fix(node, c);
-  for (const Scene::Move& move : scene.moves)
-    for (std::int32_t node : move.nodes.nodesOf(body->mesh()))
+  }
+  for (const Scene::Move& move : scene.moves) {
+    const std::vector<std::int32_t> nodes = move.nodes.nodesOf(body->mesh());
+    prescribed.add(move.nodes.origin, nodes, move.components, move.velocity);
+    for (std::int32_t node : nodes)
       for (int c = 0; c < 3; ++c)
         if (move.components[static_cast<std::size_t>(c)]) body->constraints().move(node, c, move.velocity[c]);
+  }
   for (const Scene::Force& force : scene.forces) {
     const std::vector<std::int32_t> nodes = force.nodes.nodesOf(body->mesh());
     double mass = 0;

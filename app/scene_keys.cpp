@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/frames.h>
+#include <ringwatch/app/help.h>
 #include <ringwatch/app/scene_mesh.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/handler.h>
@@ -419,7 +420,7 @@ std::span<const SceneKey> sceneKeys() {
 
 std::string sceneHelp() {
   std::string text =
-      "A scene is a TOML file. All quantities in SI units. Keys with their type, unit, default and range:\n";
+      "A scene is a TOML file.\n" + std::string(unitsText) + "\nKeys with their type, unit, range and default:\n";
   for (const SceneSection& section : sections) {
     text += fmt::format("\n{}  {}{}\n",
                         section.list ? fmt::format("[[{}]]", section.name) : fmt::format("[{}]", section.name),

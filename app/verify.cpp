@@ -11,33 +11,10 @@
 #include <ringwatch/app/subprocess.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/base/nearest_name.h>
-#include <ringwatch/verify/deformations.h>
-#include <ringwatch/verify/elements.h>
-#include <ringwatch/verify/handlers.h>
-#include <ringwatch/verify/integrators.h>
-#include <ringwatch/verify/monitor.h>
-#include <ringwatch/verify/stress.h>
+#include <ringwatch/base/user_text.h>
 
 namespace ringwatch {
 namespace {
-
-const std::array<StudyInfo, 6> studies{{
-    {"deformations",
-     "the source's cube and bar with small elements, stretched, compressed, bent and twisted with every handler",
-     [](StudyEffort effort) { return verifyDeformations(effort, integratorCatalog().entries()); }},
-    {"elements", "every element and quadrature rule: rank, patch test, derivatives, convergence, frequencies, locking",
-     verifyElements},
-    {"handlers",
-     "every handler beyond the critical step: what it takes, error, cost, energy and momentum over many steps",
-     verifyHandlers},
-    {"integrators", "every integrator: stability limit, order, energy drift, reversibility, damping",
-     [](StudyEffort effort) { return verifyIntegrators(effort, integratorCatalog().entries()); }},
-    {"monitor", "bracket, metrics, drift bounds and alarms of the monitor against exact values; nonlinear histories",
-     verifyMonitor},
-    {"stress", "explicit integrators run long and on hard bodies: who survives, and with what error",
-     [](StudyEffort effort) { return verifyStress(effort); }},
-}};
 
 std::string cellText(const StudyTable::Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
@@ -164,8 +141,6 @@ std::string surfaceScript(const StudySurfaces& surfaces) {
 
 }  // namespace
 
-std::span<const StudyInfo> allStudies() { return studies; }
-
 std::vector<StudyReport> runStudies(const std::vector<std::string>& names, StudyEffort effort) {
   std::vector<const StudyInfo*> chosen;
   for (const std::string& name : names) {
@@ -177,7 +152,7 @@ std::vector<StudyReport> runStudies(const std::vector<std::string>& names, Study
     if (found == studies.end()) {
       std::string known = "all";
       for (const StudyInfo& s : studies) known += fmt::format(", {}", s.name);
-      throw InputError(fmt::format("verify: \"{}\": there is no such study; known are {}", name, known));
+      throw InputError(fmt::format("verify: {}: there is no such study; known are {}", inQuotes(name), known));
     }
     chosen.push_back(found);
   }

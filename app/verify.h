@@ -18,7 +18,8 @@ struct StudyInfo {
   StudyReport (*run)(StudyEffort);
 };
 
-/// All studies, one line each in verify.cpp.
+/// All studies, one line each in studies.cpp. Empty in the program `ringwatch`, which leaves them to
+/// `ringwatch-verify`.
 std::span<const StudyInfo> allStudies();
 
 /// Runs the studies of those names; "all" or nothing for every one. Throws InputError for an unknown name.

@@ -7,6 +7,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
 
 // A packaged parser (muParser, muParserX) was weighed and left: muParser has no conditions, only numbers, so that
 // `0 < x < 0.1`, `x` and `x = 0` all mean something silently.
@@ -255,9 +256,8 @@ class Parser {
     for (const Name& name : names) known.emplace_back(name.text);
     for (const Name& function : functions) known.emplace_back(function.text);
     for (const char* joint : {"and", "or", "not"}) known.emplace_back(joint);
-    throw InputError(joinText("column ", at_ + 1, ": unknown name \"", word, "\"; did you mean \"",
-                              nearestName(word, known),
-                              "\"? known are x, y, z, r, sqrt, abs, min, max, and, or, not, all, none"));
+    throw InputError(joinText("column ", at_ + 1, ": unknown name ", inQuotes(word), "; ", didYouMean(word, known),
+                              "known are x, y, z, r, sqrt, abs, min, max, and, or, not, all, none"));
   }
 
   int parseArguments(Kind function, const std::string& name) {

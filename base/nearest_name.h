@@ -26,20 +26,34 @@ inline std::size_t editDistance(std::string_view a, std::string_view b) {
   return previous[b.size()];
 }
 
-/// The candidate with the smallest edit distance to the word, the first one among equals; "" when there is none. For
-/// error messages that name what the user probably meant.
+/// The largest edit distance at which a word of that length counts as a misspelt name: one edit, and one more for every
+/// four letters. Beyond, words of this length are near each other by chance ("newmark" and "pefrl" are 6 edits apart).
+inline std::size_t farthestEdit(std::size_t length) { return 1 + length / 4; }
+
+/// The candidate with the smallest edit distance to the word, the first one among equals; "" when none is within
+/// `farthestEdit` or shares a letter with the word. For error messages that name what the user probably meant.
 template <std::ranges::input_range Candidates>
 std::string nearestName(std::string_view word, Candidates&& candidates) {
   std::string best;
-  std::size_t bestDistance = static_cast<std::size_t>(-1);
+  std::size_t bestDistance = farthestEdit(word.size()) + 1;
   for (const auto& candidate : candidates) {
-    const std::size_t distance = editDistance(word, candidate);
-    if (distance < bestDistance) {
+    const std::string_view name = candidate;
+    const std::size_t longer = std::max(word.size(), name.size()), shorter = std::min(word.size(), name.size());
+    if (longer - shorter >= bestDistance) continue;  // so that a word of any length costs nothing
+    const std::size_t distance = editDistance(word, name);
+    if (distance < bestDistance && distance < longer) {
       bestDistance = distance;
-      best = std::string(candidate);
+      best = std::string(name);
     }
   }
   return best;
+}
+
+/// `did you mean "NAME"? ` with the nearest name, to stand before a list of all names; "" when none is near.
+template <std::ranges::input_range Candidates>
+std::string didYouMean(std::string_view word, Candidates&& candidates) {
+  const std::string name = nearestName(word, candidates);
+  return name.empty() ? "" : "did you mean \"" + name + "\"? ";
 }
 
 }  // namespace ringwatch

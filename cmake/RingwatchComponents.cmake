@@ -1,7 +1,7 @@
 # What is built: the folders of cmake/layers.txt that RINGWATCH_COMPONENTS names, with all that they need.
 set(RINGWATCH_COMPONENTS all CACHE STRING
   "What to build: all, or some of body, monitor, integrators, handlers, verify, gpu, mesh_files, sundials; what they need comes with them")
-set(RINGWATCH_OPTIONAL_COMPONENTS mesh_files sundials)
+set(RINGWATCH_OPTIONAL_COMPONENTS mesh_files sundials compare)
 
 file(STRINGS ${CMAKE_CURRENT_SOURCE_DIR}/cmake/layers.txt ringwatch_layers REGEX "^[a-z]+:")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/cmake/layers.txt)
@@ -15,6 +15,7 @@ endforeach()
 set(ringwatch_needs_handlers ${ringwatch_needs_handlers} mesh_files) # a handler follows a cut
 set(ringwatch_needs_mesh_files meshes)
 set(ringwatch_needs_sundials integrators)
+set(ringwatch_needs_compare verify)
 
 set(ringwatch_wanted ${RINGWATCH_COMPONENTS})
 if("all" IN_LIST ringwatch_wanted)

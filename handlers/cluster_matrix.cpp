@@ -16,7 +16,6 @@ namespace {
 
 using P = NativePack;
 constexpr int lanes = P::width;
-constexpr double leastAngle = 0.05, mostAngle = 0.2;
 // Of |F|², for laws that stiffen, where all elements are turned as soon as one needs it, and where each is on its own:
 // at 1.1 the graded cube of `verify handlers` gains energy there without dissipation.
 constexpr double stretchOfAll = 1.1, stretchOfEach = 1.01;
@@ -166,8 +165,8 @@ void ClusterMatrix::fillGroup(Group& g) {
                                         [&](const auto& own) { return own.get() == g.block; });
         body_.elementLumpedMass({static_cast<std::int32_t>(block - body_.blocks().begin()), ref.element}, mass.data());
         const double lambda = g.restHighest[batch][lane] / *std::min_element(mass.begin(), mass.end());
-        // h² <= 4 w, so that h² λ θ² <= 2/3. |ΔR|² = 2 θ² for small angles.
-        slack = 2 * std::clamp(1 / (6 * w_ * lambda), leastAngle * leastAngle, mostAngle * mostAngle);
+        // h² <= 4 w. |ΔR|² = 2 θ² for small angles.
+        slack = 2 * std::clamp(turnShare / (4 * w_ * lambda), leastTurn * leastTurn, mostTurn * mostTurn);
       }
       g.slack[batch].set(lane, slack);
     }

@@ -19,13 +19,23 @@ struct UpperBlocks {
   Eigen::Matrix3d block(std::int32_t k) const;
 };
 
+/// Tolerances of the rotation of an element against the one that its matrix was made with. docs/handlers.md and
+/// docs/gpu.md tell them too; tests/handlers/implicit_cluster_test.cpp holds both to these values.
+///
+/// In directions that K̂ takes for soft, the true stiffness shows with θ² of itself, and the scheme is stable as long as
+/// h² λ θ² < 4 there. A sixth of that is allowed, since the elements at a node add up.
+inline constexpr double turnShare = 2.0 / 3;
+/// Rad. K̂ is then off by θ², a quarter of a percent, which is not worth a new factor.
+inline constexpr double leastTurn = 0.05;
+/// Rad. K̂ is then off by 4 %, and beyond, angles are no longer small, which the estimate above takes them to be.
+inline constexpr double mostTurn = 0.2;
+
 /// M + w K̂ of a cluster of elements (see ImplicitCluster) in a rotating frame, kept current batch by batch: a batch of
 /// elements is turned anew when one of them has turned or stretched beyond its tolerance, the difference of its
 /// tangents added. Sums are in double precision: after 10⁵ such changes they are off by some 10⁻¹³ of themselves.
 ///
-/// An element may be off by the angle θ with h² λ θ² <= 1/2, λ >= K_e/M_e at rest, but by 0.05 rad at least and 0.15
-/// rad at most: in directions that K̂ takes for soft the true stiffness then shows with θ² of itself, and the scheme is
-/// stable as long as that stays below 4/h² there. Shape enters through the rotation alone, but for laws that stiffen.
+/// An element may be off by the angle θ with h² λ θ² <= `turnShare`, λ >= K_e/M_e at rest, but by `leastTurn` at least
+/// and `mostTurn` at most. Shape enters through the rotation alone, but for laws that stiffen.
 /// Diagonal blocks are minus the sums of their rows', so that K̂ leaves translations at rest to rounding.
 class ClusterMatrix {
  public:

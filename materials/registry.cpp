@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/user_text.h>
 
 namespace ringwatch {
 namespace {
@@ -44,7 +45,7 @@ Material makeMaterial(std::string_view model, double young, double poisson, doub
   if (!law) {
     std::string names;
     for (const LawInfo& info : allLaws()) names += (names.empty() ? "" : ", ") + std::string(info.name);
-    throw InputError(joinText("model = \"", model, "\": must be one of ", names));
+    throw InputError(joinText("model = ", inQuotes(model), ": must be one of ", names));
   }
   return {*law, density};
 }

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <unordered_map>
+#include <utility>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/quality.h>
 
 namespace ringwatch {
@@ -115,6 +118,52 @@ void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::str
     std::erase_if(nodes, [&](std::int32_t n) { return newIndex[static_cast<std::size_t>(n)] < 0; });
     for (std::int32_t& n : nodes) n = newIndex[static_cast<std::size_t>(n)];
   }
+}
+
+struct CoincidentNodes {
+  std::size_t count = 0;  // nodes that lie on one before them
+  std::int32_t first = -1, second = -1;
+};
+
+/// Nodes of elements, closer to each other than 1e-9 of the diagonal of the bounding box.
+CoincidentNodes coincidentNodes(const Mesh& mesh) {
+  CoincidentNodes found;
+  const std::vector<bool> used = usedNodes(mesh);
+  if (mesh.nodeCount() == 0) return found;
+  const Eigen::Vector3d low = mesh.X.rowwise().minCoeff();
+  const double diagonal = (mesh.X.rowwise().maxCoeff() - low).norm();
+  const double near = 1e-9 * diagonal;
+  const double cell = 1e-6 * diagonal;  // much smaller than elements, and so large that few nodes lie near its faces
+  if (!(near > 0) || !std::isfinite(diagonal)) return found;
+  std::unordered_map<std::uint64_t, std::int32_t> lastOfCell;
+  lastOfCell.reserve(mesh.nodeCount());
+  std::vector<std::int32_t> before(mesh.nodeCount(), -1);  // the node of the same cell that was entered before
+  for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
+    if (!used[n]) continue;
+    const auto index = static_cast<std::int32_t>(n);
+    const Eigen::Vector3d x = mesh.X.col(index) - low;
+    // A node is entered in its own cell and sought in all cells that its neighbourhood touches; cells are numbered from
+    // 1 to 1e6 + 1 along each axis, 21 bits.
+    const auto cellOf = [&](double offset, int k) {
+      return static_cast<std::uint64_t>(std::floor((x[k] + offset) / cell) + 1);
+    };
+    const auto keyOf = [](std::uint64_t i, std::uint64_t j, std::uint64_t k) { return i << 42 | j << 21 | k; };
+    bool coincides = false;
+    for (std::uint64_t i = cellOf(-near, 0); i <= cellOf(near, 0) && !coincides; ++i)
+      for (std::uint64_t j = cellOf(-near, 1); j <= cellOf(near, 1) && !coincides; ++j)
+        for (std::uint64_t k = cellOf(-near, 2); k <= cellOf(near, 2) && !coincides; ++k) {
+          const auto last = lastOfCell.find(keyOf(i, j, k));
+          for (std::int32_t other = last == lastOfCell.end() ? -1 : last->second; other >= 0 && !coincides;
+               other = before[static_cast<std::size_t>(other)]) {
+            coincides = (mesh.X.col(other) - mesh.X.col(index)).norm() <= near;
+            if (coincides && found.count++ == 0) found = {1, other, index};
+          }
+        }
+    if (coincides) continue;
+    const auto [entry, isNew] = lastOfCell.try_emplace(keyOf(cellOf(0, 0), cellOf(0, 1), cellOf(0, 2)), index);
+    if (!isNew) before[n] = std::exchange(entry->second, index);
+  }
+  return found;
 }
 
 }  // namespace
@@ -233,6 +282,27 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
   return problems;
 }
 
+std::vector<std::string> meshNotes(const Mesh& mesh, const std::string& source) {
+  std::vector<std::string> notes;
+  const MeshParts parts = connectedParts(mesh);
+  if (parts.count > 1) {
+    std::vector<std::size_t> sizes(static_cast<std::size_t>(parts.count));
+    for (const std::int32_t part : parts.partOfElement) ++sizes[static_cast<std::size_t>(part)];
+    std::sort(sizes.rbegin(), sizes.rend());
+    constexpr std::size_t shown = 5;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(shown, sizes.size()); ++i) list += joinText(i > 0 ? ", " : "", sizes[i]);
+    notes.push_back(joinText(source, ": the mesh falls into ", parts.count, " parts that share no node, of ", list,
+                             sizes.size() > shown ? ", … elements" : " elements", "; they move independently"));
+  }
+  const CoincidentNodes same = coincidentNodes(mesh);
+  if (same.count > 0)
+    notes.push_back(joinText(source, ": ", same.count, same.count == 1 ? " node lies" : " nodes lie",
+                             " where another node lies, e.g. nodes ", nodeId(mesh, same.first), " and ",
+                             nodeId(mesh, same.second), "; elements are not joined there"));
+  return notes;
+}
+
 void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
   if (mesh.elementCount() == 0) throw InputError(source + ": there are no elements; a mesh of at least one is needed");
   dropUnusedNodes(mesh, source, notes);
@@ -259,7 +329,7 @@ void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string
   constexpr std::size_t shown = 3;
   std::string text = joinText(source, ": ", problems.size(), problems.size() == 1 ? " problem: " : " problems: ");
   for (std::size_t i = 0; i < std::min(shown, problems.size()); ++i) text += (i > 0 ? "; " : "") + problems[i].text;
-  if (problems.size() > shown) text += joinText("; … run `ringwatch mesh check ", source, "` for all of them");
+  if (problems.size() > shown) text += joinText("; … run `ringwatch mesh check --all ", source, "` for all of them");
   throw InputError(text);
 }
 

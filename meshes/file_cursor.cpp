@@ -40,7 +40,11 @@ std::string quoted(std::string_view word) {
 std::string FileCursor::where(std::size_t position) const {
   if (binary) return joinText(source_, ": byte ", position);
   const std::size_t end = std::min(position, text_.size());
-  return joinText(source_, ":", 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+  if (end < countedTo_) countedTo_ = lineEnds_ = 0;
+  const std::string_view on = text_.substr(countedTo_, end - countedTo_);
+  lineEnds_ += static_cast<std::size_t>(std::count(on.begin(), on.end(), '\n'));
+  countedTo_ = end;
+  return joinText(source_, ":", 1 + lineEnds_);
 }
 
 std::string_view FileCursor::line(std::string_view what) {

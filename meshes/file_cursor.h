@@ -34,7 +34,8 @@ class FileCursor {
   std::size_t remaining() const { return text_.size() - position_; }
   bool endsWithNewline() const { return !text_.empty() && text_.back() == '\n'; }
 
-  /// "file:line" or "file: byte n" of a position.
+  /// "file:line" or "file: byte n" of a position. Lines are counted on from the position asked for before, so that
+  /// ascending positions cost one pass over the file.
   std::string where(std::size_t position) const;
   [[noreturn]] void fail(const std::string& what) const { failAt(position_, what); }
   [[noreturn]] void failAt(std::size_t position, const std::string& what) const {
@@ -164,6 +165,7 @@ class FileCursor {
   std::string_view text_;
   std::string source_;
   std::size_t position_ = 0;
+  mutable std::size_t countedTo_ = 0, lineEnds_ = 0;  // line ends before countedTo_
 };
 
 }  // namespace ringwatch::detail

@@ -6,6 +6,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
 #include <ringwatch/meshes/generators.h>
 
 namespace ringwatch {
@@ -73,7 +74,7 @@ constexpr GeneratorInfo generators[] = {
 };
 
 std::string valueText(const GeneratorValue& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return "\"" + *text + "\"";
+  if (const auto* text = std::get_if<std::string>(&value)) return inQuotes(*text);
   if (const auto* number = std::get_if<double>(&value)) return joinText(*number);
   std::string list = "[";
   for (const double number : std::get<std::vector<double>>(value))
@@ -97,8 +98,8 @@ class Values {
       if (parameter == nullptr) {
         std::vector<std::string_view> known;
         for (const GeneratorParameter& p : info.parameters) known.push_back(p.name);
-        throw InputError(joinText(info.name, ": there is no parameter \"", name, "\"; the nearest is \"",
-                                  nearestName(name, known), "\""));
+        throw InputError(joinText(info.name, ": there is no parameter ", inQuotes(name), "; ", didYouMean(name, known),
+                                  "known are ", shortList(known)));
       }
       check(*parameter, value);
     }
@@ -131,7 +132,9 @@ class Values {
       if (given == nullptr)
         refuse("a text, " + parameterRange(p));
       else if (std::find(choices.begin(), choices.end(), *given) == choices.end())
-        refuse(parameterRange(p) + "; the nearest is \"" + nearestName(*given, choices) + "\"");
+        refuse(parameterRange(p) + (nearestName(*given, choices).empty()
+                                        ? ""
+                                        : "; the nearest is \"" + nearestName(*given, choices) + "\""));
       return;
     }
     std::vector<double> numbers;
@@ -191,8 +194,8 @@ Mesh generateMesh(std::string_view kind, const GeneratorArguments& arguments) {
   if (info == nullptr) {
     std::vector<std::string_view> known;
     for (const GeneratorInfo& g : generators) known.push_back(g.name);
-    throw InputError(joinText("generate = \"", kind, "\": there is no such mesh; the nearest is \"",
-                              nearestName(kind, known), "\""));
+    throw InputError(joinText("generate = ", inQuotes(kind), ": there is no such mesh; ", didYouMean(kind, known),
+                              "known are ", shortList(known)));
   }
   const Values values(*info, arguments);
   try {

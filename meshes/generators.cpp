@@ -10,6 +10,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/random.h>
+#include <ringwatch/base/user_text.h>
 #include <ringwatch/meshes/bisection.h>
 #include <ringwatch/meshes/quality.h>
 
@@ -63,9 +64,10 @@ const CellSplit& findSplit(std::string_view element, int perCell) {
   if (named != nullptr)
     throw InputError(joinText("split = ", perCell, ": ", element, " has ", splitChoices(element), " elements a cell"));
   std::vector<std::string_view> names;
-  for (const CellSplit& split : splits) names.push_back(split.element);
-  throw InputError(joinText("element = \"", element, "\": there is no way to cut a cell into these; the nearest is \"",
-                            nearestName(element, names), "\""));
+  for (const CellSplit& split : splits)
+    if (names.empty() || names.back() != split.element) names.push_back(split.element);
+  throw InputError(joinText("element = ", inQuotes(element), ": there is no way to cut a cell into these; ",
+                            didYouMean(element, names), "known are ", shortList(names)));
 }
 
 /// The nodes and elements of a box of cells in index space; the caller places the nodes.

@@ -128,23 +128,26 @@ void MeshBuilder::addElement(const FileElement& type, std::int64_t id, const std
 Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProblem>* problems) {
   std::string unsupported;
   std::size_t firstPosition = 0, dropped = 0;
-  bool volumes = false;
+  bool volumes = false, hex27 = false;
   for (const Elements& list : elements_) {
     if (list.type->dimension < 3) dropped += list.count;
     if (list.info != nullptr) volumes = true;
     if (list.type->dimension < 3 || list.info != nullptr) continue;
     if (unsupported.empty()) firstPosition = list.positions[0];
+    hex27 = hex27 || list.type->name == "hex27";
     unsupported += joinText(unsupported.empty() ? "" : " and ", list.count, " of type ", list.type->name);
   }
   if (!unsupported.empty()) {
     std::string known;
     for (const ElementInfo& info : allElements()) known += (known.empty() ? "" : ", ") + std::string(info.name);
-    throw InputError(joinText(elementWhere_(firstPosition), ": elements that are not supported: ", unsupported,
-                              "; supported are ", known));
+    throw InputError(
+        joinText(elementWhere_(firstPosition), ": elements that are not supported: ", unsupported, "; supported are ",
+                 known, hex27 ? "; gmsh writes hex20 in place of hex27 with Mesh.SecondOrderIncomplete = 1" : ""));
   }
   if (!volumes)
     throw InputError(joinText(source_, ": there are no volume elements, only ", dropped,
-                              " of surfaces, lines or points; a mesh of tetrahedra or hexahedra is needed"));
+                              " of surfaces, lines or points; a mesh of tetrahedra or hexahedra is needed",
+                              noVolumeHint));
   constexpr std::size_t limit = std::numeric_limits<std::int32_t>::max();
   if (nodeIds_.size() > limit)
     throw InputError(joinText(source_, ": ", nodeIds_.size(), " nodes; at most ", limit, " are possible"));

@@ -35,6 +35,9 @@ bool isVtkVolumeCell(int vtkCellType);
 class MeshBuilder {
  public:
   using Where = std::function<std::string(std::size_t position)>;
+  /// What a user of this format may do about a file without volume elements; added to the message.
+  std::string noVolumeHint;
+
   MeshBuilder(std::string source, Where nodeWhere, Where elementWhere)
       : source_(std::move(source)), nodeWhere_(std::move(nodeWhere)), elementWhere_(std::move(elementWhere)) {}
 

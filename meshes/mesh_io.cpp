@@ -1,5 +1,9 @@
 #include <ringwatch/meshes/mesh_io.h>
 
+#include <algorithm>
+#include <array>
+#include <iterator>
+
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/file_cursor.h>
 #include <ringwatch/meshes/mesh_readers.h>
@@ -12,6 +16,61 @@ namespace fs = std::filesystem;
 bool startsWithXml(std::string_view text) {
   const std::size_t at = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   return at != std::string_view::npos && text[at] == '<';
+}
+
+bool startsWithMsh(std::string_view text) { return text.starts_with("$MeshFormat"); }
+bool startsWithLegacyVtk(std::string_view text) { return text.starts_with("# vtk DataFile"); }
+
+using ReadText = Mesh(const fs::path& path, const std::string& text, detail::Notes* notes, detail::Problems* problems);
+
+struct Format {
+  MeshFormatInfo info;
+  ReadText* read;                     // nullptr: not from the text of one file
+  bool (*isBegin)(std::string_view);  // nullptr: the content cannot tell
+  std::string_view mustBegin;         // "": the reader of that extension says itself what is wrong
+  MeshFormat written;                 // byExtension: not written
+};
+
+/// Every mesh format, one entry each.
+constexpr Format formats[] = {
+    {{".msh", "gmsh MSH", "versions 2 and 4, text and binary; written as 4.1 text", true},
+     detail::readMsh,
+     startsWithMsh,
+     "",
+     MeshFormat::msh41},
+    {{".node/.ele", "TetGen", "both files, named by either one or by their common stem", false},
+     nullptr,
+     nullptr,
+     "",
+     MeshFormat::byExtension},
+    {{".vtu", "VTK XML unstructured grid", "text, binary and compressed", true},
+     detail::readVtu,
+     startsWithXml,
+     "<VTKFile",
+     MeshFormat::vtu},
+    {{".vtk", "legacy VTK unstructured grid", "text and binary", false},
+     detail::readLegacyVtk,
+     startsWithLegacyVtk,
+     "# vtk DataFile",
+     MeshFormat::byExtension},
+    {{".inp", "Abaqus or CalculiX deck", "nodes, elements and their sets; a note names what is skipped", false},
+     detail::readInp,
+     nullptr,
+     "",
+     MeshFormat::byExtension},
+};
+
+const Format* formatOf(std::string_view extension) {
+  for (const Format& format : formats)
+    if (format.info.extensions == extension) return &format;
+  return nullptr;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
+  return text;
 }
 
 fs::path withSuffix(fs::path stem, const char* suffix) {
@@ -32,22 +91,43 @@ Mesh read(const fs::path& path, detail::Notes* notes, detail::Problems* problems
 
   const std::string text = detail::readWholeFile(path);
   // The content decides; the extension only helps where the content says nothing.
-  if (text.rfind("$MeshFormat", 0) == 0) return detail::readMsh(path, text, notes, problems);
-  if (text.rfind("# vtk DataFile", 0) == 0) return detail::readLegacyVtk(path, text, notes, problems);
-  if (startsWithXml(text)) return detail::readVtu(path, text, notes, problems);
-  if (extension == ".inp") return detail::readInp(path, text, notes, problems);
-  if (extension == ".msh") return detail::readMsh(path, text, notes, problems);
+  for (const Format& format : formats)
+    if (format.isBegin != nullptr && format.isBegin(text)) return format.read(path, text, notes, problems);
+  const Format* named = formatOf(extension);
+  if (named != nullptr && named->mustBegin.empty()) return named->read(path, text, notes, problems);
   const std::string begin = detail::quoted(std::string_view(text).substr(0, text.find_first_of("\r\n")));
-  if (extension == ".vtk")
-    throw InputError(path.string() + ":1: begins with " + begin + "; a legacy VTK file begins with # vtk DataFile");
-  if (extension == ".vtu")
-    throw InputError(path.string() + ":1: begins with " + begin + "; a .vtu file begins with <VTKFile");
+  if (named != nullptr)
+    throw InputError(
+        joinText(path.string(), ":1: begins with ", begin, "; a ", extension, " file begins with ", named->mustBegin));
+  std::vector<std::string> known;
+  for (const Format& format : formats) known.push_back(joinText(format.info.name, " (", format.info.extensions, ")"));
   throw InputError(
-      path.string() + ":1: not a known mesh format, it begins with " + begin +
-      "; known are MSH 2 and 4 (.msh), TetGen (.node and .ele), .vtu, legacy .vtk and Abaqus or CalculiX decks (.inp)");
+      joinText(path.string(), ":1: not a known mesh format, it begins with ", begin, "; known are ", joined(known)));
 }
 
 }  // namespace
+
+std::span<const MeshFormatInfo> allMeshFormats() {
+  static const auto table = [] {
+    std::array<MeshFormatInfo, std::size(formats)> infos{};
+    std::transform(std::begin(formats), std::end(formats), infos.begin(), [](const Format& f) { return f.info; });
+    return infos;
+  }();
+  return table;
+}
+
+std::string readableExtensions() {
+  std::vector<std::string> names;
+  for (const MeshFormatInfo& format : allMeshFormats()) names.emplace_back(format.extensions);
+  return joined(names);
+}
+
+std::string writableExtensions() {
+  std::vector<std::string> names;
+  for (const MeshFormatInfo& format : allMeshFormats())
+    if (format.writes) names.emplace_back(format.extensions);
+  return joined(names);
+}
 
 Mesh readMesh(const fs::path& path, std::vector<std::string>* notes) { return read(path, notes, nullptr); }
 
@@ -66,19 +146,22 @@ std::vector<MeshProblem> checkMeshFile(const fs::path& path, std::vector<std::st
     problem.text = path.string() + ": " + problem.text;
     problems.push_back(std::move(problem));
   }
+  const bool complete = std::none_of(problems.begin(), problems.end(), [](const MeshProblem& problem) {
+    return problem.kind == MeshProblem::Kind::missingNode || problem.kind == MeshProblem::Kind::nonFinite;
+  });
+  if (notes != nullptr && complete)
+    for (std::string& note : meshNotes(mesh, path.string())) notes->push_back(std::move(note));
   return problems;
 }
 
 void writeMesh(const Mesh& mesh, const fs::path& path, MeshFormat format) {
   if (format == MeshFormat::byExtension) {
     const std::string extension = path.extension().string();
-    if (extension == ".msh")
-      format = MeshFormat::msh41;
-    else if (extension == ".vtu")
-      format = MeshFormat::vtu;
-    else
-      throw InputError("cannot write " + path.string() + ": the extension " + detail::quoted(extension) +
-                       " names no format that can be written; use .msh or .vtu");
+    const Format* named = formatOf(extension);
+    if (named == nullptr || !named->info.writes)
+      throw InputError(joinText("cannot write ", path.string(), ": the extension ", detail::quoted(extension),
+                                " names no format that can be written; use ", writableExtensions()));
+    format = named->written;
   }
   switch (format) {
     case MeshFormat::msh41:

@@ -1,6 +1,8 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <ringwatch/meshes/check.h>
@@ -8,13 +10,27 @@
 
 namespace ringwatch {
 
-/// Reads MSH 2 and 4.1 (text and binary), MSH 4.0 (text), TetGen .node/.ele (either file or their common stem), legacy
-/// .vtk, .vtu (through VTK, when built with it), and Abaqus or CalculiX decks (.inp: nodes, elements and their sets;
-/// all else is skipped with a note). Volume elements become blocks, in order of first appearance; physical groups of
-/// volumes become element sets; groups of surfaces, lines and points become node sets. Numbers of the file are kept in
-/// `nodeIds` and `ids`; coordinates are taken as m. Parses only: see `loadMesh`. notes: receives what a user may want
-/// to know, one line each. Throws InputError, one line with file, line (byte in a binary file), value, and what would
-/// be right.
+/// A mesh format: what the readers, error messages, help texts and documents know of it.
+struct MeshFormatInfo {
+  std::string_view extensions;  ///< ".msh"; ".node/.ele" for two files that belong together
+  std::string_view name;
+  std::string_view help;
+  bool writes;  ///< `writeMesh` knows it; `readMesh` knows them all
+};
+/// Every format, one line each in mesh_io.cpp.
+std::span<const MeshFormatInfo> allMeshFormats();
+/// ".msh, .node/.ele, … or .inp"
+std::string readableExtensions();
+/// ".msh or .vtu"
+std::string writableExtensions();
+
+/// Reads every format of `allMeshFormats`. MSH 4.0 is read as text only; of TetGen's two files either one or their
+/// common stem is named; .vtu needs a build with VTK; of Abaqus and CalculiX decks nodes, elements and their sets are
+/// read, all else is skipped with a note. Volume elements become blocks, in order of first appearance; physical groups
+/// of volumes become element sets; groups of surfaces, lines and points become node sets. Numbers of the file are kept
+/// in `nodeIds` and `ids`; coordinates are taken as m. Parses only: see `loadMesh`. notes: receives what a user may
+/// want to know, one line each. Throws InputError, one line with file, line (byte in a binary file), value, and what
+/// would be right.
 Mesh readMesh(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr);
 
 /// `readMesh` followed by `requireSound`: a mesh to compute with.

@@ -18,7 +18,10 @@ class MshReader {
         source_(source),
         builder_(
             source, [this](std::size_t p) { return cursor_.where(p); },
-            [this](std::size_t p) { return cursor_.where(p); }) {}
+            [this](std::size_t p) { return cursor_.where(p); }) {
+    builder_.noVolumeHint =
+        "; where there are physical groups, gmsh saves those only: add a Physical Volume, or set Mesh.SaveAll = 1";
+  }
 
   Mesh read(Notes* notes, Problems* problems) {
     readFormat();

@@ -395,8 +395,8 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
 TEST_F(Program, TeachesInItsHelp) {
   const Outcome help = call("--help");
   EXPECT_EQ(help.status, 0);
-  for (const char* word : {"run", "inspect", "mesh", "Exit status", "SI units", "stvk", "symplectic-euler",
-                           "reduced-1-ring", "ball", "jitter"})
+  for (const char* word : {"run", "inspect", "mesh", "help", "Exit status", "any consistent units", "stvk",
+                           "symplectic-euler", "mass-scaling", "hex20", ".inp", "ball"})
     EXPECT_THAT(help.out, HasSubstr(word));
   const Outcome scene = call("run --help-scene");
   EXPECT_EQ(scene.status, 0);

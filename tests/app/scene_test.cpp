@@ -218,6 +218,37 @@ TEST(Scene, NamesFileLineKeyAndWhatWouldBeRight) {
   for (const Case& c : cases) EXPECT_THAT(faultOf(c.text), HasSubstr(c.message)) << c.text;
 }
 
+TEST(Scene, RefusesTwoVelocitiesOfANode) {
+  // The bar's face x-min has four nodes, two of them at y = 0.
+  const std::string fix = "where = \"x < 1e-6\"", move = "where = \"x > 0.2 - 1e-6\"";
+  EXPECT_THAT(faultOf(with(move, "where = \"x < 0.05\"")),
+              AllOf(HasSubstr("scene.toml:18: move.where: it prescribes another velocity than "),
+                    HasSubstr("scene.toml:16: fix.where at 4 nodes of both (0.1 and 0 m/s along x)")));
+  EXPECT_THAT(faultOf(with("[[force]]", "[[move]]\nset = \"x-max\"\nvelocity = [0.1, 0.2, 0]\n[[force]]")),
+              AllOf(HasSubstr("scene.toml:21: move.set: "),
+                    HasSubstr("scene.toml:18: move.where at 4 nodes of both (0.2 and 0 m/s along y)")));
+  // The same twice, or components that one of them leaves alone, are allowed.
+  for (const char* second :
+       {"[[fix]]\nwhere = \"y < 1e-6 and x < 0.1\"\n", "[[move]]\nset = \"x-max\"\nvelocity = [0.1, 0, 0]\n",
+        "[[fix]]\nwhere = \"all\"\ncomponents = \"yz\"\n", "[[move]]\nset = \"x-min\"\nvelocity = [0, 0, 0]\n"})
+    EXPECT_EQ(faultOf(with("[[force]]", std::string(second) + "[[force]]")), "no fault") << second;
+}
+
+TEST(Scene, ShortensWhatAUserWrote) {
+  const std::string name(100000, 'k');
+  for (const std::string& text :
+       {with("step = 1e-4", name + " = 1"), with("[monitor]", "[" + name + "]"),
+        with("model = \"stvk\"", "model = \"" + name + "\""),
+        with("where = \"x < 1e-6\"", "where = \"" + name + " < 1\""),
+        with("where = \"x < 1e-6\"", "set = \"" + name + "\""),
+        with("generate = \"bar\"", "generate = \"" + name + "\""), with("young = 30e3", "young = \"" + name + "\""),
+        with("cells = [5, 1, 1]", "element = \"" + name + "\"")}) {
+    const std::string fault = faultOf(text);
+    EXPECT_NE(fault, "no fault");
+    EXPECT_LE(fault.size(), 1000u) << fault.substr(0, 300);
+  }
+}
+
 TEST(Scene, OverridesWinAndAreNamedInErrors) {
   const TemporaryFolder folder;
   const auto file = folder.write("scene.toml", good);

@@ -11,6 +11,7 @@
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/parallel.h>
 #include <ringwatch/base/type_list.h>
+#include <ringwatch/base/user_text.h>
 
 namespace ringwatch {
 namespace {
@@ -53,8 +54,34 @@ TEST(NearestName, FindsWhatWasProbablyMeant) {
   const std::vector<std::string> names{"young", "poisson", "density"};
   EXPECT_EQ(nearestName("yuong", names), "young");
   EXPECT_EQ(nearestName("denisty", names), "density");
-  EXPECT_EQ(nearestName("", names), "young");
+  EXPECT_EQ(nearestName("", names), "");
   EXPECT_EQ(nearestName("x", std::vector<std::string>{}), "");
+}
+
+TEST(NearestName, SaysNothingWhereNothingIsNear) {
+  const std::vector<std::string> integrators{"verlet", "rk4", "pefrl", "implicit-euler"};
+  for (const char* word : {"newmark", "bathe", "q", "verlet-with-a-tail-that-nobody-means"})
+    EXPECT_EQ(nearestName(word, integrators), "") << word;
+  EXPECT_EQ(nearestName("rk5", integrators), "rk4");
+  EXPECT_EQ(nearestName("implict-eular", integrators), "implicit-euler");
+  EXPECT_EQ(nearestName("y", std::vector<std::string>{"x"}), "") << "no letter in common";
+  EXPECT_EQ(nearestName(std::string(1000000, 'x'), integrators), "");
+  EXPECT_EQ(didYouMean("verlett", integrators), "did you mean \"verlet\"? ");
+  EXPECT_EQ(didYouMean("newmark", integrators), "");
+}
+
+TEST(UserText, IsShortenedBetweenCharacters) {
+  EXPECT_EQ(shortened("young"), "young");
+  EXPECT_EQ(shortened("a\nb\tc\x7f"), "a?b?c?");
+  EXPECT_EQ(shortened(std::string(longestUserText, 'x')), std::string(longestUserText, 'x'));
+  EXPECT_EQ(shortened(std::string(100000, 'x')), std::string(longestUserText, 'x') + "…");
+  std::string umlauts;
+  for (int i = 0; i < 100; ++i) umlauts += "ü";
+  EXPECT_EQ(shortened("a" + umlauts), "a" + umlauts.substr(0, longestUserText - 2) + "…");
+  EXPECT_EQ(inQuotes("x"), "\"x\"");
+  EXPECT_EQ(shortList(std::vector<std::string>{"a", "b"}), "a, b");
+  const std::vector<std::string> many(longestUserList + 3, "a");
+  EXPECT_TRUE(shortList(many).ends_with("a, a and 3 more"));
 }
 
 TEST(NearestName, CountsEdits) {

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,16 @@
 #include <tests/support/body_cases.h>
 
 namespace ringwatch::test {
+
+/// A number as part of a test's name: "0.3" is "0_3", "1e-12" is "1em12".
+inline std::string testName(double number) {
+  std::ostringstream text;
+  text << number;
+  std::string name = text.str();
+  std::replace(name.begin(), name.end(), '-', 'm');
+  std::erase(name, '+');
+  return testName(std::string_view(name));
+}
 
 /// A bar of 240 tetrahedra with one inner node pulled by `flatness` of the way to its neighbour along x: flat
 /// tetrahedra all around it, none inverted.

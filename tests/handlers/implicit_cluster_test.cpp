@@ -1,13 +1,17 @@
 // The matrix of an implicit cluster against assembled tangents, kept current along motions, and what its solvers leave.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <sstream>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/handlers/cluster_matrix.h>
 #include <ringwatch/handlers/implicit_cluster.h>
 #include <tests/handlers/handler_cases.h>
 
@@ -123,6 +127,26 @@ TEST(ImplicitCluster, SeesPositionsThatAreNotNumbersAtOnce) {
     }
 }
 
+TEST(ClusterMatrixTolerance, IsWhatTheDocumentsSay) {
+  const auto read = [](const char* path) {
+    std::ifstream file(std::string(RINGWATCH_SOURCE_DIR) + "/" + path);
+    std::string text, line;
+    while (std::getline(file, line)) {
+      if (line.starts_with("/// ")) line.erase(0, 3);
+      text += line.substr(std::min(line.find_first_not_of(' '), line.size())) + " ";  // wrapped lines are one
+    }
+    return text;
+  };
+  std::ostringstream angles, both;
+  angles << leastTurn << " to " << mostTurn << " rad";
+  both << "h² λ θ² = " << std::lround(3 * turnShare) << "/3, λ the element's highest eigenvalue, between " << leastTurn
+       << " and " << mostTurn << " rad";
+  EXPECT_DOUBLE_EQ(3 * turnShare, std::round(3 * turnShare)) << "written as a third in the document";
+  EXPECT_THAT(read("docs/handlers.md"), ::testing::HasSubstr(both.str()));
+  EXPECT_THAT(read("docs/gpu.md"), ::testing::HasSubstr("turned by " + angles.str()));
+  EXPECT_THAT(read("gpu/device_imex.h"), ::testing::HasSubstr("turned by " + angles.str()));
+}
+
 struct SolveCase {
   double tolerance;  // single precision from 1e-5
   double size;       // m: nodal masses from 1e-19 kg
@@ -132,7 +156,11 @@ class ImplicitClusterSolve : public ::testing::TestWithParam<SolveCase> {};
 INSTANTIATE_TEST_SUITE_P(All, ImplicitClusterSolve,
                          ::testing::Values(SolveCase{1e-2, 0.1, 0}, SolveCase{1e-3, 0.1, 1}, SolveCase{1e-5, 0.1, 3},
                                            SolveCase{1e-4, 1e-6, 0}, SolveCase{1e-5, 100, 2}, SolveCase{1e-9, 0.1, 1},
-                                           SolveCase{1e-12, 1e-6, 3}));
+                                           SolveCase{1e-12, 1e-6, 3}),
+                         [](const auto& test) {
+                           return "to_" + test::testName(test.param.tolerance) + "_size_" +
+                                  test::testName(test.param.size) + "_held_" + std::to_string(test.param.held);
+                         });
 
 TEST_P(ImplicitClusterSolve, LeavesTheResidualThatIsAllowedAndNoMomentum) {
   const SolveCase c = GetParam();

@@ -49,6 +49,7 @@ TEST(NearestName, CountsEdits) {
   EXPECT_EQ(nearestName("cell", names), "cells");
   EXPECT_EQ(nearestName("sede", names), "seed");
   EXPECT_EQ(nearestName("x", std::vector<std::string>{}), "");
+  EXPECT_EQ(nearestName("clamp", std::vector<std::string>{"x-max", "x-min"}), "");
 }
 
 }  // namespace

@@ -13,7 +13,9 @@ namespace ringwatch {
 namespace {
 
 using namespace test;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::string msh(const std::string& nodes, const std::string& elements) {
   return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + nodes + "$EndNodes\n$Elements\n" + elements +
@@ -126,6 +128,40 @@ TEST(BadInput, TetgenFaults) {
   }
   std::filesystem::remove(folder / "t.ele");
   EXPECT_THAT(errorOf([&] { readMesh(folder / "t.node"); }), HasSubstr("t.ele: cannot read"));
+}
+
+TEST(BadInput, GmshOptionsThatHelpAreNamed) {
+  const TemporaryFolder folder;
+  const std::string begin = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n";
+  writeBytes(folder / "surface.msh", begin + "$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n");
+  EXPECT_THAT(errorOf([&] { readMesh(folder / "surface.msh"); }),
+              AllOf(HasSubstr("there are no volume elements, only 1 of"), HasSubstr("add a Physical Volume"),
+                    HasSubstr("Mesh.SaveAll = 1")));
+  std::string hexahedron = "1 12 0";
+  for (int n = 0; n < 27; ++n) hexahedron += " 1";
+  writeBytes(folder / "hex27.msh", begin + "$Elements\n1\n" + hexahedron + "\n$EndElements\n");
+  EXPECT_THAT(errorOf([&] { readMesh(folder / "hex27.msh"); }),
+              AllOf(HasSubstr("1 of type hex27"), HasSubstr("gmsh writes hex20 in place of hex27 with "
+                                                            "Mesh.SecondOrderIncomplete = 1")));
+}
+
+TEST(BadInput, EveryFormatIsNamedAndHasAReader) {
+  const TemporaryFolder folder;
+  writeBytes(folder / "a.stl", "solid\n");
+  const std::string unknown = errorOf([&] { readMesh(folder / "a.stl"); });
+  for (const MeshFormatInfo& format : allMeshFormats()) {
+    const std::string extensions(format.extensions);
+    EXPECT_THAT(unknown, HasSubstr(std::string(format.name) + " (" + extensions + ")"));
+    EXPECT_THAT(readableExtensions(), HasSubstr(extensions));
+    const std::string file = "a" + extensions.substr(0, extensions.find('/'));
+    writeBytes(folder / file, "solid\n");
+    EXPECT_THAT(errorOf([&] { readMesh(folder / file); }), Not(HasSubstr("not a known mesh format"))) << extensions;
+    if (format.writes)
+      EXPECT_NO_THROW(writeMesh(mixedMesh(), folder / ("b" + extensions))) << extensions;
+    else
+      EXPECT_THAT(errorOf([&] { writeMesh(mixedMesh(), folder / file); }), HasSubstr("use .msh or .vtu")) << extensions;
+  }
+  EXPECT_EQ(writableExtensions(), ".msh or .vtu");
 }
 
 TEST(BadInput, FilesThatCannotBeReadOrAreNoMesh) {

@@ -115,7 +115,7 @@ TEST(Check, MixedHandednessIsAnErrorThatNamesCountAndSome) {
   EXPECT_EQ(checkMesh(mesh).size(), 7u);
   const std::string text = errorOf([&] { requireSound(mesh, "bad.msh"); });
   EXPECT_THAT(text, HasSubstr("bad.msh: 7 problems: element 0 (tet4, nodes"));
-  EXPECT_THAT(text, HasSubstr("run `ringwatch mesh check bad.msh`"));
+  EXPECT_THAT(text, HasSubstr("run `ringwatch mesh check --all bad.msh` for all of them"));
 }
 
 TEST(Check, SliversAndScalesAreNotDegenerate) {
@@ -140,6 +140,32 @@ TEST(Check, FilesAreListedWithLinesWhereTheParserKnowsThem) {
   EXPECT_THAT(all, HasSubstr("element 4 (tet4, nodes 2 1 3 4) has the same nodes as element 1"));
   EXPECT_THAT(all, HasSubstr("node 6 belongs to no element"));
   EXPECT_EQ(problems.size(), 5u) << all;
+}
+
+TEST(Check, NotesTellOfPartsAndOfNodesAtTheSamePlace) {
+  for (const char* element : {"tet4", "hex8", "hex20"})
+    EXPECT_TRUE(meshNotes(generateBar({.cells = {9, 4, 3}, .element = element, .jitter = 0.2}), "m").empty())
+        << element;
+  EXPECT_TRUE(meshNotes(mixedMesh(), "m").empty());
+  // A bar and a copy of it beside, whose nodes meet at a face but are not shared.
+  const Mesh one = generateBar({.size = {1, 1, 1}, .cells = {2, 1, 1}, .element = "hex8"});
+  Mesh two = one;
+  const auto nodes = static_cast<Eigen::Index>(one.nodeCount());
+  two.X.conservativeResize(3, 2 * nodes);
+  two.X.rightCols(nodes) = one.X.colwise() + Eigen::Vector3d(1 + 1e-12, -1e-12, 0);
+  for (std::int32_t n = 0; n < nodes; ++n) two.nodeIds.push_back(100 + n);
+  for (const std::int32_t n : one.blocks[0].connectivity)
+    two.blocks[0].connectivity.push_back(n + static_cast<std::int32_t>(nodes));
+  two.blocks[0].ids = {0, 1, 2, 3};
+  const std::vector<std::string> notes = meshNotes(two, "two.msh");
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_THAT(notes[0], HasSubstr("two.msh: the mesh falls into 2 parts that share no node, of 2, 2 elements"));
+  EXPECT_THAT(notes[1], HasSubstr("two.msh: 4 nodes lie where another node lies, e.g. nodes "));
+  // The same far from the origin and in other units: what counts is the distance against the size of the mesh.
+  two.X = (1e-6 * two.X).colwise() + Eigen::Vector3d(0, 0.5, 0);
+  EXPECT_EQ(meshNotes(two, "m").size(), 2u);
+  two.X.rightCols(nodes).row(0).array() += 1e-8;  // a gap that is meant
+  EXPECT_EQ(meshNotes(two, "m").size(), 1u);
 }
 
 TEST(Check, AnEmptyMeshIsRefused) {

@@ -119,7 +119,7 @@ TEST(Generators, BadOptionsAreNamed) {
   EXPECT_THAT(bar({.cells = {8, 8, 8}, .jitter = 0.49}), HasSubstr("inside out"));
   EXPECT_THAT(bar({.grading = 0.5}), HasSubstr("grading = 0.5"));
   EXPECT_THAT(bar({.cells = {100, 1, 1}, .origin = {1, 0, 0}, .grading = 1e300}), HasSubstr("grading"));
-  EXPECT_THAT(bar({.element = "tet5"}), HasSubstr("nearest is \"tet4\""));
+  EXPECT_THAT(bar({.element = "tet5"}), HasSubstr("did you mean \"tet4\"? known are tet4, "));
   EXPECT_THAT(bar({.split = 7}), HasSubstr("6 or 5"));
   EXPECT_THAT(errorOf([] { generateBall({.radius = -1}); }), HasSubstr("radius = -1"));
 }
@@ -157,8 +157,8 @@ TEST(GeneratorTable, ArgumentsArriveAndMistakesAreNamed) {
   const auto wrong = [](std::string_view kind, const GeneratorArguments& a) {
     return errorOf([&] { generateMesh(kind, a); });
   };
-  EXPECT_THAT(wrong("barr", {}), HasSubstr("nearest is \"bar\""));
-  EXPECT_THAT(wrong("bar", {{"cell", 3.0}}), HasSubstr("nearest is \"cells\""));
+  EXPECT_THAT(wrong("barr", {}), HasSubstr("did you mean \"bar\"? known are bar, "));
+  EXPECT_THAT(wrong("bar", {{"cell", 3.0}}), HasSubstr("did you mean \"cells\"? known are size, cells"));
   EXPECT_THAT(wrong("bar", {{"cells", 3.0}}), HasSubstr("list of 3 integers"));
   EXPECT_THAT(wrong("cube", {{"cells", 2.5}}), HasSubstr("an integer"));
   EXPECT_THAT(wrong("bar", {{"jitter", 0.5}}), HasSubstr("jitter = 0.5: it must be 0 or more and below 0.5"));

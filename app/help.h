@@ -1,0 +1,29 @@
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace ringwatch {
+
+/// What `ringwatch help TOPIC` explains. Texts are made from the registries.
+struct HelpTopic {
+  std::string_view name;
+  std::string_view help;
+  std::string (*text)();
+  std::string (*names)();  // what the topic lists, in one line for the overview; nullptr: too much for a line
+};
+
+/// All topics, one line each in help.cpp.
+std::span<const HelpTopic> helpTopics();
+/// nullptr when there is none of that name.
+const HelpTopic* findHelpTopic(std::string_view name);
+/// The overview of the topics.
+std::string helpTopicListing();
+
+/// What every help text says of units.
+inline constexpr std::string_view unitsText =
+    "Quantities are in any consistent units, such as m, s, kg, N, Pa or mm, s, t, N, MPa. The units that help texts "
+    "and\n"
+    "results name are those of the first set: read them as yours.\n";
+
+}  // namespace ringwatch

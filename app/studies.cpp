@@ -1,0 +1,35 @@
+#include <array>
+
+#include <ringwatch/app/integrator_catalog.h>
+#include <ringwatch/app/verify.h>
+#include <ringwatch/verify/deformations.h>
+#include <ringwatch/verify/elements.h>
+#include <ringwatch/verify/handlers.h>
+#include <ringwatch/verify/integrators.h>
+#include <ringwatch/verify/monitor.h>
+#include <ringwatch/verify/stress.h>
+
+namespace ringwatch {
+
+std::span<const StudyInfo> allStudies() {
+  static const std::array<StudyInfo, 6> studies{{
+      {"deformations",
+       "the source's cube and bar with small elements, stretched, compressed, bent and twisted with every handler",
+       [](StudyEffort effort) { return verifyDeformations(effort, integratorCatalog().entries()); }},
+      {"elements",
+       "every element and quadrature rule: rank, patch test, derivatives, convergence, frequencies, locking",
+       verifyElements},
+      {"handlers",
+       "every handler beyond the critical step: what it takes, error, cost, energy and momentum over many steps",
+       verifyHandlers},
+      {"integrators", "every integrator: stability limit, order, energy drift, reversibility, damping",
+       [](StudyEffort effort) { return verifyIntegrators(effort, integratorCatalog().entries()); }},
+      {"monitor", "bracket, metrics, drift bounds and alarms of the monitor against exact values; nonlinear histories",
+       verifyMonitor},
+      {"stress", "explicit integrators run long and on hard bodies: who survives, and with what error",
+       [](StudyEffort effort) { return verifyStress(effort); }},
+  }};
+  return studies;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,181 @@
+// The words of the program: its help, topics made from the registries, and messages about names and meshes.
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <ringwatch/app/exit_status.h>
+#include <ringwatch/app/help.h>
+#include <ringwatch/app/integrator_catalog.h>
+#include <ringwatch/app/scene_keys.h>
+#include <ringwatch/app/verify.h>
+#include <ringwatch/elements/registry.h>
+#include <ringwatch/handlers/handler.h>
+#include <ringwatch/materials/registry.h>
+#include <ringwatch/meshes/generator_registry.h>
+#include <ringwatch/meshes/mesh_io.h>
+#include <ringwatch/monitor/metrics.h>
+
+#include "temporary_folder.h"
+
+namespace ringwatch {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+struct Outcome {
+  int status;
+  std::string out, err;
+};
+
+class Words : public ::testing::Test {
+ protected:
+  Outcome call(const std::string& arguments) {
+    const std::string command =
+        "cd '" + folder_.path().string() + "' && '" RINGWATCH_PROGRAM "' " + arguments + " > out.txt 2> err.txt";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, folder_.read("out.txt"), folder_.read("err.txt")};
+  }
+  /// The message of bad input, one line.
+  std::string refusal(const std::string& arguments) {
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments << "\n" << outcome.err;
+    return outcome.err;
+  }
+  std::string help(const std::string& topic) {
+    const Outcome outcome = call("help " + topic);
+    EXPECT_EQ(outcome.status, 0) << topic << "\n" << outcome.err;
+    EXPECT_EQ(outcome.err, "") << topic;
+    return outcome.out;
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+std::size_t lineCount(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// A line of a listing that begins with this name.
+auto lists(std::string_view name) { return HasSubstr("\n  " + std::string(name) + " "); }
+
+TEST_F(Words, EveryTopicListsItsRegistry) {
+  for (const ElementInfo& info : allElements()) {
+    EXPECT_THAT(help("elements"), lists(info.name));
+    for (const QuadratureRule& rule : info.rules) EXPECT_THAT(help("elements"), lists("  " + std::string(rule.name)));
+  }
+  for (const LawInfo& info : allLaws()) EXPECT_THAT(help("laws"), lists(info.name));
+  for (const IntegratorInfo& info : integratorInfos()) EXPECT_THAT(help("integrators"), lists(info.name));
+  for (const MetricInfo& info : allMetrics()) EXPECT_THAT(help("metrics"), lists(info.name));
+  for (const HandlerEntry& entry : allHandlers()) EXPECT_THAT(help("handlers"), lists(entry.info->name));
+  for (const MeshFormatInfo& info : allMeshFormats()) EXPECT_THAT(help("formats"), lists(info.extensions));
+  for (const GeneratorInfo& info : allGenerators()) {
+    EXPECT_THAT(help("generators"), lists(info.name));
+    for (const GeneratorParameter& p : info.parameters) EXPECT_THAT(help("generators"), HasSubstr(p.name));
+  }
+  for (const StudyInfo& info : allStudies()) EXPECT_THAT(help("studies"), lists(info.name));
+  for (const ExitStatusInfo& info : exitStatuses) EXPECT_THAT(help("exit-status"), HasSubstr(info.meaning));
+  for (const SceneSection& section : sceneSections()) EXPECT_THAT(help("scene"), HasSubstr(section.name));
+  for (const SceneKey& key : sceneKeys()) EXPECT_THAT(help("scene"), lists(key.key));
+  EXPECT_EQ(help("scene"), call("run --help-scene").out);
+}
+
+TEST_F(Words, HelpOfACommandIsAboutIt) {
+  EXPECT_EQ(help(""), call("--help").out);
+  for (const HelpTopic& topic : helpTopics()) EXPECT_THAT(help(""), lists(topic.name));
+  for (const std::string command :
+       {"run", "inspect", "compare", "verify", "mesh", "mesh generate", "mesh convert", "mesh check"}) {
+    const std::string text = call(command + " --help").out;
+    EXPECT_EQ(help(command), text) << command;
+    EXPECT_LE(lineCount(text), 45u) << command << "\n" << text;
+    EXPECT_THAT(text, Not(HasSubstr("symplectic, one force a step"))) << command;
+  }
+  for (const std::string command : {"inspect", "mesh convert", "mesh check"})
+    EXPECT_THAT(help(command), HasSubstr(readableExtensions()));
+  for (const std::string& text : {help(""), help("scene"), help("inspect")}) {
+    EXPECT_THAT(text, Not(HasSubstr("SI units")));
+    EXPECT_THAT(text, HasSubstr("any consistent units"));
+  }
+}
+
+TEST_F(Words, UnknownTopicsAreAnsweredWithAllOfThem) {
+  EXPECT_THAT(refusal("help scne"),
+              AllOf(HasSubstr("did you mean \"scene\"?"), HasSubstr("exit-status"), HasSubstr("run")));
+  EXPECT_THAT(refusal("help weather"), AllOf(HasSubstr("unknown topic \"weather\"; known are"), HasSubstr("metrics")));
+  EXPECT_THAT(refusal("help mesh melt"), HasSubstr("known are generate, convert, check"));
+  EXPECT_THAT(refusal("help run fast"), HasSubstr("ringwatch run has no command \"fast\""));
+}
+
+TEST_F(Words, OnlyNearNamesAreProposed) {
+  ASSERT_EQ(call("mesh generate cube --size 0.05 --cells 1 -o cube.msh").status, 0);
+  const std::string material = " --young 30e3 --poisson 0.3 --density 1000 ";
+  EXPECT_THAT(refusal("inspect cube.msh --integrator newmark" + material),
+              AllOf(HasSubstr("unknown \"newmark\"; known are explicit-euler"), Not(HasSubstr("did you mean"))));
+  EXPECT_THAT(refusal("inspect cube.msh --integrator verlett" + material), HasSubstr("did you mean \"verlet\"?"));
+  EXPECT_THAT(refusal("inspect cube.msh --fix set:clamp" + material),
+              AllOf(HasSubstr("unknown node set \"clamp\"; the mesh has "), Not(HasSubstr("did you mean"))));
+  EXPECT_THAT(refusal("frobnicate"), Not(HasSubstr("did you mean")));
+  EXPECT_THAT(refusal("mesh generate torus -o a.msh"),
+              AllOf(HasSubstr("known are bar"), Not(HasSubstr("did you mean"))));
+}
+
+TEST_F(Words, LongArgumentsDoNotFillTheScreen) {
+  const std::string name(100000, 'k');
+  for (const std::string& arguments :
+       {name, "inspect " + name, "inspect a.msh --young " + name + " --poisson 0.3 --density 1",
+        "mesh generate " + name + " -o a.msh", "mesh generate bar -o " + name, "run " + name + ".toml",
+        "run a.toml --set " + name + "=1", "verify " + name, "help " + name, "run --threads " + name + " a.toml"})
+    EXPECT_LE(refusal(arguments).size(), 1200u) << arguments.substr(0, 60);
+}
+
+/// A file of `count` tetrahedra that refer to a node which it does not have.
+std::string brokenMsh(int count) {
+  std::ostringstream text;
+  text << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n$Elements\n"
+       << count << "\n";
+  for (int e = 1; e <= count; ++e) text << e << " 4 0 1 2 3 " << 10 + e << "\n";
+  text << "$EndElements\n";
+  return text.str();
+}
+
+TEST_F(Words, MeshCheckShowsTenProblemsAndTheirNumber) {
+  folder_.write("broken.msh", brokenMsh(60000));
+  const Outcome first = call("mesh check broken.msh");
+  EXPECT_EQ(first.status, 1);
+  EXPECT_EQ(lineCount(first.out), 12u);
+  EXPECT_THAT(first.out,
+              AllOf(HasSubstr("broken.msh:13: element 1 (tet4) refers to node 11"),
+                    HasSubstr("broken.msh:22: element 10"), HasSubstr("… and 59991 more; --all lists them\n"),
+                    HasSubstr("broken.msh: 60001 problems: 60000 missing-node, 1 unused-node\n")));
+  const Outcome all = call("mesh check --all broken.msh");
+  EXPECT_EQ(lineCount(all.out), 60002u);
+  EXPECT_THAT(all.out, HasSubstr("broken.msh:60012: element 60000 "));
+}
+
+TEST_F(Words, CheckAndInspectNoteWhatIsOddAboutAMesh) {
+  std::ostringstream text;  // two tetrahedra that meet at a face without sharing its nodes
+  text << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 0 0 0\n6 1 0 0\n7 0 "
+          "1 0\n"
+          "8 0 0 -1\n$EndNodes\n$Elements\n2\n1 4 0 1 2 3 4\n2 4 0 5 7 6 8\n$EndElements\n";
+  folder_.write("apart.msh", text.str());
+  for (const std::string command : {"mesh check apart.msh", "inspect apart.msh --young 1 --poisson 0.3 --density 1"}) {
+    const Outcome outcome = call(command);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out,
+                AllOf(HasSubstr("note: apart.msh: the mesh falls into 2 parts"),
+                      HasSubstr("note: apart.msh: 3 nodes lie where another node lies, e.g. nodes 1 and 5")));
+  }
+}
+
+}  // namespace
+}  // namespace ringwatch
