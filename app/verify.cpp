@@ -142,6 +142,7 @@ std::string surfaceScript(const StudySurfaces& surfaces) {
 }  // namespace
 
 std::vector<StudyReport> runStudies(const std::vector<std::string>& names, StudyEffort effort) {
+  const std::span<const StudyInfo> studies = allStudies();
   std::vector<const StudyInfo*> chosen;
   for (const std::string& name : names) {
     if (name == "all") {

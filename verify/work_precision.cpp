@@ -149,31 +149,6 @@ std::vector<double> stepsFor(const WorkPrecisionCase& c, const IntegratorInfo& i
   return steps;
 }
 
-Body standardBar(bool slivers) {
-  constexpr std::array<int, 3> cells{10, 2, 2};
-  BarOptions options;
-  options.size = {0.2, 0.04, 0.04};
-  options.cells = cells;
-  Mesh mesh = generateBar(options);
-  if (slivers) {
-    // Pull a few inner nodes nine tenths of the way to their neighbours along x: flat tetrahedra all around, none
-    // inverted.
-    const auto node = [&](int i, int j, int k) { return i + (cells[0] + 1) * (j + (cells[1] + 1) * k); };
-    for (int i = 2; i + 2 < cells[0]; i += 3)
-      mesh.X(0, node(i, 1, 1)) += 0.9 * (mesh.X(0, node(i + 1, 1, 1)) - mesh.X(0, node(i, 1, 1)));
-  }
-  Body body(std::move(mesh), makeMaterial("stvk", 30e3, 0.3, 1000), {{}, Lumping::rowSum, 1});
-  for (const std::int32_t n : body.mesh().nodeSets.at("x-min")) body.constraints().fix(n);
-  body.addBodyForce({0, 0, -1});
-  return body;
-}
-
-double highestEigenvalue(const Body& body, double tolerance = 1e-9) {
-  const GlobalFrequency top = globalFrequency(body, body.mesh().X, tolerance);
-  if (!top.converged) throw NumericalError("the highest frequency of the bar did not converge");
-  return top.lambda;
-}
-
 StudyTable::Cell textOrNone(const WorkPrecisionRun* run) { return run ? run->integrator : std::string("none"); }
 
 }  // namespace
