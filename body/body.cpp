@@ -64,7 +64,7 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
     MeshBlock block{from.type, {}, {}};
     for (std::size_t e = 0; e < from.elementCount(); ++e) {
       if (!chosen[b][e]) continue;
-      block.ids.push_back(from.ids[e]);
+      block.ids.push_back(from.id(e));
       block.connectivity.insert(block.connectivity.end(), from.element(e), from.element(e) + from.nodesPerElement());
     }
     mesh_.blocks.push_back(std::move(block));

@@ -240,8 +240,7 @@ std::string elementText(const Body& body, ElementRef e) {
   const MeshBlock& block = body.mesh().blocks[static_cast<std::size_t>(e.block)];
   std::string text = joinText(elementInfo(block.type).name, " element ", e.block, ":", e.element, " (nodes");
   for (int a = 0; a < block.nodesPerElement(); ++a)
-    text += joinText(
-        " ", body.mesh().nodeIds[static_cast<std::size_t>(block.element(static_cast<std::size_t>(e.element))[a])]);
+    text += joinText(" ", body.mesh().nodeId(block.element(static_cast<std::size_t>(e.element))[a]));
   return text + ")";
 }
 

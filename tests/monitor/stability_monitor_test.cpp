@@ -129,6 +129,24 @@ TEST(StabilityMonitor, ReportsANonFiniteState) {
     }
 }
 
+TEST(StabilityMonitor, NamesElementsOfAMeshWithoutNumbers) {
+  for (const Cut& cut : test::allCuts()) {
+    Mesh mesh = test::box(cut, {2, 2, 2});
+    mesh.nodeIds.clear();
+    for (MeshBlock& block : mesh.blocks) block.ids.clear();
+    const Body body(std::move(mesh), makeMaterial("stvk", test::young, 0.3, test::density), test::onThreads(1));
+    StabilityMonitor monitor(body, {});
+    monitor.observe(0, 0, body.mesh().X, noVelocity(body), 1);
+    const MonitorEvent& event = onlyEvent(monitor, EventKind::violated);
+    ASSERT_TRUE(event.element);
+    std::string nodes = "(nodes";
+    for (const std::int32_t node :
+         body.blocks()[static_cast<std::size_t>(event.element->block)]->nodesOf(event.element->element))
+      nodes += joinText(" ", node);
+    expectText(event, {nodes + ")"});
+  }
+}
+
 TEST(StabilityMonitor, ReportsAnInvertedElement) {
   for (const Cut& cut : test::allCuts())
     for (const LawInfo& law : allLaws()) {
