@@ -101,8 +101,10 @@ void Body::elementLumpedMass(ElementRef ref, double* mass) const {
   for (const QuadraturePoint& point : element.massRule.points) {
     element.shape(point.xi, N);
     element.shapeGradient(point.xi, dN);
+    // Relative to the first node: far from the origin, products of large coordinates would lose the element's size.
     Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
-    for (int a = 0; a < n; ++a) J += mesh_.X.col(nodes[static_cast<std::size_t>(a)]) * Eigen::RowVector3d::Map(dN[a]);
+    for (int a = 1; a < n; ++a)
+      J += (mesh_.X.col(nodes[static_cast<std::size_t>(a)]) - mesh_.X.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
     const double w = density * J.determinant() * point.weight;
     for (int a = 0; a < n; ++a) {
       mass[a] += w * N[a];
