@@ -86,7 +86,15 @@ void Body::addNodalMass(std::int32_t node, double mass) {
   if (node < 0 || node >= nodeCount() || !(mass >= 0) || !std::isfinite(mass))
     throw InputError(joinText("node ", node, ", added mass ", mass, " kg: the node must be one of ", nodeCount(),
                               " and the mass >= 0 and finite"));
+  if (mass == 0) return;
   lumpedMass_[node] += mass;
+  massVersion_.add();
+}
+
+void Body::checkNodal(std::string_view name, const NodeVectors& values) const {
+  if (values.cols() != nodeCount())
+    throw InputError(
+        joinText(name, " is 3 x ", values.cols(), ": must be 3 x ", nodeCount(), ", a column for each node"));
 }
 
 void Body::elementLumpedMass(ElementRef ref, double* mass) const {

@@ -287,7 +287,7 @@ std::string_view eventName(EventKind kind) {
 }
 
 struct StabilityMonitor::Impl {
-  Impl(const Body& b, const MonitorOptions& o) : body(b), options(o) {
+  Impl(const Body& b, const MonitorOptions& o) : body(b), options(o), bodyVersion(b.version()) {
     if (o.mode != MonitorMode::metric) bracketer.emplace(b, o.width);
     if (o.metric == "reduced-1-ring" && !o.metricElsewhere) ring.emplace(b);
   }
@@ -318,7 +318,7 @@ struct StabilityMonitor::Impl {
   };
   Course courses[5];  // by EventKind
   double largestEnergy = 0;
-  std::int64_t observations = 0, energyLooks = 0;
+  std::int64_t observations = 0, energyLooks = 0, bodyVersion = 0;
 
   /// Records an event when it begins and when it ends. Near a limit it may come and go from step to step: one event
   /// until it has stayed away for a while.
@@ -388,7 +388,8 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
 
   const bool finite = allFinite(x) && allFinite(v);
   m.tell(EventKind::nonFinite, !finite, 0, x, std::nullopt, [] { return "positions or velocities are not finite"; });
-  if (force && (!finite || !m.bracketer || m.observations % m.options.every != 0)) {
+  const bool due = finite && (m.observations++ % m.options.every == 0 || m.bodyVersion != m.body.version());
+  if (force && (!due || !m.bracketer)) {
     m.body.internalForce(x, *force, m.workspace);
     force = nullptr;
   }
@@ -407,7 +408,8 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
     m.tell(EventKind::energyBalance, settled && share > m.options.energyTolerance, share, x, std::nullopt,
            [&] { return joinText("energy balance is off by ", 100 * share, " % of the largest energy so far"); });
   }
-  if (m.observations++ % m.options.every == 0) {
+  if (due) {
+    m.bodyVersion = m.body.version();
     report.fresh = true;
     report.elementsRefreshed = 0;
     if (m.bracketer) {

@@ -52,6 +52,17 @@ TEST(BodyErrors, TakesSmallElementsFarFromTheOrigin) {
     }
 }
 
+TEST(BodyErrors, NamesAnArrayThatIsNotOneColumnANode) {
+  const Body body(test::distortedBox("tet4", {2, 2, 2}), material);
+  EXPECT_NO_THROW(body.checkNodal("x", body.mesh().X));
+  try {
+    body.checkNodal("x", NodeVectors::Zero(3, 5));
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()), "x is 3 x 5: must be 3 x 27, a column for each node");
+  }
+}
+
 TEST(BodyErrors, NamesAnInvertedElementByItsNumberInTheFile) {
   for (const ElementInfo& element : allElements()) {
     Mesh mesh = test::distortedBox(element.name, {2, 2, 2});

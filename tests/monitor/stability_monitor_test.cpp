@@ -17,6 +17,7 @@ namespace ringwatch {
 namespace {
 
 using test::Cut;
+using test::DenseTangent;
 
 NodeVectors noVelocity(const Body& body) { return NodeVectors::Zero(3, body.nodeCount()); }
 
@@ -127,6 +128,55 @@ TEST(StabilityMonitor, ReportsANonFiniteState) {
       EXPECT_EQ(event.time, 0.1);
       expectText(event, {"step 1", "0.1 s", "not finite"});
     }
+}
+
+TEST(StabilityMonitor, FollowsMassesAndConstraintsOfTheBody) {
+  using Change = std::function<void(Body&)>;
+  const std::pair<std::string, Change> changes[] = {
+      {"mass",
+       [](Body& body) {
+         for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.addNodalMass(i, 2 * body.lumpedMass()[i]);
+       }},
+      {"held",
+       [](Body& body) {
+         for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+           if (i != 13) body.constraints().fix(i);
+       }},
+      {"released", [](Body& body) { body.constraints() = Constraints(body.mesh().nodeCount()); }},
+      {"held otherwise", [](Body& body) {
+         body.constraints() = Constraints(body.mesh().nodeCount());
+         for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.constraints().fix(i, 1);
+       }}};
+  for (const Cut& cut : test::allCuts())
+    for (const auto& [name, change] : changes)
+      for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold})
+        for (const int every : {1, 10}) {
+          Body body = test::boxBody(cut, "stvk");
+          for (std::int32_t i = 0; i < 18; ++i) body.constraints().fix(i);
+          const NodeVectors& X = body.mesh().X;
+          const std::string what = joinText(cut.name, ", ", name, ", ", monitorModeName(mode), ", every ", every);
+          MonitorOptions options;
+          options.mode = mode;
+          options.every = every;
+          StabilityMonitor monitor(body, options);
+          const double before = stepFor(DenseTangent(body, X).largest(), 2), h = 0.9 * before;
+          for (int step = 0; step < 3; ++step) monitor.observe(step, 0, X, noVelocity(body), h);
+          change(body);
+          const double exact = stepFor(DenseTangent(body, X).largest(), 2);
+          const MonitorReport& report = monitor.observe(3, 0, X, noVelocity(body), h);
+          EXPECT_TRUE(report.fresh) << what;
+          if (report.bracket) {
+            EXPECT_LE(report.bracket->safe, exact * (1 + 1e-9)) << what;
+            EXPECT_GE(report.bracket->optimistic, exact * (1 - 1e-9)) << what;
+          }
+          EXPECT_LE(report.certified, exact * (1 + 1e-9)) << what;
+          if (h < 0.8 * exact) {
+            EXPECT_EQ(report.verdict, Verdict::certified) << what;
+          }
+          if (h > 1.2 * exact) {
+            EXPECT_EQ(report.verdict, Verdict::violated) << what;
+          }
+        }
 }
 
 TEST(StabilityMonitor, NamesElementsOfAMeshWithoutNumbers) {
