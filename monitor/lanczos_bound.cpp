@@ -58,6 +58,7 @@ LanczosBound lanczosUpperBound(const Body& body, const NodeVectors& x, double wi
   if (!(width >= 1e-4 && width < 1)) throw InputError(joinText("width = ", width, ": must be >= 1e-4 and < 1"));
   if (!(eta > 0 && eta <= 0.5)) throw InputError(joinText("eta = ", eta, ": must be > 0 and <= 0.5"));
   if (maxProducts < 1) throw InputError(joinText("maxProducts = ", maxProducts, ": must be >= 1"));
+  body.checkNodal("x", x);
   LanczosBound result{{0, eta}, {0}, 0, true};
   std::int64_t free = 0;
   for (std::int32_t i = 0; i < body.nodeCount(); ++i) free += body.constraints().freeComponents(i);
