@@ -130,6 +130,119 @@ TEST(StabilityMonitor, ReportsANonFiniteState) {
     }
 }
 
+void expectNoNan(const StabilityMonitor& monitor) {
+  for (const MonitorEvent& event : monitor.events()) EXPECT_EQ(event.text.find("nan"), std::string::npos) << event.text;
+}
+
+TEST(StabilityMonitor, HasNoBracketOfAnEarlierStateWhereTheStateIsNotFinite) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const NodeVectors& X = body.mesh().X;
+  NodeVectors bad = X;
+  bad(1, 4) = std::numeric_limits<double>::quiet_NaN();
+  for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold})
+    for (const int every : {1, 5})
+      for (const bool first : {true, false}) {
+        MonitorOptions options;
+        options.mode = mode;
+        options.every = every;
+        options.metric = "reduced-1-ring";
+        StabilityMonitor monitor(body, options);
+        if (!first) monitor.observe(0, 0, X, noVelocity(body), 10);  // far too large: there is a bracket
+        for (int step = 1; step < 4; ++step) {
+          const MonitorReport& report = monitor.observe(step, 0, bad, noVelocity(body), 1e-9);
+          EXPECT_EQ(report.verdict, Verdict::violated);
+          EXPECT_FALSE(report.bracket);
+          EXPECT_FALSE(report.metricStep);
+          EXPECT_EQ(report.certified, 0);
+        }
+        // The first finite state is evaluated, whoever's turn it is.
+        const MonitorReport& report = monitor.observe(4, 0, X, noVelocity(body), 1e-9);
+        EXPECT_TRUE(report.fresh);
+        EXPECT_EQ(report.evaluatedAt, 4);
+        EXPECT_EQ(report.verdict, Verdict::certified);
+        EXPECT_TRUE(report.bracket.has_value() || mode == MonitorMode::threshold);
+        expectNoNan(monitor);
+      }
+}
+
+TEST(StabilityMonitor, HasNoBracketWhereTheTangentIsNotFinite) {
+  for (const Cut& cut : test::allCuts()) {
+    // The logarithm of det F does not exist in a mirrored body.
+    const Body body = test::boxBody(cut, "neo-hookean");
+    const NodeVectors &X = body.mesh().X, mirrored = Eigen::Vector3d(-1, 1, 1).asDiagonal() * X;
+    const double exact = stepFor(DenseTangent(body, X).largest(), 2);
+    for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold})
+      for (const bool first : {true, false}) {
+        MonitorOptions options;
+        options.mode = mode;
+        options.every = 2;
+        StabilityMonitor monitor(body, options);
+        if (!first) monitor.observe(0, 0, X, noVelocity(body), 10);
+        for (int step = 2; step < 6; ++step) {
+          const MonitorReport& report = monitor.observe(step, 0, mirrored, noVelocity(body), 1e-9);
+          if (!first && step == 2) continue;  // not its turn yet
+          EXPECT_EQ(report.verdict, Verdict::violated) << cut.name;
+          EXPECT_FALSE(report.bracket) << cut.name;
+          EXPECT_EQ(report.certified, 0) << cut.name;
+        }
+        expectText(onlyEvent(monitor, EventKind::nonFinite), {"tangent is not finite"});
+        onlyEvent(monitor, EventKind::inverted);
+        expectNoNan(monitor);
+        // Nothing of it is left over.
+        const MonitorReport& report = monitor.observe(6, 0, X, noVelocity(body), std::nullopt);
+        ASSERT_TRUE(report.bracket) << cut.name;
+        EXPECT_LE(report.bracket->safe, exact * (1 + 1e-9)) << cut.name;
+        EXPECT_GE(report.bracket->optimistic, exact * (1 - 1e-9)) << cut.name;
+        EXPECT_LE(report.bracket->optimistic, 1.1 * exact) << cut.name;
+      }
+    EXPECT_THROW(criticalStep(body, mirrored, 2), NumericalError);
+  }
+}
+
+TEST(StabilityMonitor, RefusesWhatIsNoStateOrNoStep) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const NodeVectors X = body.mesh().X, v = noVelocity(body), few = X.leftCols(3), many = NodeVectors::Zero(3, 1000);
+  StabilityMonitor monitor(body, {});
+  const auto refusal = [&](const std::function<void()>& call) -> std::string {
+    try {
+      call();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  for (const NodeVectors* wrong : {&few, &many}) {
+    const std::string size = joinText("3 x ", wrong->cols(), ": must be 3 x 27");
+    const std::string inX = refusal([&] { monitor.observe(0, 0, *wrong, v, 1e-9); }),
+                      inV = refusal([&] { monitor.observe(0, 0, X, *wrong, 1e-9); }),
+                      inCritical = refusal([&] { criticalStep(body, *wrong, 2); }),
+                      inGlobal = refusal([&] { globalFrequency(body, *wrong); });
+    for (const std::string& text : {inX, inCritical, inGlobal}) EXPECT_EQ(text.find("x is " + size), 0u) << text;
+    EXPECT_EQ(inV.find("v is " + size), 0u) << inV;
+  }
+  for (const double h : {0.0, -1e-9, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_EQ(refusal([&] { monitor.observe(0, 0, X, v, h); }).find(joinText("h = ", h, " s: must be > 0 and finite")),
+              0u);
+  EXPECT_EQ(monitor.observe(0, 0, X, v, 1e-9).verdict, Verdict::certified) << "a refused call changes nothing";
+}
+
+TEST(StabilityMonitor, GivesABracketWhileNoStepIsChosen) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold}) {
+    MonitorOptions options;
+    options.mode = mode;
+    StabilityMonitor monitor(body, options);
+    const MonitorReport& report = monitor.observe(0, 0, body.mesh().X, noVelocity(body), std::nullopt);
+    EXPECT_EQ(report.verdict, Verdict::notCertified);
+    EXPECT_EQ(report.h, 0);
+    ASSERT_TRUE(report.bracket);
+    EXPECT_EQ(report.certified, report.bracket->safe);
+    EXPECT_TRUE(monitor.events().empty());
+    EXPECT_EQ(monitor.observe(1, 0, body.mesh().X, noVelocity(body), 0.99 * report.bracket->safe).verdict,
+              Verdict::certified);
+  }
+}
+
 TEST(StabilityMonitor, FollowsMassesAndConstraintsOfTheBody) {
   using Change = std::function<void(Body&)>;
   const std::pair<std::string, Change> changes[] = {
