@@ -53,6 +53,8 @@ class LazyBound {
   /// Elements whose -lambda_min(∂P/∂F) over λ+2μ was above `least` when last evaluated, most first. Only elements under
   /// compression can make the tangent indefinite.
   std::vector<ElementRef> compressedElements(double least) const;
+  /// The most compressed element's, since shapes and budgets were made.
+  double mostCompression() const { return mostCompression_; }
   /// An element's exact value over its budget, which is about the bound at its hottest node over sigma.
   struct Risen {
     double share;

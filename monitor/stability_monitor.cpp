@@ -8,6 +8,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/element_cause.h>
 #include <ringwatch/monitor/lazy_bound.h>
+#include <ringwatch/monitor/lowest_mode.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/rayleigh.h>
 #include <ringwatch/monitor/split_bound.h>
@@ -128,11 +129,28 @@ class Bracketer {
     mode_.resize(3, 0);
     hotSpot_.choose(mode_);
     lowest_ = {0, {}};
+    softest_.resize(3, 0);
+    least_ = {};
+    sinceSearch_ = searchGap_ = firstSearchGap;
+    searchedAt_ = 0;
   }
-  /// Only elements under compression can make the tangent indefinite: the rings of those most compressed tell now and
-  /// then.
+  /// Only elements under compression can make the tangent indefinite. When there are some, their rings are evaluated
+  /// now and then, and a direction of negative stiffness is searched in the whole body: at the first evaluation, when
+  /// compression has grown since the last search, and else more and more seldom.
   void lookUnderCompression(const NodeVectors& x) {
-    if (++sinceCompressed_ < firstGap) return;
+    const double compression = lazy_.mostCompression();
+    ++sinceSearch_;
+    const bool grown = compression > growth * searchedAt_ && sinceSearch_ >= firstGap;
+    const bool search = compression > slightlyCompressed && (grown || sinceSearch_ >= searchGap_);
+    if (search) {
+      least_ = findLowestMode(body_, x, softest_, softest_.cols() == 0 ? coldSearch : warmSearch);
+      searchGap_ = grown ? firstSearchGap : std::min(2 * searchGap_, lastGap);
+      searchedAt_ = grown ? compression : std::max(searchedAt_, compression);
+      sinceSearch_ = 0;
+    } else if (!(compression > slightlyCompressed)) {
+      least_ = {};
+    }
+    if (++sinceCompressed_ < firstGap && !search) return;
     sinceCompressed_ = 0;
     const std::vector<ElementRef> all = lazy_.compressedElements(compressed);
     // The most compressed ones, the lowest so far, and others by turns.
@@ -143,6 +161,7 @@ class Bracketer {
     }
     if (lowest_.value < 0) chosen.push_back(lowest_.element);
     lowest_ = {0, {}};
+    if (least_.value < 0) lowest_ = {least_.value, least_.element};
     for (const ElementRef e : chosen) {
       if (!decomposeRing(x, e)) continue;
       // Constrained components have eigenvalues of zero, to rounding.
@@ -227,7 +246,11 @@ class Bracketer {
   // Evaluations between two restarts or looks under compression; restarts become rarer while useless.
   static constexpr int firstGap = 10, lastGap = 2560;
   static constexpr std::size_t compressedRings = 16, risenRings = 3, hotRings = 64;  // looked at each time
-  static constexpr double compressed = 0.05;                                         // of λ+2μ
+  static constexpr double compressed = 0.05, slightlyCompressed = 1e-3;              // of λ+2μ
+  // Of the search for a negative direction: tangent products of the first and of the others, the growth of compression
+  // that asks for one, and evaluations between two else.
+  static constexpr int coldSearch = 48, warmSearch = 12, firstSearchGap = 80;
+  static constexpr double growth = 1.5;
 
   const Body& body_;
   double width_;
@@ -244,6 +267,10 @@ class Bracketer {
       sinceCompressed_ = firstGap;
   LowestRing lowest_{0, {}};
   std::size_t nextCompressed_ = 0;
+  NodeVectors softest_;  // the direction of the last search
+  LowestMode least_;     // what it proved
+  int sinceSearch_ = firstSearchGap, searchGap_ = firstSearchGap;
+  double searchedAt_ = 0;  // the compression then
   std::optional<CriticalStep> step_;
 };
 
@@ -510,7 +537,7 @@ CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule
                           const std::optional<LanczosOptions>& lanczos) {
   requireProof(limit);
   body.checkNodal("x", x);
-  constexpr int products = 20, sweeps = 12, iterations = 60;
+  constexpr int products = 20, sweeps = 12, iterations = 60, searchProducts = 48;
   constexpr double aim = 1.01, narrow = 1.02;    // in lambda: 0.5 % and 1 % of the step
   constexpr std::int64_t mostBytes = 4LL << 30;  // beyond, the nodal bound has to do
   ReducedRing ring(body);
@@ -535,6 +562,15 @@ CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule
   if (!step.isBracket())
     throw NumericalError(joinText("the sides of the bracket cross by rounding: safe ", step.safe, " s, optimistic ",
                                   step.optimistic, " s"));
+  // At rest there is no stress that could make the tangent indefinite.
+  if (!(step.lowestRing < 0) && x != body.mesh().X) {
+    NodeVectors direction;
+    const LowestMode lowest = findLowestMode(body, x, direction, searchProducts);
+    if (lowest.value < 0) {
+      step.lowestRing = lowest.value;
+      step.lowestRingElement = lowest.element;
+    }
+  }
   if (lanczos) {
     const LanczosBound bound = lanczosUpperBound(body, x, lanczos->width, lanczos->eta, lanczos->seed);
     step.probable = {limit(bound.upper.value), bound.upper.eta, bound.products};

@@ -44,6 +44,12 @@ std::string_view verdictName(Verdict verdict);
 
 /// Something that happened, reported once when it begins. It ends with the first of MonitorOptions::clearLooks
 /// looks in a row that do not see it.
+/// indefinite: the tangent has a negative eigenvalue, which only compressed elements can give it. Where some element is
+/// compressed by more than 1e-3 of λ+2μ, the monitor searches for a direction of negative stiffness in the whole body:
+/// 48 tangent products at the first evaluation; 12, from the direction found last, when compression has grown by half
+/// since the last search; and else after 80, 160, … 2560 evaluations. With a compression above 0.05 it also evaluates
+/// 32 reduced 1-rings at each of these and after 10 evaluations. A mode that is far softer than the elements, as of a
+/// slender bar that buckles, can be missed; what is told is proven.
 enum class EventKind { violated, energyBalance, inverted, nonFinite, indefinite };
 std::string_view eventName(EventKind kind);
 struct MonitorEvent {

@@ -392,6 +392,50 @@ TEST(StabilityMonitor, ReportsAnIndefiniteTangentOnlyWhenItIs) {
   }
 }
 
+TEST(StabilityMonitor, ReportsAnIndefiniteTangentAtTheFirstLook) {
+  int indefinite = 0;
+  for (const Cut& cut : test::allCuts())
+    for (const LawInfo& law : allLaws())
+      for (const double squash : {0.9, 0.7, 0.5}) {
+        Body body = test::boxBody(cut, law.name, {6, 2, 2});
+        test::holdBody(body, test::Hold::face);
+        const NodeVectors x = Eigen::Vector3d(squash, 1, 1).asDiagonal() * body.mesh().X;
+        const Eigen::VectorXd lambda = test::DenseTangent(body, x).eigenvalues();
+        const std::string what = joinText(cut.name, ", ", law.name, ", squashed to ", squash);
+        StabilityMonitor monitor(body, {});
+        monitor.observe(0, 0, x, noVelocity(body), 1e-9);
+        const bool told = countEvents(monitor, EventKind::indefinite) > 0;
+        if (told) {
+          const MonitorEvent& event = onlyEvent(monitor, EventKind::indefinite);
+          EXPECT_GE(event.value, lambda[0] * (1 + 1e-9)) << what;
+          EXPECT_LT(event.value, 0) << what;
+          EXPECT_LT(lambda[0], 0) << what;
+        }
+        // What is finer than a thousandth of the highest eigenvalue may be missed.
+        if (lambda[0] < -1e-3 * lambda[lambda.size() - 1]) {
+          ++indefinite;
+          EXPECT_TRUE(told) << what << ", least eigenvalue " << lambda[0];
+          EXPECT_LT(criticalStep(body, x, 2).lowestRing, 0) << what;
+        }
+      }
+  EXPECT_GE(indefinite, 40);
+}
+
+TEST(StabilityMonitor, ReportsABodyThatIsSquashedInTheMiddleOfARun) {
+  // Told by the tenth look after compression has grown by half.
+  for (const Cut& cut : test::allCuts()) {
+    Body body = test::boxBody(cut, "neo-hookean", {6, 2, 2});
+    test::holdBody(body, test::Hold::face);
+    StabilityMonitor monitor(body, {});
+    std::int64_t step = 0;
+    for (; step < 25; ++step) monitor.observe(step, 0, body.mesh().X, noVelocity(body), 1e-9);
+    EXPECT_EQ(countEvents(monitor, EventKind::indefinite), 0);
+    const NodeVectors x = Eigen::Vector3d(0.6, 1, 1).asDiagonal() * body.mesh().X;
+    for (; step < 36; ++step) monitor.observe(step, 0, x, noVelocity(body), 1e-9);
+    EXPECT_EQ(countEvents(monitor, EventKind::indefinite), 1) << cut.name;
+  }
+}
+
 TEST(StabilityMonitor, ReportsAnEnergyImbalance) {
   const Body body = test::boxBody(test::allCuts()[0], "stvk");
   MonitorOptions options;
