@@ -111,7 +111,7 @@ Json worstJson(const Mesh& mesh, const std::vector<WorstElement>& worst) {
     json.push_back(Json{
         {"block", w.element.block},
         {"index", w.element.element},
-        {"id", mesh.blocks[static_cast<std::size_t>(w.element.block)].ids[static_cast<std::size_t>(w.element.element)]},
+        {"id", mesh.blocks[static_cast<std::size_t>(w.element.block)].id(static_cast<std::size_t>(w.element.element))},
         {"step", w.step},
         {"shape", std::string(shapeName(w.shape.shape))},
         {"min_dihedral", w.shape.minDihedral},

@@ -128,7 +128,7 @@ Json illShaped(const Body& body, const std::vector<MetricResult>& metrics, doubl
   for (std::size_t b = 0; b < ring.elementLambda.size(); ++b)
     for (std::size_t e = 0; e < ring.elementLambda[b].size(); ++e) {
       if (stepFor(ring.elementLambda[b][e], limit) < h)
-        elements.push_back(Json{{"block", b}, {"index", e}, {"id", body.mesh().blocks[b].ids[e]}});
+        elements.push_back(Json{{"block", b}, {"index", e}, {"id", body.mesh().blocks[b].id(e)}});
       singleCount += stepFor(single.elementLambda[b][e], limit) < h ? 1 : 0;
     }
   return Json{{"count", elements.size()},

@@ -68,10 +68,9 @@ Json elementJson(const Mesh& mesh, ElementRef ref) {
               {"index", ref.element},
               {"type", std::string(elementInfo(block.type).name)},
               {"nodes", std::vector<std::int32_t>(nodes, nodes + block.nodesPerElement())},
-              {"id", block.ids[static_cast<std::size_t>(ref.element)]},
+              {"id", block.id(static_cast<std::size_t>(ref.element))},
               {"node_ids", Json::array()}};
-  for (int a = 0; a < block.nodesPerElement(); ++a)
-    result["node_ids"].push_back(mesh.nodeIds[static_cast<std::size_t>(nodes[a])]);
+  for (int a = 0; a < block.nodesPerElement(); ++a) result["node_ids"].push_back(mesh.nodeId(nodes[a]));
   return result;
 }
 
@@ -90,10 +89,9 @@ std::string elementCounts(const Mesh& mesh) {
 std::string elementText(const Mesh& mesh, ElementRef ref) {
   const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(ref.block)];
   std::string text = fmt::format("{} element {}:{} (file number {}), nodes", elementInfo(block.type).name, ref.block,
-                                 ref.element, block.ids[static_cast<std::size_t>(ref.element)]);
+                                 ref.element, block.id(static_cast<std::size_t>(ref.element)));
   for (int a = 0; a < block.nodesPerElement(); ++a)
-    text += fmt::format(
-        " {}", mesh.nodeIds[static_cast<std::size_t>(block.element(static_cast<std::size_t>(ref.element))[a])]);
+    text += fmt::format(" {}", mesh.nodeId(block.element(static_cast<std::size_t>(ref.element))[a]));
   return text;
 }
 

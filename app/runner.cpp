@@ -233,7 +233,7 @@ class Run {
     const auto handled = [&] { return handler_ ? static_cast<std::int64_t>(handler_->elements().size()) : 0; };
     record.elementsBefore = static_cast<std::int64_t>(body_.mesh().elementCount());
     keepBooks(true);
-    if (wanted.criticalStep) record.before = criticalStep(body_, state_.x, rule_);
+    if (wanted.criticalStep) record.before = criticalStepHere();
     record.kineticBefore = kineticEnergy();
     record.handledBefore = handled();
     {
@@ -281,10 +281,19 @@ class Run {
     }
     record.cutTime -= record.selectionTime;
     record.elementsAfter = static_cast<std::int64_t>(body_.mesh().elementCount());
-    if (wanted.criticalStep) record.after = criticalStep(body_, state_.x, rule_);
+    if (wanted.criticalStep) record.after = criticalStepHere();
     record.kineticAfter = kineticEnergy();
     record.handledAfter = handled();
     result_.cuts.push_back(record);
+  }
+
+  /// The bracket of the whole body, from scratch; empty where the state has none.
+  std::optional<CriticalStep> criticalStepHere() const {
+    try {
+      return criticalStep(body_, state_.x, rule_);
+    } catch (const NumericalError&) {
+      return std::nullopt;
+    }
   }
 
   /// The monitor sees the explicit elements under numbers of their own.
@@ -306,7 +315,7 @@ class Run {
   /// For "handle": more elements where the explicit rest is no longer certified, and another look at what is left.
   MonitorReport handleMore(std::int64_t k, MonitorReport report) {
     if (!handler_ || !monitor_ || scene_.onViolation != OnViolation::handle || !report.fresh ||
-        report.verdict == Verdict::certified || !state_.x.allFinite())
+        report.verdict == Verdict::certified || !(h_ > 0) || !state_.x.allFinite())
       return report;
     {
       const Stopwatch watch(result_.monitorTime);
@@ -380,7 +389,10 @@ class Run {
       lastReport_.newEvents.clear();
       return lastReport_;
     }
-    MonitorReport report = monitor_->observe(k, state_.time, state_.x, state_.v, h_, energies_ ? &*energies_ : nullptr);
+    // With "auto" the first step is chosen from the first bracket.
+    MonitorReport report =
+        monitor_->observe(k, state_.time, state_.x, state_.v, h_ > 0 ? std::optional<double>(h_) : std::nullopt,
+                          energies_ ? &*energies_ : nullptr);
     if (device_) lastReport_ = report;
     if (handler_) nameElements(report);
     return report;
@@ -394,11 +406,12 @@ class Run {
     if (automatic ? (report.fresh || (reduce && tooLong)) : (reduce && tooLong)) {
       if (scene_.proves() && !report.fresh) {
         const Stopwatch watch(result_.monitorTime);
-        report.bracket = criticalStep(body_, state_.x, rule_);
+        report.bracket = criticalStepHere();
         report.fresh = true;
         report.elementsRefreshed = static_cast<std::int64_t>(body_.mesh().elementCount());
       }
-      const double certified = scene_.safety * (scene_.proves() ? report.bracket->safe : *report.metricStep);
+      const double safe = !scene_.proves() ? *report.metricStep : report.bracket ? report.bracket->safe : 0;
+      const double certified = scene_.safety * safe;
       double next = certified;
       if (!(next > 0)) next = 0.5 * h_;           // nothing can be certified: keep reducing
       if (!automatic) next = std::min(next, h_);  // a fixed step is shortened, never lengthened

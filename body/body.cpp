@@ -64,7 +64,7 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
     MeshBlock block{from.type, {}, {}};
     for (std::size_t e = 0; e < from.elementCount(); ++e) {
       if (!chosen[b][e]) continue;
-      block.ids.push_back(from.ids[e]);
+      block.ids.push_back(from.id(e));
       block.connectivity.insert(block.connectivity.end(), from.element(e), from.element(e) + from.nodesPerElement());
     }
     mesh_.blocks.push_back(std::move(block));
@@ -86,7 +86,15 @@ void Body::addNodalMass(std::int32_t node, double mass) {
   if (node < 0 || node >= nodeCount() || !(mass >= 0) || !std::isfinite(mass))
     throw InputError(joinText("node ", node, ", added mass ", mass, " kg: the node must be one of ", nodeCount(),
                               " and the mass >= 0 and finite"));
+  if (mass == 0) return;
   lumpedMass_[node] += mass;
+  massVersion_.add();
+}
+
+void Body::checkNodal(std::string_view name, const NodeVectors& values) const {
+  if (values.cols() != nodeCount())
+    throw InputError(
+        joinText(name, " is 3 x ", values.cols(), ": must be 3 x ", nodeCount(), ", a column for each node"));
 }
 
 void Body::elementLumpedMass(ElementRef ref, double* mass) const {
@@ -101,8 +109,10 @@ void Body::elementLumpedMass(ElementRef ref, double* mass) const {
   for (const QuadraturePoint& point : element.massRule.points) {
     element.shape(point.xi, N);
     element.shapeGradient(point.xi, dN);
+    // Relative to the first node: far from the origin, products of large coordinates would lose the element's size.
     Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
-    for (int a = 0; a < n; ++a) J += mesh_.X.col(nodes[static_cast<std::size_t>(a)]) * Eigen::RowVector3d::Map(dN[a]);
+    for (int a = 1; a < n; ++a)
+      J += (mesh_.X.col(nodes[static_cast<std::size_t>(a)]) - mesh_.X.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
     const double w = density * J.determinant() * point.weight;
     for (int a = 0; a < n; ++a) {
       mass[a] += w * N[a];

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/SparseCore>
@@ -70,11 +71,17 @@ class Body {
 
   Constraints& constraints() { return constraints_; }
   const Constraints& constraints() const { return constraints_; }
+  /// Grows whenever the lumped mass or the set of free components changes. An object that keeps results which depend on
+  /// them compares it with the value that it has kept, and computes them again when the two differ.
+  std::int64_t version() const { return constraints_.version() + massVersion_.value(); }
   /// Dead nodal forces, 3×N, N.
   NodeVectors& externalForce() { return externalForce_; }
   const NodeVectors& externalForce() const { return externalForce_; }
   /// Adds mass × acceleration to the nodal forces; acceleration in m/s².
   void addBodyForce(const Eigen::Vector3d& acceleration);
+
+  /// Throws InputError unless `values`, an argument called `name`, is 3×N.
+  void checkNodal(std::string_view name, const NodeVectors& values) const;
 
   /// Internal force ∂(strain energy)/∂x at positions x (3×N, m), N. The equation of motion is m a = externalForce - f.
   void internalForce(const NodeVectors& x, NodeVectors& f, Workspace& workspace) const;
@@ -138,6 +145,7 @@ class Body {
   std::vector<std::unique_ptr<ElementBlock>> blocks_;
   std::vector<Material> materials_;
   Eigen::VectorXd lumpedMass_;
+  ChangeCount massVersion_;
   double volume_ = 0;
   Constraints constraints_;
   NodeVectors externalForce_;

@@ -1,10 +1,29 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch {
+
+/// Counts the changes of the object that it is a member of. Assignment to that object counts as a change, so that the
+/// number grows with every change and never returns to a value that it had.
+class ChangeCount {
+ public:
+  ChangeCount() = default;
+  ChangeCount(const ChangeCount&) = default;
+  ChangeCount& operator=(const ChangeCount& other) {
+    value_ = std::max(value_, other.value_) + 1;
+    return *this;
+  }
+  ~ChangeCount() = default;
+  void add() { ++value_; }
+  std::int64_t value() const { return value_; }
+
+ private:
+  std::int64_t value_ = 0;
+};
 
 /// Degrees of freedom that do not follow forces: fixed ones stay, moved ones run at a prescribed constant velocity.
 /// Both leave the stability problem.
@@ -20,7 +39,9 @@ class Constraints {
   }
   /// Moves a component of a node at `velocity`, m/s.
   void move(std::int32_t node, int component, double velocity) {
-    constrained_[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(component)] = 1;
+    std::uint8_t& constrained = constrained_[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(component)];
+    if (!constrained) version_.add();
+    constrained = 1;
     velocity_(component, node) = velocity;
     any_ = true;
     moving_ = moving_ || velocity != 0;
@@ -35,6 +56,8 @@ class Constraints {
   int freeComponents(std::int32_t node) const {
     return 3 - isConstrained(node, 0) - isConstrained(node, 1) - isConstrained(node, 2);
   }
+  /// Grows whenever the set of free components changes; prescribed velocities do not count.
+  std::int64_t version() const { return version_.value(); }
   /// Prescribed velocities, 3×N, m/s; zero where nothing is prescribed.
   const NodeVectors& velocity() const { return velocity_; }
 
@@ -57,6 +80,7 @@ class Constraints {
   NodeVectors velocity_;
   bool any_ = false;
   bool moving_ = false;
+  ChangeCount version_;
 };
 
 }  // namespace ringwatch

@@ -46,8 +46,8 @@ class ElementBatch final : public ElementBlock {
     gatherRows(patch, v, vRows);
     overPatch(patch, x, [&](const double* rows, std::int32_t batch) {
       P position[n][3], direction[n][3], force[n][3];
-      load(rows, batch, position);
-      load(vRows, batch, direction);
+      loadEdges(rows, batch, position);
+      loadEdges(vRows, batch, direction);
       clear(force);
       const P* geometry = geometryOf(batch);
       for (int q = 0; q < pointCount(); ++q, geometry += 10) {
@@ -70,7 +70,7 @@ class ElementBatch final : public ElementBlock {
     P sum(0.0);
     overPatch(patch, x, [&](const double* rows, std::int32_t batch) {
       P position[n][3];
-      load(rows, batch, position);
+      loadEdges(rows, batch, position);
       const P* geometry = geometryOf(batch);
       for (int q = 0; q < pointCount(); ++q, geometry += 10)
         sum += geometry[9] * law.energy(gradient(position, q) * inverseJacobian(geometry));
@@ -114,7 +114,7 @@ class ElementBatch final : public ElementBlock {
     P gathered[10 * maxPoints];
     gatherGeometry(elements, gathered);
     P position[n][3];
-    loadFromMesh(x, elements, position);
+    loadEdgesFromMesh(x, elements, position);
     const P* geometry = gathered;
     PackedDrift all;
     for (int q = 0; q < pointCount(); ++q, geometry += 10) {
@@ -159,7 +159,7 @@ class ElementBatch final : public ElementBlock {
         [&](const DeformationWatch::Group& group, BallTest& test) {
           for (std::int32_t batch = group.batchBegin; batch < group.batchEnd; ++batch) {
             P position[n][3];
-            load(rows, batch, position);
+            loadEdges(rows, batch, position);
             const P* geometry = geometryOf(batch);
             test.begin(batch);
             for (int q = 0; q < pointCount(); ++q, geometry += 10)
@@ -197,7 +197,7 @@ class ElementBatch final : public ElementBlock {
 
   void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const override {
     P position[n][3];
-    loadFromMesh(x, batch, position);
+    loadEdgesFromMesh(x, batch, position);
     const P* geometry = geometryOf(batch);
     P least(0.0);
     for (int q = 0; q < pointCount(); ++q, geometry += 10) {
@@ -300,7 +300,7 @@ class ElementBatch final : public ElementBlock {
   }
   RINGWATCH_INLINE static Matrix3<P> meanGradient(const P (&x)[n][3], const P* g) {
     Matrix3<P> r = Matrix3<P>::zero();
-    for (int a = 0; a < n; ++a)
+    for (int a = 1; a < n; ++a)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) r(i, j) += x[a][i] * g[3 * a + j];
     return r;
@@ -314,7 +314,7 @@ class ElementBatch final : public ElementBlock {
     const LawType law = law_;
     [[maybe_unused]] const P* first = geometry;
     P position[n][3];
-    loadFromMesh(x, elements, position);
+    loadEdgesFromMesh(x, elements, position);
     P* k = reinterpret_cast<P*>(K);
     for (int q = 0; q < pointCount(); ++q, geometry += 10) {
       const Matrix3<P> J1 = inverseJacobian(geometry);
@@ -361,7 +361,7 @@ class ElementBatch final : public ElementBlock {
     const LawType law = law_;
     for (std::int32_t batch = first; batch < last; ++batch) {
       P position[n][3], force[n][3];
-      load(rows, batch, position);
+      loadEdges(rows, batch, position);
       clear(force);
       const P* geometry = geometryOf(batch);
       test.begin(batch);
@@ -490,9 +490,17 @@ class ElementBatch final : public ElementBlock {
   const std::uint16_t* localNodes(std::int32_t batch) const {
     return layout().localNodes.data() + static_cast<std::ptrdiff_t>(batch) * n * lanes;
   }
-  RINGWATCH_INLINE void load(const double* rows, std::int32_t batch, P (&out)[n][3]) const {
+  /// Nodal vectors of a batch less that of each element's first node: gradients need differences only, and far from the
+  /// origin sums of large coordinates would lose the element's size.
+  RINGWATCH_INLINE void loadEdges(const double* rows, std::int32_t batch, P (&out)[n][3]) const {
     const std::uint16_t* local = localNodes(batch);
     for (int a = 0; a < n; ++a) loadRows(rows, local + a * lanes, out[a]);
+    subtractFirst(out);
+  }
+  RINGWATCH_INLINE static void subtractFirst(P (&x)[n][3]) {
+    for (int a = 1; a < n; ++a)
+      for (int i = 0; i < 3; ++i) x[a][i] -= x[0][i];
+    for (int i = 0; i < 3; ++i) x[0][i] = P(0.0);
   }
   RINGWATCH_INLINE void add(double* slots, std::int32_t batch, const P (&values)[n][3]) const {
     const std::uint16_t* local = localNodes(batch);
@@ -502,11 +510,12 @@ class ElementBatch final : public ElementBlock {
     for (auto& row : values)
       for (P& value : row) value = P(0.0);
   }
-  /// For single batches: straight from the mesh's node vector. Lanes without an element repeat the batch's first.
-  void loadFromMesh(const double* x, std::int32_t batch, P (&out)[n][3]) const {
-    loadFromMesh(x, layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, out);
+  /// The same for single batches, straight from the mesh's node vector. Lanes without an element repeat the batch's
+  /// first.
+  void loadEdgesFromMesh(const double* x, std::int32_t batch, P (&out)[n][3]) const {
+    loadEdgesFromMesh(x, layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, out);
   }
-  void loadFromMesh(const double* x, const std::int32_t* elements, P (&out)[n][3]) const {
+  void loadEdgesFromMesh(const double* x, const std::int32_t* elements, P (&out)[n][3]) const {
     alignas(64) double rows[4 * n * lanes];
     std::uint16_t local[n * lanes];
     for (int lane = 0; lane < lanes; ++lane) {
@@ -520,6 +529,7 @@ class ElementBatch final : public ElementBlock {
       }
     }
     for (int a = 0; a < n; ++a) loadRows(rows, local + a * lanes, out[a]);
+    subtractFirst(out);
   }
 
   double dN(int q, int a, int j) const { return shapeGradients_[static_cast<std::size_t>((q * n + a) * 3 + j)]; }
@@ -531,17 +541,17 @@ class ElementBatch final : public ElementBlock {
     for (int i = 0; i < 9; ++i) r.m[i] = geometry[i];
     return r;
   }
-  /// Σ_a x_a ⊗ ∂N_a/∂ξ
+  /// Σ_a x_a ⊗ ∂N_a/∂ξ; x as loadEdges gives it.
   RINGWATCH_INLINE Matrix3<P> gradient(const P (&x)[n][3], int q) const {
     Matrix3<P> r;
-    if constexpr (n == 4) {  // linear tetrahedron: differences
+    if constexpr (n == 4) {  // linear tetrahedron
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) r(i, j) = x[j + 1][i] - x[0][i];
+        for (int j = 0; j < 3; ++j) r(i, j) = x[j + 1][i];
     } else {
       const double* d = shapeGradients_.data() + static_cast<std::ptrdiff_t>(q) * n * 3;
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) r(i, j) = x[0][i] * P(d[j]);
-      for (int a = 1; a < n; ++a)
+        for (int j = 0; j < 3; ++j) r(i, j) = x[1][i] * P(d[3 + j]);
+      for (int a = 2; a < n; ++a)
         for (int j = 0; j < 3; ++j) {
           const P dNaj(d[3 * a + j]);
           for (int i = 0; i < 3; ++i) r(i, j) += x[a][i] * dNaj;
@@ -603,7 +613,7 @@ void ElementBatch<Element, LawType>::tabulate(const Mesh& mesh, const MeshBlock&
   geometry_.resize(static_cast<std::size_t>(batches) * static_cast<std::size_t>(points_) * 10);
   for (std::int32_t batch = 0; batch < batches; ++batch) {
     P X[n][3];
-    loadFromMesh(mesh.X.data(), batch, X);
+    loadEdgesFromMesh(mesh.X.data(), batch, X);
     P* geometry = geometry_.data() + static_cast<std::ptrdiff_t>(batch) * points_ * 10;
     for (int q = 0; q < pointCount(); ++q, geometry += 10) {
       const Matrix3<P> J = gradient(X, q);
@@ -614,9 +624,9 @@ void ElementBatch<Element, LawType>::tabulate(const Mesh& mesh, const MeshBlock&
         const std::int32_t e =
             layout().elements[static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane)];
         if (e >= 0 && !(det[lane] > 0))
-          throw NumericalError(
-              joinText(Element::name, " element ", block.ids.empty() ? e : block.ids[static_cast<std::size_t>(e)],
-                       ": Jacobian determinant ", det[lane], " at quadrature point ", q, " must be > 0"));
+          throw NumericalError(joinText(Element::name, " element ", block.id(static_cast<std::size_t>(e)),
+                                        ": Jacobian determinant ", det[lane], " at quadrature point ", q,
+                                        " must be > 0"));
         geometry[9].set(lane, e < 0 ? 0.0 : det[lane] * rule().points[static_cast<std::size_t>(q)].weight);
       }
     }

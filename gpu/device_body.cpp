@@ -31,8 +31,9 @@ std::vector<R> tabulateGeometry(const Mesh& mesh, const MeshBlock& block, const 
       if (e < 0) continue;
       for (int q = 0; q < points; ++q) {
         Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
-        for (int a = 0; a < n; ++a)
-          J += mesh.X.col(block.element(static_cast<std::size_t>(e))[a]) *
+        const std::int32_t* nodes = block.element(static_cast<std::size_t>(e));
+        for (int a = 1; a < n; ++a)
+          J += (mesh.X.col(nodes[a]) - mesh.X.col(nodes[0])) *
                Eigen::RowVector3d::Map(dN.data() + static_cast<std::ptrdiff_t>(3 * (n * q + a)));
         const double determinant = J.determinant();
         if (!(determinant > 0)) bad[patch] = 1;

@@ -63,7 +63,7 @@ Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::in
   std::vector<std::int32_t> numberOf(all.nodeCount(), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     mesh.X.col(static_cast<Eigen::Index>(i)) = all.X.col(nodes[i]);
-    mesh.nodeIds.push_back(all.nodeIds[static_cast<std::size_t>(nodes[i])]);
+    mesh.nodeIds.push_back(all.nodeId(nodes[i]));
     numberOf[static_cast<std::size_t>(nodes[i])] = static_cast<std::int32_t>(i);
   }
   for (std::size_t b = 0; b < all.blocks.size(); ++b) {
@@ -71,7 +71,7 @@ Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::in
     MeshBlock block{from.type, {}, {}};
     for (std::size_t e = 0; e < from.elementCount(); ++e) {
       if (!flags[b][e]) continue;
-      block.ids.push_back(from.ids[e]);
+      block.ids.push_back(from.id(e));
       for (int a = 0; a < from.nodesPerElement(); ++a)
         block.connectivity.push_back(numberOf[static_cast<std::size_t>(from.element(e)[a])]);
     }

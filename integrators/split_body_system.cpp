@@ -46,7 +46,7 @@ SplitBodySystem::Part::Part(const Body& whole, const std::vector<std::vector<boo
     MeshBlock block{from.type, {}, {}};
     for (std::size_t e = 0; e < from.elementCount(); ++e) {
       if (!chosen[b][e]) continue;
-      block.ids.push_back(from.ids[e]);
+      block.ids.push_back(from.id(e));
       for (int a = 0; a < from.nodesPerElement(); ++a) {
         const std::int32_t node = from.element(e)[a];
         std::int32_t& number = own[static_cast<std::size_t>(node)];
@@ -66,7 +66,7 @@ SplitBodySystem::Part::Part(const Body& whole, const std::vector<std::vector<boo
   if (mesh.blocks.empty()) return;
   mesh.X.resize(3, static_cast<Eigen::Index>(nodes_.size()));
   gather(all.X, mesh.X);
-  for (const std::int32_t node : nodes_) mesh.nodeIds.push_back(all.nodeIds[static_cast<std::size_t>(node)]);
+  for (const std::int32_t node : nodes_) mesh.nodeIds.push_back(all.nodeId(node));
   body_.emplace(std::move(mesh), materials, options);
 }
 

@@ -68,11 +68,6 @@ Tetrahedron nodesOf(const MeshBlock& block, std::size_t e) {
   return {n[0], n[1], n[2], n[3]};
 }
 
-template <class Id>
-Id nextId(const std::vector<Id>& ids) {
-  return ids.empty() ? 0 : *std::max_element(ids.begin(), ids.end()) + 1;
-}
-
 }  // namespace
 
 BisectedMesh bisectEdges(const Mesh& mesh, const std::vector<EdgePoint>& points) {
@@ -83,8 +78,11 @@ BisectedMesh bisectEdges(const Mesh& mesh, const std::vector<EdgePoint>& points)
   const auto before = static_cast<std::int32_t>(mesh.nodeCount());
   out.X.resize(3, before + static_cast<Eigen::Index>(points.size()));
   out.X.leftCols(before) = mesh.X;
-  out.nodeIds = mesh.nodeIds;
-  std::int64_t nodeId = nextId(mesh.nodeIds);
+  std::int64_t nodeId = 0;  // of the next new node
+  for (std::int32_t i = 0; i < before; ++i) {
+    out.nodeIds.push_back(mesh.nodeId(i));
+    nodeId = std::max(nodeId, out.nodeIds.back() + 1);
+  }
   NodeOfEdge nodeOfEdge;
   nodeOfEdge.reserve(points.size());
   for (const EdgePoint& p : points) {
@@ -99,7 +97,8 @@ BisectedMesh bisectEdges(const Mesh& mesh, const std::vector<EdgePoint>& points)
 
   std::vector<std::vector<std::size_t>> firstPart(mesh.blocks.size());  // of each element before, and the end
   std::int64_t elementId = 0;
-  for (const MeshBlock& block : mesh.blocks) elementId = std::max(elementId, nextId(block.ids));
+  for (const MeshBlock& block : mesh.blocks)
+    for (std::size_t e = 0; e < block.elementCount(); ++e) elementId = std::max(elementId, block.id(e) + 1);
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     const MeshBlock& block = mesh.blocks[b];
     MeshBlock parts{block.type, {}, {}};
@@ -108,7 +107,7 @@ BisectedMesh bisectEdges(const Mesh& mesh, const std::vector<EdgePoint>& points)
     for (std::size_t e = 0; e < block.elementCount(); ++e) {
       firstPart[b].push_back(parts.elementCount());
       addParts(nodesOf(block, e), mesh.X, nodeOfEdge, parts.connectivity);
-      parts.ids.push_back(block.ids[e]);
+      parts.ids.push_back(block.id(e));
       while (parts.ids.size() < parts.elementCount()) parts.ids.push_back(elementId++);
       result.parent.back().resize(parts.elementCount(), static_cast<std::int32_t>(e));
     }

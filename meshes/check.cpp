@@ -74,9 +74,7 @@ std::vector<bool> usedNodes(const Mesh& mesh) {
   return used;
 }
 
-std::int64_t nodeId(const Mesh& mesh, std::int32_t n) {
-  return n >= 0 && static_cast<std::size_t>(n) < mesh.nodeIds.size() ? mesh.nodeIds[static_cast<std::size_t>(n)] : n;
-}
+std::int64_t nodeId(const Mesh& mesh, std::int32_t n) { return n >= 0 ? mesh.nodeId(n) : n; }
 
 /// True when every element of the block is turned the other way round.
 bool isMirrored(const Mesh& mesh, const MeshBlock& block) {
@@ -102,15 +100,17 @@ void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::str
     notes->push_back(joinText(source, ": ", dropped, " nodes that no element uses are dropped, the first is node ",
                               nodeId(mesh, first)));
   std::vector<std::int32_t> newIndex(used.size(), -1);
+  std::vector<std::int64_t> ids;
+  ids.reserve(kept);
   std::int32_t next = 0;
   for (std::size_t n = 0; n < used.size(); ++n) {
     if (!used[n]) continue;
     mesh.X.col(next) = mesh.X.col(static_cast<Eigen::Index>(n)).eval();
-    mesh.nodeIds[static_cast<std::size_t>(next)] = mesh.nodeIds[n];
+    ids.push_back(mesh.nodeId(static_cast<std::int32_t>(n)));
     newIndex[n] = next++;
   }
   mesh.X.conservativeResize(3, next);
-  mesh.nodeIds.resize(kept);
+  mesh.nodeIds = std::move(ids);
   for (MeshBlock& block : mesh.blocks)
     for (std::int32_t& n : block.connectivity)
       if (n >= 0 && static_cast<std::size_t>(n) < used.size()) n = newIndex[static_cast<std::size_t>(n)];
@@ -196,7 +196,7 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
     const JacobianProbe probe(info);
     const std::size_t count = block.elementCount(), width = static_cast<std::size_t>(info.nodes);
     const auto report = [&](std::size_t e, MeshProblem::Kind kind, double value, const std::string& what) {
-      const std::int64_t id = e < block.ids.size() ? block.ids[e] : static_cast<std::int64_t>(e);
+      const std::int64_t id = block.id(e);
       MeshProblem problem{kind, static_cast<std::int32_t>(b), static_cast<std::int64_t>(e), id, {}, value, {}};
       problem.text = joinText("element ", id, " (", info.name, ", nodes");
       for (std::size_t a = 0; a < width; ++a) {
@@ -250,7 +250,7 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
       if (std::equal(key(order[i]), key(order[i]) + width, key(order[i - 1])) &&
           nodesInRange(mesh, key(order[i]), info.nodes)) {
         const auto other = static_cast<std::size_t>(order[i - 1]);
-        const std::int64_t otherId = other < block.ids.size() ? block.ids[other] : static_cast<std::int64_t>(other);
+        const std::int64_t otherId = block.id(other);
         report(static_cast<std::size_t>(order[i]), MeshProblem::Kind::duplicateElement, static_cast<double>(otherId),
                joinText("has the same nodes as element ", otherId));
       }

@@ -17,13 +17,16 @@ using NodeVectors = Eigen::Matrix3Xd;
 struct MeshBlock {
   ElementType type;
   std::vector<std::int32_t> connectivity;  // element after element, VTK node order, indices into Mesh::X
-  std::vector<std::int64_t> ids;           // the elements' numbers in the file, or 0, 1, … when generated
+  std::vector<std::int64_t> ids;           // the elements' numbers in the file; may be empty, see id()
 
   int nodesPerElement() const { return elementInfo(type).nodes; }
   std::size_t elementCount() const { return connectivity.size() / static_cast<std::size_t>(nodesPerElement()); }
   const std::int32_t* element(std::size_t e) const {
     return connectivity.data() + e * static_cast<std::size_t>(nodesPerElement());
   }
+  /// The number of an element for messages and files: that of `ids`, or its position e in the block where `ids` has
+  /// none.
+  std::int64_t id(std::size_t e) const { return e < ids.size() ? ids[e] : static_cast<std::int64_t>(e); }
 };
 
 /// An element, by block and by position in the block.
@@ -36,12 +39,17 @@ struct ElementRef {
 /// Nodes, blocks of one element type each, and named sets. No physics.
 struct Mesh {
   NodeVectors X;                      // reference positions, 3×N, m
-  std::vector<std::int64_t> nodeIds;  // the nodes' numbers in the file, or 0, 1, … when generated
+  std::vector<std::int64_t> nodeIds;  // the nodes' numbers in the file; may be empty, see nodeId()
   std::vector<MeshBlock> blocks;
   std::map<std::string, std::vector<std::int32_t>> nodeSets;
   std::map<std::string, std::vector<ElementRef>> elementSets;
 
   std::size_t nodeCount() const { return static_cast<std::size_t>(X.cols()); }
+  /// The number of node i for messages and files: that of `nodeIds`, or i itself where `nodeIds` has none.
+  std::int64_t nodeId(std::int32_t i) const {
+    const auto at = static_cast<std::size_t>(i);
+    return at < nodeIds.size() ? nodeIds[at] : i;
+  }
   std::size_t elementCount() const {
     std::size_t n = 0;
     for (const MeshBlock& block : blocks) n += block.elementCount();

@@ -40,12 +40,12 @@ void renumberNodes(Mesh& mesh) {
 
   std::vector<std::int32_t> place(count);  // new index of each node
   NodeVectors X(3, mesh.X.cols());
-  std::vector<std::int64_t> ids(mesh.nodeIds.size());
+  std::vector<std::int64_t> ids(count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto old = static_cast<std::size_t>(keyed[i].second);
     place[old] = static_cast<std::int32_t>(i);
     X.col(static_cast<Eigen::Index>(i)) = mesh.X.col(static_cast<Eigen::Index>(old));
-    if (!ids.empty()) ids[i] = mesh.nodeIds[old];
+    ids[i] = mesh.nodeId(static_cast<std::int32_t>(old));
   }
   mesh.X = std::move(X);
   mesh.nodeIds = std::move(ids);

@@ -230,9 +230,11 @@ void addFields(vtkFieldData* target, std::span<const VtuField> fields, std::size
 }
 
 void writeGrid(vtkUnstructuredGrid* grid, const Mesh& mesh, const std::filesystem::path& path) {
-  addArray<vtkTypeInt64Array>(grid->GetPointData(), "originalNodeId", 1, std::span<const std::int64_t>(mesh.nodeIds));
-  std::vector<std::int64_t> ids;
-  for (const MeshBlock& block : mesh.blocks) ids.insert(ids.end(), block.ids.begin(), block.ids.end());
+  std::vector<std::int64_t> nodeIds, ids;
+  for (std::size_t i = 0; i < mesh.nodeCount(); ++i) nodeIds.push_back(mesh.nodeId(static_cast<std::int32_t>(i)));
+  for (const MeshBlock& block : mesh.blocks)
+    for (std::size_t e = 0; e < block.elementCount(); ++e) ids.push_back(block.id(e));
+  addArray<vtkTypeInt64Array>(grid->GetPointData(), "originalNodeId", 1, std::span<const std::int64_t>(nodeIds));
   addArray<vtkTypeInt64Array>(grid->GetCellData(), "originalElementId", 1, std::span<const std::int64_t>(ids));
   writeFileAtomically(path, [&](const std::filesystem::path& temporary) {
     const VtkSession session;

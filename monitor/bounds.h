@@ -85,9 +85,13 @@ struct CriticalStep {
   ElementRef controlling;   // the element that holds most of the top mode, as far as it is known
   std::string_view safeBy;  // how the sides were obtained
   std::string_view optimisticBy;
-  double lowestRing;  // least eigenvalue seen in any reduced 1-ring, rad²/s²; < 0 proves K indefinite
+  double lowestRing;  // least eigenvalue seen, of a reduced 1-ring or a direction, rad²/s²; < 0 proves K indefinite
   ElementRef lowestRingElement;
   std::optional<ProbableStep> probable{};  // when asked for; never part of the proven bracket
+
+  /// Whether the two sides are a bracket: numbers, with safe <= optimistic. No function hands out one for which it is
+  /// false.
+  bool isBracket() const { return safe <= optimistic; }
 };
 /// The side of the bracket made from a bound: the types say which.
 inline double safeStep(UpperBound lambda, const StepRule& rule) { return rule(lambda.value); }

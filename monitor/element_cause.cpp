@@ -28,9 +28,9 @@ std::string deformationCause(const ElementBlock& block, const NodeVectors& X, co
   for (const QuadraturePoint& point : block.rule().points) {
     block.element().shapeGradient(point.xi, dN);
     Eigen::Matrix3d rest = Eigen::Matrix3d::Zero(), current = Eigen::Matrix3d::Zero();
-    for (std::size_t a = 0; a < nodes.size(); ++a) {
-      rest += X.col(nodes[a]) * Eigen::RowVector3d::Map(dN[a]);
-      current += x.col(nodes[a]) * Eigen::RowVector3d::Map(dN[a]);
+    for (std::size_t a = 1; a < nodes.size(); ++a) {
+      rest += (X.col(nodes[a]) - X.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
+      current += (x.col(nodes[a]) - x.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
     }
     const Eigen::Matrix3d F = current * rest.inverse();
     if (!F.allFinite()) return "not finite";

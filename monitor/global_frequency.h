@@ -4,14 +4,15 @@
 namespace ringwatch {
 
 /// Highest eigenvalue of M⁻¹K over the free degrees of freedom, by Spectra's implicitly restarted Lanczos on
-/// matrix-free tangent products.
+/// matrix-free tangent products, in units in which the eigenvalue is near 1.
 struct GlobalFrequency {
-  bool converged = false;
-  double lambda = 0;  // rad²/s²; only when converged
-  NodeVectors mode;   // displacement of the mode, mass-normalised, 3×N; only when converged
-  int products = 0;   // tangent products spent
+  bool converged = false;  // as the residual of the pair that was found says
+  double lambda = 0;       // rad²/s²; only when converged
+  NodeVectors mode;        // displacement of the mode, mass-normalised, 3×N; only when converged
+  int products = 0;        // tangent products spent
 };
-/// tolerance: relative, on the eigenvalue's residual. Works for any state, indefinite K included.
+/// x: 3×N, m. tolerance: of the residual |A u - lambda u|, A = M^-½ K M^-½ and |u| = 1, relative to lambda. Works for
+/// any state, indefinite K included. Throws InputError when x is not 3×N.
 GlobalFrequency globalFrequency(const Body& body, const NodeVectors& x, double tolerance = 1e-10,
                                 int maxRestarts = 3000);
 

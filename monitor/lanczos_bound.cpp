@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/random.h>
 #include <ringwatch/monitor/mass_scaled_operator.h>
 
 namespace ringwatch {
@@ -51,16 +51,6 @@ struct Tridiagonal {
   }
 };
 
-/// Normal numbers by the method of Box and Muller: the same on every machine, which the library's are not.
-void fillNormal(NodeVectors& v, std::uint64_t seed) {
-  std::mt19937_64 engine(seed);
-  const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) * 0x1p-53; };
-  for (Eigen::Index i = 0; i < v.size(); ++i) {
-    const double radius = std::sqrt(-2 * std::log(uniform()));
-    v.data()[i] = radius * std::cos(2 * std::numbers::pi * uniform());
-  }
-}
-
 }  // namespace
 
 LanczosBound lanczosUpperBound(const Body& body, const NodeVectors& x, double width, double eta, std::uint64_t seed,
@@ -68,6 +58,7 @@ LanczosBound lanczosUpperBound(const Body& body, const NodeVectors& x, double wi
   if (!(width >= 1e-4 && width < 1)) throw InputError(joinText("width = ", width, ": must be >= 1e-4 and < 1"));
   if (!(eta > 0 && eta <= 0.5)) throw InputError(joinText("eta = ", eta, ": must be > 0 and <= 0.5"));
   if (maxProducts < 1) throw InputError(joinText("maxProducts = ", maxProducts, ": must be >= 1"));
+  body.checkNodal("x", x);
   LanczosBound result{{0, eta}, {0}, 0, true};
   std::int64_t free = 0;
   for (std::int32_t i = 0; i < body.nodeCount(); ++i) free += body.constraints().freeComponents(i);
@@ -79,7 +70,8 @@ LanczosBound lanczosUpperBound(const Body& body, const NodeVectors& x, double wi
 
   const MassScaledOperator op(body, x);
   NodeVectors q(3, body.nodeCount()), before = NodeVectors::Zero(3, body.nodeCount()), w(3, body.nodeCount());
-  fillNormal(q, seed);
+  Random random(seed);
+  for (double& entry : q.reshaped()) entry = random.normal();
   body.constraints().clearConstrained(q);
   q /= q.norm();
   Tridiagonal T;

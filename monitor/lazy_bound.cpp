@@ -46,7 +46,8 @@ bool isBefore(const LazyBound::Risen& a, const LazyBound::Risen& b) {
 
 }  // namespace
 
-LazyBound::LazyBound(const Body& body, double slack) : body_(body), slack_(slack), shapes_(body) {
+LazyBound::LazyBound(const Body& body, double slack)
+    : body_(body), slack_(slack), shapes_(body), bodyVersion_(body.version()) {
   for (const auto& block : body.blocks()) {
     const std::size_t places = block->layout().elements.size();
     blocks_.push_back({DeformationWatch(*block), std::vector<float>(places), std::vector<float>(places),
@@ -289,8 +290,18 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise, NodeVe
   return Outcome::fine;
 }
 
+void LazyBound::followBody() {
+  if (bodyVersion_ == body_.version()) return;
+  bodyVersion_ = body_.version();
+  started_ = false;
+  // The next attempt must not wait for its turn.
+  lastRetarget_ = updates_ - lastGap;
+  retargetGap_ = firstGap;
+}
+
 UpperBound LazyBound::update(const NodeVectors& x, NodeVectors* force) {
   spent_ = {};
+  followBody();
   ++updates_;
   const Outcome outcome = started_ ? follow(x, true, force) : Outcome::flooded;
   if (!started_ && force) body_.internalForce(x, *force, workspace_);
@@ -308,6 +319,7 @@ UpperBound LazyBound::update(const NodeVectors& x, NodeVectors* force) {
 
 bool LazyBound::certify(const NodeVectors& x, double sigma, NodeVectors* force) {
   spent_ = {};
+  followBody();
   ++updates_;
   if (started_ && sigma_ <= sigma) {
     const Outcome outcome = follow(x, false, force);

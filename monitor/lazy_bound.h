@@ -15,7 +15,8 @@ namespace ringwatch {
 ///   sigma.
 /// The radius of a ball follows from the law's drift bound. An element that leaves is evaluated exactly; when it
 /// exceeds its budget, shapes there are turned with their nodes, which changes no sum, budgets around it are dealt
-/// anew, then shapes, then sigma is raised, which is free for all others.
+/// anew, then shapes, then sigma is raised, which is free for all others. The proof is for the masses and the free
+/// components at that time: when the body's version has changed, the next update or certify starts from scratch.
 class LazyBound {
  public:
   /// slack: relative room of sigma above the tight bound at a retarget, which budgets share.
@@ -52,6 +53,8 @@ class LazyBound {
   /// Elements whose -lambda_min(∂P/∂F) over λ+2μ was above `least` when last evaluated, most first. Only elements under
   /// compression can make the tangent indefinite.
   std::vector<ElementRef> compressedElements(double least) const;
+  /// The most compressed element's, since shapes and budgets were made.
+  double mostCompression() const { return mostCompression_; }
   /// An element's exact value over its budget, which is about the bound at its hottest node over sigma.
   struct Risen {
     double share;
@@ -76,6 +79,8 @@ class LazyBound {
     std::vector<Bfloat16> reach, compression;
   };
   void retarget(const NodeVectors& x, int sweeps);
+  /// Ends the proof when masses or free components have changed.
+  void followBody();
   struct Evaluated {
     double value;
     TangentDrift drift;
@@ -116,6 +121,7 @@ class LazyBound {
   std::vector<Eigen::Quaternionf> frames_;  // by node: its frame when its shapes were made or turned last
   double sigma_ = 0, mostCompression_ = 0;  // that of any element since budgets were dealt
   bool started_ = false;
+  std::int64_t bodyVersion_ = 0;  // that the proof is for
   Spent spent_;
   std::vector<Risen> risen_;
   std::vector<ElementRef> anchored_;  // given new balls by this update

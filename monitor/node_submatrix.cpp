@@ -10,6 +10,7 @@ namespace ringwatch {
 
 void NodeSubmatrix::choose(std::vector<std::int32_t> nodes) {
   nodes_ = std::move(nodes);
+  bodyVersion_ = body_.version();
   std::sort(nodes_.begin(), nodes_.end());
   blocks_.assign(body_.blocks().size(), {});
   for (const std::int32_t node : nodes_)
@@ -38,6 +39,7 @@ void NodeSubmatrix::choose(std::vector<std::int32_t> nodes) {
 
 const Eigen::MatrixXd& NodeSubmatrix::evaluate(const NodeVectors& x, const Eigen::VectorXd* v) {
   constexpr int lanes = PatchLayout::lanes;
+  if (bodyVersion_ != body_.version()) choose(std::move(nodes_));
   const auto dofs = static_cast<Eigen::Index>(3 * nodes_.size());
   matrix_.setZero(dofs, dofs);
   NativePack K[9 * maxElementNodes * maxElementNodes];

@@ -13,6 +13,7 @@ class NodeSubmatrix {
   /// `incidences` knows the elements at each node.
   NodeSubmatrix(const Body& body, const NodalBound& incidences) : body_(body), incidences_(incidences) {}
 
+  /// nodes: in any order. Masses and free components are those of now; evaluate() follows them when they change.
   void choose(std::vector<std::int32_t> nodes);
   /// Ascending; rows and columns of the matrix are 3·position + component.
   const std::vector<std::int32_t>& nodes() const { return nodes_; }
@@ -38,6 +39,7 @@ class NodeSubmatrix {
   std::vector<BlockParts> blocks_;
   Eigen::MatrixXd matrix_;
   ElementRef most_;
+  std::int64_t bodyVersion_ = 0;  // when the parts were made
 };
 
 }  // namespace ringwatch

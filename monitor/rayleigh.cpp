@@ -13,7 +13,10 @@ namespace ringwatch {
 LowerBound rayleighLowerBound(const Body& body, const NodeVectors& x, NodeVectors& start, int products) {
   body.constraints().clearConstrained(start);
   const double norm = start.norm();
-  if (!(norm > 0)) return {0};
+  if (!(norm > 0) || !std::isfinite(norm)) {
+    start.setZero();
+    return {0};
+  }
   MassScaledOperator op(body, x);
   start /= norm;
   const int steps = std::max(1, products - 1);
@@ -49,7 +52,12 @@ LowerBound rayleighLowerBound(const Body& body, const NodeVectors& x, NodeVector
   start /= start.norm();
   op.perform_op(start.data(), w.data());
   const double quotient = w.cwiseProduct(start).sum();
-  return {quotient - 1e-12 * w.norm()};
+  // The rounding of a product is relative to the norm of the matrix, of which a large negative eigenvalue can make far
+  // more than the quotient. Gershgorin's discs hold the eigenvalues of T, and |T q_1|, |T q_2| … are |A q_1|, |A q_2| …
+  double largest = w.norm();
+  for (int i = 0; i < size; ++i)
+    largest = std::max(largest, std::abs(diagonal[i]) + subdiagonal[i] + (i > 0 ? subdiagonal[i - 1] : 0.0));
+  return {quotient - 1e-12 * largest};
 }
 
 void HotSpot::choose(const NodeVectors& mode) {
@@ -73,14 +81,14 @@ LowerBound HotSpot::evaluate(const NodeVectors& x) {
   const Eigen::MatrixXd& A = submatrix_.evaluate(x, &vector_);
   // Power iteration on A shifted by half its norm, so that a large negative eigenvalue cannot win; the quotient is A's
   // own.
-  const double shift = 0.5 * A.cwiseAbs().rowwise().sum().maxCoeff();
+  const double size = A.cwiseAbs().rowwise().sum().maxCoeff(), shift = 0.5 * size;
   double best = 0;
   for (int iteration = 0; iteration < 4; ++iteration) {
     const double norm = vector_.norm();
     if (!(norm > 0)) return {0};
     vector_ /= norm;
     const Eigen::VectorXd product = A * vector_;
-    best = std::max(best, product.dot(vector_) - 1e-12 * product.norm());
+    best = std::max(best, product.dot(vector_) - 1e-12 * size);
     vector_ = product + shift * vector_;
   }
   return {best};

@@ -6,7 +6,9 @@ namespace ringwatch {
 
 /// A lower bound of the highest eigenvalue from a few tangent products: Lanczos from `start` (3×N, mass-scaled
 /// coordinates, overwritten by the Ritz vector, of norm 1), then the Rayleigh quotient of that vector, which no
-/// eigenvalue problem can make too large. products >= 1 tangent products are spent. start = 0 gives a bound of 0.
+/// eigenvalue problem can make too large, less its rounding: 1e-12 of the largest size of an eigenvalue that the
+/// iteration has seen, negative ones included. products >= 1 tangent products are spent. start = 0 gives a bound of 0;
+/// so does one that is not finite, which becomes 0.
 LowerBound rayleighLowerBound(const Body& body, const NodeVectors& x, NodeVectors& start, int products);
 
 /// A lower bound of the highest eigenvalue from the few nodes where a tracked mode moves most.

@@ -6,6 +6,7 @@
 
 #include <omp.h>
 
+#include <ringwatch/base/random.h>
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/monitor/extreme_eigenvalues.h>
 #include <ringwatch/monitor/scaled_tangent.h>
@@ -16,15 +17,6 @@ namespace {
 /// Rounding of eigenvalues, relative to the spectral radius; taken to the proven side.
 constexpr double rounding = 1e-11;
 constexpr double residualTolerance = 3e-6;
-
-/// A number of (-1, 1) that belongs to a degree of freedom: the same start on every run and for any number of threads
-/// (the finaliser of SplitMix64).
-double startValue(std::int64_t dof) {
-  auto z = static_cast<std::uint64_t>(dof + 1) * 0x9e3779b97f4a7c15ULL;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-  return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;
-}
 
 /// The symmetric matrix of a ring, 3×3 blocks in rows, both triangles.
 struct RingMatrix {
@@ -202,7 +194,8 @@ class Rings {
       for (std::size_t i = 0; i < scratch.nodes.size(); ++i)
         for (int c = 0; c < 3; ++c)
           scratch.start[3 * static_cast<Eigen::Index>(i) + c] =
-              freeFactor(body_, scratch.nodes[i], c) * startValue(3 * std::int64_t{scratch.nodes[i]} + c);
+              freeFactor(body_, scratch.nodes[i], c) *
+              randomEntry(0, 3 * static_cast<std::uint64_t>(scratch.nodes[i]) + static_cast<std::uint64_t>(c));
       lambda = scratch.lanczos.largest(scratch.matrix, scratch.start);
     }
     for (const std::int32_t node : scratch.nodes) scratch.place[static_cast<std::size_t>(node)] = -1;

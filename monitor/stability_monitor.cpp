@@ -7,6 +7,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/element_cause.h>
 #include <ringwatch/monitor/lazy_bound.h>
+#include <ringwatch/monitor/lowest_mode.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/rayleigh.h>
 #include <ringwatch/monitor/split_bound.h>
@@ -27,11 +28,18 @@ class Bracketer {
         hotSpot_(body, lazy_.shapes()),
         ringNodes_(body, lazy_.shapes()) {}
 
-  /// Unless nullptr, `force` becomes the internal force at x.
-  const CriticalStep& evaluate(const NodeVectors& x, const StepRule& limit, NodeVectors* force) {
+  /// Unless nullptr, `force` becomes the internal force at x. Empty where the tangent is not finite, or where rounding
+  /// makes the sides cross.
+  const std::optional<CriticalStep>& evaluate(const NodeVectors& x, const StepRule& limit, NodeVectors* force) {
     const double sigma = lazy_.sigma();  // that shares of budgets are measured by
     UpperBound upper = lazy_.update(x, force);
     spent_ = lazy_.spent();
+    bracketed_ = true;
+    finite_ = std::isfinite(upper.value);
+    if (!finite_) {
+      forget();
+      return step_;
+    }
     method_ = "rayleigh-quotient";
     LowerBound lower{0};
     const bool first = mode_.size() == 0, afresh = spent_.retargets > 0;
@@ -62,13 +70,14 @@ class Bracketer {
       upper = lazy_.update(x);
       spent_.evaluated += lazy_.spent().evaluated;
     }
-    step_ = {safeStep(upper, limit),
-             optimisticStep(lower, limit),
-             hotSpot_.hottestElement(),
-             "lazy-nodal-bound",
-             method_,
-             lowest_.value,
-             lowest_.element};
+    step_ = CriticalStep{safeStep(upper, limit),
+                         optimisticStep(lower, limit),
+                         hotSpot_.hottestElement(),
+                         "lazy-nodal-bound",
+                         method_,
+                         lowest_.value,
+                         lowest_.element};
+    if (!step_->isBracket()) step_.reset();
     return step_;
   }
   /// Whether h is certified at x, in the cheapest way. While it is not, the bracket is kept, and some looks longer:
@@ -88,20 +97,24 @@ class Bracketer {
     }
     evaluate(x, limit, force);
     spent_.evaluated += before;
-    bracketed_ = true;
-    const bool certified = h <= step_.safe;
+    const bool certified = step_ && h <= step_->safe;
     sinceDoubt_ = certified ? sinceDoubt_ + 1 : 0;
     return certified;
   }
   bool bracketed() const { return bracketed_; }
+  /// Whether the tangent was finite when last evaluated.
+  bool finite() const { return finite_; }
   /// The optimistic side as sharp as it can be had, for a step that comes close to the limit.
   void sharpen(const NodeVectors& x, const StepRule& limit) {
+    if (!step_) return;
     const LowerBound lower = sinceSharpened_++ % firstGap == 0 ? restartMode(x) : refreshMode(x, restartProducts);
-    step_.optimistic = std::min(step_.optimistic, optimisticStep(lower, limit));
+    step_->optimistic = std::min(step_->optimistic, optimisticStep(lower, limit));
+    if (!step_->isBracket()) step_.reset();
   }
   const LazyBound::Spent& spent() const { return spent_; }
-  const CriticalStep& last() const { return step_; }
-  /// Least eigenvalue of any reduced 1-ring when rings were last looked at, rad²/s².
+  /// Of the last evaluate().
+  const std::optional<CriticalStep>& last() const { return step_; }
+  /// Least eigenvalue of the reduced 1-rings and of the direction that were evaluated last, rad²/s².
   struct LowestRing {
     double value;
     ElementRef element;
@@ -109,10 +122,34 @@ class Bracketer {
   const LowestRing& lowestRing() const { return lowest_; }
 
  private:
-  /// Only elements under compression can make the tangent indefinite: the rings of those most compressed tell now and
-  /// then.
+  /// The state has no tangent: nothing that is known of the modes can be carried over it.
+  void forget() {
+    step_.reset();
+    mode_.resize(3, 0);
+    hotSpot_.choose(mode_);
+    lowest_ = {0, {}};
+    softest_.resize(3, 0);
+    least_ = {};
+    sinceSearch_ = searchGap_ = firstSearchGap;
+    searchedAt_ = 0;
+  }
+  /// Only elements under compression can make the tangent indefinite. When there are some, their rings are evaluated
+  /// now and then, and a direction of negative stiffness is searched in the whole body: at the first evaluation, when
+  /// compression has grown since the last search, and else more and more seldom.
   void lookUnderCompression(const NodeVectors& x) {
-    if (++sinceCompressed_ < firstGap) return;
+    const double compression = lazy_.mostCompression();
+    ++sinceSearch_;
+    const bool grown = compression > growth * searchedAt_ && sinceSearch_ >= firstGap;
+    const bool search = compression > slightlyCompressed && (grown || sinceSearch_ >= searchGap_);
+    if (search) {
+      least_ = findLowestMode(body_, x, softest_, softest_.cols() == 0 ? coldSearch : warmSearch);
+      searchGap_ = grown ? firstSearchGap : std::min(2 * searchGap_, lastGap);
+      searchedAt_ = grown ? compression : std::max(searchedAt_, compression);
+      sinceSearch_ = 0;
+    } else if (!(compression > slightlyCompressed)) {
+      least_ = {};
+    }
+    if (++sinceCompressed_ < firstGap && !search) return;
     sinceCompressed_ = 0;
     const std::vector<ElementRef> all = lazy_.compressedElements(compressed);
     // The most compressed ones, the lowest so far, and others by turns.
@@ -123,6 +160,7 @@ class Bracketer {
     }
     if (lowest_.value < 0) chosen.push_back(lowest_.element);
     lowest_ = {0, {}};
+    if (least_.value < 0) lowest_ = {least_.value, least_.element};
     for (const ElementRef e : chosen) {
       if (!decomposeRing(x, e)) continue;
       // Constrained components have eigenvalues of zero, to rounding.
@@ -184,7 +222,10 @@ class Bracketer {
     return followMode(x, {std::max(quotient.value, highest)});
   }
   /// Of the ring that was decomposed last: its highest eigenvalue, rounded down, and that one's vector.
-  double topOfRing() const { return solver_.eigenvalues()[solver_.eigenvalues().size() - 1] * (1 - 1e-12); }
+  double topOfRing() const {
+    return solver_.eigenvalues()[solver_.eigenvalues().size() - 1] -
+           1e-12 * solver_.eigenvalues().cwiseAbs().maxCoeff();
+  }
   void addTopOfRing(NodeVectors& mode) const {
     const auto top = solver_.eigenvectors().col(solver_.eigenvectors().cols() - 1);
     for (std::size_t k = 0; k < ringNodes_.nodes().size(); ++k)
@@ -204,7 +245,11 @@ class Bracketer {
   // Evaluations between two restarts or looks under compression; restarts become rarer while useless.
   static constexpr int firstGap = 10, lastGap = 2560;
   static constexpr std::size_t compressedRings = 16, risenRings = 3, hotRings = 64;  // looked at each time
-  static constexpr double compressed = 0.05;                                         // of λ+2μ
+  static constexpr double compressed = 0.05, slightlyCompressed = 1e-3;              // of λ+2μ
+  // Of the search for a negative direction: tangent products of the first and of the others, the growth of compression
+  // that asks for one, and evaluations between two else.
+  static constexpr int coldSearch = 48, warmSearch = 12, firstSearchGap = 80;
+  static constexpr double growth = 1.5;
 
   const Body& body_;
   double width_;
@@ -215,13 +260,17 @@ class Bracketer {
   NodeVectors mode_;
   std::string_view method_;
   LazyBound::Spent spent_;
-  bool bracketed_ = true;
+  bool bracketed_ = true, finite_ = true;
   int sinceDoubt_ = firstGap;  // looks in a row that certified the step asked about
   int sinceSharpened_ = 0, sinceMode_ = 0, modeGap_ = firstModeGap, sinceRestart_ = 0, restartGap_ = firstGap,
       sinceCompressed_ = firstGap;
   LowestRing lowest_{0, {}};
   std::size_t nextCompressed_ = 0;
-  CriticalStep step_{};
+  NodeVectors softest_;  // the direction of the last search
+  LowestMode least_;     // what it proved
+  int sinceSearch_ = firstSearchGap, searchGap_ = firstSearchGap;
+  double searchedAt_ = 0;  // the compression then
+  std::optional<CriticalStep> step_;
 };
 
 /// A sum is quicker than a look at every number, and finite numbers whose sum overflows are rare.
@@ -239,8 +288,7 @@ std::string elementText(const Body& body, ElementRef e) {
   const MeshBlock& block = body.mesh().blocks[static_cast<std::size_t>(e.block)];
   std::string text = joinText(elementInfo(block.type).name, " element ", e.block, ":", e.element, " (nodes");
   for (int a = 0; a < block.nodesPerElement(); ++a)
-    text += joinText(
-        " ", body.mesh().nodeIds[static_cast<std::size_t>(block.element(static_cast<std::size_t>(e.element))[a])]);
+    text += joinText(" ", body.mesh().nodeId(block.element(static_cast<std::size_t>(e.element))[a]));
   return text + ")";
 }
 
@@ -287,7 +335,7 @@ std::string_view eventName(EventKind kind) {
 }
 
 struct StabilityMonitor::Impl {
-  Impl(const Body& b, const MonitorOptions& o) : body(b), options(o) {
+  Impl(const Body& b, const MonitorOptions& o) : body(b), options(o), bodyVersion(b.version()) {
     if (o.mode != MonitorMode::metric) bracketer.emplace(b, o.width);
     if (o.metric == "reduced-1-ring" && !o.metricElsewhere) ring.emplace(b);
   }
@@ -318,7 +366,8 @@ struct StabilityMonitor::Impl {
   };
   Course courses[5];  // by EventKind
   double largestEnergy = 0;
-  std::int64_t observations = 0, energyLooks = 0;
+  std::int64_t observations = 0, energyLooks = 0, bodyVersion = 0;
+  bool unknown = false;  // the last state had no tangent
 
   /// Records an event when it begins and when it ends. Near a limit it may come and go from step to step: one event
   /// until it has stayed away for a while.
@@ -346,6 +395,56 @@ struct StabilityMonitor::Impl {
       if (course.clear < options.clearLooks) return;
       events[*course.event].end = course.clearSince;
       course.event.reset();
+    }
+  }
+  /// Nothing is known of this state: what was known of an earlier one is dropped, and the next finite one is evaluated.
+  void forget() {
+    report.bracket.reset();
+    report.metricStep.reset();
+    report.certified = 0;
+    unknown = true;
+  }
+  /// Bracket, certified step and metric at x.
+  void evaluate(const NodeVectors& x, std::optional<double> h, NodeVectors* force) {
+    report.fresh = true;
+    report.evaluatedAt = report.step;
+    bodyVersion = body.version();
+    unknown = false;
+    if (bracketer) {
+      bool certified = false, bracketed = true;
+      if (options.mode == MonitorMode::threshold && h) {
+        certified = bracketer->judge(x, options.limit, *h, force);
+        bracketed = bracketer->bracketed();
+      } else {
+        const std::optional<CriticalStep>& step = bracketer->evaluate(x, options.limit, force);
+        certified = step && (!h || *h <= step->safe);
+      }
+      // Where the step is not certified, the optimistic side decides between "not certified" and "violated": it is made
+      // sharp at every look, lest a mode that has moved on says so late.
+      if (!certified) bracketer->sharpen(x, options.limit);
+      report.bracket.reset();
+      if (bracketed) report.bracket = bracketer->last();
+      report.certified = !bracketed ? *h : report.bracket ? report.bracket->safe : 0;
+      const LazyBound::Spent& spent = bracketer->spent();
+      report.elementsRefreshed = spent.evaluated;
+      unknown = !bracketer->finite();
+      // An element that inverts leaves its ball first, so the elements evaluated are all that can have inverted. Where
+      // the tangent is not finite the evaluation has ended early.
+      const Body::LeastDeterminant least =
+          unknown ? body.leastDeterminant(x)
+                  : Body::LeastDeterminant{spent.leastDeterminant, spent.leastDeterminantElement};
+      tell(EventKind::inverted, !(least.value > 0), least.value, x, least.element,
+           [&] { return joinText("inverted, det F = ", least.value); });
+      const Bracketer::LowestRing& lowest = bracketer->lowestRing();
+      tell(EventKind::indefinite, lowest.value < 0, lowest.value, x, lowest.element,
+           [&] { return joinText("tangent indefinite, eigenvalue ", lowest.value, " rad2/s2: no step cures that"); });
+    }
+    if (!options.metric.empty()) {
+      report.metricStep = (1 - options.margin) * options.limit(metricLambda(x));
+      report.elementsRefreshed += static_cast<std::int64_t>(body.mesh().elementCount());
+      const Body::LeastDeterminant least = body.leastDeterminant(x);
+      tell(EventKind::inverted, !(least.value > 0), least.value, x, least.element,
+           [&] { return joinText("inverted, det F = ", least.value); });
     }
   }
 };
@@ -376,24 +475,31 @@ const std::vector<MonitorEvent>& StabilityMonitor::events() const { return impl_
 const MonitorOptions& StabilityMonitor::options() const { return impl_->options; }
 
 const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, const NodeVectors& x,
-                                               const NodeVectors& v, double h, const Energies* energies,
+                                               const NodeVectors& v, std::optional<double> h, const Energies* energies,
                                                NodeVectors* force) {
   Impl& m = *impl_;
+  m.body.checkNodal("x", x);
+  m.body.checkNodal("v", v);
+  if (h && (!(*h > 0) || !std::isfinite(*h)))
+    throw InputError(joinText("h = ", *h, " s: must be > 0 and finite; pass std::nullopt while no step is chosen"));
   MonitorReport& report = m.report;
   report.step = step;
   report.time = time;
-  report.h = h;
+  report.h = h.value_or(0);
   report.newEvents.clear();
   report.fresh = false;
+  report.elementsRefreshed = 0;
 
   const bool finite = allFinite(x) && allFinite(v);
-  m.tell(EventKind::nonFinite, !finite, 0, x, std::nullopt, [] { return "positions or velocities are not finite"; });
-  if (force && (!finite || !m.bracketer || m.observations % m.options.every != 0)) {
+  const bool due =
+      finite && (m.observations++ % m.options.every == 0 || m.unknown || m.bodyVersion != m.body.version());
+  if (force && (!due || !m.bracketer)) {
     m.body.internalForce(x, *force, m.workspace);
     force = nullptr;
   }
   if (!finite) {
-    report.certified = 0;
+    m.tell(EventKind::nonFinite, true, 0, x, std::nullopt, [] { return "positions or velocities are not finite"; });
+    m.forget();
     report.verdict = Verdict::violated;
     return report;
   }
@@ -407,50 +513,18 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
     m.tell(EventKind::energyBalance, settled && share > m.options.energyTolerance, share, x, std::nullopt,
            [&] { return joinText("energy balance is off by ", 100 * share, " % of the largest energy so far"); });
   }
-  if (m.observations++ % m.options.every == 0) {
-    report.fresh = true;
-    report.elementsRefreshed = 0;
-    if (m.bracketer) {
-      Bracketer& bracketer = *m.bracketer;
-      bool certified = false, bracketed = true;
-      if (m.options.mode == MonitorMode::threshold) {
-        certified = bracketer.judge(x, m.options.limit, h, force);
-        bracketed = bracketer.bracketed();
-      } else {
-        certified = h <= bracketer.evaluate(x, m.options.limit, force).safe;
-      }
-      // Where the step is not certified, the optimistic side decides between "not certified" and "violated": it is made
-      // sharp at every look, lest a mode that has moved on says so late.
-      if (!certified) bracketer.sharpen(x, m.options.limit);
-      report.bracket.reset();
-      if (bracketed) report.bracket = bracketer.last();
-      report.certified = bracketed ? report.bracket->safe : h;
-      const LazyBound::Spent& spent = bracketer.spent();
-      report.elementsRefreshed = spent.evaluated;
-      // Whoever inverts leaves its ball first, so the elements evaluated are all that can have inverted.
-      m.tell(EventKind::inverted, !(spent.leastDeterminant > 0), spent.leastDeterminant, x,
-             spent.leastDeterminantElement, [&] { return joinText("inverted, det F = ", spent.leastDeterminant); });
-      const Bracketer::LowestRing& lowest = bracketer.lowestRing();
-      m.tell(EventKind::indefinite, lowest.value < 0, lowest.value, x, lowest.element,
-             [&] { return joinText("tangent indefinite, eigenvalue ", lowest.value, " rad2/s2: no step cures that"); });
-    }
-    if (!m.options.metric.empty()) {
-      report.metricStep = (1 - m.options.margin) * m.options.limit(m.metricLambda(x));
-      report.elementsRefreshed += static_cast<std::int64_t>(m.body.mesh().elementCount());
-      const Body::LeastDeterminant least = m.body.leastDeterminant(x);
-      m.tell(EventKind::inverted, !(least.value > 0), least.value, x, least.element,
-             [&] { return joinText("inverted, det F = ", least.value); });
-    }
-  }
+  if (due) m.evaluate(x, h, force);
+  m.tell(EventKind::nonFinite, m.unknown, 0, x, std::nullopt,
+         [] { return "the tangent is not finite at these positions: no step helps"; });
   // A metric with a margin proves nothing: it can only say that the step is above what it recommends.
-  const bool above = report.bracket && !(h <= report.bracket->optimistic);
-  report.verdict = m.bracketer && h <= report.certified ? Verdict::certified
-                   : above                              ? Verdict::violated
-                                                        : Verdict::notCertified;
-  if (report.bracket) {
+  const bool above = h && report.bracket && !(*h <= report.bracket->optimistic);
+  report.verdict = m.bracketer && h && *h <= report.certified ? Verdict::certified
+                   : above || m.unknown                       ? Verdict::violated
+                                                              : Verdict::notCertified;
+  if (above) {
     const CriticalStep& b = *report.bracket;
-    m.tell(EventKind::violated, above, h / b.optimistic, x, b.controlling, [&] {
-      return joinText("violated: h = ", h, " s is above the critical step, which is at most ", b.optimistic, " s");
+    m.tell(EventKind::violated, true, *h / b.optimistic, x, b.controlling, [&] {
+      return joinText("violated: h = ", *h, " s is above the critical step, which is at most ", b.optimistic, " s");
     });
   } else if (m.bracketer) {
     m.tell(EventKind::violated, false, 0, x, std::nullopt, [] { return ""; });
@@ -461,7 +535,8 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
 CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit,
                           const std::optional<LanczosOptions>& lanczos) {
   requireProof(limit);
-  constexpr int products = 20, sweeps = 12, iterations = 60;
+  body.checkNodal("x", x);
+  constexpr int products = 20, sweeps = 12, iterations = 60, searchProducts = 48;
   constexpr double aim = 1.01, narrow = 1.02;    // in lambda: 0.5 % and 1 % of the step
   constexpr std::int64_t mostBytes = 4LL << 30;  // beyond, the nodal bound has to do
   ReducedRing ring(body);
@@ -470,6 +545,8 @@ CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule
   const LowerBound lower = top.lower;
   NodalBound shapes(body);
   UpperBound upper = shapes.evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);
+  if (!std::isfinite(upper.value))
+    throw NumericalError("the tangent is not finite at these positions: there is no critical step");
   std::string_view safeBy = "nodal-bound";
   if (upper.value > narrow * lower.value && splitBoundBytes(body) <= mostBytes) {
     const SplitBound split = splitUpperBound(body, x, shapes, aim * lower.value, narrow * lower.value, iterations);
@@ -481,6 +558,18 @@ CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule
   CriticalStep step{
       safeStep(upper, limit), optimisticStep(lower, limit), ring.last().highestElement, safeBy, top.method,
       ring.last().lowest,     ring.last().lowestElement};
+  if (!step.isBracket())
+    throw NumericalError(joinText("the sides of the bracket cross by rounding: safe ", step.safe, " s, optimistic ",
+                                  step.optimistic, " s"));
+  // At rest there is no stress that could make the tangent indefinite.
+  if (!(step.lowestRing < 0) && x != body.mesh().X) {
+    NodeVectors direction;
+    const LowestMode lowest = findLowestMode(body, x, direction, searchProducts);
+    if (lowest.value < 0) {
+      step.lowestRing = lowest.value;
+      step.lowestRingElement = lowest.element;
+    }
+  }
   if (lanczos) {
     const LanczosBound bound = lanczosUpperBound(body, x, lanczos->width, lanczos->eta, lanczos->seed);
     step.probable = {limit(bound.upper.value), bound.upper.eta, bound.products};

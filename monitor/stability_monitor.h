@@ -37,12 +37,19 @@ struct MonitorOptions {
 enum class Verdict {
   certified,     ///< h <= safe: proven stable for the tangent at this state
   notCertified,  ///< safe < h <= optimistic: neither proven stable nor proven unstable
-  violated       ///< h > optimistic: proven above the critical step of the tangent at this state
+  violated       ///< h > optimistic: proven above the critical step of the tangent at this state; or positions,
+                 ///< velocities or the tangent are not finite, so that there is no bracket and no step helps
 };
 std::string_view verdictName(Verdict verdict);
 
 /// Something that happened, reported once when it begins. It ends with the first of MonitorOptions::clearLooks
 /// looks in a row that do not see it.
+/// indefinite: the tangent has a negative eigenvalue, which only compressed elements can give it. Where some element is
+/// compressed by more than 1e-3 of λ+2μ, the monitor searches for a direction of negative stiffness in the whole body:
+/// 48 tangent products at the first evaluation; 12, from the direction found last, when compression has grown by half
+/// since the last search; and else after 80, 160, … 2560 evaluations. With a compression above 0.05 it also evaluates
+/// 32 reduced 1-rings at each of these and after 10 evaluations. A mode that is far softer than the elements, as of a
+/// slender bar that buckles, can be missed; what is told is proven.
 enum class EventKind { violated, energyBalance, inverted, nonFinite, indefinite };
 std::string_view eventName(EventKind kind);
 struct MonitorEvent {
@@ -60,10 +67,12 @@ struct MonitorEvent {
 struct MonitorReport {
   std::int64_t step = 0;
   double time = 0;                      // s
-  double h = 0;                         // s, the step the run takes
-  bool fresh = false;                   // evaluated at this very state, or `every` steps have not passed
-  std::optional<CriticalStep> bracket;  // in threshold mode only while the step is not certified
-  double certified = 0;                 // s, the largest step proven at the last look; 0 for none
+  double h = 0;                         // s, the step the run takes; 0 while none is chosen
+  bool fresh = false;                   // evaluated at this very state; else `every` steps have not passed
+  std::int64_t evaluatedAt = 0;         // step whose state bracket, certified and metricStep are of
+  std::optional<CriticalStep> bracket;  // in threshold mode only while the step is not certified; never for a state
+                                        // whose positions, velocities or tangent are not finite
+  double certified = 0;                 // s, the largest step proven at that state; 0 for none
   std::int64_t elementsRefreshed = 0;   // element evaluations spent at this observation
   std::optional<double> metricStep;     // s, an estimate, margin applied
   Verdict verdict = Verdict::notCertified;
@@ -78,11 +87,15 @@ class StabilityMonitor {
   StabilityMonitor(const Body& body, const MonitorOptions& options);
   ~StabilityMonitor();
 
-  /// Looks at positions x and velocities v (3×N) before step number `step` of size h is taken from them. Energies are
-  /// those of an EnergyBalance, when kept. Unless nullptr, `force` becomes the internal force at x, 3×N, N: bracket and
-  /// threshold test the elements in the pass that computes it, which costs less than both apart where much moves.
-  const MonitorReport& observe(std::int64_t step, double time, const NodeVectors& x, const NodeVectors& v, double h,
-                               const Energies* energies = nullptr, NodeVectors* force = nullptr);
+  /// Looks at positions x (3×N, m) and velocities v (3×N, m/s) before step number `step` of size h (s) is taken from
+  /// them; h is empty while no step is chosen, and then no step is judged. Energies are those of an EnergyBalance, when
+  /// kept. Unless nullptr, `force` becomes the internal force at x, 3×N, N: bracket and threshold test the elements in
+  /// the pass that computes it, which costs less than both apart where much moves. When masses or constraints of the
+  /// body have changed, everything is evaluated from scratch. The report is valid until the next call. Throws
+  /// InputError when x or v is not 3×N, or h is not positive and finite.
+  const MonitorReport& observe(std::int64_t step, double time, const NodeVectors& x, const NodeVectors& v,
+                               std::optional<double> h, const Energies* energies = nullptr,
+                               NodeVectors* force = nullptr);
   /// All events so far.
   const std::vector<MonitorEvent>& events() const;
   const MonitorOptions& options() const;
@@ -101,7 +114,8 @@ struct LanczosOptions {
 
 /// The bracket at one state from scratch, both sides as tight as the methods give without a run's history; with
 /// `lanczos` also CriticalStep::probable, which is far tighter than the proven side on regular grids.
-/// limit: the integrator's largest stable h·omega, or a proven rule; throws InputError for one that is not.
+/// x: 3×N, m. limit: the integrator's largest stable h·omega, or a proven rule. Throws InputError for a rule that is
+/// not proven and when x is not 3×N; NumericalError where the tangent is not finite.
 CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit,
                           const std::optional<LanczosOptions>& lanczos = std::nullopt);
 

@@ -28,9 +28,12 @@ class TangentBracket {
   ~TangentBracket();
 
   /// The bracket, s. tangents: for each group of elements, element after element, the 3n×3n tangent, N/m, rows and
-  /// columns 3·node + component. limit: the integrator's largest stable h·omega. Throws InputError, naming group,
-  /// element and value, for a tangent that is not finite, not symmetric (to 1e-8 of its largest entry) or of another
-  /// size. `controlling.block` is the group. Both sides are infinite when nothing stiff is free.
+  /// columns 3·node + component. Of a tangent that is symmetric only to rounding the symmetric part (K + Kᵀ)/2 counts,
+  /// and the bracket is proven for that. limit: the integrator's largest stable h·omega. `controlling.block` is the
+  /// group. Both sides are infinite when nothing stiff is free. Throws InputError, naming group, element and value, for
+  /// a tangent that is not finite, not symmetric (to 1e-8 of its largest entry) or of another size, for a limit that is
+  /// not positive and finite, and for tangents so large or small that their sixth powers leave the range of a double
+  /// (entries K_ij and K_ij/√(m_i m_j) outside 1e-40 to 1e40); NumericalError where rounding makes the two sides cross.
   CriticalStep evaluate(const std::vector<std::span<const double>>& tangents, double limit);
 
  private:

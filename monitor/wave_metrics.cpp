@@ -49,7 +49,7 @@ double lengthOf(const ElementInfo& element, const NodeVectors& x, std::span<cons
   for (const QuadraturePoint& point : element.massRule.points) {
     element.shapeGradient(point.xi, dN);
     Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
-    for (int a = 0; a < element.nodes; ++a) J += at(a) * Eigen::RowVector3d::Map(dN[a]);
+    for (int a = 1; a < element.nodes; ++a) J += (at(a) - at(0)) * Eigen::RowVector3d::Map(dN[a]);
     volume += J.determinant() * point.weight;
   }
   if (kind == CharacteristicLength::inRadius) return 3 * volume / sum;

@@ -30,7 +30,7 @@ Body bar(double stiff, bool graded) {
   for (std::size_t e = 0; e < all.elementCount(); ++e) {
     MeshBlock& to = blocks[e == first ? 1 : graded && e == second ? 2 : 0];
     to.connectivity.insert(to.connectivity.end(), all.element(e), all.element(e) + n);
-    to.ids.push_back(all.ids[e]);
+    to.ids.push_back(all.id(e));
   }
   mesh.blocks = std::move(blocks);
   const std::vector<std::int32_t> clamped = mesh.nodeSets.at("x-min");

@@ -90,7 +90,7 @@ NodeVectors consistentBodyForce(const Mesh& mesh,
         Eigen::Vector3d X = Eigen::Vector3d::Zero();
         for (int a = 0; a < info.nodes; ++a) {
           X += N[a] * mesh.X.col(nodes[a]);
-          J += mesh.X.col(nodes[a]) * Eigen::RowVector3d::Map(dN[a]);
+          J += (mesh.X.col(nodes[a]) - mesh.X.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
         }
         const Eigen::Vector3d b = force(X) * (q.weight * J.determinant());
         for (int a = 0; a < info.nodes; ++a) f.col(nodes[a]) += N[a] * b;
@@ -141,7 +141,7 @@ NodeVectors consistentTraction(const Mesh& mesh, const std::function<bool(const 
             Eigen::Vector3d X = Eigen::Vector3d::Zero();
             for (int a = 0; a < info.nodes; ++a) {
               X += N[a] * mesh.X.col(nodes[a]);
-              J += mesh.X.col(nodes[a]) * Eigen::RowVector3d::Map(dN[a]);
+              J += (mesh.X.col(nodes[a]) - mesh.X.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
             }
             const Eigen::Vector3d t = traction(X) * (factor * (J * du).cross(J * dv).norm());
             for (int a = 0; a < info.nodes; ++a) f.col(nodes[a]) += N[a] * t;

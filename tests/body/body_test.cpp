@@ -53,6 +53,27 @@ class BodyTest : public ::testing::TestWithParam<BodyCase> {
 INSTANTIATE_TEST_SUITE_P(All, BodyTest, ::testing::ValuesIn(test::allBodyCases()),
                          [](const auto& test) { return test::bodyCaseName(test.param); });
 
+TEST_P(BodyTest, IsTheSameFarFromTheOrigin) {
+  // Rounded to multiples of 2⁻³⁰ m, so that the moved mesh has the same edges to the last bit.
+  Mesh near = test::distortedBox(param().element->name, {3, 2, 2});
+  near.X = (near.X * 0x1p30).array().round() * 0x1p-30;
+  Mesh far = near;
+  const Eigen::Vector3d away(0x1p20, -0x1p19, 0x1p18);  // m; an edge is some 1e-8 of that
+  far.X.colwise() += away;
+  ASSERT_EQ(far.X.colwise() - away, near.X);
+  const Body here = makeBody(near), there = makeBody(far);
+  EXPECT_NEAR(there.volume(), here.volume(), 1e-13 * here.volume());
+  EXPECT_LE((there.lumpedMass() - here.lumpedMass()).norm(), 1e-13 * here.lumpedMass().norm());
+  NodeVectors x = strained(near.X);
+  x = (x * 0x1p30).array().round() * 0x1p-30;
+  const NodeVectors farX = x.colwise() + away;
+  const double scale = force(here, x).norm();
+  EXPECT_LE((force(there, farX) - force(here, x)).norm(), 1e-12 * scale);
+  EXPECT_NEAR(energy(there, farX), energy(here, x), 1e-12 * energy(here, x));
+  const Eigen::MatrixXd K = here.elementTangent({0, 1}, x);
+  EXPECT_LE((there.elementTangent({0, 1}, farX) - K).norm(), 1e-12 * K.norm());
+}
+
 TEST_P(BodyTest, FeelsNoForceWhenMovedAsARigidBody) {
   const Body body = makeBody();
   test::Random random(1);

@@ -36,6 +36,25 @@ TEST(Constraints, FixWholeNodesOrComponents) {
   EXPECT_EQ(values, expected);
 }
 
+TEST(Constraints, CountTheirChanges) {
+  Constraints constraints(4);
+  std::int64_t before = constraints.version();
+  const auto hasGrown = [&] {
+    const bool grown = constraints.version() > before;
+    before = constraints.version();
+    return grown;
+  };
+  constraints.fix(1, 0);
+  EXPECT_TRUE(hasGrown());
+  constraints.fix(1, 0);
+  constraints.move(1, 0, 0.5);
+  EXPECT_FALSE(hasGrown()) << "the same components are free";
+  constraints.fix(2);
+  EXPECT_TRUE(hasGrown());
+  constraints = Constraints(4);
+  EXPECT_TRUE(hasGrown()) << "assignment never returns to an earlier number";
+}
+
 TEST(Constraints, MoveComponentsAtTheirVelocity) {
   Constraints constraints(3);
   constraints.fix(2);

@@ -42,6 +42,27 @@ TEST(BodyErrors, RefusesABlockWithoutElementsOrSurvivesIt) {
   EXPECT_LE(f.norm(), 1e-12);
 }
 
+TEST(BodyErrors, TakesSmallElementsFarFromTheOrigin) {
+  // Elements of 1 cm, with coordinates as they are rounded there.
+  for (const ElementInfo& element : allElements())
+    for (const double away : {1e3, 1e5, 1e7}) {
+      Mesh mesh = test::distortedBox(element.name, {2, 2, 2}, 0);
+      mesh.X.colwise() += Eigen::Vector3d::Constant(away);
+      EXPECT_EQ(refusal<NumericalError>(mesh), "accepted") << element.name << " at " << away << " m";
+    }
+}
+
+TEST(BodyErrors, NamesAnArrayThatIsNotOneColumnANode) {
+  const Body body(test::distortedBox("tet4", {2, 2, 2}), material);
+  EXPECT_NO_THROW(body.checkNodal("x", body.mesh().X));
+  try {
+    body.checkNodal("x", NodeVectors::Zero(3, 5));
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()), "x is 3 x 5: must be 3 x 27, a column for each node");
+  }
+}
+
 TEST(BodyErrors, NamesAnInvertedElementByItsNumberInTheFile) {
   for (const ElementInfo& element : allElements()) {
     Mesh mesh = test::distortedBox(element.name, {2, 2, 2});

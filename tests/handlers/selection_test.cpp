@@ -136,6 +136,24 @@ TEST(PartOfABody, HasItsElementsForcesAndTheWholeMass) {
   EXPECT_THROW(Body(body, wrong), InputError);
 }
 
+TEST(PartOfABody, OfAMeshWithoutNumbersHasThoseOfTheWhole) {
+  const Body numbered = test::sliverBody("stvk", 0.95, false);
+  Mesh mesh = numbered.mesh();
+  mesh.nodeIds.clear();
+  for (MeshBlock& block : mesh.blocks) block.ids.clear();
+  const Body whole(mesh, numbered.blocks()[0]->material());
+  ElementFlags flags = noElements(mesh);
+  flags[0][3] = flags[0][5] = true;
+  const std::vector<std::int32_t> nodes = nodesOf(whole, flags);
+  const Body part = bodyOf(whole, flags, nodes, whole.lumpedMass()(nodes)), other(whole, flags);
+  for (std::int32_t i = 0; i < part.nodeCount(); ++i)
+    EXPECT_EQ(part.mesh().nodeId(i), nodes[static_cast<std::size_t>(i)]);
+  for (const Body* body : {&part, &other}) {
+    EXPECT_EQ(body->mesh().blocks[0].id(0), 3);
+    EXPECT_EQ(body->mesh().blocks[0].id(1), 5);
+  }
+}
+
 TEST(Selection, RingsOfAPartAreThoseOfTheWhole) {
   BarOptions options;
   options.cells = {6, 3, 3};

@@ -86,6 +86,18 @@ TEST(Bisection, SetsAndNumbersFollow) {
   EXPECT_EQ(std::adjacent_find(ids.begin(), ids.end()), ids.end());
 }
 
+TEST(Bisection, OfAMeshWithoutNumbersIsTheSame) {
+  const Mesh mesh = jitteredBar();  // numbered 0, 1, …
+  Mesh bare = mesh;
+  bare.nodeIds.clear();
+  for (MeshBlock& block : bare.blocks) block.ids.clear();
+  const auto edges = someEdges(mesh, 0.3, 1);
+  const Mesh with = bisectEdges(mesh, edges).mesh, without = bisectEdges(bare, edges).mesh;
+  EXPECT_EQ(without.blocks[0].connectivity, with.blocks[0].connectivity);
+  EXPECT_EQ(without.blocks[0].ids, with.blocks[0].ids);
+  EXPECT_EQ(without.nodeIds, with.nodeIds);
+}
+
 TEST(Bisection, NothingToCutLeavesTheMesh) {
   const Mesh mesh = jitteredBar();
   const BisectedMesh same = bisectEdges(mesh, {});

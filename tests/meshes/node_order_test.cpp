@@ -82,6 +82,14 @@ TEST(NodeOrder, RenumberingKeepsTheMeshAndItsNumbers) {
   }
 }
 
+TEST(NodeOrder, RenumberingAMeshWithoutNumbersKeepsItsPositions) {
+  Mesh mesh = scatteredBar();
+  mesh.nodeIds.clear();
+  const NodeVectors before = mesh.X;
+  renumberNodes(mesh);
+  for (std::int32_t i = 0; i < mesh.X.cols(); ++i) EXPECT_EQ(mesh.X.col(i), before.col(mesh.nodeId(i)));
+}
+
 TEST(NodeOrder, RenumberingBringsTheNodesOfAnElementTogether) {
   const Mesh before = scatteredBar();
   Mesh after = before;

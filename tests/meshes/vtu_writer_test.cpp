@@ -44,6 +44,16 @@ TEST(VtuWriter, FramesHoldPositionsFieldsTimeAndNumbers) {
   EXPECT_EQ(folder.fileCount(), 1u);
 }
 
+TEST(VtuWriter, NumbersAMeshWithoutNumbers) {
+  const TemporaryFolder folder;
+  Mesh mesh = mixedMesh();
+  mesh.nodeIds.clear();
+  for (MeshBlock& block : mesh.blocks) block.ids.clear();
+  writeVtu(folder / "frame.vtu", mesh, mesh.X);
+  const Mesh back = readMesh(folder / "frame.vtu");
+  for (std::int32_t i = 0; i < 14; ++i) EXPECT_EQ(back.nodeId(i), i);
+}
+
 TEST(VtuWriter, WrongLengthsAndPlacesAreRefused) {
   const TemporaryFolder folder;
   const Mesh mesh = mixedMesh();

@@ -28,8 +28,11 @@ std::string boundsFault(const Body& body, const NodeVectors& x) {
     for (const MetricInfo& metric : allMetrics())
       if (metric.direction != Direction::estimate && std::isfinite(evaluateMetric(metric.name, body, x).lambda))
         fault += joinText(metric.name, " gives a number without a tangent; ");
-    const CriticalStep step = criticalStep(body, x, limit);
-    if (step.safe > 0) fault += joinText("safe = ", step.safe, " without a tangent; ");
+    try {
+      const CriticalStep step = criticalStep(body, x, limit);
+      fault += joinText("safe = ", step.safe, " without a tangent; ");
+    } catch (const NumericalError&) {
+    }
     return fault;
   }
   // Constrained components stay in the metrics' matrices as zero rows, so that no value falls below 0.

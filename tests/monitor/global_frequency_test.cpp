@@ -84,6 +84,22 @@ TEST(GlobalFrequency, OfASingleElement) {
   }
 }
 
+TEST(GlobalFrequency, IsTheLargestDenseEigenvalueInAnyUnits) {
+  const Cut cut = test::allCuts()[0];
+  const NodeVectors X = test::box(cut, {4, 2, 2}).X;
+  for (const double young : {1e-200, 1e-100, 1e-30, 1e-16, 1e-8, 1e8, 1e30, 1e100, 1e200}) {
+    Body body(test::box(cut, {4, 2, 2}), makeMaterial("linear", young, 0.3, 1000), test::onThreads(1));
+    test::holdBody(body, Hold::face);
+    // The dense problem at E = 1, where its solver is at home: eigenvalues are proportional to E.
+    Body unit(test::box(cut, {4, 2, 2}), makeMaterial("linear", 1, 0.3, 1000), test::onThreads(1));
+    test::holdBody(unit, Hold::face);
+    const double lambda = young * DenseTangent(unit, X).largest();
+    const GlobalFrequency found = globalFrequency(body, X);
+    ASSERT_TRUE(found.converged) << young;
+    EXPECT_NEAR(found.lambda, lambda, 1e-9 * lambda) << young;
+  }
+}
+
 TEST(GlobalFrequency, ThatDidNotConvergeHasNoValue) {
   const Body body = test::boxBody(test::allCuts()[0], "linear", {10, 5, 5}, 0);
   const GlobalFrequency found = globalFrequency(body, body.mesh().X, 1e-15, 1);

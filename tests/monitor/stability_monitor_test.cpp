@@ -17,6 +17,7 @@ namespace ringwatch {
 namespace {
 
 using test::Cut;
+using test::DenseTangent;
 
 NodeVectors noVelocity(const Body& body) { return NodeVectors::Zero(3, body.nodeCount()); }
 
@@ -129,6 +130,186 @@ TEST(StabilityMonitor, ReportsANonFiniteState) {
     }
 }
 
+void expectNoNan(const StabilityMonitor& monitor) {
+  for (const MonitorEvent& event : monitor.events()) EXPECT_EQ(event.text.find("nan"), std::string::npos) << event.text;
+}
+
+TEST(StabilityMonitor, HasNoBracketOfAnEarlierStateWhereTheStateIsNotFinite) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const NodeVectors& X = body.mesh().X;
+  NodeVectors bad = X;
+  bad(1, 4) = std::numeric_limits<double>::quiet_NaN();
+  for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold})
+    for (const int every : {1, 5})
+      for (const bool first : {true, false}) {
+        MonitorOptions options;
+        options.mode = mode;
+        options.every = every;
+        options.metric = "reduced-1-ring";
+        StabilityMonitor monitor(body, options);
+        if (!first) monitor.observe(0, 0, X, noVelocity(body), 10);  // far too large: there is a bracket
+        for (int step = 1; step < 4; ++step) {
+          const MonitorReport& report = monitor.observe(step, 0, bad, noVelocity(body), 1e-9);
+          EXPECT_EQ(report.verdict, Verdict::violated);
+          EXPECT_FALSE(report.bracket);
+          EXPECT_FALSE(report.metricStep);
+          EXPECT_EQ(report.certified, 0);
+        }
+        // The first finite state is evaluated, whoever's turn it is.
+        const MonitorReport& report = monitor.observe(4, 0, X, noVelocity(body), 1e-9);
+        EXPECT_TRUE(report.fresh);
+        EXPECT_EQ(report.evaluatedAt, 4);
+        EXPECT_EQ(report.verdict, Verdict::certified);
+        EXPECT_TRUE(report.bracket.has_value() || mode == MonitorMode::threshold);
+        expectNoNan(monitor);
+      }
+}
+
+TEST(StabilityMonitor, HasNoBracketWhereTheTangentIsNotFinite) {
+  for (const Cut& cut : test::allCuts()) {
+    // The logarithm of det F does not exist in a mirrored body.
+    const Body body = test::boxBody(cut, "neo-hookean");
+    const NodeVectors &X = body.mesh().X, mirrored = Eigen::Vector3d(-1, 1, 1).asDiagonal() * X;
+    const double exact = stepFor(DenseTangent(body, X).largest(), 2);
+    for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold})
+      for (const bool first : {true, false}) {
+        MonitorOptions options;
+        options.mode = mode;
+        options.every = 2;
+        StabilityMonitor monitor(body, options);
+        if (!first) monitor.observe(0, 0, X, noVelocity(body), 10);
+        for (int step = 2; step < 6; ++step) {
+          const MonitorReport& report = monitor.observe(step, 0, mirrored, noVelocity(body), 1e-9);
+          if (!first && step == 2) continue;  // not its turn yet
+          EXPECT_EQ(report.verdict, Verdict::violated) << cut.name;
+          EXPECT_FALSE(report.bracket) << cut.name;
+          EXPECT_EQ(report.certified, 0) << cut.name;
+        }
+        expectText(onlyEvent(monitor, EventKind::nonFinite), {"tangent is not finite"});
+        onlyEvent(monitor, EventKind::inverted);
+        expectNoNan(monitor);
+        // Nothing of it is left over.
+        const MonitorReport& report = monitor.observe(6, 0, X, noVelocity(body), std::nullopt);
+        ASSERT_TRUE(report.bracket) << cut.name;
+        EXPECT_LE(report.bracket->safe, exact * (1 + 1e-9)) << cut.name;
+        EXPECT_GE(report.bracket->optimistic, exact * (1 - 1e-9)) << cut.name;
+        EXPECT_LE(report.bracket->optimistic, 1.1 * exact) << cut.name;
+      }
+    EXPECT_THROW(criticalStep(body, mirrored, 2), NumericalError);
+  }
+}
+
+TEST(StabilityMonitor, RefusesWhatIsNoStateOrNoStep) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const NodeVectors X = body.mesh().X, v = noVelocity(body), few = X.leftCols(3), many = NodeVectors::Zero(3, 1000);
+  StabilityMonitor monitor(body, {});
+  const auto refusal = [&](const std::function<void()>& call) -> std::string {
+    try {
+      call();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  for (const NodeVectors* wrong : {&few, &many}) {
+    const std::string size = joinText("3 x ", wrong->cols(), ": must be 3 x 27");
+    const std::string inX = refusal([&] { monitor.observe(0, 0, *wrong, v, 1e-9); }),
+                      inV = refusal([&] { monitor.observe(0, 0, X, *wrong, 1e-9); }),
+                      inCritical = refusal([&] { criticalStep(body, *wrong, 2); }),
+                      inGlobal = refusal([&] { globalFrequency(body, *wrong); });
+    for (const std::string& text : {inX, inCritical, inGlobal}) EXPECT_EQ(text.find("x is " + size), 0u) << text;
+    EXPECT_EQ(inV.find("v is " + size), 0u) << inV;
+  }
+  for (const double h : {0.0, -1e-9, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_EQ(refusal([&] { monitor.observe(0, 0, X, v, h); }).find(joinText("h = ", h, " s: must be > 0 and finite")),
+              0u);
+  EXPECT_EQ(monitor.observe(0, 0, X, v, 1e-9).verdict, Verdict::certified) << "a refused call changes nothing";
+}
+
+TEST(StabilityMonitor, GivesABracketWhileNoStepIsChosen) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold}) {
+    MonitorOptions options;
+    options.mode = mode;
+    StabilityMonitor monitor(body, options);
+    const MonitorReport& report = monitor.observe(0, 0, body.mesh().X, noVelocity(body), std::nullopt);
+    EXPECT_EQ(report.verdict, Verdict::notCertified);
+    EXPECT_EQ(report.h, 0);
+    ASSERT_TRUE(report.bracket);
+    EXPECT_EQ(report.certified, report.bracket->safe);
+    EXPECT_TRUE(monitor.events().empty());
+    EXPECT_EQ(monitor.observe(1, 0, body.mesh().X, noVelocity(body), 0.99 * report.bracket->safe).verdict,
+              Verdict::certified);
+  }
+}
+
+TEST(StabilityMonitor, FollowsMassesAndConstraintsOfTheBody) {
+  using Change = std::function<void(Body&)>;
+  const std::pair<std::string, Change> changes[] = {
+      {"mass",
+       [](Body& body) {
+         for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.addNodalMass(i, 2 * body.lumpedMass()[i]);
+       }},
+      {"held",
+       [](Body& body) {
+         for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+           if (i != 13) body.constraints().fix(i);
+       }},
+      {"released", [](Body& body) { body.constraints() = Constraints(body.mesh().nodeCount()); }},
+      {"held otherwise", [](Body& body) {
+         body.constraints() = Constraints(body.mesh().nodeCount());
+         for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.constraints().fix(i, 1);
+       }}};
+  for (const Cut& cut : test::allCuts())
+    for (const auto& [name, change] : changes)
+      for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold})
+        for (const int every : {1, 10}) {
+          Body body = test::boxBody(cut, "stvk");
+          for (std::int32_t i = 0; i < 18; ++i) body.constraints().fix(i);
+          const NodeVectors& X = body.mesh().X;
+          const std::string what = joinText(cut.name, ", ", name, ", ", monitorModeName(mode), ", every ", every);
+          MonitorOptions options;
+          options.mode = mode;
+          options.every = every;
+          StabilityMonitor monitor(body, options);
+          const double before = stepFor(DenseTangent(body, X).largest(), 2), h = 0.9 * before;
+          for (int step = 0; step < 3; ++step) monitor.observe(step, 0, X, noVelocity(body), h);
+          change(body);
+          const double exact = stepFor(DenseTangent(body, X).largest(), 2);
+          const MonitorReport& report = monitor.observe(3, 0, X, noVelocity(body), h);
+          EXPECT_TRUE(report.fresh) << what;
+          if (report.bracket) {
+            EXPECT_LE(report.bracket->safe, exact * (1 + 1e-9)) << what;
+            EXPECT_GE(report.bracket->optimistic, exact * (1 - 1e-9)) << what;
+          }
+          EXPECT_LE(report.certified, exact * (1 + 1e-9)) << what;
+          if (h < 0.8 * exact) {
+            EXPECT_EQ(report.verdict, Verdict::certified) << what;
+          }
+          if (h > 1.2 * exact) {
+            EXPECT_EQ(report.verdict, Verdict::violated) << what;
+          }
+        }
+}
+
+TEST(StabilityMonitor, NamesElementsOfAMeshWithoutNumbers) {
+  for (const Cut& cut : test::allCuts()) {
+    Mesh mesh = test::box(cut, {2, 2, 2});
+    mesh.nodeIds.clear();
+    for (MeshBlock& block : mesh.blocks) block.ids.clear();
+    const Body body(std::move(mesh), makeMaterial("stvk", test::young, 0.3, test::density), test::onThreads(1));
+    StabilityMonitor monitor(body, {});
+    monitor.observe(0, 0, body.mesh().X, noVelocity(body), 1);
+    const MonitorEvent& event = onlyEvent(monitor, EventKind::violated);
+    ASSERT_TRUE(event.element);
+    std::string nodes = "(nodes";
+    for (const std::int32_t node :
+         body.blocks()[static_cast<std::size_t>(event.element->block)]->nodesOf(event.element->element))
+      nodes += joinText(" ", node);
+    expectText(event, {nodes + ")"});
+  }
+}
+
 TEST(StabilityMonitor, ReportsAnInvertedElement) {
   for (const Cut& cut : test::allCuts())
     for (const LawInfo& law : allLaws()) {
@@ -208,6 +389,50 @@ TEST(StabilityMonitor, ReportsAnIndefiniteTangentOnlyWhenItIs) {
       told = now;
     }
     EXPECT_TRUE(told) << cut.name;
+  }
+}
+
+TEST(StabilityMonitor, ReportsAnIndefiniteTangentAtTheFirstLook) {
+  int indefinite = 0;
+  for (const Cut& cut : test::allCuts())
+    for (const LawInfo& law : allLaws())
+      for (const double squash : {0.9, 0.7, 0.5}) {
+        Body body = test::boxBody(cut, law.name, {6, 2, 2});
+        test::holdBody(body, test::Hold::face);
+        const NodeVectors x = Eigen::Vector3d(squash, 1, 1).asDiagonal() * body.mesh().X;
+        const Eigen::VectorXd lambda = test::DenseTangent(body, x).eigenvalues();
+        const std::string what = joinText(cut.name, ", ", law.name, ", squashed to ", squash);
+        StabilityMonitor monitor(body, {});
+        monitor.observe(0, 0, x, noVelocity(body), 1e-9);
+        const bool told = countEvents(monitor, EventKind::indefinite) > 0;
+        if (told) {
+          const MonitorEvent& event = onlyEvent(monitor, EventKind::indefinite);
+          EXPECT_GE(event.value, lambda[0] * (1 + 1e-9)) << what;
+          EXPECT_LT(event.value, 0) << what;
+          EXPECT_LT(lambda[0], 0) << what;
+        }
+        // What is finer than a thousandth of the highest eigenvalue may be missed.
+        if (lambda[0] < -1e-3 * lambda[lambda.size() - 1]) {
+          ++indefinite;
+          EXPECT_TRUE(told) << what << ", least eigenvalue " << lambda[0];
+          EXPECT_LT(criticalStep(body, x, 2).lowestRing, 0) << what;
+        }
+      }
+  EXPECT_GE(indefinite, 40);
+}
+
+TEST(StabilityMonitor, ReportsABodyThatIsSquashedInTheMiddleOfARun) {
+  // Told by the tenth look after compression has grown by half.
+  for (const Cut& cut : test::allCuts()) {
+    Body body = test::boxBody(cut, "neo-hookean", {6, 2, 2});
+    test::holdBody(body, test::Hold::face);
+    StabilityMonitor monitor(body, {});
+    std::int64_t step = 0;
+    for (; step < 25; ++step) monitor.observe(step, 0, body.mesh().X, noVelocity(body), 1e-9);
+    EXPECT_EQ(countEvents(monitor, EventKind::indefinite), 0);
+    const NodeVectors x = Eigen::Vector3d(0.6, 1, 1).asDiagonal() * body.mesh().X;
+    for (; step < 36; ++step) monitor.observe(step, 0, x, noVelocity(body), 1e-9);
+    EXPECT_EQ(countEvents(monitor, EventKind::indefinite), 1) << cut.name;
   }
 }
 

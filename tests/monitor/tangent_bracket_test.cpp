@@ -4,7 +4,10 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
+
+#include <Eigen/QR>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/tangent_bracket.h>
@@ -133,6 +136,20 @@ TEST(TangentBracket, IsInfiniteWhereNothingIsFree) {
   EXPECT_TRUE(std::isinf(step.optimistic));
 }
 
+TEST(TangentBracket, IsTheSameInAnyUnits) {
+  const Chain chain(6, 10, 1);
+  TangentBracket bracket(chain.mass, {{2, chain.nodes}}, chain.constrained, 1);
+  const CriticalStep unit = bracket.evaluate({chain.tangents}, 2);
+  for (const double factor : {1e-38, 1e-16, 1e16, 1e38}) {
+    std::vector<double> tangents = chain.tangents;
+    for (double& entry : tangents) entry *= factor;
+    TangentBracket other(chain.mass, {{2, chain.nodes}}, chain.constrained, 1);
+    const CriticalStep step = other.evaluate({tangents}, 2);
+    EXPECT_NEAR(step.safe * std::sqrt(factor), unit.safe, 1e-2 * unit.safe) << factor;
+    EXPECT_NEAR(step.optimistic * std::sqrt(factor), unit.optimistic, 1e-9 * unit.optimistic) << factor;
+  }
+}
+
 TEST(TangentBracket, IsExactForOneFreeNode) {
   Chain chain(2, 10, 0.5);
   chain.constrained[0] = chain.constrained[1] = chain.constrained[2] = 1;
@@ -140,6 +157,65 @@ TEST(TangentBracket, IsExactForOneFreeNode) {
   const CriticalStep step = bracket.evaluate({chain.tangents}, 2.0);
   EXPECT_NEAR(step.safe, 2 / std::sqrt(20), 1e-6);
   EXPECT_NEAR(step.optimistic, 2 / std::sqrt(20), 1e-6);
+}
+
+/// A body of one element of two nodes of mass 1 with a tangent K (6×6); z is held at both.
+CriticalStep bracketOf(const Eigen::Matrix<double, 6, 6>& K) {
+  const std::vector<double> mass{1, 1};
+  const std::vector<std::int32_t> nodes{0, 1};
+  TangentBracket bracket(mass, {{2, nodes}}, std::vector<std::uint8_t>{0, 0, 1, 0, 0, 1}, 1);
+  const Eigen::Matrix<double, 6, 6, Eigen::RowMajor> rows = K;
+  return bracket.evaluate({{rows.data(), 36}}, 2.0);
+}
+/// The exact step of it for the symmetric part of K.
+double exactStep(Eigen::Matrix<double, 6, 6> K) {
+  K = (0.5 * (K + K.transpose())).eval();
+  for (const int held : {2, 5}) {
+    K.row(held).setZero();
+    K.col(held).setZero();
+  }
+  return stepFor(Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(K).eigenvalues()[5], 2);
+}
+
+TEST(TangentBracket, HoldsForTheSymmetricPartOfATangent) {
+  test::Random random(11);
+  for (int trial = 0; trial < 200; ++trial) {
+    Eigen::Matrix<double, 6, 6> B = Eigen::Matrix<double, 6, 6>::NullaryExpr([&] { return random.uniform(-1, 1); });
+    Eigen::Matrix<double, 6, 6> K = B.transpose() * B;
+    K(2, 2) = K(5, 5) = 1e6;  // held: they only make the entries large that asymmetry is measured by
+    Eigen::Matrix<double, 6, 6> skew = Eigen::Matrix<double, 6, 6>::NullaryExpr([&] { return random.uniform(-1, 1); });
+    K += 2e-3 * (skew - skew.transpose());
+    const CriticalStep step = bracketOf(K);
+    EXPECT_LE(step.safe, exactStep(K)) << trial;
+    EXPECT_GE(step.optimistic, exactStep(K)) << trial;
+    EXPECT_LE(step.optimistic, 1.001 * exactStep(K)) << trial;
+  }
+}
+
+TEST(TangentBracket, HoldsBesideAFarLargerNegativeEigenvalue) {
+  test::Random random(12);
+  for (const double negative : {1e4, 1e8, 1e12})
+    for (int trial = 0; trial < 100; ++trial) {
+      // Four free components: eigenvalues -negative, 0.3, 0.6 and 1 in random directions.
+      Eigen::Matrix4d B = Eigen::Matrix4d::NullaryExpr([&] { return random.uniform(-1, 1); });
+      const Eigen::Matrix4d Q = Eigen::HouseholderQR<Eigen::Matrix4d>(B).householderQ();
+      const Eigen::Matrix4d A = Q * Eigen::Vector4d(-negative, 0.3, 0.6, 1).asDiagonal() * Q.transpose();
+      Eigen::Matrix<double, 6, 6> K = Eigen::Matrix<double, 6, 6>::Zero();
+      const int place[4] = {0, 1, 3, 4};
+      for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j) K(place[i], place[j]) = 0.5 * (A(i, j) + A(j, i));
+      // A shift by the negative eigenvalue's size leaves a matrix of which the top eigenvalue is exact to rounding.
+      using Long = Eigen::Matrix<long double, 4, 4>;
+      Long shifted;
+      for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j) shifted(i, j) = static_cast<long double>(K(place[i], place[j]));
+      const double exact =
+          stepFor(static_cast<double>(Eigen::SelfAdjointEigenSolver<Long>(shifted).eigenvalues()[3]), 2);
+      const CriticalStep step = bracketOf(K);
+      EXPECT_LE(step.safe, exact * (1 + 1e-15)) << negative << ", " << trial;
+      EXPECT_GE(step.optimistic, exact * (1 - 1e-15)) << negative << ", " << trial;
+      EXPECT_LT(step.lowestRing, 0);
+    }
 }
 
 std::string messageOf(const std::function<void()>& call) {
@@ -187,6 +263,17 @@ TEST(TangentBracket, NamesWhatIsWrong) {
   K.pop_back();
   EXPECT_THAT(evaluate(K), HasSubstr("group 0: 71 numbers in its tangents: must be 2 x 6 x 6"));
   EXPECT_THAT(messageOf([&] { make(good).evaluate({}, 2); }), HasSubstr("0 groups of tangents: must be 1"));
+  for (const double limit : {0.0, -2.0, std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_THAT(messageOf([&] { make(good).evaluate({good.tangents}, limit); }),
+                HasSubstr(joinText("limit = ", limit, ": must be > 0 and finite")));
+  for (const double factor : {1e300, 1e200, 1e-200, 1e-320}) {
+    K = good.tangents;
+    for (double& entry : K) entry *= factor;
+    EXPECT_THAT(evaluate(K), HasSubstr("must be 1e-40 to 1e+40")) << factor;
+    Chain heavy = good;
+    for (double& mass : heavy.mass) mass = factor > 1 ? 1e-90 : 1e90;
+    EXPECT_THAT(messageOf([&] { make(heavy).evaluate({good.tangents}, 2); }), HasSubstr("mass-scaled tangents"));
+  }
 }
 
 }  // namespace
