@@ -152,6 +152,8 @@ class Run {
     wanted.every =
         device_ ? 1 : static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max()));
     wanted.energyTolerance = scene_.energyTolerance;
+    if (monitored_) wanted.firstLookElements = 0;  // too dear at every choice of a handler
+    monitored_ = true;
     if (device_ && device_->hasRings())  // it is at the state that the monitor looks at
       wanted.metricElsewhere = [this](const NodeVectors&) { return device_->highestRing(); };
     monitor_.emplace(watched, wanted);
@@ -598,6 +600,7 @@ class Run {
   Picture picture_;
   State state_;
   double h_ = 0, firstStep_ = 0;
+  bool monitored_ = false;  // a monitor has been made
   std::optional<Energies> energies_;
   double largestEnergy_ = 0;
   double nextFrame_ = 0;

@@ -18,6 +18,10 @@ namespace {
 
 constexpr int energySettling = 20;  // looks before the energy balance is judged
 
+/// criticalStep() that also adds up the element evaluations that it took.
+CriticalStep bracketFromScratch(const Body& body, const NodeVectors& x, const StepRule& limit,
+                                const std::optional<LanczosOptions>& lanczos, std::int64_t& evaluations);
+
 /// Keeps both sides of the bracket along a run: the lazy bound from above, a hot spot of the tracked mode from below.
 class Bracketer {
  public:
@@ -95,6 +99,20 @@ class Bracketer {
     return certified;
   }
   bool bracketed() const { return bracketed_; }
+  /// Replaces either side of the last bracket by that of the best proof from scratch at the same x, where that is
+  /// better.
+  void improve(const NodeVectors& x, const StepRule& limit) {
+    if (!std::isfinite(lazy_.sigma())) return;
+    const CriticalStep best = bracketFromScratch(body_, x, limit, std::nullopt, spent_.evaluated);
+    if (best.safe > step_.safe) {
+      step_.safe = best.safe;
+      step_.safeBy = best.safeBy;
+    }
+    if (best.optimistic < step_.optimistic) {
+      step_.optimistic = best.optimistic;
+      step_.optimisticBy = best.optimisticBy;
+    }
+  }
   /// The optimistic side as sharp as it can be had, for a step that comes close to the limit.
   void sharpen(const NodeVectors& x, const StepRule& limit) {
     const LowerBound lower = sinceSharpened_++ % firstGap == 0 ? restartMode(x) : refreshMode(x, restartProducts);
@@ -420,6 +438,11 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
       } else {
         certified = h <= bracketer.evaluate(x, m.options.limit, force).safe;
       }
+      if (m.observations == 1 && bracketed &&
+          static_cast<std::int64_t>(m.body.mesh().elementCount()) <= m.options.firstLookElements) {
+        bracketer.improve(x, m.options.limit);
+        certified = h <= bracketer.last().safe;
+      }
       // Where the step is not certified, the optimistic side decides between "not certified" and "violated": it is made
       // sharp at every look, lest a mode that has moved on says so late.
       if (!certified) bracketer.sharpen(x, m.options.limit);
@@ -461,6 +484,13 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
 
 CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit,
                           const std::optional<LanczosOptions>& lanczos) {
+  std::int64_t evaluations = 0;
+  return bracketFromScratch(body, x, limit, lanczos, evaluations);
+}
+
+namespace {
+CriticalStep bracketFromScratch(const Body& body, const NodeVectors& x, const StepRule& limit,
+                                const std::optional<LanczosOptions>& lanczos, std::int64_t& evaluations) {
   requireProof(limit);
   constexpr int products = 20, sweeps = 12, iterations = 60;
   constexpr double aim = 1.01, narrow = 1.02;    // in lambda: 0.5 % and 1 % of the step
@@ -472,8 +502,10 @@ CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule
   NodalBound shapes(body);
   UpperBound upper = shapes.evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);
   std::string_view safeBy = "nodal-bound";
+  evaluations += static_cast<std::int64_t>(body.mesh().elementCount()) + shapes.evaluations();
   if (upper.value > narrow * lower.value && splitBoundBytes(body) <= mostBytes) {
     const SplitBound split = splitUpperBound(body, x, shapes, aim * lower.value, narrow * lower.value, iterations);
+    evaluations += split.decompositions;
     if (split.upper.value < upper.value) {
       upper = split.upper;
       safeBy = "split-bound";
@@ -488,5 +520,6 @@ CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule
   }
   return step;
 }
+}  // namespace
 
 }  // namespace ringwatch
