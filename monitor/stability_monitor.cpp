@@ -309,6 +309,11 @@ struct StabilityMonitor::Impl {
   Impl(const Body& b, const MonitorOptions& o) : body(b), options(o) {
     if (o.mode != MonitorMode::metric) bracketer.emplace(b, o.width);
     if (o.metric == "reduced-1-ring" && !o.metricElsewhere) ring.emplace(b);
+    // Less than at a strain of 1e-12 is rounding, whose changes are as large as itself.
+    for (const auto& block : b.blocks()) {
+      const Lame lame = block->material().lame();
+      largestEnergy = std::max(largestEnergy, 1e-24 * (lame.lambda + 2 * lame.mu) * b.volume());
+    }
   }
   /// The metric's highest value at x, rad²/s². Reduced rings keep their pattern from look to look: half of their cost.
   double metricLambda(const NodeVectors& x) {
