@@ -140,7 +140,7 @@ struct RunCommand {
   std::string scene, folder;
   std::vector<std::string> overrides;
   int threads = 0;
-  bool quiet = false, helpScene = false;
+  bool quiet = false, helpScene = false, requireCertified = false;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
@@ -153,6 +153,8 @@ struct RunCommand {
         ->add_option("--threads", threads,
                      "threads (default: as many as the mesh keeps busy); results do not depend on it")
         ->check(CLI::Range(0, 4096));
+    command->add_flag("--require-certified", requireCertified,
+                      "exit with status 1 unless every step was certified; as monitor.require_certified = true");
     command->add_flag("--quiet", quiet, "print nothing but errors; the exit status tells how it went");
     command->add_flag("--help-scene", helpScene, "list every key of a scene file");
     command->footer(
@@ -168,7 +170,9 @@ struct RunCommand {
     }
     if (scene.empty())
       throw InputError("run: SCENE is missing; give a scene file (TOML), see ringwatch run --help-scene");
-    const Scene description = readScene(scene, overrides);
+    std::vector<std::string> settings = overrides;
+    if (requireCertified) settings.emplace_back("monitor.require_certified=true");
+    const Scene description = readScene(scene, settings);
     RunOptions options;
     options.folder = folder.empty() ? std::filesystem::path("out") / std::filesystem::path(scene).stem()
                                     : std::filesystem::path(folder);
@@ -178,7 +182,7 @@ struct RunCommand {
     const InterruptGuard guard;
     const RunResult result = runScene(description, body, options);
     if (!quiet) printOut(summaryText(description, body, result, options.folder));
-    return result.stable() ? ExitStatus::done : ExitStatus::unstable;
+    return result.exitStatus();
   }
 };
 

@@ -69,6 +69,7 @@ class Run {
         integrator_(integratorCatalog().make(scene.method)),
         progress_(options.progress) {
     result_.notes = options.notes;
+    result_.requireCertified = scene_.requireCertified;
     balance_.emplace(body_);
     largestEnergy_ = 1e-24 * scene_.young * body_.volume();  // less, at a strain of 1e-12, is rounding
     for (const Scene::Cut& cut : scene_.cuts)
@@ -117,6 +118,7 @@ class Run {
       const bool rowDue = k % scene_.historyEvery == 0;
       keepBooks(rowDue);
       MonitorReport report = handleMore(k, observe(k));
+      looks_ += report.fresh ? 1 : 0;
       if (!state_.x.allFinite() || !state_.v.allFinite()) {
         keepEvents(report);
         return end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", k));
@@ -512,9 +514,23 @@ class Run {
     if (monitor_) {
       result_.worst = std::max(result_.worst.value_or(Verdict::certified), report.verdict);
       result_.violatedStepTaken = result_.violatedStepTaken || report.verdict == Verdict::violated;
+      if (scene_.proves()) countCertified(report, taken);
     }
     lastVerdict_ = report.verdict;
     return true;
+  }
+
+  void countCertified(const MonitorReport& report, std::int64_t taken) {
+    result_.watchedSteps += taken;
+    if (report.verdict == Verdict::certified) {
+      result_.certifiedSteps += taken;
+      if (looks_ <= 1) result_.firstLookSteps += taken;
+    }
+    if (!report.fresh || !report.bracket || !(report.bracket->safe > 0)) return;
+    const double safe = report.bracket->safe;
+    if (!result_.safeSeen) result_.safeSeen = {safe, safe};
+    result_.safeSeen->least = std::min(result_.safeSeen->least, safe);
+    result_.safeSeen->largest = std::max(result_.safeSeen->largest, safe);
   }
 
   void showProgress(const MonitorReport& report) {
@@ -541,6 +557,7 @@ class Run {
     if (result_.reason == ExitReason::end && (!state_.x.allFinite() || !state_.v.allFinite()))
       end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result_.steps));
     closeEvents();
+    noteWhatIsNotCertified();
     if (handler_) result_.handler->figures = handlerFigures();
     if (device_) result_.notes.push_back(device_->summary());
     const Stopwatch output(result_.outputTime);
@@ -554,6 +571,25 @@ class Run {
       result_.files.push_back(fmt::format("run.pvd ({} frames)", frames_->count()));
     }
     if (scene_.picture && monitor_) drawPicture();
+  }
+
+  void noteWhatIsNotCertified() {
+    if (result_.energyOff())
+      result_.notes.emplace_back("the energy balance was off (see the events), so the run is not called stable");
+    if (result_.watchedSteps == 0 || result_.certified()) return;
+    std::string note = fmt::format("certified steps: {} of {}", result_.certifiedSteps, result_.watchedSteps);
+    if (result_.safeSeen && scene_.step) {
+      // Rounded down, so that the number as it is printed is certified.
+      const double unit = std::pow(10, std::floor(std::log10(result_.safeSeen->least)) - 3);
+      note += fmt::format(
+          "; the safe step was {:.4g} to {:.4g} s along the run: a step of {:.4g} s would have been "
+          "certified in these states",
+          result_.safeSeen->least, result_.safeSeen->largest, std::floor(result_.safeSeen->least / unit) * unit);
+    }
+    if (static_cast<std::int64_t>(body_.mesh().elementCount()) > MonitorOptions{}.firstLookElements)
+      note += fmt::format("; on more than {} elements inspect may prove a larger step than the run's first look",
+                          MonitorOptions{}.firstLookElements);
+    result_.notes.push_back(note);
   }
 
   void closeEvents() {
@@ -605,6 +641,7 @@ class Run {
   State state_;
   double h_ = 0, firstStep_ = 0;
   bool monitored_ = false;  // a monitor has been made
+  std::int64_t looks_ = 0;  // of monitors
   std::optional<Energies> energies_;
   double largestEnergy_ = 0;
   double nextFrame_ = 0;
@@ -633,8 +670,21 @@ std::string_view exitReasonName(ExitReason reason) {
   return "";
 }
 
+bool RunResult::energyOff() const {
+  return std::any_of(events.begin(), events.end(),
+                     [](const MonitorEvent& event) { return event.kind == EventKind::energyBalance; });
+}
+
+ExitStatus RunResult::exitStatus() const {
+  const bool ended = reason == ExitReason::end || reason == ExitReason::interrupted;
+  if (!ended || violatedStepTaken || runaway || energyOff()) return ExitStatus::unstable;
+  if (requireCertified && !certified()) return ExitStatus::unstable;
+  if (reason == ExitReason::interrupted) return ExitStatus::interrupted;
+  return neverCertified() ? ExitStatus::notCertified : ExitStatus::done;
+}
+
 std::string_view RunResult::verdict() const {
-  if (reason == ExitReason::nonFinite || runaway) return "unstable";
+  if (reason == ExitReason::nonFinite || runaway || energyOff()) return "unstable";
   if (violatedStepTaken || reason == ExitReason::violated) return "violated";
   return worst ? verdictName(*worst) : "unmonitored";
 }

@@ -443,6 +443,7 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
   scene.margin = monitor.get<double>("margin");
   scene.every = monitor.get<std::int64_t>("every");
   scene.energyTolerance = monitor.get<double>("energy_tolerance");
+  scene.requireCertified = monitor.get<bool>("require_certified");
   const auto onViolation = monitor.get<std::string>("on_violation");
   scene.onViolation = onViolation == "stop"     ? OnViolation::stop
                       : onViolation == "warn"   ? OnViolation::warn
@@ -477,6 +478,9 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
     scene.mode = MonitorMode::metric;
     scene.metric.clear();
   }
+  if (scene.requireCertified && !scene.proves())
+    fail(monitor.at("require_certified").origin, "monitor.require_certified",
+         "true needs a proof: monitor.mode = \"bracket\" or \"threshold\", and an integrator with a critical step");
   if (scene.proves() && scene.damping.any() && !info.highestModeBinds)
     fail(integrator.at("method").origin, "integrator.method",
          fmt::format("\"{}\": with [damping] the bracket is proven for symplectic-euler and verlet only; choose one of "

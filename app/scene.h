@@ -90,6 +90,7 @@ struct Scene {
   std::int64_t every = 1;
   OnViolation onViolation = OnViolation::stop;
   double energyTolerance = 0;
+  bool requireCertified = false;  // a step that is not certified makes the run fail
 
   std::string handler;  // "" for none
   HandlerOptions handlerOptions;
