@@ -468,16 +468,26 @@ class Run {
       if (scene_.picture && monitor_) picture_.add(row);
     }
     if (frames_ && state_.time >= nextFrame_ - 1e-3 * h_) {
-      writeFrame(report.verdict);
+      writeFrame(report);
       lastFrame_ = report.step;
       while (nextFrame_ <= state_.time + 1e-3 * h_)
         nextFrame_ = static_cast<double>(++framesDue_) * *scene_.frameInterval;
     }
   }
 
-  void writeFrame(Verdict verdict) {
-    frames_->write(state_.time, state_.x, state_.v, h_, verdict,
-                   handler_ ? std::span<const ElementRef>(handler_->elements()) : std::span<const ElementRef>());
+  void writeFrame(const MonitorReport& report) {
+    FrameState frame;
+    frame.time = state_.time;
+    frame.h = h_;
+    if (monitor_) {
+      frame.verdict = report.verdict;
+      if (scene_.proves()) {
+        frame.safe = report.bracket ? report.bracket->safe : report.certified;
+        if (report.bracket) frame.optimistic = report.bracket->optimistic;
+      }
+    }
+    if (handler_) frame.handled = handler_->elements();
+    frames_->write(state_.x, state_.v, frame);
   }
 
   /// One step, or on a GPU up to `count`: `count` becomes what was taken, and a step that fails after others is tried
@@ -565,12 +575,20 @@ class Run {
     result_.files.emplace_back("history.csv");
     if (frames_) {
       // The last state closes the animation, unless it is not finite: then the last good frame is the last one.
-      if (result_.reason != ExitReason::nonFinite && lastFrame_ != result_.steps) writeFrame(lastVerdict_);
+      if (result_.reason != ExitReason::nonFinite && lastFrame_ != result_.steps) writeFrame(lastOfAll());
       frames_->removeStale();
       result_.frames = frames_->count();
       result_.files.push_back(fmt::format("run.pvd ({} frames)", frames_->count()));
     }
     if (scene_.picture && monitor_) drawPicture();
+  }
+
+  /// Nothing is known of the last state but what was known of the step that led to it.
+  MonitorReport lastOfAll() const {
+    MonitorReport report;
+    report.verdict = lastVerdict_;
+    report.certified = std::numeric_limits<double>::quiet_NaN();
+    return report;
   }
 
   void noteWhatIsNotCertified() {

@@ -20,6 +20,7 @@
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/node_order.h>
+#include <ringwatch/monitor/metrics.h>
 
 namespace ringwatch {
 namespace {
@@ -719,11 +720,11 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
   scene.energy = output.get<bool>("energy");
   scene.picture = output.get<bool>("picture");
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
-  if ((std::isinf(info.imaginaryLimit) || info.partitioned) &&
-      std::find(scene.fields.begin(), scene.fields.end(), "critical_step") != scene.fields.end())
-    fail(output.at("fields").origin, "output.fields",
-         fmt::format("\"critical_step\": \"{}\" {} and has none", scene.method,
-                     info.partitioned ? "chooses its stiff elements by the step" : "is stable at every step"));
+  for (const std::string& field : scene.fields)
+    if ((std::isinf(info.imaginaryLimit) || info.partitioned) && (field == "critical_step" || findMetric(field)))
+      fail(output.at("fields").origin, "output.fields",
+           fmt::format("\"{}\": \"{}\" {} and has no critical step", field, scene.method,
+                       info.partitioned ? "chooses its stiff elements by the step" : "is stable at every step"));
   if (scene.metric.empty() && std::find(scene.fields.begin(), scene.fields.end(), "metric") != scene.fields.end())
     fail(output.at("fields").origin, "output.fields", "\"metric\" needs a metric; set monitor.metric");
   return scene;

@@ -357,7 +357,9 @@ std::vector<SceneKey> makeKeys() {
        {},
        "time between ParaView frames; no frames without it"},
       {"output", "fields", T::texts, "", false, "[\"critical_step\"]", anything, frameFieldNames(),
-       "cell data of the frames; displacement and velocity are always there"},
+       "cell data of the frames: each element's step by a metric (critical_step stands for reduced-1-ring), by the "
+       "monitor's metric with its margin, verdict, handled elements; displacement, velocity, sets and the frame's "
+       "bracket are always there"},
       {"output", "history_every", T::integer, "steps", false, "1", atLeastOne, {}, "steps between rows of history.csv"},
       {"output",
        "energy",
