@@ -415,7 +415,10 @@ class Run {
         return false;
       }
     }
-    if (automatic) h_ = std::min(h_, scene_.end - state_.time);  // the last one ends at the end
+    if (automatic && h_ > scene_.end - state_.time) {  // the last one ends at the end
+      h_ = scene_.end - state_.time;
+      picture_.leaveOut(report.step);
+    }
     if (firstStep_ <= 0) firstStep_ = h_;
     report.h = h_;
     // A step that was shortened in time was not taken: the monitor's alarm at the longer one is no event of the run.
@@ -623,6 +626,7 @@ class Run {
   void drawPicture() {
     if (result_.firstViolated) picture_.markViolation(result_.firstViolated->time);
     if (result_.runaway) picture_.markRunaway(result_.runaway->time);
+    for (const CutRecord& cut : result_.cuts) picture_.markCut(cut.time);
     const std::string note =
         picture_.draw(options_.folder, fmt::format("{}: {}, {}, {}", scene_.file.stem().string(),
                                                    elementCounts(body_.mesh()), scene_.model, scene_.method));
