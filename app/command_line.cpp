@@ -244,26 +244,39 @@ struct CompareCommand {
 
 struct InspectCommand {
   InspectOptions options;
-  std::string json, picture, vtu, lumping = "row-sum";
-  double step = 0;
-  CLI::Option* stepOption = nullptr;
+  std::string json, picture, vtu, lumping;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
-    command->add_option("MESH", options.mesh, "mesh file: .msh, .node/.ele, .vtu or .vtk, in m")->required();
-    command->add_option("--young", options.young, "Young's modulus, Pa")->required();
-    command->add_option("--poisson", options.poisson, "Poisson's ratio, > -1 and < 0.5")->required();
-    command->add_option("--density", options.density, "density, kg/m3")->required();
+    command->add_option("MESH", options.mesh, "mesh file: .msh, .node/.ele, .vtu or .vtk, in m; or the folder of a run")
+        ->required();
+    command->add_option("--young", options.young, "Young's modulus, Pa");
+    command->add_option("--poisson", options.poisson, "Poisson's ratio, > -1 and < 0.5");
+    command->add_option("--density", options.density, "density, kg/m3; these three are required with a mesh file");
     command->add_option("--model", options.model, "constitutive law (default: stvk)");
+    command->add_option("--displacement", options.displacement,
+                        "field of displacements, m, in a .vtu file: inspect that deformed state");
+    command->add_option("--frame", options.frame,
+                        "inspect this frame of a run, counted from 1; material, supports, integrator and damping are "
+                        "those of its scene unless given");
     command->add_option("--integrator", options.integrator,
                         "integrator whose stability limit counts (default: symplectic-euler)");
     command->add_option("--lumping", lumping, "row-sum or equal (default: row-sum)")
         ->check(CLI::IsMember({"row-sum", "equal"}));
-    stepOption = command->add_option("--step", step, "list the elements that need a smaller step than this, s");
+    command
+        ->add_option("--rule", options.rules,
+                     "ELEMENT=RULE, a quadrature rule, e.g. hex8=selective; may be given again")
+        ->allow_extra_args(false);
+    command->add_option("--step", options.step,
+                        "list the elements that need a smaller step than this, s, and count what a handler would take");
     command->add_option("--metric", options.metrics, "metrics, separated by commas, or all")
         ->delimiter(',')
         ->allow_extra_args(false);
-    command->add_option("--fix", options.fix, "condition on nodes that are held, e.g. \"x < 1e-6\"; may be given again")
+    command
+        ->add_option(
+            "--fix", options.fix,
+            "nodes that are held, by a condition or set:NAME, and behind a colon the components: \"x < 1e-6\", "
+            "\"set:left:x\"; may be given again")
         ->allow_extra_args(false);
     command->add_flag("--global", options.global, "also the exact critical step, by a global eigenvalue");
     command->add_option("--lanczos", options.lanczos,
@@ -281,10 +294,9 @@ struct InspectCommand {
   }
 
   ExitStatus execute() {
-    if (stepOption->count() > 0) options.step = step;
     if (!vtu.empty()) options.vtu = vtu;
     if (!picture.empty()) options.picture = picture;
-    options.lumping = lumping == "equal" ? Lumping::equal : Lumping::rowSum;
+    if (!lumping.empty()) options.lumping = lumping == "equal" ? Lumping::equal : Lumping::rowSum;
     const InspectResult result = inspectMesh(options);
     const std::string text = result.json.dump(2) + "\n";
     if (json == "-") {
