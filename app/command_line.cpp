@@ -123,7 +123,7 @@ struct RunCommand {
   std::string scene, folder;
   std::vector<std::string> overrides;
   int threads = 0;
-  bool quiet = false, helpScene = false;
+  bool quiet = false, helpScene = false, requireCertified = false;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
@@ -136,6 +136,8 @@ struct RunCommand {
         ->add_option("--threads", threads,
                      "threads (default: as many as the mesh keeps busy); results do not depend on it")
         ->check(CLI::Range(0, 4096));
+    command->add_flag("--require-certified", requireCertified,
+                      "exit with status 1 unless every step was certified; as monitor.require_certified = true");
     command->add_flag("--quiet", quiet, "print nothing but errors; the exit status tells how it went");
     command->add_flag("--help-scene", helpScene, "list every key of a scene file, as ringwatch help scene does");
     command->footer(
@@ -150,7 +152,9 @@ struct RunCommand {
       return ExitStatus::done;
     }
     if (scene.empty()) throw InputError("run: SCENE is missing; give a scene file (TOML), see ringwatch help scene");
-    const Scene description = readScene(scene, overrides);
+    std::vector<std::string> settings = overrides;
+    if (requireCertified) settings.emplace_back("monitor.require_certified=true");
+    const Scene description = readScene(scene, settings);
     RunOptions options;
     options.folder = folder.empty() ? std::filesystem::path("out") / std::filesystem::path(scene).stem()
                                     : std::filesystem::path(folder);
@@ -160,7 +164,7 @@ struct RunCommand {
     const InterruptGuard guard;
     const RunResult result = runScene(description, body, options);
     if (!quiet) printOut(summaryText(description, body, result, options.folder));
-    return result.stable() ? ExitStatus::done : ExitStatus::unstable;
+    return result.exitStatus();
   }
 };
 
@@ -222,26 +226,39 @@ struct CompareCommand {
 
 struct InspectCommand {
   InspectOptions options;
-  std::string json, picture, vtu, lumping = "row-sum";
-  double step = 0;
-  CLI::Option* stepOption = nullptr;
+  std::string json, picture, vtu, lumping;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
-    command->add_option("MESH", options.mesh, "mesh file: " + readableExtensions())->required();
-    command->add_option("--young", options.young, "Young's modulus, Pa")->required();
-    command->add_option("--poisson", options.poisson, "Poisson's ratio, > -1 and < 0.5")->required();
-    command->add_option("--density", options.density, "density, kg/m3")->required();
+    command->add_option("MESH", options.mesh, "mesh file: " + readableExtensions() + "; or the folder of a run")
+        ->required();
+    command->add_option("--young", options.young, "Young's modulus, Pa");
+    command->add_option("--poisson", options.poisson, "Poisson's ratio, > -1 and < 0.5");
+    command->add_option("--density", options.density, "density, kg/m3; these three are required with a mesh file");
     command->add_option("--model", options.model, "constitutive law (default: stvk)");
+    command->add_option("--displacement", options.displacement,
+                        "field of displacements, m, in a .vtu file: inspect that deformed state");
+    command->add_option("--frame", options.frame,
+                        "inspect this frame of a run, counted from 1; material, supports, integrator and damping are "
+                        "those of its scene unless given");
     command->add_option("--integrator", options.integrator,
                         "integrator whose stability limit counts (default: symplectic-euler)");
     command->add_option("--lumping", lumping, "row-sum or equal (default: row-sum)")
         ->check(CLI::IsMember({"row-sum", "equal"}));
-    stepOption = command->add_option("--step", step, "list the elements that need a smaller step than this, s");
+    command
+        ->add_option("--rule", options.rules,
+                     "ELEMENT=RULE, a quadrature rule, e.g. hex8=selective; may be given again")
+        ->allow_extra_args(false);
+    command->add_option("--step", options.step,
+                        "list the elements that need a smaller step than this, s, and count what a handler would take");
     command->add_option("--metric", options.metrics, "metrics, separated by commas, or all")
         ->delimiter(',')
         ->allow_extra_args(false);
-    command->add_option("--fix", options.fix, "condition on nodes that are held, e.g. \"x < 1e-6\"; may be given again")
+    command
+        ->add_option(
+            "--fix", options.fix,
+            "nodes that are held, by a condition or set:NAME, and behind a colon the components: \"x < 1e-6\", "
+            "\"set:left:x\"; may be given again")
         ->allow_extra_args(false);
     command->add_flag("--global", options.global, "also the exact critical step, by a global eigenvalue");
     command->add_option("--lanczos", options.lanczos,
@@ -259,10 +276,9 @@ struct InspectCommand {
   }
 
   ExitStatus execute() {
-    if (stepOption->count() > 0) options.step = step;
     if (!vtu.empty()) options.vtu = vtu;
     if (!picture.empty()) options.picture = picture;
-    options.lumping = lumping == "equal" ? Lumping::equal : Lumping::rowSum;
+    if (!lumping.empty()) options.lumping = lumping == "equal" ? Lumping::equal : Lumping::rowSum;
     const InspectResult result = inspectMesh(options);
     const std::string text = result.json.dump(2) + "\n";
     if (json == "-") {

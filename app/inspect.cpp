@@ -3,16 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include <ringwatch/app/distribution.h>
+#include <ringwatch/app/frames.h>
 #include <ringwatch/app/progress.h>
 #include <ringwatch/app/report.h>
 #include <ringwatch/app/scene.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
+#include <ringwatch/handlers/certified_selection.h>
+#include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/quality.h>
@@ -41,7 +46,7 @@ std::vector<std::string> metricsWanted(const std::vector<std::string>& asked) {
   return wanted;
 }
 
-double limitOf(const std::string& integrator) {
+const IntegratorInfo& integratorNamed(const std::string& integrator) {
   const IntegratorInfo* info = integratorCatalog().find(integrator);
   if (!info) {
     std::vector<std::string> known;
@@ -62,34 +67,151 @@ double limitOf(const std::string& integrator) {
     throw InputError(fmt::format(
         "--integrator: \"{}\" chooses its stiff elements by the step; choose another, e.g. symplectic-euler",
         integrator));
-  return info->imaginaryLimit;
+  return *info;
 }
 
-Body makeBody(const InspectOptions& options, std::vector<std::string>& notes) {
-  const Material material = makeMaterial(options.model, options.young, options.poisson, options.density);
-  Mesh mesh = loadMesh(options.mesh, &notes);
-  for (std::string& note : meshNotes(mesh, options.mesh.string())) notes.push_back(std::move(note));
-  BodyOptions bodyOptions;
-  bodyOptions.lumping = options.lumping;
-  bodyOptions.threads = threadsThatPay(options.threads, mesh);
+/// What is inspected: a body in a state.
+struct Subject {
+  Body body;
+  NodeVectors x;
+  StepRule rule;
+  const IntegratorInfo* integrator;
+  std::string model;
+  bool damped;
+  std::string state;  // "at rest"
+  Json stateJson;
+  std::vector<std::string> notes;
+};
+
+Body makeBody(const Scene& scene, Mesh mesh, const InspectOptions& options) {
   try {
-    return Body(std::move(mesh), material, bodyOptions);
+    return sceneBody(scene, std::move(mesh), options.threads);
   } catch (const NumericalError& fault) {
     throw InputError(fmt::format("{}: {}", options.mesh.string(), fault.what()));
   }
 }
 
-/// Which side of the critical step a metric's step lies on: the opposite of its frequency.
-std::string_view stepSide(Direction direction) {
-  switch (direction) {
-    case Direction::upperBound:
-      return "safe";
-    case Direction::lowerBound:
-      return "optimistic";
-    case Direction::estimate:
-      return "estimate";
+/// The frames that a run.pvd lists.
+std::vector<PvdEntry> framesOf(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "run.pvd";
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw InputError(fmt::format("{}: cannot read; a run writes it when its scene has output.every", file.string()));
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  std::vector<PvdEntry> entries;
+  const auto attribute = [&](std::size_t from, const std::string& name) {
+    const std::size_t begin = text.find(name + "=\"", from);
+    if (begin == std::string::npos) return std::string();
+    const std::size_t first = begin + name.size() + 2;
+    return text.substr(first, text.find('"', first) - first);
+  };
+  for (std::size_t at = text.find("<DataSet"); at != std::string::npos; at = text.find("<DataSet", at + 1)) {
+    const std::string time = attribute(at, "timestep");
+    entries.push_back({std::strtod(time.c_str(), nullptr), attribute(at, "file")});
   }
-  return "";
+  return entries;
+}
+
+/// What the command line says beyond the scene of a run, or instead of one.
+void override(Scene& scene, const InspectOptions& options) {
+  scene.model = options.model.value_or(scene.model);
+  scene.young = options.young.value_or(scene.young);
+  scene.poisson = options.poisson.value_or(scene.poisson);
+  scene.density = options.density.value_or(scene.density);
+  scene.lumping = options.lumping.value_or(scene.lumping);
+  scene.method = options.integrator.value_or(scene.method);
+  for (auto& [element, rule] : parseRules(options.rules, "--rule")) scene.rules[element] = rule;
+  for (const std::string& text : options.fix) scene.fixes.push_back(parseFix(text, "--fix"));
+}
+
+Subject subjectOfRun(const InspectOptions& options) {
+  Scene scene = sceneOfRun(options.mesh);
+  scene.meshOrigin = options.mesh.string();
+  const std::vector<PvdEntry> frames = framesOf(options.mesh);
+  if (*options.frame < 1 || *options.frame > static_cast<std::int64_t>(frames.size()))
+    throw InputError(fmt::format("--frame: {} is out of range; {} has {} frames, counted from 1", *options.frame,
+                                 options.mesh.string(), frames.size()));
+  const PvdEntry& frame = frames[static_cast<std::size_t>(*options.frame - 1)];
+  override(scene, options);
+  const IntegratorInfo& integrator = integratorNamed(scene.method);
+  std::vector<std::string> notes;
+  MeshState state = loadVtuState(options.mesh / frame.file, "displacement", &notes);
+  if (!scene.handler.empty())
+    notes.push_back(scene.handler == "mass-scaling"
+                        ? "the run scaled masses; this is the body without added mass"
+                        : fmt::format("the run handled elements apart ({}); here all elements count", scene.handler));
+  return {makeBody(scene, std::move(state.mesh), options),
+          std::move(state.x),
+          stepRule(integrator, scene.damping),
+          &integrator,
+          scene.model,
+          scene.damping.any(),
+          fmt::format("in frame {} of {}, t = {:.6g} s", *options.frame, frames.size(), frame.time),
+          Json{{"frame", *options.frame}, {"frames", frames.size()}, {"time", frame.time}},
+          std::move(notes)};
+}
+
+Subject subjectOf(const InspectOptions& options) {
+  std::error_code error;
+  const bool folder = std::filesystem::is_directory(options.mesh, error);
+  if (options.frame && options.displacement)
+    throw InputError("--frame: goes with the folder of a run, --displacement with a .vtu file; give one of them");
+  if (folder && !options.frame)
+    throw InputError(
+        fmt::format("{}: is a folder; give a mesh file, or with the folder of a run --frame n", options.mesh.string()));
+  if (!folder && options.frame)
+    throw InputError(
+        fmt::format("--frame: {} is not a folder; frames are those of a run's folder, a single .vtu file "
+                    "takes --displacement FIELD",
+                    options.mesh.string()));
+  if (folder) return subjectOfRun(options);
+  Scene scene;
+  for (const auto& [value, name] :
+       {std::pair{options.young, "--young"}, {options.poisson, "--poisson"}, {options.density, "--density"}})
+    if (!value) throw InputError(fmt::format("{} is required with a mesh file; see ringwatch inspect --help", name));
+  scene.model = "stvk";
+  scene.method = "symplectic-euler";
+  scene.meshOrigin = options.mesh.string();
+  override(scene, options);
+  const IntegratorInfo& integrator = integratorNamed(scene.method);
+  makeMaterial(scene.model, scene.young, scene.poisson, scene.density);  // throws before a large mesh is read
+  std::vector<std::string> notes;
+  MeshState state;
+  if (options.displacement) {
+    state = loadVtuState(options.mesh, *options.displacement, &notes);
+  } else {
+    state.mesh = loadMesh(options.mesh, &notes);
+    state.x = state.mesh.X;
+  }
+  for (std::string& note : meshNotes(state.mesh, options.mesh.string())) notes.push_back(std::move(note));
+  return {makeBody(scene, std::move(state.mesh), options),
+          std::move(state.x),
+          StepRule(integrator.imaginaryLimit),
+          &integrator,
+          scene.model,
+          false,
+          options.displacement ? fmt::format("with displacement \"{}\"", *options.displacement) : "at rest",
+          options.displacement ? Json{{"displacement", *options.displacement}} : Json("rest"),
+          std::move(notes)};
+}
+
+Json setsJson(const Mesh& mesh) {
+  Json nodes = Json::object(), elements = Json::object();
+  for (const auto& [name, set] : mesh.nodeSets) nodes[name] = set.size();
+  for (const auto& [name, set] : mesh.elementSets) elements[name] = set.size();
+  return Json{{"node_sets", std::move(nodes)}, {"element_sets", std::move(elements)}};
+}
+
+std::string setsText(const Mesh& mesh) {
+  const Json sets = setsJson(mesh);
+  std::string text;
+  for (const auto& [key, what] : {std::pair{"node_sets", "node sets"}, {"element_sets", "element sets"}}) {
+    std::string list;
+    for (const auto& [name, count] : sets[key].items())
+      list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", name, count.get<std::size_t>());
+    text += fmt::format("  {:<13} {}\n", what, list.empty() ? "none" : list);
+  }
+  return text;
 }
 
 std::string qualityText(const std::vector<QualitySummary>& summaries) {
@@ -113,31 +235,52 @@ Json qualityJson(const std::vector<QualitySummary>& summaries) {
 }
 
 /// The metric among those at hand, or evaluated.
-MetricResult metricNamed(std::string_view name, const std::vector<MetricResult>& known, const Body& body) {
+MetricResult metricNamed(std::string_view name, const std::vector<MetricResult>& known, const Subject& subject) {
   for (const MetricResult& metric : known)
     if (metric.info->name == name) return metric;
-  return evaluateMetric(name, body, body.mesh().X);
+  return evaluateMetric(name, subject.body, subject.x);
 }
 
 /// Elements whose reduced 1-ring forbids a step, and how many forbid it by each metric.
-Json illShaped(const Body& body, const std::vector<MetricResult>& metrics, double limit, double h) {
-  const MetricResult ring = metricNamed("reduced-1-ring", metrics, body),
-                     single = metricNamed("single-element", metrics, body);
+Json illShaped(const Subject& subject, const std::vector<MetricResult>& metrics, double h) {
+  const MetricResult ring = metricNamed("reduced-1-ring", metrics, subject),
+                     single = metricNamed("single-element", metrics, subject);
   Json elements = Json::array();
   std::size_t singleCount = 0;
   for (std::size_t b = 0; b < ring.elementLambda.size(); ++b)
     for (std::size_t e = 0; e < ring.elementLambda[b].size(); ++e) {
-      if (stepFor(ring.elementLambda[b][e], limit) < h)
-        elements.push_back(Json{{"block", b}, {"index", e}, {"id", body.mesh().blocks[b].id(e)}});
-      singleCount += stepFor(single.elementLambda[b][e], limit) < h ? 1 : 0;
+      if (subject.rule(ring.elementLambda[b][e]) < h)
+        elements.push_back(Json{{"block", b}, {"index", e}, {"id", subject.body.mesh().blocks[b].id(e)}});
+      singleCount += subject.rule(single.elementLambda[b][e]) < h ? 1 : 0;
     }
   return Json{{"count", elements.size()},
               {"by_metric", {{"reduced-1-ring", elements.size()}, {"single-element", singleCount}}},
               {"elements", std::move(elements)}};
 }
 
-void writeMetricsVtu(const std::filesystem::path& path, const Body& body, const std::vector<MetricResult>& metrics,
-                     double limit, const std::vector<std::vector<ElementQuality>>& quality) {
+/// What a handler would take at a step h, as it chooses when a run begins. Null where no handler goes with the
+/// integrator.
+Json handlerChoice(const Subject& subject, double h) {
+  if (!takesHandler(*subject.integrator) || subject.damped) return nullptr;
+  const HandlerOptions options;
+  const double omega = (1 - options.margin) * subject.integrator->imaginaryLimit / h;
+  const std::vector<ElementRef> chosen = chosenElements(selectCertified(subject.body, subject.x, omega * omega).chosen);
+  Json elements = Json::array();
+  for (const ElementRef e : chosen)
+    elements.push_back(
+        Json{{"block", e.block},
+             {"index", e.element},
+             {"id",
+              subject.body.mesh().blocks[static_cast<std::size_t>(e.block)].ids[static_cast<std::size_t>(e.element)]}});
+  return Json{{"count", chosen.size()},
+              {"selection", options.selection},
+              {"margin", options.margin},
+              {"elements", std::move(elements)}};
+}
+
+void writeMetricsVtu(const std::filesystem::path& path, const Subject& subject,
+                     const std::vector<MetricResult>& metrics, const CriticalStep& step, std::optional<double> h,
+                     const std::vector<std::vector<ElementQuality>>& quality) {
   std::vector<std::vector<double>> arrays;
   std::vector<VtuField> fields;
   arrays.reserve(metrics.size() + 1);  // the fields point into it
@@ -148,25 +291,35 @@ void writeMetricsVtu(const std::filesystem::path& path, const Body& body, const 
   for (const MetricResult& metric : metrics) {
     std::vector<double> steps;
     for (const auto& block : metric.elementLambda)
-      for (double lambda : block) steps.push_back(stepFor(lambda, limit));
-    add(fmt::format("step by {} (s)", metric.info->name), std::move(steps));
+      for (double lambda : block) steps.push_back(subject.rule(lambda));
+    add(stepFieldName(*metric.info, metric.direction), std::move(steps));
   }
   std::vector<double> heights;
   for (const auto& block : quality)
     for (const ElementQuality& q : block) heights.push_back(q.minHeight);
   add("minimum height (m)", std::move(heights));
-  writeVtu(path, body.mesh(), body.mesh().X, {}, fields);
+  const NodeVectors displacement = subject.x - subject.body.mesh().X;
+  std::vector<VtuField> points;
+  if (!displacement.isZero(0))
+    points.push_back({"displacement", 3,
+                      std::span<const double>(displacement.data(), static_cast<std::size_t>(displacement.size()))});
+  const std::int32_t deformed = 1;
+  std::vector<VtuField> frame{{"safe step (s)", 1, std::span(&step.safe, 1)},
+                              {"optimistic step (s)", 1, std::span(&step.optimistic, 1)}};
+  if (h) frame.push_back({"step (s)", 1, std::span<const double>(&*h, 1)});
+  if (!points.empty()) frame.push_back({deformedPointsMark, 1, std::span(&deformed, 1)});
+  writeVtu(path, subject.body.mesh(), subject.x, points, fields, std::nullopt, frame);
 }
 
 /// The table of metrics. A difference is (step - global) / global: negative is pessimistic.
-void reportMetrics(const std::vector<MetricResult>& metrics, double limit, std::optional<double> globalStep, Json& json,
-                   std::string& text) {
+void reportMetrics(const std::vector<MetricResult>& metrics, const StepRule& rule, std::optional<double> globalStep,
+                   Json& json, std::string& text) {
   for (const char* key : {"metrics", "directions", "controlling"}) json[key] = Json::object();
   if (globalStep) json["differences_percent"] = Json::object();
   text += fmt::format("  {:<32} {:<10} {:>16} {}element\n", "metric", "side", "step (s)",
                       globalStep ? "  difference (%)  " : "  ");
   for (const MetricResult& m : metrics) {
-    const double h = stepFor(m.lambda, limit);
+    const double h = rule(m.lambda);
     const std::string name(m.info->name);
     json["metrics"][name] = h;
     json["directions"][name] = std::string(stepSide(m.direction));
@@ -186,41 +339,41 @@ void reportMetrics(const std::vector<MetricResult>& metrics, double limit, std::
 
 InspectResult inspectMesh(const InspectOptions& options) {
   const std::vector<std::string> wanted = metricsWanted(options.metrics);
-  const double limit = limitOf(options.integrator);
   if (options.step && !(*options.step > 0 && std::isfinite(*options.step)))
     throw InputError(fmt::format("--step: {} is out of range; must be > 0 s", *options.step));
   if (options.lanczos && !(*options.lanczos > 0 && *options.lanczos <= 0.5))
     throw InputError(
         fmt::format("--lanczos: {} is out of range; must be > 0 and <= 0.5, a probability", *options.lanczos));
   if (options.picture) checkPictureName(*options.picture);
-  std::vector<NodeSelection> held;
-  for (const std::string& text : options.fix) held.push_back(NodeSelection::parse(text, "--fix"));
 
-  std::vector<std::string> notes;
-  Body body = makeBody(options, notes);
+  const Subject subject = subjectOf(options);
+  const Body& body = subject.body;
   const Mesh& mesh = body.mesh();
-  for (const NodeSelection& selection : held)
-    for (std::int32_t node : selection.nodesOf(mesh)) body.constraints().fix(node);
+  const NodeVectors& x = subject.x;
+  const StepRule& rule = subject.rule;
 
   InspectResult result;
   Json& json = result.json;
   const auto quality = meshQuality(mesh);
   const std::vector<QualitySummary> summaries = summarizeQuality(quality);
   json["mesh"] = meshJson(mesh, body.volume());
+  json["mesh"].update(setsJson(mesh));
   json["mass"] = body.totalMass();
+  json["state"] = subject.stateJson;
   std::string& text = result.text;
   text = fmt::format("{}: {} nodes, {}\n  volume {:.10g} m3, mass {:.10g} kg\n", options.mesh.string(),
                      mesh.nodeCount(), elementCounts(mesh), body.volume(), body.totalMass());
-  for (const std::string& note : notes) text += fmt::format("  note: {}\n", note);
+  text += setsText(mesh);
+  for (const std::string& note : subject.notes) text += fmt::format("  note: {}\n", note);
   json["quality"] = qualityJson(summaries);
   text += qualityText(summaries);
 
   std::optional<LanczosOptions> lanczos;
   if (options.lanczos) lanczos.emplace().eta = *options.lanczos;
-  const CriticalStep step = criticalStep(body, mesh.X, limit, lanczos);
+  const CriticalStep step = criticalStep(body, x, rule, lanczos);
   json["critical_step"] = Json{{"safe", step.safe}, {"optimistic", step.optimistic}};
-  text +=
-      fmt::format("critical step at rest: {}, {}, limit h omega = {:.6g}\n", options.model, options.integrator, limit);
+  text += fmt::format("critical step {}: {}, {}, limit h omega = {:.6g}{}\n", subject.state, subject.model,
+                      subject.integrator->name, subject.integrator->imaginaryLimit, subject.damped ? ", damped" : "");
   text += fmt::format("  safe        {:.10g} s   proven stable up to here, by {}\n", step.safe, step.safeBy);
   if (step.probable) {
     json["critical_step"]["probable"] = Json{{"safe", step.probable->safe}, {"eta", step.probable->eta}};
@@ -234,9 +387,9 @@ InspectResult inspectMesh(const InspectOptions& options) {
         fmt::format("  the tangent is indefinite, eigenvalue {:.6g} rad2/s2: no step cures that\n", step.lowestRing);
   std::optional<double> globalStep;
   if (options.global) {
-    const GlobalFrequency global = globalFrequency(body, mesh.X);
+    const GlobalFrequency global = globalFrequency(body, x);
     if (global.converged) {
-      globalStep = stepFor(global.lambda, limit);
+      globalStep = rule(global.lambda);
       json["critical_step"]["global"] = *globalStep;
       text +=
           fmt::format("  global      {:.10g} s   the exact value, {} tangent products\n", *globalStep, global.products);
@@ -250,11 +403,11 @@ InspectResult inspectMesh(const InspectOptions& options) {
   std::vector<MetricResult> metrics;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     ProgressLine progress(true);
-    metrics.push_back(evaluateMetric(wanted[i], body, mesh.X, [&](double done) {
+    metrics.push_back(evaluateMetric(wanted[i], body, x, [&](double done) {
       if (progress.due()) progress.show(fmt::format("{}: {:.0f} %", wanted[i], 100 * done), done);
     }));
   }
-  reportMetrics(metrics, limit, globalStep, json["critical_step"], text);
+  reportMetrics(metrics, rule, globalStep, json["critical_step"], text);
 
   json["controlling_element"] = elementJson(mesh, step.controlling);
   const ElementQuality& q =
@@ -266,7 +419,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
   text += "\n";
 
   if (options.step) {
-    json["ill_shaped"] = illShaped(body, metrics, limit, *options.step);
+    json["ill_shaped"] = illShaped(subject, metrics, *options.step);
     const Json& counts = json["ill_shaped"]["by_metric"];
     text += fmt::format(
         "at h = {:.6g} s: {}; {} of {} elements forbid it by their reduced 1-ring, {} as single elements\n",
@@ -277,17 +430,29 @@ InspectResult inspectMesh(const InspectOptions& options) {
         counts["reduced-1-ring"].get<std::size_t>(), mesh.elementCount(), counts["single-element"].get<std::size_t>());
   }
   if (options.distribution || options.picture) {
-    std::vector<Distribution> distributions;
-    for (const MetricResult& metric : metrics) distributions.push_back(distributionOf(metric, limit));
+    const std::vector<Distribution> distributions = distributionsOf(metrics, rule);
     json["distribution"] = distributionJson(distributions);
     text += distributionText(distributions, options.step);
     // Of the metrics at hand the one that tells elements apart best.
-    const auto worst = worstElements(body, metricNamed("reduced-1-ring", metrics, body), limit, 10);
+    const auto worst = worstElements(body, metricNamed("reduced-1-ring", metrics, subject), rule, 10);
     json["worst_elements"] = worstJson(mesh, worst);
     text += worstText(worst);
-    if (options.picture) text += drawDistribution(*options.picture, distributions, options.mesh.string());
+    if (options.picture)
+      text += drawDistribution(*options.picture, distributions, {step.safe, step.optimistic, options.step},
+                               options.mesh.string());
   }
-  if (options.vtu) writeMetricsVtu(*options.vtu, body, metrics, limit, quality);
+  if (options.vtu) writeMetricsVtu(*options.vtu, subject, metrics, step, options.step, quality);
+  if (options.step) {
+    const Json choice = handlerChoice(subject, *options.step);
+    json["handler"] = choice;
+    if (!choice.is_null())
+      text += fmt::format(
+          "a handler would take {} of {} elements at h = {:.6g} s (selection {}, margin {}: room for h = {:.6g} s){}\n",
+          choice["count"].get<std::size_t>(), mesh.elementCount(), *options.step,
+          choice["selection"].get<std::string>(), choice["margin"].get<double>(),
+          *options.step / (1 - choice["margin"].get<double>()),
+          *options.step <= step.safe ? "; the step is proven without one" : "");
+  }
   return result;
 }
 

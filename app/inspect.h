@@ -10,16 +10,19 @@
 
 namespace ringwatch {
 
-/// What `ringwatch inspect` is asked.
+/// What `ringwatch inspect` is asked. What is not given comes from the scene of a run, or is a default.
 struct InspectOptions {
-  std::filesystem::path mesh;
-  double young = 0, poisson = 0, density = 0;  // Pa, -, kg/m³
-  std::string model = "stvk";
-  std::string integrator = "symplectic-euler";
-  Lumping lumping = Lumping::rowSum;
-  std::optional<double> step;        // s: list the elements that need a smaller one
+  std::filesystem::path mesh;                     // a mesh file, or with `frame` the folder of a run
+  std::optional<double> young, poisson, density;  // Pa, -, kg/m³; must be given with a mesh file
+  std::optional<std::string> model;               // "stvk"
+  std::optional<std::string> integrator;          // "symplectic-euler"
+  std::optional<Lumping> lumping;                 // row sums
+  std::optional<std::string> displacement;        // a field of a .vtu file, m: inspect that state
+  std::optional<std::int64_t> frame;              // of the run, counted from 1
+  std::vector<std::string> rules;                 // ELEMENT=RULE: quadrature rules
+  std::optional<double> step;        // s: list the elements that need a smaller one, and what a handler would take
   std::vector<std::string> metrics;  // names; "all" for every one; empty for the usual ones
-  std::vector<std::string> fix;      // conditions on nodes that are held
+  std::vector<std::string> fix;      // nodes that are held, and behind a colon which components: "x < 1e-6:xy"
   bool global = false;               // also the exact critical step, by a global eigenvalue
   std::optional<double> lanczos;     // also a step that is safe but for this probability
   bool distribution = false;         // histogram and cumulative share by metric, the worst elements with their shapes
@@ -35,8 +38,8 @@ struct InspectResult {
   std::string failure;          // one line when a result could not be had, which then has no value; "" else
 };
 
-/// Reads a mesh and reports on the steps it can take at rest: bracket, metrics, controlling element, quality. Throws
-/// InputError for bad input, an integrator without a stable step included.
+/// Reads a mesh and reports on the steps it can take at rest or in a deformed state: bracket, metrics, controlling
+/// element, quality at rest, named sets. Throws InputError for bad input, an integrator without a stable step included.
 InspectResult inspectMesh(const InspectOptions& options);
 
 }  // namespace ringwatch

@@ -109,33 +109,40 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
                           {"value", event.value},
                           {"text", event.text}});
   }
-  return Json{{"program", "ringwatch"},
-              {"version", std::string(programVersion())},
-              {"scene_file", scene.file.string()},
-              {"scene", scene.echo},
-              {"mesh", meshJson(body.mesh(), body.volume())},
-              {"mass", body.totalMass()},
-              {"verdict", std::string(result.verdict())},
-              {"stable", result.stable()},
-              {"exit_reason", std::string(exitReasonName(result.reason))},
-              {"exit_text", result.reasonText},
-              {"steps", result.steps},
-              {"end_time", result.time},
-              {"handler", handlerJson(scene, result)},
-              {"cuts", cutsJson(result)},
-              {"smallest_step", result.smallestStep},
-              {"largest_step", result.largestStep},
-              {"first_violated", momentJson(result.firstViolated)},
-              {"energy_runaway", momentJson(result.runaway)},
-              {"events", std::move(events)},
-              {"wall_time",
-               {{"total", result.wallTime},
-                {"force", result.forceTime},
-                {"monitor", result.monitorTime},
-                {"output", result.outputTime}}},
-              {"frames", result.frames},
-              {"files", result.files},
-              {"notes", result.notes}};
+  return Json{
+      {"program", "ringwatch"},
+      {"version", std::string(programVersion())},
+      {"scene_file", scene.file.string()},
+      {"scene", scene.echo},
+      {"mesh", meshJson(body.mesh(), body.volume())},
+      {"mass", body.totalMass()},
+      {"verdict", std::string(result.verdict())},
+      {"stable", result.stable()},
+      {"exit_status", static_cast<int>(result.exitStatus())},
+      {"certified", result.watchedSteps > 0 ? Json(result.certified()) : Json(nullptr)},
+      {"certified_steps", result.certifiedSteps},
+      {"watched_steps", result.watchedSteps},
+      {"safe_seen", result.safeSeen ? Json{{"least", result.safeSeen->least}, {"largest", result.safeSeen->largest}}
+                                    : Json(nullptr)},
+      {"exit_reason", std::string(exitReasonName(result.reason))},
+      {"exit_text", result.reasonText},
+      {"steps", result.steps},
+      {"end_time", result.time},
+      {"handler", handlerJson(scene, result)},
+      {"cuts", cutsJson(result)},
+      {"smallest_step", result.smallestStep},
+      {"largest_step", result.largestStep},
+      {"first_violated", momentJson(result.firstViolated)},
+      {"energy_runaway", momentJson(result.runaway)},
+      {"events", std::move(events)},
+      {"wall_time",
+       {{"total", result.wallTime},
+        {"force", result.forceTime},
+        {"monitor", result.monitorTime},
+        {"output", result.outputTime}}},
+      {"frames", result.frames},
+      {"files", result.files},
+      {"notes", result.notes}};
 }
 
 std::string summaryText(const Scene& scene, const Body& body, const RunResult& result,
@@ -150,7 +157,10 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
     text += result.smallestStep == result.largestStep
                 ? fmt::format("step {:.6g} s, ", result.smallestStep)
                 : fmt::format("steps {:.6g} to {:.6g} s, ", result.smallestStep, result.largestStep);
-  text += fmt::format("verdict {}\n", result.verdict());
+  text += fmt::format("verdict {}", result.verdict());
+  if (result.watchedSteps > 0)
+    text += fmt::format(", certified at {} of {} steps", result.certifiedSteps, result.watchedSteps);
+  text += "\n";
   if (result.handler) {
     text += fmt::format("handler {}: {} of {} elements", scene.handler, result.handler->elements,
                         body.mesh().elementCount());
@@ -177,6 +187,8 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
   if (result.runaway)
     text += fmt::format("  step {}, t = {:.6g} s: the energy ran away\n", result.runaway->step, result.runaway->time);
   for (const std::string& note : result.notes) text += fmt::format("note: {}\n", note);
+  if (result.neverCertified() && result.exitStatus() != ExitStatus::done)
+    text += fmt::format("not certified: exit status {}\n", static_cast<int>(result.exitStatus()));
   std::string files;
   for (const std::string& file : result.files) files += (files.empty() ? "" : ", ") + file;
   return text + fmt::format("wrote to {}: {}\n", folder.string(), files);

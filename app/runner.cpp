@@ -69,7 +69,9 @@ class Run {
         integrator_(integratorCatalog().make(scene.method)),
         progress_(options.progress) {
     result_.notes = options.notes;
+    result_.requireCertified = scene_.requireCertified;
     balance_.emplace(body_);
+    largestEnergy_ = 1e-24 * scene_.young * body_.volume();  // less, at a strain of 1e-12, is rounding
     for (const Scene::Cut& cut : scene_.cuts)
       for (const MeshBlock& block : body_.mesh().blocks)
         if (block.type != elementTypeOf<Tet4>)
@@ -116,6 +118,7 @@ class Run {
       const bool rowDue = k % scene_.historyEvery == 0;
       keepBooks(rowDue);
       MonitorReport report = handleMore(k, observe(k));
+      looks_ += report.fresh ? 1 : 0;
       if (!state_.x.allFinite() || !state_.v.allFinite()) {
         keepEvents(report);
         return end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", k));
@@ -152,6 +155,8 @@ class Run {
     wanted.every =
         device_ ? 1 : static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max()));
     wanted.energyTolerance = scene_.energyTolerance;
+    if (monitored_) wanted.firstLookElements = 0;  // too dear at every choice of a handler
+    monitored_ = true;
     if (device_ && device_->hasRings())  // it is at the state that the monitor looks at
       wanted.metricElsewhere = [this](const NodeVectors&) { return device_->highestRing(); };
     monitor_.emplace(watched, wanted);
@@ -423,7 +428,10 @@ class Run {
         return false;
       }
     }
-    if (automatic) h_ = std::min(h_, scene_.end - state_.time);  // the last one ends at the end
+    if (automatic && h_ > scene_.end - state_.time) {  // the last one ends at the end
+      h_ = scene_.end - state_.time;
+      picture_.leaveOut(report.step);
+    }
     if (firstStep_ <= 0) firstStep_ = h_;
     report.h = h_;
     // A step that was shortened in time was not taken: the monitor's alarm at the longer one is no event of the run.
@@ -441,7 +449,10 @@ class Run {
     if (!result_.runaway)
       largestEnergy_ = std::max(
           {largestEnergy_, energies_->kinetic + std::abs(energies_->strain), std::abs(energies_->externalWork)});
-    const bool off = !(std::abs(energies_->balanceError) <= runawayShare * largestEnergy_);
+    // Schemes whose velocities are half a step behind are off by 1/(n + 1) of the energy at step n of a run that starts
+    // under load.
+    const double share = std::max(runawayShare, 1.5 / static_cast<double>(k + 1));
+    const bool off = !(std::abs(energies_->balanceError) <= share * largestEnergy_);
     if (!off)
       result_.runaway.reset();
     else if (!result_.runaway)
@@ -473,16 +484,26 @@ class Run {
       if (scene_.picture && monitor_) picture_.add(row);
     }
     if (frames_ && state_.time >= nextFrame_ - 1e-3 * h_) {
-      writeFrame(report.verdict);
+      writeFrame(report);
       lastFrame_ = report.step;
       while (nextFrame_ <= state_.time + 1e-3 * h_)
         nextFrame_ = static_cast<double>(++framesDue_) * *scene_.frameInterval;
     }
   }
 
-  void writeFrame(Verdict verdict) {
-    frames_->write(state_.time, state_.x, state_.v, h_, verdict,
-                   handler_ ? std::span<const ElementRef>(handler_->elements()) : std::span<const ElementRef>());
+  void writeFrame(const MonitorReport& report) {
+    FrameState frame;
+    frame.time = state_.time;
+    frame.h = h_;
+    if (monitor_) {
+      frame.verdict = report.verdict;
+      if (scene_.proves()) {
+        frame.safe = report.bracket ? report.bracket->safe : report.certified;
+        if (report.bracket) frame.optimistic = report.bracket->optimistic;
+      }
+    }
+    if (handler_) frame.handled = handler_->elements();
+    frames_->write(state_.x, state_.v, frame);
   }
 
   /// One step, or on a GPU up to `count`: `count` becomes what was taken, and a step that fails after others is tried
@@ -519,9 +540,23 @@ class Run {
     if (monitor_) {
       result_.worst = std::max(result_.worst.value_or(Verdict::certified), report.verdict);
       result_.violatedStepTaken = result_.violatedStepTaken || report.verdict == Verdict::violated;
+      if (scene_.proves()) countCertified(report, taken);
     }
     lastVerdict_ = report.verdict;
     return true;
+  }
+
+  void countCertified(const MonitorReport& report, std::int64_t taken) {
+    result_.watchedSteps += taken;
+    if (report.verdict == Verdict::certified) {
+      result_.certifiedSteps += taken;
+      if (looks_ <= 1) result_.firstLookSteps += taken;
+    }
+    if (!report.fresh || !report.bracket || !(report.bracket->safe > 0)) return;
+    const double safe = report.bracket->safe;
+    if (!result_.safeSeen) result_.safeSeen = {safe, safe};
+    result_.safeSeen->least = std::min(result_.safeSeen->least, safe);
+    result_.safeSeen->largest = std::max(result_.safeSeen->largest, safe);
   }
 
   void showProgress(const MonitorReport& report) {
@@ -548,6 +583,7 @@ class Run {
     if (result_.reason == ExitReason::end && (!state_.x.allFinite() || !state_.v.allFinite()))
       end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result_.steps));
     closeEvents();
+    noteWhatIsNotCertified();
     if (handler_) result_.handler->figures = handlerFigures();
     if (device_) result_.notes.push_back(device_->summary());
     const Stopwatch output(result_.outputTime);
@@ -555,12 +591,39 @@ class Run {
     result_.files.emplace_back("history.csv");
     if (frames_) {
       // The last state closes the animation, unless it is not finite: then the last good frame is the last one.
-      if (result_.reason != ExitReason::nonFinite && lastFrame_ != result_.steps) writeFrame(lastVerdict_);
+      if (result_.reason != ExitReason::nonFinite && lastFrame_ != result_.steps) writeFrame(lastOfAll());
       frames_->removeStale();
       result_.frames = frames_->count();
       result_.files.push_back(fmt::format("run.pvd ({} frames)", frames_->count()));
     }
     if (scene_.picture && monitor_) drawPicture();
+  }
+
+  /// Nothing is known of the last state but what was known of the step that led to it.
+  MonitorReport lastOfAll() const {
+    MonitorReport report;
+    report.verdict = lastVerdict_;
+    report.certified = std::numeric_limits<double>::quiet_NaN();
+    return report;
+  }
+
+  void noteWhatIsNotCertified() {
+    if (result_.energyOff())
+      result_.notes.emplace_back("the energy balance was off (see the events), so the run is not called stable");
+    if (result_.watchedSteps == 0 || result_.certified()) return;
+    std::string note = fmt::format("certified steps: {} of {}", result_.certifiedSteps, result_.watchedSteps);
+    if (result_.safeSeen && scene_.step) {
+      // Rounded down, so that the number as it is printed is certified.
+      const double unit = std::pow(10, std::floor(std::log10(result_.safeSeen->least)) - 3);
+      note += fmt::format(
+          "; the safe step was {:.4g} to {:.4g} s along the run: a step of {:.4g} s would have been "
+          "certified in these states",
+          result_.safeSeen->least, result_.safeSeen->largest, std::floor(result_.safeSeen->least / unit) * unit);
+    }
+    if (static_cast<std::int64_t>(body_.mesh().elementCount()) > MonitorOptions{}.firstLookElements)
+      note += fmt::format("; on more than {} elements inspect may prove a larger step than the run's first look",
+                          MonitorOptions{}.firstLookElements);
+    result_.notes.push_back(note);
   }
 
   void closeEvents() {
@@ -576,6 +639,7 @@ class Run {
   void drawPicture() {
     if (result_.firstViolated) picture_.markViolation(result_.firstViolated->time);
     if (result_.runaway) picture_.markRunaway(result_.runaway->time);
+    for (const CutRecord& cut : result_.cuts) picture_.markCut(cut.time);
     const std::string note =
         picture_.draw(options_.folder, fmt::format("{}: {}, {}, {}", scene_.file.stem().string(),
                                                    elementCounts(body_.mesh()), scene_.model, scene_.method));
@@ -611,6 +675,8 @@ class Run {
   Picture picture_;
   State state_;
   double h_ = 0, firstStep_ = 0;
+  bool monitored_ = false;  // a monitor has been made
+  std::int64_t looks_ = 0;  // of monitors
   std::optional<Energies> energies_;
   double largestEnergy_ = 0;
   double nextFrame_ = 0;
@@ -639,8 +705,21 @@ std::string_view exitReasonName(ExitReason reason) {
   return "";
 }
 
+bool RunResult::energyOff() const {
+  return std::any_of(events.begin(), events.end(),
+                     [](const MonitorEvent& event) { return event.kind == EventKind::energyBalance; });
+}
+
+ExitStatus RunResult::exitStatus() const {
+  const bool ended = reason == ExitReason::end || reason == ExitReason::interrupted;
+  if (!ended || violatedStepTaken || runaway || energyOff()) return ExitStatus::unstable;
+  if (requireCertified && !certified()) return ExitStatus::unstable;
+  if (reason == ExitReason::interrupted) return ExitStatus::interrupted;
+  return neverCertified() ? ExitStatus::notCertified : ExitStatus::done;
+}
+
 std::string_view RunResult::verdict() const {
-  if (reason == ExitReason::nonFinite || runaway) return "unstable";
+  if (reason == ExitReason::nonFinite || runaway || energyOff()) return "unstable";
   if (violatedStepTaken || reason == ExitReason::violated) return "violated";
   return worst ? verdictName(*worst) : "unmonitored";
 }

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <ringwatch/app/exit_status.h>
 #include <ringwatch/app/scene.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/monitor/stability_monitor.h>
@@ -69,6 +70,14 @@ struct RunResult {
   double smallestStep = 0, largestStep = 0;  // s, of the steps taken
   std::optional<Verdict> worst;              // of the steps taken; empty when nothing was monitored
   bool violatedStepTaken = false;
+  std::int64_t watchedSteps = 0;    // taken with a monitor that proves something
+  std::int64_t certifiedSteps = 0;  // of those
+  std::int64_t firstLookSteps = 0;  // of those, on what the monitor's first look alone had proven
+  struct Range {
+    double least, largest;
+  };
+  std::optional<Range> safeSeen;        // s, the safe sides of the brackets of states from which a step was taken
+  bool requireCertified = false;        // the scene's monitor.require_certified
   std::optional<Moment> firstViolated;  // the monitor first said violated
   std::optional<Moment> runaway;        // the energy balance went off by more than runawayShare for good
   std::vector<MonitorEvent> events;
@@ -80,8 +89,16 @@ struct RunResult {
   std::vector<std::string> files;  // written, relative to the folder
   std::vector<std::string> notes;
 
-  /// Reached its end, took no step that was proven unstable, and its energy stayed in balance.
-  bool stable() const { return reason == ExitReason::end && !violatedStepTaken && !runaway; }
+  /// Reached its end, took no step that was proven unstable, kept its energy in balance, and was certified unless
+  /// nothing was to prove it: exitStatus() is ExitStatus::done.
+  bool stable() const { return exitStatus() == ExitStatus::done; }
+  /// Every step that was watched was certified, and there was one.
+  bool certified() const { return watchedSteps > 0 && certifiedSteps == watchedSteps; }
+  /// Nothing beyond the monitor's first look was certified, though there was more.
+  bool neverCertified() const { return certifiedSteps < watchedSteps && certifiedSteps <= firstLookSteps; }
+  /// An energy-balance event happened, whether it ended or not.
+  bool energyOff() const;
+  ExitStatus exitStatus() const;
   /// "certified", "not-certified", "violated", "unstable" or "unmonitored": what the run as a whole may be called.
   std::string_view verdict() const;
 };

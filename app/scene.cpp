@@ -21,6 +21,7 @@
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/node_order.h>
+#include <ringwatch/monitor/metrics.h>
 
 namespace ringwatch {
 namespace {
@@ -83,6 +84,9 @@ class Reader {
     parseFile();
     for (const std::string& text : overrides) applyOverride(text);
   }
+  /// Of the echo of a scene, in which all defaults are filled in; file: for messages.
+  Reader(std::filesystem::path file, toml::table echo)
+      : file_(std::move(file)), root_(std::move(echo)), isEcho_(true) {}
 
   /// All sections with their values checked and defaults filled in; lists in the order of the file.
   std::vector<Section> sections() {
@@ -224,7 +228,7 @@ class Reader {
       if (key == path || (key.size() > path.size() && key.compare(0, path.size() + 1, path + ".") == 0 &&
                           node.source().begin.line == 0))
         return origin;
-    if (node.source().begin.line == 0) return file_.string();
+    if (isEcho_ || node.source().begin.line == 0) return file_.string();
     return fmt::format("{}:{}", file_.string(), node.source().begin.line);
   }
 
@@ -251,7 +255,8 @@ class Reader {
         fail(origin, name + "." + key,
              fmt::format("unknown key {} in [{}]; {}known are {}", inQuotes(key), name, didYouMean(key, known),
                          fmt::join(known, ", ")));
-      section.entries[key] = {check(*found, node, origin), origin, true};
+      Entry& entry = section.entries[key] = {check(*found, node, origin), origin, true};
+      if (isEcho_ && !found->fallback.empty()) entry.given = entry.value != defaultOf(*found);
     }
     for (const SceneKey& key : sceneKeys()) {
       if (key.section != name || section.entries.count(key.key) != 0) continue;
@@ -261,10 +266,14 @@ class Reader {
                          key.unit.empty() ? "" : " in " + key.unit,
                          key.range.text().empty() ? "" : ", " + key.range.text()));
       if (key.fallback.empty()) continue;
-      const toml::table parsed = toml::parse("value = " + key.fallback);
-      section.entries[key.key] = {check(key, *parsed.get("value"), "default"), "default", false};
+      section.entries[key.key] = {defaultOf(key), "default", false};
     }
     return section;
+  }
+
+  static Json defaultOf(const SceneKey& key) {
+    const toml::table parsed = toml::parse("value = " + key.fallback);
+    return check(key, *parsed.get("value"), "default");
   }
 
   /// The value as JSON, after checks of type, range and choices.
@@ -349,6 +358,7 @@ class Reader {
 
   std::filesystem::path file_;
   toml::table root_;
+  bool isEcho_ = false;
   std::map<std::string, std::string> overrides_;  // "section.key" -> origin
 };
 
@@ -357,19 +367,12 @@ Eigen::Vector3d vectorOf(const Json& value) {
 }
 
 std::array<bool, 3> componentsOf(const Section& section) {
-  std::array<bool, 3> result{};
   const auto text = section.get<std::string>("components");
-  for (char c : text) {
-    if (c < 'x' || c > 'z' || result[static_cast<std::size_t>(c - 'x')]) {
-      result = {};
-      break;
-    }
-    result[static_cast<std::size_t>(c - 'x')] = true;
-  }
-  if (result == std::array<bool, 3>{})
+  const auto components = parseComponents(text);
+  if (!components)
     fail(section.at("components").origin, section.name + ".components",
          inQuotes(text) + " names no components; must be some of x, y, z, each once");
-  return result;
+  return *components;
 }
 
 NodeSelection selectionOf(const Section& section) {
@@ -434,6 +437,7 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
   scene.margin = monitor.get<double>("margin");
   scene.every = monitor.get<std::int64_t>("every");
   scene.energyTolerance = monitor.get<double>("energy_tolerance");
+  scene.requireCertified = monitor.get<bool>("require_certified");
   const auto onViolation = monitor.get<std::string>("on_violation");
   scene.onViolation = onViolation == "stop"     ? OnViolation::stop
                       : onViolation == "warn"   ? OnViolation::warn
@@ -468,6 +472,9 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
     scene.mode = MonitorMode::metric;
     scene.metric.clear();
   }
+  if (scene.requireCertified && !scene.proves())
+    fail(monitor.at("require_certified").origin, "monitor.require_certified",
+         "true needs a proof: monitor.mode = \"bracket\" or \"threshold\", and an integrator with a critical step");
   if (scene.proves() && scene.damping.any() && !info.highestModeBinds)
     fail(integrator.at("method").origin, "integrator.method",
          fmt::format("\"{}\": with [damping] the bracket is proven for symplectic-euler and verlet only; choose one of "
@@ -712,8 +719,8 @@ std::vector<std::int32_t> NodeSelection::nodesOf(const Mesh& mesh) const {
   return nodes;
 }
 
-Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  const std::vector<Section> sections = Reader(file, overrides).sections();
+namespace {
+Scene makeScene(const std::filesystem::path& file, const std::vector<Section>& sections) {
   Scene scene;
   scene.file = file;
   scene.echo = echoOf(sections);
@@ -728,6 +735,8 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
   scene.poisson = material.get<double>("poisson");
   scene.density = material.get<double>("density");
   scene.lumping = material.get<std::string>("lumping") == "equal" ? Lumping::equal : Lumping::rowSum;
+  if (material.given("rules"))
+    scene.rules = parseRules(material.get<std::vector<std::string>>("rules"), material.where("rules"));
 
   readIntegratorSection(section("integrator"), section("monitor"), section("damping"), scene);
   readHandlerSection(section("handler"), section("integrator"), section("monitor"), section("damping"), scene);
@@ -750,14 +759,96 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
   scene.energy = output.get<bool>("energy");
   scene.picture = output.get<bool>("picture");
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
-  if ((std::isinf(info.imaginaryLimit) || info.partitioned) &&
-      std::find(scene.fields.begin(), scene.fields.end(), "critical_step") != scene.fields.end())
-    fail(output.at("fields").origin, "output.fields",
-         fmt::format("\"critical_step\": \"{}\" {} and has none", scene.method,
-                     info.partitioned ? "chooses its stiff elements by the step" : "is stable at every step"));
+  for (const std::string& field : scene.fields)
+    if ((std::isinf(info.imaginaryLimit) || info.partitioned) && (field == "critical_step" || findMetric(field)))
+      fail(output.at("fields").origin, "output.fields",
+           fmt::format("\"{}\": \"{}\" {} and has no critical step", field, scene.method,
+                       info.partitioned ? "chooses its stiff elements by the step" : "is stable at every step"));
   if (scene.metric.empty() && std::find(scene.fields.begin(), scene.fields.end(), "metric") != scene.fields.end())
     fail(output.at("fields").origin, "output.fields", "\"metric\" needs a metric; set monitor.metric");
   return scene;
+}
+}  // namespace
+
+Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return makeScene(file, Reader(file, overrides).sections());
+}
+
+Scene sceneOfRun(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "summary.json";
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw InputError(fmt::format("{}: cannot read; it is there when a run has ended in this folder", file.string()));
+  const Json summary = Json::parse(stream, nullptr, false);
+  const auto echo = summary.is_object() ? summary.find("scene") : summary.end();
+  if (!summary.is_object() || echo == summary.end() || !echo->is_object())
+    throw InputError(fmt::format("{}: not the summary of a run; it has no \"scene\"", file.string()));
+  // JSON's texts, numbers and lists are TOML's.
+  std::string text;
+  const auto add = [&](const std::string& head, const Json& section) {
+    text += head + "\n";
+    for (const auto& [key, value] : section.items())
+      if (!value.is_null()) text += fmt::format("{} = {}\n", key, value.dump());
+  };
+  for (const auto& [name, section] : echo->items()) {
+    if (!section.is_array()) {
+      add(fmt::format("[{}]", name), section);
+    } else {
+      for (const Json& entry : section) add(fmt::format("[[{}]]", name), entry);
+    }
+  }
+  try {
+    return makeScene(file, Reader(file, toml::parse(text)).sections());
+  } catch (const toml::parse_error& fault) {
+    throw InputError(fmt::format("{}: its \"scene\" cannot be read: {}", file.string(), fault.description()));
+  }
+}
+
+std::optional<std::array<bool, 3>> parseComponents(std::string_view text) {
+  std::array<bool, 3> result{};
+  for (char c : text) {
+    if (c < 'x' || c > 'z' || result[static_cast<std::size_t>(c - 'x')]) return std::nullopt;
+    result[static_cast<std::size_t>(c - 'x')] = true;
+  }
+  if (text.empty()) return std::nullopt;
+  return result;
+}
+
+Scene::Fix parseFix(const std::string& text, const std::string& origin) {
+  const std::size_t begin = text.rfind("set:", 0) == 0 ? 4 : 0, colon = text.rfind(':');
+  if (colon == std::string::npos || colon < begin) return {NodeSelection::parse(text, origin), {true, true, true}};
+  const std::string components = text.substr(colon + 1);
+  const auto held = parseComponents(components);
+  if (!held)
+    throw InputError(fmt::format("{}: {}: {} names no components; must be some of x, y, z, each once", origin,
+                                 inQuotes(text), inQuotes(components)));
+  return {NodeSelection::parse(text.substr(0, colon), origin), *held};
+}
+
+std::map<std::string, std::string> parseRules(const std::vector<std::string>& texts, const std::string& origin) {
+  std::map<std::string, std::string> rules;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    const std::string name = text.substr(0, equals);
+    const ElementInfo* element = nullptr;
+    std::vector<std::string> elements;
+    for (const ElementInfo& info : allElements()) {
+      elements.emplace_back(info.name);
+      if (info.name == name) element = &info;
+    }
+    if (equals == std::string::npos || !element)
+      throw InputError(fmt::format("{}: {} must be ELEMENT=RULE; elements are {}", origin, inQuotes(text),
+                                   fmt::join(elements, ", ")));
+    const std::string rule = text.substr(equals + 1);
+    if (!findRule(*element, rule) || rule.empty()) {
+      std::vector<std::string> known;
+      for (const QuadratureRule& r : element->rules) known.emplace_back(r.name);
+      throw InputError(fmt::format("{}: unknown rule {} for {}; did you mean \"{}\"? known are {}", origin,
+                                   inQuotes(rule), name, nearestName(rule, known), fmt::join(known, ", ")));
+    }
+    rules[name] = rule;
+  }
+  return rules;
 }
 
 int threadsThatPay(int requested, const Mesh& mesh) {
@@ -787,6 +878,7 @@ Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes) {
 Body sceneBody(const Scene& scene, Mesh mesh, int threads) {
   BodyOptions options;
   options.lumping = scene.lumping;
+  options.rules = scene.rules;
   options.threads = threadsThatPay(threads, mesh);
   std::optional<Body> body;
   try {

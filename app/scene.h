@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -74,6 +75,7 @@ struct Scene {
   std::string model;
   double young = 0, poisson = 0, density = 0;
   Lumping lumping = Lumping::rowSum;
+  std::map<std::string, std::string> rules;  // element name -> quadrature rule name
 
   std::string method;
   std::optional<double> step;  // s; empty for "auto"
@@ -90,6 +92,7 @@ struct Scene {
   std::int64_t every = 1;
   OnViolation onViolation = OnViolation::stop;
   double energyTolerance = 0;
+  bool requireCertified = false;  // a step that is not certified makes the run fail
 
   std::string handler;  // "" for none
   HandlerOptions handlerOptions;
@@ -114,6 +117,17 @@ struct Scene {
 /// Reads and checks a scene file. overrides: `section.key=value` each, value as TOML (a bare word is taken for a
 /// string); they win over the file. Throws InputError "FILE:LINE: section.key: what is wrong; what would be right".
 Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// The scene of a finished run, from its summary.json. Throws InputError when there is none that can be read.
+Scene sceneOfRun(const std::filesystem::path& folder);
+/// `hex8=RULE` and so on as element name -> quadrature rule name. Throws InputError "origin: …" for another form, an
+/// unknown element or an unknown rule.
+std::map<std::string, std::string> parseRules(const std::vector<std::string>& texts, const std::string& origin);
+/// Which of x, y, z a text such as "xy" names; nothing unless it names some, each once.
+std::optional<std::array<bool, 3>> parseComponents(std::string_view text);
+/// A condition or `set:NAME`, and behind a colon the components that are held, e.g. "x < 1e-6:x" for a roller; all of
+/// them without. Throws InputError "origin: …".
+Scene::Fix parseFix(const std::string& text, const std::string& origin);
 
 /// Threads for a request; 0 asks for as many as the mesh can keep busy: on a small one, waiting for each other would
 /// cost more than they share, above all on a machine that has other work too.

@@ -79,11 +79,12 @@ std::string curveScript(const StudyFigure& figure) {
   script += figure.logY ? "set logscale y\nset format y '10^{%L}'\n" : "set format y '%.4g'\n";
   std::string plot;
   constexpr std::size_t colours = 8;  // then they come again, with dashes
-  for (std::size_t c = 0; c < figure.curves.size(); ++c)
-    plot += fmt::format(
-        "{}'{}.dat' index {} with {} title {}", plot.empty() ? "plot " : ", \\\n     ", figure.name, c,
-        figure.lines ? fmt::format("linespoints lw 2 dt {}", c < colours ? 1 : 2) : std::string("points lw 2 ps 1.5"),
-        gnuplotQuoted(figure.curves[c].label));
+  for (std::size_t c = 0; c < figure.curves.size(); ++c) {
+    const char* const points = figure.curves[c].x.size() > 100 ? "points pt 7 ps 0.4" : "points lw 2 ps 1.5";
+    plot += fmt::format("{}'{}.dat' index {} with {} title {}", plot.empty() ? "plot " : ", \\\n     ", figure.name, c,
+                        figure.lines ? fmt::format("linespoints lw 2 dt {}", c < colours ? 1 : 2) : std::string(points),
+                        gnuplotQuoted(figure.curves[c].label));
+  }
   return script + plot + "\n";
 }
 

@@ -137,6 +137,15 @@ Mesh loadMesh(const fs::path& path, std::vector<std::string>* notes) {
   return mesh;
 }
 
+MeshState loadVtuState(const fs::path& path, const std::string& displacement, std::vector<std::string>* notes) {
+  const std::string text = detail::readWholeFile(path);
+  if (!startsWithXml(text))
+    throw InputError(path.string() + ": displacements are read from .vtu files only; this is another format");
+  MeshState state = detail::readVtuState(path, text, displacement, notes);
+  requireSound(state.mesh, path.string(), notes);
+  return state;
+}
+
 std::vector<MeshProblem> checkMeshFile(const fs::path& path, std::vector<std::string>* notes) {
   std::vector<MeshProblem> problems;
   const Mesh mesh = read(path, notes, &problems);

@@ -36,6 +36,19 @@ Mesh readMesh(const std::filesystem::path& path, std::vector<std::string>* notes
 /// `readMesh` followed by `requireSound`: a mesh to compute with.
 Mesh loadMesh(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr);
 
+/// A mesh at rest and a deformed state of it.
+struct MeshState {
+  Mesh mesh;
+  NodeVectors x;  // 3×N, m
+};
+/// Reads a mesh and a state from a .vtu file by a displacement (m) at its points: positions are points + displacement.
+/// Frames of a run hold deformed points, and say so: there the points are the positions, and the mesh at rest is points
+/// - displacement. The mesh is checked as by `loadMesh`. Throws InputError: as readMesh, for a file that is not .vtu,
+/// and for a field that is missing (lists the fields of three components), has other than three components, or is not
+/// finite.
+MeshState loadVtuState(const std::filesystem::path& path, const std::string& displacement,
+                       std::vector<std::string>* notes = nullptr);
+
 /// Every problem of a mesh file. Throws InputError where the file cannot be parsed at all; missing nodes and non-finite
 /// coordinates are listed with their line.
 std::vector<MeshProblem> checkMeshFile(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr);

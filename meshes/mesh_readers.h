@@ -17,6 +17,9 @@ Mesh readTetgen(const std::filesystem::path& nodeFile, const std::filesystem::pa
                 Problems* problems);
 Mesh readLegacyVtk(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
 Mesh readVtu(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
+/// The mesh at rest, not yet checked, with the positions.
+MeshState readVtuState(const std::filesystem::path& path, const std::string& text, const std::string& displacement,
+                       Notes* notes);
 /// Unpacks a block of a .vtu file with VTK's compressor of that class name into exactly `outSize` bytes; false when it
 /// does not come out so. Throws InputError for an unknown compressor, and for any in a build without VTK.
 bool unpack(const std::string& source, const std::string& compressor, const char* in, std::size_t inSize, char* out,

@@ -85,7 +85,7 @@ void writeVtuWithSets(const Mesh&, const std::filesystem::path& path) {
 }
 }  // namespace detail
 void writeVtu(const std::filesystem::path& path, const Mesh&, const NodeVectors&, std::span<const VtuField>,
-              std::span<const VtuField>, std::optional<double>) {
+              std::span<const VtuField>, std::optional<double>, std::span<const VtuField>) {
   throw InputError("cannot write " + path.string() + ": " + howToGetVtk);
 }
 
@@ -200,10 +200,9 @@ void addArray(vtkFieldData* target, const std::string& name, int components, std
 }
 
 /// VTK writes names into its XML as they are.
+bool isForbiddenInNames(char c) { return (c >= 0 && c < ' ') || c == '"' || c == '<' || c == '>' || c == '&'; }
 void checkName(const std::string& name, const std::string& failure) {
-  if (name.empty() || std::any_of(name.begin(), name.end(), [](char c) {
-        return (c >= 0 && c < ' ') || c == '"' || c == '<' || c == '>' || c == '&';
-      }))
+  if (name.empty() || std::any_of(name.begin(), name.end(), isForbiddenInNames))
     throw InputError(failure + "the name " + detail::quoted(name) +
                      " must be without quotes, <, > and &, and not empty");
 }
@@ -226,6 +225,27 @@ void addFields(vtkFieldData* target, std::span<const VtuField> fields, std::size
             addArray<vtkTypeInt64Array>(target, field.name, field.components, values);
         },
         field.values);
+  }
+}
+
+/// Arrays set:NAME of 0 and 1; nameOf(name) is the name as it is written.
+template <class NameOf>
+void addSets(vtkUnstructuredGrid* grid, const Mesh& mesh, const NameOf& nameOf) {
+  const auto add = [&](vtkFieldData* target, const std::string& name, const std::vector<signed char>& flags) {
+    addArray<vtkTypeInt8Array>(target, std::string(setPrefix) + nameOf(name), 1, std::span<const signed char>(flags));
+  };
+  for (const auto& [name, nodes] : mesh.nodeSets) {
+    std::vector<signed char> flags(mesh.nodeCount());
+    for (const std::int32_t n : nodes) flags.at(static_cast<std::size_t>(n)) = 1;
+    add(grid->GetPointData(), name, flags);
+  }
+  std::vector<std::size_t> first{0};
+  for (const MeshBlock& block : mesh.blocks) first.push_back(first.back() + block.elementCount());
+  for (const auto& [name, elements] : mesh.elementSets) {
+    std::vector<signed char> flags(mesh.elementCount());
+    for (const ElementRef& ref : elements)
+      flags.at(first.at(static_cast<std::size_t>(ref.block)) + static_cast<std::size_t>(ref.element)) = 1;
+    add(grid->GetCellData(), name, flags);
   }
 }
 
@@ -254,14 +274,24 @@ void writeGrid(vtkUnstructuredGrid* grid, const Mesh& mesh, const std::filesyste
 }  // namespace
 
 void writeVtu(const std::filesystem::path& path, const Mesh& mesh, const NodeVectors& x,
-              std::span<const VtuField> pointFields, std::span<const VtuField> cellFields, std::optional<double> time) {
+              std::span<const VtuField> pointFields, std::span<const VtuField> cellFields, std::optional<double> time,
+              std::span<const VtuField> frameFields) {
   const std::string failure = "cannot write " + path.string() + ": ";
   if (x.cols() != mesh.X.cols())
     throw InputError(joinText(failure, x.cols(), " positions; ", mesh.nodeCount(), " are needed"));
   const auto grid = makeGrid(mesh, x);
   addFields(grid->GetPointData(), pointFields, mesh.nodeCount(), failure);
   addFields(grid->GetCellData(), cellFields, mesh.elementCount(), failure);
+  // A frame must not fail for the name of a set.
+  addSets(grid, mesh, [](std::string name) {
+    std::replace_if(name.begin(), name.end(), isForbiddenInNames, '_');
+    return name;
+  });
   if (time) addArray<vtkDoubleArray>(grid->GetFieldData(), "TimeValue", 1, std::span<const double>(&*time, 1));
+  for (const VtuField& field : frameFields) {
+    const std::size_t values = std::visit([](auto list) { return list.size(); }, field.values);
+    addFields(grid->GetFieldData(), std::span(&field, 1), values / static_cast<std::size_t>(field.components), failure);
+  }
   writeGrid(grid, mesh, path);
 }
 
@@ -269,23 +299,10 @@ namespace detail {
 
 void writeVtuWithSets(const Mesh& mesh, const std::filesystem::path& path) {
   const auto grid = makeGrid(mesh, mesh.X);
-  const auto addSet = [&](vtkFieldData* target, const std::string& name, const std::vector<signed char>& flags) {
+  addSets(grid, mesh, [&](std::string name) {
     checkName(name, "cannot write " + path.string() + ": ");
-    addArray<vtkTypeInt8Array>(target, std::string(setPrefix) + name, 1, std::span<const signed char>(flags));
-  };
-  for (const auto& [name, nodes] : mesh.nodeSets) {
-    std::vector<signed char> flags(mesh.nodeCount());
-    for (const std::int32_t n : nodes) flags.at(static_cast<std::size_t>(n)) = 1;
-    addSet(grid->GetPointData(), name, flags);
-  }
-  std::vector<std::size_t> first{0};
-  for (const MeshBlock& block : mesh.blocks) first.push_back(first.back() + block.elementCount());
-  for (const auto& [name, elements] : mesh.elementSets) {
-    std::vector<signed char> flags(mesh.elementCount());
-    for (const ElementRef& ref : elements)
-      flags.at(first.at(static_cast<std::size_t>(ref.block)) + static_cast<std::size_t>(ref.element)) = 1;
-    addSet(grid->GetCellData(), name, flags);
-  }
+    return name;
+  });
   writeGrid(grid, mesh, path);
 }
 

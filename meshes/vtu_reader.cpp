@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <optional>
 
 #include <ringwatch/meshes/file_cursor.h>
 #include <ringwatch/meshes/mesh_builder.h>
 #include <ringwatch/meshes/mesh_readers.h>
+#include <ringwatch/meshes/vtu_writer.h>
 
 namespace ringwatch::detail {
 namespace {
@@ -72,6 +74,38 @@ class VtuReader {
     if (nodeIds_.size() == mesh.nodeCount()) mesh.nodeIds = nodeIds_;
     return mesh;
   }
+
+  /// After read(): the displacement of that name at all points, 3×N, and whether the points are deformed positions.
+  NodeVectors displacement(const std::string& name, std::size_t nodes) const {
+    NodeVectors result(3, static_cast<Eigen::Index>(nodes));
+    std::size_t first = 0;
+    for (const Piece& piece : pieces_) {
+      if (piece.points == 0) continue;
+      std::string known;
+      const Array* found = nullptr;
+      for (const Array& a : piece.arrays) {
+        if (a.section != "PointData") continue;
+        if (a.name == name) found = &a;
+        if (a.components == 3 && a.type->real) known += (known.empty() ? "" : ", ") + detail::quoted(a.name);
+      }
+      const std::string choice = known.empty() ? "there is no field of three components at the points"
+                                               : "fields of three components at the points: " + known;
+      if (found == nullptr) throw InputError(joinText(source_, ": no field ", detail::quoted(name), "; ", choice));
+      if (found->components != 3 || !found->type->real)
+        throw InputError(joinText(source_, ": the field ", detail::quoted(name), " has ", found->components,
+                                  found->type->real ? " components, not 3; " : " integer components; ", choice));
+      const std::vector<double> u = values<double>(*found, 3 * piece.points);
+      for (std::size_t i = 0; i < u.size(); ++i) {
+        if (!std::isfinite(u[i]))
+          throw InputError(joinText(source_, ": ", detail::quoted(name), " at point ", first + i / 3, " is ", u[i],
+                                    "; it must be finite"));
+        result.data()[3 * first + i] = u[i];
+      }
+      first += piece.points;
+    }
+    return result;
+  }
+  bool deformedPoints() const { return deformedPoints_; }
 
  private:
   struct Piece {
@@ -192,7 +226,9 @@ class VtuReader {
         readHead(tag);
       } else if (tag.name == "Piece") {
         pieces_.push_back({countAttribute(tag, "NumberOfPoints"), countAttribute(tag, "NumberOfCells"), tag.begin, {}});
-      } else if (tag.name == "DataArray" && !pieces_.empty() && open.back() != "FieldData") {
+      } else if (tag.name == "DataArray" && open.back() == "FieldData") {
+        deformedPoints_ = deformedPoints_ || tag.get("Name") == deformedPointsMark;
+      } else if (tag.name == "DataArray" && !pieces_.empty()) {
         addArray(tag, open.back());
       } else if (tag.name == "AppendedData") {
         const std::string encoding = tag.get("encoding");
@@ -519,7 +555,7 @@ class VtuReader {
   std::vector<Piece> pieces_;
   std::string compressor_;
   std::size_t wordBytes_ = 4;
-  bool swap_ = false, rawAppended_ = false;
+  bool swap_ = false, rawAppended_ = false, deformedPoints_ = false;
   std::string_view appended_;
   std::vector<std::int64_t> nodeIds_;
   std::size_t cellCount_ = 0, flat_ = 0;
@@ -529,6 +565,17 @@ class VtuReader {
 
 Mesh readVtu(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems) {
   return VtuReader(path.string(), text).read(notes, problems);
+}
+
+MeshState readVtuState(const std::filesystem::path& path, const std::string& text, const std::string& displacement,
+                       Notes* notes) {
+  VtuReader reader(path.string(), text);
+  MeshState state;
+  state.mesh = reader.read(notes, nullptr);
+  const NodeVectors u = reader.displacement(displacement, state.mesh.nodeCount());
+  state.x = reader.deformedPoints() ? state.mesh.X : NodeVectors(state.mesh.X + u);
+  if (reader.deformedPoints()) state.mesh.X -= u;
+  return state;
 }
 
 }  // namespace ringwatch::detail

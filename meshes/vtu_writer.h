@@ -21,11 +21,16 @@ struct VtuField {
 
 /// Writes a frame: the mesh at positions x (3×N, m) with point fields in node order and cell fields in block order (the
 /// elements of block 0, then those of block 1, …), compressed. The arrays originalNodeId and originalElementId hold the
-/// numbers of the mesh's file; time (s) goes to the field TimeValue. The file appears whole or not at all.
+/// numbers of the mesh's file, arrays set:NAME the mesh's sets; time (s) goes to the field TimeValue. frameFields: VTK
+/// field data, of any length. The file appears whole or not at all.
 /// Throws InputError where the file cannot be written, a field has the wrong length, or this build is without VTK.
 void writeVtu(const std::filesystem::path& path, const Mesh& mesh, const NodeVectors& x,
               std::span<const VtuField> pointFields = {}, std::span<const VtuField> cellFields = {},
-              std::optional<double> time = {});
+              std::optional<double> time = {}, std::span<const VtuField> frameFields = {});
+
+/// Name of the field data (one number, 1) that marks a file whose points are deformed positions: subtract the field
+/// "displacement" for those at rest. loadVtuState honours it.
+inline constexpr const char* deformedPointsMark = "points are deformed positions";
 
 /// A frame of a .pvd collection.
 struct PvdEntry {

@@ -18,6 +18,10 @@ namespace {
 
 constexpr int energySettling = 20;  // looks before the energy balance is judged
 
+/// criticalStep() that also adds up the element evaluations that it took.
+CriticalStep bracketFromScratch(const Body& body, const NodeVectors& x, const StepRule& limit,
+                                const std::optional<LanczosOptions>& lanczos, std::int64_t& evaluations);
+
 /// Keeps both sides of the bracket along a run: the lazy bound from above, a hot spot of the tracked mode from below.
 class Bracketer {
  public:
@@ -104,6 +108,27 @@ class Bracketer {
   bool bracketed() const { return bracketed_; }
   /// Whether the tangent was finite when last evaluated.
   bool finite() const { return finite_; }
+  /// Replaces either side of the last bracket by that of the best proof from scratch at the same x, where that is
+  /// better.
+  void improve(const NodeVectors& x, const StepRule& limit) {
+    if (!step_ || !finite_) return;
+    CriticalStep best{};
+    try {
+      best = bracketFromScratch(body_, x, limit, std::nullopt, spent_.evaluated);
+    } catch (const NumericalError&) {
+      return;  // from scratch there is no bracket, and the last one stays
+    }
+    CriticalStep step = *step_;
+    if (best.safe > step.safe) {
+      step.safe = best.safe;
+      step.safeBy = best.safeBy;
+    }
+    if (best.optimistic < step.optimistic) {
+      step.optimistic = best.optimistic;
+      step.optimisticBy = best.optimisticBy;
+    }
+    if (step.isBracket()) step_ = step;
+  }
   /// The optimistic side as sharp as it can be had, for a step that comes close to the limit.
   void sharpen(const NodeVectors& x, const StepRule& limit) {
     if (!step_) return;
@@ -338,6 +363,11 @@ struct StabilityMonitor::Impl {
   Impl(const Body& b, const MonitorOptions& o) : body(b), options(o), bodyVersion(b.version()) {
     if (o.mode != MonitorMode::metric) bracketer.emplace(b, o.width);
     if (o.metric == "reduced-1-ring" && !o.metricElsewhere) ring.emplace(b);
+    // Less than at a strain of 1e-12 is rounding, whose changes are as large as itself.
+    for (const auto& block : b.blocks()) {
+      const Lame lame = block->material().lame();
+      largestEnergy = std::max(largestEnergy, 1e-24 * (lame.lambda + 2 * lame.mu) * b.volume());
+    }
   }
   /// The metric's highest value at x, rad²/s². Reduced rings keep their pattern from look to look: half of their cost.
   double metricLambda(const NodeVectors& x) {
@@ -367,7 +397,8 @@ struct StabilityMonitor::Impl {
   Course courses[5];  // by EventKind
   double largestEnergy = 0;
   std::int64_t observations = 0, energyLooks = 0, bodyVersion = 0;
-  bool unknown = false;  // the last state had no tangent
+  bool unknown = false;   // the last state had no tangent
+  bool improved = false;  // the first bracket has been compared with that from scratch
 
   /// Records an event when it begins and when it ends. Near a limit it may come and go from step to step: one event
   /// until it has stayed away for a while.
@@ -418,6 +449,13 @@ struct StabilityMonitor::Impl {
       } else {
         const std::optional<CriticalStep>& step = bracketer->evaluate(x, options.limit, force);
         certified = step && (!h || *h <= step->safe);
+      }
+      if (!improved && bracketed) {
+        improved = true;
+        if (static_cast<std::int64_t>(body.mesh().elementCount()) <= options.firstLookElements) {
+          bracketer->improve(x, options.limit);
+          certified = bracketer->last() && (!h || *h <= bracketer->last()->safe);
+        }
       }
       // Where the step is not certified, the optimistic side decides between "not certified" and "violated": it is made
       // sharp at every look, lest a mode that has moved on says so late.
@@ -534,6 +572,13 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
 
 CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit,
                           const std::optional<LanczosOptions>& lanczos) {
+  std::int64_t evaluations = 0;
+  return bracketFromScratch(body, x, limit, lanczos, evaluations);
+}
+
+namespace {
+CriticalStep bracketFromScratch(const Body& body, const NodeVectors& x, const StepRule& limit,
+                                const std::optional<LanczosOptions>& lanczos, std::int64_t& evaluations) {
   requireProof(limit);
   body.checkNodal("x", x);
   constexpr int products = 20, sweeps = 12, iterations = 60, searchProducts = 48;
@@ -548,8 +593,10 @@ CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule
   if (!std::isfinite(upper.value))
     throw NumericalError("the tangent is not finite at these positions: there is no critical step");
   std::string_view safeBy = "nodal-bound";
+  evaluations += static_cast<std::int64_t>(body.mesh().elementCount()) + shapes.evaluations();
   if (upper.value > narrow * lower.value && splitBoundBytes(body) <= mostBytes) {
     const SplitBound split = splitUpperBound(body, x, shapes, aim * lower.value, narrow * lower.value, iterations);
+    evaluations += split.decompositions;
     if (split.upper.value < upper.value) {
       upper = split.upper;
       safeBy = "split-bound";
@@ -576,5 +623,6 @@ CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule
   }
   return step;
 }
+}  // namespace
 
 }  // namespace ringwatch

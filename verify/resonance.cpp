@@ -104,6 +104,7 @@ void addResonance(StudyEffort effort, StudyReport& report) {
                      false,
                      true,
                      {}};
+  figure.lines = false;  // bands are narrow: a line would claim what lies between two samples
   constexpr double tolerance = 1e-9, floor = 1e-12;
   const double spacing = full ? 0.05 : 1.7, farthest = full ? 40 : 20;  // in h omega / pi
   for (const bool graded : {false, true})
