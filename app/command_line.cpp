@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include <ringwatch/app/compare.h>
+#include <ringwatch/app/exit_status.h>
 #include <ringwatch/app/inspect.h>
 #include <ringwatch/app/integrator_catalog.h>
 #include <ringwatch/app/report.h>
@@ -84,12 +85,22 @@ std::string metricListing() {
   return text;
 }
 
+std::string exitStatusListing() {
+  std::string text;
+  for (const ExitStatusInfo& info : exitStatuses)
+    text += fmt::format("  {}  {}\n", static_cast<int>(info.status), info.meaning);
+  return text;
+}
+
+/// What the help of every command says of its exit status.
+constexpr const char* exitStatusHint =
+    "\nExit status: 0 when all is well; ringwatch --help has the table of the others.";
+
 std::string mainFooter() {
   return "Everything in SI units: m, s, kg, N, Pa, J.\n\n"
-         "Exit status:\n"
-         "  0  done and stable\n"
-         "  1  the run failed: instability found, a bound violated, no convergence\n"
-         "  2  bad usage or bad input; one line on standard error says what and where\n\n"
+         "Exit status:\n" +
+         exitStatusListing() +
+         "\n"
          "Examples:\n"
          "  ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 -o bar.msh\n"
          "  ringwatch inspect bar.msh --young 30e3 --poisson 0.3 --density 1000 --metric all --global\n"
@@ -114,7 +125,7 @@ std::string oneLine(std::string text) {
   return result;
 }
 
-int complain(const std::string& text, ExitStatus status) {
+ExitStatus complain(const std::string& text, ExitStatus status) {
   fmt::print(stderr, "ringwatch: {}\n", oneLine(text));
   return status;
 }
@@ -145,13 +156,15 @@ struct RunCommand {
     command->add_flag("--quiet", quiet, "print nothing but errors; the exit status tells how it went");
     command->add_flag("--help-scene", helpScene, "list every key of a scene file");
     command->footer(
-        "Writes history.csv, summary.json, critical_step.png and, with output.every, run.pvd for ParaView.");
+        std::string("Writes history.csv, summary.json, critical_step.png and, with output.every, run.pvd for "
+                    "ParaView.\n") +
+        exitStatusHint);
   }
 
-  int execute() const {
+  ExitStatus execute() const {
     if (helpScene) {
       printOut(sceneHelp());
-      return exitStable;
+      return ExitStatus::done;
     }
     if (scene.empty())
       throw InputError("run: SCENE is missing; give a scene file (TOML), see ringwatch run --help-scene");
@@ -165,7 +178,7 @@ struct RunCommand {
     const InterruptGuard guard;
     const RunResult result = runScene(description, body, options);
     if (!quiet) printOut(summaryText(description, body, result, options.folder));
-    return result.stable() ? exitStable : exitUnstable;
+    return result.stable() ? ExitStatus::done : ExitStatus::unstable;
   }
 };
 
@@ -209,10 +222,10 @@ struct CompareCommand {
     command->footer(
         "Against a reference that is refined until it no longer changes. Errors are those of the positions at the end, "
         "relative\nto the displacement.\n\nIntegrators:\n" +
-        integratorListing());
+        integratorListing() + exitStatusHint);
   }
 
-  int execute() const {
+  ExitStatus execute() const {
     const CompareResult result = compareScene(options);
     const std::string text = result.json.dump(2) + "\n";
     if (json == "-")
@@ -221,7 +234,7 @@ struct CompareCommand {
       printOut(studyText(result.report) + result.text);
     if (!json.empty() && json != "-") writeFileAtomically(json, text);
     if (!folder.empty()) drawInto(folder, result.report);
-    return exitStable;
+    return ExitStatus::done;
   }
 };
 
@@ -260,10 +273,10 @@ struct InspectCommand {
     command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
         ->check(CLI::Range(0, 4096));
     command->footer("Laws:\n" + listing(allLaws()) + "\nIntegrators:\n" + integratorListing() + "\nMetrics:\n" +
-                    metricListing());
+                    metricListing() + exitStatusHint);
   }
 
-  int execute() {
+  ExitStatus execute() {
     if (stepOption->count() > 0) options.step = step;
     if (!vtu.empty()) options.vtu = vtu;
     if (!picture.empty()) options.picture = picture;
@@ -276,7 +289,7 @@ struct InspectCommand {
       if (!json.empty()) writeFileAtomically(json, text);
       printOut(result.text);
     }
-    return result.failure.empty() ? static_cast<int>(exitStable) : complain(result.failure, exitUnstable);
+    return result.failure.empty() ? ExitStatus::done : complain(result.failure, ExitStatus::unstable);
   }
 };
 
@@ -288,6 +301,7 @@ struct MeshCommand {
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("mesh", "generate, convert or check a mesh");
     command->require_subcommand(1);
+    command->footer(exitStatusHint);
     generate = command->add_subcommand("generate", "make a mesh");
     generate->add_option("KIND", kind, "kind of mesh")->required();
     generate->add_option("-o,--output", output, "mesh file to write: .msh or .vtu")->required();
@@ -304,13 +318,13 @@ struct MeshCommand {
     check->add_option("MESH", checked, "mesh file")->required();
   }
 
-  int execute() const {
+  ExitStatus execute() const {
     if (generate->parsed()) return executeGenerate();
     return convert->parsed() ? executeConvert() : executeCheck();
   }
 
  private:
-  int executeGenerate() const {
+  ExitStatus executeGenerate() const {
     if (!findGenerator(kind)) {
       const std::vector<std::string> known = generatorNames();
       throw InputError(fmt::format("KIND: unknown \"{}\"; did you mean \"{}\"? known are {}", kind,
@@ -328,7 +342,7 @@ struct MeshCommand {
     const Mesh mesh = generateMesh(kind, generatorArguments(values));
     writeMesh(mesh, output);
     printOut(fmt::format("{}: {} nodes, {}\n", output, mesh.nodeCount(), elementCounts(mesh)));
-    return exitStable;
+    return ExitStatus::done;
   }
 
   static nlohmann::ordered_json numberOrText(const std::string& text) {
@@ -339,16 +353,16 @@ struct MeshCommand {
     return text;
   }
 
-  int executeConvert() const {
+  ExitStatus executeConvert() const {
     std::vector<std::string> notes;
     const Mesh mesh = readMesh(input, &notes);
     writeMesh(mesh, target);
     for (const std::string& note : notes) printOut("note: " + note + "\n");
     printOut(fmt::format("{}: {} nodes, {}\n", target, mesh.nodeCount(), elementCounts(mesh)));
-    return exitStable;
+    return ExitStatus::done;
   }
 
-  int executeCheck() const {
+  ExitStatus executeCheck() const {
     std::vector<std::string> notes;
     const std::vector<MeshProblem> problems = checkMeshFile(checked, &notes);
     std::string text;
@@ -359,7 +373,7 @@ struct MeshCommand {
                 ? fmt::format("{}: nothing wrong\n", checked)
                 : fmt::format("{}: {} problem{}\n", checked, problems.size(), problems.size() == 1 ? "" : "s");
     printOut(text);
-    return problems.empty() ? exitStable : exitUnstable;
+    return problems.empty() ? ExitStatus::done : ExitStatus::unstable;
   }
 };
 
@@ -375,10 +389,11 @@ struct VerifyCommand {
                         "write the results to this file; - for standard output, and nothing else there");
     command->add_option("--out", folder, "folder for pictures, made when missing");
     command->add_flag("--quick", quick, "coarser and shorter: seconds instead of minutes");
-    command->footer("Exit status 1 when a check fails.\n\nStudies:\n" + listing(allStudies()));
+    command->footer("Exit status 1 when a check fails; ringwatch --help has the table.\n\nStudies:\n" +
+                    listing(allStudies()));
   }
 
-  int execute() const {
+  ExitStatus execute() const {
     const std::vector<StudyReport> reports = runStudies(studies, quick ? StudyEffort::quick : StudyEffort::full);
     const std::string results = studiesJson(reports).dump(2) + "\n";
     bool passed = true;
@@ -393,7 +408,7 @@ struct VerifyCommand {
     } else if (!json.empty()) {
       writeFileAtomically(json, results);
     }
-    return passed ? exitStable : exitUnstable;
+    return passed ? ExitStatus::done : ExitStatus::unstable;
   }
 };
 
@@ -416,7 +431,7 @@ std::string usageText(const CLI::App& app, const CLI::ParseError& fault) {
   return text + "; see ringwatch --help";
 }
 
-int dispatch(int argc, char** argv) {
+ExitStatus dispatch(int argc, char** argv) {
   CLI::App app("ringwatch: how large a step can this explicit finite element run take, and what stands in the way",
                "ringwatch");
   app.set_version_flag("--version", "ringwatch " + std::string(programVersion()));
@@ -435,9 +450,10 @@ int dispatch(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help and --version
-    return app.exit(asked);
+    app.exit(asked);
+    return ExitStatus::done;
   } catch (const CLI::ParseError& fault) {
-    return complain(usageText(app, fault), exitUsage);
+    return complain(usageText(app, fault), ExitStatus::badInput);
   }
   if (app.got_subcommand("run")) return run.execute();
   if (app.got_subcommand("inspect")) return inspect.execute();
@@ -449,17 +465,20 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int runCommandLine(int argc, char** argv) {
-  try {
-    return dispatch(argc, argv);
-  } catch (const InputError& fault) {
-    return complain(fault.what(), exitUsage);
-  } catch (const NumericalError& fault) {
-    return complain(fault.what(), exitUnstable);
-  } catch (const std::bad_alloc&) {
-    return complain("out of memory; use a smaller mesh or more memory", exitUsage);
-  } catch (const std::exception& fault) {
-    return complain(fault.what(), exitUsage);
-  }
+  const auto status = [&] {
+    try {
+      return dispatch(argc, argv);
+    } catch (const InputError& fault) {
+      return complain(fault.what(), ExitStatus::badInput);
+    } catch (const NumericalError& fault) {
+      return complain(fault.what(), ExitStatus::unstable);
+    } catch (const std::bad_alloc&) {
+      return complain("out of memory; use a smaller mesh or more memory", ExitStatus::badInput);
+    } catch (const std::exception& fault) {
+      return complain(fault.what(), ExitStatus::badInput);
+    }
+  }();
+  return static_cast<int>(status);
 }
 
 }  // namespace ringwatch

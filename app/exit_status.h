@@ -1,0 +1,24 @@
+#pragma once
+#include <array>
+#include <string_view>
+
+namespace ringwatch {
+
+/// Exit statuses of the program.
+enum class ExitStatus : int { done = 0, unstable = 1, badInput = 2, notCertified = 3, interrupted = 4 };
+
+struct ExitStatusInfo {
+  ExitStatus status;
+  std::string_view meaning;  // one line
+};
+
+/// The one table of exit statuses: help texts print it, and a test holds the documents to it.
+inline constexpr std::array<ExitStatusInfo, 5> exitStatuses{{
+    {ExitStatus::done, "done, stable"},
+    {ExitStatus::unstable, "instability found, a verification failed, or no convergence"},
+    {ExitStatus::badInput, "bad usage or bad input; one line on standard error says what and where"},
+    {ExitStatus::notCertified, "done, no instability seen, but the monitor never certified the run"},
+    {ExitStatus::interrupted, "interrupted by a signal; results up to there are kept"},
+}};
+
+}  // namespace ringwatch
