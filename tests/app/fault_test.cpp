@@ -1,0 +1,224 @@
+// The program where something outside of it goes wrong: full disks, signals, links and devices, limits, bad bytes.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "temporary_folder.h"
+
+namespace ringwatch {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+using Json = nlohmann::json;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+constexpr bool sanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+constexpr bool sanitized = false;
+#endif
+
+/// Sanitizers reserve terabytes of addresses.
+const std::string twoGigabytes = sanitized ? "" : "ulimit -v 2000000 && ";
+
+const char* const tiny = R"([mesh]
+generate = "bar"
+size = [0.1, 0.02, 0.02]
+cells = [5, 1, 1]
+[material]
+model = "stvk"
+young = 30e3
+poisson = 0.3
+density = 1000
+[integrator]
+step = 1e-3
+end = 0.05
+[[fix]]
+where = "x < 1e-6"
+[[move]]
+where = "x > 0.1 - 1e-6"
+velocity = [0.05, 0, 0]
+[output]
+picture = false
+)";
+const std::string material = " --young 30e3 --poisson 0.3 --density 1000 ";
+
+struct Outcome {
+  int status;
+  std::string out, err;
+};
+
+int statusOf(int waited) { return WIFEXITED(waited) ? WEXITSTATUS(waited) : 128 + WTERMSIG(waited); }
+
+class Faults : public ::testing::Test {
+ protected:
+  void SetUp() override { folder_.write("tiny.toml", tiny); }
+
+  /// A line for the shell in the test's folder, where ringwatch is the program. It has a minute.
+  Outcome shell(const std::string& line) {
+    const std::string command = "cd '" + folder_.path().string() + "' && ringwatch() { timeout -k 5 60 '" +
+                                RINGWATCH_PROGRAM + "' \"$@\"; } && { " + line + "; } > out.txt 2> err.txt";
+    const int status = std::system(command.c_str());
+    return {statusOf(status), folder_.read("out.txt"), folder_.read("err.txt")};
+  }
+  Outcome call(const std::string& arguments, const std::string& before = "") {
+    return shell("( " + before + "ringwatch " + arguments + " )");
+  }
+  void expectRefused(const Outcome& outcome, const std::string& what) {
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, AllOf(StartsWith("ringwatch: "), HasSubstr(what), EndsWith("\n")));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+  void expectRefused(const std::string& arguments, const std::string& what) {
+    SCOPED_TRACE(arguments);
+    expectRefused(call(arguments, twoGigabytes), what);
+  }
+
+  /// Starts the program without waiting for it; a limit on its processor time ends it in any case.
+  pid_t start(std::vector<std::string> arguments, bool ignoreHangUp = false) {
+    arguments.insert(arguments.begin(), RINGWATCH_PROGRAM);
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+    if (ignoreHangUp) std::signal(SIGHUP, SIG_IGN);
+    ::alarm(120);
+    if (::chdir(folder_.path().c_str()) != 0 || std::freopen("/dev/null", "w", stdout) == nullptr) ::_exit(99);
+    ::execv(RINGWATCH_PROGRAM, pointers.data());
+    ::_exit(99);
+  }
+  /// A run of 1e9 steps that has begun to write.
+  pid_t startLongRun(bool ignoreHangUp = false) {
+    const pid_t child =
+        start({"run", "tiny.toml", "--out", "r", "--set", "integrator.end=1e6", "--set", "move.0.velocity=[0,0,0]"},
+              ignoreHangUp);
+    EXPECT_TRUE(waitFor([&] { return lines("r/history.csv").size() > 10; }));
+    return child;
+  }
+  template <class Condition>
+  static bool waitFor(const Condition& condition) {
+    for (int i = 0; i < 3000; ++i) {
+      if (condition()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return false;
+  }
+  static int wait(pid_t child) {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return statusOf(status);
+  }
+
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
+  bool isLink(const std::string& name) const { return std::filesystem::is_symlink(folder_.path() / name); }
+  Json json(const std::string& name) const { return Json::parse(folder_.read(name)); }
+  std::vector<std::string> lines(const std::string& name) const {
+    std::istringstream text(folder_.read(name));
+    std::vector<std::string> result;
+    for (std::string line; std::getline(text, line);) result.push_back(line);
+    return result;
+  }
+  void link(const std::string& to, const std::string& name) const {
+    std::filesystem::create_symlink(to, folder_.path() / name);
+  }
+  void expectNothingHalfWritten(const std::string& name) const {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path() / name)) {
+      EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".part")));
+      EXPECT_NE(entry.path().filename(), "run.lock");
+    }
+  }
+  /// A device of this test's own, whatever happens to it; false where such are not to be had.
+  bool makeDevice(const std::string& name, unsigned number) const {
+    const std::filesystem::path path = folder_.path() / name;
+    if (::mknod(path.c_str(), S_IFCHR | 0666, makedev(1, number)) != 0) return false;
+    const int opened = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    if (opened >= 0) ::close(opened);
+    return opened >= 0;
+  }
+  static constexpr unsigned fullDevice = 7;
+
+  test::TemporaryFolder folder_;
+};
+
+// Links, devices, pipes
+
+TEST_F(Faults, WritesThroughDevices) {
+  if (!makeDevice("full", fullDevice)) GTEST_SKIP() << "devices cannot be made here";
+  ASSERT_EQ(call("mesh generate bar --cells 3 1 1 -o bar.msh").status, 0);
+  link("full", "link");
+  for (const std::string name : {"full", "link"}) {
+    for (const std::string option : {"--json ", "--vtu "}) {
+      const Outcome outcome = call("inspect bar.msh" + material + option + name);
+      expectRefused(outcome, "cannot write " + name + ": No space left on device");
+    }
+    expectRefused("mesh convert bar.msh " + name, "names no format that can be written");
+  }
+  EXPECT_TRUE(std::filesystem::is_character_file(std::filesystem::symlink_status(folder_.path() / "full")));
+  EXPECT_TRUE(isLink("link"));
+}
+
+TEST_F(Faults, WritesThroughPipes) {
+  ASSERT_EQ(call("mesh generate bar --cells 3 1 1 -o bar.msh").status, 0);
+  const Outcome outcome =
+      shell("mkfifo pipe; timeout 20 cat pipe > got & ringwatch inspect bar.msh" + material + "--json pipe; wait");
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_TRUE(std::filesystem::is_fifo(folder_.path() / "pipe"));
+  EXPECT_EQ(json("got")["mesh"]["nodes"], 16);
+}
+
+TEST_F(Faults, ReplacesTheFileThatALinkLeadsTo) {
+  std::filesystem::create_directory(folder_.path() / "sub");
+  folder_.write("sub/old.json", "old");
+  link("sub/old.json", "near");
+  link("near", "far");
+  link("sub/none.msh", "new.msh");
+  ASSERT_EQ(call("mesh generate bar --cells 3 1 1 -o new.msh").status, 0);
+  EXPECT_TRUE(isLink("new.msh"));
+  EXPECT_TRUE(exists("sub/none.msh"));
+  ASSERT_EQ(call("inspect new.msh" + material + "--json far").status, 0);
+  EXPECT_TRUE(isLink("far") && isLink("near") && !isLink("sub/old.json"));
+  EXPECT_EQ(json("sub/old.json")["mesh"]["nodes"], 16);
+  link("b", "a");
+  link("a", "b");
+  const Outcome outcome = call("inspect new.msh" + material + "--json a");
+  expectRefused(outcome, "cannot write a: Too many levels of symbolic links");
+  EXPECT_TRUE(isLink("a") && isLink("b"));
+}
+
+TEST_F(Faults, StandardOutputUnderAnotherNameIsAppendedTo) {
+  ASSERT_EQ(call("mesh generate bar --cells 3 1 1 -o bar.msh").status, 0);
+  link("/proc/self/fd/1", "output");
+  const Outcome outcome = call("inspect bar.msh" + material + "--json output");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(isLink("output"));
+  const std::size_t end = outcome.out.find("\n}\n");
+  ASSERT_NE(end, std::string::npos);
+  EXPECT_EQ(Json::parse(outcome.out.substr(0, end + 3))["mesh"]["nodes"], 16);
+  EXPECT_THAT(outcome.out.substr(end), HasSubstr("16 nodes"));
+}
+
+}  // namespace
+}  // namespace ringwatch
