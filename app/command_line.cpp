@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <csignal>
@@ -36,28 +37,31 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only
 
 extern "C" void onInterrupt(int) { interrupted.store(true); }
 
-/// While it lives, Ctrl-C asks the run to end after its step; a second one ends the program.
+/// While it lives, Ctrl-C, SIGTERM and a terminal that closes ask the run to end after its step; a second one ends the
+/// program. A hang-up that is ignored (nohup) stays ignored.
 class InterruptGuard {
  public:
   InterruptGuard() {
     interrupted.store(false);
-    struct sigaction action {};
-    action.sa_handler = onInterrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, &oldInterrupt_);
-    sigaction(SIGTERM, &action, &oldTerminate_);
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      sigaction(signals[i], nullptr, &old_[i]);
+      if (signals[i] == SIGHUP && old_[i].sa_handler == SIG_IGN) continue;
+      struct sigaction action {};
+      action.sa_handler = onInterrupt;
+      action.sa_flags = static_cast<int>(SA_RESETHAND);
+      sigemptyset(&action.sa_mask);
+      sigaction(signals[i], &action, nullptr);
+    }
   }
   ~InterruptGuard() {
-    sigaction(SIGINT, &oldInterrupt_, nullptr);
-    sigaction(SIGTERM, &oldTerminate_, nullptr);
+    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &old_[i], nullptr);
   }
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
  private:
-  struct sigaction oldInterrupt_ {
-  }, oldTerminate_{};
+  static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, signals.size()> old_{};
 };
 
 template <class Table>
@@ -177,7 +181,13 @@ struct RunCommand {
     Body body = sceneBody(description, sceneMesh(description, options.notes), threads);
     const InterruptGuard guard;
     const RunResult result = runScene(description, body, options);
-    if (!quiet) printOut(summaryText(description, body, result, options.folder));
+    const bool interruptedRun = result.reason == ExitReason::interrupted;
+    try {
+      if (!quiet) printOut(summaryText(description, body, result, options.folder));
+    } catch (const InputError&) {
+      if (!interruptedRun) throw;  // the terminal may be what is gone
+    }
+    if (interruptedRun) return ExitStatus::interrupted;
     return result.stable() ? ExitStatus::done : ExitStatus::unstable;
   }
 };

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/device_run.h>
+#include <ringwatch/app/folder_lock.h>
 #include <ringwatch/app/frames.h>
 #include <ringwatch/app/handled_watch.h>
 #include <ringwatch/app/history.h>
@@ -43,19 +44,18 @@ Verdict verdictFor(double h, const CriticalStep& bracket) {
   return h <= bracket.safe ? Verdict::certified : h <= bracket.optimistic ? Verdict::notCertified : Verdict::violated;
 }
 
-/// Makes the folder and removes what an earlier run left there under the names of this one.
-void prepareFolder(const std::filesystem::path& folder) {
+/// Removes what an earlier run left in the folder under the names of this one, and what one that was killed left half
+/// written.
+void removeOldResults(const std::filesystem::path& folder) {
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!error && !std::filesystem::is_directory(folder)) error = std::make_error_code(std::errc::not_a_directory);
-  if (error)
-    throw InputError(
-        fmt::format("{}: cannot write: {}; choose another folder with --out", folder.string(), error.message()));
-  writeFileAtomically(folder / "history.csv.part",
-                      "");  // tells whether the folder can be written, before old results go
   for (const char* name :
        {"history.csv", "summary.json", "run.pvd", "critical_step.png", "critical_step.gp", "critical_step.dat"})
     std::filesystem::remove(folder / name, error);
+  std::vector<std::filesystem::path> halfWritten;
+  for (const std::filesystem::path& place : {folder, folder / "frames"})
+    for (const auto& entry : std::filesystem::directory_iterator(place, error))
+      if (entry.path().extension().string().starts_with(".part")) halfWritten.push_back(entry.path());
+  for (const std::filesystem::path& file : halfWritten) std::filesystem::remove(file, error);
 }
 
 /// A run in progress.
@@ -87,9 +87,7 @@ class Run {
       const Stopwatch total(result_.wallTime);
       {
         const Stopwatch output(result_.outputTime);
-        prepareFolder(options_.folder);
-        history_.emplace(options_.folder);
-        if (scene_.frameInterval) frames_.emplace(options_.folder, scene_, body_, rule_);
+        lock_.emplace(options_.folder);
       }
       state_ = system_->initialState();
       h_ = scene_.step.value_or(0);
@@ -103,12 +101,21 @@ class Run {
   }
 
  private:
+  /// Begins the results. Old ones stay until it is known that there is a first step.
+  void openResults() {
+    const Stopwatch output(result_.outputTime);
+    removeOldResults(options_.folder);
+    history_.emplace(options_.folder);
+    if (scene_.frameInterval) frames_.emplace(options_.folder, scene_, body_, rule_);
+  }
+
   /// Steps until something ends the run.
   void advance() {
     for (std::int64_t k = 0;; k = result_.steps) {
       // A rounding error in the sum of the steps must not add one.
       if (h_ > 0 && state_.time >= scene_.end - 1e-3 * h_) return end(ExitReason::end, "end time reached");
-      if (options_.interrupt && options_.interrupt->load()) return end(ExitReason::interrupted, "interrupted");
+      if (options_.interrupt && options_.interrupt->load())
+        return end(ExitReason::interrupted, fmt::format("interrupted before step {}", k));
       while (result_.cuts.size() + cutsMissed_ < scene_.cuts.size() &&
              state_.time >= scene_.cuts[result_.cuts.size() + cutsMissed_].time - 1e-3 * h_)
         cut(scene_.cuts[result_.cuts.size() + cutsMissed_]);
@@ -121,6 +128,7 @@ class Run {
         return end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", k));
       }
       if (!adaptStep(report)) return;
+      if (!history_) openResults();
       checkRunaway(k);
       record(report, rowDue);
       if (report.verdict == Verdict::violated && monitor_ &&
@@ -543,6 +551,7 @@ class Run {
     if (frames_) {
       // The last state closes the animation, unless it is not finite: then the last good frame is the last one.
       if (result_.reason != ExitReason::nonFinite && lastFrame_ != result_.steps) writeFrame(lastVerdict_);
+    if (!history_) openResults();
       frames_->removeStale();
       result_.frames = frames_->count();
       result_.files.push_back(fmt::format("run.pvd ({} frames)", frames_->count()));
@@ -599,6 +608,7 @@ class Run {
   State state_;
   double h_ = 0, firstStep_ = 0;
   std::optional<Energies> energies_;
+  std::optional<FolderLock> lock_;
   double largestEnergy_ = 0;
   double nextFrame_ = 0;
   std::int64_t framesDue_ = 0, lastFrame_ = -1;

@@ -220,5 +220,65 @@ TEST_F(Faults, StandardOutputUnderAnotherNameIsAppendedTo) {
   EXPECT_THAT(outcome.out.substr(end), HasSubstr("16 nodes"));
 }
 
+// Two runs, killed runs
+
+TEST_F(Faults, OneFolderTakesOneRunAtATime) {
+  const pid_t first = startLongRun();
+  const Outcome second = call("run tiny.toml --out r");
+  expectRefused(second, "r: a run of process " + std::to_string(first) +
+                            " is writing into this folder; wait for its end, or choose another folder with --out");
+  ::kill(first, SIGINT);
+  EXPECT_EQ(wait(first), 4);
+  EXPECT_EQ(lines("r/history.csv").size(), 1 + json("r/summary.json")["steps"].get<std::size_t>());
+  EXPECT_FALSE(exists("r/run.lock"));
+
+  folder_.write("r/run.lock", "1\n");  // of a process that was killed: it holds nothing
+  EXPECT_EQ(call("run tiny.toml --out r").status, 0);
+  EXPECT_EQ(json("r/summary.json")["steps"], 50);
+}
+
+TEST_F(Faults, SignalsEndARunWithItsResults) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    SCOPED_TRACE(signal);
+    const pid_t child = startLongRun();
+    ::kill(child, signal);
+    EXPECT_EQ(wait(child), 4);
+    const Json summary = json("r/summary.json");
+    const auto steps = summary["steps"].get<std::int64_t>();
+    EXPECT_EQ(summary["exit_reason"], "interrupted");
+    EXPECT_EQ(summary["exit_text"], "interrupted before step " + std::to_string(steps));
+    EXPECT_EQ(summary["stable"], false);
+    EXPECT_EQ(lines("r/history.csv").size(), 1 + static_cast<std::size_t>(steps));
+    expectNothingHalfWritten("r");
+    std::filesystem::remove_all(folder_.path() / "r");
+  }
+}
+
+TEST_F(Faults, AnIgnoredHangUpStaysIgnored) {
+  const pid_t child = startLongRun(true);
+  ::kill(child, SIGHUP);
+  const std::size_t before = lines("r/history.csv").size();
+  EXPECT_TRUE(waitFor([&] { return lines("r/history.csv").size() > before + 10; }));
+  ::kill(child, SIGTERM);
+  EXPECT_EQ(wait(child), 4);
+}
+
+TEST_F(Faults, AKilledRunLeavesWholeRows) {
+  const pid_t child = startLongRun();
+  ::kill(child, SIGKILL);
+  EXPECT_EQ(wait(child), 128 + SIGKILL);
+  EXPECT_THAT(folder_.read("r/history.csv"), EndsWith("\n"));
+  const std::vector<std::string> rows = lines("r/history.csv");
+  ASSERT_GT(rows.size(), 10u);
+  const auto cells = std::count(rows[0].begin(), rows[0].end(), ',');
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_THAT(rows[i], StartsWith(std::to_string(i - 1) + ","));
+    EXPECT_EQ(std::count(rows[i].begin(), rows[i].end(), ','), cells);
+  }
+  folder_.write("r/summary.json.part-1-0", "half");
+  ASSERT_EQ(call("run tiny.toml --out r").status, 0);
+  expectNothingHalfWritten("r");
+}
+
 }  // namespace
 }  // namespace ringwatch

@@ -336,7 +336,7 @@ TEST_F(Program, FinishesTheStepWhenInterrupted) {
   int status = 0;
   ::waitpid(child, &status, 0);
   ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_EQ(WEXITSTATUS(status), 4);
   EXPECT_EQ(json("r/summary.json")["exit_reason"], "interrupted");
   EXPECT_EQ(table("r/history.csv").rows.size(), json("r/summary.json")["steps"].get<std::size_t>());
   expectNothingHalfWritten("r");
