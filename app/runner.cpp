@@ -418,6 +418,9 @@ class Run {
         return false;
       }
     }
+    if (automatic && firstStep_ == h_)
+      if (const std::string fault = tooManySteps(h_, scene_.end); !fault.empty())
+        throw InputError(fmt::format("{}: integrator.end: \"auto\" begins with {}", scene_.file.string(), fault));
     if (automatic) h_ = std::min(h_, scene_.end - state_.time);  // the last one ends at the end
     if (firstStep_ <= 0) firstStep_ = h_;
     report.h = h_;
@@ -470,8 +473,10 @@ class Run {
     if (frames_ && state_.time >= nextFrame_ - 1e-3 * h_) {
       writeFrame(report.verdict);
       lastFrame_ = report.step;
-      while (nextFrame_ <= state_.time + 1e-3 * h_)
-        nextFrame_ = static_cast<double>(++framesDue_) * *scene_.frameInterval;
+      // The first multiple of the interval that is still to come, however many lie within a step.
+      const double interval = *scene_.frameInterval, reached = state_.time + 1e-3 * h_;
+      framesDue_ = std::max(framesDue_, static_cast<std::int64_t>(reached / interval) - 1);
+      while (nextFrame_ <= reached) nextFrame_ = static_cast<double>(++framesDue_) * interval;
     }
   }
 
@@ -522,7 +527,8 @@ class Run {
   void showProgress(const MonitorReport& report) {
     if (!progress_.due()) return;
     progress_.show(
-        fmt::format("step {}, t = {:.4g} of {:.4g} s, h = {:.4g} s{}{}", report.step, state_.time, scene_.end, h_,
+        fmt::format("step {} of about {:.0f}, t = {:.4g} of {:.4g} s, h = {:.4g} s{}{}", report.step,
+                    static_cast<double>(report.step) + (scene_.end - state_.time) / h_, state_.time, scene_.end, h_,
                     report.bracket ? fmt::format(", safe {:.4g} s", report.bracket->safe) : "",
                     monitor_ ? fmt::format(", {}", verdictName(report.verdict)) : ""),
         state_.time / scene_.end);
@@ -545,13 +551,13 @@ class Run {
     closeEvents();
     if (handler_) result_.handler->figures = handlerFigures();
     if (device_) result_.notes.push_back(device_->summary());
+    if (!history_) openResults();
     const Stopwatch output(result_.outputTime);
     history_->finish();
     result_.files.emplace_back("history.csv");
     if (frames_) {
       // The last state closes the animation, unless it is not finite: then the last good frame is the last one.
       if (result_.reason != ExitReason::nonFinite && lastFrame_ != result_.steps) writeFrame(lastVerdict_);
-    if (!history_) openResults();
       frames_->removeStale();
       result_.frames = frames_->count();
       result_.files.push_back(fmt::format("run.pvd ({} frames)", frames_->count()));
@@ -602,13 +608,13 @@ class Run {
   std::size_t cutsMissed_ = 0;
   ProgressLine progress_;
   std::optional<StabilityMonitor> monitor_;
+  std::optional<FolderLock> lock_;
   std::optional<HistoryWriter> history_;
   std::optional<FrameWriter> frames_;
   Picture picture_;
   State state_;
   double h_ = 0, firstStep_ = 0;
   std::optional<Energies> energies_;
-  std::optional<FolderLock> lock_;
   double largestEnergy_ = 0;
   double nextFrame_ = 0;
   std::int64_t framesDue_ = 0, lastFrame_ = -1;

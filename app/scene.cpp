@@ -465,6 +465,9 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
          fmt::format("\"{}\" is unstable at every step without damping, so there is no critical step to monitor; "
                      "choose another, "
                      "or set monitor.bracket = false and monitor.metric = \"none\"",
+  if (scene.step)
+    if (const std::string fault = tooManySteps(*scene.step, scene.end); !fault.empty())
+      fail(integrator.at("step").origin, "integrator.step", fault);
                      scene.method));
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
   if (std::isinf(info.imaginaryLimit) || info.partitioned) {
@@ -690,6 +693,12 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
   const Section& material = section("material");
   scene.model = material.get<std::string>("model");
   scene.young = material.get<double>("young");
+std::string tooManySteps(double h, double end) {
+  const double steps = end / h;
+  if (steps <= mostSteps) return {};
+  return fmt::format("{} s makes {:.3g} steps to the end at {} s; at most {} are possible", h, steps, end, mostSteps);
+}
+
   scene.poisson = material.get<double>("poisson");
   scene.density = material.get<double>("density");
   scene.lumping = material.get<std::string>("lumping") == "equal" ? Lumping::equal : Lumping::rowSum;
@@ -709,7 +718,14 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
   if (!scene.cuts.empty() && scene.device == RunDevice::automatic) scene.noDevice = "a GPU runs no cuts";
 
   const Section& output = section("output");
-  if (output.given("every")) scene.frameInterval = output.get<double>("every");
+  if (output.given("every")) {
+    scene.frameInterval = output.get<double>("every");
+    const double frames = scene.end / *scene.frameInterval;
+    if (!(frames <= mostSteps))
+      fail(output.at("every").origin, "output.every",
+           fmt::format("{} s makes {:.3g} frames to the end at {} s; at most {} are possible", *scene.frameInterval,
+                       frames, scene.end, mostSteps));
+  }
   scene.fields = output.get<std::vector<std::string>>("fields");
   scene.historyEvery = output.get<std::int64_t>("history_every");
   scene.energy = output.get<bool>("energy");

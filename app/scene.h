@@ -115,6 +115,11 @@ struct Scene {
 /// string); they win over the file. Throws InputError "FILE:LINE: section.key: what is wrong; what would be right".
 Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
+/// More steps, or frames, than a run can have: at a microsecond each they would take twelve days.
+inline constexpr double mostSteps = 1e12;
+/// "" unless steps of h (s) to the end (s) are more than that; then how many, for a message.
+std::string tooManySteps(double h, double end);
+
 /// Threads for a request; 0 asks for as many as the mesh can keep busy: on a small one, waiting for each other would
 /// cost more than they share, above all on a machine that has other work too.
 int threadsThatPay(int requested, const Mesh& mesh);

@@ -163,6 +163,36 @@ class Faults : public ::testing::Test {
   test::TemporaryFolder folder_;
 };
 
+// Steps and frames
+
+TEST_F(Faults, CountsFramesOfAnIntervalFarBelowTheStep) {
+  const Outcome outcome = call("run tiny.toml --out r --set output.every=1e-14 --set integrator.end=3e-3");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(json("r/summary.json")["frames"], 4);  // before each step, and at the end
+}
+
+TEST_F(Faults, RefusesMoreStepsOrFramesThanAnyoneWaitsFor) {
+  expectRefused("run tiny.toml --out r --set output.every=1e-16",
+                "output.every: 1e-16 s makes 5e+14 frames to the end at 0.05 s; at most 1000000000000 are possible");
+  expectRefused(
+      "run tiny.toml --out r --set integrator.step=1e-300",
+      "integrator.step: 1e-300 s makes 5e+298 steps to the end at 0.05 s; at most 1000000000000 are possible");
+  expectRefused("run tiny.toml --out r --set integrator.end=1e300", "1e+303 steps");
+  expectRefused("run tiny.toml --out r --set integrator.end=1e300 --set integrator.step=auto",
+                "tiny.toml: integrator.end: \"auto\" begins with 0.00");
+  EXPECT_FALSE(exists("r"));
+  expectRefused("compare tiny.toml --integrators verlet --step 1e-300", "--step: 1e-300 s makes 5e+298 steps");
+  expectRefused("compare tiny.toml --integrators verlet --set integrator.end=1e300 --set integrator.step=1e299",
+                "integrator.end: the critical step of");
+}
+
+TEST_F(Faults, KeepsOldResultsWhenAutoStepIsRefused) {
+  ASSERT_EQ(call("run tiny.toml --out r").status, 0);
+  expectRefused("run tiny.toml --out r --set integrator.end=1e300 --set integrator.step=auto", "steps");
+  EXPECT_EQ(json("r/summary.json")["steps"], 50);
+  EXPECT_EQ(lines("r/history.csv").size(), 51u);
+}
+
 // Links, devices, pipes
 
 TEST_F(Faults, WritesThroughDevices) {
