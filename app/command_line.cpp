@@ -17,6 +17,7 @@
 #include <ringwatch/app/exit_status.h>
 #include <ringwatch/app/inspect.h>
 #include <ringwatch/app/integrator_catalog.h>
+#include <ringwatch/app/process.h>
 #include <ringwatch/app/report.h>
 #include <ringwatch/app/runner.h>
 #include <ringwatch/app/scene_keys.h>
@@ -129,8 +130,11 @@ std::string oneLine(std::string text) {
   return result;
 }
 
+/// To standard error. Where nobody listens nothing can be said, and that is no reason to end otherwise.
+void tell(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
 ExitStatus complain(const std::string& text, ExitStatus status) {
-  fmt::print(stderr, "ringwatch: {}\n", oneLine(text));
+  tell(fmt::format("ringwatch: {}\n", oneLine(text)));
   return status;
 }
 
@@ -198,7 +202,7 @@ void drawInto(const std::string& folder, const StudyReport& report) {
   std::filesystem::create_directories(folder, error);
   if (error)
     throw InputError(fmt::format("--out: cannot write {}: {}; choose another folder", folder, error.message()));
-  for (const std::string& note : drawFigures(report, folder)) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : drawFigures(report, folder)) tell(fmt::format("note: {}\n", note));
 }
 
 struct CompareCommand {
@@ -475,9 +479,13 @@ ExitStatus dispatch(int argc, char** argv) {
 }  // namespace
 
 int runCommandLine(int argc, char** argv) {
+  holdStandardStreams();
+  reportFileSizeLimit();
   const auto status = [&] {
     try {
-      return dispatch(argc, argv);
+      ExitStatus result = ExitStatus::done;
+      onLargeStack([&] { result = dispatch(argc, argv); });
+      return result;
     } catch (const InputError& fault) {
       return complain(fault.what(), ExitStatus::badInput);
     } catch (const NumericalError& fault) {

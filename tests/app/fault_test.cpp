@@ -310,5 +310,50 @@ TEST_F(Faults, AKilledRunLeavesWholeRows) {
   expectNothingHalfWritten("r");
 }
 
+// Limits, full disks, closed streams
+
+TEST_F(Faults, AFrameThatDoesNotFitIsOneLine) {
+  // Blocks of 512 or 1024 bytes; a frame of this mesh has some 100 kB.
+  const Outcome outcome =
+      call("run tiny.toml --out r --set output.every=0.01 --set mesh.cells=[40,10,10]", "ulimit -f 20; ");
+  expectRefused(outcome, "cannot write r/frames/frame_000001.vtu: File too large");
+  expectNothingHalfWritten("r");
+}
+
+TEST_F(Faults, AHistoryThatDoesNotFitKeepsItsWholeRows) {
+  const Outcome outcome = call("run tiny.toml --out r --set integrator.end=1", "ulimit -f 8; ");
+  expectRefused(outcome, "cannot write r/history.csv: File too large");
+  EXPECT_THAT(folder_.read("r/history.csv"), EndsWith("\n"));
+}
+
+TEST_F(Faults, ResultsThatDoNotFitAreOneLine) {
+  ASSERT_EQ(call("mesh generate bar --cells 20 4 4 -o bar.msh").status, 0);
+  for (const std::string command : {"mesh generate bar --cells 40 8 8 -o new.msh", "mesh convert bar.msh new.msh"}) {
+    expectRefused(call(command, "ulimit -f 4; "), "cannot write new.msh: File too large");
+    EXPECT_FALSE(exists("new.msh"));
+  }
+}
+
+TEST_F(Faults, NeedsNoStandardError) {
+  EXPECT_EQ(shell("ringwatch run none.toml 2>&-").status, 2);
+  EXPECT_EQ(shell("ringwatch run none.toml 2>/dev/full").status, 2);
+  EXPECT_EQ(shell("ringwatch run tiny.toml --out r 2>&- <&-").status, 0);
+  EXPECT_THAT(folder_.read("r/history.csv"), StartsWith("step,time_s"));
+  expectRefused(shell("ringwatch run tiny.toml --out r >&-"), "cannot write to standard output");
+  expectRefused(shell("ringwatch run tiny.toml --out r >/dev/full"), "cannot write to standard output");
+}
+
+TEST_F(Faults, RunsOnASmallStack) {
+  if (sanitized) GTEST_SKIP() << "sanitizers need more stack themselves";
+  const std::string run =
+      "run tiny.toml --out r --set mesh.cells=[40,10,10] --set integrator.step=1e-5 --set integrator.end=1e-4 ";
+  for (const std::string threads : {"1", "2"}) {
+    const Outcome outcome = call(run + "--threads " + threads, "ulimit -s 100; ");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+  }
+  expectRefused(call("run tiny.toml --out r --threads 2", "export OMP_STACKSIZE=64k; "),
+                "OMP_STACKSIZE = 64k: threads need");
+}
+
 }  // namespace
 }  // namespace ringwatch
