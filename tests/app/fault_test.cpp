@@ -18,6 +18,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <ringwatch/app/toml_text.h>
+
 #include "temporary_folder.h"
 
 namespace ringwatch {
@@ -353,6 +355,44 @@ TEST_F(Faults, RunsOnASmallStack) {
   }
   expectRefused(call("run tiny.toml --out r --threads 2", "export OMP_STACKSIZE=64k; "),
                 "OMP_STACKSIZE = 64k: threads need");
+}
+
+// Input without end
+
+TEST_F(Faults, RefusesBytesThatAreNotToml) {
+  const auto expectAt = [&](const std::string& text, const std::string& what) {
+    folder_.write("bad.toml", std::string(tiny) + text);
+    expectRefused("run bad.toml --out r", "bad.toml:" + what);
+  };
+  expectAt(std::string("every\0 = 1\n", 11), "20: not TOML: a NUL byte");
+  expectAt("# \xFF\n", "20: not TOML: the byte 0xFF is not UTF-8");
+  expectAt("\nevery = 1\xCC\x81\n", "21: not TOML: the character U+0301 is not ASCII");
+  expectAt("every = [1\xD0\x96]\n", "20: not TOML: the character U+0416 is not ASCII");
+  expectRefused("run tiny.toml --out r --set 'output.every=1\xCC\x81'", "the value is not TOML: the character U+0301");
+  expectRefused("run tiny.toml --out r --set 'output.every=1\xFF'", "the byte 0xFF is not UTF-8");
+  folder_.write("good.toml", "\xEF\xBB\xBF# na\xC3\xAFve\n" + std::string(tiny));
+  EXPECT_EQ(call("run good.toml --out r").status, 0);
+}
+
+TEST(TomlText, KnowsWhereLettersMayStand) {
+  const auto fault = [](std::string_view text) {
+    const auto found = tomlTextFault(text);
+    return found ? std::to_string(found->line) + ": " + found->what : std::string();
+  };
+  for (const char* good : {"", "a = 1\n", "a = \"é\" # é\n", "a = 'é'\n", "a = \"\"\"é\n\\\"é\"\"\"\nb = 1", "'é' = 1",
+                           "a = \"\\\\\" # é", "a = '\\' # é", "a = '''é'''", "a = \"\"\"x\"\"\"\"\"\n", "a = \"\" # é",
+                           "a = \"\"\"x \\\n  y\"\"\"\n", "\xEF\xBB\xBF# é", "a = \"\xF0\x9F\x98\x80\""})
+    EXPECT_EQ(fault(good), "") << good;
+  for (const char* stray : {"é", "a = é", "a\xCC\x81 = 1", "a = 1é", "a = \"\"é", "a = ''''é'''é", "a = \"x\" é",
+                            "a = \"\"\"\"x\"\"\"é", "# é\r\né", "a = \"\"\"\\\n  é\"\"\"", "a = \"\"\"\\é\"\"\"",
+                            "a = \xEF\xBB\xBF"
+                            "1",
+                            "a = '\\' é"})
+    EXPECT_THAT(fault(stray), HasSubstr("is not ASCII")) << stray;
+  for (const char* bytes : {"\x80", "\xC0\x80", "\xC3", "\xE0\x80\x80", "\xED\xA0\x80", "\xF0\x80\x80\x80",
+                            "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\xE2\x82"})
+    EXPECT_THAT(fault(std::string("# \n") + bytes), AllOf(StartsWith("2: "), HasSubstr("is not UTF-8")));
+  EXPECT_THAT(fault(std::string_view("a = \"\0\"", 7)), HasSubstr("NUL"));
 }
 
 }  // namespace
