@@ -359,6 +359,26 @@ TEST_F(Faults, RunsOnASmallStack) {
 
 // Input without end
 
+TEST_F(Faults, ALineOfADeckTakesNoMemory) {
+  const std::string deck =
+      "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n*ELEMENT, TYPE=C3D4, ELSET=E\n1, 1, 2, 3, 4\n";
+  std::string doubled = "*NSET, NSET=s0\n1, 3\n";
+  for (int i = 1; i <= 60; ++i) {
+    const std::string before = "s" + std::to_string(i - 1);
+    doubled += "*NSET, NSET=s" + std::to_string(i) + "\n" + before + ", " + before + "\n";
+  }
+  for (const std::string& sets :
+       {std::string("*NSET, NSET=n, GENERATE\n1, 1000000000, 1\n"),
+        std::string("*ELSET, ELSET=e, GENERATE\n1, 1000000000000, 1\n"),
+        std::string("*NSET, NSET=n, GENERATE\n3, 9223372036854775807, 5000000000000000000\n"), doubled}) {
+    folder_.write("deck.inp", deck + sets);
+    const Outcome outcome = call("inspect deck.inp" + material, twoGigabytes);
+    EXPECT_EQ(outcome.status, 0) << sets.substr(0, 60) << "\n" << outcome.err;
+  }
+}
+
+// Bytes that are not TOML
+
 TEST_F(Faults, RefusesBytesThatAreNotToml) {
   const auto expectAt = [&](const std::string& text, const std::string& what) {
     folder_.write("bad.toml", std::string(tiny) + text);

@@ -164,5 +164,35 @@ TEST_F(InpTest, NamesFileAndLineOfWhatIsWrong) {
   expectError(deck("*ELEMENT, TYPE=C3D15\n60, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 1, 2, 3\n"), "30", "wedge15");
 }
 
+TEST_F(InpTest, KeepsRangesOfSets) {
+  const Mesh mesh = read(deck(R"(*NSET, NSET=all, GENERATE
+1, 1000000000, 1
+*NSET, NSET=odd, GENERATE
+1, 9223372036854775807, 2
+*NSET, NSET=far, GENERATE
+5, 9223372036854775807, 9000000000000000000
+*NSET, NSET=twice
+odd, odd, far, 1, 2, 3, odd
+*ELSET, ELSET=tens, GENERATE
+10, 20, 10
+*ELSET, ELSET=more
+tens, 21, tens
+)"));
+  EXPECT_EQ(mesh.nodeSets.at("all").size(), 12u);
+  EXPECT_THAT(mesh.nodeSets.at("odd"), ElementsAre(0, 2, 4, 6, 8, 10));
+  EXPECT_THAT(mesh.nodeSets.at("far"), ElementsAre(4));
+  EXPECT_THAT(mesh.nodeSets.at("twice"), ElementsAre(0, 1, 2, 4, 6, 8, 10));
+  EXPECT_EQ(mesh.elementSets.at("tens").size(), 2u);
+  EXPECT_EQ(mesh.elementSets.at("more").size(), 3u);
+}
+
+TEST_F(InpTest, RefusesSetsThatHoldFarMoreThanTheFile) {
+  std::string text = deck();
+  text += "*NODE\n";
+  for (int i = 13; i <= 2000; ++i) text += joinText(i, ", ", i, ", 0, 0\n");
+  for (int i = 0; i < 8000; ++i) text += joinText("*NSET, NSET=s", i, ", GENERATE\n1, 2000\n");
+  EXPECT_THAT(error(text), HasSubstr("the sets of this file hold more than"));
+}
+
 }  // namespace
 }  // namespace ringwatch
