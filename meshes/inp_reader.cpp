@@ -112,6 +112,7 @@ class Deck {
         data(*line);
     }
     finishData();
+    requireEnd();
     buildElements();
     addNodeSets();
     Mesh mesh = builder_.finish(notes, problems);
@@ -136,16 +137,15 @@ class Deck {
     std::vector<std::uint32_t> sets;  // numbers of the element sets, in the order of their map
     std::size_t position;
   };
-  struct Set {
   /// first, first + step, … up to last.
   struct Range {
     std::int64_t first, last, step;
     auto operator<=>(const Range&) const = default;
   };
+  struct Set {
     std::string name;  // as first written
     std::vector<Range> ranges;
     std::size_t position;
-  };
     std::size_t distinct = 0;  // ranges that were left when repeated ones were last removed
 
     /// A number that follows the one before goes into its range.
@@ -160,6 +160,7 @@ class Deck {
       ranges.erase(std::unique(ranges.begin(), ranges.end()), ranges.end());
       distinct = ranges.size();
     }
+  };
   enum class Reading { nothing, nodes, elements, nodeSet, elementSet, mustBeEmpty };
 
   std::optional<Line> nextLine() {
@@ -229,6 +230,8 @@ class Deck {
     const std::string& name = keyword_.name;
     const auto refuse = [&](const std::string& why) { cursor_.failAt(first.position, "*" + name + " " + why); };
     reading_ = Reading::nothing;
+    hasData_ = false;
+    keepOpen();
     if (name == "NODE" || name == "ELEMENT" || name == "NSET" || name == "ELSET")
       if (keyword_.has("INPUT")) refuse("with INPUT= takes its lines from another file; put them into this one");
     if (name == "NODE") {
@@ -259,11 +262,26 @@ class Deck {
     }
   }
 
+  /// Blocks that a line of their own ends.
+  void keepOpen() {
+    std::string name = keyword_.name;
+    std::erase(name, ' ');  // *ENDSTEP is *END STEP
+    for (const std::string_view block : {"PART", "ASSEMBLY", "INSTANCE", "STEP"}) {
+      if (name == block) {
+        open_.push_back({name, keyword_.position});
+      } else if (name == joinText("END", block)) {
+        while (!open_.empty() && open_.back().name != block) open_.pop_back();
+        if (!open_.empty()) open_.pop_back();
+      }
+    }
+  }
+
   Set& setOf(std::map<std::string, Set>& sets, const std::string& name) {
     return sets.try_emplace(upper(name), Set{name, {}, keyword_.position}).first->second;
   }
 
   void data(const Line& line) {
+    hasData_ = true;
     switch (reading_) {
       case Reading::nothing:
         if (keyword_.name.empty())
@@ -325,6 +343,21 @@ class Deck {
       cursor_.failAt(element.position, joinText("element ", element.id, " (", element.type->name, ") has ",
                                                 element.nodes.size(), " nodes; it must have ", element.type->nodes));
     }
+  }
+
+  /// What only a deck that was cut short can end with. A cut at a line end between two elements of a flat deck leaves
+  /// no trace: the file says nowhere how many there are.
+  void requireEnd() const {
+    if (!open_.empty())
+      cursor_.failAt(open_.back().position, joinText("*", open_.back().name, " is never ended by *END ",
+                                                     open_.back().name, "; is the file cut short?"));
+    const std::string& name = keyword_.name;
+    if (name != "NODE" && name != "ELEMENT" && name != "NSET" && name != "ELSET") return;
+    const bool fromElements = name == "NSET" && keyword_.has("ELSET");  // has no lines of its own
+    if (!hasData_ && !fromElements)
+      cursor_.failAt(keyword_.position, joinText("the file ends after the line of *", name, "; is it cut short?"));
+    if (text_.back() != '\n')
+      cursor_.failAt(text_.size(), joinText("the last line, of *", name, ", has no line end; is the file cut short?"));
   }
 
   void members(const Line& line, std::map<std::string, Set>& sets, std::string_view what) {
@@ -447,10 +480,17 @@ class Deck {
   const FileElement* type_ = nullptr;
   bool unfinished_ = false;
   int instances_ = 0;
+  bool hasData_ = false;  // lines of data since the last keyword
+  struct Open {
+    std::string name;
+    std::size_t position;
+  };
+  std::vector<Open> open_;  // the innermost last
   std::vector<Element> elements_;
   std::unordered_map<std::int64_t, std::size_t> elementOfId_;
   std::unordered_set<std::int64_t> nodeIds_;
   std::map<std::string, Set> nodeSets_, elementSets_;
+  std::uint64_t spent_ = 0;
   std::map<std::string, int> skipped_;
 };
 
@@ -462,4 +502,3 @@ Mesh readInp(const std::filesystem::path& path, const std::string& text, Notes* 
 }
 
 }  // namespace ringwatch::detail
-  std::uint64_t spent_ = 0;
