@@ -359,6 +359,34 @@ TEST_F(Faults, RunsOnASmallStack) {
 
 // Input without end
 
+TEST_F(Faults, RefusesInputWithoutEnd) {
+  expectRefused("inspect /dev/zero" + material, "/dev/zero: cannot read: this is a device or a socket, a mesh file");
+  expectRefused("run /dev/zero --out r", "/dev/zero: is a device; a scene file (TOML) is needed");
+  std::string scene = tiny;
+  scene.replace(0, scene.find("[material]"), "[mesh]\nfile = \"/dev/zero\"\n");
+  folder_.write("zero.toml", scene);
+  expectRefused("run zero.toml --out r", "zero.toml:2: mesh.file: /dev/zero: cannot read: this is a device");
+  folder_.write("large.msh", "$MeshFormat\n");
+  std::error_code error;
+  std::filesystem::resize_file(folder_.path() / "large.msh", std::uintmax_t{1} << 42, error);
+  if (!error) expectRefused("inspect large.msh" + material, "large.msh: cannot read: the file has 4398046511104 bytes");
+  folder_.write("large.toml", std::string(std::size_t{17} << 20, '\n'));
+  expectRefused("run large.toml --out r", "large.toml: is larger than 16 MiB");
+}
+
+TEST_F(Faults, ReadsMeshesThroughPipes) {
+  ASSERT_EQ(call("mesh generate bar --cells 3 1 1 -o bar.msh").status, 0);
+  const Outcome outcome = shell("mkfifo pipe; timeout 20 cat bar.msh > pipe & ringwatch mesh check pipe");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(Faults, RefusesMeshesTooFineToBeMade) {
+  expectRefused("mesh generate refined --finest 1e-9 -o fine.msh", "refined: finest = 1e-09 m: that is about ");
+  expectRefused("mesh generate refined --finest 1e-300 -o fine.msh", "at most 100000000 are possible");
+  EXPECT_EQ(call("mesh generate refined --finest 0.01 -o fine.msh").status, 0);
+}
+
 TEST_F(Faults, ALineOfADeckTakesNoMemory) {
   const std::string deck =
       "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n*ELEMENT, TYPE=C3D4, ELSET=E\n1, 1, 2, 3, 4\n";
