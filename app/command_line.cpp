@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <csignal>
@@ -18,6 +19,7 @@
 #include <ringwatch/app/help.h>
 #include <ringwatch/app/inspect.h>
 #include <ringwatch/app/integrator_catalog.h>
+#include <ringwatch/app/process.h>
 #include <ringwatch/app/report.h>
 #include <ringwatch/app/runner.h>
 #include <ringwatch/app/scene_keys.h>
@@ -39,28 +41,31 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only
 
 extern "C" void onInterrupt(int) { interrupted.store(true); }
 
-/// While it lives, Ctrl-C asks the run to end after its step; a second one ends the program.
+/// While it lives, Ctrl-C, SIGTERM and a terminal that closes ask the run to end after its step; a second one ends the
+/// program. A hang-up that is ignored (nohup) stays ignored.
 class InterruptGuard {
  public:
   InterruptGuard() {
     interrupted.store(false);
-    struct sigaction action {};
-    action.sa_handler = onInterrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, &oldInterrupt_);
-    sigaction(SIGTERM, &action, &oldTerminate_);
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      sigaction(signals[i], nullptr, &old_[i]);
+      if (signals[i] == SIGHUP && old_[i].sa_handler == SIG_IGN) continue;
+      struct sigaction action {};
+      action.sa_handler = onInterrupt;
+      action.sa_flags = static_cast<int>(SA_RESETHAND);
+      sigemptyset(&action.sa_mask);
+      sigaction(signals[i], &action, nullptr);
+    }
   }
   ~InterruptGuard() {
-    sigaction(SIGINT, &oldInterrupt_, nullptr);
-    sigaction(SIGTERM, &oldTerminate_, nullptr);
+    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &old_[i], nullptr);
   }
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
  private:
-  struct sigaction oldInterrupt_ {
-  }, oldTerminate_{};
+  static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, signals.size()> old_{};
 };
 
 /// Where the help of a command sends for what is not its own.
@@ -108,8 +113,11 @@ std::string oneLine(std::string text) {
   return result;
 }
 
+/// To standard error. Where nobody listens nothing can be said, and that is no reason to end otherwise.
+void tell(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
 ExitStatus complain(const std::string& text, ExitStatus status) {
-  fmt::print(stderr, "ringwatch: {}\n", oneLine(text));
+  tell(fmt::format("ringwatch: {}\n", oneLine(text)));
   return status;
 }
 
@@ -163,7 +171,12 @@ struct RunCommand {
     Body body = sceneBody(description, sceneMesh(description, options.notes), threads);
     const InterruptGuard guard;
     const RunResult result = runScene(description, body, options);
-    if (!quiet) printOut(summaryText(description, body, result, options.folder));
+    const bool interrupted = result.reason == ExitReason::interrupted;
+    try {
+      if (!quiet) printOut(summaryText(description, body, result, options.folder));
+    } catch (const InputError&) {
+      if (!interrupted) throw;  // the terminal may be what is gone
+    }
     return result.exitStatus();
   }
 };
@@ -174,7 +187,7 @@ void drawInto(const std::string& folder, const StudyReport& report) {
   std::filesystem::create_directories(folder, error);
   if (error)
     throw InputError(fmt::format("--out: cannot write {}: {}; choose another folder", folder, error.message()));
-  for (const std::string& note : drawFigures(report, folder)) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : drawFigures(report, folder)) tell(fmt::format("note: {}\n", note));
 }
 
 struct CompareCommand {
@@ -517,9 +530,13 @@ ExitStatus dispatch(int argc, char** argv) {
 }  // namespace
 
 int runCommandLine(int argc, char** argv) {
+  holdStandardStreams();
+  reportFileSizeLimit();
   const auto status = [&] {
     try {
-      return dispatch(argc, argv);
+      ExitStatus result = ExitStatus::done;
+      onLargeStack([&] { result = dispatch(argc, argv); });
+      return result;
     } catch (const InputError& fault) {
       return complain(fault.what(), ExitStatus::badInput);
     } catch (const NumericalError& fault) {

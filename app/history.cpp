@@ -1,7 +1,6 @@
 #include <ringwatch/app/history.h>
 
-#include <cerrno>
-#include <cstring>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,18 +15,22 @@ constexpr const char* columns =
 
 }  // namespace
 
-HistoryWriter::HistoryWriter(std::filesystem::path folder)
-    : folder_(std::move(folder)), flushed_(std::chrono::steady_clock::now()) {
-  errno = 0;
-  file_.open(folder_ / "history.csv.part", std::ios::trunc);
-  file_ << columns << std::flush;
-  check();
+HistoryWriter::HistoryWriter(const std::filesystem::path& folder)
+    : file_(folder / "history.csv"), flushed_(std::chrono::steady_clock::now()) {
+  file_.write(columns);
 }
 
-void HistoryWriter::check() const {
-  if (!file_)
-    throw InputError(fmt::format("{}: cannot write history.csv: {}; choose another folder with --out", folder_.string(),
-                                 errno != 0 ? std::strerror(errno) : "output error"));
+HistoryWriter::~HistoryWriter() {
+  try {
+    flush();
+  } catch (const InputError&) {  // a run that ends by an error has another one to tell
+  }
+}
+
+void HistoryWriter::flush() {
+  if (rows_.empty()) return;
+  const std::string rows = std::exchange(rows_, {});
+  file_.write(rows);
 }
 
 void HistoryWriter::write(const HistoryRow& row) {
@@ -49,21 +52,16 @@ void HistoryWriter::write(const HistoryRow& row) {
   if (row.verdict) line += verdictName(*row.verdict);
   line += ",";
   if (row.energies) line += fmt::format("{}", row.energies->dissipated);
-  file_ << line << '\n';
+  rows_ += line + '\n';
   const auto now = std::chrono::steady_clock::now();
-  if (now - flushed_ > std::chrono::seconds(1)) {
-    file_.flush();
-    flushed_ = now;
-  }
-  check();
+  if (now - flushed_ < std::chrono::milliseconds(250)) return;
+  flush();
+  flushed_ = now;
 }
 
 void HistoryWriter::finish() {
+  flush();
   file_.close();
-  check();
-  std::error_code error;
-  std::filesystem::rename(folder_ / "history.csv.part", folder_ / "history.csv", error);
-  if (error) throw InputError(fmt::format("{}: cannot write history.csv: {}", folder_.string(), error.message()));
 }
 
 }  // namespace ringwatch

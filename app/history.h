@@ -1,9 +1,10 @@
 #pragma once
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <optional>
+#include <string>
 
+#include <ringwatch/base/output_file.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch {
@@ -21,21 +22,26 @@ struct HistoryRow {
   std::optional<Verdict> verdict;
 };
 
-/// Streams history.csv: rows go to history.csv.part, flushed about once a second, which becomes history.csv when the
-/// run is over, however it ended.
+/// Appends to history.csv as the run goes, whole rows only, four times a second or at every row when those are slower:
+/// however the run ends, its history is there.
 class HistoryWriter {
  public:
-  /// Throws InputError when the folder cannot be written.
-  explicit HistoryWriter(std::filesystem::path folder);
+  /// Begins the file anew. Throws InputError when the folder cannot be written.
+  explicit HistoryWriter(const std::filesystem::path& folder);
+  /// Writes what is left, in silence.
+  ~HistoryWriter();
+  HistoryWriter(const HistoryWriter&) = delete;
+  HistoryWriter& operator=(const HistoryWriter&) = delete;
+
   /// Throws InputError when the disk is full.
   void write(const HistoryRow& row);
   void finish();
 
  private:
-  void check() const;
+  void flush();
 
-  std::filesystem::path folder_;
-  std::ofstream file_;
+  OutputFile file_;
+  std::string rows_;  // not yet in the file
   std::chrono::steady_clock::time_point flushed_;
 };
 

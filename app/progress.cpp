@@ -7,6 +7,14 @@
 #include <fmt/format.h>
 
 namespace ringwatch {
+namespace {
+
+/// A terminal that is gone (after SIGHUP) must not end the run.
+void put(const std::string& text) {
+  if (std::fputs(text.c_str(), stderr) >= 0) std::fflush(stderr);
+}
+
+}  // namespace
 
 ProgressLine::ProgressLine(bool wanted)
     : active_(wanted && ::isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
@@ -24,15 +32,13 @@ void ProgressLine::show(const std::string& text, double done) {
   std::string left;
   if (done > 0) left = fmt::format(", {:.0f} s left", spent * (1 - done) / done);
   // Return to the line's start, and erase what an earlier, longer text left behind.
-  fmt::print(stderr, "\r{}{}\x1b[K", text, left);
-  std::fflush(stderr);
+  put(fmt::format("\r{}{}\x1b[K", text, left));
   shown_ = true;
 }
 
 void ProgressLine::clear() {
   if (!shown_) return;
-  fmt::print(stderr, "\r\x1b[K");
-  std::fflush(stderr);
+  put("\r\x1b[K");
   shown_ = false;
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/device_run.h>
+#include <ringwatch/app/folder_lock.h>
 #include <ringwatch/app/frames.h>
 #include <ringwatch/app/handled_watch.h>
 #include <ringwatch/app/history.h>
@@ -43,19 +44,18 @@ Verdict verdictFor(double h, const CriticalStep& bracket) {
   return h <= bracket.safe ? Verdict::certified : h <= bracket.optimistic ? Verdict::notCertified : Verdict::violated;
 }
 
-/// Makes the folder and removes what an earlier run left there under the names of this one.
-void prepareFolder(const std::filesystem::path& folder) {
+/// Removes what an earlier run left in the folder under the names of this one, and what one that was killed left half
+/// written.
+void removeOldResults(const std::filesystem::path& folder) {
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!error && !std::filesystem::is_directory(folder)) error = std::make_error_code(std::errc::not_a_directory);
-  if (error)
-    throw InputError(
-        fmt::format("{}: cannot write: {}; choose another folder with --out", folder.string(), error.message()));
-  writeFileAtomically(folder / "history.csv.part",
-                      "");  // tells whether the folder can be written, before old results go
   for (const char* name :
        {"history.csv", "summary.json", "run.pvd", "critical_step.png", "critical_step.gp", "critical_step.dat"})
     std::filesystem::remove(folder / name, error);
+  std::vector<std::filesystem::path> halfWritten;
+  for (const std::filesystem::path& place : {folder, folder / "frames"})
+    for (const auto& entry : std::filesystem::directory_iterator(place, error))
+      if (entry.path().extension().string().starts_with(".part")) halfWritten.push_back(entry.path());
+  for (const std::filesystem::path& file : halfWritten) std::filesystem::remove(file, error);
 }
 
 /// A run in progress.
@@ -89,9 +89,7 @@ class Run {
       const Stopwatch total(result_.wallTime);
       {
         const Stopwatch output(result_.outputTime);
-        prepareFolder(options_.folder);
-        history_.emplace(options_.folder);
-        if (scene_.frameInterval) frames_.emplace(options_.folder, scene_, body_, rule_);
+        lock_.emplace(options_.folder);
       }
       state_ = system_->initialState();
       h_ = scene_.step.value_or(0);
@@ -105,12 +103,21 @@ class Run {
   }
 
  private:
+  /// Begins the results. Old ones stay until it is known that there is a first step.
+  void openResults() {
+    const Stopwatch output(result_.outputTime);
+    removeOldResults(options_.folder);
+    history_.emplace(options_.folder);
+    if (scene_.frameInterval) frames_.emplace(options_.folder, scene_, body_, rule_);
+  }
+
   /// Steps until something ends the run.
   void advance() {
     for (std::int64_t k = 0;; k = result_.steps) {
       // A rounding error in the sum of the steps must not add one.
       if (h_ > 0 && state_.time >= scene_.end - 1e-3 * h_) return end(ExitReason::end, "end time reached");
-      if (options_.interrupt && options_.interrupt->load()) return end(ExitReason::interrupted, "interrupted");
+      if (options_.interrupt && options_.interrupt->load())
+        return end(ExitReason::interrupted, fmt::format("interrupted before step {}", k));
       while (result_.cuts.size() + cutsMissed_ < scene_.cuts.size() &&
              state_.time >= scene_.cuts[result_.cuts.size() + cutsMissed_].time - 1e-3 * h_)
         cut(scene_.cuts[result_.cuts.size() + cutsMissed_]);
@@ -124,6 +131,7 @@ class Run {
         return end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", k));
       }
       if (!adaptStep(report)) return;
+      if (!history_) openResults();
       checkRunaway(k);
       record(report, rowDue);
       if (report.verdict == Verdict::violated && monitor_ &&
@@ -428,6 +436,9 @@ class Run {
         return false;
       }
     }
+    if (automatic && firstStep_ == h_)
+      if (const std::string fault = tooManySteps(h_, scene_.end); !fault.empty())
+        throw InputError(fmt::format("{}: integrator.end: \"auto\" begins with {}", scene_.file.string(), fault));
     if (automatic && h_ > scene_.end - state_.time) {  // the last one ends at the end
       h_ = scene_.end - state_.time;
       picture_.leaveOut(report.step);
@@ -486,8 +497,10 @@ class Run {
     if (frames_ && state_.time >= nextFrame_ - 1e-3 * h_) {
       writeFrame(report);
       lastFrame_ = report.step;
-      while (nextFrame_ <= state_.time + 1e-3 * h_)
-        nextFrame_ = static_cast<double>(++framesDue_) * *scene_.frameInterval;
+      // The first multiple of the interval that is still to come, however many lie within a step.
+      const double interval = *scene_.frameInterval, reached = state_.time + 1e-3 * h_;
+      framesDue_ = std::max(framesDue_, static_cast<std::int64_t>(reached / interval) - 1);
+      while (nextFrame_ <= reached) nextFrame_ = static_cast<double>(++framesDue_) * interval;
     }
   }
 
@@ -562,7 +575,8 @@ class Run {
   void showProgress(const MonitorReport& report) {
     if (!progress_.due()) return;
     progress_.show(
-        fmt::format("step {}, t = {:.4g} of {:.4g} s, h = {:.4g} s{}{}", report.step, state_.time, scene_.end, h_,
+        fmt::format("step {} of about {:.0f}, t = {:.4g} of {:.4g} s, h = {:.4g} s{}{}", report.step,
+                    static_cast<double>(report.step) + (scene_.end - state_.time) / h_, state_.time, scene_.end, h_,
                     report.bracket ? fmt::format(", safe {:.4g} s", report.bracket->safe) : "",
                     monitor_ ? fmt::format(", {}", verdictName(report.verdict)) : ""),
         state_.time / scene_.end);
@@ -586,6 +600,7 @@ class Run {
     noteWhatIsNotCertified();
     if (handler_) result_.handler->figures = handlerFigures();
     if (device_) result_.notes.push_back(device_->summary());
+    if (!history_) openResults();
     const Stopwatch output(result_.outputTime);
     history_->finish();
     result_.files.emplace_back("history.csv");
@@ -670,6 +685,7 @@ class Run {
   std::size_t cutsMissed_ = 0;
   ProgressLine progress_;
   std::optional<StabilityMonitor> monitor_;
+  std::optional<FolderLock> lock_;
   std::optional<HistoryWriter> history_;
   std::optional<FrameWriter> frames_;
   Picture picture_;

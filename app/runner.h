@@ -108,8 +108,8 @@ inline constexpr double runawayShare = 0.1;
 
 /// Runs a scene on its body, to which a handler may add mass and which cuts replace: before each step the monitor looks
 /// at the state, then the integrator takes the step. Writes history.csv, summary.json, what [output] asks for and the
-/// picture into options.folder, however the run ends. Throws InputError when the folder cannot be written, before
-/// anything is computed.
+/// picture into options.folder, however the run ends; only then does it give up the folder. Throws InputError when the
+/// folder cannot be written or another run is writing into it, before anything is computed.
 RunResult runScene(const Scene& scene, Body& body, const RunOptions& options);
 
 }  // namespace ringwatch

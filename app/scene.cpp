@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <map>
 
@@ -15,6 +14,7 @@
 
 #include <ringwatch/app/scene_keys.h>
 #include <ringwatch/app/scene_mesh.h>
+#include <ringwatch/app/toml_text.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
@@ -124,12 +124,23 @@ class Reader {
     std::error_code error;
     if (std::filesystem::is_directory(file_, error))
       throw InputError(fmt::format("{}: is a folder; a scene file (TOML) is needed", file_.string()));
+    const std::filesystem::file_status status = std::filesystem::status(file_, error);
+    if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
+      throw InputError(fmt::format("{}: is a device; a scene file (TOML) is needed", file_.string()));
+    constexpr std::size_t mostBytes = std::size_t{16} << 20;
     errno = 0;
     std::ifstream stream(file_, std::ios::binary);
-    std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    std::string content(mostBytes + 1, '\0');
+    stream.read(content.data(), static_cast<std::streamsize>(content.size()));
+    content.resize(static_cast<std::size_t>(stream.gcount()));
     if (!stream.is_open() || stream.bad())
       throw InputError(fmt::format("{}: cannot read: {}; a scene file (TOML) is needed", file_.string(),
                                    errno != 0 ? std::strerror(errno) : "input error"));
+    if (content.size() > mostBytes)
+      throw InputError(fmt::format(
+          "{}: is larger than 16 MiB; a scene file (TOML) is needed, meshes are files of their own", file_.string()));
+    if (const auto fault = tomlTextFault(content))
+      throw InputError(fmt::format("{}:{}: not TOML: {}", file_.string(), fault->line, fault->what));
     try {
       root_ = toml::parse(content, file_.string());
     } catch (const toml::parse_error& fault) {
@@ -183,6 +194,8 @@ class Reader {
 
   /// A TOML value, or a bare word as a text, since shells eat quotes.
   static toml::table parseValue(const std::string& text, const std::string& origin) {
+    if (const auto fault = tomlTextFault(text))
+      throw InputError(fmt::format("{}: the value is not TOML: {}", origin, fault->what));
     try {
       if (text.find('\n') == std::string::npos) {
         toml::table parsed = toml::parse("value = " + text);
@@ -447,6 +460,9 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
   if (scene.step && *scene.step > scene.end)
     fail(integrator.at("step").origin, "integrator.step",
          fmt::format("{} s is beyond the end; must be <= end = {} s", *scene.step, scene.end));
+  if (scene.step)
+    if (const std::string fault = tooManySteps(*scene.step, scene.end); !fault.empty())
+      fail(integrator.at("step").origin, "integrator.step", fault);
   if (mode == "metric" && scene.metric.empty())
     fail(monitor.at("mode").origin, "monitor.mode", "\"metric\" needs a metric; set monitor.metric");
   if (!scene.step && scene.mode != MonitorMode::bracket)
@@ -719,6 +735,12 @@ std::vector<std::int32_t> NodeSelection::nodesOf(const Mesh& mesh) const {
   return nodes;
 }
 
+std::string tooManySteps(double h, double end) {
+  const double steps = end / h;
+  if (steps <= mostSteps) return {};
+  return fmt::format("{} s makes {:.3g} steps to the end at {} s; at most {} are possible", h, steps, end, mostSteps);
+}
+
 namespace {
 Scene makeScene(const std::filesystem::path& file, const std::vector<Section>& sections) {
   Scene scene;
@@ -753,7 +775,14 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<Section>& s
   if (!scene.cuts.empty() && scene.device == RunDevice::automatic) scene.noDevice = "a GPU runs no cuts";
 
   const Section& output = section("output");
-  if (output.given("every")) scene.frameInterval = output.get<double>("every");
+  if (output.given("every")) {
+    scene.frameInterval = output.get<double>("every");
+    const double frames = scene.end / *scene.frameInterval;
+    if (!(frames <= mostSteps))
+      fail(output.at("every").origin, "output.every",
+           fmt::format("{} s makes {:.3g} frames to the end at {} s; at most {} are possible", *scene.frameInterval,
+                       frames, scene.end, mostSteps));
+  }
   scene.fields = output.get<std::vector<std::string>>("fields");
   scene.historyEvery = output.get<std::int64_t>("history_every");
   scene.energy = output.get<bool>("energy");

@@ -128,6 +128,10 @@ std::optional<std::array<bool, 3>> parseComponents(std::string_view text);
 /// A condition or `set:NAME`, and behind a colon the components that are held, e.g. "x < 1e-6:x" for a roller; all of
 /// them without. Throws InputError "origin: …".
 Scene::Fix parseFix(const std::string& text, const std::string& origin);
+/// More steps, or frames, than a run can have: at a microsecond each they would take twelve days.
+inline constexpr double mostSteps = 1e12;
+/// "" unless steps of h (s) to the end (s) are more than that; then how many, for a message.
+std::string tooManySteps(double h, double end);
 
 /// Threads for a request; 0 asks for as many as the mesh can keep busy: on a small one, waiting for each other would
 /// cost more than they share, above all on a machine that has other work too.

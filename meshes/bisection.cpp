@@ -135,7 +135,8 @@ BisectedMesh bisectEdges(const Mesh& mesh, const std::vector<EdgePoint>& points)
   return result;
 }
 
-Mesh refineTetrahedra(Mesh mesh, const std::function<double(const Eigen::Vector3d& middle)>& longest) {
+Mesh refineTetrahedra(Mesh mesh, const std::function<double(const Eigen::Vector3d& middle)>& longest,
+                      std::size_t most) {
   requireTetrahedra(mesh);
   const auto any = [](std::uint64_t) { return true; };
   for (;;) {
@@ -170,6 +171,9 @@ Mesh refineTetrahedra(Mesh mesh, const std::function<double(const Eigen::Vector3
         }
     }
     mesh = bisectEdges(mesh, points).mesh;
+    if (mesh.elementCount() > most)
+      throw InputError(joinText("there are ", mesh.elementCount(), " tetrahedra and some are still too long; at most ",
+                                most, " are possible"));
   }
 }
 

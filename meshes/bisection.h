@@ -28,8 +28,9 @@ struct BisectedMesh {
 BisectedMesh bisectEdges(const Mesh& mesh, const std::vector<EdgePoint>& points);
 
 /// Bisects longest edges in the middle, and those of neighbours as far as conformity asks for (Rivara 1984), until
-/// every tetrahedron's longest edge is at most longest(its middle), m. Throws InputError for elements other than tet4
-/// and a wanted length that is not > 0.
-Mesh refineTetrahedra(Mesh mesh, const std::function<double(const Eigen::Vector3d& middle)>& longest);
+/// every tetrahedron's longest edge is at most longest(its middle), m. Throws InputError for elements other than tet4,
+/// a wanted length that is not > 0, and when there are more than `most` tetrahedra before all are short enough.
+Mesh refineTetrahedra(Mesh mesh, const std::function<double(const Eigen::Vector3d& middle)>& longest,
+                      std::size_t most = 200'000'000);
 
 }  // namespace ringwatch

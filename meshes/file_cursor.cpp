@@ -1,11 +1,25 @@
 #include <ringwatch/meshes/file_cursor.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <limits>
 #include <system_error>
 
 namespace ringwatch::detail {
+namespace {
+
+constexpr std::size_t mostPipedBytes = std::size_t{4} << 30;
+
+std::uintmax_t memorySize() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), bytes = ::sysconf(_SC_PAGESIZE);
+  return pages > 0 && bytes > 0 ? static_cast<std::uintmax_t>(pages) * static_cast<std::uintmax_t>(bytes)
+                                : std::numeric_limits<std::uintmax_t>::max();
+}
+
+}  // namespace
 
 std::string readWholeFile(const std::filesystem::path& path) {
   std::error_code error;
@@ -14,17 +28,33 @@ std::string readWholeFile(const std::filesystem::path& path) {
   if (!std::filesystem::exists(status)) throw InputError(name + ": cannot read: there is no such file");
   if (std::filesystem::is_directory(status))
     throw InputError(name + ": cannot read: this is a folder, a mesh file is needed");
+  const bool pipe = std::filesystem::is_fifo(status);
+  if (!pipe && !std::filesystem::is_regular_file(status))
+    throw InputError(name + ": cannot read: this is a device or a socket, a mesh file is needed");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(name + ": cannot read: " + (errno != 0 ? std::strerror(errno) : "it does not open"));
   std::string text;
-  const auto size = std::filesystem::file_size(path, error);
-  if (!error && std::filesystem::is_regular_file(status)) {
+  if (pipe) {
+    constexpr std::size_t part = std::size_t{1} << 20;
+    while (file) {
+      const std::size_t before = text.size();
+      if (before > mostPipedBytes)
+        throw InputError(joinText(name, ": cannot read: more than ", mostPipedBytes >> 30,
+                                  " GiB come through the pipe; put the mesh into a file"));
+      text.resize(before + part);
+      file.read(text.data() + before, part);
+      text.resize(before + static_cast<std::size_t>(file.gcount()));
+    }
+  } else {
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (error) throw InputError(name + ": cannot read: " + error.message());
+    if (size > memorySize())
+      throw InputError(joinText(name, ": cannot read: the file has ", size, " bytes, more than the memory of this ",
+                                "machine, ", memorySize()));
     text.resize(size);
     file.read(text.data(), static_cast<std::streamsize>(size));
     text.resize(static_cast<std::size_t>(file.gcount()));
-  } else {
-    text.assign(std::istreambuf_iterator<char>(file), {});
   }
   if (file.bad()) throw InputError(name + ": cannot read: input/output error");
   if (text.empty()) throw InputError(name + ": the file is empty");

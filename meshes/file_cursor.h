@@ -13,7 +13,8 @@
 
 namespace ringwatch::detail {
 
-/// The bytes of a file. Throws InputError when it is missing, a folder, or cannot be read.
+/// The bytes of a file or of a pipe. Throws InputError when it is missing, something else such as a folder or a device,
+/// larger than the machine's memory (through a pipe: than 4 GiB), or cannot be read.
 std::string readWholeFile(const std::filesystem::path& path);
 
 /// The word in quotes for an error message: unprintable bytes as '?', cut after 40 characters, so that it stays one

@@ -305,11 +305,35 @@ Mesh generateMixedBar(const BarOptions& options) {
   return makeBar(options, true);
 }
 
+namespace {
+
+/// About how many tetrahedra a refined bar has: they take about 0.02 s³ each (measured on bars of 6000 to 250 000,
+/// within a fifth), s = finest + growth × distance from the plane.
+double refinedCount(const RefinedBarOptions& o) {
+  // The integral of 1/s³ over distances from a to b, 0 <= a <= b.
+  const auto integral = [&](double a, double b) {
+    const double sa = o.finest + o.growth * a, sb = o.finest + o.growth * b;
+    return (b - a) * (sa + sb) / (2 * sa * sa) / (sb * sb);
+  };
+  const double length = o.coarse.size[0], before = o.plane, behind = length - o.plane;
+  const double along = before < 0   ? integral(-before, behind)
+                       : behind < 0 ? integral(-behind, before)
+                                    : integral(0, before) + integral(0, behind);
+  return o.coarse.size[1] * o.coarse.size[2] * along / 0.02;
+}
+
+}  // namespace
+
 Mesh generateRefinedBar(const RefinedBarOptions& options) {
   if (!(options.finest > 0)) throw InputError(joinText("finest = ", options.finest, " m: it must be above 0"));
   if (!(options.growth >= 0)) throw InputError(joinText("growth = ", options.growth, ": it must be 0 or more"));
+  Mesh coarse = generateBar(options.coarse);
+  constexpr double most = 1e8;
+  if (const double count = refinedCount(options); !(count <= most))
+    throw InputError(joinText("finest = ", options.finest, " m: that is about ", count, " tetrahedra; at most ", most,
+                              " are possible; use a larger finest or growth"));
   const double x = options.coarse.origin[0] + options.plane;
-  Mesh mesh = refineTetrahedra(generateBar(options.coarse), [&](const Eigen::Vector3d& middle) {
+  Mesh mesh = refineTetrahedra(std::move(coarse), [&](const Eigen::Vector3d& middle) {
     return options.finest + options.growth * std::abs(middle.x() - x);
   });
   std::iota(mesh.nodeIds.begin(), mesh.nodeIds.end(), 0);

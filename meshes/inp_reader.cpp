@@ -2,7 +2,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <limits>
+#include <compare>
 #include <map>
 #include <optional>
 #include <set>
@@ -112,6 +112,7 @@ class Deck {
         data(*line);
     }
     finishData();
+    requireEnd();
     buildElements();
     addNodeSets();
     Mesh mesh = builder_.finish(notes, problems);
@@ -133,13 +134,32 @@ class Deck {
     const FileElement* type;
     std::int64_t id;
     std::vector<std::int64_t> nodes;
-    std::vector<std::string> sets;
+    std::vector<std::uint32_t> sets;  // numbers of the element sets, in the order of their map
     std::size_t position;
+  };
+  /// first, first + step, … up to last.
+  struct Range {
+    std::int64_t first, last, step;
+    auto operator<=>(const Range&) const = default;
   };
   struct Set {
     std::string name;  // as first written
-    std::vector<std::int64_t> members;
+    std::vector<Range> ranges;
     std::size_t position;
+    std::size_t distinct = 0;  // ranges that were left when repeated ones were last removed
+
+    /// A number that follows the one before goes into its range.
+    void add(std::int64_t id) {
+      if (!ranges.empty() && ranges.back().step == 1 && ranges.back().last == id - 1)
+        ranges.back().last = id;
+      else
+        ranges.push_back({id, id, 1});
+    }
+    void removeRepeated() {
+      std::sort(ranges.begin(), ranges.end());
+      ranges.erase(std::unique(ranges.begin(), ranges.end()), ranges.end());
+      distinct = ranges.size();
+    }
   };
   enum class Reading { nothing, nodes, elements, nodeSet, elementSet, mustBeEmpty };
 
@@ -210,6 +230,8 @@ class Deck {
     const std::string& name = keyword_.name;
     const auto refuse = [&](const std::string& why) { cursor_.failAt(first.position, "*" + name + " " + why); };
     reading_ = Reading::nothing;
+    hasData_ = false;
+    keepOpen();
     if (name == "NODE" || name == "ELEMENT" || name == "NSET" || name == "ELSET")
       if (keyword_.has("INPUT")) refuse("with INPUT= takes its lines from another file; put them into this one");
     if (name == "NODE") {
@@ -240,11 +262,26 @@ class Deck {
     }
   }
 
+  /// Blocks that a line of their own ends.
+  void keepOpen() {
+    std::string name = keyword_.name;
+    std::erase(name, ' ');  // *ENDSTEP is *END STEP
+    for (const std::string_view block : {"PART", "ASSEMBLY", "INSTANCE", "STEP"}) {
+      if (name == block) {
+        open_.push_back({name, keyword_.position});
+      } else if (name == joinText("END", block)) {
+        while (!open_.empty() && open_.back().name != block) open_.pop_back();
+        if (!open_.empty()) open_.pop_back();
+      }
+    }
+  }
+
   Set& setOf(std::map<std::string, Set>& sets, const std::string& name) {
     return sets.try_emplace(upper(name), Set{name, {}, keyword_.position}).first->second;
   }
 
   void data(const Line& line) {
+    hasData_ = true;
     switch (reading_) {
       case Reading::nothing:
         if (keyword_.name.empty())
@@ -276,7 +313,7 @@ class Deck {
         X[k] = real(words[k + 1], joinText("coordinate ", "xyz"[k], " of node ", id), line.position);
     builder_.addNode(id, X[0], X[1], X[2], line.position);
     nodeIds_.insert(id);
-    if (keyword_.has("NSET")) setOf(nodeSets_, keyword_.value("NSET")).members.push_back(id);
+    if (keyword_.has("NSET")) setOf(nodeSets_, keyword_.value("NSET")).add(id);
   }
 
   void element(const Line& line) {
@@ -298,7 +335,7 @@ class Deck {
     unfinished_ = false;
     if (!elementOfId_.emplace(element.id, elements_.size() - 1).second)
       cursor_.failAt(element.position, joinText("element ", element.id, " is defined a second time"));
-    if (keyword_.has("ELSET")) setOf(elementSets_, keyword_.value("ELSET")).members.push_back(element.id);
+    if (keyword_.has("ELSET")) setOf(elementSets_, keyword_.value("ELSET")).add(element.id);
   }
   void finishData() {
     if (unfinished_) {
@@ -306,6 +343,21 @@ class Deck {
       cursor_.failAt(element.position, joinText("element ", element.id, " (", element.type->name, ") has ",
                                                 element.nodes.size(), " nodes; it must have ", element.type->nodes));
     }
+  }
+
+  /// What only a deck that was cut short can end with. A cut at a line end between two elements of a flat deck leaves
+  /// no trace: the file says nowhere how many there are.
+  void requireEnd() const {
+    if (!open_.empty())
+      cursor_.failAt(open_.back().position, joinText("*", open_.back().name, " is never ended by *END ",
+                                                     open_.back().name, "; is the file cut short?"));
+    const std::string& name = keyword_.name;
+    if (name != "NODE" && name != "ELEMENT" && name != "NSET" && name != "ELSET") return;
+    const bool fromElements = name == "NSET" && keyword_.has("ELSET");  // has no lines of its own
+    if (!hasData_ && !fromElements)
+      cursor_.failAt(keyword_.position, joinText("the file ends after the line of *", name, "; is it cut short?"));
+    if (text_.back() != '\n')
+      cursor_.failAt(text_.size(), joinText("the last line, of *", name, ", has no line end; is the file cut short?"));
   }
 
   void members(const Line& line, std::map<std::string, Set>& sets, std::string_view what) {
@@ -318,10 +370,10 @@ class Deck {
       const std::int64_t first = number(words[0], "the first number", line.position),
                          last = number(words[1], "the last number", line.position);
       const std::int64_t step = words.size() == 3 ? number(words[2], "the step", line.position) : 1;
-      if (last < first || (last - first) / step > std::numeric_limits<std::int32_t>::max())
+      if (last < first)
         cursor_.failAt(line.position, joinText("GENERATE goes from ", first, " to ", last,
                                                "; the last number must not be below the first"));
-      for (std::int64_t id = first; id <= last; id += step) set.members.push_back(id);
+      set.ranges.push_back({first, last, step});
       return;
     }
     for (const std::string_view word : words) {
@@ -332,41 +384,90 @@ class Deck {
         if (!known && what == "node")
           cursor_.failAt(line.position,
                          joinText("set ", set.name, " holds node ", id, ", which no *NODE above defines"));
-        set.members.push_back(id);
+        set.add(id);
       } else {
         const auto other = sets.find(upper(word));
         if (other == sets.end() || &other->second == &set)
           cursor_.failAt(line.position, joinText("set ", set.name, " refers to the set ", quoted(word),
                                                  ", which is not defined above"));
-        const std::vector<std::int64_t> copy = other->second.members;
-        set.members.insert(set.members.end(), copy.begin(), copy.end());
+        // A set that comes a second time adds nothing.
+        const std::vector<Range>& ranges = other->second.ranges;
+        spend(ranges.size(), set);
+        set.ranges.insert(set.ranges.end(), ranges.begin(), ranges.end());
+        if (set.ranges.size() > 2 * set.distinct + 1000) set.removeRepeated();
+      }
+    }
+  }
+
+  /// Counts entries of sets that the file does not spell out one by one, so that a few lines cannot fill the memory.
+  void spend(std::uint64_t entries, const Set& set) {
+    const std::uint64_t most = 10'000'000 + 4 * static_cast<std::uint64_t>(text_.size());
+    if (entries > most - spent_)
+      cursor_.failAt(set.position, joinText("set ", set.name, ": the sets of this file hold more than ", most,
+                                            " members in all, 10 million and 4 for each byte of the file; does a set "
+                                            "hold others again and again?"));
+    spent_ += entries;
+  }
+  /// Calls found(id) for the members of a set that exist; numbers of skipped elements and gaps of GENERATE stand for
+  /// nothing. known: all numbers that exist, sorted.
+  template <class Found>
+  void forEachMember(Set& set, const std::vector<std::int64_t>& known, const Found& found) {
+    set.removeRepeated();
+    for (const Range& range : set.ranges) {
+      const auto begin = std::lower_bound(known.begin(), known.end(), range.first),
+                 end = std::upper_bound(begin, known.end(), range.last);
+      const auto inside = static_cast<std::uint64_t>(end - begin);
+      const std::uint64_t count = static_cast<std::uint64_t>((range.last - range.first) / range.step) + 1;
+      spend(std::min(inside, count), set);
+      if (inside <= count) {
+        for (auto id = begin; id != end; ++id)
+          if ((*id - range.first) % range.step == 0) found(*id);
+      } else {
+        for (std::uint64_t i = 0; i < count; ++i) {
+          const std::int64_t id = range.first + static_cast<std::int64_t>(i) * range.step;
+          if (std::binary_search(begin, end, id)) found(id);
+        }
       }
     }
   }
 
   void buildElements() {
-    for (const auto& [key, set] : elementSets_)
-      for (const std::int64_t id : set.members)
-        // Numbers of skipped elements and gaps of GENERATE stand for nothing.
-        if (const auto found = elementOfId_.find(id); found != elementOfId_.end()) {
-          auto& own = elements_[found->second].sets;
-          if (own.empty() || own.back() != set.name) own.push_back(set.name);
-        }
-    std::map<std::vector<std::string>, int> groups;
+    std::vector<std::int64_t> known;
+    known.reserve(elements_.size());
+    for (const Element& element : elements_) known.push_back(element.id);
+    std::sort(known.begin(), known.end());
+    std::vector<const std::string*> names;
+    for (auto& [key, set] : elementSets_) {
+      const auto number = static_cast<std::uint32_t>(names.size());
+      names.push_back(&set.name);
+      forEachMember(set, known, [&](std::int64_t id) {
+        auto& own = elements_[elementOfId_.at(id)].sets;
+        if (own.empty() || own.back() != number) own.push_back(number);
+      });
+    }
+    std::map<std::vector<std::uint32_t>, int> groups;
     for (const Element& element : elements_) {
       int group = -1;
       if (!element.sets.empty()) {
         const auto [entry, isNew] = groups.try_emplace(element.sets, 0);
-        if (isNew) entry->second = builder_.addGroup(element.sets);
+        if (isNew) {
+          std::vector<std::string> own;
+          for (const std::uint32_t number : element.sets) own.push_back(*names[number]);
+          entry->second = builder_.addGroup(std::move(own));
+        }
         group = entry->second;
       }
       builder_.addElement(*element.type, element.id, element.nodes.data(), group, element.position, false);
     }
   }
   void addNodeSets() {
-    for (const auto& [key, set] : nodeSets_)
-      for (const std::int64_t id : set.members)
-        if (nodeIds_.count(id) != 0) builder_.addToNodeSet(set.name, id);
+    const std::vector<std::int64_t> known = [&] {
+      std::vector<std::int64_t> ids(nodeIds_.begin(), nodeIds_.end());
+      std::sort(ids.begin(), ids.end());
+      return ids;
+    }();
+    for (auto& [key, set] : nodeSets_)
+      forEachMember(set, known, [&](std::int64_t id) { builder_.addToNodeSet(set.name, id); });
   }
 
   const std::string& text_;
@@ -379,10 +480,17 @@ class Deck {
   const FileElement* type_ = nullptr;
   bool unfinished_ = false;
   int instances_ = 0;
+  bool hasData_ = false;  // lines of data since the last keyword
+  struct Open {
+    std::string name;
+    std::size_t position;
+  };
+  std::vector<Open> open_;  // the innermost last
   std::vector<Element> elements_;
   std::unordered_map<std::int64_t, std::size_t> elementOfId_;
   std::unordered_set<std::int64_t> nodeIds_;
   std::map<std::string, Set> nodeSets_, elementSets_;
+  std::uint64_t spent_ = 0;
   std::map<std::string, int> skipped_;
 };
 

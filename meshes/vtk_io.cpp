@@ -9,8 +9,10 @@
 // The only file that knows VTK, so that everything else builds without it.
 #ifdef RINGWATCH_WITH_VTK
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <mutex>
 
@@ -18,6 +20,7 @@
 #include <vtkCellData.h>
 #include <vtkDataCompressor.h>
 #include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkLZ4DataCompressor.h>
 #include <vtkLZMADataCompressor.h>
@@ -249,6 +252,25 @@ void addSets(vtkUnstructuredGrid* grid, const Mesh& mesh, const NameOf& nameOf) 
   }
 }
 
+/// VTK does not look at what fails when it closes a file: the end tells whether all of it is there.
+bool isWhole(const std::filesystem::path& path) {
+  constexpr std::string_view end = "</VTKFile>\n";
+  std::ifstream file(path, std::ios::binary);
+  std::string found(end.size(), '\0');
+  file.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+  file.read(found.data(), static_cast<std::streamsize>(found.size()));
+  return file && found == end;
+}
+
+/// Why VTK could not write, in the system's words where the system refused.
+std::string reasonOf(unsigned long vtkCode, int system, const std::string& said) {
+  for (const int known : {ENOSPC, EFBIG, EDQUOT, EIO, EROFS, EACCES, ENOENT})
+    if (system == known) return std::strerror(system);
+  if (vtkCode == vtkErrorCode::OutOfDiskSpaceError) return std::strerror(ENOSPC);
+  if (vtkCode > 0 && vtkCode < vtkErrorCode::FirstVTKErrorCode) return std::strerror(static_cast<int>(vtkCode));
+  return said.empty() ? "input/output error" : said;
+}
+
 void writeGrid(vtkUnstructuredGrid* grid, const Mesh& mesh, const std::filesystem::path& path) {
   std::vector<std::int64_t> nodeIds, ids;
   for (std::size_t i = 0; i < mesh.nodeCount(); ++i) nodeIds.push_back(mesh.nodeId(static_cast<std::int32_t>(i)));
@@ -264,10 +286,12 @@ void writeGrid(vtkUnstructuredGrid* grid, const Mesh& mesh, const std::filesyste
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();
     writer->SetCompressorTypeToZLib();
-    if (writer->Write() == 0 || writer->GetErrorCode() != 0 || session.window->failed ||
-        !std::filesystem::exists(temporary))
+    errno = 0;
+    const bool written = writer->Write() != 0 && writer->GetErrorCode() == 0 && !session.window->failed;
+    const int system = errno;
+    if (!written || !isWhole(temporary))
       throw InputError("cannot write " + path.string() + ": " +
-                       (session.window->first.empty() ? "input/output error" : session.window->first));
+                       reasonOf(writer->GetErrorCode(), system, session.window->first));
   });
 }
 

@@ -41,6 +41,21 @@ TEST(AtomicFile, NamesWhatIsInTheWay) {
   EXPECT_NE(errorOf([&] { writeFileAtomically(folder / "sub", ""); }).find("in the way"), std::string::npos);
 }
 
+TEST(AtomicFile, FollowsLinks) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "sub");
+  std::filesystem::create_symlink("sub/file", folder / "link");
+  for (const char* text : {"one", "two"}) {
+    writeFileAtomically(folder / "link", text);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+    EXPECT_EQ(readBytes(folder / "sub/file"), text);
+  }
+  writeFileAtomically(folder / "link", [](const std::filesystem::path& temporary) { writeBytes(temporary, "three"); });
+  EXPECT_EQ(readBytes(folder / "sub/file"), "three");
+  std::filesystem::create_symlink("none/file", folder / "lost");
+  EXPECT_NE(errorOf([&] { writeFileAtomically(folder / "lost", ""); }).find("there is no folder"), std::string::npos);
+}
+
 TEST(NearestName, CountsEdits) {
   EXPECT_EQ(editDistance("", "abc"), 3u);
   EXPECT_EQ(editDistance("kitten", "sitting"), 3u);

@@ -164,5 +164,63 @@ TEST_F(InpTest, NamesFileAndLineOfWhatIsWrong) {
   expectError(deck("*ELEMENT, TYPE=C3D15\n60, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 1, 2, 3\n"), "30", "wedge15");
 }
 
+TEST_F(InpTest, RefusesWhatIsCutShort) {
+  const auto expectError = [&](const std::string& text, const std::string& line, const std::string& what) {
+    const std::string found = error(text);
+    EXPECT_THAT(found, HasSubstr(path.string() + ":" + line + ": " + what));
+    EXPECT_EQ(found.find('\n'), std::string::npos);
+  };
+  const std::string whole = deck();
+  expectError(whole + "*NSET, NSET=a\n1, 2, 1", "30", "the last line, of *NSET, has no line end");
+  expectError(whole + "*NODE\n1", "30", "a node has 1 entries");
+  expectError(whole + "*ELEMENT, TYPE=C3D4\n50, 1, 2, 3, 5", "30", "the last line, of *ELEMENT, has no line end");
+  expectError(whole + "*NSET, NSET=a\n", "29", "the file ends after the line of *NSET");
+  expectError(whole + "*ELSET, ELSET=a, GEN", "29", "the file ends after the line of *ELSET");
+  expectError(whole + "*ELEMENT, TYPE=C3D", "29", "the file ends after the line of *ELEMENT");
+  expectError(whole + "*STEP\n*STATIC\n", "29", "*STEP is never ended by *END STEP");
+  expectError("*PART, NAME=p\n" + whole, "1", "*PART is never ended by *END PART");
+  expectError("*PART, NAME=p\n" + whole + "*END PART\n*ASSEMBLY\n*INSTANCE, NAME=i, PART=p\n*END INSTANCE\n", "31",
+              "*ASSEMBLY is never ended by *END ASSEMBLY");
+  // Every cut of a deck with a step is refused: it is in the middle of a line, or the step is not there or open.
+  const std::string stepped = whole + "*STEP\n*STATIC\n1., 1.\n*END STEP";
+  for (std::size_t end = whole.size() + 6; end < stepped.size(); ++end)
+    EXPECT_NE(error(stepped.substr(0, end)), "no error") << end;
+
+  read(stepped);
+  read(stepped + "\n");
+  read(whole + "*STEP\n*STATIC\n*ENDSTEP\n*STEP\n*END  STEP\n");
+  read(whole + "*NSET, NSET=fromElements, ELSET=Bricks\n");
+}
+
+TEST_F(InpTest, KeepsRangesOfSets) {
+  const Mesh mesh = read(deck(R"(*NSET, NSET=all, GENERATE
+1, 1000000000, 1
+*NSET, NSET=odd, GENERATE
+1, 9223372036854775807, 2
+*NSET, NSET=far, GENERATE
+5, 9223372036854775807, 9000000000000000000
+*NSET, NSET=twice
+odd, odd, far, 1, 2, 3, odd
+*ELSET, ELSET=tens, GENERATE
+10, 20, 10
+*ELSET, ELSET=more
+tens, 21, tens
+)"));
+  EXPECT_EQ(mesh.nodeSets.at("all").size(), 12u);
+  EXPECT_THAT(mesh.nodeSets.at("odd"), ElementsAre(0, 2, 4, 6, 8, 10));
+  EXPECT_THAT(mesh.nodeSets.at("far"), ElementsAre(4));
+  EXPECT_THAT(mesh.nodeSets.at("twice"), ElementsAre(0, 1, 2, 4, 6, 8, 10));
+  EXPECT_EQ(mesh.elementSets.at("tens").size(), 2u);
+  EXPECT_EQ(mesh.elementSets.at("more").size(), 3u);
+}
+
+TEST_F(InpTest, RefusesSetsThatHoldFarMoreThanTheFile) {
+  std::string text = deck();
+  text += "*NODE\n";
+  for (int i = 13; i <= 2000; ++i) text += joinText(i, ", ", i, ", 0, 0\n");
+  for (int i = 0; i < 8000; ++i) text += joinText("*NSET, NSET=s", i, ", GENERATE\n1, 2000\n");
+  EXPECT_THAT(error(text), HasSubstr("the sets of this file hold more than"));
+}
+
 }  // namespace
 }  // namespace ringwatch
