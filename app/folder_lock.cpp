@@ -62,19 +62,20 @@ bool FolderLock::lock(const std::filesystem::path& folder) {
     ::close(descriptor);
     return false;
   }
+  descriptor_ = descriptor;
   std::size_t written = 0;
   int reason = ::ftruncate(descriptor, 0) != 0 ? errno : 0;
   if (reason == 0) reason = OutputFile::writeAll(descriptor, fmt::format("{}\n", ::getpid()), written);
   if (reason != 0) {
-    ::unlink(file_.c_str());
-    ::close(descriptor);
+    giveUp();
     cannotWrite(folder, std::strerror(reason));
   }
-  descriptor_ = descriptor;
   return true;
 }
 
-FolderLock::~FolderLock() {
+FolderLock::~FolderLock() { giveUp(); }
+
+void FolderLock::giveUp() {
   ::unlink(file_.c_str());  // before it is closed, so that who opens it next sees that it is no longer current
   ::close(descriptor_);
   std::error_code notEmpty;

@@ -16,6 +16,7 @@ class FolderLock {
 
  private:
   bool lock(const std::filesystem::path& folder);  // false: the file lost its name in the meantime, try again
+  void giveUp();
 
   std::filesystem::path file_;
   bool madeFolder_ = false;
