@@ -171,11 +171,11 @@ struct RunCommand {
     Body body = sceneBody(description, sceneMesh(description, options.notes), threads);
     const InterruptGuard guard;
     const RunResult result = runScene(description, body, options);
-    const bool interrupted = result.reason == ExitReason::interrupted;
+    const bool cutShort = result.reason == ExitReason::interrupted;
     try {
       if (!quiet) printOut(summaryText(description, body, result, options.folder));
     } catch (const InputError&) {
-      if (!interrupted) throw;  // the terminal may be what is gone
+      if (!cutShort) throw;  // the terminal may be what is gone
     }
     return result.exitStatus();
   }

@@ -156,7 +156,7 @@ std::vector<StudyReport> runStudies(const std::vector<std::string>& names, Study
       for (const StudyInfo& s : studies) known += fmt::format(", {}", s.name);
       throw InputError(fmt::format("verify: {}: there is no such study; known are {}", inQuotes(name), known));
     }
-    chosen.push_back(found);
+    chosen.push_back(&*found);
   }
   if (chosen.empty())
     for (const StudyInfo& s : studies) chosen.push_back(&s);
