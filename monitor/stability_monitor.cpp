@@ -108,24 +108,34 @@ class Bracketer {
   bool bracketed() const { return bracketed_; }
   /// Whether the tangent was finite when last evaluated.
   bool finite() const { return finite_; }
-  /// Replaces either side of the last bracket by that of the best proof from scratch at the same x, where that is
-  /// better.
-  void improve(const NodeVectors& x, const StepRule& limit) {
+  /// Makes the best proof from scratch at x, which is kept for as long as the body stays there.
+  void proveFromScratch(const NodeVectors& x, const StepRule& limit) {
     if (!step_ || !finite_) return;
-    CriticalStep best{};
     try {
-      best = bracketFromScratch(body_, x, limit, std::nullopt, spent_.evaluated);
+      best_ = bracketFromScratch(body_, x, limit, std::nullopt, spent_.evaluated);
+      bestAt_ = x;
+      bestVersion_ = body_.version();
     } catch (const NumericalError&) {
-      return;  // from scratch there is no bracket, and the last one stays
+      // From scratch there is no bracket, and the last one stays.
     }
+  }
+  /// Replaces either side of the last bracket by that of the proof from scratch, where it is of this x and better.
+  void takeBest(const NodeVectors& x) {
+    if (!best_) return;
+    if (bestVersion_ != body_.version() || x != bestAt_) {
+      best_.reset();
+      bestAt_.resize(3, 0);
+      return;
+    }
+    if (!step_) return;
     CriticalStep step = *step_;
-    if (best.safe > step.safe) {
-      step.safe = best.safe;
-      step.safeBy = best.safeBy;
+    if (best_->safe > step.safe) {
+      step.safe = best_->safe;
+      step.safeBy = best_->safeBy;
     }
-    if (best.optimistic < step.optimistic) {
-      step.optimistic = best.optimistic;
-      step.optimisticBy = best.optimisticBy;
+    if (best_->optimistic < step.optimistic) {
+      step.optimistic = best_->optimistic;
+      step.optimisticBy = best_->optimisticBy;
     }
     if (step.isBracket()) step_ = step;
   }
@@ -294,8 +304,10 @@ class Bracketer {
   NodeVectors softest_;  // the direction of the last search
   LowestMode least_;     // what it proved
   int sinceSearch_ = firstSearchGap, searchGap_ = firstSearchGap;
-  double searchedAt_ = 0;  // the compression then
-  std::optional<CriticalStep> step_;
+  double searchedAt_ = 0;                    // the compression then
+  std::optional<CriticalStep> step_, best_;  // best_: from scratch, of positions bestAt_ and that version of the body
+  NodeVectors bestAt_;
+  std::int64_t bestVersion_ = 0;
 };
 
 /// A sum is quicker than a look at every number, and finite numbers whose sum overflows are rare.
@@ -397,8 +409,8 @@ struct StabilityMonitor::Impl {
   Course courses[5];  // by EventKind
   double largestEnergy = 0;
   std::int64_t observations = 0, energyLooks = 0, bodyVersion = 0;
-  bool unknown = false;   // the last state had no tangent
-  bool improved = false;  // the first bracket has been compared with that from scratch
+  bool unknown = false;            // the last state had no tangent
+  bool provenFromScratch = false;  // the first bracket was
 
   /// Records an event when it begins and when it ends. Near a limit it may come and go from step to step: one event
   /// until it has stayed away for a while.
@@ -447,15 +459,16 @@ struct StabilityMonitor::Impl {
         certified = bracketer->judge(x, options.limit, *h, force);
         bracketed = bracketer->bracketed();
       } else {
-        const std::optional<CriticalStep>& step = bracketer->evaluate(x, options.limit, force);
-        certified = step && (!h || *h <= step->safe);
+        bracketer->evaluate(x, options.limit, force);
       }
-      if (!improved && bracketed) {
-        improved = true;
-        if (static_cast<std::int64_t>(body.mesh().elementCount()) <= options.firstLookElements) {
-          bracketer->improve(x, options.limit);
-          certified = bracketer->last() && (!h || *h <= bracketer->last()->safe);
-        }
+      if (!provenFromScratch && bracketed) {
+        provenFromScratch = true;
+        if (static_cast<std::int64_t>(body.mesh().elementCount()) <= options.firstLookElements)
+          bracketer->proveFromScratch(x, options.limit);
+      }
+      if (bracketed) {
+        bracketer->takeBest(x);
+        certified = bracketer->last() && (!h || *h <= bracketer->last()->safe);
       }
       // Where the step is not certified, the optimistic side decides between "not certified" and "violated": it is made
       // sharp at every look, lest a mode that has moved on says so late.
