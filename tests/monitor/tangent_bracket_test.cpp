@@ -174,7 +174,7 @@ double exactStep(Eigen::Matrix<double, 6, 6> K) {
     K.row(held).setZero();
     K.col(held).setZero();
   }
-  return stepFor(Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(K).eigenvalues()[5], 2);
+  return stepFor(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd{K}).eigenvalues()[5], 2);
 }
 
 TEST(TangentBracket, HoldsForTheSymmetricPartOfATangent) {
