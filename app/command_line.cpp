@@ -409,7 +409,8 @@ struct VerifyCommand {
     command->add_option("--json", json,
                         "write the results to this file; - for standard output, and nothing else there");
     command->add_option("--out", folder, "folder for pictures, made when missing");
-    command->add_flag("--quick", quick, "coarser and shorter: seconds instead of minutes");
+    command->add_flag("--quick", quick,
+                      "coarser and shorter, on one thread: about a minute of processor time for all studies");
     command->footer("Exit status 1 when a check fails; ringwatch help exit-status has the table.\n\n" +
                     findHelpTopic("studies")->text());
   }

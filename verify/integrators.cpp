@@ -74,6 +74,7 @@ class IntegratorStudy {
     info_ = &described_->info();
     name_ = std::string(info_->name);
     make_ = make;
+    studyTime();
     if (info_->imaginaryLimit == infinity) studyStiffBar();
     if (info_->adaptive) {
       studyAdaptive();
@@ -121,6 +122,31 @@ class IntegratorStudy {
   void check(const std::string& claim, double measured, double expected, double tolerance) {
     const bool equal = measured == expected || std::abs(measured - expected) <= tolerance;
     report_.checks.push_back({name_ + ": " + claim, measured, expected, tolerance, equal});
+  }
+
+  /// The system is told a time with every force, so a step that leaves the time behind is wrong wherever forces depend
+  /// on it.
+  void studyTime() {
+    Oscillator whole;
+    AdditiveOscillator parts(1, 0, 0.5);
+    SecondOrderSystem& oscillator = info_->partitioned ? static_cast<SecondOrderSystem&>(parts) : whole;
+    const std::unique_ptr<Integrator> integrator = make_();
+    constexpr double start = 3, h = 0.1;
+    constexpr int steps = 100;
+    State state;
+    state.time = start;
+    state.x = NodeVectors::Ones(3, 1);
+    state.v = NodeVectors::Zero(3, 1);
+    double worst = 0;
+    for (int k = 0; k < steps && !std::isnan(worst); ++k) {
+      const double before = state.time;
+      integrator->step(oscillator, state, h);
+      const double error = std::abs(state.time - before - h) / h;
+      worst = std::isnan(error) ? nan : std::max(worst, error);
+    }
+    check("time advances by h in every step: relative error", worst, 0, 1e-12);
+    check(joinText("time advances by ", steps, " h in ", steps, " steps: relative error"),
+          std::abs(state.time - start - steps * h) / (steps * h), 0, 1e-12);
   }
 
   void studyLimits() {

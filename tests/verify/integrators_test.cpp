@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/verify/integrators.h>
 
@@ -86,6 +88,36 @@ TEST(VerifyIntegrators, ASmallLeakIsFound) {
     if (!check.passed) names.push_back(check.name);
   EXPECT_THAT(names, ::testing::Contains(::testing::HasSubstr("symplectic")));
   EXPECT_THAT(names, ::testing::Contains(::testing::HasSubstr("energy drift")));
+}
+
+/// Advances positions and velocities, but the time by another share of the step.
+class Clockless final : public Integrator {
+ public:
+  static constexpr IntegratorInfo description = SymplecticEuler::description;
+  explicit Clockless(double share) : share_(share) {}
+  const IntegratorInfo& info() const override { return description; }
+  StepStatus step(SecondOrderSystem& system, State& state, double h) override {
+    const double before = state.time;
+    const StepStatus status = inner_.step(system, state, h);
+    state.time = before + share_ * h;
+    return status;
+  }
+
+ private:
+  double share_;
+  SymplecticEuler inner_;
+};
+
+TEST(VerifyIntegrators, TimeMustAdvanceByTheStep) {
+  for (const double share : {0.0, 0.5, 1 + 1e-9, std::nan("")}) {
+    std::vector<std::string> names;
+    for (const StudyCheck& check :
+         verifyIntegrator([&] { return std::make_unique<Clockless>(share); }, StudyEffort::quick).checks)
+      if (!check.passed) names.push_back(check.name);
+    EXPECT_THAT(names, ::testing::ElementsAre(::testing::HasSubstr("time advances by h in every step"),
+                                              ::testing::HasSubstr("time advances by 100 h in 100 steps")))
+        << share;
+  }
 }
 
 }  // namespace
