@@ -31,7 +31,13 @@ class PackTest : public ::testing::Test {
 };
 using Packs = ::testing::Types<Pack<double, 2>, Pack<double, 4>, Pack<double, 8>, Pack<float, 4>, Pack<float, 8>,
                                Pack<float, 16>>;
-TYPED_TEST_SUITE(PackTest, Packs);
+struct PackNames {
+  template <class P>
+  static std::string GetName(int) {
+    return (std::is_same_v<typename PackTest<P>::Number, double> ? "double" : "float") + std::to_string(P::width);
+  }
+};
+TYPED_TEST_SUITE(PackTest, Packs, PackNames);
 
 TYPED_TEST(PackTest, ScalarFillsAllLanes) {
   this->expectLanes(TypeParam(2.5f), [](int) { return 2.5f; });

@@ -78,7 +78,10 @@ TEST(ChebyshevFilter, IsLeapfrogWithoutDamping) {
 class AdaptiveLevels : public ::testing::TestWithParam<std::tuple<double, const char*>> {};
 INSTANTIATE_TEST_SUITE_P(All, AdaptiveLevels,
                          ::testing::Combine(::testing::Values(1.5, 3.0, 10.0, 60.0),
-                                            ::testing::Values("stvk", "corotational")));
+                                            ::testing::Values("stvk", "corotational")),
+                         [](const auto& test) {
+                           return test::testName(std::get<0>(test.param)) + "_steps_" + std::get<1>(test.param);
+                         });
 
 TEST_P(AdaptiveLevels, AreProvenEachForItsOwnStep) {
   const auto [steps, law] = GetParam();

@@ -145,7 +145,12 @@ INSTANTIATE_TEST_SUITE_P(
     All, RelaxationMatrix,
     ::testing::Values(MatrixCase{GoalShape::rigid, 1, true}, MatrixCase{GoalShape::linear, 1, true},
                       MatrixCase{GoalShape::linear, 1, false}, MatrixCase{GoalShape::linear, 2, true},
-                      MatrixCase{GoalShape::linear, 3, true}, MatrixCase{GoalShape::linear, 6, false}));
+                      MatrixCase{GoalShape::linear, 3, true}, MatrixCase{GoalShape::linear, 6, false}),
+    [](const auto& test) {
+      const MatrixCase& c = test.param;
+      return (c.goal == GoalShape::rigid ? "rigid_" : "linear_") + std::to_string(c.passes) +
+             (c.clamped ? "_clamped" : "_free");
+    });
 
 // (I + h² M⁻¹K)⁻¹ ≼ P ≼ I and P symmetric: all that the proof of stability uses. Rigid goals are only 0 ≼ P ≼ I.
 TEST_P(RelaxationMatrix, LiesBetweenImplicitEulersAndTheIdentity) {
@@ -219,7 +224,8 @@ TEST(PositionBased, LeavesRigidMotionAlone) {
 
 class PositionBasedStability : public ::testing::TestWithParam<std::pair<const char*, int>> {};
 INSTANTIATE_TEST_SUITE_P(All, PositionBasedStability,
-                         ::testing::Values(std::pair("rigid", 1), std::pair("linear", 1), std::pair("linear", 4)));
+                         ::testing::Values(std::pair("rigid", 1), std::pair("linear", 1), std::pair("linear", 4)),
+                         [](const auto& test) { return test.param.first + ("_" + std::to_string(test.param.second)); });
 
 // The amplification matrix about rest, column by column from the program's own steps.
 TEST_P(PositionBasedStability, NoModeGrowsAtManyTimesTheCriticalStep) {

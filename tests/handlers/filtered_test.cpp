@@ -157,7 +157,8 @@ TEST(Filtered, LeavesRigidMotionAlone) {
 }
 
 class FilteredStability : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(All, FilteredStability, ::testing::Values("certified", "single-element"));
+INSTANTIATE_TEST_SUITE_P(All, FilteredStability, ::testing::Values("certified", "single-element"),
+                         [](const auto& test) { return test::testName(std::string_view(test.param)); });
 
 TEST_P(FilteredStability, NoModeGrowsAtManyTimesTheCriticalStep) {
   Body body = test::sliverBody("corotational", 0.98);

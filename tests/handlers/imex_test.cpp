@@ -50,7 +50,15 @@ INSTANTIATE_TEST_SUITE_P(
           for (const double steps : {2.0, 30.0})
             for (const int held : {0, 1, 2}) cases.push_back({alpha, solver, steps, held});
       return cases;
-    }()));
+    }()),
+    [](const auto& test) {
+      const StepCase& c = test.param;
+      return "alpha_" + test::testName(c.alpha) + (c.solver == ClusterSolver::cholesky ? "_cholesky_" : "_cg_") +
+             test::testName(c.steps) + "_steps" +
+             (c.held == 0   ? "_free"
+              : c.held == 1 ? "_fixed"
+                            : "_moved");
+    });
 
 // For the linear law K̂ is the very stiffness of the handled elements.
 TEST_P(ImexStep, IsThatOfADenseSolve) {
@@ -103,7 +111,8 @@ TEST_P(ImexStep, IsThatOfADenseSolve) {
 }
 
 class ImexStability : public ::testing::TestWithParam<double> {};
-INSTANTIATE_TEST_SUITE_P(All, ImexStability, ::testing::Values(0.0, 0.3, 1.0));
+INSTANTIATE_TEST_SUITE_P(All, ImexStability, ::testing::Values(0.0, 0.3, 1.0),
+                         [](const auto& test) { return "alpha_" + test::testName(test.param); });
 
 // The amplification matrix of the whole linear body, column by column from the program's own steps.
 TEST_P(ImexStability, NoModeGrowsAtManyTimesTheCriticalStep) {

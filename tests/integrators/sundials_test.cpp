@@ -320,7 +320,8 @@ class BreakingInParts final : public AdditiveSystem {
 };
 
 class SundialsFailure : public ::testing::TestWithParam<bool> {};
-INSTANTIATE_TEST_SUITE_P(InEitherPart, SundialsFailure, ::testing::Bool());
+INSTANTIATE_TEST_SUITE_P(InEitherPart, SundialsFailure, ::testing::Bool(),
+                         [](const auto& test) { return test.param ? "stiff_breaks" : "nonstiff_breaks"; });
 
 TEST_P(SundialsFailure, IsAStatusAndLeavesTheState) {
   for (const IntegratorEntry& entry : sundialsIntegrators()) {

@@ -1,0 +1,354 @@
+#!/usr/bin/env python3
+"""Holds README.md and docs/*.md, and the files that CONTRIBUTING.md names, to the program and to the repository.
+
+usage: documents_test.py links|lists|commands SOURCE_DIR PROGRAM
+
+links     every relative link and every file that is named in code leads somewhere
+lists     commands, options, topics, scene keys and lists of names in the documents are those of `ringwatch help TOPIC`
+commands  every command in a fenced block runs, or is listed below with the reason why it does not
+"""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+# A command that takes long or needs something, and what is run in its place: (shell command, exit status).
+SUBSTITUTES = {
+    "ringwatch inspect bar.msh --young 30e3 --poisson 0.3 --density 1000 --global":
+        ("ringwatch mesh generate bar --cells 8 2 2 -o bar.msh > /dev/null && ringwatch inspect bar.msh --young 30e3 "
+         "--poisson 0.3 --density 1000 --global", 0),
+    # The scene is made to run unstable.
+    "ringwatch run examples/stretch_bar.toml --out out/stretch_bar":
+        ("ringwatch run examples/stretch_bar.toml --out out/stretch_bar", 1),
+    "ringwatch compare examples/swinging_bar.toml --integrators all --out out/compare":
+        ("ringwatch compare examples/swinging_bar.toml --integrators symplectic-euler,verlet --out out/compare "
+         "--set mesh.cells=[4,1,1] --set integrator.end=0.02", 0),
+    "ringwatch verify integrators --out out/integrators": ("ringwatch verify integrators --quick --out out/integrators", 0),
+    "ringwatch verify elements": ("true", 0),
+    "ringwatch verify monitor": ("true", 0),
+}
+
+# Studies whose quick form takes too long here; these tests run it.
+STUDY_TESTS = {
+    "elements": "tests/verify/elements_study_test.cpp",
+    "monitor": "tests/verify/monitor_study_test.cpp",
+}
+
+# Commands that are not run, by their first word: why not. A script must pass `bash -n` or compile; a benchmark program
+# must be a target of bench/.
+NOT_RUN = {
+    "scripts/demo": "installs packages and builds; its run is the README's second command",
+    "scripts/test": "builds, and runs this test among all others",
+    "scripts/gpu": "needs a GPU machine",
+    "compute-sanitizer": "needs a GPU machine",
+    "bench/figures": "measures for minutes",
+    "bench/compare.py": "compares results of the benchmark programs",
+    "cp": "copies pictures that bench/figures makes",
+    "build/release/bin/ringwatch_bench_body": "bench",
+    "build/release/bin/ringwatch_bench_monitor": "bench",
+    "build/release/bin/ringwatch_bench_eigenvalues": "bench",
+    "build/release/bin/ringwatch_start_up": "bench",
+    "build/release/bin/ringwatch_work_precision": "bench",
+}
+
+# Files that a document names although they are not here.
+ABSENT = {"elements/wedge15.h": "an element that was tried"}
+
+
+class Documents:
+    def __init__(self, source, program):
+        self.source = source
+        self.program = program
+        self.paths = [source / "README.md", *sorted((source / "docs").glob("*.md"))]
+        self.faults = []
+        self.helps = {}
+
+    def fault(self, path, line, text):
+        self.faults.append(f"{path.relative_to(self.source)}:{line}: {text}")
+
+    def lines(self, path):
+        return path.read_text(encoding="utf-8").split("\n")
+
+    def fences(self, path):
+        """(language, number of the first line, lines) of every fenced block."""
+        begin = None
+        for number, line in enumerate(self.lines(path), 1):
+            if line.startswith("```"):
+                if begin is None:
+                    begin, language, block = number + 1, line[3:].strip(), []
+                else:
+                    yield language, begin, block
+                    begin = None
+            elif begin is not None:
+                block.append(line)
+
+    def spans(self, path):
+        """(line number, text) of every inline code span outside of fenced blocks."""
+        text, fenced = [], False
+        for line in self.lines(path):
+            if line.startswith("```"):
+                fenced = not fenced
+            text.append("" if fenced or line.startswith("```") else line)
+        joined = "\n".join(text)
+        for match in re.finditer(r"`([^`]+)`", joined):
+            yield joined.count("\n", 0, match.start()) + 1, " ".join(match[1].split())
+
+    def commands(self, path):
+        """(line number, command) of every fenced shell block; comments are left out, continued lines joined."""
+        for language, first, block in self.fences(path):
+            if language not in ("", "sh", "bash"):
+                continue
+            text = ""
+            for number, line in enumerate(block, first):
+                text += line
+                if text.endswith("\\"):
+                    text = text[:-1]
+                    continue
+                command = " ".join(re.sub(r"\s#.*$", "", text).split())
+                if command:
+                    yield number, command
+                text = ""
+
+    def ringwatch(self, *arguments):
+        return subprocess.run([self.program, *arguments], capture_output=True, text=True, check=False)
+
+    def help(self, *topic):
+        if topic not in self.helps:
+            result = self.ringwatch("help", *topic)
+            self.helps[topic] = result.stdout if result.returncode == 0 else None
+        return self.helps[topic]
+
+    def names(self, topic):
+        """The names that a topic lists."""
+        return re.findall(r"^  ([\w./:-]+) ", self.help(topic) or "", re.M)
+
+    # ---- links
+
+    def check_links(self):
+        for path in [*self.paths, self.source / "CONTRIBUTING.md"]:
+            text = "\n".join(self.lines(path))
+            for match in re.finditer(r"\]\(([^)\s]+)\)", text):
+                target = match[1].split("#")[0]
+                if re.match(r"\w+:", match[1]) or not target:
+                    continue
+                if not (path.parent / target).exists():
+                    self.fault(path, text.count("\n", 0, match.start()) + 1, f"the link {match[1]} leads nowhere")
+            top = {p.name for p in self.source.iterdir()}
+            for line, span in self.spans(path):
+                first = span.split("/")[0]
+                if path.parent == self.source and re.fullmatch(r"\w+/", span) and first not in (*top, "build", "out"):
+                    self.fault(path, line, f"there is no folder {span}")
+                if "/" not in span or first not in top or first == "build" or re.search(r"[\s*<>…]|NAME|FOLDER", span):
+                    continue
+                stem = self.source / span
+                if span in ABSENT:
+                    continue
+                if not stem.exists() and not list(stem.parent.glob(stem.name + ".*")):
+                    self.fault(path, line, f"there is no {span}")
+
+    # ---- lists
+
+    def check_invocation(self, path, line, command):
+        """A `ringwatch …` of the text: its command, options and topic exist."""
+        words = command.split()[1:]
+        if not words or words[0].startswith("-"):
+            return
+        if words[0] == "help":
+            if len(words) == 2 and words[1].isupper():  # stands for any
+                return
+            if self.help(*words[1:]) is None:
+                self.fault(path, line, f"`{command}`: there is no such topic")
+            return
+        name = [words[0]]
+        if words[0] == "mesh" and len(words) > 1:
+            name.append(words[1])
+        text = self.help(*name)
+        if text is None:
+            self.fault(path, line, f"`{command}`: there is no such command")
+            return
+        for option in re.findall(r"(?<!\S)--?[a-z][\w-]*", command):
+            if not re.search(rf"(?<![\w-]){re.escape(option)}(?![\w-])", text):
+                self.fault(path, line, f"`{command}`: there is no option {option}")
+        if words[0] == "verify":
+            for study in words[1:]:
+                if re.fullmatch(r"[a-z]+", study) and study not in (*self.names("studies"), "all"):
+                    if words[words.index(study) - 1].startswith("--"):
+                        continue
+                    self.fault(path, line, f"`{command}`: there is no study {study}")
+
+    def scene_keys(self):
+        """section -> key -> what it may be, from the topic."""
+        keys, section, key = {}, None, None
+        for line in self.help("scene").split("\n"):
+            if match := re.match(r"\[+(\w+)\]+ ", line):
+                section = keys.setdefault(match[1], {})
+            elif line.startswith("Mesh generators"):
+                break
+            elif section is not None and (match := re.match(r"  (\w+) ", line)):
+                key = match[1]
+                section[key] = None
+            elif section is not None and (match := re.match(r"\s+one of: (.*)", line)):
+                section[key] = match[1].split(", ")
+        return keys
+
+    def check_keys(self, path, keys):
+        """Scene keys in TOML blocks and in code spans."""
+        for language, first, block in self.fences(path):
+            if language != "toml":
+                continue
+            section = None
+            for number, line in enumerate(block, first):
+                if match := re.match(r"\s*\[+(\w+)\]+", line):
+                    section = match[1]
+                    if section not in keys:
+                        self.fault(path, number, f"a scene has no section {section}")
+                elif match := re.match(r"\s*(\w+)\s*=\s*([^#]*)(#.*)?", line):
+                    self.check_key(path, number, keys, section, match[1], match[2] + (match[3] or ""))
+                    proposed = re.findall(r'"([\w-]+)"', match[2] + (match[3] or ""))
+                    if (section, match[1]) == ("handler", "method") and set(proposed) != set(self.names("handlers")):
+                        self.fault(path, number, f"the handlers are {self.names('handlers')}, not {proposed}")
+        for line, span in self.spans(path):
+            for section, key in re.findall(r"(?<![\w/.])(" + "|".join(keys) + r")\.([a-z]\w*)(?![\w/(.])", span):
+                if key not in ("h", "cpp", "md", "cu"):
+                    self.check_key(path, line, keys, section, key, "")
+            for section, key, value in re.findall(r"\[+(\w+)\]+ (\w+) = (\S+)", span):
+                self.check_key(path, line, keys, section, key, value)
+
+    def check_key(self, path, line, keys, section, key, values):
+        if section not in keys or key not in keys[section]:
+            self.fault(path, line, f"a scene has no key {section}.{key}")
+        elif keys[section][key]:
+            for value in re.findall(r'"([\w-]+)"', values):
+                if value not in keys[section][key] and value not in keys:
+                    self.fault(path, line, f"{section}.{key} cannot be {value}")
+
+    def first_column(self, name, header):
+        """The code spans of the first column of a table."""
+        path = self.source / name
+        found, inside = [], False
+        for line in self.lines(path):
+            if line.startswith(header):
+                inside = True
+            elif inside and not line.startswith("|"):
+                break
+            elif inside and (match := re.match(r"\| `([^`]+)` \|", line)):
+                found.append(match[1])
+        return path, found
+
+    def same(self, path, what, found, topic, names=None):
+        expected = self.names(topic) if names is None else names
+        if sorted(found) != sorted(expected):
+            self.fault(path, 1, f"{what}: the document has {sorted(found)}, ringwatch help {topic} {sorted(expected)}")
+
+    def check_lists(self):
+        keys = self.scene_keys()
+        for path in self.paths:
+            for line, span in self.spans(path):
+                if span.startswith("ringwatch "):
+                    self.check_invocation(path, line, span)
+            for line, command in self.commands(path):
+                if command.startswith("ringwatch "):
+                    self.check_invocation(path, line, command)
+            self.check_keys(path, keys)
+
+        readme = self.source / "README.md"
+        text = "\n".join(self.lines(readme))
+        laws = re.search(r"^Laws: (.*?)`ringwatch", text, re.M)
+        self.same(readme, "laws", re.findall(r"`([\w-]+)`", laws[1]) if laws else [], "laws")
+        formats = re.search(r"`inspect` reads (.*?), and prints", text)
+        extensions = [e for name in self.names("formats") for e in name.split("/")]
+        self.same(readme, "mesh formats", re.findall(r"`(\.\w+)`", formats[1]) if formats else [], "formats", extensions)
+        self.same(*self.column("docs/elements.md", "| element | nodes", "elements"))
+        path, _ = self.first_column("docs/elements.md", "| element | nodes")
+        for match in re.finditer(r"^\| `(\w+)` \| (\d+) \| [^|]* \| (.*) \|$", "\n".join(self.lines(path)), re.M):
+            entry = re.search(rf"^  {match[1]} +(\d+) nodes.*\n((?:    .*\n)*)", self.help("elements"), re.M)
+            if entry is None or entry[1] != match[2]:
+                self.fault(path, 1, f"{match[1]} has not {match[2]} nodes")
+                continue
+            rules = re.findall(r"^    ([\w-]+) ", entry[2], re.M)
+            if rules != re.findall(r"`([\w-]+)`", match[3]):
+                self.fault(path, 1, f"the rules of {match[1]} are {rules}")
+        # A program without SUNDIALS has the explicit integrators only.
+        path, integrators = self.first_column("docs/integrators.md", "| name | what")
+        if "implicit-euler" in self.names("integrators"):
+            self.same(path, "integrators", integrators, "integrators")
+        elif not set(self.names("integrators")) <= set(integrators):
+            self.fault(path, 1, "integrators are missing")
+        path, modes = self.first_column("docs/monitor.md", "| `[monitor] mode`")
+        self.same(path, "monitor.mode", modes, "scene", keys["monitor"]["mode"])
+        path = self.source / "docs/handlers.md"
+        headings = [line[3:] for line in self.lines(path) if line.startswith("## ")]
+        for name in self.names("handlers"):
+            if name not in headings:
+                self.fault(path, 1, f"the handler {name} has no section")
+
+    def column(self, name, header, topic):
+        path, found = self.first_column(name, header)
+        return path, topic, found, topic
+
+    # ---- commands
+
+    def check_commands(self):
+        unused = set(SUBSTITUTES) | set(NOT_RUN)
+        bench = "".join(p.read_text(encoding="utf-8") for p in (self.source / "bench").rglob("CMakeLists.txt"))
+        ran = set()
+        with tempfile.TemporaryDirectory() as folder:
+            work = pathlib.Path(folder)
+            shutil.copytree(self.source / "examples", work / "examples")
+            (work / "bin").mkdir()
+            (work / "bin/ringwatch").symlink_to(self.program)
+            for path in self.paths:
+                listed = list(self.commands(path))
+                # Commands in the running text count when they name a scene of the examples.
+                listed += [(n, s) for n, s in self.spans(path) if re.match(r"ringwatch (run|compare) examples/\S+\.toml", s)]
+                for line, command in listed:
+                    first = command.split()[0]
+                    if first in NOT_RUN:
+                        unused.discard(first)
+                        self.check_not_run(path, line, first, bench)
+                        continue
+                    unused.discard(command)
+                    if command in ran:
+                        continue
+                    ran.add(command)
+                    run, status = SUBSTITUTES.get(command, (command, 0))
+                    result = subprocess.run(
+                        ["bash", "-c", f'export PATH="{work}/bin:$PATH"; {run}'], cwd=work, capture_output=True,
+                        text=True, check=False, timeout=600)
+                    if result.returncode != status:
+                        self.fault(path, line, f"`{run}` ends with {result.returncode}, not {status}: {result.stderr.strip()}")
+                    for study in re.findall(r"^ringwatch verify (\w+)", command):
+                        test = self.source / STUDY_TESTS.get(study, "-")
+                        if run == "true" and (not test.exists() or "StudyEffort::quick" not in test.read_text(encoding="utf-8")):
+                            self.fault(path, line, f"no test runs the study {study}")
+        for name in sorted(unused):
+            self.faults.append(f"{pathlib.Path(__file__).name}: no document has the command `{name}` any more")
+
+    def check_not_run(self, path, line, first, bench):
+        if NOT_RUN[first] == "bench":
+            target = first.rsplit("/", 1)[1]
+            if not re.search(rf"\b({target}|ringwatch_bench\({target.removeprefix('ringwatch_bench_')})\b", bench):
+                self.fault(path, line, f"bench/ has no program {first}")
+            return
+        script = self.source / first
+        if "/" not in first:
+            return
+        if not script.is_file() or not script.stat().st_mode & 0o100:
+            self.fault(path, line, f"{first} is not a script that can be called")
+        elif script.read_bytes().startswith(b"#!/usr/bin/env bash"):
+            if subprocess.run(["bash", "-n", script], check=False).returncode:
+                self.fault(path, line, f"{first} is not bash")
+
+
+def main():
+    check, source, program = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
+    documents = Documents(source, program)
+    {"links": documents.check_links, "lists": documents.check_lists, "commands": documents.check_commands}[check]()
+    print("\n".join(documents.faults) or f"{check}: no fault in {len(documents.paths)} documents")
+    return 1 if documents.faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,80 @@
+"""Seeds one fault after the other into the documents and expects documents_test.py and snippets.py to name it.
+
+usage: seeded_faults_test.py PROGRAM
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+SOURCE = HERE.parents[1]
+PROGRAM = sys.argv.pop()
+
+
+def tree(folder, document, old, new):
+    """The repository in a folder, by links, with one text of one document replaced."""
+    for entry in SOURCE.iterdir():
+        if entry.name not in ("README.md", "CONTRIBUTING.md", "docs"):
+            (folder / entry.name).symlink_to(entry)
+    for name in ("README.md", "CONTRIBUTING.md"):
+        shutil.copy(SOURCE / name, folder)
+    shutil.copytree(SOURCE / "docs", folder / "docs")
+    path = folder / document
+    text = path.read_text(encoding="utf-8")
+    assert old in text, f"{document} has no {old}"
+    path.write_text(text.replace(old, new, 1), encoding="utf-8")
+
+
+class SeededFaults(unittest.TestCase):
+    def expect(self, check, message, document, old, new):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            tree(folder, document, old, new)
+            if check == "snippets":
+                command = [sys.executable, HERE / "snippets.py", folder, folder / "out.cpp"]
+            else:
+                command = [sys.executable, HERE / "documents_test.py", check, folder, PROGRAM]
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+            self.assertIn(message, done.stdout + done.stderr)
+
+    def test_links(self):
+        self.expect("links", "the link docs/images/none.png leads nowhere", "README.md", "docs/images/stretch_bar.png",
+                    "docs/images/none.png")
+        self.expect("links", "there is no docs/none.md", "README.md", "`docs/gpu.md`", "`docs/none.md`")
+
+        self.expect("links", "there is no folder python/", "CONTRIBUTING.md", "`docs/`", "`docs/`, `python/`")
+        self.expect("links", "there is no handlers/registry.h", "CONTRIBUTING.md", "`handlers/registry.cpp`",
+                    "`handlers/registry.h`")
+
+    def test_invocations(self):
+        self.expect("lists", "there is no such topic", "README.md", "`ringwatch help scene`", "`ringwatch help sceen`")
+        self.expect("lists", "there is no such command", "README.md", "ringwatch inspect bar.msh", "ringwatch look bar.msh")
+        self.expect("lists", "there is no option --globally", "README.md", "--global", "--globally")
+        self.expect("lists", "there is no study element", "README.md", "ringwatch verify elements", "ringwatch verify element")
+
+    def test_scene_keys(self):
+        self.expect("lists", "a scene has no key handler.methods", "README.md", 'method = "imex"', 'methods = "imex"')
+        self.expect("lists", "a scene has no key monitor.modus", "README.md", "`[monitor] mode =", "`[monitor] modus =")
+        self.expect("lists", "a scene has no key monitor.evry", "docs/gpu.md", "`monitor.every`", "`monitor.evry`")
+        self.expect("lists", "handler.selection cannot be single", "docs/handlers.md", '"single-element"', '"single"')
+
+    def test_names(self):
+        self.expect("lists", "the handlers are", "README.md", ', "filtered"', "")
+        self.expect("lists", "laws: the document has", "README.md", "`corotational`", "")
+        self.expect("lists", "mesh formats: the document has", "README.md", "`.inp`", "")
+        self.expect("lists", "elements: the document has", "docs/elements.md", "| `hex20` | 20", "| `hex27` | 20")
+        self.expect("lists", "the rules of wedge6 are", "docs/elements.md", "`gauss-3x2`, `source`", "`source`")
+        self.expect("lists", "monitor.mode: the document has", "docs/monitor.md", "| `threshold` |", "| `certify` |")
+        self.expect("lists", "the handler filtered has no section", "docs/handlers.md", "## filtered", "## filters")
+
+    def test_snippets(self):
+        self.expect("snippets", "has no context", "docs/monitor.md", "## Modes", "```cpp\nint i;\n```\n## Modes")
+        self.expect("snippets", "there is no snippet 0 any more", "README.md", "```cpp", "```text")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""Writes the C++ snippets of README.md and docs/*.md into one source file, which is compiled with the tests.
+
+Every snippet needs a context here: what its text takes for granted, and whether its lines stand in a function. A snippet
+without a context, and a context without a snippet, is an error.
+
+usage: snippets.py SOURCE_DIR OUTPUT
+"""
+import pathlib
+import re
+import sys
+
+# (document, number of the snippet in it): (includes, code before). None for a snippet that stands outside of functions.
+STEP = "  std::int64_t step = 0; double time = 0, h = 1e-4; ringwatch::NodeVectors x, v;\n"
+CONTEXTS = {
+    ("README.md", 0): ([], STEP),
+    ("docs/embedding.md", 0): (
+        ["ringwatch/monitor/stability_monitor.h"],
+        "  struct { std::vector<double> X; std::vector<std::int32_t> tets; } solver; std::int32_t nodes = 0;\n",
+    ),
+    ("docs/embedding.md", 1): (
+        ["ringwatch/monitor/stability_monitor.h"],
+        "  ringwatch::Body& body = any<ringwatch::Body>(); ringwatch::StabilityMonitor monitor(body, {.limit = 2.0});\n" + STEP,
+    ),
+    ("docs/embedding.md", 2): (
+        ["ringwatch/monitor/tangent_bracket.h"],
+        "  std::vector<double> mass, tangents; std::vector<std::int32_t> bars; std::vector<std::uint8_t> held;\n",
+    ),
+    ("docs/integrators.md", 0): (["memory"], None),
+    ("docs/gpu.md", 0): ([], "  ringwatch::Body& body = any<ringwatch::Body>(); double h = 1e-4;\n"),
+    ("docs/gpu.md", 1): (
+        ["ringwatch/gpu/device_body.h", "ringwatch/gpu/device_imex.h", "ringwatch/gpu/device_rings.h",
+         "ringwatch/handlers/implicit_cluster.h"],
+        "  ringwatch::Body& body = any<ringwatch::Body>(); ringwatch::DeviceBody<double> device(body); double h = 1e-4;\n"
+        "  std::vector<ringwatch::ElementRef> stiff;\n",
+    ),
+}
+
+
+def snippets(source):
+    """(document, number, line, text) of every ```cpp block."""
+    for path in [source / "README.md", *sorted((source / "docs").glob("*.md"))]:
+        lines = path.read_text(encoding="utf-8").split("\n")
+        number, begin = 0, None
+        for i, line in enumerate(lines):
+            if begin is None and re.match(r"```(cpp|c\+\+|cxx)\b", line):
+                begin = i + 1
+            elif begin is not None and line.startswith("```"):
+                yield path.relative_to(source).as_posix(), number, begin + 1, lines[begin:i]
+                number, begin = number + 1, None
+
+
+def main():
+    source, output = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    includes, bodies, unused, faults = ["cstdint", "vector"], [], set(CONTEXTS), []
+    for document, number, line, text in snippets(source):
+        if (document, number) not in CONTEXTS:
+            faults.append(f"{document}:{line}: snippet {number} has no context in {pathlib.Path(__file__).name}")
+            continue
+        unused.discard((document, number))
+        own, before = CONTEXTS[document, number]
+        includes += own + [m[1] for m in (re.match(r"#include <(.*)>", t) for t in text) if m]
+        code = "\n".join("" if t.startswith("#include") else t for t in text)
+        code = f'#line {line} "{source / document}"\n{code}\n'
+        name = re.sub(r"\W", "_", document) + f"_{number}"
+        bodies.append(f"namespace {name} {{\n{code}}}\n" if before is None else f"void {name}() {{\n{before}{code}}}\n")
+    faults += [f"{document}: there is no snippet {number} any more" for document, number in sorted(unused)]
+    if faults:
+        sys.exit("\n".join(faults))
+    head = "".join(f"#include <{i}>\n" for i in dict.fromkeys(includes))
+    pragma = "".join(f'#pragma GCC diagnostic ignored "-W{w}"\n' for w in ("unused-variable", "unused-but-set-variable", "missing-field-initializers"))
+    text = f"{head}{pragma}namespace {{\ntemplate <class T>\nT& any() {{\n  throw 0;\n}}\n}}  // namespace\n" + "".join(bodies)
+    output.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
