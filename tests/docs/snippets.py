@@ -10,8 +10,9 @@ import pathlib
 import re
 import sys
 
-# (document, number of the snippet in it): (includes, code before). None for a snippet that stands outside of functions.
-STEP = "  std::int64_t step = 0; double time = 0, h = 1e-4; ringwatch::NodeVectors x, v;\n"
+# (document, number of the snippet in it): (includes, code before), in a loop that `break` may leave. None for a snippet that stands outside of functions.
+STATE = "  std::int64_t step = 0; double time = 0; ringwatch::NodeVectors x, v;\n"
+STEP = STATE + "  double h = 1e-4;\n"
 CONTEXTS = {
     ("README.md", 0): ([], STEP),
     ("docs/embedding.md", 0): (
@@ -20,7 +21,7 @@ CONTEXTS = {
     ),
     ("docs/embedding.md", 1): (
         ["ringwatch/monitor/stability_monitor.h"],
-        "  ringwatch::Body& body = any<ringwatch::Body>(); ringwatch::StabilityMonitor monitor(body, {.limit = 2.0});\n" + STEP,
+        "  ringwatch::Body& body = any<ringwatch::Body>(); ringwatch::StabilityMonitor monitor(body, {.limit = 2.0});\n" + STATE,
     ),
     ("docs/embedding.md", 2): (
         ["ringwatch/monitor/tangent_bracket.h"],
@@ -63,7 +64,7 @@ def main():
         code = "\n".join("" if t.startswith("#include") else t for t in text)
         code = f'#line {line} "{source / document}"\n{code}\n'
         name = re.sub(r"\W", "_", document) + f"_{number}"
-        bodies.append(f"namespace {name} {{\n{code}}}\n" if before is None else f"void {name}() {{\n{before}{code}}}\n")
+        bodies.append(f"namespace {name} {{\n{code}}}\n" if before is None else f"void {name}() {{\n{before}  do {{\n{code}  }} while (false);\n}}\n")
     faults += [f"{document}: there is no snippet {number} any more" for document, number in sorted(unused)]
     if faults:
         sys.exit("\n".join(faults))
