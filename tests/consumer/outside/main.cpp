@@ -23,9 +23,11 @@ int main() {
   if (first.verdict != Verdict::certified || !first.bracket) return 1;
   const double safe = first.bracket->safe, optimistic = first.bracket->optimistic;
   std::printf("critical step between %.6e s and %.6e s\n", safe, optimistic);
+  // The first look has the best proof; on regular meshes the bound that is kept along a run is up to a fifth lower.
+  const double h = 0.8 * safe;
   for (int step = 1; step <= 10; ++step) {
-    if (!integrator->step(system, state, 0.9 * safe).done) return 1;
-    if (monitor.observe(step, state.time, state.x, state.v, 0.9 * safe).verdict != Verdict::certified) return 1;
+    if (!integrator->step(system, state, h).done) return 1;
+    if (monitor.observe(step, state.time, state.x, state.v, h).verdict != Verdict::certified) return 1;
   }
   return monitor.observe(11, state.time, state.x, state.v, 1.1 * optimistic).verdict == Verdict::violated ? 0 : 1;
 }
