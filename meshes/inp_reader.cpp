@@ -466,8 +466,10 @@ class Deck {
       std::sort(ids.begin(), ids.end());
       return ids;
     }();
-    for (auto& [key, set] : nodeSets_)
+    for (auto& entry : nodeSets_) {
+      auto& set = entry.second;
       forEachMember(set, known, [&](std::int64_t id) { builder_.addToNodeSet(set.name, id); });
+    }
   }
 
   const std::string& text_;
