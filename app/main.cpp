@@ -13,7 +13,8 @@
 
 namespace ringwatch {
 
-// The studies take the compiler as long as all the rest, so they are a program of their own, `ringwatch-verify`.
+// Most users never build the studies, which take the compiler long: they are a program of their own,
+// `ringwatch-verify`.
 std::span<const StudyInfo> allStudies() { return {}; }
 
 namespace {
