@@ -16,9 +16,9 @@
 #include <ringwatch/app/picture.h>
 #include <ringwatch/app/progress.h>
 #include <ringwatch/app/report.h>
-#include <ringwatch/app/run_system.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/split_body_system.h>
 #include <ringwatch/verify/work_precision.h>
 
@@ -123,8 +123,7 @@ class Run {
         cut(scene_.cuts[result_.cuts.size() + cutsMissed_]);
 
       const bool rowDue = k % scene_.historyEvery == 0;
-      keepBooks(rowDue);
-      MonitorReport report = handleMore(k, observe(k));
+      MonitorReport report = handleMore(k, observe(k, rowDue));
       looks_ += report.fresh ? 1 : 0;
       if (!state_.x.allFinite() || !state_.v.allFinite()) {
         keepEvents(report);
@@ -144,7 +143,8 @@ class Run {
 
   /// What depends on the masses and on which elements are explicit.
   void startSystem() {
-    system_.emplace(body_, scene_.damping, scene_.energy);
+    system_.emplace(body_, scene_.damping);
+    state_.a.resize(3, 0);
     closeEvents();
     monitor_.reset();
     if (!scene_.monitored()) return;
@@ -245,6 +245,7 @@ class Run {
     record.time = state_.time;
     const auto handled = [&] { return handler_ ? static_cast<std::int64_t>(handler_->elements().size()) : 0; };
     record.elementsBefore = static_cast<std::int64_t>(body_.mesh().elementCount());
+    evaluateForBooks();
     keepBooks(true);
     if (wanted.criticalStep) record.before = criticalStepHere();
     record.kineticBefore = kineticEnergy();
@@ -335,7 +336,7 @@ class Run {
       prepareHandler(state_.x, h_);
       startSystem();
     }
-    return observe(k);
+    return observe(k, k % scene_.historyEvery == 0);
   }
 
   void end(ExitReason reason, std::string text) {
@@ -353,24 +354,58 @@ class Run {
                     stiff.size(), body_.mesh().elementCount()));
   }
 
-  /// Energies of the state before the step. Prescribed motion and damping do work in every step, so their books need
-  /// every step.
+  /// Whether the books need this state. Prescribed motion and damping do work in every step, so theirs need every step.
+  bool booksDue(bool rowDue) const {
+    return scene_.energy && (rowDue || body_.constraints().moving() || scene_.damping.any());
+  }
+  /// What the pass over the elements of the whole body is to give at this state.
+  void askFor(bool rowDue) {
+    const bool beginsStep = !device_ && !split_ && integrator_->beginsWithAcceleration() && state_.a.cols() == 0;
+    evaluation_.wantsForce = beginsStep || state_.lag != 0 || (booksDue(rowDue) && body_.constraints().moving());
+    evaluation_.wantsEnergy = scene_.energy && rowDue;
+  }
+  /// Gives the state the acceleration that was evaluated.
+  void takeAcceleration() {
+    if (!evaluation_.wantsForce || device_ || split_) return;
+    if (integrator_->beginsWithAcceleration() || state_.lag != 0) system_->complete(state_, evaluation_);
+  }
+  /// Energies of the state before the step, after its evaluation.
   void keepBooks(bool rowDue) {
     energies_.reset();
-    if (!scene_.energy || (!rowDue && !body_.constraints().moving() && !scene_.damping.any())) return;
+    if (!booksDue(rowDue)) return;
     const Stopwatch force(result_.forceTime);
-    balance_->record(state_.x, system_->internalForce(state_.time, state_.x, state_.v));
-    if (scene_.damping.any())
-      balance_->recordDamping(state_.time, state_.v, system_->dampingForce(state_.time, state_.x, state_.v));
+    balance_->record(state_.x, evaluation_.internalForce);
+    if (scene_.damping.any()) {
+      system_->dampingForce(state_.x, state_.v, dampingForce_);
+      balance_->recordDamping(state_.time, state_.v, dampingForce_);
+    }
     if (!rowDue) return;
-    energies_ = balance_->energies(state_.v);
+    energies_ = balance_->energies(state_.v, evaluation_.strainEnergy);
     energies_->externalWork += beforeCut_.externalWork;
     energies_->dissipated += beforeCut_.dissipated;
     energies_->balanceError += beforeCut_.balanceError;
   }
 
-  MonitorReport observe(std::int64_t k) {
-    MonitorReport report = observeExplicit(k);
+  /// Evaluates the state before step k: one pass over the elements serves the scheme, the energy books and, where it
+  /// watches the whole body, the monitor.
+  MonitorReport observe(std::int64_t k, bool rowDue) {
+    askFor(rowDue);
+    const bool shared = monitor_ && !handler_ && !device_;
+    MonitorReport report;
+    if (shared) {
+      report = observeExplicit(k, &evaluation_);
+    } else {
+      evaluateForBooks();
+      report = observeExplicit(k, nullptr);
+    }
+    takeAcceleration();
+    keepBooks(rowDue);
+    if (monitor_ && energies_) {
+      const Stopwatch watch(result_.monitorTime);
+      // Events of an earlier observation are those of a report that is not fresh.
+      report.newEvents = monitor_->observeEnergies(*energies_).newEvents;
+      if (handler_) nameElements(report);
+    }
     if (!handler_ || !scene_.monitored()) return report;
     if (k % scene_.every == 0 && state_.x.allFinite()) {
       const Stopwatch watch(result_.monitorTime);
@@ -380,13 +415,18 @@ class Run {
     judgeHandled(report);
     return report;
   }
+  void evaluateForBooks() {
+    if (!evaluation_.wantsForce && !evaluation_.wantsEnergy) return;
+    const Stopwatch force(result_.forceTime);
+    body_.evaluate(state_.x, evaluation_, workspace_);
+  }
 
   /// A step is certified only with the handled parts that need a proof of their own.
   void judgeHandled(MonitorReport& report) const {
     if (!handledWatch_.proven() && report.verdict == Verdict::certified) report.verdict = Verdict::notCertified;
   }
 
-  MonitorReport observeExplicit(std::int64_t k) {
+  MonitorReport observeExplicit(std::int64_t k, StepEvaluation* evaluation) {
     if (!monitor_) {
       MonitorReport report;
       report.step = k;
@@ -395,6 +435,7 @@ class Run {
       return report;
     }
     const Stopwatch watch(result_.monitorTime);
+    evaluation_.wallTime = 0;
     if (device_ && k % scene_.every != 0) {
       lastReport_.step = k;
       lastReport_.time = state_.time;
@@ -403,9 +444,11 @@ class Run {
       return lastReport_;
     }
     // With "auto" the first step is chosen from the first bracket.
-    MonitorReport report =
-        monitor_->observe(k, state_.time, state_.x, state_.v, h_ > 0 ? std::optional<double>(h_) : std::nullopt,
-                          energies_ ? &*energies_ : nullptr);
+    MonitorReport report = monitor_->observe(k, state_.time, state_.x, state_.v,
+                                             h_ > 0 ? std::optional<double>(h_) : std::nullopt, evaluation);
+    // The pass over the elements counts as the force's, which it serves too.
+    result_.monitorTime -= evaluation_.wallTime;
+    result_.forceTime += evaluation_.wallTime;
     if (device_) lastReport_ = report;
     if (handler_) nameElements(report);
     return report;
@@ -522,7 +565,8 @@ class Run {
   /// One step, or on a GPU up to `count`: `count` becomes what was taken, and a step that fails after others is tried
   /// again by the next call.
   StepStatus tryStep(std::int64_t& count) {
-    if (!device_) return split_ ? integrator_->step(*split_, state_, h_) : integrator_->step(*system_, state_, h_);
+    if (split_) return integrator_->step(*split_, state_, h_);
+    if (!device_) return integrator_->advance(*system_, state_, h_);
     const DeviceRun::Taken taken =
         device_->step(state_, h_, count, monitor_ && scene_.proves() ? rule_.lambdaFor(h_) : 0);
     count = taken.steps;
@@ -674,7 +718,10 @@ class Run {
   StepRule rule_;
   std::unique_ptr<Integrator> integrator_;
   Handler* handler_ = nullptr;  // the same, where it is one
-  std::optional<RunSystem> system_;
+  std::optional<BodySystem> system_;
+  StepEvaluation evaluation_;
+  Body::Workspace workspace_;
+  NodeVectors dampingForce_;
   std::optional<SplitBodySystem> split_;  // for partitioned schemes
   std::unique_ptr<DeviceRun> device_;     // when the steps are taken on a GPU
   HandledWatch handledWatch_;

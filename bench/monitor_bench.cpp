@@ -162,16 +162,16 @@ void watchedRun(benchmark::State& state, const Case& c, int split, MonitorMode m
   for (auto _ : state) {
     StabilityMonitor monitor(body, options);
     State at = system.initialState(), plain = at;
-    NodeVectors force;
+    StepEvaluation evaluation;
     stepTime = watchTime = refreshed = certified = 0;
     width.clear();
     constexpr int turn = 20;  // steps
     for (int step = 0; step <= steps; ++step) {
       const double before = cpuSeconds();
-      const MonitorReport& now = monitor.observe(step, at.time, at.x, at.v, h, nullptr, &force);
+      const MonitorReport& now = monitor.observe(step, at.time, at.x, at.v, h, &evaluation);
       const double watched = cpuSeconds();
-      system.takeForce(force);
-      integrator.step(system, at, h);
+      system.complete(at, evaluation);
+      integrator.advance(system, at, h);
       if (step == 0) {
         startTime = watched - before;  // from scratch, once a run
       } else {

@@ -159,6 +159,7 @@ void certificate(benchmark::State& state, const Case& c) {
   for (auto _ : state) {
     StabilityMonitor monitor(body, options);
     State at = system.initialState();
+    StepEvaluation evaluation;
     stepTime = watchTime = certified = 0;
     for (int step = 0; step <= steps; ++step) {
       const double begin = cpuSeconds();

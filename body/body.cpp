@@ -1,6 +1,7 @@
 #include <ringwatch/body/body.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -190,20 +191,8 @@ void Body::addBodyForce(const Eigen::Vector3d& acceleration) {
   externalForce_ += acceleration * lumpedMass_.transpose();
 }
 
-void Body::sumOverPatches(
-    NodeVectors& result, Workspace& workspace,
-    const std::function<void(std::size_t block, std::int32_t patch, double* slots)>& addPatch) const {
-  workspace.slots.resize(static_cast<std::size_t>(4 * slotCount_));
+void Body::sumSlots(NodeVectors& result, const double* slots) const {
   result.resize(3, nodeCount());
-  double* slots = workspace.slots.data();
-  parallelFor(0, static_cast<std::int64_t>(patches_.size()), threads(), [&](std::int64_t p) {
-    const PatchRef& ref = patches_[static_cast<std::size_t>(p)];
-    double* own = slots + 4 * ref.firstSlot;
-    const auto block = static_cast<std::size_t>(ref.block);
-    const Patch& patch = blocks_[block]->layout().patches[static_cast<std::size_t>(ref.patch)];
-    std::fill(own, own + 4 * static_cast<std::ptrdiff_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
-    addPatch(block, ref.patch, own);
-  });
   constexpr std::int64_t chunk = 2048;
   const std::int64_t nodes = nodeCount();
   parallelFor(0, (nodes + chunk - 1) / chunk, threads(), [&](std::int64_t c) {
@@ -220,30 +209,83 @@ void Body::sumOverPatches(
   });
 }
 
-void Body::internalForce(const NodeVectors& x, NodeVectors& f, Workspace& workspace) const {
-  sumOverPatches(f, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
-    blocks_[b]->forcePatch(blocks_[b]->layout().patches[static_cast<std::size_t>(p)], x.data(), slots);
+void Body::sumOverPatches(
+    NodeVectors& result, Workspace& workspace,
+    const std::function<void(std::size_t block, std::int32_t patch, double* slots)>& addPatch) const {
+  workspace.slots.resize(static_cast<std::size_t>(4 * slotCount_));
+  double* slots = workspace.slots.data();
+  parallelFor(0, static_cast<std::int64_t>(patches_.size()), threads(), [&](std::int64_t p) {
+    const PatchRef& ref = patches_[static_cast<std::size_t>(p)];
+    double* own = slots + 4 * ref.firstSlot;
+    const auto block = static_cast<std::size_t>(ref.block);
+    const Patch& patch = blocks_[block]->layout().patches[static_cast<std::size_t>(ref.patch)];
+    std::fill(own, own + 4 * static_cast<std::ptrdiff_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
+    addPatch(block, ref.patch, own);
   });
+  sumSlots(result, slots);
+}
+
+void Body::pass(const NodeVectors& x, PatchVisitor* visitor, NodeVectors* force, double* energy,
+                Workspace& workspace) const {
+  if (force) workspace.slots.resize(static_cast<std::size_t>(4 * slotCount_));
+  if (energy) workspace.energies.resize(patches_.size());
+  parallelFor(0, static_cast<std::int64_t>(patches_.size()), threads(), [&](std::int64_t p) {
+    const PatchRef& ref = patches_[static_cast<std::size_t>(p)];
+    const auto blockIndex = static_cast<std::size_t>(ref.block);
+    const ElementBlock& block = *blocks_[blockIndex];
+    const Patch& patch = block.layout().patches[static_cast<std::size_t>(ref.patch)];
+    double* slots = nullptr;
+    if (force) {
+      slots = workspace.slots.data() + 4 * ref.firstSlot;
+      std::fill(slots, slots + 4 * static_cast<std::ptrdiff_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
+    }
+    double energies[PatchLayout::lanes] = {};
+    alignas(64) double rows[4 * PatchLayout::maxPatchNodes];
+    block.gatherRows(patch, x.data(), rows);
+    const PatchPass pass(block, ref.patch, rows, slots, energy ? energies : nullptr);
+    if (visitor)
+      visitor->visitPatch(blockIndex, pass);
+    else
+      pass.run(patch.batchBegin, patch.batchEnd);
+    if (energy) {
+      double sum = 0;
+      for (const double part : energies) sum += part;
+      workspace.energies[static_cast<std::size_t>(p)] = sum;
+    }
+  });
+  if (force) sumSlots(*force, workspace.slots.data());
+  if (energy) {
+    *energy = 0;
+    for (const double part : workspace.energies) *energy += part;
+  }
+}
+
+void Body::evaluate(const NodeVectors& x, StepEvaluation& evaluation, Workspace& workspace) const {
+  const auto begin = std::chrono::steady_clock::now();
+  pass(x, evaluation.visitor, evaluation.wantsForce ? &evaluation.internalForce : nullptr,
+       evaluation.wantsEnergy ? &evaluation.strainEnergy : nullptr, workspace);
+  evaluation.wallTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void Body::internalForce(const NodeVectors& x, NodeVectors& f, Workspace& workspace) const {
+  pass(x, nullptr, &f, nullptr, workspace);
+}
+
+double Body::energy(const NodeVectors& x, Workspace& workspace) const {
+  double energy = 0;
+  pass(x, nullptr, nullptr, &energy, workspace);
+  return energy;
 }
 
 void Body::tangentProduct(const NodeVectors& x, const NodeVectors& v, NodeVectors& Kv, Workspace& workspace) const {
   sumOverPatches(Kv, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
-    blocks_[b]->tangentProductPatch(blocks_[b]->layout().patches[static_cast<std::size_t>(p)], x.data(), v.data(),
-                                    slots);
+    const ElementBlock& block = *blocks_[b];
+    const Patch& patch = block.layout().patches[static_cast<std::size_t>(p)];
+    alignas(64) double rows[4 * PatchLayout::maxPatchNodes], vRows[4 * PatchLayout::maxPatchNodes];
+    block.gatherRows(patch, x.data(), rows);
+    block.gatherRows(patch, v.data(), vRows);
+    block.tangentProductBatches(patch.batchBegin, patch.batchEnd, rows, vRows, slots);
   });
-}
-
-double Body::energy(const NodeVectors& x, Workspace& workspace) const {
-  workspace.partial.resize(patches_.size());
-  parallelFor(0, static_cast<std::int64_t>(patches_.size()), threads(), [&](std::int64_t p) {
-    const PatchRef& ref = patches_[static_cast<std::size_t>(p)];
-    const ElementBlock& block = *blocks_[static_cast<std::size_t>(ref.block)];
-    workspace.partial[static_cast<std::size_t>(p)] =
-        block.energyPatch(block.layout().patches[static_cast<std::size_t>(ref.patch)], x.data());
-  });
-  double sum = 0;
-  for (double part : workspace.partial) sum += part;
-  return sum;
 }
 
 Eigen::MatrixXd Body::elementTangent(ElementRef ref, const NodeVectors& x) const {

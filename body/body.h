@@ -28,6 +28,16 @@ struct BodyOptions {
   int threads = 0;  // 0: all that OpenMP offers
 };
 
+/// What one pass over the elements of a body is asked for, and what it found. What is not asked for is not computed.
+struct StepEvaluation {
+  bool wantsForce = true;
+  bool wantsEnergy = false;
+  PatchVisitor* visitor = nullptr;  ///< sees the deformation gradients that it wants
+  NodeVectors internalForce;        ///< ∂(strain energy)/∂x, 3×N, N
+  double strainEnergy = 0;          ///< J
+  double wallTime = 0;              ///< s, of the pass
+};
+
 /// An assembled tangent with what its assembly keeps from call to call.
 struct SparseTangent {
   BlockMatrix blocks;
@@ -41,7 +51,7 @@ class Body {
   /// Scratch memory of the passes; reuse it from call to call. One a thread of the caller.
   struct Workspace {
     AlignedVector<double> slots;
-    std::vector<double> partial;
+    std::vector<double> energies;  // of the patches, J
   };
 
   /// Throws InputError for an unknown rule, NumericalError for an element whose volume or nodal mass is not positive or
@@ -83,16 +93,20 @@ class Body {
   /// Throws InputError unless `values`, an argument called `name`, is 3×N.
   void checkNodal(std::string_view name, const NodeVectors& values) const;
 
-  /// Internal force ∂(strain energy)/∂x at positions x (3×N, m), N. The equation of motion is m a = externalForce - f.
+  /// Internal force, strain energy and deformation gradients at positions x (3×N, m), whatever of them is asked for, in
+  /// one pass over the elements. In parallel, with the same bits for any number of threads. The equation of motion is
+  /// m a = externalForce - internalForce.
+  void evaluate(const NodeVectors& x, StepEvaluation& evaluation, Workspace& workspace) const;
+  /// The internal force alone, 3×N, N.
   void internalForce(const NodeVectors& x, NodeVectors& f, Workspace& workspace) const;
+  /// The strain energy alone, J.
+  double energy(const NodeVectors& x, Workspace& workspace) const;
   /// The sum at the nodes, 3×N, of what addPatch adds into the slots of each patch of each block (the slots are zero
   /// before); in parallel, the same bits for any number of threads.
   void sumOverPatches(NodeVectors& result, Workspace& workspace,
                       const std::function<void(std::size_t block, std::int32_t patch, double* slots)>& addPatch) const;
   /// K(x) v with the exact tangent K = ∂f/∂x.
   void tangentProduct(const NodeVectors& x, const NodeVectors& v, NodeVectors& Kv, Workspace& workspace) const;
-  /// Strain energy, J.
-  double energy(const NodeVectors& x, Workspace& workspace) const;
   /// Exact tangent of one element, 3n×3n, N/m.
   Eigen::MatrixXd elementTangent(ElementRef element, const NodeVectors& x) const;
   /// Exact tangent of all elements as node blocks. The pattern is made when `matrix` is empty and reused else.
@@ -137,6 +151,9 @@ class Body {
     std::int64_t firstSlot;  // of the patch, counted over all blocks
   };
   void lumpMass();
+  void pass(const NodeVectors& x, PatchVisitor* visitor, NodeVectors* force, double* energy,
+            Workspace& workspace) const;
+  void sumSlots(NodeVectors& result, const double* slots) const;
   void makePattern(BlockMatrix& matrix) const;
   void placePairs(BlockMatrix& matrix) const;
   void indexSlots();

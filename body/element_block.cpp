@@ -14,6 +14,16 @@ template <std::size_t shard>
 BatchMaker batchMakerOfShard(ElementType type, std::size_t law);
 }  // namespace detail
 
+void ElementBlock::gatherRows(const Patch& patch, const double* x, double* rows) const {
+  const std::int32_t* nodes = layout_.nodes.data() + patch.nodeBegin;
+  const int count = patch.nodeEnd - patch.nodeBegin;
+  for (int i = 0; i < count; ++i) {
+    const double* from = x + 3 * static_cast<std::ptrdiff_t>(nodes[i]);
+    for (int c = 0; c < 3; ++c) rows[4 * i + c] = from[c];
+    rows[4 * i + 3] = 0;
+  }
+}
+
 std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material,
                                                std::string_view ruleName) {
   const ElementInfo& element = elementInfo(block.type);

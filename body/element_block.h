@@ -7,6 +7,7 @@
 
 #include <ringwatch/base/aligned.h>
 #include <ringwatch/base/pack.h>
+#include <ringwatch/body/element_operators.h>
 #include <ringwatch/materials/registry.h>
 #include <ringwatch/meshes/mesh.h>
 
@@ -29,20 +30,28 @@ struct PatchLayout {
   std::vector<std::uint16_t> localNodes;     // [batch][node][lane] position in the patch's node list
   std::vector<std::int32_t> batchOfElement;  // by position in the mesh block: batch * lanes + lane
 
+  /// A patch has no more nodes: its rows fit on the stack.
+  static constexpr int maxPatchNodes = 1024;
+
   std::int32_t batchCount() const { return static_cast<std::int32_t>(elements.size() / lanes); }
 };
 PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block);
 
-struct DeformationWatch;
+/// Sees the deformation gradients of elements while a pass computes with them.
+class GradientVisitor {
+ public:
+  /// F[(q * 9 + i) * lanes + lane] of the elements of a batch at the quadrature points q, row by row.
+  virtual void visit(std::int32_t batch, const double* F) = 0;
 
-/// How fast an element's highest eigenvalue can grow when its deformation gradients move away from an anchor. With l
-/// the largest eigenvalue of D⁻¹K_e at the anchor, b >= lambda_max(D⁻¹ Σ_q w_q B_qᵀB_q), and |F_q - F0_q| <= δ <=
-/// radius for all q:
-///   l(F) <= l + (2 √((l + b negative) kappa b) + b linear) δ + b (kappa + quadratic) δ².
-struct TangentDrift {
-  TangentDriftCoefficients<double> law{0, 0, 0, 0};              // largest of the points'
-  double determinant = std::numeric_limits<double>::infinity();  // least det F0
-  double inversionDistance = 0;  // no F_q inverts while |F_q - F0_q| is smaller; 0 when one is inverted
+ protected:
+  ~GradientVisitor() = default;
+};
+
+/// What a pass over batches of elements gives. What is not asked for is not computed.
+struct BatchEvaluation {
+  double* slots = nullptr;             ///< the internal force, N, is added into the slots of the patch
+  double* energy = nullptr;            ///< strain energy, J, is added lane by lane: energy[lanes]
+  GradientVisitor* visitor = nullptr;  ///< sees the deformation gradients
 };
 
 /// The virtual face of the elements of one type, law and quadrature rule. One virtual call a patch or batch, never an
@@ -64,12 +73,16 @@ class ElementBlock {
     return {connectivity_.data() + static_cast<std::size_t>(e) * n, n};
   }
 
-  /// Adds the internal force ∂energy/∂x, N, of the patch into its slots, which must be zero before.
-  virtual void forcePatch(const Patch& patch, const double* x, double* slots) const = 0;
-  /// Adds K(x) v of the patch into its slots; K the exact tangent ∂force/∂x, N/m.
-  virtual void tangentProductPatch(const Patch& patch, const double* x, const double* v, double* slots) const = 0;
-  /// Strain energy of the patch, J.
-  virtual double energyPatch(const Patch& patch, const double* x) const = 0;
+  /// Copies the nodes of a patch from a 3×N vector into rows of four numbers, the last one zero: rows[4 * nodes].
+  void gatherRows(const Patch& patch, const double* x, double* rows) const;
+
+  /// Internal force ∂energy/∂x, strain energy and deformation gradients of batches [first, last) of a patch, whatever
+  /// of them is asked for, in one pass. rows: positions, as gatherRows gives them.
+  virtual void evaluateBatches(std::int32_t first, std::int32_t last, const double* rows,
+                               const BatchEvaluation& evaluation) const = 0;
+  /// Adds K(x) v of the batches into the slots of their patch; K the exact tangent ∂force/∂x, N/m. rows: x, vRows: v.
+  virtual void tangentProductBatches(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
+                                     double* slots) const = 0;
   /// Exact tangents of the elements of a batch: K[(row * 3n + column) * lanes + lane], rows and columns 3·node +
   /// component, N/m. Lanes without an element get zeros.
   virtual void tangentBatch(std::int32_t batch, const double* x, double* K) const = 0;
@@ -80,12 +93,6 @@ class ElementBlock {
   /// Deformation gradients at positions x of any elements, one a lane (-1: none), F[(q * 9 + i) * lanes + lane] row by
   /// row, q the quadrature point, and how fast the tangent can grow from there, drift[lane].
   virtual void deformationOf(const std::int32_t* elements, const double* x, double* F, TangentDrift* drift) const = 0;
-  /// Appends the elements of a patch that have left their balls at positions x to `left`.
-  virtual void lookAtPatch(std::int32_t patch, const double* x, DeformationWatch& watch,
-                           std::vector<std::int32_t>& left) const = 0;
-  /// forcePatch and lookAtPatch in one pass over the elements.
-  virtual void forceAndLookPatch(std::int32_t patch, const double* x, DeformationWatch& watch, double* slots,
-                                 std::vector<std::int32_t>& left) const = 0;
   /// max_q Σ_a |∂N_a/∂X| of the elements of a batch, 1/m: norms[lane].
   virtual void gradientNormBatch(std::int32_t batch, double* norms) const = 0;
   /// Least determinant of F over the quadrature points of each element of a batch: determinants[lane].
@@ -108,6 +115,40 @@ class ElementBlock {
   Material material_;
   PatchLayout layout_;
   std::span<const std::int32_t> connectivity_;  // the mesh's
+};
+
+/// A patch in a pass over a body. A visitor runs its batches, each once and in ascending order.
+class PatchPass {
+ public:
+  /// slots, energy: as in BatchEvaluation.
+  PatchPass(const ElementBlock& block, std::int32_t patch, const double* rows, double* slots, double* energy)
+      : block_(block), patch_(patch), rows_(rows), slots_(slots), energy_(energy) {}
+
+  std::int32_t index() const { return patch_; }
+  const Patch& patch() const { return block_.layout().patches[static_cast<std::size_t>(patch_)]; }
+  /// Positions of the patch's nodes, as ElementBlock::gatherRows gives them.
+  const double* rows() const { return rows_; }
+  /// Computes what is wanted of batches [first, last); the visitor sees their deformation gradients.
+  void run(std::int32_t first, std::int32_t last, GradientVisitor* visitor = nullptr) const {
+    if (slots_ || energy_ || visitor) block_.evaluateBatches(first, last, rows_, {slots_, energy_, visitor});
+  }
+
+ private:
+  const ElementBlock& block_;
+  std::int32_t patch_;
+  const double* rows_;
+  double *slots_, *energy_;
+};
+
+/// Takes part in a pass over a body (Body::evaluate): runs the batches of each patch and may see their deformation
+/// gradients.
+class PatchVisitor {
+ public:
+  /// Called from several threads at once, each patch from one.
+  virtual void visitPatch(std::size_t block, const PatchPass& pass) = 0;
+
+ protected:
+  ~PatchVisitor() = default;
 };
 
 /// The block for a mesh block: picks ElementBatch<element, law>. Throws InputError when the element has no rule of that

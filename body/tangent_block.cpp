@@ -22,26 +22,27 @@ void TangentBlock::tangentOf(const std::int32_t* elements, const double* /*x*/, 
   }
 }
 
-void TangentBlock::tangentProductPatch(const Patch& patch, const double* /*x*/, const double* v, double* slots) const {
+void TangentBlock::tangentProductBatches(std::int32_t first, std::int32_t last, const double* /*rows*/,
+                                         const double* vRows, double* slots) const {
   const int n = element().nodes, size = 3 * n;
   const auto& layout = this->layout();
-  for (std::int32_t i = patch.batchBegin * lanes; i < patch.batchEnd * lanes; ++i) {
+  for (std::int32_t i = first * lanes; i < last * lanes; ++i) {
     const std::int32_t e = layout.elements[static_cast<std::size_t>(i)];
     if (e < 0) continue;
     const double* K = tangents_ + static_cast<std::ptrdiff_t>(e) * size * size;
-    const auto nodes = nodesOf(e);
+    const auto local = [&](int a) {
+      return 4 * static_cast<std::ptrdiff_t>(
+                     layout.localNodes[static_cast<std::size_t>((i / lanes * n + a) * lanes + i % lanes)]);
+    };
     double own[3 * maxElementNodes];
     for (int a = 0; a < n; ++a)
-      for (int c = 0; c < 3; ++c)
-        own[3 * a + c] = v[3 * static_cast<std::ptrdiff_t>(nodes[static_cast<std::size_t>(a)]) + c];
-    for (int a = 0; a < n; ++a) {
-      const auto local = layout.localNodes[static_cast<std::size_t>((i / lanes * n + a) * lanes + i % lanes)];
+      for (int c = 0; c < 3; ++c) own[3 * a + c] = vRows[local(a) + c];
+    for (int a = 0; a < n; ++a)
       for (int c = 0; c < 3; ++c) {
         double sum = 0;
         for (int k = 0; k < size; ++k) sum += K[(3 * a + c) * size + k] * own[k];
-        slots[4 * static_cast<std::ptrdiff_t>(local) + c] += sum;
+        slots[local(a) + c] += sum;
       }
-    }
   }
 }
 

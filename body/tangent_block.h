@@ -15,20 +15,15 @@ class TangentBlock final : public ElementBlock {
 
   void tangentBatch(std::int32_t batch, const double* x, double* K) const override;
   void tangentOf(const std::int32_t* elements, const double* x, double* K) const override;
-  void tangentProductPatch(const Patch& patch, const double* x, const double* v, double* slots) const override;
+  void tangentProductBatches(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
+                             double* slots) const override;
 
-  void forcePatch(const Patch&, const double*, double*) const override { unknown("force"); }
-  double energyPatch(const Patch&, const double*) const override { unknown("energy"); }
+  void evaluateBatches(std::int32_t, std::int32_t, const double*, const BatchEvaluation&) const override {
+    unknown("force");
+  }
   void laplacianOf(const std::int32_t*, double*) const override { unknown("shape gradients"); }
   void deformationOf(const std::int32_t*, const double*, double*, TangentDrift*) const override {
     unknown("deformation gradient");
-  }
-  void lookAtPatch(std::int32_t, const double*, DeformationWatch&, std::vector<std::int32_t>&) const override {
-    unknown("deformation gradient");
-  }
-  void forceAndLookPatch(std::int32_t, const double*, DeformationWatch&, double*,
-                         std::vector<std::int32_t>&) const override {
-    unknown("force");
   }
   void gradientNormBatch(std::int32_t, double*) const override { unknown("shape gradients"); }
   void minimumDeterminantBatch(std::int32_t, const double*, double*) const override { unknown("deformation gradient"); }

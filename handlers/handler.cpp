@@ -86,9 +86,17 @@ double Handler::allowedLambda(double h) const {
 }
 
 StepStatus Handler::step(SecondOrderSystem& system, State& state, double h) {
-  if (elements_.empty()) return base_->step(system, state, h);
+  if (stepsAsBase()) return base_->step(system, state, h);
   if (h != h_) throw InputError(joinText("step ", h, " s: the handler was prepared for ", h_, " s"));
   return handledStep(system, state, h);
+}
+
+StepStatus Handler::advance(SecondOrderSystem& system, State& state, double h) {
+  return stepsAsBase() ? base_->advance(system, state, h) : step(system, state, h);
+}
+
+bool Handler::beginsWithAcceleration() const {
+  return stepsAsBase() ? base_->beginsWithAcceleration() : handledBeginsWithAcceleration();
 }
 
 void Handler::requireTurningTetrahedra(const std::vector<ElementRef>& elements) const {
@@ -105,7 +113,10 @@ void Handler::requireTurningTetrahedra(const std::vector<ElementRef>& elements) 
 
 StepStatus Handler::baseStep(SecondOrderSystem& system, State& state, double h, const std::string& fault) {
   before_ = state;
+  state.a.swap(baseAcceleration_);
   const StepStatus status = base_->step(system, state, h);
+  state.a.swap(baseAcceleration_);
+  state.a.resize(3, 0);
   if (status.done && fault.empty()) return status;
   state = before_;
   reset();

@@ -55,7 +55,8 @@ class Handler : public Integrator {
   const IntegratorInfo& info() const override { return base_->info(); }
 
   /// Chooses the elements to handle for steps of h (s, > 0) at positions x (3×N, m), those chosen before among them.
-  /// Throws InputError for options or a body that it cannot work with.
+  /// Throws InputError for options or a body that it cannot work with. Changes what steps compute: empty State::a after
+  /// it.
   void prepare(const NodeVectors& x, double h);
   /// The same for a body whose mesh was cut: the choice of the handler of the body before, carried over to what the cut
   /// left as it was. With "reduced-1-ring" only the changed elements are looked at; "certified" chooses anew among
@@ -63,7 +64,12 @@ class Handler : public Integrator {
   void prepare(const NodeVectors& x, double h, const CutMesh& cut, const Handler& before);
   /// One step of the size that it was prepared for; another throws InputError.
   StepStatus step(SecondOrderSystem& system, State& state, double h) override;
-  void reset() override { base_->reset(); }
+  StepStatus advance(SecondOrderSystem& system, State& state, double h) override;
+  bool beginsWithAcceleration() const override;
+  void reset() override {
+    base_->reset();
+    baseAcceleration_.resize(3, 0);
+  }
 
   /// The handled elements, as flags and ascending.
   const ElementFlags& chosen() const { return chosen_; }
@@ -92,6 +98,10 @@ class Handler : public Integrator {
   /// Called after a choice that is not empty.
   virtual void take(const NodeVectors& x, double h, const ElementFlags& chosen) = 0;
   virtual StepStatus handledStep(SecondOrderSystem& system, State& state, double h) = 0;
+  /// Whether a step is one of the base scheme on the system itself.
+  virtual bool stepsAsBase() const { return elements_.empty(); }
+  /// Whether handledStep begins with the acceleration of the state by the system, and takes State::a for it.
+  virtual bool handledBeginsWithAcceleration() const { return false; }
   /// A step of the base scheme in which the system may find a fault: then the state is as before it, and the status
   /// says what it is. fault: filled in by the system, empty else.
   StepStatus baseStep(SecondOrderSystem& system, State& state, double h, const std::string& fault);
@@ -120,6 +130,8 @@ class Handler : public Integrator {
   Body& body_;
   std::unique_ptr<Integrator> base_;
   HandlerOptions options_;
+  NodeVectors baseAcceleration_ =
+      NodeVectors(3, 0);  // State::a of the base scheme on the system that baseStep gives it
 
  private:
   /// lookAt: the elements to judge; empty for all.

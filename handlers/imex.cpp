@@ -9,9 +9,16 @@ namespace ringwatch {
 
 class ImplicitExplicit::Corrected final : public SecondOrderSystem {
  public:
-  Corrected(ImplicitExplicit& owner, SecondOrderSystem& inner, double c) : owner_(owner), inner_(inner), c_(c) {}
+  /// first: the acceleration by the inner system that is asked for first; empty when it is not known.
+  Corrected(ImplicitExplicit& owner, SecondOrderSystem& inner, double c, NodeVectors& first)
+      : owner_(owner), inner_(inner), c_(c), first_(first) {}
   void acceleration(double time, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
-    inner_.acceleration(time, x, v, a);
+    if (first_.cols() > 0) {
+      a.swap(first_);
+      first_.resize(3, 0);
+    } else {
+      inner_.acceleration(time, x, v, a);
+    }
     auto& clusters = owner_.clusters_;
     owner_.failed_.assign(clusters.size(), 0);
     parallelFor(0, static_cast<std::int64_t>(clusters.size()), owner_.body_.threads(), [&](std::int64_t k) {
@@ -39,6 +46,7 @@ class ImplicitExplicit::Corrected final : public SecondOrderSystem {
   ImplicitExplicit& owner_;
   SecondOrderSystem& inner_;
   double c_;
+  NodeVectors& first_;
 };
 
 ImplicitExplicit::ImplicitExplicit(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
@@ -58,7 +66,9 @@ void ImplicitExplicit::take(const NodeVectors& x, double h, const ElementFlags& 
 StepStatus ImplicitExplicit::handledStep(SecondOrderSystem& system, State& state, double h) {
   const double alpha = options_.dissipation, beta = 0.25 * (1 + alpha) * (1 + alpha);
   // With u = a + c v, c = α/(beta h), the damping force needs no product of its own: (M + beta h² K̂) u = M (a₀ + c v).
-  Corrected corrected(*this, system, alpha / (beta * h));
+  NodeVectors first(3, 0);
+  if (handledBeginsWithAcceleration()) first.swap(state.a);
+  Corrected corrected(*this, system, alpha / (beta * h), first);
   return baseStep(corrected, state, h, corrected.fault);
 }
 

@@ -27,6 +27,9 @@ class ImplicitExplicit final : public Handler {
  protected:
   void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
   StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
+  bool handledBeginsWithAcceleration() const override {
+    return base_->beginsWithAcceleration() && baseAcceleration_.cols() == 0;
+  }
 
  private:
   /// The base scheme's view: the acceleration that the implicit elements allow.

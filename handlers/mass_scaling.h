@@ -26,6 +26,7 @@ class MassScaling final : public Handler {
   StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override {
     return base_->step(system, state, h);
   }
+  bool stepsAsBase() const override { return true; }
 
  private:
   Eigen::VectorXd ownMass_, added_;  // kg, by node

@@ -21,25 +21,33 @@ class BodySystem final : public DifferentiableSystem {
       : body_(body), damping_(damping), inverseMass_(body.lumpedMass().cwiseInverse()) {}
 
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
-    if (!taken_) body_.internalForce(x, internalForce_, workspace_);
-    taken_ = false;
+    body_.internalForce(x, internalForce_, workspace_);
+    accelerationOfForce(internalForce_, x, v, a);
+  }
+  /// The acceleration where the internal force at x (3×N, N) is known, as from Body::evaluate.
+  void accelerationOfForce(const NodeVectors& internalForce, const NodeVectors& x, const NodeVectors& v,
+                           NodeVectors& a) {
     if (!damping_.any()) {
-      a = (body_.externalForce() - internalForce_) * inverseMass_.asDiagonal();  // in one pass
+      a = (body_.externalForce() - internalForce) * inverseMass_.asDiagonal();  // in one pass
     } else {
-      if (damping_.beta != 0)
-        body_.tangentProduct(x, v, dampingForce_, workspace_);
-      else
-        dampingForce_.setZero(3, x.cols());
-      dampingForce_ = damping_.beta * dampingForce_ + damping_.alpha * v * body_.lumpedMass().asDiagonal();
-      a = (body_.externalForce() - internalForce_ - dampingForce_) * inverseMass_.asDiagonal();
+      dampingForce(x, v, dampingForce_);
+      a = (body_.externalForce() - internalForce - dampingForce_) * inverseMass_.asDiagonal();
     }
     body_.constraints().clearConstrained(a);
   }
-  /// Takes over the internal force, 3×N, N, at the positions of the next call of acceleration, which then does not
-  /// compute it: what StabilityMonitor::observe hands out. `force` gets an older array in exchange.
-  void takeForce(NodeVectors& force) {
-    internalForce_.swap(force);
-    taken_ = true;
+  /// Gives a state its acceleration from an evaluation of the body at its positions, and ends a step of
+  /// Integrator::advance with it: one pass over the elements serves the scheme and whatever else was asked for.
+  void complete(State& state, const StepEvaluation& evaluation) {
+    accelerationOfForce(evaluation.internalForce, state.x, state.v, state.a);
+    ringwatch::complete(*this, state);
+  }
+  /// Damping force C v at x, 3×N, N.
+  void dampingForce(const NodeVectors& x, const NodeVectors& v, NodeVectors& force) {
+    if (damping_.beta != 0)
+      body_.tangentProduct(x, v, force, workspace_);
+    else
+      force.setZero(3, x.cols());
+    force = damping_.beta * force + damping_.alpha * v * body_.lumpedMass().asDiagonal();
   }
   bool velocityDependent() const override { return damping_.any(); }
   const Eigen::VectorXd& mass() const override { return body_.lumpedMass(); }
@@ -59,10 +67,6 @@ class BodySystem final : public DifferentiableSystem {
   bool isConstrained(std::int32_t node, int component) const override {
     return body_.constraints().isConstrained(node, component);
   }
-  /// Internal force of the last evaluation, 3×N, N: an observer need not compute it again. Without the damping force.
-  const NodeVectors& lastInternalForce() const { return internalForce_; }
-  /// Damping force C v of the last evaluation, 3×N, N; empty without damping.
-  const NodeVectors& lastDampingForce() const { return dampingForce_; }
 
   const Body& body() const { return body_; }
   /// At rest in the reference configuration, constrained components already moving.
@@ -79,7 +83,6 @@ class BodySystem final : public DifferentiableSystem {
   RayleighDamping damping_;
   Eigen::VectorXd inverseMass_;
   NodeVectors internalForce_, dampingForce_;
-  bool taken_ = false;
   Body::Workspace workspace_;
   SparseTangent tangent_;
 };

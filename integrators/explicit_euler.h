@@ -20,15 +20,14 @@ class ExplicitEuler final : public Integrator {
       &dampedLimit};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
-    system.acceleration(state.time, state.x, state.v, a_);
+    const NodeVectors& a = accelerationOf(system, state);
     state.x += h * state.v;
-    state.v += h * a_;
+    state.v += h * a;
     state.time += h;
+    state.a.resize(3, 0);
     return {};
   }
-
- private:
-  NodeVectors a_;
+  bool beginsWithAcceleration() const override { return true; }
 };
 
 }  // namespace ringwatch

@@ -17,6 +17,13 @@ struct State {
   double time = 0;
   NodeVectors x;
   NodeVectors v;
+  /// Acceleration of this state, 3×N, m/s², where somebody has it; else empty. An integrator that begins its steps with
+  /// it (Integrator::beginsWithAcceleration) need not evaluate it again. Empty it when anything else of the state, the
+  /// system or its constraints is changed.
+  NodeVectors a = NodeVectors(3, 0);
+  /// Time, s, by which v lags: the velocity of the state is v + lag · a. 0 but between Integrator::advance and
+  /// complete.
+  double lag = 0;
 };
 
 /// ẍ = a(t, x, ẋ). A body under load is one (BodySystem), an oscillator another.
@@ -92,16 +99,35 @@ struct StepStatus {
   std::string reason;  // why not
 };
 
-/// Advances a State by a step; does not choose the step. An integrator may remember the last acceleration from step to
-/// step: call reset() when the state, the system or its constraints were changed from outside.
+/// Advances a State by a step; does not choose the step.
 class Integrator {
  public:
   virtual ~Integrator() = default;
   virtual const IntegratorInfo& info() const = 0;
   /// Advances `state` by h seconds.
   virtual StepStatus step(SecondOrderSystem& system, State& state, double h) = 0;
+  /// The same, but the state may be left with a lag: its last kick needs the acceleration at the new positions, which
+  /// the caller provides in State::a, evaluated together with whatever else is wanted there. Then call complete().
+  virtual StepStatus advance(SecondOrderSystem& system, State& state, double h) { return step(system, state, h); }
+  /// Whether steps begin with the acceleration of the state by the system that they are given, and take State::a for it
+  /// when it is not empty. They leave it empty, or as the acceleration of the new state.
+  virtual bool beginsWithAcceleration() const { return false; }
+  /// Forgets what is remembered from step to step: call it when the state, the system or its constraints were changed
+  /// from outside.
   virtual void reset() {}
 };
+
+/// The acceleration of a state, evaluated unless it has it.
+inline const NodeVectors& accelerationOf(SecondOrderSystem& system, State& state) {
+  if (state.a.cols() == 0) system.acceleration(state.time, state.x, state.v, state.a);
+  return state.a;
+}
+/// Ends a step of Integrator::advance: adds the kick that the velocity lags by.
+inline void complete(SecondOrderSystem& system, State& state) {
+  if (state.lag == 0) return;
+  state.v += state.lag * accelerationOf(system, state);
+  state.lag = 0;
+}
 
 /// An integrator that can be made by name.
 struct IntegratorEntry {

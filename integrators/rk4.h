@@ -26,25 +26,27 @@ class RungeKutta4 final : public Integrator {
                                               &amplification};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
-    system.acceleration(state.time, state.x, state.v, a_);
-    stage(system, state, 0.5 * h, state.v, v2_, a2_);
-    stage(system, state, 0.5 * h, v2_, v3_, a3_, &a2_);
-    stage(system, state, h, v3_, v4_, a4_, &a3_);
+    const NodeVectors& a = accelerationOf(system, state);
+    stage(system, state, 0.5 * h, state.v, a, v2_, a2_);
+    stage(system, state, 0.5 * h, v2_, a2_, v3_, a3_);
+    stage(system, state, h, v3_, a3_, v4_, a4_);
     state.x += (h / 6) * (state.v + 2 * (v2_ + v3_) + v4_);
-    state.v += (h / 6) * (a_ + 2 * (a2_ + a3_) + a4_);
+    state.v += (h / 6) * (a + 2 * (a2_ + a3_) + a4_);
     state.time += h;
+    state.a.resize(3, 0);
     return {};
   }
+  bool beginsWithAcceleration() const override { return true; }
 
  private:
-  /// Velocity and acceleration of a stage at time + c, reached with the slopes (slope, previous acceleration).
-  void stage(SecondOrderSystem& system, const State& state, double c, const NodeVectors& slope, NodeVectors& v,
-             NodeVectors& a, const NodeVectors* previous = nullptr) {
-    x_ = state.x + c * slope;
-    v = state.v + c * (previous ? *previous : a_);
+  /// Velocity and acceleration of a stage at time + c, reached with the slopes of the stage before.
+  void stage(SecondOrderSystem& system, const State& state, double c, const NodeVectors& velocity,
+             const NodeVectors& acceleration, NodeVectors& v, NodeVectors& a) {
+    x_ = state.x + c * velocity;
+    v = state.v + c * acceleration;
     system.acceleration(state.time + c, x_, v, a);
   }
-  NodeVectors x_, v2_, v3_, v4_, a_, a2_, a3_, a4_;
+  NodeVectors x_, v2_, v3_, v4_, a2_, a3_, a4_;
 };
 
 }  // namespace ringwatch

@@ -37,21 +37,23 @@ class RungeKuttaNystrom4 final : public Integrator {
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     const bool velocities = system.velocityDependent();
-    system.acceleration(state.time, state.x, state.v, k1_);
-    x_ = state.x + (0.5 * h) * state.v + (0.125 * h * h) * k1_;
-    if (velocities) v_ = state.v + (0.5 * h) * k1_;
+    const NodeVectors& k1 = accelerationOf(system, state);
+    x_ = state.x + (0.5 * h) * state.v + (0.125 * h * h) * k1;
+    if (velocities) v_ = state.v + (0.5 * h) * k1;
     system.acceleration(state.time + 0.5 * h, x_, velocities ? v_ : state.v, k2_);
     x_ = state.x + h * state.v + (0.5 * h * h) * k2_;
     if (velocities) v_ = state.v + h * k2_;
     system.acceleration(state.time + h, x_, velocities ? v_ : state.v, k3_);
-    state.x += h * state.v + (h * h / 6) * (k1_ + 2 * k2_);
-    state.v += (h / 6) * (k1_ + 4 * k2_ + k3_);
+    state.x += h * state.v + (h * h / 6) * (k1 + 2 * k2_);
+    state.v += (h / 6) * (k1 + 4 * k2_ + k3_);
     state.time += h;
+    state.a.resize(3, 0);
     return {};
   }
+  bool beginsWithAcceleration() const override { return true; }
 
  private:
-  NodeVectors x_, v_, k1_, k2_, k3_;
+  NodeVectors x_, v_, k2_, k3_;
 };
 
 }  // namespace ringwatch

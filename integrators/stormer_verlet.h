@@ -24,20 +24,19 @@ class StormerVerlet final : public Integrator {
       true};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
-    if (!fresh_) system.acceleration(state.time, state.x, state.v, a_);
-    state.v += (0.5 * h) * a_;
+    const StepStatus status = advance(system, state, h);
+    complete(system, state);
+    return status;
+  }
+  StepStatus advance(SecondOrderSystem& system, State& state, double h) override {
+    state.v += (0.5 * h) * accelerationOf(system, state);
     state.x += h * state.v;
     state.time += h;
-    system.acceleration(state.time, state.x, state.v, a_);
-    state.v += (0.5 * h) * a_;
-    fresh_ = true;
+    state.a.resize(3, 0);
+    state.lag = 0.5 * h;
     return {};
   }
-  void reset() override { fresh_ = false; }
-
- private:
-  NodeVectors a_;
-  bool fresh_ = false;
+  bool beginsWithAcceleration() const override { return true; }
 };
 
 }  // namespace ringwatch

@@ -29,15 +29,14 @@ class SymplecticEuler final : public Integrator {
                                               true};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
-    system.acceleration(state.time, state.x, state.v, a_);
-    state.v += h * a_;
+    const NodeVectors& a = accelerationOf(system, state);
+    state.v += h * a;
     state.x += h * state.v;
     state.time += h;
+    state.a.resize(3, 0);
     return {};
   }
-
- private:
-  NodeVectors a_;
+  bool beginsWithAcceleration() const override { return true; }
 };
 
 }  // namespace ringwatch

@@ -27,10 +27,10 @@ void EnergyBalance::recordDamping(double time, const NodeVectors& v, const NodeV
   damping_ = now;
 }
 
-Energies EnergyBalance::energies(const NodeVectors& v) {
+Energies EnergyBalance::energies(const NodeVectors& v, double strainEnergy) {
   Energies e;
   e.kinetic = 0.5 * (v.colwise().squaredNorm() * body_.lumpedMass())(0, 0);
-  e.strain = body_.energy(x_, workspace_);
+  e.strain = strainEnergy;
   // Dead forces at moved components do no work on the body that their support does not take back.
   NodeVectors load = body_.externalForce();
   body_.constraints().clearConstrained(load);
@@ -42,6 +42,14 @@ Energies EnergyBalance::energies(const NodeVectors& v) {
   }
   e.balanceError = e.kinetic + e.strain + e.dissipated - e.externalWork - referenceEnergy_;
   return e;
+}
+
+Energies EnergyBalance::evaluate(const NodeVectors& x, const NodeVectors& v) {
+  own_.wantsForce = body_.constraints().moving();
+  own_.wantsEnergy = true;
+  body_.evaluate(x, own_, workspace_);
+  record(x, own_.internalForce);
+  return energies(v, own_.strainEnergy);
 }
 
 }  // namespace ringwatch

@@ -21,18 +21,19 @@ class EnergyBalance {
  public:
   explicit EnergyBalance(const Body& body) : body_(body) {}
 
-  /// Adds a state with its internal force (3×N, N). Call it at every step when motion is prescribed, else whenever
-  /// wanted; the first call is the start.
+  /// Adds a state with its internal force (3×N, N), which is read only where motion is prescribed. Call it at every
+  /// step then, else whenever wanted; the first call is the start.
   void record(const NodeVectors& x, const NodeVectors& internalForce);
   /// Adds a time (s) with velocities v (3×N, m/s) and the damping force C v (3×N, N) there. Call it at every step of a
   /// damped run.
   void recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce);
-  /// Energies at the last recorded state, with velocities v (3×N, m/s) belonging to it.
-  Energies energies(const NodeVectors& v);
+  /// Energies at the last recorded state, with its velocities v (3×N, m/s) and its strain energy (J).
+  Energies energies(const NodeVectors& v, double strainEnergy);
+  /// Both at once for a state whose force and strain energy nobody has: one pass over the elements.
+  Energies evaluate(const NodeVectors& x, const NodeVectors& v);
 
  private:
   const Body& body_;
-  Body::Workspace workspace_;
   bool started_ = false, hasReference_ = false;
   double prescribedWork_ = 0, dissipated_ = 0, referenceEnergy_ = 0;
   struct DampingPower {
@@ -40,6 +41,8 @@ class EnergyBalance {
   };
   std::optional<DampingPower> damping_;  // of the last record
   NodeVectors firstX_, x_, force_;
+  StepEvaluation own_;
+  Body::Workspace workspace_;
 };
 
 }  // namespace ringwatch

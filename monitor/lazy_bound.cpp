@@ -50,7 +50,7 @@ LazyBound::LazyBound(const Body& body, double slack)
     : body_(body), slack_(slack), shapes_(body), bodyVersion_(body.version()) {
   for (const auto& block : body.blocks()) {
     const std::size_t places = block->layout().elements.size();
-    blocks_.push_back({DeformationWatch(*block), std::vector<float>(places), std::vector<float>(places),
+    blocks_.push_back({ValidityBalls(*block), std::vector<float>(places), std::vector<float>(places),
                        std::vector<Bfloat16>(places), std::vector<Bfloat16>(places)});
   }
 }
@@ -59,7 +59,7 @@ void LazyBound::setBall(std::int32_t b, std::int32_t element, const Evaluated& e
   BlockData& data = blocks_[static_cast<std::size_t>(b)];
   const std::size_t place = placeOf({b, element});
   data.value[place] = roundedUp(evaluated.value);
-  data.watch.setRadius(place,
+  data.balls.setRadius(place,
                        ballRadius(evaluated.drift.law, evaluated.drift.inversionDistance, evaluated.value,
                                   static_cast<double>(data.budget[place]), data.reach[place]),
                        evaluated.fromAnchor);
@@ -80,7 +80,7 @@ void LazyBound::evaluatePack(const NodeVectors& x, std::int32_t b, const std::in
     if (elements[lane] < 0) continue;
     const std::size_t place = placeOf({b, elements[lane]});
     if (withReach) data.reach[place] = Bfloat16::up(reach[lane]);
-    results[lane] = {value[lane], drift[lane], data.watch.setAnchor(place, F.data(), points, lane)};
+    results[lane] = {value[lane], drift[lane], data.balls.setReferenceGradient(place, F.data(), points, lane)};
   }
 }
 
@@ -212,14 +212,14 @@ void LazyBound::dealBudgets(const NodeVectors& x) {
           setBall(static_cast<std::int32_t>(b), elements[lane], own[lane]);
           // Nothing of a wholly constrained element is left in the problem.
           if (body_.constraints().any() && own[lane].value == 0 && data.reach[place] <= 1e-200)
-            data.watch.radius[place] = Bfloat16::down(std::numeric_limits<double>::infinity());
+            data.balls.setNeverOutside(place);
         }
       }
     });
     for (std::size_t i = 0; i < drifts.size(); ++i)
       if (block.layout().elements[i] >= 0) note({static_cast<std::int32_t>(b), block.layout().elements[i]}, drifts[i]);
     spent_.evaluated += block.elementCount();
-    data.watch.lookAtAll();
+    data.balls.invalidateAll();
   }
   shapes_.releaseSums();
   frames_.resize(static_cast<std::size_t>(body_.nodeCount()));
@@ -238,42 +238,48 @@ void LazyBound::retarget(const NodeVectors& x, int sweeps) {
   tightOverLower_ = 0;
 }
 
-std::vector<ElementRef> LazyBound::whoLeft(const NodeVectors& x, NodeVectors* force) {
-  left_.resize(blocks_.size());
+std::vector<ElementRef> LazyBound::elementsOutsideBall(const NodeVectors& x, StepEvaluation* evaluation) {
+  outside_.resize(blocks_.size());
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    left_[b].resize(body_.blocks()[b]->layout().patches.size());
-    for (auto& list : left_[b]) list.clear();
-    ++blocks_[b].watch.looks;
+    outside_[b].resize(body_.blocks()[b]->layout().patches.size());
+    for (auto& list : outside_[b]) list.clear();
+    blocks_[b].balls.beginCheck();
   }
-  if (force) {
-    body_.sumOverPatches(*force, workspace_, [&](std::size_t b, std::int32_t p, double* slots) {
-      body_.blocks()[b]->forceAndLookPatch(p, x.data(), blocks_[b].watch, slots, left_[b][static_cast<std::size_t>(p)]);
-    });
-  } else {
-    for (std::size_t b = 0; b < blocks_.size(); ++b)
-      parallelFor(0, static_cast<std::int64_t>(left_[b].size()), body_.threads(), [&](std::int64_t p) {
-        body_.blocks()[b]->lookAtPatch(static_cast<std::int32_t>(p), x.data(), blocks_[b].watch,
-                                       left_[b][static_cast<std::size_t>(p)]);
-      });
-  }
-  std::vector<ElementRef> gone;
+  class Check final : public PatchVisitor {
+   public:
+    explicit Check(LazyBound& bound) : bound_(bound) {}
+    void visitPatch(std::size_t block, const PatchPass& pass) override {
+      bound_.blocks_[block].balls.checkPatch(pass, bound_.outside_[block][static_cast<std::size_t>(pass.index())]);
+    }
+
+   private:
+    LazyBound& bound_;
+  };
+  Check check(*this);
+  StepEvaluation checkOnly;
+  checkOnly.wantsForce = false;
+  StepEvaluation& asked = evaluation ? *evaluation : checkOnly;
+  asked.visitor = &check;
+  body_.evaluate(x, asked, workspace_);
+  asked.visitor = nullptr;
+  std::vector<ElementRef> outside;
   for (std::size_t b = 0; b < blocks_.size(); ++b)
-    for (const auto& list : left_[b])
-      for (std::int32_t e : list) gone.push_back({static_cast<std::int32_t>(b), e});
-  return gone;
+    for (const auto& list : outside_[b])
+      for (std::int32_t e : list) outside.push_back({static_cast<std::int32_t>(b), e});
+  return outside;
 }
 
-LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise, NodeVectors* force) {
+LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise, StepEvaluation* evaluation) {
   risen_.clear();
-  const std::vector<ElementRef> gone = whoLeft(x, force);
+  const std::vector<ElementRef> outside = elementsOutsideBall(x, evaluation);
   std::vector<Evaluated> now;
-  evaluate(x, gone, false, now);
-  anchored_ = gone;
-  for (std::size_t i = 0; i < gone.size(); ++i) {
+  evaluate(x, outside, false, now);
+  anchored_ = outside;
+  for (std::size_t i = 0; i < outside.size(); ++i) {
     if (!std::isfinite(now[i].value)) return Outcome::notFinite;
-    const double budget = budgetOf(gone[i]), value = now[i].value;
+    const double budget = budgetOf(outside[i]), value = now[i].value;
     const double share = budget > 0 ? value / budget : value > 0 ? std::numeric_limits<double>::infinity() : 0;
-    if (share > leastShare) risen_.push_back({share, gone[i]});
+    if (share > leastShare) risen_.push_back({share, outside[i]});
   }
   std::sort(risen_.begin(), risen_.end(), isBefore);
   const auto overEnd = std::find_if(risen_.begin(), risen_.end(), [](const Risen& r) { return r.share <= 1; });
@@ -286,7 +292,7 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise, NodeVe
     if (data.value[placeOf(e)] <= data.budget[placeOf(e)]) continue;  // a neighbour's repair served it
     if (!repair(x, e, mayRaise)) return Outcome::failed;
   }
-  for (ElementRef e : anchored_) blocks_[static_cast<std::size_t>(e.block)].watch.noteBall(placeOf(e));
+  for (ElementRef e : anchored_) blocks_[static_cast<std::size_t>(e.block)].balls.ballChanged(placeOf(e));
   return Outcome::fine;
 }
 
@@ -299,12 +305,12 @@ void LazyBound::followBody() {
   retargetGap_ = firstGap;
 }
 
-UpperBound LazyBound::update(const NodeVectors& x, NodeVectors* force) {
+UpperBound LazyBound::update(const NodeVectors& x, StepEvaluation* evaluation) {
   spent_ = {};
   followBody();
   ++updates_;
-  const Outcome outcome = started_ ? follow(x, true, force) : Outcome::flooded;
-  if (!started_ && force) body_.internalForce(x, *force, workspace_);
+  if (!started_ && evaluation) body_.evaluate(x, *evaluation, workspace_);
+  const Outcome outcome = started_ ? follow(x, true, evaluation) : Outcome::flooded;
   if (outcome == Outcome::flooded || outcome == Outcome::failed) {
     retarget(x, coldSweeps);
     sigma_ = shapes_.last() * (1 + slack_);
@@ -317,17 +323,17 @@ UpperBound LazyBound::update(const NodeVectors& x, NodeVectors* force) {
   return {sigma_};
 }
 
-bool LazyBound::certify(const NodeVectors& x, double sigma, NodeVectors* force) {
+bool LazyBound::certify(const NodeVectors& x, double sigma, StepEvaluation* evaluation) {
   spent_ = {};
   followBody();
   ++updates_;
   if (started_ && sigma_ <= sigma) {
-    const Outcome outcome = follow(x, false, force);
+    const Outcome outcome = follow(x, false, evaluation);
     if (outcome == Outcome::fine) return true;
     started_ = false;
     if (outcome == Outcome::notFinite) return false;
-  } else if (force) {
-    body_.internalForce(x, *force, workspace_);
+  } else if (evaluation) {
+    body_.evaluate(x, *evaluation, workspace_);
   }
   // From scratch, but not at every step while it keeps failing.
   if (updates_ - lastRetarget_ < retargetGap_) return false;
@@ -349,11 +355,7 @@ Eigen::Quaternionf LazyBound::frameOf(std::int32_t node) const {
   for (const NodalBound::Incidence at : shapes_.incidences(node)) {
     if (++count > enough) break;
     const ElementRef e = shapes_.elementAt(at);
-    const auto block = static_cast<std::size_t>(e.block);
-    const std::size_t points = body_.blocks()[block]->rule().points.size(), place = placeOf(e);
-    const std::int16_t* anchor =
-        blocks_[block].watch.anchor.data() + place / lanes * points * 9 * lanes + place % lanes;
-    for (std::size_t i = 0; i < 9 * points; ++i) F.m[i % 9] += DeformationWatch::anchorUnit * anchor[i * lanes];
+    blocks_[static_cast<std::size_t>(e.block)].balls.addReferenceGradient(placeOf(e), F.m);
   }
   const Matrix3<double> R = closestRotation(F);
   Eigen::Matrix3d matrix;
@@ -551,11 +553,11 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
         const double before = static_cast<double>(data.budget[place]) - value;
         data.budget[place] = roundedDown(static_cast<double>(data.budget[place]) * factor);
         const double after = static_cast<double>(data.budget[place]) - value;
-        const double radius = data.watch.radius[place], error = DeformationWatch::anchorError;
+        const double radius = data.balls.radius(place), error = ValidityBalls::storageError;
         if (radius >= 0 && std::isfinite(radius))
-          data.watch.setRadius(place, after > 0 && before > 0 ? (radius + error) * (after / before) : -1, error);
+          data.balls.setRadius(place, after > 0 && before > 0 ? (radius + error) * (after / before) : -1, error);
       }
-      data.watch.lookAtAll();
+      data.balls.invalidateAll();
     }
     return true;
   }

@@ -4,8 +4,8 @@
 
 #include <Eigen/Geometry>
 
-#include <ringwatch/body/deformation_watch.h>
 #include <ringwatch/monitor/nodal_bound.h>
+#include <ringwatch/monitor/validity_balls.h>
 
 namespace ringwatch {
 
@@ -22,10 +22,9 @@ class LazyBound {
   /// slack: relative room of sigma above the tight bound at a retarget, which budgets share.
   explicit LazyBound(const Body& body, double slack = 0.06);
 
-  /// sigma, proven at positions x (3×N, m). NaN when x or the tangent is not finite. Unless nullptr, `force` becomes
-  /// the internal force at x, 3×N, N: elements are tested in the pass that computes it, which costs less than both
-  /// apart where many leave their balls.
-  UpperBound update(const NodeVectors& x, NodeVectors* force = nullptr);
+  /// sigma, proven at positions x (3×N, m). NaN when x or the tangent is not finite. Unless nullptr, `evaluation` is
+  /// filled in at x: elements are tested in the one pass that computes what it asks for. Its visitor is not used.
+  UpperBound update(const NodeVectors& x, StepEvaluation* evaluation = nullptr);
   /// Tells the bound what a lower bound is at x, so that it can follow downwards: sigma is lowered, or shapes start
   /// afresh, when it lies more than `width` (relative, in the step) above. Proves nothing: when it returns true, sigma
   /// has changed and holds only after the next update.
@@ -37,7 +36,7 @@ class LazyBound {
   /// Threshold mode: proves lambda_max <= sigma for a sigma of the caller's at x, or returns false. Where there is much
   /// room below sigma, balls are large and hardly any element is ever looked at again. A proof that is kept for a
   /// smaller sigma serves too.
-  bool certify(const NodeVectors& x, double sigma, NodeVectors* force = nullptr);
+  bool certify(const NodeVectors& x, double sigma, StepEvaluation* evaluation = nullptr);
 
   double sigma() const { return sigma_; }
   const NodalBound& shapes() const { return shapes_; }
@@ -72,7 +71,7 @@ class LazyBound {
 
  private:
   struct BlockData {
-    DeformationWatch watch;
+    ValidityBalls balls;
     // By place = batch * lanes + lane, rounded to the safe side: budget_e, l_e at the anchor, b_e, and
     // -lambda_min(∂P/∂F) / (λ+2μ) at the anchor, at most.
     std::vector<float> budget, value;
@@ -88,8 +87,8 @@ class LazyBound {
   };
   void note(ElementRef element, const TangentDrift& drift);
   enum class Outcome { fine, flooded, failed, notFinite };
-  Outcome follow(const NodeVectors& x, bool mayRaise, NodeVectors* force);
-  std::vector<ElementRef> whoLeft(const NodeVectors& x, NodeVectors* force);
+  Outcome follow(const NodeVectors& x, bool mayRaise, StepEvaluation* evaluation);
+  std::vector<ElementRef> elementsOutsideBall(const NodeVectors& x, StepEvaluation* evaluation);
   void dealBudgets(const NodeVectors& x);
   /// Values, unless known, and anchors of a pack of elements of a block, one a lane (-1: none).
   void evaluatePack(const NodeVectors& x, std::int32_t block, const std::int32_t* elements, const double* known,
@@ -116,7 +115,7 @@ class LazyBound {
   double slack_;
   NodalBound shapes_;
   Body::Workspace workspace_;
-  std::vector<std::vector<std::vector<std::int32_t>>> left_;  // elements, [block][patch]
+  std::vector<std::vector<std::vector<std::int32_t>>> outside_;  // elements, [block][patch]
   std::vector<BlockData> blocks_;
   std::vector<Eigen::Quaternionf> frames_;  // by node: its frame when its shapes were made or turned last
   double sigma_ = 0, mostCompression_ = 0;  // that of any element since budgets were dealt

@@ -32,11 +32,11 @@ class Bracketer {
         hotSpot_(body, lazy_.shapes()),
         ringNodes_(body, lazy_.shapes()) {}
 
-  /// Unless nullptr, `force` becomes the internal force at x. Empty where the tangent is not finite, or where rounding
+  /// Unless nullptr, `evaluation` is filled in at x. Empty where the tangent is not finite, or where rounding
   /// makes the sides cross.
-  const std::optional<CriticalStep>& evaluate(const NodeVectors& x, const StepRule& limit, NodeVectors* force) {
+  const std::optional<CriticalStep>& evaluate(const NodeVectors& x, const StepRule& limit, StepEvaluation* evaluation) {
     const double sigma = lazy_.sigma();  // that shares of budgets are measured by
-    UpperBound upper = lazy_.update(x, force);
+    UpperBound upper = lazy_.update(x, evaluation);
     spent_ = lazy_.spent();
     bracketed_ = true;
     finite_ = std::isfinite(upper.value);
@@ -86,11 +86,11 @@ class Bracketer {
   }
   /// Whether h is certified at x, in the cheapest way. While it is not, the bracket is kept, and some looks longer:
   /// then last() is fresh and `bracketed` true.
-  bool judge(const NodeVectors& x, const StepRule& limit, double h, NodeVectors* force) {
+  bool judge(const NodeVectors& x, const StepRule& limit, double h, StepEvaluation* evaluation) {
     std::int64_t before = 0;
     if (sinceDoubt_ >= firstGap) {
-      const bool certified = lazy_.certify(x, limit.lambdaFor(h), force);
-      force = nullptr;
+      const bool certified = lazy_.certify(x, limit.lambdaFor(h), evaluation);
+      evaluation = nullptr;
       spent_ = lazy_.spent();
       bracketed_ = false;
       if (certified) {
@@ -99,7 +99,7 @@ class Bracketer {
       }
       before = spent_.evaluated;
     }
-    evaluate(x, limit, force);
+    evaluate(x, limit, evaluation);
     spent_.evaluated += before;
     const bool certified = step_ && h <= step_->safe;
     sinceDoubt_ = certified ? sinceDoubt_ + 1 : 0;
@@ -448,7 +448,7 @@ struct StabilityMonitor::Impl {
     unknown = true;
   }
   /// Bracket, certified step and metric at x.
-  void evaluate(const NodeVectors& x, std::optional<double> h, NodeVectors* force) {
+  void evaluate(const NodeVectors& x, std::optional<double> h, StepEvaluation* evaluation) {
     report.fresh = true;
     report.evaluatedAt = report.step;
     bodyVersion = body.version();
@@ -456,10 +456,10 @@ struct StabilityMonitor::Impl {
     if (bracketer) {
       bool certified = false, bracketed = true;
       if (options.mode == MonitorMode::threshold && h) {
-        certified = bracketer->judge(x, options.limit, *h, force);
+        certified = bracketer->judge(x, options.limit, *h, evaluation);
         bracketed = bracketer->bracketed();
       } else {
-        bracketer->evaluate(x, options.limit, force);
+        bracketer->evaluate(x, options.limit, evaluation);
       }
       if (!provenFromScratch && bracketed) {
         provenFromScratch = true;
@@ -526,8 +526,8 @@ const std::vector<MonitorEvent>& StabilityMonitor::events() const { return impl_
 const MonitorOptions& StabilityMonitor::options() const { return impl_->options; }
 
 const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, const NodeVectors& x,
-                                               const NodeVectors& v, std::optional<double> h, const Energies* energies,
-                                               NodeVectors* force) {
+                                               const NodeVectors& v, std::optional<double> h,
+                                               StepEvaluation* evaluation) {
   Impl& m = *impl_;
   m.body.checkNodal("x", x);
   m.body.checkNodal("v", v);
@@ -544,9 +544,9 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
   const bool finite = allFinite(x) && allFinite(v);
   const bool due =
       finite && (m.observations++ % m.options.every == 0 || m.unknown || m.bodyVersion != m.body.version());
-  if (force && (!due || !m.bracketer)) {
-    m.body.internalForce(x, *force, m.workspace);
-    force = nullptr;
+  if (evaluation && (!due || !m.bracketer)) {
+    m.body.evaluate(x, *evaluation, m.workspace);
+    evaluation = nullptr;
   }
   if (!finite) {
     m.tell(EventKind::nonFinite, true, 0, x, std::nullopt, [] { return "positions or velocities are not finite"; });
@@ -554,17 +554,7 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
     report.verdict = Verdict::violated;
     return report;
   }
-  if (energies) {
-    m.largestEnergy =
-        std::max({m.largestEnergy, energies->kinetic + std::abs(energies->strain), std::abs(energies->externalWork)});
-    const double share = m.largestEnergy > 0 ? std::abs(energies->balanceError) / m.largestEnergy : 0;
-    // Schemes whose velocities are half a step behind, symplectic Euler for one, are off by 1/n of the energy at step n
-    // of a run that starts under load.
-    const bool settled = m.energyLooks++ >= energySettling;
-    m.tell(EventKind::energyBalance, settled && share > m.options.energyTolerance, share, x, std::nullopt,
-           [&] { return joinText("energy balance is off by ", 100 * share, " % of the largest energy so far"); });
-  }
-  if (due) m.evaluate(x, h, force);
+  if (due) m.evaluate(x, h, evaluation);
   m.tell(EventKind::nonFinite, m.unknown, 0, x, std::nullopt,
          [] { return "the tangent is not finite at these positions: no step helps"; });
   // A metric with a margin proves nothing: it can only say that the step is above what it recommends.
@@ -581,6 +571,19 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
     m.tell(EventKind::violated, false, 0, x, std::nullopt, [] { return ""; });
   }
   return report;
+}
+
+const MonitorReport& StabilityMonitor::observeEnergies(const Energies& energies) {
+  Impl& m = *impl_;
+  m.largestEnergy =
+      std::max({m.largestEnergy, energies.kinetic + std::abs(energies.strain), std::abs(energies.externalWork)});
+  const double share = m.largestEnergy > 0 ? std::abs(energies.balanceError) / m.largestEnergy : 0;
+  // Schemes whose velocities are half a step behind, symplectic Euler for one, are off by 1/n of the energy at step n
+  // of a run that starts under load.
+  const bool settled = m.energyLooks++ >= energySettling;
+  m.tell(EventKind::energyBalance, settled && share > m.options.energyTolerance, share, m.body.mesh().X, std::nullopt,
+         [&] { return joinText("energy balance is off by ", 100 * share, " % of the largest energy so far"); });
+  return m.report;
 }
 
 CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit,

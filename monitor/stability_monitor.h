@@ -91,15 +91,16 @@ class StabilityMonitor {
   StabilityMonitor(const Body& body, const MonitorOptions& options);
   ~StabilityMonitor();
 
-  /// Looks at positions x (3×N, m) and velocities v (3×N, m/s) before step number `step` of size h (s) is taken from
-  /// them; h is empty while no step is chosen, and then no step is judged. Energies are those of an EnergyBalance, when
-  /// kept. Unless nullptr, `force` becomes the internal force at x, 3×N, N: bracket and threshold test the elements in
-  /// the pass that computes it, which costs less than both apart where much moves. When masses or constraints of the
-  /// body have changed, everything is evaluated from scratch. The report is valid until the next call. Throws
+  /// Observes positions x (3×N, m) and velocities v (3×N, m/s) before step number `step` of size h (s) is taken from
+  /// them; h is empty while no step is chosen, and then no step is judged. Unless nullptr, `evaluation` is filled in at
+  /// x: the monitor tests the elements in the one pass that computes what it asks for. When masses or constraints of
+  /// the body have changed, everything is evaluated from scratch. The report is valid until the next call. Throws
   /// InputError when x or v is not 3×N, or h is not positive and finite.
   const MonitorReport& observe(std::int64_t step, double time, const NodeVectors& x, const NodeVectors& v,
-                               std::optional<double> h, const Energies* energies = nullptr,
-                               NodeVectors* force = nullptr);
+                               std::optional<double> h, StepEvaluation* evaluation = nullptr);
+  /// Judges the energies (of an EnergyBalance) of the state that was observed last. Returns the same report, with the
+  /// event that has begun, if one has.
+  const MonitorReport& observeEnergies(const Energies& energies);
   /// All events so far.
   const std::vector<MonitorEvent>& events() const;
   const MonitorOptions& options() const;

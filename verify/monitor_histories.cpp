@@ -100,8 +100,8 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
   options.limit = limit;
   StabilityMonitor monitor(body, options);
   EnergyBalance balance(body);
-  Body::Workspace workspace;
-  NodeVectors force;
+  StepEvaluation evaluation;
+  evaluation.wantsEnergy = true;
   ReducedRing ring(body);
 
   StudyFigure figure = figureOf("monitor-history-" + history.name, history.title, "time (s)", "step (s)", false,
@@ -118,16 +118,17 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
   std::int64_t violatedAt = -1, energyAt = -1, exactAt = -1, indefiniteAt = -1;
   double largest = 0;
   for (std::int64_t step = 0; step <= history.steps; ++step) {
-    body.internalForce(state.x, force, workspace);
-    if (!force.allFinite() || !state.v.allFinite()) break;
-    balance.record(state.x, force);
-    const Energies energies = balance.energies(state.v);
+    monitor.observe(step, state.time, state.x, state.v, history.h, &evaluation);
+    system.complete(state, evaluation);
+    if (!evaluation.internalForce.allFinite() || !state.v.allFinite()) break;
+    balance.record(state.x, evaluation.internalForce);
+    const Energies energies = balance.energies(state.v, evaluation.strainEnergy);
+    const MonitorReport& seen = monitor.observeEnergies(energies);
     largest = std::max({largest, energies.kinetic + std::abs(energies.strain), std::abs(energies.externalWork)});
     if (energyAt < 0 && step >= settling && std::abs(energies.balanceError) > 0.1 * largest) {
       energyAt = step;
       mark(6, history.h);
     }
-    const MonitorReport& seen = monitor.observe(step, state.time, state.x, state.v, history.h, &energies);
     evaluated += seen.elementsRefreshed;
     ++looks;
     for (const MonitorEvent& event : seen.newEvents)
@@ -157,7 +158,7 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
       mark(5, history.h);
     }
     if (energyAt >= 0) break;
-    integrator.step(system, state, history.h);
+    integrator.advance(system, state, history.h);
   }
   const auto elements = static_cast<double>(body.mesh().elementCount());
   table.rows.push_back({history.name, static_cast<std::int64_t>(elements), history.h,
@@ -265,13 +266,17 @@ void studyCost(StudyReport& report) {
       std::vector<double> plain, watched;
       // The first looks start from nothing.
       monitor.observe(0, 0, state.x, state.v, h);
+      State unwatched = state;
+      StepEvaluation evaluation;
       for (int i = 1; i <= steps; ++i) {
         const auto begin = Clock::now();
-        integrator.step(system, state, h);
-        plain.push_back(seconds(begin));
+        integrator.step(system, unwatched, h);
         const auto look = Clock::now();
-        monitor.observe(i, state.time, state.x, state.v, h);
-        watched.push_back(seconds(look));
+        monitor.observe(i, state.time, state.x, state.v, h, &evaluation);
+        system.complete(state, evaluation);
+        integrator.advance(system, state, h);
+        plain.push_back(std::chrono::duration<double>(look - begin).count());
+        watched.push_back(seconds(look) - plain.back());
       }
       double plainSum = 0, watchedSum = 0;
       for (double s : plain) plainSum += s;

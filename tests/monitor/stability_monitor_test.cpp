@@ -444,8 +444,8 @@ TEST(StabilityMonitor, ReportsAnEnergyImbalance) {
   StabilityMonitor monitor(body, options);
   const auto observe = [&](std::int64_t step, double error) {
     const Energies energies{1, 3, 0, error};
-    return monitor.observe(step, 0.1 * static_cast<double>(step), body.mesh().X, noVelocity(body), 1e-9, &energies)
-        .newEvents.size();
+    monitor.observe(step, 0.1 * static_cast<double>(step), body.mesh().X, noVelocity(body), 1e-9);
+    return monitor.observeEnergies(energies).newEvents.size();
   };
   // Schemes with lagging velocities are off at the start of a run under load.
   for (int step = 0; step < 20; ++step) EXPECT_EQ(observe(step, step == 0 ? 0.0 : 4.0 / step), 0u) << step;
@@ -471,11 +471,8 @@ TEST(StabilityMonitor, SeesTheEnergyOfARunBeyondItsStep) {
   EnergyBalance balance(body);
   State state{0, body.mesh().X, test::randomVelocities(body, 0.01, 2)};
   for (int step = 0; step < 200; ++step) {
-    NodeVectors a;
-    system.acceleration(state.time, state.x, state.v, a);
-    balance.record(state.x, system.lastInternalForce());
-    const Energies energies = balance.energies(state.v);
-    monitor.observe(step, state.time, state.x, state.v, h, &energies);
+    monitor.observe(step, state.time, state.x, state.v, h);
+    monitor.observeEnergies(balance.evaluate(state.x, state.v));
     integrator.step(system, state, h);
   }
   EXPECT_EQ(onlyEvent(monitor, EventKind::violated).step, 0);
@@ -716,11 +713,8 @@ TEST_P(MonitoredRun, WithAStepThatBecomesTooLargeIsToldInTime) {
   bool told = false;
   for (int step = 0; step < 5000 && !told; ++step) {
     const double exact = 2 / std::sqrt(globalFrequency(body, state.x).lambda);
-    NodeVectors a;
-    system.acceleration(state.time, state.x, state.v, a);
-    balance.record(state.x, system.lastInternalForce());
-    const Energies energies = balance.energies(state.v);
-    const MonitorReport& report = monitor.observe(step, state.time, state.x, state.v, h, &energies);
+    monitor.observe(step, state.time, state.x, state.v, h);
+    const MonitorReport& report = monitor.observeEnergies(balance.evaluate(state.x, state.v));
     told = report.verdict == Verdict::violated;
     if (told) {
       EXPECT_GT(h, exact * (1 - 1e-9)) << "too early, step " << step;

@@ -40,17 +40,14 @@ std::vector<double> everything(const test::Cut& cut, int threads) {
   EXPECT_TRUE(global.converged);
   numbers.push_back(global.lambda);
   EnergyBalance balance(body);
-  NodeVectors f;
-  Body::Workspace workspace;
-  body.internalForce(x, f, workspace);
-  balance.record(x, f);
-  const Energies energies = balance.energies(v);
+  const Energies energies = balance.evaluate(x, v);
   numbers.insert(numbers.end(), {energies.kinetic, energies.strain});
   MonitorOptions options;
   options.metric = "reduced-1-ring";
   StabilityMonitor monitor(body, options);
   for (int step = 0; step < 5; ++step) {
-    const MonitorReport& report = monitor.observe(step, 0, x + step * 1e-4 * v, v, 1e-3, &energies);
+    const MonitorReport& report = monitor.observe(step, 0, x + step * 1e-4 * v, v, 1e-3);
+    monitor.observeEnergies(energies);
     numbers.insert(numbers.end(),
                    {report.bracket->safe, report.bracket->optimistic, double(report.bracket->controlling.element),
                     report.bracket->lowestRing, *report.metricStep, double(report.verdict)});

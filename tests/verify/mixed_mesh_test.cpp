@@ -80,11 +80,7 @@ FallReport fall(const Mesh& mesh) {
       EXPECT_LE(report.bracket->safe, critical * (1 + 1e-9)) << "step " << i;
       EXPECT_GE(report.bracket->optimistic, critical * (1 - 1e-9)) << "step " << i;
       ++run.brackets;
-      Body::Workspace workspace;
-      NodeVectors f;
-      body.internalForce(state.x, f, workspace);
-      balance.record(state.x, f);
-      const Energies e = balance.energies(state.v);
+      const Energies e = balance.evaluate(state.x, state.v);
       largest = std::max({largest, e.kinetic, e.strain, std::abs(e.externalWork)});
       error = std::max(error, std::abs(e.balanceError));
     }

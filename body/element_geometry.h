@@ -1,0 +1,129 @@
+#pragma once
+#include <algorithm>
+#include <cstring>
+
+#include <ringwatch/body/element_block.h>
+#include <ringwatch/body/element_operators.h>
+#include <ringwatch/elements/registry.h>
+
+namespace ringwatch {
+
+/// What the elements of a block are before any law: where their nodes lie in patches and mesh, and at each quadrature
+/// point the inverse Jacobian J⁻¹ and the weight w det(J). In packs, a lane an element. Nodal vectors of elements are
+/// edges: each node's less that of the first node.
+///
+/// Functions that are not inline are compiled once for each element type, in element_geometry.cpp.
+template <class Element>
+class ElementGeometry {
+ public:
+  using P = NativePack;
+  using Operators = ElementOperators<Element, P>;
+  static constexpr int n = Element::nodes;
+  static constexpr int lanes = PatchLayout::lanes;
+  /// Numbers stored for a point: J⁻¹ row by row, w det(J), which is zero in lanes without an element.
+  static constexpr int stride = 10;
+  static constexpr std::size_t maxPoints = [] {
+    std::size_t most = 1;
+    for (const QuadratureRule& rule : Element::rules) most = std::max(most, rule.points.size());
+    return most;
+  }();
+  /// Whether some rule treats a share of the law at the mean deformation gradient (LameShares).
+  static constexpr bool offersMean = [] {
+    for (const QuadratureRule& rule : Element::rules)
+      if (rule.shares.mean()) return true;
+    return false;
+  }();
+  static_assert(!Element::constantGradient || std::ranges::all_of(Element::rules, [](const QuadratureRule& rule) {
+    return rule.points.size() == 1;
+  }));
+
+  /// Throws NumericalError when a Jacobian determinant is not positive. Keeps the block by reference.
+  [[gnu::noinline]] ElementGeometry(const ElementBlock& block, const Mesh& mesh, const MeshBlock& meshBlock);
+
+  /// Known at compile time for elements of constant gradient: the loop over points goes, and the sums stay in
+  /// registers.
+  RINGWATCH_INLINE int pointCount() const { return Element::constantGradient ? 1 : points_; }
+  /// Of the first point of a batch; the others follow.
+  const P* pointsOf(std::int32_t batch) const {
+    return geometry_.data() + static_cast<std::ptrdiff_t>(batch) * points_ * stride;
+  }
+  RINGWATCH_INLINE static Matrix3<P> inverseJacobian(const P* point) {
+    Matrix3<P> r;
+    for (int i = 0; i < 9; ++i) r.m[i] = point[i];
+    return r;
+  }
+  RINGWATCH_INLINE static const P& weight(const P* point) { return point[9]; }
+  /// ∂N_a/∂ξ_j at a point, [a][j].
+  const double (*shapeTable(int q) const)[3] {
+    return reinterpret_cast<const double(*)[3]>(shapeGradients_.data() + static_cast<std::ptrdiff_t>(q) * n * 3);
+  }
+  /// Deformation gradient (or gradient of any nodal vectors) at a point.
+  RINGWATCH_INLINE Matrix3<P> gradient(const P (&edges)[n][3], int q, const Matrix3<P>& inverseJacobianHere) const {
+    return Operators::naturalGradient([&](int a, int i) { return edges[a][i]; }, shapeTable(q)) * inverseJacobianHere;
+  }
+
+  bool hasMean() const { return hasMean_; }
+  /// Mean gradients ∂N_a/∂X of the elements of a batch, row by row, then their volume.
+  const P* meanGradientsOf(std::int32_t batch) const {
+    return meanGradients_.data() + static_cast<std::ptrdiff_t>(batch) * (3 * n + 1);
+  }
+  /// The same of elements whose points were gathered.
+  void meanGradients(const P* points, P* g) const;
+  RINGWATCH_INLINE static Matrix3<P> meanGradient(const P (&edges)[n][3], const P* g) {
+    Matrix3<P> r = Matrix3<P>::zero();
+    for (int a = 1; a < n; ++a)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) r(i, j) += edges[a][i] * g[3 * a + j];
+    return r;
+  }
+  RINGWATCH_INLINE static void addMeanForces(const Matrix3<P>& T, const P* g, P (&force)[n][3]) {
+    for (int a = 0; a < n; ++a)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) force[a][i] += T(i, j) * g[3 * a + j];
+  }
+
+  /// Edges of the elements of a batch, from the rows of its patch.
+  RINGWATCH_INLINE void loadEdges(const double* rows, std::int32_t batch, P (&out)[n][3]) const {
+    const std::uint16_t* local = localNodes(batch);
+    for (int a = 0; a < n; ++a) loadRows(rows, local + a * lanes, out[a]);
+    subtractFirst(out);
+  }
+  /// Edges of any elements, one a lane, from the nodes of the mesh; lanes without an element (-1) repeat the first.
+  void loadEdgesFromMesh(const double* x, const std::int32_t* elements, P (&out)[n][3]) const;
+  /// Adds values at the nodes of a batch into the slots of its patch.
+  RINGWATCH_INLINE void addToSlots(double* slots, std::int32_t batch, const P (&values)[n][3]) const {
+    const std::uint16_t* local = localNodes(batch);
+    for (int a = 0; a < n; ++a) addRows(slots, local + a * lanes, values[a]);
+  }
+  /// Points of any elements, one a lane, maxPoints * stride numbers; lanes without an element (-1) repeat the first and
+  /// weigh nothing.
+  void gatherPoints(const std::int32_t* elements, P* points) const;
+
+  /// See the functions of the same names in ElementBlock.
+  void laplacianOf(const std::int32_t* elements, double* L) const;
+  void gradientNormBatch(std::int32_t batch, double* norms) const;
+  void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const;
+  void volumeBatch(std::int32_t batch, double* volumes) const;
+
+ private:
+  const std::uint16_t* localNodes(std::int32_t batch) const {
+    return block_.layout().localNodes.data() + static_cast<std::ptrdiff_t>(batch) * n * lanes;
+  }
+  const std::int32_t* elementsOf(std::int32_t batch) const {
+    return block_.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
+  }
+  RINGWATCH_INLINE static void subtractFirst(P (&x)[n][3]) {
+    for (int a = 1; a < n; ++a)
+      for (int i = 0; i < 3; ++i) x[a][i] -= x[0][i];
+    for (int i = 0; i < 3; ++i) x[0][i] = P(0.0);
+  }
+
+  const ElementBlock& block_;
+  int points_;
+  bool hasMean_;
+  std::vector<double> shapeGradients_;  // [q][a][j]
+  AlignedVector<P> geometry_;           // [batch][q][stride]
+  AlignedVector<P> meanGradients_;      // [batch][3n + 1]; empty without a mean share
+};
+
+}  // namespace ringwatch

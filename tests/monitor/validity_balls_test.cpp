@@ -1,0 +1,175 @@
+// Elements that a check does not name are inside their balls, and most groups skip most checks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include <ringwatch/body/body.h>
+#include <ringwatch/meshes/generators.h>
+#include <ringwatch/monitor/validity_balls.h>
+#include <tests/support/random.h>
+
+namespace ringwatch {
+namespace {
+
+using test::Random;
+
+constexpr int lanes = PatchLayout::lanes;
+
+struct Checked final : PatchVisitor {
+  explicit Checked(const Body& b) : body(b), block(*b.blocks()[0]), balls(block) {}
+  std::size_t placeOf(std::int32_t e) const {
+    return static_cast<std::size_t>(block.layout().batchOfElement[static_cast<std::size_t>(e)]);
+  }
+  Eigen::Matrix3d gradient(std::int32_t e, const NodeVectors& x) const {
+    const auto nodes = block.nodesOf(e);
+    Eigen::Matrix3d now, reference;
+    for (int j = 0; j < 3; ++j) {
+      now.col(j) = x.col(nodes[static_cast<std::size_t>(j) + 1]) - x.col(nodes[0]);
+      reference.col(j) = body.mesh().X.col(nodes[static_cast<std::size_t>(j) + 1]) - body.mesh().X.col(nodes[0]);
+    }
+    return now * reference.inverse();
+  }
+  void setBall(std::int32_t e, const NodeVectors& x, double radius) {
+    std::int32_t elements[lanes];
+    std::fill(elements, elements + lanes, -1);
+    elements[0] = e;
+    TangentDrift drift[lanes];
+    double F[9 * lanes];
+    block.deformationOf(elements, x.data(), F, drift);
+    balls.setRadius(placeOf(e), radius, balls.setReferenceGradient(placeOf(e), F, 1, 0));
+  }
+  void visitPatch(std::size_t, const PatchPass& pass) override { balls.checkPatch(pass, outside); }
+  /// Those that left, after which they have new balls.
+  std::set<std::int32_t> check(const NodeVectors& x) { return evaluate(x, false, false); }
+  /// The same in the pass that computes force and energy, which must be what they are without a check.
+  std::set<std::int32_t> checkWithForce(const NodeVectors& x) { return evaluate(x, true, true); }
+
+  const Body& body;
+  const ElementBlock& block;
+  ValidityBalls balls;
+  std::vector<std::int32_t> outside;
+
+ private:
+  std::set<std::int32_t> evaluate(const NodeVectors& x, bool force, bool energy) {
+    balls.beginCheck();
+    outside.clear();
+    Body::Workspace workspace;
+    StepEvaluation with;
+    with.wantsForce = force;
+    with.wantsEnergy = energy;
+    with.visitor = this;
+    body.evaluate(x, with, workspace);
+    StepEvaluation without;
+    without.wantsForce = force;
+    without.wantsEnergy = energy;
+    body.evaluate(x, without, workspace);
+    if (force && without.internalForce.allFinite()) {
+      EXPECT_TRUE(with.internalForce == without.internalForce);
+      // Groups are summed apart.
+      EXPECT_NEAR(with.strainEnergy, without.strainEnergy, 1e-13 * without.strainEnergy);
+    }
+    return {outside.begin(), outside.end()};
+  }
+};
+
+TEST(ValidityBalls, FindsEveryElementThatLeavesWhileMostGroupsSkip) {
+  BarOptions options;
+  options.element = "tet4";
+  options.cells = {30, 6, 6};
+  options.size = {0.3, 0.06, 0.06};
+  options.jitter = 0.2;
+  const Body body(generateBar(options), makeMaterial("stvk", 1e4, 0.3, 1000), {{}, Lumping::rowSum, 1});
+  const NodeVectors& X = body.mesh().X;
+  // A smooth wave, motions of the whole, noise at a few nodes; slow and fast. Apart from the force, with it, in turn.
+  for (const auto& [rate, pass] : std::vector<std::pair<double, int>>{{1e-5, 0},
+                                                                      {1e-5, 1},
+                                                                      {1e-5, 2},
+                                                                      {1e-4, 0},
+                                                                      {1e-4, 2},
+                                                                      {1e-3, 0},
+                                                                      {1e-3, 1},
+                                                                      {1e-3, 2},
+                                                                      {1e-2, 1},
+                                                                      {1e-2, 2}}) {
+    Random random(31);
+    Checked checked(body);
+    std::vector<Eigen::Matrix3d> reference(static_cast<std::size_t>(checked.block.elementCount()));
+    std::vector<double> radius(reference.size());
+    NodeVectors x = X;
+    constexpr int steps = 120;
+    std::int64_t visited = 0, left = 0;
+    for (int step = 0; step <= steps; ++step) {
+      if (step > 0) {
+        const double time = rate * step;
+        for (Eigen::Index i = 0; i < X.cols(); ++i) {
+          const double phase = 20 * X(0, i) - 30 * time;
+          x.col(i) = X.col(i) + 0.01 * Eigen::Vector3d(std::sin(phase), 0.3 * std::cos(phase) - 0.3, 0);
+        }
+        x = ((Eigen::Matrix3d::Identity() + time * random.matrix(0.1)) * x).colwise() + random.vector(0.1);
+        x.col(random.index(body.nodeCount())) += random.vector(rate * 0.02);
+      }
+      const bool withForce = pass == 1 || (pass == 2 && step / 3 % 2 == 1);
+      const std::set<std::int32_t> gone = withForce ? checked.checkWithForce(x) : checked.check(x);
+      for (std::int32_t e = 0; e < checked.block.elementCount(); ++e) {
+        const auto at = static_cast<std::size_t>(e);
+        const Eigen::Matrix3d F = checked.gradient(e, x);
+        if (gone.count(e) > 0) {
+          reference[at] = F;
+          radius[at] = random.uniform(0.02, 0.1);
+          checked.setBall(e, x, radius[at]);
+        } else {
+          ASSERT_LE((F - reference[at]).norm(), radius[at] * (1 + 1e-6)) << "element " << e << ", step " << step;
+        }
+      }
+      for (const std::int32_t e : gone) checked.balls.ballChanged(checked.placeOf(e));
+      left += static_cast<std::int64_t>(gone.size());
+      visited += static_cast<std::int64_t>(checked.balls.visitedGroups());
+    }
+    if (rate > 5e-5) {
+      EXPECT_GT(left, checked.block.elementCount());  // some after the first look
+    }
+    const auto groups = static_cast<std::int64_t>(checked.balls.groupCount());
+    EXPECT_GT(groups, 4);
+    if (rate < 5e-5) {
+      EXPECT_LT(visited, groups * steps / 4);
+    }
+  }
+}
+
+TEST(ValidityBalls, AGroupWithoutMarginOrWithNaNIsVisited) {
+  BarOptions options;
+  options.element = "tet4";
+  options.cells = {4, 4, 4};
+  const Body body(generateBar(options), makeMaterial("stvk", 1e4, 0.3, 1000), {{}, Lumping::rowSum, 1});
+  Checked checked(body);
+  NodeVectors x = body.mesh().X;
+  EXPECT_EQ(checked.check(x).size(), static_cast<std::size_t>(checked.block.elementCount()));
+  for (std::int32_t e = 0; e < checked.block.elementCount(); ++e) {
+    checked.setBall(e, x, 0.1);
+    checked.balls.ballChanged(checked.placeOf(e));
+  }
+  EXPECT_TRUE(checked.check(x).empty());
+  // A ball that is too small for any motion of its group.
+  checked.setBall(7, x, 1e-6);
+  checked.balls.ballChanged(checked.placeOf(7));
+  x.col(checked.block.nodesOf(7)[0]) += Eigen::Vector3d(1e-4, 0, 0);
+  EXPECT_EQ(checked.check(x), std::set<std::int32_t>{7});
+  // Positions whose squares overflow: every element leaves, and nobody else.
+  const NodeVectors huge = 1e200 * x;
+  for (const bool withForce : {false, true}) {
+    const std::set<std::int32_t> left = withForce ? checked.checkWithForce(huge) : checked.check(huge);
+    EXPECT_EQ(left.size(), static_cast<std::size_t>(checked.block.elementCount()));
+    EXPECT_GE(*left.begin(), 0);
+  }
+  x(1, checked.block.nodesOf(9)[2]) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(checked.check(x).count(9), 1U);
+  EXPECT_EQ(checked.checkWithForce(x).count(9), 1U);
+}
+
+}  // namespace
+}  // namespace ringwatch
