@@ -58,38 +58,12 @@ struct ElementBound {
   static constexpr int n = Element::nodes, size = 3 * n, threads = patchThreads(n);
   using Table = ShapeTable<Element, double>;
 
-  /// g_a = J⁻ᵀ ∂N_a/∂ξ
-  static __device__ __forceinline__ void referenceGradients(const Matrix3<double>& J1, const Table& table, int q,
-                                                            double (&g)[n][3]) {
-#pragma unroll
-    for (int j = 0; j < 3; ++j) {
-      if constexpr (Element::constantGradient) {
-#pragma unroll
-        for (int a = 1; a < n; ++a) g[a][j] = J1(a - 1, j);
-        g[0][j] = -(J1(0, j) + J1(1, j) + J1(2, j));
-      } else {
-#pragma unroll
-        for (int a = 0; a < n; ++a)
-          g[a][j] = table.dN[q][a][0] * J1(0, j) + table.dN[q][a][1] * J1(1, j) + table.dN[q][a][2] * J1(2, j);
-      }
-    }
-  }
+  using Operators = ElementOperators<Element, double>;
   /// The lower triangle of K += w g ⊗ (∂P/∂F) g.
   static __device__ __forceinline__ void addTangent(const Law& law, const Matrix3<double>& F, double weight,
                                                     const double (&g)[n][3], double* K) {
-    const auto linearization = law.linearize(F);
-    const auto blocks = linearization.nodeBlocks(weight);
-    typename std::remove_const_t<decltype(blocks)>::Node node[n];
-#pragma unroll
-    for (int a = 0; a < n; ++a) node[a] = blocks.node(g[a]);
-#pragma unroll
-    for (int a = 0; a < n; ++a)
-#pragma unroll
-      for (int b = a; b < n; ++b) {
-        const Matrix3<double> block = blocks(node[a], node[b]);
-#pragma unroll
-        for (int i = 0; i < 9; ++i) K[(3 * b + i % 3) * size + 3 * a + i / 3] += block.m[i];
-      }
+    Operators::addTangent(law.linearize(F), weight, g,
+                          [K](int row, int column, double value) { K[column * size + row] += value; });
   }
   static __device__ __forceinline__ void clear(double* K) {
 #pragma unroll
@@ -137,35 +111,23 @@ struct ElementBound {
     const double l = extremes.largest + eigenvalueRounding * extremes.scale;
     return l < 0 ? 0 : l;
   }
-  /// Σ_q w_q L ⊗ I, L_ab = g_a·g_b.
+  /// The lower triangle of K += w L ⊗ I, L_ab = g_a·g_b.
   static __device__ __forceinline__ void addLaplacian(double weight, const double (&g)[n][3], double* K) {
+    Operators::addLaplacian(weight, g, [K](int a, int b, double value) {
 #pragma unroll
-    for (int a = 0; a < n; ++a)
-#pragma unroll
-      for (int b = 0; b <= a; ++b) {
-        const double l = weight * (g[a][0] * g[b][0] + g[a][1] * g[b][1] + g[a][2] * g[b][2]);
-#pragma unroll
-        for (int i = 0; i < 3; ++i) K[(3 * a + i) * size + 3 * b + i] += l;
-      }
+      for (int i = 0; i < 3; ++i) K[(3 * a + i) * size + 3 * b + i] += value;
+    });
   }
 
   /// Puts a ball around the gradients F(q): its radius, anchor and what both lose by rounding.
   template <class Gradients>
   static __device__ void setBall(const Law& law, const CertificateView& view, std::size_t place, int points,
                                  const Gradients& F, double value, double budget, double reach) {
-    TangentDriftCoefficients<double> drift{0, 0, 0, 0, std::numeric_limits<double>::infinity()};
-    double inversion = std::numeric_limits<double>::infinity(), rounding2 = 0, size2 = 0;
+    TangentDrift drift;
+    double rounding2 = 0, size2 = 0;
     for (int q = 0; q < points; ++q) {
       const Matrix3<double> own = F(q);
-      const TangentDriftCoefficients<double> here = law.drift(own);
-      drift.kappa = fmax(drift.kappa, here.kappa);
-      drift.linear = fmax(drift.linear, here.linear);
-      drift.quadratic = fmax(drift.quadratic, here.quadratic);
-      drift.negative = fmax(drift.negative, here.negative);
-      drift.radius = fmin(drift.radius, here.radius);
-      // s3 = det F / (s1 s2) >= 2 det F / |F|², and no matrix closer than s3 is singular.
-      const double det = determinant(own), norm2 = innerProduct(own, own);
-      inversion = fmin(inversion, det > 0 ? 2 * det / norm2 : 0.0);
+      drift.addPoint(law, own);
       double lost = 0;
       __half* ball = ballAt(view, place, points, q);
 #pragma unroll
@@ -176,9 +138,9 @@ struct ElementBound {
         lost += d * d;
       }
       rounding2 = fmax(rounding2, lost);
-      size2 = fmax(size2, norm2);
+      size2 = fmax(size2, innerProduct(own, own));
     }
-    double radius = ballRadius(drift, inversion, value, budget, reach);
+    double radius = ballRadius(drift.law, drift.inversionDistance, value, budget, reach);
     // The test is in single precision: its own rounding comes off too.
     if (radius < 1e30) radius = (radius - sqrt(rounding2)) * (1 - 1e-5) - 1e-6 * (1 + sqrt(size2));
     setRadius(view, place, points, radius >= 0 ? __float2half_rd(__double2float_rd(radius)) : __float2half(-1.0F));
@@ -211,8 +173,8 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
   forEachPoint(element, block.pointCount, [&](int q, const Matrix3<double>& J1, double weight) {
     const Matrix3<double> F = deformationGradient<Element>(element, MeshDisplacements{nodes.u, own}, table, q, J1);
     double g[n][3];
-    Bound::referenceGradients(J1, table, q, g);
-    const auto blocks = law.linearize(F).nodeBlocks(weight);
+    Bound::Operators::shapeGradients(J1, table.dN[q], g);
+    const auto blocks = nodeBlocksOf(law.linearize(F), weight);
 #pragma unroll
     for (int a = 0; a < n; ++a) {
       const auto node = blocks.node(g[a]);
@@ -249,7 +211,7 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
   forEachPoint(element, block.pointCount, [&](int q, const Matrix3<double>& J1, double weight) {
     const Matrix3<double> F = deformationGradient<Element>(element, MeshDisplacements{nodes.u, own}, table, q, J1);
     double g[n][3];
-    Bound::referenceGradients(J1, table, q, g);
+    Bound::Operators::shapeGradients(J1, table.dN[q], g);
     Bound::addTangent(law, F, weight, g, K);
   });
   Symmetric3<double> shapes[n];
@@ -304,7 +266,7 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
   Bound::clear(L);
   forEachPoint(element, block.pointCount, [&](int q, const Matrix3<double>& J1, double weight) {
     double g[n][3];
-    Bound::referenceGradients(J1, table, q, g);
+    Bound::Operators::shapeGradients(J1, table.dN[q], g);
     Bound::addLaplacian(weight, g, L);
   });
   Symmetric3<double> shapes[n];
@@ -360,7 +322,7 @@ __global__ void __launch_bounds__(32)
       at.load(geometry + static_cast<std::size_t>(q) * ElementView<Element, double>::entries * threads);
       if constexpr (Element::constantGradient) at.weight = Element::referenceVolume / determinant(at.J1);
       double g[n][3];
-      Bound::referenceGradients(at.J1, table, q, g);
+      Bound::Operators::shapeGradients(at.J1, table.dN[q], g);
       Bound::addTangent(law, gradientAt(q), at.weight, g, K);
     }
     Symmetric3<double> shapes[n];

@@ -2,6 +2,7 @@
 #include <cuda_pipeline.h>
 
 #include <ringwatch/base/matrix3.h>
+#include <ringwatch/body/element_operators.h>
 #include <ringwatch/gpu/cuda_error.h>
 #include <ringwatch/gpu/patch_operations.h>
 #include <ringwatch/materials/registry.h>
@@ -89,31 +90,15 @@ __device__ __forceinline__ void forEachPoint(const ElementView<Element, R>& elem
   }
 }
 
-/// D = Σ_a u_a ⊗ ∂N_a/∂ξ of nodal vectors u(component, local node).
+/// Σ_a u_a ⊗ ∂N_a/∂ξ of nodal vectors u(component, local node).
 template <class Element, class R, class Vectors>
-__device__ __forceinline__ Matrix3<R> gradient(const ElementView<Element, R>& element, const Vectors& u,
-                                               const ShapeTable<Element, R>& table, int q) {
-  constexpr int n = Element::nodes;
-  Matrix3<R> D;
-  if constexpr (Element::constantGradient) {
+__device__ __forceinline__ Matrix3<R> naturalGradient(const ElementView<Element, R>& element, const Vectors& u,
+                                                      const ShapeTable<Element, R>& table, int q) {
+  R first[3];
 #pragma unroll
-    for (int i = 0; i < 3; ++i) {
-      const R first = u(i, element.corners.node[0]);
-#pragma unroll
-      for (int j = 0; j < 3; ++j) D(i, j) = u(i, element.corners.node[j + 1]) - first;
-    }
-  } else {
-    D = Matrix3<R>::zero();
-#pragma unroll
-    for (int a = 0; a < n; ++a)
-#pragma unroll
-      for (int i = 0; i < 3; ++i) {
-        const R value = u(i, element.corners.node[a]);
-#pragma unroll
-        for (int j = 0; j < 3; ++j) D(i, j) += value * table.dN[q][a][j];
-      }
-  }
-  return D;
+  for (int i = 0; i < 3; ++i) first[i] = u(i, element.corners.node[0]);
+  const auto edge = [&](int a, int i) { return u(i, element.corners.node[a]) - first[i]; };
+  return ElementOperators<Element, R>::naturalGradient(edge, table.dN[q]);
 }
 
 /// F = I + (Σ_a u_a ⊗ ∂N_a/∂ξ) J⁻¹ of displacements u: in single precision far more exact than from positions, which
@@ -122,29 +107,11 @@ template <class Element, class R, class Vectors>
 __device__ __forceinline__ Matrix3<R> deformationGradient(const ElementView<Element, R>& element, const Vectors& u,
                                                           const ShapeTable<Element, R>& table, int q,
                                                           const Matrix3<R>& J1) {
-  Matrix3<R> F = gradient<Element>(element, u, table, q) * J1;
+  Matrix3<R> F = naturalGradient<Element>(element, u, table, q) * J1;
   F.m[0] += R(1);
   F.m[4] += R(1);
   F.m[8] += R(1);
   return F;
-}
-
-/// f_a += T ∂N_a/∂ξ, T = w P J⁻ᵀ.
-template <class Element, class R>
-__device__ __forceinline__ void scatter(const Matrix3<R>& T, const ShapeTable<Element, R>& table, int q,
-                                        R (&force)[Element::nodes][3]) {
-#pragma unroll
-  for (int i = 0; i < 3; ++i) {
-    if constexpr (Element::constantGradient) {
-#pragma unroll
-      for (int j = 0; j < 3; ++j) force[j + 1][i] = T(i, j);
-      force[0][i] = -(T(i, 0) + T(i, 1) + T(i, 2));
-    } else {
-#pragma unroll
-      for (int a = 0; a < Element::nodes; ++a)
-        force[a][i] += T(i, 0) * table.dN[q][a][0] + T(i, 1) * table.dN[q][a][1] + T(i, 2) * table.dN[q][a][2];
-    }
-  }
 }
 
 /// A node on its way through a step: what the step needs is loaded before the forces are known.
@@ -250,12 +217,12 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes), minBlocks)
   __syncthreads();
 
   if (t < elementCount) {
+    using Operators = ElementOperators<Element, R>;
     R force[n][3];
-    if constexpr (!Element::constantGradient)
 #pragma unroll
-      for (int a = 0; a < n; ++a)
+    for (int a = 0; a < n; ++a)
 #pragma unroll
-        for (int c = 0; c < 3; ++c) force[a][c] = R(0);
+      for (int c = 0; c < 3; ++c) force[a][c] = R(0);
     [[maybe_unused]] bool left = false;
     forEachPoint(element, block.pointCount, [&](int q, const Matrix3<R>& J1, R weight) {
       const Matrix3<R> F = deformationGradient<Element>(element, u, table, q, J1);
@@ -266,10 +233,10 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes), minBlocks)
           left = check.load(q, block.pointCount, threads).left(F, firstBall.radius()) || left;
       }
       if constexpr (tangent) {
-        const Matrix3<R> dF = gradient<Element>(element, v, table, q) * J1;
-        scatter<Element>(timesTranspose(weight * law.linearize(F)(dF), J1), table, q, force);
+        const Matrix3<R> dF = naturalGradient<Element>(element, v, table, q) * J1;
+        Operators::addForces(timesTranspose(weight * law.linearize(F)(dF), J1), table.dN[q], force);
       } else {
-        scatter<Element>(timesTranspose(weight * law.stress(F), J1), table, q, force);
+        Operators::addForces(timesTranspose(weight * law.stress(F), J1), table.dN[q], force);
       }
     });
 #pragma unroll

@@ -31,7 +31,7 @@ __global__ void __launch_bounds__(patchThreads(4), 2)
   const std::int32_t* const own = block.nodes + patch * static_cast<std::size_t>(block.nodeCapacity);
   const ElementView<Tet4, double> element(block);
 
-  using Blocks = decltype(law.linearize(Matrix3<double>{}).nodeBlocks(0.0));
+  using Blocks = decltype(nodeBlocksOf(law.linearize(Matrix3<double>{}), 0.0));
   typename Blocks::Node node[n];
   double factor[n][3];
   const auto blocks = [&] {
@@ -39,11 +39,11 @@ __global__ void __launch_bounds__(patchThreads(4), 2)
     const double weight = Tet4::referenceVolume / determinant(J1);
     const Matrix3<double> F = active ? deformationGradient<Tet4>(element, MeshDisplacements{nodes.u, own}, table, 0, J1)
                                      : Matrix3<double>::identity();
-    return law.linearize(F).nodeBlocks(weight);
+    return nodeBlocksOf(law.linearize(F), weight);
   }();
   if (active) {
     double g[n][3];
-    ElementBound<Tet4, Law>::referenceGradients(element.first.J1, table, 0, g);
+    ElementOperators<Tet4, double>::shapeGradients(element.first.J1, table.dN[0], g);
     const unsigned order = ring.order[patch * threads + t];
 #pragma unroll
     for (int a = 0; a < n; ++a) {
@@ -145,7 +145,7 @@ __global__ void __launch_bounds__(listThreads)
       at.load(geometry + static_cast<std::size_t>(q) * entries * threads);
       if constexpr (Element::constantGradient) at.weight = Element::referenceVolume / determinant(at.J1);
       double g[n][3];
-      Bound::referenceGradients(at.J1, table, q, g);
+      Bound::Operators::shapeGradients(at.J1, table.dN[q], g);
       Matrix3<double> F = Matrix3<double>::identity();
       if (!rest)
 #pragma unroll
