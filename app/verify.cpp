@@ -152,7 +152,9 @@ std::vector<StudyReport> runStudies(const std::vector<std::string>& names, Study
       chosen.clear();
       break;
     }
-    const auto found = std::find_if(studies.begin(), studies.end(), [&](const StudyInfo& s) { return s.name == name; });
+    const auto found = std::find_if(studies.begin(), studies.end(), [&](const StudyInfo& s) {
+      return s.name == name || (!name.empty() && s.formerName == name);
+    });
     if (found == studies.end()) {
       std::string known = "all";
       for (const StudyInfo& s : studies) known += fmt::format(", {}", s.name);

@@ -177,5 +177,19 @@ TEST_F(Words, CheckAndInspectNoteWhatIsOddAboutAMesh) {
   }
 }
 
+TEST_F(Words, FormerNamesOfStudiesStillStartThem) {
+  int renamed = 0;
+  for (const StudyInfo& info : allStudies()) {
+    if (info.formerName.empty()) continue;
+    ++renamed;
+    EXPECT_THAT(help("studies"), Not(lists(info.formerName)));
+  }
+  EXPECT_EQ(renamed, 2);  // deformations and stress
+  const std::vector<StudyReport> reports = runStudies({"stress"}, StudyEffort::quick);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].study, "robustness");
+  EXPECT_THAT(refusal("verify stres"), HasSubstr("there is no such study"));
+}
+
 }  // namespace
 }  // namespace ringwatch

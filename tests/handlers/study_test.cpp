@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/handlers/handler.h>
-#include <ringwatch/verify/deformations.h>
+#include <ringwatch/verify/fierz2013.h>
 #include <ringwatch/verify/handlers.h>
 
 namespace ringwatch {
@@ -16,15 +16,15 @@ TEST(HandlersStudy, FindsAllHandlersAsGoodAsTheyClaim) {
   for (const StudyCheck& check : report.checks) EXPECT_TRUE(check.passed) << check.name << ": " << check.measured;
 }
 
-TEST(DeformationsStudy, EveryHandlerFollowsTheReference) {
-  const StudyReport report = verifyDeformations(StudyEffort::quick, coreIntegrators());
+TEST(Fierz2013Study, EveryHandlerFollowsTheReference) {
+  const StudyReport report = verifyFierz2013(StudyEffort::quick, coreIntegrators());
   ASSERT_EQ(report.tables.size(), 2u);
   EXPECT_GE(report.checks.size(), 4 * allHandlers().size());
   EXPECT_EQ(report.surfaces.size(), 4u);
   for (const StudyCheck& check : report.checks) EXPECT_TRUE(check.passed) << check.name << ": " << check.measured;
 }
 
-TEST(DeformationsStudy, LedFacesArriveWhereTheyBelong) {
+TEST(Fierz2013Study, LedFacesArriveWhereTheyBelong) {
   for (const Deformation& d : allDeformations(0.3)) {
     if (d.byForce) continue;
     Body body = d.body();

@@ -1,4 +1,4 @@
-#include <ringwatch/verify/deformations.h>
+#include <ringwatch/verify/fierz2013.h>
 
 #include <algorithm>
 #include <array>
@@ -232,7 +232,7 @@ class Study {
     const NodeVectors X = body.mesh().X;
     const auto verlet = [] { return makeIntegrator("verlet"); };
     const Ran exact = run(d, body, *verlet(), reduced * 5e-5 / (d.poisson > 0.42 ? 2 : 1));
-    if (!exact.lost.empty()) throw NumericalError(joinText("verify deformations: the reference is lost: ", exact.lost));
+    if (!exact.lost.empty()) throw NumericalError(joinText("verify fierz2013: the reference is lost: ", exact.lost));
     // The source's reference: 4 steps in the target one at nu = 0.3 and 0.4, 5 beyond.
     const double referenceStep = d.poisson > 0.42 ? reduced * target / 5 : target / 4;
     const auto add = [&](const std::string& name, double h, std::int64_t handled, const Ran& ran, double over) {
@@ -303,7 +303,7 @@ class Study {
   }
 
   StudyReport finish() {
-    report_.study = "deformations";
+    report_.study = "fierz2013";
     addErrorAgainstTime();
     report_.tables.push_back(std::move(table_));
     report_.tables.push_back(std::move(source_));
@@ -396,7 +396,7 @@ std::vector<Deformation> allDeformations(double poisson) {
   return all;
 }
 
-StudyReport verifyDeformations(StudyEffort effort, std::span<const IntegratorEntry> integrators) {
+StudyReport verifyFierz2013(StudyEffort effort, std::span<const IntegratorEntry> integrators) {
   const bool full = effort == StudyEffort::full;
   Study study(integrators);
   for (const Deformation& d : allDeformations(0.3))

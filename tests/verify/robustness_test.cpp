@@ -1,13 +1,13 @@
 // Long and nasty runs, in short.
 #include <gtest/gtest.h>
 
-#include <ringwatch/verify/stress.h>
+#include <ringwatch/verify/robustness.h>
 
 namespace ringwatch {
 namespace {
 
-TEST(VerifyStress, StableStepsSurviveAndOthersDoNot) {
-  const StudyReport report = verifyStress(StudyEffort::quick);
+TEST(VerifyRobustness, StableStepsSurviveAndOthersDoNot) {
+  const StudyReport report = verifyRobustness(StudyEffort::quick);
   for (const StudyCheck& check : report.checks)
     EXPECT_TRUE(check.passed) << check.name << ": " << check.measured << ", expected " << check.expected << " within "
                               << check.tolerance;
