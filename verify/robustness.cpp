@@ -145,10 +145,10 @@ StudyReport verifyRobustness(StudyEffort effort, std::span<const IntegratorEntry
       for (const double fraction : c.fractions) {
         const Outcome outcome = longRun.run(*entry.make(), start, fraction * limit / std::sqrt(top.lambda), c.steps);
         record(*entry.info, c.name, fraction, c.steps, outcome);
-        report.checks.push_back({joinText(entry.info->name, ": ", c.name, " at ", fraction, " of the limit is ",
-                                          fraction < 1 ? "bounded" : "not bounded"),
-                                 outcome.bounded ? 1.0 : 0.0, fraction < 1 ? 1.0 : 0.0, 0,
-                                 outcome.bounded == (fraction < 1)});
+        checkNear(report,
+                  joinText(entry.info->name, ": ", c.name, " at ", fraction, " of the limit is ",
+                           fraction < 1 ? "bounded" : "not bounded"),
+                  outcome.bounded ? 1 : 0, fraction < 1 ? 1 : 0, 0);
       }
     }
   }
@@ -170,9 +170,11 @@ StudyReport verifyRobustness(StudyEffort effort, std::span<const IntegratorEntry
     const Outcome outcome = longRun.run(*entry.make(), start, h, steps);
     record(*entry.info, joinText(turns, " turns"), 0.5, steps, outcome);
     const std::string name = joinText(entry.info->name, ": ", turns, " turns, ");
-    report.checks.push_back({name + "bounded", outcome.bounded ? 1.0 : 0.0, 1, 0, outcome.bounded});
+    checkNear(report, name + "bounded", outcome.bounded ? 1 : 0, 1, 0);
+    // Rounding, a random walk: 6.5e-15 in the quick form's 3 turns, 3.3e-14 in 100.
     if (entry.info->symplectic)
-      report.checks.push_back({name + "angular momentum", outcome.spinChange, 0, 1e-9, outcome.spinChange <= 1e-9});
+      checkBelow(report, name + "angular momentum", outcome.bounded ? outcome.spinChange : std::nan(""),
+                 full ? 9e-14 : 1.9e-14);
   }
   return report;
 }
