@@ -2,23 +2,23 @@
 
 #include <ringwatch/app/integrator_catalog.h>
 #include <ringwatch/app/verify.h>
-#include <ringwatch/verify/deformations.h>
 #include <ringwatch/verify/elements.h>
+#include <ringwatch/verify/fierz2013.h>
 #include <ringwatch/verify/handlers.h>
 #include <ringwatch/verify/integrators.h>
 #include <ringwatch/verify/monitor.h>
-#include <ringwatch/verify/stress.h>
+#include <ringwatch/verify/robustness.h>
 
 namespace ringwatch {
 
 std::span<const StudyInfo> allStudies() {
   static const std::array<StudyInfo, 6> studies{{
-      {"deformations",
-       "the source's cube and bar with small elements, stretched, compressed, bent and twisted with every handler",
-       [](StudyEffort effort) { return verifyDeformations(effort, integratorCatalog().entries()); }},
       {"elements",
        "every element and quadrature rule: rank, patch test, derivatives, convergence, frequencies, locking",
        verifyElements},
+      {"fierz2013",
+       "Fierz's cube and bar with small elements, stretched, compressed, bent and twisted with every handler",
+       [](StudyEffort effort) { return verifyFierz2013(effort, integratorCatalog().entries()); }, "deformations"},
       {"handlers",
        "every handler beyond the critical step: what it takes, error, cost, energy and momentum over many steps",
        verifyHandlers},
@@ -26,8 +26,8 @@ std::span<const StudyInfo> allStudies() {
        [](StudyEffort effort) { return verifyIntegrators(effort, integratorCatalog().entries()); }},
       {"monitor", "bracket, metrics, drift bounds and alarms of the monitor against exact values; nonlinear histories",
        verifyMonitor},
-      {"stress", "explicit integrators run long and on hard bodies: who survives, and with what error",
-       [](StudyEffort effort) { return verifyStress(effort); }},
+      {"robustness", "explicit integrators run long and on hard bodies: who survives, and with what error",
+       [](StudyEffort effort) { return verifyRobustness(effort); }, "stress"},
   }};
   return studies;
 }

@@ -152,7 +152,9 @@ std::vector<StudyReport> runStudies(const std::vector<std::string>& names, Study
       chosen.clear();
       break;
     }
-    const auto found = std::find_if(studies.begin(), studies.end(), [&](const StudyInfo& s) { return s.name == name; });
+    const auto found = std::find_if(studies.begin(), studies.end(), [&](const StudyInfo& s) {
+      return s.name == name || (!name.empty() && s.formerName == name);
+    });
     if (found == studies.end()) {
       std::string known = "all";
       for (const StudyInfo& s : studies) known += fmt::format(", {}", s.name);
@@ -176,10 +178,10 @@ std::string studyText(const StudyReport& report) {
   std::string text = fmt::format("== {}\n", report.study);
   for (const StudyTable& table : report.tables) text += fmt::format("\n{}", tableText(table));
   std::size_t failed = 0;
-  for (const StudyCheck& check : report.checks) failed += !check.passed;
+  for (const StudyCheck& check : report.checks) failed += !check.passed();
   if (!report.checks.empty()) text += fmt::format("\n{} checks, {} failed\n", report.checks.size(), failed);
   for (const StudyCheck& check : report.checks)
-    if (!check.passed)
+    if (!check.passed())
       text += fmt::format("  FAILED {}: measured {:.9g}, expected {:.9g}, tolerance {:.3g}\n", check.name,
                           check.measured, check.expected, check.tolerance);
   return text;
@@ -214,7 +216,7 @@ nlohmann::ordered_json studiesJson(const std::vector<StudyReport>& reports) {
                                  {"measured", number(check.measured)},
                                  {"expected", number(check.expected)},
                                  {"tolerance", number(check.tolerance)},
-                                 {"passed", check.passed}});
+                                 {"passed", check.passed()}});
   }
   return json;
 }

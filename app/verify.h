@@ -16,6 +16,7 @@ struct StudyInfo {
   std::string_view name;
   std::string_view help;
   StudyReport (*run)(StudyEffort);
+  std::string_view formerName = {};  // accepted too
 };
 
 /// All studies, one line each in studies.cpp. Empty in the program `ringwatch`, which leaves them to

@@ -17,7 +17,7 @@
 #include <ringwatch/meshes/cut.h>
 #include <ringwatch/meshes/generators.h>
 #include <ringwatch/monitor/global_frequency.h>
-#include <ringwatch/verify/deformations.h>
+#include <ringwatch/verify/fierz2013.h>
 
 namespace ringwatch::bench {
 namespace {

@@ -67,7 +67,7 @@ void writeWholePicture(const std::filesystem::path& folder, StudyEffort effort, 
   writeFileAtomically(folder / "error_against_time.json", rows.dump(1) + "\n");
   for (const StudyCheck& check : report.checks)
     std::cout << fmt::format("{} {:.2g}, at most {:.2g}: {}\n", check.name, check.measured, check.tolerance,
-                             check.passed ? "holds" : "does not hold");
+                             check.passed() ? "holds" : "does not hold");
   std::cout << "\n" << markdown(report.tables.back());
   for (const std::string& note : drawFigures(report, folder)) std::cerr << "note: " << note << "\n";
 }

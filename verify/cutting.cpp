@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 
 #include <ringwatch/base/error.h>
@@ -11,6 +10,7 @@
 #include <ringwatch/meshes/cut.h>
 #include <ringwatch/meshes/generators.h>
 #include <ringwatch/monitor/stability_monitor.h>
+#include <ringwatch/verify/processor_time.h>
 
 namespace ringwatch {
 namespace {
@@ -58,9 +58,9 @@ class CutRun {
     const double h = handlerName_.empty() ? (end - state_.time) / static_cast<double>(steps) : h_;
     BodySystem system(body_);
     const double from = state_.time;
-    const std::clock_t begin = std::clock();
+    const double begin = processorSeconds();
     for (std::int64_t i = 0; i < steps && lost_.empty(); ++i) lost_ = integrator_->step(system, state_, h).reason;
-    secondsPerSecond_ = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / (state_.time - from);
+    secondsPerSecond_ = (processorSeconds() - begin) / (state_.time - from);
     if (lost_.empty() && !state_.x.allFinite()) lost_ = "positions are not finite";
     if (lost_.empty()) energy_ = energyOf(body_, state_);
   }
@@ -96,12 +96,12 @@ class CutRun {
     auto handler = makeHandler(handlerName_, body_, std::move(integrator_), options_);
     handler_ = handler.get();
     integrator_ = std::move(handler);
-    const std::clock_t begin = std::clock();
+    const double begin = processorSeconds();
     if (cut)
       handler_->prepare(state_.x, h_, *cut, *before);
     else
       handler_->prepare(state_.x, h_);
-    judgingTime_ = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    judgingTime_ = (processorSeconds() - begin);
     judged_ = handler_->judged().elements;
   }
 
@@ -160,12 +160,21 @@ void addCutting(StudyEffort effort, StudyReport& report) {
     const std::string what = joinText("cutting, ", handler.empty() ? "verlet" : handler + ", " + selection);
     const bool kept = cutRun.lost().empty() && done == 4;
     if (handler == "mass-scaling")  // mass that comes with its velocity is energy
-      checkBelow(report, what + ": lost", kept ? 0 : 1, 0);
-    else
-      checkBelow(report, what + ": largest energy over four cuts / start",
-                 kept ? most : std::numeric_limits<double>::infinity(), 1.02);
-    if (handler.empty())
-      checkBelow(report, what + ": critical step after / before four cuts", cutRun.critical() / before, 0.2);
+      checkNear(report, what + ": lost", kept ? 0 : 1, 0, 0);
+    else  // Verlet's energy swings with its step: by 1.3e-3 at its own, by 3.6e-4 at that of the handlers
+      checkAtMost(report, what + ": largest energy over four cuts / start",
+                  kept ? most : std::numeric_limits<double>::infinity(), 1, handler.empty() ? 3.5e-3 : 1e-3);
+    // What the handlers lose by their dissipation, and the passes by the rings that they leave out: 0.017 and 0.033, in
+    // the full form 0.052 and 0.14; Verlet 0.0033 and 1.2e-4.
+    const bool full = effort == StudyEffort::full, passes = handler == "fe-pbd" || handler == "filtered";
+    const double loss = handler.empty() ? (full ? 3.4e-4 : 0.009)
+                        : passes        ? (full ? 0.35 : 0.06)
+                                        : (full ? 0.12 : 0.04);
+    if (handler != "mass-scaling")
+      checkAtLeast(report, what + ": energy after four cuts / start", kept ? cutRun.energy() / start : std::nan(""), 1,
+                   loss);
+    if (handler.empty())  // slivers are what the handlers are to bear: 0.023
+      checkBelow(report, what + ": critical step after / before four cuts", cutRun.critical() / before, 0.065);
   };
   run("", "");
   for (const HandlerEntry& entry : allHandlers()) {

@@ -18,6 +18,7 @@ namespace {
 constexpr double young = 30e3, poisson = 0.3, density = 1000;
 constexpr double edge = 0.03;                       // m, of the cubes below
 constexpr double forceScale = young * 0.01 * 0.01;  // N, order one strain on a face of 1 cm
+constexpr double rounding = 1e-14;                  // of sums of some tens of terms: 45 units in the last place
 
 class Draw : public Random {
  public:
@@ -117,11 +118,12 @@ void studyShapes(StudyReport& report) {
     const double least = single.lumpedMass().minCoeff() / single.totalMass();
     table.rows.push_back({std::string(info.name), unity, completeness, volume, mass, least});
     const std::string name(info.name);
-    checkBelow(report, name + ": shape functions sum to one", unity, 2e-14);
-    checkBelow(report, name + ": linear fields have their gradient", completeness, 5e-14);
-    checkBelow(report, name + ": volume of a distorted cube", volume, 1e-13);
-    checkBelow(report, name + ": mass of a distorted cube", mass, 1e-13);
-    report.checks.push_back({name + ": least share of a node in the lumped mass is positive", least, 0, 0, least > 0});
+    checkBelow(report, name + ": shape functions sum to one", unity, rounding);
+    checkBelow(report, name + ": linear fields have their gradient", completeness, rounding);
+    checkBelow(report, name + ": volume of a distorted cube", volume, rounding);
+    checkBelow(report, name + ": mass of a distorted cube", mass, rounding);
+    // A corner of tet10 has the least of all, 1/36.
+    checkAtLeast(report, name + ": least share of a node in the lumped mass", least, 1.0 / 36, rounding);
   }
   report.tables.push_back(std::move(table));
 }
@@ -228,15 +230,15 @@ void studyPatch(StudyReport& report) {
     if (c.rule->spuriousModes > 0) continue;
     const PatchErrors errors = constantStrain(jitteredCube(c.element->name), c.options());
     table.rows.push_back({std::string(c.element->name), std::string(c.rule->name), errors.force, errors.position});
-    checkBelow(report, c.name() + ": patch test, force", errors.force, 1e-13);
-    checkBelow(report, c.name() + ": patch test, position", errors.position, 1e-11);
+    checkBelow(report, c.name() + ": patch test, force", errors.force, rounding);
+    checkBelow(report, c.name() + ": patch test, position", errors.position, rounding);
   }
   for (const double jitter : {0.0, 0.2}) {
     const PatchErrors errors = constantStrain(mixedBar(jitter), {});
     const std::string name = jitter == 0 ? "mixed" : "mixed, distorted";
     table.rows.push_back({name, std::string("default"), errors.force, errors.position});
-    checkBelow(report, name + ": patch test, force", errors.force, 1e-13);
-    checkBelow(report, name + ": patch test, position", errors.position, 1e-11);
+    checkBelow(report, name + ": patch test, force", errors.force, rounding);
+    checkBelow(report, name + ": patch test, position", errors.position, rounding);
   }
   report.tables.push_back(std::move(table));
   StudyTable quadratic{"patch-linear-strain",
@@ -249,7 +251,8 @@ void studyPatch(StudyReport& report) {
     const double jitter = c.element->faces.size() == 4 ? 0.2 : 0.0, error = linearStrain(c, jitter);
     quadratic.rows.push_back({std::string(c.element->name), std::string(c.rule->name),
                               std::string(jitter > 0 ? "distorted" : "regular"), error});
-    checkBelow(report, c.name() + ": linear strain", error, 1e-11);
+    // Rounding of positions, times stiffness over load: 9e-14.
+    checkBelow(report, c.name() + ": linear strain", error, 2.5e-13);
   }
   report.tables.push_back(std::move(quadratic));
 }
@@ -293,10 +296,11 @@ void studyDerivatives(StudyReport& report) {
       table.rows.push_back({std::string(c.element->name), std::string(c.rule->name), std::string(law.name), forceError,
                             tangentError, asymmetry, rotation});
       const std::string name = c.name() + " " + std::string(law.name);
-      checkBelow(report, name + ": force is the slope of the energy", forceError, 1e-8);
-      checkBelow(report, name + ": tangent is the slope of the force", tangentError, 1e-8);
-      checkBelow(report, name + ": tangent is symmetric", asymmetry, 1e-13);
-      if (objective) checkBelow(report, name + ": force turns with the body", rotation, 1e-12);
+      // The differences' own errors, of the fourth order in h, and rounding over h: 3.6e-12 and 1.5e-10.
+      checkBelow(report, name + ": force is the slope of the energy", forceError, 1e-11);
+      checkBelow(report, name + ": tangent is the slope of the force", tangentError, 4e-10);
+      checkBelow(report, name + ": tangent is symmetric", asymmetry, rounding);
+      if (objective) checkBelow(report, name + ": force turns with the body", rotation, rounding);
     }
   }
   report.tables.push_back(std::move(table));

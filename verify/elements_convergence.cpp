@@ -134,8 +134,9 @@ void studyConvergence(StudyReport& report, StudyEffort effort) {
       }
       if (c.isDefault() && law == StVenantKirchhoff::name) figure.curves.push_back(std::move(curve));
       const std::string name = c.name() + " " + std::string(law);
+      // Measured: within 0.049 and 0.020 on the coarse meshes of the quick form.
       checkNear(report, name + ": rate in L2", l2Rate, c.element->order + 1, 0.1);
-      checkNear(report, name + ": rate in H1", h1Rate, c.element->order, 0.1);
+      checkNear(report, name + ": rate in H1", h1Rate, c.element->order, 0.05);
     }
   }
   report.tables.push_back(std::move(table));

@@ -22,6 +22,9 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-14;  // of steps at numbers of order one: 45 units in the last place
+// Limits are bisected to 1e-10 of themselves, and none is above 3.
+constexpr double bisected = 3e-10;
 constexpr double dampingRatios[] = {0.01, 0.05, 0.1, 0.2, 0.5, 1, 2, 5};
 
 /// Small displacements and velocities of every free component, the same on every machine.
@@ -120,8 +123,7 @@ class IntegratorStudy {
     report_.tables[which].rows.push_back(std::move(cells));
   }
   void check(const std::string& claim, double measured, double expected, double tolerance) {
-    const bool equal = measured == expected || std::abs(measured - expected) <= tolerance;
-    report_.checks.push_back({name_ + ": " + claim, measured, expected, tolerance, equal});
+    checkNear(report_, name_ + ": " + claim, measured, expected, tolerance);
   }
 
   /// The system is told a time with every force, so a step that leaves the time behind is wrong wherever forces depend
@@ -144,9 +146,11 @@ class IntegratorStudy {
       const double error = std::abs(state.time - before - h) / h;
       worst = std::isnan(error) ? nan : std::max(worst, error);
     }
-    check("time advances by h in every step: relative error", worst, 0, 1e-12);
+    // A unit in the last place of the time, up to 13, over h.
+    constexpr double lastPlace = 2e-14;
+    check("time advances by h in every step: relative error", worst, 0, lastPlace);
     check(joinText("time advances by ", steps, " h in ", steps, " steps: relative error"),
-          std::abs(state.time - start - steps * h) / (steps * h), 0, 1e-12);
+          std::abs(state.time - start - steps * h) / (steps * h), 0, lastPlace);
   }
 
   void studyLimits() {
@@ -154,19 +158,19 @@ class IntegratorStudy {
     const double measured = measureStabilityLimit(make_);
     if (info_->partitioned) {
       row(limits, {measured, limit, difference(measured, limit), nan, nan});
-      check("limit on the imaginary axis, of the non-stiff part alone", measured, limit, 1e-8 * std::max(1.0, limit));
+      check("limit on the imaginary axis, of the non-stiff part alone", measured, limit, bisected);
       return;
     }
     const double real = measureStabilityLimit(make_, 1);
     const std::optional<double> realTheory = declaredLimit(*info_, 1);
     row(limits, {measured, limit, difference(measured, limit), real, realTheory.value_or(nan)});
-    check("limit on the imaginary axis", measured, limit, 1e-8 * std::max(1.0, limit));
+    check("limit on the imaginary axis", measured, limit, bisected);
     for (const double xi : dampingRatios) {
       if (!full_ && limit == infinity && xi != 1 && xi != 0.2) continue;  // long scans
       const double found = xi == 1 ? real : measureStabilityLimit(make_, xi);
       const std::optional<double> theory = declaredLimit(*info_, xi);
       row(damped, {xi, found, theory.value_or(nan), theory ? difference(found, *theory) : nan});
-      if (theory) check(joinText("limit at damping ratio ", xi), found, *theory, 1e-8 * std::max(1.0, *theory));
+      if (theory) check(joinText("limit at damping ratio ", xi), found, *theory, bisected);
     }
     if (!info_->amplification) return;
     double worst = 0;
@@ -179,7 +183,7 @@ class IntegratorStudy {
         worst = std::max({worst, std::abs(T.matrix.trace() - declared.trace()) / size,
                           std::abs(T.matrix.determinant() - declared.determinant()) / size});
       }
-    check("trace and determinant of a step, against the declared amplification", worst, 0, 1e-9);
+    check("trace and determinant of a step, against the declared amplification", worst, 0, rounding);
   }
   static double difference(double a, double b) { return a == b ? 0.0 : a - b; }
 
@@ -201,11 +205,13 @@ class IntegratorStudy {
     const double defect = symplecticityDefect(make_, 0.5), reversal = reversalError(make_, 0.5);
     row(orders,
         {order, std::int64_t{info_->order}, dampedOrder, std::int64_t{info_->dampedOrder}, forces, defect, reversal});
-    check("order", order, info_->order, 0.15);
-    check("order with damping", dampedOrder, info_->dampedOrder, 0.15);
+    // What is left of the next order on the finest steps that rounding allows: 0.0058, and 0.0016 with damping; of
+    // partitioned schemes 0.015 and 0.032.
+    check("order", order, info_->order, info_->partitioned ? 0.04 : 0.017);
+    check("order with damping", dampedOrder, info_->dampedOrder, info_->partitioned ? 0.09 : 0.0045);
     if (info_->forceEvaluations > 0) check("forces a step", forces, info_->forceEvaluations, 0);
-    if (info_->symplectic) check("symplectic: |det - 1|", defect, 0, 1e-13);
-    if (info_->reversible) check("reversible: 100 steps and back", reversal, 0, 1e-12);
+    if (info_->symplectic) check("symplectic: |det - 1|", defect, 0, rounding);
+    if (info_->reversible) check("reversible: 100 steps and back", reversal, 0, rounding);
     if (info_->forceEvaluations == 0) return;  // cost is not a matter of the step alone
     const double z = 0.2 * info_->forceEvaluations;
     const PeriodErrors errors = periodErrors(make_, z);
@@ -219,13 +225,17 @@ class IntegratorStudy {
     const double periodCount = full_ && info_->forceEvaluations > 0 ? 1e6 : 1e3;  // Newton's method takes its time
     const EnergyDrift steps = energyDriftBySteps(make_, z, periodCount);
     row(drift, {z, periodCount, std::string("steps"), steps.drift, steps.oscillation});
-    // Rounding: a random walk over 1e7 steps.
+    // Rounding. By powers it adds up over the 1e7 steps of the 1e6 periods, to 1.2e-9; by steps it is a random walk,
+    // over 1e3 periods to 1.7e-14, over 1e6 to 1.4e-12.
+    constexpr double byPowers = 3.5e-9;
+    const double bySteps = periodCount > 1e3 ? 4e-12 : 5e-14;
     if (info_->symplectic) {
-      check("energy drift over 1e6 periods, by powers", powers.drift, 0, 1e-7);
-      check(joinText("energy drift over ", periodCount, " periods, by steps"), steps.drift, 0, 1e-7);
+      check("energy drift over 1e6 periods, by powers", powers.drift, 0, byPowers);
+      check(joinText("energy drift over ", periodCount, " periods, by steps"), steps.drift, 0, bySteps);
     } else if (limit > 0) {
       const bool known = !std::isnan(powers.drift) && !std::isnan(steps.drift);
-      check("energy never grows", known ? std::max({powers.drift, steps.drift, 0.0}) : nan, 0, 1e-7);
+      checkAtMost(report_, name_ + ": largest energy drift of a scheme that loses energy",
+                  known ? std::max(powers.drift, steps.drift) : nan, 0, byPowers);
     }
   }
 
@@ -325,8 +335,9 @@ class IntegratorStudy {
       share = std::max(share, (kinetic + body.energy(state.x, workspace)) / work);
     }
     row(stiff, {std::int64_t{steps}, h, share});
-    check("stiff bar at 50 times the explicit step: largest energy over the work of gravity is at most 1",
-          std::isnan(share) ? nan : std::max(share, 1.0), 1, 1e-4);
+    // Schemes that go by an error of their own may gain what that allows.
+    checkAtMost(report_, name_ + ": stiff bar at 50 times the explicit step: largest energy over the work of gravity",
+                share, 1, 1e-6);
   }
 
   static Body smallBar(const char* model, const char* element) {
@@ -358,7 +369,7 @@ class IntegratorStudy {
       for (int k = 0; k < calls; ++k) integrator->step(oscillator, state, 1.0 / calls);
       row(adaptive, {std::int64_t{calls}, undamped, withDamping, oscillator.evaluations()});
       check(joinText("error at t = 1/omega in ", calls, calls == 1 ? " call" : " calls"),
-            std::max(undamped, withDamping), 0, 1e-4);
+            std::max(undamped, withDamping), 0, 8e-6);  // of its own control of the error: 2.7e-6
     }
   }
 
@@ -382,8 +393,8 @@ StudyReport verifyIntegrators(StudyEffort effort, std::span<const IntegratorEntr
   for (const IntegratorEntry& entry : integrators)
     if (entry.info->name == "rk4") {
       const double measured = measureStabilityLimit(entry.make, 1), expected = 2.785293563405282;
-      report.checks.push_back({"rk4: limit on the negative real axis (2.78 in the literature), not the imaginary one",
-                               measured, expected, 1e-8, std::abs(measured - expected) <= 1e-8});
+      checkNear(report, "rk4: limit on the negative real axis (2.78 in the literature), not the imaginary one",
+                measured, expected, bisected);
     }
   return report;
 }

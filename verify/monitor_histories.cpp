@@ -114,7 +114,7 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
   const int sampleEvery = std::max(1, history.steps / 200);
   std::vector<double> width;  // of the safe side against the exact step, %
   double worstOptimistic = -std::numeric_limits<double>::infinity();
-  std::int64_t outside = 0, falseAlarms = 0, evaluated = 0, looks = 0;
+  std::int64_t compared = 0, outside = 0, falseAlarms = 0, evaluated = 0, looks = 0;
   std::int64_t violatedAt = -1, energyAt = -1, exactAt = -1, indefiniteAt = -1;
   double largest = 0;
   for (std::int64_t step = 0; step <= history.steps; ++step) {
@@ -138,8 +138,10 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
       const GlobalFrequency top = globalFrequency(body, state.x, 1e-9);
       if (top.converged) {
         const double exact = stepFor(top.lambda, limit);
-        outside += !(seen.bracket->safe <= exact * (1 + 1e-9)) || !(seen.bracket->optimistic >= exact * (1 - 1e-9));
-        falseAlarms += alarm && exact >= history.h * (1 + 1e-9);
+        outside += !(seen.bracket->safe <= exact * (1 + ofTheReference)) ||
+                   !(seen.bracket->optimistic >= exact * (1 - ofTheReference));
+        falseAlarms += alarm && exact >= history.h * (1 + ofTheReference);
+        ++compared;
         if (exactAt < 0 && exact < history.h) exactAt = step;
         // How tight it is counts until the collapse.
         if (indefiniteAt < 0) {
@@ -166,20 +168,16 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
                         *std::max_element(width.begin(), width.end()), worstOptimistic,
                         static_cast<double>(evaluated) / elements / static_cast<double>(looks), exactAt, violatedAt,
                         energyAt, indefiniteAt});
-  const auto count = [&](const std::string& what, std::int64_t measured) {
-    report.checks.push_back({history.name + ": " + what, static_cast<double>(measured), 0, 0, measured == 0});
-  };
-  count("exact values outside of the bracket", outside);
-  count("alarms while the exact step allows h", falseAlarms);
-  if (history.indefinite) {
-    report.checks.push_back({history.name + ": said indefinite before the energy was off",
-                             static_cast<double>(indefiniteAt), static_cast<double>(energyAt), 0,
-                             indefiniteAt >= 0 && (energyAt < 0 || indefiniteAt <= energyAt)});
-  } else {
-    const double lead = static_cast<double>(energyAt - violatedAt);
-    report.checks.push_back({history.name + ": steps from the first violated to an energy off by 10 %, at least 20",
-                             lead, 20, 0, violatedAt >= 0 && energyAt >= 0 && lead >= 20});
-  }
+  const auto at = [](std::int64_t step) { return step < 0 ? std::nan("") : static_cast<double>(step); };
+  checkNear(report, history.name + ": exact values outside of the bracket",
+            compared > 0 ? static_cast<double>(outside) : std::nan(""), 0, 0);
+  checkNear(report, history.name + ": alarms while the exact step allows h", static_cast<double>(falseAlarms), 0, 0);
+  if (history.indefinite)
+    checkAtMost(report, history.name + ": step at which it is said indefinite, before the energy is off",
+                at(indefiniteAt), static_cast<double>(energyAt < 0 ? history.steps : energyAt), 0);
+  else
+    checkAtLeast(report, history.name + ": steps from the first violated to an energy off by 10 %",
+                 at(energyAt) - at(violatedAt), 20, 0);
   report.figures.push_back(std::move(figure));
 }
 

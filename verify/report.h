@@ -18,13 +18,20 @@ struct StudyTable {
   std::vector<std::vector<Cell>> rows;
 };
 
-/// A statement that holds or does not.
+/// A measured number and the limit that it is held to. No study says itself whether it passed: that follows from the
+/// numbers, and tests/verify states every limit a second time.
 struct StudyCheck {
-  std::string name;  // what is claimed
-  double measured;   // what was found
+  enum class Sense { near, atMost, atLeast };
+  std::string name;  // what was measured, with its unit where it has one; unique within the report
+  double measured;
   double expected;   // what theory or another program says
-  double tolerance;  // |measured - expected| allowed, or the bound's slack
-  bool passed;
+  double tolerance;  // how far measured may be from it: on both sides, above, or below; finite
+  Sense sense = Sense::near;
+
+  /// How far measured is from expected, on both sides, above or below: negative when on the good side, NaN when either
+  /// is. Equal infinities are 0 apart.
+  double deviation() const;
+  bool passed() const;
 };
 
 /// Curves for a picture.
@@ -61,15 +68,19 @@ struct StudyReport {
 
   bool passed() const {
     for (const StudyCheck& check : checks)
-      if (!check.passed) return false;
+      if (!check.passed()) return false;
     return true;
   }
 };
 
 /// Adds a check that |measured - expected| <= tolerance.
 void checkNear(StudyReport& report, std::string name, double measured, double expected, double tolerance);
-/// Adds a check that measured <= bound.
+/// Adds a check that measured <= bound (expected: 0, tolerance: bound).
 void checkBelow(StudyReport& report, std::string name, double measured, double bound);
+/// Adds a check that measured <= expected + tolerance.
+void checkAtMost(StudyReport& report, std::string name, double measured, double expected, double tolerance);
+/// Adds a check that measured >= expected - tolerance.
+void checkAtLeast(StudyReport& report, std::string name, double measured, double expected, double tolerance);
 
 /// Middle of some values; NaN without any.
 double median(std::vector<double> values);

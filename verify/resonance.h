@@ -8,8 +8,8 @@ namespace ringwatch {
 /// one step is found column by column with the handler `adaptive` itself; its spectral radius is the growth per step.
 ///
 /// Table: resonance. Figure: handlers_resonance, growth against h omega / pi. Checks: the stabilised variant, with its
-/// default dissipation and without any, has a spectral radius of at most 1 + 1e-9 everywhere; the plain one has not,
-/// so that the scan sees what it is made for.
+/// default dissipation and without any, has a spectral radius of at most 1 everywhere; the plain one has not, so that
+/// the scan sees what it is made for.
 void addResonance(StudyEffort effort, StudyReport& report);
 
 }  // namespace ringwatch

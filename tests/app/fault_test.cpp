@@ -16,21 +16,22 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <ringwatch/app/toml_text.h>
 
-#include "temporary_folder.h"
+#include "program.h"
 
 namespace ringwatch {
 namespace {
 
+using test::Json;
+using test::Outcome;
+using test::statusOf;
 using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
-using Json = nlohmann::json;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool sanitized = true;
@@ -43,55 +44,25 @@ constexpr bool sanitized = false;
 /// Sanitizers reserve terabytes of addresses.
 const std::string twoGigabytes = sanitized ? "" : "ulimit -v 2000000 && ";
 
-const char* const tiny = R"([mesh]
-generate = "bar"
-size = [0.1, 0.02, 0.02]
-cells = [5, 1, 1]
-[material]
-model = "stvk"
-young = 30e3
-poisson = 0.3
-density = 1000
-[integrator]
-step = 1e-3
-end = 0.05
-[[fix]]
-where = "x < 1e-6"
-[[move]]
-where = "x > 0.1 - 1e-6"
-velocity = [0.05, 0, 0]
-[output]
-picture = false
-)";
-const std::string material = " --young 30e3 --poisson 0.3 --density 1000 ";
+/// The scene of the other tests without a picture, and with frames at its two ends alone.
+const std::string tiny = [] {
+  const std::string all = test::tiny;
+  return all.substr(0, all.find("[output]")) + "[output]\npicture = false\n";
+}();
+const std::string material = test::material;
 
-struct Outcome {
-  int status;
-  std::string out, err;
-};
-
-int statusOf(int waited) { return WIFEXITED(waited) ? WEXITSTATUS(waited) : 128 + WTERMSIG(waited); }
-
-class Faults : public ::testing::Test {
+class Faults : public test::Program {
  protected:
   void SetUp() override { folder_.write("tiny.toml", tiny); }
 
   /// A line for the shell in the test's folder, where ringwatch is the program. It has a minute.
   Outcome shell(const std::string& line) {
-    const std::string command = "cd '" + folder_.path().string() + "' && ringwatch() { timeout -k 5 60 '" +
-                                RINGWATCH_PROGRAM + "' \"$@\"; } && { " + line + "; } > out.txt 2> err.txt";
-    const int status = std::system(command.c_str());
-    return {statusOf(status), folder_.read("out.txt"), folder_.read("err.txt")};
+    return Program::shell("ringwatch() { timeout -k 5 60 '" RINGWATCH_PROGRAM "' \"$@\"; } && { " + line + "; }");
   }
   Outcome call(const std::string& arguments, const std::string& before = "") {
     return shell("( " + before + "ringwatch " + arguments + " )");
   }
-  void expectRefused(const Outcome& outcome, const std::string& what) {
-    EXPECT_EQ(outcome.status, 2) << outcome.err;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_THAT(outcome.err, AllOf(StartsWith("ringwatch: "), HasSubstr(what), EndsWith("\n")));
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  }
+  using Program::expectRefused;
   void expectRefused(const std::string& arguments, const std::string& what) {
     SCOPED_TRACE(arguments);
     expectRefused(call(arguments, twoGigabytes), what);
@@ -134,9 +105,7 @@ class Faults : public ::testing::Test {
     return statusOf(status);
   }
 
-  bool exists(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
   bool isLink(const std::string& name) const { return std::filesystem::is_symlink(folder_.path() / name); }
-  Json json(const std::string& name) const { return Json::parse(folder_.read(name)); }
   std::vector<std::string> lines(const std::string& name) const {
     std::istringstream text(folder_.read(name));
     std::vector<std::string> result;
@@ -147,10 +116,8 @@ class Faults : public ::testing::Test {
     std::filesystem::create_symlink(to, folder_.path() / name);
   }
   void expectNothingHalfWritten(const std::string& name) const {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path() / name)) {
-      EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".part")));
-      EXPECT_NE(entry.path().filename(), "run.lock");
-    }
+    Program::expectNothingHalfWritten(name);
+    EXPECT_FALSE(exists(name + "/run.lock"));
   }
   /// A device of this test's own, whatever happens to it; false where such are not to be had.
   bool makeDevice(const std::string& name, unsigned number) const {
@@ -161,8 +128,6 @@ class Faults : public ::testing::Test {
     return opened >= 0;
   }
   static constexpr unsigned fullDevice = 7;
-
-  test::TemporaryFolder folder_;
 };
 
 // Steps and frames

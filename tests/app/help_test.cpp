@@ -22,28 +22,18 @@
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/monitor/metrics.h>
 
-#include "temporary_folder.h"
+#include "program.h"
 
 namespace ringwatch {
 namespace {
 
+using test::Outcome;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-struct Outcome {
-  int status;
-  std::string out, err;
-};
-
-class Words : public ::testing::Test {
+class Words : public test::Program {
  protected:
-  Outcome call(const std::string& arguments) {
-    const std::string command =
-        "cd '" + folder_.path().string() + "' && '" RINGWATCH_PROGRAM "' " + arguments + " > out.txt 2> err.txt";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, folder_.read("out.txt"), folder_.read("err.txt")};
-  }
   /// The message of bad input, one line.
   std::string refusal(const std::string& arguments) {
     const Outcome outcome = call(arguments);
@@ -58,8 +48,6 @@ class Words : public ::testing::Test {
     EXPECT_EQ(outcome.err, "") << topic;
     return outcome.out;
   }
-
-  test::TemporaryFolder folder_;
 };
 
 std::size_t lineCount(const std::string& text) {
@@ -175,6 +163,20 @@ TEST_F(Words, CheckAndInspectNoteWhatIsOddAboutAMesh) {
                 AllOf(HasSubstr("note: apart.msh: the mesh falls into 2 parts"),
                       HasSubstr("note: apart.msh: 3 nodes lie where another node lies, e.g. nodes 1 and 5")));
   }
+}
+
+TEST_F(Words, FormerNamesOfStudiesStillStartThem) {
+  int renamed = 0;
+  for (const StudyInfo& info : allStudies()) {
+    if (info.formerName.empty()) continue;
+    ++renamed;
+    EXPECT_THAT(help("studies"), Not(lists(info.formerName)));
+  }
+  EXPECT_EQ(renamed, 2);  // deformations and stress
+  const std::vector<StudyReport> reports = runStudies({"stress"}, StudyEffort::quick);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].study, "robustness");
+  EXPECT_THAT(refusal("verify stres"), HasSubstr("there is no such study"));
 }
 
 }  // namespace

@@ -24,24 +24,31 @@ struct Outcome {
   std::string out, err;
 };
 
+/// As a shell has it: 128 and the signal where there was one.
+inline int statusOf(int waited) { return WIFEXITED(waited) ? WEXITSTATUS(waited) : 128 + WTERMSIG(waited); }
+
 class Program : public ::testing::Test {
  protected:
+  /// A line for the shell, in the test's folder.
+  Outcome shell(const std::string& line) {
+    const std::string command = "cd '" + folder_.path().string() + "' && { " + line + "; } > out.txt 2> err.txt";
+    const int status = std::system(command.c_str());
+    return {statusOf(status), folder_.read("out.txt"), folder_.read("err.txt")};
+  }
   /// Calls the program in the test's folder; arguments as a shell reads them.
   Outcome call(const std::string& arguments, const std::string& environment = "") {
-    const std::string command = "cd '" + folder_.path().string() + "' && " + environment + " '" RINGWATCH_PROGRAM "' " +
-                                arguments + " > out.txt 2> err.txt";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), folder_.read("out.txt"),
-            folder_.read("err.txt")};
+    return shell(environment + " '" RINGWATCH_PROGRAM "' " + arguments);
+  }
+  void expectRefused(const Outcome& outcome, const std::string& what) {
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, ::testing::AllOf(::testing::StartsWith("ringwatch: "), ::testing::HasSubstr(what),
+                                              ::testing::EndsWith("\n")));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
   void expectRefused(const std::string& arguments, const std::string& what) {
-    const Outcome outcome = call(arguments);
-    EXPECT_EQ(outcome.status, 2) << arguments << "\n" << outcome.err;
-    EXPECT_EQ(outcome.out, "") << arguments;
-    EXPECT_THAT(outcome.err, ::testing::AllOf(::testing::StartsWith("ringwatch: "), ::testing::HasSubstr(what),
-                                              ::testing::EndsWith("\n")))
-        << arguments;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments << "\n" << outcome.err;
+    SCOPED_TRACE(arguments);
+    expectRefused(call(arguments), what);
   }
   bool exists(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
   Json json(const std::string& name) const { return Json::parse(folder_.read(name)); }

@@ -173,7 +173,7 @@ class Documents:
                 self.fault(path, line, f"`{command}`: there is no option {option}")
         if words[0] == "verify":
             for study in words[1:]:
-                if re.fullmatch(r"[a-z]+", study) and study not in (*self.names("studies"), "all"):
+                if re.fullmatch(r"[a-z0-9]+", study) and study not in (*self.names("studies"), "all"):
                     if words[words.index(study) - 1].startswith("--"):
                         continue
                     self.fault(path, line, f"`{command}`: there is no study {study}")

@@ -26,15 +26,28 @@
 #include <ringwatch/verify/integrators.h>
 #include <ringwatch/verify/oscillator.h>
 
+#include <tests/verify/integrator_criteria.h>
+
 namespace ringwatch {
 namespace {
 
 TEST(Sundials, IntegratorsLiveUpToTheirDeclarations) {
+  using test::Basis;
   const StudyReport report = verifyIntegrators(StudyEffort::quick, sundialsIntegrators());
-  for (const StudyCheck& check : report.checks)
-    EXPECT_TRUE(check.passed) << check.name << ": " << check.measured << ", expected " << check.expected << " within "
-                              << check.tolerance;
-  EXPECT_GT(report.checks.size(), 10u);
+  std::vector<test::Criterion> criteria = test::commonIntegratorCriteria();
+  // 0.015, and 0.032 with damping.
+  for (const char* name : {"arkode-ark", "arkode-mri"}) {
+    criteria.push_back({std::string(name) + ": order", 0.04, Basis::theory});
+    criteria.push_back({std::string(name) + ": order with damping", 0.09, Basis::theory});
+  }
+  // The limits of the explicit ones, which come less close to their orders.
+  for (const char* name : {"implicit-euler", "arkode-dirk"}) {
+    criteria.push_back({std::string(name) + ": order", 0.017, Basis::theory});
+    criteria.push_back({std::string(name) + ": order with damping", 0.0045, Basis::theory});
+  }
+  criteria.push_back({"*: stiff bar at 50 times the explicit step: *", 1e-6, Basis::theory});
+  criteria.push_back({"cvode-bdf: error at t = 1/omega in *", 8e-6, Basis::measured});  // its own control of the error
+  test::expectCriteria(report, criteria);
 }
 
 TEST(Sundials, DocumentationHoldsTheTableOfDeclarations) {
@@ -121,8 +134,10 @@ TEST(Sundials, StiffBarIsStableAtFiftyTimesTheExplicitStep) {
   Body body = bar();
   body.addBodyForce({0, 0, -1});
   const double h = 50 * 2 / std::sqrt(globalFrequency(body, body.mesh().X).lambda);
+  int tried = 0;
   for (const IntegratorEntry& entry : sundialsIntegrators()) {
     if (!std::isinf(entry.info->imaginaryLimit)) continue;
+    ++tried;
     const auto integrator = entry.make();
     BodySystem system(body);
     State state = system.initialState();
@@ -138,6 +153,7 @@ TEST(Sundials, StiffBarIsStableAtFiftyTimesTheExplicitStep) {
     EXPECT_LT(energy, 1e-5 * sag) << entry.info->name;  // it started from zero, and no method here adds energy
     EXPECT_GT(sag, 0);
   }
+  EXPECT_GE(tried, 3);  // implicit Euler, DIRK and BDF
 }
 
 TEST(Sundials, LinearSolversAgree) {

@@ -102,7 +102,8 @@ TYPED_TEST(DriftTest, BoundsTheTangentOfEveryStateInItsBall) {
 }
 
 TYPED_TEST(DriftTest, HasNoBallWhereTheLawHasNoTangent) {
-  if (std::string(TypeParam::name) != NeoHookean::name && std::string(TypeParam::name) != Corotational::name) return;
+  if (std::string(TypeParam::name) != NeoHookean::name && std::string(TypeParam::name) != Corotational::name)
+    GTEST_SKIP() << "the law has a tangent everywhere";
   const TypeParam law{lameConstants(1, 0.3)};
   // Inverted for one law; two stretches that sum to zero for the other.
   const Eigen::Matrix3d F = Eigen::Vector3d(1.2, 0.5, -0.5).asDiagonal();

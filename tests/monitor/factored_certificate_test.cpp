@@ -13,6 +13,7 @@ using test::DenseTangent;
 using test::Hold;
 
 TEST(FactoredCertificate, SaysYesAboveTheTruthAndNeverBelow) {
+  int states = 0, finite = 0, withSteps = 0;
   for (const Cut& cut : test::allCuts())
     for (const LawInfo& law : allLaws())
       for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
@@ -21,10 +22,12 @@ TEST(FactoredCertificate, SaysYesAboveTheTruthAndNeverBelow) {
         for (const test::NamedState& state : test::deformedStates(body.mesh().X, 4)) {
           const DenseTangent dense(body, state.x);
           const std::string what = joinText(cut.name, ", ", law.name, ", ", test::holdName(hold), ", ", state.name);
+          ++states;
           if (!dense.finite()) {
             EXPECT_FALSE(certifiesFrequency(body, state.x, 1e30)) << what;
             continue;
           }
+          ++finite;
           const Eigen::VectorXd lambda = dense.eigenvalues();
           const double top = lambda[lambda.size() - 1], size = std::max(top, -lambda[0]);
           for (const double near : {1e-9, 1e-6, 1e-3, 1.0}) {
@@ -33,6 +36,7 @@ TEST(FactoredCertificate, SaysYesAboveTheTruthAndNeverBelow) {
           }
           EXPECT_FALSE(certifiesFrequency(body, state.x, top)) << what;
           if (!(top > 0)) continue;
+          ++withSteps;
           const double h = 2 / std::sqrt(top);
           EXPECT_TRUE(certifies(body, state.x, 0.999 * h, 2)) << what;
           EXPECT_FALSE(certifies(body, state.x, 1.001 * h, 2)) << what;
@@ -40,6 +44,8 @@ TEST(FactoredCertificate, SaysYesAboveTheTruthAndNeverBelow) {
           EXPECT_FALSE(certifies(body, state.x, 1.401 * h, 2.8)) << what;
         }
       }
+  EXPECT_GE(4 * finite, 3 * states);
+  EXPECT_GE(4 * withSteps, 3 * finite);
 }
 
 TEST(FactoredCertificate, OfABodyWithNothingFree) {

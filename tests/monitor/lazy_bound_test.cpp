@@ -177,7 +177,7 @@ TEST_P(LazyBoundTest, CertifiesOnlyWhatIsTrue) {
     const double rest = DenseTangent(body, X).largest();
     for (const double share : {0.5, 0.99, 1.3, 2.0, 5.0}) {
       LazyBound bound(body);
-      int certified = 0;
+      int certified = 0, possible = 0;
       for (int step = 0; step <= 40; ++step) {
         const NodeVectors x = pathState(X, step / 40.0, shake);
         const double lambda = DenseTangent(body, x).largest(), sigma = share * rest;
@@ -186,12 +186,11 @@ TEST_P(LazyBoundTest, CertifiesOnlyWhatIsTrue) {
           ASSERT_GE(sigma, lambda * (1 - 1e-9)) << law.name << ", " << share << ", step " << step;
         }
         certified += yes;
+        possible += sigma >= 1.5 * lambda;
       }
-      if (share < 1) {
-        EXPECT_LE(certified, 40) << law.name << ", " << share;  // not at rest
-      }
-      if (share == 5) {
-        EXPECT_GT(certified, 0) << law.name;
+      if (share == 5) {  // far above the truth there is no doubt
+        EXPECT_GT(possible, 0) << law.name;
+        EXPECT_GE(certified, possible) << law.name;
       }
     }
   }
@@ -202,6 +201,7 @@ TEST_P(LazyBoundTest, SeesEveryInversion) {
     Body body = test::boxBody(GetParam(), law.name);
     const NodeVectors& X = body.mesh().X;
     test::Random random(14);
+    int inversions = 0;
     for (int repeat = 0; repeat < 10; ++repeat) {
       LazyBound bound(body);
       const std::int32_t node = random.index(body.nodeCount());
@@ -216,9 +216,11 @@ TEST_P(LazyBoundTest, SeesEveryInversion) {
           continue;
         }
         EXPECT_NEAR(bound.spent().leastDeterminant, least, 1e-12) << law.name << ", step " << step;
+        ++inversions;
         break;
       }
     }
+    EXPECT_GE(inversions, 3) << law.name;
   }
 }
 

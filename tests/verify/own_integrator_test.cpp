@@ -36,6 +36,6 @@ ringwatch::StudyReport studyMine() {
 TEST(OwnIntegrator, IsStudied) {
   const ringwatch::StudyReport report = studyMine();
   for (const ringwatch::StudyCheck& check : report.checks)
-    EXPECT_TRUE(check.passed) << check.name << ": " << check.measured << ", expected " << check.expected << " within "
-                              << check.tolerance;
+    EXPECT_TRUE(check.passed()) << check.name << ": " << check.measured << ", expected " << check.expected << " within "
+                                << check.tolerance;
 }

@@ -10,8 +10,8 @@ namespace ringwatch {
 /// limit; with a stiffness contrast of 1e8, a Poisson ratio of 0.4999, a sliver flat to 1e-6, from random states; and
 /// spinning freely for 100 turns. Explicit integrators with a limit only.
 ///
-/// Table: stress, with the largest change of energy and of momentum; checks: all below the limit stay bounded, all
+/// Table: robustness, with the largest change of energy and of momentum; checks: all below the limit stay bounded, all
 /// above blow up, and a spinning body keeps its angular momentum.
-StudyReport verifyStress(StudyEffort effort, std::span<const IntegratorEntry> integrators = coreIntegrators());
+StudyReport verifyRobustness(StudyEffort effort, std::span<const IntegratorEntry> integrators = coreIntegrators());
 
 }  // namespace ringwatch

@@ -1,4 +1,4 @@
-#include <ringwatch/verify/stress.h>
+#include <ringwatch/verify/robustness.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,9 +47,9 @@ struct Outcome {
   double spinChange = 0;    // of angular momentum, relative
 };
 
-class StressRun {
+class LongRun {
  public:
-  explicit StressRun(const Body& body) : body_(body), system_(body) {}
+  explicit LongRun(const Body& body) : body_(body), system_(body) {}
 
   Outcome run(Integrator& integrator, State state, double h, std::int64_t steps) {
     const double energy0 = energy(state);
@@ -94,13 +94,13 @@ void setRandomVelocities(State& state, double scale) {
 
 }  // namespace
 
-StudyReport verifyStress(StudyEffort effort, std::span<const IntegratorEntry> integrators) {
+StudyReport verifyRobustness(StudyEffort effort, std::span<const IntegratorEntry> integrators) {
   const bool full = effort == StudyEffort::full;
   const Material soft = makeMaterial("stvk", 30e3, 0.3, 1000);
   StudyReport report;
-  report.study = "stress";
+  report.study = "robustness";
   report.tables.push_back(
-      {"stress",
+      {"robustness",
        "Who survives: small bodies over many steps",
        {"integrator", "case", "h / limit", "steps", "bounded", "energy change", "angular momentum change"},
        {}});
@@ -118,8 +118,8 @@ StudyReport verifyStress(StudyEffort effort, std::span<const IntegratorEntry> in
     std::int64_t steps;
   };
   std::vector<Case> cases;
-  const std::int64_t longRun = full ? 1000000 : 3000, run = full ? 100000 : 2000;
-  cases.push_back({"cube", makeBody(cube(1), {soft}), {0.5, 0.9, 0.99, 1.01}, longRun});
+  const std::int64_t mostSteps = full ? 1000000 : 3000, run = full ? 100000 : 2000;
+  cases.push_back({"cube", makeBody(cube(1), {soft}), {0.5, 0.9, 0.99, 1.01}, mostSteps});
   cases.push_back({"stiffness contrast 1e8",
                    makeBody(halved(cube(2)), {soft, makeMaterial("stvk", 30e11, 0.3, 1000)}),
                    {0.9},
@@ -134,21 +134,21 @@ StudyReport verifyStress(StudyEffort effort, std::span<const IntegratorEntry> in
 
   for (const Case& c : cases) {
     const GlobalFrequency top = globalFrequency(c.body, c.body.mesh().X);
-    if (!top.converged) throw NumericalError("stress, " + c.name + ": the highest frequency did not converge");
-    StressRun stress(c.body);
-    State start = stress.start();
+    if (!top.converged) throw NumericalError("robustness, " + c.name + ": the highest frequency did not converge");
+    LongRun longRun(c.body);
+    State start = longRun.start();
     // So slow that the tangent, and the limit with it, stays that at rest.
     setRandomVelocities(start, 1e-7);
     for (const IntegratorEntry& entry : integrators) {
       const double limit = entry.info->imaginaryLimit;
       if (!(limit > 0) || std::isinf(limit)) continue;
       for (const double fraction : c.fractions) {
-        const Outcome outcome = stress.run(*entry.make(), start, fraction * limit / std::sqrt(top.lambda), c.steps);
+        const Outcome outcome = longRun.run(*entry.make(), start, fraction * limit / std::sqrt(top.lambda), c.steps);
         record(*entry.info, c.name, fraction, c.steps, outcome);
-        report.checks.push_back({joinText(entry.info->name, ": ", c.name, " at ", fraction, " of the limit is ",
-                                          fraction < 1 ? "bounded" : "not bounded"),
-                                 outcome.bounded ? 1.0 : 0.0, fraction < 1 ? 1.0 : 0.0, 0,
-                                 outcome.bounded == (fraction < 1)});
+        checkNear(report,
+                  joinText(entry.info->name, ": ", c.name, " at ", fraction, " of the limit is ",
+                           fraction < 1 ? "bounded" : "not bounded"),
+                  outcome.bounded ? 1 : 0, fraction < 1 ? 1 : 0, 0);
       }
     }
   }
@@ -157,8 +157,8 @@ StudyReport verifyStress(StudyEffort effort, std::span<const IntegratorEntry> in
   const Body body = makeBody(cube(1), {soft});
   const double lambda = globalFrequency(body, body.mesh().X).lambda, turns = full ? 100 : 3,
                rate = 0.02 * soft.waveSpeed();
-  StressRun stress(body);
-  State start = stress.start();
+  LongRun longRun(body);
+  State start = longRun.start();
   start.x.colwise() -= Eigen::Vector3d::Constant(0.5);
   const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, 3).normalized();
   for (Eigen::Index i = 0; i < start.x.cols(); ++i) start.v.col(i) = rate * axis.cross(Eigen::Vector3d(start.x.col(i)));
@@ -167,12 +167,14 @@ StudyReport verifyStress(StudyEffort effort, std::span<const IntegratorEntry> in
     if (!(limit > 0) || std::isinf(limit)) continue;
     const double h = 0.5 * limit / std::sqrt(lambda);
     const auto steps = static_cast<std::int64_t>(turns * 2 * std::numbers::pi / (rate * h));
-    const Outcome outcome = stress.run(*entry.make(), start, h, steps);
+    const Outcome outcome = longRun.run(*entry.make(), start, h, steps);
     record(*entry.info, joinText(turns, " turns"), 0.5, steps, outcome);
     const std::string name = joinText(entry.info->name, ": ", turns, " turns, ");
-    report.checks.push_back({name + "bounded", outcome.bounded ? 1.0 : 0.0, 1, 0, outcome.bounded});
+    checkNear(report, name + "bounded", outcome.bounded ? 1 : 0, 1, 0);
+    // Rounding, a random walk: 6.5e-15 in the quick form's 3 turns, 3.3e-14 in 100.
     if (entry.info->symplectic)
-      report.checks.push_back({name + "angular momentum", outcome.spinChange, 0, 1e-9, outcome.spinChange <= 1e-9});
+      checkBelow(report, name + "angular momentum", outcome.bounded ? outcome.spinChange : std::nan(""),
+                 full ? 9e-14 : 1.9e-14);
   }
   return report;
 }

@@ -1,0 +1,154 @@
+// `ringwatch inspect`: its report for people and files, and what it refuses.
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <ringwatch/meshes/mesh_io.h>
+#include <ringwatch/monitor/metrics.h>
+
+#include "program.h"
+
+namespace ringwatch {
+namespace {
+
+using test::Json;
+using test::material;
+using test::Outcome;
+using test::Program;
+using ::testing::HasSubstr;
+
+TEST_F(Program, InspectsTetrahedraAndHexahedra) {
+  for (const std::string element : {"tet4", "hex8"}) {
+    ASSERT_EQ(call("mesh generate bar --size 0.2 0.04 0.04 --cells 10,2,2 --element " + element + " -o bar.msh").status,
+              0);
+    const Outcome outcome =
+        call(std::string("inspect bar.msh --metric all --global --lanczos 1e-9 --step 2.5e-3 --json -") + material);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const Json report = Json::parse(outcome.out);
+    EXPECT_EQ(report["mesh"]["nodes"], 99);
+    EXPECT_EQ(report["mesh"]["elements"].size(), 1u);
+    EXPECT_EQ(report["mesh"]["elements"][element], element == "tet4" ? 240 : 40);
+    EXPECT_NEAR(report["mesh"]["volume"].get<double>(), 3.2e-4, 1e-14);
+    EXPECT_NEAR(report["mass"].get<double>(), 0.32, 1e-11);
+    const Json& step = report["critical_step"];
+    const double global = step["global"];
+    // Computed independently of this project: 2.085284449e-3 for these tetrahedra, 2.973862796e-3 for these hexahedra.
+    EXPECT_NEAR(global, element == "tet4" ? 2.085284449e-3 : 2.973862796e-3, 2e-9);
+    EXPECT_LE(step["safe"].get<double>(), global * (1 + 1e-9));
+    EXPECT_GE(step["optimistic"].get<double>(), global * (1 - 1e-9));
+    EXPECT_EQ(step["probable"]["eta"], 1e-9);
+    EXPECT_LE(step["probable"]["safe"].get<double>(), global);
+    EXPECT_GE(step["probable"]["safe"].get<double>(), 0.985 * global);
+    EXPECT_LE(step["metrics"]["single-element"].get<double>(), global);
+    EXPECT_LE(step["metrics"]["nodal-bound"].get<double>(), global);
+    EXPECT_GE(step["metrics"]["reduced-1-ring"].get<double>(), global * (1 - 1e-9));
+    for (const MetricInfo& info : allMetrics()) {
+      const std::string name(info.name);
+      const double h = step["metrics"][name];
+      const std::string side = step["directions"][name];
+      EXPECT_TRUE(side != "safe" || h <= global * (1 + 1e-9)) << name << " = " << h;
+      EXPECT_TRUE(side != "optimistic" || h >= global * (1 - 1e-9)) << name << " = " << h;
+      EXPECT_EQ(side == "estimate", info.direction == Direction::estimate && name != "vertex-1-ring") << name;
+      EXPECT_NEAR(step["differences_percent"][name].get<double>(), 100 * (h - global) / global, 1e-9) << name;
+      EXPECT_EQ(step["controlling"][name]["block"], 0) << name;
+    }
+    EXPECT_EQ(step["directions"]["reduced-2-ring"], "optimistic");
+    EXPECT_EQ(step["directions"]["vertex-1-ring"], "safe");
+    const Json& counts = report["ill_shaped"]["by_metric"];
+    EXPECT_EQ(counts["reduced-1-ring"], report["ill_shaped"]["count"]);
+    EXPECT_GE(counts["single-element"].get<int>(), counts["reduced-1-ring"].get<int>());
+    const Json& element0 = report["controlling_element"];
+    EXPECT_EQ(element0["block"], 0);
+    EXPECT_EQ(element0["nodes"].size(), element == "tet4" ? 4u : 8u);
+    EXPECT_EQ(element0["node_ids"][0].get<int>(), element0["nodes"][0].get<int>() + 1);  // .msh numbers from 1
+    EXPECT_EQ(report["ill_shaped"]["count"], report["ill_shaped"]["elements"].size());
+    EXPECT_EQ(report["ill_shaped"]["count"].get<int>() > 0, element == "tet4");  // 2.5 ms lies between the two
+  }
+}
+
+TEST_F(Program, InspectReportsForPeopleAndFiles) {
+  ASSERT_EQ(call("mesh generate cube --size 0.05 --cells 2 -o cube.vtu").status, 0);
+  const Outcome outcome =
+      call(std::string("inspect cube.vtu --fix 'x < 1e-6' --json report.json --vtu report.vtu") + material);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* word : {"48 tet4", "volume", "safe", "optimistic", "proven stable", "single-element",
+                           "pressure-wave", "reduced-1-ring", "controlling element"})
+    EXPECT_THAT(outcome.out, HasSubstr(word));
+  const Json report = json("report.json");
+  EXPECT_FALSE(report["critical_step"].contains("global"));
+  for (const char* unasked : {"ill_shaped", "distribution", "worst_elements"}) EXPECT_FALSE(report.contains(unasked));
+  EXPECT_FALSE(report["critical_step"].contains("differences_percent"));
+  EXPECT_EQ(report["critical_step"]["metrics"].size(), 3u);
+  EXPECT_EQ(readMesh(folder_.path() / "report.vtu").elementCount(), 48u);
+}
+
+TEST_F(Program, InspectShowsDistributions) {
+  ASSERT_EQ(call("mesh generate cube --size 0.05 --cells 3 --jitter 0.3 -o cube.msh").status, 0);
+  for (const std::string picture : {"spread.svg", "spread.png"}) {
+    const Outcome outcome = call(
+        std::string("inspect cube.msh --metric reduced-1-ring,single-element --distribution --step 1e-3 --picture ") +
+        picture + " --json report.json" + material);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    for (const char* word : {"steps of the elements by reduced-1-ring", "steps of the elements by single-element",
+                             "worst elements", "critical at h = 0.001 s", "drew spread."})
+      EXPECT_THAT(outcome.out, HasSubstr(word));
+    EXPECT_TRUE(exists(picture));
+    EXPECT_TRUE(exists(picture + ".gp"));
+    EXPECT_FALSE(exists(picture + ".part"));
+  }
+  EXPECT_THAT(folder_.read("spread.svg"), HasSubstr("<svg"));
+  EXPECT_EQ(folder_.read("spread.png").substr(1, 3), "PNG");
+  const Json report = json("report.json");
+  const std::size_t elements = readMesh(folder_.path() / "cube.msh").elementCount();
+  ASSERT_EQ(report["distribution"].size(), 2u);
+  for (const Json& d : report["distribution"]) {
+    std::size_t sum = d["without_step"];
+    for (const Json& count : d["counts"]) sum += count.get<std::size_t>();
+    EXPECT_EQ(sum, elements);
+    ASSERT_EQ(d["edges"].size(), d["counts"].size() + 1);
+    // The share below an edge is what the bins before it hold.
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < d["counts"].size(); ++i) {
+      EXPECT_NEAR(d["critical_share"][i].get<double>(), static_cast<double>(before) / static_cast<double>(elements),
+                  1e-12);
+      before += d["counts"][i].get<std::size_t>();
+    }
+    EXPECT_EQ(d["critical_share"][0], 0);
+  }
+  const Json& worst = report["worst_elements"];
+  ASSERT_EQ(worst.size(), 10u);
+  EXPECT_EQ(worst[0]["step"], report["critical_step"]["metrics"]["reduced-1-ring"]);
+  EXPECT_EQ(worst[0]["index"], report["critical_step"]["controlling"]["reduced-1-ring"]["index"]);
+  for (std::size_t i = 1; i < worst.size(); ++i) EXPECT_LE(worst[i - 1]["step"].get<double>(), worst[i]["step"]);
+}
+
+TEST_F(Program, InspectRefusesBadInput) {
+  ASSERT_EQ(call("mesh generate cube --size 0.05 --cells 1 -o cube.msh").status, 0);
+  expectRefused(std::string("inspect none.msh") + material, "none.msh");
+  expectRefused("inspect cube.msh --young 0 --poisson 0.3 --density 1", "young = 0");
+  expectRefused("inspect cube.msh --young nan --poisson 0.3 --density 1", "young = nan");
+  expectRefused("inspect cube.msh --young 1 --poisson 0.5 --density 1", "poisson = 0.5");
+  expectRefused("inspect cube.msh --young 1 --poisson 0.3 --density -1", "density = -1");
+  expectRefused(std::string("inspect cube.msh --model rubber") + material, "rubber");
+  expectRefused(std::string("inspect cube.msh --metric reduced-2-rings") + material,
+                "--metric: unknown \"reduced-2-rings\"");
+  expectRefused(std::string("inspect cube.msh --metric pressure-wave:height") + material,
+                "known are all, pressure-wave:min-height, pressure-wave:volume-over-area, pressure-wave:in-radius, "
+                "pressure-wave:shortest-edge");
+  expectRefused(std::string("inspect cube.msh --picture spread.pdf") + material, "must end in .svg or .png");
+  expectRefused(std::string("inspect cube.msh --picture nowhere/a.svg") + material, "nowhere");
+  expectRefused(std::string("inspect cube.msh --integrator explicit-euler") + material, "unstable at every step");
+  expectRefused(std::string("inspect cube.msh --integrator verlett") + material, "did you mean \"verlet\"?");
+  expectRefused(std::string("inspect cube.msh --step 0") + material, "--step: 0 is out of range");
+  expectRefused(std::string("inspect cube.msh --step nan") + material, "--step");
+  expectRefused(std::string("inspect cube.msh --lanczos 1") + material, "--lanczos: 1 is out of range");
+  expectRefused(std::string("inspect cube.msh --lanczos 1e-300") + material, "eta = 1e-300");
+  expectRefused(std::string("inspect cube.msh --fix 'x > 5'") + material, "selects no node");
+  expectRefused(std::string("inspect cube.msh --fix all --json nowhere/a.json") + material, "nowhere");
+}
+
+}  // namespace
+}  // namespace ringwatch

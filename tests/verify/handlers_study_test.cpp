@@ -1,0 +1,91 @@
+// The study of handlers that the command line runs, quick.
+#include <gtest/gtest.h>
+
+#include <ringwatch/handlers/handler.h>
+#include <ringwatch/verify/handlers.h>
+
+#include "criteria.h"
+#include "report_tools.h"
+
+namespace ringwatch {
+namespace {
+
+const StudyReport& report() {
+  static const StudyReport made = verifyHandlers(StudyEffort::quick);
+  return made;
+}
+
+TEST(HandlersStudy, HoldsHandlersToTheirCriteria) {
+  using test::Basis;
+  constexpr double none = 1e-12;  // of energy gained by what loses some at every step
+  test::expectCriteria(
+      report(),
+      {// Errors of the step, three times the critical one, over the largest displacement.
+       {"bar with slivers, *, imex: mean error", 3e-4, Basis::measured},
+       {"bar with slivers, *, imex, no dissipation: mean error", 2.5e-4, Basis::measured},
+       {"bar with slivers, *, imex, dissipation 0.3: mean error", 9e-4, Basis::measured},
+       {"bar with slivers, *, imex, implicit Euler: mean error", 3e-3, Basis::measured},
+       {"bar with slivers, *, imex, cg: mean error", 6.5e-4, Basis::measured},
+       {"bar with slivers, *, imex, reduced-1-ring: mean error", 9e-4, Basis::measured},
+       {"bar with slivers, *, adaptive: mean error", 3e-4, Basis::measured},
+       {"bar with slivers, *, adaptive, no dissipation: mean error", 2.8e-4, Basis::measured},
+       {"bar with slivers, *, adaptive, reduced-1-ring: mean error", 8.5e-4, Basis::measured},
+       {"bar with slivers, *, fe-pbd: mean error", 2.9e-3, Basis::measured},
+       {"bar with slivers, *, fe-pbd, three passes: mean error", 3e-3, Basis::measured},
+       {"bar with slivers, *, fe-pbd, rigid: mean error", 0.03, Basis::measured},
+       {"bar with slivers, *, filtered: mean error", 1.4e-3, Basis::measured},
+       {"graded cube, *, imex: mean error", 0.011, Basis::measured},
+       {"graded cube, *, imex, no dissipation: mean error", 4.5e-3, Basis::measured},
+       {"graded cube, *, imex, dissipation 0.3: mean error", 0.03, Basis::measured},
+       {"graded cube, *, imex, implicit Euler: mean error", 0.08, Basis::measured},
+       {"graded cube, *, imex, cg: mean error", 0.011, Basis::measured},
+       {"graded cube, *, imex, reduced-1-ring: mean error", 0.012, Basis::measured},
+       {"graded cube, *, adaptive: mean error", 0.012, Basis::measured},
+       {"graded cube, *, adaptive, no dissipation: mean error", 3.2e-3, Basis::measured},
+       {"graded cube, *, adaptive, reduced-1-ring: mean error", 0.013, Basis::measured},
+       {"*: h times the rest's highest frequency / 2", 0.9, Basis::theory},
+       // A tangent that turns with its element feeds a little energy in, which dissipation takes out again.
+       {"*, imex, 4000 steps: largest energy", 5e-5, Basis::measured},
+       {"*, imex, cg, 4000 steps: largest energy", 3e-5, Basis::measured},
+       {"*, imex, reduced-1-ring, 4000 steps: largest energy", 5e-5, Basis::measured},
+       {"*, adaptive, 4000 steps: largest energy", 3.5e-5, Basis::measured},
+       {"*, adaptive, reduced-1-ring, 4000 steps: largest energy", 4e-5, Basis::measured},
+       {"*, 4000 steps: largest energy", none, Basis::theory},
+       {"*, imex*, 4000 steps: momentum error", 7e-13, Basis::rounding},
+       {"*, 4000 steps: momentum error", 2e-14, Basis::rounding},
+       // The implicit force of a frozen tangent has a moment; levels step at different times.
+       {"*, imex, 4000 steps: angular momentum error", 3e-4, Basis::measured},
+       {"*, imex, dissipation 0.3, 4000 steps: angular momentum error", 7e-4, Basis::measured},
+       {"*, imex, implicit Euler, 4000 steps: angular momentum error", 1.3e-3, Basis::measured},
+       // Iterations end where rounding lets them: 8e-4 to 1.2e-3 by compiler.
+       {"*, imex, cg, 4000 steps: angular momentum error", 2.4e-3, Basis::rounding},
+       {"*, imex, reduced-1-ring, 4000 steps: angular momentum error", 7e-4, Basis::measured},
+       {"*, adaptive, 4000 steps: angular momentum error", 9e-5, Basis::measured},
+       {"*, adaptive, reduced-1-ring, 4000 steps: angular momentum error", 1.2e-4, Basis::measured},
+       {"*, 4000 steps: angular momentum error", 2e-14, Basis::rounding},
+       // The energy of Verlet swings with its step; the rest is lost to dissipation and passes.
+       {"cutting, verlet: largest energy over four cuts / start", 3.5e-3, Basis::measured},
+       {"cutting, *: largest energy over four cuts / start", 1e-3, Basis::measured},
+       {"cutting, verlet: energy after four cuts / start", 0.009, Basis::measured},
+       {"cutting, fe-pbd, *: energy after four cuts / start", 0.06, Basis::measured},
+       {"cutting, filtered, *: energy after four cuts / start", 0.06, Basis::measured},
+       {"cutting, *: energy after four cuts / start", 0.04, Basis::measured},
+       {"cutting, verlet: critical step after / before four cuts", 0.065, Basis::measured},
+       {"cutting, mass-scaling, *: lost", 0, Basis::theory},
+       {"*: largest spectral radius", 2e-14, Basis::rounding}});
+}
+
+TEST(HandlersStudy, PutsEveryHandlerToEveryTest) {
+  test::expectWellFormed(report());
+  EXPECT_EQ(test::tableNames(report()),
+            (std::set<std::string>{"selection", "motions", "energies", "cutting", "resonance"}));
+  for (const HandlerEntry& entry : allHandlers()) {
+    const std::string name(entry.info->name);
+    EXPECT_EQ(test::textsOf(test::tableOf(report(), "motions"), 2).count(name), 1u) << name;
+    EXPECT_EQ(test::textsOf(test::tableOf(report(), "energies"), 1).count(name), 1u) << name;
+    EXPECT_EQ(test::textsOf(test::tableOf(report(), "cutting"), 0).count(name), 1u) << name;
+  }
+}
+
+}  // namespace
+}  // namespace ringwatch

@@ -1,0 +1,49 @@
+#pragma once
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <ringwatch/verify/report.h>
+
+namespace ringwatch::test {
+
+inline const StudyTable& tableOf(const StudyReport& report, const std::string& name) {
+  for (const StudyTable& table : report.tables)
+    if (table.name == name) return table;
+  throw std::runtime_error("no table " + name);
+}
+inline std::set<std::string> tableNames(const StudyReport& report) {
+  std::set<std::string> names;
+  for (const StudyTable& table : report.tables) names.insert(table.name);
+  return names;
+}
+inline std::set<std::string> figureNames(const StudyReport& report) {
+  std::set<std::string> names;
+  for (const StudyFigure& figure : report.figures) names.insert(figure.name);
+  return names;
+}
+/// The texts of a column, each once.
+inline std::set<std::string> textsOf(const StudyTable& table, std::size_t column) {
+  std::set<std::string> texts;
+  for (const auto& row : table.rows) texts.insert(std::get<std::string>(row.at(column)));
+  return texts;
+}
+
+/// Tables have rows, as wide as their columns; figures have curves, and those as many x as y.
+inline void expectWellFormed(const StudyReport& report) {
+  EXPECT_EQ(tableNames(report).size(), report.tables.size()) << "two tables of one name";
+  EXPECT_EQ(figureNames(report).size(), report.figures.size()) << "two figures of one name";
+  for (const StudyTable& table : report.tables) {
+    EXPECT_FALSE(table.rows.empty()) << table.name;
+    for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.name;
+  }
+  for (const StudyFigure& figure : report.figures) {
+    EXPECT_FALSE(figure.curves.empty()) << figure.name;
+    for (const StudyFigure::Curve& curve : figure.curves)
+      EXPECT_EQ(curve.x.size(), curve.y.size()) << figure.name << ", " << curve.label;
+  }
+}
+
+}  // namespace ringwatch::test
