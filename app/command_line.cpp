@@ -256,8 +256,9 @@ struct InspectCommand {
                         "those of its scene unless given");
     command->add_option("--integrator", options.integrator,
                         "integrator whose stability limit counts (default: symplectic-euler)");
-    command->add_option("--lumping", lumping, "row-sum or equal (default: row-sum)")
-        ->check(CLI::IsMember({"row-sum", "equal"}));
+    command->add_option(
+        "--lumping", lumping,
+        std::string("how an element's mass goes to its nodes (default: row-sum): ") + lumpingNames.listing());
     command
         ->add_option("--rule", options.rules,
                      "ELEMENT=RULE, a quadrature rule, e.g. hex8=selective; may be given again")
@@ -291,7 +292,7 @@ struct InspectCommand {
   ExitStatus execute() {
     if (!vtu.empty()) options.vtu = vtu;
     if (!picture.empty()) options.picture = picture;
-    if (!lumping.empty()) options.lumping = lumping == "equal" ? Lumping::equal : Lumping::rowSum;
+    if (!lumping.empty()) options.lumping = lumpingNames.valueOf("--lumping", lumping);
     const InspectResult result = inspectMesh(options);
     const std::string text = result.json.dump(2) + "\n";
     if (json == "-") {

@@ -703,24 +703,6 @@ class Run {
 
 }  // namespace
 
-std::string_view exitReasonName(ExitReason reason) {
-  switch (reason) {
-    case ExitReason::end:
-      return "end";
-    case ExitReason::violated:
-      return "violated";
-    case ExitReason::nonFinite:
-      return "non-finite";
-    case ExitReason::stepCollapsed:
-      return "step-collapsed";
-    case ExitReason::stepFailed:
-      return "step-failed";
-    case ExitReason::interrupted:
-      return "interrupted";
-  }
-  return "";
-}
-
 bool RunResult::energyOff() const {
   return std::any_of(events.begin(), events.end(),
                      [](const MonitorEvent& event) { return event.kind == EventKind::energyBalance; });

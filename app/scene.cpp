@@ -48,6 +48,11 @@ struct Section {
   std::string where(const std::string& key) const {
     return fmt::format("{}: {}.{}", entries.at(key).origin, name, key);
   }
+  /// The value that a text names.
+  template <class Table>
+  auto named(const std::string& key, const Table& table) const {
+    return table.valueOf(where(key), get<std::string>(key));
+  }
 };
 
 [[noreturn]] void fail(const std::string& origin, const std::string& key, const std::string& what) {
@@ -435,10 +440,9 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
   scene.end = integrator.get<double>("end");
   scene.safety = integrator.get<double>("safety");
 
-  const auto mode = monitor.get<std::string>("mode");
-  scene.mode = mode == "threshold" ? MonitorMode::threshold
-               : mode == "metric"  ? MonitorMode::metric
-                                   : MonitorMode::bracket;
+  scene.mode = monitor.named("mode", monitorModeNames);
+  if (scene.mode == MonitorMode::metric && monitor.get<std::string>("metric") == "none")
+    fail(monitor.at("mode").origin, "monitor.mode", "\"metric\" needs a metric; set monitor.metric");
   if (!monitor.get<bool>("bracket")) {
     if (scene.mode == MonitorMode::threshold)
       fail(monitor.at("bracket").origin, "monitor.bracket",
@@ -451,11 +455,7 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
   scene.every = monitor.get<std::int64_t>("every");
   scene.energyTolerance = monitor.get<double>("energy_tolerance");
   scene.requireCertified = monitor.get<bool>("require_certified");
-  const auto onViolation = monitor.get<std::string>("on_violation");
-  scene.onViolation = onViolation == "stop"     ? OnViolation::stop
-                      : onViolation == "warn"   ? OnViolation::warn
-                      : onViolation == "handle" ? OnViolation::handle
-                                                : OnViolation::reduceStep;
+  scene.onViolation = monitor.named("on_violation", onViolationNames);
 
   if (scene.step && *scene.step > scene.end)
     fail(integrator.at("step").origin, "integrator.step",
@@ -463,8 +463,6 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
   if (scene.step)
     if (const std::string fault = tooManySteps(*scene.step, scene.end); !fault.empty())
       fail(integrator.at("step").origin, "integrator.step", fault);
-  if (mode == "metric" && scene.metric.empty())
-    fail(monitor.at("mode").origin, "monitor.mode", "\"metric\" needs a metric; set monitor.metric");
   if (!scene.step && scene.mode != MonitorMode::bracket)
     fail(integrator.at("step").origin, "integrator.step",
          "\"auto\" follows the safe step; it needs monitor.bracket = true and monitor.mode = \"bracket\"");
@@ -505,10 +503,7 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
   scene.handlerOptions.selection = handler.get<std::string>("selection");
   scene.handlerOptions.margin = handler.get<double>("margin");
   scene.handlerOptions.dissipation = handler.get<double>("dissipation");
-  const auto solver = handler.get<std::string>("solver");
-  scene.handlerOptions.cluster.solver = solver == "cg"         ? ClusterSolver::conjugateGradients
-                                        : solver == "cholesky" ? ClusterSolver::cholesky
-                                                               : ClusterSolver::automatic;
+  scene.handlerOptions.cluster.solver = handler.named("solver", clusterSolverNames);
   if (const Json& tolerance = handler.at("tolerance").value; tolerance.is_number())
     scene.handlerOptions.cluster.tolerance = scene.handlerOptions.projectionTolerance = tolerance.get<double>();
   scene.handlerOptions.cluster.iterations = static_cast<int>(
@@ -519,7 +514,7 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
   scene.handlerOptions.variant = variant == "auto" ? "" : variant;
   scene.handlerOptions.passes =
       static_cast<int>(std::min<std::int64_t>(handler.get<std::int64_t>("passes"), std::numeric_limits<int>::max()));
-  scene.reduceOnFailure = handler.get<std::string>("on_failure") == "reduce-step";
+  scene.reduceOnFailure = handler.named("on_failure", onFailureNames) == OnFailure::reduceStep;
 
   if (scene.handler.empty()) {
     for (const auto& [key, entry] : handler.entries)
@@ -569,9 +564,8 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
 }
 
 void readDevice(const Section& integrator, const Section& handler, Scene& scene) {
-  const auto device = integrator.get<std::string>("device");
-  if (device == "cpu") return;
-  scene.device = device == "cuda" ? RunDevice::cuda : RunDevice::automatic;
+  scene.device = integrator.named("device", runDeviceNames);
+  if (scene.device == RunDevice::cpu) return;
   scene.deviceOrigin = integrator.at("device").origin + ": integrator.device";
   const bool handled = !scene.handler.empty();
   // Conjugate gradients start from nothing there, and what they leave out of the momentum is not put back.
@@ -630,8 +624,8 @@ void readCutSection(const Section& section, Scene& scene) {
       return CutSurface::swept(std::move(line), vectorOf(section.at("sweep").value));
     }();
     scene.cuts.push_back({std::move(surface), time, section.get<double>("snap"),
-                          section.get<std::string>("positions") == "reference", section.get<bool>("critical_step"),
-                          origin});
+                          section.named("positions", cutPositionsNames) == CutPositions::reference,
+                          section.get<bool>("critical_step"), origin});
   } catch (const InputError& fault) {
     throw InputError(fmt::format("{}: {}", origin, fault.what()));
   }
@@ -756,7 +750,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<Section>& s
   scene.young = material.get<double>("young");
   scene.poisson = material.get<double>("poisson");
   scene.density = material.get<double>("density");
-  scene.lumping = material.get<std::string>("lumping") == "equal" ? Lumping::equal : Lumping::rowSum;
+  scene.lumping = material.named("lumping", lumpingNames);
   if (material.given("rules"))
     scene.rules = parseRules(material.get<std::vector<std::string>>("rules"), material.where("rules"));
 

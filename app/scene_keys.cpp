@@ -8,6 +8,7 @@
 
 #include <ringwatch/app/frames.h>
 #include <ringwatch/app/help.h>
+#include <ringwatch/app/scene.h>
 #include <ringwatch/app/scene_mesh.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/handler.h>
@@ -76,15 +77,8 @@ std::vector<SceneKey> makeKeys() {
       {"material", "young", T::number, "Pa", true, "", positive, {}, "Young's modulus"},
       {"material", "poisson", T::number, "", true, "", poissonRange, {}, "Poisson's ratio"},
       {"material", "density", T::number, "kg/m3", true, "", positive, {}, "density at rest"},
-      {"material",
-       "lumping",
-       T::text,
-       "",
-       false,
-       "\"row-sum\"",
-       anything,
-       {"row-sum", "equal"},
-       "how an element's mass goes to its nodes"},
+      {"material", "lumping", T::text, "", false, "\"row-sum\"", anything, lumpingNames.names(),
+       "how an element's mass goes to its nodes; " + lumpingNames.listing()},
       {"material",
        "rules",
        T::texts,
@@ -106,14 +100,7 @@ std::vector<SceneKey> makeKeys() {
        {},
        "step; \"auto\" follows the safe step whenever the monitor evaluates it"},
       {"integrator", "end", T::number, "s", true, "", positive, {}, "time at which the run ends"},
-      {"integrator",
-       "device",
-       T::text,
-       "",
-       false,
-       "\"cpu\"",
-       anything,
-       {"cpu", "cuda", "auto"},
+      {"integrator", "device", T::text, "", false, "\"cpu\"", anything, runDeviceNames.names(),
        "where the steps are taken; \"auto\" takes a GPU if there is one. Symplectic Euler without damping, alone or "
        "with imex; "
        "the state comes back at every look of the monitor and every row of the history"},
@@ -145,29 +132,14 @@ std::vector<SceneKey> makeKeys() {
        anything,
        {},
        "keep the proven bracket safe <= critical step <= optimistic; false is mode = \"metric\""},
-      {"monitor",
-       "mode",
-       T::text,
-       "",
-       false,
-       "\"bracket\"",
-       anything,
-       {"bracket", "threshold", "metric"},
-       "both proven sides at every look; or only whether the step is certified, which is cheapest; or the metric "
-       "alone"},
+      {"monitor", "mode", T::text, "", false, "\"bracket\"", anything, monitorModeNames.names(),
+       monitorModeNames.listing()},
       {"monitor", "metric", T::text, "", false, "\"none\"", anything, metricNames(),
        "also keep an estimate by this metric"},
       {"monitor", "margin", T::number, "", false, "0.1", share, {}, "taken off the step by metric"},
       {"monitor", "every", T::integer, "steps", false, "1", atLeastOne, {}, "steps between evaluations"},
-      {"monitor",
-       "on_violation",
-       T::text,
-       "",
-       false,
-       "\"stop\"",
-       anything,
-       {"stop", "warn", "reduce-step", "handle"},
-       "stop the run, go on, shorten the step as soon as it is no longer certified, or give the handler more elements"},
+      {"monitor", "on_violation", T::text, "", false, "\"stop\"", anything, onViolationNames.names(),
+       onViolationNames.listing()},
       {"monitor",
        "energy_tolerance",
        T::number,
@@ -218,14 +190,7 @@ std::vector<SceneKey> makeKeys() {
        unitInterval,
        {},
        "imex, adaptive: of the handled elements; 0 none and second order, 1 with imex implicit Euler"},
-      {"handler",
-       "solver",
-       T::text,
-       "",
-       false,
-       "\"auto\"",
-       anything,
-       {"auto", "cholesky", "cg"},
+      {"handler", "solver", T::text, "", false, "\"auto\"", anything, clusterSolverNames.names(),
        "imex, implicit elements of adaptive: factored and turned with its elements, or conjugate gradients; auto by "
        "the size of each cluster"},
       {"handler",
@@ -278,14 +243,7 @@ std::vector<SceneKey> makeKeys() {
        atLeastOne,
        {},
        "imex and adaptive: of cg, at most; filtered: of the projection"},
-      {"handler",
-       "on_failure",
-       T::text,
-       "",
-       false,
-       "\"stop\"",
-       anything,
-       {"stop", "reduce-step"},
+      {"handler", "on_failure", T::text, "", false, "\"stop\"", anything, onFailureNames.names(),
        "imex, adaptive: when a step fails, stop the run or halve its step"},
   };
   keys.insert(keys.end(), rest.begin(), rest.end());
@@ -338,14 +296,7 @@ std::vector<SceneKey> makeKeys() {
        SceneRange{0, 0.5, true, true},
        {},
        "nodes nearer than this are taken as on the surface, which saves slivers; 0 cuts exactly"},
-      {"cut",
-       "positions",
-       T::text,
-       "",
-       false,
-       "\"deformed\"",
-       anything,
-       {"deformed", "reference"},
+      {"cut", "positions", T::text, "", false, "\"deformed\"", anything, cutPositionsNames.names(),
        "where the surface lies: in space at that time, or in the body at rest"},
       {"cut",
        "critical_step",
@@ -409,27 +360,18 @@ std::string SceneRange::text() const {
 }
 
 std::string_view sceneTypeName(SceneType type) {
-  switch (type) {
-    case SceneType::number:
-      return "number";
-    case SceneType::integer:
-      return "integer";
-    case SceneType::boolean:
-      return "true or false";
-    case SceneType::text:
-      return "text";
-    case SceneType::texts:
-      return "list of texts";
-    case SceneType::vector:
-      return "list of three numbers";
-    case SceneType::vectors:
-      return "list of points, each a list of three numbers";
-    case SceneType::numberOrAuto:
-      return "number or \"auto\"";
-    case SceneType::parameter:
-      return "parameter";
-  }
-  return "";
+  static constexpr auto names = nameTable<SceneType>({
+      {SceneType::number, "number"},
+      {SceneType::integer, "integer"},
+      {SceneType::boolean, "true or false"},
+      {SceneType::text, "text"},
+      {SceneType::texts, "list of texts"},
+      {SceneType::vector, "list of three numbers"},
+      {SceneType::vectors, "list of points, each a list of three numbers"},
+      {SceneType::numberOrAuto, "number or \"auto\""},
+      {SceneType::parameter, "parameter"},
+  });
+  return names.nameOf(type);
 }
 
 std::span<const SceneSection> sceneSections() { return sections; }

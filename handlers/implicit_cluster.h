@@ -17,6 +17,11 @@ enum class ClusterSolver {
   cholesky,           ///< factored once and turned with the cluster; anew when its shape has changed
   conjugateGradients  ///< block-Jacobi preconditioned, from the solutions of the last two steps extrapolated
 };
+inline constexpr auto clusterSolverNames = nameTable<ClusterSolver>({
+    {ClusterSolver::automatic, "auto", "by the size of each cluster"},
+    {ClusterSolver::cholesky, "cholesky", "factored and turned with its elements"},
+    {ClusterSolver::conjugateGradients, "cg", "conjugate gradients"},
+});
 
 struct ClusterOptions {
   ClusterSolver solver = ClusterSolver::automatic;

@@ -95,18 +95,6 @@ const std::array<Entry, 17> entries{{
 
 }  // namespace
 
-std::string_view directionName(Direction direction) {
-  switch (direction) {
-    case Direction::upperBound:
-      return "upper-bound";
-    case Direction::lowerBound:
-      return "lower-bound";
-    case Direction::estimate:
-      return "estimate";
-  }
-  return "";
-}
-
 std::span<const MetricInfo> allMetrics() {
   static const auto table = [] {
     std::array<MetricInfo, entries.size()> infos{};

@@ -331,46 +331,6 @@ std::string elementText(const Body& body, ElementRef e) {
 
 }  // namespace
 
-std::string_view verdictName(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::certified:
-      return "certified";
-    case Verdict::notCertified:
-      return "not-certified";
-    case Verdict::violated:
-      return "violated";
-  }
-  return "";
-}
-
-std::string_view monitorModeName(MonitorMode mode) {
-  switch (mode) {
-    case MonitorMode::bracket:
-      return "bracket";
-    case MonitorMode::threshold:
-      return "threshold";
-    case MonitorMode::metric:
-      return "metric";
-  }
-  return "";
-}
-
-std::string_view eventName(EventKind kind) {
-  switch (kind) {
-    case EventKind::violated:
-      return "violated";
-    case EventKind::energyBalance:
-      return "energy-balance";
-    case EventKind::inverted:
-      return "inverted";
-    case EventKind::nonFinite:
-      return "non-finite";
-    case EventKind::indefinite:
-      return "indefinite";
-  }
-  return "";
-}
-
 struct StabilityMonitor::Impl {
   Impl(const Body& b, const MonitorOptions& o) : body(b), options(o), bodyVersion(b.version()) {
     if (o.mode != MonitorMode::metric) bracketer.emplace(b, o.width);
