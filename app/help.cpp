@@ -75,8 +75,14 @@ std::string metricsText() {
 }
 
 std::string handlersText() {
-  return "Handlers, handler.method in a scene, keep a step that is too large for some elements:\n\n" +
-         listing(handlerInfos()) + "\nTheir options are the keys of [handler]: ringwatch help scene\n";
+  std::string text;
+  for (const HandlerInfo& info : handlerInfos()) {
+    text += fmt::format("  {:<20} {}\n", info.name, info.help);
+    if (!info.options.empty()) text += fmt::format("  {:<20}   options: {}\n", "", namesIn(info.options));
+    if (!info.alias.empty()) text += fmt::format("  {:<20}   older name: {}\n", "", info.alias);
+  }
+  return "Handlers, handler.method in a scene, keep a step that is too large for some elements:\n\n" + text +
+         "\nTheir options are keys of [handler]: ringwatch help scene\n";
 }
 
 std::string formatsText() {

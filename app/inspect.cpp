@@ -137,7 +137,7 @@ Subject subjectOfRun(const InspectOptions& options) {
   std::vector<std::string> notes;
   MeshState state = loadVtuState(options.mesh / frame.file, "displacement", &notes);
   if (!scene.handler.empty())
-    notes.push_back(scene.handler == "mass-scaling"
+    notes.push_back(findHandler(scene.handler)->addsMass
                         ? "the run scaled masses; this is the body without added mass"
                         : fmt::format("the run handled elements apart ({}); here all elements count", scene.handler));
   return {makeBody(scene, std::move(state.mesh), options),
@@ -273,7 +273,7 @@ Json handlerChoice(const Subject& subject, double h) {
              {"id",
               subject.body.mesh().blocks[static_cast<std::size_t>(e.block)].ids[static_cast<std::size_t>(e.element)]}});
   return Json{{"count", chosen.size()},
-              {"selection", options.selection},
+              {"selection", std::string(selectionNames.nameOf(options.selection))},
               {"margin", options.margin},
               {"elements", std::move(elements)}};
 }

@@ -586,9 +586,8 @@ class Run {
   std::vector<HandlerFigure> handlerFigures() const {
     std::vector<HandlerFigure> figures = handler_->figures();
     if (!device_) return figures;
-    std::erase_if(figures, [](const HandlerFigure& figure) { return figure.name == "factorisations"; });
-    for (HandlerFigure& figure : figures)
-      if (figure.name == "iterations") figure.value = static_cast<double>(device_->iterations());
+    std::erase_if(figures, [](const HandlerFigure& figure) { return figure.ofHost; });
+    for (HandlerFigure& figure : device_->figures()) figures.push_back(std::move(figure));
     return figures;
   }
 

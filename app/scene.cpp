@@ -316,6 +316,8 @@ class Reader {
     const auto text = [&](const toml::node& n) {
       if (!n.is_string()) wrongType(kindOf(n));
       std::string value = **n.as_string();
+      for (const auto& [alias, meant] : key.aliases)
+        if (value == alias) value = meant;
       if (!key.choices.empty() && std::find(key.choices.begin(), key.choices.end(), value) == key.choices.end())
         fail(origin, name,
              fmt::format("unknown {}; {}must be {}{}", inQuotes(value), didYouMean(value, key.choices),
@@ -496,25 +498,42 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
                      scene.method));
 }
 
+/// The keys of [handler] that the handler declares.
+void readHandlerOptions(const HandlerInfo& info, const Section& handler, Scene& scene) {
+  if (!info.takes(scene.handlerOptions.selection)) {
+    std::vector<std::string> names;
+    for (const Selection one : info.selections) names.push_back(fmt::format("\"{}\"", selectionNames.nameOf(one)));
+    fail(handler.at("selection").origin, "handler.selection",
+         fmt::format("\"{}\" does not go with {}; must be {}", selectionNames.nameOf(scene.handlerOptions.selection),
+                     info.name, fmt::join(names, " or ")));
+  }
+  Options& own = scene.handlerOptions.own;
+  for (const auto& [key, entry] : handler.entries) {
+    if (!entry.given || isKeyOfEveryHandler(key)) continue;
+    if (!findOption(info.options, key)) {
+      std::vector<std::string_view> owners;
+      for (const HandlerEntry& other : allHandlers())
+        if (findOption(other.info->options, key)) owners.push_back(other.info->name);
+      fail(entry.origin, "handler." + key,
+           fmt::format("is a key of {}; \"{}\" does not take it", fmt::join(owners, ", "), info.name));
+    }
+    own.set(key, entry.value.is_string() ? OptionValue(entry.value.get<std::string>())
+                                         : OptionValue(entry.value.get<double>()));
+  }
+  for (const auto& [key, value] : own)
+    if (const std::string fault = optionFault(info.options, own, key); !fault.empty())
+      fail(handler.at(key).origin, "handler." + key,
+           fmt::format("{} {}, with the handler \"{}\"", handler.at(key).value.dump(), fault, info.name));
+  const Options all = completed(info.name, info.options, own);
+  scene.reduceOnFailure = findOption(info.options, "on_failure") && all.text("on_failure") == "reduce-step";
+}
+
 void readHandlerSection(const Section& handler, const Section& integrator, const Section& monitor,
                         const Section& damping, Scene& scene) {
   scene.handler = handler.get<std::string>("method");
   if (scene.handler == "none") scene.handler.clear();
-  scene.handlerOptions.selection = handler.get<std::string>("selection");
+  scene.handlerOptions.selection = handler.named("selection", selectionNames);
   scene.handlerOptions.margin = handler.get<double>("margin");
-  scene.handlerOptions.dissipation = handler.get<double>("dissipation");
-  scene.handlerOptions.cluster.solver = handler.named("solver", clusterSolverNames);
-  if (const Json& tolerance = handler.at("tolerance").value; tolerance.is_number())
-    scene.handlerOptions.cluster.tolerance = scene.handlerOptions.projectionTolerance = tolerance.get<double>();
-  scene.handlerOptions.cluster.iterations = static_cast<int>(
-      std::min<std::int64_t>(handler.get<std::int64_t>("iterations"), std::numeric_limits<int>::max()));
-  scene.handlerOptions.levels =
-      static_cast<int>(std::min<std::int64_t>(handler.get<std::int64_t>("levels"), std::numeric_limits<int>::max()));
-  const auto variant = handler.get<std::string>("variant");
-  scene.handlerOptions.variant = variant == "auto" ? "" : variant;
-  scene.handlerOptions.passes =
-      static_cast<int>(std::min<std::int64_t>(handler.get<std::int64_t>("passes"), std::numeric_limits<int>::max()));
-  scene.reduceOnFailure = handler.named("on_failure", onFailureNames) == OnFailure::reduceStep;
 
   if (scene.handler.empty()) {
     for (const auto& [key, entry] : handler.entries)
@@ -531,28 +550,7 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
   if (!scene.step)
     fail(integrator.at("step").origin, "integrator.step",
          "\"auto\" follows the safe step, which a handler is there to exceed; give a number");
-  if (scene.handler == "mass-scaling" && scene.handlerOptions.selection != "certified")
-    fail(handler.at("selection").origin, "handler.selection",
-         "mass-scaling adds mass until the step is proven; must be \"certified\"");
-  const bool imex = scene.handler == "imex" || scene.handler == "adaptive", adaptive = scene.handler == "adaptive",
-             pbd = scene.handler == "fe-pbd", filtered = scene.handler == "filtered";
-  const bool rigid = variant == "rigid" || variant == "projection";
-  const auto belongsTo = [&](std::initializer_list<const char*> keys, bool fits, const char* owners) {
-    for (const char* key : keys)
-      if (handler.given(key) && !fits)
-        fail(handler.at(key).origin, std::string("handler.") + key,
-             fmt::format("is a key of {}; \"{}\" does not take it", owners, scene.handler));
-  };
-  belongsTo({"dissipation", "solver", "on_failure"}, imex, "imex and adaptive");
-  belongsTo({"tolerance", "iterations"}, imex || (filtered && variant == "projection"),
-            "imex, adaptive and projected filtered");
-  belongsTo({"levels"}, adaptive, "adaptive");
-  belongsTo({"variant"}, adaptive || pbd || filtered, "adaptive, fe-pbd and filtered");
-  belongsTo({"passes"}, (pbd || filtered) && !rigid, "linear fe-pbd and compliant filtered");
-  if (scene.handlerOptions.cluster.solver == ClusterSolver::cholesky)
-    for (const char* key : {"tolerance", "iterations"})
-      if (handler.given(key))
-        fail(handler.at(key).origin, std::string("handler.") + key, "is for conjugate gradients, not for \"cholesky\"");
+  readHandlerOptions(*findHandler(scene.handler), handler, scene);
   if (scene.onViolation == OnViolation::reduceStep)
     fail(monitor.at("on_violation").origin, "monitor.on_violation",
          "\"reduce-step\" works against the handler; set it to \"handle\", \"warn\" or \"stop\"");
@@ -563,20 +561,21 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
     fail(damping.origin, "[damping]", "handlers do not work with damping; remove it or set handler.method = \"none\"");
 }
 
-void readDevice(const Section& integrator, const Section& handler, Scene& scene) {
+void readDevice(const Section& integrator, Scene& scene) {
   scene.device = integrator.named("device", runDeviceNames);
   if (scene.device == RunDevice::cpu) return;
   scene.deviceOrigin = integrator.at("device").origin + ": integrator.device";
-  const bool handled = !scene.handler.empty();
-  // Conjugate gradients start from nothing there, and what they leave out of the momentum is not put back.
-  if (!handler.at("tolerance").value.is_number()) scene.handlerOptions.cluster.tolerance = 1e-8;
-  const bool factored = scene.handlerOptions.cluster.solver == ClusterSolver::cholesky;
-  if (scene.method != "symplectic-euler" || scene.damping.any() || (handled && scene.handler != "imex"))
-    scene.noDevice = "a GPU runs symplectic-euler without [damping], and of the handlers imex alone";
-  else if (handled && factored)
-    scene.noDevice = "a GPU solves implicit clusters by conjugate gradients, not by \"cholesky\"";
-  else
-    return;
+  const HandlerInfo* info = findHandler(scene.handler);
+  if (scene.method != "symplectic-euler" || scene.damping.any() || (info && info->forGpu == nullptr)) {
+    std::vector<std::string_view> names;
+    for (const HandlerEntry& entry : allHandlers())
+      if (entry.info->forGpu != nullptr) names.push_back(entry.info->name);
+    scene.noDevice = fmt::format("a GPU runs symplectic-euler without [damping], and of the handlers {} alone",
+                                 fmt::join(names, ", "));
+  } else if (info) {
+    scene.noDevice = info->forGpu(scene.handlerOptions.own);
+  }
+  if (scene.noDevice.empty()) return;
   if (scene.device == RunDevice::cuda)
     fail(integrator.at("device").origin, "integrator.device", scene.noDevice + "; change that, or set it to \"cpu\"");
 }
@@ -756,7 +755,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<Section>& s
 
   readIntegratorSection(section("integrator"), section("monitor"), section("damping"), scene);
   readHandlerSection(section("handler"), section("integrator"), section("monitor"), section("damping"), scene);
-  readDevice(section("integrator"), section("handler"), scene);
+  readDevice(section("integrator"), scene);
   for (const Section& s : sections)
     if (s.name == "fix" || s.name == "move" || s.name == "force") readLoadSection(s, scene);
 

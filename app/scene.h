@@ -56,13 +56,6 @@ inline constexpr auto cutPositionsNames = nameTable<CutPositions>({
     {CutPositions::reference, "reference"},
 });
 
-/// What a run does when a handler cannot take a step.
-enum class OnFailure { stop, reduceStep };
-inline constexpr auto onFailureNames = nameTable<OnFailure>({
-    {OnFailure::stop, "stop"},
-    {OnFailure::reduceStep, "reduce-step"},
-});
-
 /// A validated description of a run. SI units.
 struct Scene {
   struct Fix {

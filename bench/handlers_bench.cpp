@@ -175,8 +175,7 @@ void registerAll() {
   for (const Deformation& d : allDeformations(0.3)) {
     if (d.mesh != "cube") continue;
     for (const double tolerance : {2e-3, 1e-8}) {
-      HandlerOptions options;
-      options.cluster.tolerance = tolerance;
+      const HandlerOptions options{.own = {{"tolerance", tolerance}}};
       const std::string name = "imex/" + std::string(d.mode) + (d.byForce ? "/force" : "/position") +
                                (tolerance < 1e-5 ? "/tolerance:1e-8" : "");
       benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { imex(state, d, options); })

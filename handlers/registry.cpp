@@ -29,13 +29,19 @@ constexpr std::array entries{
 
 std::span<const HandlerEntry> allHandlers() { return entries; }
 
+const HandlerInfo* findHandler(std::string_view name) {
+  for (const HandlerEntry& entry : allHandlers())
+    if (entry.info->name == name || (!entry.info->alias.empty() && entry.info->alias == name)) return entry.info;
+  return nullptr;
+}
+
 std::unique_ptr<Handler> makeHandler(std::string_view name, Body& body, std::unique_ptr<Integrator> base,
                                      const HandlerOptions& options) {
+  const HandlerInfo* info = findHandler(name);
   std::string names;
-  for (const HandlerEntry& entry : entries) {
-    if (entry.info->name == name) return entry.make(body, std::move(base), options);
-    names += names.empty() ? "" : ", ";
-    names += entry.info->name;
+  for (const HandlerEntry& entry : allHandlers()) {
+    if (entry.info == info) return entry.make(body, std::move(base), options);
+    names += joinText(names.empty() ? "" : ", ", entry.info->name);
   }
   throw InputError(joinText("handler \"", name, "\": must be one of ", names));
 }

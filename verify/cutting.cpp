@@ -42,9 +42,9 @@ double energyOf(const Body& body, const State& state) {
 /// One way to run: with a handler at a fixed step, or without one at the certified step.
 class CutRun {
  public:
-  CutRun(const Mesh& mesh, std::string handler, std::string selection, double h)
+  CutRun(const Mesh& mesh, std::string handler, Selection selection, double h)
       : handlerName_(std::move(handler)), h_(h), body_(bodyOf(mesh)) {
-    options_.selection = std::move(selection);
+    options_.selection = selection;
     state_ = BodySystem(body_).initialState();
     for (std::int32_t i = 0; i < body_.nodeCount(); ++i)
       state_.v.col(i) = Vector3d(0, 0.3 * std::pow(state_.x(0, i) / size.x(), 2), 0.1 * state_.x(0, i) / size.x());
@@ -136,7 +136,7 @@ void addCutting(StudyEffort effort, StudyReport& report) {
                    {"method", "selection", "after cut", "elements", "handled", "judged anew", "judged in (ms)",
                     "critical step (ms)", "step (ms)", "seconds a simulated second", "energy/start", "lost"},
                    {}};
-  const auto run = [&](const std::string& handler, const std::string& selection) {
+  const auto run = [&](const std::string& handler, Selection selection) {
     CutRun cutRun(mesh, handler, selection, h);
     const double start = cutRun.energy();
     double most = 1;
@@ -144,11 +144,11 @@ void addCutting(StudyEffort effort, StudyReport& report) {
     const auto goOn = [&] {
       cutRun.advanceTo((done + 1) * between);
       most = std::max(most, cutRun.energy() / start);
-      table.rows.push_back({handler.empty() ? "verlet" : handler, handler.empty() ? "" : selection,
-                            static_cast<std::int64_t>(done),
-                            static_cast<std::int64_t>(cutRun.body().mesh().elementCount()), cutRun.handled(),
-                            cutRun.judged(), 1e3 * cutRun.judgingTime(), 1e3 * cutRun.critical(), 1e3 * cutRun.step(),
-                            cutRun.secondsPerSecond(), cutRun.energy() / start, cutRun.lost()});
+      table.rows.push_back(
+          {handler.empty() ? "verlet" : handler, handler.empty() ? "" : std::string(selectionNames.nameOf(selection)),
+           static_cast<std::int64_t>(done), static_cast<std::int64_t>(cutRun.body().mesh().elementCount()),
+           cutRun.handled(), cutRun.judged(), 1e3 * cutRun.judgingTime(), 1e3 * cutRun.critical(), 1e3 * cutRun.step(),
+           cutRun.secondsPerSecond(), cutRun.energy() / start, cutRun.lost()});
     };
     goOn();
     for (const CutSurface& surface : fourCuts()) {
@@ -157,9 +157,10 @@ void addCutting(StudyEffort effort, StudyReport& report) {
       ++done;
       goOn();
     }
-    const std::string what = joinText("cutting, ", handler.empty() ? "verlet" : handler + ", " + selection);
+    const std::string what = handler.empty() ? std::string("cutting, verlet")
+                                             : joinText("cutting, ", handler, ", ", selectionNames.nameOf(selection));
     const bool kept = cutRun.lost().empty() && done == 4;
-    if (handler == "mass-scaling")  // mass that comes with its velocity is energy
+    if (!handler.empty() && findHandler(handler)->addsMass)  // mass that comes with its velocity is energy
       checkBelow(report, what + ": lost", kept ? 0 : 1, 0);
     else
       checkBelow(report, what + ": largest energy over four cuts / start",
@@ -167,12 +168,10 @@ void addCutting(StudyEffort effort, StudyReport& report) {
     if (handler.empty())
       checkBelow(report, what + ": critical step after / before four cuts", cutRun.critical() / before, 0.2);
   };
-  run("", "");
+  run("", Selection::certified);
   for (const HandlerEntry& entry : allHandlers()) {
-    run(std::string(entry.info->name), "certified");
-    // The others keep handled elements in the explicit part, which needs a proof.
-    if (entry.info->name != "mass-scaling" && entry.info->name != "filtered")
-      run(std::string(entry.info->name), "reduced-1-ring");
+    run(std::string(entry.info->name), Selection::certified);
+    if (entry.info->takes(Selection::fierzRing)) run(std::string(entry.info->name), Selection::fierzRing);
   }
   report.tables.push_back(std::move(table));
 }

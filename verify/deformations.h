@@ -31,14 +31,14 @@ struct Deformation {
 /// Every deformation of both meshes at this Poisson's ratio: by mesh, mode, by position before by force.
 std::vector<Deformation> allDeformations(double poisson);
 
-/// Runs every deformation with every handler at 0.4 ms (`filtered`: 0.2 ms), with Verlet at 0.1 ms and in its own
+/// Runs every deformation with every handler at 0.4 ms (`modal-filter`: 0.2 ms), with Verlet at 0.1 ms and in its own
 /// certified step, and with implicit Euler on the cube (integrators: where to look for it), against Verlet at 0.05 ms.
 /// At nu = 0.4, 0.45 and 0.49 the cube alone, in the steps of the source.
 ///
 /// Tables: deformations, a row a run with errors, time and energy; source, its errors beside ours. Figures: mean error
 /// against time, and the bodies at the end with the error of each node.
-/// Checks: no run of a handler is lost; mean errors of imex and adaptive within 2 % (implicit Euler 4 %), of fe-pbd and
-/// filtered within 25 % of the largest displacement.
+/// Checks: no run of a handler is lost; mean errors of imex and local-time-stepping within 2 % (implicit Euler 4 %), of
+/// fe-pbd and modal-filter within 25 % of the largest displacement.
 StudyReport verifyDeformations(StudyEffort effort, std::span<const IntegratorEntry> integrators);
 
 }  // namespace ringwatch

@@ -11,12 +11,12 @@ namespace ringwatch {
 /// by Lanczos; motions, errors against plain explicit at a small step and computing time against plain
 /// explicit at its own certified step, in one program; energies, long runs of free, spinning, vibrating bars;
 /// cutting, see `addCutting`; resonance, where local time stepping is unstable (resonance.h).
-/// Checks: the certified rest is below the frequency that the step allows; every motion by imex and adaptive, and by
-/// fe-pbd and filtered where it handles less than half of the elements, within 3 % of the largest displacement, 8 % by
-/// implicit Euler. With dissipation: energy never above 102 % of its start; linear momentum to rounding;
-/// angular momentum to 5 % by imex (its K̂ does not resist rotations of the body at rest, but does
-/// once it is strained), 1e-3 by adaptive, to rounding by fe-pbd and filtered. What has no dissipation, mass scaling
-/// among it, is reported, not checked.
+/// Checks: the certified rest is below the frequency that the step allows; every motion by imex and
+/// local-time-stepping, and by fe-pbd and modal-filter where it handles less than half of the elements, within 3 % of
+/// the largest displacement, 8 % by implicit Euler. With dissipation: energy never above 102 % of its start; linear
+/// momentum to rounding; angular momentum to 5 % by imex (its K̂ does not resist rotations of the body at rest, but does
+/// once it is strained), 1e-3 by local-time-stepping, to rounding by fe-pbd and modal-filter. What has no dissipation,
+/// mass scaling among it, is reported, not checked.
 StudyReport verifyHandlers(StudyEffort effort);
 
 }  // namespace ringwatch

@@ -166,7 +166,8 @@ TEST(Scene, NamesFileLineKeyAndWhatWouldBeRight) {
       {with("margin = 0.2", "on_violation = \"handle\""),
        "scene.toml:14: monitor.on_violation: \"handle\" needs a handler; set handler.method"},
       {with("margin = 0.2", "[handler]\nmethod = \"imx\""),
-       "scene.toml:15: handler.method: unknown \"imx\"; did you mean \"imex\"? must be one of none, adaptive, imex, "},
+       "scene.toml:15: handler.method: unknown \"imx\"; did you mean \"imex\"? must be one of none, "
+       "local-time-stepping, imex, "},
       {with("model = \"stvk\"", "model = \"stvkk\""),
        "scene.toml:6: material.model: unknown \"stvkk\"; did you mean \"stvk\"?"},
       {with("[integrator]", "[integrator]\nmethod = \"explicit-euler\""),

@@ -86,11 +86,11 @@ double leastEigenvalue(const Eigen::MatrixXd& A) {
       .eigenvalues()[0];
 }
 
-std::unique_ptr<Handler> pbd(Body& body, double h, std::string variant = {}, int passes = 3,
+std::unique_ptr<Handler> pbd(Body& body, double h, std::string_view variant = "auto", int passes = 3,
                              std::string_view base = "symplectic-euler") {
   HandlerOptions options;
-  options.variant = std::move(variant);
-  options.passes = passes;
+  options.own.set("variant", variant);
+  if (variant != "rigid") options.own.set("passes", passes);
   auto handler = makeHandler("fe-pbd", body, makeIntegrator(base), options);
   handler->prepare(body.mesh().X, h);
   return handler;
@@ -370,7 +370,7 @@ TEST(PositionBased, DoesNotPassNotANumberOn) {
   Body body = test::sliverBody("stvk", 0.98);
   const double h = 4 * criticalStepOf(body);
   for (const char* base : {"symplectic-euler", "verlet"}) {
-    const auto handler = pbd(body, h, {}, 3, base);
+    const auto handler = pbd(body, h, "auto", 3, base);
     BodySystem system(body);
     State state = system.initialState();
     state.x(0, body.blocks()[0]->nodesOf(handler->elements().front().element)[0]) = std::nan("");
