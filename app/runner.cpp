@@ -177,8 +177,9 @@ class Run {
     if (reason.empty()) {
       try {
         // A handler's monitor watches the explicit elements, the GPU's rings would be those of all.
+        const MetricInfo* metric = findMetric(scene_.metric);
         device_ =
-            makeDeviceRun(body_, BodySystem(body_).initialState(), scene_.metric == "reduced-1-ring" && !handler_);
+            makeDeviceRun(body_, BodySystem(body_).initialState(), metric != nullptr && metric->runsOnGpu && !handler_);
         handOver();
         return;
       } catch (const InputError& fault) {

@@ -147,8 +147,18 @@ struct HandlerEntry {
   const HandlerInfo* info;
   std::unique_ptr<Handler> (*make)(Body& body, std::unique_ptr<Integrator> base, const HandlerOptions& options);
 };
+/// The entry of a class with a `description` that is made as Handler is, without the info.
+template <class H>
+constexpr HandlerEntry handlerEntry() {
+  return {&H::description,
+          [](Body& body, std::unique_ptr<Integrator> base, const HandlerOptions& options) -> std::unique_ptr<Handler> {
+            return std::make_unique<H>(body, std::move(base), options);
+          }};
+}
 /// Every handler, one line each in registry.cpp, and those that were registered.
 std::span<const HandlerEntry> allHandlers();
+/// Adds one; call it when the program starts, before any is asked for. Throws InputError when the name is taken.
+void registerHandler(const HandlerEntry& entry);
 /// By name or alias; nullptr when there is none.
 const HandlerInfo* findHandler(std::string_view name);
 /// The options as far as the handler takes them: others are left out, a selection that it does not take is its first.

@@ -128,8 +128,11 @@ class IntegratorCatalog {
   std::vector<IntegratorEntry> entries_;
 };
 
-/// The explicit integrators, which need nothing but this library; one line each in registry.cpp.
+/// The explicit integrators, which need nothing but this library, one line each in registry.cpp, and those that were
+/// registered.
 std::span<const IntegratorEntry> coreIntegrators();
+/// Adds one; call it when the program starts, before any is asked for. Throws InputError when the name is taken.
+void registerIntegrator(const IntegratorEntry& entry);
 
 /// The same by name.
 std::span<const IntegratorInfo> allIntegrators();

@@ -834,7 +834,8 @@ TEST_F(HandledProgram, TakesSmallerStepsWhereTheyAreNeeded) {
   EXPECT_THAT(call("run slivers.toml --set handler.method=imex --set handler.levels=2").err,
               HasSubstr("is a key of local-time-stepping"));
   EXPECT_THAT(call("run slivers.toml --set handler.variant=rigid").err, HasSubstr("must be one of stabilised"));
-  EXPECT_THAT(call("run slivers.toml --set handler.selection=single-element").err, HasSubstr("must be \"certified\" or \"fierz-ring\""));
+  EXPECT_THAT(call("run slivers.toml --set handler.selection=single-element").err,
+              HasSubstr("must be \"certified\" or \"fierz-ring\""));
 }
 
 TEST_F(HandledProgram, TakesMoreElementsWhenTheRestStiffens) {
@@ -953,7 +954,8 @@ TEST_F(HandledProgram, RefusesWhatDoesNotFitTogether) {
   expectRefused(run + "--set integrator.method=rk4", "handlers work on symplectic-euler and verlet");
   expectRefused(run + "--set integrator.step=auto", "give a number");
   expectRefused(run + "--set handler.dissipation=2", "handler.dissipation: 2 is out of range; must be >= 0 and <= 1");
-  expectRefused(run + "--set handler.solver=cholesky --set handler.tolerance=1e-3", "goes with solver auto or cg, not with \"cholesky\"");
+  expectRefused(run + "--set handler.solver=cholesky --set handler.tolerance=1e-3",
+                "goes with solver auto or cg, not with \"cholesky\"");
   expectRefused(run + "--set monitor.on_violation=reduce-step", "works against the handler");
   expectRefused(run + "--set damping.mass=1", "handlers do not work with damping");
   expectRefused("run slivers.toml --set handler.method=mass-scaling --set handler.dissipation=0.1",
