@@ -245,9 +245,14 @@ struct InspectCommand {
     CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
     command->add_option("MESH", options.mesh, "mesh file: " + readableExtensions() + "; or the folder of a run")
         ->required();
-    command->add_option("--young", options.young, "Young's modulus, Pa");
-    command->add_option("--poisson", options.poisson, "Poisson's ratio, > -1 and < 0.5");
-    command->add_option("--density", options.density, "density, kg/m3; these three are required with a mesh file");
+    for (const SceneKey& key : sceneKeys())
+      if (key.section == "material" && isLawParameter(key.key))
+        command->add_option_function<double>(
+            "--" + key.key, [this, name = key.key](double value) { options.parameters.set(name, value); },
+            fmt::format("{}{}{}{}{}", key.help, key.unit.empty() ? "" : ", ", key.unit,
+                        key.range.text().empty() ? "" : ", ", key.range.text()));
+    command->add_option("--density", options.density,
+                        "density, kg/m3; it and the parameters of the law are required with a mesh file");
     command->add_option("--model", options.model, "constitutive law (default: stvk)");
     command->add_option("--displacement", options.displacement,
                         "field of displacements, m, in a .vtu file: inspect that deformed state");

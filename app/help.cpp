@@ -52,7 +52,17 @@ std::string elementsText() {
   return text;
 }
 
-std::string lawsText() { return "Constitutive laws, material.model in a scene and --model:\n\n" + listing(allLaws()); }
+std::string lawsText() {
+  std::string text = "Constitutive laws, material.model in a scene and --model, with their parameters:\n\n";
+  for (const LawInfo& law : allLaws()) {
+    text += fmt::format("  {:<17} {}\n", law.name, law.help);
+    for (const OptionInfo& parameter : law.parameters)
+      text += fmt::format("  {:<17}   {}: {}{}{}{}{}\n", "", parameter.name, parameter.help,
+                          parameter.unit.empty() ? "" : ", ", parameter.unit,
+                          parameter.range.text().empty() ? "" : ", ", parameter.range.text());
+  }
+  return text;
+}
 
 std::string integratorsText() {
   std::string text = "Integrators, integrator.method in a scene and --integrator:\n\n";

@@ -71,7 +71,8 @@ class Run {
     result_.notes = options.notes;
     result_.requireCertified = scene_.requireCertified;
     balance_.emplace(body_);
-    largestEnergy_ = 1e-24 * scene_.young * body_.volume();  // less, at a strain of 1e-12, is rounding
+    largestEnergy_ = 1e-24 * body_.blocks().front()->material().restModulus() *
+                     body_.volume();  // less, at a strain of 1e-12, is rounding
     for (const Scene::Cut& cut : scene_.cuts)
       for (const MeshBlock& block : body_.mesh().blocks)
         if (block.type != elementTypeOf<Tet4>)

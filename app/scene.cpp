@@ -64,6 +64,12 @@ std::string withArticle(std::string_view type) {
   return fmt::format("{} {}", type.front() == 'i' ? "an" : "a", type);
 }
 
+/// What is said of a key that must be given.
+std::string missingText(SceneType type, std::string_view unit, const SceneRange& range) {
+  return fmt::format("missing; give {}{}{}{}{}", withArticle(sceneTypeName(type)), unit.empty() ? "" : " in ", unit,
+                     range.text().empty() ? "" : ", ", range.text());
+}
+
 std::string kindOf(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::string:
@@ -278,11 +284,7 @@ class Reader {
     }
     for (const SceneKey& key : sceneKeys()) {
       if (key.section != name || section.entries.count(key.key) != 0) continue;
-      if (key.required)
-        fail(section.origin, name + "." + key.key,
-             fmt::format("missing; give {}{}{}", withArticle(sceneTypeName(key.type)),
-                         key.unit.empty() ? "" : " in " + key.unit,
-                         key.range.text().empty() ? "" : ", " + key.range.text()));
+      if (key.required) fail(section.origin, name + "." + key.key, missingText(key.type, key.unit, key.range));
       if (key.fallback.empty()) continue;
       section.entries[key.key] = {defaultOf(key), "default", false};
     }
@@ -434,6 +436,42 @@ void readMeshSection(const Section& section, Scene& scene) {
   scene.echo["mesh"].update(scene.generatorArguments);
 }
 
+/// The keys of [material] that the law declares.
+void readLawParameters(const LawInfo& law, const Section& material, Scene& scene) {
+  for (const LawInfo& other : allLaws())
+    for (const OptionInfo& option : other.parameters) {
+      const std::string key(option.name);
+      if (material.given(key) && !findOption(law.parameters, key)) {
+        std::vector<std::string_view> known;
+        for (const OptionInfo& own : law.parameters) known.push_back(own.name);
+        fail(material.at(key).origin, "material." + key,
+             fmt::format("is no parameter of the law \"{}\"; it takes {}", law.name, fmt::join(known, ", ")));
+      }
+    }
+  for (const OptionInfo& option : law.parameters) {
+    const std::string key(option.name);
+    if (!material.given(key)) {
+      if (option.fallback.empty())
+        fail(material.origin, "material." + key, missingText(SceneType::number, option.unit, option.range));
+      continue;
+    }
+    scene.parameters.set(key, material.get<double>(key));
+    if (const std::string fault = optionFault(law.parameters, scene.parameters, key); !fault.empty())
+      fail(material.at(key).origin, "material." + key,
+           fmt::format("{}; {}{}", material.at(key).value.dump(), fault,
+                       option.unit.empty() ? "" : fmt::format(" {}", option.unit)));
+  }
+}
+
+/// "verlet and symplectic-euler": the names of the entries that have a trait.
+template <class Infos, class Trait>
+std::string namesWhere(const Infos& infos, const Trait& trait) {
+  std::vector<std::string_view> names;
+  for (const auto& info : infos)
+    if (trait(info)) names.push_back(info.name);
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
 void readIntegratorSection(const Section& integrator, const Section& monitor, const Section& damping, Scene& scene) {
   scene.damping = {damping.get<double>("mass"), damping.get<double>("stiffness")};
   scene.method = integrator.get<std::string>("method");
@@ -493,9 +531,11 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
          "true needs a proof: monitor.mode = \"bracket\" or \"threshold\", and an integrator with a critical step");
   if (scene.proves() && scene.damping.any() && !info.highestModeBinds)
     fail(integrator.at("method").origin, "integrator.method",
-         fmt::format("\"{}\": with [damping] the bracket is proven for symplectic-euler and verlet only; choose one of "
-                     "them, or set monitor.bracket = false, with a monitor.metric for an estimate",
-                     scene.method));
+         fmt::format(
+             "\"{}\": with [damping] the bracket is proven for {} only; choose one of them, or set monitor.bracket "
+             "= false, with a monitor.metric for an estimate",
+             scene.method,
+             namesWhere(integratorInfos(), [](const IntegratorInfo& one) { return one.highestModeBinds; })));
 }
 
 /// The keys of [handler] that the handler declares.
@@ -546,7 +586,8 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
   if (!takesHandler(info))
     fail(integrator.at("method").origin, "integrator.method",
-         fmt::format("\"{}\": handlers work on symplectic-euler and verlet; choose one of them", scene.method));
+         fmt::format("\"{}\": handlers work on {}; choose one of them", scene.method,
+                     namesWhere(integratorInfos(), takesHandler)));
   if (!scene.step)
     fail(integrator.at("step").origin, "integrator.step",
          "\"auto\" follows the safe step, which a handler is there to exceed; give a number");
@@ -566,12 +607,14 @@ void readDevice(const Section& integrator, Scene& scene) {
   if (scene.device == RunDevice::cpu) return;
   scene.deviceOrigin = integrator.at("device").origin + ": integrator.device";
   const HandlerInfo* info = findHandler(scene.handler);
-  if (scene.method != "symplectic-euler" || scene.damping.any() || (info && info->forGpu == nullptr)) {
-    std::vector<std::string_view> names;
-    for (const HandlerEntry& entry : allHandlers())
-      if (entry.info->forGpu != nullptr) names.push_back(entry.info->name);
-    scene.noDevice = fmt::format("a GPU runs symplectic-euler without [damping], and of the handlers {} alone",
-                                 fmt::join(names, ", "));
+  const bool onGpu = integratorCatalog().find(scene.method)->runsOnGpu && !scene.damping.any() &&
+                     (scene.handler.empty() || info->forGpu != nullptr);
+  if (!onGpu) {
+    std::vector<HandlerInfo> handlers;
+    for (const HandlerEntry& entry : allHandlers()) handlers.push_back(*entry.info);
+    scene.noDevice = fmt::format("a GPU runs {} without [damping], and of the handlers {} alone",
+                                 namesWhere(integratorInfos(), [](const IntegratorInfo& one) { return one.runsOnGpu; }),
+                                 namesWhere(handlers, [](const HandlerInfo& one) { return one.forGpu != nullptr; }));
   } else if (info) {
     scene.noDevice = info->forGpu(scene.handlerOptions.own);
   }
@@ -746,8 +789,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<Section>& s
 
   const Section& material = section("material");
   scene.model = material.get<std::string>("model");
-  scene.young = material.get<double>("young");
-  scene.poisson = material.get<double>("poisson");
+  readLawParameters(lawNamed(scene.model), material, scene);
   scene.density = material.get<double>("density");
   scene.lumping = material.named("lumping", lumpingNames);
   if (material.given("rules"))
@@ -904,7 +946,7 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads) {
   options.threads = threadsThatPay(threads, mesh);
   std::optional<Body> body;
   try {
-    body.emplace(std::move(mesh), makeMaterial(scene.model, scene.young, scene.poisson, scene.density), options);
+    body.emplace(std::move(mesh), makeMaterial(scene.model, scene.parameters, scene.density), options);
   } catch (const NumericalError& fault) {
     throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));  // the mesh is what the user can mend
   }

@@ -91,7 +91,8 @@ struct Scene {
   std::string meshOrigin;  // "scene.toml:3: mesh.file", for messages
 
   std::string model;
-  double young = 0, poisson = 0, density = 0;
+  Options parameters;  // of the law
+  double density = 0;
   Lumping lumping = Lumping::rowSum;
   std::map<std::string, std::string> rules;  // element name -> quadrature rule name
 

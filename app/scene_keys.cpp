@@ -26,7 +26,6 @@ constexpr SceneRange notNegative{0, infinity, true, true};
 constexpr SceneRange atLeastOne{1, infinity, true, true};
 constexpr SceneRange share{0, 1, true, false};   // 0 <= s < 1
 constexpr SceneRange factor{0, 1, false, true};  // 0 < s <= 1
-constexpr SceneRange poissonRange{-1, 0.5, false, false};
 
 constexpr std::array<SceneSection, 11> sections{{
     {"mesh", false, true, "a file or a generator with its parameters"},
@@ -111,16 +110,16 @@ void join(SceneKey& key, const OptionInfo& option) {
 
 /// The options that entries of a registry declare, by name in the order of their first declaration; the help of each
 /// says whose it is.
-template <class Infos>
-std::vector<SceneKey> keysOfOptions(const std::string& section, const Infos& infos) {
+template <class Infos, class Member>
+std::vector<SceneKey> keysOfOptions(const std::string& section, const Infos& infos, Member options) {
   std::vector<SceneKey> keys;
   for (const auto& info : infos)
-    for (const OptionInfo& option : info.options) {
+    for (const OptionInfo& option : info.*options) {
       if (std::ranges::find(keys, option.name, &SceneKey::key) != keys.end()) continue;
       SceneKey& key = keys.emplace_back(keyOf(section, option));
       std::vector<std::pair<std::string, std::string>> helps;  // whose, what
       for (const auto& other : infos)
-        if (const OptionInfo* same = findOption(other.options, option.name)) {
+        if (const OptionInfo* same = findOption(other.*options, option.name)) {
           join(key, *same);
           const auto known = std::ranges::find(helps, same->help, &std::pair<std::string, std::string>::second);
           if (known == helps.end())
@@ -142,10 +141,10 @@ std::vector<SceneKey> makeKeys() {
        "kind of generated mesh, instead of file"},
   };
   for (SceneKey& key : generatorSceneKeys()) keys.push_back(std::move(key));
+  keys.push_back({"material", "model", T::text, "", true, "", anything, namesOf(allLaws()),
+                  "constitutive law; help laws lists its parameters"});
+  for (SceneKey& key : keysOfOptions("material", allLaws(), &LawInfo::parameters)) keys.push_back(std::move(key));
   const std::vector<SceneKey> rest{
-      {"material", "model", T::text, "", true, "", anything, namesOf(allLaws()), "constitutive law"},
-      {"material", "young", T::number, "Pa", true, "", positive, {}, "Young's modulus"},
-      {"material", "poisson", T::number, "", true, "", poissonRange, {}, "Poisson's ratio"},
       {"material", "density", T::number, "kg/m3", true, "", positive, {}, "density at rest"},
       {"material", "lumping", T::text, "", false, "\"row-sum\"", anything, lumpingNames.names(),
        "how an element's mass goes to its nodes; " + lumpingNames.listing()},
@@ -244,7 +243,7 @@ std::vector<SceneKey> makeKeys() {
        "elements are chosen as for a step of step/(1 - margin), so that the rest may stiffen"},
   };
   keys.insert(keys.end(), rest.begin(), rest.end());
-  for (SceneKey& key : keysOfOptions("handler", handlerInfos())) keys.push_back(std::move(key));
+  for (SceneKey& key : keysOfOptions("handler", handlerInfos(), &HandlerInfo::options)) keys.push_back(std::move(key));
   for (const char* section : {"fix", "move", "force"}) {
     keys.push_back({section,
                     "where",
@@ -370,6 +369,10 @@ std::span<const SceneKey> sceneKeys() {
 bool isKeyOfEveryHandler(std::string_view key) {
   return std::ranges::none_of(
       allHandlers(), [&](const HandlerEntry& handler) { return findOption(handler.info->options, key) != nullptr; });
+}
+
+bool isLawParameter(std::string_view key) {
+  return std::ranges::any_of(allLaws(), [&](const LawInfo& law) { return findOption(law.parameters, key) != nullptr; });
 }
 
 std::string sceneHelp() {

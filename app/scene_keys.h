@@ -53,6 +53,8 @@ std::span<const SceneSection> sceneSections();
 std::span<const SceneKey> sceneKeys();
 /// Whether a key of [handler] is one of those that all handlers share; the others are declared by handlers.
 bool isKeyOfEveryHandler(std::string_view key);
+/// Whether a key of [material] is a parameter of some law.
+bool isLawParameter(std::string_view key);
 /// The listing for people: every section and key with type, unit, default, range and help.
 std::string sceneHelp();
 

@@ -33,8 +33,12 @@ HandlerOptions optionsFor(const HandlerInfo& info, const HandlerOptions& options
 
 Handler::Handler(const HandlerInfo& info, Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
     : body_(body), base_(std::move(base)), options_(std::move(options)), info_(info), chosen_(noElements(body.mesh())) {
-  if (!takesHandler(base_->info()))
-    throw InputError(joinText("handlers work on symplectic-euler and verlet, not on \"", base_->info().name, "\""));
+  if (!takesHandler(base_->info())) {
+    std::string names;
+    for (const IntegratorEntry& entry : coreIntegrators())
+      if (takesHandler(*entry.info)) names += joinText(names.empty() ? "" : " and ", entry.info->name);
+    throw InputError(joinText("handlers work on ", names, ", not on \"", base_->info().name, "\""));
+  }
   if (!info.takes(options_.selection)) {
     std::string names;
     for (const Selection one : info.selections)
@@ -117,11 +121,11 @@ void Handler::requireTurningTetrahedra(const std::vector<ElementRef>& elements) 
   for (const ElementRef e : elements) {
     const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(e.block)];
     const std::string_view name = handlerInfo().name;
-    if (block.element().name != "tet4")
+    if (body_.mesh().blocks[static_cast<std::size_t>(e.block)].type != elementTypeOf<Tet4>)
       throw InputError(joinText(name, " handles tet4, and element ", e.block, ":", e.element, " is a ",
                                 block.element().name, "; take imex"));
-    if (block.material().lawName() == "linear")
-      throw InputError(joinText(name, " turns with its elements, and the law \"linear\" does not; take imex"));
+    if (const LawInfo law = block.material().info(); !law.objective)
+      throw InputError(joinText(name, " turns with its elements, and the law \"", law.name, "\" does not; take imex"));
   }
 }
 

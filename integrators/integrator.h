@@ -84,6 +84,8 @@ struct IntegratorInfo {
   /// Treats the two parts of an AdditiveSystem apart and takes no other system. Its limit is that of the non-stiff part
   /// when the stiff one is zero.
   bool partitioned = false;
+  /// Its steps can be taken on a GPU, without damping.
+  bool runsOnGpu = false;
 };
 
 /// How a step went. On failure the state is as before the step.

@@ -336,10 +336,8 @@ struct StabilityMonitor::Impl {
     if (o.mode != MonitorMode::metric) bracketer.emplace(b, o.width);
     if (!o.metric.empty() && !o.metricElsewhere) metric = makeMetricEvaluator(o.metric, b);
     // Less than at a strain of 1e-12 is rounding, whose changes are as large as itself.
-    for (const auto& block : b.blocks()) {
-      const Lame lame = block->material().lame();
-      largestEnergy = std::max(largestEnergy, 1e-24 * (lame.lambda + 2 * lame.mu) * b.volume());
-    }
+    for (const auto& block : b.blocks())
+      largestEnergy = std::max(largestEnergy, 1e-24 * block->material().restModulus() * b.volume());
   }
   /// The metric's highest value at x, rad²/s².
   double metricLambda(const NodeVectors& x) {

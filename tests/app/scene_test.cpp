@@ -75,7 +75,7 @@ TEST(Scene, ReadsAGoodOneAndFillsDefaults) {
   const TemporaryFolder folder;
   const Scene scene = readScene(folder.write("scene.toml", good));
   EXPECT_EQ(scene.generator, "bar");
-  EXPECT_EQ(scene.young, 30e3);
+  EXPECT_EQ(scene.parameters.number("young"), 30e3);
   EXPECT_EQ(scene.step, 1e-4);
   EXPECT_EQ(scene.method, "symplectic-euler");
   EXPECT_EQ(scene.safety, 0.95);
