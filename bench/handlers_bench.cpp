@@ -13,6 +13,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/random.h>
 #include <ringwatch/handlers/handler.h>
+#include <ringwatch/handlers/implicit_cluster.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/cut.h>
 #include <ringwatch/meshes/generators.h>
