@@ -245,9 +245,14 @@ struct InspectCommand {
     CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
     command->add_option("MESH", options.mesh, "mesh file: " + readableExtensions() + "; or the folder of a run")
         ->required();
-    command->add_option("--young", options.young, "Young's modulus, Pa");
-    command->add_option("--poisson", options.poisson, "Poisson's ratio, > -1 and < 0.5");
-    command->add_option("--density", options.density, "density, kg/m3; these three are required with a mesh file");
+    for (const SceneKey& key : sceneKeys())
+      if (key.section == "material" && isLawParameter(key.key))
+        command->add_option_function<double>(
+            "--" + key.key, [this, name = key.key](double value) { options.parameters.set(name, value); },
+            fmt::format("{}{}{}{}{}", key.help, key.unit.empty() ? "" : ", ", key.unit,
+                        key.range.text().empty() ? "" : ", ", key.range.text()));
+    command->add_option("--density", options.density,
+                        "density, kg/m3; it and the parameters of the law are required with a mesh file");
     command->add_option("--model", options.model, "constitutive law (default: stvk)");
     command->add_option("--displacement", options.displacement,
                         "field of displacements, m, in a .vtu file: inspect that deformed state");
@@ -256,8 +261,9 @@ struct InspectCommand {
                         "those of its scene unless given");
     command->add_option("--integrator", options.integrator,
                         "integrator whose stability limit counts (default: symplectic-euler)");
-    command->add_option("--lumping", lumping, "row-sum or equal (default: row-sum)")
-        ->check(CLI::IsMember({"row-sum", "equal"}));
+    command->add_option(
+        "--lumping", lumping,
+        std::string("how an element's mass goes to its nodes (default: row-sum): ") + lumpingNames.listing());
     command
         ->add_option("--rule", options.rules,
                      "ELEMENT=RULE, a quadrature rule, e.g. hex8=selective; may be given again")
@@ -291,7 +297,7 @@ struct InspectCommand {
   ExitStatus execute() {
     if (!vtu.empty()) options.vtu = vtu;
     if (!picture.empty()) options.picture = picture;
-    if (!lumping.empty()) options.lumping = lumping == "equal" ? Lumping::equal : Lumping::rowSum;
+    if (!lumping.empty()) options.lumping = lumpingNames.valueOf("--lumping", lumping);
     const InspectResult result = inspectMesh(options);
     const std::string text = result.json.dump(2) + "\n";
     if (json == "-") {

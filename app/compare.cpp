@@ -46,10 +46,11 @@ std::vector<std::string> chosenHandlers(const std::vector<std::string>& names) {
   for (const HandlerEntry& entry : allHandlers()) all.emplace_back(entry.info->name);
   for (const std::string& name : names) {
     if (name == "all") return all;
-    if (std::find(all.begin(), all.end(), name) == all.end())
+    const HandlerInfo* info = findHandler(name);
+    if (!info)
       throw InputError(fmt::format("--handlers: unknown {}; {}known are all, {}", inQuotes(name), didYouMean(name, all),
                                    fmt::join(all, ", ")));
-    chosen.push_back(name);
+    chosen.emplace_back(info->name);
   }
   return chosen;
 }
@@ -57,8 +58,7 @@ std::vector<std::string> chosenHandlers(const std::vector<std::string>& names) {
 /// A handler on verlet, with a body of its own: mass scaling changes it.
 WorkPrecisionRun runHandler(const WorkPrecisionCase& c, const Scene& scene, const Mesh& mesh, int threads,
                             const std::string& name, double h) {
-  HandlerOptions options = scene.handlerOptions;
-  if (name == "mass-scaling") options.selection = "certified";
+  const HandlerOptions options = optionsFor(*findHandler(name), scene.handlerOptions);
   WorkPrecisionRun run = runPrepared(c, name, h, [&](double step) {
     auto body = std::make_shared<Body>(sceneBody(scene, mesh, threads));
     auto handler = makeHandler(name, *body, makeIntegrator("verlet"), options);

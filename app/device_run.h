@@ -9,8 +9,8 @@
 
 namespace ringwatch {
 
-/// The steps of a run on a GPU: symplectic Euler without damping, alone or with `imex` on top. The state stays there
-/// between the steps at which the run looks at it.
+/// The steps of a run on a GPU: symplectic Euler without damping, alone or with a handler that runs there on top. The
+/// state stays there between the steps at which the run looks at it.
 class DeviceRun {
  public:
   virtual ~DeviceRun() = default;
@@ -28,8 +28,8 @@ class DeviceRun {
   /// Whether it was made to evaluate reduced 1-rings, and their highest eigenvalue at its state, rad²/s².
   virtual bool hasRings() const = 0;
   virtual double highestRing() = 0;
-  /// Iterations of conjugate gradients so far.
-  virtual std::int64_t iterations() const = 0;
+  /// In place of the handler's figures that count work of the CPU.
+  virtual std::vector<HandlerFigure> figures() const = 0;
   /// Name of the GPU.
   virtual std::string device() const = 0;
   /// What it did, one line.

@@ -9,6 +9,7 @@
 #include <ringwatch/gpu/device_imex.h>
 #include <ringwatch/gpu/device_rings.h>
 #include <ringwatch/gpu/device_status.h>
+#include <ringwatch/handlers/imex.h>
 
 namespace ringwatch {
 namespace {
@@ -29,10 +30,12 @@ class CudaRun final : public DeviceRun {
     imex_.reset();
     held_ = false;
     if (elements.empty()) return;
+    const Options own = completed(ImplicitExplicit::description.name, ImplicitExplicit::table, options.own);
+    const ClusterOptions cluster = clusterOptionsOf(own);
     DeviceImexOptions wanted;
-    wanted.dissipation = options.dissipation;
-    wanted.tolerance = options.cluster.tolerance;
-    wanted.iterations = options.cluster.iterations;
+    wanted.dissipation = own.number("dissipation");
+    wanted.tolerance = cluster.tolerance;
+    wanted.iterations = cluster.iterations;
     imex_ = std::make_unique<DeviceImex>(device_, body_.mesh(), clustersOf(body_, elements), h, wanted);
   }
 
@@ -52,7 +55,7 @@ class CudaRun final : public DeviceRun {
   }
   bool hasRings() const override { return rings_.has_value(); }
   double highestRing() override { return rings_->highest().value; }
-  std::int64_t iterations() const override { return iterations_ + (imex_ ? imex_->iterations() : 0); }
+  std::vector<HandlerFigure> figures() const override { return {{"iterations", static_cast<double>(iterations())}}; }
   std::string device() const override { return deviceStatus().text; }
   std::string summary() const override {
     std::string text = fmt::format("the steps were taken on {}", device());
@@ -63,6 +66,8 @@ class CudaRun final : public DeviceRun {
   }
 
  private:
+  /// Of conjugate gradients so far.
+  std::int64_t iterations() const { return iterations_ + (imex_ ? imex_->iterations() : 0); }
   void explicitSteps(double h, std::int64_t count, double sigma) {
     if (sigma > 0) {
       // After a failure, which costs a bound from scratch, the next attempt waits.

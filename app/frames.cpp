@@ -24,15 +24,12 @@ std::vector<std::string> frameFieldNames() {
 }
 
 std::string_view stepSide(Direction direction) {
-  switch (direction) {
-    case Direction::upperBound:
-      return "safe";
-    case Direction::lowerBound:
-      return "optimistic";
-    case Direction::estimate:
-      return "estimate";
-  }
-  return "";
+  static constexpr auto sides = nameTable<Direction>({
+      {Direction::upperBound, "safe"},
+      {Direction::lowerBound, "optimistic"},
+      {Direction::estimate, "estimate"},
+  });
+  return sides.nameOf(direction);
 }
 
 std::string stepFieldName(const MetricInfo& metric, Direction direction) {

@@ -52,7 +52,17 @@ std::string elementsText() {
   return text;
 }
 
-std::string lawsText() { return "Constitutive laws, material.model in a scene and --model:\n\n" + listing(allLaws()); }
+std::string lawsText() {
+  std::string text = "Constitutive laws, material.model in a scene and --model, with their parameters:\n\n";
+  for (const LawInfo& law : allLaws()) {
+    text += fmt::format("  {:<17} {}\n", law.name, law.help);
+    for (const OptionInfo& parameter : law.parameters)
+      text += fmt::format("  {:<17}   {}: {}{}{}{}{}\n", "", parameter.name, parameter.help,
+                          parameter.unit.empty() ? "" : ", ", parameter.unit,
+                          parameter.range.text().empty() ? "" : ", ", parameter.range.text());
+  }
+  return text;
+}
 
 std::string integratorsText() {
   std::string text = "Integrators, integrator.method in a scene and --integrator:\n\n";
@@ -75,8 +85,14 @@ std::string metricsText() {
 }
 
 std::string handlersText() {
-  return "Handlers, handler.method in a scene, keep a step that is too large for some elements:\n\n" +
-         listing(handlerInfos()) + "\nTheir options are the keys of [handler]: ringwatch help scene\n";
+  std::string text;
+  for (const HandlerInfo& info : handlerInfos()) {
+    text += fmt::format("  {:<20} {}\n", info.name, info.help);
+    if (!info.options.empty()) text += fmt::format("  {:<20}   options: {}\n", "", namesIn(info.options));
+    if (!info.alias.empty()) text += fmt::format("  {:<20}   older name: {}\n", "", info.alias);
+  }
+  return "Handlers, handler.method in a scene, keep a step that is too large for some elements:\n\n" + text +
+         "\nTheir options are keys of [handler]: ringwatch help scene\n";
 }
 
 std::string formatsText() {

@@ -114,9 +114,15 @@ std::vector<PvdEntry> framesOf(const std::filesystem::path& folder) {
 
 /// What the command line says beyond the scene of a run, or instead of one.
 void override(Scene& scene, const InspectOptions& options) {
-  scene.model = options.model.value_or(scene.model);
-  scene.young = options.young.value_or(scene.young);
-  scene.poisson = options.poisson.value_or(scene.poisson);
+  if (options.model && *options.model != scene.model) {
+    scene.model = *options.model;
+    const LawInfo& law = lawNamed(scene.model);
+    Options kept;  // what the scene's law has in common with it
+    for (const auto& [name, value] : scene.parameters)
+      if (findOption(law.parameters, name)) kept.set(name, value);
+    scene.parameters = std::move(kept);
+  }
+  for (const auto& [name, value] : options.parameters) scene.parameters.set(name, value);
   scene.density = options.density.value_or(scene.density);
   scene.lumping = options.lumping.value_or(scene.lumping);
   scene.method = options.integrator.value_or(scene.method);
@@ -137,7 +143,7 @@ Subject subjectOfRun(const InspectOptions& options) {
   std::vector<std::string> notes;
   MeshState state = loadVtuState(options.mesh / frame.file, "displacement", &notes);
   if (!scene.handler.empty())
-    notes.push_back(scene.handler == "mass-scaling"
+    notes.push_back(findHandler(scene.handler)->addsMass
                         ? "the run scaled masses; this is the body without added mass"
                         : fmt::format("the run handled elements apart ({}); here all elements count", scene.handler));
   return {makeBody(scene, std::move(state.mesh), options),
@@ -166,15 +172,19 @@ Subject subjectOf(const InspectOptions& options) {
                     options.mesh.string()));
   if (folder) return subjectOfRun(options);
   Scene scene;
-  for (const auto& [value, name] :
-       {std::pair{options.young, "--young"}, {options.poisson, "--poisson"}, {options.density, "--density"}})
-    if (!value) throw InputError(fmt::format("{} is required with a mesh file; see ringwatch inspect --help", name));
+  const LawInfo& law = lawNamed(options.model.value_or("stvk"));
+  const auto required = [](std::string_view name) {
+    return InputError(fmt::format("--{} is required with a mesh file; see ringwatch inspect --help", name));
+  };
+  for (const OptionInfo& parameter : law.parameters)
+    if (parameter.fallback.empty() && !options.parameters.find(parameter.name)) throw required(parameter.name);
+  if (!options.density) throw required("density");
   scene.model = "stvk";
   scene.method = "symplectic-euler";
   scene.meshOrigin = options.mesh.string();
   override(scene, options);
   const IntegratorInfo& integrator = integratorNamed(scene.method);
-  makeMaterial(scene.model, scene.young, scene.poisson, scene.density);  // throws before a large mesh is read
+  makeMaterial(scene.model, scene.parameters, scene.density);  // throws before a large mesh is read
   std::vector<std::string> notes;
   MeshState state;
   if (options.displacement) {
@@ -273,7 +283,7 @@ Json handlerChoice(const Subject& subject, double h) {
              {"id",
               subject.body.mesh().blocks[static_cast<std::size_t>(e.block)].ids[static_cast<std::size_t>(e.element)]}});
   return Json{{"count", chosen.size()},
-              {"selection", options.selection},
+              {"selection", std::string(selectionNames.nameOf(options.selection))},
               {"margin", options.margin},
               {"elements", std::move(elements)}};
 }

@@ -12,14 +12,15 @@ namespace ringwatch {
 
 /// What `ringwatch inspect` is asked. What is not given comes from the scene of a run, or is a default.
 struct InspectOptions {
-  std::filesystem::path mesh;                     // a mesh file, or with `frame` the folder of a run
-  std::optional<double> young, poisson, density;  // Pa, -, kg/m³; must be given with a mesh file
-  std::optional<std::string> model;               // "stvk"
-  std::optional<std::string> integrator;          // "symplectic-euler"
-  std::optional<Lumping> lumping;                 // row sums
-  std::optional<std::string> displacement;        // a field of a .vtu file, m: inspect that state
-  std::optional<std::int64_t> frame;              // of the run, counted from 1
-  std::vector<std::string> rules;                 // ELEMENT=RULE: quadrature rules
+  std::filesystem::path mesh;               // a mesh file, or with `frame` the folder of a run
+  Options parameters;                       // of the law; must be given with a mesh file
+  std::optional<double> density;            // kg/m³; must be given with a mesh file
+  std::optional<std::string> model;         // "stvk"
+  std::optional<std::string> integrator;    // "symplectic-euler"
+  std::optional<Lumping> lumping;           // row sums
+  std::optional<std::string> displacement;  // a field of a .vtu file, m: inspect that state
+  std::optional<std::int64_t> frame;        // of the run, counted from 1
+  std::vector<std::string> rules;           // ELEMENT=RULE: quadrature rules
   std::optional<double> step;        // s: list the elements that need a smaller one, and what a handler would take
   std::vector<std::string> metrics;  // names; "all" for every one; empty for the usual ones
   std::vector<std::string> fix;      // nodes that are held, and behind a colon which components: "x < 1e-6:xy"

@@ -34,7 +34,7 @@ Json cutsJson(const RunResult& result) {
 Json handlerJson(const Scene& scene, const RunResult& result) {
   if (!result.handler) return nullptr;
   Json json{{"method", scene.handler},
-            {"selection", scene.handlerOptions.selection},
+            {"selection", std::string(selectionNames.nameOf(scene.handlerOptions.selection))},
             {"handled_elements", result.handler->elements},
             {"explicit_part_certified", result.handler->certified},
             {"selections", result.handler->selections},

@@ -71,7 +71,8 @@ class Run {
     result_.notes = options.notes;
     result_.requireCertified = scene_.requireCertified;
     balance_.emplace(body_);
-    largestEnergy_ = 1e-24 * scene_.young * body_.volume();  // less, at a strain of 1e-12, is rounding
+    largestEnergy_ = 1e-24 * body_.blocks().front()->material().restModulus() *
+                     body_.volume();  // less, at a strain of 1e-12, is rounding
     for (const Scene::Cut& cut : scene_.cuts)
       for (const MeshBlock& block : body_.mesh().blocks)
         if (block.type != elementTypeOf<Tet4>)
@@ -177,8 +178,9 @@ class Run {
     if (reason.empty()) {
       try {
         // A handler's monitor watches the explicit elements, the GPU's rings would be those of all.
+        const MetricInfo* metric = findMetric(scene_.metric);
         device_ =
-            makeDeviceRun(body_, BodySystem(body_).initialState(), scene_.metric == "reduced-1-ring" && !handler_);
+            makeDeviceRun(body_, BodySystem(body_).initialState(), metric != nullptr && metric->runsOnGpu && !handler_);
         handOver();
         return;
       } catch (const InputError& fault) {
@@ -630,9 +632,8 @@ class Run {
   std::vector<HandlerFigure> handlerFigures() const {
     std::vector<HandlerFigure> figures = handler_->figures();
     if (!device_) return figures;
-    std::erase_if(figures, [](const HandlerFigure& figure) { return figure.name == "factorisations"; });
-    for (HandlerFigure& figure : figures)
-      if (figure.name == "iterations") figure.value = static_cast<double>(device_->iterations());
+    std::erase_if(figures, [](const HandlerFigure& figure) { return figure.ofHost; });
+    for (HandlerFigure& figure : device_->figures()) figures.push_back(std::move(figure));
     return figures;
   }
 
@@ -749,24 +750,6 @@ class Run {
 };
 
 }  // namespace
-
-std::string_view exitReasonName(ExitReason reason) {
-  switch (reason) {
-    case ExitReason::end:
-      return "end";
-    case ExitReason::violated:
-      return "violated";
-    case ExitReason::nonFinite:
-      return "non-finite";
-    case ExitReason::stepCollapsed:
-      return "step-collapsed";
-    case ExitReason::stepFailed:
-      return "step-failed";
-    case ExitReason::interrupted:
-      return "interrupted";
-  }
-  return "";
-}
 
 bool RunResult::energyOff() const {
   return std::any_of(events.begin(), events.end(),

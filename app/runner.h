@@ -24,7 +24,15 @@ enum class ExitReason {
   stepFailed,     ///< the integrator could not take the step
   interrupted     ///< from outside
 };
-std::string_view exitReasonName(ExitReason reason);
+inline constexpr auto exitReasonNames = nameTable<ExitReason>({
+    {ExitReason::end, "end"},
+    {ExitReason::violated, "violated"},
+    {ExitReason::nonFinite, "non-finite"},
+    {ExitReason::stepCollapsed, "step-collapsed"},
+    {ExitReason::stepFailed, "step-failed"},
+    {ExitReason::interrupted, "interrupted"},
+});
+constexpr std::string_view exitReasonName(ExitReason reason) { return exitReasonNames.nameOf(reason); }
 
 struct RunOptions {
   std::filesystem::path folder;                  // made when it does not exist

@@ -48,6 +48,11 @@ struct Section {
   std::string where(const std::string& key) const {
     return fmt::format("{}: {}.{}", entries.at(key).origin, name, key);
   }
+  /// The value that a text names.
+  template <class Table>
+  auto named(const std::string& key, const Table& table) const {
+    return table.valueOf(where(key), get<std::string>(key));
+  }
 };
 
 [[noreturn]] void fail(const std::string& origin, const std::string& key, const std::string& what) {
@@ -57,6 +62,12 @@ struct Section {
 std::string withArticle(std::string_view type) {
   if (type.substr(0, 4) == "true") return std::string(type);
   return fmt::format("{} {}", type.front() == 'i' ? "an" : "a", type);
+}
+
+/// What is said of a key that must be given.
+std::string missingText(SceneType type, std::string_view unit, const SceneRange& range) {
+  return fmt::format("missing; give {}{}{}{}{}", withArticle(sceneTypeName(type)), unit.empty() ? "" : " in ", unit,
+                     range.text().empty() ? "" : ", ", range.text());
 }
 
 std::string kindOf(const toml::node& node) {
@@ -273,11 +284,7 @@ class Reader {
     }
     for (const SceneKey& key : sceneKeys()) {
       if (key.section != name || section.entries.count(key.key) != 0) continue;
-      if (key.required)
-        fail(section.origin, name + "." + key.key,
-             fmt::format("missing; give {}{}{}", withArticle(sceneTypeName(key.type)),
-                         key.unit.empty() ? "" : " in " + key.unit,
-                         key.range.text().empty() ? "" : ", " + key.range.text()));
+      if (key.required) fail(section.origin, name + "." + key.key, missingText(key.type, key.unit, key.range));
       if (key.fallback.empty()) continue;
       section.entries[key.key] = {defaultOf(key), "default", false};
     }
@@ -311,6 +318,8 @@ class Reader {
     const auto text = [&](const toml::node& n) {
       if (!n.is_string()) wrongType(kindOf(n));
       std::string value = **n.as_string();
+      for (const auto& [alias, meant] : key.aliases)
+        if (value == alias) value = meant;
       if (!key.choices.empty() && std::find(key.choices.begin(), key.choices.end(), value) == key.choices.end())
         fail(origin, name,
              fmt::format("unknown {}; {}must be {}{}", inQuotes(value), didYouMean(value, key.choices),
@@ -427,6 +436,42 @@ void readMeshSection(const Section& section, Scene& scene) {
   scene.echo["mesh"].update(scene.generatorArguments);
 }
 
+/// The keys of [material] that the law declares.
+void readLawParameters(const LawInfo& law, const Section& material, Scene& scene) {
+  for (const LawInfo& other : allLaws())
+    for (const OptionInfo& option : other.parameters) {
+      const std::string key(option.name);
+      if (material.given(key) && !findOption(law.parameters, key)) {
+        std::vector<std::string_view> known;
+        for (const OptionInfo& own : law.parameters) known.push_back(own.name);
+        fail(material.at(key).origin, "material." + key,
+             fmt::format("is no parameter of the law \"{}\"; it takes {}", law.name, fmt::join(known, ", ")));
+      }
+    }
+  for (const OptionInfo& option : law.parameters) {
+    const std::string key(option.name);
+    if (!material.given(key)) {
+      if (option.fallback.empty())
+        fail(material.origin, "material." + key, missingText(SceneType::number, option.unit, option.range));
+      continue;
+    }
+    scene.parameters.set(key, material.get<double>(key));
+    if (const std::string fault = optionFault(law.parameters, scene.parameters, key); !fault.empty())
+      fail(material.at(key).origin, "material." + key,
+           fmt::format("{}; {}{}", material.at(key).value.dump(), fault,
+                       option.unit.empty() ? "" : fmt::format(" {}", option.unit)));
+  }
+}
+
+/// "verlet and symplectic-euler": the names of the entries that have a trait.
+template <class Infos, class Trait>
+std::string namesWhere(const Infos& infos, const Trait& trait) {
+  std::vector<std::string_view> names;
+  for (const auto& info : infos)
+    if (trait(info)) names.push_back(info.name);
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
 void readIntegratorSection(const Section& integrator, const Section& monitor, const Section& damping, Scene& scene) {
   scene.damping = {damping.get<double>("mass"), damping.get<double>("stiffness")};
   scene.method = integrator.get<std::string>("method");
@@ -435,10 +480,9 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
   scene.end = integrator.get<double>("end");
   scene.safety = integrator.get<double>("safety");
 
-  const auto mode = monitor.get<std::string>("mode");
-  scene.mode = mode == "threshold" ? MonitorMode::threshold
-               : mode == "metric"  ? MonitorMode::metric
-                                   : MonitorMode::bracket;
+  scene.mode = monitor.named("mode", monitorModeNames);
+  if (scene.mode == MonitorMode::metric && monitor.get<std::string>("metric") == "none")
+    fail(monitor.at("mode").origin, "monitor.mode", "\"metric\" needs a metric; set monitor.metric");
   if (!monitor.get<bool>("bracket")) {
     if (scene.mode == MonitorMode::threshold)
       fail(monitor.at("bracket").origin, "monitor.bracket",
@@ -451,11 +495,7 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
   scene.every = monitor.get<std::int64_t>("every");
   scene.energyTolerance = monitor.get<double>("energy_tolerance");
   scene.requireCertified = monitor.get<bool>("require_certified");
-  const auto onViolation = monitor.get<std::string>("on_violation");
-  scene.onViolation = onViolation == "stop"     ? OnViolation::stop
-                      : onViolation == "warn"   ? OnViolation::warn
-                      : onViolation == "handle" ? OnViolation::handle
-                                                : OnViolation::reduceStep;
+  scene.onViolation = monitor.named("on_violation", onViolationNames);
 
   if (scene.step && *scene.step > scene.end)
     fail(integrator.at("step").origin, "integrator.step",
@@ -463,8 +503,6 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
   if (scene.step)
     if (const std::string fault = tooManySteps(*scene.step, scene.end); !fault.empty())
       fail(integrator.at("step").origin, "integrator.step", fault);
-  if (mode == "metric" && scene.metric.empty())
-    fail(monitor.at("mode").origin, "monitor.mode", "\"metric\" needs a metric; set monitor.metric");
   if (!scene.step && scene.mode != MonitorMode::bracket)
     fail(integrator.at("step").origin, "integrator.step",
          "\"auto\" follows the safe step; it needs monitor.bracket = true and monitor.mode = \"bracket\"");
@@ -493,33 +531,49 @@ void readIntegratorSection(const Section& integrator, const Section& monitor, co
          "true needs a proof: monitor.mode = \"bracket\" or \"threshold\", and an integrator with a critical step");
   if (scene.proves() && scene.damping.any() && !info.highestModeBinds)
     fail(integrator.at("method").origin, "integrator.method",
-         fmt::format("\"{}\": with [damping] the bracket is proven for symplectic-euler and verlet only; choose one of "
-                     "them, or set monitor.bracket = false, with a monitor.metric for an estimate",
-                     scene.method));
+         fmt::format(
+             "\"{}\": with [damping] the bracket is proven for {} only; choose one of them, or set monitor.bracket "
+             "= false, with a monitor.metric for an estimate",
+             scene.method,
+             namesWhere(integratorInfos(), [](const IntegratorInfo& one) { return one.highestModeBinds; })));
+}
+
+/// The keys of [handler] that the handler declares.
+void readHandlerOptions(const HandlerInfo& info, const Section& handler, Scene& scene) {
+  if (!info.takes(scene.handlerOptions.selection)) {
+    std::vector<std::string> names;
+    for (const Selection one : info.selections) names.push_back(fmt::format("\"{}\"", selectionNames.nameOf(one)));
+    fail(handler.at("selection").origin, "handler.selection",
+         fmt::format("\"{}\" does not go with {}; must be {}", selectionNames.nameOf(scene.handlerOptions.selection),
+                     info.name, fmt::join(names, " or ")));
+  }
+  Options& own = scene.handlerOptions.own;
+  for (const auto& [key, entry] : handler.entries) {
+    if (!entry.given || isKeyOfEveryHandler(key)) continue;
+    if (!findOption(info.options, key)) {
+      std::vector<std::string_view> owners;
+      for (const HandlerEntry& other : allHandlers())
+        if (findOption(other.info->options, key)) owners.push_back(other.info->name);
+      fail(entry.origin, "handler." + key,
+           fmt::format("is a key of {}; \"{}\" does not take it", fmt::join(owners, ", "), info.name));
+    }
+    own.set(key, entry.value.is_string() ? OptionValue(entry.value.get<std::string>())
+                                         : OptionValue(entry.value.get<double>()));
+  }
+  for (const auto& [key, value] : own)
+    if (const std::string fault = optionFault(info.options, own, key); !fault.empty())
+      fail(handler.at(key).origin, "handler." + key,
+           fmt::format("{} {}, with the handler \"{}\"", handler.at(key).value.dump(), fault, info.name));
+  const Options all = completed(info.name, info.options, own);
+  scene.reduceOnFailure = findOption(info.options, "on_failure") && all.text("on_failure") == "reduce-step";
 }
 
 void readHandlerSection(const Section& handler, const Section& integrator, const Section& monitor,
                         const Section& damping, Scene& scene) {
   scene.handler = handler.get<std::string>("method");
   if (scene.handler == "none") scene.handler.clear();
-  scene.handlerOptions.selection = handler.get<std::string>("selection");
+  scene.handlerOptions.selection = handler.named("selection", selectionNames);
   scene.handlerOptions.margin = handler.get<double>("margin");
-  scene.handlerOptions.dissipation = handler.get<double>("dissipation");
-  const auto solver = handler.get<std::string>("solver");
-  scene.handlerOptions.cluster.solver = solver == "cg"         ? ClusterSolver::conjugateGradients
-                                        : solver == "cholesky" ? ClusterSolver::cholesky
-                                                               : ClusterSolver::automatic;
-  if (const Json& tolerance = handler.at("tolerance").value; tolerance.is_number())
-    scene.handlerOptions.cluster.tolerance = scene.handlerOptions.projectionTolerance = tolerance.get<double>();
-  scene.handlerOptions.cluster.iterations = static_cast<int>(
-      std::min<std::int64_t>(handler.get<std::int64_t>("iterations"), std::numeric_limits<int>::max()));
-  scene.handlerOptions.levels =
-      static_cast<int>(std::min<std::int64_t>(handler.get<std::int64_t>("levels"), std::numeric_limits<int>::max()));
-  const auto variant = handler.get<std::string>("variant");
-  scene.handlerOptions.variant = variant == "auto" ? "" : variant;
-  scene.handlerOptions.passes =
-      static_cast<int>(std::min<std::int64_t>(handler.get<std::int64_t>("passes"), std::numeric_limits<int>::max()));
-  scene.reduceOnFailure = handler.get<std::string>("on_failure") == "reduce-step";
 
   if (scene.handler.empty()) {
     for (const auto& [key, entry] : handler.entries)
@@ -532,32 +586,12 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
   if (!takesHandler(info))
     fail(integrator.at("method").origin, "integrator.method",
-         fmt::format("\"{}\": handlers work on symplectic-euler and verlet; choose one of them", scene.method));
+         fmt::format("\"{}\": handlers work on {}; choose one of them", scene.method,
+                     namesWhere(integratorInfos(), takesHandler)));
   if (!scene.step)
     fail(integrator.at("step").origin, "integrator.step",
          "\"auto\" follows the safe step, which a handler is there to exceed; give a number");
-  if (scene.handler == "mass-scaling" && scene.handlerOptions.selection != "certified")
-    fail(handler.at("selection").origin, "handler.selection",
-         "mass-scaling adds mass until the step is proven; must be \"certified\"");
-  const bool imex = scene.handler == "imex" || scene.handler == "adaptive", adaptive = scene.handler == "adaptive",
-             pbd = scene.handler == "fe-pbd", filtered = scene.handler == "filtered";
-  const bool rigid = variant == "rigid" || variant == "projection";
-  const auto belongsTo = [&](std::initializer_list<const char*> keys, bool fits, const char* owners) {
-    for (const char* key : keys)
-      if (handler.given(key) && !fits)
-        fail(handler.at(key).origin, std::string("handler.") + key,
-             fmt::format("is a key of {}; \"{}\" does not take it", owners, scene.handler));
-  };
-  belongsTo({"dissipation", "solver", "on_failure"}, imex, "imex and adaptive");
-  belongsTo({"tolerance", "iterations"}, imex || (filtered && variant == "projection"),
-            "imex, adaptive and projected filtered");
-  belongsTo({"levels"}, adaptive, "adaptive");
-  belongsTo({"variant"}, adaptive || pbd || filtered, "adaptive, fe-pbd and filtered");
-  belongsTo({"passes"}, (pbd || filtered) && !rigid, "linear fe-pbd and compliant filtered");
-  if (scene.handlerOptions.cluster.solver == ClusterSolver::cholesky)
-    for (const char* key : {"tolerance", "iterations"})
-      if (handler.given(key))
-        fail(handler.at(key).origin, std::string("handler.") + key, "is for conjugate gradients, not for \"cholesky\"");
+  readHandlerOptions(*findHandler(scene.handler), handler, scene);
   if (scene.onViolation == OnViolation::reduceStep)
     fail(monitor.at("on_violation").origin, "monitor.on_violation",
          "\"reduce-step\" works against the handler; set it to \"handle\", \"warn\" or \"stop\"");
@@ -568,21 +602,23 @@ void readHandlerSection(const Section& handler, const Section& integrator, const
     fail(damping.origin, "[damping]", "handlers do not work with damping; remove it or set handler.method = \"none\"");
 }
 
-void readDevice(const Section& integrator, const Section& handler, Scene& scene) {
-  const auto device = integrator.get<std::string>("device");
-  if (device == "cpu") return;
-  scene.device = device == "cuda" ? RunDevice::cuda : RunDevice::automatic;
+void readDevice(const Section& integrator, Scene& scene) {
+  scene.device = integrator.named("device", runDeviceNames);
+  if (scene.device == RunDevice::cpu) return;
   scene.deviceOrigin = integrator.at("device").origin + ": integrator.device";
-  const bool handled = !scene.handler.empty();
-  // Conjugate gradients start from nothing there, and what they leave out of the momentum is not put back.
-  if (!handler.at("tolerance").value.is_number()) scene.handlerOptions.cluster.tolerance = 1e-8;
-  const bool factored = scene.handlerOptions.cluster.solver == ClusterSolver::cholesky;
-  if (scene.method != "symplectic-euler" || scene.damping.any() || (handled && scene.handler != "imex"))
-    scene.noDevice = "a GPU runs symplectic-euler without [damping], and of the handlers imex alone";
-  else if (handled && factored)
-    scene.noDevice = "a GPU solves implicit clusters by conjugate gradients, not by \"cholesky\"";
-  else
-    return;
+  const HandlerInfo* info = findHandler(scene.handler);
+  const bool onGpu = integratorCatalog().find(scene.method)->runsOnGpu && !scene.damping.any() &&
+                     (scene.handler.empty() || info->forGpu != nullptr);
+  if (!onGpu) {
+    std::vector<HandlerInfo> handlers;
+    for (const HandlerEntry& entry : allHandlers()) handlers.push_back(*entry.info);
+    scene.noDevice = fmt::format("a GPU runs {} without [damping], and of the handlers {} alone",
+                                 namesWhere(integratorInfos(), [](const IntegratorInfo& one) { return one.runsOnGpu; }),
+                                 namesWhere(handlers, [](const HandlerInfo& one) { return one.forGpu != nullptr; }));
+  } else if (info) {
+    scene.noDevice = info->forGpu(scene.handlerOptions.own);
+  }
+  if (scene.noDevice.empty()) return;
   if (scene.device == RunDevice::cuda)
     fail(integrator.at("device").origin, "integrator.device", scene.noDevice + "; change that, or set it to \"cpu\"");
 }
@@ -630,8 +666,8 @@ void readCutSection(const Section& section, Scene& scene) {
       return CutSurface::swept(std::move(line), vectorOf(section.at("sweep").value));
     }();
     scene.cuts.push_back({std::move(surface), time, section.get<double>("snap"),
-                          section.get<std::string>("positions") == "reference", section.get<bool>("critical_step"),
-                          origin});
+                          section.named("positions", cutPositionsNames) == CutPositions::reference,
+                          section.get<bool>("critical_step"), origin});
   } catch (const InputError& fault) {
     throw InputError(fmt::format("{}: {}", origin, fault.what()));
   }
@@ -753,16 +789,15 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<Section>& s
 
   const Section& material = section("material");
   scene.model = material.get<std::string>("model");
-  scene.young = material.get<double>("young");
-  scene.poisson = material.get<double>("poisson");
+  readLawParameters(lawNamed(scene.model), material, scene);
   scene.density = material.get<double>("density");
-  scene.lumping = material.get<std::string>("lumping") == "equal" ? Lumping::equal : Lumping::rowSum;
+  scene.lumping = material.named("lumping", lumpingNames);
   if (material.given("rules"))
     scene.rules = parseRules(material.get<std::vector<std::string>>("rules"), material.where("rules"));
 
   readIntegratorSection(section("integrator"), section("monitor"), section("damping"), scene);
   readHandlerSection(section("handler"), section("integrator"), section("monitor"), section("damping"), scene);
-  readDevice(section("integrator"), section("handler"), scene);
+  readDevice(section("integrator"), scene);
   for (const Section& s : sections)
     if (s.name == "fix" || s.name == "move" || s.name == "force") readLoadSection(s, scene);
 
@@ -911,7 +946,7 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads) {
   options.threads = threadsThatPay(threads, mesh);
   std::optional<Body> body;
   try {
-    body.emplace(std::move(mesh), makeMaterial(scene.model, scene.young, scene.poisson, scene.density), options);
+    body.emplace(std::move(mesh), makeMaterial(scene.model, scene.parameters, scene.density), options);
   } catch (const NumericalError& fault) {
     throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));  // the mesh is what the user can mend
   }

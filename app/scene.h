@@ -34,9 +34,27 @@ struct NodeSelection {
 
 /// What a run does when the monitor no longer certifies its step.
 enum class OnViolation { stop, warn, reduceStep, handle };
+inline constexpr auto onViolationNames = nameTable<OnViolation>({
+    {OnViolation::stop, "stop", "stop the run"},
+    {OnViolation::warn, "warn", "go on"},
+    {OnViolation::reduceStep, "reduce-step", "shorten the step as soon as it is no longer certified"},
+    {OnViolation::handle, "handle", "give the handler more elements"},
+});
 
 /// Where a run takes its steps. automatic: on a GPU if that can be, else on the CPU.
 enum class RunDevice { cpu, cuda, automatic };
+inline constexpr auto runDeviceNames = nameTable<RunDevice>({
+    {RunDevice::cpu, "cpu"},
+    {RunDevice::cuda, "cuda"},
+    {RunDevice::automatic, "auto"},
+});
+
+/// Where the surface of a cut lies: in space, or in the body at rest.
+enum class CutPositions { deformed, reference };
+inline constexpr auto cutPositionsNames = nameTable<CutPositions>({
+    {CutPositions::deformed, "deformed"},
+    {CutPositions::reference, "reference"},
+});
 
 /// A validated description of a run. SI units.
 struct Scene {
@@ -73,7 +91,8 @@ struct Scene {
   std::string meshOrigin;  // "scene.toml:3: mesh.file", for messages
 
   std::string model;
-  double young = 0, poisson = 0, density = 0;
+  Options parameters;  // of the law
+  double density = 0;
   Lumping lumping = Lumping::rowSum;
   std::map<std::string, std::string> rules;  // element name -> quadrature rule name
 

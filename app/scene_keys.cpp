@@ -8,6 +8,7 @@
 
 #include <ringwatch/app/frames.h>
 #include <ringwatch/app/help.h>
+#include <ringwatch/app/scene.h>
 #include <ringwatch/app/scene_mesh.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/handler.h>
@@ -23,11 +24,8 @@ constexpr SceneRange anything{};
 constexpr SceneRange positive{0, infinity, false, true};
 constexpr SceneRange notNegative{0, infinity, true, true};
 constexpr SceneRange atLeastOne{1, infinity, true, true};
-constexpr SceneRange levelCount{1, 12, true, true};
-constexpr SceneRange share{0, 1, true, false};  // 0 <= s < 1
-constexpr SceneRange unitInterval{0, 1, true, true};
+constexpr SceneRange share{0, 1, true, false};   // 0 <= s < 1
 constexpr SceneRange factor{0, 1, false, true};  // 0 < s <= 1
-constexpr SceneRange poissonRange{-1, 0.5, false, false};
 
 constexpr std::array<SceneSection, 11> sections{{
     {"mesh", false, true, "a file or a generator with its parameters"},
@@ -63,6 +61,78 @@ std::vector<std::string> handlerNames() {
   return names;
 }
 
+template <class Table>
+std::vector<std::pair<std::string, std::string>> aliasesOf(const Table& table) {
+  std::vector<std::pair<std::string, std::string>> aliases;
+  for (const auto& entry : table)
+    if (!entry.alias.empty()) aliases.emplace_back(entry.alias, entry.name);
+  return aliases;
+}
+
+std::vector<HandlerInfo> handlerInfos() {
+  std::vector<HandlerInfo> infos;
+  for (const HandlerEntry& entry : allHandlers()) infos.push_back(*entry.info);
+  return infos;
+}
+
+SceneType sceneTypeOf(const OptionInfo& option) {
+  if (option.type == OptionType::text) return SceneType::text;
+  if (option.automatic) return SceneType::numberOrAuto;
+  return option.type == OptionType::integer ? SceneType::integer : SceneType::number;
+}
+
+/// A declared option as a key of the scene. owner: stands before its help.
+SceneKey keyOf(std::string section, const OptionInfo& option) {
+  const bool text = option.type == OptionType::text || option.automatic;
+  SceneKey key{std::move(section),
+               std::string(option.name),
+               sceneTypeOf(option),
+               std::string(option.unit),
+               false,
+               option.fallback.empty() || !text ? std::string(option.fallback) : fmt::format("\"{}\"", option.fallback),
+               option.range,
+               {},
+               ""};
+  if (option.automatic && option.type == OptionType::text) key.choices.emplace_back("auto");
+  return key;
+}
+
+/// One key for options of the same name: it takes what any of them takes, and the entry that is chosen checks the rest.
+void join(SceneKey& key, const OptionInfo& option) {
+  for (const std::string_view choice : option.choices)
+    if (std::find(key.choices.begin(), key.choices.end(), choice) == key.choices.end())
+      key.choices.emplace_back(choice);
+  if (option.range.low < key.range.low)
+    key.range.low = option.range.low, key.range.lowIncluded = option.range.lowIncluded;
+  if (option.range.high > key.range.high)
+    key.range.high = option.range.high, key.range.highIncluded = option.range.highIncluded;
+}
+
+/// The options that entries of a registry declare, by name in the order of their first declaration; the help of each
+/// says whose it is.
+template <class Infos, class Member>
+std::vector<SceneKey> keysOfOptions(const std::string& section, const Infos& infos, Member options) {
+  std::vector<SceneKey> keys;
+  for (const auto& info : infos)
+    for (const OptionInfo& option : info.*options) {
+      if (std::ranges::find(keys, option.name, &SceneKey::key) != keys.end()) continue;
+      SceneKey& key = keys.emplace_back(keyOf(section, option));
+      std::vector<std::pair<std::string, std::string>> helps;  // whose, what
+      for (const auto& other : infos)
+        if (const OptionInfo* same = findOption(other.*options, option.name)) {
+          join(key, *same);
+          const auto known = std::ranges::find(helps, same->help, &std::pair<std::string, std::string>::second);
+          if (known == helps.end())
+            helps.emplace_back(other.name, same->help);
+          else
+            known->first += ", " + std::string(other.name);
+        }
+      for (const auto& [owners, help] : helps)
+        key.help += fmt::format("{}{}: {}", key.help.empty() ? "" : "; ", owners, help);
+    }
+  return keys;
+}
+
 std::vector<SceneKey> makeKeys() {
   using T = SceneType;
   std::vector<SceneKey> keys{
@@ -71,20 +141,13 @@ std::vector<SceneKey> makeKeys() {
        "kind of generated mesh, instead of file"},
   };
   for (SceneKey& key : generatorSceneKeys()) keys.push_back(std::move(key));
+  keys.push_back({"material", "model", T::text, "", true, "", anything, namesOf(allLaws()),
+                  "constitutive law; help laws lists its parameters"});
+  for (SceneKey& key : keysOfOptions("material", allLaws(), &LawInfo::parameters)) keys.push_back(std::move(key));
   const std::vector<SceneKey> rest{
-      {"material", "model", T::text, "", true, "", anything, namesOf(allLaws()), "constitutive law"},
-      {"material", "young", T::number, "Pa", true, "", positive, {}, "Young's modulus"},
-      {"material", "poisson", T::number, "", true, "", poissonRange, {}, "Poisson's ratio"},
       {"material", "density", T::number, "kg/m3", true, "", positive, {}, "density at rest"},
-      {"material",
-       "lumping",
-       T::text,
-       "",
-       false,
-       "\"row-sum\"",
-       anything,
-       {"row-sum", "equal"},
-       "how an element's mass goes to its nodes"},
+      {"material", "lumping", T::text, "", false, "\"row-sum\"", anything, lumpingNames.names(),
+       "how an element's mass goes to its nodes; " + lumpingNames.listing()},
       {"material",
        "rules",
        T::texts,
@@ -106,14 +169,7 @@ std::vector<SceneKey> makeKeys() {
        {},
        "step; \"auto\" follows the safe step whenever the monitor evaluates it"},
       {"integrator", "end", T::number, "s", true, "", positive, {}, "time at which the run ends"},
-      {"integrator",
-       "device",
-       T::text,
-       "",
-       false,
-       "\"cpu\"",
-       anything,
-       {"cpu", "cuda", "auto"},
+      {"integrator", "device", T::text, "", false, "\"cpu\"", anything, runDeviceNames.names(),
        "where the steps are taken; \"auto\" takes a GPU if there is one. Symplectic Euler without damping, alone or "
        "with imex; "
        "the state comes back at every look of the monitor and every row of the history"},
@@ -145,29 +201,14 @@ std::vector<SceneKey> makeKeys() {
        anything,
        {},
        "keep the proven bracket safe <= critical step <= optimistic; false is mode = \"metric\""},
-      {"monitor",
-       "mode",
-       T::text,
-       "",
-       false,
-       "\"bracket\"",
-       anything,
-       {"bracket", "threshold", "metric"},
-       "both proven sides at every look; or only whether the step is certified, which is cheapest; or the metric "
-       "alone"},
+      {"monitor", "mode", T::text, "", false, "\"bracket\"", anything, monitorModeNames.names(),
+       monitorModeNames.listing()},
       {"monitor", "metric", T::text, "", false, "\"none\"", anything, metricNames(),
        "also keep an estimate by this metric"},
       {"monitor", "margin", T::number, "", false, "0.1", share, {}, "taken off the step by metric"},
       {"monitor", "every", T::integer, "steps", false, "1", atLeastOne, {}, "steps between evaluations"},
-      {"monitor",
-       "on_violation",
-       T::text,
-       "",
-       false,
-       "\"stop\"",
-       anything,
-       {"stop", "warn", "reduce-step", "handle"},
-       "stop the run, go on, shorten the step as soon as it is no longer certified, or give the handler more elements"},
+      {"monitor", "on_violation", T::text, "", false, "\"stop\"", anything, onViolationNames.names(),
+       onViolationNames.listing()},
       {"monitor",
        "energy_tolerance",
        T::number,
@@ -188,18 +229,9 @@ std::vector<SceneKey> makeKeys() {
        {},
        "a run fails (exit status 1) unless every step is certified; as --require-certified"},
       {"handler", "method", T::text, "", false, "\"none\"", anything, handlerNames(),
-       "how elements that need a smaller step are treated"},
-      {"handler",
-       "selection",
-       T::text,
-       "",
-       false,
-       "\"certified\"",
-       anything,
-       {"certified", "reduced-1-ring", "single-element"},
-       "which elements: the fewest found without which the rest is proven stable, those whose reduced 1-ring is too "
-       "hot, or "
-       "those whose own frequency is too high"},
+       "how elements that need a smaller step are treated", aliasesOf(handlerInfos())},
+      {"handler", "selection", T::text, "", false, "\"certified\"", anything, selectionNames.names(),
+       "which elements; " + selectionNames.listing(), aliasesOf(selectionNames)},
       {"handler",
        "margin",
        T::number,
@@ -209,86 +241,9 @@ std::vector<SceneKey> makeKeys() {
        share,
        {},
        "elements are chosen as for a step of step/(1 - margin), so that the rest may stiffen"},
-      {"handler",
-       "dissipation",
-       T::number,
-       "",
-       false,
-       "0.1",
-       unitInterval,
-       {},
-       "imex, adaptive: of the handled elements; 0 none and second order, 1 with imex implicit Euler"},
-      {"handler",
-       "solver",
-       T::text,
-       "",
-       false,
-       "\"auto\"",
-       anything,
-       {"auto", "cholesky", "cg"},
-       "imex, implicit elements of adaptive: factored and turned with its elements, or conjugate gradients; auto by "
-       "the size of each cluster"},
-      {"handler",
-       "levels",
-       T::integer,
-       "",
-       false,
-       "6",
-       levelCount,
-       {},
-       "adaptive: finest step is step/2^levels; elements that need a smaller one are implicit"},
-      {"handler",
-       "variant",
-       T::text,
-       "",
-       false,
-       "\"auto\"",
-       anything,
-       {"auto", "stabilised", "plain", "linear", "rigid", "compliant", "projection"},
-       "adaptive: stabilised (damped local time stepping) or plain, which has resonances; fe-pbd: linear goals, or "
-       "rigid "
-       "as in the source; filtered: compliant constraints, or by projection as in the source; auto: the first of each"},
-      {"handler",
-       "passes",
-       T::integer,
-       "",
-       false,
-       "0",
-       notNegative,
-       {},
-       "fe-pbd, linear, and filtered, compliant: passes over the handled elements in a step; more make crowded ones "
-       "less "
-       "soft; 0: 1"},
-      {"handler",
-       "tolerance",
-       T::numberOrAuto,
-       "",
-       false,
-       "\"auto\"",
-       factor,
-       {},
-       "imex and adaptive: of cg, relative, auto 2e-3, on a GPU 1e-8; filtered: of the projected constraints, auto "
-       "1e-8"},
-      {"handler",
-       "iterations",
-       T::integer,
-       "",
-       false,
-       "200",
-       atLeastOne,
-       {},
-       "imex and adaptive: of cg, at most; filtered: of the projection"},
-      {"handler",
-       "on_failure",
-       T::text,
-       "",
-       false,
-       "\"stop\"",
-       anything,
-       {"stop", "reduce-step"},
-       "imex, adaptive: when a step fails, stop the run or halve its step"},
   };
   keys.insert(keys.end(), rest.begin(), rest.end());
+  for (SceneKey& key : keysOfOptions("handler", handlerInfos(), &HandlerInfo::options)) keys.push_back(std::move(key));
   for (const char* section : {"fix", "move", "force"}) {
     keys.push_back({section,
                     "where",
@@ -338,14 +293,7 @@ std::vector<SceneKey> makeKeys() {
        SceneRange{0, 0.5, true, true},
        {},
        "nodes nearer than this are taken as on the surface, which saves slivers; 0 cuts exactly"},
-      {"cut",
-       "positions",
-       T::text,
-       "",
-       false,
-       "\"deformed\"",
-       anything,
-       {"deformed", "reference"},
+      {"cut", "positions", T::text, "", false, "\"deformed\"", anything, cutPositionsNames.names(),
        "where the surface lies: in space at that time, or in the body at rest"},
       {"cut",
        "critical_step",
@@ -396,40 +344,19 @@ std::vector<SceneKey> makeKeys() {
 
 }  // namespace
 
-bool SceneRange::holds(double value) const {
-  return (lowIncluded ? value >= low : value > low) && (highIncluded ? value <= high : value < high);
-}
-
-std::string SceneRange::text() const {
-  std::string result;
-  if (low != -infinity) result = fmt::format("{} {}", lowIncluded ? ">=" : ">", low);
-  if (high != infinity)
-    result += fmt::format("{}{} {}", result.empty() ? "" : " and ", highIncluded ? "<=" : "<", high);
-  return result;
-}
-
 std::string_view sceneTypeName(SceneType type) {
-  switch (type) {
-    case SceneType::number:
-      return "number";
-    case SceneType::integer:
-      return "integer";
-    case SceneType::boolean:
-      return "true or false";
-    case SceneType::text:
-      return "text";
-    case SceneType::texts:
-      return "list of texts";
-    case SceneType::vector:
-      return "list of three numbers";
-    case SceneType::vectors:
-      return "list of points, each a list of three numbers";
-    case SceneType::numberOrAuto:
-      return "number or \"auto\"";
-    case SceneType::parameter:
-      return "parameter";
-  }
-  return "";
+  static constexpr auto names = nameTable<SceneType>({
+      {SceneType::number, "number"},
+      {SceneType::integer, "integer"},
+      {SceneType::boolean, "true or false"},
+      {SceneType::text, "text"},
+      {SceneType::texts, "list of texts"},
+      {SceneType::vector, "list of three numbers"},
+      {SceneType::vectors, "list of points, each a list of three numbers"},
+      {SceneType::numberOrAuto, "number or \"auto\""},
+      {SceneType::parameter, "parameter"},
+  });
+  return names.nameOf(type);
 }
 
 std::span<const SceneSection> sceneSections() { return sections; }
@@ -437,6 +364,15 @@ std::span<const SceneSection> sceneSections() { return sections; }
 std::span<const SceneKey> sceneKeys() {
   static const std::vector<SceneKey> keys = makeKeys();
   return keys;
+}
+
+bool isKeyOfEveryHandler(std::string_view key) {
+  return std::ranges::none_of(
+      allHandlers(), [&](const HandlerEntry& handler) { return findOption(handler.info->options, key) != nullptr; });
+}
+
+bool isLawParameter(std::string_view key) {
+  return std::ranges::any_of(allLaws(), [&](const LawInfo& law) { return findOption(law.parameters, key) != nullptr; });
 }
 
 std::string sceneHelp() {
@@ -455,6 +391,8 @@ std::string sceneHelp() {
       if (!key.fallback.empty()) line += ", default " + key.fallback;
       text += line + "\n" + fmt::format("  {:<17}   {}\n", "", key.help);
       if (!key.choices.empty()) text += fmt::format("  {:<17}   one of: {}\n", "", fmt::join(key.choices, ", "));
+      for (const auto& [alias, meant] : key.aliases)
+        text += fmt::format("  {:<17}   {} is an older name of {}\n", "", alias, meant);
     }
   }
   return text + "\nMesh generators and their parameters in [mesh]:\n" + generatorHelp();

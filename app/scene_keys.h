@@ -3,7 +3,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include <ringwatch/base/options.h>
 
 namespace ringwatch {
 
@@ -22,15 +25,7 @@ enum class SceneType {
 std::string_view sceneTypeName(SceneType type);
 
 /// Numbers a key accepts; every component's, for lists.
-struct SceneRange {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool lowIncluded = true, highIncluded = true;
-
-  bool holds(double value) const;
-  /// "> 0 and < 0.5"; "" when everything is accepted.
-  std::string text() const;
-};
+using SceneRange = NumberRange;
 
 /// One key of the scene format. The table of these drives validation, defaults, messages and the listing for people.
 struct SceneKey {
@@ -43,6 +38,7 @@ struct SceneKey {
   SceneRange range;
   std::vector<std::string> choices;  // what a text may be; empty for anything
   std::string help;
+  std::vector<std::pair<std::string, std::string>> aliases = {};  // of choices: other names that are accepted
 };
 
 struct SceneSection {
@@ -55,6 +51,10 @@ struct SceneSection {
 std::span<const SceneSection> sceneSections();
 /// Every key, in the order of the listing. The generator's parameters come from their registry.
 std::span<const SceneKey> sceneKeys();
+/// Whether a key of [handler] is one of those that all handlers share; the others are declared by handlers.
+bool isKeyOfEveryHandler(std::string_view key);
+/// Whether a key of [material] is a parameter of some law.
+bool isLawParameter(std::string_view key);
 /// The listing for people: every section and key with type, unit, default, range and help.
 std::string sceneHelp();
 

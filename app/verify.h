@@ -22,6 +22,9 @@ struct StudyInfo {
 /// All studies, one line each in studies.cpp. Empty in the program `ringwatch`, which leaves them to
 /// `ringwatch-verify`.
 std::span<const StudyInfo> allStudies();
+/// Adds one, in a program that has studies; call it when it starts, before any is asked for. Throws InputError when the
+/// name is taken.
+void registerStudy(const StudyInfo& study);
 
 /// Runs the studies of those names; "all" or nothing for every one. Throws InputError for an unknown name.
 std::vector<StudyReport> runStudies(const std::vector<std::string>& names, StudyEffort effort);

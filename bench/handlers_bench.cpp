@@ -13,6 +13,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/random.h>
 #include <ringwatch/handlers/handler.h>
+#include <ringwatch/handlers/implicit_cluster.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/cut.h>
 #include <ringwatch/meshes/generators.h>
@@ -175,8 +176,7 @@ void registerAll() {
   for (const Deformation& d : allDeformations(0.3)) {
     if (d.mesh != "cube") continue;
     for (const double tolerance : {2e-3, 1e-8}) {
-      HandlerOptions options;
-      options.cluster.tolerance = tolerance;
+      const HandlerOptions options{.own = {{"tolerance", tolerance}}};
       const std::string name = "imex/" + std::string(d.mode) + (d.byForce ? "/force" : "/position") +
                                (tolerance < 1e-5 ? "/tolerance:1e-8" : "");
       benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { imex(state, d, options); })

@@ -9,18 +9,19 @@ namespace ringwatch::detail {
 using BatchMaker = std::unique_ptr<ElementBlock> (*)(const Mesh&, const MeshBlock&, const Material&,
                                                      const QuadratureRule&);
 
+template <class Batch>
+std::unique_ptr<ElementBlock> makeBatch(const Mesh& mesh, const MeshBlock& block, const Material& material,
+                                        const QuadratureRule& rule) {
+  return std::make_unique<Batch>(mesh, block, material, rule);
+}
+
 /// The maker of batches of an element type with law number `law` of `Laws`; nullptr when the law is in another shard.
 template <std::size_t shard>
 BatchMaker batchMakerOfShard(ElementType type, std::size_t law) {
   BatchMaker result = nullptr;
   visitLawOfShard<shard>(law, [&]<class LawType>(TypeTag<LawType>) {
-    visitElement(type, [&](auto elementTag) {
-      using Batch = ElementBatch<typename decltype(elementTag)::type, LawType>;
-      result = [](const Mesh& mesh, const MeshBlock& block, const Material& material,
-                  const QuadratureRule& rule) -> std::unique_ptr<ElementBlock> {
-        return std::make_unique<Batch>(mesh, block, material, rule);
-      };
-    });
+    visitElement(
+        type, [&](auto elementTag) { result = makeBatch<ElementBatch<typename decltype(elementTag)::type, LawType>>; });
   });
   return result;
 }

@@ -8,6 +8,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <ringwatch/base/name_table.h>
 #include <ringwatch/base/parallel.h>
 #include <ringwatch/body/block_matrix.h>
 #include <ringwatch/body/constraints.h>
@@ -21,6 +22,11 @@ enum class Lumping {
   equal,   ///< mass over node count, as the source has it
   diagonalScaling,  ///< diagonal of the consistent mass, scaled to the element's mass (Hinton, Rock & Zienkiewicz 1976)
 };
+inline constexpr auto lumpingNames = nameTable<Lumping>({
+    {Lumping::rowSum, "row-sum", "row sums of the consistent mass, or diagonal-scaling where one is not positive"},
+    {Lumping::equal, "equal", "the same at each node"},
+    {Lumping::diagonalScaling, "diagonal-scaling", "diagonal of the consistent mass, scaled"},
+});
 
 struct BodyOptions {
   std::map<std::string, std::string> rules;  // element name -> quadrature rule name; the default rule where absent

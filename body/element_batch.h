@@ -111,7 +111,7 @@ class ElementBatch final : public ElementBlock {
  private:
   /// The material's law with a share of each of Lamé's constants.
   static LawType shareOf(const Material& material, double lambdaShare, double muShare) {
-    LawType law = std::get<LawType>(material.law);
+    LawType law = material.as<LawType>();
     if constexpr (requires { law.constants.lambda* law.constants.mu; }) {
       law.constants.lambda *= lambdaShare;
       law.constants.mu *= muShare;

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <ringwatch/base/error.h>
 
@@ -12,6 +13,21 @@ using BatchMaker = std::unique_ptr<ElementBlock> (*)(const Mesh&, const MeshBloc
                                                      const QuadratureRule&);
 template <std::size_t shard>
 BatchMaker batchMakerOfShard(ElementType type, std::size_t law);
+
+namespace {
+struct RegisteredBatches {
+  std::string_view law;
+  BatchMaker (*makerOf)(ElementType);
+};
+std::vector<RegisteredBatches>& registeredBatches() {
+  static std::vector<RegisteredBatches> all;
+  return all;
+}
+}  // namespace
+
+void registerBatches(std::string_view law, BatchMaker (*makerOf)(ElementType)) {
+  registeredBatches().push_back({law, makerOf});
+}
 }  // namespace detail
 
 void ElementBlock::gatherRows(const Patch& patch, const double* x, double* rows) const {
@@ -33,6 +49,9 @@ std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock
     for (const QuadratureRule& r : element.rules) names += (names.empty() ? "" : ", ") + std::string(r.name);
     throw InputError(joinText("rule \"", ruleName, "\" for ", element.name, ": must be one of ", names));
   }
+  if (material.outside)
+    for (const auto& [law, makerOf] : detail::registeredBatches())
+      if (law == material.outside->info.name) return makerOf(block.type)(mesh, block, material, *rule);
   detail::BatchMaker make = nullptr;
   [&]<std::size_t... shard>(std::index_sequence<shard...>) {
     ((make = make ? make : detail::batchMakerOfShard<shard>(block.type, material.law.index())), ...);

@@ -362,13 +362,13 @@ struct CertificateLauncher {
                    const CertificateView& view, [[maybe_unused]] const NodalSums& sums, [[maybe_unused]] double sigma, \
                    cudaStream_t stream)
   RINGWATCH_LAUNCH(start) {
-    startShapesKernel<Element, Law>
-        <<<block.patchCount, threads, 0, stream>>>(block, nodes, Law{law.lame}, Patches::tableOf(*law.rule), view);
+    startShapesKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(block, nodes, std::get<Law>(law.law),
+                                                                              Patches::tableOf(*law.rule), view);
     checkLaunch("start of the shapes");
   }
   RINGWATCH_LAUNCH(evaluate) {
-    evaluateKernel<Element, Law>
-        <<<block.patchCount, threads, 0, stream>>>(block, nodes, Law{law.lame}, Patches::tableOf(*law.rule), view);
+    evaluateKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(block, nodes, std::get<Law>(law.law),
+                                                                           Patches::tableOf(*law.rule), view);
     checkLaunch("element values");
   }
   RINGWATCH_LAUNCH(sweep) {
@@ -378,7 +378,7 @@ struct CertificateLauncher {
     checkLaunch("sweep of the shapes");
   }
   RINGWATCH_LAUNCH(deal) {
-    dealKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(block, nodes, Law{law.lame},
+    dealKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(block, nodes, std::get<Law>(law.law),
                                                                        Patches::tableOf(*law.rule), view, sums, sigma);
     checkLaunch("budgets and balls");
   }
@@ -387,7 +387,7 @@ struct CertificateLauncher {
   }
   RINGWATCH_LAUNCH(refresh) {
     refreshKernel<Element, Law>
-        <<<refreshBlocks, 32, 0, stream>>>(block, nodes, Law{law.lame}, Patches::tableOf(*law.rule), view);
+        <<<refreshBlocks, 32, 0, stream>>>(block, nodes, std::get<Law>(law.law), Patches::tableOf(*law.rule), view);
     checkLaunch("refresh of the balls");
   }
 #undef RINGWATCH_LAUNCH

@@ -97,6 +97,9 @@ DeviceBody<R>::Impl::Impl(const DeviceBodyInput& input, const DevicePlan& plan) 
                      bytesOf(plan.slot) + static_cast<std::size_t>(patchCount) * sizeof(double);
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
     const QuadratureRule& rule = *input.rules[b];
+    if (input.materials[b].outside)
+      throw InputError(joinText("block ", b, ": the law \"", input.materials[b].lawName(),
+                                "\" is registered for the CPU: choose another law, or device = \"cpu\""));
     if (rule.shares.mean())
       throw InputError(joinText("block ", b, ": rule \"", rule.name,
                                 "\" evaluates the element's mean, which the device does not: choose another rule, or "
@@ -121,7 +124,7 @@ DeviceBody<R>::Impl::Impl(const DeviceBodyInput& input, const DevicePlan& plan) 
     block.elementCount = mesh.blocks[b].elementCount();
     block.elements = from.elements;
     block.operations = patchOperations<R>(block.type, block.lawIndex);
-    block.law = {input.materials[b].lame(), input.rules[b]};
+    block.law = {input.materials[b].law, input.rules[b]};
     block.patches = DeviceVector<DevicePatch>(from.patches);
     block.corners = DeviceVector<std::uint16_t>(from.corners);
     block.rows = DeviceVector<std::uint16_t>(from.rows);

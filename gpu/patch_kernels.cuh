@@ -356,15 +356,15 @@ struct PatchLauncher {
         ((tangent ? 6 : 3) * block.nodeCapacity + 3 * (n * threads + 1)) * sizeof(R) + 64 * block.rowCapacity;
     checkCuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(bytes)),
               "shared memory of the patch kernel");
-    kernel<<<block.patchCount, threads, bytes, stream>>>(block, nodes, Law{parameters.lame}, tableOf(*parameters.rule),
-                                                         direction, result, check);
+    kernel<<<block.patchCount, threads, bytes, stream>>>(block, nodes, std::get<Law>(parameters.law),
+                                                         tableOf(*parameters.rule), direction, result, check);
     checkLaunch("patch kernel");
   }
   static void energy(const BlockView<R>& block, const NodeView<R>& nodes, const LawParameters& parameters,
                      double* partial, cudaStream_t stream) {
     if (block.patchCount == 0) return;
     energyKernel<Element, Law, R><<<block.patchCount, threads, 3 * block.nodeCapacity * sizeof(R), stream>>>(
-        block, nodes, Law{parameters.lame}, tableOf(*parameters.rule), partial);
+        block, nodes, std::get<Law>(parameters.law), tableOf(*parameters.rule), partial);
     checkLaunch("energy kernel");
   }
 

@@ -3,13 +3,13 @@
 
 #include <ringwatch/elements/registry.h>
 #include <ringwatch/gpu/kernel_views.h>
-#include <ringwatch/materials/lame.h>
+#include <ringwatch/materials/registry.h>
 
 namespace ringwatch {
 
 /// What the kernels of a block need besides its views.
 struct LawParameters {
-  Lame lame;
+  Law law;
   const QuadratureRule* rule;
 };
 

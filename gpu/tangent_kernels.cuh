@@ -1,7 +1,6 @@
 #pragma once
 #include <ringwatch/gpu/tangent_operations.h>
 #include <ringwatch/materials/rotation.h>
-#include <ringwatch/materials/stiffening.h>
 #include <ringwatch/monitor/power_iteration.h>
 #include <ringwatch/gpu/certificate_kernels.cuh>
 
@@ -133,7 +132,7 @@ __global__ void __launch_bounds__(listThreads)
   const KeptDisplacements kept{imex.u, elements.node + e, elements.count};
 
   Matrix3<double> R = Matrix3<double>::identity();
-  constexpr bool stiffens = stiffensWithStretch(Law::name);
+  constexpr bool stiffens = Law::tangentStiffens;
   double stiffening = 1;
   bool finite = true;
   if (rest || stiffens) {
@@ -206,7 +205,7 @@ struct TangentLauncher {
         3 * (tetrahedronPairs * patchThreads(4) + 1) * static_cast<int>(sizeof(double)) + 64 * ring.rowCapacity;
     checkCuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, bytes),
               "shared memory of the assembly");
-    kernel<<<block.patchCount, patchThreads(4), bytes, stream>>>(block, nodes, Law{law.lame},
+    kernel<<<block.patchCount, patchThreads(4), bytes, stream>>>(block, nodes, std::get<Law>(law.law),
                                                                  Patches::tableOf(*law.rule), ring, view);
     checkLaunch("assembly of reduced rings");
   }
@@ -215,7 +214,7 @@ struct TangentLauncher {
                                const ImexElementsView& elements, const ImexView& imex, cudaStream_t stream) {
     if (elements.count == 0) return;
     implicitElementsKernel<Element, Law><<<(elements.count + listThreads - 1) / listThreads, listThreads, 0, stream>>>(
-        block, Law{law.lame}, Patches::tableOf(*law.rule), elements, imex, rest);
+        block, std::get<Law>(law.law), Patches::tableOf(*law.rule), elements, imex, rest);
     checkLaunch("implicit elements");
   }
 };

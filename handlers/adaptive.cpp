@@ -38,7 +38,7 @@ class Adaptive::Averaged final : public SecondOrderSystem {
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
     owner_.averagedAcceleration(x, v, h_, a);
   }
-  bool velocityDependent() const override { return owner_.options_.dissipation != 0; }
+  bool velocityDependent() const override { return owner_.dissipation_ != 0; }
 
  private:
   Adaptive& owner_;
@@ -46,20 +46,13 @@ class Adaptive::Averaged final : public SecondOrderSystem {
 };
 
 Adaptive::Adaptive(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
-    : Handler(body, std::move(base), std::move(options)), stabilised_(options_.variant != "plain") {
-  if (stabilised_ && !options_.variant.empty() && options_.variant != "stabilised")
-    throw InputError(joinText("variant \"", options_.variant, "\" of adaptive: must be one of stabilised, plain"));
-  // Levels split the mass of a node, and the bound by single elements needs each to have its own.
-  if (options_.selection == "single-element")
-    throw InputError("selection \"single-element\": adaptive takes certified or reduced-1-ring");
-  if (!(options_.dissipation >= 0 && options_.dissipation <= 1))
-    throw InputError(joinText("dissipation ", options_.dissipation, ": must be >= 0 and <= 1"));
-  constexpr int most = 12;
-  if (!(options_.levels >= 1 && options_.levels <= most))
-    throw InputError(joinText("levels ", options_.levels, ": must be >= 1 and <= ", most));
-}
+    : Handler(description, body, std::move(base), std::move(options)),
+      stabilised_(options_.own.text("variant") == variants[0]),
+      levelLimit_(options_.own.integer("levels")),
+      dissipation_(options_.own.number("dissipation")),
+      cluster_(clusterOptionsOf(options_.own)) {}
 
-double Adaptive::deepest(double h) const { return std::pow(4.0, options_.levels) * allowedLambda(h); }
+double Adaptive::deepest(double h) const { return std::pow(4.0, levelLimit_) * allowedLambda(h); }
 
 std::vector<Adaptive::Level> Adaptive::plan(const std::vector<std::vector<double>>& lambdas, double h) const {
   std::vector<double> sorted;
@@ -71,8 +64,8 @@ std::vector<Adaptive::Level> Adaptive::plan(const std::vector<std::vector<double
     return static_cast<double>(std::upper_bound(sorted.begin(), sorted.end(), lambda) - sorted.begin());
   };
   const double deep = count - below(deepest(h));
-  const double weights[]{stabilised_ ? 1 + 2 * options_.dissipation : 1, 1}, share = stabilised_ ? coarseShare : 0,
-                                                                             least = stabilised_ ? trough : 0;
+  const double weights[]{stabilised_ ? 1 + 2 * dissipation_ : 1, 1}, share = stabilised_ ? coarseShare : 0,
+                                                                     least = stabilised_ ? trough : 0;
   // Ceilings only scale the filters: their reach over that of p small steps, [ratio][whether inner].
   std::vector<double> reach;
   for (const int p : ratios)
@@ -91,12 +84,12 @@ std::vector<Adaptive::Level> Adaptive::plan(const std::vector<std::vector<double
     const double own = std::max(0.0, below(ceiling * room * substeps * substeps / (h * h)) - counted),
                  left = count - counted - own, total = cost + substeps * (own + (substeps > 1 ? callCost : 0));
     const double whole = total + substeps * implicitCost * left;
-    if ((left <= deep || substeps == 1 << options_.levels) && whole < leastCost) {
+    if ((left <= deep || substeps == 1 << levelLimit_) && whole < leastCost) {
       leastCost = whole;
       best = steps;
     }
     if (steps.size() > mostFineLevels) return;
-    for (std::size_t p = 0; p < ratios.size() && substeps * ratios[p] <= 1 << options_.levels; ++p) {
+    for (std::size_t p = 0; p < ratios.size() && substeps * ratios[p] <= 1 << levelLimit_; ++p) {
       steps.push_back({substeps * ratios[p], ceiling * reach[2 * p + (steps.size() > 1)]});
       self(self, total, counted + own);
       steps.pop_back();
@@ -128,7 +121,7 @@ Eigen::VectorXd Adaptive::massBeside(const ElementFlags& finer, double share) co
 
 ElementFlags Adaptive::finerThan(const Level& level, const ElementFlags& left, const NodeVectors& x, ElementFlags finer,
                                  std::int64_t& evaluations) const {
-  if (options_.selection != "certified") {
+  if (options_.selection != Selection::certified) {
     const ElementFlags hot = selectByReducedRing(body_, x, level.lambda);
     evaluations += static_cast<std::int64_t>(body_.mesh().elementCount());
     for (std::size_t b = 0; b < finer.size(); ++b)
@@ -187,7 +180,7 @@ ElementFlags Adaptive::choose(const NodeVectors& x, double h, const ElementFlags
       left = std::move(finer);
     }
     bool again = false;
-    if (levels.back().substeps < 1 << options_.levels)
+    if (levels.back().substeps < 1 << levelLimit_)
       for (const ElementRef e : chosenElements(left)) {
         double& lambda = lambdas[at(e.block)][at(e.element)];
         if (!(lambda <= deepest(h))) continue;
@@ -214,8 +207,8 @@ void Adaptive::take(const NodeVectors& x, double h, const ElementFlags& chosen) 
   if (fine.empty()) fine.push_back({noElements(body_.mesh()), {}, h});
   // A tenth more than at rest: K̂ is kept while elements turn by a few hundredths (ImplicitCluster).
   constexpr double lag = 1.1;
-  const double weight = lag * (levels_.size() == 1 ? 1 + 2 * options_.dissipation : 1);
-  filter_.emplace(body_, std::move(fine), implicit_, weight * step * step / ceiling, x, options_.cluster);
+  const double weight = lag * (levels_.size() == 1 ? 1 + 2 * dissipation_ : 1);
+  filter_.emplace(body_, std::move(fine), implicit_, weight * step * step / ceiling, x, cluster_);
   coarse_.emplace(body_, complement(chosen));
   inverseMass_ = body_.lumpedMass().cwiseInverse();
   splitOff(chosen, massBeside(chosen, levels_.front().massShare));
@@ -276,14 +269,15 @@ void Adaptive::averagedAcceleration(const NodeVectors& x, const NodeVectors& v, 
     fineX_.col(i) = x.col(nodes[static_cast<std::size_t>(i)]);
     fineA_.col(i) = a.col(nodes[static_cast<std::size_t>(i)]);
   }
-  if (options_.dissipation != 0) addStrainVelocity(x, v, options_.dissipation * h);
+  if (dissipation_ != 0) addStrainVelocity(x, v, dissipation_ * h);
   std::string fault = filter_->apply(fineX_, fineA_);
   if (fault_.empty()) fault_ = std::move(fault);
   for (Eigen::Index i = 0; i < n; ++i) a.col(nodes[static_cast<std::size_t>(i)]) = fineA_.col(i);
 }
 
 StepStatus Adaptive::handledStep(SecondOrderSystem& system, State& state, double h) {
-  if (system.velocityDependent()) throw InputError("adaptive: the system has damping, which it does not work with");
+  if (system.velocityDependent())
+    throw InputError("local-time-stepping: the system has damping, which it does not work with");
   Averaged averaged(*this, h);
   fault_.clear();
   return baseStep(averaged, state, h, fault_);

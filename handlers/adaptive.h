@@ -27,7 +27,7 @@ namespace ringwatch {
 /// is K_0 + (1 + 2α) Σ K_k ≼ (4/h²) M E_0⁻¹: with the quotients b of h² E_0 M⁻¹ K and d of its fine part, z² - (2 - b -
 /// α d) z + 1 - α d = 0, whose roots have |z| <= 1 for 0 <= b, d and b + 2 α d <= 4. The certified selection proves
 /// each level's tangent; levels, p_k among them, are chosen for the least number of evaluations by the reduced 1-rings.
-/// With "reduced-1-ring" nothing is proven.
+/// With Selection::fierzRing nothing is proven.
 ///
 /// Elements that need a step below h/2^levels are implicit: E_n⁻¹ = 1 + M⁻¹ w K̂ with w = 1.1 r τ_n²/G_(n+1), K̂ of
 /// ImplicitCluster and r that of the last level, carries every K_I ≼ 1.1 K̂ by the same induction, at one solve of their
@@ -38,9 +38,35 @@ namespace ringwatch {
 /// force outgrows the force fails.
 class Adaptive final : public Handler {
  public:
-  static constexpr HandlerInfo description{"adaptive", "smaller steps where they are needed, by levels h/2^k"};
+  static constexpr std::array<std::string_view, 2> variants{"stabilised", "plain"};
+  static constexpr std::array table{
+      OptionInfo{.name = "variant",
+                 .type = OptionType::text,
+                 .choices = variants,
+                 .automatic = true,
+                 .fallback = "auto",
+                 .help = "stabilised (damped local time stepping) or plain, which has resonances"},
+      OptionInfo{.name = "levels",
+                 .type = OptionType::integer,
+                 .range = {1, 12, true, true},
+                 .fallback = "6",
+                 .help = "finest step is step/2^levels; elements that need a smaller one are implicit"},
+      OptionInfo{.name = "dissipation",
+                 .range = {0, 1, true, true},
+                 .fallback = "0.1",
+                 .help = "of the handled elements: 0 none and second order"},
+      solverOption,
+      solverToleranceOption,
+      solverIterationsOption,
+      onFailureOption};
+  // Levels split the mass of a node, and the bound by single elements needs each to have its own.
+  static constexpr std::array selections{Selection::certified, Selection::fierzRing};
+  static constexpr HandlerInfo description{.name = "local-time-stepping",
+                                           .help = "smaller steps where they are needed, by levels h/2^k",
+                                           .alias = "adaptive",
+                                           .options = table,
+                                           .selections = selections};
   Adaptive(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
-  const HandlerInfo& handlerInfo() const override { return description; }
   std::vector<HandlerFigure> figures() const override;
   /// A finer level whose tangent is above what its filter takes. Of implicit elements nothing is said.
   std::string uncertifiedPart(const NodeVectors& x) override;
@@ -81,6 +107,9 @@ class Adaptive final : public Handler {
   void addStrainVelocity(const NodeVectors& x, const NodeVectors& v, double share);
 
   bool stabilised_;
+  int levelLimit_;
+  double dissipation_;
+  ClusterOptions cluster_;
   std::vector<Level> levels_;
   ElementFlags implicit_;
   std::optional<Body> coarse_;  // the elements of level 0

@@ -8,7 +8,6 @@
 #include <Eigen/LU>
 
 #include <ringwatch/materials/rotation.h>
-#include <ringwatch/materials/stiffening.h>
 #include <ringwatch/monitor/power_iteration.h>
 
 namespace ringwatch {
@@ -74,8 +73,9 @@ void ClusterMatrix::addGroup(std::int32_t block, std::vector<std::int32_t> eleme
   g.block = body_.blocks()[static_cast<std::size_t>(block)].get();
   g.n = g.block->element().nodes;
   g.pairs = g.n * (g.n + 1) / 2;
-  g.objective = g.block->material().lawName() != "linear";
-  g.stiffens = stiffensWithStretch(g.block->material().lawName());
+  const LawInfo law = g.block->material().info();
+  g.objective = law.objective;
+  g.stiffens = law.tangentStiffens;
   // Along the space-filling curve: elements of a batch turn together, chunks share few nodes.
   const auto& order = g.block->layout().batchOfElement;
   std::sort(elements.begin(), elements.end(), [&](std::int32_t a, std::int32_t b) {

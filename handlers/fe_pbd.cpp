@@ -5,15 +5,6 @@
 #include <ringwatch/base/error.h>
 
 namespace ringwatch {
-namespace {
-
-GoalShape goalOf(const std::string& variant) {
-  if (variant.empty() || variant == "linear") return GoalShape::linear;
-  if (variant == "rigid") return GoalShape::rigid;
-  throw InputError(joinText("variant \"", variant, "\" of fe-pbd: must be one of linear, rigid"));
-}
-
-}  // namespace
 
 class PositionBased::Relaxed final : public SecondOrderSystem {
  public:
@@ -34,17 +25,14 @@ class PositionBased::Relaxed final : public SecondOrderSystem {
 };
 
 PositionBased::PositionBased(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
-    : Handler(body, std::move(base), std::move(options)), goal_(goalOf(options_.variant)) {
-  if (options_.passes == 0) options_.passes = 1;
-  if (options_.passes < 1 || options_.passes > 32)
-    throw InputError(
-        joinText("passes ", options_.passes, ": must be >= 1 and <= 32; where that is too few, take imex"));
-}
+    : Handler(description, body, std::move(base), std::move(options)),
+      goal_(options_.own.text("variant") == variants[0] ? GoalShape::linear : GoalShape::rigid),
+      passes_(std::max(1, options_.own.integer("passes"))) {}
 
 void PositionBased::take(const NodeVectors&, double h, const ElementFlags& chosen) {
   const auto elements = chosenElements(chosen);
   requireTurningTetrahedra(elements);
-  relaxed_ = std::make_unique<RelaxedTetrahedra>(body_, elements, h, goal_, options_.passes);
+  relaxed_ = std::make_unique<RelaxedTetrahedra>(body_, elements, h, goal_, passes_);
   inverseMass_ = body_.lumpedMass().cwiseInverse();
   splitOff(chosen);
 }

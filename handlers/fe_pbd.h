@@ -18,9 +18,23 @@ namespace ringwatch {
 /// elements than tet4, and laws that do not turn with the element, are refused.
 class PositionBased final : public Handler {
  public:
-  static constexpr HandlerInfo description{"fe-pbd", "moves the nodes of critical tetrahedra towards goal shapes"};
+  static constexpr std::array<std::string_view, 2> variants{"linear", "rigid"};
+  static constexpr std::array table{
+      OptionInfo{.name = "variant",
+                 .type = OptionType::text,
+                 .choices = variants,
+                 .automatic = true,
+                 .fallback = "auto",
+                 .help = "linear goals, or rigid as in the source"},
+      OptionInfo{.name = "passes",
+                 .type = OptionType::integer,
+                 .range = {0, 32, true, true},
+                 .fallback = "0",
+                 .help = "over the handled elements in a step; more make crowded ones less soft; 0: 1",
+                 .onlyWith = {"variant", std::span(variants).first<1>()}}};
+  static constexpr HandlerInfo description{
+      .name = "fe-pbd", .help = "moves the nodes of critical tetrahedra towards goal shapes", .options = table};
   PositionBased(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
-  const HandlerInfo& handlerInfo() const override { return description; }
   std::vector<HandlerFigure> figures() const override;
 
  protected:
@@ -34,6 +48,7 @@ class PositionBased final : public Handler {
   class Relaxed;
 
   GoalShape goal_;
+  int passes_;
   std::unique_ptr<RelaxedTetrahedra> relaxed_;
   Eigen::VectorXd inverseMass_;
   NodeVectors force_;

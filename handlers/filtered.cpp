@@ -16,7 +16,7 @@ class Filtered::Corrected final : public SecondOrderSystem {
     o.explicitBody().internalForce(x, o.force_, o.workspace_);
     a = (o.body_.externalForce() - o.force_) * o.inverseMass_.asDiagonal();
     o.body_.constraints().clearConstrained(a);
-    const bool finite = o.tetrahedra_->act(x, v, a, o.projects_ ? 0 : o.options_.passes);
+    const bool finite = o.tetrahedra_->act(x, v, a, o.projects_ ? 0 : o.passes_);
     if (!finite && fault.empty()) fault = "the handled elements' nodes are not at finite positions";
     if (o.projection_) {
       o.predicted_ = x + h_ * (v + h_ * a);
@@ -37,16 +37,9 @@ class Filtered::Corrected final : public SecondOrderSystem {
 };
 
 Filtered::Filtered(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
-    : Handler(body, std::move(base), std::move(options)), projects_(options_.variant == "projection") {
-  if (!projects_ && !options_.variant.empty() && options_.variant != "compliant")
-    throw InputError(joinText("variant \"", options_.variant, "\" of filtered: must be one of compliant, projection"));
-  if (options_.selection == "reduced-1-ring")
-    throw InputError(
-        "filtered leaves handled elements in the explicit part: selection must be certified or "
-        "single-element");
-  if (options_.passes == 0) options_.passes = 1;
-  if (options_.passes < 1) throw InputError(joinText("passes ", options_.passes, ": must be >= 1"));
-}
+    : Handler(description, body, std::move(base), std::move(options)),
+      projects_(options_.own.text("variant") == variants[1]),
+      passes_(std::max(1, options_.own.integer("passes"))) {}
 
 void Filtered::take(const NodeVectors&, double h, const ElementFlags& chosen) {
   const auto elements = chosenElements(chosen);
@@ -75,8 +68,9 @@ void Filtered::take(const NodeVectors&, double h, const ElementFlags& chosen) {
   }
   tetrahedra_ = std::make_unique<FilteredTetrahedra>(body_, elements, budgets, h);
   if (projects_)
-    projection_.emplace(body_, shapeConstraints(body_.mesh(), elements), options_.projectionTolerance,
-                        options_.cluster.iterations);
+    projection_.emplace(body_, shapeConstraints(body_.mesh(), elements),
+                        options_.own.automatic("tolerance") ? 1e-8 : options_.own.number("tolerance"),
+                        options_.own.integer("iterations"));
   inverseMass_ = body_.lumpedMass().cwiseInverse();
   splitOff(chosen);
 }
@@ -93,7 +87,7 @@ std::vector<HandlerFigure> Filtered::figures() const {
     result.push_back({"constraints", static_cast<double>(projection_->constraints().size())});
     result.push_back({"iterations", static_cast<double>(projection_->iterations())});
   } else {
-    result.push_back({"passes", static_cast<double>(options_.passes)});
+    result.push_back({"passes", static_cast<double>(passes_)});
   }
   return result;
 }

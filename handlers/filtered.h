@@ -20,8 +20,8 @@ namespace ringwatch {
 /// Block Gauss–Seidel forward and back over the elements: near rest, any number of passes moves the nodes by (I + h²
 /// M⁻¹ Σ(K - K'))⁻¹ ≼ P ≼ I, and the step is stable as in PositionBased.
 ///
-/// Budgets of stiffness: the element's own lumped mass times ω²_max with the selection "single-element", the source's;
-/// with "certified" an even share of what the bound of the other elements leaves at each node. Either way K_E + K' ≼
+/// Budgets of stiffness: the element's own lumped mass times ω²_max with the Selection::elementFrequency, the source's;
+/// with `certified` an even share of what the bound of the other elements leaves at each node. Either way K_E + K' ≼
 /// ω²_max M at the state of the choice, the explicit part is proven stable.
 ///
 /// Handled elements follow linear elasticity in the frame that turns with them, at small strains any law here; the
@@ -29,9 +29,42 @@ namespace ringwatch {
 /// torque about x; those of the projection about the positions it ends at.
 class Filtered final : public Handler {
  public:
-  static constexpr HandlerInfo description{"filtered", "critical tetrahedra softened, and held by constraints"};
+  static constexpr std::array<std::string_view, 2> variants{"compliant", "projection"};
+  static constexpr auto compliantAlone = std::span(variants).first<1>(),
+                        projectionAlone = std::span(variants).last<1>();
+  static constexpr std::array table{
+      OptionInfo{.name = "variant",
+                 .type = OptionType::text,
+                 .choices = variants,
+                 .automatic = true,
+                 .fallback = "auto",
+                 .help = "compliant constraints, or by projection as in the source"},
+      OptionInfo{.name = "passes",
+                 .type = OptionType::integer,
+                 .range = {0, 2147483647, true, true},
+                 .fallback = "0",
+                 .help = "over the handled elements in a step; more make crowded ones less soft; 0: 1",
+                 .onlyWith = {"variant", compliantAlone}},
+      OptionInfo{.name = "tolerance",
+                 .range = {0, 1, false, true},
+                 .automatic = true,
+                 .fallback = "auto",
+                 .help = "of the projected constraints; auto 1e-8",
+                 .onlyWith = {"variant", projectionAlone}},
+      OptionInfo{.name = "iterations",
+                 .type = OptionType::integer,
+                 .range = {1, 2147483647, true, true},
+                 .fallback = "200",
+                 .help = "of the projection, at most",
+                 .onlyWith = {"variant", projectionAlone}}};
+  // Handled elements stay in the explicit part, which needs a proof.
+  static constexpr std::array selections{Selection::certified, Selection::elementFrequency};
+  static constexpr HandlerInfo description{.name = "modal-filter",
+                                           .help = "critical tetrahedra softened, and held by constraints",
+                                           .alias = "filtered",
+                                           .options = table,
+                                           .selections = selections};
   Filtered(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
-  const HandlerInfo& handlerInfo() const override { return description; }
   std::vector<HandlerFigure> figures() const override;
 
  protected:
@@ -45,6 +78,7 @@ class Filtered final : public Handler {
   class Corrected;
 
   bool projects_;
+  int passes_;
   std::unique_ptr<FilteredTetrahedra> tetrahedra_;
   std::optional<ConstraintProjection> projection_;
   Eigen::VectorXd inverseMass_;

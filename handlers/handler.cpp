@@ -13,16 +13,42 @@ bool takesHandler(const IntegratorInfo& info) {
          !info.partitioned;
 }
 
-Handler::Handler(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
-    : body_(body), base_(std::move(base)), options_(std::move(options)), chosen_(noElements(body.mesh())) {
-  if (!takesHandler(base_->info()))
-    throw InputError(joinText("handlers work on symplectic-euler and verlet, not on \"", base_->info().name, "\""));
-  if (options_.selection != "certified" && options_.selection != "reduced-1-ring" &&
-      options_.selection != "single-element")
+bool HandlerInfo::takes(Selection selection) const {
+  return std::ranges::find(selections, selection) != selections.end();
+}
+
+HandlerOptions optionsFor(const HandlerInfo& info, const HandlerOptions& options) {
+  HandlerOptions result{
+      info.takes(options.selection) ? options.selection : info.selections.front(), options.margin, {}};
+  // Those that others depend on come first.
+  for (const bool dependent : {false, true})
+    for (const OptionInfo& option : info.options) {
+      const OptionValue* value = options.own.find(option.name);
+      if (!value || option.onlyWith.option.empty() == dependent) continue;
+      Options with = result.own;
+      if (optionFault(info.options, with.set(option.name, *value), option.name).empty()) result.own = std::move(with);
+    }
+  return result;
+}
+
+Handler::Handler(const HandlerInfo& info, Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
+    : body_(body), base_(std::move(base)), options_(std::move(options)), info_(info), chosen_(noElements(body.mesh())) {
+  if (!takesHandler(base_->info())) {
+    std::string names;
+    for (const IntegratorEntry& entry : coreIntegrators())
+      if (takesHandler(*entry.info)) names += joinText(names.empty() ? "" : " and ", entry.info->name);
+    throw InputError(joinText("handlers work on ", names, ", not on \"", base_->info().name, "\""));
+  }
+  if (!info.takes(options_.selection)) {
+    std::string names;
+    for (const Selection one : info.selections)
+      names += joinText(names.empty() ? "" : " or ", selectionNames.nameOf(one));
     throw InputError(
-        joinText("selection \"", options_.selection, "\": must be one of certified, reduced-1-ring, single-element"));
+        joinText(info.name, ": selection \"", selectionNames.nameOf(options_.selection), "\": must be ", names));
+  }
   if (!(options_.margin >= 0 && options_.margin < 1))
     throw InputError(joinText("margin ", options_.margin, ": must be >= 0 and < 1"));
+  options_.own = completed(info.name, info.options, options_.own);
 }
 
 void Handler::prepare(const NodeVectors& x, double h) { prepareFor(x, h, {}); }
@@ -31,7 +57,7 @@ void Handler::prepare(const NodeVectors& x, double h, const CutMesh& cut, const 
   chosen_ = carriedOver(cut, before.chosen_);
   kept_ = before.kept_;
   kept_.carryOver(cut);
-  if (options_.selection == "certified") {
+  if (options_.selection == Selection::certified) {
     // What stands beside the cut may be given back.
     const std::vector<bool> near = touchedNodes(body_, cut.changed);
     for (const ElementRef e : chosenElements(chosen_))
@@ -47,7 +73,7 @@ void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& loo
   lookAt_ = lookAt;
   ElementFlags chosen = choose(x, h, chosen_);
   h_ = h;
-  certified_ = options_.selection != "reduced-1-ring";
+  certified_ = options_.selection != Selection::fierzRing;
   chosen_ = std::move(chosen);
   elements_ = chosenElements(chosen_);
   places_.assign(body_.blocks().size(), {});
@@ -61,12 +87,12 @@ void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& loo
 }
 
 ElementFlags Handler::chooseFor(const NodeVectors& x, double lambda, const ElementFlags& keep) {
-  if (options_.selection == "certified") {
+  if (options_.selection == Selection::certified) {
     const ElementFlags chosen = kept_.choose(body_, x, lambda, keep).chosen;
     judged_ = {kept_.judged(), kept_.last().evaluations};
     return chosen;
   }
-  const bool rings = options_.selection == "reduced-1-ring";
+  const bool rings = options_.selection == Selection::fierzRing;
   ElementFlags chosen =
       rings ? selectByReducedRing(body_, x, lambda, lookAt_) : selectBySingleElement(body_, x, lambda);
   const std::size_t count = rings && !lookAt_.empty() ? chosenElements(lookAt_).size() : body_.mesh().elementCount();
@@ -77,7 +103,7 @@ ElementFlags Handler::chooseFor(const NodeVectors& x, double lambda, const Eleme
 }
 
 const CertifiedSelection* Handler::certificate() const {
-  return options_.selection == "certified" ? &kept_.last() : nullptr;
+  return options_.selection == Selection::certified ? &kept_.last() : nullptr;
 }
 
 double Handler::allowedLambda(double h) const {
@@ -103,11 +129,11 @@ void Handler::requireTurningTetrahedra(const std::vector<ElementRef>& elements) 
   for (const ElementRef e : elements) {
     const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(e.block)];
     const std::string_view name = handlerInfo().name;
-    if (block.element().name != "tet4")
+    if (body_.mesh().blocks[static_cast<std::size_t>(e.block)].type != elementTypeOf<Tet4>)
       throw InputError(joinText(name, " handles tet4, and element ", e.block, ":", e.element, " is a ",
                                 block.element().name, "; take imex"));
-    if (block.material().lawName() == "linear")
-      throw InputError(joinText(name, " turns with its elements, and the law \"linear\" does not; take imex"));
+    if (const LawInfo law = block.material().info(); !law.objective)
+      throw InputError(joinText(name, " turns with its elements, and the law \"", law.name, "\" does not; take imex"));
   }
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -6,52 +7,55 @@
 #include <string_view>
 #include <vector>
 
+#include <ringwatch/base/options.h>
 #include <ringwatch/body/body.h>
-#include <ringwatch/handlers/implicit_cluster.h>
 #include <ringwatch/handlers/kept_selection.h>
 #include <ringwatch/integrators/integrator.h>
 
 namespace ringwatch {
 
+/// What all handlers share, and the options of the one that is made.
 struct HandlerOptions {
-  /// "certified": the smallest set found such that the rest is proven stable; "reduced-1-ring": the source's, which
-  /// proves nothing; "single-element": all whose own frequency is too high, a larger set that proves the rest as well.
-  std::string selection = "certified";
+  Selection selection = Selection::certified;
   /// Elements are chosen as for a step of h/(1 - margin), >= 0 and < 1: room for a rest that stiffens along the run.
   double margin = 0.1;
-  double dissipation = 0.1;     ///< of the handled part: 0 none and second order, 1 implicit Euler with imex
-  int levels = 6;               ///< adaptive: the finest step is h/2^levels at least, >= 1 and <= 12
-  ClusterOptions cluster = {};  ///< of the implicit part
-  /// Of adaptive "stabilised" or "plain", of fe-pbd "linear" or "rigid", of filtered "compliant" or "projection";
-  /// empty: the first of them.
-  std::string variant = {};
-  double projectionTolerance = 1e-8;  ///< filtered, projection: of the largest constraint
-  /// Of fe-pbd, linear, and filtered, compliant: more make crowded elements less soft. 0: 1.
-  int passes = 0;
+  Options own = {};  ///< by name, as HandlerInfo::options declares them; those that are not given have their defaults
 };
 
-/// What a handler declares of itself.
+/// What a handler declares of itself: scenes, command line, help texts, studies and tests take it from here.
 struct HandlerInfo {
   std::string_view name;
   std::string_view help;
+  std::string_view alias = {};  ///< an older name, accepted wherever the name is; "" for none
+  std::span<const OptionInfo> options = {};
+  std::span<const Selection> selections = everySelection;  ///< that it works with
+  bool addsMass = false;                                   ///< to the body, for good
+  /// Where its steps can be taken on a GPU: gives options that are not given the defaults they have there, and says why
+  /// the others cannot go there, "" when they can. nullptr: they cannot be taken there.
+  std::string (*forGpu)(Options& own) = nullptr;
+
+  static constexpr std::array everySelection{Selection::certified, Selection::fierzRing, Selection::elementFrequency};
+  bool takes(Selection selection) const;
 };
 
 /// A number that a handler reports, for summaries.
 struct HandlerFigure {
   std::string name;  // with its unit, e.g. "added_mass_kg"
   double value;
+  bool ofHost = false;  // counts work that a GPU, where it takes the steps, does in its own way
 };
 
 /// Keeps a step that is too large for some elements: an explicit integrator that also owns the set of elements which it
 /// treats apart, chosen for a step at a state. Where it chooses none it is the base integrator, bit for bit.
 class Handler : public Integrator {
  public:
-  /// base: an explicit scheme with a stability limit of 2 and one force a step (symplectic-euler, verlet); others throw
-  /// InputError. The body must outlive the handler; its constraints and elements must not change between prepare and
-  /// the steps.
-  Handler(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
+  /// info: of the handler, must outlive it. base: an explicit scheme with a stability limit of 2 and one force a step
+  /// (symplectic-euler, verlet); others throw InputError, and so do options that the handler does not declare or that
+  /// are out of their range. The body must outlive the handler; its constraints and elements must not change between
+  /// prepare and the steps.
+  Handler(const HandlerInfo& info, Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
 
-  virtual const HandlerInfo& handlerInfo() const = 0;
+  const HandlerInfo& handlerInfo() const { return info_; }
   const IntegratorInfo& info() const override { return base_->info(); }
 
   /// Chooses the elements to handle for steps of h (s, > 0) at positions x (3×N, m), those chosen before among them.
@@ -59,7 +63,7 @@ class Handler : public Integrator {
   /// it.
   void prepare(const NodeVectors& x, double h);
   /// The same for a body whose mesh was cut: the choice of the handler of the body before, carried over to what the cut
-  /// left as it was. With "reduced-1-ring" only the changed elements are looked at; "certified" chooses anew among
+  /// left as it was. With Selection::fierzRing only the changed elements are looked at; `certified` chooses anew among
   /// those and their neighbours and keeps the proof of all others (KeptSelection).
   void prepare(const NodeVectors& x, double h, const CutMesh& cut, const Handler& before);
   /// One step of the size that it was prepared for; another throws InputError.
@@ -129,7 +133,7 @@ class Handler : public Integrator {
 
   Body& body_;
   std::unique_ptr<Integrator> base_;
-  HandlerOptions options_;
+  HandlerOptions options_;  // with all defaults filled in
   NodeVectors baseAcceleration_ =
       NodeVectors(3, 0);  // State::a of the base scheme on the system that baseStep gives it
 
@@ -137,6 +141,7 @@ class Handler : public Integrator {
   /// lookAt: the elements to judge; empty for all.
   void prepareFor(const NodeVectors& x, double h, const ElementFlags& lookAt);
 
+  const HandlerInfo& info_;
   double h_ = 0;
   bool certified_ = false;
   ElementFlags chosen_, lookAt_;
@@ -154,9 +159,23 @@ struct HandlerEntry {
   const HandlerInfo* info;
   std::unique_ptr<Handler> (*make)(Body& body, std::unique_ptr<Integrator> base, const HandlerOptions& options);
 };
-/// Every handler, one line each in registry.cpp.
+/// The entry of a class with a `description` that is made as Handler is, without the info.
+template <class H>
+constexpr HandlerEntry handlerEntry() {
+  return {&H::description,
+          [](Body& body, std::unique_ptr<Integrator> base, const HandlerOptions& options) -> std::unique_ptr<Handler> {
+            return std::make_unique<H>(body, std::move(base), options);
+          }};
+}
+/// Every handler, one line each in registry.cpp, and those that were registered.
 std::span<const HandlerEntry> allHandlers();
-/// Throws InputError that lists the names when there is none of that name.
+/// Adds one; call it when the program starts, before any is asked for. Throws InputError when the name is taken.
+void registerHandler(const HandlerEntry& entry);
+/// By name or alias; nullptr when there is none.
+const HandlerInfo* findHandler(std::string_view name);
+/// The options as far as the handler takes them: others are left out, a selection that it does not take is its first.
+HandlerOptions optionsFor(const HandlerInfo& info, const HandlerOptions& options);
+/// By name or alias. Throws InputError that lists the names when there is none.
 std::unique_ptr<Handler> makeHandler(std::string_view name, Body& body, std::unique_ptr<Integrator> base,
                                      const HandlerOptions& options = {});
 /// Whether handlers work on top of an integrator.

@@ -7,6 +7,14 @@
 
 namespace ringwatch {
 
+std::string imexForGpu(Options& own) {
+  const OptionValue* solver = own.find("solver");
+  if (solver && *solver == OptionValue(clusterSolverNames.nameOf(ClusterSolver::cholesky)))
+    return "a GPU solves implicit clusters by conjugate gradients, not by \"cholesky\"";
+  if (!own.find("tolerance") || own.automatic("tolerance")) own.set("tolerance", 1e-8);
+  return {};
+}
+
 class ImplicitExplicit::Corrected final : public SecondOrderSystem {
  public:
   /// first: the acceleration by the inner system that is asked for first; empty when it is not known.
@@ -50,21 +58,20 @@ class ImplicitExplicit::Corrected final : public SecondOrderSystem {
 };
 
 ImplicitExplicit::ImplicitExplicit(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
-    : Handler(body, std::move(base), std::move(options)) {
-  if (!(options_.dissipation >= 0 && options_.dissipation <= 1))
-    throw InputError(joinText("dissipation ", options_.dissipation, ": must be >= 0 and <= 1"));
-}
+    : Handler(description, body, std::move(base), std::move(options)),
+      dissipation_(options_.own.number("dissipation")),
+      cluster_(clusterOptionsOf(options_.own)) {}
 
 void ImplicitExplicit::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
-  const double beta = 0.25 * (1 + options_.dissipation) * (1 + options_.dissipation);
+  const double beta = 0.25 * (1 + dissipation_) * (1 + dissipation_);
   clusters_.clear();
   for (auto& elements : clustersOf(body_, chosenElements(chosen)))
-    clusters_.emplace_back(body_, std::move(elements), beta * h * h, x, options_.cluster);
+    clusters_.emplace_back(body_, std::move(elements), beta * h * h, x, cluster_);
   splitOff(chosen);
 }
 
 StepStatus ImplicitExplicit::handledStep(SecondOrderSystem& system, State& state, double h) {
-  const double alpha = options_.dissipation, beta = 0.25 * (1 + alpha) * (1 + alpha);
+  const double alpha = dissipation_, beta = 0.25 * (1 + alpha) * (1 + alpha);
   // With u = a + c v, c = α/(beta h), the damping force needs no product of its own: (M + beta h² K̂) u = M (a₀ + c v).
   NodeVectors first(3, 0);
   if (handledBeginsWithAcceleration()) first.swap(state.a);
@@ -82,8 +89,8 @@ std::vector<HandlerFigure> ImplicitExplicit::figures() const {
   }
   return {{"clusters", static_cast<double>(clusters_.size())},
           {"largest_cluster_nodes", static_cast<double>(largest)},
-          {"factorisations", static_cast<double>(factorisations)},
-          {"iterations", static_cast<double>(iterations)}};
+          {"factorisations", static_cast<double>(factorisations), true},
+          {"iterations", static_cast<double>(iterations), true}};
 }
 
 }  // namespace ringwatch

@@ -4,6 +4,10 @@
 
 namespace ringwatch {
 
+/// HandlerInfo::forGpu of `imex`: conjugate gradients alone, to a tolerance of 1e-8. They start from nothing there, and
+/// what they leave out of the momentum is not put back.
+std::string imexForGpu(Options& own);
+
 /// Implicit-explicit integration by elements (the source's section 4.3; Hughes & Liu 1978): the base scheme for all
 /// elements but the handled ones, Newmark's method for those, with gamma = 1/2 + α and beta = (1 + α)²/4, α the
 /// dissipation. α = 0 is the trapezoidal rule, of second order; α = 1 is implicit Euler, the source's. Linearly
@@ -18,9 +22,17 @@ namespace ringwatch {
 /// it holds whenever K_I ≼ (1 + α²) K̂.
 class ImplicitExplicit final : public Handler {
  public:
-  static constexpr HandlerInfo description{"imex", "implicit where the step is too large, explicit elsewhere"};
+  static constexpr std::array table{
+      OptionInfo{.name = "dissipation",
+                 .range = {0, 1, true, true},
+                 .fallback = "0.1",
+                 .help = "of the handled elements: 0 none and second order, 1 implicit Euler"},
+      solverOption, solverToleranceOption, solverIterationsOption, onFailureOption};
+  static constexpr HandlerInfo description{.name = "imex",
+                                           .help = "implicit where the step is too large, explicit elsewhere",
+                                           .options = table,
+                                           .forGpu = imexForGpu};
   ImplicitExplicit(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
-  const HandlerInfo& handlerInfo() const override { return description; }
   std::vector<HandlerFigure> figures() const override;
   const std::vector<ImplicitCluster>& clusters() const { return clusters_; }
 
@@ -35,6 +47,8 @@ class ImplicitExplicit final : public Handler {
   /// The base scheme's view: the acceleration that the implicit elements allow.
   class Corrected;
 
+  double dissipation_;
+  ClusterOptions cluster_;
   std::vector<ImplicitCluster> clusters_;
   std::vector<std::uint8_t> failed_;
 };

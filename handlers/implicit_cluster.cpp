@@ -60,6 +60,14 @@ struct ImplicitCluster::Iterative {
   std::array<Eigen::VectorXd, 2> before;
 };
 
+ClusterOptions clusterOptionsOf(const Options& own) {
+  ClusterOptions options;
+  options.solver = clusterSolverNames.valueOf("solver", own.text("solver"));
+  if (!own.automatic("tolerance")) options.tolerance = own.number("tolerance");
+  options.iterations = own.integer("iterations");
+  return options;
+}
+
 ImplicitCluster::ImplicitCluster(ImplicitCluster&&) noexcept = default;
 ImplicitCluster::~ImplicitCluster() = default;
 

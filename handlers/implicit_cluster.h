@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/base/options.h>
 #include <ringwatch/body/body.h>
 
 namespace ringwatch {
@@ -17,6 +18,11 @@ enum class ClusterSolver {
   cholesky,           ///< factored once and turned with the cluster; anew when its shape has changed
   conjugateGradients  ///< block-Jacobi preconditioned, from the solutions of the last two steps extrapolated
 };
+inline constexpr auto clusterSolverNames = nameTable<ClusterSolver>({
+    {ClusterSolver::automatic, "auto", "by the size of each cluster"},
+    {ClusterSolver::cholesky, "cholesky", "factored and turned with its elements"},
+    {ClusterSolver::conjugateGradients, "cg", "conjugate gradients"},
+});
 
 struct ClusterOptions {
   ClusterSolver solver = ClusterSolver::automatic;
@@ -25,6 +31,39 @@ struct ClusterOptions {
   double tolerance = 2e-3;
   int iterations = 200;  ///< of conjugate gradients, at most
 };
+
+/// The options of handlers that solve clusters, for their tables.
+inline constexpr auto clusterSolverChoices = clusterSolverNames.views();
+inline constexpr std::array<std::string_view, 2> iterativeSolvers{"auto", "cg"};
+inline constexpr OptionInfo solverOption{
+    .name = "solver",
+    .type = OptionType::text,
+    .choices = clusterSolverChoices,
+    .fallback = "auto",
+    .help =
+        "of the implicit equations: factored and turned with its elements, or conjugate gradients; auto by the size "
+        "of each cluster"};
+inline constexpr OptionInfo solverToleranceOption{.name = "tolerance",
+                                                  .range = {0, 1, false, true},
+                                                  .automatic = true,
+                                                  .fallback = "auto",
+                                                  .help = "of cg, relative; auto 2e-3, on a GPU 1e-8",
+                                                  .onlyWith = {"solver", iterativeSolvers}};
+inline constexpr OptionInfo solverIterationsOption{.name = "iterations",
+                                                   .type = OptionType::integer,
+                                                   .range = {1, 2147483647, true, true},
+                                                   .fallback = "200",
+                                                   .help = "of cg, at most",
+                                                   .onlyWith = {"solver", iterativeSolvers}};
+inline constexpr std::array<std::string_view, 2> onFailureChoices{"stop", "reduce-step"};
+/// What a run does when a step fails: it stops, or halves the step. Its runner reads it.
+inline constexpr OptionInfo onFailureOption{.name = "on_failure",
+                                            .type = OptionType::text,
+                                            .choices = onFailureChoices,
+                                            .fallback = "stop",
+                                            .help = "when a step fails, stop the run or halve its step"};
+/// From the options above, all given.
+ClusterOptions clusterOptionsOf(const Options& own);
 
 /// Elements that share nodes, with the matrix M + w K̂ on their nodes: M the lumped mass of the whole body, K̂ the sum
 /// of the elements' tangents at rest turned with them, K̂_e = s_e R_e K_e(X) R_eᵀ. R_e is the rotation of the element's

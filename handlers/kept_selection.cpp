@@ -133,7 +133,7 @@ void KeptSelection::lookAtAll(const Body& body, const NodeVectors& x) {
           const auto before = [&](std::size_t q) {
             return Eigen::Map<const Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(anchor + 9 * q).cast<double>().eval();
           };
-          bool turns = block.material().lawName() != "linear";
+          bool turns = block.material().info().objective;
           for (const std::int32_t node : block.nodesOf(elements[lane]))
             turns = turns && body.constraints().freeComponents(node) % 3 == 0;
           if (turns) {

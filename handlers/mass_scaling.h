@@ -11,10 +11,13 @@ namespace ringwatch {
 /// another throw InputError.
 class MassScaling final : public Handler {
  public:
-  static constexpr HandlerInfo description{"mass-scaling",
-                                           "adds mass to the nodes of critical elements; changes the physics"};
+  // Mass is added until the step is proven.
+  static constexpr std::array selections{Selection::certified};
+  static constexpr HandlerInfo description{.name = "mass-scaling",
+                                           .help = "adds mass to the nodes of critical elements; changes the physics",
+                                           .selections = selections,
+                                           .addsMass = true};
   MassScaling(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
-  const HandlerInfo& handlerInfo() const override { return description; }
 
   /// Added mass, kg and % of the body's own, and the lowest elastic frequencies with and without it, Hz, at the
   /// positions of the first mass that was added.

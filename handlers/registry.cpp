@@ -1,7 +1,7 @@
 #include <array>
 #include <string>
 
-#include <ringwatch/base/error.h>
+#include <ringwatch/base/registry.h>
 #include <ringwatch/handlers/adaptive.h>
 #include <ringwatch/handlers/fe_pbd.h>
 #include <ringwatch/handlers/filtered.h>
@@ -11,31 +11,37 @@
 namespace ringwatch {
 namespace {
 
-template <class H>
-constexpr HandlerEntry handlerEntry() {
-  return {&H::description,
-          [](Body& body, std::unique_ptr<Integrator> base, const HandlerOptions& options) -> std::unique_ptr<Handler> {
-            return std::make_unique<H>(body, std::move(base), options);
-          }};
-}
-
 /// Every handler of the library, one line each.
 constexpr std::array entries{
     handlerEntry<Adaptive>(), handlerEntry<ImplicitExplicit>(), handlerEntry<PositionBased>(),
     handlerEntry<Filtered>(), handlerEntry<MassScaling>(),
 };
 
+std::string_view nameOfHandler(const HandlerEntry& entry) { return entry.info->name; }
+
+auto& registry() {
+  static Registry<HandlerEntry, nameOfHandler> handlers(entries);
+  return handlers;
+}
+
 }  // namespace
 
-std::span<const HandlerEntry> allHandlers() { return entries; }
+std::span<const HandlerEntry> allHandlers() { return registry().all(); }
+void registerHandler(const HandlerEntry& entry) { registry().add("handler", entry); }
+
+const HandlerInfo* findHandler(std::string_view name) {
+  for (const HandlerEntry& entry : allHandlers())
+    if (entry.info->name == name || (!entry.info->alias.empty() && entry.info->alias == name)) return entry.info;
+  return nullptr;
+}
 
 std::unique_ptr<Handler> makeHandler(std::string_view name, Body& body, std::unique_ptr<Integrator> base,
                                      const HandlerOptions& options) {
+  const HandlerInfo* info = findHandler(name);
   std::string names;
-  for (const HandlerEntry& entry : entries) {
-    if (entry.info->name == name) return entry.make(body, std::move(base), options);
-    names += names.empty() ? "" : ", ";
-    names += entry.info->name;
+  for (const HandlerEntry& entry : allHandlers()) {
+    if (entry.info == info) return entry.make(body, std::move(base), options);
+    names += joinText(names.empty() ? "" : ", ", entry.info->name);
   }
   throw InputError(joinText("handler \"", name, "\": must be one of ", names));
 }

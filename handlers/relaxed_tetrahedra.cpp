@@ -40,7 +40,7 @@ void RelaxedTetrahedra::setElement(std::size_t i, const Body& body, ElementRef r
   const bool rigid = goal_ == GoalShape::rigid;
   const ElementBlock& block = *body.blocks()[static_cast<std::size_t>(ref.block)];
   const auto nodes = block.nodesOf(ref.element);
-  const Lame lame = block.material().lame();
+  const Lame lame = block.material().restModuli();
   Eigen::Vector4d inverseMass;
   bool constrained = false;
   for (int a = 0; a < 4; ++a) {

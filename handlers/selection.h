@@ -11,6 +11,18 @@ namespace ringwatch {
 /// Which elements a handler takes: flags [block][element].
 using ElementFlags = std::vector<std::vector<bool>>;
 
+/// How the elements are selected that a handler takes.
+enum class Selection {
+  certified,        ///< the smallest set found such that the rest is proven stable
+  fierzRing,        ///< those whose reduced 1-ring has too high a frequency (the source, section 3.4); proves nothing
+  elementFrequency  ///< all whose own frequency is too high (section 3.3.1): a larger set that proves the rest as well
+};
+inline constexpr auto selectionNames = nameTable<Selection>({
+    {Selection::certified, "certified", "the fewest found without which the rest is proven stable"},
+    {Selection::fierzRing, "fierz-ring", "those whose reduced 1-ring has too high a frequency", "reduced-1-ring"},
+    {Selection::elementFrequency, "element-frequency", "those whose own frequency is too high", "single-element"},
+});
+
 /// No element chosen.
 ElementFlags noElements(const Mesh& mesh);
 /// The flags as a list, ascending.
@@ -29,7 +41,7 @@ std::vector<std::int32_t> nodesOf(const Body& body, const ElementFlags& elements
 Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::int32_t> nodes,
             const Eigen::VectorXd& mass);
 
-/// The source's choice (section 3.4): the elements whose reduced 1-ring at positions x (3×N, m) has a highest
+/// Selection::fierzRing: the elements whose reduced 1-ring at positions x (3×N, m) has a highest
 /// eigenvalue above lambda, rad²/s², (limit/h)² for a step h. Proves nothing about the rest: the ring is a lower bound.
 /// lookAt: the elements to judge; others are not flagged and cost nothing. Empty: all.
 /// Throws InputError unless lambda > 0.

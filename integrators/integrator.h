@@ -91,6 +91,8 @@ struct IntegratorInfo {
   /// Treats the two parts of an AdditiveSystem apart and takes no other system. Its limit is that of the non-stiff part
   /// when the stiff one is zero.
   bool partitioned = false;
+  /// Its steps can be taken on a GPU, without damping.
+  bool runsOnGpu = false;
 };
 
 /// How a step went. On failure the state is as before the step.
@@ -154,8 +156,11 @@ class IntegratorCatalog {
   std::vector<IntegratorEntry> entries_;
 };
 
-/// The explicit integrators, which need nothing but this library; one line each in registry.cpp.
+/// The explicit integrators, which need nothing but this library, one line each in registry.cpp, and those that were
+/// registered.
 std::span<const IntegratorEntry> coreIntegrators();
+/// Adds one; call it when the program starts, before any is asked for. Throws InputError when the name is taken.
+void registerIntegrator(const IntegratorEntry& entry);
 
 /// The same by name.
 std::span<const IntegratorInfo> allIntegrators();

@@ -1,6 +1,6 @@
 #include <array>
 
-#include <ringwatch/base/error.h>
+#include <ringwatch/base/registry.h>
 #include <ringwatch/integrators/explicit_euler.h>
 #include <ringwatch/integrators/pefrl.h>
 #include <ringwatch/integrators/rk4.h>
@@ -19,6 +19,13 @@ constexpr std::array entriesOfCore{
     integratorEntry<RungeKuttaNystrom4>(), integratorEntry<Yoshida4>(),      integratorEntry<Pefrl>(),
 };
 
+std::string_view nameOfIntegrator(const IntegratorEntry& entry) { return entry.info->name; }
+
+auto& registry() {
+  static Registry<IntegratorEntry, nameOfIntegrator> integrators(entriesOfCore);
+  return integrators;
+}
+
 const IntegratorCatalog& coreCatalog() {
   static const IntegratorCatalog catalog{coreIntegrators()};
   return catalog;
@@ -26,7 +33,8 @@ const IntegratorCatalog& coreCatalog() {
 
 }  // namespace
 
-std::span<const IntegratorEntry> coreIntegrators() { return entriesOfCore; }
+std::span<const IntegratorEntry> coreIntegrators() { return registry().all(); }
+void registerIntegrator(const IntegratorEntry& entry) { registry().add("integrator", entry); }
 
 IntegratorCatalog::IntegratorCatalog(std::initializer_list<std::span<const IntegratorEntry>> lists) {
   for (const auto& list : lists) entries_.insert(entries_.end(), list.begin(), list.end());

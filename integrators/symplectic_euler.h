@@ -26,6 +26,9 @@ class SymplecticEuler final : public Integrator {
                                               1,
                                               &amplification,
                                               &dampedLimit,
+                                              true,
+                                              false,
+                                              false,
                                               true};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {

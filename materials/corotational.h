@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string_view>
 
 #include <ringwatch/base/matrix3.h>
@@ -14,8 +15,17 @@ namespace ringwatch {
 struct Corotational {
   static constexpr std::string_view name = "corotational";
   static constexpr std::string_view help = "linear elasticity in a frame that turns with the element";
-  static constexpr bool objective = true;
+  static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
+  static constexpr bool objective = true, tangentIsConstant = false;
+  /// ∂P/∂F exceeds the turned tangent at rest by its part on spins alone, 2μ + 2 (λ (tr U - 3) - 2μ)/(sum of two
+  /// stretches), where the turned tangent has nothing that could be scaled, and its highest eigenvalue stays 3λ + 2μ
+  /// while three times that sum exceeds 2 (tr U - 3).
+  static constexpr bool tangentStiffens = false;
   Lame constants;
+
+  static Corotational of(const Options& parameters) { return {lameConstants(parameters)}; }
+  static constexpr auto parametersFor = youngAndPoissonOf;
+  Lame restModuli() const { return constants; }
 
   /// Energy density, J/m³, of the deformation gradient F.
   template <class S>

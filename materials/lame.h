@@ -1,6 +1,9 @@
 #pragma once
+#include <array>
 #include <cmath>
 #include <limits>
+
+#include <ringwatch/base/options.h>
 
 namespace ringwatch {
 
@@ -15,7 +18,16 @@ inline Lame lameConstants(double young, double poisson) {
   return {young * poisson / ((1 + poisson) * (1 - 2 * poisson)), young / (2 * (1 + poisson))};
 }
 
-/// Speed of a pressure wave in the undeformed material, √((λ+2μ)/ρ), m/s; all laws here agree on it at rest.
+/// Young's modulus and Poisson's ratio: the parameters of laws of Lamé's constants.
+inline constexpr std::array youngAndPoisson{
+    OptionInfo{.name = "young", .unit = "Pa", .range = NumberRange::positive(), .help = "Young's modulus"},
+    OptionInfo{.name = "poisson", .range = {-1, 0.5, false, false}, .help = "Poisson's ratio"}};
+inline Options youngAndPoissonOf(double young, double poisson) { return {{"young", young}, {"poisson", poisson}}; }
+inline Lame lameConstants(const Options& parameters) {
+  return lameConstants(parameters.number("young"), parameters.number("poisson"));
+}
+
+/// Speed of a pressure wave in the undeformed material, √((λ+2μ)/ρ), m/s, by the moduli of a law at rest.
 inline double pressureWaveSpeed(Lame constants, double density) {
   return std::sqrt((constants.lambda + 2 * constants.mu) / density);
 }

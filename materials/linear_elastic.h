@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string_view>
 
 #include <ringwatch/base/matrix3.h>
@@ -12,8 +13,14 @@ namespace ringwatch {
 struct LinearElastic {
   static constexpr std::string_view name = "linear";
   static constexpr std::string_view help = "linear elasticity at small strain";
-  static constexpr bool objective = false;
+  static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
+  static constexpr bool objective = false, tangentIsConstant = true;
+  static constexpr bool tangentStiffens = false;
   Lame constants;
+
+  static LinearElastic of(const Options& parameters) { return {lameConstants(parameters)}; }
+  static constexpr auto parametersFor = youngAndPoissonOf;
+  Lame restModuli() const { return constants; }
 
   /// Energy density, J/m³, of the deformation gradient F.
   template <class S>

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string_view>
 
 #include <ringwatch/base/matrix3.h>
@@ -12,8 +13,14 @@ namespace ringwatch {
 struct NeoHookean {
   static constexpr std::string_view name = "neo-hookean";
   static constexpr std::string_view help = "compressible neo-Hookean: stiffens without bound under compression";
-  static constexpr bool objective = true;
+  static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
+  static constexpr bool objective = true, tangentIsConstant = false;
+  static constexpr bool tangentStiffens = true;
   Lame constants;
+
+  static NeoHookean of(const Options& parameters) { return {lameConstants(parameters)}; }
+  static constexpr auto parametersFor = youngAndPoissonOf;
+  Lame restModuli() const { return constants; }
 
   /// Energy density, J/m³, of the deformation gradient F.
   template <class S>

@@ -1,53 +1,114 @@
 #include <ringwatch/materials/registry.h>
 
-#include <array>
 #include <cmath>
-#include <optional>
+#include <vector>
 
-#include <ringwatch/base/error.h>
+#include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/registry.h>
 #include <ringwatch/base/user_text.h>
 
 namespace ringwatch {
 namespace {
 
 template <class... Ls>
-std::array<LawInfo, sizeof...(Ls)> describeAll(TypeList<Ls...>) {
-  return {LawInfo{Ls::name, Ls::help}...};
+std::vector<LawEntry> entriesOf(TypeList<Ls...>) {
+  return {LawEntry{lawInfo<Ls>(),
+                   [](const Options& parameters, Material& material) { material.law = Ls::of(parameters); }}...};
+}
+
+std::string_view nameOfLaw(const LawEntry& entry) { return entry.info.name; }
+
+struct KnownLaws {
+  Registry<LawEntry, nameOfLaw> entries{entriesOf(Laws{})};
+  std::vector<LawInfo> infos;  // of entries
+
+  KnownLaws() { list(); }
+  void list() {
+    infos.clear();
+    for (const LawEntry& entry : entries.all()) infos.push_back(entry.info);
+  }
+};
+
+KnownLaws& laws() {
+  static KnownLaws all;
+  return all;
+}
+
+void requireParameters(std::string_view law, std::span<const OptionInfo> table, const Options& parameters) {
+  for (const auto& [name, value] : parameters) {
+    const std::string fault = optionFault(table, parameters, name);
+    if (fault.empty()) continue;
+    const OptionInfo* option = findOption(table, name);
+    const std::string shown = value.number() ? joinText(*value.number()) : inQuotes(*value.text());
+    if (option == nullptr) {
+      std::string names;
+      for (const OptionInfo& own : table) names += joinText(names.empty() ? "" : ", ", own.name);
+      throw InputError(joinText(name, " = ", shown, ": is no parameter of the law \"", law, "\"; it takes ", names));
+    }
+    throw InputError(joinText(name, " = ", shown, option->unit.empty() ? "" : " ", option->unit, ": ", fault));
+  }
 }
 
 }  // namespace
 
-std::string_view Material::lawName() const {
-  return std::visit([](const auto& l) { return l.name; }, law);
+LawInfo Material::info() const {
+  return outside ? outside->info : std::visit([]<class L>(const L&) { return lawInfo<L>(); }, law);
 }
-Lame Material::lame() const {
-  return std::visit([](const auto& l) { return l.constants; }, law);
+Lame Material::restModuli() const {
+  return outside ? outside->rest : std::visit([](const auto& l) { return l.restModuli(); }, law);
+}
+double Material::energy(const Matrix3<double>& F) const {
+  return outside ? outside->energy(outside->law.get(), F) : std::visit([&](const auto& l) { return l.energy(F); }, law);
+}
+Matrix3<double> Material::stress(const Matrix3<double>& F) const {
+  return outside ? outside->stress(outside->law.get(), F) : std::visit([&](const auto& l) { return l.stress(F); }, law);
 }
 
-std::span<const LawInfo> allLaws() {
-  static const auto table = describeAll(Laws{});
-  return table;
+Matrix3<double> Material::stressDifferential(const Matrix3<double>& F, const Matrix3<double>& dF) const {
+  return outside ? outside->stressDifferential(outside->law.get(), F, dF)
+                 : std::visit([&](const auto& l) { return l.linearize(F)(dF); }, law);
+}
+
+std::span<const LawInfo> allLaws() { return laws().infos; }
+
+const LawInfo* findLaw(std::string_view name) {
+  for (const LawInfo& info : allLaws())
+    if (info.name == name) return &info;
+  return nullptr;
+}
+
+const LawInfo& lawNamed(std::string_view name) {
+  if (const LawInfo* info = findLaw(name)) return *info;
+  std::string names;
+  std::vector<std::string_view> known;
+  for (const LawInfo& info : allLaws()) {
+    names += joinText(names.empty() ? "" : ", ", info.name);
+    known.push_back(info.name);
+  }
+  throw InputError(joinText("model = ", inQuotes(name), ": ", didYouMean(name, known), "must be one of ", names));
+}
+
+void detail::registerLaw(const LawEntry& entry) {
+  laws().entries.add("law", entry);
+  laws().list();
+}
+
+Material makeMaterial(std::string_view model, const Options& parameters, double density) {
+  const LawInfo& info = lawNamed(model);
+  requireParameters(info.name, info.parameters, parameters);
+  if (!(density > 0) || !std::isfinite(density))
+    throw InputError(joinText("density = ", density, " kg/m3: must be a finite number > 0"));
+  Material material{Law{}, density};
+  const Options all = completed(info.name, info.parameters, parameters);
+  for (const LawEntry& entry : laws().entries.all())
+    if (entry.info.name == info.name) entry.make(all, material);
+  return material;
 }
 
 Material makeMaterial(std::string_view model, double young, double poisson, double density) {
-  // The negated comparisons refuse NaN too.
-  if (!(young > 0) || !std::isfinite(young))
-    throw InputError(joinText("young = ", young, " Pa: must be a finite number > 0"));
-  if (!(poisson > -1) || !(poisson < 0.5))
-    throw InputError(joinText("poisson = ", poisson, ": must be > -1 and < 0.5"));
-  if (!(density > 0) || !std::isfinite(density))
-    throw InputError(joinText("density = ", density, " kg/m3: must be a finite number > 0"));
-  std::optional<Law> law;
-  forEachType(Laws{}, [&](auto tag) {
-    using L = typename decltype(tag)::type;
-    if (L::name == model) law = L{lameConstants(young, poisson)};
-  });
-  if (!law) {
-    std::string names;
-    for (const LawInfo& info : allLaws()) names += (names.empty() ? "" : ", ") + std::string(info.name);
-    throw InputError(joinText("model = ", inQuotes(model), ": must be one of ", names));
-  }
-  return {*law, density};
+  const LawInfo& info = lawNamed(model);
+  requireParameters(info.name, youngAndPoisson, {{"young", young}, {"poisson", poisson}});
+  return makeMaterial(model, info.parametersFor(young, poisson), density);
 }
 
 }  // namespace ringwatch

@@ -1,4 +1,6 @@
 #pragma once
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,7 +23,11 @@ using Laws = TypeList<StVenantKirchhoff, LinearElastic, Corotational, NeoHookean
 namespace detail {
 template <class... Ls>
 std::variant<Ls...> lawVariant(TypeList<Ls...>);
+template <class L, class... Ls>
+constexpr bool isOneOf(TypeList<Ls...>) {
+  return (std::is_same_v<L, Ls> || ...);
 }
+}  // namespace detail
 /// Any one of `Laws`.
 using Law = decltype(detail::lawVariant(Laws{}));
 
@@ -43,26 +49,84 @@ void visitLawOfShard(std::size_t law, Visit&& visit) {
   (std::make_index_sequence<std::variant_size_v<Law>>{});
 }
 
+/// What a law declares: scenes, command line, help texts, blocks and tests take it from here.
+struct LawInfo {
+  std::string_view name;
+  std::string_view help;
+  std::span<const OptionInfo> parameters;  ///< numbers that it is made from
+  bool objective;                          ///< energy and stress turn with the body
+  bool tangentStiffens;                    ///< ∂P/∂F grows with stretch beyond what rotation and scaling make of it
+  bool tangentIsConstant;                  ///< ∂P/∂F is the same at every F
+  /// Parameters for which the law has Young's modulus (Pa) and Poisson's ratio at rest.
+  Options (*parametersFor)(double young, double poisson);
+};
+/// Of a law as in this folder.
+template <class L>
+constexpr LawInfo lawInfo() {
+  return {L::name, L::help, L::parameters, L::objective, L::tangentStiffens, L::tangentIsConstant, L::parametersFor};
+}
+
+/// A law that a program has registered (body/register_law.h), with its constants.
+struct OutsideLaw {
+  LawInfo info;
+  Lame rest;  // see Material::restModuli
+  std::shared_ptr<const void> law;
+  double (*energy)(const void* law, const Matrix3<double>& F);
+  Matrix3<double> (*stress)(const void* law, const Matrix3<double>& F);
+  Matrix3<double> (*stressDifferential)(const void* law, const Matrix3<double>& F, const Matrix3<double>& dF);
+};
+
 /// A law and a density, kg/m³.
 struct Material {
   Law law;
   double density;
+  std::optional<OutsideLaw> outside = {};  // in place of `law`
 
-  std::string_view lawName() const;
-  Lame lame() const;
+  LawInfo info() const;
+  std::string_view lawName() const { return info().name; }
+  /// λ and μ of the law's linearisation at rest, Pa: all laws are isotropic there.
+  Lame restModuli() const;
+  /// λ + 2μ of these: what stiffness is measured by, Pa.
+  double restModulus() const { return restModuli().lambda + 2 * restModuli().mu; }
   /// Speed of a pressure wave at rest, m/s.
-  double waveSpeed() const { return pressureWaveSpeed(lame(), density); }
+  double waveSpeed() const { return pressureWaveSpeed(restModuli(), density); }
+  /// The law itself, whose type must be known.
+  template <class L>
+  const L& as() const {
+    if constexpr (detail::isOneOf<L>(Laws{}))
+      return std::get<L>(law);
+    else
+      return *static_cast<const L*>(outside->law.get());
+  }
+  /// Energy density, J/m³, and first Piola–Kirchhoff stress, Pa, of a deformation gradient; for a few of them.
+  double energy(const Matrix3<double>& F) const;
+  Matrix3<double> stress(const Matrix3<double>& F) const;
+  /// ∂P/∂F : dF, Pa.
+  Matrix3<double> stressDifferential(const Matrix3<double>& F, const Matrix3<double>& dF) const;
 };
 
-/// A law for lists and help texts.
-struct LawInfo {
-  std::string_view name;
-  std::string_view help;
+/// A law that materials can be made of by name.
+struct LawEntry {
+  LawInfo info;
+  /// Sets law or outside; all parameters are given and in their range.
+  void (*make)(const Options& parameters, Material& material);
 };
+
+/// Every law, and those that were registered.
 std::span<const LawInfo> allLaws();
+/// nullptr when there is none of that name.
+const LawInfo* findLaw(std::string_view name);
+/// Throws InputError that lists the names when there is none of that name.
+const LawInfo& lawNamed(std::string_view name);
+namespace detail {
+/// Makes a law known by name; body/register_law.h makes its blocks known too.
+void registerLaw(const LawEntry& entry);
+}  // namespace detail
 
-/// The material of the law `model` with Young's modulus (Pa, > 0), Poisson's ratio (-1 < ν < 0.5) and density (kg/m³, >
+/// The material of the law `model` with its parameters, as LawInfo::parameters declares them, and a density (kg/m³, >
 /// 0). Throws InputError that names the quantity, the value and its range.
+Material makeMaterial(std::string_view model, const Options& parameters, double density);
+/// The one that has Young's modulus (Pa, > 0) and Poisson's ratio (-1 < ν < 0.5) at rest.
 Material makeMaterial(std::string_view model, double young, double poisson, double density);
 
 }  // namespace ringwatch

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string_view>
 
 #include <ringwatch/base/matrix3.h>
@@ -12,8 +13,14 @@ struct StVenantKirchhoff {
   static constexpr std::string_view name = "stvk";
   static constexpr std::string_view help =
       "St. Venant-Kirchhoff: linear in the Green strain; softens and collapses under strong compression";
-  static constexpr bool objective = true;
+  static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
+  static constexpr bool objective = true, tangentIsConstant = false;
+  static constexpr bool tangentStiffens = true;
   Lame constants;
+
+  static StVenantKirchhoff of(const Options& parameters) { return {lameConstants(parameters)}; }
+  static constexpr auto parametersFor = youngAndPoissonOf;
+  Lame restModuli() const { return constants; }
 
   /// Energy density, J/m³, of the deformation gradient F.
   template <class S>

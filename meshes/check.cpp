@@ -168,26 +168,6 @@ CoincidentNodes coincidentNodes(const Mesh& mesh) {
 
 }  // namespace
 
-std::string_view problemName(MeshProblem::Kind kind) {
-  switch (kind) {
-    case MeshProblem::Kind::inverted:
-      return "inverted";
-    case MeshProblem::Kind::degenerate:
-      return "degenerate";
-    case MeshProblem::Kind::missingNode:
-      return "missing-node";
-    case MeshProblem::Kind::repeatedNode:
-      return "repeated-node";
-    case MeshProblem::Kind::nonFinite:
-      return "non-finite";
-    case MeshProblem::Kind::unusedNode:
-      return "unused-node";
-    case MeshProblem::Kind::duplicateElement:
-      return "duplicate-element";
-  }
-  return "";
-}
-
 std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
   std::vector<MeshProblem> problems;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <ringwatch/base/name_table.h>
 #include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch {
@@ -19,9 +20,16 @@ struct MeshProblem {
   std::string text;  // one line
 };
 
-/// Name of a kind: "inverted", "degenerate", "missing-node", "repeated-node", "non-finite", "unused-node",
-/// "duplicate-element".
-std::string_view problemName(MeshProblem::Kind kind);
+inline constexpr auto problemNames = nameTable<MeshProblem::Kind>({
+    {MeshProblem::Kind::inverted, "inverted"},
+    {MeshProblem::Kind::degenerate, "degenerate"},
+    {MeshProblem::Kind::missingNode, "missing-node"},
+    {MeshProblem::Kind::repeatedNode, "repeated-node"},
+    {MeshProblem::Kind::nonFinite, "non-finite"},
+    {MeshProblem::Kind::unusedNode, "unused-node"},
+    {MeshProblem::Kind::duplicateElement, "duplicate-element"},
+});
+constexpr std::string_view problemName(MeshProblem::Kind kind) { return problemNames.nameOf(kind); }
 
 /// Every problem of the mesh, elements first, block after block, then nodes. An element is inverted when its Jacobian
 /// determinant is negative at a quadrature point or corner, degenerate when it is below 1e-12 of its longest edge

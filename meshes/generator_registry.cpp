@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
@@ -63,15 +64,6 @@ constexpr GeneratorParameter plane{"plane", "m",  "x of the plane, from the corn
 constexpr GeneratorParameter growth{
     "growth", "m/m", "of the longest edge with distance from the plane", K::number, 1, {0.3}, "", 0, inf, true, false};
 constexpr GeneratorParameter refinedParameters[] = {size3, cells3, origin, jitter, seed, finest, plane, growth};
-
-constexpr GeneratorInfo generators[] = {
-    {"bar", "a box of cells", barParameters},
-    {"cube", "a box with equal edges", cubeParameters},
-    {"graded", "a box with small elements toward its face x-min", gradedParameters},
-    {"refined", "a box of tetrahedra bisected until they are small at a plane across x", refinedParameters},
-    {"mixed", "a bar of wedges, hexahedra, pyramids and tetrahedra that share faces", mixedParameters},
-    {"ball", "a ball, a cube of cells mapped onto it", ballParameters},
-};
 
 std::string valueText(const GeneratorValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return inQuotes(*text);
@@ -167,12 +159,57 @@ BarOptions boxOptions(const Values& values) {
   return o;
 }
 
+/// With size and cells along each axis.
+BarOptions barOptions(const Values& values) {
+  BarOptions options = boxOptions(values);
+  for (std::size_t k = 0; k < 3; ++k) {
+    options.size[k] = values.number("size", k);
+    options.cells[k] = static_cast<int>(values.number("cells", k));
+  }
+  return options;
+}
+
+Mesh bar(const Values& values) { return generateBar(barOptions(values)); }
+Mesh cube(const Values& values) {
+  return generateCube(values.number("size"), static_cast<int>(values.number("cells")), boxOptions(values));
+}
+Mesh refined(const Values& values) {
+  return generateRefinedBar(
+      {barOptions(values), values.number("finest"), values.number("plane"), values.number("growth")});
+}
+Mesh mixed(const Values& values) { return generateMixedBar(barOptions(values)); }
+Mesh ball(const Values& values) {
+  return generateBall({values.number("radius"), static_cast<int>(values.number("cells")), values.text("element"),
+                       static_cast<int>(values.number("split"))});
+}
+
+struct Generator {
+  GeneratorInfo info;
+  Mesh (*generate)(const Values& values);
+};
+/// Every generator, one line each.
+constexpr Generator generators[] = {
+    {{"bar", "a box of cells", barParameters}, bar},
+    {{"cube", "a box with equal edges", cubeParameters}, cube},
+    {{"graded", "a box with small elements toward its face x-min", gradedParameters}, bar},
+    {{"refined", "a box of tetrahedra bisected until they are small at a plane across x", refinedParameters}, refined},
+    {{"mixed", "a bar of wedges, hexahedra, pyramids and tetrahedra that share faces", mixedParameters}, mixed},
+    {{"ball", "a ball, a cube of cells mapped onto it", ballParameters}, ball},
+};
+
 }  // namespace
 
-std::span<const GeneratorInfo> allGenerators() { return generators; }
+std::span<const GeneratorInfo> allGenerators() {
+  static const auto infos = [] {
+    std::vector<GeneratorInfo> all;
+    for (const Generator& generator : generators) all.push_back(generator.info);
+    return all;
+  }();
+  return infos;
+}
 
 const GeneratorInfo* findGenerator(std::string_view name) {
-  for (const GeneratorInfo& info : generators)
+  for (const GeneratorInfo& info : allGenerators())
     if (info.name == name) return &info;
   return nullptr;
 }
@@ -193,25 +230,13 @@ Mesh generateMesh(std::string_view kind, const GeneratorArguments& arguments) {
   const GeneratorInfo* info = findGenerator(kind);
   if (info == nullptr) {
     std::vector<std::string_view> known;
-    for (const GeneratorInfo& g : generators) known.push_back(g.name);
+    for (const GeneratorInfo& g : allGenerators()) known.push_back(g.name);
     throw InputError(joinText("generate = ", inQuotes(kind), ": there is no such mesh; ", didYouMean(kind, known),
                               "known are ", shortList(known)));
   }
   const Values values(*info, arguments);
   try {
-    if (info->name == "ball")
-      return generateBall({values.number("radius"), static_cast<int>(values.number("cells")), values.text("element"),
-                           static_cast<int>(values.number("split"))});
-    BarOptions options = boxOptions(values);
-    if (info->name == "cube")
-      return generateCube(values.number("size"), static_cast<int>(values.number("cells")), options);
-    for (std::size_t k = 0; k < 3; ++k) {
-      options.size[k] = values.number("size", k);
-      options.cells[k] = static_cast<int>(values.number("cells", k));
-    }
-    if (info->name == "refined")
-      return generateRefinedBar({options, values.number("finest"), values.number("plane"), values.number("growth")});
-    return info->name == "mixed" ? generateMixedBar(options) : generateBar(options);
+    return generators[info - allGenerators().data()].generate(values);
   } catch (const InputError& error) {
     throw InputError(joinText(info->name, ": ", error.what()));
   }

@@ -1,10 +1,9 @@
 #include <ringwatch/meshes/mesh_io.h>
 
 #include <algorithm>
-#include <array>
-#include <iterator>
+#include <vector>
 
-#include <ringwatch/base/error.h>
+#include <ringwatch/base/registry.h>
 #include <ringwatch/meshes/file_cursor.h>
 #include <ringwatch/meshes/mesh_readers.h>
 
@@ -21,47 +20,69 @@ bool startsWithXml(std::string_view text) {
 bool startsWithMsh(std::string_view text) { return text.starts_with("$MeshFormat"); }
 bool startsWithLegacyVtk(std::string_view text) { return text.starts_with("# vtk DataFile"); }
 
-using ReadText = Mesh(const fs::path& path, const std::string& text, detail::Notes* notes, detail::Problems* problems);
+fs::path withSuffix(fs::path stem, const char* suffix) {
+  stem += suffix;
+  return stem;
+}
 
-struct Format {
-  MeshFormatInfo info;
-  ReadText* read;                     // nullptr: not from the text of one file
-  bool (*isBegin)(std::string_view);  // nullptr: the content cannot tell
-  std::string_view mustBegin;         // "": the reader of that extension says itself what is wrong
-  MeshFormat written;                 // byExtension: not written
-};
+/// Whether a path names TetGen's files: either one, or the stem of both.
+bool isTetgen(const fs::path& path) {
+  const std::string extension = path.extension().string();
+  std::error_code ignored;
+  return extension == ".node" || extension == ".ele" ||
+         (!fs::exists(path, ignored) && fs::exists(withSuffix(path, ".node"), ignored));
+}
+
+Mesh readTetgenPath(const fs::path& path, detail::Notes* notes, detail::Problems* problems) {
+  const std::string extension = path.extension().string();
+  fs::path stem = path;
+  if (extension == ".node" || extension == ".ele") stem.replace_extension();
+  return detail::readTetgen(withSuffix(stem, ".node"), withSuffix(stem, ".ele"), notes, problems);
+}
 
 /// Every mesh format, one entry each.
-constexpr Format formats[] = {
+constexpr MeshFormatEntry formatsOfLibrary[] = {
     {{".msh", "gmsh MSH", "versions 2 and 4, text and binary; written as 4.1 text", true},
      detail::readMsh,
      startsWithMsh,
      "",
-     MeshFormat::msh41},
-    {{".node/.ele", "TetGen", "both files, named by either one or by their common stem", false},
-     nullptr,
-     nullptr,
-     "",
-     MeshFormat::byExtension},
+     [](const Mesh& mesh, const fs::path& path) { detail::writeMsh(mesh, path, true, false); }},
+    {.info = {".node/.ele", "TetGen", "both files, named by either one or by their common stem", false},
+     .ownsPath = isTetgen,
+     .readPath = readTetgenPath},
     {{".vtu", "VTK XML unstructured grid", "text, binary and compressed", true},
      detail::readVtu,
      startsWithXml,
      "<VTKFile",
-     MeshFormat::vtu},
+     detail::writeVtuWithSets},
     {{".vtk", "legacy VTK unstructured grid", "text and binary", false},
      detail::readLegacyVtk,
      startsWithLegacyVtk,
-     "# vtk DataFile",
-     MeshFormat::byExtension},
+     "# vtk DataFile"},
     {{".inp", "Abaqus or CalculiX deck", "nodes, elements and their sets; a note names what is skipped", false},
-     detail::readInp,
-     nullptr,
-     "",
-     MeshFormat::byExtension},
+     detail::readInp},
 };
 
-const Format* formatOf(std::string_view extension) {
-  for (const Format& format : formats)
+std::string_view nameOfFormat(const MeshFormatEntry& entry) { return entry.info.extensions; }
+
+struct Formats {
+  Registry<MeshFormatEntry, nameOfFormat> entries{formatsOfLibrary};
+  std::vector<MeshFormatInfo> infos;  // of entries
+
+  Formats() { list(); }
+  void list() {
+    infos.clear();
+    for (const MeshFormatEntry& entry : entries.all()) infos.push_back(entry.info);
+  }
+};
+
+Formats& formats() {
+  static Formats all;
+  return all;
+}
+
+const MeshFormatEntry* formatOf(std::string_view extension) {
+  for (const MeshFormatEntry& format : formats().entries.all())
     if (format.info.extensions == extension) return &format;
   return nullptr;
 }
@@ -73,47 +94,35 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-fs::path withSuffix(fs::path stem, const char* suffix) {
-  stem += suffix;
-  return stem;
-}
-
 Mesh read(const fs::path& path, detail::Notes* notes, detail::Problems* problems) {
   const std::string extension = path.extension().string();
-  if (extension == ".node" || extension == ".ele") {
-    fs::path stem = path;
-    stem.replace_extension();
-    return detail::readTetgen(withSuffix(stem, ".node"), withSuffix(stem, ".ele"), notes, problems);
-  }
-  std::error_code ignored;
-  if (!fs::exists(path, ignored) && fs::exists(withSuffix(path, ".node"), ignored))
-    return detail::readTetgen(withSuffix(path, ".node"), withSuffix(path, ".ele"), notes, problems);
-
+  const auto entries = formats().entries.all();
+  for (const MeshFormatEntry& format : entries)
+    if (format.ownsPath != nullptr && format.ownsPath(path)) return format.readPath(path, notes, problems);
   const std::string text = detail::readWholeFile(path);
   // The content decides; the extension only helps where the content says nothing.
-  for (const Format& format : formats)
+  for (const MeshFormatEntry& format : entries)
     if (format.isBegin != nullptr && format.isBegin(text)) return format.read(path, text, notes, problems);
-  const Format* named = formatOf(extension);
+  const MeshFormatEntry* named = formatOf(extension);
   if (named != nullptr && named->mustBegin.empty()) return named->read(path, text, notes, problems);
   const std::string begin = detail::quoted(std::string_view(text).substr(0, text.find_first_of("\r\n")));
   if (named != nullptr)
     throw InputError(
         joinText(path.string(), ":1: begins with ", begin, "; a ", extension, " file begins with ", named->mustBegin));
   std::vector<std::string> known;
-  for (const Format& format : formats) known.push_back(joinText(format.info.name, " (", format.info.extensions, ")"));
+  for (const MeshFormatEntry& format : entries)
+    known.push_back(joinText(format.info.name, " (", format.info.extensions, ")"));
   throw InputError(
       joinText(path.string(), ":1: not a known mesh format, it begins with ", begin, "; known are ", joined(known)));
 }
 
 }  // namespace
 
-std::span<const MeshFormatInfo> allMeshFormats() {
-  static const auto table = [] {
-    std::array<MeshFormatInfo, std::size(formats)> infos{};
-    std::transform(std::begin(formats), std::end(formats), infos.begin(), [](const Format& f) { return f.info; });
-    return infos;
-  }();
-  return table;
+std::span<const MeshFormatInfo> allMeshFormats() { return formats().infos; }
+
+void registerMeshFormat(const MeshFormatEntry& entry) {
+  formats().entries.add("mesh format", entry);
+  formats().list();
 }
 
 std::string readableExtensions() {
@@ -166,11 +175,11 @@ std::vector<MeshProblem> checkMeshFile(const fs::path& path, std::vector<std::st
 void writeMesh(const Mesh& mesh, const fs::path& path, MeshFormat format) {
   if (format == MeshFormat::byExtension) {
     const std::string extension = path.extension().string();
-    const Format* named = formatOf(extension);
+    const MeshFormatEntry* named = formatOf(extension);
     if (named == nullptr || !named->info.writes)
       throw InputError(joinText("cannot write ", path.string(), ": the extension ", detail::quoted(extension),
                                 " names no format that can be written; use ", writableExtensions()));
-    format = named->written;
+    return named->write(mesh, path);
   }
   switch (format) {
     case MeshFormat::msh41:

@@ -17,8 +17,25 @@ struct MeshFormatInfo {
   std::string_view help;
   bool writes;  ///< `writeMesh` knows it; `readMesh` knows them all
 };
-/// Every format, one line each in mesh_io.cpp.
+/// A format with its reader and writer. One that comes in a single file has `read`, any other one `ownsPath` and
+/// `readPath`.
+struct MeshFormatEntry {
+  using Notes = std::vector<std::string>;
+  using Problems = std::vector<MeshProblem>;
+  MeshFormatInfo info;
+  /// Of the whole text of a file. notes: as readMesh; problems: where not nullptr, receives what would else be thrown
+  /// but leaves a mesh.
+  Mesh (*read)(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems) = nullptr;
+  bool (*isBegin)(std::string_view text) = nullptr;  ///< tells it by the content; nullptr: the extension must
+  std::string_view mustBegin = {};  ///< what a file with the extension begins with; "": the reader says what is wrong
+  void (*write)(const Mesh& mesh, const std::filesystem::path& path) = nullptr;  ///< where info.writes
+  bool (*ownsPath)(const std::filesystem::path& path) = nullptr;
+  Mesh (*readPath)(const std::filesystem::path& path, Notes* notes, Problems* problems) = nullptr;
+};
+/// Every format, one entry each in mesh_io.cpp, and those that were registered.
 std::span<const MeshFormatInfo> allMeshFormats();
+/// Adds one; call it when the program starts, before any is asked for. Throws InputError when the name is taken.
+void registerMeshFormat(const MeshFormatEntry& entry);
 /// ".msh, .node/.ele, … or .inp"
 std::string readableExtensions();
 /// ".msh or .vtu"

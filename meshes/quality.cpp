@@ -200,11 +200,6 @@ ElementQuality elementQuality(const MeshBlock& block, std::size_t e, const NodeV
   return measure(info, JacobianProbe(info), block.element(e), x);
 }
 
-std::string_view shapeName(ShapeClass shape) {
-  constexpr std::string_view names[] = {"round", "small", "needle", "wedge", "spindle", "sliver", "cap", "other"};
-  return names[static_cast<std::size_t>(shape)];
-}
-
 std::string ElementShape::text() const {
   const auto digits = [](double value) {
     std::ostringstream text;

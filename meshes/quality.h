@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include <ringwatch/base/name_table.h>
 #include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch {
@@ -68,7 +69,17 @@ enum class ShapeClass {
   cap,
   other  // no tetrahedron: see its angles and its aspect
 };
-std::string_view shapeName(ShapeClass shape);
+inline constexpr auto shapeNames = nameTable<ShapeClass>({
+    {ShapeClass::round, "round"},
+    {ShapeClass::small, "small"},
+    {ShapeClass::needle, "needle"},
+    {ShapeClass::wedge, "wedge"},
+    {ShapeClass::spindle, "spindle"},
+    {ShapeClass::sliver, "sliver"},
+    {ShapeClass::cap, "cap"},
+    {ShapeClass::other, "other"},
+});
+constexpr std::string_view shapeName(ShapeClass shape) { return shapeNames.nameOf(shape); }
 
 struct ElementShape {
   ShapeClass shape = ShapeClass::other;

@@ -5,13 +5,19 @@
 #include <optional>
 #include <string_view>
 
+#include <ringwatch/base/name_table.h>
 #include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch {
 
 /// Which way a value for the highest frequency errs. Only an upper bound of the frequency may set a step called safe.
 enum class Direction { upperBound, lowerBound, estimate };
-std::string_view directionName(Direction direction);
+inline constexpr auto directionNames = nameTable<Direction>({
+    {Direction::upperBound, "upper-bound"},
+    {Direction::lowerBound, "lower-bound"},
+    {Direction::estimate, "estimate"},
+});
+constexpr std::string_view directionName(Direction direction) { return directionNames.nameOf(direction); }
 
 /// The highest eigenvalue lambda of M⁻¹K (omega², rad²/s²) lies at or below `value`: proven.
 struct UpperBound {

@@ -129,8 +129,8 @@ void LazyBound::note(ElementRef element, const TangentDrift& drift) {
     spent_.leastDeterminant = drift.determinant;
     spent_.leastDeterminantElement = element;
   }
-  const Lame lame = body_.blocks()[static_cast<std::size_t>(element.block)]->material().lame();
-  const Bfloat16 compression = Bfloat16::up(drift.law.negative / (lame.lambda + 2 * lame.mu));
+  const double modulus = body_.blocks()[static_cast<std::size_t>(element.block)]->material().restModulus();
+  const Bfloat16 compression = Bfloat16::up(drift.law.negative / modulus);
   blocks_[static_cast<std::size_t>(element.block)].compression[placeOf(element)] = compression;
   mostCompression_ = std::max(mostCompression_, static_cast<double>(compression));
 }

@@ -1,10 +1,9 @@
 #include <ringwatch/monitor/metrics.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include <ringwatch/base/error.h>
+#include <ringwatch/base/registry.h>
 #include <ringwatch/monitor/element_metrics.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/reduced_ring.h>
@@ -13,8 +12,7 @@
 namespace ringwatch {
 namespace {
 
-using Values = std::vector<std::vector<double>>;
-using Evaluate = Values(const Body&, const NodeVectors&, const MetricProgress&);
+using Values = MetricValues;
 
 Values reducedRing(const Body& body, const NodeVectors& x, const MetricProgress&) {
   ReducedRing ring(body);
@@ -56,14 +54,38 @@ Values ring(const Body& body, const NodeVectors& x, const MetricProgress& progre
   return ringEigenvalues(body, x, kind, progress);
 }
 
-struct Entry {
-  MetricInfo info;
-  Evaluate* evaluate;
-  bool (*isUpperBoundOn)(const Body&) = nullptr;  // for an estimate that is a bound on some meshes
+/// Keeps the pattern of the matrix: half of the cost.
+class ReducedRingsAlong final : public MetricEvaluator {
+ public:
+  explicit ReducedRingsAlong(const Body& body) : ring_(body) {}
+  double highest(const NodeVectors& x) override {
+    double highest = 0;
+    for (const auto& block : ring_.evaluate(x).largest)
+      for (const double value : block) {
+        if (std::isnan(value)) return value;
+        highest = std::max(highest, value);
+      }
+    return highest;
+  }
+
+ private:
+  ReducedRing ring_;
+};
+
+/// Evaluates all elements each time.
+class Anew final : public MetricEvaluator {
+ public:
+  Anew(std::string_view name, const Body& body) : name_(name), body_(body) {}
+  double highest(const NodeVectors& x) override { return evaluateMetric(name_, body_, x).lambda; }
+
+ private:
+  std::string name_;
+  const Body& body_;
 };
 
 using enum Direction;
-const std::array<Entry, 17> entries{{
+/// Every metric of the library, one entry each.
+const MetricEntry entriesOfLibrary[] = {
     {{"single-element", "every element on its own, with its own mass", upperBound}, plain<singleElement>},
     {{"pressure-wave", "a pressure wave crossing the element's least height", estimate},
      wave<CharacteristicLength::usual>},
@@ -87,33 +109,53 @@ const std::array<Entry, 17> entries{{
     {{"element-1-ring", "the elements at an element's nodes as a body of their own", estimate},
      ring<RingKind::element1>},
     {{"element-2-ring", "the elements at the nodes of the element 1-ring", estimate}, ring<RingKind::element2>},
-    {{"reduced-1-ring", "assembled stiffness cut to the element's own nodes", lowerBound}, reducedRing},
+    {{"reduced-1-ring", "assembled stiffness cut to the element's own nodes", lowerBound, true},
+     reducedRing,
+     nullptr,
+     [](const Body& body) -> std::unique_ptr<MetricEvaluator> { return std::make_unique<ReducedRingsAlong>(body); }},
     {{"reduced-2-ring", "assembled stiffness cut to the nodes of the element 1-ring", lowerBound},
      ring<RingKind::reduced2>},
     {{"nodal-bound", "proven bound by 3x3 shapes summed at nodes", upperBound}, nodalBound},
-}};
+};
+
+std::string_view nameOfMetric(const MetricEntry& entry) { return entry.info.name; }
+
+struct Metrics {
+  Registry<MetricEntry, nameOfMetric> entries{entriesOfLibrary};
+  std::vector<MetricInfo> infos;  // of entries
+
+  Metrics() { list(); }
+  void list() {
+    infos.clear();
+    for (const MetricEntry& entry : entries.all()) infos.push_back(entry.info);
+  }
+};
+
+Metrics& metrics() {
+  static Metrics all;
+  return all;
+}
+
+/// Throws InputError for an unknown name.
+std::size_t numberOf(std::string_view name) {
+  const auto entries = metrics().entries.all();
+  const auto found = std::ranges::find(entries, name, nameOfMetric);
+  if (found == entries.end()) throw InputError(joinText("metric \"", name, "\": must be one of ", knownMetrics(name)));
+  return static_cast<std::size_t>(found - entries.begin());
+}
 
 }  // namespace
 
-std::string_view directionName(Direction direction) {
-  switch (direction) {
-    case Direction::upperBound:
-      return "upper-bound";
-    case Direction::lowerBound:
-      return "lower-bound";
-    case Direction::estimate:
-      return "estimate";
-  }
-  return "";
+std::span<const MetricInfo> allMetrics() { return metrics().infos; }
+
+void registerMetric(const MetricEntry& entry) {
+  metrics().entries.add("metric", entry);
+  metrics().list();
 }
 
-std::span<const MetricInfo> allMetrics() {
-  static const auto table = [] {
-    std::array<MetricInfo, entries.size()> infos{};
-    for (std::size_t i = 0; i < entries.size(); ++i) infos[i] = entries[i].info;
-    return infos;
-  }();
-  return table;
+std::unique_ptr<MetricEvaluator> makeMetricEvaluator(std::string_view name, const Body& body) {
+  const MetricEntry& entry = metrics().entries.all()[numberOf(name)];
+  return entry.along ? entry.along(body) : std::make_unique<Anew>(name, body);
 }
 
 const MetricInfo* findMetric(std::string_view name) {
@@ -124,27 +166,24 @@ const MetricInfo* findMetric(std::string_view name) {
 
 MetricResult evaluateMetric(std::string_view name, const Body& body, const NodeVectors& x,
                             const MetricProgress& progress) {
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (entries[i].info.name != name) continue;
-    const Entry& entry = entries[i];
-    const bool bound = entry.isUpperBoundOn && entry.isUpperBoundOn(body);
-    MetricResult result{&allMetrics()[i],
-                        bound ? Direction::upperBound : entry.info.direction,
-                        0,
-                        {},
-                        entry.evaluate(body, x, progress)};
-    bool first = true;
-    for (std::size_t b = 0; b < result.elementLambda.size(); ++b)
-      for (std::size_t e = 0; e < result.elementLambda[b].size(); ++e)
-        // NaN, an element without a tangent, stays once it was met.
-        if (first || result.elementLambda[b][e] > result.lambda || std::isnan(result.elementLambda[b][e])) {
-          result.lambda = result.elementLambda[b][e];
-          result.controlling = {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
-          first = false;
-        }
-    return result;
-  }
-  throw InputError(joinText("metric \"", name, "\": must be one of ", knownMetrics(name)));
+  const std::size_t number = numberOf(name);
+  const MetricEntry& entry = metrics().entries.all()[number];
+  const bool bound = entry.isUpperBoundOn && entry.isUpperBoundOn(body);
+  MetricResult result{&allMetrics()[number],
+                      bound ? Direction::upperBound : entry.info.direction,
+                      0,
+                      {},
+                      entry.evaluate(body, x, progress)};
+  bool first = true;
+  for (std::size_t b = 0; b < result.elementLambda.size(); ++b)
+    for (std::size_t e = 0; e < result.elementLambda[b].size(); ++e)
+      // NaN, an element without a tangent, stays once it was met.
+      if (first || result.elementLambda[b][e] > result.lambda || std::isnan(result.elementLambda[b][e])) {
+        result.lambda = result.elementLambda[b][e];
+        result.controlling = {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
+        first = false;
+      }
+  return result;
 }
 
 std::string knownMetrics(std::string_view name) {

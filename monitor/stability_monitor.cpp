@@ -331,74 +331,24 @@ std::string elementText(const Body& body, ElementRef e) {
 
 }  // namespace
 
-std::string_view verdictName(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::certified:
-      return "certified";
-    case Verdict::notCertified:
-      return "not-certified";
-    case Verdict::violated:
-      return "violated";
-  }
-  return "";
-}
-
-std::string_view monitorModeName(MonitorMode mode) {
-  switch (mode) {
-    case MonitorMode::bracket:
-      return "bracket";
-    case MonitorMode::threshold:
-      return "threshold";
-    case MonitorMode::metric:
-      return "metric";
-  }
-  return "";
-}
-
-std::string_view eventName(EventKind kind) {
-  switch (kind) {
-    case EventKind::violated:
-      return "violated";
-    case EventKind::energyBalance:
-      return "energy-balance";
-    case EventKind::inverted:
-      return "inverted";
-    case EventKind::nonFinite:
-      return "non-finite";
-    case EventKind::indefinite:
-      return "indefinite";
-  }
-  return "";
-}
-
 struct StabilityMonitor::Impl {
   Impl(const Body& b, const MonitorOptions& o) : body(b), options(o), bodyVersion(b.version()) {
     if (o.mode != MonitorMode::metric) bracketer.emplace(b, o.width);
-    if (o.metric == "reduced-1-ring" && !o.metricElsewhere) ring.emplace(b);
+    if (!o.metric.empty() && !o.metricElsewhere) metric = makeMetricEvaluator(o.metric, b);
     // Less than at a strain of 1e-12 is rounding, whose changes are as large as itself.
-    for (const auto& block : b.blocks()) {
-      const Lame lame = block->material().lame();
-      largestEnergy = std::max(largestEnergy, 1e-24 * (lame.lambda + 2 * lame.mu) * b.volume());
-    }
+    for (const auto& block : b.blocks())
+      largestEnergy = std::max(largestEnergy, 1e-24 * block->material().restModulus() * b.volume());
   }
-  /// The metric's highest value at x, rad²/s². Reduced rings keep their pattern from look to look: half of their cost.
+  /// The metric's highest value at x, rad²/s².
   double metricLambda(const NodeVectors& x) {
-    if (options.metricElsewhere) return options.metricElsewhere(x);
-    if (!ring) return evaluateMetric(options.metric, body, x).lambda;
-    double highest = 0;
-    for (const auto& block : ring->evaluate(x).largest)
-      for (const double value : block) {
-        if (std::isnan(value)) return value;
-        highest = std::max(highest, value);
-      }
-    return highest;
+    return options.metricElsewhere ? options.metricElsewhere(x) : metric->highest(x);
   }
 
   const Body& body;
   Body::Workspace workspace;
   MonitorOptions options;
   std::optional<Bracketer> bracketer;
-  std::optional<ReducedRing> ring;  // of that metric
+  std::unique_ptr<MetricEvaluator> metric;
   MonitorReport report;
   std::vector<MonitorEvent> events;
   struct Course {

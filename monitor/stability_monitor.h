@@ -17,7 +17,12 @@ enum class MonitorMode {
   threshold,  ///< only whether the step taken is certified: cheapest. While it is not, both sides, to tell how far
   metric      ///< neither: a metric with a margin, which proves nothing
 };
-std::string_view monitorModeName(MonitorMode mode);
+inline constexpr auto monitorModeNames = nameTable<MonitorMode>({
+    {MonitorMode::bracket, "bracket", "both proven sides at every look"},
+    {MonitorMode::threshold, "threshold", "only whether the step is certified, which is cheapest"},
+    {MonitorMode::metric, "metric", "the metric alone"},
+});
+constexpr std::string_view monitorModeName(MonitorMode mode) { return monitorModeNames.nameOf(mode); }
 
 struct MonitorOptions {
   StepRule limit = 2.0;  ///< the integrator's largest stable h·omega on the imaginary axis, or, for a damped
@@ -44,7 +49,12 @@ enum class Verdict {
   violated       ///< h > optimistic: proven above the critical step of the tangent at this state; or positions,
                  ///< velocities or the tangent are not finite, so that there is no bracket and no step helps
 };
-std::string_view verdictName(Verdict verdict);
+inline constexpr auto verdictNames = nameTable<Verdict>({
+    {Verdict::certified, "certified"},
+    {Verdict::notCertified, "not-certified"},
+    {Verdict::violated, "violated"},
+});
+constexpr std::string_view verdictName(Verdict verdict) { return verdictNames.nameOf(verdict); }
 
 /// Something that happened, reported once when it begins. It ends with the first of MonitorOptions::clearLooks
 /// looks in a row that do not see it.
@@ -55,7 +65,14 @@ std::string_view verdictName(Verdict verdict);
 /// 32 reduced 1-rings at each of these and after 10 evaluations. A mode that is far softer than the elements, as of a
 /// slender bar that buckles, can be missed; what is told is proven.
 enum class EventKind { violated, energyBalance, inverted, nonFinite, indefinite };
-std::string_view eventName(EventKind kind);
+inline constexpr auto eventNames = nameTable<EventKind>({
+    {EventKind::violated, "violated"},
+    {EventKind::energyBalance, "energy-balance"},
+    {EventKind::inverted, "inverted"},
+    {EventKind::nonFinite, "non-finite"},
+    {EventKind::indefinite, "indefinite"},
+});
+constexpr std::string_view eventName(EventKind kind) { return eventNames.nameOf(kind); }
 struct MonitorEvent {
   EventKind kind;
   std::int64_t step;

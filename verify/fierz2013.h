@@ -32,7 +32,7 @@ struct Deformation {
 /// Every deformation of both meshes at this Poisson's ratio: by mesh, mode, by position before by force.
 std::vector<Deformation> allDeformations(double poisson);
 
-/// Runs every deformation with every handler at 0.4 ms (`filtered`: 0.2 ms), with Verlet at 0.1 ms and in its own
+/// Runs every deformation with every handler at 0.4 ms (`modal-filter`: 0.2 ms), with Verlet at 0.1 ms and in its own
 /// certified step, and with implicit Euler on the cube (integrators: where to look for it), against Verlet at 0.05 ms.
 /// At nu = 0.4, 0.45 and 0.49 the cube alone, in the steps of the source.
 ///

@@ -13,10 +13,10 @@ namespace ringwatch {
 /// cutting, see `addCutting`; resonance, where local time stepping is unstable (resonance.h).
 /// Times are for information: no check rests on one.
 /// Checks: the certified rest is below the frequency that the step allows; the mean error of every motion by imex and
-/// adaptive, and by fe-pbd and filtered on the bar, where they handle less than half of the elements. With dissipation:
-/// largest energy; linear momentum to rounding; angular momentum by imex, whose K̂ does not resist rotations of the body
-/// at rest, but does once it is strained, by adaptive, and to rounding by fe-pbd and filtered. What has no dissipation,
-/// mass scaling among it, is reported, not checked.
+/// local-time-stepping, and by fe-pbd and modal-filter on the bar, where they handle less than half of the elements.
+/// With dissipation: largest energy; linear momentum to rounding; angular momentum by imex, whose K̂ does not resist
+/// rotations of the body at rest, but does once it is strained, by local-time-stepping, and to rounding by fe-pbd and
+/// modal-filter. What has no dissipation, mass scaling among it, is reported, not checked.
 StudyReport verifyHandlers(StudyEffort effort);
 
 }  // namespace ringwatch

@@ -126,9 +126,9 @@ void addResonance(StudyEffort effort, StudyReport& report) {
           const double wanted = x * std::numbers::pi / h;
           Body body = bar(std::max(1.0, wanted * wanted / slope), graded);
           HandlerOptions options;
-          options.variant = variant.stabilised ? "stabilised" : "plain";
-          options.dissipation = variant.dissipation;
-          const auto handler = makeHandler("adaptive", body, makeIntegrator("symplectic-euler"), options);
+          options.own = {{"variant", variant.stabilised ? "stabilised" : "plain"},
+                         {"dissipation", variant.dissipation}};
+          const auto handler = makeHandler("local-time-stepping", body, makeIntegrator("symplectic-euler"), options);
           handler->prepare(body.mesh().X, h);
           if (handler->elements().empty()) continue;
           last = h * std::sqrt(highestEigenvalue(body)) / std::numbers::pi;

@@ -68,8 +68,8 @@ TEST_F(HandledProgram, ComparesHandlersWithIntegrators) {
     const bool large = run["h"].get<double>() > critical_;
     if (run["integrator"] == "verlet" && large)
       EXPECT_TRUE(run["error"].is_null() || run["error"].get<double>() > 1);
-    else if (run["integrator"] == "imex" || run["integrator"] == "adaptive" || run["integrator"] == "filtered" ||
-             !large)
+    else if (run["integrator"] == "imex" || run["integrator"] == "local-time-stepping" ||
+             run["integrator"] == "modal-filter" || !large)
       EXPECT_LT(run["error"].get<double>(), large ? 0.02 : 1e-3) << run;
     else if (run["integrator"] == "fe-pbd")
       EXPECT_LT(run["error"].get<double>(), 0.1) << run;

@@ -75,7 +75,7 @@ TEST(Scene, ReadsAGoodOneAndFillsDefaults) {
   const TemporaryFolder folder;
   const Scene scene = readScene(folder.write("scene.toml", good));
   EXPECT_EQ(scene.generator, "bar");
-  EXPECT_EQ(scene.young, 30e3);
+  EXPECT_EQ(scene.parameters.number("young"), 30e3);
   EXPECT_EQ(scene.step, 1e-4);
   EXPECT_EQ(scene.method, "symplectic-euler");
   EXPECT_EQ(scene.safety, 0.95);
@@ -166,7 +166,8 @@ TEST(Scene, NamesFileLineKeyAndWhatWouldBeRight) {
       {with("margin = 0.2", "on_violation = \"handle\""),
        "scene.toml:14: monitor.on_violation: \"handle\" needs a handler; set handler.method"},
       {with("margin = 0.2", "[handler]\nmethod = \"imx\""),
-       "scene.toml:15: handler.method: unknown \"imx\"; did you mean \"imex\"? must be one of none, adaptive, imex, "},
+       "scene.toml:15: handler.method: unknown \"imx\"; did you mean \"imex\"? must be one of none, "
+       "local-time-stepping, imex, "},
       {with("model = \"stvk\"", "model = \"stvkk\""),
        "scene.toml:6: material.model: unknown \"stvkk\"; did you mean \"stvk\"?"},
       {with("[integrator]", "[integrator]\nmethod = \"explicit-euler\""),

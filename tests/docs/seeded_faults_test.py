@@ -60,16 +60,16 @@ class SeededFaults(unittest.TestCase):
         self.expect("lists", "a scene has no key handler.methods", "README.md", 'method = "imex"', 'methods = "imex"')
         self.expect("lists", "a scene has no key monitor.modus", "README.md", "`[monitor] mode =", "`[monitor] modus =")
         self.expect("lists", "a scene has no key monitor.evry", "docs/gpu.md", "`monitor.every`", "`monitor.evry`")
-        self.expect("lists", "handler.selection cannot be single", "docs/handlers.md", '"single-element"', '"single"')
+        self.expect("lists", "handler.selection cannot be single", "docs/handlers.md", '"element-frequency"', '"single"')
 
     def test_names(self):
-        self.expect("lists", "the handlers are", "README.md", ', "filtered"', "")
+        self.expect("lists", "the handlers are", "README.md", ', "modal-filter"', "")
         self.expect("lists", "laws: the document has", "README.md", "`corotational`", "")
         self.expect("lists", "mesh formats: the document has", "README.md", "`.inp`", "")
         self.expect("lists", "elements: the document has", "docs/elements.md", "| `hex20` | 20", "| `hex27` | 20")
         self.expect("lists", "the rules of wedge6 are", "docs/elements.md", "`gauss-3x2`, `source`", "`source`")
         self.expect("lists", "monitor.mode: the document has", "docs/monitor.md", "| `threshold` |", "| `certify` |")
-        self.expect("lists", "the handler filtered has no section", "docs/handlers.md", "## filtered", "## filters")
+        self.expect("lists", "the handler modal-filter has no section", "docs/handlers.md", "## modal-filter", "## filters")
 
     def test_snippets(self):
         self.expect("snippets", "has no context", "docs/monitor.md", "## Modes", "```cpp\nint i;\n```\n## Modes")

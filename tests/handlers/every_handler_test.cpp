@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/handler.h>
@@ -13,12 +12,13 @@
 namespace ringwatch {
 namespace {
 
-/// All variants of a handler; "" is its default.
-std::vector<const char*> variantsOf(std::string_view handler) {
-  static const std::map<std::string_view, const char*> others{
-      {"adaptive", "plain"}, {"fe-pbd", "rigid"}, {"filtered", "projection"}};
-  const auto other = others.find(handler);
-  return other == others.end() ? std::vector<const char*>{""} : std::vector<const char*>{"", other->second};
+/// All variants of a handler, as options; one without any where it has none.
+std::vector<HandlerOptions> variantsOf(const HandlerInfo& handler) {
+  const OptionInfo* variant = findOption(handler.options, "variant");
+  if (!variant) return {{}};
+  std::vector<HandlerOptions> all;
+  for (const std::string_view choice : variant->choices) all.push_back({.own = {{"variant", choice}}});
+  return all;
 }
 
 class EveryHandler : public ::testing::TestWithParam<HandlerEntry> {};
@@ -44,13 +44,11 @@ TEST_P(EveryHandler, GivesTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST_P(EveryHandler, IsPlainExplicitWhereTheStepIsFine) {
-  for (const char* variant : variantsOf(GetParam().info->name))
+  for (const HandlerOptions& options : variantsOf(*GetParam().info))
     for (const char* base : {"symplectic-euler", "verlet"}) {
       Body body = test::sliverBody("corotational");
       body.addBodyForce({0, 0, -1});
       const double h = 0.8 * test::criticalStepOf(body);
-      HandlerOptions options;
-      options.variant = variant;
       const auto handler = GetParam().make(body, makeIntegrator(base), options);
       handler->prepare(body.mesh().X, h);
       EXPECT_TRUE(handler->elements().empty());
@@ -119,15 +117,11 @@ TEST(Handlers, RefuseWhatTheyCannotDo) {
   const Material material = makeMaterial("corotational", test::young, test::poisson, test::density);
   Body hexahedra(test::gridMesh("hex8", {2, 2, 2}, {1, 1, 1}), material, {}), linear = test::sliverBody("linear"),
                                                                               slivers = test::sliverBody();
-  HandlerOptions plain, variant, passes, rings, single, below, above, noLevel, manyLevels;
-  variant.variant = "round";
-  passes.passes = 33;
-  rings.selection = "reduced-1-ring";
-  single.selection = "single-element";
-  below.dissipation = -0.1;
-  above.dissipation = 1.1;
-  noLevel.levels = 0;
-  manyLevels.levels = 13;
+  const HandlerOptions plain, variant{.own = {{"variant", "round"}}}, passes{.own = {{"passes", 33}}},
+      rigidPasses{.own = {{"variant", "rigid"}, {"passes", 2}}}, rings{.selection = Selection::fierzRing},
+      single{.selection = Selection::elementFrequency}, below{.own = {{"dissipation", -0.1}}},
+      above{.own = {{"dissipation", 1.1}}}, noLevel{.own = {{"levels", 0}}}, manyLevels{.own = {{"levels", 13}}},
+      unknown{.own = {{"dissipaton", 0.1}}};
   const struct {
     const char* handler;
     Body& body;
@@ -135,21 +129,24 @@ TEST(Handlers, RefuseWhatTheyCannotDo) {
     const char* text;
   } cases[]{
       {"fe-pbd", hexahedra, plain, "fe-pbd handles tet4, and element 0:0 is a hex8"},
-      {"filtered", hexahedra, plain, "filtered handles tet4, and element 0:0 is a hex8"},
+      {"modal-filter", hexahedra, plain, "modal-filter handles tet4, and element 0:0 is a hex8"},
       {"fe-pbd", linear, plain, "\"linear\""},
-      {"filtered", linear, plain, "\"linear\""},
-      {"fe-pbd", slivers, variant, "variant \"round\" of fe-pbd: must be one of linear, rigid"},
-      {"filtered", slivers, variant, "variant \"round\" of filtered: must be one of compliant, projection"},
-      {"adaptive", slivers, variant, "variant \"round\" of adaptive: must be one of stabilised, plain"},
+      {"modal-filter", linear, plain, "\"linear\""},
+      {"fe-pbd", slivers, variant, "fe-pbd: variant \"round\": must be one of linear, rigid"},
+      {"modal-filter", slivers, variant, "modal-filter: variant \"round\": must be one of compliant, projection"},
+      {"local-time-stepping", slivers, variant, "variant \"round\": must be one of stabilised, plain"},
       {"fe-pbd", slivers, passes, "passes 33"},
-      {"filtered", slivers, rings, "must be certified or single-element"},
+      {"fe-pbd", slivers, rigidPasses, "passes 2: goes with variant linear, not with \"rigid\""},
+      {"modal-filter", slivers, rings, "must be certified or element-frequency"},
       {"mass-scaling", slivers, rings, "must be certified"},
-      {"adaptive", slivers, single, "adaptive takes certified or reduced-1-ring"},
+      {"local-time-stepping", slivers, single, "must be certified or fierz-ring"},
       {"imex", slivers, below, "dissipation -0.1"},
       {"imex", slivers, above, "dissipation 1.1"},
-      {"adaptive", slivers, below, "dissipation -0.1"},
-      {"adaptive", slivers, noLevel, "levels 0"},
-      {"adaptive", slivers, manyLevels, "levels 13"},
+      {"imex", slivers, unknown, "did you mean \"dissipation\"?"},
+      {"mass-scaling", slivers, above, "dissipation 1.1: there are no options"},
+      {"local-time-stepping", slivers, below, "dissipation -0.1"},
+      {"local-time-stepping", slivers, noLevel, "levels 0"},
+      {"local-time-stepping", slivers, manyLevels, "levels 13"},
   };
   for (const auto& one : cases) try {
       makeHandler(one.handler, one.body, makeIntegrator("verlet"), one.options)->prepare(one.body.mesh().X, 1);
@@ -157,6 +154,38 @@ TEST(Handlers, RefuseWhatTheyCannotDo) {
     } catch (const InputError& fault) {
       EXPECT_THAT(fault.what(), ::testing::HasSubstr(one.text)) << one.handler;
     }
+}
+
+TEST_P(EveryHandler, IsFoundByItsNameAndItsAlias) {
+  const HandlerInfo& info = *GetParam().info;
+  EXPECT_EQ(findHandler(info.name), &info);
+  if (!info.alias.empty()) {
+    EXPECT_EQ(findHandler(info.alias), &info);
+  }
+  EXPECT_FALSE(info.help.empty());
+  EXPECT_FALSE(info.selections.empty());
+  for (const OptionInfo& option : info.options) {
+    EXPECT_FALSE(option.help.empty()) << option.name;
+    if (!option.onlyWith.option.empty()) {
+      EXPECT_NE(findOption(info.options, option.onlyWith.option), nullptr);
+    }
+  }
+  EXPECT_NO_THROW(completed(info.name, info.options, {}));
+}
+
+TEST(Handlers, TakeOfTheOptionsOfOthersWhatTheyDeclare) {
+  const HandlerOptions scene{.selection = Selection::fierzRing,
+                             .margin = 0.2,
+                             .own = {{"variant", "rigid"}, {"iterations", 5}, {"dissipation", 0.3}}};
+  const HandlerOptions imex = optionsFor(*findHandler("imex"), scene),
+                       filter = optionsFor(*findHandler("modal-filter"), scene);
+  EXPECT_EQ(imex.selection, Selection::fierzRing);
+  EXPECT_EQ(imex.margin, 0.2);
+  EXPECT_EQ(imex.own.integer("iterations"), 5);
+  EXPECT_EQ(imex.own.number("dissipation"), 0.3);
+  EXPECT_EQ(imex.own.find("variant"), nullptr);
+  EXPECT_EQ(filter.selection, Selection::certified);
+  EXPECT_TRUE(filter.own.empty());  // "rigid" is no variant of it, and iterations go with its projection
 }
 
 TEST_P(EveryHandler, GoesOnAfterACutWithTheChoiceMadeBefore) {

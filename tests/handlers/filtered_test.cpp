@@ -21,12 +21,11 @@ using ::testing::HasSubstr;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
 
-std::unique_ptr<Handler> filtered(Body& body, double h, std::string variant = {},
-                                  std::string_view base = "symplectic-euler", std::string selection = "certified") {
-  HandlerOptions options;
-  options.variant = std::move(variant);
-  options.selection = std::move(selection);
-  auto handler = makeHandler("filtered", body, makeIntegrator(base), options);
+std::unique_ptr<Handler> filtered(Body& body, double h, std::string_view variant = "auto",
+                                  std::string_view base = "symplectic-euler",
+                                  Selection selection = Selection::certified) {
+  auto handler =
+      makeHandler("modal-filter", body, makeIntegrator(base), {.selection = selection, .own = {{"variant", variant}}});
   handler->prepare(body.mesh().X, h);
   return handler;
 }
@@ -156,14 +155,14 @@ TEST(Filtered, LeavesRigidMotionAlone) {
   }
 }
 
-class FilteredStability : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(All, FilteredStability, ::testing::Values("certified", "single-element"),
-                         [](const auto& test) { return test::testName(std::string_view(test.param)); });
+class FilteredStability : public ::testing::TestWithParam<Selection> {};
+INSTANTIATE_TEST_SUITE_P(All, FilteredStability, ::testing::Values(Selection::certified, Selection::elementFrequency),
+                         [](const auto& test) { return test::testName(selectionNames.nameOf(test.param)); });
 
 TEST_P(FilteredStability, NoModeGrowsAtManyTimesTheCriticalStep) {
   Body body = test::sliverBody("corotational", 0.98);
   const double h = 4 * criticalStepOf(body);
-  const auto handler = filtered(body, h, {}, "symplectic-euler", GetParam());
+  const auto handler = filtered(body, h, "auto", "symplectic-euler", GetParam());
   EXPECT_FALSE(handler->elements().empty());
   EXPECT_TRUE(handler->certified());
   EXPECT_LE(test::spectralRadius(body, *handler, h, 1e-7), 1 + 1e-5);
@@ -232,12 +231,9 @@ TEST(Projection, SaysWhenItsConstraintsContradictEachOther) {
 
 TEST(Filtered, SaysWhenTheProjectionDoesNotConverge) {
   Body body = test::sliverBody("corotational", 0.95);
-  HandlerOptions options;
-  options.variant = "projection";
-  options.projectionTolerance = 1e-14;
-  options.cluster.iterations = 1;
+  const HandlerOptions options{.own = {{"variant", "projection"}, {"tolerance", 1e-14}, {"iterations", 1}}};
   const double h = 3 * criticalStepOf(body);
-  const auto handler = makeHandler("filtered", body, makeIntegrator("verlet"), options);
+  const auto handler = makeHandler("modal-filter", body, makeIntegrator("verlet"), options);
   handler->prepare(body.mesh().X, h);
   BodySystem system(body);
   State state = system.initialState();

@@ -121,9 +121,7 @@ TEST(Handlers, RefuseWhatTheyCannotDo) {
   EXPECT_THAT(refusal([&] { makeHandler("magic", body, makeIntegrator("verlet")); }), HasSubstr("mass-scaling"));
   EXPECT_THAT(refusal([&] { makeHandler("mass-scaling", body, makeIntegrator("rk4")); }), HasSubstr("rk4"));
   EXPECT_THAT(refusal([&] {
-                HandlerOptions options;
-                options.selection = "reduced-1-ring";
-                makeHandler("mass-scaling", body, makeIntegrator("verlet"), options);
+                makeHandler("mass-scaling", body, makeIntegrator("verlet"), {.selection = Selection::fierzRing});
               }),
               HasSubstr("certified"));
   EXPECT_THAT(refusal([&] { makeHandler("mass-scaling", body, makeIntegrator("verlet"))->prepare(body.mesh().X, 0); }),

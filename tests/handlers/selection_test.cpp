@@ -185,7 +185,7 @@ TEST(Selection, AfterACutOnlyTheChangedElementsAreChosenAnew) {
   const Mesh mesh = generateBar(options);
   const Material material = makeMaterial("corotational", 30e3, 0.3, 1000);
   const CutMesh cut = cutMesh(mesh, CutSurface::plane({0.1, 0, 0}, {1, 0.1, 0}), mesh.X, 0.01);
-  for (const char* selection : {"certified", "reduced-1-ring"}) {
+  for (const Selection selection : {Selection::certified, Selection::fierzRing}) {
     HandlerOptions handlerOptions;
     handlerOptions.selection = selection;
     Body before(mesh, material);

@@ -36,7 +36,7 @@ TEST(Materials, AreMadeByTheNameOfEveryLaw) {
     const Material material = makeMaterial(info.name, 30e3, 0.3, 1000);
     EXPECT_EQ(material.lawName(), info.name);
     EXPECT_EQ(material.density, 1000);
-    EXPECT_NEAR(material.lame().mu, 30e3 / 2.6, 1e-10);
+    EXPECT_NEAR(material.restModuli().mu, 30e3 / 2.6, 1e-10);
   }
   EXPECT_EQ(names.size(), Laws::size);
 }
@@ -77,6 +77,21 @@ TEST(Materials, RefuseADensityThatIsNotPositive) {
     EXPECT_THAT(refusal("stvk", 1, 0.3, bad), AllOf(HasSubstr("density = "), HasSubstr("kg/m3"), HasSubstr("> 0")))
         << bad;
   EXPECT_THAT(refusal("stvk", 1, 0.3, -1000), HasSubstr("-1000"));
+}
+
+TEST(Materials, TakeTheParametersOfTheirLawAlone) {
+  EXPECT_EQ(makeMaterial("stvk", {{"young", 30e3}, {"poisson", 0.3}}, 1000).restModuli().mu, 30e3 / 2.6);
+  const auto refused = [](const Options& parameters) -> std::string {
+    try {
+      makeMaterial("stvk", parameters, 1000);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refused({{"young", 1}, {"poisson", 0.3}, {"c10", 2}}),
+            "c10 = 2: is no parameter of the law \"stvk\"; it takes young, poisson");
+  EXPECT_THAT(refused({{"young", 1}}), AllOf(HasSubstr("poisson: missing"), HasSubstr("< 0.5")));
 }
 
 TEST(Materials, NameAllLawsWhenTheModelIsUnknown) {

@@ -1,0 +1,125 @@
+// What a program registers is used from scenes, command line, help and studies as what the library has.
+#include <cmath>
+
+#include <tests/app/program.h>
+
+namespace ringwatch {
+namespace {
+
+using test::Json;
+using test::Outcome;
+using ::testing::HasSubstr;
+
+class Registration : public test::Program {
+ protected:
+  void SetUp() override {
+    folder_.write("rubber.toml", R"([mesh]
+generate = "bar"
+size = [0.1, 0.02, 0.02]
+cells = [5, 1, 1]
+[material]
+model = "mooney-rivlin"
+c10 = 4e3
+c01 = 1e3
+bulk = 25e3
+density = 1000
+[integrator]
+step = 4e-4
+end = 0.02
+[[fix]]
+where = "x < 1e-6"
+[[force]]
+where = "all"
+acceleration = [0, 0, -9.81]
+)");
+  }
+};
+
+TEST_F(Registration, IsListedInTheHelp) {
+  EXPECT_THAT(call("help laws").out, ::testing::AllOf(HasSubstr("mooney-rivlin"), HasSubstr("c01: coefficient of I2")));
+  EXPECT_THAT(call("help integrators").out, HasSubstr("two-halves"));
+  EXPECT_THAT(call("help metrics").out, HasSubstr("doubled"));
+  EXPECT_THAT(call("help handlers").out, ::testing::AllOf(HasSubstr("substeps"), HasSubstr("subcycles")));
+  EXPECT_THAT(call("help scene").out, ::testing::AllOf(HasSubstr("mooney-rivlin: bulk modulus at rest"),
+                                                       HasSubstr("substeps: that make a step")));
+  EXPECT_THAT(call("inspect --help").out, HasSubstr("--c10"));
+}
+
+TEST_F(Registration, ALawOfThreeConstantsRuns) {
+  const Outcome outcome =
+      call("run rubber.toml --out r --set monitor.metric=doubled --set integrator.method=two-halves");
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  const Json summary = json("r/summary.json");
+  EXPECT_EQ(summary["verdict"], "certified");
+  EXPECT_EQ(summary["scene"]["material"]["c10"], 4e3);
+  EXPECT_FALSE(summary["scene"]["material"].contains("young"));
+  expectRefused("run rubber.toml --set material.young=1", "is no parameter of the law \"mooney-rivlin\"; it takes c10");
+  expectRefused("run rubber.toml --set material.c01=-1", "material.c01: -1 is out of range; must be >= 0 Pa");
+  expectRefused("run rubber.toml --set material.model=stvk",
+                "is no parameter of the law \"stvk\"; it takes young, poisson");
+}
+
+TEST_F(Registration, ALawOfThreeConstantsIsInspected) {
+  ASSERT_EQ(call("mesh generate bar --size 0.1 0.02 0.02 --cells 5 1 1 -o a.msh").status, 0);
+  const std::string metrics = " --density 1000 --metric single-element,doubled --json a.json";
+  const Outcome outcome = call("inspect a.msh --model mooney-rivlin --c10 4e3 --c01 1e3 --bulk 25e3" + metrics);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json step = json("a.json")["critical_step"];
+  EXPECT_NEAR(step["metrics"]["single-element"].get<double>(), std::sqrt(2) * step["metrics"]["doubled"].get<double>(),
+              1e-9);
+  // At rest it is as stiff as any law of its moduli: mu = 10 kPa, K = 25 kPa.
+  ASSERT_EQ(
+      call("inspect a.msh --model stvk --young 26470.588235294117 --poisson 0.32352941176470584" + metrics).status, 0);
+  const Json same = json("a.json")["critical_step"];
+  EXPECT_NEAR(step["metrics"]["single-element"].get<double>(), same["metrics"]["single-element"].get<double>(), 1e-12);
+  expectRefused("inspect a.msh --model mooney-rivlin --c10 4e3 --c01 1e3 --density 1", "--bulk is required");
+  expectRefused("inspect a.msh --young 1 --poisson 0.3 --density 1 --c10 2",
+                "c10 = 2: is no parameter of the law \"stvk\"");
+}
+
+TEST_F(Registration, AHandlerTakesItsOwnKey) {
+  const std::string run = "run rubber.toml --out r --set integrator.step=4e-3 --set handler.method=";
+  const Outcome outcome = call(run + "subcycles --set handler.substeps=20");
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  const Json handler = json("r/summary.json")["handler"];
+  EXPECT_EQ(handler["method"], "substeps");
+  EXPECT_EQ(handler["substeps"], 20);
+  EXPECT_GT(handler["handled_elements"].get<int>(), 0);
+  expectRefused(run + "substeps --set handler.substeps=101", "must be >= 1 and <= 100");
+  expectRefused(run + "imex --set handler.substeps=2", "is a key of substeps; \"imex\" does not take it");
+  expectRefused(run + "substeps --set handler.selection=fierz-ring", "must be \"certified\"");
+  EXPECT_EQ(call("compare rubber.toml --integrators two-halves --handlers substeps --step 4e-4").status, 0);
+}
+
+TEST_F(Registration, AMeshFormatIsReadAndWritten) {
+  EXPECT_THAT(call("help formats").out, HasSubstr(".plain"));
+  EXPECT_THAT(call("mesh convert --help").out, HasSubstr(".plain"));
+  ASSERT_EQ(call("mesh generate bar --size 0.1 0.02 0.02 --cells 5 1 1 -o a.plain").status, 0);
+  ASSERT_EQ(call("mesh convert a.plain b.msh").status, 0);
+  ASSERT_EQ(call("mesh generate bar --size 0.1 0.02 0.02 --cells 5 1 1 -o c.msh").status, 0);
+  for (const std::string name : {"a.plain", "b.msh", "c.msh"}) {
+    const Outcome outcome =
+        call("inspect " + name + " --young 30e3 --poisson 0.3 --density 1000 --json " + name + ".json");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const double safe = json(name + ".json")["critical_step"]["safe"],
+                 same = json("a.plain.json")["critical_step"]["safe"];
+    EXPECT_NEAR(safe, same, 1e-9 * same) << name;
+  }
+  folder_.write("broken.plain", "plain 4 0 0 0");
+  expectRefused("mesh check broken.plain", "ends too early");
+}
+
+TEST_F(Registration, AStudyRuns) {
+  EXPECT_THAT(call("help studies").out, HasSubstr("the volume of a bar"));
+  const Outcome outcome = call("verify volume");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, ::testing::AllOf(HasSubstr("== volume"), HasSubstr("5 checks, 0 failed")));
+}
+
+TEST_F(Registration, StudiesTakeWhatIsRegistered) {
+  const Outcome outcome = call("verify integrators --quick --json i.json");
+  EXPECT_THAT(outcome.out, HasSubstr("two-halves"));
+}
+
+}  // namespace
+}  // namespace ringwatch
