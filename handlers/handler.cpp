@@ -111,14 +111,20 @@ double Handler::allowedLambda(double h) const {
   return omega * omega;
 }
 
+namespace {
+void requirePrepared(double h, double prepared) {
+  if (h != prepared) throw InputError(joinText("step ", h, " s: the handler was prepared for ", prepared, " s"));
+}
+}  // namespace
+
 StepStatus Handler::step(SecondOrderSystem& system, State& state, double h) {
-  if (stepsAsBase()) return base_->step(system, state, h);
-  if (h != h_) throw InputError(joinText("step ", h, " s: the handler was prepared for ", h_, " s"));
-  return handledStep(system, state, h);
+  if (!elements_.empty()) requirePrepared(h, h_);
+  return stepsAsBase() ? base_->step(system, state, h) : handledStep(system, state, h);
 }
 
 StepStatus Handler::advance(SecondOrderSystem& system, State& state, double h) {
-  return stepsAsBase() ? base_->advance(system, state, h) : step(system, state, h);
+  if (!elements_.empty()) requirePrepared(h, h_);
+  return stepsAsBase() ? base_->advance(system, state, h) : handledStep(system, state, h);
 }
 
 bool Handler::beginsWithAcceleration() const {
