@@ -71,8 +71,7 @@ class Run {
     result_.notes = options.notes;
     result_.requireCertified = scene_.requireCertified;
     balance_.emplace(body_);
-    largestEnergy_ = 1e-24 * body_.blocks().front()->material().restModulus() *
-                     body_.volume();  // less, at a strain of 1e-12, is rounding
+    largestEnergy_ = roundingEnergy(body_);
     for (const Scene::Cut& cut : scene_.cuts)
       for (const MeshBlock& block : body_.mesh().blocks)
         if (block.type != elementTypeOf<Tet4>)
@@ -247,6 +246,8 @@ class Run {
     record.time = state_.time;
     const auto handled = [&] { return handler_ ? static_cast<std::int64_t>(handler_->elements().size()) : 0; };
     record.elementsBefore = static_cast<std::int64_t>(body_.mesh().elementCount());
+    completeState();
+    askFor(true);
     evaluateForBooks();
     keepBooks(true);
     if (wanted.criticalStep) record.before = criticalStepHere();
@@ -295,6 +296,10 @@ class Run {
       record.area = made.area;
       record.atMost = optimisticStep(highestReducedRing(body_, state_.x, made.changed), rule_);
     }
+    // The books of the new body start here, however long it is to the next row.
+    askFor(true);
+    evaluateForBooks();
+    keepBooks(true);
     record.cutTime -= record.selectionTime;
     record.elementsAfter = static_cast<std::int64_t>(body_.mesh().elementCount());
     if (wanted.criticalStep) record.after = criticalStepHere();
@@ -402,12 +407,11 @@ class Run {
     }
     takeAcceleration();
     keepBooks(rowDue);
-    if (monitor_ && energies_) {
+    if (monitor_ && energies_ && monitorSees(k)) {
       const Stopwatch watch(result_.monitorTime);
-      // Events of an earlier observation are those of a report that is not fresh.
       report.newEvents = monitor_->observeEnergies(*energies_).newEvents;
-      if (handler_) nameElements(report);
     }
+    if (handler_) nameElements(report);
     if (!handler_ || !scene_.monitored()) return report;
     if (k % scene_.every == 0 && state_.x.allFinite()) {
       const Stopwatch watch(result_.monitorTime);
@@ -416,6 +420,12 @@ class Run {
     }
     judgeHandled(report);
     return report;
+  }
+  /// Between its looks the monitor does not see the states of a run on a GPU.
+  bool monitorSees(std::int64_t k) const { return !device_ || k % scene_.every == 0; }
+  /// The velocity of a state that is used other than by observe() must not lag.
+  void completeState() {
+    if (!device_ && !split_) complete(*system_, state_);
   }
   void evaluateForBooks() {
     if (!evaluation_.wantsForce && !evaluation_.wantsEnergy) return;
@@ -438,7 +448,7 @@ class Run {
     }
     const Stopwatch watch(result_.monitorTime);
     evaluation_.wallTime = 0;
-    if (device_ && k % scene_.every != 0) {
+    if (!monitorSees(k)) {
       lastReport_.step = k;
       lastReport_.time = state_.time;
       lastReport_.fresh = false;
@@ -452,7 +462,6 @@ class Run {
     result_.monitorTime -= evaluation_.wallTime;
     result_.forceTime += evaluation_.wallTime;
     if (device_) lastReport_ = report;
-    if (handler_) nameElements(report);
     return report;
   }
 
@@ -638,6 +647,7 @@ class Run {
   }
 
   void finish() {
+    completeState();
     result_.time = state_.time;
     if (result_.reason == ExitReason::end && (!state_.x.allFinite() || !state_.v.allFinite()))
       end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result_.steps));

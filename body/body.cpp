@@ -239,7 +239,7 @@ void Body::pass(const NodeVectors& x, PatchVisitor* visitor, NodeVectors* force,
       slots = workspace.slots.data() + 4 * ref.firstSlot;
       std::fill(slots, slots + 4 * static_cast<std::ptrdiff_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
     }
-    double energies[PatchLayout::lanes] = {};
+    alignas(64) double energies[PatchLayout::lanes] = {};
     alignas(64) double rows[4 * PatchLayout::maxPatchNodes];
     block.gatherRows(patch, x.data(), rows);
     const PatchPass pass(block, ref.patch, rows, slots, energy ? energies : nullptr);

@@ -27,14 +27,10 @@ class ElementBatch final : public ElementBlock {
 
   void evaluateBatches(std::int32_t first, std::int32_t last, const double* rows,
                        const BatchEvaluation& evaluation) const override {
-    if (evaluation.slots && evaluation.energy)
-      evaluate<true, true>(first, last, rows, evaluation);
-    else if (evaluation.slots)
-      evaluate<true, false>(first, last, rows, evaluation);
-    else if (evaluation.energy)
-      evaluate<false, true>(first, last, rows, evaluation);
+    if (evaluation.slots)
+      evaluate<true>(first, last, rows, evaluation);
     else
-      evaluate<false, false>(first, last, rows, evaluation);
+      evaluate<false>(first, last, rows, evaluation);
   }
 
   void tangentProductBatches(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
@@ -123,12 +119,13 @@ class ElementBatch final : public ElementBlock {
     return law;
   }
 
-  template <bool wantsForce, bool wantsEnergy>
+  /// Forces are the same to the last bit whatever else is asked for: energies and visitors read the deformation
+  /// gradients from memory, so that nothing but the force is compiled into its loop.
+  template <bool wantsForce>
   void evaluate(std::int32_t first, std::int32_t last, const double* rows, const BatchEvaluation& evaluation) const {
     const LawType law = law_;
-    GradientVisitor* const visitor = evaluation.visitor;
-    alignas(64) double seen[9 * Geometry::maxPoints * lanes];
-    P energy(0.0);
+    const bool stores = evaluation.visitor || evaluation.energy;
+    alignas(64) double gradients[9 * Geometry::maxPoints * lanes];
     for (std::int32_t batch = first; batch < last; ++batch) {
       P position[n][3], force[n][3];
       geometry_.loadEdges(rows, batch, position);
@@ -137,25 +134,38 @@ class ElementBatch final : public ElementBlock {
       for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
         const Matrix3<P> J1 = Geometry::inverseJacobian(point);
         const Matrix3<P> F = geometry_.gradient(position, q, J1);
-        if (visitor)
-          for (int i = 0; i < 9; ++i) F.m[i].store(seen + (9 * q + i) * lanes);
-        if constexpr (wantsEnergy) energy += Geometry::weight(point) * law.energy(F);
+        if (stores)
+          for (int i = 0; i < 9; ++i) F.m[i].store(gradients + (9 * q + i) * lanes);
         if constexpr (wantsForce)
           Operators::addForces(timesTranspose(Geometry::weight(point) * law.stress(F), J1), geometry_.shapeTable(q),
                                force);
       }
-      if constexpr (Geometry::offersMean)
+      if constexpr (Geometry::offersMean && wantsForce)
         if (geometry_.hasMean()) {
           const P* g = geometry_.meanGradientsOf(batch);
-          const Matrix3<P> F = Geometry::meanGradient(position, g);
-          if constexpr (wantsEnergy) energy += g[3 * n] * meanLaw_.energy(F);
-          if constexpr (wantsForce) Geometry::addMeanForces(g[3 * n] * meanLaw_.stress(F), g, force);
+          Geometry::addMeanForces(g[3 * n] * meanLaw_.stress(Geometry::meanGradient(position, g)), g, force);
         }
       if constexpr (wantsForce) geometry_.addToSlots(evaluation.slots, batch, force);
-      if (visitor) visitor->visit(batch, seen);
+      if (evaluation.energy) addEnergy(batch, gradients, position, evaluation.energy);
+      if (evaluation.visitor) evaluation.visitor->visit(batch, gradients);
     }
-    if constexpr (wantsEnergy)
-      for (int lane = 0; lane < lanes; ++lane) evaluation.energy[lane] += energy[lane];
+  }
+
+  [[gnu::noinline]] void addEnergy(std::int32_t batch, const double* gradients, const P (&position)[n][3],
+                                   double* energy) const {
+    const P* point = geometry_.pointsOf(batch);
+    P sum = P::load(energy);
+    for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
+      Matrix3<P> F;
+      for (int i = 0; i < 9; ++i) F.m[i] = P::load(gradients + (9 * q + i) * lanes);
+      sum += Geometry::weight(point) * law_.energy(F);
+    }
+    if constexpr (Geometry::offersMean)
+      if (geometry_.hasMean()) {
+        const P* g = geometry_.meanGradientsOf(batch);
+        sum += g[3 * n] * meanLaw_.energy(Geometry::meanGradient(position, g));
+      }
+    sum.store(energy);
   }
 
   void tangent(const std::int32_t* elements, const P* point, const double* x, double* K) const {

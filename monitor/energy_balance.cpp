@@ -1,6 +1,15 @@
 #include <ringwatch/monitor/energy_balance.h>
 
+#include <algorithm>
+
 namespace ringwatch {
+
+double roundingEnergy(const Body& body) {
+  constexpr double strain = 1e-12;
+  double modulus = 0;
+  for (const auto& block : body.blocks()) modulus = std::max(modulus, block->material().restModulus());
+  return strain * strain * modulus * body.volume();
+}
 
 void EnergyBalance::record(const NodeVectors& x, const NodeVectors& internalForce) {
   if (!started_) {

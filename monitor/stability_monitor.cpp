@@ -335,9 +335,7 @@ struct StabilityMonitor::Impl {
   Impl(const Body& b, const MonitorOptions& o) : body(b), options(o), bodyVersion(b.version()) {
     if (o.mode != MonitorMode::metric) bracketer.emplace(b, o.width);
     if (!o.metric.empty() && !o.metricElsewhere) metric = makeMetricEvaluator(o.metric, b);
-    // Less than at a strain of 1e-12 is rounding, whose changes are as large as itself.
-    for (const auto& block : b.blocks())
-      largestEnergy = std::max(largestEnergy, 1e-24 * block->material().restModulus() * b.volume());
+    largestEnergy = roundingEnergy(b);
   }
   /// The metric's highest value at x, rad²/s².
   double metricLambda(const NodeVectors& x) {

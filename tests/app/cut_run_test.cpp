@@ -68,6 +68,21 @@ TEST_F(Program, CutsAndKeepsItsStep) {
   EXPECT_LT(json("plain/summary.json")["end_time"].get<double>(), 0.06);
 }
 
+TEST_F(Program, RarerRowsLeaveTheEnergiesOfACutRunAlone) {
+  const std::string scene = "run '" RINGWATCH_EXAMPLES "/four_cuts.toml' --set integrator.end=0.22";
+  ASSERT_EQ(call(scene + " --out all").status, 0);
+  ASSERT_EQ(call(scene + " --out some --set output.history_every=7").status, 0);
+  const Json all = json("all/summary.json"), some = json("some/summary.json");
+  ASSERT_GE(all["cuts"].size(), 1u);
+  ASSERT_EQ(some["cuts"].size(), all["cuts"].size());
+  EXPECT_EQ(some["cuts"][0]["kinetic"], all["cuts"][0]["kinetic"]);
+  const Table rows = table("all/history.csv"), rarer = table("some/history.csv");
+  ASSERT_GT(rarer.rows.size(), 10u);
+  for (std::size_t i = 0; i < rarer.rows.size(); ++i)
+    for (const char* column : {"step", "kinetic_J", "strain_J", "external_work_J"})
+      EXPECT_EQ(rarer.at(i, column), rows.at(7 * i, column)) << column << " of row " << i;
+}
+
 TEST_F(Program, EventsNameElementsOfTheMeshOfTheirTime) {
   const Outcome outcome =
       call("run '" RINGWATCH_EXAMPLES

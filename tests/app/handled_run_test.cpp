@@ -57,6 +57,17 @@ TEST_F(HandledProgram, RunsAtThreeTimesTheCriticalStep) {
   EXPECT_LE((own - fine).norm(), 0.005 * (fine - X).norm());
 }
 
+TEST_F(HandledProgram, NamesTheSameElementsWithAndWithoutEnergies) {
+  write("[handler]\nmethod = \"imex\"\n");
+  ASSERT_EQ(call("run slivers.toml --out with").status, 0);
+  ASSERT_EQ(call("run slivers.toml --out without --set output.energy=false").status, 0);
+  const Table with = table("with/history.csv"), without = table("without/history.csv");
+  ASSERT_EQ(with.rows.size(), without.rows.size());
+  ASSERT_FALSE(with.rows.empty());
+  for (std::size_t i = 0; i < with.rows.size(); ++i)
+    EXPECT_EQ(with.at(i, "controlling_element"), without.at(i, "controlling_element")) << i;
+}
+
 // Two ways to take stiff elements implicitly that share no code but the force: ours, and ARKODE's additive Runge-Kutta.
 TEST_F(HandledProgram, ImexAndAdditiveRungeKuttaFindTheSameMotion) {
   const Outcome outcome = call("compare slivers.toml --integrators arkode-ark --handlers imex --json c.json --step " +
