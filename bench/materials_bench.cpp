@@ -52,7 +52,8 @@ struct Inputs {
       const Eigen::Vector3d axis = randomMatrix(engine).col(0).normalized();
       known.push_back(Eigen::AngleAxisd(0.02, axis).toRotationMatrix() * exact.back());
       const Eigen::Matrix3d before = matrix + 0.01 * randomMatrix(engine);
-      Eigen::Matrix3d V = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(before.transpose() * before).eigenvectors();
+      const Eigen::Matrix3d metric = before.transpose() * before;
+      Eigen::Matrix3d V = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(metric).eigenvectors();
       if (V.determinant() < 0) V.col(0) *= -1;
       axes.push_back(V);
     }

@@ -131,7 +131,8 @@ PrincipalTetrahedron principalTetrahedron(const NodeVectors& X, std::span<const 
   gradient.col(0) = -gradient.rightCols<3>().rowwise().sum();
   PrincipalTetrahedron shape;
   shape.volume = edges.determinant() / 6;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(gradient * inverseMass.asDiagonal() * gradient.transpose());
+  const Eigen::Matrix3d inertia = gradient * inverseMass.asDiagonal() * gradient.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(inertia);
   shape.eta = axes.eigenvalues().cwiseMax(0.0);
   shape.axes = axes.eigenvectors();
   if (shape.axes.determinant() < 0) shape.axes.col(0) *= -1;  // or F would count as inverted in these axes

@@ -2,35 +2,16 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-
-#include <Spectra/SymEigsSolver.h>
 
 #include <ringwatch/base/random.h>
 #include <ringwatch/monitor/mass_scaled_operator.h>
+#include <ringwatch/monitor/symmetric_eigenpairs.h>
 
 namespace ringwatch {
 namespace {
 
 /// What rounding leaves of the residual at most, relative to the eigenvalue.
 constexpr double residualRounding = 1e-8;
-
-/// A times a factor. Spectra compares residuals with absolute numbers: it needs eigenvalues near 1.
-class ScaledOperator {
- public:
-  using Scalar = double;
-  ScaledOperator(const MassScaledOperator& op, double factor) : op_(op), factor_(factor) {}
-  Eigen::Index rows() const { return op_.rows(); }
-  Eigen::Index cols() const { return op_.cols(); }
-  void perform_op(const double* in, double* out) const {
-    op_.perform_op(in, out);
-    Eigen::VectorXd::Map(out, rows()) *= factor_;
-  }
-
- private:
-  const MassScaledOperator& op_;
-  double factor_;
-};
 
 }  // namespace
 
@@ -51,7 +32,7 @@ GlobalFrequency globalFrequency(const Body& body, const NodeVectors& x, double t
   // The start holds about 1/√n of every mode, so that the highest eigenvalue lies between about 1 and √n of this size.
   // A power of two changes no digit.
   NodeVectors product(3, body.nodeCount());
-  op.perform_op(start.data(), product.data());
+  op.apply(start.data(), product.data());
   result.products = op.products();
   const double size = product.stableNorm() / start.norm();
   if (!std::isfinite(size)) return result;
@@ -62,21 +43,20 @@ GlobalFrequency globalFrequency(const Body& body, const NodeVectors& x, double t
   }
   const double factor = std::ldexp(1.0, -std::ilogb(size));
   if (!std::isfinite(factor) || !std::isfinite(1 / factor)) return result;
-  ScaledOperator scaled(op, factor);
-  Spectra::SymEigsSolver<ScaledOperator> solver(scaled, 1, std::min<Eigen::Index>(n, 40));
-  Eigen::Index found = 0;
-  try {
-    solver.init(start.data());
-    found = solver.compute(Spectra::SortRule::LargestAlge, maxRestarts, tolerance);
-  } catch (const std::runtime_error&) {
-    // Spectra's word for a decomposition that failed, as it does when the tangent is not finite.
-  }
+  // Residuals are compared with absolute numbers: eigenvalues are to be near 1.
+  const auto scaled = [&](const double* in, double* out) {
+    op.apply(in, out);
+    Eigen::VectorXd::Map(out, n) *= factor;
+  };
+  const SymmetricEigenpairs found = highestEigenpairs(
+      n, scaled,
+      {.basis = std::min<Eigen::Index>(n, 40), .start = start.data(), .tolerance = tolerance, .restarts = maxRestarts});
   result.products = op.products();
-  if (found < 1 || solver.info() != Spectra::CompInfo::Successful) return result;
-  const double lambda = solver.eigenvalues()[0];
-  const Eigen::VectorXd vector = solver.eigenvectors(1).col(0);
+  if (!found.converged) return result;
+  const double lambda = found.values[0];
+  const Eigen::VectorXd vector = found.vectors.col(0);
   // Spectra only estimates the residual.
-  scaled.perform_op(vector.data(), product.data());
+  scaled(vector.data(), product.data());
   result.products = op.products();
   const double residual = (Eigen::VectorXd::Map(product.data(), n) - lambda * vector).norm();
   if (!(residual <= std::max(10 * tolerance, residualRounding) * std::abs(lambda))) return result;

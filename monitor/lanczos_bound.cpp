@@ -77,7 +77,7 @@ LanczosBound lanczosUpperBound(const Body& body, const NodeVectors& x, double wi
   Tridiagonal T;
   double logBetas = 0, ritz = 0;  // of all betas but the last
   while (true) {
-    op.perform_op(q.data(), w.data());
+    op.apply(q.data(), w.data());
     ++result.products;
     // Three terms only: the argument needs no orthogonality, just a recurrence that is exact to rounding.
     if (!T.beta.empty()) w -= T.beta.back() * before;

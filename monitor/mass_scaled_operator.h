@@ -4,16 +4,14 @@
 namespace ringwatch {
 
 /// v ↦ M^-½ K(x) M^-½ v over the free degrees of freedom, matrix-free; constrained components of v and of the result
-/// are zero. The shape of an operator as Spectra wants it.
+/// are zero.
 class MassScaledOperator {
  public:
-  using Scalar = double;
   MassScaledOperator(const Body& body, const NodeVectors& x)
       : body_(body), x_(x), inverseRootMass_(body.lumpedMass().cwiseSqrt().cwiseInverse()) {}
 
   Eigen::Index rows() const { return 3 * body_.nodeCount(); }
-  Eigen::Index cols() const { return rows(); }
-  void perform_op(const double* in, double* out) const {
+  void apply(const double* in, double* out) const {
     const Eigen::Map<const NodeVectors> v(in, 3, body_.nodeCount());
     Eigen::Map<NodeVectors> y(out, 3, body_.nodeCount());
     scaled_ = v * inverseRootMass_.asDiagonal();
@@ -31,7 +29,7 @@ class MassScaledOperator {
   const Body& body_;
   const NodeVectors& x_;
   Eigen::VectorXd inverseRootMass_;
-  // An operator serves one thread; Spectra calls a const function, hence mutable.
+  // An operator serves one thread.
   mutable NodeVectors scaled_, product_;
   mutable Body::Workspace workspace_;
   mutable int products_ = 0;

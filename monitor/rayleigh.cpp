@@ -26,7 +26,7 @@ LowerBound rayleighLowerBound(const Body& body, const NodeVectors& x, NodeVector
   int size = 0;
   for (; size < steps; ++size) {
     const auto k = static_cast<std::size_t>(size);
-    op.perform_op(basis[k].data(), w.data());
+    op.apply(basis[k].data(), w.data());
     diagonal[size] = w.cwiseProduct(basis[k]).sum();
     // Full orthogonalisation: a handful of vectors, and the Ritz vector stays what it claims to be.
     for (const NodeVectors& q : basis) w -= w.cwiseProduct(q).sum() * q;
@@ -50,7 +50,7 @@ LowerBound rayleighLowerBound(const Body& body, const NodeVectors& x, NodeVector
   }
   // The quotient itself, from one more product: whatever went before, this is a proven lower bound to rounding.
   start /= start.norm();
-  op.perform_op(start.data(), w.data());
+  op.apply(start.data(), w.data());
   const double quotient = w.cwiseProduct(start).sum();
   // The rounding of a product is relative to the norm of the matrix, of which a large negative eigenvalue can make far
   // more than the quotient. Gershgorin's discs hold the eigenvalues of T, and |T q_1|, |T q_2| … are |A q_1|, |A q_2| …

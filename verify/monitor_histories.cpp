@@ -65,14 +65,14 @@ State gentleStart(const BodySystem& system) {
   const auto& end = system.body().mesh().nodeSets.find("x-max");
   if (end == system.body().mesh().nodeSets.end()) return state;
   // Velocities of the moved end depend on y and z linearly: a plane through three of its nodes gives them everywhere.
-  Eigen::MatrixXd A(static_cast<Eigen::Index>(end->second.size()), 3);
-  Eigen::MatrixXd b(A.rows(), 3);
+  Eigen::MatrixX3d A(static_cast<Eigen::Index>(end->second.size()), 3);
+  Eigen::MatrixX3d b(A.rows(), 3);
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
     const std::int32_t node = end->second[static_cast<std::size_t>(i)];
     A.row(i) << 1, X(1, node), X(2, node);
     b.row(i) = state.v.col(node).transpose();
   }
-  const Eigen::MatrixXd plane = A.colPivHouseholderQr().solve(b);
+  const Eigen::Matrix3d plane = (A.transpose() * A).inverse() * (A.transpose() * b);
   for (Eigen::Index node = 0; node < X.cols(); ++node)
     state.v.col(node) = X(0, node) / length * (Eigen::RowVector3d(1, X(1, node), X(2, node)) * plane).transpose();
   return state;

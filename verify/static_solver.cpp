@@ -2,42 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-
-#include <Spectra/SymEigsShiftSolver.h>
-#include <Eigen/Dense>
 
 #include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/body/free_dofs.h>
+#include <ringwatch/monitor/symmetric_eigenpairs.h>
 
 namespace ringwatch {
-
-FreeDofs::FreeDofs(const Body& body) : number_(static_cast<std::size_t>(3 * body.nodeCount()), -1) {
-  for (std::int32_t node = 0; node < body.nodeCount(); ++node)
-    for (int c = 0; c < 3; ++c)
-      if (!body.constraints().isConstrained(node, c)) number_[static_cast<std::size_t>(3 * node + c)] = count_++;
-}
-Eigen::VectorXd FreeDofs::gather(const NodeVectors& values) const {
-  Eigen::VectorXd result(count_);
-  for (std::size_t i = 0; i < number_.size(); ++i)
-    if (number_[i] >= 0) result[number_[i]] = values.data()[i];
-  return result;
-}
-void FreeDofs::addTo(NodeVectors& values, const Eigen::VectorXd& change) const {
-  for (std::size_t i = 0; i < number_.size(); ++i)
-    if (number_[i] >= 0) values.data()[i] += change[number_[i]];
-}
-Eigen::SparseMatrix<double> FreeDofs::reduce(const Eigen::SparseMatrix<double>& K) const {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(K.nonZeros()));
-  for (int column = 0; column < K.outerSize(); ++column)
-    for (Eigen::SparseMatrix<double>::InnerIterator it(K, column); it; ++it) {
-      const int i = (*this)[it.row()], j = (*this)[column];
-      if (i >= 0 && j >= 0) entries.emplace_back(i, j, it.value());
-    }
-  Eigen::SparseMatrix<double> result(count_, count_);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
 
 StaticSolution solveStatic(const Body& body, const NodeVectors& start, const StaticOptions& options) {
   const FreeDofs dofs(body);
@@ -152,34 +122,6 @@ NodeVectors consistentTraction(const Mesh& mesh, const std::function<bool(const 
   return f;
 }
 
-namespace {
-
-/// y = (A - sigma I)⁻¹ x by sparse LDLᵀ, as Spectra's shift solver asks for it.
-class ShiftedInverse {
- public:
-  using Scalar = double;
-  explicit ShiftedInverse(const Eigen::SparseMatrix<double>& A) : A_(A), identity_(A.rows(), A.cols()) {
-    identity_.setIdentity();
-  }
-  Eigen::Index rows() const { return A_.rows(); }
-  Eigen::Index cols() const { return A_.cols(); }
-  void set_shift(double sigma) {
-    const Eigen::SparseMatrix<double> shifted = A_ - sigma * identity_;
-    solver_.compute(shifted);
-    if (solver_.info() != Eigen::Success) throw std::runtime_error("the shift is an eigenvalue");
-  }
-  void perform_op(const double* x, double* y) const {
-    Eigen::Map<Eigen::VectorXd>(y, rows()) = solver_.solve(Eigen::Map<const Eigen::VectorXd>(x, rows()));
-  }
-
- private:
-  const Eigen::SparseMatrix<double>& A_;
-  Eigen::SparseMatrix<double> identity_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
-};
-
-}  // namespace
-
 NearestMode nearestMode(const Body& body, const NodeVectors& x, const NodeVectors& guess) {
   const FreeDofs dofs(body);
   const Eigen::VectorXd rootMass = dofs.gather(body.lumpedMass().transpose().replicate(3, 1)).cwiseSqrt();
@@ -191,28 +133,21 @@ NearestMode nearestMode(const Body& body, const NodeVectors& x, const NodeVector
   constexpr double leastShare = 0.1;
   constexpr double besides = 0.97;  // a guess may be exact, and its quotient then a pole
   NearestMode result;
-  ShiftedInverse inverse(A);
-  const Eigen::Index modes = std::min<Eigen::Index>(wanted, A.rows() - 1);
-  try {
-    Spectra::SymEigsShiftSolver<ShiftedInverse> solver(inverse, modes, std::min<Eigen::Index>(4 * wanted, A.rows()),
-                                                       besides * u.dot(A * u));
-    // A guess that is exact would end Lanczos before the wanted modes are there.
-    const Eigen::VectorXd start = u + 0.1 * Eigen::VectorXd::NullaryExpr(u.size(), [](Eigen::Index i) {
-                                              return std::sin(static_cast<double>(i * i));
-                                            }).normalized();
-    solver.init(start.data());
-    if (solver.compute(Spectra::SortRule::LargestMagn) < 1 || solver.info() != Spectra::CompInfo::Successful)
-      return result;
-    const Eigen::ArrayXd lambda = solver.eigenvalues(),
-                         share = (solver.eigenvectors().transpose() * u).array().square();
-    const Eigen::ArrayXd counted = (share >= leastShare).select(share, 0.0);
-    if (!(counted.sum() > 0)) return result;
-    result.converged = true;
-    result.lambda = (counted * lambda).sum() / counted.sum();
-    result.overlap = std::sqrt(counted.sum());
-  } catch (const std::exception&) {
-    // A factorisation or a decomposition of Spectra's that failed: not converged.
-  }
+  // A guess that is exact would end Lanczos before the wanted modes are there.
+  const Eigen::VectorXd start = u + 0.1 * Eigen::VectorXd::NullaryExpr(u.size(), [](Eigen::Index i) {
+                                            return std::sin(static_cast<double>(i * i));
+                                          }).normalized();
+  const SymmetricEigenpairs modes = nearestEigenpairs(A, besides * u.dot(A * u),
+                                                      {.wanted = std::min<Eigen::Index>(wanted, A.rows() - 1),
+                                                       .basis = std::min<Eigen::Index>(4 * wanted, A.rows()),
+                                                       .start = start.data()});
+  if (!modes.converged) return result;
+  const Eigen::ArrayXd share = (modes.vectors.transpose() * u).array().square();
+  const Eigen::ArrayXd counted = (share >= leastShare).select(share, 0.0);
+  if (!(counted.sum() > 0)) return result;
+  result.converged = true;
+  result.lambda = (counted * modes.values.array()).sum() / counted.sum();
+  result.overlap = std::sqrt(counted.sum());
   return result;
 }
 

@@ -5,7 +5,6 @@
 #include <ringwatch/app/exit_status.h>
 #include <ringwatch/meshes/mesh_io.h>
 
-#include <tests/handlers/handler_cases.h>
 #include "program.h"
 
 namespace ringwatch {
@@ -42,7 +41,7 @@ class CertifiedRun : public test::Program {
         0);
     const Outcome outcome = call(std::string("inspect bar.msh --fix 'x < 1e-6' --global --json -") + material);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return Json::parse(outcome.out)["critical_step"];
+    return parse(outcome.out)["critical_step"];
   }
 };
 

@@ -47,7 +47,7 @@ TEST_F(Program, ComparesIntegratorsOnAScene) {
 
   const Outcome fixed = call("compare tiny.toml --integrators verlet --step 1e-3,5e-4 --json -");
   EXPECT_EQ(fixed.status, 0) << fixed.err;
-  const Json printed = Json::parse(fixed.out);
+  const Json printed = parse(fixed.out);
   ASSERT_EQ(printed["runs"].size(), 2u);
   EXPECT_NEAR(printed["runs"][0]["h"].get<double>(), 1e-3, 1e-12);
   EXPECT_EQ(printed["runs"][1]["forces"], 101);  // a hundred steps and the start

@@ -213,7 +213,7 @@ TEST_F(Faults, StandardOutputUnderAnotherNameIsAppendedTo) {
   EXPECT_TRUE(isLink("output"));
   const std::size_t end = outcome.out.find("\n}\n");
   ASSERT_NE(end, std::string::npos);
-  EXPECT_EQ(Json::parse(outcome.out.substr(0, end + 3))["mesh"]["nodes"], 16);
+  EXPECT_EQ(parse(outcome.out.substr(0, end + 3))["mesh"]["nodes"], 16);
   EXPECT_THAT(outcome.out.substr(end), HasSubstr("16 nodes"));
 }
 

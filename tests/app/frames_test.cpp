@@ -3,8 +3,8 @@
 #include <regex>
 
 #include <ringwatch/meshes/mesh_io.h>
-
 #include <tests/handlers/handler_cases.h>
+
 #include "program.h"
 
 namespace ringwatch {
@@ -34,6 +34,17 @@ class Shown : public test::Program {
     return {number("RangeMin"), number("RangeMax")};
   }
 };
+
+TEST_F(Shown, TheLastFrameHasTheVelocitiesOfItsOwnTime) {
+  folder_.write("tiny.toml", tiny);
+  for (const char* method : {"verlet", "symplectic-euler", "rkn4"}) {
+    const std::string run = std::string("run tiny.toml --set integrator.step=5e-4 --set integrator.method=") + method;
+    ASSERT_EQ(call(run + " --set integrator.end=0.02 --out short").status, 0) << method;
+    ASSERT_EQ(call(run + " --set integrator.end=0.04 --out long").status, 0) << method;
+    const std::string third = "/frames/frame_000003.vtu";
+    EXPECT_EQ(range("short" + third, "velocity"), range("long" + third, "velocity")) << method;
+  }
+}
 
 TEST_F(Shown, FramesNameSidesUnitsAndTheBracketOfTheBody) {
   folder_.write("tiny.toml", tiny);

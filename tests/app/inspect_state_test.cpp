@@ -24,7 +24,7 @@ class Inspect : public test::Program {
   Json report(const std::string& arguments) {
     const Outcome outcome = call("inspect " + arguments + " --json -");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return Json::parse(outcome.out);
+    return parse(outcome.out);
   }
   /// The critical step by a dense solver.
   static double exact(const Body& body, const NodeVectors& x) { return 2 / std::sqrt(test::denseHighest(body, x)); }
@@ -72,7 +72,7 @@ TEST_F(Inspect, CountsWhatAHandlerWouldTake) {
                     "[output]\npicture = false\n");
   const Outcome run = call("run slivers.toml --out r");
   ASSERT_EQ(run.status, 0) << run.out << run.err;
-  EXPECT_EQ(json["handler"]["count"], test::Json::parse(folder_.read("r/summary.json"))["handler"]["handled_elements"]);
+  EXPECT_EQ(json["handler"]["count"], parse(folder_.read("r/summary.json"))["handler"]["handled_elements"]);
   const Outcome text = call("inspect slivers.msh --fix 'x < 1e-6' --integrator verlet --step " + step.str() + material);
   EXPECT_THAT(text.out, HasSubstr("a handler would take " + std::to_string(count) + " of 240 elements"));
   // Handlers do not go with every integrator.

@@ -26,7 +26,7 @@ TEST_F(Program, InspectsTetrahedraAndHexahedra) {
         call(std::string("inspect bar.msh --metric all --global --lanczos 1e-9 --step 2.5e-3 --json -") + material);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
-    const Json report = Json::parse(outcome.out);
+    const Json report = parse(outcome.out);
     EXPECT_EQ(report["mesh"]["nodes"], 99);
     EXPECT_EQ(report["mesh"]["elements"].size(), 1u);
     EXPECT_EQ(report["mesh"]["elements"][element], element == "tet4" ? 240 : 40);

@@ -12,6 +12,7 @@ using ::testing::HasSubstr;
 
 class Registration : public test::Program {
  protected:
+  std::string executable() const override { return RINGWATCH_REGISTERING_PROGRAM; }
   void SetUp() override {
     folder_.write("rubber.toml", R"([mesh]
 generate = "bar"

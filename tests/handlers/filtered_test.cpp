@@ -48,15 +48,14 @@ TEST(ModalFilter, CutsTheEigenvaluesAndNothingElse) {
     Vector12 T;
     for (int d = 0; d < 12; ++d) T[d] = budget[d / 3];
     const FilteredStiffness filtered = filterModes(K, budget);
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix12> before(0.5 * (K + K.transpose()),
-                                                                    Matrix12(T.asDiagonal()));
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix12> after(filtered.kept, Matrix12(T.asDiagonal()));
+    const test::GeneralizedEigen before = test::generalizedEigen(0.5 * (K + K.transpose()), T.asDiagonal()),
+                                 after = test::generalizedEigen(filtered.kept, T.asDiagonal());
     int cut = 0;
     for (int k = 0; k < 12; ++k) {
-      EXPECT_NEAR(after.eigenvalues()[k], std::min(before.eigenvalues()[k], 1.0), 1e-9);
-      cut += before.eigenvalues()[k] > 1;
-      const Vector12 phi = before.eigenvectors().col(k);
-      EXPECT_LE((filtered.kept * phi - std::min(before.eigenvalues()[k], 1.0) * T.cwiseProduct(phi)).norm(),
+      EXPECT_NEAR(after.values[k], std::min(before.values[k], 1.0), 1e-9);
+      cut += before.values[k] > 1;
+      const Vector12 phi = before.vectors.col(k);
+      EXPECT_LE((filtered.kept * phi - std::min(before.values[k], 1.0) * T.cwiseProduct(phi)).norm(),
                 1e-9 * T.cwiseProduct(phi).norm());
     }
     EXPECT_EQ(filtered.modes, cut);

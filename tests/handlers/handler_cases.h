@@ -10,6 +10,7 @@
 #include <ringwatch/handlers/selection.h>
 #include <ringwatch/integrators/body_system.h>
 #include <tests/support/body_cases.h>
+#include <tests/support/dense.h>
 
 namespace ringwatch::test {
 
@@ -75,7 +76,7 @@ inline double spectralRadius(const Body& body, Integrator& integrator, double h,
       G(n + i, k) = state.v.data()[d] * h / unit;
     }
   }
-  return G.eigenvalues().cwiseAbs().maxCoeff();
+  return spectralRadius(G);
 }
 
 /// The stiffness of some elements only.

@@ -10,7 +10,6 @@
 #include <sstream>
 
 #include <arkode/arkode_arkstep.h>
-#include <Eigen/LU>
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
@@ -26,6 +25,7 @@
 #include <ringwatch/verify/integrators.h>
 #include <ringwatch/verify/oscillator.h>
 
+#include <tests/support/dense.h>
 #include <tests/verify/integrator_criteria.h>
 
 namespace ringwatch {
@@ -419,7 +419,7 @@ Eigen::Matrix2d arkAmplification(double z, double stiffShare) {
     right.block<2, 2>(2 * i, 0).setIdentity();
     for (int j = 0; j < E->stages; ++j) left.block<2, 2>(2 * i, 2 * j) -= E->A[i][j] * AE + I->A[i][j] * AI;
   }
-  const Eigen::MatrixXd Z = left.partialPivLu().solve(right);
+  const Eigen::MatrixXd Z = test::solve(left, right);
   Eigen::Matrix2d T = Eigen::Matrix2d::Identity();
   for (int i = 0; i < E->stages; ++i) T += (E->b[i] * AE + I->b[i] * AI) * Z.block<2, 2>(2 * i, 0);
   ARKodeButcherTable_Free(E);

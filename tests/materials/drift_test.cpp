@@ -75,7 +75,8 @@ TYPED_TEST(DriftTest, BoundsTheTangentOfEveryStateInItsBall) {
     const Eigen::Matrix3d F = F0 + delta * randomDirection(random, F0);
     const Matrix9 A0 = modulus(law, F0), A = modulus(law, F);
     const double size = A0.norm() + A.norm() + 1;
-    const double least = Eigen::SelfAdjointEigenSolver<Matrix9>(A0, Eigen::EigenvaluesOnly).eigenvalues()[0];
+    const double least =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(A0), Eigen::EigenvaluesOnly).eigenvalues()[0];
     ASSERT_GE(least, -drift.negative - 1e-12 * size) << "F0 = " << F0;
     ++tried;
     const double rest = (drift.linear + drift.quadratic * delta) * delta;
@@ -88,8 +89,8 @@ TYPED_TEST(DriftTest, BoundsTheTangentOfEveryStateInItsBall) {
       if (delta < 0.01 * reach && grown > 1e-6 * size)
         tightest = std::max(tightest, grown / (most - before + drift.negative));
     };
-    check(Eigen::SelfAdjointEigenSolver<Matrix9>(A - A0).eigenvectors().col(8));
-    check(Eigen::SelfAdjointEigenSolver<Matrix9>(A).eigenvectors().col(8));
+    check(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(A - A0)).eigenvectors().col(8));
+    check(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(A)).eigenvectors().col(8));
     check(Vector9::NullaryExpr([&] { return random.uniform(-1, 1); }).normalized());
     if (this->HasFatalFailure()) return;
   }

@@ -10,6 +10,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/pack.h>
 #include <ringwatch/monitor/extreme_eigenvalues.h>
+#include <tests/support/dense.h>
 #include <tests/support/random.h>
 
 namespace ringwatch {
@@ -80,8 +81,7 @@ Eigen::MatrixXd symmetric(test::Random& random, int n, double scale) {
   return 0.5 * (a + a.transpose());
 }
 Eigen::MatrixXd withEigenvalues(test::Random& random, const Eigen::VectorXd& lambda) {
-  const Eigen::MatrixXd Q =
-      Eigen::HouseholderQR<Eigen::MatrixXd>(symmetric(random, static_cast<int>(lambda.size()), 1)).householderQ();
+  const Eigen::MatrixXd Q = test::orthogonalFactor(symmetric(random, static_cast<int>(lambda.size()), 1));
   const Eigen::MatrixXd A = Q * lambda.asDiagonal() * Q.transpose();
   return 0.5 * (A + A.transpose());
 }

@@ -11,6 +11,7 @@
 #include <ringwatch/meshes/quality.h>
 #include <ringwatch/monitor/metrics.h>
 #include <tests/monitor/monitor_cases.h>
+#include <tests/support/dense.h>
 
 namespace ringwatch {
 namespace {
@@ -84,10 +85,7 @@ double literalLargest(const Body& body, const Tangents& tangents, const std::set
       }
     }
   }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver((K + K.transpose()) / 2, M,
-                                                                         Eigen::EigenvaluesOnly);
-  EXPECT_EQ(solver.info(), Eigen::Success);
-  return solver.eigenvalues()[size - 1];
+  return test::generalizedEigen((K + K.transpose()) / 2, M).values[size - 1];
 }
 
 /// A ring metric's value of an element, by the words of the source.

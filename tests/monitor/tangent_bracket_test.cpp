@@ -7,11 +7,10 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/QR>
-
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/tangent_bracket.h>
 #include <tests/monitor/monitor_cases.h>
+#include <tests/support/dense.h>
 
 namespace ringwatch {
 namespace {
@@ -198,19 +197,17 @@ TEST(TangentBracket, HoldsBesideAFarLargerNegativeEigenvalue) {
     for (int trial = 0; trial < 100; ++trial) {
       // Four free components: eigenvalues -negative, 0.3, 0.6 and 1 in random directions.
       Eigen::Matrix4d B = Eigen::Matrix4d::NullaryExpr([&] { return random.uniform(-1, 1); });
-      const Eigen::Matrix4d Q = Eigen::HouseholderQR<Eigen::Matrix4d>(B).householderQ();
+      const Eigen::Matrix4d Q = test::orthogonalFactor(B);
       const Eigen::Matrix4d A = Q * Eigen::Vector4d(-negative, 0.3, 0.6, 1).asDiagonal() * Q.transpose();
       Eigen::Matrix<double, 6, 6> K = Eigen::Matrix<double, 6, 6>::Zero();
       const int place[4] = {0, 1, 3, 4};
       for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) K(place[i], place[j]) = 0.5 * (A(i, j) + A(j, i));
       // A shift by the negative eigenvalue's size leaves a matrix of which the top eigenvalue is exact to rounding.
-      using Long = Eigen::Matrix<long double, 4, 4>;
-      Long shifted;
+      test::LongMatrix shifted(4, 4);
       for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) shifted(i, j) = static_cast<long double>(K(place[i], place[j]));
-      const double exact =
-          stepFor(static_cast<double>(Eigen::SelfAdjointEigenSolver<Long>(shifted).eigenvalues()[3]), 2);
+      const double exact = stepFor(test::highestEigenvalue(shifted), 2);
       const CriticalStep step = bracketOf(K);
       EXPECT_LE(step.safe, exact * (1 + 1e-15)) << negative << ", " << trial;
       EXPECT_GE(step.optimistic, exact * (1 - 1e-15)) << negative << ", " << trial;

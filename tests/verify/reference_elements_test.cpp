@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/body/free_dofs.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/stormer_verlet.h>
 #include <ringwatch/meshes/generators.h>

@@ -1,0 +1,65 @@
+#include "program.h"
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+namespace nlohmann {
+void PrintTo(const json& value, std::ostream* out) { *out << value; }
+}  // namespace nlohmann
+
+namespace ringwatch::test {
+
+int statusOf(int waited) { return WIFEXITED(waited) ? WEXITSTATUS(waited) : 128 + WTERMSIG(waited); }
+
+Outcome Program::shell(const std::string& line) {
+  const std::string command = "cd '" + folder_.path().string() + "' && { " + line + "; } > out.txt 2> err.txt";
+  const int status = std::system(command.c_str());
+  return {statusOf(status), folder_.read("out.txt"), folder_.read("err.txt")};
+}
+
+Outcome Program::call(const std::string& arguments, const std::string& environment) {
+  return shell(environment + " '" + executable() + "' " + arguments);
+}
+std::string Program::executable() const { return RINGWATCH_PROGRAM; }
+
+void Program::expectRefused(const Outcome& outcome, const std::string& what) {
+  EXPECT_EQ(outcome.status, 2) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, ::testing::AllOf(::testing::StartsWith("ringwatch: "), ::testing::HasSubstr(what),
+                                            ::testing::EndsWith("\n")));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+bool Program::exists(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
+
+Json Program::parse(const std::string& text) { return Json::parse(text); }
+
+std::string Program::Table::at(std::size_t row, const std::string& column) const {
+  return rows.at(row).at(static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin()));
+}
+
+Program::Table Program::table(const std::string& name) const {
+  std::istringstream lines(folder_.read(name));
+  Table result;
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string> cells;
+    std::istringstream text(line + ",");
+    for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+    if (result.columns.empty())
+      result.columns = cells;
+    else
+      result.rows.push_back(cells);
+  }
+  return result;
+}
+
+void Program::expectNothingHalfWritten(const std::string& name) const {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path() / name))
+    EXPECT_EQ(entry.path().filename().string().find(".part"), std::string::npos) << entry.path();
+}
+
+}  // namespace ringwatch::test
