@@ -1,43 +1,23 @@
 #include <ringwatch/app/handled_watch.h>
 
-#include <algorithm>
-
-#include <fmt/format.h>
-
-#include <ringwatch/app/report.h>
-#include <ringwatch/monitor/element_cause.h>
-
 namespace ringwatch {
 
-std::string HandledWatch::look(Handler& handler, const Body& body, std::int64_t step, double time, const NodeVectors& x,
-                               std::vector<MonitorEvent>& events) {
+std::optional<MonitorEvent> HandledWatch::observe(Handler& handler, const Body& body, std::int64_t step, double time,
+                                                  const NodeVectors& x) {
+  uncertifiedPart_ = handler.uncertifiedPart(x);
   const auto least = handler.leastHandledDeterminant(x);
-  if (least && !(least->value > 0)) {
-    clear_ = 0;
-    if (!inverted_) {
-      const std::string cause = elementCause(body, x, least->element);
-      added_.push_back(events.size());
-      events.push_back({EventKind::inverted, step, time, least->value, least->element,
-                        fmt::format("step {}, t = {:.6g} s: handled element inverted, det F = {:.3g}, {}: {}", step,
-                                    time, least->value, elementText(body.mesh(), least->element), cause),
-                        std::nullopt, cause});
-      inverted_ = true;
-    }
-  } else if (inverted_) {
-    if (clear_++ == 0) clearSince_ = step;
-    if (clear_ >= MonitorOptions{}.clearLooks) {
-      events[added_.back()].end = clearSince_;
-      inverted_ = false;
-    }
+  if (!least || least->value > 0) {
+    tracker_.absent(EventKind::inverted, step);
+    return std::nullopt;
   }
-  const std::string part = handler.uncertifiedPart(x);
-  const bool begins = proven_ && !part.empty();
-  proven_ = part.empty();
-  return begins ? fmt::format("step {}, t = {:.6g} s: {}", step, time, part) : "";
-}
-
-bool HandledWatch::added(std::size_t event) const {
-  return std::find(added_.begin(), added_.end(), event) != added_.end();
+  if (!tracker_.isNew(EventKind::inverted)) return std::nullopt;
+  return tracker_.begin({.kind = EventKind::inverted,
+                         .step = step,
+                         .time = time,
+                         .value = least->value,
+                         .handled = true,
+                         .element = least->element,
+                         .cause = elementCause(body, x, least->element)});
 }
 
 }  // namespace ringwatch

@@ -86,28 +86,19 @@ std::string elementCounts(const Mesh& mesh) {
   return text;
 }
 
-std::string elementText(const Mesh& mesh, ElementRef ref) {
-  const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(ref.block)];
-  std::string text = fmt::format("{} element {}:{} (file number {}), nodes", elementInfo(block.type).name, ref.block,
-                                 ref.element, block.id(static_cast<std::size_t>(ref.element)));
-  for (int a = 0; a < block.nodesPerElement(); ++a)
-    text += fmt::format(" {}", mesh.nodeId(block.element(static_cast<std::size_t>(ref.element))[a]));
-  return text;
-}
-
 Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) {
   Json events = Json::array();
-  for (std::size_t i = 0; i < result.events.size(); ++i) {
-    const MonitorEvent& event = result.events[i];
+  for (const RunEvent& found : result.events) {
+    const MonitorEvent& event = found.event;
     events.push_back(Json{{"kind", std::string(eventName(event.kind))},
                           {"step", event.step},
                           {"time", event.time},
                           {"end_step", event.end ? Json(*event.end) : Json(nullptr)},
-                          {"element", i < result.eventElements.size() ? result.eventElements[i]
-                                                                      : elementJson(body.mesh(), event.element)},
-                          {"cause", event.element ? Json(event.cause) : Json(nullptr)},
+                          {"element", found.element},
+                          {"handled", event.handled},
+                          {"cause", event.cause ? Json(causeText(*event.cause)) : Json(nullptr)},
                           {"value", event.value},
-                          {"text", event.text}});
+                          {"text", found.text}});
   }
   return Json{
       {"program", "ringwatch"},

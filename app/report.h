@@ -16,8 +16,6 @@ nlohmann::ordered_json elementJson(const Mesh& mesh, ElementRef element);
 nlohmann::ordered_json elementJson(const Mesh& mesh, const std::optional<ElementRef>& element);
 /// "1600 tet4, 64 hex8"
 std::string elementCounts(const Mesh& mesh);
-/// "tet4 element 0:17 (file number 23), nodes 1 2 3 4"
-std::string elementText(const Mesh& mesh, ElementRef element);
 
 /// summary.json of a run.
 nlohmann::ordered_json summaryJson(const Scene& scene, const Body& body, const RunResult& result);

@@ -129,7 +129,7 @@ class Run {
         keepEvents(report);
         return end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", k));
       }
-      if (!adaptStep(report)) return;
+      if (!adaptStep(report)) return keepEvents(report);
       if (!history_) openResults();
       checkRunaway(k);
       record(report, rowDue);
@@ -267,8 +267,6 @@ class Run {
       const std::unique_ptr<Integrator> integratorBefore = std::move(integrator_);  // its choice is carried over
       // All of these hold on to the body or to vectors of its size.
       closeEvents();
-      for (std::size_t i = result_.eventElements.size(); i < result_.events.size(); ++i)
-        result_.eventElements.push_back(elementJson(body_.mesh(), result_.events[i].element));
       monitor_.reset();
       split_.reset();
       system_.reset();
@@ -323,14 +321,8 @@ class Run {
       report.bracket->controlling = handler_->wholeElement(report.bracket->controlling);
       report.bracket->lowestRingElement = handler_->wholeElement(report.bracket->lowestRingElement);
     }
-    for (MonitorEvent& event : report.newEvents) {
-      if (!event.element) continue;
-      const ElementRef part = *event.element, whole = handler_->wholeElement(part);
-      event.element = whole;
-      const std::string own = fmt::format("element {}:{} (", part.block, part.element);
-      if (const std::size_t at = event.text.find(own); at != std::string::npos)
-        event.text.replace(at, own.size(), fmt::format("element {}:{} (", whole.block, whole.element));
-    }
+    for (MonitorEvent& event : report.newEvents)
+      if (event.element) event.element = handler_->wholeElement(*event.element);
   }
 
   /// For "handle": more elements where the explicit rest is no longer certified, and another look at what is left.
@@ -343,7 +335,11 @@ class Run {
       prepareHandler(state_.x, h_);
       startSystem();
     }
-    return observe(k, k % scene_.historyEvery == 0);
+    MonitorReport more = observe(k, k % scene_.historyEvery == 0);
+    // Those of the explicit elements are of a choice that no step was taken with.
+    for (MonitorEvent& event : report.newEvents)
+      if (event.handled) more.newEvents.push_back(std::move(event));
+    return more;
   }
 
   void end(ExitReason reason, std::string text) {
@@ -415,8 +411,11 @@ class Run {
     if (!handler_ || !scene_.monitored()) return report;
     if (k % scene_.every == 0 && state_.x.allFinite()) {
       const Stopwatch watch(result_.monitorTime);
-      std::string note = handledWatch_.look(*handler_, body_, k, state_.time, state_.x, result_.events);
-      if (!note.empty()) result_.notes.push_back(std::move(note));
+      const bool certifiedBefore = handledWatch_.uncertifiedPart().empty();
+      if (const auto event = handledWatch_.observe(*handler_, body_, k, state_.time, state_.x))
+        report.newEvents.push_back(*event);
+      if (const std::string& part = handledWatch_.uncertifiedPart(); certifiedBefore && !part.empty())
+        result_.notes.push_back(fmt::format("step {}, t = {:.6g} s: {}", k, state_.time, part));
     }
     judgeHandled(report);
     return report;
@@ -435,7 +434,8 @@ class Run {
 
   /// A step is certified only with the handled parts that need a proof of their own.
   void judgeHandled(MonitorReport& report) const {
-    if (!handledWatch_.proven() && report.verdict == Verdict::certified) report.verdict = Verdict::notCertified;
+    if (!handledWatch_.uncertifiedPart().empty() && report.verdict == Verdict::certified)
+      report.verdict = Verdict::notCertified;
   }
 
   MonitorReport observeExplicit(std::int64_t k, StepEvaluation* evaluation) {
@@ -526,7 +526,7 @@ class Run {
 
   void keepEvents(const MonitorReport& report) {
     for (const MonitorEvent& event : report.newEvents) {
-      result_.events.push_back(event);
+      result_.events.push_back({event, elementJson(body_.mesh(), event.element), eventText(event, body_.mesh())});
       if (event.kind == EventKind::violated && !result_.firstViolated) result_.firstViolated = {event.step, event.time};
     }
   }
@@ -697,13 +697,14 @@ class Run {
   }
 
   void closeEvents() {
-    if (!monitor_) return;
-    for (std::size_t i = 0; i < result_.events.size(); ++i) {
-      MonitorEvent& event = result_.events[i];
-      if (handledWatch_.added(i)) continue;
-      for (const MonitorEvent& known : monitor_->events())
-        if (known.kind == event.kind && known.step == event.step) event.end = known.end;
-    }
+    const auto close = [&](const std::vector<MonitorEvent>& events, bool handled) {
+      for (RunEvent& told : result_.events)
+        for (const MonitorEvent& known : events)
+          if (told.event.handled == handled && known.kind == told.event.kind && known.step == told.event.step)
+            told.event.end = known.end;
+    };
+    close(handledWatch_.events(), true);
+    if (monitor_) close(monitor_->events(), false);
   }
 
   void drawPicture() {
@@ -763,7 +764,7 @@ class Run {
 
 bool RunResult::energyOff() const {
   return std::any_of(events.begin(), events.end(),
-                     [](const MonitorEvent& event) { return event.kind == EventKind::energyBalance; });
+                     [](const RunEvent& told) { return told.event.kind == EventKind::energyBalance; });
 }
 
 ExitStatus RunResult::exitStatus() const {

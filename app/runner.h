@@ -65,6 +65,13 @@ struct CutRecord {
   double cutTime = 0, selectionTime = 0;             // s of wall time: of mesh and body, of the handler
 };
 
+/// An event, with what only the mesh of its time can say.
+struct RunEvent {
+  MonitorEvent event;
+  nlohmann::ordered_json element;  // elementJson
+  std::string text;                // eventText
+};
+
 /// What came of a run.
 struct RunResult {
   struct Moment {
@@ -88,9 +95,8 @@ struct RunResult {
   bool requireCertified = false;        // the scene's monitor.require_certified
   std::optional<Moment> firstViolated;  // the monitor first said violated
   std::optional<Moment> runaway;        // the energy balance went off by more than runawayShare for good
-  std::vector<MonitorEvent> events;
-  std::vector<nlohmann::ordered_json> eventElements;  // elementJson of those before the last cut: meshes go with cuts
-  std::optional<Handling> handler;                    // empty without one
+  std::vector<RunEvent> events;
+  std::optional<Handling> handler;  // empty without one
   std::vector<CutRecord> cuts;
   double forceTime = 0, monitorTime = 0, outputTime = 0, wallTime = 0;  // s
   std::size_t frames = 0;

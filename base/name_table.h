@@ -28,6 +28,7 @@ class NameTable {
  public:
   constexpr explicit NameTable(std::array<NamedValue<Enum>, count> values) : values_(values) {}
 
+  static constexpr std::size_t size() { return count; }
   /// "" for a value that the table lacks.
   constexpr std::string_view nameOf(Enum value) const {
     for (const NamedValue<Enum>& known : values_)

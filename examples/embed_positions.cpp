@@ -131,6 +131,7 @@ int main() {
   double lowest = 0;
   for (std::size_t i = 0; i < solver.x.size(); i += 3) lowest = std::min(lowest, solver.x[i + 2]);
   std::printf("t = %.4f s, the lowest node is at z = %.4f m\n", time, lowest);
-  for (const ringwatch::MonitorEvent& event : monitor.events()) std::printf("%s\n", event.text.c_str());
+  for (const ringwatch::MonitorEvent& event : monitor.events())
+    std::printf("%s\n", ringwatch::eventText(event, body.mesh()).c_str());
   return std::isfinite(lowest) && lowest > -0.2 && monitor.events().empty() ? 0 : 1;
 }

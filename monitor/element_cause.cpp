@@ -9,7 +9,6 @@
 #include <Eigen/SVD>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/meshes/quality.h>
 
 namespace ringwatch {
 namespace {
@@ -21,10 +20,24 @@ std::string twoDigits(double value) {
   return text.str();
 }
 
-/// Departure from rest over the quadrature points; "" when there is little.
-std::string deformationCause(const ElementBlock& block, const NodeVectors& X, const NodeVectors& x, std::int32_t e) {
-  const auto nodes = block.nodesOf(e);
-  double leastDeterminant = std::numeric_limits<double>::infinity(), most = 1, least = 1, dN[maxElementNodes][3];
+}  // namespace
+
+bool ElementCause::badlyShaped() const {
+  // What a hexahedron, wedge or pyramid must exceed.
+  constexpr double sharp = 30, flat = 150, slender = 5;
+  if (shape.shape != ShapeClass::other) return shape.shape != ShapeClass::round;
+  return shape.minDihedral < sharp || shape.maxDihedral > flat || shape.aspect > slender;
+}
+
+ElementCause elementCause(const Body& body, const NodeVectors& x, ElementRef element) {
+  const Mesh& mesh = body.mesh();
+  const NodeVectors& X = mesh.X;
+  const auto b = static_cast<std::size_t>(element.block);
+  const ElementBlock& block = *body.blocks()[b];
+  const auto nodes = block.nodesOf(element.element);
+  ElementCause cause;
+  cause.leastDeterminant = std::numeric_limits<double>::infinity();
+  double dN[maxElementNodes][3];
   for (const QuadraturePoint& point : block.rule().points) {
     block.element().shapeGradient(point.xi, dN);
     Eigen::Matrix3d rest = Eigen::Matrix3d::Zero(), current = Eigen::Matrix3d::Zero();
@@ -33,34 +46,30 @@ std::string deformationCause(const ElementBlock& block, const NodeVectors& X, co
       current += (x.col(nodes[a]) - x.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
     }
     const Eigen::Matrix3d F = current * rest.inverse();
-    if (!F.allFinite()) return "not finite";
+    cause.finite = cause.finite && F.allFinite();
+    if (!cause.finite) break;
     const Eigen::Vector3d stretches = Eigen::JacobiSVD<Eigen::Matrix3d>(F).singularValues();
-    leastDeterminant = std::min(leastDeterminant, F.determinant());
-    most = std::max(most, stretches[0]);
-    least = std::min(least, stretches[2]);
+    cause.leastDeterminant = std::min(cause.leastDeterminant, F.determinant());
+    cause.largestStretch = std::max(cause.largestStretch, stretches[0]);
+    cause.leastStretch = std::min(cause.leastStretch, stretches[2]);
   }
-  constexpr double worthMention = 1.05;
-  if (leastDeterminant <= 0) return joinText("inverted, det F = ", twoDigits(leastDeterminant));
-  if (std::max(most, 1 / least) < worthMention) return {};
-  return most * least >= 1 ? joinText("stretched ", twoDigits(most)) : joinText("compressed to ", twoDigits(least));
+  const double meanVolume = body.volume() / static_cast<double>(mesh.elementCount());
+  cause.shape = elementShape(mesh.blocks[b], static_cast<std::size_t>(element.element), X, meanVolume);
+  return cause;
 }
 
-}  // namespace
-
-std::string elementCause(const Body& body, const NodeVectors& x, ElementRef element) {
-  const Mesh& mesh = body.mesh();
-  const auto b = static_cast<std::size_t>(element.block);
-  std::string cause = deformationCause(*body.blocks()[b], mesh.X, x, element.element);
-  const double meanVolume = body.volume() / static_cast<double>(mesh.elementCount());
-  const ElementShape shape =
-      elementShape(mesh.blocks[b], static_cast<std::size_t>(element.element), mesh.X, meanVolume);
-  // What a hexahedron, wedge or pyramid must exceed to be called badly shaped.
-  constexpr double sharp = 30, flat = 150, slender = 5;
-  const bool bad = shape.shape == ShapeClass::other
-                       ? shape.minDihedral < sharp || shape.maxDihedral > flat || shape.aspect > slender
-                       : shape.shape != ShapeClass::round;
-  if (bad) cause += joinText(cause.empty() ? "" : "; ", shape.text());
-  return cause.empty() ? "well shaped, unstrained" : cause;
+std::string causeText(const ElementCause& cause) {
+  constexpr double worthMention = 1.05;
+  std::string text;
+  if (!cause.finite)
+    text = "not finite";
+  else if (cause.leastDeterminant <= 0)
+    text = joinText("inverted, det F = ", twoDigits(cause.leastDeterminant));
+  else if (std::max(cause.largestStretch, 1 / cause.leastStretch) >= worthMention)
+    text = cause.largestStretch * cause.leastStretch >= 1 ? joinText("stretched ", twoDigits(cause.largestStretch))
+                                                          : joinText("compressed to ", twoDigits(cause.leastStretch));
+  if (cause.badlyShaped()) text += joinText(text.empty() ? "" : "; ", cause.shape.text());
+  return text.empty() ? "well shaped, unstrained" : text;
 }
 
 }  // namespace ringwatch

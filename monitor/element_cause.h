@@ -2,13 +2,26 @@
 #include <string>
 
 #include <ringwatch/body/body.h>
+#include <ringwatch/meshes/quality.h>
 
 namespace ringwatch {
 
-/// Why an element allows only a small step at positions x (3×N, m), in a few words for people: its largest departure
-/// from rest ("inverted, det F = -0.31", "stretched 1.6", "compressed to 0.62", from 5 % on), and its shape at rest
-/// where that is a bad one ("needle, 0.4° dihedral", "small"); "well shaped, unstrained" when it is neither. Quadratic
-/// elements are judged by their corners. "not finite" for positions that are not.
-std::string elementCause(const Body& body, const NodeVectors& x, ElementRef element);
+/// Why an element allows only a small step: its departure from rest, and its shape at rest.
+struct ElementCause {
+  bool finite = true;                           // the deformation gradients; where not, the next three say nothing
+  double leastDeterminant = 1;                  // det F, least over the quadrature points
+  double largestStretch = 1, leastStretch = 1;  // singular values of F, over the quadrature points
+  ElementShape shape;                           // at rest; quadratic elements by their corners
+  /// The shape alone makes the step small.
+  bool badlyShaped() const;
+};
+
+/// The cause at positions x (3×N, m).
+ElementCause elementCause(const Body& body, const NodeVectors& x, ElementRef element);
+
+/// In a few words for people: the largest departure from rest ("inverted, det F = -0.31", "stretched 1.6", "compressed
+/// to 0.62", from 5 % on), and a bad shape ("needle, 0.4° dihedral", "small"); "well shaped, unstrained" when it is
+/// neither, "not finite" for positions that are not.
+std::string causeText(const ElementCause& cause);
 
 }  // namespace ringwatch

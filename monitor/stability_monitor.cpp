@@ -321,18 +321,10 @@ void requireProof(const StepRule& rule) {
         "or a metric instead of the bracket");
 }
 
-std::string elementText(const Body& body, ElementRef e) {
-  const MeshBlock& block = body.mesh().blocks[static_cast<std::size_t>(e.block)];
-  std::string text = joinText(elementInfo(block.type).name, " element ", e.block, ":", e.element, " (nodes");
-  for (int a = 0; a < block.nodesPerElement(); ++a)
-    text += joinText(" ", body.mesh().nodeId(block.element(static_cast<std::size_t>(e.element))[a]));
-  return text + ")";
-}
-
 }  // namespace
 
 struct StabilityMonitor::Impl {
-  Impl(const Body& b, const MonitorOptions& o) : body(b), options(o), bodyVersion(b.version()) {
+  Impl(const Body& b, const MonitorOptions& o) : body(b), options(o), tracker(o.clearLooks), bodyVersion(b.version()) {
     if (o.mode != MonitorMode::metric) bracketer.emplace(b, o.width);
     if (!o.metric.empty() && !o.metricElsewhere) metric = makeMetricEvaluator(o.metric, b);
     largestEnergy = roundingEnergy(b);
@@ -348,45 +340,26 @@ struct StabilityMonitor::Impl {
   std::optional<Bracketer> bracketer;
   std::unique_ptr<MetricEvaluator> metric;
   MonitorReport report;
-  std::vector<MonitorEvent> events;
-  struct Course {
-    std::optional<std::size_t> event;  // of `events`, that has not ended
-    int clear = 0;                     // looks in a row without it
-    std::int64_t clearSince = 0;       // step of the first of them
-  };
-  Course courses[5];  // by EventKind
+  EventTracker tracker;
   double largestEnergy = 0;
   std::int64_t observations = 0, energyLooks = 0, bodyVersion = 0;
   bool unknown = false;            // the last state had no tangent
   bool provenFromScratch = false;  // the first bracket was
 
-  /// Records an event when it begins and when it ends. Near a limit it may come and go from step to step: one event
-  /// until it has stayed away for a while.
-  /// what() is the line for people.
-  template <class What>
-  void tell(EventKind kind, bool now, double value, const NodeVectors& x, std::optional<ElementRef> element,
-            const What& what) {
-    Course& course = courses[static_cast<int>(kind)];
-    if (now) {
-      course.clear = 0;
-      if (course.event) return;
-      MonitorEvent event{kind,         report.step,
-                         report.time,  value,
-                         element,      joinText("step ", report.step, ", t = ", report.time, " s: ", what()),
-                         std::nullopt, {}};
-      if (element) {
-        event.cause = elementCause(body, x, *element);
-        event.text += joinText(", ", elementText(body, *element), ": ", event.cause);
-      }
-      report.newEvents.push_back(event);
-      course.event = events.size();
-      events.push_back(std::move(event));
-    } else if (course.event) {
-      if (course.clear++ == 0) course.clearSince = report.step;
-      if (course.clear < options.clearLooks) return;
-      events[*course.event].end = course.clearSince;
-      course.event.reset();
-    }
+  /// Reports an event when it begins; step, time and cause are filled in.
+  void present(MonitorEvent event, const NodeVectors& x) {
+    if (!tracker.isNew(event.kind)) return;
+    event.step = report.step;
+    event.time = report.time;
+    if (event.element) event.cause = elementCause(body, x, *event.element);
+    report.newEvents.push_back(tracker.begin(std::move(event)));
+  }
+  void absent(EventKind kind) { tracker.absent(kind, report.step); }
+  void tellInverted(const Body::LeastDeterminant& least, const NodeVectors& x) {
+    if (least.value > 0)
+      absent(EventKind::inverted);
+    else
+      present({.kind = EventKind::inverted, .value = least.value, .element = least.element}, x);
   }
   /// Nothing is known of this state: what was known of an earlier one is dropped, and the next finite one is evaluated.
   void forget() {
@@ -432,18 +405,17 @@ struct StabilityMonitor::Impl {
       const Body::LeastDeterminant least =
           unknown ? body.leastDeterminant(x)
                   : Body::LeastDeterminant{spent.leastDeterminant, spent.leastDeterminantElement};
-      tell(EventKind::inverted, !(least.value > 0), least.value, x, least.element,
-           [&] { return joinText("inverted, det F = ", least.value); });
+      tellInverted(least, x);
       const Bracketer::LowestRing& lowest = bracketer->lowestRing();
-      tell(EventKind::indefinite, lowest.value < 0, lowest.value, x, lowest.element,
-           [&] { return joinText("tangent indefinite, eigenvalue ", lowest.value, " rad2/s2: no step cures that"); });
+      if (lowest.value < 0)
+        present({.kind = EventKind::indefinite, .value = lowest.value, .element = lowest.element}, x);
+      else
+        absent(EventKind::indefinite);
     }
     if (!options.metric.empty()) {
       report.metricStep = (1 - options.margin) * options.limit(metricLambda(x));
       report.elementsRefreshed += static_cast<std::int64_t>(body.mesh().elementCount());
-      const Body::LeastDeterminant least = body.leastDeterminant(x);
-      tell(EventKind::inverted, !(least.value > 0), least.value, x, least.element,
-           [&] { return joinText("inverted, det F = ", least.value); });
+      tellInverted(body.leastDeterminant(x), x);
     }
   }
 };
@@ -470,7 +442,7 @@ StabilityMonitor::StabilityMonitor(const Body& body, const MonitorOptions& optio
 }
 StabilityMonitor::~StabilityMonitor() = default;
 
-const std::vector<MonitorEvent>& StabilityMonitor::events() const { return impl_->events; }
+const std::vector<MonitorEvent>& StabilityMonitor::events() const { return impl_->tracker.events(); }
 const MonitorOptions& StabilityMonitor::options() const { return impl_->options; }
 
 const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, const NodeVectors& x,
@@ -497,14 +469,16 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
     evaluation = nullptr;
   }
   if (!finite) {
-    m.tell(EventKind::nonFinite, true, 0, x, std::nullopt, [] { return "positions or velocities are not finite"; });
+    m.present({.kind = EventKind::nonFinite}, x);
     m.forget();
     report.verdict = Verdict::violated;
     return report;
   }
   if (due) m.evaluate(x, h, evaluation);
-  m.tell(EventKind::nonFinite, m.unknown, 0, x, std::nullopt,
-         [] { return "the tangent is not finite at these positions: no step helps"; });
+  if (m.unknown)
+    m.present({.kind = EventKind::nonFinite, .tangent = true}, x);
+  else
+    m.absent(EventKind::nonFinite);
   // A metric with a margin proves nothing: it can only say that the step is above what it recommends.
   const bool above = h && report.bracket && !(*h <= report.bracket->optimistic);
   report.verdict = m.bracketer && h && *h <= report.certified ? Verdict::certified
@@ -512,11 +486,9 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
                                                               : Verdict::notCertified;
   if (above) {
     const CriticalStep& b = *report.bracket;
-    m.tell(EventKind::violated, true, *h / b.optimistic, x, b.controlling, [&] {
-      return joinText("violated: h = ", *h, " s is above the critical step, which is at most ", b.optimistic, " s");
-    });
+    m.present({.kind = EventKind::violated, .value = *h / b.optimistic, .h = *h, .element = b.controlling}, x);
   } else if (m.bracketer) {
-    m.tell(EventKind::violated, false, 0, x, std::nullopt, [] { return ""; });
+    m.absent(EventKind::violated);
   }
   return report;
 }
@@ -529,8 +501,10 @@ const MonitorReport& StabilityMonitor::observeEnergies(const Energies& energies)
   // Schemes whose velocities are half a step behind, symplectic Euler for one, are off by 1/n of the energy at step n
   // of a run that starts under load.
   const bool settled = m.energyLooks++ >= energySettling;
-  m.tell(EventKind::energyBalance, settled && share > m.options.energyTolerance, share, m.body.mesh().X, std::nullopt,
-         [&] { return joinText("energy balance is off by ", 100 * share, " % of the largest energy so far"); });
+  if (settled && share > m.options.energyTolerance)
+    m.present({.kind = EventKind::energyBalance, .value = share}, m.body.mesh().X);
+  else
+    m.absent(EventKind::energyBalance);
   return m.report;
 }
 

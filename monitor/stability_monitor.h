@@ -6,6 +6,7 @@
 
 #include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/energy_balance.h>
+#include <ringwatch/monitor/event.h>
 #include <ringwatch/monitor/lanczos_bound.h>
 #include <ringwatch/monitor/metrics.h>
 
@@ -28,15 +29,15 @@ struct MonitorOptions {
   StepRule limit = 2.0;  ///< the integrator's largest stable h·omega on the imaginary axis, or, for a damped
                          ///< run, the rule that makes a step of the highest eigenvalue
   MonitorMode mode = MonitorMode::bracket;
-  std::string metric;  ///< the source's way: a metric with a margin, e.g. "reduced-1-ring"; "" for none
+  std::string metric = {};  ///< the source's way: a metric with a margin, e.g. "reduced-1-ring"; "" for none
   /// Evaluates the metric elsewhere, e.g. on a GPU: its highest value at x (3×N, m), rad²/s², NaN where the tangent is
   /// not finite. Empty: here.
-  std::function<double(const NodeVectors& x)> metricElsewhere;
+  std::function<double(const NodeVectors& x)> metricElsewhere = {};
   double margin = 0.1;           ///< of the metric's step: h_metric (1 - margin)
   int every = 1;                 ///< steps between evaluations
   double width = 0.05;           ///< of the bracket, relative to the step, that the proven side is steered to
   double energyTolerance = 0.1;  ///< balance error over the largest energy so far that is reported
-  int clearLooks = 20;           ///< looks in a row without it that end an event; sooner, it has only paused
+  int clearLooks = 20;           ///< looks in a row without it that end an event; see EventTracker
   /// The first look takes the best proof there is, that of criticalStep(), in bodies of up to this many elements; 0 for
   /// none. It costs about 0.1 ms a tet4 and 0.4 ms a hex8 of one thread, once. Later looks use the bound that is kept
   /// along the run.
@@ -55,34 +56,6 @@ inline constexpr auto verdictNames = nameTable<Verdict>({
     {Verdict::violated, "violated"},
 });
 constexpr std::string_view verdictName(Verdict verdict) { return verdictNames.nameOf(verdict); }
-
-/// Something that happened, reported once when it begins. It ends with the first of MonitorOptions::clearLooks
-/// looks in a row that do not see it.
-/// indefinite: the tangent has a negative eigenvalue, which only compressed elements can give it. Where some element is
-/// compressed by more than 1e-3 of λ+2μ, the monitor searches for a direction of negative stiffness in the whole body:
-/// 48 tangent products at the first evaluation; 12, from the direction found last, when compression has grown by half
-/// since the last search; and else after 80, 160, … 2560 evaluations. With a compression above 0.05 it also evaluates
-/// 32 reduced 1-rings at each of these and after 10 evaluations. A mode that is far softer than the elements, as of a
-/// slender bar that buckles, can be missed; what is told is proven.
-enum class EventKind { violated, energyBalance, inverted, nonFinite, indefinite };
-inline constexpr auto eventNames = nameTable<EventKind>({
-    {EventKind::violated, "violated"},
-    {EventKind::energyBalance, "energy-balance"},
-    {EventKind::inverted, "inverted"},
-    {EventKind::nonFinite, "non-finite"},
-    {EventKind::indefinite, "indefinite"},
-});
-constexpr std::string_view eventName(EventKind kind) { return eventNames.nameOf(kind); }
-struct MonitorEvent {
-  EventKind kind;
-  std::int64_t step;
-  double time;   // s
-  double value;  // h over the optimistic step; balance error over energy; det F; -; lambda, rad²/s²
-  std::optional<ElementRef> element;  // where, when it is an element's doing
-  std::string text;                   // one line for people
-  std::optional<std::int64_t> end;    // first step without it; empty while it goes on
-  std::string cause;                  // why that element is in the way (elementCause); "" without an element
-};
 
 /// What the monitor knows after a step.
 struct MonitorReport {

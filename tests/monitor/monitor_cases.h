@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <ringwatch/base/error.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/meshes/generators.h>
 #include <tests/support/random.h>

@@ -1,0 +1,69 @@
+#include <ringwatch/monitor/event.h>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/elements/registry.h>
+
+namespace ringwatch {
+namespace {
+
+/// What happened; "" where the element and its cause say it.
+std::string whatHappened(const MonitorEvent& event) {
+  switch (event.kind) {
+    case EventKind::violated:
+      return joinText("violated: h = ", event.h, " s is above the critical step, which is at most ",
+                      event.h / event.value, " s");
+    case EventKind::energyBalance:
+      return joinText("energy balance is off by ", 100 * event.value, " % of the largest energy so far");
+    case EventKind::inverted:
+      return event.cause ? "" : joinText("inverted, det F = ", event.value);
+    case EventKind::nonFinite:
+      return event.tangent ? "the tangent is not finite at these positions: no step helps"
+                           : "positions or velocities are not finite";
+    case EventKind::indefinite:
+      return joinText("tangent indefinite, eigenvalue ", event.value, " rad2/s2: no step cures that");
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string elementText(const Mesh& mesh, ElementRef ref) {
+  const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(ref.block)];
+  const auto e = static_cast<std::size_t>(ref.element);
+  std::string text = joinText(elementInfo(block.type).name, " element ", ref.block, ":", ref.element, " (file number ",
+                              block.id(e), "), nodes");
+  for (int a = 0; a < block.nodesPerElement(); ++a) text += joinText(" ", mesh.nodeId(block.element(e)[a]));
+  return text;
+}
+
+std::string eventText(const MonitorEvent& event, const Mesh& mesh) {
+  std::string text = joinText("step ", event.step, ", t = ", event.time, " s: ");
+  const std::string what = whatHappened(event);
+  text += what;
+  if (event.element)
+    text += joinText(what.empty() ? "" : ", ", event.handled ? "handled " : "", elementText(mesh, *event.element));
+  if (event.cause) text += ": " + causeText(*event.cause);
+  return text;
+}
+
+bool EventTracker::isNew(EventKind kind) {
+  Course& course = courseOf(kind);
+  course.clear = 0;
+  return !course.event;
+}
+
+const MonitorEvent& EventTracker::begin(MonitorEvent event) {
+  courseOf(event.kind).event = events_.size();
+  return events_.emplace_back(std::move(event));
+}
+
+void EventTracker::absent(EventKind kind, std::int64_t step) {
+  Course& course = courseOf(kind);
+  if (!course.event) return;
+  if (course.clear++ == 0) course.clearSince = step;
+  if (course.clear < clearObservations_) return;
+  events_[*course.event].end = course.clearSince;
+  course.event.reset();
+}
+
+}  // namespace ringwatch
