@@ -9,13 +9,12 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/device_run.h>
-#include <ringwatch/app/folder_lock.h>
-#include <ringwatch/app/frames.h>
 #include <ringwatch/app/handled_watch.h>
-#include <ringwatch/app/history.h>
-#include <ringwatch/app/picture.h>
 #include <ringwatch/app/progress.h>
 #include <ringwatch/app/report.h>
+#include <ringwatch/app/run_energies.h>
+#include <ringwatch/app/run_output.h>
+#include <ringwatch/app/step_policy.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
@@ -44,20 +43,6 @@ Verdict verdictFor(double h, const CriticalStep& bracket) {
   return h <= bracket.safe ? Verdict::certified : h <= bracket.optimistic ? Verdict::notCertified : Verdict::violated;
 }
 
-/// Removes what an earlier run left in the folder under the names of this one, and what one that was killed left half
-/// written.
-void removeOldResults(const std::filesystem::path& folder) {
-  std::error_code error;
-  for (const char* name :
-       {"history.csv", "summary.json", "run.pvd", "critical_step.png", "critical_step.gp", "critical_step.dat"})
-    std::filesystem::remove(folder / name, error);
-  std::vector<std::filesystem::path> halfWritten;
-  for (const std::filesystem::path& place : {folder, folder / "frames"})
-    for (const auto& entry : std::filesystem::directory_iterator(place, error))
-      if (entry.path().extension().string().starts_with(".part")) halfWritten.push_back(entry.path());
-  for (const std::filesystem::path& file : halfWritten) std::filesystem::remove(file, error);
-}
-
 /// A run in progress.
 class Run {
  public:
@@ -67,11 +52,11 @@ class Run {
         options_(options),
         rule_(stepRule(*integratorCatalog().find(scene.method), scene.damping)),
         integrator_(integratorCatalog().make(scene.method)),
+        energies_(scene, body),
+        steps_(scene),
         progress_(options.progress) {
     result_.notes = options.notes;
     result_.requireCertified = scene_.requireCertified;
-    balance_.emplace(body_);
-    largestEnergy_ = roundingEnergy(body_);
     for (const Scene::Cut& cut : scene_.cuts)
       for (const MeshBlock& block : body_.mesh().blocks)
         if (block.type != elementTypeOf<Tet4>)
@@ -89,10 +74,9 @@ class Run {
       const Stopwatch total(result_.wallTime);
       {
         const Stopwatch output(result_.outputTime);
-        lock_.emplace(options_.folder);
+        output_.emplace(scene_, body_, rule_, options_.folder);
       }
       state_ = system_->initialState();
-      h_ = scene_.step.value_or(0);
       advance();
       progress_.clear();
       finish();
@@ -103,23 +87,16 @@ class Run {
   }
 
  private:
-  /// Begins the results. Old ones stay until it is known that there is a first step.
-  void openResults() {
-    const Stopwatch output(result_.outputTime);
-    removeOldResults(options_.folder);
-    history_.emplace(options_.folder);
-    if (scene_.frameInterval) frames_.emplace(options_.folder, scene_, body_, rule_);
-  }
-
   /// Steps until something ends the run.
   void advance() {
     for (std::int64_t k = 0;; k = result_.steps) {
       // A rounding error in the sum of the steps must not add one.
-      if (h_ > 0 && state_.time >= scene_.end - 1e-3 * h_) return end(ExitReason::end, "end time reached");
+      if (steps_.step() > 0 && state_.time >= scene_.end - 1e-3 * steps_.step())
+        return end(ExitReason::end, "end time reached");
       if (options_.interrupt && options_.interrupt->load())
         return end(ExitReason::interrupted, fmt::format("interrupted before step {}", k));
       while (result_.cuts.size() + cutsMissed_ < scene_.cuts.size() &&
-             state_.time >= scene_.cuts[result_.cuts.size() + cutsMissed_].time - 1e-3 * h_)
+             state_.time >= scene_.cuts[result_.cuts.size() + cutsMissed_].time - 1e-3 * steps_.step())
         cut(scene_.cuts[result_.cuts.size() + cutsMissed_]);
 
       const bool rowDue = k % scene_.historyEvery == 0;
@@ -129,9 +106,8 @@ class Run {
         keepEvents(report);
         return end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", k));
       }
-      if (!adaptStep(report)) return keepEvents(report);
-      if (!history_) openResults();
-      checkRunaway(k);
+      if (!chooseStep(report)) return keepEvents(report);
+      energies_.judge(k, state_.time);
       record(report, rowDue);
       if (report.verdict == Verdict::violated && monitor_ &&
           (scene_.onViolation == OnViolation::stop || scene_.onViolation == OnViolation::handle))
@@ -201,12 +177,13 @@ class Run {
     std::int64_t count = std::min(most, until(scene_.historyEvery));
     if (monitor_) count = std::min(count, until(scene_.every));
     const auto stepsTo = [this](double time) {
-      return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil((time - state_.time) / h_ - 1e-3)));
+      return std::max<std::int64_t>(1,
+                                    static_cast<std::int64_t>(std::ceil((time - state_.time) / steps_.step() - 1e-3)));
     };
     count = std::min(count, stepsTo(scene_.end));
-    if (!scene_.step && state_.time + static_cast<double>(count) * h_ > scene_.end * (1 + 1e-12))
+    if (!scene_.step && state_.time + static_cast<double>(count) * steps_.step() > scene_.end * (1 + 1e-12))
       count = std::max<std::int64_t>(1, count - 1);  // the last step of "auto" is shortened to end at the end
-    if (frames_) count = std::min(count, stepsTo(nextFrame_));
+    if (output_->nextFrame() < scene_.end) count = std::min(count, stepsTo(output_->nextFrame()));
     return count;
   }
 
@@ -234,7 +211,8 @@ class Run {
   /// The handler's elements, to a GPU that takes the steps.
   void handOver() {
     if (device_ && handler_)
-      device_->handle(handler_->elements(), result_.handler->selections > 1 ? h_ : *scene_.step, scene_.handlerOptions);
+      device_->handle(handler_->elements(), result_.handler->selections > 1 ? steps_.step() : *scene_.step,
+                      scene_.handlerOptions);
   }
 
   double kineticEnergy() const { return 0.5 * (state_.v.colwise().squaredNorm() * body_.lumpedMass()).value(); }
@@ -271,18 +249,16 @@ class Run {
       split_.reset();
       system_.reset();
       handler_ = nullptr;
-      balance_.reset();
       state_.x = carriedOver(made, state_.x);
       state_.v = carriedOver(made, state_.v);
       body_ = sceneBody(scene_, made.mesh, body_.threads());
       body_.constraints().imposeVelocity(state_.v);
       integrator_ = integratorCatalog().make(scene_.method);
-      balance_.emplace(body_);
-      if (energies_) beforeCut_ = *energies_;
+      energies_.beginBody();
       startHandler();
       if (handler_) {
         const Stopwatch selection(record.selectionTime);
-        handler_->prepare(state_.x, h_, made, *before);
+        handler_->prepare(state_.x, steps_.step(), made, *before);
         noteChoice();
         record.judged = handler_->judged();
       }
@@ -328,11 +304,11 @@ class Run {
   /// For "handle": more elements where the explicit rest is no longer certified, and another look at what is left.
   MonitorReport handleMore(std::int64_t k, MonitorReport report) {
     if (!handler_ || !monitor_ || scene_.onViolation != OnViolation::handle || !report.fresh ||
-        report.verdict == Verdict::certified || !(h_ > 0) || !state_.x.allFinite())
+        report.verdict == Verdict::certified || !(steps_.step() > 0) || !state_.x.allFinite())
       return report;
     {
       const Stopwatch watch(result_.monitorTime);
-      prepareHandler(state_.x, h_);
+      prepareHandler(state_.x, steps_.step());
       startSystem();
     }
     MonitorReport more = observe(k, k % scene_.historyEvery == 0);
@@ -357,14 +333,10 @@ class Run {
                     stiff.size(), body_.mesh().elementCount()));
   }
 
-  /// Whether the books need this state. Prescribed motion and damping do work in every step, so theirs need every step.
-  bool booksDue(bool rowDue) const {
-    return scene_.energy && (rowDue || body_.constraints().moving() || scene_.damping.any());
-  }
   /// What the pass over the elements of the whole body is to give at this state.
   void askFor(bool rowDue) {
     const bool beginsStep = !device_ && !split_ && integrator_->beginsWithAcceleration() && state_.a.cols() == 0;
-    evaluation_.wantsForce = beginsStep || state_.lag != 0 || (booksDue(rowDue) && body_.constraints().moving());
+    evaluation_.wantsForce = beginsStep || state_.lag != 0 || energies_.needsForce(rowDue);
     evaluation_.wantsEnergy = scene_.energy && rowDue;
   }
   /// Gives the state the acceleration that was evaluated.
@@ -374,19 +346,8 @@ class Run {
   }
   /// Energies of the state before the step, after its evaluation.
   void keepBooks(bool rowDue) {
-    energies_.reset();
-    if (!booksDue(rowDue)) return;
     const Stopwatch force(result_.forceTime);
-    balance_->record(state_.x, evaluation_.internalForce);
-    if (scene_.damping.any()) {
-      system_->dampingForce(state_.x, state_.v, dampingForce_);
-      balance_->recordDamping(state_.time, state_.v, dampingForce_);
-    }
-    if (!rowDue) return;
-    energies_ = balance_->energies(state_.v, evaluation_.strainEnergy);
-    energies_->externalWork += beforeCut_.externalWork;
-    energies_->dissipated += beforeCut_.dissipated;
-    energies_->balanceError += beforeCut_.balanceError;
+    energies_.record(state_, evaluation_, *system_, rowDue);
   }
 
   /// Evaluates the state before step k: one pass over the elements serves the scheme, the energy books and, where it
@@ -403,9 +364,9 @@ class Run {
     }
     takeAcceleration();
     keepBooks(rowDue);
-    if (monitor_ && energies_ && monitorSees(k)) {
+    if (monitor_ && energies_.last() && monitorSees(k)) {
       const Stopwatch watch(result_.monitorTime);
-      report.newEvents = monitor_->observeEnergies(*energies_).newEvents;
+      report.newEvents = monitor_->observeEnergies(*energies_.last()).newEvents;
     }
     if (handler_) nameElements(report);
     if (!handler_ || !scene_.monitored()) return report;
@@ -443,7 +404,7 @@ class Run {
       MonitorReport report;
       report.step = k;
       report.time = state_.time;
-      report.h = h_;
+      report.h = steps_.step();
       return report;
     }
     const Stopwatch watch(result_.monitorTime);
@@ -456,8 +417,7 @@ class Run {
       return lastReport_;
     }
     // With "auto" the first step is chosen from the first bracket.
-    MonitorReport report = monitor_->observe(k, state_.time, state_.x, state_.v,
-                                             h_ > 0 ? std::optional<double>(h_) : std::nullopt, evaluation);
+    MonitorReport report = monitor_->observe(k, state_.time, state_.x, state_.v, steps_.asked(), evaluation);
     // The pass over the elements counts as the force's, which it serves too.
     result_.monitorTime -= evaluation_.wallTime;
     result_.forceTime += evaluation_.wallTime;
@@ -465,63 +425,26 @@ class Run {
     return report;
   }
 
-  /// Sets the step by what the monitor knows, for "auto" and "reduce-step". False when no step can be had.
-  bool adaptStep(MonitorReport& report) {
-    const bool automatic = !scene_.step, reduce = scene_.onViolation == OnViolation::reduceStep;
-    const bool tooLong = scene_.proves() ? report.verdict != Verdict::certified
-                                         : report.metricStep.has_value() && !(h_ <= *report.metricStep);
-    if (automatic ? (report.fresh || (reduce && tooLong)) : (reduce && tooLong)) {
-      if (scene_.proves() && !report.fresh) {
-        const Stopwatch watch(result_.monitorTime);
-        report.bracket = criticalStepHere();
-        report.fresh = true;
-        report.elementsRefreshed = static_cast<std::int64_t>(body_.mesh().elementCount());
-      }
-      const double safe = !scene_.proves() ? *report.metricStep : report.bracket ? report.bracket->safe : 0;
-      const double certified = scene_.safety * safe;
-      double next = certified;
-      if (!(next > 0)) next = 0.5 * h_;           // nothing can be certified: keep reducing
-      if (!automatic) next = std::min(next, h_);  // a fixed step is shortened, never lengthened
-      if (report.bracket && !automatic && h_ <= report.bracket->safe) next = h_;  // a fresh look certifies it after all
-      h_ = std::min(next, scene_.end);
-      firstStep_ = firstStep_ > 0 ? firstStep_ : h_;
-      if (!(h_ > collapse * firstStep_)) {
-        end(ExitReason::stepCollapsed, fmt::format("no step can be certified: reduced to {:.3g} s", h_));
-        return false;
-      }
+  /// Chooses the step from a state. False when none can be had.
+  bool chooseStep(MonitorReport& report) {
+    const std::string fault = steps_.choose(report, state_.time, [this](MonitorReport& fresh) {
+      const Stopwatch watch(result_.monitorTime);
+      fresh.bracket = criticalStepHere();
+      fresh.fresh = true;
+      fresh.elementsRefreshed = static_cast<std::int64_t>(body_.mesh().elementCount());
+    });
+    if (!fault.empty()) {
+      end(ExitReason::stepCollapsed, fault);
+      return false;
     }
-    if (automatic && firstStep_ == h_)
-      if (const std::string fault = tooManySteps(h_, scene_.end); !fault.empty())
-        throw InputError(fmt::format("{}: integrator.end: \"auto\" begins with {}", scene_.file.string(), fault));
-    if (automatic && h_ > scene_.end - state_.time) {  // the last one ends at the end
-      h_ = scene_.end - state_.time;
-      picture_.leaveOut(report.step);
-    }
-    if (firstStep_ <= 0) firstStep_ = h_;
-    report.h = h_;
+    if (steps_.endsTheRun()) output_->leaveOut(report.step);
+    report.h = steps_.step();
     // A step that was shortened in time was not taken: the monitor's alarm at the longer one is no event of the run.
-    if (report.bracket) report.verdict = verdictFor(h_, *report.bracket);
+    if (report.bracket) report.verdict = verdictFor(report.h, *report.bracket);
     judgeHandled(report);
     if (report.verdict != Verdict::violated)
       std::erase_if(report.newEvents, [](const MonitorEvent& event) { return event.kind == EventKind::violated; });
     return true;
-  }
-
-  /// The energy ran away where the balance error passes its bound and stays above it to the end of the run. From there
-  /// on the largest energy stays what it was: the runaway must not become its own measure.
-  void checkRunaway(std::int64_t k) {
-    if (!energies_) return;
-    if (!result_.runaway)
-      largestEnergy_ = std::max(
-          {largestEnergy_, energies_->kinetic + std::abs(energies_->strain), std::abs(energies_->externalWork)});
-    // Schemes whose velocities are half a step behind are off by 1/(n + 1) of the energy at step n of a run that starts
-    // under load.
-    const double share = std::max(runawayShare, 1.5 / static_cast<double>(k + 1));
-    const bool off = !(std::abs(energies_->balanceError) <= share * largestEnergy_);
-    if (!off)
-      result_.runaway.reset();
-    else if (!result_.runaway)
-      result_.runaway = {k, state_.time};
   }
 
   void keepEvents(const MonitorReport& report) {
@@ -533,35 +456,28 @@ class Run {
 
   void record(const MonitorReport& report, bool rowDue) {
     const Stopwatch output(result_.outputTime);
+    output_->open();
     keepEvents(report);
     if (rowDue) {
       HistoryRow row;
       row.step = report.step;
       row.time = state_.time;
-      row.h = h_;
+      row.h = report.h;
       row.bracket = report.bracket;
-      row.energies = energies_;
+      row.energies = energies_.last();
       row.elementsRefreshed = monitor_ && report.fresh ? report.elementsRefreshed : 0;
       row.handledElements = handler_ ? static_cast<std::int64_t>(handler_->elements().size()) : stiffElements_;
       row.metricStep = report.metricStep;
       if (monitor_) row.verdict = report.verdict;
-      history_->write(row);
-      if (scene_.picture && monitor_) picture_.add(row);
+      output_->writeRow(row);
     }
-    if (frames_ && state_.time >= nextFrame_ - 1e-3 * h_) {
-      writeFrame(report);
-      lastFrame_ = report.step;
-      // The first multiple of the interval that is still to come, however many lie within a step.
-      const double interval = *scene_.frameInterval, reached = state_.time + 1e-3 * h_;
-      framesDue_ = std::max(framesDue_, static_cast<std::int64_t>(reached / interval) - 1);
-      while (nextFrame_ <= reached) nextFrame_ = static_cast<double>(++framesDue_) * interval;
-    }
+    if (output_->frameDue(state_.time, report.h)) output_->writeFrame(report.step, state_, frameOf(report));
   }
 
-  void writeFrame(const MonitorReport& report) {
+  FrameState frameOf(const MonitorReport& report) const {
     FrameState frame;
     frame.time = state_.time;
-    frame.h = h_;
+    frame.h = steps_.step();
     if (monitor_) {
       frame.verdict = report.verdict;
       if (scene_.proves()) {
@@ -570,16 +486,16 @@ class Run {
       }
     }
     if (handler_) frame.handled = handler_->elements();
-    frames_->write(state_.x, state_.v, frame);
+    return frame;
   }
 
   /// One step, or on a GPU up to `count`: `count` becomes what was taken, and a step that fails after others is tried
   /// again by the next call.
   StepStatus tryStep(std::int64_t& count) {
-    if (split_) return integrator_->step(*split_, state_, h_);
-    if (!device_) return integrator_->advance(*system_, state_, h_);
+    if (split_) return integrator_->step(*split_, state_, steps_.step());
+    if (!device_) return integrator_->advance(*system_, state_, steps_.step());
     const DeviceRun::Taken taken =
-        device_->step(state_, h_, count, monitor_ && scene_.proves() ? rule_.lambdaFor(h_) : 0);
+        device_->step(state_, steps_.step(), count, monitor_ && scene_.proves() ? rule_.lambdaFor(steps_.step()) : 0);
     count = taken.steps;
     return {taken.steps > 0 || taken.fault.empty(), taken.fault};
   }
@@ -589,11 +505,10 @@ class Run {
     std::int64_t taken = 1;
     if (device_) taken = stepsUntilLook(result_.steps);
     StepStatus status = tryStep(taken);
-    while (!status.done && handler_ && scene_.reduceOnFailure && h_ > 2 * collapse * firstStep_) {
-      h_ *= 0.5;
+    while (!status.done && handler_ && scene_.reduceOnFailure && steps_.halve()) {
       result_.notes.push_back(
-          fmt::format("step {}: {}; the step is halved to {:.6g} s", report.step, status.reason, h_));
-      prepareHandler(state_.x, h_);
+          fmt::format("step {}: {}; the step is halved to {:.6g} s", report.step, status.reason, steps_.step()));
+      prepareHandler(state_.x, steps_.step());
       startSystem();
       taken = 1;
       status = tryStep(taken);
@@ -602,8 +517,8 @@ class Run {
       end(ExitReason::stepFailed, fmt::format("step {} failed: {}", report.step, status.reason));
       return false;
     }
-    result_.smallestStep = result_.steps == 0 ? h_ : std::min(result_.smallestStep, h_);
-    result_.largestStep = std::max(result_.largestStep, h_);
+    result_.smallestStep = result_.steps == 0 ? steps_.step() : std::min(result_.smallestStep, steps_.step());
+    result_.largestStep = std::max(result_.largestStep, steps_.step());
     result_.steps += taken;
     if (monitor_) {
       result_.worst = std::max(result_.worst.value_or(Verdict::certified), report.verdict);
@@ -629,12 +544,12 @@ class Run {
 
   void showProgress(const MonitorReport& report) {
     if (!progress_.due()) return;
-    progress_.show(
-        fmt::format("step {} of about {:.0f}, t = {:.4g} of {:.4g} s, h = {:.4g} s{}{}", report.step,
-                    static_cast<double>(report.step) + (scene_.end - state_.time) / h_, state_.time, scene_.end, h_,
-                    report.bracket ? fmt::format(", safe {:.4g} s", report.bracket->safe) : "",
-                    monitor_ ? fmt::format(", {}", verdictName(report.verdict)) : ""),
-        state_.time / scene_.end);
+    progress_.show(fmt::format("step {} of about {:.0f}, t = {:.4g} of {:.4g} s, h = {:.4g} s{}{}", report.step,
+                               static_cast<double>(report.step) + (scene_.end - state_.time) / steps_.step(),
+                               state_.time, scene_.end, steps_.step(),
+                               report.bracket ? fmt::format(", safe {:.4g} s", report.bracket->safe) : "",
+                               monitor_ ? fmt::format(", {}", verdictName(report.verdict)) : ""),
+                   state_.time / scene_.end);
   }
 
   /// A GPU solves the clusters in its own way.
@@ -655,18 +570,9 @@ class Run {
     noteWhatIsNotCertified();
     if (handler_) result_.handler->figures = handlerFigures();
     if (device_) result_.notes.push_back(device_->summary());
-    if (!history_) openResults();
+    result_.runaway = energies_.runaway();
     const Stopwatch output(result_.outputTime);
-    history_->finish();
-    result_.files.emplace_back("history.csv");
-    if (frames_) {
-      // The last state closes the animation, unless it is not finite: then the last good frame is the last one.
-      if (result_.reason != ExitReason::nonFinite && lastFrame_ != result_.steps) writeFrame(lastOfAll());
-      frames_->removeStale();
-      result_.frames = frames_->count();
-      result_.files.push_back(fmt::format("run.pvd ({} frames)", frames_->count()));
-    }
-    if (scene_.picture && monitor_) drawPicture();
+    output_->finish(result_, state_, frameOf(lastOfAll()));
   }
 
   /// Nothing is known of the last state but what was known of the step that led to it.
@@ -707,23 +613,6 @@ class Run {
     if (monitor_) close(monitor_->events(), false);
   }
 
-  void drawPicture() {
-    if (result_.firstViolated) picture_.markViolation(result_.firstViolated->time);
-    if (result_.runaway) picture_.markRunaway(result_.runaway->time);
-    for (const CutRecord& cut : result_.cuts) picture_.markCut(cut.time);
-    const std::string note =
-        picture_.draw(options_.folder, fmt::format("{}: {}, {}, {}", scene_.file.stem().string(),
-                                                   elementCounts(body_.mesh()), scene_.model, scene_.method));
-    if (note.empty())
-      result_.files.emplace_back("critical_step.png");
-    else
-      result_.notes.push_back(note);
-    result_.files.emplace_back("critical_step.gp");
-    result_.files.emplace_back("critical_step.dat");
-  }
-
-  static constexpr double collapse = 1e-6;  // of the first step: a run that needs less goes nowhere
-
   const Scene& scene_;
   Body& body_;
   const RunOptions& options_;
@@ -733,29 +622,20 @@ class Run {
   std::optional<BodySystem> system_;
   StepEvaluation evaluation_;
   Body::Workspace workspace_;
-  NodeVectors dampingForce_;
   std::optional<SplitBodySystem> split_;  // for partitioned schemes
   std::unique_ptr<DeviceRun> device_;     // when the steps are taken on a GPU
   HandledWatch handledWatch_;
   MonitorReport lastReport_;  // then: of the monitor's last look
   std::int64_t stiffElements_ = 0;
-  std::optional<EnergyBalance> balance_;  // always there but within a cut
-  Energies beforeCut_;                    // what the books of the bodies before have come to
+  RunEnergies energies_;
+  StepPolicy steps_;
   std::size_t cutsMissed_ = 0;
   ProgressLine progress_;
   std::optional<StabilityMonitor> monitor_;
-  std::optional<FolderLock> lock_;
-  std::optional<HistoryWriter> history_;
-  std::optional<FrameWriter> frames_;
-  Picture picture_;
+  std::optional<RunOutput> output_;
   State state_;
-  double h_ = 0, firstStep_ = 0;
   bool monitored_ = false;  // a monitor has been made
   std::int64_t looks_ = 0;  // of monitors
-  std::optional<Energies> energies_;
-  double largestEnergy_ = 0;
-  double nextFrame_ = 0;
-  std::int64_t framesDue_ = 0, lastFrame_ = -1;
   Verdict lastVerdict_ = Verdict::notCertified;
   RunResult result_;
 };
