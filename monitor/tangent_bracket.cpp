@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/body/tangent_block.h>
@@ -12,13 +13,44 @@
 namespace ringwatch {
 namespace {
 
-/// The element type that lends its number of nodes to elements of n nodes: the smallest with as many or more.
-ElementType carrierOf(int n) {
+/// Degrees of freedom are bounded in blocks of three: a node with more of them is several triples.
+constexpr int inTriple = 3, mostDegreesOfFreedom = 6;
+int triplesOf(int degreesOfFreedom) { return (degreesOfFreedom + inTriple - 1) / inTriple; }
+
+/// The element type that lends its number of nodes to elements of n nodes with that many triples each: the smallest
+/// with as many nodes as there are triples, or more.
+ElementType carrierOf(int n, int triples) {
   const ElementInfo* best = nullptr;
   for (const ElementInfo& info : allElements())
-    if (info.nodes >= n && (!best || info.nodes < best->nodes)) best = &info;
-  if (n < 2 || !best) throw InputError(joinText(n, " nodes an element: must be 2 to ", maxElementNodes));
+    if (info.nodes >= n * triples && (!best || info.nodes < best->nodes)) best = &info;
+  if (n < 2 || !best) throw InputError(joinText(n, " nodes an element: must be 2 to ", maxElementNodes / triples));
   return best->type;
+}
+
+/// W with W M W = 1 on the free degrees of freedom and 0 elsewhere, d×d numbers, of a node's mass M. Widens `residual`
+/// to what rounding leaves of W M W - 1.
+void inverseRoot(std::size_t node, const Eigen::MatrixXd& M, const std::vector<int>& free, double* W,
+                 double& residual) {
+  const auto d = static_cast<int>(M.rows());
+  std::fill(W, W + d * d, 0.0);
+  if (free.empty()) return;
+  const Eigen::MatrixXd own = M(free, free);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(own);
+  const Eigen::VectorXd& lambda = solver.eigenvalues();
+  // Singular to rounding counts as indefinite.
+  constexpr double definite = 1e-12;
+  if (!own.allFinite() || (own - own.transpose()).norm() > 1e-12 * own.norm() ||
+      !(lambda[0] > definite * lambda[lambda.size() - 1]))
+    throw InputError(joinText("node ", node,
+                              ": its mass block must be symmetric and positive definite; its eigenvalues are ",
+                              lambda[0], " to ", lambda[lambda.size() - 1]));
+  const Eigen::MatrixXd root =
+      solver.eigenvectors() * lambda.cwiseSqrt().cwiseInverse().asDiagonal() * solver.eigenvectors().transpose();
+  for (std::size_t i = 0; i < free.size(); ++i)
+    for (std::size_t j = 0; j < free.size(); ++j)
+      W[free[i] * d + free[j]] =
+          0.5 * (root(static_cast<int>(i), static_cast<int>(j)) + root(static_cast<int>(j), static_cast<int>(i)));
+  residual = std::max(residual, (root * own * root - Eigen::MatrixXd::Identity(own.rows(), own.rows())).norm());
 }
 
 void checkElement(std::size_t group, std::size_t e, std::span<const std::int32_t> nodes, std::size_t nodeCount) {
@@ -57,6 +89,8 @@ TangentCheck checkTangent(std::size_t group, std::size_t e, const double* K, int
   return {largest, symmetric};
 }
 
+/// Of mass-scaled entries, relative to the sums of the sizes of what they are summed from: 2 · 6 products and a factor.
+constexpr double roundingOfScaling = 4e-15;
 /// Of quotients and assembled entries, relative to the sums of the sizes of what they are summed from.
 constexpr double roundingOfProducts = 1e-12;
 /// Sixth powers, as in determinants of squares, stay inside the range of a double.
@@ -70,17 +104,27 @@ void checkSize(const char* what, double size) {
 
 struct TangentBracket::Impl {
   struct Group {
-    int nodes, carrierNodes;
+    int nodes, degreesOfFreedom, carrierNodes;
+    int scaledDegreesOfFreedom;  // blocks of mass couple all of a node's
     std::size_t count;
-    std::vector<double> copy;  // tangents, symmetric and of the carrier's size; empty while they serve as given
-    TangentBlock* block;
+    std::span<const std::int32_t> nodesOf(std::size_t e) const {
+      return {connectivity.data() + e * static_cast<std::size_t>(nodes), static_cast<std::size_t>(nodes)};
+    }
+    std::vector<std::int32_t> connectivity;
+    std::vector<double> copy = {};  // tangents, symmetric and of the carrier's size; empty while they serve as given
+    TangentBlock* block = nullptr;
   };
   std::vector<Group> groups;
+  int degreesOfFreedom = 3;
+  /// W of every node, for masses that are not a number a node of three degrees of freedom; else empty.
+  std::vector<double> inverseRoots;
+  double massResidual = 0;  // of all W M W - 1
   std::unique_ptr<Body> body;
   std::unique_ptr<NodalBound> bound;
   std::unique_ptr<ReducedRing> ring;
   NodeVectors mode;
   Eigen::VectorXd inverseRootMass, rowSum;  // by degree of freedom; the former zero where constrained
+  std::vector<double> halfScaled;           // of the element at hand
   int calls = 0, lastFresh = 0, freshGap = leastGap;
 
   static constexpr int leastGap = 4;  // calls between two fresh starts; doubles while they do not help
@@ -91,42 +135,85 @@ struct TangentBracket::Impl {
   /// entry.
   double take(std::size_t g, std::span<const double> tangents) {
     Group& group = groups[g];
-    const int size = 3 * group.nodes, stride = 3 * group.carrierNodes;
-    const auto entries = static_cast<std::size_t>(size * size),
-               carrierEntries = static_cast<std::size_t>(stride * stride);
+    const int size = group.degreesOfFreedom * group.nodes;
+    const auto entries = static_cast<std::size_t>(size * size);
     if (tangents.size() != group.count * entries)
       throw InputError(joinText("group ", g, ": ", tangents.size(), " numbers in its tangents: must be ", group.count,
                                 " x ", size, " x ", size));
-    bool asGiven = group.carrierNodes == group.nodes;
+    const bool scaled = !inverseRoots.empty();
+    bool asGiven = !scaled && group.carrierNodes == group.nodes;
     double largest = 0;
     for (std::size_t e = 0; e < group.count; ++e) {
       const double* K = tangents.data() + e * entries;
       const TangentCheck check = checkTangent(g, e, K, size);
       asGiven = asGiven && check.symmetric;
       largest = std::max(largest, check.largest);
-      const auto nodes = group.block->nodesOf(static_cast<std::int32_t>(e));
-      double scale[3 * maxElementNodes];
-      for (int i = 0; i < size; ++i) scale[i] = inverseRootMass[3 * nodes[static_cast<std::size_t>(i / 3)] + i % 3];
-      for (int i = 0; i < size; ++i) {
-        double sum = 0;
-        for (int j = 0; j < size; ++j) sum += std::abs(K[i * size + j]) * scale[j];
-        rowSum[3 * nodes[static_cast<std::size_t>(i / 3)] + i % 3] += scale[i] * sum;
-      }
+      if (!scaled) addRowSums(group.nodesOf(e), K, size);
     }
     if (asGiven) {
       group.copy.clear();
       group.block->setTangents(tangents.data());
       return largest;
     }
-    group.copy.resize(group.count * carrierEntries);
+    const int stride = inTriple * group.carrierNodes;
+    group.copy.assign(group.count * static_cast<std::size_t>(stride * stride), 0.0);
     for (std::size_t e = 0; e < group.count; ++e) {
       const double* K = tangents.data() + e * entries;
-      double* copy = group.copy.data() + e * carrierEntries;
+      double* copy = group.copy.data() + e * static_cast<std::size_t>(stride * stride);
+      if (scaled) {
+        scaleInto(group, group.nodesOf(e), K, copy, stride);
+        continue;
+      }
       for (int i = 0; i < size; ++i)
         for (int j = 0; j < size; ++j) copy[i * stride + j] = 0.5 * (K[i * size + j] + K[j * size + i]);
     }
     group.block->setTangents(group.copy.data());
     return largest;
+  }
+
+  void addRowSums(std::span<const std::int32_t> nodes, const double* K, int size) {
+    double scale[inTriple * maxElementNodes];
+    for (int i = 0; i < size; ++i) scale[i] = inverseRootMass[3 * nodes[static_cast<std::size_t>(i / 3)] + i % 3];
+    for (int i = 0; i < size; ++i) {
+      double sum = 0;
+      for (int j = 0; j < size; ++j) sum += std::abs(K[i * size + j]) * scale[j];
+      rowSum[3 * nodes[static_cast<std::size_t>(i / 3)] + i % 3] += scale[i] * sum;
+    }
+  }
+
+  /// W K W of the symmetric part of a tangent, in the rows and columns of its triples.
+  void scaleInto(const Group& group, std::span<const std::int32_t> nodes, const double* K, double* copy, int stride) {
+    const int d = degreesOfFreedom, in = group.degreesOfFreedom, out = group.scaledDegreesOfFreedom;
+    const int size = in * group.nodes, scaledSize = out * group.nodes, triples = triplesOf(out);
+    const auto rootOf = [&](int a) {
+      return inverseRoots.data() + static_cast<std::ptrdiff_t>(nodes[static_cast<std::size_t>(a)]) * d * d;
+    };
+    // W K, and the same with all signs positive.
+    halfScaled.assign(static_cast<std::size_t>(2 * scaledSize * size), 0.0);
+    double *const half = halfScaled.data(), *const halfSizes = half + scaledSize * size;
+    for (int i = 0; i < scaledSize; ++i)
+      for (int j = 0; j < size; ++j)
+        for (int l = 0; l < in; ++l) {
+          const int row = i / out * in + l;
+          const double term = rootOf(i / out)[i % out * d + l] * 0.5 * (K[row * size + j] + K[j * size + row]);
+          half[i * size + j] += term;
+          halfSizes[i * size + j] += std::abs(term);
+        }
+    const auto rowOf = [&](int i) { return (i / out * triples + i % out / inTriple) * inTriple + i % out % inTriple; };
+    for (int i = 0; i < scaledSize; ++i) {
+      double sizes = 0;
+      for (int j = 0; j < scaledSize; ++j)
+        for (int l = 0; l < in; ++l) {
+          const double w = rootOf(j / out)[l * d + j % out];
+          copy[rowOf(i) * stride + rowOf(j)] += half[i * size + j / out * in + l] * w;
+          sizes += halfSizes[i * size + j / out * in + l] * std::abs(w);
+        }
+      rowSum[inTriple * (nodes[static_cast<std::size_t>(i / out)] * triplesOf(d) + i % out / inTriple) +
+             i % out % inTriple] += sizes;
+    }
+    for (int i = 0; i < stride; ++i)
+      for (int j = 0; j < i; ++j)
+        copy[i * stride + j] = copy[j * stride + i] = 0.5 * (copy[i * stride + j] + copy[j * stride + i]);
   }
 
   UpperBound upperBound(const NodeVectors& x, LowerBound lower) {
@@ -149,61 +236,109 @@ struct TangentBracket::Impl {
   }
 };
 
-TangentBracket::TangentBracket(std::span<const double> lumpedMass, const std::vector<Elements>& elements,
+TangentBracket::TangentBracket(const NodalMass& mass, const std::vector<Elements>& elements,
                                std::span<const std::uint8_t> constrained, int threads)
     : impl_(std::make_unique<Impl>()) {
-  const std::size_t nodeCount = lumpedMass.size();
+  const int d = mass.degreesOfFreedom;
+  if (d < 1 || d > mostDegreesOfFreedom)
+    throw InputError(joinText(d, " degrees of freedom a node: must be 1 to ", mostDegreesOfFreedom));
+  const auto dofs = static_cast<std::size_t>(d);
+  const std::size_t perNode = mass.form == NodalMass::Form::scalar     ? 1
+                              : mass.form == NodalMass::Form::diagonal ? dofs
+                                                                       : dofs * dofs;
+  const std::size_t nodeCount = mass.values.size() / perNode;
+  if (mass.values.size() % perNode != 0)
+    throw InputError(joinText(mass.values.size(), " numbers of mass: must be a multiple of ", perNode));
   if (elements.empty()) throw InputError("no elements: at least one group is needed");
-  if (!constrained.empty() && constrained.size() != 3 * nodeCount)
-    throw InputError(joinText(constrained.size(), " flags of constrained components: must be none or ", 3 * nodeCount,
-                              ", three a node"));
-  for (std::size_t i = 0; i < nodeCount; ++i)
-    if (!(lumpedMass[i] > 0) || !std::isfinite(lumpedMass[i]))
-      throw InputError(joinText("node ", i, ": mass ", lumpedMass[i], " kg: must be > 0"));
+  if (!constrained.empty() && constrained.size() != dofs * nodeCount)
+    throw InputError(joinText(constrained.size(), " flags of constrained components: must be none or ",
+                              dofs * nodeCount, ", ", d, " a node"));
+  if (mass.form != NodalMass::Form::block)
+    for (std::size_t i = 0; i < mass.values.size(); ++i)
+      if (!(mass.values[i] > 0) || !std::isfinite(mass.values[i]))
+        throw InputError(joinText("node ", i / perNode, ": mass ", mass.values[i],
+                                  perNode == 1 && d == inTriple ? " kg" : "", ": must be > 0"));
 
+  Impl& m = *impl_;
+  m.degreesOfFreedom = d;
+  // Tangents of three degrees of freedom and one mass a node serve as given.
+  const bool scaled = d != inTriple || mass.form != NodalMass::Form::scalar ||
+                      std::any_of(elements.begin(), elements.end(),
+                                  [d](const Elements& group) { return group.degreesOfFreedom % d != 0; });
+  const int triples = triplesOf(d);
+  const std::size_t tripleCount = nodeCount * static_cast<std::size_t>(triples);
   Mesh mesh;
-  std::size_t spare = 0;  // fixed nodes that fill up elements whose number of nodes no type has
+  std::size_t spare = 0;  // fixed triples that fill up elements whose number of nodes no type has
   for (std::size_t g = 0; g < elements.size(); ++g) {
+    const int own = elements[g].degreesOfFreedom == 0 ? d : elements[g].degreesOfFreedom;
+    if (own < 1 || own > d)
+      throw InputError(joinText("group ", g, ": ", own, " degrees of freedom at its nodes: must be 1 to ", d));
     const auto n = static_cast<std::size_t>(elements[g].nodesPerElement);
-    MeshBlock block{carrierOf(elements[g].nodesPerElement), {}, {}};
+    const int scaledDofs = mass.form == NodalMass::Form::block ? d : own;
+    const int ownTriples = triplesOf(scaledDofs);
+    MeshBlock block{carrierOf(elements[g].nodesPerElement, ownTriples), {}, {}};
     if (elements[g].nodes.empty() || elements[g].nodes.size() % n != 0)
       throw InputError(
           joinText("group ", g, ": ", elements[g].nodes.size(), " node numbers: must be a multiple of ", n));
     const auto width = static_cast<std::size_t>(block.nodesPerElement());
-    const std::size_t count = elements[g].nodes.size() / n;
+    const std::size_t count = elements[g].nodes.size() / n, used = n * static_cast<std::size_t>(ownTriples);
     for (std::size_t e = 0; e < count; ++e) {
       const auto nodes = elements[g].nodes.subspan(e * n, n);
       checkElement(g, e, nodes, nodeCount);
-      block.connectivity.insert(block.connectivity.end(), nodes.begin(), nodes.end());
-      for (std::size_t a = n; a < width; ++a)
-        block.connectivity.push_back(static_cast<std::int32_t>(nodeCount + a - n));
+      for (const std::int32_t node : nodes)
+        for (int t = 0; t < ownTriples; ++t) block.connectivity.push_back(node * triples + t);
+      for (std::size_t a = used; a < width; ++a)
+        block.connectivity.push_back(static_cast<std::int32_t>(tripleCount + a - used));
       block.ids.push_back(static_cast<std::int64_t>(e));
     }
-    spare = std::max(spare, width - n);
-    impl_->groups.push_back({static_cast<int>(n), static_cast<int>(width), count, {}, nullptr});
+    spare = std::max(spare, width - used);
+    m.groups.push_back({.nodes = static_cast<int>(n),
+                        .degreesOfFreedom = own,
+                        .carrierNodes = static_cast<int>(width),
+                        .scaledDegreesOfFreedom = scaledDofs,
+                        .count = count,
+                        .connectivity = {elements[g].nodes.begin(), elements[g].nodes.end()}});
     mesh.blocks.push_back(std::move(block));
   }
-  mesh.X.setZero(3, static_cast<Eigen::Index>(nodeCount + spare));
-  for (std::size_t i = 0; i < nodeCount + spare; ++i) mesh.nodeIds.push_back(static_cast<std::int64_t>(i));
+  const std::size_t all = tripleCount + spare;
+  mesh.X.setZero(3, static_cast<Eigen::Index>(all));
+  for (std::size_t i = 0; i < all; ++i) mesh.nodeIds.push_back(static_cast<std::int64_t>(i));
   std::vector<std::unique_ptr<ElementBlock>> blocks;
   for (std::size_t g = 0; g < elements.size(); ++g) {
     auto block = std::make_unique<TangentBlock>(mesh, mesh.blocks[g]);
-    impl_->groups[g].block = block.get();
+    m.groups[g].block = block.get();
     blocks.push_back(std::move(block));
   }
-  Eigen::VectorXd mass = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(nodeCount + spare));
-  std::copy(lumpedMass.begin(), lumpedMass.end(), mass.data());
-  impl_->body = std::make_unique<Body>(std::move(mesh), std::move(blocks), std::move(mass), threads);
-  for (std::size_t i = 0; i < constrained.size(); ++i)
-    if (constrained[i]) impl_->body->constraints().fix(static_cast<std::int32_t>(i / 3), static_cast<int>(i % 3));
-  for (std::size_t i = 0; i < spare; ++i) impl_->body->constraints().fix(static_cast<std::int32_t>(nodeCount + i));
-  impl_->inverseRootMass.resize(3 * impl_->body->nodeCount());
-  for (std::int32_t i = 0; i < impl_->body->nodeCount(); ++i)
+  Eigen::VectorXd lumped = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(all));
+  if (!scaled) std::copy(mass.values.begin(), mass.values.end(), lumped.data());
+  m.body = std::make_unique<Body>(std::move(mesh), std::move(blocks), std::move(lumped), threads);
+  Constraints& constraints = m.body->constraints();
+  if (scaled) m.inverseRoots.resize(nodeCount * dofs * dofs);
+  for (std::size_t i = 0; i < nodeCount; ++i) {
+    std::vector<int> free;
+    for (int j = 0; j < triples * inTriple; ++j) {
+      if (j < d && (constrained.empty() || !constrained[i * dofs + static_cast<std::size_t>(j)]))
+        free.push_back(j);
+      else
+        constraints.fix(static_cast<std::int32_t>(i) * triples + j / inTriple, j % inTriple);
+    }
+    if (!scaled) continue;
+    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(d, d);
+    for (int r = 0; r < d; ++r)
+      for (int c = 0; c < d; ++c)
+        if (mass.form == NodalMass::Form::block)
+          M(r, c) = mass.values[i * dofs * dofs + static_cast<std::size_t>(r * d + c)];
+        else if (r == c)
+          M(r, r) = mass.values[i * perNode + (perNode == 1 ? 0 : static_cast<std::size_t>(r))];
+    inverseRoot(i, M, free, m.inverseRoots.data() + i * dofs * dofs, m.massResidual);
+  }
+  for (std::size_t i = tripleCount; i < all; ++i) constraints.fix(static_cast<std::int32_t>(i));
+  m.inverseRootMass.resize(3 * m.body->nodeCount());
+  for (std::int32_t i = 0; i < m.body->nodeCount(); ++i)
     for (int c = 0; c < 3; ++c)
-      impl_->inverseRootMass[3 * i + c] =
-          impl_->body->constraints().isConstrained(i, c) ? 0 : 1 / std::sqrt(impl_->body->lumpedMass()[i]);
-  impl_->bound = std::make_unique<NodalBound>(*impl_->body);
-  impl_->ring = std::make_unique<ReducedRing>(*impl_->body);
+      m.inverseRootMass[3 * i + c] = constraints.isConstrained(i, c) ? 0 : 1 / std::sqrt(m.body->lumpedMass()[i]);
+  m.bound = std::make_unique<NodalBound>(*m.body);
+  m.ring = std::make_unique<ReducedRing>(*m.body);
 }
 TangentBracket::~TangentBracket() = default;
 
@@ -225,9 +360,12 @@ CriticalStep TangentBracket::evaluate(const std::vector<std::span<const double>>
 
   const NodeVectors& x = m.body->mesh().X;
   const TopMode top = findTopMode(*m.ring, *m.body, x, m.mode, Impl::coldProducts, Impl::products, true);
-  const LowerBound lower{std::max(0.0, top.lower.value - roundingOfProducts * size)};
+  // The scaled problem W K W y = lambda y is that of a mass within massResidual of the given one.
+  const double massRounding = m.inverseRoots.empty() ? 0 : m.massResidual + roundingOfScaling;
+  const LowerBound lower{std::max(0.0, top.lower.value - roundingOfProducts * size) / (1 + massRounding)};
   const ReducedRing::Result& rings = m.ring->last();
-  const UpperBound upper = m.upperBound(x, lower);
+  UpperBound upper = m.upperBound(x, lower);
+  if (!m.inverseRoots.empty()) upper.value = (upper.value + roundingOfScaling * size) / (1 - massRounding);
   const CriticalStep step{safeStep(upper, limit),
                           optimisticStep(lower, limit),
                           rings.highestElement,
