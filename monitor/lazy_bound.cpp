@@ -14,12 +14,11 @@ namespace ringwatch {
 namespace {
 
 constexpr int lanes = PatchLayout::lanes;
-constexpr int coldSweeps = 12;       // of a retarget, at most
-constexpr double leastShare = 0.9;   // of what counts as risen
-constexpr double leastGain = 0.005;  // of two sweeps; half of it in the step
-constexpr int firstGap = 40;         // updates between two retargets; longer and longer while they do not help
-constexpr int lastGap = 10240;
-int longer(int gap) { return std::min(4 * gap, lastGap); }
+constexpr int coldSweeps = 12;         // of a retarget, at most
+constexpr double leastShare = 0.9;     // of what counts as risen
+constexpr double leastGain = 0.005;    // of two sweeps; half of it in the step
+constexpr int soon = 200;              // updates after which a lowering counts as wanted again too soon
+constexpr int leastGapOfChange = 640;  // updates that it takes a state to change much
 
 double largest(const Eigen::Matrix3d& S) {
   Eigen::Matrix3d A = S;
@@ -234,7 +233,7 @@ void LazyBound::retarget(const NodeVectors& x, int sweeps) {
   shapes_.evaluate(x, sweeps, NodalBound::Start::rootOfStiffness, leastGain);
   spent_.evaluated += shapes_.evaluations();
   ++spent_.retargets;
-  lastRetarget_ = updates_;
+  retarget_.restart();
   tightOverLower_ = 0;
 }
 
@@ -301,14 +300,14 @@ void LazyBound::followBody() {
   bodyVersion_ = body_.version();
   started_ = false;
   // The next attempt must not wait for its turn.
-  lastRetarget_ = updates_ - lastGap;
-  retargetGap_ = firstGap;
+  retarget_.reset();
 }
 
 UpperBound LazyBound::update(const NodeVectors& x, StepEvaluation* evaluation) {
   spent_ = {};
   followBody();
-  ++updates_;
+  retarget_.tick();
+  lowering_.tick();
   if (!started_ && evaluation) body_.evaluate(x, *evaluation, workspace_);
   const Outcome outcome = started_ ? follow(x, true, evaluation) : Outcome::flooded;
   if (outcome == Outcome::flooded || outcome == Outcome::failed) {
@@ -326,7 +325,8 @@ UpperBound LazyBound::update(const NodeVectors& x, StepEvaluation* evaluation) {
 bool LazyBound::certify(const NodeVectors& x, double sigma, StepEvaluation* evaluation) {
   spent_ = {};
   followBody();
-  ++updates_;
+  retarget_.tick();
+  lowering_.tick();
   if (started_ && sigma_ <= sigma) {
     const Outcome outcome = follow(x, false, evaluation);
     if (outcome == Outcome::fine) return true;
@@ -336,11 +336,11 @@ bool LazyBound::certify(const NodeVectors& x, double sigma, StepEvaluation* eval
     body_.evaluate(x, *evaluation, workspace_);
   }
   // From scratch, but not at every step while it keeps failing.
-  if (updates_ - lastRetarget_ < retargetGap_) return false;
+  if (!retarget_.due()) return false;
   retarget(x, coldSweeps);
   const double tight = shapes_.last();
   const bool proven = tight <= sigma * (1 - 1e-3);
-  retargetGap_ = proven ? firstGap : longer(retargetGap_);
+  retarget_.tried(proven);
   // What was found serves update() in any case.
   sigma_ = proven ? sigma : tight * (1 + slack_);
   started_ = std::isfinite(sigma_);
@@ -542,9 +542,9 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
   if (tightOverLower_ == 0) tightOverLower_ = shapes_.last() / lower.value;
   const double target = std::max(comfortable(lower, width), tightOverLower_ * (1 + 0.3 * slack_) * lower.value);
   // Lowering sigma scales every budget; balls shrink at least in proportion to the gaps, since r is concave in the gap.
-  if (target < 0.99 * sigma_ && updates_ - lastLowering_ >= loweringGap_) {
-    loweringGap_ = updates_ - lastLowering_ < 200 ? std::min(2 * loweringGap_, 640) : 40;
-    lastLowering_ = updates_;
+  if (target < 0.99 * sigma_ && lowering_.due()) {
+    // One that was wanted again so soon did not help for long.
+    lowering_.tried(lowering_.since() >= soon);
     const double factor = target / sigma_;
     sigma_ = target;
     for (BlockData& data : blocks_) {
@@ -564,11 +564,11 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
   // Starting afresh pays where sigma has drifted above what it gave last; else only a state that has changed much
   // helps.
   const bool drifted = sigma_ > 1.05 * tightOverLower_ * (1 + slack_) * lower.value;
-  if (updates_ - lastRetarget_ >= (drifted ? retargetGap_ : std::max(retargetGap_, 640))) {
+  if (retarget_.due(drifted ? 0 : leastGapOfChange)) {
     spent_ = {};
     retarget(x, coldSweeps);
     const double fresh = shapes_.last() * (1 + slack_);
-    retargetGap_ = fresh > 0.97 * sigma_ ? longer(retargetGap_) : firstGap;
+    retarget_.tried(fresh <= 0.97 * sigma_);
     sigma_ = fresh;
     dealBudgets(x);
     return true;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <ringwatch/base/backoff.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/validity_balls.h>
 
@@ -124,8 +125,8 @@ class LazyBound {
   Spent spent_;
   std::vector<Risen> risen_;
   std::vector<ElementRef> anchored_;  // given new balls by this update
-  std::int64_t updates_ = 0, lastRetarget_ = -1000, lastLowering_ = -1000;
-  int retargetGap_ = 40, loweringGap_ = 40;
+  // In updates.
+  Backoff retarget_{{.first = 40, .last = 10240, .factor = 4}}, lowering_{{.first = 40, .last = 640, .factor = 2}};
   double tightOverLower_ = 0;  // the tight bound at the last retarget over the lower bound then; 0: not known yet
 };
 

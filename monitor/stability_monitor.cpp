@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <ringwatch/base/backoff.h>
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/element_cause.h>
@@ -49,22 +50,24 @@ class Bracketer {
     const bool first = mode_.size() == 0, afresh = spent_.retargets > 0;
     if (!first) {
       lower = hotSpot_.evaluate(x);
-      if (++sinceMode_ >= modeGap_) {
+      wholeMode_.tick();
+      if (wholeMode_.due()) {
         const LowerBound whole = refreshMode(x, warmProducts);
         // Seldom while the hot spot tells all.
-        modeGap_ = whole.value > 1.005 * lower.value ? firstModeGap : std::min(2 * modeGap_, lastModeGap);
+        wholeMode_.tried(whole.value > 1.005 * lower.value);
         lower = {std::max(lower.value, whole.value)};
       }
       lower = lookWhereItRose(x, sigma, lower);
     }
     const double allowed = (1 + width_) * (1 + width_);
     // A bracket that is too wide is either side's fault: look again from below before moving the upper side.
-    if (first || afresh || (upper.value > allowed * lower.value && ++sinceRestart_ >= restartGap_)) {
+    const bool wide = upper.value > allowed * lower.value;
+    if (wide) restart_.tick();
+    if (first || afresh || (wide && restart_.due())) {
       const double before = lower.value;
       lower = first ? startMode(x) : restartMode(x);
       // The hot spot is a part of the whole, its bound a little lower.
-      restartGap_ = lower.value > 1.02 * before ? firstGap : std::min(4 * restartGap_, lastGap);
-      sinceRestart_ = 0;
+      restart_.tried(lower.value > 1.02 * before);
     }
     lookUnderCompression(x);
     lazy_.ease(lower, width_);
@@ -165,7 +168,7 @@ class Bracketer {
     lowest_ = {0, {}};
     softest_.resize(3, 0);
     least_ = {};
-    sinceSearch_ = searchGap_ = firstSearchGap;
+    search_.reset();
     searchedAt_ = 0;
   }
   /// Only elements under compression can make the tangent indefinite. When there are some, their rings are evaluated
@@ -173,14 +176,13 @@ class Bracketer {
   /// compression has grown since the last search, and else more and more seldom.
   void lookUnderCompression(const NodeVectors& x) {
     const double compression = lazy_.mostCompression();
-    ++sinceSearch_;
-    const bool grown = compression > growth * searchedAt_ && sinceSearch_ >= firstGap;
-    const bool search = compression > slightlyCompressed && (grown || sinceSearch_ >= searchGap_);
+    search_.tick();
+    const bool grown = compression > growth * searchedAt_ && search_.since() >= firstGap;
+    const bool search = compression > slightlyCompressed && (grown || search_.due());
     if (search) {
       least_ = findLowestMode(body_, x, softest_, softest_.cols() == 0 ? coldSearch : warmSearch);
-      searchGap_ = grown ? firstSearchGap : std::min(2 * searchGap_, lastGap);
+      search_.tried(grown);
       searchedAt_ = grown ? compression : std::max(searchedAt_, compression);
-      sinceSearch_ = 0;
     } else if (!(compression > slightlyCompressed)) {
       least_ = {};
     }
@@ -271,19 +273,18 @@ class Bracketer {
   }
   LowerBound followMode(const NodeVectors& x, LowerBound whole) {
     hotSpot_.choose(mode_);
-    sinceMode_ = 0;
+    wholeMode_.restart();
     return {std::max(whole.value, hotSpot_.evaluate(x).value)};
   }
   static constexpr double slackOfWidth = 1.6;
   static constexpr int coldProducts = 20, restartProducts = 8, warmProducts = 3;
-  static constexpr int firstModeGap = 64, lastModeGap = 512;  // evaluations between two looks at the whole mode
-  // Evaluations between two restarts or looks under compression; restarts become rarer while useless.
-  static constexpr int firstGap = 10, lastGap = 2560;
+  // Evaluations between two looks under compression, and of a step that is certified before it is judged cheaply.
+  static constexpr int firstGap = 10;
   static constexpr std::size_t compressedRings = 16, risenRings = 3, hotRings = 64;  // looked at each time
   static constexpr double compressed = 0.05, slightlyCompressed = 1e-3;              // of λ+2μ
   // Of the search for a negative direction: tangent products of the first and of the others, the growth of compression
-  // that asks for one, and evaluations between two else.
-  static constexpr int coldSearch = 48, warmSearch = 12, firstSearchGap = 80;
+  // that asks for one.
+  static constexpr int coldSearch = 48, warmSearch = 12;
   static constexpr double growth = 1.5;
 
   const Body& body_;
@@ -297,13 +298,14 @@ class Bracketer {
   LazyBound::Spent spent_;
   bool bracketed_ = true, finite_ = true;
   int sinceDoubt_ = firstGap;  // looks in a row that certified the step asked about
-  int sinceSharpened_ = 0, sinceMode_ = 0, modeGap_ = firstModeGap, sinceRestart_ = 0, restartGap_ = firstGap,
-      sinceCompressed_ = firstGap;
+  int sinceSharpened_ = 0, sinceCompressed_ = firstGap;
+  // In evaluations: looks at the whole mode, restarts from all rings, searches for a negative direction.
+  Backoff wholeMode_{{.first = 64, .last = 512, .factor = 2}}, restart_{{.first = firstGap, .last = 2560, .factor = 4}},
+      search_{{.first = 80, .last = 2560, .factor = 2}};
   LowestRing lowest_{0, {}};
   std::size_t nextCompressed_ = 0;
-  NodeVectors softest_;  // the direction of the last search
-  LowestMode least_;     // what it proved
-  int sinceSearch_ = firstSearchGap, searchGap_ = firstSearchGap;
+  NodeVectors softest_;                      // the direction of the last search
+  LowestMode least_;                         // what it proved
   double searchedAt_ = 0;                    // the compression then
   std::optional<CriticalStep> step_, best_;  // best_: from scratch, of positions bestAt_ and that version of the body
   NodeVectors bestAt_;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include <ringwatch/base/backoff.h>
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/body.h>
@@ -125,9 +127,9 @@ struct TangentBracket::Impl {
   NodeVectors mode;
   Eigen::VectorXd inverseRootMass, rowSum;  // by degree of freedom; the former zero where constrained
   std::vector<double> halfScaled;           // of the element at hand
-  int calls = 0, lastFresh = 0, freshGap = leastGap;
+  bool called = false;
+  Backoff freshStart{{.first = 4, .last = 256, .factor = 2}};  // in calls
 
-  static constexpr int leastGap = 4;  // calls between two fresh starts; doubles while they do not help
   static constexpr int warmSweeps = 2, freshSweeps = 20, products = 6, coldProducts = 20;
   static constexpr double wide = 1.1;  // in lambda: 5 % of the step
 
@@ -217,11 +219,11 @@ struct TangentBracket::Impl {
   }
 
   UpperBound upperBound(const NodeVectors& x, LowerBound lower) {
-    const bool first = calls++ == 0;
+    const bool first = !std::exchange(called, true);
+    freshStart.tick();
     UpperBound upper = bound->evaluate(x, first ? freshSweeps : warmSweeps);
-    if (upper.value <= wide * lower.value || (!first && calls - lastFresh < freshGap)) return upper;
+    if (upper.value <= wide * lower.value || !freshStart.due()) return upper;
     // Shapes that were swept along for long, or that started badly: from scratch, both ways.
-    lastFresh = calls;
     const double before = upper.value;
     for (const NodalBound::Start start : {NodalBound::Start::rootOfStiffness, NodalBound::Start::stiffness}) {
       auto other = std::make_unique<NodalBound>(*body);
@@ -231,7 +233,8 @@ struct TangentBracket::Impl {
         bound = std::move(other);
       }
     }
-    freshGap = upper.value < 0.98 * before ? leastGap : std::min(2 * freshGap, 256);
+    constexpr double helpful = 0.98;
+    freshStart.tried(upper.value < helpful * before);
     return upper;
   }
 };
