@@ -121,7 +121,7 @@ ExitStatus complain(const std::string& text, ExitStatus status) {
   return status;
 }
 
-/// Text for people or JSON, to standard output. Throws when it cannot be written, e.g. on a full disk.
+/// Human-readable text or JSON, to standard output. Throws when it cannot be written, e.g. on a full disk.
 void printOut(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     throw InputError("cannot write to standard output");

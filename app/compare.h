@@ -23,7 +23,7 @@ struct CompareOptions {
 struct CompareResult {
   nlohmann::ordered_json json;
   StudyReport report;  // tables and figures
-  std::string text;    // for people: who is cheapest
+  std::string text;    // human-readable: which is cheapest
 };
 
 /// Runs a scene's motion with several integrators, and several handlers on verlet, over several steps against a

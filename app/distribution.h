@@ -11,7 +11,7 @@
 
 namespace ringwatch {
 
-/// How a metric's steps spread over the elements of a mesh (figs. 3.6 and 3.7 of the source).
+/// How a metric's steps spread over the elements of a mesh (figs. 3.6 and 3.7 of Fierz 2013).
 struct Distribution {
   std::string metric;
   std::vector<double> edges;        // s, of the histogram's bins, equal on a logarithmic scale; one more than counts;

@@ -26,7 +26,7 @@ struct HistoryRow {
 /// however the run ends, its history is there.
 class HistoryWriter {
  public:
-  /// Begins the file anew. Throws InputError when the folder cannot be written.
+  /// Begins the file again. Throws InputError when the folder cannot be written.
   explicit HistoryWriter(const std::filesystem::path& folder);
   /// Writes what is left, in silence.
   ~HistoryWriter();

@@ -35,7 +35,7 @@ struct InspectOptions {
 /// What came of it.
 struct InspectResult {
   nlohmann::ordered_json json;  // the contract of `inspect --json`
-  std::string text;             // the same for people
+  std::string text;             // the same, human-readable
   std::string failure;          // one line when a result could not be had, which then has no value; "" else
 };
 

@@ -168,7 +168,7 @@ class Run {
     result_.notes.push_back(fmt::format("device = \"auto\": the steps are taken on the CPU, since {}", reason));
   }
 
-  /// Steps from number k on that the GPU may take before somebody looks at the state.
+  /// Steps from number k on that the GPU may take before the state is observed.
   std::int64_t stepsUntilLook(std::int64_t k) const {
     // The work of prescribed motion is done in every step.
     if (scene_.energy && body_.constraints().moving()) return 1;
@@ -217,7 +217,7 @@ class Run {
 
   double kineticEnergy() const { return 0.5 * (state_.v.colwise().squaredNorm() * body_.lumpedMass()).value(); }
 
-  /// Cuts the body, carries the state over and starts anew what depends on the mesh.
+  /// Cuts the body, carries the state over and builds again what depends on the mesh.
   void cut(const Scene::Cut& wanted) {
     CutRecord record;
     record.step = result_.steps;

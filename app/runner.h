@@ -61,7 +61,7 @@ struct CutRecord {
   std::optional<CriticalStep> before, after;         // of the whole body there, whatever a handler does; where wanted
   double kineticBefore = 0, kineticAfter = 0;        // J; lumped masses move it a little
   std::int64_t handledBefore = 0, handledAfter = 0;  // elements
-  Handler::Judged judged;                            // anew, by the handler
+  Handler::Judged judged;                            // again, by the handler
   double cutTime = 0, selectionTime = 0;             // s of wall time: of mesh and body, of the handler
 };
 

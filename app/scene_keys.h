@@ -27,7 +27,8 @@ std::string_view sceneTypeName(SceneType type);
 /// Numbers a key accepts; every component's, for lists.
 using SceneRange = NumberRange;
 
-/// One key of the scene format. The table of these drives validation, defaults, messages and the listing for people.
+/// One key of the scene format. The table of these drives validation, defaults, messages and the human-readable
+/// listing.
 struct SceneKey {
   std::string section;  // "fix", "move", "force" and "cut" are lists of tables
   std::string key;
@@ -55,7 +56,7 @@ std::span<const SceneKey> sceneKeys();
 bool isKeyOfEveryHandler(std::string_view key);
 /// Whether a key of [material] is a parameter of some law.
 bool isLawParameter(std::string_view key);
-/// The listing for people: every section and key with type, unit, default, range and help.
+/// The human-readable listing: every section and key with type, unit, default, range and help.
 std::string sceneHelp();
 
 }  // namespace ringwatch

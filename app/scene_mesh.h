@@ -20,7 +20,7 @@ std::string generatorFault(const std::string& generator, const std::string& para
 nlohmann::ordered_json generatorDefaults(const std::string& generator);
 /// The same values as `generateMesh` takes them.
 GeneratorArguments generatorArguments(const nlohmann::ordered_json& values);
-/// The listing for people: every generator with its parameters, units, defaults and ranges.
+/// The human-readable listing: every generator with its parameters, units, defaults and ranges.
 std::string generatorHelp();
 
 }  // namespace ringwatch

@@ -23,7 +23,7 @@ std::string StepPolicy::choose(MonitorReport& report, double time, const std::fu
     double next = scene_.safety * safe;
     if (!(next > 0)) next = 0.5 * h_;           // nothing can be certified: keep reducing
     if (!automatic) next = std::min(next, h_);  // a fixed step is shortened, never lengthened
-    // Evaluated afresh, the step is certified after all.
+    // Evaluated at this state, the step is certified after all.
     if (report.bracket && !automatic && h_ <= report.bracket->safe) next = h_;
     h_ = std::min(next, scene_.end);
     if (first_ <= 0) first_ = h_;

@@ -29,7 +29,7 @@ void registerStudy(const StudyInfo& study);
 /// Runs the studies of those names; "all" or nothing for every one. Throws InputError for an unknown name.
 std::vector<StudyReport> runStudies(const std::vector<std::string>& names, StudyEffort effort);
 
-/// The tables and the checks for people.
+/// The tables and the checks, human-readable.
 std::string studyText(const StudyReport& report);
 /// { "passed": …, "studies": { NAME: { "passed", "tables": { NAME: [rows as objects] }, "checks": [ … ] } } }
 nlohmann::ordered_json studiesJson(const std::vector<StudyReport>& reports);

@@ -1,5 +1,5 @@
 // The largest eigenvalue of one element's M⁻¹K: power iteration, packed, from random components and from the face
-// normals, against full solvers; in the form of the source's tables 5.3 and 5.4. A vector of ones, which the source
+// normals, against full solvers; in the form of Fierz 2013, tables 5.3 and 5.4. A vector of ones, which Fierz 2013
 // names as its start, is a translation: K maps it to zero.
 #include <map>
 #include <random>

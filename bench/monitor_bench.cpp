@@ -155,7 +155,7 @@ void watchedRun(benchmark::State& state, const Case& c, int split, MonitorMode m
   options.mode = mode;
   if (mode == MonitorMode::metric) options.metric = "reduced-1-ring";
   const double h = pull.h * 2 / std::sqrt(globalFrequency(body, body.mesh().X, 1e-6).lambda);
-  // The source looks only now and then; so does a metric here, for it costs the same at every look.
+  // Fierz 2013 looks only now and then; so does a metric here, for it costs the same at every look.
   const int steps = mode == MonitorMode::metric ? 20 : 1000;
   double stepTime = 0, watchTime = 0, startTime = 0, refreshed = 0, certified = 0;
   std::vector<double> width;

@@ -1,5 +1,5 @@
 // Work against precision: every integrator over a range of steps on (a) an oscillator, (b) a swinging StVK bar, (c) the
-// same bar with slivers, against a converged reference; and, as the source's fig. 1.2, the cost of a millisecond of a
+// same bar with slivers, against a converged reference; and, as in Fierz 2013, fig. 1.2, the cost of a millisecond of a
 // bar as it is refined, explicit against implicit. For scenes of your own: ringwatch compare.
 //
 //   ringwatch_work_precision [FOLDER] [--quick]

@@ -19,7 +19,7 @@ namespace ringwatch {
 /// How an element's mass goes to its nodes.
 enum class Lumping {
   rowSum,  ///< m_a = ρ ∫ N_a dV, row sums of the consistent mass; diagonal scaling for elements without positive ones
-  equal,   ///< mass over node count, as the source has it
+  equal,   ///< mass over node count, as Fierz 2013 has it
   diagonalScaling,  ///< diagonal of the consistent mass, scaled to the element's mass (Hinton, Rock & Zienkiewicz 1976)
 };
 inline constexpr auto lumpingNames = nameTable<Lumping>({

@@ -3,7 +3,7 @@
 
 namespace ringwatch {
 
-/// Elements of which only the tangents are known: somebody else computes them. They answer for their tangents and throw
+/// Elements of which only the tangents are known: another code computes them. They answer for their tangents and throw
 /// NumericalError when asked for a force, an energy or anything of a deformation.
 class TangentBlock final : public ElementBlock {
  public:

@@ -58,7 +58,7 @@ struct Pyramid5 {
                                                               {{jacobi, -jacobi, 0.25}, 1.0 / 3},
                                                               {{-jacobi, jacobi, 0.25}, 1.0 / 3},
                                                               {{jacobi, jacobi, 0.25}, 1.0 / 3}}};
-  // The source's points, (±8/5 √(2/15), ±8/5 √(2/15), -2/3) and (0, 0, 2/5) with weights 81/100 and 125/27, are those
+  // Fierz 2013's points, (±8/5 √(2/15), ±8/5 √(2/15), -2/3) and (0, 0, 2/5) with weights 81/100 and 125/27, are those
   // of Felippa's collapsed coordinates on [-1, 1]³; brought here by the map above with z = (1 + ζ)/2.
   static constexpr double felippa = 0.48686449556014765641;  // 5/6 · 8/5 √(2/15)
   static constexpr std::array<QuadraturePoint, 5> fivePoints{{{{-felippa, -felippa, 1.0 / 6}, 9.0 / 32},
@@ -70,7 +70,7 @@ struct Pyramid5 {
       {{"collapsed-2x2x2", "eight points; at rest exact for pyramids whose base is a parallelogram", collapsed2},
        {"collapsed-3x3x3", "27 points, for strongly distorted elements and large strain", collapsed3},
        {"jacobi-2x2x1", "four points, at rest exact for pyramids whose base is a parallelogram", fourPoints},
-       {"source", "five points, as in the source's table 2.1", fivePoints}}};
+       {"source", "five points, as in Fierz 2013, table 2.1", fivePoints}}};
   static constexpr QuadratureRule massRule{"collapsed-2x2x2", "exact for masses", collapsed2};
 
  private:

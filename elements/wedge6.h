@@ -61,7 +61,7 @@ struct Wedge6 {
   static constexpr std::array<QuadratureRule, 3> rules{
       {{"gauss-3x2", "three points on the triangle by two along the axis, full rank", sixPoints},
        {"source",
-        "two points, as in the source's table 2.1; one spurious mode: the triangles turn against each other",
+        "two points, as in Fierz 2013, table 2.1; one spurious mode: the triangles turn against each other",
         twoPoints,
         {},
         1},

@@ -1,5 +1,5 @@
 // How to embed the monitor in an explicit code that has positions and tetrahedra: everything in `foreign` is written as
-// somebody else's code would be, with arrays and a loop of its own. What it needs of ringwatch is between the two
+// foreign code would be, with arrays and a loop of its own. What it needs of ringwatch is between the two
 // marks.
 #include <cmath>
 #include <cstdio>

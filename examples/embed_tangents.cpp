@@ -1,5 +1,5 @@
 // How to embed the monitor in an explicit code of any physics that has element tangents and lumped masses: everything
-// in `foreign` is written as somebody else's code would be. What it needs of ringwatch is between the two marks.
+// in `foreign` is written as foreign code would be. What it needs of ringwatch is between the two marks.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>

@@ -9,7 +9,7 @@ namespace ringwatch {
 struct CertificateFlags {
   std::int64_t checked;          // steps
   std::int64_t lostAt;           // the first of them that is not certified; -1: none
-  unsigned long long evaluated;  // elements evaluated anew
+  unsigned long long evaluated;  // elements evaluated again
   unsigned nearlyLost;           // an element has come close to its budget
 };
 

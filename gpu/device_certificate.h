@@ -11,9 +11,9 @@ namespace ringwatch {
 /// lambda_max(M⁻¹K(x)) <= sigma for the sigma that h stands for; the mathematics is LazyBound's. Shapes D_e and budgets
 /// stay frozen while every element is in a ball around the deformation gradient at which it was evaluated last. The
 /// pass that computes forces tests the balls; elements that have left are evaluated at once, in the same graph. Nothing
-/// is asked of the host: what was found waits in flags until somebody looks.
+/// is asked of the host: what was found stays in flags until the host reads them.
 ///
-/// Unlike LazyBound it deals no budgets anew for single elements: renew() does so for all.
+/// Unlike LazyBound it deals no budgets again for single elements: renew() does so for all.
 class DeviceCertificate {
  public:
   /// The body must outlive the certificate. Throws InputError, with need and free memory, when the device has too
@@ -41,7 +41,7 @@ class DeviceCertificate {
     bool certified = false;      ///< certify() succeeded, and every step since was proven at the state before it
     std::int64_t lostAt = -1;    ///< the first step that was not, counted from there
     std::int64_t checked = 0;    ///< steps
-    std::int64_t evaluated = 0;  ///< elements evaluated anew
+    std::int64_t evaluated = 0;  ///< elements evaluated again
     bool nearlyLost = false;     ///< an element has come close to its budget: time to renew
   };
   Look look() const;

@@ -41,7 +41,7 @@ struct BlockView {
   const R* geometry = nullptr;
 };
 
-/// Counts and switches that live on the device, so that a captured graph reads them anew at each replay.
+/// Counts and switches that live on the device, so that a captured graph reads them again at each replay.
 struct DeviceClock {
   double h;           // s, the step
   std::int64_t step;  // taken so far

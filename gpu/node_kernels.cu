@@ -29,7 +29,7 @@ __global__ void __launch_bounds__(threads) sumSlotsKernel(const NodeView<R> node
 template <class R>
 __global__ void __launch_bounds__(threads) finishStepKernel(const NodeView<R> nodes) {
   const std::int32_t shared = static_cast<std::int32_t>(blockIdx.x) * threads + static_cast<std::int32_t>(threadIdx.x);
-  // The patches' kernel is done, so the clock may go on; nobody else reads the count of steps meanwhile.
+  // The patches' kernel is done, so the clock may go on; nothing else reads the count of steps meanwhile.
   if (shared == 0) ++nodes.clock->step;
   if (shared >= nodes.count - nodes.interiorCount) return;
   detail::MovingNode<R> moving;

@@ -164,7 +164,7 @@ ElementFlags Adaptive::choose(const NodeVectors& x, double h, const ElementFlags
     }
   idealShare_ /= count;
   // The estimate may be below what the selection proves: elements that the last level cannot have are taken for
-  // stiffer, and the plan is made anew.
+  // stiffer, and the plan is made again.
   constexpr int attempts = 30;
   std::int64_t evaluations = judged().evaluations;
   for (int attempt = 0;; ++attempt) {

@@ -7,7 +7,7 @@
 
 namespace ringwatch {
 
-/// Local time stepping by elements (the source's section 4.4): level 0 takes the step h, level k a whole fraction
+/// Local time stepping by elements (Fierz 2013, section 4.4): level 0 takes the step h, level k a whole fraction
 /// of it, and only nodes of fine elements are looked at within a step. Leapfrog local time stepping in the form of
 /// Diaz & Grote (2009, 2015), split by elements: with the other forces frozen, the fine elements' forces along a motion
 /// that starts from rest at x_n are averaged over the step,

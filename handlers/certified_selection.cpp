@@ -118,7 +118,7 @@ class Greedy {
       if (most < 0) continue;  // nothing is left here but rounding
       chosen_[at(worst.block)][number(worst)] = true;
       changed_ = true;
-      // Summed anew: differences would keep the rounding of what has left.
+      // Summed again: differences would keep the rounding of what has left.
       for (const std::int32_t node : rest_->blocks()[at(worst.block)]->nodesOf(worst.element))
         sums_[at(node)] = sumAt(node);
       queue.push({nodal(i).first, i});

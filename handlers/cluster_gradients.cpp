@@ -200,7 +200,7 @@ typename ClusterGradients<S>::Result ClusterGradients<S>::solve(const Eigen::Vec
   }
   const auto goal = static_cast<S>(tolerance * tolerance) * total(norm);
   S gamma = total(gammas), beta = 0;
-  // One thread has the whole cluster, so nothing is gained by the source's form with one synchronisation an iteration
+  // One thread has the whole cluster, so nothing is gained by Fierz 2013's form with one synchronisation an iteration
   // (Chronopoulos & Gear 1989), which needs one product more.
   int iteration = 0;
   for (; gamma > goal; ++iteration) {

@@ -241,7 +241,7 @@ bool ClusterMatrix::stiffen(Turn& turn, const NodeVectors& x) {
   return true;
 }
 
-void ClusterMatrix::add(const Turn& turn, bool anew) {
+void ClusterMatrix::add(const Turn& turn, bool fromScratch) {
   Group& g = *turn.group;
   const auto at = static_cast<std::size_t>(turn.batch), n = static_cast<std::size_t>(g.n);
   const auto pairs = static_cast<std::size_t>(g.pairs);
@@ -256,7 +256,7 @@ void ClusterMatrix::add(const Turn& turn, bool anew) {
       Matrix3<P> K;
       for (int i = 0; i < 9; ++i) K.m[i] = rest[i];
       Matrix3<P> D = turn.scale * timesTranspose(R * K, R);
-      if (!anew) D = D - g.scale[at] * timesTranspose(before * K, before);
+      if (!fromScratch) D = D - g.scale[at] * timesTranspose(before * K, before);
       P *own = sums_.data() + 9 * pair, *first = diagonalOf(a), *second = diagonalOf(b);
       for (int i = 0; i < 9; ++i) {
         own[i] = D.m[i];

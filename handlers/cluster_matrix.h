@@ -31,7 +31,7 @@ inline constexpr double leastTurn = 0.05;
 inline constexpr double mostTurn = 0.2;
 
 /// M + w K̂ of a cluster of elements (see ImplicitCluster) in a rotating frame, kept current batch by batch: a batch of
-/// elements is turned anew when one of them has turned or stretched beyond its tolerance, the difference of its
+/// elements is turned again when one of them has turned or stretched beyond its tolerance, the difference of its
 /// tangents added. Sums are in double precision: after 10⁵ such changes they are off by some 10⁻¹³ of themselves.
 ///
 /// An element may be off by the angle θ with h² λ θ² <= `turnShare`, λ >= K_e/M_e at rest, but by `leastTurn` at least
@@ -98,7 +98,7 @@ class ClusterMatrix {
   Matrix3<P> gradientOf(const Group& g, std::int32_t batch) const;
   bool look(Group& g, Chunk& c, const NodeVectors& x, const Eigen::Matrix3d& frame, double stretch);
   bool stiffen(Turn& turn, const NodeVectors& x);
-  void add(const Turn& turn, bool anew);
+  void add(const Turn& turn, bool fromScratch);
 
   const Body& body_;
   double w_;

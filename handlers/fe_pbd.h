@@ -6,7 +6,7 @@
 
 namespace ringwatch {
 
-/// Finite elements with position-based ones (the source's section 4.2): the handled tetrahedra leave the explicit part,
+/// Finite elements with position-based ones (Fierz 2013, section 4.2): the handled tetrahedra leave the explicit part,
 /// and after its forces they move their predicted nodes towards their goal shapes, blended by shares of mass or one
 /// after the other; see RelaxedTetrahedra. With P of the last pass, near rest and in the two-step form,
 ///   x_(n+1) = P (2 x_n - x_(n-1) + h² M⁻¹ (f_ext - K_E x_n)).
@@ -25,7 +25,7 @@ class PositionBased final : public Handler {
                  .choices = variants,
                  .automatic = true,
                  .fallback = "auto",
-                 .help = "linear goals, or rigid as in the source"},
+                 .help = "linear goals, or rigid as in Fierz 2013"},
       OptionInfo{.name = "passes",
                  .type = OptionType::integer,
                  .range = {0, 32, true, true},

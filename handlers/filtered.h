@@ -8,11 +8,11 @@
 
 namespace ringwatch {
 
-/// Modal filter by element (the source's section 4.1): handled tetrahedra act in the explicit part with the stiffness
+/// Modal filter by element (Fierz 2013, section 4.1): handled tetrahedra act in the explicit part with the stiffness
 /// K' that the step allows them (modal_filter.h), turned with them, f_a = R K' (Rᵀx - X), and the modes that are
 /// filtered out hold by constraints on the predicted positions x* = x + h (v + h a):
 ///
-/// projection, the source's: rigid constraints by the shape of the element, met by fast projection
+/// projection, Fierz 2013's: rigid constraints by the shape of the element, met by fast projection
 /// (shape_constraints.h). Fails where they contradict each other.
 ///
 /// compliant (FilteredTetrahedra): the filtered-out modes themselves, C_k = b_k·(Rᵀx - X), each with the compliance of
@@ -20,7 +20,7 @@ namespace ringwatch {
 /// Block Gauss–Seidel forward and back over the elements: near rest, any number of passes moves the nodes by (I + h²
 /// M⁻¹ Σ(K - K'))⁻¹ ≼ P ≼ I, and the step is stable as in PositionBased.
 ///
-/// Budgets of stiffness: the element's own lumped mass times ω²_max with the Selection::elementFrequency, the source's;
+/// Budgets of stiffness: the element's own lumped mass times ω²_max with the Selection::elementFrequency, Fierz 2013's;
 /// with `certified` an even share of what the bound of the other elements leaves at each node. Either way K_E + K' ≼
 /// ω²_max M at the state of the choice, the explicit part is proven stable.
 ///
@@ -38,7 +38,7 @@ class Filtered final : public Handler {
                  .choices = variants,
                  .automatic = true,
                  .fallback = "auto",
-                 .help = "compliant constraints, or by projection as in the source"},
+                 .help = "compliant constraints, or by projection as in Fierz 2013"},
       OptionInfo{.name = "passes",
                  .type = OptionType::integer,
                  .range = {0, 2147483647, true, true},

@@ -63,7 +63,7 @@ class Handler : public Integrator {
   /// it.
   void prepare(const NodeVectors& x, double h);
   /// The same for a body whose mesh was cut: the choice of the handler of the body before, carried over to what the cut
-  /// left as it was. With Selection::fierzRing only the changed elements are looked at; `certified` chooses anew among
+  /// left as it was. With Selection::fierzRing only the changed elements are looked at; `certified` chooses again among
   /// those and their neighbours and keeps the proof of all others (KeptSelection).
   void prepare(const NodeVectors& x, double h, const CutMesh& cut, const Handler& before);
   /// One step of the size that it was prepared for; another throws InputError.
@@ -92,7 +92,7 @@ class Handler : public Integrator {
   /// Which handled part is no longer proven stable for the tangent at positions x (3×N, m), and "" when none is known
   /// to be: where a proof for explicitBody() is not all that it takes.
   virtual std::string uncertifiedPart(const NodeVectors&) { return {}; }
-  /// What the last choice took: elements judged anew, and evaluations of a single element or ring.
+  /// What the last choice took: elements judged again, and evaluations of a single element or ring.
   struct Judged {
     std::int64_t elements = 0, evaluations = 0;
   };

@@ -8,9 +8,9 @@ namespace ringwatch {
 /// what they leave out of the momentum is not put back.
 std::string imexForGpu(Options& own);
 
-/// Implicit-explicit integration by elements (the source's section 4.3; Hughes & Liu 1978): the base scheme for all
+/// Implicit-explicit integration by elements (Fierz 2013, section 4.3; Hughes & Liu 1978): the base scheme for all
 /// elements but the handled ones, Newmark's method for those, with gamma = 1/2 + α and beta = (1 + α)²/4, α the
-/// dissipation. α = 0 is the trapezoidal rule, of second order; α = 1 is implicit Euler, the source's. Linearly
+/// dissipation. α = 0 is the trapezoidal rule, of second order; α = 1 is implicit Euler, Fierz 2013's. Linearly
 /// implicit: in the two-step form, with the internal force f(x) of all elements and K̂ of the handled ones,
 ///   (M + beta h² K̂) a_n = f_ext - f(x_n) - α h K̂ v_(n-½),   v_(n+½) = v_(n-½) + h a_n,   x_(n+1) = x_n + h v_(n+½).
 /// One force a step, and a linear solve on the nodes of the handled elements alone, cluster by cluster.

@@ -15,7 +15,7 @@ class ClusterMatrix;
 /// How the equations of a cluster are solved.
 enum class ClusterSolver {
   automatic,          ///< Cholesky, and conjugate gradients for clusters of more than 100 nodes
-  cholesky,           ///< factored once and turned with the cluster; anew when its shape has changed
+  cholesky,           ///< factored once and turned with the cluster; again when its shape has changed
   conjugateGradients  ///< block-Jacobi preconditioned, from the solutions of the last two steps extrapolated
 };
 inline constexpr auto clusterSolverNames = nameTable<ClusterSolver>({
@@ -75,7 +75,7 @@ ClusterOptions clusterOptionsOf(const Options& own);
 /// nothing to scale.
 ///
 /// K̂ is kept while the elements' rotations and stretches, seen from the rotating frame of the cluster, stay close to
-/// those it was made for (ClusterMatrix tells how close). Beyond, it is made anew for all elements where it is
+/// those it was made for (ClusterMatrix tells how close). Beyond, it is made again for all elements where it is
 /// factored, and the factor turns with the frame; for conjugate gradients only the elements that have turned are
 /// changed. A cluster with constrained nodes, or of a law that is not objective, keeps the world's frame.
 ///

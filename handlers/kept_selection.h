@@ -12,14 +12,14 @@ namespace ringwatch {
 /// (TangentDrift); at other positions, with R the rotation that brings F0 closest to F,
 ///   K_e(x) ≼ l(δ) R D_e Rᵀ,   δ = max_q |F_q - R F0_q|,   l(δ) = l_e + linear δ + quadratic δ²,
 /// holds without evaluating K_e, for objective laws; R = I for others and at nodes that are held in some directions
-/// only. What is summed at the nodes from that is the proof; elements are evaluated anew only where it fails: at nodes
-/// whose sum is above lambda m_i, and if that does not help, or elements are new, the choice is made anew among them
+/// only. What is summed at the nodes from that is the proof; elements are evaluated again only where it fails: at nodes
+/// whose sum is above lambda m_i, and if that does not help, or elements are new, the choice is made again among them
 /// and their neighbours, with all others as they are.
 class KeptSelection {
  public:
   /// The choice for a limit of lambda, rad²/s², at positions x (3×N, m): from scratch the first time and where more
   /// than half of all elements would be looked at again. keep: elements that stay chosen; others that were chosen are
-  /// given back only where the choice is made anew. Constraints of elements that it knows must be those they were
+  /// given back only where the choice is made again. Constraints of elements that it knows must be those they were
   /// chosen with. Throws as selectCertified.
   const CertifiedSelection& choose(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep);
   /// Goes over to a mesh after a cut: elements that the cut has changed are new.

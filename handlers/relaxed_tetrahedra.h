@@ -8,7 +8,7 @@ namespace ringwatch {
 
 /// What the nodes of a handled element are moved towards.
 enum class GoalShape {
-  rigid,  ///< the element at rest, turned and shifted, by one factor α for all of its modes: the source's
+  rigid,  ///< the element at rest, turned and shifted, by one factor α for all of its modes: Fierz 2013's
   linear  ///< the strained element that implicit Euler finds: each mode of strain by its own factor
 };
 
@@ -18,9 +18,9 @@ enum class GoalShape {
 ///   f_a = -V P ∂N_a/∂X.
 /// A = Σ m_a X_a X_aᵀ about the centre of mass and H = Σ ∂N_a ∂N_aᵀ/m_a = A⁻¹; a fixed node has 1/m_a = 0.
 ///
-/// rigid, the source's: all elements at once, each with m_a its share 1/(overlap count) of the nodal mass.
+/// rigid, Fierz 2013's: all elements at once, each with m_a its share 1/(overlap count) of the nodal mass.
 /// V P = (α/h²) (F* - R) A moves node a by α (goal_a - x*_a), and α = 1 - (1 + h² λ_max)⁻¹ with the highest eigenvalue
-/// λ_max of M_e⁻¹K_e at rest (the source's eq. 4.19) on that share of mass.
+/// λ_max of M_e⁻¹K_e at rest (Fierz 2013, eq. 4.19) on that share of mass.
 ///
 /// linear: element after element, each on all of the mass of its nodes, forward and back. P = R σ, σ = C E' the stress
 /// at the strain E' that an implicit Euler step of the corotational law leaves of E* = S - I when R is held,

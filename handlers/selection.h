@@ -14,7 +14,7 @@ using ElementFlags = std::vector<std::vector<bool>>;
 /// How the elements are selected that a handler takes.
 enum class Selection {
   certified,        ///< the smallest set found such that the rest is proven stable
-  fierzRing,        ///< those whose reduced 1-ring has too high a frequency (the source, section 3.4); proves nothing
+  fierzRing,        ///< those whose reduced 1-ring has too high a frequency (Fierz 2013, section 3.4); proves nothing
   elementFrequency  ///< all whose own frequency is too high (section 3.3.1): a larger set that proves the rest as well
 };
 inline constexpr auto selectionNames = nameTable<Selection>({
@@ -57,7 +57,7 @@ LowerBound highestReducedRing(const Body& body, const NodeVectors& x, const Elem
 ElementFlags carriedOver(const CutMesh& cut, const ElementFlags& before);
 
 /// All elements with a highest eigenvalue of M_e⁻¹K_e at positions x above lambda, rad²/s², M_e the lumped mass of the
-/// element alone: the source's section 3.3.1. Proves the rest, Σ K_e ≼ lambda Σ M_e ≼ lambda M, constraints or not,
+/// element alone: Fierz 2013, section 3.3.1. Proves the rest, Σ K_e ≼ lambda Σ M_e ≼ lambda M, constraints or not,
 /// with more elements than it takes. Throws InputError unless lambda > 0.
 ElementFlags selectBySingleElement(const Body& body, const NodeVectors& x, double lambda);
 

@@ -24,7 +24,7 @@ struct ShapeConstraint {
 /// C at positions x (3×N, m), and ∂C/∂x_a in column a of gradient, 1/m.
 double constraintValue(const ShapeConstraint& constraint, const NodeVectors& x, Eigen::Matrix<double, 3, 4>& gradient);
 
-/// The source's constraints by the shape of each tetrahedron (section 4.1.2): the short edge of a wedge, the three
+/// Fierz 2013's constraints by the shape of each tetrahedron (section 4.1.2): the short edge of a wedge, the three
 /// shortest edges of a needle, the shortest height of a cap, the volume of all others. An edge that elements share has
 /// one.
 std::vector<ShapeConstraint> shapeConstraints(const Mesh& mesh, const std::vector<ElementRef>& elements);

@@ -50,8 +50,8 @@ RINGWATCH_INLINE Matrix3<S> turnedRotation(const Matrix3<S>& F, const Matrix3<S>
                       o02 - d1, o12 + d0, one - s0 * t0 - s1 * t1}};
   Matrix3<S> turned = R * Q;
   if (allOf(near)) return turned;
-  const Matrix3<S> anew = closestRotation(F);
-  for (int i = 0; i < 9; ++i) turned.m[i] = select(near, turned.m[i], anew.m[i]);
+  const Matrix3<S> closest = closestRotation(F);
+  for (int i = 0; i < 9; ++i) turned.m[i] = select(near, turned.m[i], closest.m[i]);
   return turned;
 }
 

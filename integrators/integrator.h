@@ -17,7 +17,7 @@ struct State {
   double time = 0;
   NodeVectors x;
   NodeVectors v;
-  /// Acceleration of this state, 3×N, m/s², where somebody has it; else empty. An integrator that begins its steps with
+  /// Acceleration of this state, 3×N, m/s², where it is known; else empty. An integrator that begins its steps with
   /// it (Integrator::beginsWithAcceleration) need not evaluate it again. Empty it when anything else of the state, the
   /// system or its constraints is changed.
   NodeVectors a = NodeVectors(3, 0);

@@ -54,7 +54,7 @@ struct ElementQuality {
 /// The measures of element e of a block at positions x (3×N, m).
 ElementQuality elementQuality(const MeshBlock& block, std::size_t e, const NodeVectors& x);
 
-/// Shapes of tetrahedra (Bern et al. 1995, as in fig. 4.1 of the source). Round: the width (least of all heights and
+/// Shapes of tetrahedra (Bern et al. 1995, as in fig. 4.1 of Fierz 2013). Round: the width (least of all heights and
 /// distances of opposite edges) is at least a fifth of the longest edge (regular: 0.71, Kuhn's: 0.24). Else what lies
 /// closest in it names it:
 /// two nodes, and they alone: wedge; more than two: needle; a node and the inside of the opposite face: cap; two

@@ -22,7 +22,7 @@ std::vector<std::vector<double>> shewchuk(const Body& body, const NodeVectors& x
 /// max(0, -lambda_min(J_e')) |v_i|² at each shared node i, so the least sum of these over the nodes of e is taken off.
 std::vector<std::vector<double>> shewchukLower(const Body& body, const NodeVectors& x);
 
-/// lambda <= n max_e max(0, lambda_max(K_e)) / min_i m_i: eq. 3.16 of the source (Fried 1972) for K, and the lumped
+/// lambda <= n max_e max(0, lambda_max(K_e)) / min_i m_i: eq. 3.16 of Fierz 2013 (Fried 1972) for K, and the lumped
 /// mass's own least eigenvalue.
 std::vector<std::vector<double>> fried(const Body& body, const NodeVectors& x);
 

@@ -32,7 +32,7 @@ class EnergyBalance {
   void recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce);
   /// Energies at the last recorded state, with its velocities v (3×N, m/s) and its strain energy (J).
   Energies energies(const NodeVectors& v, double strainEnergy);
-  /// Both at once for a state whose force and strain energy nobody has: one pass over the elements.
+  /// Both at once for a state whose force and strain energy are not known: one pass over the elements.
   Energies evaluate(const NodeVectors& x, const NodeVectors& v);
 
  private:

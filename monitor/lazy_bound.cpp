@@ -282,7 +282,7 @@ LazyBound::Outcome LazyBound::follow(const NodeVectors& x, bool mayRaise, StepEv
   }
   std::sort(risen_.begin(), risen_.end(), isBefore);
   const auto overEnd = std::find_if(risen_.begin(), risen_.end(), [](const Risen& r) { return r.share <= 1; });
-  // When very many are over their budgets, mending one by one costs more than starting afresh.
+  // When very many are over their budgets, mending one by one costs more than starting from scratch.
   if (static_cast<double>(overEnd - risen_.begin()) > 0.05 * static_cast<double>(body_.mesh().elementCount()))
     return Outcome::flooded;
   for (auto over = risen_.begin(); over != overEnd; ++over) {
@@ -495,7 +495,7 @@ bool LazyBound::repair(const NodeVectors& x, ElementRef element, bool mayRaise) 
         return true;
       }
       if (sweep == sweeps) break;
-      // Shapes at the patch's own nodes: what they gain there costs nobody outside the ring.
+      // Shapes at the patch's own nodes: what they gain there costs nothing outside the ring.
       std::vector<Eigen::Matrix3d> factors;
       for (const std::int32_t node : patch) {
         const auto at = static_cast<std::size_t>(std::lower_bound(rim.begin(), rim.end(), node) - rim.begin());
@@ -561,7 +561,7 @@ bool LazyBound::steer(const NodeVectors& x, LowerBound lower, double width) {
     }
     return true;
   }
-  // Starting afresh pays where sigma has drifted above what it gave last; else only a state that has changed much
+  // Starting from scratch pays where sigma has drifted above what it gave last; else only a state that has changed much
   // helps.
   const bool drifted = sigma_ > 1.05 * tightOverLower_ * (1 + slack_) * lower.value;
   if (retarget_.due(drifted ? 0 : leastGapOfChange)) {

@@ -16,7 +16,7 @@ namespace ringwatch {
 ///   sigma.
 /// The radius of a ball follows from the law's drift bound. An element that leaves is evaluated exactly; when it
 /// exceeds its budget, shapes there are turned with their nodes, which changes no sum, budgets around it are dealt
-/// anew, then shapes, then sigma is raised, which is free for all others. The proof is for the masses and the free
+/// again, then shapes, then sigma is raised, which is free for all others. The proof is for the masses and the free
 /// components at that time: when the body's version has changed, the next update or certify starts from scratch.
 class LazyBound {
  public:

@@ -73,9 +73,9 @@ class ReducedRingsAlong final : public MetricEvaluator {
 };
 
 /// Evaluates all elements each time.
-class Anew final : public MetricEvaluator {
+class FromScratch final : public MetricEvaluator {
  public:
-  Anew(std::string_view name, const Body& body) : name_(name), body_(body) {}
+  FromScratch(std::string_view name, const Body& body) : name_(name), body_(body) {}
   double highest(const NodeVectors& x) override { return evaluateMetric(name_, body_, x).lambda; }
 
  private:
@@ -155,7 +155,7 @@ void registerMetric(const MetricEntry& entry) {
 
 std::unique_ptr<MetricEvaluator> makeMetricEvaluator(std::string_view name, const Body& body) {
   const MetricEntry& entry = metrics().entries.all()[numberOf(name)];
-  return entry.along ? entry.along(body) : std::make_unique<Anew>(name, body);
+  return entry.along ? entry.along(body) : std::make_unique<FromScratch>(name, body);
 }
 
 const MetricInfo* findMetric(std::string_view name) {

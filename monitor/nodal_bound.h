@@ -106,7 +106,7 @@ class NodalBound {
  private:
   using Pack = NativePack;
   void prepareSums();
-  /// l_e of all elements; shapes start afresh unless `start` is nullptr.
+  /// l_e of all elements; shapes start from scratch unless `start` is nullptr.
   void evaluateAll(const NodeVectors& x, const Start* start);
   /// The sums of the nodes that have changed, and the largest of all.
   double sumAtNodes();

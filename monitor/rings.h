@@ -28,7 +28,7 @@ using MetricProgress = std::function<void(double)>;
 /// lambda_max, rad²/s², of each element's ring at positions x (3×N, m), [block][element]; of vertex rings the largest
 /// of the element's nodes. Constrained degrees of freedom are left out. NaN where a tangent in the ring is not finite.
 ///
-/// Blocks are cut from the assembled tangent; those between two nodes of a ring's rim are summed anew over its
+/// Blocks are cut from the assembled tangent; those between two nodes of a ring's rim are summed again over its
 /// elements. vertex1 is solved densely and lifted by its rounding. The others take the Ritz value of a Lanczos
 /// iteration with full orthogonalisation, run until its residual is below 3e-6 of it: an eigenvalue lies that close, in
 /// practice within 1e-9. A Ritz value is a Rayleigh quotient, so reduced2 remains a lower bound however early it

@@ -47,7 +47,7 @@ class Bracketer {
     }
     method_ = "rayleigh-quotient";
     LowerBound lower{0};
-    const bool first = mode_.size() == 0, afresh = spent_.retargets > 0;
+    const bool first = mode_.size() == 0, retargeted = spent_.retargets > 0;
     if (!first) {
       lower = hotSpot_.evaluate(x);
       wholeMode_.tick();
@@ -63,7 +63,7 @@ class Bracketer {
     // A bracket that is too wide is either side's fault: look again from below before moving the upper side.
     const bool wide = upper.value > allowed * lower.value;
     if (wide) restart_.tick();
-    if (first || afresh || (wide && restart_.due())) {
+    if (first || retargeted || (wide && restart_.due())) {
       const double before = lower.value;
       lower = first ? startMode(x) : restartMode(x);
       // The hot spot is a part of the whole, its bound a little lower.

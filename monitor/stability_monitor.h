@@ -29,7 +29,7 @@ struct MonitorOptions {
   StepRule limit = 2.0;  ///< the integrator's largest stable h·omega on the imaginary axis, or, for a damped
                          ///< run, the rule that makes a step of the highest eigenvalue
   MonitorMode mode = MonitorMode::bracket;
-  std::string metric = {};  ///< the source's way: a metric with a margin, e.g. "reduced-1-ring"; "" for none
+  std::string metric = {};  ///< Fierz 2013's way: a metric with a margin, e.g. "reduced-1-ring"; "" for none
   /// Evaluates the metric elsewhere, e.g. on a GPU: its highest value at x (3×N, m), rad²/s², NaN where the tangent is
   /// not finite. Empty: here.
   std::function<double(const NodeVectors& x)> metricElsewhere = {};

@@ -134,7 +134,7 @@ void addCutting(StudyEffort effort, StudyReport& report) {
   StudyTable table{"cutting",
                    "A bar cut four times, corotational; handlers keep the step that they began with, Verlet takes 0.95 "
                    "of the certified one",
-                   {"method", "selection", "after cut", "elements", "handled", "judged anew", "judged in (ms)",
+                   {"method", "selection", "after cut", "elements", "handled", "judged again", "judged in (ms)",
                     "critical step (ms)", "step (ms)", "seconds a simulated second", "energy/start", "lost"},
                    {}};
   const auto run = [&](const std::string& handler, Selection selection) {

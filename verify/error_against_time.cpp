@@ -301,7 +301,7 @@ std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> inte
                                  std::string("none"), nan, nan, nan});
     };
     for (const auto& [label, error] : wanted) {
-      if (error < referenceError) continue;  // nobody could tell
+      if (error < referenceError) continue;  // below the error of the reference
       addCheapest("all", label, error, runs);
       for (const auto& [name, own] : groups) addCheapest(name, label, error, own);
     }

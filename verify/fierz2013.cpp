@@ -25,7 +25,7 @@ using Cell = StudyTable::Cell;
 using Eigen::Vector3d;
 
 constexpr double edge = 0.05;    // m, of the cube; the bar is twice as long
-constexpr double target = 4e-4;  // s, the source's step
+constexpr double target = 4e-4;  // s, Fierz 2013's step
 constexpr double limit = 2;      // of Verlet
 constexpr double ramp = 0.1;     // s, in which a face is led over the length of the cube
 
@@ -162,7 +162,7 @@ std::vector<Contestant> contestants(double h) {
   HandlerOptions ring{.selection = Selection::fierzRing};
   all.push_back({.name = "imex, fierz-ring", .h = h, .handler = "imex", .options = ring});
   ring.own.set("dissipation", 1);  // implicit Euler
-  all.push_back({.name = "imex, as the source's", .h = h, .handler = "imex", .options = ring, .implicitEuler = true});
+  all.push_back({.name = "imex, as in Fierz 2013", .h = h, .handler = "imex", .options = ring, .implicitEuler = true});
   return all;
 }
 
@@ -236,7 +236,7 @@ double allowedError(const Deformation& d, const Contestant& c) {
   return c.implicitEuler ? allowed.implicitEuler : allowed.accurate;
 }
 
-/// The source's mean errors, mm (tables 4.2 to 4.6); NaN where its constraints could not be solved.
+/// Fierz 2013's mean errors, mm (tables 4.2 to 4.6); NaN where its constraints could not be solved.
 struct SourceErrors {
   std::string_view mode, mesh;
   std::array<double, 4> force, position;  // filtered, fe-pbd, imex, adaptive
@@ -253,7 +253,7 @@ constexpr std::array<SourceErrors, 8> sourceErrors{{
     {"twist", "cube", {0.08, 0.09, 0.05, 0.04}, {0.33, 0.23, 0.03, 0.02}},
 }};
 constexpr std::array<std::string_view, 4> sourceHandlers{"modal-filter", "fe-pbd", "imex", "local-time-stepping"};
-/// NaN when the source has no such row.
+/// NaN when Fierz 2013 has no such row.
 double sourceError(const Deformation& d, std::string_view handler) {
   const auto column = std::find(sourceHandlers.begin(), sourceHandlers.end(), handler) - sourceHandlers.begin();
   for (const SourceErrors& row : sourceErrors)
@@ -328,7 +328,7 @@ class Study {
   explicit Study(std::span<const IntegratorEntry> integrators) : integrators_(integrators) {}
 
   void add(const Deformation& d, bool peers) {
-    const double reduced = d.poisson > 0.46 ? 0.5 : 1;  // the source's target step there
+    const double reduced = d.poisson > 0.46 ? 0.5 : 1;  // Fierz 2013's target step there
     Body body = d.body();
     const NodeVectors X = body.mesh().X;
     const auto verlet = [] { return makeIntegrator("verlet"); };
@@ -340,7 +340,7 @@ class Study {
         return run(d, own, *verlet(), h);
       });
     };
-    // The source's reference: 4 steps in the target one at nu = 0.3 and 0.4, 5 beyond.
+    // Fierz 2013's reference: 4 steps in the target one at nu = 0.3 and 0.4, 5 beyond.
     const double referenceStep = d.poisson > 0.42 ? reduced * target / 5 : target / 4;
     const Ran reference = verletIn(referenceStep);
     const auto keep = [&](const std::string& method, double h, std::int64_t handled,
@@ -467,7 +467,7 @@ class Study {
   StudyReport report_;
   std::vector<MethodRun> runs_;
   StudyTable source_{"source",
-                     "Mean errors beside the source's (mm); its motions are the same in kind, not in size",
+                     "Mean errors beside Fierz 2013's (mm); its motions are the same in kind, not in size",
                      {"mode", "mesh", "driven by", "handler", "source", "ours", "ours is"},
                      {}};
 };

@@ -47,7 +47,7 @@ Mesh barWithSlivers(int refine, double flatness) {
   return mesh;
 }
 
-/// The source's cube of 5 cm with small elements at one face: cells grow along x.
+/// Fierz 2013's cube of 5 cm with small elements at one face: cells grow along x.
 Mesh gradedCube(int cells) {
   BarOptions options;
   options.size = {0.05, 0.05, 0.05};

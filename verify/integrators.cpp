@@ -389,7 +389,7 @@ StudyReport verifyIntegrators(StudyEffort effort, std::span<const IntegratorEntr
   IntegratorStudy study(report, effort);
   for (const IntegratorEntry& entry : integrators) study.study(entry.make);
   study.finish();
-  // The source gives 2.78 for RK4, which is this value, on the negative real axis.
+  // Fierz 2013 gives 2.78 for RK4, which is this value, on the negative real axis.
   for (const IntegratorEntry& entry : integrators)
     if (entry.info->name == "rk4") {
       const double measured = measureStabilityLimit(entry.make, 1), expected = 2.785293563405282;

@@ -8,7 +8,7 @@ namespace ringwatch {
 ///    rest, strained up to 100 %, turned and inverted;
 ///  - drift: element-and-state trials of the lazy bound along random paths (full: over 1e7), each checked against an
 ///    exact evaluation;
-///  - tetrahedron: the regular tetrahedron's highest frequency over Poisson's ratio, height and size (the source,
+///  - tetrahedron: the regular tetrahedron's highest frequency over Poisson's ratio, height and size (Fierz 2013,
 ///  figures
 ///    3.3 and 3.4) against its closed form;
 ///  - metrics: every metric against the exact value on several meshes (tables 3.2 to 3.4 in form), each on the side

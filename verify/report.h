@@ -13,7 +13,7 @@ namespace ringwatch {
 struct StudyTable {
   using Cell = std::variant<std::string, double, std::int64_t>;
   std::string name;                  // short, unique within the report: a JSON key
-  std::string title;                 // one line for people
+  std::string title;                 // one line, human-readable
   std::vector<std::string> columns;  // with units, e.g. "h (s)"
   std::vector<std::vector<Cell>> rows;
 };

@@ -16,7 +16,7 @@ namespace ringwatch {
 /// A motion whose end is known, for integrators to compete on.
 struct WorkPrecisionCase {
   std::string name;   // a file name and a JSON key
-  std::string title;  // one line for people
+  std::string title;  // one line, human-readable
   DifferentiableSystem& system;
   State start;
   double end;             // s
@@ -93,7 +93,7 @@ std::vector<CheapestRuns> cheapestRuns(const std::vector<WorkPrecisionRun>& runs
 /// Adds the tables NAME_runs and NAME_cheapest and the figures work_precision_NAME_time and …_forces to a report.
 void addWorkPrecision(const WorkPrecisionCase& c, const std::vector<WorkPrecisionRun>& runs, StudyReport& report);
 
-/// The source's fig. 1.2: seconds of computing for one millisecond of a 10 x 1 x 1 cm corotational bar under gravity,
+/// Fierz 2013's fig. 1.2: seconds of computing for one millisecond of a 10 x 1 x 1 cm corotational bar under gravity,
 /// fixed at one end, as it is refined: symplectic Euler in as many steps as 0.9 of its limit asks for, against one step
 /// of `implicit`. Adds a table and a figure to the report.
 void addRefinedBar(const IntegratorFactory& implicit, int finest, StudyReport& report);

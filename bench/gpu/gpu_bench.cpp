@@ -182,7 +182,7 @@ double forceBytes(const DevicePlan& plan, const Mesh& mesh, const DeviceBodyInpu
 }
 
 /// Checked steps of a body that is pulled slowly and vibrates, at 0.9 of the step that its bound at rest allows. Every
-/// batch starts afresh, so that all of them, checked and plain, run through the same motion.
+/// batch starts from rest, so that all of them, checked and plain, run through the same motion.
 template <class Report>
 void measureCertificate(const std::string& name, DeviceBody<double>& body, const Mesh& mesh, double noise,
                         const Report& report) {

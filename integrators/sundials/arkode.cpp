@@ -8,7 +8,7 @@
 namespace ringwatch {
 namespace {
 
-/// ARKODE's ARKStep. Starts afresh at every step; only its memory is kept.
+/// ARKODE's ARKStep. Starts from scratch at every step; only its memory is kept.
 class ArkodeStepper : public detail::Stepper {
  public:
   ArkodeStepper(bool adaptive, const ImplicitOptions& options) : Stepper("ARKODE", options), adaptive_(adaptive) {}

@@ -68,7 +68,7 @@ struct MooneyRivlin {
     return {*this, F, transposeTimes(F, F), (S(1) / J) * cof, S(d()) - S(lambda) * math::log(J)};
   }
 
-  /// No bound on how fast the tangent grows: every element is evaluated anew. With G = F⁻ᵀ and the sum of the singular
+  /// No bound on how fast the tangent grows: every element is evaluated again. With G = F⁻ᵀ and the sum of the singular
   /// values of cof(dF) at most |dF|², no eigenvalue is below 2 c10 - 4 c01 |cof F| - |d - λ ln J| |G|² + min(0, λ)
   /// |G|².
   template <class S>

@@ -124,7 +124,7 @@ TEST_F(HandledProgram, TakesSmallerStepsWhereTheyAreNeeded) {
 }
 
 TEST_F(HandledProgram, TakesMoreElementsWhenTheRestStiffens) {
-  // With less dissipation choices anew disturb the energy: docs/handlers.md.
+  // With less dissipation new choices disturb the energy: docs/handlers.md.
   const std::string pull = "[[move]]\nwhere = \"x > 0.2 - 1e-6\"\nvelocity = [1.2, 0, 0]\n",
                     imex = "[handler]\nmethod = \"imex\"\nmargin = 0.02\ndissipation = 0.3\n";
   write(imex, pull);

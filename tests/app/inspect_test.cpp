@@ -1,4 +1,4 @@
-// `ringwatch inspect`: its report for people and files, and what it refuses.
+// `ringwatch inspect`: its human-readable report and its files, and what it refuses.
 #include <string>
 
 #include <gmock/gmock.h>

@@ -294,7 +294,7 @@ TEST_F(Program, ExampleOfAutoStepIsCertified) {
   EXPECT_EQ(json("r/summary.json")["verdict"], "certified");
 }
 
-// The source's nonlinear experiment: the monitor speaks before the energy does, and not before the exact value does.
+// Fierz 2013's nonlinear experiment: the monitor speaks before the energy does, and not before the exact value does.
 TEST_F(Program, ExampleOfStretchedBarIsCaughtInTime) {
   const Outcome outcome = call("run '" RINGWATCH_EXAMPLES "/stretch_bar.toml' --out r");
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;

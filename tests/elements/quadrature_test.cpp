@@ -104,7 +104,7 @@ TEST_P(RuleTest, HasTheDegreeOfItsName) {
   // A Gauss rule of n points a direction has degree 2n - 1, Keast's four points degree 2.
   const std::string name(rule().name);
   // On the pyramid n Gauss–Legendre points along the axis give up two degrees to the weight (1 - z)²; x^i y^j brings
-  // (1 - z)^(i+j) along. The source's five points have degree 2 (Felippa 2009).
+  // (1 - z)^(i+j) along. Fierz 2013's five points have degree 2 (Felippa 2009).
   const std::map<std::string, int> degrees{{"gauss-1", 1},         {"keast-4", 2},         {"gauss-2x2x2", 3},
                                            {"gauss-3x3x3", 5},     {"gauss-3x2", 2},       {"stroud-15", 5},
                                            {"collapsed-2x2x2", 1}, {"collapsed-3x3x3", 3}, {"jacobi-2x2x1", 1}};

@@ -114,10 +114,10 @@ TEST(KeptSelection, LooksAtLittleOfALargeMeshAfterASmallCut) {
       EXPECT_LE(globalFrequency(rest, xCut).lambda, selection.rest.value * (1 + 1e-6));
     }
     // About as good as the choice from scratch, at a small share of its evaluations.
-    const CertifiedSelection anew = selectCertified(after, xCut, lambda);
+    const CertifiedSelection fromScratch = selectCertified(after, xCut, lambda);
     EXPECT_LE(static_cast<double>(chosenElements(selection.chosen).size()),
-              1.2 * static_cast<double>(chosenElements(anew.chosen).size()) + 10);
-    EXPECT_LT(selection.evaluations, anew.evaluations / 4) << law;
+              1.2 * static_cast<double>(chosenElements(fromScratch.chosen).size()) + 10);
+    EXPECT_LT(selection.evaluations, fromScratch.evaluations / 4) << law;
   }
 }
 

@@ -40,7 +40,7 @@ TEST(LevelWatch, CallsALevelProvenOnlyWhereItIs) {
   }
   EXPECT_GE(proven, 2);
   EXPECT_LE(proven, 5);
-  // A choice anew proves all levels anew.
+  // A new choice proves all levels again.
   const NodeVectors x = Eigen::Vector3d(1.6, 1, 1).asDiagonal() * X;
   EXPECT_NE(handler.uncertifiedPart(x), "");
   handler.prepare(x, 4 * test::criticalStepOf(body));

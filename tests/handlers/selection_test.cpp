@@ -194,14 +194,14 @@ TEST(Selection, AfterACutOnlyTheChangedElementsAreChosenAnew) {
     first->prepare(mesh.X, h);
     Body after(cut.mesh, material), fresh(cut.mesh, material);
     const auto second = makeHandler("imex", after, makeIntegrator("verlet"), handlerOptions),
-               anew = makeHandler("imex", fresh, makeIntegrator("verlet"), handlerOptions);
+               fromScratch = makeHandler("imex", fresh, makeIntegrator("verlet"), handlerOptions);
     second->prepare(cut.mesh.X, h, cut, *first);
-    anew->prepare(cut.mesh.X, h);
+    fromScratch->prepare(cut.mesh.X, h);
     EXPECT_GT(second->elements().size(), first->elements().size());
     if (second->certified()) {
       EXPECT_LE(globalFrequency(second->explicitBody(), cut.mesh.X).lambda, 4 / (h * h));
     } else {
-      EXPECT_EQ(second->chosen(), anew->chosen());  // rings elsewhere are what they were
+      EXPECT_EQ(second->chosen(), fromScratch->chosen());  // rings elsewhere are what they were
     }
   }
 }

@@ -63,7 +63,7 @@ TEST(Adjacency, FacesOfThreeElementsAreNamed) {
 TEST(Adjacency, PartsAreCountedThroughSharedNodes) {
   Mesh mesh = generateBar({.cells = {2, 1, 1}, .element = "hex8"});
   EXPECT_EQ(connectedParts(mesh).count, 1);
-  // A second bar beside the first, and a node of nobody.
+  // A second bar beside the first, and a node of no element.
   const auto n = static_cast<std::int32_t>(mesh.nodeCount());
   NodeVectors X(3, 2 * n + 1);
   X << mesh.X, mesh.X, Eigen::Vector3d::Zero();

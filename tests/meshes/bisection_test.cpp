@@ -155,7 +155,7 @@ TEST(Bisection, RefinedBarIsLikeTheSourcesCube) {
   o.coarse.jitter = 0.25;
   o.finest = 0.005;
   o.growth = 0.5;
-  const Mesh cube = generateRefinedBar(o);  // the source's: 1428 nodes, 5889 tetrahedra
+  const Mesh cube = generateRefinedBar(o);  // Fierz 2013's: 1428 nodes, 5889 tetrahedra
   EXPECT_NEAR(static_cast<double>(cube.nodeCount()), 1428, 0.05 * 1428);
   EXPECT_NEAR(static_cast<double>(cube.elementCount()), 5889, 0.03 * 5889);
   o.finest = 0;

@@ -1,4 +1,4 @@
-// The one mesh of the source that can be rebuilt exactly (Fierz 2013, table 3.2): 5×5×5 cells of 1 cm, five tetrahedra
+// The one mesh of Fierz 2013 that can be rebuilt exactly (table 3.2): 5×5×5 cells of 1 cm, five tetrahedra
 // a cell, E = 1 Pa, ν = 0.45, ρ = 1 kg/m³. Tolerances are half a unit in the last digit given.
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ TEST_F(RegularCube, SingleElement) { EXPECT_NEAR(difference("single-element"), -
 TEST_F(RegularCube, PressureWave) { EXPECT_NEAR(difference("pressure-wave"), 4.3, 0.05); }
 TEST_F(RegularCube, ReducedRing) { EXPECT_NEAR(difference("reduced-1-ring"), 0.16, 0.005); }
 TEST_F(RegularCube, Shewchuk) {
-  // This row of the source is consistent with a difference in omega².
+  // This row of Fierz 2013 is consistent with a difference in omega².
   EXPECT_NEAR(100 * (1 - metric("shewchuk") / (omega_ * omega_)), -3062, 0.5);
 }
 TEST_F(RegularCube, LiesInTheBracket) {

@@ -1,4 +1,4 @@
-// Ring metrics against the source's definition taken literally: the elements of each ring collected as sets, assembled
+// Ring metrics against Fierz 2013's definition taken literally: the elements of each ring collected as sets, assembled
 // one by one into a dense matrix, and solved by Eigen. Then the order that theory gives them, and the cheap bounds
 // against their formulas.
 #include <gtest/gtest.h>
@@ -88,7 +88,7 @@ double literalLargest(const Body& body, const Tangents& tangents, const std::set
   return test::generalizedEigen((K + K.transpose()) / 2, M).values[size - 1];
 }
 
-/// A ring metric's value of an element, by the words of the source.
+/// A ring metric's value of an element, by the words of Fierz 2013.
 double literalRing(std::string_view name, const Body& body, const Tangents& tangents, ElementRef e) {
   const std::set<std::int32_t> own(nodesOf(body, e).begin(), nodesOf(body, e).end());
   if (name.starts_with("vertex")) {
@@ -254,7 +254,7 @@ TEST(PressureWave, NamesItsKnownOptions) {
 
 TEST(RegularTetrahedron, HasTheFrequencyOfItsDilation) {
   // The top mode is u = s x: with four nodes at the circumradius r, r² = 3/8 edge², its strain energy 9/2 K s² V and
-  // its mass rho V give omega² = 9 K / (rho r²), K the bulk modulus. Section 3.5 of the source has 1.8 rad/s at nu =
+  // its mass rho V give omega² = 9 K / (rho r²), K the bulk modulus. Section 3.5 of Fierz 2013 has 1.8 rad/s at nu =
   // 0.2 and edge 2 m; its 9.8 rad/s at nu = 0.49 is 10 by this formula.
   const auto omega = [](double poisson, double edge) {
     const Body body(regularTetrahedron(edge), makeMaterial("linear", 1, poisson, 1), test::onThreads(1));

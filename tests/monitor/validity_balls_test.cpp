@@ -159,7 +159,7 @@ TEST(ValidityBalls, AGroupWithoutMarginOrWithNaNIsVisited) {
   checked.balls.ballChanged(checked.placeOf(7));
   x.col(checked.block.nodesOf(7)[0]) += Eigen::Vector3d(1e-4, 0, 0);
   EXPECT_EQ(checked.check(x), std::set<std::int32_t>{7});
-  // Positions whose squares overflow: every element leaves, and nobody else.
+  // Positions whose squares overflow: every element leaves, and no other one.
   const NodeVectors huge = 1e200 * x;
   for (const bool withForce : {false, true}) {
     const std::set<std::int32_t> left = withForce ? checked.checkWithForce(huge) : checked.check(huge);
