@@ -313,8 +313,8 @@ class Run {
     }
     MonitorReport more = observe(k, k % scene_.historyEvery == 0);
     // Those of the explicit elements are of a choice that no step was taken with.
-    for (MonitorEvent& event : report.newEvents)
-      if (event.handled) more.newEvents.push_back(std::move(event));
+    for (const MonitorEvent& event : report.newEvents)
+      if (event.handled) more.newEvents.push_back(event);
     return more;
   }
 

@@ -34,7 +34,8 @@ GlobalFrequency globalFrequency(const Body& body, const NodeVectors& x, double t
   NodeVectors product(3, body.nodeCount());
   op.apply(start.data(), product.data());
   result.products = op.products();
-  const double size = product.stableNorm() / start.norm();
+  // Of a vector: for matrices of fixed rows Eigen 3.4's stableNorm fails an assertion of its own.
+  const double size = Eigen::VectorXd::Map(product.data(), n).stableNorm() / start.norm();
   if (!std::isfinite(size)) return result;
   if (!(size > 0)) {  // K times a random vector is zero: there is no stiffness
     result.converged = true;
