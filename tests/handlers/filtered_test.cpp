@@ -221,8 +221,8 @@ TEST(Filtered, FollowsTheMotion) {
 
 TEST(Projection, SaysWhenItsConstraintsContradictEachOther) {
   const Body body = test::sliverBody("corotational", 0.98, false);
-  std::vector<ShapeConstraint> both{{ConstraintKind::edge, {0, 1, -1, -1}, 0.02},
-                                    {ConstraintKind::edge, {0, 1, -1, -1}, 0.03}};
+  std::vector<ShapeConstraint> both;
+  for (const double length : {0.02, 0.03}) both.push_back({ConstraintKind::edge, {0, 1, -1, -1}, length});
   ConstraintProjection projection(body, both, 1e-8, 20);
   NodeVectors x = body.mesh().X;
   EXPECT_THAT(projection.project(x), HasSubstr("constraints"));
