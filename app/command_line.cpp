@@ -20,6 +20,7 @@
 #include <ringwatch/app/inspect.h>
 #include <ringwatch/app/integrator_catalog.h>
 #include <ringwatch/app/process.h>
+#include <ringwatch/app/progress.h>
 #include <ringwatch/app/report.h>
 #include <ringwatch/app/runner.h>
 #include <ringwatch/app/scene_keys.h>
@@ -181,12 +182,17 @@ struct RunCommand {
   }
 };
 
-/// Writes the pictures of a report into a folder, made when missing.
-void drawInto(const std::string& folder, const StudyReport& report) {
+/// Makes the folder of --out, unless it is there or none is wanted ("").
+void makeFolderOfPictures(const std::string& folder) {
+  if (folder.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)
     throw InputError(fmt::format("--out: cannot write {}: {}; choose another folder", folder, error.message()));
+}
+
+/// Writes the pictures of a report into a folder.
+void drawInto(const std::string& folder, const StudyReport& report) {
   for (const std::string& note : drawFigures(report, folder)) tell(fmt::format("note: {}\n", note));
 }
 
@@ -232,6 +238,7 @@ struct CompareCommand {
     else
       printOut(studyText(result.report) + result.text);
     if (!json.empty() && json != "-") writeFileAtomically(json, text);
+    makeFolderOfPictures(folder);
     if (!folder.empty()) drawInto(folder, result.report);
     return ExitStatus::done;
   }
@@ -422,15 +429,23 @@ struct VerifyCommand {
   }
 
   ExitStatus execute() const {
-    const std::vector<StudyReport> reports = runStudies(studies, quick ? StudyEffort::quick : StudyEffort::full);
-    const std::string results = studiesJson(reports).dump(2) + "\n";
     bool passed = true;
-    for (const StudyReport& report : reports) {
+    ProgressLine line(true);
+    StudyProgress progress;
+    progress.begins = [&](const StudyInfo& study, std::size_t number, std::size_t count) {
+      if (number == 1) makeFolderOfPictures(folder);
+      line.announce(fmt::format("study {} of {}: {}", number, count, study.name));
+    };
+    // A study's results are there when it ends: all together take long.
+    progress.ended = [&](const StudyReport& report) {
+      line.clear();
       passed = passed && report.passed();
       if (json != "-") printOut(studyText(report) + "\n");
-      if (folder.empty()) continue;
-      drawInto(folder, report);
-    }
+      if (!folder.empty()) drawInto(folder, report);
+    };
+    const std::vector<StudyReport> reports =
+        runStudies(studies, quick ? StudyEffort::quick : StudyEffort::full, progress);
+    const std::string results = studiesJson(reports).dump(2) + "\n";
     if (json == "-") {
       printOut(results);
     } else if (!json.empty()) {

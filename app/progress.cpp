@@ -36,6 +36,12 @@ void ProgressLine::show(const std::string& text, double done) {
   shown_ = true;
 }
 
+void ProgressLine::announce(const std::string& text) {
+  if (!active_) return;
+  put("\r" + text + "\x1b[K");
+  shown_ = true;
+}
+
 void ProgressLine::clear() {
   if (!shown_) return;
   put("\r\x1b[K");

@@ -17,6 +17,8 @@ class ProgressLine {
   bool due();
   /// done: share of the whole, 0 to 1.
   void show(const std::string& text, double done);
+  /// Shows a text at once, for work that cannot say how far it has come.
+  void announce(const std::string& text);
   void clear();
 
  private:

@@ -2,46 +2,24 @@
 #include <ringwatch/app/runner.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/device_run.h>
-#include <ringwatch/app/handled_watch.h>
 #include <ringwatch/app/progress.h>
 #include <ringwatch/app/report.h>
 #include <ringwatch/app/run_energies.h>
 #include <ringwatch/app/run_output.h>
+#include <ringwatch/app/run_scheme.h>
+#include <ringwatch/app/run_watch.h>
 #include <ringwatch/app/step_policy.h>
+#include <ringwatch/app/stopwatch.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/integrators/body_system.h>
-#include <ringwatch/integrators/split_body_system.h>
-#include <ringwatch/verify/work_precision.h>
 
 namespace ringwatch {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// Adds the time it lives to a total, s.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& total) : total_(total), start_(Clock::now()) {}
-  ~Stopwatch() { total_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& total_;
-  Clock::time_point start_;
-};
-
-Verdict verdictFor(double h, const CriticalStep& bracket) {
-  return h <= bracket.safe ? Verdict::certified : h <= bracket.optimistic ? Verdict::notCertified : Verdict::violated;
-}
 
 /// A run in progress.
 class Run {
@@ -51,10 +29,10 @@ class Run {
         body_(body),
         options_(options),
         rule_(stepRule(*integratorCatalog().find(scene.method), scene.damping)),
-        integrator_(integratorCatalog().make(scene.method)),
         energies_(scene, body),
         steps_(scene),
-        progress_(options.progress) {
+        progress_(options.progress),
+        watch_(scene, body, rule_, result_) {
     result_.notes = options.notes;
     result_.requireCertified = scene_.requireCertified;
     for (const Scene::Cut& cut : scene_.cuts)
@@ -62,11 +40,8 @@ class Run {
         if (block.type != elementTypeOf<Tet4>)
           throw InputError(fmt::format("{}: only tetrahedra of four nodes can be cut; the mesh has {}", cut.origin,
                                        elementInfo(block.type).name));
-    startHandler();
-    if (handler_) prepareHandler(body_.mesh().X, *scene_.step);
-    startDevice();
-    startSystem();
-    if (integrator_->info().partitioned) splitBody();
+    scheme_ = std::make_unique<RunScheme>(scene_, body_, result_);
+    beginWatch();
   }
 
   RunResult go() {
@@ -76,7 +51,7 @@ class Run {
         const Stopwatch output(result_.outputTime);
         output_.emplace(scene_, body_, rule_, options_.folder);
       }
-      state_ = system_->initialState();
+      state_ = scheme_->system().initialState();
       advance();
       progress_.clear();
       finish();
@@ -95,13 +70,10 @@ class Run {
         return end(ExitReason::end, "end time reached");
       if (options_.interrupt && options_.interrupt->load())
         return end(ExitReason::interrupted, fmt::format("interrupted before step {}", k));
-      while (result_.cuts.size() + cutsMissed_ < scene_.cuts.size() &&
-             state_.time >= scene_.cuts[result_.cuts.size() + cutsMissed_].time - 1e-3 * steps_.step())
-        cut(scene_.cuts[result_.cuts.size() + cutsMissed_]);
+      while (const Scene::Cut* due = cutDue()) cut(*due);
 
       const bool rowDue = k % scene_.historyEvery == 0;
-      MonitorReport report = handleMore(k, observe(k, rowDue));
-      looks_ += report.fresh ? 1 : 0;
+      MonitorReport report = handleMore(observe(k, rowDue), rowDue);
       if (!state_.x.allFinite() || !state_.v.allFinite()) {
         keepEvents(report);
         return end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", k));
@@ -109,7 +81,7 @@ class Run {
       if (!chooseStep(report)) return keepEvents(report);
       energies_.judge(k, state_.time);
       record(report, rowDue);
-      if (report.verdict == Verdict::violated && monitor_ &&
+      if (report.verdict == Verdict::violated && watch_.monitors() &&
           (scene_.onViolation == OnViolation::stop || scene_.onViolation == OnViolation::handle))
         return end(ExitReason::violated, fmt::format("stopped before step {}, which is violated", k));
       if (!takeStep(report)) return;
@@ -117,65 +89,28 @@ class Run {
     }
   }
 
-  /// What depends on the masses and on which elements are explicit.
-  void startSystem() {
-    system_.emplace(body_, scene_.damping);
+  /// Watches the body, or what its handler leaves explicit, from here on.
+  void beginWatch() {
+    Stepper& stepper = scheme_->stepper();
+    watch_.begin(scheme_->handler(), stepper.metric(), stepper.mostSteps() == 1);
+  }
+
+  /// Lets the handler choose again, for the steps to come.
+  void handleAgain() {
+    watch_.end();  // it watches what the choice replaces
+    scheme_->prepare(state_.x, steps_.step());
     state_.a.resize(3, 0);
-    closeEvents();
-    monitor_.reset();
-    if (!scene_.monitored()) return;
-    const Body& watched = handler_ ? handler_->explicitBody() : body_;
-    if (watched.mesh().elementCount() == 0) {
-      if (result_.handler->selections == 1)
-        result_.notes.emplace_back("every element is handled: there is no explicit one to monitor");
-      return;
-    }
-    MonitorOptions wanted;
-    wanted.limit = rule_;
-    wanted.mode = scene_.mode;
-    wanted.metric = scene_.metric;
-    wanted.margin = scene_.margin;
-    // A run on a GPU calls it only where it is to look.
-    wanted.every =
-        device_ ? 1 : static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max()));
-    wanted.energyTolerance = scene_.energyTolerance;
-    if (monitored_) wanted.firstLookElements = 0;  // too dear at every choice of a handler
-    monitored_ = true;
-    if (device_ && device_->hasRings())  // it is at the state that the monitor looks at
-      wanted.metricElsewhere = [this](const NodeVectors&) { return device_->highestRing(); };
-    monitor_.emplace(watched, wanted);
+    beginWatch();
   }
 
-  /// Moves the steps to a GPU, when the scene wants that.
-  void startDevice() {
-    if (scene_.device == RunDevice::cpu) return;
-    std::string reason = scene_.noDevice.empty() ? whyNoDevice() : scene_.noDevice;
-    if (reason.empty()) {
-      try {
-        // A handler's monitor watches the explicit elements, the GPU's rings would be those of all.
-        const MetricInfo* metric = findMetric(scene_.metric);
-        device_ =
-            makeDeviceRun(body_, BodySystem(body_).initialState(), metric != nullptr && metric->runsOnGpu && !handler_);
-        handOver();
-        return;
-      } catch (const InputError& fault) {
-        device_.reset();
-        reason = fault.what();
-      }
-    }
-    if (scene_.device == RunDevice::cuda)
-      throw InputError(fmt::format("{}: \"cuda\": {}; set it to \"cpu\" or \"auto\"", scene_.deviceOrigin, reason));
-    result_.notes.push_back(fmt::format("device = \"auto\": the steps are taken on the CPU, since {}", reason));
-  }
-
-  /// Steps from number k on that the GPU may take before the state is observed.
-  std::int64_t stepsUntilLook(std::int64_t k) const {
+  /// Steps from number k on that may be taken before the state is observed.
+  std::int64_t stepsToObservation(std::int64_t k) {
+    std::int64_t count = scheme_->stepper().mostSteps();
     // The work of prescribed motion is done in every step.
-    if (scene_.energy && body_.constraints().moving()) return 1;
+    if (count == 1 || (scene_.energy && body_.constraints().moving())) return 1;
     const auto until = [k](std::int64_t every) { return every - k % every; };
-    constexpr std::int64_t most = 256;  // an interrupt is not to wait longer, nor the certificate to be renewed
-    std::int64_t count = std::min(most, until(scene_.historyEvery));
-    if (monitor_) count = std::min(count, until(scene_.every));
+    count = std::min(count, until(scene_.historyEvery));
+    if (watch_.monitors()) count = std::min(count, until(scene_.every));
     const auto stepsTo = [this](double time) {
       return std::max<std::int64_t>(1,
                                     static_cast<std::int64_t>(std::ceil((time - state_.time) / steps_.step() - 1e-3)));
@@ -187,47 +122,23 @@ class Run {
     return count;
   }
 
-  void startHandler() {
-    if (scene_.handler.empty()) return;
-    auto handler = makeHandler(scene_.handler, body_, std::move(integrator_), scene_.handlerOptions);
-    handler_ = handler.get();
-    integrator_ = std::move(handler);
-  }
-
-  void prepareHandler(const NodeVectors& x, double h) {
-    handler_->prepare(x, h);
-    noteChoice();
-    handOver();
-  }
-
-  void noteChoice() {
-    if (!result_.handler) result_.handler.emplace();
-    result_.handler->elements = static_cast<std::int64_t>(handler_->elements().size());
-    result_.handler->certified = handler_->certified();
-    ++result_.handler->selections;
-    result_.handler->evaluations += handler_->judged().evaluations;
-  }
-
-  /// The handler's elements, to a GPU that takes the steps.
-  void handOver() {
-    if (device_ && handler_)
-      device_->handle(handler_->elements(), result_.handler->selections > 1 ? steps_.step() : *scene_.step,
-                      scene_.handlerOptions);
-  }
-
   double kineticEnergy() const { return 0.5 * (state_.v.colwise().squaredNorm() * body_.lumpedMass()).value(); }
+
+  const Scene::Cut* cutDue() const {
+    const std::size_t next = result_.cuts.size() + cutsMissed_;
+    if (next == scene_.cuts.size() || state_.time < scene_.cuts[next].time - 1e-3 * steps_.step()) return nullptr;
+    return &scene_.cuts[next];
+  }
 
   /// Cuts the body, carries the state over and builds again what depends on the mesh.
   void cut(const Scene::Cut& wanted) {
     CutRecord record;
     record.step = result_.steps;
     record.time = state_.time;
-    const auto handled = [&] { return handler_ ? static_cast<std::int64_t>(handler_->elements().size()) : 0; };
+    const auto handled = [this] { return scheme_->handler() ? scheme_->treatedElements() : 0; };
     record.elementsBefore = static_cast<std::int64_t>(body_.mesh().elementCount());
-    completeState();
-    askFor(true);
-    evaluateForBooks();
-    keepBooks(true);
+    scheme_->stepper().complete(state_);
+    recordEnergies();
     if (wanted.criticalStep) record.before = criticalStepHere();
     record.kineticBefore = kineticEnergy();
     record.handledBefore = handled();
@@ -241,45 +152,39 @@ class Run {
                                             wanted.origin, state_.time));
         return;
       }
-      const Handler* const before = handler_;
-      const std::unique_ptr<Integrator> integratorBefore = std::move(integrator_);  // its choice is carried over
-      // All of these hold on to the body or to vectors of its size.
-      closeEvents();
-      monitor_.reset();
-      split_.reset();
-      system_.reset();
-      handler_ = nullptr;
-      state_.x = carriedOver(made, state_.x);
-      state_.v = carriedOver(made, state_.v);
-      body_ = sceneBody(scene_, made.mesh, body_.threads());
-      body_.constraints().imposeVelocity(state_.v);
-      integrator_ = integratorCatalog().make(scene_.method);
-      energies_.beginBody();
-      startHandler();
-      if (handler_) {
-        const Stopwatch selection(record.selectionTime);
-        handler_->prepare(state_.x, steps_.step(), made, *before);
-        noteChoice();
-        record.judged = handler_->judged();
-      }
-      startSystem();
-      if (integrator_->info().partitioned) splitBody();
+      moveTo(made, record);
       record.elementsCut = static_cast<std::int64_t>(made.elementsCut);
       record.nodesAdded = static_cast<std::int64_t>(made.nodesAdded);
       record.facesOpened = static_cast<std::int64_t>(made.facesOpened);
       record.area = made.area;
       record.atMost = optimisticStep(highestReducedRing(body_, state_.x, made.changed), rule_);
     }
-    // The books of the new body start here, however long it is to the next row.
-    askFor(true);
-    evaluateForBooks();
-    keepBooks(true);
+    // The energy balance of the new body starts here, however long it is to the next row.
+    recordEnergies();
     record.cutTime -= record.selectionTime;
     record.elementsAfter = static_cast<std::int64_t>(body_.mesh().elementCount());
     if (wanted.criticalStep) record.after = criticalStepHere();
     record.kineticAfter = kineticEnergy();
     record.handledAfter = handled();
     result_.cuts.push_back(record);
+  }
+
+  /// State and body become those of a mesh that was cut.
+  void moveTo(const CutMesh& made, CutRecord& record) {
+    watch_.end();
+    const std::unique_ptr<RunScheme> before = std::move(scheme_);  // holds what its handler has chosen
+    state_.x = carriedOver(made, state_.x);
+    state_.v = carriedOver(made, state_.v);
+    state_.a.resize(3, 0);
+    body_ = sceneBody(scene_, made.mesh, body_.threads());
+    body_.constraints().imposeVelocity(state_.v);
+    energies_.beginBody();
+    {
+      const Stopwatch selection(record.selectionTime);
+      scheme_ = std::make_unique<RunScheme>(scene_, body_, result_, state_.x, steps_.step(), made, *before);
+    }
+    if (const Handler* handler = scheme_->handler()) record.judged = handler->judged();
+    beginWatch();
   }
 
   /// The bracket of the whole body, from scratch; empty where the state has none.
@@ -291,27 +196,16 @@ class Run {
     }
   }
 
-  /// The monitor sees the explicit elements under numbers of their own.
-  void nameElements(MonitorReport& report) const {
-    if (report.bracket) {
-      report.bracket->controlling = handler_->wholeElement(report.bracket->controlling);
-      report.bracket->lowestRingElement = handler_->wholeElement(report.bracket->lowestRingElement);
-    }
-    for (MonitorEvent& event : report.newEvents)
-      if (event.element) event.element = handler_->wholeElement(*event.element);
-  }
-
-  /// For "handle": more elements where the explicit rest is no longer certified, and another look at what is left.
-  MonitorReport handleMore(std::int64_t k, MonitorReport report) {
-    if (!handler_ || !monitor_ || scene_.onViolation != OnViolation::handle || !report.fresh ||
+  /// For "handle": more elements where the explicit part is no longer certified, and another report of what is left.
+  MonitorReport handleMore(MonitorReport report, bool rowDue) {
+    if (!scheme_->handler() || !watch_.monitors() || scene_.onViolation != OnViolation::handle || !report.fresh ||
         report.verdict == Verdict::certified || !(steps_.step() > 0) || !state_.x.allFinite())
       return report;
     {
       const Stopwatch watch(result_.monitorTime);
-      prepareHandler(state_.x, steps_.step());
-      startSystem();
+      handleAgain();
     }
-    MonitorReport more = observe(k, k % scene_.historyEvery == 0);
+    MonitorReport more = observe(report.step, rowDue);
     // Those of the explicit elements are of a choice that no step was taken with.
     for (const MonitorEvent& event : report.newEvents)
       if (event.handled) more.newEvents.push_back(event);
@@ -323,106 +217,39 @@ class Run {
     result_.reasonText = std::move(text);
   }
 
-  /// Partitioned schemes get the elements whose own critical step is too small as their stiff part.
-  void splitBody() {
-    const std::vector<ElementRef> stiff = stiffElementsAt(body_, integrator_->info(), *scene_.step);
-    split_.emplace(body_, stiff, scene_.damping);
-    stiffElements_ = static_cast<std::int64_t>(stiff.size());
-    result_.notes.push_back(
-        fmt::format("{}: {} of {} elements are in the stiff part, by their own critical step at rest", scene_.method,
-                    stiff.size(), body_.mesh().elementCount()));
-  }
-
-  /// What the pass over the elements of the whole body is to give at this state.
-  void askFor(bool rowDue) {
-    const bool beginsStep = !device_ && !split_ && integrator_->beginsWithAcceleration() && state_.a.cols() == 0;
-    evaluation_.wantsForce = beginsStep || state_.lag != 0 || energies_.needsForce(rowDue);
-    evaluation_.wantsEnergy = scene_.energy && rowDue;
-  }
-  /// Gives the state the acceleration that was evaluated.
-  void takeAcceleration() {
-    if (!evaluation_.wantsForce || device_ || split_) return;
-    if (integrator_->beginsWithAcceleration() || state_.lag != 0) system_->complete(state_, evaluation_);
-  }
-  /// Energies of the state before the step, after its evaluation.
-  void keepBooks(bool rowDue) {
-    const Stopwatch force(result_.forceTime);
-    energies_.record(state_, evaluation_, *system_, rowDue);
-  }
-
-  /// Evaluates the state before step k: one pass over the elements serves the scheme, the energy books and, where it
+  /// Observes the state before step k: one pass over the elements serves the scheme, the energy balance and, where it
   /// watches the whole body, the monitor.
   MonitorReport observe(std::int64_t k, bool rowDue) {
+    const bool shared = watch_.sharesPass();
     askFor(rowDue);
-    const bool shared = monitor_ && !handler_ && !device_;
-    MonitorReport report;
-    if (shared) {
-      report = observeExplicit(k, &evaluation_);
-    } else {
-      evaluateForBooks();
-      report = observeExplicit(k, nullptr);
-    }
-    takeAcceleration();
-    keepBooks(rowDue);
-    if (monitor_ && energies_.last() && monitorSees(k)) {
-      const Stopwatch watch(result_.monitorTime);
-      report.newEvents = monitor_->observeEnergies(*energies_.last()).newEvents;
-    }
-    if (handler_) nameElements(report);
-    if (!handler_ || !scene_.monitored()) return report;
-    if (k % scene_.every == 0 && state_.x.allFinite()) {
-      const Stopwatch watch(result_.monitorTime);
-      const bool certifiedBefore = handledWatch_.uncertifiedPart().empty();
-      if (const auto event = handledWatch_.observe(*handler_, body_, k, state_.time, state_.x))
-        report.newEvents.push_back(*event);
-      if (const std::string& part = handledWatch_.uncertifiedPart(); certifiedBefore && !part.empty())
-        result_.notes.push_back(fmt::format("step {}, t = {:.6g} s: {}", k, state_.time, part));
-    }
-    judgeHandled(report);
+    if (!shared) evaluate();
+    // With "auto" the first step is chosen from the first bracket.
+    MonitorReport report = watch_.observe(k, state_, steps_.asked(), shared ? &evaluation_ : nullptr);
+    takeEvaluation(rowDue);
+    watch_.complete(report, state_, energies_.last());
     return report;
   }
-  /// Between its looks the monitor does not see the states of a run on a GPU.
-  bool monitorSees(std::int64_t k) const { return !device_ || k % scene_.every == 0; }
-  /// The velocity of a state that is used other than by observe() must not lag.
-  void completeState() {
-    if (!device_ && !split_) complete(*system_, state_);
+  /// The energies of the state, in a pass of their own.
+  void recordEnergies() {
+    askFor(true);
+    evaluate();
+    takeEvaluation(true);
   }
-  void evaluateForBooks() {
+  /// What the pass over the elements of the whole body is to give at this state.
+  void askFor(bool rowDue) {
+    stepperNeedsForce_ = scheme_->stepper().needsForce(state_);
+    evaluation_.wantsForce = stepperNeedsForce_ || energies_.needsForce(rowDue);
+    evaluation_.wantsEnergy = scene_.energy && rowDue;
+  }
+  void evaluate() {
     if (!evaluation_.wantsForce && !evaluation_.wantsEnergy) return;
     const Stopwatch force(result_.forceTime);
     body_.evaluate(state_.x, evaluation_, workspace_);
   }
-
-  /// A step is certified only with the handled parts that need a proof of their own.
-  void judgeHandled(MonitorReport& report) const {
-    if (!handledWatch_.uncertifiedPart().empty() && report.verdict == Verdict::certified)
-      report.verdict = Verdict::notCertified;
-  }
-
-  MonitorReport observeExplicit(std::int64_t k, StepEvaluation* evaluation) {
-    if (!monitor_) {
-      MonitorReport report;
-      report.step = k;
-      report.time = state_.time;
-      report.h = steps_.step();
-      return report;
-    }
-    const Stopwatch watch(result_.monitorTime);
-    evaluation_.wallTime = 0;
-    if (!monitorSees(k)) {
-      lastReport_.step = k;
-      lastReport_.time = state_.time;
-      lastReport_.fresh = false;
-      lastReport_.newEvents.clear();
-      return lastReport_;
-    }
-    // With "auto" the first step is chosen from the first bracket.
-    MonitorReport report = monitor_->observe(k, state_.time, state_.x, state_.v, steps_.asked(), evaluation);
-    // The pass over the elements counts as the force's, which it serves too.
-    result_.monitorTime -= evaluation_.wallTime;
-    result_.forceTime += evaluation_.wallTime;
-    if (device_) lastReport_ = report;
-    return report;
+  void takeEvaluation(bool rowDue) {
+    const Stopwatch force(result_.forceTime);
+    if (stepperNeedsForce_) scheme_->stepper().takeForce(state_, evaluation_);
+    energies_.record(state_, evaluation_, scheme_->system(), rowDue);
   }
 
   /// Chooses the step from a state. False when none can be had.
@@ -441,7 +268,7 @@ class Run {
     report.h = steps_.step();
     // A step that was shortened in time was not taken: the monitor's alarm at the longer one is no event of the run.
     if (report.bracket) report.verdict = verdictFor(report.h, *report.bracket);
-    judgeHandled(report);
+    watch_.judgeHandled(report);
     if (report.verdict != Verdict::violated)
       std::erase_if(report.newEvents, [](const MonitorEvent& event) { return event.kind == EventKind::violated; });
     return true;
@@ -465,65 +292,54 @@ class Run {
       row.h = report.h;
       row.bracket = report.bracket;
       row.energies = energies_.last();
-      row.elementsRefreshed = monitor_ && report.fresh ? report.elementsRefreshed : 0;
-      row.handledElements = handler_ ? static_cast<std::int64_t>(handler_->elements().size()) : stiffElements_;
+      row.elementsRefreshed = watch_.monitors() && report.fresh ? report.elementsRefreshed : 0;
+      row.handledElements = scheme_->treatedElements();
       row.metricStep = report.metricStep;
-      if (monitor_) row.verdict = report.verdict;
+      if (watch_.monitors()) row.verdict = report.verdict;
       output_->writeRow(row);
     }
     if (output_->frameDue(state_.time, report.h)) output_->writeFrame(report.step, state_, frameOf(report));
   }
 
-  FrameState frameOf(const MonitorReport& report) const {
+  FrameState frameOf(const MonitorReport& report) {
     FrameState frame;
     frame.time = state_.time;
     frame.h = steps_.step();
-    if (monitor_) {
+    if (watch_.monitors()) {
       frame.verdict = report.verdict;
       if (scene_.proves()) {
         frame.safe = report.bracket ? report.bracket->safe : report.certified;
         if (report.bracket) frame.optimistic = report.bracket->optimistic;
       }
     }
-    if (handler_) frame.handled = handler_->elements();
+    if (const Handler* handler = scheme_->handler()) frame.handled = handler->elements();
     return frame;
-  }
-
-  /// One step, or on a GPU up to `count`: `count` becomes what was taken, and a step that fails after others is tried
-  /// again by the next call.
-  StepStatus tryStep(std::int64_t& count) {
-    if (split_) return integrator_->step(*split_, state_, steps_.step());
-    if (!device_) return integrator_->advance(*system_, state_, steps_.step());
-    const DeviceRun::Taken taken =
-        device_->step(state_, steps_.step(), count, monitor_ && scene_.proves() ? rule_.lambdaFor(steps_.step()) : 0);
-    count = taken.steps;
-    return {taken.steps > 0 || taken.fault.empty(), taken.fault};
   }
 
   bool takeStep(const MonitorReport& report) {
     const Stopwatch force(result_.forceTime);
-    std::int64_t taken = 1;
-    if (device_) taken = stepsUntilLook(result_.steps);
-    StepStatus status = tryStep(taken);
-    while (!status.done && handler_ && scene_.reduceOnFailure && steps_.halve()) {
+    const auto take = [this](std::int64_t count) {
+      const double lambda = watch_.monitors() && scene_.proves() ? rule_.lambdaFor(steps_.step()) : 0;
+      return scheme_->stepper().step(state_, steps_.step(), count, lambda);
+    };
+    Stepper::Taken taken = take(stepsToObservation(result_.steps));
+    while (taken.steps == 0 && scheme_->handler() && scene_.reduceOnFailure && steps_.halve()) {
       result_.notes.push_back(
-          fmt::format("step {}: {}; the step is halved to {:.6g} s", report.step, status.reason, steps_.step()));
-      prepareHandler(state_.x, steps_.step());
-      startSystem();
-      taken = 1;
-      status = tryStep(taken);
+          fmt::format("step {}: {}; the step is halved to {:.6g} s", report.step, taken.fault, steps_.step()));
+      handleAgain();
+      taken = take(1);
     }
-    if (!status.done) {
-      end(ExitReason::stepFailed, fmt::format("step {} failed: {}", report.step, status.reason));
+    if (taken.steps == 0) {
+      end(ExitReason::stepFailed, fmt::format("step {} failed: {}", report.step, taken.fault));
       return false;
     }
     result_.smallestStep = result_.steps == 0 ? steps_.step() : std::min(result_.smallestStep, steps_.step());
     result_.largestStep = std::max(result_.largestStep, steps_.step());
-    result_.steps += taken;
-    if (monitor_) {
+    result_.steps += taken.steps;
+    if (watch_.monitors()) {
       result_.worst = std::max(result_.worst.value_or(Verdict::certified), report.verdict);
       result_.violatedStepTaken = result_.violatedStepTaken || report.verdict == Verdict::violated;
-      if (scene_.proves()) countCertified(report, taken);
+      if (scene_.proves()) countCertified(report, taken.steps);
     }
     lastVerdict_ = report.verdict;
     return true;
@@ -533,7 +349,7 @@ class Run {
     result_.watchedSteps += taken;
     if (report.verdict == Verdict::certified) {
       result_.certifiedSteps += taken;
-      if (looks_ <= 1) result_.firstLookSteps += taken;
+      if (watch_.freshReports() <= 1) result_.firstLookSteps += taken;
     }
     if (!report.fresh || !report.bracket || !(report.bracket->safe > 0)) return;
     const double safe = report.bracket->safe;
@@ -548,35 +364,28 @@ class Run {
                                static_cast<double>(report.step) + (scene_.end - state_.time) / steps_.step(),
                                state_.time, scene_.end, steps_.step(),
                                report.bracket ? fmt::format(", safe {:.4g} s", report.bracket->safe) : "",
-                               monitor_ ? fmt::format(", {}", verdictName(report.verdict)) : ""),
+                               watch_.monitors() ? fmt::format(", {}", verdictName(report.verdict)) : ""),
                    state_.time / scene_.end);
   }
 
-  /// A GPU solves the clusters in its own way.
-  std::vector<HandlerFigure> handlerFigures() const {
-    std::vector<HandlerFigure> figures = handler_->figures();
-    if (!device_) return figures;
-    std::erase_if(figures, [](const HandlerFigure& figure) { return figure.ofHost; });
-    for (HandlerFigure& figure : device_->figures()) figures.push_back(std::move(figure));
-    return figures;
-  }
-
   void finish() {
-    completeState();
+    scheme_->stepper().complete(state_);
     result_.time = state_.time;
     if (result_.reason == ExitReason::end && (!state_.x.allFinite() || !state_.v.allFinite()))
       end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result_.steps));
-    closeEvents();
+    const FrameState last = frameOf(lastReport());
+    watch_.end();
     noteWhatIsNotCertified();
-    if (handler_) result_.handler->figures = handlerFigures();
-    if (device_) result_.notes.push_back(device_->summary());
+    if (const Handler* handler = scheme_->handler())
+      result_.handler->figures = scheme_->stepper().figures(handler->figures());
+    if (std::string note = scheme_->stepper().note(); !note.empty()) result_.notes.push_back(std::move(note));
     result_.runaway = energies_.runaway();
     const Stopwatch output(result_.outputTime);
-    output_->finish(result_, state_, frameOf(lastOfAll()));
+    output_->finish(result_, state_, last);
   }
 
   /// Nothing is known of the last state but what was known of the step that led to it.
-  MonitorReport lastOfAll() const {
+  MonitorReport lastReport() const {
     MonitorReport report;
     report.verdict = lastVerdict_;
     report.certified = std::numeric_limits<double>::quiet_NaN();
@@ -602,42 +411,23 @@ class Run {
     result_.notes.push_back(note);
   }
 
-  void closeEvents() {
-    const auto close = [&](const std::vector<MonitorEvent>& events, bool handled) {
-      for (RunEvent& told : result_.events)
-        for (const MonitorEvent& known : events)
-          if (told.event.handled == handled && known.kind == told.event.kind && known.step == told.event.step)
-            told.event.end = known.end;
-    };
-    close(handledWatch_.events(), true);
-    if (monitor_) close(monitor_->events(), false);
-  }
-
   const Scene& scene_;
   Body& body_;
   const RunOptions& options_;
   StepRule rule_;
-  std::unique_ptr<Integrator> integrator_;
-  Handler* handler_ = nullptr;  // the same, where it is one
-  std::optional<BodySystem> system_;
-  StepEvaluation evaluation_;
-  Body::Workspace workspace_;
-  std::optional<SplitBodySystem> split_;  // for partitioned schemes
-  std::unique_ptr<DeviceRun> device_;     // when the steps are taken on a GPU
-  HandledWatch handledWatch_;
-  MonitorReport lastReport_;  // then: of the monitor's last look
-  std::int64_t stiffElements_ = 0;
   RunEnergies energies_;
   StepPolicy steps_;
-  std::size_t cutsMissed_ = 0;
   ProgressLine progress_;
-  std::optional<StabilityMonitor> monitor_;
+  RunResult result_;
+  RunWatch watch_;
+  std::unique_ptr<RunScheme> scheme_;
   std::optional<RunOutput> output_;
   State state_;
-  bool monitored_ = false;  // a monitor has been made
-  std::int64_t looks_ = 0;  // of monitors
+  StepEvaluation evaluation_;
+  Body::Workspace workspace_;
+  bool stepperNeedsForce_ = false;
+  std::size_t cutsMissed_ = 0;
   Verdict lastVerdict_ = Verdict::notCertified;
-  RunResult result_;
 };
 
 }  // namespace

@@ -144,7 +144,8 @@ std::string surfaceScript(const StudySurfaces& surfaces) {
 
 }  // namespace
 
-std::vector<StudyReport> runStudies(const std::vector<std::string>& names, StudyEffort effort) {
+std::vector<StudyReport> runStudies(const std::vector<std::string>& names, StudyEffort effort,
+                                    const StudyProgress& progress) {
   const std::span<const StudyInfo> studies = allStudies();
   std::vector<const StudyInfo*> chosen;
   for (const std::string& name : names) {
@@ -169,7 +170,11 @@ std::vector<StudyReport> runStudies(const std::vector<std::string>& names, Study
   const int threads = omp_get_max_threads();
   if (effort == StudyEffort::quick) omp_set_num_threads(1);
   std::vector<StudyReport> reports;
-  for (const StudyInfo* s : chosen) reports.push_back(s->run(effort));
+  for (const StudyInfo* s : chosen) {
+    if (progress.begins) progress.begins(*s, reports.size() + 1, chosen.size());
+    reports.push_back(s->run(effort));
+    if (progress.ended) progress.ended(reports.back());
+  }
   omp_set_num_threads(threads);
   return reports;
 }

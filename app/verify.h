@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,8 +27,15 @@ std::span<const StudyInfo> allStudies();
 /// name is taken.
 void registerStudy(const StudyInfo& study);
 
-/// Runs the studies of those names; "all" or nothing for every one. Throws InputError for an unknown name.
-std::vector<StudyReport> runStudies(const std::vector<std::string>& names, StudyEffort effort);
+/// Told of the studies as they run, one after the other.
+struct StudyProgress {
+  std::function<void(const StudyInfo& study, std::size_t number, std::size_t count)> begins = {};  // number: from 1
+  std::function<void(const StudyReport& report)> ended = {};
+};
+/// Runs the studies of those names; "all" or nothing for every one. Throws InputError for an unknown name, before any
+/// runs.
+std::vector<StudyReport> runStudies(const std::vector<std::string>& names, StudyEffort effort,
+                                    const StudyProgress& progress = {});
 
 /// The tables and the checks, human-readable.
 std::string studyText(const StudyReport& report);

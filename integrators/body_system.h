@@ -16,7 +16,7 @@ inline const Eigen::Matrix3d& diagonalBlock(const BlockMatrix& K, std::size_t i)
 /// x.
 class BodySystem final : public DifferentiableSystem {
  public:
-  /// The body must outlive the system.
+  /// The body must outlive the system; call followMasses() where its masses change.
   explicit BodySystem(const Body& body, const RayleighDamping& damping = {})
       : body_(body), damping_(damping), inverseMass_(body.lumpedMass().cwiseInverse()) {}
 
@@ -49,6 +49,8 @@ class BodySystem final : public DifferentiableSystem {
       force.setZero(3, x.cols());
     force = damping_.beta * force + damping_.alpha * v * body_.lumpedMass().asDiagonal();
   }
+  /// Takes the masses of the body as they are now; an acceleration that is known of a state holds no longer.
+  void followMasses() { inverseMass_ = body_.lumpedMass().cwiseInverse(); }
   bool velocityDependent() const override { return damping_.any(); }
   const Eigen::VectorXd& mass() const override { return body_.lumpedMass(); }
   RayleighDamping damping() const override { return damping_; }

@@ -15,6 +15,7 @@
 #include <ringwatch/app/integrator_catalog.h>
 #include <ringwatch/app/scene_keys.h>
 #include <ringwatch/app/verify.h>
+#include <ringwatch/base/error.h>
 #include <ringwatch/elements/registry.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/materials/registry.h>
@@ -29,7 +30,9 @@ namespace {
 
 using test::Outcome;
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::Not;
 
 class Words : public test::Program {
@@ -163,6 +166,20 @@ TEST_F(Words, CheckAndInspectNoteWhatIsOddAboutAMesh) {
                 AllOf(HasSubstr("note: apart.msh: the mesh falls into 2 parts"),
                       HasSubstr("note: apart.msh: 3 nodes lie where another node lies, e.g. nodes 1 and 5")));
   }
+}
+
+TEST_F(Words, StudiesTellHowFarTheyAre) {
+  std::vector<std::string> told;
+  StudyProgress progress;
+  progress.begins = [&](const StudyInfo& study, std::size_t number, std::size_t count) {
+    told.push_back(std::string(study.name) + " " + std::to_string(number) + "/" + std::to_string(count));
+  };
+  progress.ended = [&](const StudyReport& report) { told.push_back(report.study + " ended"); };
+  runStudies({"stress"}, StudyEffort::quick, progress);
+  EXPECT_THAT(told, ElementsAre("robustness 1/1", "robustness ended"));
+  told.clear();
+  EXPECT_THROW(runStudies({"elements", "stres"}, StudyEffort::quick, progress), InputError);
+  EXPECT_THAT(told, IsEmpty());
 }
 
 TEST_F(Words, FormerNamesOfStudiesStillStartThem) {

@@ -16,7 +16,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <ringwatch/app/device_run.h>
+#include <ringwatch/app/device_stepper.h>
 #include <ringwatch/app/report.h>
 #include <ringwatch/app/scene.h>
 #include <ringwatch/integrators/body_system.h>

@@ -1,11 +1,11 @@
-#include <ringwatch/app/device_run.h>
+#include <ringwatch/app/device_stepper.h>
 
 #include <ringwatch/base/error.h>
 
 namespace ringwatch {
 
 std::string whyNoDevice() { return "this build has no CUDA (RINGWATCH_WITH_CUDA, preset \"cuda\")"; }
-std::unique_ptr<DeviceRun> makeDeviceRun(const Body& /*body*/, const State& /*state*/, bool /*rings*/) {
+std::unique_ptr<Stepper> makeDeviceStepper(const Body&, const State&, const HandlerOptions&, bool) {
   throw InputError(whyNoDevice());
 }
 

@@ -1,4 +1,4 @@
-#include <ringwatch/app/device_run.h>
+#include <ringwatch/app/device_stepper.h>
 
 #include <algorithm>
 #include <optional>
@@ -14,9 +14,10 @@
 namespace ringwatch {
 namespace {
 
-class CudaRun final : public DeviceRun {
+class DeviceStepper final : public Stepper {
  public:
-  CudaRun(const Body& body, const State& state, bool rings) : body_(body), device_(body), certificate_(device_) {
+  DeviceStepper(const Body& body, const State& state, const HandlerOptions& options, bool rings)
+      : body_(body), options_(options), device_(body), certificate_(device_) {
     device_.setPositions(state.x);
     device_.setVelocities(state.v);
     const auto& blocks = body.mesh().blocks;
@@ -25,12 +26,12 @@ class CudaRun final : public DeviceRun {
       rings_.emplace(device_);
   }
 
-  void handle(const std::vector<ElementRef>& elements, double h, const HandlerOptions& options) override {
+  void handle(const std::vector<ElementRef>& elements, double h) override {
     iterations_ = iterations();
     imex_.reset();
     held_ = false;
     if (elements.empty()) return;
-    const Options own = completed(ImplicitExplicit::description.name, ImplicitExplicit::table, options.own);
+    const Options own = completed(ImplicitExplicit::description.name, ImplicitExplicit::table, options_.own);
     const ClusterOptions cluster = clusterOptionsOf(own);
     DeviceImexOptions wanted;
     wanted.dissipation = own.number("dissipation");
@@ -39,26 +40,35 @@ class CudaRun final : public DeviceRun {
     imex_ = std::make_unique<DeviceImex>(device_, body_.mesh(), clustersOf(body_, elements), h, wanted);
   }
 
-  Taken step(State& state, double h, std::int64_t count, double sigma) override {
+  Taken step(State& state, double h, std::int64_t count, double lambda) override {
     Taken taken{count, ""};
     if (imex_) {
       imex_->step(count);
       DeviceImex::Look look = imex_->look();
       taken = {look.steps, std::move(look.fault)};
     } else {
-      explicitSteps(h, count, sigma);
+      explicitSteps(h, count, lambda);
     }
     state.x = device_.positions();
     state.v = device_.velocities();
     state.time += static_cast<double>(taken.steps) * h;
     return taken;
   }
-  bool hasRings() const override { return rings_.has_value(); }
-  double highestRing() override { return rings_->highest().value; }
-  std::vector<HandlerFigure> figures() const override { return {{"iterations", static_cast<double>(iterations())}}; }
-  std::string device() const override { return deviceStatus().text; }
-  std::string summary() const override {
-    std::string text = fmt::format("the steps were taken on {}", device());
+  /// An interrupt need not wait longer, nor the certificate to be renewed.
+  std::int64_t mostSteps() const override { return 256; }
+  std::function<double(const NodeVectors&)> metric() override {
+    if (!rings_) return {};
+    // They are at the state that the monitor observes.
+    return [this](const NodeVectors&) { return rings_->highest().value; };
+  }
+  /// The GPU solves the clusters in its own way.
+  std::vector<HandlerFigure> figures(std::vector<HandlerFigure> ofHandler) const override {
+    std::erase_if(ofHandler, [](const HandlerFigure& figure) { return figure.ofHost; });
+    ofHandler.push_back({"iterations", static_cast<double>(iterations())});
+    return ofHandler;
+  }
+  std::string note() const override {
+    std::string text = fmt::format("the steps were taken on {}", deviceStatus().text);
     if (watched_ > 0)
       text += fmt::format("; its certificate proved {} of {} steps, {} elements were evaluated for it", certified_,
                           watched_, evaluated_);
@@ -68,17 +78,17 @@ class CudaRun final : public DeviceRun {
  private:
   /// Of conjugate gradients so far.
   std::int64_t iterations() const { return iterations_ + (imex_ ? imex_->iterations() : 0); }
-  void explicitSteps(double h, std::int64_t count, double sigma) {
-    if (sigma > 0) {
+  void explicitSteps(double h, std::int64_t count, double lambda) {
+    if (lambda > 0) {
       // After a failure, which costs a bound from scratch, the next attempt waits.
-      if (!(held_ && sigma == sigma_) && waited_++ % 16 == 0) {
-        held_ = certificate_.certify(sigma);
-        sigma_ = sigma;
+      if (!(held_ && lambda == lambda_) && waited_++ % 16 == 0) {
+        held_ = certificate_.certify(lambda);
+        lambda_ = lambda;
         if (held_) waited_ = 0;
       }
       watched_ += count;
     }
-    if (held_ && sigma == sigma_) {
+    if (held_ && lambda == lambda_) {
       const DeviceCertificate::Look before = certificate_.look();
       certificate_.step(h, count);
       const DeviceCertificate::Look look = certificate_.look();
@@ -91,11 +101,12 @@ class CudaRun final : public DeviceRun {
   }
 
   const Body& body_;
+  const HandlerOptions& options_;
   DeviceBody<double> device_;
   DeviceCertificate certificate_;
   std::unique_ptr<DeviceImex> imex_;
   std::optional<DeviceRings> rings_;
-  double sigma_ = 0;
+  double lambda_ = 0;
   bool held_ = false;
   std::int64_t waited_ = 0, watched_ = 0, certified_ = 0, evaluated_ = 0, iterations_ = 0;
 };
@@ -106,8 +117,9 @@ std::string whyNoDevice() {
   const DeviceStatus status = deviceStatus();
   return status.available ? "" : status.text;
 }
-std::unique_ptr<DeviceRun> makeDeviceRun(const Body& body, const State& state, bool rings) {
-  return std::make_unique<CudaRun>(body, state, rings);
+std::unique_ptr<Stepper> makeDeviceStepper(const Body& body, const State& state, const HandlerOptions& options,
+                                           bool rings) {
+  return std::make_unique<DeviceStepper>(body, state, options, rings);
 }
 
 }  // namespace ringwatch
