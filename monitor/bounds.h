@@ -38,7 +38,7 @@ struct Estimate {
 };
 
 /// The step h = limit / √lambda, s, at which lambda reaches an integrator's stability limit on the imaginary axis;
-/// infinity for lambda <= 0.
+/// infinity for lambda <= 0. Theorem 27, docs/theory/integrators.md.
 inline double stepFor(double lambda, double limit) {
   if (std::isnan(lambda)) return std::numeric_limits<double>::quiet_NaN();
   return lambda > 0 ? limit / std::sqrt(lambda) : std::numeric_limits<double>::infinity();
