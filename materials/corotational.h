@@ -112,11 +112,12 @@ struct Corotational {
   ///   - |ΔR| <= 2 δ / (g - √2 δ), and λ_max(R'⊗R' - R⊗R) <= √3 |ΔR| for vectors of equal norm √3;
   ///   - |Δt| <= √3 |λ| δ;
   ///   - H = R J (tr(U) I - U)⁻¹ Jᵀ Rᵀ, J w = [w]×, |J|² = 2: along dF the rotation turns by at most √2 |dF| / g, and
-  ///     tr(U) I - U changes by at most 2 |dF| (√2 |dF| off the diagonal, Araki & Yamagami 1981), so that
+  ///     tr(U) I - U changes by at most 2 |dF| while the least stretch is above -0.17 of the middle one, so that
   ///     |dH| <= (4√2 + 4) |dF| / g².
   /// With g - √2 δ >= q g inside the radius these sum up to linear δ + quadratic δ². A lower bound of g follows from s
   /// and |F|²: the largest of three numbers of mean s/3 lies at most √(2/3) of their deviation |U - s/3 I| above it.
-  /// The least eigenvalue is at least 2μ + min(0, 3λ, 2 t/g), since H R = 0.
+  /// The least eigenvalue is at least 2μ + min(0, 3λ, 2 t/g), since H R = 0. Theorem 25, docs/theory/tangent_drift.md:
+  /// for F that are not inverted.
   template <class S>
   RINGWATCH_INLINE TangentDriftCoefficients<S> drift(const Matrix3<S>& F) const {
     constexpr double root2 = 1.4142135623730951, root3 = 1.7320508075688773;
