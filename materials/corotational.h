@@ -111,8 +111,7 @@ struct Corotational {
   ///   - signed singular values move by at most |ΔF| as a vector (Miranda & Thompson 1993): g' >= g - √2 δ;
   ///   - |ΔR| <= 2 δ / (g - √2 δ), and λ_max(R'⊗R' - R⊗R) <= √3 |ΔR| for vectors of equal norm √3;
   ///   - |Δt| <= √3 |λ| δ;
-  ///   - H = R J (tr(U) I - U)⁻¹ Jᵀ Rᵀ, J w = [w]×. It changes by at most 2√2/g² times the symmetric and the skew part
-  ///   of
+  ///   - H = R J (tr(U) I - U)⁻¹ Jᵀ Rᵀ, J w = [w]×, changes by at most 2√2/g² times the symmetric and the skew part of
   ///     Rᵀ dF, so that |dH| <= 4 |dF| / g². The factor 4√2 + 4 below is larger than it need be.
   /// With g - √2 δ >= q g inside the radius these sum up to linear δ + quadratic δ². A lower bound of g follows from s
   /// and |F|²: the largest of three numbers of mean s/3 lies at most √(2/3) of their deviation |U - s/3 I| above it.
