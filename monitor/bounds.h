@@ -19,7 +19,8 @@ inline constexpr auto directionNames = nameTable<Direction>({
 });
 constexpr std::string_view directionName(Direction direction) { return directionNames.nameOf(direction); }
 
-/// The highest eigenvalue lambda of M⁻¹K (omega², rad²/s²) lies at or below `value`: proven.
+/// The highest eigenvalue lambda of M⁻¹K over the free degrees of freedom (omega², rad²/s²; 0 where none is positive)
+/// lies at or below `value`: proven.
 struct UpperBound {
   double value;
 };
