@@ -119,13 +119,16 @@ struct ElementOperators {
 
 /// How fast an element's highest eigenvalue can grow when its deformation gradients move away from F0. With l the
 /// largest eigenvalue of D⁻¹K_e at F0, b >= lambda_max(D⁻¹ Σ_q w_q B_qᵀB_q), and |F_q - F0_q| <= δ <= radius for all q:
-///   l(F) <= l + (2 √((l + b negative) kappa b) + b linear) δ + b (kappa + quadratic) δ².
+///   l(F) <= l + (2 √((l + b negative) kappa b) + b linear) δ + b (kappa + quadratic) δ²:
+/// Theorem 16, docs/theory/incremental_certificate.md. How points and a mean combine: Theorem 22,
+/// docs/theory/tangent_drift.md.
 template <class S>
 struct TangentDriftOf {
   TangentDriftCoefficients<S> law{S(0), S(0), S(0), S(0),
                                   S(std::numeric_limits<double>::infinity())};  // largest of the points'
   S determinant = S(std::numeric_limits<double>::infinity());                   // least det F0
-  /// No F_q inverts while |F_q - F0_q| is smaller; 0 when one is inverted.
+  /// No F_q inverts while |F_q - F0_q| is smaller; 0 when one is inverted. Theorem 18,
+  /// docs/theory/incremental_certificate.md.
   S inversionDistance = S(std::numeric_limits<double>::infinity());
 
   /// Adds a quadrature point with the deformation gradient F.

@@ -25,7 +25,8 @@ namespace ringwatch {
 /// and E_(k-1)⁻¹ = E_k^-½ Q_k(B_k)⁻¹ E_k^-½ is 1 at the other nodes and at least
 /// (c_k E_k⁻¹ + r_k τ_(k-1)² M⁻¹ Σ_(i>=k) K_i)/G_k at those of levels k and deeper, where E_k⁻¹ >= 1. At the top that
 /// is K_0 + (1 + 2α) Σ K_k ≼ (4/h²) M E_0⁻¹: with the quotients b of h² E_0 M⁻¹ K and d of its fine part, z² - (2 - b -
-/// α d) z + 1 - α d = 0, whose roots have |z| <= 1 for 0 <= b, d and b + 2 α d <= 4. The certified selection proves
+/// α d) z + 1 - α d = 0, whose roots have |z| <= 1 for 0 <= d <= b and b + 2 α d <= 4. Theorem 36,
+/// docs/theory/handlers.md, has all of it. The certified selection proves
 /// each level's tangent; levels, p_k among them, are chosen for the least number of evaluations by the reduced 1-rings.
 /// With Selection::fierzRing nothing is proven.
 ///

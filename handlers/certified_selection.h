@@ -32,6 +32,7 @@ inline constexpr double selectionSlack = 1e-9;
 /// keep: elements that stay chosen whatever the bound says, e.g. those chosen so far; may be empty.
 /// outside: Σ l_e D_e at each node over elements that are not in the body and stay as they are, N/m, below lambda M; it
 /// counts in all sums. Empty for none.
+/// Theorem 31, docs/theory/handlers.md.
 /// Throws InputError unless lambda > 0, NumericalError when the tangent is not finite.
 CertifiedSelection selectCertified(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep = {},
                                    const std::vector<Eigen::Matrix3d>& outside = {});

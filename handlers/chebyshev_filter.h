@@ -8,7 +8,7 @@ namespace ringwatch {
 /// T_p Chebyshev's polynomial: Q(0) = 1, 0 < Q <= 1 and
 ///   Q(b) (c + weight b) <= ceiling   for 0 <= b <= range.
 /// c = 0 and w0 = 1 is p leapfrog steps of h/p from rest (Diaz & Grote 2009); w0 > 1 and the shift c are the damping
-/// and the stabilisation of Carle, Hochbruck & Sturm (2020).
+/// and the stabilisation of Carle, Hochbruck & Sturm (2020). Theorem 35, docs/theory/handlers.md.
 struct ChebyshevFilter {
   int steps = 1;  // p
   double coarse = 0, weight = 1, ceiling = 4;

@@ -12,7 +12,8 @@ namespace ringwatch {
 ///   x_(n+1) = P (2 x_n - x_(n-1) + h² M⁻¹ (f_ext - K_E x_n)).
 /// At an eigenvector u of the recursion, c = u·P⁻¹u/u·u >= 1 and a = h² u·M⁻¹K_E u/u·u, c z² - (2 - a) z + 1 = 0: the
 /// roots have |z| <= 1 for 0 <= a <= 3 + c, and |z|² = 1/c where they are complex. So it is stable wherever the
-/// explicit part alone is, by any number of passes, and damps what strains the handled elements as implicit Euler does.
+/// explicit part alone is, by any number of passes, and damps what strains the handled elements as implicit Euler does
+/// (Theorem 38, docs/theory/handlers.md). With rigid goals nothing is proven.
 ///
 /// Handled elements follow linear elasticity in the frame that turns with them, at small strains any law here. Other
 /// elements than tet4, and laws that do not turn with the element, are refused.

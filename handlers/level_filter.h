@@ -25,7 +25,7 @@ struct FineLevel {
 /// E_n = (1 + M⁻¹ w K̂)⁻¹. By the three-term recursion of the filters with forces in place of products with K_k: every
 /// law and every rotation is seen where the nodes are (products with a tangent that is frozen over the step would spoil
 /// the angular momentum). E_0 is symmetric in the product of M for a frozen tangent, and 1 for translations, so that
-/// momentum is kept.
+/// momentum is kept. Theorem 36, docs/theory/handlers.md.
 ///
 /// Each level's elements are a body of their own on the nodes that it or a deeper level touches. Nodes are numbered
 /// from the deepest level up, so that a level's nodes are the first ones of all levels above.

@@ -7,8 +7,8 @@ namespace ringwatch {
 /// certified bound of the whole body meets the step. With the rest below Σ_rest and D_e = (K_aa)^½ for each critical
 /// element (which minimises the trace of l_e D_e for a single stiff mode),
 ///   m_i + added_i >= lambda_max(Σ_rest,i + Σ l_e D_e,i) / lambda,   lambda = ((1 - margin) limit/h)².
-/// Loads stay what they are. The mass goes to the Body, for good. Always uses the certified selection: options with
-/// another throw InputError.
+/// Theorem 40, docs/theory/handlers.md. Loads stay what they are. The mass goes to the Body, for good. Always uses the
+/// certified selection: options with another throw InputError.
 class MassScaling final : public Handler {
  public:
   // Mass is added until the step is proven.

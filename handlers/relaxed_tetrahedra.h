@@ -30,7 +30,7 @@ enum class GoalShape {
 /// alike. With D = C⁻¹/V + h² B over all elements and L its part below the diagonal blocks N in the order of the
 /// visits, a pass takes (N + L) N⁻¹ (N + L)ᵀ ≽ D for D: near rest the nodes move by a matrix P, (I + h² M⁻¹K)⁻¹ ≼ P ≼ I
 /// in the metric of M, K the stiffness of all elements here, and more passes converge to implicit Euler from the soft
-/// side.
+/// side. Theorem 37, docs/theory/handlers.md.
 ///
 /// Each element's forces are made free of torque about x by the rigid rotation that costs least, so that both momenta
 /// are kept to rounding where no node is constrained.

@@ -42,7 +42,8 @@ Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::in
             const Eigen::VectorXd& mass);
 
 /// Selection::fierzRing: the elements whose reduced 1-ring at positions x (3×N, m) has a highest
-/// eigenvalue above lambda, rad²/s², (limit/h)² for a step h. Proves nothing about the rest: the ring is a lower bound.
+/// eigenvalue above lambda, rad²/s², (limit/h)² for a step h. Proves nothing about the rest: the ring is a lower bound
+/// (Theorem 9, docs/theory/rings_and_rayleigh.md).
 /// lookAt: the elements to judge; others are not flagged and cost nothing. Empty: all.
 /// Throws InputError unless lambda > 0.
 ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double lambda,
@@ -58,7 +59,7 @@ ElementFlags carriedOver(const CutMesh& cut, const ElementFlags& before);
 
 /// All elements with a highest eigenvalue of M_e⁻¹K_e at positions x above lambda, rad²/s², M_e the lumped mass of the
 /// element alone: Fierz 2013, section 3.3.1. Proves the rest, Σ K_e ≼ lambda Σ M_e ≼ lambda M, constraints or not,
-/// with more elements than it takes. Throws InputError unless lambda > 0.
+/// with more elements than it takes: Theorem 32, docs/theory/handlers.md. Throws InputError unless lambda > 0.
 ElementFlags selectBySingleElement(const Body& body, const NodeVectors& x, double lambda);
 
 }  // namespace ringwatch

@@ -8,7 +8,7 @@ namespace ringwatch {
 ///   k1 = a(t, x), k2 = a(t + h/2, x + h/2 v + h²/8 k1), k3 = a(t + h, x + h v + h²/2 k2),
 ///   x' = x + h v + h²/6 (k1 + 2 k2),  v' = v + h/6 (k1 + 4 k2 + k3).
 /// On an undamped oscillator, with u = z²: trace 2 - u + u²/12, determinant 1 - u³/288 (dissipative), and 1 + trace +
-/// det = 4 - u + u²/12 - u³/288 = 0 binds first, at z = 2.586518894519562.
+/// det = 4 - u + u²/12 - u³/288 = 0 binds first, at z = 2.586518894519562. Theorem 28, docs/theory/integrators.md.
 ///
 /// Velocity-dependent forces see the stage velocities v + h/2 k1 and v + h k2, which is all that three stages can know:
 /// order two then (four stages would be needed for order four).

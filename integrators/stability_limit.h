@@ -24,7 +24,8 @@ std::optional<double> declaredLimit(const IntegratorInfo& info, double dampingRa
 /// plane. Symplectic Euler and Verlet are stable where p + 2 q <= 4, and p + 2 q grows with omega: the highest mode
 /// binds, always, and
 ///   h = 4 / (c + √(c² + 4 lambda)), c = alpha + beta lambda.
-/// So for these two the step of a lower bound of lambda is proven optimistic as well. Other schemes have regions that
+/// So for these two the step of a lower bound of lambda is proven optimistic as well (Theorem 30,
+/// docs/theory/integrators.md). Other schemes have regions that
 /// are not convex, and with explicit Euler the lowest mode can bind (q <= 2 at omega = 0): for them the least of 65
 /// modes, evenly spaced in omega, is taken and refined between its neighbours. That is a search, not a proof.
 std::optional<double> dampedStep(double lambda, const RayleighDamping& damping, const IntegratorInfo& info);

@@ -10,7 +10,8 @@ namespace ringwatch {
 ///
 /// Velocity-dependent forces lag half a step: from step to step v½ follows v½' = v½ + h a(x', v½), central differences
 /// with lagged damping, of order one in the damping and stable for h·omega <= 2 (√(1 + ξ²) - ξ) like symplectic Euler,
-/// to which that recursion is equal (Belytschko, Liu, Moran, Elkhodary 2014, section 6.6).
+/// to which that recursion is equal (Belytschko, Liu, Moran, Elkhodary 2014, section 6.6). Theorem 29,
+/// docs/theory/integrators.md.
 class StormerVerlet final : public Integrator {
  public:
   /// In (omega x, v½), which is similar to (omega x, v).

@@ -8,7 +8,7 @@ namespace ringwatch {
 /// Symplectic Euler (Fierz 2013, eq. 2.72), v' = v + h a(x, v), x' = x + h v'. Stable for h·omega < 2.
 ///
 /// With z = h·omega, trace 2 - z² - 2ξz and determinant 1 - 2ξz, so the Jury condition 1 + trace + det >= 0 binds:
-/// z² + 4ξz <= 4, that is z <= 2 (√(1 + ξ²) - ξ).
+/// z² + 4ξz <= 4, that is z <= 2 (√(1 + ξ²) - ξ). Theorems 28 and 29, docs/theory/integrators.md.
 class SymplecticEuler final : public Integrator {
  public:
   static Eigen::Matrix2d amplification(double z, double dampingRatio) {

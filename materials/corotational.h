@@ -107,16 +107,16 @@ struct Corotational {
   }
 
   /// ∂P/∂F = 2μ I + λ R⊗R + t H with s = tr(U), t = λ (s - 3) - 2μ and H = ∂R/∂F. H = ∂²s/∂F² has the norm 2/g, g the
-  /// sum of the two least stretches. For |ΔF| <= δ without inversion:
+  /// sum of the two least stretches, signed. For |ΔF| <= δ:
   ///   - signed singular values move by at most |ΔF| as a vector (Miranda & Thompson 1993): g' >= g - √2 δ;
   ///   - |ΔR| <= 2 δ / (g - √2 δ), and λ_max(R'⊗R' - R⊗R) <= √3 |ΔR| for vectors of equal norm √3;
   ///   - |Δt| <= √3 |λ| δ;
-  ///   - H = R J (tr(U) I - U)⁻¹ Jᵀ Rᵀ, J w = [w]×, |J|² = 2: along dF the rotation turns by at most √2 |dF| / g, and
-  ///     tr(U) I - U changes by at most 2 |dF| (√2 |dF| off the diagonal, Araki & Yamagami 1981), so that
-  ///     |dH| <= (4√2 + 4) |dF| / g².
+  ///   - H = R J (tr(U) I - U)⁻¹ Jᵀ Rᵀ, J w = [w]×, changes by at most 2√2/g² times the symmetric and the skew part of
+  ///     Rᵀ dF, so that |dH| <= 4 |dF| / g². The factor 4√2 + 4 below is larger than it need be.
   /// With g - √2 δ >= q g inside the radius these sum up to linear δ + quadratic δ². A lower bound of g follows from s
   /// and |F|²: the largest of three numbers of mean s/3 lies at most √(2/3) of their deviation |U - s/3 I| above it.
-  /// The least eigenvalue is at least 2μ + min(0, 3λ, 2 t/g), since H R = 0.
+  /// The least eigenvalue is at least 2μ + min(0, 3λ, 2 t/g), since H R = 0. Theorem 25,
+  /// docs/theory/tangent_drift.md.
   template <class S>
   RINGWATCH_INLINE TangentDriftCoefficients<S> drift(const Matrix3<S>& F) const {
     constexpr double root2 = 1.4142135623730951, root3 = 1.7320508075688773;

@@ -70,7 +70,8 @@ struct LinearElastic {
     return {*this};
   }
 
-  /// The tangent is constant: it does not drift. Its eigenvalues are 0, 2μ and 3λ+2μ.
+  /// The tangent is constant: it does not drift. Its eigenvalues are 0, 2μ and 3λ+2μ. Theorem 23,
+  /// docs/theory/tangent_drift.md.
   template <class S>
   RINGWATCH_INLINE TangentDriftCoefficients<S> drift(const Matrix3<S>&) const {
     const S zero(0.0);

@@ -91,7 +91,7 @@ struct NeoHookean {
   ///   λ_max(G'⊗G' - G⊗G) <= |ΔG| (2 |G| + |ΔG|),
   /// and the tangent moves by |a| |ΔT| + |Δa| (w² + |ΔT|) + |λ| |ΔG| (2 |G| + |ΔG|), all norms but w's Frobenius. w² is
   /// bounded as the largest eigenvalue of GᵀG, by its trace and norm. No eigenvalue is below μ - |a| w² + min(0, λ)
-  /// |G|².
+  /// |G|². Theorem 26, docs/theory/tangent_drift.md.
   template <class S>
   RINGWATCH_INLINE TangentDriftCoefficients<S> drift(const Matrix3<S>& F) const {
     constexpr double share = 0.1, k = 1 / (1 - share);  // θ

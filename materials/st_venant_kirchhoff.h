@@ -86,7 +86,8 @@ struct StVenantKirchhoff {
   /// The material part dE:ℂ:dE of dF:∂P/∂F:dF is a squared norm (3λ+2μ >= 0) whose root moves by at most
   /// √(max(0, λ)+2μ) |ΔF| |dF| (Cauchy–Schwarz on tr²(ΔFᵀdF) and |sym(ΔFᵀdF)|²); it exceeds the whole by at most max(0,
   /// -lambda_min(S)). The geometric part dF S : dF moves by lambda_max(ΔS) <= c |ΔE|, c = √((λ+2μ)² + 2λ²), |ΔE| <=
-  /// |F|₂ δ + δ²/2. Spectral norms and eigenvalues are bounded by Gershgorin's circles.
+  /// |F|₂ δ + δ²/2. Spectral norms and eigenvalues are bounded by Gershgorin's circles. Theorem 24,
+  /// docs/theory/tangent_drift.md.
   template <class S>
   RINGWATCH_INLINE TangentDriftCoefficients<S> drift(const Matrix3<S>& F) const {
     const double lambda = constants.lambda, mu = constants.mu;

@@ -19,7 +19,8 @@ inline constexpr auto directionNames = nameTable<Direction>({
 });
 constexpr std::string_view directionName(Direction direction) { return directionNames.nameOf(direction); }
 
-/// The highest eigenvalue lambda of M⁻¹K (omega², rad²/s²) lies at or below `value`: proven.
+/// The highest eigenvalue lambda of M⁻¹K over the free degrees of freedom (omega², rad²/s²; 0 where none is positive)
+/// lies at or below `value`: proven.
 struct UpperBound {
   double value;
 };
@@ -38,7 +39,7 @@ struct Estimate {
 };
 
 /// The step h = limit / √lambda, s, at which lambda reaches an integrator's stability limit on the imaginary axis;
-/// infinity for lambda <= 0.
+/// infinity for lambda <= 0. Theorem 27, docs/theory/integrators.md.
 inline double stepFor(double lambda, double limit) {
   if (std::isnan(lambda)) return std::numeric_limits<double>::quiet_NaN();
   return lambda > 0 ? limit / std::sqrt(lambda) : std::numeric_limits<double>::infinity();

@@ -11,7 +11,8 @@ namespace ringwatch {
 /// polynomial from outside the spectrum, which for real roots approaches the outermost one monotonically and cubically
 /// (Parlett 1964).
 ///
-/// The values are within `1e-12 * scale` of those of the matrix as given; whoever needs a proven side adds that.
+/// The values are taken to be within `1e-12 * scale` of those of the matrix as given. That is asserted, not derived
+/// (docs/theory/floating_point.md); a proven side needs a margin above it.
 template <class P>
 struct ExtremeEigenvalues {
   P largest;

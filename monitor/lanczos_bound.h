@@ -17,8 +17,9 @@ struct LanczosBound {
 /// With probability 1 - eta over the seeds, lambda_max(M⁻¹K(x)) over the free degrees of freedom lies at or below the
 /// value (Kuczyński & Woźniakowski 1992; van Dorsselaer, Hochstenbach & van der Vorst 2001). A start uniform on the
 /// sphere of n dimensions has |u·q₁| >= d = eta √(π/(2n)) for the top mode u but with probability eta; the Lanczos
-/// vector p_k(A) q₁ has norm 1, so that |p_k(lambda)| <= 1/d: lambda is below the largest root of p_k(t) = 1/d. Half of
-/// d is left to rounding. p_k is never formed: its ratios p_j/p_(j-1) are positive right of all Ritz values (Sturm).
+/// vector p_k(A) q₁ has norm 1, so that |p_k(lambda)| <= 1/d: lambda is below the largest root of p_k(t) = 1/d:
+/// Theorem 6, docs/theory/eigenvalue_bounds.md. Half of d is left to rounding. p_k is never formed: its ratios
+/// p_j/p_(j-1) are positive right of all Ritz values (Sturm).
 ///
 /// x: 3×N, m. width: relative, of the step, at which it stops, 1e-4 <= width < 1; the first that is narrow enough is
 /// taken, since rounding spoils the argument once the top Ritz value has converged. eta: in (0, 0.5], and not so small

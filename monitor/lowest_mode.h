@@ -7,6 +7,7 @@ namespace ringwatch {
 struct LowestMode {
   /// uᵀKu / uᵀMu, rad²/s², raised by its rounding: the least eigenvalue of M⁻¹K(x) over the free components is at or
   /// below it. Negative: K(x) is indefinite. Not negative: nothing is proven. NaN where the tangent is not finite.
+  /// Theorem 11, docs/theory/rings_and_rayleigh.md.
   double value = 0;
   ElementRef element;  // with the least uᵀK_e u
   int products = 0;    // tangent products spent

@@ -7,7 +7,8 @@
 namespace ringwatch {
 
 /// M^-½ K M^-½ cut to a few nodes: a principal submatrix, so by Cauchy's interlacing theorem its eigenvalues lie
-/// between the least and the largest of the whole. Its cost does not grow with the mesh.
+/// between the least and the largest of the whole (Theorem 9, docs/theory/rings_and_rayleigh.md). Its cost does not
+/// grow with the mesh.
 class NodeSubmatrix {
  public:
   /// `incidences` knows the elements at each node.

@@ -7,7 +7,7 @@ namespace ringwatch {
 /// 2013, section 8.5), the same in every lane. A (n×n, row by row, both triangles) becomes VᵀAV, its diagonal the
 /// eigenvalues to within the norm of what is left beside it; VT (n×n) holds the eigenvectors as rows. Stops when that
 /// norm is at most `tolerance` of the matrix' in all lanes, or after `maxSweeps`. Returns the norm left beside the
-/// diagonal, a bound of the eigenvalues' error.
+/// diagonal, a bound of the eigenvalues' error (Theorem 13 (c), docs/theory/exchange.md).
 template <int N, class P>
 RINGWATCH_HOST_DEVICE inline P diagonalize(P* A, P* VT, int anyN, double tolerance, int maxSweeps) {
   const int n = N > 0 ? N : anyN;

@@ -17,7 +17,8 @@ namespace ringwatch {
 /// say that no element can have left. With
 ///   x = y + t + A (y - c) + ρ   for any t and A
 /// for the nodes of a group since its last check, each of its deformation gradients has changed by at most
-///   |ΔF| <= |A| |F| + γ max |ρ - ρ'|,   γ = Σ_a |∂N_a/∂X|.
+///   |ΔF| <= |A| |F| + γ max |ρ - ρ'|,   γ = Σ_a |∂N_a/∂X|
+/// (Theorem 19, docs/theory/incremental_certificate.md; the code takes half the diagonal of a box of all ρ).
 /// Stored numbers have 16 bits and are rounded to the safe side.
 class ValidityBalls {
  public:

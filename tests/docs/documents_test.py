@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Holds README.md and docs/*.md, and the files that CONTRIBUTING.md names, to the program and to the repository.
+"""Holds README.md and all of docs/, and the files that CONTRIBUTING.md names, to the program and to the repository.
 
 usage: documents_test.py links|lists|commands SOURCE_DIR PROGRAM
 
-links     every relative link and every file that is named in code leads somewhere
+links     every relative link, its heading included, and every file that is named in code leads somewhere
 lists     commands, options, topics, scene keys and lists of names in the documents are those of `ringwatch help TOPIC`
 commands  every command in a fenced block runs, or is listed below with the reason why it does not
 """
@@ -61,7 +61,7 @@ class Documents:
     def __init__(self, source, program):
         self.source = source
         self.program = program
-        self.paths = [source / "README.md", *sorted((source / "docs").glob("*.md"))]
+        self.paths = [source / "README.md", *sorted((source / "docs").rglob("*.md"))]
         self.faults = []
         self.helps = {}
 
@@ -114,6 +114,15 @@ class Documents:
     def ringwatch(self, *arguments):
         return subprocess.run([self.program, *arguments], capture_output=True, text=True, check=False)
 
+    def anchors(self, path):
+        """What links may name behind a #: the headings, as GitHub makes anchors of them."""
+        found, fenced = set(), False
+        for line in self.lines(path):
+            fenced ^= line.startswith("```")
+            if not fenced and (match := re.match(r"#+ +(.*)", line)):
+                found.add(re.sub(r"[^\w\- ]", "", match[1].lower()).replace(" ", "-"))
+        return found
+
     def help(self, *topic):
         if topic not in self.helps:
             result = self.ringwatch("help", *topic)
@@ -130,10 +139,11 @@ class Documents:
         for path in [*self.paths, self.source / "CONTRIBUTING.md"]:
             text = "\n".join(self.lines(path))
             for match in re.finditer(r"\]\(([^)\s]+)\)", text):
-                target = match[1].split("#")[0]
-                if re.match(r"\w+:", match[1]) or not target:
+                target, _, anchor = match[1].partition("#")
+                if re.match(r"\w+:", match[1]):
                     continue
-                if not (path.parent / target).exists():
+                to = path.parent / target if target else path
+                if not to.exists() or (anchor and to.suffix == ".md" and anchor not in self.anchors(to)):
                     self.fault(path, text.count("\n", 0, match.start()) + 1, f"the link {match[1]} leads nowhere")
             top = {p.name for p in self.source.iterdir()}
             for line, span in self.spans(path):

@@ -44,6 +44,8 @@ class SeededFaults(unittest.TestCase):
     def test_links(self):
         self.expect("links", "the link docs/images/none.png leads nowhere", "README.md", "docs/images/stretch_bar.png",
                     "docs/images/none.png")
+        self.expect("links", "the link integrators.md#theorem-27 leads nowhere", "docs/theory/notation.md",
+                    "](integrators.md)", "](integrators.md#theorem-27)")
         self.expect("links", "there is no docs/none.md", "README.md", "`docs/gpu.md`", "`docs/none.md`")
 
         self.expect("links", "there is no folder python/", "CONTRIBUTING.md", "`docs/`", "`docs/`, `python/`")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the C++ snippets of README.md and docs/*.md into one source file, which is compiled with the tests.
+"""Writes the C++ snippets of README.md and docs/ into one source file, which is compiled with the tests.
 
 Every snippet needs a context here: what its text takes for granted, and whether its lines stand in a function. A snippet
 without a context, and a context without a snippet, is an error.
@@ -44,7 +44,7 @@ CONTEXTS = {
 
 def snippets(source):
     """(document, number, line, text) of every ```cpp block."""
-    for path in [source / "README.md", *sorted((source / "docs").glob("*.md"))]:
+    for path in [source / "README.md", *sorted((source / "docs").rglob("*.md"))]:
         lines = path.read_text(encoding="utf-8").split("\n")
         number, begin = 0, None
         for i, line in enumerate(lines):
