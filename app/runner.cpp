@@ -74,7 +74,7 @@ class Run {
 
       const bool rowDue = k % scene_.historyEvery == 0;
       MonitorReport report = handleMore(observe(k, rowDue), rowDue);
-      if (!state_.x.allFinite() || !state_.v.allFinite()) {
+      if (!isFinite(state_, body_.threads())) {
         keepEvents(report);
         return end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", k));
       }
@@ -371,7 +371,7 @@ class Run {
   void finish() {
     scheme_->stepper().complete(state_);
     result_.time = state_.time;
-    if (result_.reason == ExitReason::end && (!state_.x.allFinite() || !state_.v.allFinite()))
+    if (result_.reason == ExitReason::end && !isFinite(state_, body_.threads()))
       end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result_.steps));
     const FrameState last = frameOf(lastReport());
     watch_.end();

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 #include <omp.h>
 
@@ -21,6 +22,37 @@ void parallelFor(std::int64_t begin, std::int64_t end, int threads, const Loop& 
   }
 #pragma omp parallel for schedule(static) num_threads(n)
   for (std::int64_t i = begin; i < end; ++i) body(i);
+}
+
+/// Calls body(begin, end) on `threads` threads (0: all), each with one part of [0, count) of at least `grain` numbers.
+/// Where the parts end depends on the number of threads, so bodies must treat each number alone.
+template <class Loop>
+void parallelParts(std::int64_t count, int threads, std::int64_t grain, const Loop& body) {
+  const std::int64_t n = std::min<std::int64_t>(threadCount(threads), count / grain);
+  if (n <= 1) {
+    if (count > 0) body(std::int64_t{0}, count);
+    return;
+  }
+#pragma omp parallel for schedule(static, 1) num_threads(static_cast <int>(n))
+  for (std::int64_t part = 0; part < n; ++part) body(count * part / n, count * (part + 1) / n);
+}
+
+/// Sum of term(begin, end) over ranges of [0, count). The ranges have one length and are added in their order, so that
+/// the sum has the same bits for any number of threads.
+template <class Term>
+double parallelSum(std::int64_t count, int threads, const Term& term) {
+  constexpr std::int64_t length = 1024;
+  const std::int64_t ranges = (count + length - 1) / length;
+  std::vector<double> sums(static_cast<std::size_t>(ranges));
+  parallelFor(
+      0, ranges, threads,
+      [&](std::int64_t range) {
+        sums[static_cast<std::size_t>(range)] = term(range * length, std::min(count, (range + 1) * length));
+      },
+      2);
+  double sum = 0;
+  for (const double part : sums) sum += part;
+  return sum;
 }
 
 }  // namespace ringwatch

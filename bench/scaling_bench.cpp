@@ -69,20 +69,22 @@ void explicitStep(benchmark::State& state, const Case& c) {
 /// A system whose acceleration is known already.
 class GivenAcceleration final : public SecondOrderSystem {
  public:
-  explicit GivenAcceleration(NodeVectors a) : a_(std::move(a)) {}
+  GivenAcceleration(NodeVectors a, int threads) : a_(std::move(a)), threads_(threads) {}
   void acceleration(double, const NodeVectors&, const NodeVectors&, NodeVectors& a) override {
     if (a.cols() != a_.cols()) a = a_;  // else it is there from the step before
   }
   bool velocityDependent() const override { return false; }
+  int threads() const override { return threads_; }
 
  private:
   NodeVectors a_;
+  int threads_;
 };
 
 /// The update of symplectic Euler alone.
 void update(benchmark::State& state, const Case& c) {
   Setup& s = setupOf(c);
-  GivenAcceleration system(s.v);
+  GivenAcceleration system(s.v, s.body.threads());
   SymplecticEuler integrator;
   State at{0, s.x, NodeVectors::Zero(3, s.x.cols())};
   integrator.step(system, at, stillStep);

@@ -38,6 +38,7 @@ class Adaptive::Averaged final : public SecondOrderSystem {
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
     owner_.averagedAcceleration(x, v, h_, a);
   }
+  int threads() const override { return owner_.body_.threads(); }
   bool velocityDependent() const override { return owner_.dissipation_ != 0; }
 
  private:

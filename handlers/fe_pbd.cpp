@@ -16,6 +16,7 @@ class PositionBased::Relaxed final : public SecondOrderSystem {
     o.body_.constraints().clearConstrained(a);
     if (!o.relaxed_->relax(x, v, a)) fault = "the handled elements' nodes are not at finite positions";
   }
+  int threads() const override { return owner_.body_.threads(); }
   bool velocityDependent() const override { return true; }
 
   std::string fault;

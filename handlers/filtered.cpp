@@ -27,6 +27,7 @@ class Filtered::Corrected final : public SecondOrderSystem {
       if (!a.allFinite() && fault.empty()) fault = "the projected positions are not finite";
     }
   }
+  int threads() const override { return owner_.body_.threads(); }
   bool velocityDependent() const override { return true; }
 
   std::string fault;

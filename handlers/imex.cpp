@@ -46,6 +46,7 @@ class ImplicitExplicit::Corrected final : public SecondOrderSystem {
                        first.element);
     }
   }
+  int threads() const override { return owner_.body_.threads(); }
   bool velocityDependent() const override { return c_ != 0 || inner_.velocityDependent(); }
 
   std::string fault;

@@ -18,7 +18,7 @@ class BodySystem final : public DifferentiableSystem {
  public:
   /// The body must outlive the system; call followMasses() where its masses change.
   explicit BodySystem(const Body& body, const RayleighDamping& damping = {})
-      : body_(body), damping_(damping), inverseMass_(body.lumpedMass().cwiseInverse()) {}
+      : body_(body), damping_(damping), inverseMass_(body.lumpedMass().cwiseInverse().transpose()) {}
 
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
     body_.internalForce(x, internalForce_, workspace_);
@@ -27,12 +27,16 @@ class BodySystem final : public DifferentiableSystem {
   /// The acceleration where the internal force at x (3×N, N) is known, as from Body::evaluate.
   void accelerationOfForce(const NodeVectors& internalForce, const NodeVectors& x, const NodeVectors& v,
                            NodeVectors& a) {
-    if (!damping_.any()) {
-      a = (body_.externalForce() - internalForce) * inverseMass_.asDiagonal();  // in one pass
-    } else {
-      dampingForce(x, v, dampingForce_);
-      a = (body_.externalForce() - internalForce - dampingForce_) * inverseMass_.asDiagonal();
-    }
+    const bool damped = damping_.any();
+    if (damped) dampingForce(x, v, dampingForce_);
+    a.resizeLike(internalForce);
+    updateNodes(*this, a.cols(), [&](auto slice) {
+      const auto force = slice(body_.externalForce()) - slice(internalForce);
+      if (damped)
+        slice(a) = (force - slice(dampingForce_)) * slice(inverseMass_).asDiagonal();
+      else
+        slice(a) = force * slice(inverseMass_).asDiagonal();
+    });
     body_.constraints().clearConstrained(a);
   }
   /// Gives a state its acceleration from an evaluation of the body at its positions, and ends a step of
@@ -50,7 +54,8 @@ class BodySystem final : public DifferentiableSystem {
     force = damping_.beta * force + damping_.alpha * v * body_.lumpedMass().asDiagonal();
   }
   /// Takes the masses of the body as they are now; an acceleration that is known of a state holds no longer.
-  void followMasses() { inverseMass_ = body_.lumpedMass().cwiseInverse(); }
+  void followMasses() { inverseMass_ = body_.lumpedMass().cwiseInverse().transpose(); }
+  int threads() const override { return body_.threads(); }
   bool velocityDependent() const override { return damping_.any(); }
   const Eigen::VectorXd& mass() const override { return body_.lumpedMass(); }
   RayleighDamping damping() const override { return damping_; }
@@ -83,7 +88,7 @@ class BodySystem final : public DifferentiableSystem {
  private:
   const Body& body_;
   RayleighDamping damping_;
-  Eigen::VectorXd inverseMass_;
+  Eigen::RowVectorXd inverseMass_;
   NodeVectors internalForce_, dampingForce_;
   Body::Workspace workspace_;
   SparseTangent tangent_;

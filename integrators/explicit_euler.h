@@ -21,8 +21,10 @@ class ExplicitEuler final : public Integrator {
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     const NodeVectors& a = accelerationOf(system, state);
-    state.x += h * state.v;
-    state.v += h * a;
+    updateNodes(system, state.x.cols(), [&](auto slice) {
+      slice(state.x) += h * slice(state.v);
+      slice(state.v) += h * slice(a);
+    });
     state.time += h;
     state.a.resize(3, 0);
     return {};

@@ -8,6 +8,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <ringwatch/base/parallel.h>
 #include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch {
@@ -26,6 +27,17 @@ struct State {
   double lag = 0;
 };
 
+/// Whether all positions and velocities are finite. threads: 0 for all that OpenMP offers.
+inline bool isFinite(const State& state, int threads) {
+  const auto zeros = [](const NodeVectors& vectors, Eigen::Index begin, Eigen::Index end) {
+    const auto part = vectors.middleCols(begin, end - begin);
+    return (part - part).sum();  // else not a number, in fewer instructions than tests one by one
+  };
+  return parallelSum(state.x.cols(), threads, [&](Eigen::Index begin, Eigen::Index end) {
+           return zeros(state.x, begin, end) + zeros(state.v, begin, end);
+         }) == 0;
+}
+
 /// ẍ = a(t, x, ẋ). A body under load is one (BodySystem), an oscillator another.
 class SecondOrderSystem {
  public:
@@ -34,6 +46,8 @@ class SecondOrderSystem {
   virtual void acceleration(double time, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) = 0;
   /// Whether the acceleration depends on v (damping). When it does not, schemes may pass any v.
   virtual bool velocityDependent() const { return false; }
+  /// Threads that updates of its states may use; 0: all that OpenMP offers.
+  virtual int threads() const { return 1; }
 };
 
 /// Mass- and stiffness-proportional damping, C = alpha M + beta K. A mode of frequency omega (rad/s) has the damping
@@ -119,6 +133,16 @@ class Integrator {
   virtual void reset() {}
 };
 
+/// Updates vectors of nodes, in parallel: update(slice), where slice(v) are the same columns of any 3×N vector. Each
+/// column may depend on its own columns alone, so that results do not depend on the number of threads.
+template <class Update>
+void updateNodes(const SecondOrderSystem& system, Eigen::Index nodes, const Update& update) {
+  constexpr Eigen::Index grain = 512;  // nodes a thread: some 50 kB of state, below which waking it costs more
+  parallelParts(nodes, system.threads(), grain, [&](Eigen::Index begin, Eigen::Index end) {
+    update([=](auto& vectors) { return vectors.middleCols(begin, end - begin); });
+  });
+}
+
 /// The acceleration of a state, evaluated unless it has it.
 inline const NodeVectors& accelerationOf(SecondOrderSystem& system, State& state) {
   if (state.a.cols() == 0) system.acceleration(state.time, state.x, state.v, state.a);
@@ -127,7 +151,8 @@ inline const NodeVectors& accelerationOf(SecondOrderSystem& system, State& state
 /// Ends a step of Integrator::advance: adds the kick that the velocity lags by.
 inline void complete(SecondOrderSystem& system, State& state) {
   if (state.lag == 0) return;
-  state.v += state.lag * accelerationOf(system, state);
+  const NodeVectors& a = accelerationOf(system, state);
+  updateNodes(system, state.v.cols(), [&](auto slice) { slice(state.v) += state.lag * slice(a); });
   state.lag = 0;
 }
 

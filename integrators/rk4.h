@@ -31,8 +31,10 @@ class RungeKutta4 final : public Integrator {
     stage(system, state, 0.5 * h, state.v, a, v2_, a2_);
     stage(system, state, 0.5 * h, v2_, a2_, v3_, a3_);
     stage(system, state, h, v3_, a3_, v4_, a4_);
-    state.x += (h / 6) * (state.v + 2 * (v2_ + v3_) + v4_);
-    state.v += (h / 6) * (a + 2 * (a2_ + a3_) + a4_);
+    updateNodes(system, state.x.cols(), [&](auto slice) {
+      slice(state.x) += (h / 6) * (slice(state.v) + 2 * (slice(v2_) + slice(v3_)) + slice(v4_));
+      slice(state.v) += (h / 6) * (slice(a) + 2 * (slice(a2_) + slice(a3_)) + slice(a4_));
+    });
     state.time += h;
     state.a.resize(3, 0);
     return {};
@@ -43,8 +45,12 @@ class RungeKutta4 final : public Integrator {
   /// Velocity and acceleration of a stage at time + c, reached with the slopes of the stage before.
   void stage(SecondOrderSystem& system, const State& state, double c, const NodeVectors& velocity,
              const NodeVectors& acceleration, NodeVectors& v, NodeVectors& a) {
-    x_ = state.x + c * velocity;
-    v = state.v + c * acceleration;
+    x_.resizeLike(state.x);
+    v.resizeLike(state.v);
+    updateNodes(system, state.x.cols(), [&](auto slice) {
+      slice(x_) = slice(state.x) + c * slice(velocity);
+      slice(v) = slice(state.v) + c * slice(acceleration);
+    });
     system.acceleration(state.time + c, x_, v, a);
   }
   NodeVectors x_, v2_, v3_, v4_, a2_, a3_, a4_;

@@ -38,14 +38,22 @@ class RungeKuttaNystrom4 final : public Integrator {
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     const bool velocities = system.velocityDependent();
     const NodeVectors& k1 = accelerationOf(system, state);
-    x_ = state.x + (0.5 * h) * state.v + (0.125 * h * h) * k1;
-    if (velocities) v_ = state.v + (0.5 * h) * k1;
+    const auto stage = [&](double c, const NodeVectors& k) {
+      x_.resizeLike(state.x);
+      if (velocities) v_.resizeLike(state.v);
+      updateNodes(system, state.x.cols(), [&](auto slice) {
+        slice(x_) = slice(state.x) + c * slice(state.v) + (0.5 * c * c) * slice(k);
+        if (velocities) slice(v_) = slice(state.v) + c * slice(k);
+      });
+    };
+    stage(0.5 * h, k1);
     system.acceleration(state.time + 0.5 * h, x_, velocities ? v_ : state.v, k2_);
-    x_ = state.x + h * state.v + (0.5 * h * h) * k2_;
-    if (velocities) v_ = state.v + h * k2_;
+    stage(h, k2_);
     system.acceleration(state.time + h, x_, velocities ? v_ : state.v, k3_);
-    state.x += h * state.v + (h * h / 6) * (k1 + 2 * k2_);
-    state.v += (h / 6) * (k1 + 4 * k2_ + k3_);
+    updateNodes(system, state.x.cols(), [&](auto slice) {
+      slice(state.x) += h * slice(state.v) + (h * h / 6) * (slice(k1) + 2 * slice(k2_));
+      slice(state.v) += (h / 6) * (slice(k1) + 4 * slice(k2_) + slice(k3_));
+    });
     state.time += h;
     state.a.resize(3, 0);
     return {};

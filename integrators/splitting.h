@@ -18,12 +18,15 @@ struct Splitting {
 inline void stepSplitting(const Splitting& splitting, SecondOrderSystem& system, State& state, double h,
                           NodeVectors& a) {
   double time = state.time;
-  for (std::size_t k = 0; k < splitting.drifts.size(); ++k) {
-    state.x += (splitting.drifts[k] * h) * state.v;
+  updateNodes(system, state.x.cols(),
+              [&](auto slice) { slice(state.x) += (splitting.drifts[0] * h) * slice(state.v); });
+  for (std::size_t k = 0; k < splitting.kicks.size(); ++k) {
     time += splitting.drifts[k] * h;
-    if (k == splitting.kicks.size()) break;
     system.acceleration(time, state.x, state.v, a);
-    state.v += (splitting.kicks[k] * h) * a;
+    updateNodes(system, state.x.cols(), [&](auto slice) {
+      slice(state.v) += (splitting.kicks[k] * h) * slice(a);
+      slice(state.x) += (splitting.drifts[k + 1] * h) * slice(state.v);
+    });
   }
   state.time += h;
 }

@@ -30,8 +30,11 @@ class StormerVerlet final : public Integrator {
     return status;
   }
   StepStatus advance(SecondOrderSystem& system, State& state, double h) override {
-    state.v += (0.5 * h) * accelerationOf(system, state);
-    state.x += h * state.v;
+    const NodeVectors& a = accelerationOf(system, state);
+    updateNodes(system, state.x.cols(), [&](auto slice) {
+      slice(state.v) += (0.5 * h) * slice(a);
+      slice(state.x) += h * slice(state.v);
+    });
     state.time += h;
     state.a.resize(3, 0);
     state.lag = 0.5 * h;

@@ -33,8 +33,10 @@ class SymplecticEuler final : public Integrator {
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     const NodeVectors& a = accelerationOf(system, state);
-    state.v += h * a;
-    state.x += h * state.v;
+    updateNodes(system, state.x.cols(), [&](auto slice) {
+      slice(state.v) += h * slice(a);
+      slice(state.x) += h * slice(state.v);
+    });
     state.time += h;
     state.a.resize(3, 0);
     return {};

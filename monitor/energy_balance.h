@@ -44,6 +44,7 @@ class EnergyBalance {
   };
   std::optional<DampingPower> damping_;  // of the last record
   NodeVectors firstX_, x_, force_;
+  NodeVectors load_;  // external forces of free components
   StepEvaluation own_;
   Body::Workspace workspace_;
 };

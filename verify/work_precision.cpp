@@ -34,6 +34,7 @@ class Counted final : public DifferentiableSystem {
     counts_.forces += weight_;
     inner_.acceleration(t, x, v, a);
   }
+  int threads() const override { return inner_.threads(); }
   bool velocityDependent() const override { return inner_.velocityDependent(); }
   const Eigen::VectorXd& mass() const override { return inner_.mass(); }
   RayleighDamping damping() const override { return inner_.damping(); }
@@ -66,6 +67,7 @@ class CountedForces final : public SecondOrderSystem {
     counts_.forces += weight_;
     inner_.acceleration(t, x, v, a);
   }
+  int threads() const override { return inner_.threads(); }
   bool velocityDependent() const override { return inner_.velocityDependent(); }
 
  private:

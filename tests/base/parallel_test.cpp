@@ -1,7 +1,9 @@
 // parallelFor, aligned memory, lists of types, nearest names and error texts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -29,6 +31,35 @@ TEST(ParallelFor, CallsEveryIndexOnceForAnyNumberOfThreads) {
 TEST(ParallelFor, DoesNothingForAnEmptyRange) {
   parallelFor(5, 5, 2, [](std::int64_t) { FAIL(); });
   parallelFor(5, 3, 2, [](std::int64_t) { FAIL(); });
+}
+
+TEST(ParallelParts, CoverEveryIndexOnceWithNoShortPart) {
+  for (const int threads : {0, 1, 2, 3, 7})
+    for (const std::int64_t count : {0, 1, 5, 99, 1000}) {
+      constexpr std::int64_t grain = 100;
+      std::vector<std::atomic<int>> calls(static_cast<std::size_t>(count));
+      parallelParts(count, threads, grain, [&](std::int64_t begin, std::int64_t end) {
+        EXPECT_GE(end - begin, std::min(count, grain));
+        for (std::int64_t i = begin; i < end; ++i) ++calls[static_cast<std::size_t>(i)];
+      });
+      for (std::int64_t i = 0; i < count; ++i) EXPECT_EQ(calls[static_cast<std::size_t>(i)], 1) << i << " of " << count;
+    }
+}
+
+TEST(ParallelSum, HasTheSameBitsForAnyNumberOfThreads) {
+  const auto sum = [](std::int64_t count, int threads) {
+    return parallelSum(count, threads, [](std::int64_t begin, std::int64_t end) {
+      double part = 0;
+      for (std::int64_t i = begin; i < end; ++i) part += 1 / (1.0 + static_cast<double>(i));
+      return part;
+    });
+  };
+  EXPECT_EQ(sum(0, 4), 0);
+  EXPECT_EQ(sum(1, 4), 1);
+  const double alone = sum(100'000, 1);
+  // H_n = ln n + gamma + 1/(2n) - …
+  EXPECT_NEAR(alone, std::log(1e5) + 0.57721566490153286 + 0.5e-5, 1e-11);
+  for (const int threads : {0, 2, 3, 7}) EXPECT_EQ(sum(100'000, threads), alone) << threads;
 }
 
 TEST(ParallelFor, ThreadCountTakesTheRequestOrAll) {

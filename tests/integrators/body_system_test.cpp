@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/stormer_verlet.h>
+#include <ringwatch/monitor/energy_balance.h>
 #include <tests/support/body_cases.h>
 
 namespace ringwatch {
@@ -42,6 +44,45 @@ TEST_P(BodySystemTest, MovesPrescribedNodesExactlyInALine) {
       EXPECT_LE((state.x.col(i) - expected).norm(), 1e-16 * step) << step;
       EXPECT_EQ(state.v.col(i), Eigen::Vector3d(0.1, -0.05, 0));
     }
+  }
+}
+
+TEST_P(BodySystemTest, HasTheSameBitsForAnyNumberOfThreads) {
+  const auto stateAfter = [](int threads, const RayleighDamping& damping) {
+    Body body(test::distortedBox("tet4", {24, 12, 12}), makeMaterial("stvk", 30e3, 0.3, 1000),
+              {{}, Lumping::rowSum, threads});
+    EXPECT_GT(body.nodeCount(), 3 * 1024);  // several threads update them
+    body.addBodyForce({3, 0, -9.81});
+    BodySystem system(body, damping);
+    State state = system.initialState();
+    const auto integrator = makeIntegrator(GetParam().name);
+    EnergyBalance balance(body);
+    for (int i = 0; i < 5; ++i) integrator->step(system, state, h);
+    EXPECT_TRUE(isFinite(state, threads));
+    return std::pair(state, balance.evaluate(state.x, state.v).kinetic);
+  };
+  for (const RayleighDamping& damping : {RayleighDamping{}, RayleighDamping{20, 1e-6}}) {
+    const auto [alone, energy] = stateAfter(1, damping);
+    for (const int threads : {2, 3}) {
+      const auto [state, kinetic] = stateAfter(threads, damping);
+      EXPECT_EQ(state.x, alone.x) << threads;
+      EXPECT_EQ(state.v, alone.v) << threads;
+      EXPECT_EQ(kinetic, energy) << threads;
+    }
+  }
+}
+
+TEST(BodySystem, FindsWhatIsNotFinite) {
+  State state{0, NodeVectors::Random(3, 3000), NodeVectors::Random(3, 3000)};
+  for (const int threads : {1, 3}) {
+    EXPECT_TRUE(isFinite(state, threads));
+    for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL})
+      for (const Eigen::Index at : {0, 4000, 8999})
+        for (NodeVectors* vectors : {&state.x, &state.v}) {
+          const double good = std::exchange(vectors->data()[at], bad);
+          EXPECT_FALSE(isFinite(state, threads)) << bad << " at " << at;
+          vectors->data()[at] = good;
+        }
   }
 }
 
