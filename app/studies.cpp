@@ -30,16 +30,14 @@ const StudyInfo studiesOfLibrary[] = {
      [](StudyEffort effort) { return verifyRobustness(effort); }, "stress"},
 };
 
-std::string_view nameOfStudy(const StudyInfo& study) { return study.name; }
-
-auto& registry() {
-  static Registry<StudyInfo, nameOfStudy> studies(studiesOfLibrary);
+Registry<StudyInfo>& registry() {
+  static Registry<StudyInfo> studies("study", studiesOfLibrary);
   return studies;
 }
 
 }  // namespace
 
 std::span<const StudyInfo> allStudies() { return registry().all(); }
-void registerStudy(const StudyInfo& study) { registry().add("study", study); }
+void registerStudy(const StudyInfo& study) { registry().add(study); }
 
 }  // namespace ringwatch

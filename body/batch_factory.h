@@ -1,13 +1,10 @@
 #pragma once
 #include <memory>
 
+#include <ringwatch/body/block_registry.h>
 #include <ringwatch/body/element_batch.h>
 
 namespace ringwatch::detail {
-
-/// Makes the batch of a block.
-using BatchMaker = std::unique_ptr<ElementBlock> (*)(const Mesh&, const MeshBlock&, const Material&,
-                                                     const QuadratureRule&);
 
 template <class Batch>
 std::unique_ptr<ElementBlock> makeBatch(const Mesh& mesh, const MeshBlock& block, const Material& material,
@@ -15,7 +12,8 @@ std::unique_ptr<ElementBlock> makeBatch(const Mesh& mesh, const MeshBlock& block
   return std::make_unique<Batch>(mesh, block, material, rule);
 }
 
-/// The maker of batches of an element type with law number `law` of `Laws`; nullptr when the law is in another shard.
+/// The maker of batches of an element of the library with law number `law` of `Laws`; nullptr when the law is in
+/// another shard.
 template <std::size_t shard>
 BatchMaker batchMakerOfShard(ElementType type, std::size_t law) {
   BatchMaker result = nullptr;

@@ -1,6 +1,7 @@
 #pragma once
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/element_geometry.h>
+#include <ringwatch/body/law_of_packs.h>
 
 namespace ringwatch {
 
@@ -105,18 +106,16 @@ class ElementBatch final : public ElementBlock {
   void volumeBatch(std::int32_t batch, double* volumes) const override { geometry_.volumeBatch(batch, volumes); }
 
  private:
-  /// The material's law with a share of each of Lamé's constants.
+  /// The material's law with a share of each of Lamé's constants; the law itself where it has none (hasShares).
   static LawType shareOf(const Material& material, double lambdaShare, double muShare) {
-    LawType law = material.as<LawType>();
-    if constexpr (requires { law.constants.lambda* law.constants.mu; }) {
-      law.constants.lambda *= lambdaShare;
-      law.constants.mu *= muShare;
-    } else if (lambdaShare != muShare) {
-      throw InputError(joinText(Element::name,
-                                ": rules that treat pressure and shear apart need a law linear in Lamé's constants; ",
-                                LawType::name, " is none"));
-    }
-    return law;
+    const LawType law = lawOf(material);
+    return withShares(law, lambdaShare, muShare).value_or(law);
+  }
+  static LawType lawOf(const Material& material) {
+    if constexpr (std::is_same_v<LawType, LawOfPacks>)
+      return LawOfPacks::of(material);
+    else
+      return material.as<LawType>();
   }
 
   /// Forces are the same to the last bit whatever else is asked for: energies and visitors read the deformation

@@ -1,34 +1,71 @@
 #include <ringwatch/body/element_block.h>
 
+#include <map>
 #include <memory>
+#include <string>
 #include <utility>
-#include <vector>
+#include <variant>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/body/block_registry.h>
 
 namespace ringwatch {
 namespace detail {
 // Defined in batch_factory.h, instantiated in one generated file a shard.
-using BatchMaker = std::unique_ptr<ElementBlock> (*)(const Mesh&, const MeshBlock&, const Material&,
-                                                     const QuadratureRule&);
 template <std::size_t shard>
 BatchMaker batchMakerOfShard(ElementType type, std::size_t law);
 
 namespace {
-struct RegisteredBatches {
-  std::string_view law;
+struct RegisteredLaw {
   BatchMaker (*makerOf)(ElementType);
+  LawOfPacks::Functions functions;
 };
-std::vector<RegisteredBatches>& registeredBatches() {
-  static std::vector<RegisteredBatches> all;
+std::map<std::string, RegisteredLaw, std::less<>>& registeredLaws() {
+  static std::map<std::string, RegisteredLaw, std::less<>> all;
   return all;
+}
+const RegisteredLaw& registeredLaw(const Material& material) {
+  const auto found = registeredLaws().find(material.lawName());
+  if (found == registeredLaws().end())
+    throw InputError(joinText("law \"", material.lawName(), "\": is not registered by registerLaw"));
+  return found->second;
+}
+std::map<ElementType, BatchMaker (*)(const Material&)>& registeredElements() {
+  static std::map<ElementType, BatchMaker (*)(const Material&)> all;
+  return all;
+}
+
+BatchMaker batchMaker(ElementType element, const Material& material) {
+  if (!isOfLibrary(element)) return registeredElements().at(element)(material);
+  if (material.outside) return registeredLaw(material).makerOf(element);
+  BatchMaker make = nullptr;
+  [&]<std::size_t... shard>(std::index_sequence<shard...>) {
+    ((make = make ? make : batchMakerOfShard<shard>(element, material.law.index())), ...);
+  }
+  (std::make_index_sequence<lawShards>{});
+  return make;
 }
 }  // namespace
 
-void registerBatches(std::string_view law, BatchMaker (*makerOf)(ElementType)) {
-  registeredBatches().push_back({law, makerOf});
+void registerBatchesOfLaw(std::string_view law, BatchMaker (*makerOf)(ElementType),
+                          const LawOfPacks::Functions& functions) {
+  registeredLaws().insert_or_assign(std::string(law), RegisteredLaw{makerOf, functions});
+}
+void registerBatchesOfElement(ElementType element, BatchMaker (*makerOf)(const Material&)) {
+  registeredElements().insert_or_assign(element, makerOf);
 }
 }  // namespace detail
+
+bool hasShares(const Material& material, const LameShares& shares) {
+  const auto whole = [](double lambda, double mu) { return lambda == mu && (mu == 0 || mu == 1); };
+  if (whole(shares.pointLambda, shares.pointMu) && whole(shares.meanLambda, shares.meanMu)) return true;
+  if (material.outside) return LawOfPacks::of(material).withShares(1, 1).has_value();
+  return std::visit([](const auto& law) { return withShares(law, 1, 1).has_value(); }, material.law);
+}
+
+LawOfPacks LawOfPacks::of(const Material& material) {
+  return {detail::registeredLaw(material).functions, material.outside->law};
+}
 
 void ElementBlock::gatherRows(const Patch& patch, const double* x, double* rows) const {
   const std::int32_t* nodes = layout_.nodes.data() + patch.nodeBegin;
@@ -49,15 +86,11 @@ std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock
     for (const QuadratureRule& r : element.rules) names += (names.empty() ? "" : ", ") + std::string(r.name);
     throw InputError(joinText("rule \"", ruleName, "\" for ", element.name, ": must be one of ", names));
   }
-  if (material.outside)
-    for (const auto& [law, makerOf] : detail::registeredBatches())
-      if (law == material.outside->info.name) return makerOf(block.type)(mesh, block, material, *rule);
-  detail::BatchMaker make = nullptr;
-  [&]<std::size_t... shard>(std::index_sequence<shard...>) {
-    ((make = make ? make : detail::batchMakerOfShard<shard>(block.type, material.law.index())), ...);
-  }
-  (std::make_index_sequence<lawShards>{});
-  return make(mesh, block, material, *rule);
+  if (!hasShares(material, rule->shares))
+    throw InputError(joinText(element.name,
+                              ": rules that treat pressure and shear apart need a law linear in Lamé's constants; ",
+                              material.lawName(), " is none"));
+  return detail::batchMaker(block.type, material)(mesh, block, material, *rule);
 }
 
 }  // namespace ringwatch

@@ -12,7 +12,7 @@ namespace ringwatch {
 /// point the inverse Jacobian J⁻¹ and the weight w det(J). In packs, a lane an element. Nodal vectors of elements are
 /// edges: each node's less that of the first node.
 ///
-/// Functions that are not inline are compiled once for each element type, in element_geometry.cpp.
+/// Functions that are not inline are compiled once for each element type: element_geometry_functions.h.
 template <class Element>
 class ElementGeometry {
  public:

@@ -4,14 +4,11 @@
 #include <ringwatch/body/batch_factory.h>
 
 namespace ringwatch {
-namespace detail {
-/// Makes the blocks of a registered law known by its name.
-void registerBatches(std::string_view law, BatchMaker (*makerOf)(ElementType type));
-}  // namespace detail
 
 /// Adds a law, a struct as in materials/, to those that materials are made of by name; call it when the program starts,
-/// before any law is asked for. Includes the kernels of all elements, so one file of a program does it for all. Runs on
-/// the CPU. Throws InputError when the name is taken.
+/// before any law is asked for. It works with all elements, those that are registered before or after it too. Includes
+/// the kernels of the library's elements, so one file of a program does it for all. Runs on the CPU. Throws InputError
+/// when the name is taken.
 template <class L>
 void registerLaw() {
   detail::registerLaw(
@@ -28,13 +25,16 @@ void registerLaw() {
                           return static_cast<const L*>(own)->linearize(F)(dF);
                         }};
        }});
-  detail::registerBatches(L::name, [](ElementType type) {
-    detail::BatchMaker result = nullptr;
-    visitElement(type, [&](auto elementTag) {
-      result = detail::makeBatch<ElementBatch<typename decltype(elementTag)::type, L>>;
-    });
-    return result;
-  });
+  detail::registerBatchesOfLaw(
+      L::name,
+      [](ElementType type) {
+        detail::BatchMaker result = nullptr;
+        visitElement(type, [&](auto elementTag) {
+          result = detail::makeBatch<ElementBatch<typename decltype(elementTag)::type, L>>;
+        });
+        return result;
+      },
+      LawOfPacks::functionsOf<L>());
 }
 
 }  // namespace ringwatch

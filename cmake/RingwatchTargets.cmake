@@ -1,6 +1,6 @@
 # One library a folder. `ringwatch_folder(NAME SOURCES … LINKS … PRIVATE_LINKS …)` makes the library of the folder NAME, its
-# alias ringwatch::NAME, its include path and its install rule, so that a folder's CMakeLists.txt holds nothing but its own
-# list.
+# alias ringwatch::NAME, its include path and its install rule; ringwatch_sources finds its files, so that a folder's
+# CMakeLists.txt says only what it links.
 
 # Headers are included as <ringwatch/FOLDER/file.h> here, in examples and after installation alike. In the
 # build tree that path is a link to the source tree.
@@ -63,6 +63,26 @@ function(ringwatch_check_headers name)
     target_compile_options(ringwatch_${name}_headers PRIVATE -O0 -g0)
     add_dependencies(check_headers ringwatch_${name}_headers)
   endif()
+endfunction()
+
+# ringwatch_sources(FILES [EXCEPT …] [ENDING …]): the sources of this folder, files that end in .cpp or in what is given,
+# less those of EXCEPT, in the list FILES. A new file is found by the next build: no list names it.
+function(ringwatch_sources files)
+  cmake_parse_arguments(ARG "" "" "EXCEPT;ENDING" ${ARGN})
+  if(NOT ARG_ENDING)
+    set(ARG_ENDING .cpp)
+  endif()
+  list(TRANSFORM ARG_ENDING PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/*")
+  file(GLOB found CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${ARG_ENDING})
+  foreach(file IN LISTS ARG_EXCEPT)
+    if(NOT file IN_LIST found)
+      message(FATAL_ERROR "${CMAKE_CURRENT_SOURCE_DIR} has no ${file}")
+    endif()
+  endforeach()
+  if(ARG_EXCEPT)
+    list(REMOVE_ITEM found ${ARG_EXCEPT})
+  endif()
+  set(${files} ${found} PARENT_SCOPE)
 endfunction()
 
 # ringwatch_law_files(FILES TEMPLATE): configures TEMPLATE, a .in file, once for each shard of the laws (lawShards of

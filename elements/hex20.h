@@ -2,6 +2,7 @@
 #include <array>
 
 #include <ringwatch/base/host_device.h>
+#include <ringwatch/elements/cell_split.h>
 #include <ringwatch/elements/quadrature.h>
 
 namespace ringwatch {
@@ -25,6 +26,9 @@ struct Hex20 {
       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
   static constexpr std::array<std::array<int, 2>, 12> edges{
       {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+  static constexpr std::array<std::uint8_t, nodes> gmshOrder{0,  1, 2,  3,  4,  5,  6,  7,  8,  11,
+                                                             13, 9, 16, 18, 19, 17, 10, 12, 14, 15};
+  static constexpr std::array<CellSplit, 1> cellSplits{{{name, 1, false, CellSplit::whole, CellSplit::whole}}};
 
   /// Corners Π_j (1 + ξ_j ξ_aj) (Σ_j ξ_j ξ_aj - 2)/8; middles Π_j p_j/4 with p_j = 1 - ξ_j² along the edge, 1 + ξ_j
   /// ξ_aj across it.

@@ -3,6 +3,7 @@
 
 #include <ringwatch/base/host_device.h>
 #include <ringwatch/base/math.h>
+#include <ringwatch/elements/cell_split.h>
 #include <ringwatch/elements/quadrature.h>
 
 namespace ringwatch {
@@ -27,6 +28,7 @@ struct Pyramid5 {
       {{0, 3, 2, 1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {3, 0, 4, -1}}};
   static constexpr std::array<std::array<int, 2>, 8> edges{
       {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};
+  static constexpr std::array<CellSplit, 1> cellSplits{{{name, 6, true, CellSplit::pyramids, CellSplit::pyramids}}};
 
   /// N_a = (w + x_a x)(w + y_a y)/(4w), w = 1 - z; N_4 = z
   template <class S>

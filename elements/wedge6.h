@@ -2,6 +2,7 @@
 #include <array>
 
 #include <ringwatch/base/host_device.h>
+#include <ringwatch/elements/cell_split.h>
 #include <ringwatch/elements/quadrature.h>
 
 namespace ringwatch {
@@ -23,6 +24,9 @@ struct Wedge6 {
       {{0, 2, 1, -1}, {3, 4, 5, -1}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}};
   static constexpr std::array<std::array<int, 2>, 9> edges{
       {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}};
+  // VTK's book draws the first triangle facing outward, its own shape functions want it facing inward.
+  static constexpr bool eitherHandedness = true;
+  static constexpr std::array<CellSplit, 1> cellSplits{{{name, 2, false, CellSplit::wedges, CellSplit::wedges}}};
 
   /// N_a = L_a(r, s) (1 ± ζ)/2 with the area coordinates L = (1 - r - s, r, s)
   template <class S>

@@ -162,10 +162,16 @@ DevicePlan planPatches(const Mesh& mesh) {
   std::vector<std::size_t> nodeBegin{0};
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     const ElementInfo& element = elementInfo(mesh.blocks[b].type);
-    if (element.order != 1)
-      throw InputError(
-          joinText("block ", b, ": elements of type ", element.name,
-                   " are not on the device; it has tet4, hex8, wedge6 and pyramid5: use device = \"cpu\""));
+    if (element.order != 1 || !isOfLibrary(element.type)) {
+      std::vector<std::string_view> names;
+      for (const ElementInfo& info : allElements())
+        if (info.order == 1 && isOfLibrary(info.type)) names.push_back(info.name);
+      std::string known;
+      for (std::size_t i = 0; i < names.size(); ++i)
+        known += joinText(i == 0 ? "" : i + 1 < names.size() ? ", " : " and ", names[i]);
+      throw InputError(joinText("block ", b, ": elements of type ", element.name, " are not on the device; it has ",
+                                known, ": use device = \"cpu\""));
+    }
     plan.blocks[b].threads = patchThreads(element.nodes);
     cut(mesh, mesh.blocks[b], plan.blocks[b], local, nodes, nodeBegin);
     plan.patchCount += static_cast<std::int32_t>(plan.blocks[b].patches.size());

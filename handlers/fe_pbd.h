@@ -33,8 +33,10 @@ class PositionBased final : public Handler {
                  .fallback = "0",
                  .help = "over the handled elements in a step; more make crowded ones less soft; 0: 1",
                  .onlyWith = {"variant", std::span(variants).first<1>()}}};
-  static constexpr HandlerInfo description{
-      .name = "fe-pbd", .help = "moves the nodes of critical tetrahedra towards goal shapes", .options = table};
+  static constexpr HandlerInfo description{.name = "fe-pbd",
+                                           .help = "moves the nodes of critical tetrahedra towards goal shapes",
+                                           .options = table,
+                                           .relaxes = true};
   PositionBased(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
 

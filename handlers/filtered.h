@@ -63,7 +63,8 @@ class Filtered final : public Handler {
                                            .help = "critical tetrahedra softened, and held by constraints",
                                            .alias = "filtered",
                                            .options = table,
-                                           .selections = selections};
+                                           .selections = selections,
+                                           .relaxes = true};
   Filtered(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
 

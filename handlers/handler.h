@@ -30,6 +30,7 @@ struct HandlerInfo {
   std::span<const OptionInfo> options = {};
   std::span<const Selection> selections = everySelection;  ///< that it works with
   bool addsMass = false;                                   ///< to the body, for good
+  bool relaxes = false;  ///< positions, in passes each of which carries stress over one element
   /// Where its steps can be taken on a GPU: gives options that are not given the defaults they have there, and says why
   /// the others cannot go there, "" when they can. nullptr: they cannot be taken there.
   std::string (*forGpu)(Options& own) = nullptr;

@@ -17,17 +17,15 @@ constexpr std::array entries{
     handlerEntry<Filtered>(), handlerEntry<MassScaling>(),
 };
 
-std::string_view nameOfHandler(const HandlerEntry& entry) { return entry.info->name; }
-
-auto& registry() {
-  static Registry<HandlerEntry, nameOfHandler> handlers(entries);
+Registry<HandlerEntry>& registry() {
+  static Registry<HandlerEntry> handlers("handler", entries);
   return handlers;
 }
 
 }  // namespace
 
 std::span<const HandlerEntry> allHandlers() { return registry().all(); }
-void registerHandler(const HandlerEntry& entry) { registry().add("handler", entry); }
+void registerHandler(const HandlerEntry& entry) { registry().add(entry); }
 
 const HandlerInfo* findHandler(std::string_view name) {
   for (const HandlerEntry& entry : allHandlers())
@@ -38,12 +36,7 @@ const HandlerInfo* findHandler(std::string_view name) {
 std::unique_ptr<Handler> makeHandler(std::string_view name, Body& body, std::unique_ptr<Integrator> base,
                                      const HandlerOptions& options) {
   const HandlerInfo* info = findHandler(name);
-  std::string names;
-  for (const HandlerEntry& entry : allHandlers()) {
-    if (entry.info == info) return entry.make(body, std::move(base), options);
-    names += joinText(names.empty() ? "" : ", ", entry.info->name);
-  }
-  throw InputError(joinText("handler \"", name, "\": must be one of ", names));
+  return registry().get(info ? info->name : name).make(body, std::move(base), options);
 }
 
 }  // namespace ringwatch

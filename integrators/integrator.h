@@ -107,6 +107,8 @@ struct IntegratorInfo {
   bool partitioned = false;
   /// Its steps can be taken on a GPU, without damping.
   bool runsOnGpu = false;
+  /// Largest stable h·omega of critical damping, on the negative real axis, where the literature gives it; else 0.
+  double realLimit = 0;
 };
 
 /// How a step went. On failure the state is as before the step.

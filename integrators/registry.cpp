@@ -19,22 +19,15 @@ constexpr std::array entriesOfCore{
     integratorEntry<RungeKuttaNystrom4>(), integratorEntry<Yoshida4>(),      integratorEntry<Pefrl>(),
 };
 
-std::string_view nameOfIntegrator(const IntegratorEntry& entry) { return entry.info->name; }
-
-auto& registry() {
-  static Registry<IntegratorEntry, nameOfIntegrator> integrators(entriesOfCore);
+Registry<IntegratorEntry>& registry() {
+  static Registry<IntegratorEntry> integrators("integrator", entriesOfCore);
   return integrators;
-}
-
-const IntegratorCatalog& coreCatalog() {
-  static const IntegratorCatalog catalog{coreIntegrators()};
-  return catalog;
 }
 
 }  // namespace
 
 std::span<const IntegratorEntry> coreIntegrators() { return registry().all(); }
-void registerIntegrator(const IntegratorEntry& entry) { registry().add("integrator", entry); }
+void registerIntegrator(const IntegratorEntry& entry) { registry().add(entry); }
 
 IntegratorCatalog::IntegratorCatalog(std::initializer_list<std::span<const IntegratorEntry>> lists) {
   for (const auto& list : lists) entries_.insert(entries_.end(), list.begin(), list.end());
@@ -55,16 +48,11 @@ std::unique_ptr<Integrator> IntegratorCatalog::make(std::string_view name) const
   throw InputError(joinText("integrator \"", name, "\": must be one of ", names));
 }
 
-std::span<const IntegratorInfo> allIntegrators() {
-  static const auto table = [] {
-    std::vector<IntegratorInfo> infos;
-    for (const IntegratorEntry& entry : coreIntegrators()) infos.push_back(*entry.info);
-    return infos;
-  }();
-  return table;
+std::span<const IntegratorInfo> allIntegrators() { return registry().infos(); }
+const IntegratorInfo* findIntegrator(std::string_view name) {
+  const IntegratorEntry* entry = registry().find(name);
+  return entry ? entry->info : nullptr;
 }
-
-const IntegratorInfo* findIntegrator(std::string_view name) { return coreCatalog().find(name); }
-std::unique_ptr<Integrator> makeIntegrator(std::string_view name) { return coreCatalog().make(name); }
+std::unique_ptr<Integrator> makeIntegrator(std::string_view name) { return registry().get(name).make(); }
 
 }  // namespace ringwatch

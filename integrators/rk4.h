@@ -16,15 +16,17 @@ class RungeKutta4 final : public Integrator {
     const Eigen::Matrix2d I = Eigen::Matrix2d::Identity();
     return I + A * (I + A / 2 * (I + A / 3 * (I + A / 4)));
   }
-  static constexpr IntegratorInfo description{"rk4",
-                                              "classical Runge-Kutta, fourth order, four forces a step",
-                                              4,
-                                              4,
-                                              2.8284271247461900976,
-                                              false,
-                                              false,
-                                              4,
-                                              &amplification};
+  static constexpr IntegratorInfo description{
+      .name = "rk4",
+      .help = "classical Runge-Kutta, fourth order, four forces a step",
+      .order = 4,
+      .forceEvaluations = 4,
+      .imaginaryLimit = 2.8284271247461900976,
+      .symplectic = false,
+      .dampedOrder = 4,
+      .amplification = &amplification,
+      .realLimit = 2.785293563405282,
+  };
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     const NodeVectors& a = accelerationOf(system, state);

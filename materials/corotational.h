@@ -21,6 +21,7 @@ struct Corotational {
   /// stretches), where the turned tangent has nothing that could be scaled, and its highest eigenvalue stays 3λ + 2μ
   /// while three times that sum exceeds 2 (tr U - 3).
   static constexpr bool tangentStiffens = false;
+  static constexpr bool definedInverted = true;
   Lame constants;
 
   static Corotational of(const Options& parameters) { return {lameConstants(parameters)}; }

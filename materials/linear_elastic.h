@@ -16,6 +16,7 @@ struct LinearElastic {
   static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
   static constexpr bool objective = false, tangentIsConstant = true;
   static constexpr bool tangentStiffens = false;
+  static constexpr bool definedInverted = true;
   Lame constants;
 
   static LinearElastic of(const Options& parameters) { return {lameConstants(parameters)}; }

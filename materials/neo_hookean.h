@@ -16,6 +16,7 @@ struct NeoHookean {
   static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
   static constexpr bool objective = true, tangentIsConstant = false;
   static constexpr bool tangentStiffens = true;
+  static constexpr bool definedInverted = false;
   Lame constants;
 
   static NeoHookean of(const Options& parameters) { return {lameConstants(parameters)}; }

@@ -16,22 +16,9 @@ std::vector<LawEntry> entriesOf(TypeList<Ls...>) {
                    [](const Options& parameters, Material& material) { material.law = Ls::of(parameters); }}...};
 }
 
-std::string_view nameOfLaw(const LawEntry& entry) { return entry.info.name; }
-
-struct KnownLaws {
-  Registry<LawEntry, nameOfLaw> entries{entriesOf(Laws{})};
-  std::vector<LawInfo> infos;  // of entries
-
-  KnownLaws() { list(); }
-  void list() {
-    infos.clear();
-    for (const LawEntry& entry : entries.all()) infos.push_back(entry.info);
-  }
-};
-
-KnownLaws& laws() {
-  static KnownLaws all;
-  return all;
+Registry<LawEntry>& registry() {
+  static Registry<LawEntry> laws("law", entriesOf(Laws{}));
+  return laws;
 }
 
 void requireParameters(std::string_view law, std::span<const OptionInfo> table, const Options& parameters) {
@@ -69,29 +56,18 @@ Matrix3<double> Material::stressDifferential(const Matrix3<double>& F, const Mat
                  : std::visit([&](const auto& l) { return l.linearize(F)(dF); }, law);
 }
 
-std::span<const LawInfo> allLaws() { return laws().infos; }
-
-const LawInfo* findLaw(std::string_view name) {
-  for (const LawInfo& info : allLaws())
-    if (info.name == name) return &info;
-  return nullptr;
-}
+std::span<const LawInfo> allLaws() { return registry().infos(); }
+const LawInfo* findLaw(std::string_view name) { return registry().findInfo(name); }
 
 const LawInfo& lawNamed(std::string_view name) {
   if (const LawInfo* info = findLaw(name)) return *info;
-  std::string names;
   std::vector<std::string_view> known;
-  for (const LawInfo& info : allLaws()) {
-    names += joinText(names.empty() ? "" : ", ", info.name);
-    known.push_back(info.name);
-  }
-  throw InputError(joinText("model = ", inQuotes(name), ": ", didYouMean(name, known), "must be one of ", names));
+  for (const LawInfo& info : allLaws()) known.push_back(info.name);
+  throw InputError(
+      joinText("model = ", inQuotes(name), ": ", didYouMean(name, known), "must be one of ", registry().names()));
 }
 
-void detail::registerLaw(const LawEntry& entry) {
-  laws().entries.add("law", entry);
-  laws().list();
-}
+void detail::registerLaw(const LawEntry& entry) { registry().add(entry); }
 
 Material makeMaterial(std::string_view model, const Options& parameters, double density) {
   const LawInfo& info = lawNamed(model);
@@ -100,8 +76,7 @@ Material makeMaterial(std::string_view model, const Options& parameters, double 
     throw InputError(joinText("density = ", density, " kg/m3: must be a finite number > 0"));
   Material material{Law{}, density};
   const Options all = completed(info.name, info.parameters, parameters);
-  for (const LawEntry& entry : laws().entries.all())
-    if (entry.info.name == info.name) entry.make(all, material);
+  registry().get(info.name).make(all, material);
   return material;
 }
 

@@ -57,13 +57,21 @@ struct LawInfo {
   bool objective;                          ///< energy and stress turn with the body
   bool tangentStiffens;                    ///< ∂P/∂F grows with stretch beyond what rotation and scaling make of it
   bool tangentIsConstant;                  ///< ∂P/∂F is the same at every F
+  bool definedInverted;                    ///< energy and stress are numbers where det F <= 0 too
   /// Parameters for which the law has Young's modulus (Pa) and Poisson's ratio at rest.
   Options (*parametersFor)(double young, double poisson);
 };
 /// Of a law as in this folder.
 template <class L>
 constexpr LawInfo lawInfo() {
-  return {L::name, L::help, L::parameters, L::objective, L::tangentStiffens, L::tangentIsConstant, L::parametersFor};
+  return {L::name,
+          L::help,
+          L::parameters,
+          L::objective,
+          L::tangentStiffens,
+          L::tangentIsConstant,
+          L::definedInverted,
+          L::parametersFor};
 }
 
 /// A law that a program has registered (body/register_law.h), with its constants.

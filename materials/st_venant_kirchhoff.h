@@ -16,6 +16,7 @@ struct StVenantKirchhoff {
   static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
   static constexpr bool objective = true, tangentIsConstant = false;
   static constexpr bool tangentStiffens = true;
+  static constexpr bool definedInverted = true;
   Lame constants;
 
   static StVenantKirchhoff of(const Options& parameters) { return {lameConstants(parameters)}; }

@@ -86,10 +86,6 @@ bool isMirrored(const Mesh& mesh, const MeshBlock& block) {
   return block.elementCount() > 0;
 }
 
-/// Whether a block may be turned round by itself: VTK's book draws the wedge's first triangle facing outward, its own
-/// shape functions want it facing inward, and files of both kinds exist.
-bool hasTwoConventions(const MeshBlock& block) { return elementInfo(block.type).vtkCellType == 13; }
-
 void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
   const std::vector<bool> used = usedNodes(mesh);
   const auto kept = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
@@ -289,7 +285,7 @@ void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string
   const bool all = std::all_of(mesh.blocks.begin(), mesh.blocks.end(),
                                [&](const MeshBlock& block) { return isMirrored(mesh, block); });
   for (MeshBlock& block : mesh.blocks) {
-    if (!all && !(hasTwoConventions(block) && isMirrored(mesh, block))) continue;
+    if (!all && !(elementInfo(block.type).eitherHandedness && isMirrored(mesh, block))) continue;
     const std::vector<int> mirror = mirrorPermutation(elementInfo(block.type));
     std::vector<std::int32_t> before(mirror.size());
     for (std::size_t e = 0; e < block.elementCount(); ++e) {

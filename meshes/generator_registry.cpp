@@ -76,8 +76,7 @@ std::string valueText(const GeneratorValue& value) {
 
 std::vector<std::string> elementChoices() {
   std::vector<std::string> names;
-  for (const CellSplit& s : allCellSplits())
-    if (names.empty() || names.back() != s.element) names.emplace_back(s.element);
+  for (const ElementInfo& info : allElements()) names.emplace_back(info.name);
   return names;
 }
 

@@ -17,55 +17,29 @@
 namespace ringwatch {
 namespace {
 
-// Kuhn's split: one tetrahedron for each order in which x, y and z can be walked from corner 0 to corner 7.
-constexpr std::uint8_t kuhn[] = {0, 1, 3, 7, 0, 1, 7, 5, 0, 2, 7, 3, 0, 2, 6, 7, 0, 4, 5, 7, 0, 4, 7, 6};
-// One tetrahedron in the middle and one at each of four corners; the face diagonals match when cells alternate.
-constexpr std::uint8_t fiveEven[] = {0, 3, 6, 5, 1, 0, 5, 3, 2, 3, 6, 0, 4, 5, 0, 6, 7, 6, 3, 5};
-constexpr std::uint8_t fiveOdd[] = {1, 2, 4, 7, 0, 1, 2, 4, 3, 2, 1, 7, 5, 4, 7, 1, 6, 7, 4, 2};
-constexpr std::uint8_t wholeCell[] = {0, 1, 3, 2, 4, 5, 7, 6};
-// Prisms along z, cut by the plane through corners 0, 3, 4 and 7.
-constexpr std::uint8_t wedges[] = {0, 1, 3, 4, 5, 7, 0, 3, 2, 4, 7, 6};
 // Prisms along x; their triangles are those of Kuhn's split.
 constexpr std::uint8_t wedgesAlongX[] = {0, 2, 6, 1, 3, 7, 0, 6, 4, 1, 7, 5};
-// A pyramid on each face, the apex in the middle.
-constexpr std::uint8_t pyramids[] = {0, 1, 3, 2, 8, 6, 7, 5, 4, 8, 4, 5, 1, 0, 8,
-                                     5, 7, 3, 1, 8, 7, 6, 2, 3, 8, 6, 4, 0, 2, 8};
 // From hexahedra (at the face of low x) to Kuhn's tetrahedra (at the face of high x): pyramids on five faces, two
 // tetrahedra on the sixth.
 constexpr std::uint8_t transitionPyramids[] = {0, 1, 3, 2, 8, 6, 7, 5, 4, 8, 4, 5, 1,
                                                0, 8, 7, 6, 2, 3, 8, 6, 4, 0, 2, 8};
 constexpr std::uint8_t transitionTets[] = {1, 7, 3, 8, 1, 5, 7, 8};
 
-constexpr CellSplit splits[] = {
-    {"tet4", 6, false, kuhn, kuhn},
-    {"tet4", 5, false, fiveEven, fiveOdd},
-    {"hex8", 1, false, wholeCell, wholeCell},
-    {"wedge6", 2, false, wedges, wedges},
-    {"pyramid5", 6, true, pyramids, pyramids},
-    {"tet10", 6, false, kuhn, kuhn},
-    {"tet10", 5, false, fiveEven, fiveOdd},
-    {"hex20", 1, false, wholeCell, wholeCell},
-};
-
 std::string splitChoices(std::string_view element) {
   std::string text;
-  for (const CellSplit& split : splits)
+  for (const CellSplit& split : allCellSplits())
     if (split.element == element) text += joinText(text.empty() ? "" : " or ", split.elementsPerCell);
   return text;
 }
 
 const CellSplit& findSplit(std::string_view element, int perCell) {
-  const CellSplit* named = nullptr;
-  for (const CellSplit& split : splits) {
-    if (split.element != element) continue;
-    if (perCell == 0 || split.elementsPerCell == perCell) return split;
-    named = &split;
-  }
-  if (named != nullptr)
+  if (const ElementInfo* info = findElementByName(element)) {
+    for (const CellSplit& split : info->cellSplits)
+      if (perCell == 0 || split.elementsPerCell == perCell) return split;
     throw InputError(joinText("split = ", perCell, ": ", element, " has ", splitChoices(element), " elements a cell"));
+  }
   std::vector<std::string_view> names;
-  for (const CellSplit& split : splits)
-    if (names.empty() || names.back() != split.element) names.push_back(split.element);
+  for (const ElementInfo& info : allElements()) names.push_back(info.name);
   throw InputError(joinText("element = ", inQuotes(element), ": there is no way to cut a cell into these; ",
                             didYouMean(element, names), "known are ", shortList(names)));
 }
@@ -189,10 +163,10 @@ Mesh fillMixed(Grid& grid) {
     if (i == transition) return 2;
     return i < transition ? (2 * i < transition ? 0 : 1) : (2 * (i - transition) <= nx - transition ? 3 : 4);
   };
-  const std::vector<Part> parts[] = {{{"wedge6", wedges}},
-                                     {{"hex8", wholeCell}},
+  const std::vector<Part> parts[] = {{{"wedge6", CellSplit::wedges}},
+                                     {{"hex8", CellSplit::whole}},
                                      {{"pyramid5", transitionPyramids}, {"tet4", transitionTets}},
-                                     {{"tet4", kuhn}},
+                                     {{"tet4", CellSplit::kuhn}},
                                      {{"wedge6", wedgesAlongX}}};
   Mesh mesh;
   mesh.X.setZero(3, grid.cornerNodes + std::int64_t{ny} * nz);
@@ -232,7 +206,11 @@ void requirePositive(std::string_view name, double value) {
 
 }  // namespace
 
-std::span<const CellSplit> allCellSplits() { return splits; }
+std::vector<CellSplit> allCellSplits() {
+  std::vector<CellSplit> all;
+  for (const ElementInfo& info : allElements()) all.insert(all.end(), info.cellSplits.begin(), info.cellSplits.end());
+  return all;
+}
 
 namespace {
 

@@ -1,28 +1,16 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch {
 
-/// One way to cut a box-shaped cell into elements. A new one is a row of the table in generators.cpp.
-struct CellSplit {
-  std::string_view element;  // name of the element, as in `Elements`
-  int elementsPerCell;
-  bool centre;  // the cell gets a node of its own in its middle, corner number 8
-  /// Corners i + 2j + 4k of the cell, element after element, in the element's (VTK) node order. Quadratic elements get
-  /// nodes in the middle of their edges by themselves.
-  std::span<const std::uint8_t> even;
-  /// The same for cells of odd i + j + k, where a split must alternate to match its neighbours; else equal to even.
-  std::span<const std::uint8_t> odd;
-};
-
-/// Every split whose element the library has; the first one of an element is its usual one.
-std::span<const CellSplit> allCellSplits();
+/// The splits of all elements.
+std::vector<CellSplit> allCellSplits();
 
 /// A box of nx × ny × nz cells.
 struct BarOptions {

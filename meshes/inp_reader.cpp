@@ -329,8 +329,8 @@ class Deck {
       element.nodes.push_back(number(words[next], joinText("a node of element ", element.id), line.position));
     const auto wanted = static_cast<std::size_t>(type_->nodes);
     if (element.nodes.size() > wanted)
-      cursor_.failAt(line.position, joinText("element ", element.id, " (", type_->name, ") has ", element.nodes.size(),
-                                             " nodes; it must have ", wanted));
+      cursor_.failAt(line.position, joinText("element ", element.id, " (", type_->name(), ") has ",
+                                             element.nodes.size(), " nodes; it must have ", wanted));
     if (element.nodes.size() < wanted) return;  // goes on in the next line
     unfinished_ = false;
     if (!elementOfId_.emplace(element.id, elements_.size() - 1).second)
@@ -340,7 +340,7 @@ class Deck {
   void finishData() {
     if (unfinished_) {
       const Element& element = elements_.back();
-      cursor_.failAt(element.position, joinText("element ", element.id, " (", element.type->name, ") has ",
+      cursor_.failAt(element.position, joinText("element ", element.id, " (", element.type->name(), ") has ",
                                                 element.nodes.size(), " nodes; it must have ", element.type->nodes));
     }
   }

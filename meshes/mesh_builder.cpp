@@ -10,48 +10,27 @@
 namespace ringwatch::detail {
 namespace {
 
-constexpr std::uint8_t tet10[] = {0, 1, 2, 3, 4, 5, 6, 7, 9, 8};
-constexpr std::uint8_t hex20[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15};
-constexpr std::uint8_t hex27[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  11, 13, 9,  16, 18,
-                                  19, 17, 10, 12, 14, 15, 22, 23, 21, 24, 20, 25, 26};
-constexpr std::uint8_t wedge15[] = {0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8, 10, 11};
-constexpr std::uint8_t pyramid13[] = {0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12};
-
-// Numbers of gmsh ("MSH file format") and of vtkCellType.h; -1: VTK has no such cell of fixed order.
+// Numbers of gmsh ("MSH file format") and of vtkCellType.h; 0: it has no such cell of fixed order.
+constexpr int gmshHex27 = 12;
 constexpr FileElement fileElements[] = {
-    {15, "point1", 0, 1, 1, {}},
-    {1, "line2", 1, 2, 3, {}},
-    {8, "line3", 1, 3, 21, {}},
-    {26, "line4", 1, 4, 35, {}},
-    {27, "line5", 1, 5, -1, {}},
-    {28, "line6", 1, 6, -1, {}},
-    {2, "triangle3", 2, 3, 5, {}},
-    {9, "triangle6", 2, 6, 22, {}},
-    {20, "triangle9", 2, 9, -1, {}},
-    {21, "triangle10", 2, 10, -1, {}},
-    {22, "triangle12", 2, 12, -1, {}},
-    {23, "triangle15", 2, 15, -1, {}},
-    {25, "triangle21", 2, 21, -1, {}},
-    {3, "quad4", 2, 4, 9, {}},
-    {16, "quad8", 2, 8, 23, {}},
-    {10, "quad9", 2, 9, 28, {}},
-    {4, "tet4", 3, 4, 10, {}},
-    {11, "tet10", 3, 10, 24, tet10},
-    {29, "tet20", 3, 20, -1, {}},
-    {30, "tet35", 3, 35, -1, {}},
-    {31, "tet56", 3, 56, -1, {}},
-    {5, "hex8", 3, 8, 12, {}},
-    {17, "hex20", 3, 20, 25, hex20},
-    {12, "hex27", 3, 27, 29, hex27},
-    {92, "hex64", 3, 64, -1, {}},
-    {93, "hex125", 3, 125, -1, {}},
-    {6, "wedge6", 3, 6, 13, {}},
-    {18, "wedge15", 3, 15, 26, wedge15},
-    {13, "wedge18", 3, 18, 32, {}},
-    {7, "pyramid5", 3, 5, 14, {}},
-    {19, "pyramid13", 3, 13, 27, pyramid13},
-    {14, "pyramid14", 3, 14, -1, {}},
+    {15, "point", 0, 1, 1},     {1, "line", 1, 2, 3},       {8, "line", 1, 3, 21},      {26, "line", 1, 4, 35},
+    {27, "line", 1, 5, 0},      {28, "line", 1, 6, 0},      {2, "triangle", 2, 3, 5},   {9, "triangle", 2, 6, 22},
+    {20, "triangle", 2, 9, 0},  {21, "triangle", 2, 10, 0}, {22, "triangle", 2, 12, 0}, {23, "triangle", 2, 15, 0},
+    {25, "triangle", 2, 21, 0}, {3, "quad", 2, 4, 9},       {16, "quad", 2, 8, 23},     {10, "quad", 2, 9, 28},
+    {4, "tet", 3, 4, 10},       {11, "tet", 3, 10, 24},     {29, "tet", 3, 20, 0},      {30, "tet", 3, 35, 0},
+    {31, "tet", 3, 56, 0},      {5, "hex", 3, 8, 12},       {17, "hex", 3, 20, 25},     {12, "hex", 3, 27, 29},
+    {92, "hex", 3, 64, 0},      {93, "hex", 3, 125, 0},     {6, "wedge", 3, 6, 13},     {18, "wedge", 3, 15, 26},
+    {13, "wedge", 3, 18, 32},   {7, "pyramid", 3, 5, 14},   {19, "pyramid", 3, 13, 27}, {14, "pyramid", 3, 14, 0},
+    {0, "wedge", 3, 12, 31},    {0, "hex", 3, 24, 33},      {0, "pyramid", 3, 19, 37},
 };
+
+/// The element that the library or its user has for it; nullptr for none.
+const ElementInfo* elementOf(const FileElement& type) {
+  if (type.dimension < 3) return nullptr;
+  const ElementInfo* info = findElementByVtkType(type.vtkCellType);
+  if (info == nullptr) info = findElementByGmshType(type.gmshType);
+  return info != nullptr && info->nodes == type.nodes ? info : nullptr;
+}
 
 /// Numbers of nodes to indices: a table where the numbers are dense, a hash map else.
 class NodeIndex {
@@ -92,7 +71,7 @@ class NodeIndex {
 
 const FileElement* findGmshElement(int gmshType) {
   for (const FileElement& e : fileElements)
-    if (e.gmshType == gmshType) return &e;
+    if (e.gmshType == gmshType && gmshType > 0) return &e;
   return nullptr;
 }
 const FileElement* findVtkElement(int vtkCellType) {
@@ -106,8 +85,7 @@ void MeshBuilder::addElement(const FileElement& type, std::int64_t id, const std
   auto found = std::find_if(elements_.rbegin(), elements_.rend(), [&](const Elements& e) { return e.type == &type; });
   Elements* list = found != elements_.rend() ? &*found : nullptr;
   if (list == nullptr) {
-    const ElementInfo* info = type.dimension == 3 ? findElementByGmshType(type.gmshType) : nullptr;
-    list = &elements_.emplace_back(Elements{&type, info, {}, {}, {}, {}, 0});
+    list = &elements_.emplace_back(Elements{&type, elementOf(type), {}, {}, {}, {}, 0});
   }
   ++list->count;
   if (list->info == nullptr) {
@@ -118,8 +96,8 @@ void MeshBuilder::addElement(const FileElement& type, std::int64_t id, const std
     if (group < 0) return;
   }
   const auto count = static_cast<std::size_t>(type.nodes);
-  for (std::size_t i = 0; i < count; ++i)
-    list->nodes.push_back(nodes[gmshOrder && !type.permutation.empty() ? type.permutation[i] : i]);
+  const bool turned = gmshOrder && list->info != nullptr && !list->info->gmshOrder.empty();
+  for (std::size_t i = 0; i < count; ++i) list->nodes.push_back(nodes[turned ? list->info->gmshOrder[i] : i]);
   list->ids.push_back(id);
   list->groups.push_back(group);
   list->positions.push_back(position);
@@ -134,8 +112,8 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
     if (list.info != nullptr) volumes = true;
     if (list.type->dimension < 3 || list.info != nullptr) continue;
     if (unsupported.empty()) firstPosition = list.positions[0];
-    hex27 = hex27 || list.type->name == "hex27";
-    unsupported += joinText(unsupported.empty() ? "" : " and ", list.count, " of type ", list.type->name);
+    hex27 = hex27 || list.type->gmshType == gmshHex27;
+    unsupported += joinText(unsupported.empty() ? "" : " and ", list.count, " of type ", list.type->name());
   }
   if (!unsupported.empty()) {
     std::string known;
@@ -173,7 +151,7 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
   for (const Elements& list : elements_) {
     const auto width = static_cast<std::size_t>(list.type->nodes);
     if (list.ids.size() > limit)
-      throw InputError(joinText(source_, ": ", list.ids.size(), " elements of type ", list.type->name, "; at most ",
+      throw InputError(joinText(source_, ": ", list.ids.size(), " elements of type ", list.type->name(), "; at most ",
                                 limit, " are possible"));
     const auto blockNumber = static_cast<std::int32_t>(mesh.blocks.size());
     std::vector<std::int32_t> connectivity(list.nodes.size());
@@ -183,7 +161,7 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
         connectivity[at] = index.find(list.nodes[at]);
         if (connectivity[at] >= 0) continue;
         const std::string text =
-            joinText(elementWhere_(list.positions[e]), ": element ", list.ids[e], " (", list.type->name,
+            joinText(elementWhere_(list.positions[e]), ": element ", list.ids[e], " (", list.type->name(),
                      ") refers to node ", list.nodes[at], ", which the file does not have");
         if (problems == nullptr) throw InputError(text);
         problems->push_back(

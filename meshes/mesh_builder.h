@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <ringwatch/base/error.h>
 #include <ringwatch/meshes/check.h>
 #include <ringwatch/meshes/mesh.h>
 
@@ -15,12 +15,12 @@ namespace ringwatch::detail {
 /// An element type of a mesh file.
 struct FileElement {
   int gmshType;
-  std::string_view name;
+  std::string_view shape;
   int dimension;
   int nodes;
   int vtkCellType;
-  /// Where VTK's node order differs: VTK node i is node permutation[i] of gmsh. Empty: the orders agree.
-  std::span<const std::uint8_t> permutation;
+
+  std::string name() const { return joinText(shape, nodes); }  ///< "hex8"
 };
 /// nullptr for a type that is not known.
 const FileElement* findGmshElement(int gmshType);

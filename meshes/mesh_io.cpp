@@ -63,28 +63,9 @@ constexpr MeshFormatEntry formatsOfLibrary[] = {
      detail::readInp},
 };
 
-std::string_view nameOfFormat(const MeshFormatEntry& entry) { return entry.info.extensions; }
-
-struct Formats {
-  Registry<MeshFormatEntry, nameOfFormat> entries{formatsOfLibrary};
-  std::vector<MeshFormatInfo> infos;  // of entries
-
-  Formats() { list(); }
-  void list() {
-    infos.clear();
-    for (const MeshFormatEntry& entry : entries.all()) infos.push_back(entry.info);
-  }
-};
-
-Formats& formats() {
-  static Formats all;
-  return all;
-}
-
-const MeshFormatEntry* formatOf(std::string_view extension) {
-  for (const MeshFormatEntry& format : formats().entries.all())
-    if (format.info.extensions == extension) return &format;
-  return nullptr;
+Registry<MeshFormatEntry>& registry() {
+  static Registry<MeshFormatEntry> formats("mesh format", formatsOfLibrary);
+  return formats;
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -96,14 +77,14 @@ std::string joined(const std::vector<std::string>& names) {
 
 Mesh read(const fs::path& path, detail::Notes* notes, detail::Problems* problems) {
   const std::string extension = path.extension().string();
-  const auto entries = formats().entries.all();
+  const auto entries = registry().all();
   for (const MeshFormatEntry& format : entries)
     if (format.ownsPath != nullptr && format.ownsPath(path)) return format.readPath(path, notes, problems);
   const std::string text = detail::readWholeFile(path);
   // The content decides; the extension only helps where the content says nothing.
   for (const MeshFormatEntry& format : entries)
     if (format.isBegin != nullptr && format.isBegin(text)) return format.read(path, text, notes, problems);
-  const MeshFormatEntry* named = formatOf(extension);
+  const MeshFormatEntry* named = registry().find(extension);
   if (named != nullptr && named->mustBegin.empty()) return named->read(path, text, notes, problems);
   const std::string begin = detail::quoted(std::string_view(text).substr(0, text.find_first_of("\r\n")));
   if (named != nullptr)
@@ -118,12 +99,8 @@ Mesh read(const fs::path& path, detail::Notes* notes, detail::Problems* problems
 
 }  // namespace
 
-std::span<const MeshFormatInfo> allMeshFormats() { return formats().infos; }
-
-void registerMeshFormat(const MeshFormatEntry& entry) {
-  formats().entries.add("mesh format", entry);
-  formats().list();
-}
+std::span<const MeshFormatInfo> allMeshFormats() { return registry().infos(); }
+void registerMeshFormat(const MeshFormatEntry& entry) { registry().add(entry); }
 
 std::string readableExtensions() {
   std::vector<std::string> names;
@@ -175,7 +152,7 @@ std::vector<MeshProblem> checkMeshFile(const fs::path& path, std::vector<std::st
 void writeMesh(const Mesh& mesh, const fs::path& path, MeshFormat format) {
   if (format == MeshFormat::byExtension) {
     const std::string extension = path.extension().string();
-    const MeshFormatEntry* named = formatOf(extension);
+    const MeshFormatEntry* named = registry().find(extension);
     if (named == nullptr || !named->info.writes)
       throw InputError(joinText("cannot write ", path.string(), ": the extension ", detail::quoted(extension),
                                 " names no format that can be written; use ", writableExtensions()));

@@ -31,6 +31,8 @@ struct MeshFormatEntry {
   void (*write)(const Mesh& mesh, const std::filesystem::path& path) = nullptr;  ///< where info.writes
   bool (*ownsPath)(const std::filesystem::path& path) = nullptr;
   Mesh (*readPath)(const std::filesystem::path& path, Notes* notes, Problems* problems) = nullptr;
+
+  std::string_view key() const { return info.extensions; }
 };
 /// Every format, one entry each in mesh_io.cpp, and those that were registered.
 std::span<const MeshFormatInfo> allMeshFormats();

@@ -319,7 +319,7 @@ class MshReader {
       if (version_ == 4.0) std::swap(dimension, entity);
       const FileElement& type = elementType(cursor_.int32("the type of elements"), at);
       if (dimension != type.dimension)
-        cursor_.failAt(at, joinText("the entity has dimension ", dimension, ", but its elements of type ", type.name,
+        cursor_.failAt(at, joinText("the entity has dimension ", dimension, ", but its elements of type ", type.name(),
                                     " have ", type.dimension));
       const std::int64_t announced = cursor_.int64("the number of elements of a block");
       const std::size_t count = cursor_.checkedCount(announced, cursor_.binary ? 16 : 4, "elements of a block", at);

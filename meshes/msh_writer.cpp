@@ -121,13 +121,13 @@ void writeMsh(const Mesh& mesh, const std::filesystem::path& path, bool version4
     return total;
   }();
   const std::size_t total = mesh.elementCount() + pointNodes;
-  const auto fileOrder = [](const ElementInfo& info) {
-    // The inverse of the reader's table.
-    const FileElement* type = findGmshElement(info.gmshType);
+  const auto fileOrder = [&](const ElementInfo& info) {
+    if (info.gmshType == 0)
+      throw InputError(joinText("cannot write ", path.string(), ": gmsh has no element like ", info.name));
     std::vector<std::size_t> order(static_cast<std::size_t>(info.nodes));
     std::iota(order.begin(), order.end(), std::size_t{0});
-    if (type != nullptr && !type->permutation.empty())
-      for (std::size_t i = 0; i < order.size(); ++i) order[type->permutation[i]] = i;
+    if (!info.gmshOrder.empty())
+      for (std::size_t i = 0; i < order.size(); ++i) order[info.gmshOrder[i]] = i;
     return order;
   };
 

@@ -179,6 +179,7 @@ vtkSmartPointer<vtkUnstructuredGrid> makeGrid(const Mesh& mesh, const NodeVector
   vtkIdType cell = 0, entry = 0;
   for (const MeshBlock& block : mesh.blocks) {
     const ElementInfo& info = elementInfo(block.type);
+    if (info.vtkCellType == 0) throw InputError(joinText("cannot write .vtu: VTK has no cell like ", info.name));
     for (std::size_t e = 0; e < block.elementCount(); ++e, ++cell) {
       offsets->SetValue(cell, entry);
       types->SetValue(cell, static_cast<unsigned char>(info.vtkCellType));

@@ -234,7 +234,7 @@ class LegacyReader {
       const std::size_t n = begins_[c + 1] - begins_[c];
       if (n != static_cast<std::size_t>(known->nodes))
         cursor_.failAt(positions_[c],
-                       joinText("cell ", c, " (", known->name, ") has ", n, " nodes; it must have ", known->nodes));
+                       joinText("cell ", c, " (", known->name(), ") has ", n, " nodes; it must have ", known->nodes));
       std::copy_n(nodes_.begin() + static_cast<std::ptrdiff_t>(begins_[c]), n, nodes);
       builder_.addElement(*known, static_cast<std::int64_t>(c), nodes, -1, positions_[c], false);
     }

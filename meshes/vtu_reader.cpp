@@ -525,7 +525,7 @@ class VtuReader {
       }
       const std::int64_t begin = c == 0 ? 0 : offsets[c - 1], end = offsets[c];
       if (end - begin != known->nodes)
-        refuse(joinText("(", known->name, ") has ", end - begin, " nodes; it must have ", known->nodes));
+        refuse(joinText("(", known->name(), ") has ", end - begin, " nodes; it must have ", known->nodes));
       for (std::int64_t i = begin; i < end; ++i) {
         const std::int64_t node = connectivity[static_cast<std::size_t>(i)];
         // A piece counts its own points; what is out of its range must not fall into another piece's.

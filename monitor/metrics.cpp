@@ -118,62 +118,35 @@ const MetricEntry entriesOfLibrary[] = {
     {{"nodal-bound", "proven bound by 3x3 shapes summed at nodes", upperBound}, nodalBound},
 };
 
-std::string_view nameOfMetric(const MetricEntry& entry) { return entry.info.name; }
-
-struct Metrics {
-  Registry<MetricEntry, nameOfMetric> entries{entriesOfLibrary};
-  std::vector<MetricInfo> infos;  // of entries
-
-  Metrics() { list(); }
-  void list() {
-    infos.clear();
-    for (const MetricEntry& entry : entries.all()) infos.push_back(entry.info);
-  }
-};
-
-Metrics& metrics() {
-  static Metrics all;
-  return all;
+Registry<MetricEntry>& registry() {
+  static Registry<MetricEntry> metrics("metric", entriesOfLibrary);
+  return metrics;
 }
 
 /// Throws InputError for an unknown name.
-std::size_t numberOf(std::string_view name) {
-  const auto entries = metrics().entries.all();
-  const auto found = std::ranges::find(entries, name, nameOfMetric);
-  if (found == entries.end()) throw InputError(joinText("metric \"", name, "\": must be one of ", knownMetrics(name)));
-  return static_cast<std::size_t>(found - entries.begin());
+const MetricEntry& entryOf(std::string_view name) {
+  if (const MetricEntry* entry = registry().find(name)) return *entry;
+  throw InputError(joinText("metric \"", name, "\": must be one of ", knownMetrics(name)));
 }
 
 }  // namespace
 
-std::span<const MetricInfo> allMetrics() { return metrics().infos; }
-
-void registerMetric(const MetricEntry& entry) {
-  metrics().entries.add("metric", entry);
-  metrics().list();
-}
+std::span<const MetricInfo> allMetrics() { return registry().infos(); }
+void registerMetric(const MetricEntry& entry) { registry().add(entry); }
 
 std::unique_ptr<MetricEvaluator> makeMetricEvaluator(std::string_view name, const Body& body) {
-  const MetricEntry& entry = metrics().entries.all()[numberOf(name)];
+  const MetricEntry& entry = entryOf(name);
   return entry.along ? entry.along(body) : std::make_unique<FromScratch>(name, body);
 }
 
-const MetricInfo* findMetric(std::string_view name) {
-  for (const MetricInfo& info : allMetrics())
-    if (info.name == name) return &info;
-  return nullptr;
-}
+const MetricInfo* findMetric(std::string_view name) { return registry().findInfo(name); }
 
 MetricResult evaluateMetric(std::string_view name, const Body& body, const NodeVectors& x,
                             const MetricProgress& progress) {
-  const std::size_t number = numberOf(name);
-  const MetricEntry& entry = metrics().entries.all()[number];
+  const MetricEntry& entry = entryOf(name);
   const bool bound = entry.isUpperBoundOn && entry.isUpperBoundOn(body);
-  MetricResult result{&allMetrics()[number],
-                      bound ? Direction::upperBound : entry.info.direction,
-                      0,
-                      {},
-                      entry.evaluate(body, x, progress)};
+  MetricResult result{
+      findMetric(name), bound ? Direction::upperBound : entry.info.direction, 0, {}, entry.evaluate(body, x, progress)};
   bool first = true;
   for (std::size_t b = 0; b < result.elementLambda.size(); ++b)
     for (std::size_t e = 0; e < result.elementLambda[b].size(); ++e)

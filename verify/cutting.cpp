@@ -169,7 +169,7 @@ void addCutting(StudyEffort effort, StudyReport& report) {
                   kept ? most : std::numeric_limits<double>::infinity(), 1, handler.empty() ? 3.5e-3 : 1e-3);
     // What the handlers lose by their dissipation, and the passes by the rings that they leave out: 0.017 and 0.033, in
     // the full form 0.052 and 0.14; Verlet 0.0033 and 1.2e-4.
-    const bool full = effort == StudyEffort::full, passes = handler == "fe-pbd" || handler == "modal-filter";
+    const bool full = effort == StudyEffort::full, passes = !handler.empty() && findHandler(handler)->relaxes;
     const double loss = handler.empty() ? (full ? 3.4e-4 : 0.009)
                         : passes        ? (full ? 0.35 : 0.06)
                                         : (full ? 0.12 : 0.04);

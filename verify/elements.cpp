@@ -7,6 +7,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/random.h>
+#include <ringwatch/body/law_of_packs.h>
 #include <ringwatch/meshes/generators.h>
 #include <ringwatch/verify/elements_studies.h>
 #include <ringwatch/verify/static_solver.h>
@@ -266,7 +267,9 @@ void studyDerivatives(StudyReport& report) {
     const Mesh mesh = jitteredCube(c.element->name);
     const NodeVectors x = strained(mesh, 4e-4);
     for (const LawInfo& law : allLaws()) {
-      const Body body(mesh, makeMaterial(law.name, young, poisson, density), c.options());
+      const Material material = makeMaterial(law.name, young, poisson, density);
+      if (!hasShares(material, c.rule->shares)) continue;
+      const Body body(mesh, material, c.options());
       Body::Workspace workspace;
       Draw draw(17);
       const NodeVectors v = draw.nodes(x.cols(), 1.0);

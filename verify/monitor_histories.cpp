@@ -40,7 +40,7 @@ Mesh bar(std::string_view element, int cells) {
   options.size = {0.2, 0.04, 0.04};
   options.cells = {5 * cells, cells, cells};
   options.element = element;
-  options.split = element == "tet4" ? 5 : 0;
+  options.split = findElementByName(element)->cellSplits.back().elementsPerCell;  // tetrahedra: five, not six
   options.jitter = 0.2;
   return generateBar(options);
 }

@@ -23,7 +23,7 @@ struct MooneyRivlin {
                  .help = "coefficient of I2 - 3"},
       OptionInfo{.name = "bulk", .unit = "Pa", .range = NumberRange::positive(), .help = "bulk modulus at rest"}};
   static constexpr std::span<const OptionInfo> parameters = parameterTable;
-  static constexpr bool objective = true, tangentIsConstant = false, tangentStiffens = true;
+  static constexpr bool objective = true, tangentIsConstant = false, tangentStiffens = true, definedInverted = false;
   double c10, c01, lambda;  // Pa
 
   static MooneyRivlin of(const Options& parameters) {

@@ -1,5 +1,6 @@
 // The program with kinds of its own: each is one file and one line here.
 #include <ringwatch/app/command_line.h>
+#include <ringwatch/body/register_element.h>
 #include <ringwatch/body/register_law.h>
 #include <tests/added/doubled_metric.h>
 #include <tests/added/mooney_rivlin.h>
@@ -7,10 +8,12 @@
 #include <tests/added/substeps.h>
 #include <tests/added/two_halves.h>
 #include <tests/added/volume_study.h>
+#include <tests/added/wedge15.h>
 
 int main(int argc, char** argv) {
   using namespace ringwatch;
   registerLaw<test::MooneyRivlin>();
+  registerElement<test::Wedge15>();
   registerIntegrator(integratorEntry<test::TwoHalves>());
   registerMetric(test::doubledMetric);
   registerHandler(handlerEntry<test::Substeps>());

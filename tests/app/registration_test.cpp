@@ -1,5 +1,8 @@
 // What a program registers is used from scenes, command line, help and studies as what the library has.
 #include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
 
 #include <tests/app/program.h>
 
@@ -110,11 +113,70 @@ TEST_F(Registration, AMeshFormatIsReadAndWritten) {
   expectRefused("mesh check broken.plain", "ends too early");
 }
 
+TEST_F(Registration, AnElementIsMeshedWrittenReadAndInspected) {
+  EXPECT_THAT(call("help elements").out,
+              ::testing::AllOf(HasSubstr("wedge15           15 nodes, order 2; VTK cell 26, gmsh type 18"),
+                               HasSubstr("gauss-6x3")));
+  EXPECT_THAT(call("help scene").out, HasSubstr("wedge15"));
+  const std::string box = "mesh generate bar --size 0.1 0.02 0.02 --cells 5 1 1 --jitter 0.1 ";
+  ASSERT_EQ(call(box + "--element wedge15 -o a.vtu").status, 0);
+  ASSERT_EQ(call("mesh convert a.vtu b.msh").status, 0);
+  ASSERT_EQ(call("mesh convert b.msh c.vtu").status, 0);
+  for (const std::string name : {"a.vtu", "b.msh", "c.vtu"}) {
+    EXPECT_EQ(call("mesh check " + name).status, 0) << name;
+    const Outcome outcome = call("inspect " + name +
+                                 " --model mooney-rivlin --c10 4e3 --c01 1e3 --bulk 25e3 --density 1000 --global "
+                                 "--metric all --json " +
+                                 name + ".json");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Json result = json(name + ".json"), step = result["critical_step"],
+               first = json("a.vtu.json")["critical_step"];
+    EXPECT_EQ(result["mesh"]["elements"]["wedge15"], 10);
+    EXPECT_NEAR(result["mesh"]["volume"].get<double>(), 4e-5, 1e-18);
+    EXPECT_LE(step["safe"].get<double>(), step["global"].get<double>() * (1 + 1e-9));
+    EXPECT_GE(step["optimistic"].get<double>(), step["global"].get<double>() * (1 - 1e-9));
+    EXPECT_NEAR(step["safe"].get<double>() / first["safe"].get<double>(), 1, 1e-9) << name;
+  }
+  expectRefused(box + "--element wedge14 -o d.vtu", "the nearest is \"wedge15\"");
+}
+
+TEST_F(Registration, AnElementRuns) {
+  const std::string run = "run rubber.toml --out r --set mesh.element=wedge15 --set integrator.step=1e-4 ";
+  const Outcome outcome = call(run + "--set integrator.end=0.01");
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  const Json summary = json("r/summary.json");
+  EXPECT_EQ(summary["verdict"], "certified");
+  EXPECT_EQ(summary["mesh"]["elements"]["wedge15"], 10);
+  // Beyond the critical step the handler takes what is too large.
+  const Outcome handled = call(run + "--set integrator.end=0.01 --set integrator.step=1e-3 --set handler.method=imex");
+  EXPECT_EQ(handled.status, 0) << handled.err << handled.out;
+  EXPECT_GT(json("r/summary.json")["handler"]["handled_elements"].get<int>(), 0);
+}
+
+TEST_F(Registration, AnElementIsHeldToWhatTheElementsOfTheLibraryAre) {
+  const Outcome outcome = call("verify elements --quick --json e.json");
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  std::map<std::string, int> checks;  // by element and by law
+  const Json report = json("e.json")["studies"]["elements"]["checks"];
+  for (const Json& check : report) {
+    const std::string name = check["name"];
+    for (const std::string_view part :
+         {"hex20", "wedge15", "wedge15 gauss-3x3 mooney-rivlin", "wedge15 gauss-6x3 stvk"})
+      checks[std::string(part)] += name.starts_with(part);
+    EXPECT_TRUE(check["passed"].get<bool>()) << name;
+  }
+  // Both have two rules; of hex20 the second is deficient, and held to less.
+  EXPECT_GE(checks["hex20"], 30);
+  EXPECT_GE(checks["wedge15"], checks["hex20"]);
+  EXPECT_GE(checks["wedge15 gauss-3x3 mooney-rivlin"], 3);
+  EXPECT_GE(checks["wedge15 gauss-6x3 stvk"], 3);
+}
+
 TEST_F(Registration, AStudyRuns) {
   EXPECT_THAT(call("help studies").out, HasSubstr("the volume of a bar"));
-  const Outcome outcome = call("verify volume");
+  const Outcome outcome = call("verify bar-volume");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, ::testing::AllOf(HasSubstr("== volume"), HasSubstr("5 checks, 0 failed")));
+  EXPECT_THAT(outcome.out, ::testing::AllOf(HasSubstr("== bar-volume"), HasSubstr("5 checks, 0 failed")));
 }
 
 TEST_F(Registration, StudiesTakeWhatIsRegistered) {

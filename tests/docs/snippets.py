@@ -31,6 +31,7 @@ CONTEXTS = {
         ["ringwatch/monitor/tangent_bracket.h"],
         "  std::vector<double> blocks; std::vector<std::int32_t> beams, solids; std::vector<std::uint8_t> held;\n",
     ),
+    ("docs/elements.md", 0): (["ringwatch/body/register_element.h"], "  using MyElement = ringwatch::Tet4;\n"),
     ("docs/integrators.md", 0): (["memory"], None),
     ("docs/gpu.md", 0): ([], "  ringwatch::Body& body = any<ringwatch::Body>(); double h = 1e-4;\n"),
     ("docs/gpu.md", 1): (

@@ -1,4 +1,5 @@
-// Every quadrature rule of every element: weights, points, and the monomials it integrates exactly.
+// Every quadrature rule of every element, one that is added among them: weights, points, and the monomials it
+// integrates exactly.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include <ringwatch/elements/registry.h>
+#include <tests/added/wedge15.h>
 #include <tests/support/random.h>
 #include <tests/support/registry_types.h>
 
@@ -19,10 +21,13 @@ struct RuleCase {
 };
 std::vector<RuleCase> allRules() {
   std::vector<RuleCase> cases;
-  for (const ElementInfo& element : allElements()) {
+  const auto add = [&](const ElementInfo& element) {
     for (const QuadratureRule& rule : element.rules) cases.push_back({&element, rule});
     cases.push_back({&element, element.massRule});
-  }
+  };
+  for (const ElementInfo& element : allElements()) add(element);
+  static const ElementInfo added = elementInfoOf<test::Wedge15>(ElementType{});
+  add(added);
   return cases;
 }
 
@@ -107,7 +112,8 @@ TEST_P(RuleTest, HasTheDegreeOfItsName) {
   // (1 - z)^(i+j) along. Fierz 2013's five points have degree 2 (Felippa 2009).
   const std::map<std::string, int> degrees{{"gauss-1", 1},         {"keast-4", 2},         {"gauss-2x2x2", 3},
                                            {"gauss-3x3x3", 5},     {"gauss-3x2", 2},       {"stroud-15", 5},
-                                           {"collapsed-2x2x2", 1}, {"collapsed-3x3x3", 3}, {"jacobi-2x2x1", 1}};
+                                           {"collapsed-2x2x2", 1}, {"collapsed-3x3x3", 3}, {"jacobi-2x2x1", 1},
+                                           {"gauss-3x3", 2},       {"gauss-6x3", 4}};
   const auto known = degrees.find(name);
   if (known == degrees.end() && name != "source") GTEST_SKIP() << "no degree is claimed for " << name;
   const int degree = name == "source" ? (element().name == "pyramid5" ? 2 : 1) : known->second;

@@ -1,4 +1,4 @@
-// Shape functions, faces and edges of every reference element in elements/registry.h.
+// Shape functions, faces and edges of every reference element in elements/registry.h, and of one that is added.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 
 #include <ringwatch/base/dual.h>
 #include <ringwatch/elements/registry.h>
+#include <tests/added/wedge15.h>
 #include <tests/support/random.h>
 #include <tests/support/registry_types.h>
 
@@ -55,7 +56,11 @@ class ElementTest : public ::testing::Test {
     return nodes;
   }
 };
-TYPED_TEST_SUITE(ElementTest, test::TestTypesOf<Elements>, test::RegistryNames);
+/// Those of the library, and one that is added.
+template <class... Es>
+TypeList<Es..., test::Wedge15> withAdded(TypeList<Es...>);
+using TestedElements = decltype(withAdded(Elements{}));
+TYPED_TEST_SUITE(ElementTest, test::TestTypesOf<TestedElements>, test::RegistryNames);
 
 TYPED_TEST(ElementTest, ShapeIsOneAtItsNodeAndZeroAtTheOthers) {
   for (int b = 0; b < TypeParam::nodes; ++b) {
@@ -147,12 +152,12 @@ TYPED_TEST(ElementTest, EdgesAreDistinctAndThoseOfTheFaces) {
   }
   EXPECT_EQ(edges, ofFaces);
   // Euler: corners - edges + faces = 2.
-  const ElementInfo& info = elementInfo(elementTypeOf<TypeParam>);
+  const ElementInfo info = elementInfoOf<TypeParam>(ElementType{});
   EXPECT_EQ(cornerCount(info) - static_cast<int>(edges.size()) + static_cast<int>(TypeParam::faces.size()), 2);
 }
 
 TYPED_TEST(ElementTest, NodesBeyondTheCornersAreTheMiddlesOfTheEdgesInOrder) {
-  const int corners = cornerCount(elementInfo(elementTypeOf<TypeParam>));
+  const int corners = cornerCount(elementInfoOf<TypeParam>(ElementType{}));
   for (int a = corners; a < TypeParam::nodes; ++a) {
     const auto& ends = TypeParam::edges[static_cast<std::size_t>(a - corners)];
     EXPECT_EQ((this->node(ends[0]) + this->node(ends[1])) / 2, this->node(a)) << a;

@@ -177,9 +177,19 @@ void checkPlan() {
   }
 }
 
+struct OwnHexahedron : Hex8 {
+  static constexpr std::string_view name = "own-hexahedron";
+  static constexpr int vtkCellType = 0, gmshType = 0;
+};
+
 void refuses() {
   const Mesh quadratic = bar("tet10", {2, 2, 2}, 0);
   checks::expectThrows<InputError>([&] { planPatches(quadratic); }, "tet10 are not on the device");
+  // Kernels are compiled for the elements of the library; one that a program registers stays on the CPU.
+  Mesh own = bar("hex8", {2, 2, 2}, 0);
+  own.blocks[0].type = detail::registerElement(elementInfoOf<OwnHexahedron>(ElementType{}));
+  checks::expectThrows<InputError>([&] { planPatches(own); },
+                                   "own-hexahedron are not on the device; it has tet4, hex8, wedge6 and pyramid5");
 }
 
 void refusesOnDevice() {

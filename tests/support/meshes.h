@@ -13,39 +13,19 @@ namespace ringwatch::test {
 
 using Cells = std::array<int, 3>;
 
-/// The generators' usual split of a cell into this element; nullptr for an element that tiles no cell.
-inline const CellSplit* cellSplit(std::string_view element) {
-  for (const CellSplit& split : allCellSplits())
-    if (split.element == element) return &split;
-  return nullptr;
-}
+/// The usual split of a cell into this element.
+inline const CellSplit& cellSplit(std::string_view element) { return findElementByName(element)->cellSplits.front(); }
 
-/// A box of nx×ny×nz cells, corner at the origin, nodes moved at random by up to jitter × cell size. An element that
-/// tiles no cell gives a single reference element instead, scaled to the cell.
+/// A box of nx×ny×nz cells, corner at the origin, nodes moved at random by up to jitter × cell size.
 inline Mesh gridMesh(std::string_view element, Cells cells, const Eigen::Vector3d& size, double jitter = 0,
                      std::uint64_t seed = 1) {
-  if (cellSplit(element)) {
-    BarOptions options;
-    options.size = {size[0], size[1], size[2]};
-    options.cells = cells;
-    options.element = element;
-    options.jitter = jitter;
-    options.seed = seed;
-    return generateBar(options);
-  }
-  const ElementInfo& info = *findElementByName(element);
-  Random random(seed);
-  Mesh mesh;
-  mesh.X.resize(3, info.nodes);
-  mesh.blocks.push_back({info.type, {}, {0}});
-  for (int a = 0; a < info.nodes; ++a) {
-    const Eigen::Vector3d xi = Eigen::Vector3d::Map(info.referenceNodes[static_cast<std::size_t>(a)].data());
-    const Eigen::Vector3d cell(size[0] / cells[0], size[1] / cells[1], size[2] / cells[2]);
-    mesh.X.col(a) = cell.cwiseProduct(xi + 0.5 * random.vector(jitter));
-    mesh.blocks[0].connectivity.push_back(a);
-    mesh.nodeIds.push_back(a);
-  }
-  return mesh;
+  BarOptions options;
+  options.size = {size[0], size[1], size[2]};
+  options.cells = cells;
+  options.element = element;
+  options.jitter = jitter;
+  options.seed = seed;
+  return generateBar(options);
 }
 
 /// The bar of the reference programs: 0.2 × 0.04 × 0.04 m, n cells over 0.04 m.

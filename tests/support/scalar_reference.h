@@ -2,6 +2,7 @@
 #include <variant>
 #include <vector>
 
+#include <ringwatch/body/law_of_packs.h>
 #include <ringwatch/materials/registry.h>
 #include <ringwatch/meshes/mesh.h>
 #include <tests/support/random.h>
@@ -69,10 +70,8 @@ class ScalarReference {
     double weight;   // w det J
     bool isMean = false;
   };
-  static LawType share(LawType law, double lambdaShare, double muShare) {
-    law.constants.lambda *= lambdaShare;
-    law.constants.mu *= muShare;
-    return law;
+  static LawType share(const LawType& law, double lambdaShare, double muShare) {
+    return withShares(law, lambdaShare, muShare).value_or(law);
   }
   const LawType& lawAt(const Point& point) const { return point.isMean ? meanLaw_ : law_; }
   void gather(const NodeVectors& x, std::size_t e, double (&xe)[n][3]) const {

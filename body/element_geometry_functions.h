@@ -1,0 +1,146 @@
+#pragma once
+#include <ringwatch/base/error.h>
+#include <ringwatch/body/element_geometry.h>
+
+/// The functions of ElementGeometry that are not inline: for element_geometry.cpp, which compiles them for the elements
+/// of the library, and for elements that a program registers.
+namespace ringwatch {
+
+template <class Element>
+ElementGeometry<Element>::ElementGeometry(const ElementBlock& block, const Mesh& mesh, const MeshBlock& meshBlock)
+    : block_(block), points_(static_cast<int>(block.rule().points.size())), hasMean_(block.rule().shares.mean()) {
+  const QuadratureRule& rule = block.rule();
+  shapeGradients_.resize(static_cast<std::size_t>(points_ * n * 3));
+  for (int q = 0; q < points_; ++q)
+    Element::shapeGradient(
+        rule.points[static_cast<std::size_t>(q)].xi,
+        reinterpret_cast<double(*)[3]>(shapeGradients_.data() + static_cast<std::ptrdiff_t>(q) * n * 3));
+  const std::int32_t batches = block.layout().batchCount();
+  geometry_.resize(static_cast<std::size_t>(batches) * static_cast<std::size_t>(points_) * stride);
+  for (std::int32_t batch = 0; batch < batches; ++batch) {
+    P X[n][3];
+    loadEdgesFromMesh(mesh.X.data(), elementsOf(batch), X);
+    P* point = geometry_.data() + static_cast<std::ptrdiff_t>(batch) * points_ * stride;
+    for (int q = 0; q < pointCount(); ++q, point += stride) {
+      const Matrix3<P> J = Operators::naturalGradient([&](int a, int i) { return X[a][i]; }, shapeTable(q));
+      const P det = determinant(J);
+      const Matrix3<P> J1 = inverse(J);
+      for (int i = 0; i < 9; ++i) point[i] = J1.m[i];
+      for (int lane = 0; lane < lanes; ++lane) {
+        const std::int32_t e = elementsOf(batch)[lane];
+        if (e >= 0 && !(det[lane] > 0))
+          throw NumericalError(joinText(Element::name, " element ", meshBlock.id(static_cast<std::size_t>(e)),
+                                        ": Jacobian determinant ", det[lane], " at quadrature point ", q,
+                                        " must be > 0"));
+        point[9].set(lane, e < 0 ? 0.0 : det[lane] * rule.points[static_cast<std::size_t>(q)].weight);
+      }
+    }
+  }
+  if (!hasMean_) return;
+  meanGradients_.resize(static_cast<std::size_t>(batches) * (3 * n + 1));
+  for (std::int32_t batch = 0; batch < batches; ++batch)
+    meanGradients(pointsOf(batch), meanGradients_.data() + static_cast<std::size_t>(batch) * (3 * n + 1));
+}
+
+template <class Element>
+void ElementGeometry<Element>::meanGradients(const P* point, P* g) const {
+  for (int i = 0; i <= 3 * n; ++i) g[i] = P(0.0);
+  for (int q = 0; q < points_; ++q, point += stride) {
+    P own[n][3];
+    Operators::shapeGradients(inverseJacobian(point), shapeTable(q), own);
+    for (int i = 0; i < 3 * n; ++i) g[i] += weight(point) * own[i / 3][i % 3];
+    g[3 * n] += weight(point);
+  }
+  // Lanes without an element have no volume; they repeat the first lane's gradients, as positions do.
+  const auto present = g[3 * n] > P(0.0);
+  const P inverse = P(1.0) / select(present, g[3 * n], P(1.0));
+  for (int i = 0; i < 3 * n; ++i) {
+    const P own = g[i] * inverse;
+    g[i] = select(present, own, P(own[0]));
+  }
+}
+
+template <class Element>
+void ElementGeometry<Element>::loadEdgesFromMesh(const double* x, const std::int32_t* elements, P (&out)[n][3]) const {
+  alignas(64) double rows[4 * n * lanes];
+  std::uint16_t local[n * lanes];
+  for (int lane = 0; lane < lanes; ++lane) {
+    const auto nodes = block_.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]);
+    for (int a = 0; a < n; ++a) {
+      const int row = a * lanes + lane;
+      const double* from = x + 3 * static_cast<std::ptrdiff_t>(nodes[static_cast<std::size_t>(a)]);
+      const detail::Row4 padded{from[0], from[1], from[2], 0.0};
+      std::memcpy(rows + 4 * row, &padded, sizeof padded);
+      local[row] = static_cast<std::uint16_t>(row);
+    }
+  }
+  for (int a = 0; a < n; ++a) loadRows(rows, local + a * lanes, out[a]);
+  subtractFirst(out);
+}
+
+template <class Element>
+void ElementGeometry<Element>::gatherPoints(const std::int32_t* elements, P* points) const {
+  const int count = pointCount() * stride;
+  for (int lane = 0; lane < lanes; ++lane) {
+    const std::int32_t e = elements[lane] < 0 ? elements[0] : elements[lane];
+    const std::int32_t place = block_.layout().batchOfElement[static_cast<std::size_t>(e)];
+    const P* from = pointsOf(place / lanes);
+    for (int i = 0; i < count; ++i) points[i].set(lane, from[i][place % lanes]);
+    if (elements[lane] < 0)
+      for (int q = 0; q < pointCount(); ++q) points[stride * q + 9].set(lane, 0.0);
+  }
+}
+
+template <class Element>
+void ElementGeometry<Element>::laplacianOf(const std::int32_t* elements, double* L) const {
+  P gathered[stride * maxPoints];
+  gatherPoints(elements, gathered);
+  P* l = reinterpret_cast<P*>(L);
+  for (int i = 0; i < n * n; ++i) l[i] = P(0.0);
+  const P* point = gathered;
+  for (int q = 0; q < pointCount(); ++q, point += stride) {
+    P g[n][3];
+    Operators::shapeGradients(inverseJacobian(point), shapeTable(q), g);
+    Operators::addLaplacian(weight(point), g, [&](int a, int b, const P& value) { l[a * n + b] += value; });
+  }
+  for (int a = 0; a < n; ++a)
+    for (int b = 0; b < a; ++b) l[b * n + a] = l[a * n + b];
+}
+
+template <class Element>
+void ElementGeometry<Element>::gradientNormBatch(std::int32_t batch, double* norms) const {
+  const P* point = pointsOf(batch);
+  P largest(0.0);
+  for (int q = 0; q < pointCount(); ++q, point += stride) {
+    P g[n][3], sum(0.0);
+    Operators::shapeGradients(inverseJacobian(point), shapeTable(q), g);
+    for (int a = 0; a < n; ++a) sum += math::sqrt(g[a][0] * g[a][0] + g[a][1] * g[a][1] + g[a][2] * g[a][2]);
+    largest = math::max(largest, sum);
+  }
+  largest.store(norms);
+}
+
+template <class Element>
+void ElementGeometry<Element>::minimumDeterminantBatch(std::int32_t batch, const double* x,
+                                                       double* determinants) const {
+  P edges[n][3];
+  loadEdgesFromMesh(x, elementsOf(batch), edges);
+  const P* point = pointsOf(batch);
+  P least(0.0);
+  for (int q = 0; q < pointCount(); ++q, point += stride) {
+    const P d = determinant(gradient(edges, q, inverseJacobian(point)));
+    least = q == 0 ? d : math::min(least, d);
+  }
+  if constexpr (offersMean)
+    if (hasMean_) least = math::min(least, determinant(meanGradient(edges, meanGradientsOf(batch))));
+  least.store(determinants);
+}
+
+template <class Element>
+void ElementGeometry<Element>::volumeBatch(std::int32_t batch, double* volumes) const {
+  P sum(0.0);
+  for (int q = 0; q < points_; ++q) sum += weight(pointsOf(batch) + stride * q);
+  sum.store(volumes);
+}
+
+}  // namespace ringwatch
