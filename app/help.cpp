@@ -44,9 +44,10 @@ std::string namesIn(const Table& table) {
 std::string elementsText() {
   std::string text =
       "Elements with their quadrature rules, the first of which is the default. Node order is VTK's.\n\n";
+  const auto numberIn = [](int type) { return type > 0 ? fmt::format("{}", type) : "none"; };  // of a file format
   for (const ElementInfo& info : allElements()) {
     text += fmt::format("  {:<17} {} nodes, order {}; VTK cell {}, gmsh type {}\n", info.name, info.nodes, info.order,
-                        info.vtkCellType, info.gmshType);
+                        numberIn(info.vtkCellType), numberIn(info.gmshType));
     for (const QuadratureRule& rule : info.rules) text += fmt::format("    {:<15} {}\n", rule.name, rule.help);
   }
   return text;

@@ -36,7 +36,12 @@ std::map<ElementType, BatchMaker (*)(const Material&)>& registeredElements() {
 }
 
 BatchMaker batchMaker(ElementType element, const Material& material) {
-  if (!isOfLibrary(element)) return registeredElements().at(element)(material);
+  if (!isOfLibrary(element)) {
+    const auto found = registeredElements().find(element);
+    if (found == registeredElements().end())
+      throw InputError(joinText("element \"", elementInfo(element).name, "\": is not registered by registerElement"));
+    return found->second(material);
+  }
   if (material.outside) return registeredLaw(material).makerOf(element);
   BatchMaker make = nullptr;
   [&]<std::size_t... shard>(std::index_sequence<shard...>) {

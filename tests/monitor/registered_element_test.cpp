@@ -279,6 +279,16 @@ TEST_F(RegisteredElement, IsReadInTheNodeOrderOfEachFormat) {
   }
 }
 
+TEST_F(RegisteredElement, WithoutItsKernelsHasNoBody) {
+  ElementInfo other = elementInfoOf<Hex8>(ElementType{});
+  other.name = "voxel8";
+  other.vtkCellType = other.gmshType = 0;
+  Mesh mesh = test::gridMesh("hex8", {1, 1, 1}, {1, 1, 1});
+  mesh.blocks[0].type = detail::registerElement(other);
+  EXPECT_THAT(test::errorOf([&] { const Body body(mesh, material("stvk")); }),
+              HasSubstr("element \"voxel8\": is not registered by registerElement"));
+}
+
 TEST_F(RegisteredElement, OfTheOtherHandednessIsTurnedRound) {
   Mesh mesh = bentWedge();
   mesh.X.row(2) *= -1;
