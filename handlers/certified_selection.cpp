@@ -181,7 +181,7 @@ class Greedy {
     std::fill(std::begin(elements), std::end(elements), -1);
     elements[0] = e.element;
     double values[PatchLayout::lanes];
-    shapes_.elementValues(e.block, elements, x_, values, nullptr);
+    shapes_.elementValues(e.block, elements, x_, values);
     ++evaluations_;
     // A node without slack in some direction gives a shape that is not positive definite, thus NaN, or a large value.
     return {std::isnan(values[0]) ? std::numeric_limits<double>::infinity() : values[0] / trace, values[0]};

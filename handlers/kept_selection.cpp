@@ -11,6 +11,7 @@
 #include <ringwatch/handlers/rotation_of.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/scaled_tangent.h>
+#include <ringwatch/monitor/tangent_growth.h>
 
 namespace ringwatch {
 namespace {
@@ -95,7 +96,8 @@ void KeptSelection::learn(const Body& part, const NodeVectors& x, const Numbers&
       part, x, [&](std::size_t b, const std::int32_t* elements, const double* F, const TangentDrift* drifts) {
         const std::size_t points = part.blocks()[b]->rule().points.size();
         double value[lanes], reach[lanes];
-        bound.elementValues(static_cast<std::int32_t>(b), elements, x, value, reach);
+        bound.elementValues(static_cast<std::int32_t>(b), elements, x, value);
+        strainNormBounds(part, bound, static_cast<std::int32_t>(b), elements, reach);
         for (int lane = 0; lane < lanes; ++lane) {
           if (elements[lane] < 0) continue;
           const std::size_t whole = at(numbers[b][at(elements[lane])]);

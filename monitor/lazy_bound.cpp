@@ -9,6 +9,7 @@
 #include <ringwatch/materials/rotation.h>
 #include <ringwatch/monitor/nodal_shapes.h>
 #include <ringwatch/monitor/scaled_tangent.h>
+#include <ringwatch/monitor/tangent_growth.h>
 
 namespace ringwatch {
 namespace {
@@ -73,7 +74,8 @@ void LazyBound::evaluatePack(const NodeVectors& x, std::int32_t b, const std::in
   TangentDrift drift[lanes];
   std::vector<double> F(static_cast<std::size_t>(9 * points * lanes));
   if (known) std::copy_n(known, lanes, value);
-  shapes_.elementValues(b, elements, x, known ? nullptr : value, withReach ? reach : nullptr);
+  if (!known) shapes_.elementValues(b, elements, x, value);
+  if (withReach) strainNormBounds(body_, shapes_, b, elements, reach);
   block.deformationOf(elements, x.data(), F.data(), drift);
   for (int lane = 0; lane < lanes; ++lane) {
     if (elements[lane] < 0) continue;
@@ -584,7 +586,7 @@ double LazyBound::verify(const NodeVectors& x) const {
       std::fill(elements, elements + lanes, -1);
       elements[0] = e;
       double value[lanes];
-      shapes_.elementValues(static_cast<std::int32_t>(b), elements, x, value, nullptr);
+      shapes_.elementValues(static_cast<std::int32_t>(b), elements, x, value);
       const double budget = budgetOf({static_cast<std::int32_t>(b), e});
       if (value[0] > 0) excess = std::max(excess, value[0] / budget - 1);
     }

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <ringwatch/base/backoff.h>
+#include <ringwatch/body/body.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/validity_balls.h>
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <ringwatch/base/short_floats.h>
-#include <ringwatch/body/body.h>
+#include <ringwatch/body/tangent_source.h>
 #include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/nodal_shapes.h>
 
@@ -21,13 +21,13 @@ class NodalBound {
   /// Shapes to start from. The root wins on irregular meshes, the stiffness itself on regular ones.
   enum class Start { rootOfStiffness, stiffness };
 
-  explicit NodalBound(const Body& body);
+  explicit NodalBound(const TangentSource& source);
 
-  /// The bound at positions x (3×N, m): the best of up to `sweeps` + 1 evaluations. From scratch when nothing is kept.
-  /// It ends when two sweeps lowered the bound by no more than leastGain, relative.
+  /// The bound at x, as the source reads it: the best of up to `sweeps` + 1 evaluations. From scratch when nothing is
+  /// kept. It ends when two sweeps lowered the bound by no more than leastGain, relative.
   UpperBound evaluate(const NodeVectors& x, int sweeps, Start start = Start::rootOfStiffness, double leastGain = 0);
-  /// Elements that are not in the body and share nodes with it, by their Σ l_e D_e at each node (N of them, N/m): they
-  /// count in every sum and thus in the bound, and are not swept.
+  /// Elements that are not in the source and share nodes with it, by their Σ l_e D_e at each node (N of them, N/m):
+  /// they count in every sum and thus in the bound, and are not swept.
   void setOutside(std::vector<Eigen::Matrix3d> sums) { outside_ = std::move(sums); }
   /// Forgets the shapes.
   void reset() { started_ = false; }
@@ -47,7 +47,7 @@ class NodalBound {
       Iterator(const std::int32_t* code, const std::int32_t* firstOfBlock) : code_(code), firstOfBlock_(firstOfBlock) {}
       Incidence operator*() const {
         std::int32_t block = 0;
-        while (*code_ >= firstOfBlock_[block + 1]) ++block;  // bodies have a few blocks
+        while (*code_ >= firstOfBlock_[block + 1]) ++block;  // sources have a few groups
         return {block, *code_ - firstOfBlock_[block]};
       }
       Iterator& operator++() {
@@ -87,10 +87,11 @@ class NodalBound {
   void setShape(Incidence at, const Eigen::Matrix3d& D) { setFactor(at, factorOf(D)); }
   /// Of all nodes of an element, of any size: they get trace 1 over the element.
   void setShapes(ElementRef e, std::span<const Eigen::Matrix3d> shapes);
-  /// Unless nullptr, l_e at positions x and b = lambda_max(D⁻¹ Σ w BᵀB) of any elements of a block, one a lane (-1:
-  /// none).
-  void elementValues(std::int32_t block, const std::int32_t* elements, const NodeVectors& x, double* values,
-                     double* reach) const;
+  /// l_e at x of any elements of a group, one a lane (-1: none): values[lane].
+  void elementValues(std::int32_t block, const std::int32_t* elements, const NodeVectors& x, double* values) const;
+  /// max(0, lambda_max(D_e⁻¹ A_e)), rounded up, of any symmetric matrices of such elements, without the rows and
+  /// columns of constrained components. A: as ElementTangents::tangentOf gives tangents; overwritten.
+  void weightedLargest(std::int32_t block, const std::int32_t* elements, NativePack* A, double* values) const;
   /// l_e of the last sweep.
   double value(ElementRef e) const;
   /// lambda_max(S_i) of every node at the last sweep, rad²/s².
@@ -115,7 +116,7 @@ class NodalBound {
   void findFactors(double bound);
   void setValue(ElementRef e, double value);
 
-  const Body* body_;
+  const TangentSource* source_;
   bool started_ = false;
   struct StoredFactor {
     alignas(Pack::width * sizeof(ShortRoot)) ShortRoot m[6][Pack::width];

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include <ringwatch/body/body.h>
+#include <ringwatch/body/tangent_source.h>
 #include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/nodal_bound.h>
 
@@ -28,9 +28,9 @@ struct SplitBound {
 /// x: 3×N, m. shapes: evaluated at x; the start. sigma: rad²/s², best just above the truth; any value gives a bound.
 /// accept: stops when the bound is at or below it. Memory: 18 n² numbers an element of n nodes, splitBoundBytes.
 /// The value is infinite when the tangent is not finite.
-SplitBound splitUpperBound(const Body& body, const NodeVectors& x, const NodalBound& shapes, double sigma,
+SplitBound splitUpperBound(const TangentSource& source, const NodeVectors& x, const NodalBound& shapes, double sigma,
                            double accept, int maxIterations);
 /// Memory that it needs, bytes.
-std::int64_t splitBoundBytes(const Body& body);
+std::int64_t splitBoundBytes(const TangentSource& source);
 
 }  // namespace ringwatch
