@@ -11,13 +11,15 @@ namespace ringwatch {
 /// polynomial from outside the spectrum, which for real roots approaches the outermost one monotonically and cubically
 /// (Parlett 1964).
 ///
-/// The values are within `1e-12 * scale` of those of the matrix as given; whoever needs a proven side adds that.
+/// The values are within `1e-12 * scale` of those of the matrix as given; for a proven side add eigenvalueRounding.
 template <class P>
 struct ExtremeEigenvalues {
   P largest;
   P least;
   P scale;  // Gershgorin bound of the spectral radius
 };
+/// What extremeEigenvalues may be off by, relative to `scale`, with a margin of ten.
+inline constexpr double eigenvalueRounding = 1e-11;
 
 namespace detail {
 /// Calls body(i) for begin <= i < end; `Unrolled` asks the compiler for straight code, which takes constant bounds.

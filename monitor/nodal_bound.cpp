@@ -7,7 +7,7 @@
 #include <limits>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/monitor/nodal_shapes.h>
+#include <ringwatch/monitor/nodal_weights.h>
 #include <ringwatch/monitor/scaled_tangent.h>
 
 namespace ringwatch {
@@ -83,13 +83,13 @@ NodalBound::NodalBound(const TangentSource& source) : source_(&source) {
   incidenceBegin_ = count;
   std::int64_t places = 0;
   for (const ElementTangents* block : source.tangents()) {
-    const auto shapes =
+    const auto weights =
         static_cast<std::size_t>(block->layout().batchCount()) * static_cast<std::size_t>(block->nodesPerElement());
     firstOfBlock_.push_back(static_cast<std::int32_t>(places));
-    places += static_cast<std::int64_t>(shapes * lanes);
+    places += static_cast<std::int64_t>(weights * lanes);
     if (places > std::numeric_limits<std::int32_t>::max())
       throw InputError("the nodal bound: more than 2^31 nodes of elements; use a metric for a body of this size");
-    shapes_.emplace_back(shapes);
+    weights_.emplace_back(weights);
   }
   firstOfBlock_.push_back(static_cast<std::int32_t>(places));
   incidence_.resize(static_cast<std::size_t>(count.back()));
@@ -105,8 +105,8 @@ CholeskyFactor<P> NodalBound::load(const StoredFactor& stored) {
   return L;
 }
 
-void NodalBound::store(const Symmetric3<P>& shape, StoredFactor& stored) {
-  const CholeskyFactor<P> L = ringwatch::factorOf(shape);
+void NodalBound::store(const Symmetric3<P>& weight, StoredFactor& stored) {
+  const CholeskyFactor<P> L = ringwatch::factorOf(weight);
   for (int c = 0; c < 6; ++c) ShortRoot::store(L.m[c], stored.m[c]);
 }
 
@@ -117,11 +117,11 @@ NodalBound::Factor NodalBound::factorOf(const Eigen::Matrix3d& D) {
   return rounded;
 }
 
-Eigen::Matrix3d NodalBound::shapeOf(const Factor& factor) { return matrixOf(symmetricOf(factor)); }
+Eigen::Matrix3d NodalBound::weightOf(const Factor& factor) { return matrixOf(symmetricOf(factor)); }
 
 void NodalBound::prepareSums() {
   const std::size_t packs = (static_cast<std::size_t>(source_->nodeCount()) + lanes - 1) / lanes;
-  if (sums_.size() == packs && values_.size() == shapes_.size()) return;
+  if (sums_.size() == packs && values_.size() == weights_.size()) return;
   for (const ElementTangents* block : source_->tangents())
     values_.emplace_back(static_cast<std::size_t>(block->layout().batchCount()));
   sums_.resize(packs);
@@ -143,17 +143,17 @@ void NodalBound::evaluateAll(const NodeVectors& x, const Start* start) {
     const ElementTangents& block = *source_->tangents()[b];
     const int n = block.nodesPerElement(), size = 3 * n;
     clearConstrained(*source_, block, block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, K);
-    StoredFactor* stored = shapes_[b].data() + static_cast<std::ptrdiff_t>(batch) * n;
+    StoredFactor* stored = weights_[b].data() + static_cast<std::ptrdiff_t>(batch) * n;
     if (start) {
-      Symmetric3<P> shapes[maxElementNodes];
+      Symmetric3<P> weights[maxElementNodes];
       for (int a = 0; a < n; ++a) {
         Symmetric3<P> k;
         for (int r = 0; r < 3; ++r)
           for (int c = r; c < 3; ++c) k(r, c) = K[(3 * a + r) * size + 3 * a + c];
-        shapes[a] = startShape(k, *start == Start::rootOfStiffness);
+        weights[a] = startWeight(k, *start == Start::rootOfStiffness);
       }
-      normaliseShapes(shapes, n);
-      for (int a = 0; a < n; ++a) store(shapes[a], stored[a]);
+      normaliseWeights(weights, n);
+      for (int a = 0; a < n; ++a) store(weights[a], stored[a]);
     }
     P work[12 * maxElementNodes], w[maxElementNodes][6];
     for (int a = 0; a < n; ++a) invertFactor(load(stored[a]), w[a]);
@@ -256,7 +256,7 @@ void NodalBound::sweep(const NodeVectors& x, double bound) {
           const std::int32_t* elements = hot.data() + pack * lanes;
           StoredFactor stored[maxElementNodes];
           gather(b, elements, stored);
-          Symmetric3<P> shapes[maxElementNodes];
+          Symmetric3<P> weights[maxElementNodes];
           for (int a = 0; a < n; ++a) {
             Symmetric3<P> R;
             for (int lane = 0; lane < lanes; ++lane) {
@@ -265,17 +265,17 @@ void NodalBound::sweep(const NodeVectors& x, double bound) {
               const Symmetric3<P>& from = factors_[static_cast<std::size_t>(node / lanes)];
               for (int c = 0; c < 6; ++c) R.m[c].set(lane, from.m[c][node % lanes]);
             }
-            shapes[a] = congruence(R, productOf(load(stored[a])));
+            weights[a] = congruence(R, productOf(load(stored[a])));
           }
-          normaliseShapes(shapes, n);
-          for (int a = 0; a < n; ++a) store(shapes[a], stored[a]);
+          normaliseWeights(weights, n);
+          for (int a = 0; a < n; ++a) store(weights[a], stored[a]);
           double value[lanes];
           for (int lane = 0; lane < lanes; ++lane) {
             if (elements[lane] < 0) continue;
             const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(elements[lane])];
             for (int a = 0; a < n; ++a)
               for (int c = 0; c < 6; ++c)
-                shapes_[b][static_cast<std::size_t>(place / lanes * n + a)].m[c][place % lanes] = stored[a].m[c][lane];
+                weights_[b][static_cast<std::size_t>(place / lanes * n + a)].m[c][place % lanes] = stored[a].m[c][lane];
           }
           elementValues(static_cast<std::int32_t>(b), elements, x, value);
           for (int lane = 0; lane < lanes; ++lane)
@@ -320,23 +320,23 @@ NodalBound::Incidence NodalBound::incidenceOf(ElementRef e, int a) const {
 }
 
 NodalBound::Factor NodalBound::factor(Incidence at) const {
-  const StoredFactor& stored = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
+  const StoredFactor& stored = weights_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
   Factor L;
   for (std::size_t c = 0; c < 6; ++c) L[c] = stored.m[c][at.place % lanes];
   return L;
 }
 
 void NodalBound::setFactor(Incidence at, const Factor& L) {
-  StoredFactor& stored = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
+  StoredFactor& stored = weights_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
   for (std::size_t c = 0; c < 6; ++c) stored.m[c][at.place % lanes] = L[c];
 }
 
-void NodalBound::setShapes(ElementRef e, std::span<const Eigen::Matrix3d> shapes) {
-  const auto n = static_cast<int>(shapes.size());
+void NodalBound::setWeights(ElementRef e, std::span<const Eigen::Matrix3d> weights) {
+  const auto n = static_cast<int>(weights.size());
   Symmetric3<double> own[maxElementNodes];
-  for (int a = 0; a < n; ++a) own[a] = symmetricOf(shapes[static_cast<std::size_t>(a)]);
-  normaliseShapes(own, n);
-  for (int a = 0; a < n; ++a) setShape(incidenceOf(e, a), matrixOf(own[a]));
+  for (int a = 0; a < n; ++a) own[a] = symmetricOf(weights[static_cast<std::size_t>(a)]);
+  normaliseWeights(own, n);
+  for (int a = 0; a < n; ++a) setWeight(incidenceOf(e, a), matrixOf(own[a]));
 }
 
 void NodalBound::gather(std::size_t b, const std::int32_t* elements, StoredFactor* factors) const {
@@ -345,7 +345,7 @@ void NodalBound::gather(std::size_t b, const std::int32_t* elements, StoredFacto
   for (int lane = 0; lane < lanes; ++lane) {
     const std::int32_t place =
         block.layout().batchOfElement[static_cast<std::size_t>(elements[lane] < 0 ? elements[0] : elements[lane])];
-    const StoredFactor* from = shapes_[b].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
+    const StoredFactor* from = weights_[b].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
     for (int a = 0; a < n; ++a)
       for (int c = 0; c < 6; ++c) factors[a].m[c][lane] = from[a].m[c][place % lanes];
   }
@@ -355,22 +355,26 @@ void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, con
                                double* values) const {
   P K[9 * maxElementNodes * maxElementNodes];
   source_->tangents()[static_cast<std::size_t>(b)]->tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
-  weightedLargest(b, elements, K, values);
+  const ElementMatrices tangents{K, values};
+  weightedLargest(b, elements, {&tangents, 1});
 }
 
-void NodalBound::weightedLargest(std::int32_t b, const std::int32_t* elements, NativePack* A, double* values) const {
+void NodalBound::weightedLargest(std::int32_t b, const std::int32_t* elements,
+                                 std::span<const ElementMatrices> sets) const {
   const ElementTangents& block = *source_->tangents()[static_cast<std::size_t>(b)];
   const int n = block.nodesPerElement();
   StoredFactor gathered[maxElementNodes];
   gather(static_cast<std::size_t>(b), elements, gathered);
   P w[maxElementNodes][6], work[12 * maxElementNodes];
   for (int a = 0; a < n; ++a) invertFactor(load(gathered[a]), w[a]);
-  clearConstrained(*source_, block, elements, A);
-  scaleByFactors(w, n, A);
-  largestRoundedUp(A, 3 * n, work).store(values);
+  for (const auto& [matrices, largest] : sets) {
+    clearConstrained(*source_, block, elements, matrices);
+    scaleByFactors(w, n, matrices);
+    largestRoundedUp(matrices, 3 * n, work).store(largest);
+  }
 }
 
-const std::vector<double>& NodalBound::sumsOf(const std::vector<std::span<const float>>& values) {
+const std::vector<double>& NodalBound::sumsOf(const std::vector<std::span<const RoundedUp<float>>>& values) {
   prepareSums();
   for (std::size_t b = 0; b < values_.size(); ++b)
     for (std::size_t place = 0; place < values[b].size(); ++place)

@@ -8,8 +8,6 @@
 namespace ringwatch {
 namespace {
 
-/// Rounding of the packed eigenvalues, relative to the spectral radius; taken off a proven lower bound.
-constexpr double rounding = 1e-11;
 constexpr int lanes = PatchLayout::lanes;
 
 }  // namespace
@@ -71,13 +69,13 @@ const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool want
     });
     for (std::size_t e = 0; e < largest.size(); ++e) {
       const ElementRef here{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
-      const double proven = largest[e] - rounding * scale[e];
+      const double proven = largest[e] - eigenvalueRounding * scale[e];
       if (proven > result_.highest || std::isnan(proven)) {
         result_.highest = proven;
         result_.highestElement = here;
       }
       // Only a clearly negative value proves that the tangent is indefinite.
-      if (wantLowest && least[e] + rounding * scale[e] < result_.lowest) {
+      if (wantLowest && least[e] + eigenvalueRounding * scale[e] < result_.lowest) {
         result_.lowest = least[e];
         result_.lowestElement = here;
       }

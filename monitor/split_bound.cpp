@@ -56,7 +56,7 @@ void removeNegativePart(Pack* A, Pack* VT, Pack* P, int n, Pack& least, Pack& ne
 
 class Splitting {
  public:
-  Splitting(const TangentSource& source, const NodeVectors& x, const NodalBound& shapes, double sigma)
+  Splitting(const TangentSource& source, const NodeVectors& x, const NodalBound& weights, double sigma)
       : source_(source), sigma_(sigma) {
     source.assembleBlocks(x, pattern_);
     std::int64_t total = 0;
@@ -81,7 +81,7 @@ class Splitting {
         target_[static_cast<std::size_t>(k)] =
             (diagonal ? sigma : 0.0) * Eigen::Matrix3d::Identity() + sumOf(k);  // P_ holds -A_e
       }
-    startFrom(shapes);
+    startFrom(weights);
     reserve_.assign(elements_.size(), -1.0);
     excess_.assign(elements_.size(), 0.0);
     negative_.assign(elements_.size(), 0.0);
@@ -245,14 +245,14 @@ class Splitting {
   }
 
   /// P_e += l_e D_e, the nodal bound's own split.
-  void startFrom(const NodalBound& shapes) {
+  void startFrom(const NodalBound& weights) {
     for (std::int32_t node = 0; node < source_.nodeCount(); ++node)
-      for (const NodalBound::Incidence incidence : shapes.incidences(node)) {
-        const ElementRef ref = shapes.elementAt(incidence);
+      for (const NodalBound::Incidence incidence : weights.incidences(node)) {
+        const ElementRef ref = weights.elementAt(incidence);
         const Element& element =
             elements_[firstOfGroup_[static_cast<std::size_t>(ref.block)] + static_cast<std::size_t>(ref.element)];
         const int a = incidence.place / PatchLayout::lanes % element.nodes;
-        at(P_, placeOf(element, a, a)) += shapes.value(ref) / source_.lumpedMass()[node] * shapes.shape(incidence);
+        at(P_, placeOf(element, a, a)) += weights.value(ref) / source_.lumpedMass()[node] * weights.weight(incidence);
       }
   }
 
@@ -314,10 +314,10 @@ class Splitting {
 
 }  // namespace
 
-SplitBound splitUpperBound(const TangentSource& source, const NodeVectors& x, const NodalBound& shapes, double sigma,
+SplitBound splitUpperBound(const TangentSource& source, const NodeVectors& x, const NodalBound& weights, double sigma,
                            double accept, int maxIterations) {
   SplitBound result{{std::numeric_limits<double>::infinity()}, 0, 0};
-  Splitting splitting(source, x, shapes, sigma);
+  Splitting splitting(source, x, weights, sigma);
   while (result.iterations < maxIterations && !(result.upper.value <= accept)) {
     result.upper.value = std::min(result.upper.value, splitting.iterate());
     ++result.iterations;

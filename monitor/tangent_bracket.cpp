@@ -278,7 +278,7 @@ struct TangentBracket::Impl {
     freshStart.tick();
     UpperBound upper = bound->evaluate(noPositions, first ? freshSweeps : warmSweeps);
     if (upper.value <= wide * lower.value || !freshStart.due()) return upper;
-    // Shapes that were swept along for long, or that started badly: from scratch, both ways.
+    // Weights that were swept along for long, or that started badly: from scratch, both ways.
     const double before = upper.value;
     for (const NodalBound::Start start : {NodalBound::Start::rootOfStiffness, NodalBound::Start::stiffness}) {
       auto other = std::make_unique<NodalBound>(*source);
