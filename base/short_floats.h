@@ -29,14 +29,13 @@ RINGWATCH_INLINE NativeIntegers loadShorts(const void* from) {
 RINGWATCH_INLINE NativePack packOf(NativeFloats values) {
   return NativePack(__builtin_convertvector(values, NativePack::Values));
 }
-}  // namespace detail
 
-/// Single precision at or below, at or above a number; NaN stays.
-inline float roundedDown(double number) {
+/// Single precision at or below a number; NaN stays.
+inline float singleAtOrBelow(double number) {
   const auto near = static_cast<float>(number);
   return static_cast<double>(near) > number ? std::nextafter(near, -std::numeric_limits<float>::infinity()) : near;
 }
-inline float roundedUp(double number) { return -roundedDown(-number); }
+}  // namespace detail
 
 /// A number between -1 and 1 by the root of its size, as a multiple of 1/32767: off by at most 3.1e-5 √|number|, so
 /// that small ones are known better than by equal steps. Larger ones become ±1, what is not finite zero.
@@ -75,7 +74,7 @@ class Bfloat16 {
   Bfloat16() = default;
   /// At or below, at or above the number; NaN stays.
   static Bfloat16 down(double value) {
-    const float at = roundedDown(value);
+    const float at = detail::singleAtOrBelow(value);
     Bfloat16 result;
     auto bits = detail::bitCast<std::uint32_t>(at);
     if (at < 0) bits += 0xffffU;  // away from zero
@@ -95,6 +94,49 @@ class Bfloat16 {
 
  private:
   std::uint16_t bits_ = 0;
+};
+
+/// Rounds a double to a type of fewer bits, at or below it; NaN stays. A type that has it can be stored as RoundedDown
+/// and RoundedUp.
+template <class T>
+struct RoundingDown;
+template <>
+struct RoundingDown<float> {
+  static float of(double number) { return detail::singleAtOrBelow(number); }
+};
+template <>
+struct RoundingDown<Bfloat16> {
+  static Bfloat16 of(double number) { return Bfloat16::down(number); }
+};
+
+/// A number in memory as a T at or below the number that it is made of: for what a proof may underestimate, as an
+/// element's allowance or the radius of its validity ball.
+template <class T>
+class RoundedDown {
+ public:
+  RoundedDown() = default;
+  RoundedDown(double number) : stored_(RoundingDown<T>::of(number)) {}
+  operator double() const { return static_cast<double>(stored_); }
+  /// Of the lanes of a pack, one beside another.
+  static NativePack load(const RoundedDown* from) {
+    static_assert(sizeof(RoundedDown) == sizeof(T));
+    return T::load(reinterpret_cast<const T*>(from));
+  }
+
+ private:
+  T stored_{};
+};
+
+/// The same at or above the number: for what a proof may overestimate, as an element's highest eigenvalue.
+template <class T>
+class RoundedUp {
+ public:
+  RoundedUp() = default;
+  RoundedUp(double number) : negative_(-number) {}
+  operator double() const { return -static_cast<double>(negative_); }
+
+ private:
+  RoundedDown<T> negative_;
 };
 
 }  // namespace ringwatch

@@ -75,18 +75,18 @@ void choiceAfterCut(benchmark::State& state, int n, bool kept) {
   }
   const NodeVectors xAfter = carriedOver(cut, x);
   const double lambda = 4 * globalFrequency(before, mesh.X).lambda;
-  KeptSelection atRest;
+  IncrementalSelection atRest;
   atRest.choose(before, mesh.X, lambda, noElements(mesh));
   const double elements = static_cast<double>(cut.mesh.elementCount());
   for (auto _ : state) {
-    KeptSelection selection;
+    IncrementalSelection selection;
     if (kept) selection = atRest;
     const double start = threadSeconds();
     if (kept) selection.carryOver(cut);
     const CertifiedSelection& made = selection.choose(after, xAfter, lambda, noElements(cut.mesh));
     state.SetIterationTime(threadSeconds() - start);
     state.counters["elements"] = elements;
-    state.counters["judged"] = static_cast<double>(selection.judged());
+    state.counters["judged"] = static_cast<double>(selection.evaluatedElements());
     state.counters["evaluations"] = static_cast<double>(made.evaluations);
     state.counters["chosen"] = static_cast<double>(chosenElements(made.chosen).size());
     state.counters["rest_of_lambda"] = made.rest.value / lambda;

@@ -15,10 +15,10 @@ Body::Body(Mesh mesh, const Material& material, const BodyOptions& options)
     : Body(std::move(mesh), std::vector<Material>{material}, options) {}
 
 Body::Body(Mesh mesh, const std::vector<Material>& materialOfBlock, const BodyOptions& options)
-    : mesh_(std::move(mesh)),
+    : TangentSource(Constraints(mesh.nodeCount()), options.threads),
+      mesh_(std::move(mesh)),
       options_(options),
       materials_(materialOfBlock),
-      constraints_(mesh_.nodeCount()),
       externalForce_(NodeVectors::Zero(3, mesh_.X.cols())) {
   if (mesh_.blocks.empty()) throw InputError("the mesh has no volume elements: a body needs at least one");
   // One material serves all blocks.
@@ -31,28 +31,24 @@ Body::Body(Mesh mesh, const std::vector<Material>& materialOfBlock, const BodyOp
     blocks_.push_back(
         makeElementBlock(mesh_, mesh_.blocks[b], materials_[b], rule == options_.rules.end() ? "" : rule->second));
   }
-  lumpMass();
-  indexSlots();
+  setElements(tangentsOfBlocks(), lumpMass());
 }
 
 Body::Body(Mesh mesh, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::VectorXd lumpedMass, int threads)
-    : mesh_(std::move(mesh)),
+    : TangentSource(Constraints(mesh.nodeCount()), threads),
+      mesh_(std::move(mesh)),
       blocks_(std::move(blocks)),
-      lumpedMass_(std::move(lumpedMass)),
-      constraints_(mesh_.nodeCount()),
       externalForce_(NodeVectors::Zero(3, mesh_.X.cols())) {
-  options_.threads = threads;
   if (blocks_.size() != mesh_.blocks.size())
     throw InputError(joinText(blocks_.size(), " blocks for a mesh of ", mesh_.blocks.size()));
-  if (lumpedMass_.size() != nodeCount())
-    throw InputError(joinText(lumpedMass_.size(), " lumped masses for ", nodeCount(), " nodes"));
-  indexSlots();
+  if (lumpedMass.size() != mesh_.X.cols())
+    throw InputError(joinText(lumpedMass.size(), " lumped masses for ", mesh_.X.cols(), " nodes"));
+  setElements(tangentsOfBlocks(), std::move(lumpedMass));
 }
 
 Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
-    : options_(whole.options_),
-      lumpedMass_(whole.lumpedMass_),
-      constraints_(whole.constraints_),
+    : TangentSource(whole.constraints(), whole.threads()),
+      options_(whole.options_),
       externalForce_(whole.externalForce_) {
   const Mesh& all = whole.mesh_;
   bool fits = chosen.size() == all.blocks.size();
@@ -80,22 +76,13 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
       for (double volume : volumes) volume_ += volume;
     }
   }
-  indexSlots();
+  setElements(tangentsOfBlocks(), whole.lumpedMass());
 }
 
-void Body::addNodalMass(std::int32_t node, double mass) {
-  if (node < 0 || node >= nodeCount() || !(mass >= 0) || !std::isfinite(mass))
-    throw InputError(joinText("node ", node, ", added mass ", mass, " kg: the node must be one of ", nodeCount(),
-                              " and the mass >= 0 and finite"));
-  if (mass == 0) return;
-  lumpedMass_[node] += mass;
-  massVersion_.add();
-}
-
-void Body::checkNodal(std::string_view name, const NodeVectors& values) const {
-  if (values.cols() != nodeCount())
-    throw InputError(
-        joinText(name, " is 3 x ", values.cols(), ": must be 3 x ", nodeCount(), ", a column for each node"));
+std::vector<const ElementTangents*> Body::tangentsOfBlocks() const {
+  std::vector<const ElementTangents*> tangents;
+  for (const auto& block : blocks_) tangents.push_back(block.get());
+  return tangents;
 }
 
 void Body::elementLumpedMass(ElementRef ref, double* mass) const {
@@ -134,8 +121,8 @@ void Body::elementLumpedMass(ElementRef ref, double* mass) const {
   }
 }
 
-void Body::lumpMass() {
-  lumpedMass_ = Eigen::VectorXd::Zero(nodeCount());
+Eigen::VectorXd Body::lumpMass() {
+  Eigen::VectorXd lumped = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh_.nodeCount()));
   double expected = 0, mass[maxElementNodes], volumes[PatchLayout::lanes];
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ElementBlock& block = *blocks_[b];
@@ -145,7 +132,7 @@ void Body::lumpMass() {
       elementLumpedMass({static_cast<std::int32_t>(b), e}, mass);
       const auto nodes = block.nodesOf(e);
       for (std::size_t a = 0; a < nodes.size(); ++a) {
-        lumpedMass_[nodes[a]] += mass[a];
+        lumped[nodes[a]] += mass[a];
         blockMass += mass[a];
       }
     }
@@ -160,77 +147,23 @@ void Body::lumpMass() {
     }
     expected += exact ? density * ruleVolume : blockMass;
   }
-  for (std::int32_t i = 0; i < nodeCount(); ++i)
-    if (!(lumpedMass_[i] > 0))
-      throw NumericalError(joinText("node ", i, ": lumped mass ", lumpedMass_[i], " kg must be > 0"));
-  if (!(std::abs(totalMass() - expected) <= 1e-10 * expected))
-    throw NumericalError(joinText("lumped mass ", totalMass(), " kg differs from density x volume ", expected, " kg"));
-}
-
-void Body::indexSlots() {
-  std::vector<std::int64_t> count(mesh_.nodeCount() + 1, 0);
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const auto& block = blocks_[b];
-    const std::vector<Patch>& patches = block->layout().patches;
-    for (std::size_t p = 0; p < patches.size(); ++p)
-      patches_.push_back(
-          {static_cast<std::int32_t>(b), static_cast<std::int32_t>(p), slotCount_ + patches[p].nodeBegin});
-    for (std::int32_t node : block->layout().nodes) ++count[static_cast<std::size_t>(node) + 1];
-    slotCount_ += static_cast<std::int64_t>(block->layout().nodes.size());
-  }
-  for (std::size_t i = 1; i < count.size(); ++i) count[i] += count[i - 1];
-  nodeSlotBegin_ = count;
-  nodeSlot_.resize(static_cast<std::size_t>(slotCount_));
-  std::int64_t slot = 0;
-  for (const auto& block : blocks_)
-    for (std::int32_t node : block->layout().nodes)
-      nodeSlot_[static_cast<std::size_t>(count[static_cast<std::size_t>(node)]++)] = slot++;
+  for (Eigen::Index i = 0; i < lumped.size(); ++i)
+    if (!(lumped[i] > 0)) throw NumericalError(joinText("node ", i, ": lumped mass ", lumped[i], " kg must be > 0"));
+  if (!(std::abs(lumped.sum() - expected) <= 1e-10 * expected))
+    throw NumericalError(joinText("lumped mass ", lumped.sum(), " kg differs from density x volume ", expected, " kg"));
+  return lumped;
 }
 
 void Body::addBodyForce(const Eigen::Vector3d& acceleration) {
-  externalForce_ += acceleration * lumpedMass_.transpose();
-}
-
-void Body::sumSlots(NodeVectors& result, const double* slots) const {
-  result.resize(3, nodeCount());
-  constexpr std::int64_t chunk = 2048;
-  const std::int64_t nodes = nodeCount();
-  parallelFor(0, (nodes + chunk - 1) / chunk, threads(), [&](std::int64_t c) {
-    const std::int64_t end = std::min(nodes, (c + 1) * chunk);
-    for (std::int64_t i = c * chunk; i < end; ++i) {
-      double sum[3] = {0, 0, 0};
-      for (std::int64_t s = nodeSlotBegin_[static_cast<std::size_t>(i)];
-           s < nodeSlotBegin_[static_cast<std::size_t>(i) + 1]; ++s) {
-        const double* row = slots + 4 * nodeSlot_[static_cast<std::size_t>(s)];
-        for (int k = 0; k < 3; ++k) sum[k] += row[k];
-      }
-      for (int k = 0; k < 3; ++k) result(k, i) = sum[k];
-    }
-  });
-}
-
-void Body::sumOverPatches(
-    NodeVectors& result, Workspace& workspace,
-    const std::function<void(std::size_t block, std::int32_t patch, double* slots)>& addPatch) const {
-  workspace.slots.resize(static_cast<std::size_t>(4 * slotCount_));
-  double* slots = workspace.slots.data();
-  parallelFor(0, static_cast<std::int64_t>(patches_.size()), threads(), [&](std::int64_t p) {
-    const PatchRef& ref = patches_[static_cast<std::size_t>(p)];
-    double* own = slots + 4 * ref.firstSlot;
-    const auto block = static_cast<std::size_t>(ref.block);
-    const Patch& patch = blocks_[block]->layout().patches[static_cast<std::size_t>(ref.patch)];
-    std::fill(own, own + 4 * static_cast<std::ptrdiff_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
-    addPatch(block, ref.patch, own);
-  });
-  sumSlots(result, slots);
+  externalForce_ += acceleration * lumpedMass().transpose();
 }
 
 void Body::pass(const NodeVectors& x, PatchVisitor* visitor, NodeVectors* force, double* energy,
                 Workspace& workspace) const {
-  if (force) workspace.slots.resize(static_cast<std::size_t>(4 * slotCount_));
-  if (energy) workspace.energies.resize(patches_.size());
-  parallelFor(0, static_cast<std::int64_t>(patches_.size()), threads(), [&](std::int64_t p) {
-    const PatchRef& ref = patches_[static_cast<std::size_t>(p)];
+  if (force) workspace.slots.resize(static_cast<std::size_t>(4 * slotCount()));
+  if (energy) workspace.energies.resize(patches().size());
+  parallelFor(0, static_cast<std::int64_t>(patches().size()), threads(), [&](std::int64_t p) {
+    const PatchRef& ref = patches()[static_cast<std::size_t>(p)];
     const auto blockIndex = static_cast<std::size_t>(ref.block);
     const ElementBlock& block = *blocks_[blockIndex];
     const Patch& patch = block.layout().patches[static_cast<std::size_t>(ref.patch)];
@@ -275,29 +208,6 @@ double Body::energy(const NodeVectors& x, Workspace& workspace) const {
   double energy = 0;
   pass(x, nullptr, nullptr, &energy, workspace);
   return energy;
-}
-
-void Body::tangentProduct(const NodeVectors& x, const NodeVectors& v, NodeVectors& Kv, Workspace& workspace) const {
-  sumOverPatches(Kv, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
-    const ElementBlock& block = *blocks_[b];
-    const Patch& patch = block.layout().patches[static_cast<std::size_t>(p)];
-    alignas(64) double rows[4 * PatchLayout::maxPatchNodes], vRows[4 * PatchLayout::maxPatchNodes];
-    block.gatherRows(patch, x.data(), rows);
-    block.gatherRows(patch, v.data(), vRows);
-    block.tangentProductBatches(patch.batchBegin, patch.batchEnd, rows, vRows, slots);
-  });
-}
-
-Eigen::MatrixXd Body::elementTangent(ElementRef ref, const NodeVectors& x) const {
-  const ElementBlock& block = *blocks_.at(static_cast<std::size_t>(ref.block));
-  const std::int32_t place = block.layout().batchOfElement.at(static_cast<std::size_t>(ref.element));
-  const int size = 3 * block.element().nodes, lane = place % PatchLayout::lanes;
-  AlignedVector<NativePack> K(static_cast<std::size_t>(size * size));
-  block.tangentBatch(place / PatchLayout::lanes, x.data(), reinterpret_cast<double*>(K.data()));
-  Eigen::MatrixXd result(size, size);
-  for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j) result(i, j) = K[static_cast<std::size_t>(i * size + j)][lane];
-  return result;
 }
 
 Body::LeastDeterminant Body::leastDeterminant(const NodeVectors& x) const {

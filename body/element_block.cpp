@@ -72,14 +72,11 @@ LawOfPacks LawOfPacks::of(const Material& material) {
   return {detail::registeredLaw(material).functions, material.outside->law};
 }
 
-void ElementBlock::gatherRows(const Patch& patch, const double* x, double* rows) const {
-  const std::int32_t* nodes = layout_.nodes.data() + patch.nodeBegin;
-  const int count = patch.nodeEnd - patch.nodeBegin;
-  for (int i = 0; i < count; ++i) {
-    const double* from = x + 3 * static_cast<std::ptrdiff_t>(nodes[i]);
-    for (int c = 0; c < 3; ++c) rows[4 * i + c] = from[c];
-    rows[4 * i + 3] = 0;
-  }
+void ElementBlock::addTangentProduct(const Patch& patch, const double* x, const double* v, double* slots) const {
+  alignas(64) double rows[4 * PatchLayout::maxPatchNodes], vRows[4 * PatchLayout::maxPatchNodes];
+  gatherRows(patch, x, rows);
+  gatherRows(patch, v, vRows);
+  tangentProductBatches(patch.batchBegin, patch.batchEnd, rows, vRows, slots);
 }
 
 std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material,

@@ -2,11 +2,24 @@
 #include <cuda_fp16.h>
 
 #include <ringwatch/gpu/certificate_operations.h>
-#include <ringwatch/monitor/nodal_shapes.h>
+#include <ringwatch/monitor/nodal_weights.h>
+#include <ringwatch/monitor/rebuild_policy.h>
+#include <ringwatch/monitor/tangent_growth.h>
 #include <ringwatch/gpu/patch_kernels.cuh>
 
-/// The block nodal bound and its balls on the device: the arithmetic of monitor/nodal_shapes.h, an element a thread.
+/// The block nodal bound and its balls on the device: the arithmetic of monitor/nodal_weights.h, an element a thread.
 namespace ringwatch::detail {
+
+/// RoundedDown (base/short_floats.h) of the device, in half precision; infinity stays.
+class HalfRoundedDown {
+ public:
+  __device__ __forceinline__ explicit HalfRoundedDown(double number)
+      : stored_(__float2half_rd(__double2float_rd(number))) {}
+  __device__ __forceinline__ __half stored() const { return stored_; }
+
+ private:
+  __half stored_;
+};
 
 /// The ball test of the patch kernel.
 struct BallCheck {
@@ -38,10 +51,10 @@ struct BallCheck {
   }
   /// Where the element's deformation gradients go; nullptr when the list is full.
   __device__ double* note(int points, int threads) const {
-    const unsigned at = atomicAdd(view.leftCount, 1U);
+    const unsigned at = atomicAdd(view.outsideCount, 1U);
     if (at >= static_cast<unsigned>(view.capacity)) return nullptr;
-    view.leftPlace[at] = static_cast<std::int32_t>(blockIdx.x) * threads + static_cast<std::int32_t>(threadIdx.x);
-    return view.leftF + static_cast<std::size_t>(at) * 9 * points;
+    view.outsidePlace[at] = static_cast<std::int32_t>(blockIdx.x) * threads + static_cast<std::int32_t>(threadIdx.x);
+    return view.outsideF + static_cast<std::size_t>(at) * 9 * points;
   }
 };
 
@@ -69,21 +82,21 @@ struct ElementBound {
 #pragma unroll
     for (int i = 0; i < size * size; ++i) K[i] = 0;
   }
-  static __device__ __forceinline__ void loadShapes(const CertificateView& view, std::size_t patch, int thread,
-                                                    Symmetric3<double> (&shapes)[n]) {
-    const double* from = view.shapes + patch * 6 * n * threads + thread;
+  static __device__ __forceinline__ void loadWeights(const CertificateView& view, std::size_t patch, int thread,
+                                                     Symmetric3<double> (&weights)[n]) {
+    const double* from = view.weights + patch * 6 * n * threads + thread;
 #pragma unroll
     for (int a = 0; a < n; ++a)
 #pragma unroll
-      for (int c = 0; c < 6; ++c) shapes[a].m[c] = from[(6 * a + c) * threads];
+      for (int c = 0; c < 6; ++c) weights[a].m[c] = from[(6 * a + c) * threads];
   }
-  static __device__ __forceinline__ void storeShapes(const CertificateView& view, std::size_t patch, int thread,
-                                                     const Symmetric3<double> (&shapes)[n]) {
-    double* to = view.shapes + patch * 6 * n * threads + thread;
+  static __device__ __forceinline__ void storeWeights(const CertificateView& view, std::size_t patch, int thread,
+                                                      const Symmetric3<double> (&weights)[n]) {
+    double* to = view.weights + patch * 6 * n * threads + thread;
 #pragma unroll
     for (int a = 0; a < n; ++a)
 #pragma unroll
-      for (int c = 0; c < 6; ++c) to[(6 * a + c) * threads] = shapes[a].m[c];
+      for (int c = 0; c < 6; ++c) to[(6 * a + c) * threads] = weights[a].m[c];
   }
   /// Constrained components of the element's nodes, three bits each.
   static __device__ __forceinline__ unsigned constrainedOf(const NodeView<double>& nodes, const std::int32_t* own,
@@ -95,7 +108,7 @@ struct ElementBound {
     return bits;
   }
   /// max(0, lambda_max(D⁻¹ K)) without constrained rows and columns, rounded up; K's lower triangle is destroyed.
-  static __device__ __forceinline__ double largest(double* K, const Symmetric3<double> (&shapes)[n],
+  static __device__ __forceinline__ double largest(double* K, const Symmetric3<double> (&weights)[n],
                                                    unsigned constrained) {
     if (constrained != 0)
 #pragma unroll
@@ -105,7 +118,7 @@ struct ElementBound {
           if ((constrained >> i & 1U) != 0 || (constrained >> j & 1U) != 0) K[i * size + j] = 0;
     double w[n][6], work[4 * size];
 #pragma unroll
-    for (int a = 0; a < n; ++a) invertFactor(factorOf(shapes[a]), w[a]);
+    for (int a = 0; a < n; ++a) invertFactor(factorOf(weights[a]), w[a]);
     scaleByFactors(w, n, K);
     const auto extremes = extremeEigenvaluesOf < size == 12 ? 12 : 0 > (K, size, work, false);
     const double l = extremes.largest + eigenvalueRounding * extremes.scale;
@@ -122,7 +135,7 @@ struct ElementBound {
   /// Puts a ball around the gradients F(q): its radius, anchor and what both lose by rounding.
   template <class Gradients>
   static __device__ void setBall(const Law& law, const CertificateView& view, std::size_t place, int points,
-                                 const Gradients& F, double value, double budget, double reach) {
+                                 const Gradients& F, double value, double allowance, double strainNorm) {
     TangentDrift drift;
     double rounding2 = 0, size2 = 0;
     for (int q = 0; q < points; ++q) {
@@ -140,10 +153,10 @@ struct ElementBound {
       rounding2 = fmax(rounding2, lost);
       size2 = fmax(size2, innerProduct(own, own));
     }
-    double radius = ballRadius(drift.law, drift.inversionDistance, value, budget, reach);
+    double radius = validityRadius(growthOf(drift.law, value, strainNorm), drift.inversionDistance, allowance);
     // The test is in single precision: its own rounding comes off too.
     if (radius < 1e30) radius = (radius - sqrt(rounding2)) * (1 - 1e-5) - 1e-6 * (1 + sqrt(size2));
-    setRadius(view, place, points, radius >= 0 ? __float2half_rd(__double2float_rd(radius)) : __float2half(-1.0F));
+    setRadius(view, place, points, HalfRoundedDown(radius >= 0 ? radius : -1.0));
   }
   /// The ten halves of a point: entry i at [i / 2 * 2 * threads + i % 2].
   static __device__ __forceinline__ __half* ballAt(const CertificateView& view, std::size_t place, int points, int q) {
@@ -152,24 +165,24 @@ struct ElementBound {
                 place % threads);
   }
   static __device__ __forceinline__ void setRadius(const CertificateView& view, std::size_t place, int points,
-                                                   __half radius) {
-    ballAt(view, place, points, 0)[4 * 2 * threads + 1] = radius;
+                                                   HalfRoundedDown radius) {
+    ballAt(view, place, points, 0)[4 * 2 * threads + 1] = radius.stored();
   }
 };
 
 template <class Element, class Law>
 __global__ void __launch_bounds__(patchThreads(Element::nodes))
-    startShapesKernel(const BlockView<double> block, const NodeView<double> nodes, const __grid_constant__ Law law,
-                      const __grid_constant__ ShapeTable<Element, double> table, const CertificateView view) {
+    startWeightsKernel(const BlockView<double> block, const NodeView<double> nodes, const __grid_constant__ Law law,
+                       const __grid_constant__ ShapeTable<Element, double> table, const CertificateView view) {
   using Bound = ElementBound<Element, Law>;
   constexpr int n = Bound::n;
   if (static_cast<int>(threadIdx.x) >= block.patches[blockIdx.x].elementCount) return;
   const std::int32_t* own = block.nodes + static_cast<std::size_t>(blockIdx.x) * block.nodeCapacity;
   const ElementView<Element, double> element(block);
   const unsigned constrained = Bound::constrainedOf(nodes, own, element.corners);
-  Symmetric3<double> shapes[n];
+  Symmetric3<double> weights[n];
 #pragma unroll
-  for (int a = 0; a < n; ++a) shapes[a] = Symmetric3<double>::diagonal(0);
+  for (int a = 0; a < n; ++a) weights[a] = Symmetric3<double>::diagonal(0);
   forEachPoint(element, block.pointCount, [&](int q, const Matrix3<double>& J1, double weight) {
     const Matrix3<double> F = deformationGradient<Element>(element, MeshDisplacements{nodes.u, own}, table, q, J1);
     double g[n][3];
@@ -184,13 +197,13 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
 #pragma unroll
         for (int j = i; j < 3; ++j)
           if ((constrained >> (3 * a + i) & 1U) == 0 && (constrained >> (3 * a + j) & 1U) == 0)
-            shapes[a](i, j) += k(i, j);
+            weights[a](i, j) += k(i, j);
     }
   });
 #pragma unroll 1
-  for (int a = 0; a < n; ++a) shapes[a] = startShape(shapes[a], true);
-  normaliseShapes(shapes, n);
-  Bound::storeShapes(view, blockIdx.x, static_cast<int>(threadIdx.x), shapes);
+  for (int a = 0; a < n; ++a) weights[a] = startWeight(weights[a], true);
+  normaliseWeights(weights, n);
+  Bound::storeWeights(view, blockIdx.x, static_cast<int>(threadIdx.x), weights);
 }
 
 template <class Element, class Law>
@@ -214,9 +227,9 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
     Bound::Operators::shapeGradients(J1, table.dN[q], g);
     Bound::addTangent(law, F, weight, g, K);
   });
-  Symmetric3<double> shapes[n];
-  Bound::loadShapes(view, blockIdx.x, static_cast<int>(threadIdx.x), shapes);
-  view.value[place] = Bound::largest(K, shapes, Bound::constrainedOf(nodes, own, element.corners));
+  Symmetric3<double> weights[n];
+  Bound::loadWeights(view, blockIdx.x, static_cast<int>(threadIdx.x), weights);
+  view.value[place] = Bound::largest(K, weights, Bound::constrainedOf(nodes, own, element.corners));
 }
 
 template <class Element>
@@ -227,26 +240,26 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
   const std::int32_t* own = block.nodes + static_cast<std::size_t>(blockIdx.x) * block.nodeCapacity;
   const auto corners =
       reinterpret_cast<const Corners<n>*>(block.corners)[static_cast<std::size_t>(blockIdx.x) * threads + threadIdx.x];
-  using Bound = ElementBound<Element, LinearElastic>;  // shapes do not know the law
-  Symmetric3<double> shapes[n];
-  Bound::loadShapes(view, blockIdx.x, static_cast<int>(threadIdx.x), shapes);
+  using Bound = ElementBound<Element, LinearElastic>;  // weights do not know the law
+  Symmetric3<double> weights[n];
+  Bound::loadWeights(view, blockIdx.x, static_cast<int>(threadIdx.x), weights);
 #pragma unroll
   for (int a = 0; a < n; ++a) {
     Symmetric3<double> R;
     const double* from = sums.factors + static_cast<std::size_t>(own[corners.node[a]]) * 6;
 #pragma unroll
     for (int c = 0; c < 6; ++c) R.m[c] = from[c];
-    shapes[a] = congruence(R, shapes[a]);
+    weights[a] = congruence(R, weights[a]);
   }
-  normaliseShapes(shapes, n);
-  Bound::storeShapes(view, blockIdx.x, static_cast<int>(threadIdx.x), shapes);
+  normaliseWeights(weights, n);
+  Bound::storeWeights(view, blockIdx.x, static_cast<int>(threadIdx.x), weights);
 }
 
 template <class Element, class Law>
 __global__ void __launch_bounds__(patchThreads(Element::nodes))
-    dealKernel(const BlockView<double> block, const NodeView<double> nodes, const __grid_constant__ Law law,
-               const __grid_constant__ ShapeTable<Element, double> table, const CertificateView view,
-               const NodalSums sums, double sigma) {
+    distributeKernel(const BlockView<double> block, const NodeView<double> nodes, const __grid_constant__ Law law,
+                     const __grid_constant__ ShapeTable<Element, double> table, const CertificateView view,
+                     const NodalSums sums, double sigma) {
   using Bound = ElementBound<Element, Law>;
   constexpr int n = Bound::n;
   const std::size_t place = static_cast<std::size_t>(blockIdx.x) * Bound::threads + threadIdx.x;
@@ -261,7 +274,7 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
     if (nodal > 0) room = fmin(room, sigma / nodal);
   }
   const double value = view.value[place];
-  const double budget = value > 0 ? value * room * (1 - 1e-12) : 0;
+  const double allowance = value > 0 ? value * room * (1 - allowanceRounding) : 0;
   double L[Bound::size * Bound::size];
   Bound::clear(L);
   forEachPoint(element, block.pointCount, [&](int q, const Matrix3<double>& J1, double weight) {
@@ -269,11 +282,11 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
     Bound::Operators::shapeGradients(J1, table.dN[q], g);
     Bound::addLaplacian(weight, g, L);
   });
-  Symmetric3<double> shapes[n];
-  Bound::loadShapes(view, blockIdx.x, static_cast<int>(threadIdx.x), shapes);
-  const double reach = Bound::largest(L, shapes, constrained);
-  view.budget[place] = budget;
-  view.reach[place] = reach;
+  Symmetric3<double> weights[n];
+  Bound::loadWeights(view, blockIdx.x, static_cast<int>(threadIdx.x), weights);
+  const double strainNorm = Bound::largest(L, weights, constrained);
+  view.allowance[place] = allowance;
+  view.strainNorm[place] = strainNorm;
   const auto gradientAt = [&](int q) {
     PointGeometry<Element, double> geometry;
     geometry.load(element.geometry +
@@ -281,10 +294,10 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
     return deformationGradient<Element>(element, MeshDisplacements{nodes.u, own}, table, q, geometry.J1);
   };
   const int points = Element::constantGradient ? 1 : block.pointCount;
-  Bound::setBall(law, view, place, points, gradientAt, value, budget, reach);
+  Bound::setBall(law, view, place, points, gradientAt, value, allowance, strainNorm);
   // Nothing of a wholly constrained element is left in the problem.
-  if (constrained != 0 && value == 0 && reach <= 1e-200)
-    Bound::setRadius(view, place, points, __float2half(std::numeric_limits<float>::infinity()));
+  if (constrained != 0 && value == 0 && strainNorm <= 1e-200)
+    Bound::setRadius(view, place, points, HalfRoundedDown(std::numeric_limits<double>::infinity()));
 }
 
 /// Elements that have left their balls are evaluated at the gradients that they noted, one a thread; the last block
@@ -296,18 +309,19 @@ __global__ void __launch_bounds__(32)
   using Bound = ElementBound<Element, Law>;
   constexpr int n = Bound::n, threads = Bound::threads;
   const int points = Element::constantGradient ? 1 : block.pointCount;
-  const unsigned left = *static_cast<volatile unsigned*>(view.leftCount);
+  const unsigned left = *static_cast<volatile unsigned*>(view.outsideCount);
   const unsigned listed = min(left, static_cast<unsigned>(view.capacity));
   const std::int64_t step = *static_cast<volatile std::int64_t*>(&view.flags->checked);
   bool lost = left > listed, near = false;
+  constexpr double nearlyLost = RebuildPolicy{}.nearlyLost;
   for (unsigned i = blockIdx.x * blockDim.x + threadIdx.x; i < listed; i += gridDim.x * blockDim.x) {
-    const auto place = static_cast<std::size_t>(view.leftPlace[i]);
+    const auto place = static_cast<std::size_t>(view.outsidePlace[i]);
     const std::size_t patch = place / threads;
     const auto thread = static_cast<int>(place % threads);
     const std::int32_t* own = block.nodes + patch * static_cast<std::size_t>(block.nodeCapacity);
     const Corners<n> corners = reinterpret_cast<const Corners<n>*>(block.corners)[place];
     const double* geometry = block.geometry + patch * points * ElementView<Element, double>::entries * threads + thread;
-    const double* noted = view.leftF + static_cast<std::size_t>(i) * 9 * points;
+    const double* noted = view.outsideF + static_cast<std::size_t>(i) * 9 * points;
     const auto gradientAt = [&](int q) {
       Matrix3<double> F;
 #pragma unroll
@@ -325,14 +339,14 @@ __global__ void __launch_bounds__(32)
       Bound::Operators::shapeGradients(at.J1, table.dN[q], g);
       Bound::addTangent(law, gradientAt(q), at.weight, g, K);
     }
-    Symmetric3<double> shapes[n];
-    Bound::loadShapes(view, patch, thread, shapes);
-    const double value = Bound::largest(K, shapes, Bound::constrainedOf(nodes, own, corners));
-    const double budget = view.budget[place];
-    lost = lost || !(value <= budget);
-    near = near || !(value <= 0.97 * budget);
+    Symmetric3<double> weights[n];
+    Bound::loadWeights(view, patch, thread, weights);
+    const double value = Bound::largest(K, weights, Bound::constrainedOf(nodes, own, corners));
+    const double allowance = view.allowance[place];
+    lost = lost || !(value <= allowance);
+    near = near || !(value <= nearlyLost * allowance);
     view.value[place] = value;
-    Bound::setBall(law, view, place, points, gradientAt, value, budget, view.reach[place]);
+    Bound::setBall(law, view, place, points, gradientAt, value, allowance, view.strainNorm[place]);
   }
   if (lost) {
     // -1 is the largest of all as an unsigned number: the least step stays.
@@ -344,7 +358,7 @@ __global__ void __launch_bounds__(32)
     __threadfence();
     if (atomicAdd(view.done, 1U) == gridDim.x - 1) {
       view.flags->evaluated += listed;
-      *view.leftCount = 0;
+      *view.outsideCount = 0;
       *view.done = 0;
       if (view.countsSteps) view.flags->checked = step + 1;
     }
@@ -362,9 +376,9 @@ struct CertificateLauncher {
                    const CertificateView& view, [[maybe_unused]] const NodalSums& sums, [[maybe_unused]] double sigma, \
                    cudaStream_t stream)
   RINGWATCH_LAUNCH(start) {
-    startShapesKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(block, nodes, std::get<Law>(law.law),
-                                                                              Patches::tableOf(*law.rule), view);
-    checkLaunch("start of the shapes");
+    startWeightsKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(block, nodes, std::get<Law>(law.law),
+                                                                               Patches::tableOf(*law.rule), view);
+    checkLaunch("start of the weights");
   }
   RINGWATCH_LAUNCH(evaluate) {
     evaluateKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(block, nodes, std::get<Law>(law.law),
@@ -375,12 +389,12 @@ struct CertificateLauncher {
     (void)nodes;
     (void)law;
     sweepKernel<Element><<<block.patchCount, threads, 0, stream>>>(block, view, sums);
-    checkLaunch("sweep of the shapes");
+    checkLaunch("sweep of the weights");
   }
-  RINGWATCH_LAUNCH(deal) {
-    dealKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(block, nodes, std::get<Law>(law.law),
-                                                                       Patches::tableOf(*law.rule), view, sums, sigma);
-    checkLaunch("budgets and balls");
+  RINGWATCH_LAUNCH(distribute) {
+    distributeKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(
+        block, nodes, std::get<Law>(law.law), Patches::tableOf(*law.rule), view, sums, sigma);
+    checkLaunch("allowances and balls");
   }
   RINGWATCH_LAUNCH(step) {
     Patches::template launchWith<false, Use::step>(block, nodes, law, nullptr, nullptr, BallCheck{view}, stream);
@@ -402,8 +416,8 @@ void certificateOperationsOfShard(ElementType type, std::size_t law, Certificate
       using Element = typename decltype(tag)::type;
       if constexpr (Element::order == 1) {
         using Launcher = CertificateLauncher<Element, LawType>;
-        result = {&Launcher::start, &Launcher::evaluate, &Launcher::sweep,
-                  &Launcher::deal,  &Launcher::step,     &Launcher::refresh};
+        result = {&Launcher::start,      &Launcher::evaluate, &Launcher::sweep,
+                  &Launcher::distribute, &Launcher::step,     &Launcher::refresh};
       }
     });
   });

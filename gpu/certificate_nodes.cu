@@ -1,16 +1,17 @@
 #include <ringwatch/gpu/certificate_operations.h>
 #include <ringwatch/gpu/cuda_error.h>
-#include <ringwatch/monitor/nodal_shapes.h>
+#include <ringwatch/monitor/nodal_weights.h>
 
 namespace ringwatch {
 namespace {
 
 constexpr int threads = 128;
 
-/// Weighted shapes at the nodes of a patch: those of interior nodes into sums, others into the patch's slots.
+/// Weights times element values, summed at the nodes of a patch: those of interior nodes into sums, others into the
+/// patch's slots.
 __global__ void __launch_bounds__(threads)
-    gatherShapesKernel(const BlockView<double> block, const NodeView<double> nodes, const CertificateView view,
-                       const NodalSums sums, int n, int elements, const double* values) {
+    gatherWeightsKernel(const BlockView<double> block, const NodeView<double> nodes, const CertificateView view,
+                        const NodalSums sums, int n, int elements, const double* values) {
   const std::size_t patch = blockIdx.x;
   for (int i = static_cast<int>(threadIdx.x); i < block.patches[patch].nodeCount; i += threads) {
     const std::size_t group =
@@ -21,8 +22,8 @@ __global__ void __launch_bounds__(threads)
       if (corner == n * elements) continue;
       const int a = corner / elements, t = corner % elements;
       const double value = values[patch * static_cast<std::size_t>(elements) + static_cast<std::size_t>(t)];
-      const double* shape = view.shapes + patch * static_cast<std::size_t>(6 * n * elements) + 6 * a * elements + t;
-      for (int c = 0; c < 6; ++c) sum[c] += value * shape[c * elements];
+      const double* weight = view.weights + patch * static_cast<std::size_t>(6 * n * elements) + 6 * a * elements + t;
+      for (int c = 0; c < 6; ++c) sum[c] += value * weight[c * elements];
     }
     const std::size_t at = patch * static_cast<std::size_t>(block.nodeCapacity) + static_cast<std::size_t>(i);
     const std::int32_t node = block.nodes[at];
@@ -81,12 +82,12 @@ __global__ void __launch_bounds__(threads)
 
 }  // namespace
 
-void launchGatherShapes(const BlockView<double>& block, const NodeView<double>& nodes, const CertificateView& view,
-                        const NodalSums& sums, int elementNodes, const double* values, cudaStream_t stream) {
+void launchGatherWeights(const BlockView<double>& block, const NodeView<double>& nodes, const CertificateView& view,
+                         const NodalSums& sums, int elementNodes, const double* values, cudaStream_t stream) {
   if (block.patchCount == 0) return;
-  gatherShapesKernel<<<block.patchCount, threads, 0, stream>>>(block, nodes, view, sums, elementNodes,
-                                                               patchThreads(elementNodes), values);
-  checkLaunch("sums of shapes");
+  gatherWeightsKernel<<<block.patchCount, threads, 0, stream>>>(block, nodes, view, sums, elementNodes,
+                                                                patchThreads(elementNodes), values);
+  checkLaunch("sums of weights");
 }
 void launchBoundNodes(const NodeView<double>& nodes, const NodalSums& sums, cudaStream_t stream) {
   checkCuda(cudaMemsetAsync(sums.bound, 0, sizeof *sums.bound, stream), "cudaMemset");

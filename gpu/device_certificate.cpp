@@ -1,16 +1,17 @@
 #include <ringwatch/gpu/device_certificate.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 
 #include <ringwatch/gpu/device_certificate_impl.h>
 #include <ringwatch/gpu/device_status.h>
+#include <ringwatch/monitor/rebuild_policy.h>
 
 namespace ringwatch {
 namespace {
-constexpr int coldSweeps = 12;      // as LazyBound's
-constexpr double proofRoom = 1e-3;  // of sigma that must be left over for the balls
+constexpr RebuildPolicy policy;
 }  // namespace
 
 DeviceCertificate::Impl::Impl(DeviceBody<double>& deviceBody) : body(deviceBody.impl()) {
@@ -34,21 +35,21 @@ DeviceCertificate::Impl::Impl(DeviceBody<double>& deviceBody) : body(deviceBody.
                       points = static_cast<std::size_t>(from.points), capacity = capacityOf(from);
     block.operations = certificateOperations(from.type, from.lawIndex);
     block.elementNodes = from.elementNodes;
-    block.shapes = DeviceVector<double>(places * static_cast<std::size_t>(6 * from.elementNodes));
+    block.weights = DeviceVector<double>(places * static_cast<std::size_t>(6 * from.elementNodes));
     block.value = DeviceVector<double>(places);
-    block.budget = DeviceVector<double>(places);
-    block.reach = DeviceVector<double>(places);
+    block.allowance = DeviceVector<double>(places);
+    block.strainNorm = DeviceVector<double>(places);
     block.balls = DeviceVector<std::uint32_t>(places * points * 5);
-    block.leftPlace = DeviceVector<std::int32_t>(capacity);
-    block.leftF = DeviceVector<double>(capacity * points * 9);
+    block.outsidePlace = DeviceVector<std::int32_t>(capacity);
+    block.outsideF = DeviceVector<double>(capacity * points * 9);
     block.counters = DeviceVector<unsigned>(std::vector<unsigned>{0, 0});
-    block.view = {block.shapes.data(),
+    block.view = {block.weights.data(),
                   block.value.data(),
-                  block.budget.data(),
-                  block.reach.data(),
+                  block.allowance.data(),
+                  block.strainNorm.data(),
                   block.balls.data(),
-                  block.leftPlace.data(),
-                  block.leftF.data(),
+                  block.outsidePlace.data(),
+                  block.outsideF.data(),
                   block.counters.data(),
                   block.counters.data() + 1,
                   static_cast<std::int32_t>(capacity),
@@ -83,20 +84,38 @@ void DeviceCertificate::Impl::launch(CertificateOperations::Launch CertificateOp
 double DeviceCertificate::Impl::evaluate() {
   launch(&CertificateOperations::evaluate, 0);
   for (std::size_t b = 0; b < blocks.size(); ++b)
-    launchGatherShapes(body.blocks[b].view, body.nodes, blocks[b].view, sums, blocks[b].elementNodes,
-                       blocks[b].value.data(), body.stream);
+    launchGatherWeights(body.blocks[b].view, body.nodes, blocks[b].view, sums, blocks[b].elementNodes,
+                        blocks[b].value.data(), body.stream);
   launchBoundNodes(body.nodes, sums, body.stream);
   body.stream.synchronize();
   return std::bit_cast<double>(boundBits.download().front());
 }
 
-void DeviceCertificate::Impl::deal(double forSigma) {
+void DeviceCertificate::Impl::distribute(double forSigma) {
   sigma = forSigma;
-  launch(&CertificateOperations::deal, sigma);
+  launch(&CertificateOperations::distribute, sigma);
   body.stream.synchronize();
   flags.upload(std::vector<CertificateFlags>{{0, -1, 0, 0}});
   for (Block& block : blocks) block.counters.fill(0);
   certified = true;
+}
+
+double DeviceCertificate::Impl::verify() {
+  evaluate();
+  double excess = -1;
+  for (Block& block : blocks) {
+    const std::vector<double> value = block.value.download(), allowance = block.allowance.download();
+    for (std::size_t place = 0; place < value.size(); ++place) {  // without an element: zero
+      if (std::isnan(value[place])) return std::numeric_limits<double>::infinity();
+      if (value[place] > 0) excess = std::max(excess, value[place] / allowance[place] - 1);
+    }
+  }
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    launchGatherWeights(body.blocks[b].view, body.nodes, blocks[b].view, sums, blocks[b].elementNodes,
+                        blocks[b].allowance.data(), body.stream);
+  launchBoundNodes(body.nodes, sums, body.stream);
+  body.stream.synchronize();
+  return std::max(excess, std::bit_cast<double>(boundBits.download().front()) / sigma - 1);
 }
 
 void DeviceCertificate::Impl::enqueueStep() {
@@ -141,13 +160,13 @@ bool DeviceCertificate::certify(double sigma) {
   if (!(sigma > 0)) throw InputError(joinText("sigma ", sigma, " rad2/s2 must be > 0"));
   impl_->certified = false;
   double tight = impl_->started ? impl_->evaluate() : std::numeric_limits<double>::infinity();
-  if (!(tight <= sigma * (1 - proofRoom))) {
-    bound(coldSweeps);
-    // Budgets need the values and sums of the last shapes, which the last evaluation left.
+  if (!(tight <= sigma * (1 - policy.proofMargin))) {
+    bound(policy.sweeps);
+    // Allowances need the values and sums of the last weights, which the last evaluation left.
     tight = std::bit_cast<double>(impl_->boundBits.download().front());
   }
-  if (!impl_->started || !(tight <= sigma * (1 - proofRoom))) return false;
-  impl_->deal(sigma);
+  if (!impl_->started || !(tight <= sigma * (1 - policy.proofMargin))) return false;
+  impl_->distribute(sigma);
   return true;
 }
 bool DeviceCertificate::renew() { return certify(impl_->sigma); }

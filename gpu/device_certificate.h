@@ -4,16 +4,17 @@
 
 #include <ringwatch/gpu/device_body.h>
 #include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/rebuild_policy.h>
 
 namespace ringwatch {
 
 /// Threshold mode on the device: proves, for the state before every step, that the step h is certified, that is
-/// lambda_max(M⁻¹K(x)) <= sigma for the sigma that h stands for; the mathematics is LazyBound's. Shapes D_e and budgets
-/// stay frozen while every element is in a ball around the deformation gradient at which it was evaluated last. The
-/// pass that computes forces tests the balls; elements that have left are evaluated at once, in the same graph. Nothing
-/// is asked of the host: what was found stays in flags until the host reads them.
+/// lambda_max(M⁻¹K(x)) <= sigma for the sigma that h stands for; the mathematics is IncrementalNodalBound's. Weights
+/// D_e and allowances stay frozen while every element is in a ball around the deformation gradient at which it was
+/// evaluated last. The pass that computes forces tests the balls; elements that have left are evaluated at once, in the
+/// same graph. Nothing is asked of the host: what was found stays in flags until the host reads them.
 ///
-/// Unlike LazyBound it deals no budgets again for single elements: renew() does so for all.
+/// Unlike IncrementalNodalBound it distributes no allowances again for single elements: renew() does so for all.
 class DeviceCertificate {
  public:
   /// The body must outlive the certificate. Throws InputError, with need and free memory, when the device has too
@@ -23,11 +24,11 @@ class DeviceCertificate {
   DeviceCertificate(const DeviceCertificate&) = delete;
   DeviceCertificate& operator=(const DeviceCertificate&) = delete;
 
-  /// The block nodal bound at the device's positions, from scratch: shapes from (K_aa)^½, then `sweeps` sweeps.
+  /// The block nodal bound at the device's positions, from scratch: weights from (K_aa)^½, then `sweeps` sweeps.
   /// rad²/s². NaN when positions or tangent are not finite.
-  UpperBound bound(int sweeps = 12);
-  /// Proves lambda_max <= sigma (rad²/s², > 0) at the device's positions and deals budgets for it: with the shapes at
-  /// hand if they do, else from scratch. Forgets what was lost before. False when it cannot be proven.
+  UpperBound bound(int sweeps = RebuildPolicy{}.sweeps);
+  /// Proves lambda_max <= sigma (rad²/s², > 0) at the device's positions and distributes allowances for it: with the
+  /// weights at hand if they do, else from scratch. Forgets what was lost before. False when it cannot be proven.
   bool certify(double sigma);
   /// The same for the last sigma, at a later state.
   bool renew();
@@ -42,7 +43,7 @@ class DeviceCertificate {
     std::int64_t lostAt = -1;    ///< the first step that was not, counted from there
     std::int64_t checked = 0;    ///< steps
     std::int64_t evaluated = 0;  ///< elements evaluated again
-    bool nearlyLost = false;     ///< an element has come close to its budget: time to renew
+    bool nearlyLost = false;     ///< an element has come close to its allowance: time to renew
   };
   Look look() const;
 

@@ -10,18 +10,21 @@ struct DeviceCertificate::Impl {
     CertificateOperations operations;
     int elementNodes = 0;
     CertificateView view;
-    DeviceVector<double> shapes, value, budget, reach, leftF;
+    DeviceVector<double> weights, value, allowance, strainNorm, outsideF;
     DeviceVector<std::uint32_t> balls;
-    DeviceVector<std::int32_t> leftPlace;
+    DeviceVector<std::int32_t> outsidePlace;
     DeviceVector<unsigned> counters;
   };
 
   explicit Impl(DeviceBody<double>& deviceBody);
   void launch(CertificateOperations::Launch CertificateOperations::*which, double sigma);
-  /// The bound with the shapes as they are: values and nodal sums.
+  /// The bound with the weights as they are: values and nodal sums.
   double evaluate();
-  void deal(double forSigma);
+  void distribute(double forSigma);
   void enqueueStep();
+  /// The two statements of CertificateState at the device's positions, from exact tangents; for tests. The largest
+  /// relative excess: <= 0 when both hold, but for rounding.
+  double verify();
 
   DeviceBody<double>::Impl& body;
   std::vector<Block> blocks;

@@ -8,7 +8,6 @@ namespace ringwatch {
 namespace {
 
 constexpr int size = 12;
-constexpr double rounding = 1e-11;  // as ReducedRing's
 
 __global__ void __launch_bounds__(ringThreads) sumPairsKernel(const RingView view) {
   const std::int32_t shared =
@@ -69,7 +68,7 @@ __global__ void __launch_bounds__(ringThreads, 3)
               A[(3 * a + i) * size + 3 * b + j] = sharedMemory[(3 * i + j) * ring.pairCapacity + local[pair]];
     const auto extremes = extremeEigenvaluesOf<size, double, true>(A, size, work, false);
     largest[patch * patchSize + t] = extremes.largest;
-    own.value = extremes.largest - rounding * extremes.scale;
+    own.value = extremes.largest - eigenvalueRounding * extremes.scale;
   }
   for (int offset = 16; offset > 0; offset /= 2) {
     const HighestRing other{__shfl_down_sync(0xffffffffU, own.value, offset),

@@ -26,17 +26,17 @@ class Greedy {
         keep_(keep.empty() ? noElements(body.mesh()) : keep),
         chosen_(keep_),
         outside_(outside),
-        shapes_(body) {}
+        weights_(body) {}
 
   CertifiedSelection run() {
-    // The worst elements bend the shapes of their whole neighbourhood, so they leave first, and the shapes are swept
+    // The worst elements bend the weights of their whole neighbourhood, so they leave first, and the weights are swept
     // without them before the next ones are judged.
     changed_ = true;
     for (const double hot : {16.0, 4.0, 1.0, 1.0}) {
       if (changed_) sweep();
       takeOut(hot * lambda_);
       if (hot > 1 || kept_) continue;
-      keepShapes();
+      keepWeights();
       bringBack();
     }
     CertifiedSelection result;
@@ -46,12 +46,12 @@ class Greedy {
     result.rest = {rest};
     result.nodalSums = std::move(sums_);
     result.evaluations = evaluations_;
-    result.shapes.resize(body_.blocks().size());
-    for (std::size_t b = 0; b < result.shapes.size(); ++b) {
+    result.weights.resize(body_.blocks().size());
+    for (std::size_t b = 0; b < result.weights.size(); ++b) {
       const ElementBlock& block = *body_.blocks()[b];
       for (std::int32_t e = 0; e < block.elementCount(); ++e)
         for (int a = 0; a < block.element().nodes; ++a)
-          result.shapes[b].push_back(shapes_.factor(shapes_.incidenceOf({static_cast<std::int32_t>(b), e}, a)));
+          result.weights[b].push_back(weights_.factor(weights_.incidenceOf({static_cast<std::int32_t>(b), e}, a)));
     }
     return result;
   }
@@ -62,7 +62,7 @@ class Greedy {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(sums_[at(i)] / body_.lumpedMass()[i]);
     return {eigen.eigenvalues()[2], eigen.eigenvectors().col(2)};
   }
-  /// The elements that are left, with shapes of their own.
+  /// The elements that are left, with weights of their own.
   void sweep() {
     const ElementFlags left = complement(chosen_);
     bound_.reset();
@@ -71,7 +71,7 @@ class Greedy {
     if (!outside_.empty()) bound_->setOutside(outside_);
     numbers_ = elementNumbers(left);
     changed_ = kept_ = false;
-    // Where nothing need leave, any shapes do.
+    // Where nothing need leave, any weights do.
     double value = bound_->evaluate(x_, 0).value;
     evaluations_ += bound_->evaluations();
     if (!(value <= lambda_ * (1 - selectionSlack)) || !chosenElements(chosen_).empty()) {
@@ -87,7 +87,7 @@ class Greedy {
     Eigen::Matrix3d sum = outside_.empty() ? Eigen::Matrix3d::Zero() : outside_[at(node)];
     for (const auto place : bound_->incidences(node)) {
       const ElementRef e = bound_->elementAt(place);
-      if (!chosen_[at(e.block)][number(e)]) sum += bound_->value(e) * bound_->shape(place);
+      if (!chosen_[at(e.block)][number(e)]) sum += bound_->value(e) * bound_->weight(place);
     }
     return freePart(body_, node, sum);
   }
@@ -109,7 +109,7 @@ class Greedy {
       for (const auto place : bound_->incidences(i)) {
         const ElementRef e = bound_->elementAt(place);
         if (chosen_[at(e.block)][number(e)]) continue;
-        const double share = bound_->value(e) * direction.dot(freePart(body_, i, bound_->shape(place)) * direction);
+        const double share = bound_->value(e) * direction.dot(freePart(body_, i, bound_->weight(place)) * direction);
         if (share > most) {
           most = share;
           worst = e;
@@ -125,13 +125,13 @@ class Greedy {
     }
   }
   std::size_t number(ElementRef e) const { return at(numbers_[at(e.block)][at(e.element)]); }
-  void keepShapes() {
+  void keepWeights() {
     for (std::size_t b = 0; b < numbers_.size(); ++b)
       for (std::size_t i = 0; i < numbers_[b].size(); ++i) {
         const ElementRef part{static_cast<std::int32_t>(b), static_cast<std::int32_t>(i)},
             whole{part.block, numbers_[b][i]};
         for (int a = 0; a < body_.blocks()[b]->element().nodes; ++a)
-          shapes_.setFactor(shapes_.incidenceOf(whole, a), bound_->factor(bound_->incidenceOf(part, a)));
+          weights_.setFactor(weights_.incidenceOf(whole, a), bound_->factor(bound_->incidenceOf(part, a)));
       }
     kept_ = true;
   }
@@ -149,8 +149,8 @@ class Greedy {
       const auto nodes = body_.blocks()[at(e.block)]->nodesOf(e.element);
       std::vector<Eigen::Matrix3d> sums;
       for (std::size_t a = 0; a < nodes.size(); ++a) {
-        const auto place = shapes_.incidenceOf(e, static_cast<int>(a));
-        sums.push_back(sums_[at(nodes[a])] + use.value * freePart(body_, nodes[a], shapes_.shape(place)));
+        const auto place = weights_.incidenceOf(e, static_cast<int>(a));
+        sums.push_back(sums_[at(nodes[a])] + use.value * freePart(body_, nodes[a], weights_.weight(place)));
         const double largest =
             Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums[a], Eigen::EigenvaluesOnly).eigenvalues()[2];
         if (!(largest <= lambda_ * (1 - selectionSlack) * body_.lumpedMass()[nodes[a]])) break;
@@ -165,7 +165,7 @@ class Greedy {
     double share;  // of the slack that it would use up; NaN or > 1 where it does not fit
     double value;  // l_e
   };
-  /// Gives a chosen element the slack of its nodes as shapes.
+  /// Gives a chosen element the slack of its nodes as weights.
   Use useOfSlack(ElementRef e) {
     const auto nodes = body_.blocks()[at(e.block)]->nodesOf(e.element);
     double trace = 0;
@@ -176,14 +176,14 @@ class Greedy {
           lambda_ * (1 - selectionSlack) * body_.lumpedMass()[node] * Eigen::Matrix3d::Identity() - sums_[at(node)]));
       trace += slack.back().trace();
     }
-    shapes_.setShapes(e, slack);
+    weights_.setWeights(e, slack);
     std::int32_t elements[PatchLayout::lanes];
     std::fill(std::begin(elements), std::end(elements), -1);
     elements[0] = e.element;
     double values[PatchLayout::lanes];
-    shapes_.elementValues(e.block, elements, x_, values, nullptr);
+    weights_.elementValues(e.block, elements, x_, values);
     ++evaluations_;
-    // A node without slack in some direction gives a shape that is not positive definite, thus NaN, or a large value.
+    // A node without slack in some direction gives a weight that is not positive definite, thus NaN, or a large value.
     return {std::isnan(values[0]) ? std::numeric_limits<double>::infinity() : values[0] / trace, values[0]};
   }
 
@@ -197,8 +197,8 @@ class Greedy {
   std::optional<NodalBound> bound_;  // of rest_
   std::vector<std::vector<std::int32_t>> numbers_;
   bool changed_ = false;  // the choice, since the last sweep
-  bool kept_ = false;     // the shapes of the last sweep, in shapes_
-  NodalBound shapes_;     // of all elements
+  bool kept_ = false;     // the weights of the last sweep, in weights_
+  NodalBound weights_;    // of all elements
   std::vector<Eigen::Matrix3d> sums_;
   std::int64_t evaluations_ = 0;
 };

@@ -55,8 +55,8 @@ void Handler::prepare(const NodeVectors& x, double h) { prepareFor(x, h, {}); }
 
 void Handler::prepare(const NodeVectors& x, double h, const CutMesh& cut, const Handler& before) {
   chosen_ = carriedOver(cut, before.chosen_);
-  kept_ = before.kept_;
-  kept_.carryOver(cut);
+  selection_ = before.selection_;
+  selection_.carryOver(cut);
   if (options_.selection == Selection::certified) {
     // What stands beside the cut may be given back.
     const std::vector<bool> near = touchedNodes(body_, cut.changed);
@@ -88,8 +88,8 @@ void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& loo
 
 ElementFlags Handler::chooseFor(const NodeVectors& x, double lambda, const ElementFlags& keep) {
   if (options_.selection == Selection::certified) {
-    const ElementFlags chosen = kept_.choose(body_, x, lambda, keep).chosen;
-    judged_ = {kept_.judged(), kept_.last().evaluations};
+    const ElementFlags chosen = selection_.choose(body_, x, lambda, keep).chosen;
+    judged_ = {selection_.evaluatedElements(), selection_.last().evaluations};
     return chosen;
   }
   const bool rings = options_.selection == Selection::fierzRing;
@@ -103,7 +103,7 @@ ElementFlags Handler::chooseFor(const NodeVectors& x, double lambda, const Eleme
 }
 
 const CertifiedSelection* Handler::certificate() const {
-  return options_.selection == Selection::certified ? &kept_.last() : nullptr;
+  return options_.selection == Selection::certified ? &selection_.last() : nullptr;
 }
 
 double Handler::allowedLambda(double h) const {

@@ -9,7 +9,7 @@
 
 #include <ringwatch/base/options.h>
 #include <ringwatch/body/body.h>
-#include <ringwatch/handlers/kept_selection.h>
+#include <ringwatch/handlers/incremental_selection.h>
 #include <ringwatch/integrators/integrator.h>
 
 namespace ringwatch {
@@ -65,7 +65,7 @@ class Handler : public Integrator {
   void prepare(const NodeVectors& x, double h);
   /// The same for a body whose mesh was cut: the choice of the handler of the body before, carried over to what the cut
   /// left as it was. With Selection::fierzRing only the changed elements are looked at; `certified` chooses again among
-  /// those and their neighbours and keeps the proof of all others (KeptSelection).
+  /// those and their neighbours and keeps the proof of all others (IncrementalSelection).
   void prepare(const NodeVectors& x, double h, const CutMesh& cut, const Handler& before);
   /// One step of the size that it was prepared for; another throws InputError.
   StepStatus step(SecondOrderSystem& system, State& state, double h) override;
@@ -149,7 +149,7 @@ class Handler : public Integrator {
   State before_;  // the step that is being taken
   std::vector<ElementRef> elements_;
   std::vector<std::vector<std::int32_t>> places_;  // of elements_ in the layouts of their blocks, ascending
-  KeptSelection kept_;
+  IncrementalSelection selection_;
   Judged judged_;
   std::optional<Body> explicitPart_;
   std::vector<std::vector<std::int32_t>> numbers_;  // [block][element of the part]: number in the body

@@ -3,12 +3,12 @@
 #include <vector>
 
 #include <ringwatch/handlers/selection.h>
-#include <ringwatch/monitor/lazy_bound.h>
+#include <ringwatch/monitor/incremental_nodal_bound.h>
 
 namespace ringwatch {
 
-/// Watches some elements of a body with a limit of their own along a run, at little cost (LazyBound): those of a level
-/// of smaller steps.
+/// Watches some elements of a body with a limit of their own along a run, at little cost (IncrementalNodalBound): those
+/// of a level of smaller steps.
 class LevelWatch {
  public:
   /// mass: by node of the body, kg, > 0 where the elements have nodes. lambda: rad²/s².
@@ -16,13 +16,15 @@ class LevelWatch {
 
   /// Whether lambda is proven at positions x (3×N of the body, m).
   bool certifies(const NodeVectors& x);
+  /// IncrementalNodalBound::verify at positions x, for tests.
+  double verify(const NodeVectors& x) const { return bound_->verify(x(Eigen::all, nodes_)); }
   /// Steps of these elements in one of the run.
   int substeps() const { return substeps_; }
 
  private:
   std::vector<std::int32_t> nodes_;
   std::unique_ptr<Body> part_;  // stays where the bound looks for it
-  std::unique_ptr<LazyBound> bound_;
+  std::unique_ptr<IncrementalNodalBound> bound_;
   double lambda_;
   int substeps_;
   NodeVectors x_;

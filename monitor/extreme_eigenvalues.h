@@ -19,6 +19,8 @@ struct ExtremeEigenvalues {
   P least;
   P scale;  // Gershgorin bound of the spectral radius
 };
+/// What extremeEigenvalues may be off by, relative to `scale`, with a margin of ten.
+inline constexpr double eigenvalueRounding = 1e-11;
 
 namespace detail {
 /// Calls body(i) for begin <= i < end; `Unrolled` asks the compiler for straight code, which takes constant bounds.

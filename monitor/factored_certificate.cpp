@@ -9,17 +9,17 @@
 
 namespace ringwatch {
 
-bool certifiesFrequency(const Body& body, const NodeVectors& x, double sigma) {
+bool certifiesFrequency(const TangentSource& source, const NodeVectors& x, double sigma) {
   if (!(sigma > 0) || !std::isfinite(sigma)) return false;
-  std::vector<Eigen::Index> row(static_cast<std::size_t>(3 * body.nodeCount()), -1);
+  std::vector<Eigen::Index> row(static_cast<std::size_t>(3 * source.nodeCount()), -1);
   Eigen::Index n = 0;
-  for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+  for (std::int32_t i = 0; i < source.nodeCount(); ++i)
     for (int c = 0; c < 3; ++c)
-      if (!body.constraints().isConstrained(i, c)) row[static_cast<std::size_t>(3 * i + c)] = n++;
+      if (!source.constraints().isConstrained(i, c)) row[static_cast<std::size_t>(3 * i + c)] = n++;
   if (n == 0) return true;
 
-  const Eigen::SparseMatrix<double> K = body.assembleTangent(x);
-  const Eigen::VectorXd inverseRoot = body.lumpedMass().cwiseSqrt().cwiseInverse();
+  const Eigen::SparseMatrix<double> K = source.assembleTangent(x);
+  const Eigen::VectorXd inverseRoot = source.lumpedMass().cwiseSqrt().cwiseInverse();
   std::vector<Eigen::Triplet<double>> entries;  // lower triangle of A
   entries.reserve(static_cast<std::size_t>(K.nonZeros() / 2 + n));
   Eigen::VectorXd rowSum = Eigen::VectorXd::Zero(n);
@@ -53,10 +53,10 @@ bool certifiesFrequency(const Body& body, const NodeVectors& x, double sigma) {
   return true;
 }
 
-bool certifies(const Body& body, const NodeVectors& x, double h, double limit) {
+bool certifies(const TangentSource& source, const NodeVectors& x, double h, double limit) {
   if (!(h > 0)) throw InputError(joinText("h = ", h, ": must be > 0"));
   if (!(limit > 0)) throw InputError(joinText("limit = ", limit, ": must be > 0"));
-  return certifiesFrequency(body, x, limit * limit / (h * h));
+  return certifiesFrequency(source, x, limit * limit / (h * h));
 }
 
 }  // namespace ringwatch

@@ -15,15 +15,15 @@ constexpr double residualRounding = 1e-8;
 
 }  // namespace
 
-GlobalFrequency globalFrequency(const Body& body, const NodeVectors& x, double tolerance, int maxRestarts) {
-  body.checkNodal("x", x);
+GlobalFrequency globalFrequency(const TangentSource& source, const NodeVectors& x, double tolerance, int maxRestarts) {
+  source.checkNodal("x", x);
   GlobalFrequency result;
-  const MassScaledOperator op(body, x);
+  const MassScaledOperator op(source, x);
   const Eigen::Index n = op.rows();
   // The same start on every run and every machine, free components only, without a symmetry that a mesh could share.
-  NodeVectors start(3, body.nodeCount());
+  NodeVectors start(3, source.nodeCount());
   for (Eigen::Index i = 0; i < n; ++i) start.data()[i] = randomEntry(20130517, static_cast<std::uint64_t>(i));
-  body.constraints().clearConstrained(start);
+  source.constraints().clearConstrained(start);
   if (!(start.norm() > 0)) {  // nothing is free: no frequency, and that is exact
     result.converged = true;
     result.mode = start;
@@ -31,7 +31,7 @@ GlobalFrequency globalFrequency(const Body& body, const NodeVectors& x, double t
   }
   // The start holds about 1/√n of every mode, so that the highest eigenvalue lies between about 1 and √n of this size.
   // A power of two changes no digit.
-  NodeVectors product(3, body.nodeCount());
+  NodeVectors product(3, source.nodeCount());
   op.apply(start.data(), product.data());
   result.products = op.products();
   // Of a vector: for matrices of fixed rows Eigen 3.4's stableNorm fails an assertion of its own.
@@ -39,7 +39,7 @@ GlobalFrequency globalFrequency(const Body& body, const NodeVectors& x, double t
   if (!std::isfinite(size)) return result;
   if (!(size > 0)) {  // K times a random vector is zero: there is no stiffness
     result.converged = true;
-    result.mode = NodeVectors::Zero(3, body.nodeCount());
+    result.mode = NodeVectors::Zero(3, source.nodeCount());
     return result;
   }
   const double factor = std::ldexp(1.0, -std::ilogb(size));
@@ -63,7 +63,7 @@ GlobalFrequency globalFrequency(const Body& body, const NodeVectors& x, double t
   if (!(residual <= std::max(10 * tolerance, residualRounding) * std::abs(lambda))) return result;
   result.converged = true;
   result.lambda = lambda / factor;
-  result.mode = Eigen::Map<const NodeVectors>(vector.data(), 3, body.nodeCount()) * op.inverseRootMass().asDiagonal();
+  result.mode = Eigen::Map<const NodeVectors>(vector.data(), 3, source.nodeCount()) * op.inverseRootMass().asDiagonal();
   return result;
 }
 

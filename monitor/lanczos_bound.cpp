@@ -53,26 +53,26 @@ struct Tridiagonal {
 
 }  // namespace
 
-LanczosBound lanczosUpperBound(const Body& body, const NodeVectors& x, double width, double eta, std::uint64_t seed,
-                               int maxProducts) {
+LanczosBound lanczosUpperBound(const TangentSource& source, const NodeVectors& x, double width, double eta,
+                               std::uint64_t seed, int maxProducts) {
   if (!(width >= 1e-4 && width < 1)) throw InputError(joinText("width = ", width, ": must be >= 1e-4 and < 1"));
   if (!(eta > 0 && eta <= 0.5)) throw InputError(joinText("eta = ", eta, ": must be > 0 and <= 0.5"));
   if (maxProducts < 1) throw InputError(joinText("maxProducts = ", maxProducts, ": must be >= 1"));
-  body.checkNodal("x", x);
+  source.checkNodal("x", x);
   LanczosBound result{{0, eta}, {0}, 0, true};
   std::int64_t free = 0;
-  for (std::int32_t i = 0; i < body.nodeCount(); ++i) free += body.constraints().freeComponents(i);
+  for (std::int32_t i = 0; i < source.nodeCount(); ++i) free += source.constraints().freeComponents(i);
   if (free == 0) return result;
   const double d = eta * std::sqrt(std::numbers::pi / (2 * static_cast<double>(free)));
   if (!(d >= 500 * epsilon))
     throw InputError(joinText("eta = ", eta, ": must be >= ", eta * 500 * epsilon / d, " for ", free,
                               " free degrees of freedom, lest rounding hides the top mode"));
 
-  const MassScaledOperator op(body, x);
-  NodeVectors q(3, body.nodeCount()), before = NodeVectors::Zero(3, body.nodeCount()), w(3, body.nodeCount());
+  const MassScaledOperator op(source, x);
+  NodeVectors q(3, source.nodeCount()), before = NodeVectors::Zero(3, source.nodeCount()), w(3, source.nodeCount());
   Random random(seed);
   for (double& entry : q.reshaped()) entry = random.normal();
-  body.constraints().clearConstrained(q);
+  source.constraints().clearConstrained(q);
   q /= q.norm();
   Tridiagonal T;
   double logBetas = 0, ritz = 0;  // of all betas but the last

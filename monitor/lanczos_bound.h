@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include <ringwatch/body/body.h>
+#include <ringwatch/body/tangent_source.h>
 #include <ringwatch/monitor/bounds.h>
 
 namespace ringwatch {
@@ -27,7 +27,7 @@ struct LanczosBound {
 /// same and `achieved` is false. True for indefinite K, and for unconnected parts; 0 where nothing is free. NaN when
 /// the tangent is not finite. Whoever draws new seeds until they like the value has no probability left.
 /// Throws InputError for width, eta or maxProducts out of range.
-LanczosBound lanczosUpperBound(const Body& body, const NodeVectors& x, double width = 0.01, double eta = 1e-9,
-                               std::uint64_t seed = 1, int maxProducts = 1000);
+LanczosBound lanczosUpperBound(const TangentSource& source, const NodeVectors& x, double width = 0.01,
+                               double eta = 1e-9, std::uint64_t seed = 1, int maxProducts = 1000);
 
 }  // namespace ringwatch

@@ -1,5 +1,5 @@
 #pragma once
-#include <ringwatch/body/body.h>
+#include <ringwatch/body/tangent_source.h>
 
 namespace ringwatch {
 
@@ -7,18 +7,18 @@ namespace ringwatch {
 /// are zero.
 class MassScaledOperator {
  public:
-  MassScaledOperator(const Body& body, const NodeVectors& x)
-      : body_(body), x_(x), inverseRootMass_(body.lumpedMass().cwiseSqrt().cwiseInverse()) {}
+  MassScaledOperator(const TangentSource& source, const NodeVectors& x)
+      : source_(source), x_(x), inverseRootMass_(source.lumpedMass().cwiseSqrt().cwiseInverse()) {}
 
-  Eigen::Index rows() const { return 3 * body_.nodeCount(); }
+  Eigen::Index rows() const { return 3 * source_.nodeCount(); }
   void apply(const double* in, double* out) const {
-    const Eigen::Map<const NodeVectors> v(in, 3, body_.nodeCount());
-    Eigen::Map<NodeVectors> y(out, 3, body_.nodeCount());
+    const Eigen::Map<const NodeVectors> v(in, 3, source_.nodeCount());
+    Eigen::Map<NodeVectors> y(out, 3, source_.nodeCount());
     scaled_ = v * inverseRootMass_.asDiagonal();
-    body_.constraints().clearConstrained(scaled_);
-    body_.tangentProduct(x_, scaled_, product_, workspace_);
+    source_.constraints().clearConstrained(scaled_);
+    source_.tangentProduct(x_, scaled_, product_, workspace_);
     product_ = product_ * inverseRootMass_.asDiagonal();
-    body_.constraints().clearConstrained(product_);
+    source_.constraints().clearConstrained(product_);
     y = product_;
     ++products_;
   }
@@ -26,12 +26,12 @@ class MassScaledOperator {
   const Eigen::VectorXd& inverseRootMass() const { return inverseRootMass_; }
 
  private:
-  const Body& body_;
+  const TangentSource& source_;
   const NodeVectors& x_;
   Eigen::VectorXd inverseRootMass_;
   // An operator serves one thread.
   mutable NodeVectors scaled_, product_;
-  mutable Body::Workspace workspace_;
+  mutable TangentSource::Workspace workspace_;
   mutable int products_ = 0;
 };
 

@@ -115,7 +115,7 @@ const MetricEntry entriesOfLibrary[] = {
      [](const Body& body) -> std::unique_ptr<MetricEvaluator> { return std::make_unique<ReducedRingsAlong>(body); }},
     {{"reduced-2-ring", "assembled stiffness cut to the nodes of the element 1-ring", lowerBound},
      ring<RingKind::reduced2>},
-    {{"nodal-bound", "proven bound by 3x3 shapes summed at nodes", upperBound}, nodalBound},
+    {{"nodal-bound", "proven bound by 3x3 weights summed at nodes", upperBound}, nodalBound},
 };
 
 Registry<MetricEntry>& registry() {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/monitor/nodal_shapes.h>
+#include <ringwatch/monitor/nodal_weights.h>
 #include <ringwatch/monitor/scaled_tangent.h>
 
 namespace ringwatch {
@@ -45,31 +45,32 @@ void giveBack(Vector& numbers) {
 }
 
 /// Zeroes the rows and columns of constrained degrees of freedom.
-void clearConstrained(const Body& body, const ElementBlock& block, const std::int32_t* elements, P* K) {
-  if (!body.constraints().any()) return;
-  const int n = block.element().nodes;
+void clearConstrained(const TangentSource& source, const ElementTangents& block, const std::int32_t* elements, P* K) {
+  if (!source.constraints().any()) return;
+  const int n = block.nodesPerElement();
   bool some = false;
   for (int lane = 0; lane < lanes; ++lane)
     for (const std::int32_t node : block.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]))
-      some |= body.constraints().freeComponents(node) < 3;
+      some |= source.constraints().freeComponents(node) < 3;
   if (!some) return;
   P factor[3 * maxElementNodes];
   for (int lane = 0; lane < lanes; ++lane) {
     const auto nodes = block.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]);
     for (int a = 0; a < n; ++a)
-      for (int c = 0; c < 3; ++c) factor[3 * a + c].set(lane, freeFactor(body, nodes[static_cast<std::size_t>(a)], c));
+      for (int c = 0; c < 3; ++c)
+        factor[3 * a + c].set(lane, freeFactor(source, nodes[static_cast<std::size_t>(a)], c));
   }
   scaleSymmetric(K, 3 * n, factor);
 }
 
 }  // namespace
 
-NodalBound::NodalBound(const Body& body) : body_(&body) {
-  std::vector<std::int64_t> count(static_cast<std::size_t>(body.nodeCount()) + 1, 0);
+NodalBound::NodalBound(const TangentSource& source) : source_(&source) {
+  std::vector<std::int64_t> count(static_cast<std::size_t>(source.nodeCount()) + 1, 0);
   auto forEachIncidence = [&](auto&& visit) {
-    for (std::size_t b = 0; b < body.blocks().size(); ++b) {
-      const ElementBlock& block = *body.blocks()[b];
-      const int n = block.element().nodes;
+    for (std::size_t b = 0; b < source.tangents().size(); ++b) {
+      const ElementTangents& block = *source.tangents()[b];
+      const int n = block.nodesPerElement();
       for (std::int32_t e = 0; e < block.elementCount(); ++e) {
         const auto nodes = block.nodesOf(e);
         for (int a = 0; a < n; ++a)
@@ -81,14 +82,14 @@ NodalBound::NodalBound(const Body& body) : body_(&body) {
   for (std::size_t i = 1; i < count.size(); ++i) count[i] += count[i - 1];
   incidenceBegin_ = count;
   std::int64_t places = 0;
-  for (const auto& block : body.blocks()) {
-    const auto shapes =
-        static_cast<std::size_t>(block->layout().batchCount()) * static_cast<std::size_t>(block->element().nodes);
+  for (const ElementTangents* block : source.tangents()) {
+    const auto weights =
+        static_cast<std::size_t>(block->layout().batchCount()) * static_cast<std::size_t>(block->nodesPerElement());
     firstOfBlock_.push_back(static_cast<std::int32_t>(places));
-    places += static_cast<std::int64_t>(shapes * lanes);
+    places += static_cast<std::int64_t>(weights * lanes);
     if (places > std::numeric_limits<std::int32_t>::max())
       throw InputError("the nodal bound: more than 2^31 nodes of elements; use a metric for a body of this size");
-    shapes_.emplace_back(shapes);
+    weights_.emplace_back(weights);
   }
   firstOfBlock_.push_back(static_cast<std::int32_t>(places));
   incidence_.resize(static_cast<std::size_t>(count.back()));
@@ -104,8 +105,8 @@ CholeskyFactor<P> NodalBound::load(const StoredFactor& stored) {
   return L;
 }
 
-void NodalBound::store(const Symmetric3<P>& shape, StoredFactor& stored) {
-  const CholeskyFactor<P> L = ringwatch::factorOf(shape);
+void NodalBound::store(const Symmetric3<P>& weight, StoredFactor& stored) {
+  const CholeskyFactor<P> L = ringwatch::factorOf(weight);
   for (int c = 0; c < 6; ++c) ShortRoot::store(L.m[c], stored.m[c]);
 }
 
@@ -116,12 +117,12 @@ NodalBound::Factor NodalBound::factorOf(const Eigen::Matrix3d& D) {
   return rounded;
 }
 
-Eigen::Matrix3d NodalBound::shapeOf(const Factor& factor) { return matrixOf(symmetricOf(factor)); }
+Eigen::Matrix3d NodalBound::weightOf(const Factor& factor) { return matrixOf(symmetricOf(factor)); }
 
 void NodalBound::prepareSums() {
-  const std::size_t packs = (static_cast<std::size_t>(body_->nodeCount()) + lanes - 1) / lanes;
-  if (sums_.size() == packs && values_.size() == shapes_.size()) return;
-  for (const auto& block : body_->blocks())
+  const std::size_t packs = (static_cast<std::size_t>(source_->nodeCount()) + lanes - 1) / lanes;
+  if (sums_.size() == packs && values_.size() == weights_.size()) return;
+  for (const ElementTangents* block : source_->tangents())
     values_.emplace_back(static_cast<std::size_t>(block->layout().batchCount()));
   sums_.resize(packs);
   factors_.resize(packs);
@@ -138,35 +139,35 @@ void NodalBound::releaseSums() {
 }
 
 void NodalBound::evaluateAll(const NodeVectors& x, const Start* start) {
-  body_->forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
-    const ElementBlock& block = *body_->blocks()[b];
-    const int n = block.element().nodes, size = 3 * n;
-    clearConstrained(*body_, block, block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, K);
-    StoredFactor* stored = shapes_[b].data() + static_cast<std::ptrdiff_t>(batch) * n;
+  source_->forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
+    const ElementTangents& block = *source_->tangents()[b];
+    const int n = block.nodesPerElement(), size = 3 * n;
+    clearConstrained(*source_, block, block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, K);
+    StoredFactor* stored = weights_[b].data() + static_cast<std::ptrdiff_t>(batch) * n;
     if (start) {
-      Symmetric3<P> shapes[maxElementNodes];
+      Symmetric3<P> weights[maxElementNodes];
       for (int a = 0; a < n; ++a) {
         Symmetric3<P> k;
         for (int r = 0; r < 3; ++r)
           for (int c = r; c < 3; ++c) k(r, c) = K[(3 * a + r) * size + 3 * a + c];
-        shapes[a] = startShape(k, *start == Start::rootOfStiffness);
+        weights[a] = startWeight(k, *start == Start::rootOfStiffness);
       }
-      normaliseShapes(shapes, n);
-      for (int a = 0; a < n; ++a) store(shapes[a], stored[a]);
+      normaliseWeights(weights, n);
+      for (int a = 0; a < n; ++a) store(weights[a], stored[a]);
     }
     P work[12 * maxElementNodes], w[maxElementNodes][6];
     for (int a = 0; a < n; ++a) invertFactor(load(stored[a]), w[a]);
     scaleByFactors(w, n, K);
     values_[b][static_cast<std::size_t>(batch)] = largestRoundedUp(K, size, work);
   });
-  for (const auto& block : body_->blocks()) evaluations_ += block->elementCount();
+  for (const ElementTangents* block : source_->tangents()) evaluations_ += block->elementCount();
   std::fill(changed_.begin(), changed_.end(), true);
 }
 
 double NodalBound::sumAtNodes() {
-  const std::int32_t nodes = body_->nodeCount();
+  const std::int32_t nodes = source_->nodeCount();
   parallelFor(
-      0, static_cast<std::int64_t>(sums_.size()), body_->threads(),
+      0, static_cast<std::int64_t>(sums_.size()), source_->threads(),
       [&](std::int64_t pack) {
         const auto* changed = changed_.data() + pack * lanes;
         if (std::find(changed, changed + lanes, true) == changed + lanes) return;
@@ -185,13 +186,14 @@ double NodalBound::sumAtNodes() {
             const int l = at.place % lanes;
             const Symmetric3<double> D = symmetricOf(factor(at));
             const double value =
-                values_[block][static_cast<std::size_t>(at.place / lanes / body_->blocks()[block]->element().nodes)][l];
+                values_[block]
+                       [static_cast<std::size_t>(at.place / lanes / source_->tangents()[block]->nodesPerElement())][l];
             for (int c = 0; c < 6; ++c) sum[c] += value * D.m[c];
           }
-          const double inverseMass = 1 / body_->lumpedMass()[node];
+          const double inverseMass = 1 / source_->lumpedMass()[node];
           // Constrained components leave the problem: their rows and columns count nothing.
-          const double free[3] = {freeFactor(*body_, node, 0), freeFactor(*body_, node, 1),
-                                  freeFactor(*body_, node, 2)};
+          const double free[3] = {freeFactor(*source_, node, 0), freeFactor(*source_, node, 1),
+                                  freeFactor(*source_, node, 2)};
           const double keep[6] = {free[0], free[1], free[2], free[1] * free[2], free[0] * free[2], free[0] * free[1]};
           for (int c = 0; c < 6; ++c) S.m[c].set(lane, keep[c] == 0 ? 0.0 : inverseMass * sum[c]);
         }
@@ -212,9 +214,9 @@ double NodalBound::sumAtNodes() {
 }
 
 void NodalBound::findFactors(double bound) {
-  const std::int32_t nodes = body_->nodeCount();
+  const std::int32_t nodes = source_->nodeCount();
   parallelFor(
-      0, static_cast<std::int64_t>(sums_.size()), body_->threads(),
+      0, static_cast<std::int64_t>(sums_.size()), source_->threads(),
       [&](std::int64_t pack) {
         Symmetric3<P> S = P(1 / bound) * sums_[static_cast<std::size_t>(pack)];
         for (int lane = 0; lane < lanes; ++lane) {
@@ -223,7 +225,7 @@ void NodalBound::findFactors(double bound) {
             for (int c = 0; c < 3; ++c) S.m[c].set(lane, 1.0);
           else
             for (int c = 0; c < 3; ++c)
-              if (freeFactor(*body_, node, c) == 0) S.m[c].set(lane, 1.0);
+              if (freeFactor(*source_, node, c) == 0) S.m[c].set(lane, 1.0);
         }
         factors_[static_cast<std::size_t>(pack)] = sweepFactor(S);
       },
@@ -233,9 +235,9 @@ void NodalBound::findFactors(double bound) {
 void NodalBound::sweep(const NodeVectors& x, double bound) {
   findFactors(bound);
   std::fill(changed_.begin(), changed_.end(), false);
-  for (std::size_t b = 0; b < body_->blocks().size(); ++b) {
-    const ElementBlock& block = *body_->blocks()[b];
-    const int n = block.element().nodes;
+  for (std::size_t b = 0; b < source_->tangents().size(); ++b) {
+    const ElementTangents& block = *source_->tangents()[b];
+    const int n = block.nodesPerElement();
     std::vector<std::int32_t> hot;
     for (const std::int32_t e : block.layout().elements) {
       if (e < 0) continue;
@@ -249,12 +251,12 @@ void NodalBound::sweep(const NodeVectors& x, double bound) {
     evaluations_ += static_cast<std::int64_t>(hot.size());
     hot.resize((hot.size() + lanes - 1) / lanes * lanes, -1);
     parallelFor(
-        0, static_cast<std::int64_t>(hot.size() / lanes), body_->threads(),
+        0, static_cast<std::int64_t>(hot.size() / lanes), source_->threads(),
         [&](std::int64_t pack) {
           const std::int32_t* elements = hot.data() + pack * lanes;
           StoredFactor stored[maxElementNodes];
           gather(b, elements, stored);
-          Symmetric3<P> shapes[maxElementNodes];
+          Symmetric3<P> weights[maxElementNodes];
           for (int a = 0; a < n; ++a) {
             Symmetric3<P> R;
             for (int lane = 0; lane < lanes; ++lane) {
@@ -263,19 +265,19 @@ void NodalBound::sweep(const NodeVectors& x, double bound) {
               const Symmetric3<P>& from = factors_[static_cast<std::size_t>(node / lanes)];
               for (int c = 0; c < 6; ++c) R.m[c].set(lane, from.m[c][node % lanes]);
             }
-            shapes[a] = congruence(R, productOf(load(stored[a])));
+            weights[a] = congruence(R, productOf(load(stored[a])));
           }
-          normaliseShapes(shapes, n);
-          for (int a = 0; a < n; ++a) store(shapes[a], stored[a]);
+          normaliseWeights(weights, n);
+          for (int a = 0; a < n; ++a) store(weights[a], stored[a]);
           double value[lanes];
           for (int lane = 0; lane < lanes; ++lane) {
             if (elements[lane] < 0) continue;
             const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(elements[lane])];
             for (int a = 0; a < n; ++a)
               for (int c = 0; c < 6; ++c)
-                shapes_[b][static_cast<std::size_t>(place / lanes * n + a)].m[c][place % lanes] = stored[a].m[c][lane];
+                weights_[b][static_cast<std::size_t>(place / lanes * n + a)].m[c][place % lanes] = stored[a].m[c][lane];
           }
-          elementValues(static_cast<std::int32_t>(b), elements, x, value, nullptr);
+          elementValues(static_cast<std::int32_t>(b), elements, x, value);
           for (int lane = 0; lane < lanes; ++lane)
             if (elements[lane] >= 0) setValue({static_cast<std::int32_t>(b), elements[lane]}, value[lane]);
         },
@@ -306,75 +308,73 @@ UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps, Start start, d
 }
 
 ElementRef NodalBound::elementAt(Incidence at) const {
-  const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(at.block)];
-  const std::int32_t batch = at.place / lanes / block.element().nodes;
+  const ElementTangents& block = *source_->tangents()[static_cast<std::size_t>(at.block)];
+  const std::int32_t batch = at.place / lanes / block.nodesPerElement();
   return {at.block, block.layout().elements[static_cast<std::size_t>(batch * lanes + at.place % lanes)]};
 }
 
 NodalBound::Incidence NodalBound::incidenceOf(ElementRef e, int a) const {
-  const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(e.block)];
+  const ElementTangents& block = *source_->tangents()[static_cast<std::size_t>(e.block)];
   const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(e.element)];
-  return {e.block, (place / lanes * block.element().nodes + a) * lanes + place % lanes};
+  return {e.block, (place / lanes * block.nodesPerElement() + a) * lanes + place % lanes};
 }
 
 NodalBound::Factor NodalBound::factor(Incidence at) const {
-  const StoredFactor& stored = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
+  const StoredFactor& stored = weights_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
   Factor L;
   for (std::size_t c = 0; c < 6; ++c) L[c] = stored.m[c][at.place % lanes];
   return L;
 }
 
 void NodalBound::setFactor(Incidence at, const Factor& L) {
-  StoredFactor& stored = shapes_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
+  StoredFactor& stored = weights_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
   for (std::size_t c = 0; c < 6; ++c) stored.m[c][at.place % lanes] = L[c];
 }
 
-void NodalBound::setShapes(ElementRef e, std::span<const Eigen::Matrix3d> shapes) {
-  const auto n = static_cast<int>(shapes.size());
+void NodalBound::setWeights(ElementRef e, std::span<const Eigen::Matrix3d> weights) {
+  const auto n = static_cast<int>(weights.size());
   Symmetric3<double> own[maxElementNodes];
-  for (int a = 0; a < n; ++a) own[a] = symmetricOf(shapes[static_cast<std::size_t>(a)]);
-  normaliseShapes(own, n);
-  for (int a = 0; a < n; ++a) setShape(incidenceOf(e, a), matrixOf(own[a]));
+  for (int a = 0; a < n; ++a) own[a] = symmetricOf(weights[static_cast<std::size_t>(a)]);
+  normaliseWeights(own, n);
+  for (int a = 0; a < n; ++a) setWeight(incidenceOf(e, a), matrixOf(own[a]));
 }
 
 void NodalBound::gather(std::size_t b, const std::int32_t* elements, StoredFactor* factors) const {
-  const ElementBlock& block = *body_->blocks()[b];
-  const int n = block.element().nodes;
+  const ElementTangents& block = *source_->tangents()[b];
+  const int n = block.nodesPerElement();
   for (int lane = 0; lane < lanes; ++lane) {
     const std::int32_t place =
         block.layout().batchOfElement[static_cast<std::size_t>(elements[lane] < 0 ? elements[0] : elements[lane])];
-    const StoredFactor* from = shapes_[b].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
+    const StoredFactor* from = weights_[b].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
     for (int a = 0; a < n; ++a)
       for (int c = 0; c < 6; ++c) factors[a].m[c][lane] = from[a].m[c][place % lanes];
   }
 }
 
-void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, const NodeVectors& x, double* values,
-                               double* reach) const {
-  const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(b)];
-  const int n = block.element().nodes, size = 3 * n;
-  StoredFactor gathered[maxElementNodes];
-  gather(static_cast<std::size_t>(b), elements, gathered);
-  P w[maxElementNodes][6];
-  for (int a = 0; a < n; ++a) invertFactor(load(gathered[a]), w[a]);
-  P K[9 * maxElementNodes * maxElementNodes], work[12 * maxElementNodes];
-  if (values) {
-    block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
-    clearConstrained(*body_, block, elements, K);
-    scaleByFactors(w, n, K);
-    largestRoundedUp(K, size, work).store(values);
-  }
-  if (!reach) return;
-  P L[maxElementNodes * maxElementNodes];
-  block.laplacianOf(elements, reinterpret_cast<double*>(L));
-  for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j) K[i * size + j] = i % 3 == j % 3 ? L[i / 3 * n + j / 3] : P(0.0);
-  clearConstrained(*body_, block, elements, K);
-  scaleByFactors(w, n, K);
-  largestRoundedUp(K, size, work).store(reach);
+void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, const NodeVectors& x,
+                               double* values) const {
+  P K[9 * maxElementNodes * maxElementNodes];
+  source_->tangents()[static_cast<std::size_t>(b)]->tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
+  const ElementMatrices tangents{K, values};
+  weightedLargest(b, elements, {&tangents, 1});
 }
 
-const std::vector<double>& NodalBound::sumsOf(const std::vector<std::span<const float>>& values) {
+void NodalBound::weightedLargest(std::int32_t b, const std::int32_t* elements,
+                                 std::span<const ElementMatrices> sets) const {
+  const ElementTangents& block = *source_->tangents()[static_cast<std::size_t>(b)];
+  const int n = block.nodesPerElement();
+  StoredFactor gathered[maxElementNodes];
+  gather(static_cast<std::size_t>(b), elements, gathered);
+  P w[maxElementNodes][6], work[12 * maxElementNodes];
+  for (int a = 0; a < n; ++a) invertFactor(load(gathered[a]), w[a]);
+  for (const auto& [matrices, largest] : sets) {
+    clearConstrained(*source_, block, elements, matrices);
+    scaleByFactors(w, n, matrices);
+    largestRoundedUp(matrices, 3 * n, work).store(largest);
+  }
+}
+
+const std::vector<double>& NodalBound::sumsOf(const std::vector<std::span<const RoundedUp<float>>>& values) {
   prepareSums();
   for (std::size_t b = 0; b < values_.size(); ++b)
     for (std::size_t place = 0; place < values[b].size(); ++place)
@@ -385,8 +385,9 @@ const std::vector<double>& NodalBound::sumsOf(const std::vector<std::span<const 
 }
 
 void NodalBound::setValue(ElementRef e, double value) {
-  const std::int32_t place =
-      body_->blocks()[static_cast<std::size_t>(e.block)]->layout().batchOfElement[static_cast<std::size_t>(e.element)];
+  const std::int32_t place = source_->tangents()[static_cast<std::size_t>(e.block)]
+                                 ->layout()
+                                 .batchOfElement[static_cast<std::size_t>(e.element)];
   // Other lanes belong to other threads.
   std::memcpy(reinterpret_cast<std::byte*>(values_[static_cast<std::size_t>(e.block)].data()) +
                   static_cast<std::size_t>(place) * sizeof value,
@@ -394,7 +395,7 @@ void NodalBound::setValue(ElementRef e, double value) {
 }
 
 double NodalBound::value(ElementRef e) const {
-  const ElementBlock& block = *body_->blocks()[static_cast<std::size_t>(e.block)];
+  const ElementTangents& block = *source_->tangents()[static_cast<std::size_t>(e.block)];
   const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(e.element)];
   return values_[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(place / lanes)][place % lanes];
 }

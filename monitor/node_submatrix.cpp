@@ -10,9 +10,9 @@ namespace ringwatch {
 
 void NodeSubmatrix::choose(std::vector<std::int32_t> nodes) {
   nodes_ = std::move(nodes);
-  bodyVersion_ = body_.version();
+  sourceVersion_ = source_.version();
   std::sort(nodes_.begin(), nodes_.end());
-  blocks_.assign(body_.blocks().size(), {});
+  blocks_.assign(source_.tangents().size(), {});
   for (const std::int32_t node : nodes_)
     for (const NodalBound::Incidence at : incidences_.incidences(node))
       blocks_[static_cast<std::size_t>(at.block)].elements.push_back(incidences_.elementAt(at).element);
@@ -22,15 +22,15 @@ void NodeSubmatrix::choose(std::vector<std::int32_t> nodes) {
     elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
     for (const std::int32_t e : elements) {
       Part& part = parts.emplace_back();
-      const auto own = body_.blocks()[b]->nodesOf(e);
+      const auto own = source_.tangents()[b]->nodesOf(e);
       for (std::size_t a = 0; a < own.size(); ++a) {
         const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), own[a]);
         if (found == nodes_.end() || *found != own[a]) continue;
         for (int c = 0; c < 3; ++c) {
-          if (freeFactor(body_, own[a], c) == 0) continue;
+          if (freeFactor(source_, own[a], c) == 0) continue;
           part.own[part.count] = static_cast<int>(3 * a) + c;
           part.row[part.count] = static_cast<int>(3 * (found - nodes_.begin())) + c;
-          part.scale[part.count++] = 1 / std::sqrt(body_.lumpedMass()[own[a]]);
+          part.scale[part.count++] = 1 / std::sqrt(source_.lumpedMass()[own[a]]);
         }
       }
     }
@@ -39,15 +39,15 @@ void NodeSubmatrix::choose(std::vector<std::int32_t> nodes) {
 
 const Eigen::MatrixXd& NodeSubmatrix::evaluate(const NodeVectors& x, const Eigen::VectorXd* v) {
   constexpr int lanes = PatchLayout::lanes;
-  if (bodyVersion_ != body_.version()) choose(std::move(nodes_));
+  if (sourceVersion_ != source_.version()) choose(std::move(nodes_));
   const auto dofs = static_cast<Eigen::Index>(3 * nodes_.size());
   matrix_.setZero(dofs, dofs);
   NativePack K[9 * maxElementNodes * maxElementNodes];
   double largest = -1;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const ElementBlock& block = *body_.blocks()[b];
+    const ElementTangents& block = *source_.tangents()[b];
     const auto& [listed, parts] = blocks_[b];
-    const int size = 3 * block.element().nodes;
+    const int size = 3 * block.nodesPerElement();
     for (std::size_t first = 0; first < listed.size(); first += lanes) {
       std::int32_t elements[lanes];
       for (std::size_t lane = 0; lane < lanes; ++lane)

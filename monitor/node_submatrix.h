@@ -12,7 +12,7 @@ namespace ringwatch {
 class NodeSubmatrix {
  public:
   /// `incidences` knows the elements at each node.
-  NodeSubmatrix(const Body& body, const NodalBound& incidences) : body_(body), incidences_(incidences) {}
+  NodeSubmatrix(const TangentSource& source, const NodalBound& incidences) : source_(source), incidences_(incidences) {}
 
   /// nodes: in any order. Masses and free components are those of now; evaluate() follows them when they change.
   void choose(std::vector<std::int32_t> nodes);
@@ -34,13 +34,13 @@ class NodeSubmatrix {
     std::vector<std::int32_t> elements;
     std::vector<Part> parts;
   };
-  const Body& body_;
+  const TangentSource& source_;
   const NodalBound& incidences_;
   std::vector<std::int32_t> nodes_;
   std::vector<BlockParts> blocks_;
   Eigen::MatrixXd matrix_;
   ElementRef most_;
-  std::int64_t bodyVersion_ = 0;  // when the parts were made
+  std::int64_t sourceVersion_ = 0;  // when the parts were made
 };
 
 }  // namespace ringwatch

@@ -10,14 +10,14 @@
 
 namespace ringwatch {
 
-LowerBound rayleighLowerBound(const Body& body, const NodeVectors& x, NodeVectors& start, int products) {
-  body.constraints().clearConstrained(start);
+LowerBound rayleighLowerBound(const TangentSource& source, const NodeVectors& x, NodeVectors& start, int products) {
+  source.constraints().clearConstrained(start);
   const double norm = start.norm();
   if (!(norm > 0) || !std::isfinite(norm)) {
     start.setZero();
     return {0};
   }
-  MassScaledOperator op(body, x);
+  MassScaledOperator op(source, x);
   start /= norm;
   const int steps = std::max(1, products - 1);
   std::vector<NodeVectors> basis{start};

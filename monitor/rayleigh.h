@@ -9,12 +9,12 @@ namespace ringwatch {
 /// eigenvalue problem can make too large, less its rounding: 1e-12 of the largest size of an eigenvalue that the
 /// iteration has seen, negative ones included. products >= 1 tangent products are spent. start = 0 gives a bound of 0;
 /// so does one that is not finite, which becomes 0.
-LowerBound rayleighLowerBound(const Body& body, const NodeVectors& x, NodeVectors& start, int products);
+LowerBound rayleighLowerBound(const TangentSource& source, const NodeVectors& x, NodeVectors& start, int products);
 
 /// A lower bound of the highest eigenvalue from the few nodes where a tracked mode moves most.
 class HotSpot {
  public:
-  HotSpot(const Body& body, const NodalBound& incidences) : submatrix_(body, incidences) {}
+  HotSpot(const TangentSource& source, const NodalBound& incidences) : submatrix_(source, incidences) {}
 
   /// Chooses the nodes where `mode` (3×N, mass-scaled coordinates) is largest, and starts from it.
   void choose(const NodeVectors& mode);

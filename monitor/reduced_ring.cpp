@@ -8,28 +8,26 @@
 namespace ringwatch {
 namespace {
 
-/// Rounding of the packed eigenvalues, relative to the spectral radius; taken off a proven lower bound.
-constexpr double rounding = 1e-11;
 constexpr int lanes = PatchLayout::lanes;
 
 }  // namespace
 
 const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool wantLowest) {
-  body_.assembleBlocks(x, matrix_);
-  result_.largest.resize(body_.blocks().size());
+  source_.assembleBlocks(x, matrix_);
+  result_.largest.resize(source_.tangents().size());
   result_.highest = result_.lowest = 0;
-  scale_ = NodeVectors(3, body_.nodeCount());
-  for (std::int32_t i = 0; i < body_.nodeCount(); ++i)
-    for (int c = 0; c < 3; ++c) scale_(c, i) = freeFactor(body_, i, c) / std::sqrt(body_.lumpedMass()[i]);
-  for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
-    const ElementBlock& block = *body_.blocks()[b];
-    const int n = block.element().nodes, size = 3 * n;
+  scale_ = NodeVectors(3, source_.nodeCount());
+  for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
+    for (int c = 0; c < 3; ++c) scale_(c, i) = freeFactor(source_, i, c) / std::sqrt(source_.lumpedMass()[i]);
+  for (std::size_t b = 0; b < source_.tangents().size(); ++b) {
+    const ElementTangents& block = *source_.tangents()[b];
+    const int n = block.nodesPerElement(), size = 3 * n;
     auto& largest = result_.largest[b];
     largest.resize(static_cast<std::size_t>(block.elementCount()));
     std::vector<double> least(wantLowest ? largest.size() : 0), scale(largest.size());
     constexpr std::int32_t chunk = 64;
     const std::int32_t batches = block.layout().batchCount();
-    parallelFor(0, (batches + chunk - 1) / chunk, body_.threads(), [&](std::int64_t c) {
+    parallelFor(0, (batches + chunk - 1) / chunk, source_.threads(), [&](std::int64_t c) {
       AlignedVector<NativePack> A(static_cast<std::size_t>(size * size)), work(static_cast<std::size_t>(4 * size)),
           factor(static_cast<std::size_t>(size));
       const std::int32_t end = std::min(batches, static_cast<std::int32_t>(c + 1) * chunk);
@@ -71,13 +69,13 @@ const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool want
     });
     for (std::size_t e = 0; e < largest.size(); ++e) {
       const ElementRef here{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
-      const double proven = largest[e] - rounding * scale[e];
+      const double proven = largest[e] - eigenvalueRounding * scale[e];
       if (proven > result_.highest || std::isnan(proven)) {
         result_.highest = proven;
         result_.highestElement = here;
       }
       // Only a clearly negative value proves that the tangent is indefinite.
-      if (wantLowest && least[e] + rounding * scale[e] < result_.lowest) {
+      if (wantLowest && least[e] + eigenvalueRounding * scale[e] < result_.lowest) {
         result_.lowest = least[e];
         result_.lowestElement = here;
       }
@@ -87,8 +85,8 @@ const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool want
 }
 
 NodeVectors ReducedRing::topVector(ElementRef ref) const {
-  const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(ref.block)];
-  const int n = block.element().nodes;
+  const ElementTangents& block = *source_.tangents()[static_cast<std::size_t>(ref.block)];
+  const int n = block.nodesPerElement();
   const std::int32_t* position = matrix_.elementBlocks[static_cast<std::size_t>(ref.block)].data() +
                                  static_cast<std::ptrdiff_t>(ref.element) * n * n;
   Eigen::MatrixXd A(3 * n, 3 * n);
@@ -100,7 +98,7 @@ NodeVectors ReducedRing::topVector(ElementRef ref) const {
   for (int i = 0; i < n; ++i) factor.segment<3>(3 * i) = scale_.col(nodes[static_cast<std::size_t>(i)]);
   A = factor.asDiagonal() * A * factor.asDiagonal();
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A);
-  NodeVectors v = NodeVectors::Zero(3, body_.nodeCount());
+  NodeVectors v = NodeVectors::Zero(3, source_.nodeCount());
   if (solver.info() != Eigen::Success) return v;
   for (int i = 0; i < n; ++i)
     v.col(nodes[static_cast<std::size_t>(i)]) = solver.eigenvectors().col(3 * n - 1).segment<3>(3 * i);

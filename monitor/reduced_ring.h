@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include <ringwatch/body/body.h>
+#include <ringwatch/body/tangent_source.h>
 
 namespace ringwatch {
 
@@ -10,7 +10,7 @@ namespace ringwatch {
 /// eigenvalue never exceeds that of the whole, and its least one is never below: both are proven one-sided bounds.
 class ReducedRing {
  public:
-  explicit ReducedRing(const Body& body) : body_(body) {}
+  explicit ReducedRing(const TangentSource& source) : source_(source) {}
 
   struct Result {
     std::vector<std::vector<double>> largest;  // [block][element], rad²/s²
@@ -27,7 +27,7 @@ class ReducedRing {
   NodeVectors topVector(ElementRef element) const;
 
  private:
-  const Body& body_;
+  const TangentSource& source_;
   BlockMatrix matrix_;  // as assembled
   NodeVectors scale_;   // 1/√m, 0 where constrained
   Result result_;

@@ -14,8 +14,6 @@
 namespace ringwatch {
 namespace {
 
-/// Rounding of eigenvalues, relative to the spectral radius; taken to the proven side.
-constexpr double rounding = 1e-11;
 constexpr double residualTolerance = 3e-6;
 
 /// The symmetric matrix of a ring, 3×3 blocks in rows, both triangles.
@@ -47,7 +45,7 @@ double denseLargest(const RingMatrix& matrix, std::vector<double>& dense) {
               matrix.block[s](static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c));
   const auto extremes =
       extremeEigenvalues<double>(dense.data(), static_cast<int>(n), dense.data() + n * n, /*wantLeast=*/false);
-  return extremes.largest + rounding * extremes.scale;
+  return extremes.largest + eigenvalueRounding * extremes.scale;
 }
 
 /// The Lanczos iteration of Golub & Van Loan (2013, alg. 10.1.1) with full orthogonalisation.
@@ -75,11 +73,11 @@ class Lanczos {
       if (exhausted || k % 4 == 3) {
         const double ritz = topOfTridiagonal();
         if (exhausted || beta * lastComponent(ritz) <= residualTolerance * std::abs(ritz))
-          return ritz - rounding * scale();
+          return ritz - eigenvalueRounding * scale();
       }
       v = product_ / beta;
     }
-    return topOfTridiagonal() - rounding * scale();
+    return topOfTridiagonal() - eigenvalueRounding * scale();
   }
 
  private:

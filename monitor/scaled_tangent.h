@@ -1,17 +1,17 @@
 #pragma once
-#include <ringwatch/body/body.h>
+#include <ringwatch/body/tangent_source.h>
 
 namespace ringwatch {
 
 /// 1 for a free degree of freedom, 0 for a constrained one: constrained rows and columns leave the stability problem.
-RINGWATCH_INLINE double freeFactor(const Body& body, std::int32_t node, int component) {
-  return body.constraints().any() && body.constraints().isConstrained(node, component) ? 0.0 : 1.0;
+RINGWATCH_INLINE double freeFactor(const TangentSource& source, std::int32_t node, int component) {
+  return source.constraints().any() && source.constraints().isConstrained(node, component) ? 0.0 : 1.0;
 }
 
 /// A 3×3 block at a node without the rows and columns of its constrained components.
-inline Eigen::Matrix3d freePart(const Body& body, std::int32_t node, Eigen::Matrix3d S) {
+inline Eigen::Matrix3d freePart(const TangentSource& source, std::int32_t node, Eigen::Matrix3d S) {
   for (int c = 0; c < 3; ++c)
-    if (freeFactor(body, node, c) == 0) {
+    if (freeFactor(source, node, c) == 0) {
       S.row(c).setZero();
       S.col(c).setZero();
     }
@@ -26,7 +26,7 @@ RINGWATCH_INLINE void scaleSymmetric(NativePack* K, int size, const NativePack* 
 
 /// Calls set(lane, nodes) for the elements of a batch; empty lanes repeat the batch's first element.
 template <class Set>
-void forEachLane(const ElementBlock& block, std::int32_t batch, const Set& set) {
+void forEachLane(const ElementTangents& block, std::int32_t batch, const Set& set) {
   constexpr int lanes = PatchLayout::lanes;
   const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
   for (int lane = 0; lane < lanes; ++lane) set(lane, elements[lane] < 0 ? elements[0] : elements[lane]);

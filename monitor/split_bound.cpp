@@ -5,7 +5,6 @@
 #include <limits>
 #include <vector>
 
-#include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/monitor/packed_jacobi.h>
 #include <ringwatch/monitor/scaled_tangent.h>
 
@@ -57,13 +56,14 @@ void removeNegativePart(Pack* A, Pack* VT, Pack* P, int n, Pack& least, Pack& ne
 
 class Splitting {
  public:
-  Splitting(const Body& body, const NodeVectors& x, const NodalBound& shapes, double sigma)
-      : body_(body), sigma_(sigma) {
-    body.assembleBlocks(x, pattern_);
+  Splitting(const TangentSource& source, const NodeVectors& x, const NodalBound& weights, double sigma)
+      : source_(source), sigma_(sigma) {
+    source.assembleBlocks(x, pattern_);
     std::int64_t total = 0;
-    for (std::size_t b = 0; b < body.blocks().size(); ++b) {
-      const int n = body.blocks()[b]->element().nodes;
-      for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
+    for (std::size_t b = 0; b < source.tangents().size(); ++b) {
+      const int n = source.tangents()[b]->nodesPerElement();
+      firstOfGroup_.push_back(elements_.size());
+      for (std::int32_t e = 0; e < source.tangents()[b]->elementCount(); ++e) {
         elements_.push_back({{static_cast<std::int32_t>(b), e}, n, total});
         total += 9 * n * n;
       }
@@ -74,14 +74,14 @@ class Splitting {
     // What all P_e must sum up to: sigma I - A, with A from the very numbers that the elements start with.
     const auto blocks = static_cast<std::int64_t>(pattern_.column.size());
     target_.resize(static_cast<std::size_t>(blocks));
-    for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+    for (std::int32_t i = 0; i < source.nodeCount(); ++i)
       for (std::int64_t k = pattern_.rowBegin[static_cast<std::size_t>(i)];
            k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
         const bool diagonal = pattern_.column[static_cast<std::size_t>(k)] == i;
         target_[static_cast<std::size_t>(k)] =
             (diagonal ? sigma : 0.0) * Eigen::Matrix3d::Identity() + sumOf(k);  // P_ holds -A_e
       }
-    startFrom(shapes);
+    startFrom(weights);
     reserve_.assign(elements_.size(), -1.0);
     excess_.assign(elements_.size(), 0.0);
     negative_.assign(elements_.size(), 0.0);
@@ -110,12 +110,12 @@ class Splitting {
       ++decompositions;
     }
     parallelFor(
-        0, static_cast<std::int64_t>(groups.size()), body_.threads(),
+        0, static_cast<std::int64_t>(groups.size()), source_.threads(),
         [&](std::int64_t g) {
           removeNegativeParts(groups[static_cast<std::size_t>(g)].element, groups[static_cast<std::size_t>(g)].count);
         },
         4);
-    std::vector<double> nodal(static_cast<std::size_t>(body_.nodeCount()), 0.0);
+    std::vector<double> nodal(static_cast<std::size_t>(source_.nodeCount()), 0.0);
     double sum = 0;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       for (std::int32_t node : nodesOf(e)) nodal[static_cast<std::size_t>(node)] += excess_[e];
@@ -172,7 +172,7 @@ class Splitting {
     }
   }
   std::span<const std::int32_t> nodesOf(std::size_t e) const {
-    return body_.blocks()[static_cast<std::size_t>(elements_[e].ref.block)]->nodesOf(elements_[e].ref.element);
+    return source_.tangents()[static_cast<std::size_t>(elements_[e].ref.block)]->nodesOf(elements_[e].ref.element);
   }
   Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>> at(AlignedVector<double>& values, const Place& place) const {
     return Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>>(values.data() + place.first,
@@ -185,10 +185,9 @@ class Splitting {
 
   /// P_e = -A_e, constrained components zero.
   void fillTangents(const NodeVectors& x) {
-    const std::vector<std::size_t> firstOfBlock = blockOffsets(body_.mesh());
-    body_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, NativePack* K) {
-      const ElementBlock& block = *body_.blocks()[b];
-      const int n = block.element().nodes, size = 3 * n;
+    source_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, NativePack* K) {
+      const ElementTangents& block = *source_.tangents()[b];
+      const int n = block.nodesPerElement(), size = 3 * n;
       for (int lane = 0; lane < lanes; ++lane) {
         const std::int32_t e =
             block.layout().elements[static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane)];
@@ -197,9 +196,9 @@ class Splitting {
         double scale[3 * maxElementNodes];
         for (int i = 0; i < size; ++i) {
           const std::int32_t node = nodes[static_cast<std::size_t>(i / 3)];
-          scale[i] = freeFactor(body_, node, i % 3) / std::sqrt(body_.lumpedMass()[node]);
+          scale[i] = freeFactor(source_, node, i % 3) / std::sqrt(source_.lumpedMass()[node]);
         }
-        double* P = P_.data() + elements_[firstOfBlock[b] + static_cast<std::size_t>(e)].begin;
+        double* P = P_.data() + elements_[firstOfGroup_[b] + static_cast<std::size_t>(e)].begin;
         for (int i = 0; i < size; ++i)
           for (int j = 0; j <= i; ++j) P[i * size + j] = P[j * size + i] = -K[i * size + j][lane] * scale[i] * scale[j];
       }
@@ -246,15 +245,14 @@ class Splitting {
   }
 
   /// P_e += l_e D_e, the nodal bound's own split.
-  void startFrom(const NodalBound& shapes) {
-    const std::vector<std::size_t> firstOfBlock = blockOffsets(body_.mesh());
-    for (std::int32_t node = 0; node < body_.nodeCount(); ++node)
-      for (const NodalBound::Incidence incidence : shapes.incidences(node)) {
-        const ElementRef ref = shapes.elementAt(incidence);
+  void startFrom(const NodalBound& weights) {
+    for (std::int32_t node = 0; node < source_.nodeCount(); ++node)
+      for (const NodalBound::Incidence incidence : weights.incidences(node)) {
+        const ElementRef ref = weights.elementAt(incidence);
         const Element& element =
-            elements_[firstOfBlock[static_cast<std::size_t>(ref.block)] + static_cast<std::size_t>(ref.element)];
+            elements_[firstOfGroup_[static_cast<std::size_t>(ref.block)] + static_cast<std::size_t>(ref.element)];
         const int a = incidence.place / PatchLayout::lanes % element.nodes;
-        at(P_, placeOf(element, a, a)) += shapes.value(ref) / body_.lumpedMass()[node] * shapes.shape(incidence);
+        at(P_, placeOf(element, a, a)) += weights.value(ref) / source_.lumpedMass()[node] * weights.weight(incidence);
       }
   }
 
@@ -263,14 +261,14 @@ class Splitting {
     const auto blocks = static_cast<std::int64_t>(pattern_.column.size());
     missing_.resize(static_cast<std::size_t>(blocks));
     parallelFor(
-        0, blocks, body_.threads(),
+        0, blocks, source_.threads(),
         [&](std::int64_t k) {
           missing_[static_cast<std::size_t>(k)] =
               (target_[static_cast<std::size_t>(k)] - sumOf(k)) / static_cast<double>(placesOf(k).size());
         },
         256);
     parallelFor(
-        0, static_cast<std::int64_t>(elements_.size()), body_.threads(),
+        0, static_cast<std::int64_t>(elements_.size()), source_.threads(),
         [&](std::int64_t index) {
           const auto e = static_cast<std::size_t>(index);
           const Element& element = elements_[e];
@@ -299,11 +297,12 @@ class Splitting {
         64);
   }
 
-  const Body& body_;
+  const TangentSource& source_;
   double sigma_;
   BlockMatrix pattern_;
   std::vector<Element> elements_;
-  AlignedVector<double> P_, before_;  // of all elements, column by column
+  std::vector<std::size_t> firstOfGroup_;  // into elements_
+  AlignedVector<double> P_, before_;       // of all elements, column by column
   std::vector<Eigen::Matrix3d> target_, missing_;
   std::vector<std::int64_t> placeBegin_;
   std::vector<Place> places_;
@@ -315,10 +314,10 @@ class Splitting {
 
 }  // namespace
 
-SplitBound splitUpperBound(const Body& body, const NodeVectors& x, const NodalBound& shapes, double sigma,
+SplitBound splitUpperBound(const TangentSource& source, const NodeVectors& x, const NodalBound& weights, double sigma,
                            double accept, int maxIterations) {
   SplitBound result{{std::numeric_limits<double>::infinity()}, 0, 0};
-  Splitting splitting(body, x, shapes, sigma);
+  Splitting splitting(source, x, weights, sigma);
   while (result.iterations < maxIterations && !(result.upper.value <= accept)) {
     result.upper.value = std::min(result.upper.value, splitting.iterate());
     ++result.iterations;
@@ -328,10 +327,10 @@ SplitBound splitUpperBound(const Body& body, const NodeVectors& x, const NodalBo
   return result;
 }
 
-std::int64_t splitBoundBytes(const Body& body) {
+std::int64_t splitBoundBytes(const TangentSource& source) {
   std::int64_t bytes = 0;
-  for (const auto& block : body.blocks()) {
-    const std::int64_t n = block->element().nodes;
+  for (const ElementTangents* block : source.tangents()) {
+    const std::int64_t n = block->nodesPerElement();
     bytes += block->elementCount() * n * n * (18 * 8 + 16 + 4);  // two matrices, places, positions
   }
   return bytes;

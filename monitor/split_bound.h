@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include <ringwatch/body/body.h>
+#include <ringwatch/body/tangent_source.h>
 #include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/nodal_bound.h>
 
@@ -12,7 +12,7 @@ namespace ringwatch {
 ///   Σ_e P_e = sigma I - Σ_e A_e   (assembled),   eps_e = max(0, -lambda_min(P_e)),
 /// P_e + eps_e I ≽ 0 sums up to   lambda_max(M⁻¹K) <= sigma + max_i Σ_(e∋i) eps_e.
 /// The block nodal bound is the special case P_e = block diagonal - A_e; here neighbours also trade the stiffness
-/// between two nodes that they share, which closes the gap that every choice of shapes leaves on regular grids.
+/// between two nodes that they share, which closes the gap that every choice of weights leaves on regular grids.
 ///
 /// The P_e are found by minimising Σ |P_e's negative part|² over the affine set: a step removes the negative parts and
 /// spreads what is then missing from the sum evenly over the elements that share a block (a projection), accelerated
@@ -25,12 +25,12 @@ struct SplitBound {
   std::int64_t decompositions = 0;  // of element matrices: nearly all of the cost
 };
 
-/// x: 3×N, m. shapes: evaluated at x; the start. sigma: rad²/s², best just above the truth; any value gives a bound.
+/// x: 3×N, m. weights: evaluated at x; the start. sigma: rad²/s², best just above the truth; any value gives a bound.
 /// accept: stops when the bound is at or below it. Memory: 18 n² numbers an element of n nodes, splitBoundBytes.
 /// The value is infinite when the tangent is not finite.
-SplitBound splitUpperBound(const Body& body, const NodeVectors& x, const NodalBound& shapes, double sigma,
+SplitBound splitUpperBound(const TangentSource& source, const NodeVectors& x, const NodalBound& weights, double sigma,
                            double accept, int maxIterations);
 /// Memory that it needs, bytes.
-std::int64_t splitBoundBytes(const Body& body);
+std::int64_t splitBoundBytes(const TangentSource& source);
 
 }  // namespace ringwatch

@@ -7,7 +7,7 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/element_cause.h>
-#include <ringwatch/monitor/lazy_bound.h>
+#include <ringwatch/monitor/incremental_nodal_bound.h>
 #include <ringwatch/monitor/lowest_mode.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/rayleigh.h>
@@ -23,22 +23,23 @@ constexpr int energySettling = 20;  // looks before the energy balance is judged
 CriticalStep bracketFromScratch(const Body& body, const NodeVectors& x, const StepRule& limit,
                                 const std::optional<LanczosOptions>& lanczos, std::int64_t& evaluations);
 
-/// Keeps both sides of the bracket along a run: the lazy bound from above, a hot spot of the tracked mode from below.
+/// Keeps both sides of the bracket along a run: the incremental nodal bound from above, a hot spot of the tracked mode
+/// from below.
 class Bracketer {
  public:
   Bracketer(const Body& body, double width)
       : body_(body),
         width_(width),
-        lazy_(body, slackOfWidth * width),
-        hotSpot_(body, lazy_.shapes()),
-        ringNodes_(body, lazy_.shapes()) {}
+        nodal_(body, {.slack = slackOfWidth * width}),
+        hotSpot_(body, nodal_.weights()),
+        ringNodes_(body, nodal_.weights()) {}
 
   /// Unless nullptr, `evaluation` is filled in at x. Empty where the tangent is not finite, or where rounding
   /// makes the sides cross.
   const std::optional<CriticalStep>& evaluate(const NodeVectors& x, const StepRule& limit, StepEvaluation* evaluation) {
-    const double sigma = lazy_.sigma();  // that shares of budgets are measured by
-    UpperBound upper = lazy_.update(x, evaluation);
-    spent_ = lazy_.spent();
+    const double sigma = nodal_.certifiedEigenvalue();  // that allowances belong to
+    UpperBound upper = nodal_.update(x, evaluation);
+    spent_ = nodal_.statistics();
     bracketed_ = true;
     finite_ = std::isfinite(upper.value);
     if (!finite_) {
@@ -47,7 +48,7 @@ class Bracketer {
     }
     method_ = "rayleigh-quotient";
     LowerBound lower{0};
-    const bool first = mode_.size() == 0, retargeted = spent_.retargets > 0;
+    const bool first = mode_.size() == 0, rebuilt = spent_.rebuilds > 0;
     if (!first) {
       lower = hotSpot_.evaluate(x);
       wholeMode_.tick();
@@ -63,19 +64,19 @@ class Bracketer {
     // A bracket that is too wide is either side's fault: look again from below before moving the upper side.
     const bool wide = upper.value > allowed * lower.value;
     if (wide) restart_.tick();
-    if (first || retargeted || (wide && restart_.due())) {
+    if (first || rebuilt || (wide && restart_.due())) {
       const double before = lower.value;
       lower = first ? startMode(x) : restartMode(x);
       // The hot spot is a part of the whole, its bound a little lower.
       restart_.tried(lower.value > 1.02 * before);
     }
     lookUnderCompression(x);
-    lazy_.ease(lower, width_);
-    upper.value = std::max(upper.value, lazy_.sigma());
-    if (upper.value > allowed * lower.value && lazy_.steer(x, lower, width_)) {
-      spent_.evaluated += lazy_.spent().evaluated;
-      upper = lazy_.update(x);
-      spent_.evaluated += lazy_.spent().evaluated;
+    nodal_.relaxBound(lower, width_);
+    upper.value = std::max(upper.value, nodal_.certifiedEigenvalue());
+    if (upper.value > allowed * lower.value && nodal_.tightenBound(x, lower, width_)) {
+      spent_.evaluated += nodal_.statistics().evaluated;
+      upper = nodal_.update(x);
+      spent_.evaluated += nodal_.statistics().evaluated;
     }
     step_ = CriticalStep{safeStep(upper, limit),
                          optimisticStep(lower, limit),
@@ -92,9 +93,9 @@ class Bracketer {
   bool judge(const NodeVectors& x, const StepRule& limit, double h, StepEvaluation* evaluation) {
     std::int64_t before = 0;
     if (sinceDoubt_ >= firstGap) {
-      const bool certified = lazy_.certify(x, limit.lambdaFor(h), evaluation);
+      const bool certified = nodal_.certify(x, limit.lambdaFor(h), evaluation);
       evaluation = nullptr;
-      spent_ = lazy_.spent();
+      spent_ = nodal_.statistics();
       bracketed_ = false;
       if (certified) {
         lookUnderCompression(x);
@@ -149,7 +150,7 @@ class Bracketer {
     step_->optimistic = std::min(step_->optimistic, optimisticStep(lower, limit));
     if (!step_->isBracket()) step_.reset();
   }
-  const LazyBound::Spent& spent() const { return spent_; }
+  const UpdateStatistics& spent() const { return spent_; }
   /// Of the last evaluate().
   const std::optional<CriticalStep>& last() const { return step_; }
   /// Least eigenvalue of the reduced 1-rings and of the direction that were evaluated last, rad²/s².
@@ -175,7 +176,7 @@ class Bracketer {
   /// now and then, and a direction of negative stiffness is searched in the whole body: at the first evaluation, when
   /// compression has grown since the last search, and else more and more seldom.
   void lookUnderCompression(const NodeVectors& x) {
-    const double compression = lazy_.mostCompression();
+    const double compression = nodal_.mostCompression();
     search_.tick();
     const bool grown = compression > growth * searchedAt_ && search_.since() >= firstGap;
     const bool search = compression > slightlyCompressed && (grown || search_.due());
@@ -188,7 +189,7 @@ class Bracketer {
     }
     if (++sinceCompressed_ < firstGap && !search) return;
     sinceCompressed_ = 0;
-    const std::vector<ElementRef> all = lazy_.compressedElements(compressed);
+    const std::vector<ElementRef> all = nodal_.compressedElements(compressed);
     // The most compressed ones, the lowest so far, and others by turns.
     std::vector<ElementRef> chosen;
     for (std::size_t i = 0; i < all.size() && i < compressedRings; ++i) {
@@ -209,11 +210,11 @@ class Bracketer {
   LowerBound lookWhereItRose(const NodeVectors& x, double sigma, LowerBound lower) {
     bool jumped = false;
     std::size_t looks = 0;
-    for (const LazyBound::Risen& risen : lazy_.risen()) {
-      // One that is within its budget is worth a look when the bound there is above what is known from below.
-      if (looks >= (risen.share > 1 ? risenRings : 1) || risen.share * sigma < 1.005 * lower.value) break;
+    for (const IncrementalNodalBound::NearLimit& near : nodal_.nearLimit()) {
+      // One that is within its allowance is worth a look when the bound there is above what is known from below.
+      if (looks >= (near.fraction > 1 ? risenRings : 1) || near.fraction * sigma < 1.005 * lower.value) break;
       ++looks;
-      if (!decomposeRing(x, risen.element)) continue;
+      if (!decomposeRing(x, near.element)) continue;
       const double value = topOfRing();
       if (!(value > lower.value)) continue;
       lower = {value};
@@ -242,7 +243,7 @@ class Bracketer {
   }
   /// At first, when the nodal bound is of now: from the highest of the rings where it is highest.
   LowerBound startMode(const NodeVectors& x) {
-    const std::vector<ElementRef> hot = lazy_.hottestElements(hotRings);
+    const std::vector<ElementRef> hot = nodal_.highestElements(hotRings);
     mode_ = NodeVectors::Zero(3, body_.nodeCount());
     double highest = 0;
     for (const ElementRef e : hot) {
@@ -289,13 +290,13 @@ class Bracketer {
 
   const Body& body_;
   double width_;
-  LazyBound lazy_;
+  IncrementalNodalBound nodal_;
   HotSpot hotSpot_;
   NodeSubmatrix ringNodes_;
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver_;
   NodeVectors mode_;
   std::string_view method_;
-  LazyBound::Spent spent_;
+  UpdateStatistics spent_;
   bool bracketed_ = true, finite_ = true;
   int sinceDoubt_ = firstGap;  // looks in a row that certified the step asked about
   int sinceSharpened_ = 0, sinceCompressed_ = firstGap;
@@ -399,7 +400,7 @@ struct StabilityMonitor::Impl {
       report.bracket.reset();
       if (bracketed) report.bracket = bracketer->last();
       report.certified = !bracketed ? *h : report.bracket ? report.bracket->safe : 0;
-      const LazyBound::Spent& spent = bracketer->spent();
+      const UpdateStatistics& spent = bracketer->spent();
       report.elementsRefreshed = spent.evaluated;
       unknown = !bracketer->finite();
       // An element that inverts leaves its ball first, so the elements evaluated are all that can have inverted. Where
@@ -528,14 +529,14 @@ CriticalStep bracketFromScratch(const Body& body, const NodeVectors& x, const St
   NodeVectors mode;
   const TopMode top = findTopMode(ring, body, x, mode, products, products, true);
   const LowerBound lower = top.lower;
-  NodalBound shapes(body);
-  UpperBound upper = shapes.evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);
+  NodalBound weights(body);
+  UpperBound upper = weights.evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);
   if (!std::isfinite(upper.value))
     throw NumericalError("the tangent is not finite at these positions: there is no critical step");
   std::string_view safeBy = "nodal-bound";
-  evaluations += static_cast<std::int64_t>(body.mesh().elementCount()) + shapes.evaluations();
+  evaluations += static_cast<std::int64_t>(body.mesh().elementCount()) + weights.evaluations();
   if (upper.value > narrow * lower.value && splitBoundBytes(body) <= mostBytes) {
-    const SplitBound split = splitUpperBound(body, x, shapes, aim * lower.value, narrow * lower.value, iterations);
+    const SplitBound split = splitUpperBound(body, x, weights, aim * lower.value, narrow * lower.value, iterations);
     evaluations += split.decompositions;
     if (split.upper.value < upper.value) {
       upper = split.upper;

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include <ringwatch/base/backoff.h>
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/body/body.h>
-#include <ringwatch/body/tangent_block.h>
+#include <ringwatch/body/tangent_source.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/top_mode.h>
 
@@ -19,15 +20,67 @@ namespace {
 constexpr int inTriple = 3, mostDegreesOfFreedom = 6;
 int triplesOf(int degreesOfFreedom) { return (degreesOfFreedom + inTriple - 1) / inTriple; }
 
-/// The element type that lends its number of nodes to elements of n nodes with that many triples each: the smallest
-/// with as many nodes as there are triples, or more.
-ElementType carrierOf(int n, int triples) {
-  const ElementInfo* best = nullptr;
-  for (const ElementInfo& info : allElements())
-    if (info.nodes >= n * triples && (!best || info.nodes < best->nodes)) best = &info;
-  if (n < 2 || !best) throw InputError(joinText(n, " nodes an element: must be 2 to ", maxElementNodes / triples));
-  return best->type;
+/// Throws InputError unless elements of n nodes, each of that many triples, are within what packed matrices hold.
+void checkNodeCount(int n, int triples) {
+  if (n < 2 || n * triples > maxElementNodes)
+    throw InputError(joinText(n, " nodes an element: must be 2 to ", maxElementNodes / triples));
 }
+
+/// 0, 1, …: elements are handed over in the order that suits their owner's memory.
+std::vector<std::int32_t> ascending(std::size_t count) {
+  std::vector<std::int32_t> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  return order;
+}
+
+/// Elements whose tangents are given as numbers.
+class GivenTangents final : public ElementTangents {
+ public:
+  /// connectivity: by reference.
+  GivenTangents(std::size_t nodeCount, int nodesPerElement, std::span<const std::int32_t> connectivity)
+      : ElementTangents(nodesPerElement,
+                        layOutPatches(nodeCount, nodesPerElement, connectivity,
+                                      ascending(connectivity.size() / static_cast<std::size_t>(nodesPerElement))),
+                        connectivity) {}
+
+  /// The tangents from now on, 3n×3n numbers an element, symmetric, rows and columns 3·node + component; by reference.
+  void setTangents(const double* tangents) { tangents_ = tangents; }
+
+  void tangentBatch(std::int32_t batch, const double* x, double* K) const override {
+    tangentOf(layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, x, K);
+  }
+  void tangentOf(const std::int32_t* elements, const double* /*x*/, double* K) const override {
+    const std::ptrdiff_t count = entries();
+    for (int lane = 0; lane < lanes; ++lane) {
+      const double* own = tangents_ + (elements[lane] < 0 ? 0 : elements[lane]) * count;
+      for (std::ptrdiff_t i = 0; i < count; ++i) K[i * lanes + lane] = elements[lane] < 0 ? 0.0 : own[i];
+    }
+  }
+  void addTangentProduct(const Patch& patch, const double* /*x*/, const double* v, double* slots) const override {
+    const int n = nodesPerElement(), size = 3 * n;
+    for (std::int32_t i = patch.batchBegin * lanes; i < patch.batchEnd * lanes; ++i) {
+      const std::int32_t e = layout().elements[static_cast<std::size_t>(i)];
+      if (e < 0) continue;
+      const double* K = tangents_ + e * entries();
+      const auto nodes = nodesOf(e);
+      double own[3 * maxElementNodes];
+      for (int k = 0; k < size; ++k)
+        own[k] = v[3 * static_cast<std::ptrdiff_t>(nodes[static_cast<std::size_t>(k / 3)]) + k % 3];
+      for (int k = 0; k < size; ++k) {
+        const auto local = static_cast<std::size_t>((i / lanes * n + k / 3) * lanes + i % lanes);
+        double sum = 0;
+        for (int j = 0; j < size; ++j) sum += K[k * size + j] * own[j];
+        slots[4 * static_cast<std::ptrdiff_t>(layout().localNodes[local]) + k % 3] += sum;
+      }
+    }
+  }
+
+ private:
+  static constexpr int lanes = PatchLayout::lanes;
+  std::ptrdiff_t entries() const { return 9 * static_cast<std::ptrdiff_t>(nodesPerElement()) * nodesPerElement(); }
+
+  const double* tangents_ = nullptr;
+};
 
 /// W with W M W = 1 on the free degrees of freedom and 0 elsewhere, d×d numbers, of a node's mass M. Widens `residual`
 /// to what rounding leaves of W M W - 1.
@@ -106,25 +159,27 @@ void checkSize(const char* what, double size) {
 
 struct TangentBracket::Impl {
   struct Group {
-    int nodes, degreesOfFreedom, carrierNodes;
+    int nodes, degreesOfFreedom;
     int scaledDegreesOfFreedom;  // blocks of mass couple all of a node's
     std::size_t count;
     std::span<const std::int32_t> nodesOf(std::size_t e) const {
       return {connectivity.data() + e * static_cast<std::size_t>(nodes), static_cast<std::size_t>(nodes)};
     }
     std::vector<std::int32_t> connectivity;
-    std::vector<double> copy = {};  // tangents, symmetric and of the carrier's size; empty while they serve as given
-    TangentBlock* block = nullptr;
+    std::vector<std::int32_t> triples = {};  // of each element, nodesPerElement of its tangents
+    std::vector<double> copy = {};           // tangents, symmetric, by triples; empty while they serve as given
+    std::unique_ptr<GivenTangents> given = nullptr;
   };
   std::vector<Group> groups;
   int degreesOfFreedom = 3;
   /// W of every node, for masses that are not a number a node of three degrees of freedom; else empty.
   std::vector<double> inverseRoots;
-  double massResidual = 0;  // of all W M W - 1
-  std::unique_ptr<Body> body;
+  double massResidual = 0;              // of all W M W - 1
+  std::optional<TangentSource> source;  // its nodes are triples
   std::unique_ptr<NodalBound> bound;
   std::unique_ptr<ReducedRing> ring;
   NodeVectors mode;
+  const NodeVectors noPositions;            // given tangents read none
   Eigen::VectorXd inverseRootMass, rowSum;  // by degree of freedom; the former zero where constrained
   std::vector<double> halfScaled;           // of the element at hand
   bool called = false;
@@ -143,7 +198,7 @@ struct TangentBracket::Impl {
       throw InputError(joinText("group ", g, ": ", tangents.size(), " numbers in its tangents: must be ", group.count,
                                 " x ", size, " x ", size));
     const bool scaled = !inverseRoots.empty();
-    bool asGiven = !scaled && group.carrierNodes == group.nodes;
+    bool asGiven = !scaled;
     double largest = 0;
     for (std::size_t e = 0; e < group.count; ++e) {
       const double* K = tangents.data() + e * entries;
@@ -154,10 +209,10 @@ struct TangentBracket::Impl {
     }
     if (asGiven) {
       group.copy.clear();
-      group.block->setTangents(tangents.data());
+      group.given->setTangents(tangents.data());
       return largest;
     }
-    const int stride = inTriple * group.carrierNodes;
+    const int stride = inTriple * group.given->nodesPerElement();
     group.copy.assign(group.count * static_cast<std::size_t>(stride * stride), 0.0);
     for (std::size_t e = 0; e < group.count; ++e) {
       const double* K = tangents.data() + e * entries;
@@ -169,7 +224,7 @@ struct TangentBracket::Impl {
       for (int i = 0; i < size; ++i)
         for (int j = 0; j < size; ++j) copy[i * stride + j] = 0.5 * (K[i * size + j] + K[j * size + i]);
     }
-    group.block->setTangents(group.copy.data());
+    group.given->setTangents(group.copy.data());
     return largest;
   }
 
@@ -218,16 +273,16 @@ struct TangentBracket::Impl {
         copy[i * stride + j] = copy[j * stride + i] = 0.5 * (copy[i * stride + j] + copy[j * stride + i]);
   }
 
-  UpperBound upperBound(const NodeVectors& x, LowerBound lower) {
+  UpperBound upperBound(LowerBound lower) {
     const bool first = !std::exchange(called, true);
     freshStart.tick();
-    UpperBound upper = bound->evaluate(x, first ? freshSweeps : warmSweeps);
+    UpperBound upper = bound->evaluate(noPositions, first ? freshSweeps : warmSweeps);
     if (upper.value <= wide * lower.value || !freshStart.due()) return upper;
-    // Shapes that were swept along for long, or that started badly: from scratch, both ways.
+    // Weights that were swept along for long, or that started badly: from scratch, both ways.
     const double before = upper.value;
     for (const NodalBound::Start start : {NodalBound::Start::rootOfStiffness, NodalBound::Start::stiffness}) {
-      auto other = std::make_unique<NodalBound>(*body);
-      const UpperBound value = other->evaluate(x, freshSweeps, start);
+      auto other = std::make_unique<NodalBound>(*source);
+      const UpperBound value = other->evaluate(noPositions, freshSweeps, start);
       if (value.value < upper.value) {
         upper = value;
         bound = std::move(other);
@@ -270,8 +325,7 @@ TangentBracket::TangentBracket(const NodalMass& mass, const std::vector<Elements
                                   [d](const Elements& group) { return group.degreesOfFreedom % d != 0; });
   const int triples = triplesOf(d);
   const std::size_t tripleCount = nodeCount * static_cast<std::size_t>(triples);
-  Mesh mesh;
-  std::size_t spare = 0;  // fixed triples that fill up elements whose number of nodes no type has
+  std::vector<const ElementTangents*> given;
   for (std::size_t g = 0; g < elements.size(); ++g) {
     const int own = elements[g].degreesOfFreedom == 0 ? d : elements[g].degreesOfFreedom;
     if (own < 1 || own > d)
@@ -279,43 +333,31 @@ TangentBracket::TangentBracket(const NodalMass& mass, const std::vector<Elements
     const auto n = static_cast<std::size_t>(elements[g].nodesPerElement);
     const int scaledDofs = mass.form == NodalMass::Form::block ? d : own;
     const int ownTriples = triplesOf(scaledDofs);
-    MeshBlock block{carrierOf(elements[g].nodesPerElement, ownTriples), {}, {}};
+    checkNodeCount(elements[g].nodesPerElement, ownTriples);
     if (elements[g].nodes.empty() || elements[g].nodes.size() % n != 0)
       throw InputError(
           joinText("group ", g, ": ", elements[g].nodes.size(), " node numbers: must be a multiple of ", n));
-    const auto width = static_cast<std::size_t>(block.nodesPerElement());
-    const std::size_t count = elements[g].nodes.size() / n, used = n * static_cast<std::size_t>(ownTriples);
-    for (std::size_t e = 0; e < count; ++e) {
+    std::vector<std::int32_t> connectivity;
+    for (std::size_t e = 0; e < elements[g].nodes.size() / n; ++e) {
       const auto nodes = elements[g].nodes.subspan(e * n, n);
       checkElement(g, e, nodes, nodeCount);
       for (const std::int32_t node : nodes)
-        for (int t = 0; t < ownTriples; ++t) block.connectivity.push_back(node * triples + t);
-      for (std::size_t a = used; a < width; ++a)
-        block.connectivity.push_back(static_cast<std::int32_t>(tripleCount + a - used));
-      block.ids.push_back(static_cast<std::int64_t>(e));
+        for (int t = 0; t < ownTriples; ++t) connectivity.push_back(node * triples + t);
     }
-    spare = std::max(spare, width - used);
-    m.groups.push_back({.nodes = static_cast<int>(n),
-                        .degreesOfFreedom = own,
-                        .carrierNodes = static_cast<int>(width),
-                        .scaledDegreesOfFreedom = scaledDofs,
-                        .count = count,
-                        .connectivity = {elements[g].nodes.begin(), elements[g].nodes.end()}});
-    mesh.blocks.push_back(std::move(block));
+    Impl::Group& group =
+        m.groups.emplace_back(Impl::Group{.nodes = static_cast<int>(n),
+                                          .degreesOfFreedom = own,
+                                          .scaledDegreesOfFreedom = scaledDofs,
+                                          .count = elements[g].nodes.size() / n,
+                                          .connectivity = {elements[g].nodes.begin(), elements[g].nodes.end()},
+                                          .triples = std::move(connectivity)});
+    group.given = std::make_unique<GivenTangents>(tripleCount, static_cast<int>(n) * ownTriples, group.triples);
+    given.push_back(group.given.get());
   }
-  const std::size_t all = tripleCount + spare;
-  mesh.X.setZero(3, static_cast<Eigen::Index>(all));
-  for (std::size_t i = 0; i < all; ++i) mesh.nodeIds.push_back(static_cast<std::int64_t>(i));
-  std::vector<std::unique_ptr<ElementBlock>> blocks;
-  for (std::size_t g = 0; g < elements.size(); ++g) {
-    auto block = std::make_unique<TangentBlock>(mesh, mesh.blocks[g]);
-    m.groups[g].block = block.get();
-    blocks.push_back(std::move(block));
-  }
-  Eigen::VectorXd lumped = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(all));
+  Eigen::VectorXd lumped = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(tripleCount));
   if (!scaled) std::copy(mass.values.begin(), mass.values.end(), lumped.data());
-  m.body = std::make_unique<Body>(std::move(mesh), std::move(blocks), std::move(lumped), threads);
-  Constraints& constraints = m.body->constraints();
+  m.source.emplace(std::move(given), std::move(lumped), threads);
+  Constraints& constraints = m.source->constraints();
   if (scaled) m.inverseRoots.resize(nodeCount * dofs * dofs);
   for (std::size_t i = 0; i < nodeCount; ++i) {
     std::vector<int> free;
@@ -335,13 +377,12 @@ TangentBracket::TangentBracket(const NodalMass& mass, const std::vector<Elements
           M(r, r) = mass.values[i * perNode + (perNode == 1 ? 0 : static_cast<std::size_t>(r))];
     inverseRoot(i, M, free, m.inverseRoots.data() + i * dofs * dofs, m.massResidual);
   }
-  for (std::size_t i = tripleCount; i < all; ++i) constraints.fix(static_cast<std::int32_t>(i));
-  m.inverseRootMass.resize(3 * m.body->nodeCount());
-  for (std::int32_t i = 0; i < m.body->nodeCount(); ++i)
+  m.inverseRootMass.resize(3 * m.source->nodeCount());
+  for (std::int32_t i = 0; i < m.source->nodeCount(); ++i)
     for (int c = 0; c < 3; ++c)
-      m.inverseRootMass[3 * i + c] = constraints.isConstrained(i, c) ? 0 : 1 / std::sqrt(m.body->lumpedMass()[i]);
-  m.bound = std::make_unique<NodalBound>(*m.body);
-  m.ring = std::make_unique<ReducedRing>(*m.body);
+      m.inverseRootMass[3 * i + c] = constraints.isConstrained(i, c) ? 0 : 1 / std::sqrt(m.source->lumpedMass()[i]);
+  m.bound = std::make_unique<NodalBound>(*m.source);
+  m.ring = std::make_unique<ReducedRing>(*m.source);
 }
 TangentBracket::~TangentBracket() = default;
 
@@ -361,13 +402,12 @@ CriticalStep TangentBracket::evaluate(const std::vector<std::span<const double>>
   const double size = m.rowSum.maxCoeff();
   checkSize("largest row sum of the mass-scaled tangents, rad2/s2, ", size);
 
-  const NodeVectors& x = m.body->mesh().X;
-  const TopMode top = findTopMode(*m.ring, *m.body, x, m.mode, Impl::coldProducts, Impl::products, true);
+  const TopMode top = findTopMode(*m.ring, *m.source, m.noPositions, m.mode, Impl::coldProducts, Impl::products, true);
   // The scaled problem W K W y = lambda y is that of a mass within massResidual of the given one.
   const double massRounding = m.inverseRoots.empty() ? 0 : m.massResidual + roundingOfScaling;
   const LowerBound lower{std::max(0.0, top.lower.value - roundingOfProducts * size) / (1 + massRounding)};
   const ReducedRing::Result& rings = m.ring->last();
-  UpperBound upper = m.upperBound(x, lower);
+  UpperBound upper = m.upperBound(lower);
   if (!m.inverseRoots.empty()) upper.value = (upper.value + roundingOfScaling * size) / (1 - massRounding);
   const CriticalStep step{safeStep(upper, limit),
                           optimisticStep(lower, limit),

@@ -22,11 +22,12 @@ struct NodalMass {
 };
 
 /// The bracket of the critical step for a code that hands over element tangents and lumped masses only: any physics
-/// whose tangents are symmetric, with up to six degrees of freedom a node. Knows neither shapes nor laws nor positions.
-/// The safe side is the block nodal bound, the optimistic side the larger of reduced 1-ring and Rayleigh quotient, both
-/// proven for the tangents handed over. Shapes and mode are kept from call to call, so that a step after a step costs a
-/// few eigenvalues an element. Nodes of more than three degrees of freedom, and masses that are blocks, are bounded in
-/// blocks of three after scaling by M^-½, which keeps the proof and makes the safe side a little smaller.
+/// whose tangents are symmetric, with up to six degrees of freedom a node. Knows neither geometry nor laws nor
+/// positions. The safe side is the block nodal bound, the optimistic side the larger of reduced 1-ring and Rayleigh
+/// quotient, both proven for the tangents handed over. Weights and mode are kept from call to call, so that a step
+/// after a step costs a few eigenvalues an element. Nodes of more than three degrees of freedom, and masses that are
+/// blocks, are bounded in blocks of three after scaling by M^-½, which keeps the proof and makes the safe side a little
+/// smaller.
 class TangentBracket {
  public:
   /// Elements of one size.
@@ -34,8 +35,7 @@ class TangentBracket {
     int nodesPerElement;                  ///< 2 to 20; 2 to 10 with more than three degrees of freedom
     std::span<const std::int32_t> nodes;  ///< element after element, nodesPerElement node numbers each
     /// That the tangents of these elements have at each node, the first ones of the node: solids beside shells have 3
-    /// of
-    /// 6. 0: all.
+    /// of 6. 0: all.
     int degreesOfFreedom = 0;
   };
 

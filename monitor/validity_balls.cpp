@@ -139,8 +139,8 @@ class ValidityBalls::BallCheck final : public GradientVisitor {
     // Roots in single precision, rounded up, cost a third.
     const P distance = P(1 + 1e-6) * singlePrecisionRoot(distance2), size = P(1 + 1e-6) * singlePrecisionRoot(size2);
     const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(batch) * lanes;
-    const P inverseNorm = Bfloat16::load(balls_.inverseGradientNorm_.data() + place);
-    const P radius = Bfloat16::load(balls_.radius_.data() + place), margin = radius - distance;
+    const P inverseNorm = RoundedDown<Bfloat16>::load(balls_.inverseGradientNorm_.data() + place);
+    const P radius = RoundedDown<Bfloat16>::load(balls_.radius_.data() + place), margin = radius - distance;
     const auto inside = margin >= P(edgeFraction) * radius;
     leastMargin_ = math::min(leastMargin_, select(inside, margin * inverseNorm, leastMargin_));
     // 1/γ is rounded down by at most 1/64.
@@ -184,15 +184,15 @@ ValidityBalls::ValidityBalls(const ElementBlock& block)
   const auto n = static_cast<std::size_t>(block.element().nodes);
   const auto batches = static_cast<std::size_t>(layout.batchCount());
   referenceGradient_.assign(batches * static_cast<std::size_t>(points_) * 9 * lanes, 0);
-  radius_.assign(batches * lanes, Bfloat16::down(-1));
+  radius_.assign(batches * lanes, -1);
   inverseGradientNorm_.resize(batches * lanes);
   double norms[lanes];
   for (std::int32_t batch = 0; batch < layout.batchCount(); ++batch) {
     block.gradientNormBatch(batch, norms);
     for (int lane = 0; lane < lanes; ++lane) {
       const auto place = static_cast<std::size_t>(batch * lanes + lane);
-      inverseGradientNorm_[place] = Bfloat16::down(1 / norms[lane]);
-      if (layout.elements[place] < 0) radius_[place] = Bfloat16::down(infinite);
+      inverseGradientNorm_[place] = 1 / norms[lane];
+      if (layout.elements[place] < 0) radius_[place] = infinite;
     }
   }
   patchGroups_.push_back(0);
@@ -245,10 +245,10 @@ void ValidityBalls::addReferenceGradient(std::size_t place, double (&sum)[9]) co
 
 void ValidityBalls::setRadius(std::size_t place, double aroundF0, double fromStored) {
   const double own = std::min(aroundF0, 1e30) - fromStored;
-  radius_[place] = Bfloat16::down(own >= 0 ? own : -1);
+  radius_[place] = own >= 0 ? own : -1.0;
 }
 
-void ValidityBalls::setNeverOutside(std::size_t place) { radius_[place] = Bfloat16::down(infinite); }
+void ValidityBalls::setNeverOutside(std::size_t place) { radius_[place] = infinite; }
 
 void ValidityBalls::ballChanged(std::size_t place) {
   const auto group =

@@ -78,9 +78,9 @@ class ValidityBalls {
 
   const ElementBlock* block_;
   int points_;
-  AlignedVector<std::int16_t> referenceGradient_;  // [batch][q][9][lane], in units
-  AlignedVector<Bfloat16> radius_;                 // [batch][lane]
-  AlignedVector<Bfloat16> inverseGradientNorm_;    // [batch][lane], 1/γ, m
+  AlignedVector<std::int16_t> referenceGradient_;             // [batch][q][9][lane], in units
+  AlignedVector<RoundedDown<Bfloat16>> radius_;               // [batch][lane]
+  AlignedVector<RoundedDown<Bfloat16>> inverseGradientNorm_;  // [batch][lane], 1/γ, m
   std::vector<Group> groups_;
   std::vector<std::int32_t> patchGroups_;  // patches + 1: groups of each patch
   std::vector<std::uint16_t> nodes_;  // of each group, within the patch; filled up to a multiple of 4 with its last

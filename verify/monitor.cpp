@@ -14,7 +14,7 @@
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/meshes/generators.h>
 #include <ringwatch/monitor/global_frequency.h>
-#include <ringwatch/monitor/lazy_bound.h>
+#include <ringwatch/monitor/incremental_nodal_bound.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/verify/monitor_studies.h>
 #include <ringwatch/verify/static_solver.h>
@@ -133,7 +133,7 @@ void studyBracket(StudyReport& report, StudyEffort effort) {
 void studyDrift(StudyReport& report, StudyEffort effort) {
   StudyTable table{
       "drift",
-      "The lazy bound along random paths, every element checked against an exact evaluation at every look",
+      "The incremental nodal bound along random paths, every element checked against an exact evaluation at every look",
       {"element", "law", "element and state trials", "evaluated (%)", "violations", "least room (relative)"},
       {}};
   const std::int64_t wanted = effort == StudyEffort::full ? 10'400'000 : 40'000;
@@ -156,7 +156,7 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
       std::int64_t trials = 0, violations = 0, evaluated = 0;
       double room = std::numeric_limits<double>::infinity();
       while (trials < share) {
-        LazyBound lazy(body);
+        IncrementalNodalBound bound(body);
         // A path: a slow turn and stretch, with noise that grows; now and then a jump.
         const Eigen::Matrix3d rate = random.uniform(0, 4e-3) * random.matrix(1);
         Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
@@ -165,9 +165,9 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
           F = (Eigen::Matrix3d::Identity() + (look % 13 == 12 ? 20 : 1) * rate) * F;
           for (Eigen::Index i = 0; i < noise.size(); ++i) noise.data()[i] += 4e-6 * random.uniform(-1, 1);
           const NodeVectors x = F * X + noise;
-          if (!(lazy.update(x).value < std::numeric_limits<double>::infinity())) break;
-          if (look > 0) evaluated += lazy.spent().evaluated;
-          const double excess = lazy.verify(x);
+          if (!(bound.update(x).value < std::numeric_limits<double>::infinity())) break;
+          if (look > 0) evaluated += bound.statistics().evaluated;
+          const double excess = bound.verify(x);
           room = std::min(room, -excess);
           // Of the proof's statements, one an element and one a node; that one fails is seen, not how many do.
           violations += !(excess <= 1e-9);
@@ -179,7 +179,7 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
       table.rows.push_back({std::string(info->name), std::string(law.name), trials,
                             100.0 * static_cast<double>(evaluated) / static_cast<double>(trials), violations, room});
     }
-  checkBelow(report, joinText("violations of the lazy bound in ", total, " element and state trials"),
+  checkBelow(report, joinText("violations of the incremental nodal bound in ", total, " element and state trials"),
              static_cast<double>(violated), 0);
   report.tables.push_back(std::move(table));
 }

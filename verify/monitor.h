@@ -6,7 +6,8 @@ namespace ringwatch {
 /// Holds the monitor to what it claims:
 ///  - bracket: proven sides against dense eigenvalues on random small meshes of every element and law, held or free, at
 ///    rest, strained up to 100 %, turned and inverted;
-///  - drift: element-and-state trials of the lazy bound along random paths (full: over 1e7), each checked against an
+///  - drift: element-and-state trials of the incremental nodal bound along random paths (full: over 1e7), each checked
+///  against an
 ///    exact evaluation;
 ///  - tetrahedron: the regular tetrahedron's highest frequency over Poisson's ratio, height and size (Fierz 2013,
 ///  figures

@@ -67,5 +67,36 @@ TEST(Bfloat16, RoundsToTheSafeSide) {
   for (int lane = 0; lane < NativePack::width; ++lane) EXPECT_EQ(back[lane], lane - 1.5);
 }
 
+template <class T>
+class RoundedTest : public ::testing::Test {};
+using StoredTypes = ::testing::Types<float, Bfloat16>;
+TYPED_TEST_SUITE(RoundedTest, StoredTypes);
+
+TYPED_TEST(RoundedTest, KeepsItsSideWhateverIsAssigned) {
+  test::Random random(6);
+  RoundedDown<TypeParam> down;
+  RoundedUp<TypeParam> up;
+  EXPECT_EQ(static_cast<double>(down), 0);
+  EXPECT_EQ(static_cast<double>(up), 0);
+  bool differ = false;
+  for (int trial = 0; trial < 10000; ++trial) {
+    const double value = random.uniform(-1, 1) * std::pow(10.0, random.uniform(-30, 30));
+    down = value;
+    up = value;
+    EXPECT_LE(static_cast<double>(down), value);
+    EXPECT_GE(static_cast<double>(up), value);
+    EXPECT_LE(up - down, std::ldexp(std::abs(value), -6)) << value;
+    differ = differ || down < up;
+  }
+  EXPECT_TRUE(differ);
+  for (const double exact : {0.0, 1.0, -0.75, infinite, -infinite}) {
+    EXPECT_EQ(static_cast<double>(RoundedDown<TypeParam>(exact)), exact);
+    EXPECT_EQ(static_cast<double>(RoundedUp<TypeParam>(exact)), exact);
+  }
+  EXPECT_TRUE(std::isnan(static_cast<double>(RoundedDown<TypeParam>(notANumber))));
+  EXPECT_TRUE(std::isnan(static_cast<double>(RoundedUp<TypeParam>(notANumber))));
+  EXPECT_EQ(sizeof(RoundedDown<TypeParam>), sizeof(TypeParam));
+}
+
 }  // namespace
 }  // namespace ringwatch

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/handlers/adaptive.h>
+#include <ringwatch/handlers/level_watch.h>
 #include <ringwatch/integrators/integrator.h>
 #include <tests/handlers/handler_cases.h>
 
@@ -45,6 +46,21 @@ TEST(LevelWatch, CallsALevelProvenOnlyWhereItIs) {
   EXPECT_NE(handler.uncertifiedPart(x), "");
   handler.prepare(x, 4 * test::criticalStepOf(body));
   EXPECT_EQ(handler.uncertifiedPart(x), "");
+}
+
+TEST(LevelWatch, HasACertificateThatVerifies) {
+  const Body body = test::sliverBody("stvk", 0.98);
+  const NodeVectors& X = body.mesh().X;
+  const double lambda = 2 * test::denseHighest(body, X);
+  LevelWatch watch(body, complement(noElements(body.mesh())), body.lumpedMass(), lambda, 2);
+  int proven = 0;
+  for (const double stretch : {1.0, 1.001, 1.01, 1.05}) {
+    const NodeVectors x = Eigen::Vector3d(stretch, 1, 1).asDiagonal() * X;
+    if (!watch.certifies(x)) continue;
+    ++proven;
+    EXPECT_LE(watch.verify(x), 1e-9) << stretch;
+  }
+  EXPECT_GE(proven, 3);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The block nodal bound: true for any shapes, so also for those kept from another state.
+// The block nodal bound: true for any weights, so also for those kept from another state.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -14,7 +14,7 @@ using test::DenseTangent;
 using test::Hold;
 using Start = NodalBound::Start;
 
-TEST(NodalBound, HoldsWithShapesOfAnyOtherState) {
+TEST(NodalBound, HoldsWithWeightsOfAnyOtherState) {
   for (const Cut& cut : test::allCuts())
     for (const Hold hold : {Hold::nothing, Hold::face, Hold::components})
       for (const Start start : {Start::rootOfStiffness, Start::stiffness}) {

@@ -1,4 +1,4 @@
-// The bound by shared stiffness: true for every target and after every iteration, and tight where no shapes are.
+// The bound by shared stiffness: true for every target and after every iteration, and tight where no weights are.
 #include <gtest/gtest.h>
 
 #include <ringwatch/base/error.h>
@@ -81,11 +81,11 @@ TEST(SplitBound, HoldsForAnyTargetAfterAnyIteration) {
           if (!dense.finite()) continue;
           ++tried;
           const double lambda = dense.largest();
-          NodalBound shapes(body);
-          shapes.evaluate(state.x, 2);
+          NodalBound weights(body);
+          weights.evaluate(state.x, 2);
           for (const double share : {0.0, 0.7, 1.001, 2.0})
             for (const int iterations : {1, 4, 12}) {
-              const SplitBound bound = splitUpperBound(body, state.x, shapes, share * lambda, 0, iterations);
+              const SplitBound bound = splitUpperBound(body, state.x, weights, share * lambda, 0, iterations);
               EXPECT_GE(bound.upper.value, lambda * (1 - 1e-10))
                   << cut.name << ", " << law.name << ", " << test::holdName(hold) << ", " << state.name << ", share "
                   << share << ", " << iterations << " iterations";
@@ -102,9 +102,9 @@ TEST(SplitBound, IsWithinOnePercentOnRegularGrids) {
       const Body body = test::boxBody(cut, "stvk", {3, 3, 3}, jitter);
       const NodeVectors& X = body.mesh().X;
       const double lambda = DenseTangent(body, X).largest();
-      NodalBound shapes(body);
-      shapes.evaluate(X, 12);
-      const SplitBound bound = splitUpperBound(body, X, shapes, 1.01 * lambda, 1.02 * lambda, 60);
+      NodalBound weights(body);
+      weights.evaluate(X, 12);
+      const SplitBound bound = splitUpperBound(body, X, weights, 1.01 * lambda, 1.02 * lambda, 60);
       EXPECT_GE(bound.upper.value, lambda) << cut.name;
       EXPECT_LE(bound.upper.value, 1.02 * lambda) << cut.name << ", jitter " << jitter;
       EXPECT_LT(bound.iterations, 60) << cut.name;
@@ -115,11 +115,11 @@ TEST(SplitBound, StopsWhereItIsAccepted) {
   const Body body = test::boxBody(test::allCuts()[0], "stvk", {3, 3, 3}, 0);
   const NodeVectors& X = body.mesh().X;
   const double lambda = DenseTangent(body, X).largest();
-  NodalBound shapes(body);
-  shapes.evaluate(X, 5);
+  NodalBound weights(body);
+  weights.evaluate(X, 5);
   int before = 0;
   for (const double accept : {1.3, 1.1, 1.03}) {
-    const SplitBound bound = splitUpperBound(body, X, shapes, 1.01 * lambda, accept * lambda, 100);
+    const SplitBound bound = splitUpperBound(body, X, weights, 1.01 * lambda, accept * lambda, 100);
     EXPECT_LE(bound.upper.value, accept * lambda);
     EXPECT_GT(bound.iterations, before);
     EXPECT_LE(bound.decompositions, bound.iterations * static_cast<std::int64_t>(body.mesh().elementCount()));
@@ -130,19 +130,19 @@ TEST(SplitBound, StopsWhereItIsAccepted) {
 TEST(SplitBound, IsInfiniteWithoutATangent) {
   const Body body = test::boxBody(test::allCuts()[0], "neo-hookean");
   const NodeVectors& X = body.mesh().X;
-  NodalBound shapes(body);
-  shapes.evaluate(X, 1);
+  NodalBound weights(body);
+  weights.evaluate(X, 1);
   const NodeVectors inverted = Eigen::Vector3d(-0.5, 1, 1).asDiagonal() * X;
-  EXPECT_TRUE(std::isinf(splitUpperBound(body, inverted, shapes, 1e6, 0, 5).upper.value));
+  EXPECT_TRUE(std::isinf(splitUpperBound(body, inverted, weights, 1e6, 0, 5).upper.value));
 }
 
 TEST(SplitBound, IsTheSameForAnyNumberOfThreads) {
   double one = 0;
   for (const int threads : {1, 2, 3}) {
     const Body body = test::boxBody(test::allCuts()[0], "stvk", {4, 3, 3}, 0.1, 3, threads);
-    NodalBound shapes(body);
-    const double value = shapes.evaluate(body.mesh().X, 3).value;
-    const double bound = splitUpperBound(body, body.mesh().X, shapes, 0.8 * value, 0, 8).upper.value;
+    NodalBound weights(body);
+    const double value = weights.evaluate(body.mesh().X, 3).value;
+    const double bound = splitUpperBound(body, body.mesh().X, weights, 0.8 * value, 0, 8).upper.value;
     if (threads == 1) one = bound;
     EXPECT_EQ(bound, one);
   }

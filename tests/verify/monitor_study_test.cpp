@@ -22,7 +22,7 @@ TEST(MonitorStudy, EveryClaimHolds) {
   constexpr double ofTheReference = 1e-9;  // the error of what proven sides are compared with
   test::expectCriteria(quickReport(),
                        {{"*: violations of the bracket in * trials", 0, Basis::theory},
-                        {"violations of the lazy bound in * element and state trials", 0, Basis::theory},
+                        {"violations of the incremental nodal bound in * element and state trials", 0, Basis::theory},
                         {"tetrahedron: relative difference to the closed form", 1.5e-13, Basis::rounding},
                         {"*: the exact value converged", 0, Basis::theory},
                         {"* is pessimistic: its step over the exact one", ofTheReference, Basis::theory},

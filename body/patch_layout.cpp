@@ -3,7 +3,7 @@
 #include <limits>
 #include <numeric>
 
-#include <ringwatch/body/element_block.h>
+#include <ringwatch/body/patch_layout.h>
 #include <ringwatch/meshes/node_order.h>
 
 namespace ringwatch {
@@ -29,17 +29,17 @@ std::vector<std::int32_t> mortonOrder(const Mesh& mesh, const MeshBlock& block) 
 
 }  // namespace
 
-PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block) {
+PatchLayout layOutPatches(std::size_t nodeCount, int nodesPerElement, std::span<const std::int32_t> connectivity,
+                          const std::vector<std::int32_t>& order) {
   // Rows of positions and slots of a patch, 64 bytes a node, are to stay in a first-level cache of 32 to 48 kB.
   constexpr std::int32_t maxNodes = 448;
   constexpr int lanes = PatchLayout::lanes;
-  const int n = block.nodesPerElement();
-  const std::vector<std::int32_t> order = mortonOrder(mesh, block);
+  const int n = nodesPerElement;
   PatchLayout layout;
   layout.batchOfElement.resize(order.size());
   layout.elements.reserve(order.size() + lanes);
   layout.localNodes.reserve((order.size() + lanes) * static_cast<std::size_t>(n));
-  std::vector<std::int32_t> localOf(mesh.nodeCount(), -1);
+  std::vector<std::int32_t> localOf(nodeCount, -1);
 
   std::size_t next = 0;
   while (next < order.size()) {
@@ -58,7 +58,8 @@ PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block) {
           layout.batchOfElement[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(layout.elements.size());
         layout.elements.push_back(present ? e : -1);
         for (int a = 0; a < n; ++a) {
-          const std::int32_t node = block.element(static_cast<std::size_t>(e))[a];
+          const std::int32_t node =
+              connectivity[static_cast<std::size_t>(e) * static_cast<std::size_t>(n) + static_cast<std::size_t>(a)];
           std::int32_t& local = localOf[static_cast<std::size_t>(node)];
           if (local < 0) {
             local = nodesInPatch();
@@ -76,6 +77,10 @@ PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block) {
     layout.patches.push_back(patch);
   }
   return layout;
+}
+
+PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block) {
+  return layOutPatches(mesh.nodeCount(), block.nodesPerElement(), block.connectivity, mortonOrder(mesh, block));
 }
 
 }  // namespace ringwatch

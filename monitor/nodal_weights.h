@@ -1,16 +1,15 @@
 #pragma once
 #include <limits>
 
-#include <ringwatch/materials/lame.h>
 #include <ringwatch/monitor/extreme_eigenvalues.h>
 #include <ringwatch/monitor/symmetric3.h>
 
-/// The arithmetic of the block nodal bound (nodal_bound.h) and of its balls (lazy_bound.h) for one element, or a pack
-/// of them: one source for the CPU's and the device's.
+/// The arithmetic of the block nodal bound (nodal_bound.h) for one element, or a pack of them: one source for CPU and
+/// CUDA threads.
 namespace ringwatch {
 
-/// Of the eigenvalues of extremeEigenvalues, relative to the spectral radius, for a proven side.
-inline constexpr double eigenvalueRounding = 1e-11;
+/// Kept free of every allowance for the rounding of the sums that it was computed from, relative.
+inline constexpr double allowanceRounding = 1e-12;
 
 /// L of D = L Lᵀ, lower triangle: 00, 11, 22, 21, 20, 10. NaN where D is not positive definite.
 template <class P>
@@ -57,10 +56,10 @@ RINGWATCH_INLINE Symmetric3<P> inverse(const Symmetric3<P>& a) {
   return (P(1.0) / (a.m[0] * c.m[0] + a.m[5] * c.m[5] + a.m[4] * c.m[4])) * c;
 }
 
-/// A shape to start from, |K_aa| or its root, of a diagonal block: (K_aa² + ε²)^½, so that an indefinite block counts
+/// A weight to start from, |K_aa| or its root, of a diagonal block: (K_aa² + ε²)^½, so that an indefinite block counts
 /// by its size.
 template <class P>
-RINGWATCH_INLINE Symmetric3<P> startShape(const Symmetric3<P>& k, bool root) {
+RINGWATCH_INLINE Symmetric3<P> startWeight(const Symmetric3<P>& k, bool root) {
   Symmetric3<P> squared = square(k);
   const P floor = P(1e-4) * squared.trace() + P(1e-200);
   for (int c = 0; c < 3; ++c) squared.m[c] += floor;
@@ -69,23 +68,23 @@ RINGWATCH_INLINE Symmetric3<P> startShape(const Symmetric3<P>& k, bool root) {
 }
 
 /// A floor under every direction, over the trace: positive definite beyond the rounding to single precision.
-inline constexpr double shapeFloor = 1e-6;
+inline constexpr double weightFloor = 1e-6;
 /// And one for nodes that have no stiffness left, where everything is constrained: beyond underflow.
-inline constexpr double smallestShape = 1e-12;
+inline constexpr double smallestWeight = 1e-12;
 
 /// Trace 1 over the element.
 template <class P>
-RINGWATCH_INLINE void normaliseShapes(Symmetric3<P>* shapes, int n) {
+RINGWATCH_INLINE void normaliseWeights(Symmetric3<P>* weights, int n) {
   P sum(0.0);
   for (int a = 0; a < n; ++a) {
-    const P floor = P(shapeFloor) * shapes[a].trace() + P(1e-200);
-    for (int c = 0; c < 3; ++c) shapes[a].m[c] += floor;
-    sum += shapes[a].trace();
+    const P floor = P(weightFloor) * weights[a].trace() + P(1e-200);
+    for (int c = 0; c < 3; ++c) weights[a].m[c] += floor;
+    sum += weights[a].trace();
   }
   const P scale = P(1.0) / sum;
   for (int a = 0; a < n; ++a) {
-    shapes[a] = scale * shapes[a];
-    for (int c = 0; c < 3; ++c) shapes[a].m[c] += P(smallestShape);
+    weights[a] = scale * weights[a];
+    for (int c = 0; c < 3; ++c) weights[a].m[c] += P(smallestWeight);
   }
 }
 
@@ -98,7 +97,7 @@ RINGWATCH_INLINE Symmetric3<P> sweepFactor(Symmetric3<P> S) {
   return inverse(squareRoot(S));
 }
 
-/// K_ac ← L_a⁻¹ K_ac L_c⁻ᵀ for c <= a, with the inverse factors w of the shapes: K's lower triangle, 3n×3n.
+/// K_ac ← L_a⁻¹ K_ac L_c⁻ᵀ for c <= a, with the inverse factors w of the weights: K's lower triangle, 3n×3n.
 template <class P>
 RINGWATCH_INLINE void scaleByFactors(const P (*w)[6], int n, P* K) {
   const int size = 3 * n;
@@ -128,21 +127,6 @@ RINGWATCH_INLINE P largestRoundedUp(P* K, int size, P* work) {
   const auto extremes = extremeEigenvalues(K, size, work, false);
   const P l = extremes.largest + P(eigenvalueRounding) * extremes.scale;
   return select(l < P(0.0), P(0.0), l);
-}
-
-/// Radius of the ball |F_q - F0_q| <= r around an anchor within which an element of value l_e = `value` there stays
-/// within its budget (TangentDrift says why), and does not invert. reach = lambda_max(D⁻¹ Σ w BᵀB). -1: none.
-RINGWATCH_INLINE double ballRadius(const TangentDriftCoefficients<double>& drift, double inversionDistance,
-                                   double value, double budget, double reach) {
-  const double gap = budget - value;
-  if (!(gap >= 0)) return -1;
-  const double linear = 2 * math::sqrt((value + reach * drift.negative) * drift.kappa * reach) + reach * drift.linear;
-  const double quadratic = reach * (drift.kappa + drift.quadratic);
-  const double denominator = linear + math::sqrt(linear * linear + 4 * quadratic * gap);
-  double radius = denominator > 0 ? 2 * gap / denominator : std::numeric_limits<double>::infinity();
-  // The drift bound has a radius of its own; and whoever inverts leaves its ball before.
-  radius = math::min(radius, math::min(drift.radius, inversionDistance));
-  return radius * (1 - 1e-6);
 }
 
 }  // namespace ringwatch

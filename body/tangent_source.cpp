@@ -1,8 +1,10 @@
-// Assembled tangents: the pattern and the places of all elements' blocks once, then numbers only.
+#include <ringwatch/body/tangent_source.h>
+
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
-#include <ringwatch/body/body.h>
+#include <ringwatch/base/error.h>
 
 namespace ringwatch {
 namespace {
@@ -31,22 +33,126 @@ std::size_t BlockMatrix::patternBytes() const {
   return sum;
 }
 
-void Body::makePattern(BlockMatrix& matrix) const {
-  const std::size_t nodes = mesh_.nodeCount();
+TangentSource::TangentSource(std::vector<const ElementTangents*> tangents, Eigen::VectorXd lumpedMass, int threads)
+    : TangentSource(Constraints(static_cast<std::size_t>(lumpedMass.size())), threads) {
+  setElements(std::move(tangents), std::move(lumpedMass));
+}
+
+void TangentSource::addNodalMass(std::int32_t node, double mass) {
+  if (node < 0 || node >= nodeCount() || !(mass >= 0) || !std::isfinite(mass))
+    throw InputError(joinText("node ", node, ", added mass ", mass, " kg: the node must be one of ", nodeCount(),
+                              " and the mass >= 0 and finite"));
+  if (mass == 0) return;
+  lumpedMass_[node] += mass;
+  massVersion_.add();
+}
+
+void TangentSource::checkNodal(std::string_view name, const NodeVectors& values) const {
+  if (values.cols() != nodeCount())
+    throw InputError(
+        joinText(name, " is 3 x ", values.cols(), ": must be 3 x ", nodeCount(), ", a column for each node"));
+}
+
+std::int64_t TangentSource::elementCount() const {
+  std::int64_t count = 0;
+  for (const ElementTangents* block : tangents_) count += block->elementCount();
+  return count;
+}
+
+void TangentSource::setElements(std::vector<const ElementTangents*> tangents, Eigen::VectorXd lumpedMass) {
+  tangents_ = std::move(tangents);
+  lumpedMass_ = std::move(lumpedMass);
+  std::vector<std::int64_t> count(static_cast<std::size_t>(nodeCount()) + 1, 0);
+  for (std::size_t b = 0; b < tangents_.size(); ++b) {
+    const ElementTangents* block = tangents_[b];
+    const std::vector<Patch>& patches = block->layout().patches;
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      patches_.push_back(
+          {static_cast<std::int32_t>(b), static_cast<std::int32_t>(p), slotCount_ + patches[p].nodeBegin});
+    for (std::int32_t node : block->layout().nodes) ++count[static_cast<std::size_t>(node) + 1];
+    slotCount_ += static_cast<std::int64_t>(block->layout().nodes.size());
+  }
+  for (std::size_t i = 1; i < count.size(); ++i) count[i] += count[i - 1];
+  nodeSlotBegin_ = count;
+  nodeSlot_.resize(static_cast<std::size_t>(slotCount_));
+  std::int64_t slot = 0;
+  for (const ElementTangents* block : tangents_)
+    for (std::int32_t node : block->layout().nodes)
+      nodeSlot_[static_cast<std::size_t>(count[static_cast<std::size_t>(node)]++)] = slot++;
+}
+
+void TangentSource::sumSlots(NodeVectors& result, const double* slots) const {
+  result.resize(3, nodeCount());
+  constexpr std::int64_t chunk = 2048;
+  const std::int64_t nodes = nodeCount();
+  parallelFor(0, (nodes + chunk - 1) / chunk, threads(), [&](std::int64_t c) {
+    const std::int64_t end = std::min(nodes, (c + 1) * chunk);
+    for (std::int64_t i = c * chunk; i < end; ++i) {
+      double sum[3] = {0, 0, 0};
+      for (std::int64_t s = nodeSlotBegin_[static_cast<std::size_t>(i)];
+           s < nodeSlotBegin_[static_cast<std::size_t>(i) + 1]; ++s) {
+        const double* row = slots + 4 * nodeSlot_[static_cast<std::size_t>(s)];
+        for (int k = 0; k < 3; ++k) sum[k] += row[k];
+      }
+      for (int k = 0; k < 3; ++k) result(k, i) = sum[k];
+    }
+  });
+}
+
+void TangentSource::sumOverPatches(
+    NodeVectors& result, Workspace& workspace,
+    const std::function<void(std::size_t block, std::int32_t patch, double* slots)>& addPatch) const {
+  workspace.slots.resize(static_cast<std::size_t>(4 * slotCount_));
+  double* slots = workspace.slots.data();
+  parallelFor(0, static_cast<std::int64_t>(patches_.size()), threads(), [&](std::int64_t p) {
+    const PatchRef& ref = patches_[static_cast<std::size_t>(p)];
+    double* own = slots + 4 * ref.firstSlot;
+    const auto block = static_cast<std::size_t>(ref.block);
+    const Patch& patch = tangents_[block]->layout().patches[static_cast<std::size_t>(ref.patch)];
+    std::fill(own, own + 4 * static_cast<std::ptrdiff_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
+    addPatch(block, ref.patch, own);
+  });
+  sumSlots(result, slots);
+}
+
+void TangentSource::tangentProduct(const NodeVectors& x, const NodeVectors& v, NodeVectors& Kv,
+                                   Workspace& workspace) const {
+  sumOverPatches(Kv, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
+    const ElementTangents& block = *tangents_[b];
+    const Patch& patch = block.layout().patches[static_cast<std::size_t>(p)];
+    block.addTangentProduct(patch, x.data(), v.data(), slots);
+  });
+}
+
+Eigen::MatrixXd TangentSource::elementTangent(ElementRef ref, const NodeVectors& x) const {
+  const ElementTangents& block = *tangents_.at(static_cast<std::size_t>(ref.block));
+  const std::int32_t place = block.layout().batchOfElement.at(static_cast<std::size_t>(ref.element));
+  const int size = 3 * block.nodesPerElement(), lane = place % PatchLayout::lanes;
+  AlignedVector<NativePack> K(static_cast<std::size_t>(size * size));
+  block.tangentBatch(place / PatchLayout::lanes, x.data(), reinterpret_cast<double*>(K.data()));
+  Eigen::MatrixXd result(size, size);
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j) result(i, j) = K[static_cast<std::size_t>(i * size + j)][lane];
+  return result;
+}
+
+// Assembled tangents: the pattern and the places of all elements' blocks once, then numbers only.
+void TangentSource::makePattern(BlockMatrix& matrix) const {
+  const auto nodes = static_cast<std::size_t>(nodeCount());
   // Neighbours of every node with repetitions, row after row, then sorted and thinned in place. A node without
   // elements, in a part of a body, has its diagonal all the same.
   std::vector<std::int64_t> begin(nodes + 1, 1);
   begin[0] = 0;
-  for (const auto& block : blocks_)
+  for (const ElementTangents* block : tangents_)
     for (std::int32_t e = 0; e < block->elementCount(); ++e)
-      for (std::int32_t i : block->nodesOf(e)) begin[static_cast<std::size_t>(i) + 1] += block->element().nodes;
+      for (std::int32_t i : block->nodesOf(e)) begin[static_cast<std::size_t>(i) + 1] += block->nodesPerElement();
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<std::int32_t> neighbour(static_cast<std::size_t>(begin.back()));
   {
     std::vector<std::int64_t> next(begin.begin(), begin.end() - 1);
     for (std::size_t i = 0; i < nodes; ++i)
       neighbour[static_cast<std::size_t>(next[i]++)] = static_cast<std::int32_t>(i);
-    for (const auto& block : blocks_)
+    for (const ElementTangents* block : tangents_)
       for (std::int32_t e = 0; e < block->elementCount(); ++e) {
         const auto own = block->nodesOf(e);
         for (std::int32_t i : own) {
@@ -72,8 +178,8 @@ void Body::makePattern(BlockMatrix& matrix) const {
   for (std::size_t i = 0; i < nodes; ++i)
     std::copy_n(neighbour.begin() + begin[i], count[i], matrix.column.begin() + matrix.rowBegin[i]);
   matrix.block.assign(matrix.column.size(), Eigen::Matrix3d::Zero());
-  for (const auto& block : blocks_) {
-    const auto n = static_cast<std::size_t>(block->element().nodes);
+  for (const ElementTangents* block : tangents_) {
+    const auto n = static_cast<std::size_t>(block->nodesPerElement());
     auto& positions = matrix.elementBlocks.emplace_back(static_cast<std::size_t>(block->elementCount()) * n * n);
     parallelFor(
         0, block->elementCount(), threads(),
@@ -93,15 +199,15 @@ void Body::makePattern(BlockMatrix& matrix) const {
   placePairs(matrix);
 }
 
-void Body::placePairs(BlockMatrix& matrix) const {
+void TangentSource::placePairs(BlockMatrix& matrix) const {
   PatchPairs& own = matrix.patchPairs;
   std::vector<std::int32_t> placeOf(matrix.column.size(), -1);  // of the upper block, in the current patch
   std::vector<std::int32_t> patches(matrix.column.size(), 0);   // that have the pair
-  own.places.resize(blocks_.size());
+  own.places.resize(tangents_.size());
   own.pairBegin.assign(1, 0);
-  for (std::size_t m = 0; m < blocks_.size(); ++m) {
-    const ElementBlock& block = *blocks_[m];
-    const int n = block.element().nodes;
+  for (std::size_t m = 0; m < tangents_.size(); ++m) {
+    const ElementTangents& block = *tangents_[m];
+    const int n = block.nodesPerElement();
     own.places[m].resize(block.layout().elements.size() * static_cast<std::size_t>(pairCount(n)));
     std::int32_t* place = own.places[m].data();
     for (const Patch& patch : block.layout().patches) {
@@ -146,14 +252,14 @@ void Body::placePairs(BlockMatrix& matrix) const {
   own.slots.resize(9 * static_cast<std::size_t>(slotCount));
 }
 
-void Body::assembleBlocks(const NodeVectors& x, BlockMatrix& matrix) const {
+void TangentSource::assembleBlocks(const NodeVectors& x, BlockMatrix& matrix) const {
   if (matrix.rowBegin.empty()) makePattern(matrix);
   PatchPairs& own = matrix.patchPairs;
   double* values = matrix.block.data()->data();
   std::size_t firstPatch = 0;
-  for (std::size_t m = 0; m < blocks_.size(); ++m) {
-    const ElementBlock& block = *blocks_[m];
-    const int n = block.element().nodes, size = 3 * n, count = pairCount(n);
+  for (std::size_t m = 0; m < tangents_.size(); ++m) {
+    const ElementTangents& block = *tangents_[m];
+    const int n = block.nodesPerElement(), size = 3 * n, count = pairCount(n);
     const auto& patches = block.layout().patches;
     parallelFor(0, static_cast<std::int64_t>(patches.size()), threads(), [&](std::int64_t p) {
       // A patch's sums stay in the second-level cache; kept from patch to patch, for fresh memory costs page faults.
@@ -199,7 +305,7 @@ void Body::assembleBlocks(const NodeVectors& x, BlockMatrix& matrix) const {
       1024);
 }
 
-void Body::assembleTangent(const NodeVectors& x, SparseTangent& tangent) const {
+void TangentSource::assembleTangent(const NodeVectors& x, SparseTangent& tangent) const {
   BlockMatrix& blocks = tangent.blocks;
   Eigen::SparseMatrix<double>& K = tangent.matrix;
   assembleBlocks(x, blocks);
@@ -231,7 +337,7 @@ void Body::assembleTangent(const NodeVectors& x, SparseTangent& tangent) const {
   if (fresh) K.outerIndexPtr()[3 * nodeCount()] = static_cast<int>(9 * blocks.column.size());
 }
 
-Eigen::SparseMatrix<double> Body::assembleTangent(const NodeVectors& x) const {
+Eigen::SparseMatrix<double> TangentSource::assembleTangent(const NodeVectors& x) const {
   SparseTangent tangent;
   assembleTangent(x, tangent);
   Eigen::SparseMatrix<double> K;

@@ -1,11 +1,12 @@
-// The lazy bound along random paths: proven at every state, by dense eigenvalues and by its own two statements.
+// The incremental nodal bound along random paths: proven at every state, by dense eigenvalues and by its own two
+// statements.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/lazy_bound.h>
+#include <ringwatch/monitor/incremental_nodal_bound.h>
 #include <ringwatch/monitor/reduced_ring.h>
 #include <tests/monitor/monitor_cases.h>
 
@@ -16,8 +17,8 @@ using test::Cut;
 using test::DenseTangent;
 using test::Hold;
 
-class LazyBoundTest : public ::testing::TestWithParam<Cut> {};
-INSTANTIATE_TEST_SUITE_P(Cuts, LazyBoundTest, ::testing::ValuesIn(test::allCuts()),
+class IncrementalNodalBoundTest : public ::testing::TestWithParam<Cut> {};
+INSTANTIATE_TEST_SUITE_P(Cuts, IncrementalNodalBoundTest, ::testing::ValuesIn(test::allCuts()),
                          [](const auto& test) { return test::testName(test.param.name); });
 
 /// A path of states: a slow stretch, a shake of single nodes, a jump, and back; `at` in [0, 1].
@@ -26,7 +27,7 @@ NodeVectors pathState(const NodeVectors& X, double at, const NodeVectors& shake)
   return Eigen::Vector3d(stretch, 1 - 0.2 * at, 1).asDiagonal() * X + std::sin(20 * at) * shake;
 }
 
-TEST_P(LazyBoundTest, HoldsAtEveryStateOfAPath) {
+TEST_P(IncrementalNodalBoundTest, HoldsAtEveryStateOfAPath) {
   for (const LawInfo& law : allLaws())
     for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
       Body body = test::boxBody(GetParam(), law.name);
@@ -34,7 +35,7 @@ TEST_P(LazyBoundTest, HoldsAtEveryStateOfAPath) {
       const NodeVectors& X = body.mesh().X;
       test::Random random(12);
       const NodeVectors shake = random.nodeVectors(X.cols(), 0.08 * test::cellSize);
-      LazyBound bound(body);
+      IncrementalNodalBound bound(body);
       constexpr int steps = 60;
       std::int64_t evaluated = 0;
       for (int step = 0; step <= steps; ++step) {
@@ -53,11 +54,11 @@ TEST_P(LazyBoundTest, HoldsAtEveryStateOfAPath) {
           EXPECT_TRUE(evaluation.internalForce == expected) << what;
         }
         EXPECT_LE(bound.verify(x), 1e-9) << what;
-        evaluated += bound.spent().evaluated;
+        evaluated += bound.statistics().evaluated;
         // The same state again gives the same bound.
-        const double again = bound.sigma();
+        const double again = bound.certifiedEigenvalue();
         EXPECT_EQ(bound.update(x).value, again) << what;
-        if (bound.steer(x, LowerBound{lambda}, 0.05)) {
+        if (bound.tightenBound(x, LowerBound{lambda}, 0.05)) {
           ASSERT_GE(bound.update(x).value, lambda * (1 - 1e-9)) << what;
         }
       }
@@ -65,7 +66,7 @@ TEST_P(LazyBoundTest, HoldsAtEveryStateOfAPath) {
     }
 }
 
-TEST(LazyBound, HoldsForEveryRuleOfTheHexahedron) {
+TEST(IncrementalNodalBound, HoldsForEveryRuleOfTheHexahedron) {
   // Rules with a share at the mean deformation gradient too.
   for (const QuadratureRule& rule : findElementByName("hex8")->rules)
     for (const LawInfo& law : allLaws()) {
@@ -76,7 +77,7 @@ TEST(LazyBound, HoldsForEveryRuleOfTheHexahedron) {
       const NodeVectors& X = body.mesh().X;
       test::Random random(16);
       const NodeVectors shake = random.nodeVectors(X.cols(), 0.02 * test::cellSize);
-      LazyBound bound(body);
+      IncrementalNodalBound bound(body);
       std::int64_t evaluated = 0;
       constexpr int steps = 200;
       for (int step = 0; step <= steps; ++step) {
@@ -85,7 +86,7 @@ TEST(LazyBound, HoldsForEveryRuleOfTheHexahedron) {
         const std::string what = joinText(rule.name, ", ", law.name, ", step ", step);
         ASSERT_GE(bound.update(x).value, lambda * (1 - 1e-9)) << what;
         EXPECT_LE(bound.verify(x), 1e-9) << what;
-        evaluated += bound.spent().evaluated;
+        evaluated += bound.statistics().evaluated;
       }
       // Balls exist: most elements are inside theirs at most steps.
       EXPECT_LE(static_cast<double>(evaluated), 0.7 * steps * static_cast<double>(body.mesh().elementCount()))
@@ -93,21 +94,21 @@ TEST(LazyBound, HoldsForEveryRuleOfTheHexahedron) {
     }
 }
 
-TEST_P(LazyBoundTest, LooksAtFewElementsWhileLittleChanges) {
+TEST_P(IncrementalNodalBoundTest, EvaluatesFewElementsWhileLittleChanges) {
   for (const LawInfo& law : allLaws()) {
     Body body = test::boxBody(GetParam(), law.name, {4, 3, 3});
     const NodeVectors& X = body.mesh().X;
     test::Random random(15);
     const NodeVectors shake = random.nodeVectors(X.cols(), 1e-4 * test::cellSize);
     for (const bool withForce : {false, true}) {
-      LazyBound bound(body);
+      IncrementalNodalBound bound(body);
       bound.update(X);
       std::int64_t evaluated = 0;
       constexpr int steps = 100;
       StepEvaluation evaluation;
       for (int step = 0; step < steps; ++step) {
         bound.update(X + std::sin(0.1 * step) * shake, withForce ? &evaluation : nullptr);
-        evaluated += bound.spent().evaluated;
+        evaluated += bound.statistics().evaluated;
       }
       EXPECT_LE(static_cast<double>(evaluated), 0.05 * steps * static_cast<double>(body.mesh().elementCount()))
           << law.name;
@@ -123,51 +124,51 @@ Body jitteredBar(std::array<int, 3> cells, double jitter) {
 }
 
 // A tangent that does not drift gives balls without an end; a sigma that is lowered too far must reach them too.
-TEST(LazyBound, LooksAgainAtElementsThatNeverLeaveWhenSigmaIsLoweredBelowThem) {
+TEST(IncrementalNodalBound, EvaluatesElementsInsideTheirBallsWhenTheEigenvalueIsLoweredBelowThem) {
   BarOptions options;
   options.cells = {4, 3, 3};
   const Body body(generateBar(options), makeMaterial("linear", 1e4, 0.3, 1000), test::onThreads(1));
   const NodeVectors& X = body.mesh().X;
-  LazyBound bound(body);
+  IncrementalNodalBound bound(body);
   bound.update(X);
   const double lambda = DenseTangent(body, X).largest();
   for (const double share : {1.0, 0.7, 0.5}) {
-    bound.steer(X, {share * lambda}, 0.05);
+    bound.tightenBound(X, {share * lambda}, 0.05);
     for (int look = 0; look < 50; ++look) EXPECT_GE(bound.update(X).value, lambda) << share;
     EXPECT_LE(bound.verify(X), 1e-9) << share;
   }
 }
 
-TEST(LazyBound, TurnsItsShapesWithTheBody) {
+TEST(IncrementalNodalBound, TurnsItsWeightsWithTheBody) {
   const Body body = jitteredBar({6, 3, 3}, 0.2);
   const NodeVectors& X = body.mesh().X;
-  LazyBound bound(body);
+  IncrementalNodalBound bound(body);
   const double start = bound.update(X).value;
   for (int step = 1; step <= 90; ++step) {
     const Eigen::AngleAxisd turn(step * EIGEN_PI / 180, Eigen::Vector3d(1, 2, 2) / 3);
     bound.update(turn.toRotationMatrix() * X);
-    // A turn changes no eigenvalue, and shapes that turn too no bound.
-    EXPECT_LE(bound.sigma(), 1.01 * start) << step;
-    EXPECT_EQ(bound.spent().retargets, 0) << step;
+    // A turn changes no eigenvalue, and weights that turn too no bound.
+    EXPECT_LE(bound.certifiedEigenvalue(), 1.01 * start) << step;
+    EXPECT_EQ(bound.statistics().rebuilds, 0) << step;
     EXPECT_LE(bound.verify(turn.toRotationMatrix() * X), 1e-9) << step;
   }
 }
 
-TEST(LazyBound, KnowsWhereTheHighestRingsMayBe) {
+TEST(IncrementalNodalBound, KnowsWhereTheHighestRingsMayBe) {
   const Body body = jitteredBar({8, 4, 4}, 0.3);
   const NodeVectors& X = body.mesh().X;
-  LazyBound bound(body);
-  EXPECT_TRUE(bound.hottestElements(8).empty());
+  IncrementalNodalBound bound(body);
+  EXPECT_TRUE(bound.highestElements(8).empty());
   bound.update(X);
   ReducedRing ring(body);
   const ReducedRing::Result& rings = ring.evaluate(X);
   double highest = 0;
-  for (const ElementRef e : bound.hottestElements(8))
+  for (const ElementRef e : bound.highestElements(8))
     highest = std::max(highest, rings.largest[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)]);
   EXPECT_GE(highest, 0.95 * rings.highest);
 }
 
-TEST_P(LazyBoundTest, CertifiesOnlyWhatIsTrue) {
+TEST_P(IncrementalNodalBoundTest, CertifiesOnlyWhatIsTrue) {
   for (const LawInfo& law : allLaws()) {
     Body body = test::boxBody(GetParam(), law.name);
     test::holdBody(body, Hold::face);
@@ -176,7 +177,7 @@ TEST_P(LazyBoundTest, CertifiesOnlyWhatIsTrue) {
     const NodeVectors shake = random.nodeVectors(X.cols(), 0.08 * test::cellSize);
     const double rest = DenseTangent(body, X).largest();
     for (const double share : {0.5, 0.99, 1.3, 2.0, 5.0}) {
-      LazyBound bound(body);
+      IncrementalNodalBound bound(body);
       int certified = 0, possible = 0;
       for (int step = 0; step <= 40; ++step) {
         const NodeVectors x = pathState(X, step / 40.0, shake);
@@ -196,14 +197,14 @@ TEST_P(LazyBoundTest, CertifiesOnlyWhatIsTrue) {
   }
 }
 
-TEST_P(LazyBoundTest, SeesEveryInversion) {
+TEST_P(IncrementalNodalBoundTest, SeesEveryInversion) {
   for (const LawInfo& law : allLaws()) {
     Body body = test::boxBody(GetParam(), law.name);
     const NodeVectors& X = body.mesh().X;
     test::Random random(14);
     int inversions = 0;
     for (int repeat = 0; repeat < 10; ++repeat) {
-      LazyBound bound(body);
+      IncrementalNodalBound bound(body);
       const std::int32_t node = random.index(body.nodeCount());
       const Eigen::Vector3d across = random.vector(2.5 * test::cellSize);
       NodeVectors x = X;
@@ -212,10 +213,10 @@ TEST_P(LazyBoundTest, SeesEveryInversion) {
         bound.update(x);
         const double least = body.leastDeterminant(x).value;
         if (least > 0) {
-          EXPECT_GT(bound.spent().leastDeterminant, 0) << law.name;
+          EXPECT_GT(bound.statistics().leastDeterminant, 0) << law.name;
           continue;
         }
-        EXPECT_NEAR(bound.spent().leastDeterminant, least, 1e-12) << law.name << ", step " << step;
+        EXPECT_NEAR(bound.statistics().leastDeterminant, least, 1e-12) << law.name << ", step " << step;
         ++inversions;
         break;
       }
@@ -224,10 +225,10 @@ TEST_P(LazyBoundTest, SeesEveryInversion) {
   }
 }
 
-TEST_P(LazyBoundTest, IsNanWithoutATangentAndRecovers) {
+TEST_P(IncrementalNodalBoundTest, IsNanWithoutATangentAndRecovers) {
   Body body = test::boxBody(GetParam(), "neo-hookean");
   const NodeVectors& X = body.mesh().X;
-  LazyBound bound(body);
+  IncrementalNodalBound bound(body);
   bound.update(X);
   const NodeVectors inverted = Eigen::Vector3d(-0.5, 1, 1).asDiagonal() * X;
   EXPECT_TRUE(std::isnan(bound.update(inverted).value));
