@@ -44,8 +44,8 @@ class DeviceStepper final : public Stepper {
     Taken taken{count, ""};
     if (imex_) {
       imex_->step(count);
-      DeviceImex::Look look = imex_->look();
-      taken = {look.steps, std::move(look.fault)};
+      DeviceImex::Status status = imex_->status();
+      taken = {status.steps, std::move(status.fault)};
     } else {
       explicitSteps(h, count, lambda);
     }
@@ -89,12 +89,12 @@ class DeviceStepper final : public Stepper {
       watched_ += count;
     }
     if (held_ && lambda == lambda_) {
-      const DeviceCertificate::Look before = certificate_.look();
+      const DeviceCertificate::Status before = certificate_.status();
       certificate_.step(h, count);
-      const DeviceCertificate::Look look = certificate_.look();
-      certified_ += look.certified ? count : look.lostAt - before.checked;
-      evaluated_ += look.evaluated - before.evaluated;
-      if (!look.certified || look.nearlyLost) held_ = certificate_.renew();
+      const DeviceCertificate::Status status = certificate_.status();
+      certified_ += status.certified ? count : status.lostAt - before.checked;
+      evaluated_ += status.evaluated - before.evaluated;
+      if (!status.certified || status.nearlyLost) held_ = certificate_.renew();
     } else {
       device_.step(h, count);
     }

@@ -130,8 +130,7 @@ std::vector<WorstElement> worstElements(const Body& body, const MetricResult& me
   for (auto entry = all.begin(); entry != end; ++entry) {
     const ElementRef ref = entry->second;
     worst.push_back({ref, entry->first,
-                     elementShape(mesh.blocks[static_cast<std::size_t>(ref.block)],
-                                  static_cast<std::size_t>(ref.element), mesh.X, meanVolume)});
+                     elementShape(mesh.blocks[ref.block], static_cast<std::size_t>(ref.element), mesh.X, meanVolume)});
   }
   return worst;
 }
@@ -139,15 +138,14 @@ std::vector<WorstElement> worstElements(const Body& body, const MetricResult& me
 Json worstJson(const Mesh& mesh, const std::vector<WorstElement>& worst) {
   Json json = Json::array();
   for (const WorstElement& w : worst)
-    json.push_back(Json{
-        {"block", w.element.block},
-        {"index", w.element.element},
-        {"id", mesh.blocks[static_cast<std::size_t>(w.element.block)].id(static_cast<std::size_t>(w.element.element))},
-        {"step", w.step},
-        {"shape", std::string(shapeName(w.shape.shape))},
-        {"min_dihedral", w.shape.minDihedral},
-        {"max_dihedral", w.shape.maxDihedral},
-        {"aspect", w.shape.aspect}});
+    json.push_back(Json{{"block", w.element.block},
+                        {"index", w.element.element},
+                        {"id", mesh.blocks[w.element.block].id(static_cast<std::size_t>(w.element.element))},
+                        {"step", w.step},
+                        {"shape", std::string(shapeName(w.shape.shape))},
+                        {"min_dihedral", w.shape.minDihedral},
+                        {"max_dihedral", w.shape.maxDihedral},
+                        {"aspect", w.shape.aspect}});
   return json;
 }
 

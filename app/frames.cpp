@@ -88,16 +88,14 @@ void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameS
   if (asksFor("verdict")) {
     const bool certified = state.verdict == Verdict::certified;
     const auto known = std::find(metrics.begin(), metrics.end(), "reduced-1-ring");
-    const Steps ring = known == metrics.end() ? elementSteps("reduced-1-ring", x, 1)
-                                              : steps[static_cast<std::size_t>(known - metrics.begin())];
+    const Steps ring = known == metrics.end() ? elementSteps("reduced-1-ring", x, 1) : steps[known - metrics.begin()];
     for (double step : ring.values) verdicts.push_back(state.h > step ? 2 : certified ? 0 : 1);
     cells.push_back({"verdict", 1, std::span<const std::int32_t>(verdicts)});
   }
   if (asksFor("handler")) {
     handled.assign(body_.mesh().elementCount(), 0);
     const std::vector<std::size_t> first = blockOffsets(body_.mesh());
-    for (const ElementRef e : state.handled)
-      handled[first[static_cast<std::size_t>(e.block)] + static_cast<std::size_t>(e.element)] = 1;
+    for (const ElementRef e : state.handled) handled[first[e.block] + static_cast<std::size_t>(e.element)] = 1;
     cells.push_back({"handler", 1, std::span<const std::int32_t>(handled)});
   }
 
@@ -112,7 +110,7 @@ void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameS
   const std::filesystem::path file = std::filesystem::path("frames") / frameName(entries_.size() + 1);
   writeVtu(folder_ / file, body_.mesh(), x, points, cells, state.time, frame);
   entries_.push_back({state.time, file});
-  // Rewritten at every frame, so that a run can be looked at while it goes on.
+  // Rewritten at every frame, so that a run can be examined while it goes on.
   writePvd(folder_ / "run.pvd", entries_);
 }
 

@@ -25,7 +25,7 @@ std::string_view stepSide(Direction direction);
 struct FrameState {
   double time = 0;                   // s
   double h = 0;                      // s, the step taken from here
-  std::optional<double> safe;        // s, the largest step that the monitor has proven at its last look
+  std::optional<double> safe;        // s, the largest step that the monitor has proven at its last observation
   std::optional<double> optimistic;  // s
   std::optional<Verdict> verdict;    // empty without a monitor
   std::span<const ElementRef> handled;

@@ -20,7 +20,7 @@ class HandledWatch {
   const std::string& uncertifiedPart() const { return uncertifiedPart_; }
 
  private:
-  EventTracker tracker_{MonitorOptions{}.clearLooks};
+  EventTracker tracker_{MonitorOptions{}.clearObservations};
   std::string uncertifiedPart_;
 };
 

@@ -137,7 +137,7 @@ Subject subjectOfRun(const InspectOptions& options) {
   if (*options.frame < 1 || *options.frame > static_cast<std::int64_t>(frames.size()))
     throw InputError(fmt::format("--frame: {} is out of range; {} has {} frames, counted from 1", *options.frame,
                                  options.mesh.string(), frames.size()));
-  const PvdEntry& frame = frames[static_cast<std::size_t>(*options.frame - 1)];
+  const PvdEntry& frame = frames[*options.frame - 1];
   override(scene, options);
   const IntegratorInfo& integrator = integratorNamed(scene.method);
   std::vector<std::string> notes;
@@ -278,10 +278,7 @@ Json handlerChoice(const Subject& subject, double h) {
   Json elements = Json::array();
   for (const ElementRef e : chosen)
     elements.push_back(
-        Json{{"block", e.block},
-             {"index", e.element},
-             {"id",
-              subject.body.mesh().blocks[static_cast<std::size_t>(e.block)].ids[static_cast<std::size_t>(e.element)]}});
+        Json{{"block", e.block}, {"index", e.element}, {"id", subject.body.mesh().blocks[e.block].ids[e.element]}});
   return Json{{"count", chosen.size()},
               {"selection", std::string(selectionNames.nameOf(options.selection))},
               {"margin", options.margin},
@@ -420,8 +417,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
   reportMetrics(metrics, rule, globalStep, json["critical_step"], text);
 
   json["controlling_element"] = elementJson(mesh, step.controlling);
-  const ElementQuality& q =
-      quality[static_cast<std::size_t>(step.controlling.block)][static_cast<std::size_t>(step.controlling.element)];
+  const ElementQuality& q = quality[step.controlling.block][step.controlling.element];
   text += fmt::format("controlling element: {}\n  volume {:.5g} m3, least height {:.5g} m, edges {:.5g} to {:.5g} m",
                       elementText(mesh, step.controlling), q.volume, q.minHeight, q.minEdge, q.maxEdge);
   if (!std::isnan(q.minDihedral))

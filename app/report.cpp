@@ -62,7 +62,7 @@ Json meshJson(const Mesh& mesh, double volume) {
 }
 
 Json elementJson(const Mesh& mesh, ElementRef ref) {
-  const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(ref.block)];
+  const MeshBlock& block = mesh.blocks[ref.block];
   const std::int32_t* nodes = block.element(static_cast<std::size_t>(ref.element));
   Json result{{"block", ref.block},
               {"index", ref.element},
@@ -166,7 +166,7 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
     if (cut.before && cut.after)
       text += fmt::format(", that of all is {:.4g} s, before {:.4g} s", cut.after->safe, cut.before->safe);
     if (result.handler)
-      text += fmt::format("; {} handled, {} before, {} looked at in {:.3g} ms", cut.handledAfter, cut.handledBefore,
+      text += fmt::format("; {} handled, {} before, {} examined in {:.3g} ms", cut.handledAfter, cut.handledBefore,
                           cut.judged.elements, 1e3 * cut.selectionTime);
     text += "\n";
   }

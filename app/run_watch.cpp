@@ -36,7 +36,7 @@ void RunWatch::begin(Handler* handler, std::function<double(const NodeVectors&)>
   wanted.every =
       everyState_ ? static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max())) : 1;
   wanted.energyTolerance = scene_.energyTolerance;
-  if (monitored_) wanted.firstLookElements = 0;  // too dear at every choice of a handler
+  if (monitored_) wanted.firstObservationElements = 0;  // too dear at every choice of a handler
   monitored_ = true;
   wanted.metricElsewhere = std::move(metric);
   monitor_.emplace(watched, wanted);

@@ -349,7 +349,7 @@ class Run {
     result_.watchedSteps += taken;
     if (report.verdict == Verdict::certified) {
       result_.certifiedSteps += taken;
-      if (watch_.freshReports() <= 1) result_.firstLookSteps += taken;
+      if (watch_.freshReports() <= 1) result_.firstObservationSteps += taken;
     }
     if (!report.fresh || !report.bracket || !(report.bracket->safe > 0)) return;
     const double safe = report.bracket->safe;
@@ -405,9 +405,9 @@ class Run {
           "certified in these states",
           result_.safeSeen->least, result_.safeSeen->largest, std::floor(result_.safeSeen->least / unit) * unit);
     }
-    if (static_cast<std::int64_t>(body_.mesh().elementCount()) > MonitorOptions{}.firstLookElements)
-      note += fmt::format("; on more than {} elements inspect may prove a larger step than the run's first look",
-                          MonitorOptions{}.firstLookElements);
+    if (static_cast<std::int64_t>(body_.mesh().elementCount()) > MonitorOptions{}.firstObservationElements)
+      note += fmt::format("; on more than {} elements inspect may prove a larger step than the run's first observation",
+                          MonitorOptions{}.firstObservationElements);
     result_.notes.push_back(note);
   }
 

@@ -85,9 +85,9 @@ struct RunResult {
   double smallestStep = 0, largestStep = 0;  // s, of the steps taken
   std::optional<Verdict> worst;              // of the steps taken; empty when nothing was monitored
   bool violatedStepTaken = false;
-  std::int64_t watchedSteps = 0;    // taken with a monitor that proves something
-  std::int64_t certifiedSteps = 0;  // of those
-  std::int64_t firstLookSteps = 0;  // of those, on what the monitor's first look alone had proven
+  std::int64_t watchedSteps = 0;           // taken with a monitor that proves something
+  std::int64_t certifiedSteps = 0;         // of those
+  std::int64_t firstObservationSteps = 0;  // of those, on what the monitor's first observation alone had proven
   struct Range {
     double least, largest;
   };
@@ -108,8 +108,8 @@ struct RunResult {
   bool stable() const { return exitStatus() == ExitStatus::done; }
   /// Every step that was watched was certified, and there was one.
   bool certified() const { return watchedSteps > 0 && certifiedSteps == watchedSteps; }
-  /// Nothing beyond the monitor's first look was certified, though there was more.
-  bool neverCertified() const { return certifiedSteps < watchedSteps && certifiedSteps <= firstLookSteps; }
+  /// Nothing beyond the monitor's first observation was certified, though there was more.
+  bool neverCertified() const { return certifiedSteps < watchedSteps && certifiedSteps <= firstObservationSteps; }
   /// An energy-balance event happened, whether it ended or not.
   bool energyOff() const;
   ExitStatus exitStatus() const;
@@ -120,10 +120,10 @@ struct RunResult {
 /// Balance error over the largest energy so far that counts as a runaway.
 inline constexpr double runawayShare = 0.1;
 
-/// Runs a scene on its body, to which a handler may add mass and which cuts replace: before each step the monitor looks
-/// at the state, then the integrator takes the step. Writes history.csv, summary.json, what [output] asks for and the
-/// picture into options.folder, however the run ends; only then does it give up the folder. Throws InputError when the
-/// folder cannot be written or another run is writing into it, before anything is computed.
+/// Runs a scene on its body, to which a handler may add mass and which cuts replace: before each step the monitor
+/// observes at the state, then the integrator takes the step. Writes history.csv, summary.json, what [output] asks for
+/// and the picture into options.folder, however the run ends; only then does it give up the folder. Throws InputError
+/// when the folder cannot be written or another run is writing into it, before anything is computed.
 RunResult runScene(const Scene& scene, Body& body, const RunOptions& options);
 
 }  // namespace ringwatch

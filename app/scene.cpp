@@ -687,11 +687,11 @@ class PrescribedMotions {
     for (const std::int32_t node : nodes) {
       std::int32_t counted = -1;
       for (int c = 0; c < 3; ++c) {
-        if (!components[static_cast<std::size_t>(c)]) continue;
+        if (!components[c]) continue;
         std::int32_t& by = by_[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(c)];
         if (by < 0) {
           by = own;
-        } else if (all_[static_cast<std::size_t>(by)].velocity[c] != velocity[c] && by != counted) {
+        } else if (all_[by].velocity[c] != velocity[c] && by != counted) {
           conflicts.try_emplace(by, 0, c).first->second.first += 1;
           counted = by;
         }
@@ -700,12 +700,11 @@ class PrescribedMotions {
     if (conflicts.empty()) return;
     const auto& [other, shared] = *conflicts.begin();
     const auto& [count, c] = shared;
-    throw InputError(
-        fmt::format("{}: it prescribes another velocity than {} at {} node{} of both ({} and {} m/s along {}); change "
-                    "a condition or "
-                    "components so that no node has two",
-                    origin, all_[static_cast<std::size_t>(other)].origin, count, count == 1 ? "" : "s", velocity[c],
-                    all_[static_cast<std::size_t>(other)].velocity[c], "xyz"[c]));
+    throw InputError(fmt::format(
+        "{}: it prescribes another velocity than {} at {} node{} of both ({} and {} m/s along {}); change "
+        "a condition or "
+        "components so that no node has two",
+        origin, all_[other].origin, count, count == 1 ? "" : "s", velocity[c], all_[other].velocity[c], "xyz"[c]));
   }
 
  private:
@@ -871,8 +870,8 @@ Scene sceneOfRun(const std::filesystem::path& folder) {
 std::optional<std::array<bool, 3>> parseComponents(std::string_view text) {
   std::array<bool, 3> result{};
   for (char c : text) {
-    if (c < 'x' || c > 'z' || result[static_cast<std::size_t>(c - 'x')]) return std::nullopt;
-    result[static_cast<std::size_t>(c - 'x')] = true;
+    if (c < 'x' || c > 'z' || result[c - 'x']) return std::nullopt;
+    result[c - 'x'] = true;
   }
   if (text.empty()) return std::nullopt;
   return result;
@@ -956,14 +955,14 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads) {
     prescribed.add(fix.nodes.origin, nodes, fix.components, Eigen::Vector3d::Zero());
     for (std::int32_t node : nodes)
       for (int c = 0; c < 3; ++c)
-        if (fix.components[static_cast<std::size_t>(c)]) body->constraints().fix(node, c);
+        if (fix.components[c]) body->constraints().fix(node, c);
   }
   for (const Scene::Move& move : scene.moves) {
     const std::vector<std::int32_t> nodes = move.nodes.nodesOf(body->mesh());
     prescribed.add(move.nodes.origin, nodes, move.components, move.velocity);
     for (std::int32_t node : nodes)
       for (int c = 0; c < 3; ++c)
-        if (move.components[static_cast<std::size_t>(c)]) body->constraints().move(node, c, move.velocity[c]);
+        if (move.components[c]) body->constraints().move(node, c, move.velocity[c]);
   }
   for (const Scene::Force& force : scene.forces) {
     const std::vector<std::int32_t> nodes = force.nodes.nodesOf(body->mesh());

@@ -172,7 +172,7 @@ std::vector<SceneKey> makeKeys() {
       {"integrator", "device", T::text, "", false, "\"cpu\"", anything, runDeviceNames.names(),
        "where the steps are taken; \"auto\" takes a GPU if there is one. Symplectic Euler without damping, alone or "
        "with imex; "
-       "the state comes back at every look of the monitor and every row of the history"},
+       "the state comes back at every observation of the monitor and every row of the history"},
       {"integrator",
        "safety",
        T::number,

@@ -6,7 +6,7 @@
 
 namespace ringwatch {
 
-/// What is wrong with a text before it is looked at as TOML.
+/// What is wrong with a text before it is examined as TOML.
 struct TomlTextFault {
   std::size_t line;  // counted from 1
   std::string what;

@@ -51,7 +51,7 @@ class Parser {
                                    : joinText("column ", at_ + 1, ": found \"", found, "\", expected ", expected));
   }
 
-  Kind kind(int term) const { return terms_[static_cast<std::size_t>(term)].kind; }
+  Kind kind(int term) const { return terms_[term].kind; }
   int add(Kind kind, int a = -1, int b = -1, double value = 0) {
     terms_.push_back({kind, a, b, value});
     return static_cast<int>(terms_.size()) - 1;
@@ -290,7 +290,7 @@ class Parser {
 WhereExpression::WhereExpression(std::string_view text) : text_(text) { root_ = Parser(text_, terms_).parse(); }
 
 double WhereExpression::valueOf(int index, const Eigen::Vector3d& X) const {
-  const Term& t = terms_[static_cast<std::size_t>(index)];
+  const Term& t = terms_[index];
   const auto a = [&] { return valueOf(t.a, X); };
   const auto b = [&] { return valueOf(t.b, X); };
   switch (t.kind) {
@@ -332,7 +332,7 @@ double WhereExpression::valueOf(int index, const Eigen::Vector3d& X) const {
 }
 
 bool WhereExpression::conditionOf(int index, const Eigen::Vector3d& X) const {
-  const Term& t = terms_[static_cast<std::size_t>(index)];
+  const Term& t = terms_[index];
   switch (t.kind) {
     case Kind::everywhere:
       return true;

@@ -11,8 +11,8 @@ namespace ringwatch {
 inline int threadCount(int requested) { return requested > 0 ? requested : omp_get_max_threads(); }
 
 /// Calls body(i) for begin <= i < end on `threads` threads (0: all), at least `grain` calls a thread: a loop too short
-/// to be worth waking others stays on the caller's. Bodies must write to places of their own; whoever sums afterwards
-/// sums in index order, so that results do not depend on the number of threads.
+/// to be worth waking others stays on the caller's. Bodies must write to places of their own; sum
+/// afterwards in index order, so that results do not depend on the number of threads.
 template <class Loop>
 void parallelFor(std::int64_t begin, std::int64_t end, int threads, const Loop& body, std::int64_t grain = 1) {
   const int n = static_cast<int>(std::min<std::int64_t>(threadCount(threads), (end - begin) / grain));
@@ -46,10 +46,7 @@ double parallelSum(std::int64_t count, int threads, const Term& term) {
   std::vector<double> sums(static_cast<std::size_t>(ranges));
   parallelFor(
       0, ranges, threads,
-      [&](std::int64_t range) {
-        sums[static_cast<std::size_t>(range)] = term(range * length, std::min(count, (range + 1) * length));
-      },
-      2);
+      [&](std::int64_t range) { sums[range] = term(range * length, std::min(count, (range + 1) * length)); }, 2);
   double sum = 0;
   for (const double part : sums) sum += part;
   return sum;

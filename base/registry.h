@@ -61,7 +61,7 @@ class Registry {
   /// The same for what an entry declares.
   const Info* findInfo(std::string_view name) const {
     const Entry* entry = find(name);
-    return entry ? &infos()[static_cast<std::size_t>(entry - entries_.data())] : nullptr;
+    return entry ? &infos()[entry - entries_.data()] : nullptr;
   }
   /// Throws InputError that lists the names when there is none of that name.
   const Entry& get(std::string_view name) const {

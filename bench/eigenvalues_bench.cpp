@@ -68,15 +68,14 @@ struct Elements {
       for (double& value : off.reshaped()) value += 0.03 * random();
       const Eigen::Matrix3d turn = Eigen::Quaterniond(quaternion).normalized().toRotationMatrix();
       for (int a = 0; a < n; ++a) {
-        mesh.X.col(e * n + a) = turn * off * shape.nodes[static_cast<std::size_t>(a)];
+        mesh.X.col(e * n + a) = turn * off * shape.nodes[a];
         block.connectivity.push_back(e * n + a);
       }
       // Node order that turns the other way round has a negative volume.
       if (n == 4) {
         const auto x = mesh.X.middleCols<4>(4 * e);
         if ((x.col(1) - x.col(0)).cross(x.col(2) - x.col(0)).dot(x.col(3) - x.col(0)) < 0)
-          std::swap(block.connectivity[static_cast<std::size_t>(4 * e + 1)],
-                    block.connectivity[static_cast<std::size_t>(4 * e + 2)]);
+          std::swap(block.connectivity[4 * e + 1], block.connectivity[4 * e + 2]);
       }
     }
     mesh.blocks.push_back(std::move(block));
@@ -87,21 +86,19 @@ struct Elements {
     for (int e = 0; e < count; ++e) {
       const auto nodes = body.blocks()[0]->nodesOf(e);
       Eigen::VectorXd scale(size), normal(size);
-      for (int i = 0; i < size; ++i)
-        scale[i] = 1 / std::sqrt(body.lumpedMass()[nodes[static_cast<std::size_t>(i / 3)]]);
+      for (int i = 0; i < size; ++i) scale[i] = 1 / std::sqrt(body.lumpedMass()[nodes[i / 3]]);
       const Eigen::MatrixXd K = body.elementTangent({0, e}, body.mesh().X);
       dense.emplace_back(scale.asDiagonal() * K * scale.asDiagonal());
       exact.push_back(
           Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense.back(), Eigen::EigenvaluesOnly).eigenvalues()[size - 1]);
       // K applied to the motion x → x gives (3λ + 2μ) Σ w ∇N_a, M^-½ of which is the start in scaled coordinates.
       Eigen::VectorXd x(size);
-      for (int i = 0; i < size; ++i) x[i] = body.mesh().X(i % 3, nodes[static_cast<std::size_t>(i / 3)]);
+      for (int i = 0; i < size; ++i) x[i] = body.mesh().X(i % 3, nodes[i / 3]);
       normal = scale.asDiagonal() * (K * x);
       normal.normalize();
       for (int i = 0; i < size; ++i) {
-        normals[static_cast<std::size_t>(e / lanes * size + i)].set(e % lanes, normal[i]);
-        for (int j = 0; j < size; ++j)
-          packed[static_cast<std::size_t>((e / lanes * size + i) * size + j)].set(e % lanes, dense.back()(i, j));
+        normals[e / lanes * size + i].set(e % lanes, normal[i]);
+        for (int j = 0; j < size; ++j) packed[(e / lanes * size + i) * size + j].set(e % lanes, dense.back()(i, j));
       }
     }
   }
@@ -165,7 +162,7 @@ void power(benchmark::State& state, const Elements& elements, bool fromNormals) 
       NativePack v[size], w[size], lambda(0.0), needed(0.0);
       NativePack norm2(0.0);
       for (int i = 0; i < size; ++i) {
-        v[i] = start[static_cast<std::size_t>(pack * size + i)];
+        v[i] = start[pack * size + i];
         norm2 += v[i] * v[i];
       }
       for (int iteration = 0; iteration < 1000; ++iteration) {

@@ -151,7 +151,7 @@ void cluster(benchmark::State& state, ClusterSolver solver, int cells, double co
     const NodeVectors x = Eigen::AngleAxisd(0.5 * i, Eigen::Vector3d::UnitX()).toRotationMatrix() * X;
     const double start = threadSeconds();
     if (!cluster.follow(x)) throw NumericalError("the turned matrix is not finite");
-    if (i > 5) best = std::min(best, threadSeconds() - start);  // before, what stood still is not looked at every time
+    if (i > 5) best = std::min(best, threadSeconds() - start);  // before, what stood still is not examined every time
   }
   state.counters["turned_us"] = 1e6 * best;
   state.counters["nodes"] = static_cast<double>(X.cols());

@@ -55,7 +55,7 @@ void explicitStep(benchmark::State& state, const Case& c) {
   if (c.element == "tet4") reportFloor(state, s.body.mesh().elementCount(), {0, 88 + nodes * (48 + 7 * 24 - 16)});
 }
 
-/// All reduced 1-rings from element tangents, as a run needs them: patterns kept from the look before.
+/// All reduced 1-rings from element tangents, as a run needs them: patterns kept from the observation before.
 void reducedRings(benchmark::State& state, const Case& c) {
   Setup& s = setupOf(c);
   const double lambda = timeReducedRings(state, s);
@@ -85,8 +85,7 @@ void denseEigenvalues(benchmark::State& state, const Case& c) {
       std::vector<double> mass(static_cast<std::size_t>(n));
       s.body.elementLumpedMass({0, e}, mass.data());
       for (int i = 0; i < 3 * n; ++i)
-        for (int j = 0; j < 3 * n; ++j)
-          K(i, j) /= std::sqrt(mass[static_cast<std::size_t>(i / 3)] * mass[static_cast<std::size_t>(j / 3)]);
+        for (int j = 0; j < 3 * n; ++j) K(i, j) /= std::sqrt(mass[i / 3] * mass[j / 3]);
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(K, Eigen::EigenvaluesOnly);
       largest = std::max(largest, solver.eigenvalues()[3 * n - 1]);
     }
@@ -155,7 +154,7 @@ void watchedRun(benchmark::State& state, const Case& c, int split, MonitorMode m
   options.mode = mode;
   if (mode == MonitorMode::metric) options.metric = "reduced-1-ring";
   const double h = pull.h * 2 / std::sqrt(globalFrequency(body, body.mesh().X, 1e-6).lambda);
-  // Fierz 2013 looks only now and then; so does a metric here, for it costs the same at every look.
+  // Fierz 2013 evaluates only now and then; so does a metric here, for it costs the same at every observation.
   const int steps = mode == MonitorMode::metric ? 20 : 1000;
   double stepTime = 0, watchTime = 0, startTime = 0, refreshed = 0, certified = 0;
   std::vector<double> width;

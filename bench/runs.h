@@ -34,8 +34,8 @@ inline void timeSteps(benchmark::State& state, Setup& s) {
   report(state, s.body.mesh().elementCount(), relativeDifference(at.x, s.x));
 }
 
-/// Times all reduced 1-rings from element tangents, as a run needs them: patterns kept from the look before. Returns
-/// the highest eigenvalue, rad²/s².
+/// Times all reduced 1-rings from element tangents, as a run needs them: patterns kept from the observation before.
+/// Returns the highest eigenvalue, rad²/s².
 inline double timeReducedRings(benchmark::State& state, const Setup& s) {
   ReducedRing ring(s.body);
   double lambda = ring.evaluate(s.x).highest;

@@ -141,8 +141,8 @@ void nodalBound(benchmark::State& state, const Case& c) {
 }
 
 /// What the certificate of a step costs along a run: threshold mode, at every step, a box pulled by a tenth of its
-/// length a second at 0.8 of the critical step at rest. The look at the start, from scratch, is counted apart. `ratio`
-/// is over the step itself.
+/// length a second at 0.8 of the critical step at rest. The observation at the start, from scratch, is counted apart.
+/// `ratio` is over the step itself.
 void certificate(benchmark::State& state, const Case& c) {
   Body body(makeMesh(c), makeMaterial(c.law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, c.threads});
   const double length = body.mesh().X.row(0).maxCoeff();
@@ -306,7 +306,7 @@ std::vector<double> interleaved(int bodies, const Work& work) {
   for (int round = 0; round <= rounds; ++round)
     for (int i = 0; i < bodies; ++i) {
       const double time = secondsOf([&] { work(i); });
-      if (round > 0) seconds[static_cast<std::size_t>(i)].push_back(time);  // the first round is for the caches
+      if (round > 0) seconds[i].push_back(time);  // the first round is for the caches
     }
   std::vector<double> medians;
   for (auto& times : seconds) medians.push_back(median(std::move(times)));
@@ -341,7 +341,7 @@ void twoThreads(benchmark::State& state, const Case& c, Threaded pass) {
   std::vector<double> seconds;
   for (auto _ : state) {
     seconds = interleaved(2, [&](int i) {
-      Own& o = *own[static_cast<std::size_t>(i)];
+      Own& o = *own[i];
       if (pass == Threaded::force) o.body.internalForce(s.x, o.result, o.workspace);
       if (pass == Threaded::product) o.body.tangentProduct(s.x, s.v, o.result, o.workspace);
       if (pass == Threaded::step) o.integrator.step(o.system, o.at, stillStep);
@@ -368,8 +368,7 @@ Mesh shuffled(const Mesh& mesh) {
   const auto permutation = [&](std::size_t count) {
     std::vector<std::int32_t> order(count);
     std::iota(order.begin(), order.end(), 0);
-    for (std::size_t i = count; i-- > 1;)
-      std::swap(order[i], order[static_cast<std::size_t>(source.index(static_cast<int>(i) + 1))]);
+    for (std::size_t i = count; i-- > 1;) std::swap(order[i], order[source.index(static_cast<int>(i) + 1)]);
     return order;
   };
   const auto newNode = permutation(mesh.nodeCount()), oldElement = permutation(mesh.elementCount());
@@ -379,14 +378,13 @@ Mesh shuffled(const Mesh& mesh) {
     result.X.col(newNode[i]) = mesh.X.col(static_cast<Eigen::Index>(i));
     result.nodeIds.push_back(0);
   }
-  for (std::size_t i = 0; i < newNode.size(); ++i)
-    result.nodeIds[static_cast<std::size_t>(newNode[i])] = static_cast<std::int64_t>(i);
+  for (std::size_t i = 0; i < newNode.size(); ++i) result.nodeIds[newNode[i]] = static_cast<std::int64_t>(i);
   const MeshBlock& from = mesh.blocks[0];
   MeshBlock block{from.type, {}, {}};
   for (const std::int32_t e : oldElement) {
     block.ids.push_back(e);
     for (int a = 0; a < from.nodesPerElement(); ++a)
-      block.connectivity.push_back(newNode[static_cast<std::size_t>(from.element(static_cast<std::size_t>(e))[a])]);
+      block.connectivity.push_back(newNode[from.element(static_cast<std::size_t>(e))[a]]);
   }
   result.blocks.push_back(std::move(block));
   return result;

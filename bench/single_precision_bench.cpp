@@ -68,17 +68,15 @@ class FloatForce {
         for (int lane = 0; lane < lanes; ++lane) {
           // Where there is no element the first one stands in, weightless.
           std::int32_t from = b + lane / own, at = lane % own;
-          const std::int32_t e =
-              from < patch.batchEnd ? layout_.elements[static_cast<std::size_t>(from * own + at)] : -1;
+          const std::int32_t e = from < patch.batchEnd ? layout_.elements[from * own + at] : -1;
           if (e < 0) from = b, at = 0;
-          const auto nodes = block.nodesOf(layout_.elements[static_cast<std::size_t>(from * own + at)]);
+          const auto nodes = block.nodesOf(layout_.elements[from * own + at]);
           Eigen::Matrix3d J;
-          for (int k = 0; k < 3; ++k) J.col(k) = X.col(nodes[static_cast<std::size_t>(k + 1)]) - X.col(nodes[0]);
+          for (int k = 0; k < 3; ++k) J.col(k) = X.col(nodes[k + 1]) - X.col(nodes[0]);
           const Eigen::Matrix3d inverse = J.inverse();
           for (int i = 0; i < 9; ++i) geometry[i].set(lane, static_cast<float>(inverse(i / 3, i % 3)));
           geometry[9].set(lane, e < 0 ? 0.0F : static_cast<float>(J.determinant() / 6));
-          for (int a = 0; a < 4; ++a)
-            local[a][lane] = layout_.localNodes[static_cast<std::size_t>((from * 4 + a) * own + at)];
+          for (int a = 0; a < 4; ++a) local[a][lane] = layout_.localNodes[(from * 4 + a) * own + at];
         }
         geometry_.insert(geometry_.end(), geometry, geometry + 10);
         local_.insert(local_.end(), &local[0][0], &local[0][0] + 4 * lanes);
@@ -92,9 +90,7 @@ class FloatForce {
     for (std::size_t i = 1; i < slotBegin_.size(); ++i) slotBegin_[i] += slotBegin_[i - 1];
     slot_.resize(layout_.nodes.size());
     std::vector<std::int32_t> next(slotBegin_.begin(), slotBegin_.end() - 1);
-    for (std::size_t s = 0; s < slot_.size(); ++s)
-      slot_[static_cast<std::size_t>(next[static_cast<std::size_t>(layout_.nodes[s])]++)] =
-          static_cast<std::int32_t>(s);
+    for (std::size_t s = 0; s < slot_.size(); ++s) slot_[next[layout_.nodes[s]]++] = static_cast<std::int32_t>(s);
   }
 
   void operator()(const NodeVectors& x, NodeVectors& f) {
@@ -102,10 +98,9 @@ class FloatForce {
     f.resize(3, nodeCount_);
     for (std::int32_t i = 0; i < nodeCount_; ++i) {
       double sum[3] = {0, 0, 0};
-      for (std::int32_t s = slotBegin_[static_cast<std::size_t>(i)]; s < slotBegin_[static_cast<std::size_t>(i) + 1];
-           ++s)
+      for (std::int32_t s = slotBegin_[i]; s < slotBegin_[static_cast<std::size_t>(i) + 1]; ++s)
         for (std::size_t k = 0; k < 3; ++k)
-          sum[k] += static_cast<double>(slots_[4 * static_cast<std::size_t>(slot_[static_cast<std::size_t>(s)]) + k]);
+          sum[k] += static_cast<double>(slots_[4 * static_cast<std::size_t>(slot_[s]) + k]);
       for (int k = 0; k < 3; ++k) f(k, i) = sum[k];
     }
   }

@@ -109,14 +109,14 @@ void startUp(int wanted, const Format& format) {
     if (mode == MonitorMode::metric) options.metric = "reduced-1-ring";
     std::unique_ptr<StabilityMonitor> monitor;
     const std::string name(monitorModeName(mode));
-    stage("monitor " + name + ", first look", [&] {
+    stage("monitor " + name + ", first observation", [&] {
       monitor = std::make_unique<StabilityMonitor>(*body, options);
       monitor->observe(0, state.time, state.x, state.v, h);
     });
     stage("monitor " + name + ", 3 more", [&] {
-      for (int look = 1; look <= 3; ++look) {
+      for (int k = 1; k <= 3; ++k) {
         integrator.step(*system, state, h);
-        monitor->observe(look, state.time, state.x, state.v, h);
+        monitor->observe(k, state.time, state.x, state.v, h);
       }
     });
     rows.back().seconds -= 3 * step;

@@ -86,7 +86,7 @@ std::vector<const ElementTangents*> Body::tangentsOfBlocks() const {
 }
 
 void Body::elementLumpedMass(ElementRef ref, double* mass) const {
-  const ElementBlock& block = *blocks_[static_cast<std::size_t>(ref.block)];
+  const ElementBlock& block = *blocks_[ref.block];
   const ElementInfo& element = block.element();
   const double density = block.material().density;
   const auto nodes = block.nodesOf(ref.element);
@@ -99,8 +99,7 @@ void Body::elementLumpedMass(ElementRef ref, double* mass) const {
     element.shapeGradient(point.xi, dN);
     // Relative to the first node: far from the origin, products of large coordinates would lose the element's size.
     Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
-    for (int a = 1; a < n; ++a)
-      J += (mesh_.X.col(nodes[static_cast<std::size_t>(a)]) - mesh_.X.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
+    for (int a = 1; a < n; ++a) J += (mesh_.X.col(nodes[a]) - mesh_.X.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
     const double w = density * J.determinant() * point.weight;
     for (int a = 0; a < n; ++a) {
       mass[a] += w * N[a];
@@ -163,10 +162,10 @@ void Body::pass(const NodeVectors& x, PatchVisitor* visitor, NodeVectors* force,
   if (force) workspace.slots.resize(static_cast<std::size_t>(4 * slotCount()));
   if (energy) workspace.energies.resize(patches().size());
   parallelFor(0, static_cast<std::int64_t>(patches().size()), threads(), [&](std::int64_t p) {
-    const PatchRef& ref = patches()[static_cast<std::size_t>(p)];
+    const PatchRef& ref = patches()[p];
     const auto blockIndex = static_cast<std::size_t>(ref.block);
     const ElementBlock& block = *blocks_[blockIndex];
-    const Patch& patch = block.layout().patches[static_cast<std::size_t>(ref.patch)];
+    const Patch& patch = block.layout().patches[ref.patch];
     double* slots = nullptr;
     if (force) {
       slots = workspace.slots.data() + 4 * ref.firstSlot;
@@ -183,7 +182,7 @@ void Body::pass(const NodeVectors& x, PatchVisitor* visitor, NodeVectors* force,
     if (energy) {
       double sum = 0;
       for (const double part : energies) sum += part;
-      workspace.energies[static_cast<std::size_t>(p)] = sum;
+      workspace.energies[p] = sum;
     }
   });
   if (force) sumSlots(*force, workspace.slots.data());

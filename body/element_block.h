@@ -81,7 +81,7 @@ class PatchPass {
       : block_(block), patch_(patch), rows_(rows), slots_(slots), energy_(energy) {}
 
   std::int32_t index() const { return patch_; }
-  const Patch& patch() const { return block_.layout().patches[static_cast<std::size_t>(patch_)]; }
+  const Patch& patch() const { return block_.layout().patches[patch_]; }
   /// Positions of the patch's nodes, as ElementBlock::gatherRows gives them.
   const double* rows() const { return rows_; }
   /// Computes what is wanted of batches [first, last); the visitor sees their deformation gradients.

@@ -12,9 +12,8 @@ ElementGeometry<Element>::ElementGeometry(const ElementBlock& block, const Mesh&
   const QuadratureRule& rule = block.rule();
   shapeGradients_.resize(static_cast<std::size_t>(points_ * n * 3));
   for (int q = 0; q < points_; ++q)
-    Element::shapeGradient(
-        rule.points[static_cast<std::size_t>(q)].xi,
-        reinterpret_cast<double(*)[3]>(shapeGradients_.data() + static_cast<std::ptrdiff_t>(q) * n * 3));
+    Element::shapeGradient(rule.points[q].xi, reinterpret_cast<double(*)[3]>(shapeGradients_.data() +
+                                                                             static_cast<std::ptrdiff_t>(q) * n * 3));
   const std::int32_t batches = block.layout().batchCount();
   geometry_.resize(static_cast<std::size_t>(batches) * static_cast<std::size_t>(points_) * stride);
   for (std::int32_t batch = 0; batch < batches; ++batch) {
@@ -32,7 +31,7 @@ ElementGeometry<Element>::ElementGeometry(const ElementBlock& block, const Mesh&
           throw NumericalError(joinText(Element::name, " element ", meshBlock.id(static_cast<std::size_t>(e)),
                                         ": Jacobian determinant ", det[lane], " at quadrature point ", q,
                                         " must be > 0"));
-        point[9].set(lane, e < 0 ? 0.0 : det[lane] * rule.points[static_cast<std::size_t>(q)].weight);
+        point[9].set(lane, e < 0 ? 0.0 : det[lane] * rule.points[q].weight);
       }
     }
   }
@@ -68,7 +67,7 @@ void ElementGeometry<Element>::loadEdgesFromMesh(const double* x, const std::int
     const auto nodes = block_.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]);
     for (int a = 0; a < n; ++a) {
       const int row = a * lanes + lane;
-      const double* from = x + 3 * static_cast<std::ptrdiff_t>(nodes[static_cast<std::size_t>(a)]);
+      const double* from = x + 3 * static_cast<std::ptrdiff_t>(nodes[a]);
       const detail::Row4 padded{from[0], from[1], from[2], 0.0};
       std::memcpy(rows + 4 * row, &padded, sizeof padded);
       local[row] = static_cast<std::uint16_t>(row);
@@ -83,7 +82,7 @@ void ElementGeometry<Element>::gatherPoints(const std::int32_t* elements, P* poi
   const int count = pointCount() * stride;
   for (int lane = 0; lane < lanes; ++lane) {
     const std::int32_t e = elements[lane] < 0 ? elements[0] : elements[lane];
-    const std::int32_t place = block_.layout().batchOfElement[static_cast<std::size_t>(e)];
+    const std::int32_t place = block_.layout().batchOfElement[e];
     const P* from = pointsOf(place / lanes);
     for (int i = 0; i < count; ++i) points[i].set(lane, from[i][place % lanes]);
     if (elements[lane] < 0)

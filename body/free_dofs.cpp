@@ -5,7 +5,7 @@ namespace ringwatch {
 FreeDofs::FreeDofs(const Body& body) : number_(static_cast<std::size_t>(3 * body.nodeCount()), -1) {
   for (std::int32_t node = 0; node < body.nodeCount(); ++node)
     for (int c = 0; c < 3; ++c)
-      if (!body.constraints().isConstrained(node, c)) number_[static_cast<std::size_t>(3 * node + c)] = count_++;
+      if (!body.constraints().isConstrained(node, c)) number_[3 * node + c] = count_++;
 }
 Eigen::VectorXd FreeDofs::gather(const NodeVectors& values) const {
   Eigen::VectorXd result(count_);

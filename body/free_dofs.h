@@ -12,7 +12,7 @@ class FreeDofs {
  public:
   explicit FreeDofs(const Body& body);
   int count() const { return count_; }
-  int operator[](Eigen::Index dof) const { return number_[static_cast<std::size_t>(dof)]; }
+  int operator[](Eigen::Index dof) const { return number_[dof]; }
   /// The free entries of a 3×N array.
   Eigen::VectorXd gather(const NodeVectors& values) const;
   /// Adds to the free entries of a 3×N array.

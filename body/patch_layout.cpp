@@ -54,13 +54,12 @@ PatchLayout layOutPatches(std::size_t nodeCount, int nodesPerElement, std::span<
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         const bool present = lane < taken;
         const std::int32_t e = order[next + (present ? lane : 0)];
-        if (present)
-          layout.batchOfElement[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(layout.elements.size());
+        if (present) layout.batchOfElement[e] = static_cast<std::int32_t>(layout.elements.size());
         layout.elements.push_back(present ? e : -1);
         for (int a = 0; a < n; ++a) {
           const std::int32_t node =
               connectivity[static_cast<std::size_t>(e) * static_cast<std::size_t>(n) + static_cast<std::size_t>(a)];
-          std::int32_t& local = localOf[static_cast<std::size_t>(node)];
+          std::int32_t& local = localOf[node];
           if (local < 0) {
             local = nodesInPatch();
             layout.nodes.push_back(node);
@@ -72,8 +71,7 @@ PatchLayout layOutPatches(std::size_t nodeCount, int nodesPerElement, std::span<
     }
     patch.batchEnd = layout.batchCount();
     patch.nodeEnd = static_cast<std::int32_t>(layout.nodes.size());
-    for (std::int32_t i = patch.nodeBegin; i < patch.nodeEnd; ++i)
-      localOf[static_cast<std::size_t>(layout.nodes[static_cast<std::size_t>(i)])] = -1;
+    for (std::int32_t i = patch.nodeBegin; i < patch.nodeEnd; ++i) localOf[layout.nodes[i]] = -1;
     layout.patches.push_back(patch);
   }
   return layout;

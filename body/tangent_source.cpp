@@ -77,8 +77,7 @@ void TangentSource::setElements(std::vector<const ElementTangents*> tangents, Ei
   nodeSlot_.resize(static_cast<std::size_t>(slotCount_));
   std::int64_t slot = 0;
   for (const ElementTangents* block : tangents_)
-    for (std::int32_t node : block->layout().nodes)
-      nodeSlot_[static_cast<std::size_t>(count[static_cast<std::size_t>(node)]++)] = slot++;
+    for (std::int32_t node : block->layout().nodes) nodeSlot_[count[node]++] = slot++;
 }
 
 void TangentSource::sumSlots(NodeVectors& result, const double* slots) const {
@@ -89,9 +88,8 @@ void TangentSource::sumSlots(NodeVectors& result, const double* slots) const {
     const std::int64_t end = std::min(nodes, (c + 1) * chunk);
     for (std::int64_t i = c * chunk; i < end; ++i) {
       double sum[3] = {0, 0, 0};
-      for (std::int64_t s = nodeSlotBegin_[static_cast<std::size_t>(i)];
-           s < nodeSlotBegin_[static_cast<std::size_t>(i) + 1]; ++s) {
-        const double* row = slots + 4 * nodeSlot_[static_cast<std::size_t>(s)];
+      for (std::int64_t s = nodeSlotBegin_[i]; s < nodeSlotBegin_[static_cast<std::size_t>(i) + 1]; ++s) {
+        const double* row = slots + 4 * nodeSlot_[s];
         for (int k = 0; k < 3; ++k) sum[k] += row[k];
       }
       for (int k = 0; k < 3; ++k) result(k, i) = sum[k];
@@ -105,10 +103,10 @@ void TangentSource::sumOverPatches(
   workspace.slots.resize(static_cast<std::size_t>(4 * slotCount_));
   double* slots = workspace.slots.data();
   parallelFor(0, static_cast<std::int64_t>(patches_.size()), threads(), [&](std::int64_t p) {
-    const PatchRef& ref = patches_[static_cast<std::size_t>(p)];
+    const PatchRef& ref = patches_[p];
     double* own = slots + 4 * ref.firstSlot;
     const auto block = static_cast<std::size_t>(ref.block);
-    const Patch& patch = tangents_[block]->layout().patches[static_cast<std::size_t>(ref.patch)];
+    const Patch& patch = tangents_[block]->layout().patches[ref.patch];
     std::fill(own, own + 4 * static_cast<std::ptrdiff_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
     addPatch(block, ref.patch, own);
   });
@@ -119,7 +117,7 @@ void TangentSource::tangentProduct(const NodeVectors& x, const NodeVectors& v, N
                                    Workspace& workspace) const {
   sumOverPatches(Kv, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
     const ElementTangents& block = *tangents_[b];
-    const Patch& patch = block.layout().patches[static_cast<std::size_t>(p)];
+    const Patch& patch = block.layout().patches[p];
     block.addTangentProduct(patch, x.data(), v.data(), slots);
   });
 }
@@ -132,7 +130,7 @@ Eigen::MatrixXd TangentSource::elementTangent(ElementRef ref, const NodeVectors&
   block.tangentBatch(place / PatchLayout::lanes, x.data(), reinterpret_cast<double*>(K.data()));
   Eigen::MatrixXd result(size, size);
   for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j) result(i, j) = K[static_cast<std::size_t>(i * size + j)][lane];
+    for (int j = 0; j < size; ++j) result(i, j) = K[i * size + j][lane];
   return result;
 }
 
@@ -150,13 +148,12 @@ void TangentSource::makePattern(BlockMatrix& matrix) const {
   std::vector<std::int32_t> neighbour(static_cast<std::size_t>(begin.back()));
   {
     std::vector<std::int64_t> next(begin.begin(), begin.end() - 1);
-    for (std::size_t i = 0; i < nodes; ++i)
-      neighbour[static_cast<std::size_t>(next[i]++)] = static_cast<std::int32_t>(i);
+    for (std::size_t i = 0; i < nodes; ++i) neighbour[next[i]++] = static_cast<std::int32_t>(i);
     for (const ElementTangents* block : tangents_)
       for (std::int32_t e = 0; e < block->elementCount(); ++e) {
         const auto own = block->nodesOf(e);
         for (std::int32_t i : own) {
-          std::int64_t& to = next[static_cast<std::size_t>(i)];
+          std::int64_t& to = next[i];
           std::copy(own.begin(), own.end(), neighbour.begin() + to);
           to += static_cast<std::int64_t>(own.size());
         }
@@ -166,10 +163,10 @@ void TangentSource::makePattern(BlockMatrix& matrix) const {
   parallelFor(
       0, static_cast<std::int64_t>(nodes), threads(),
       [&](std::int64_t i) {
-        const auto first = neighbour.begin() + begin[static_cast<std::size_t>(i)],
+        const auto first = neighbour.begin() + begin[i],
                    last = neighbour.begin() + begin[static_cast<std::size_t>(i) + 1];
         std::sort(first, last);
-        count[static_cast<std::size_t>(i)] = std::unique(first, last) - first;
+        count[i] = std::unique(first, last) - first;
       },
       256);
   matrix.rowBegin.assign(nodes + 1, 0);
@@ -220,19 +217,19 @@ void TangentSource::placePairs(BlockMatrix& matrix) const {
               const std::int32_t e = elements[lane] < 0 ? elements[0] : elements[lane];
               const auto nodes = block.nodesOf(e);
               const std::int32_t* positions = matrix.elementBlocks[m].data() + static_cast<std::ptrdiff_t>(e) * n * n;
-              const bool flipped = nodes[static_cast<std::size_t>(a)] > nodes[static_cast<std::size_t>(b)];
+              const bool flipped = nodes[a] > nodes[b];
               const std::int32_t upper = positions[flipped ? b * n + a : a * n + b];
-              std::int32_t& known = placeOf[static_cast<std::size_t>(upper)];
+              std::int32_t& known = placeOf[upper];
               if (known < 0) {
                 known = static_cast<std::int32_t>(static_cast<std::int64_t>(own.pairs.size()) - own.pairBegin.back());
                 own.pairs.push_back({upper, positions[flipped ? a * n + b : b * n + a], -1});
-                ++patches[static_cast<std::size_t>(upper)];
+                ++patches[upper];
               }
               *place++ = flipped ? ~known : known;
             }
       }
       for (auto p = static_cast<std::size_t>(own.pairBegin.back()); p < own.pairs.size(); ++p)
-        placeOf[static_cast<std::size_t>(own.pairs[p].upper)] = -1;
+        placeOf[own.pairs[p].upper] = -1;
       own.pairBegin.push_back(static_cast<std::int64_t>(own.pairs.size()));
     }
   }
@@ -265,7 +262,7 @@ void TangentSource::assembleBlocks(const NodeVectors& x, BlockMatrix& matrix) co
       // A patch's sums stay in the second-level cache; kept from patch to patch, for fresh memory costs page faults.
       thread_local AlignedVector<double> sums;
       thread_local AlignedVector<NativePack> K;
-      const Patch& patch = patches[static_cast<std::size_t>(p)];
+      const Patch& patch = patches[p];
       const std::int64_t first = own.pairBegin[firstPatch + static_cast<std::size_t>(p)];
       const auto pairs = static_cast<std::size_t>(own.pairBegin[firstPatch + static_cast<std::size_t>(p) + 1] - first);
       sums.assign(9 * pairs, 0.0);
@@ -295,11 +292,11 @@ void TangentSource::assembleBlocks(const NodeVectors& x, BlockMatrix& matrix) co
   parallelFor(
       0, static_cast<std::int64_t>(own.shared.size()) - 1, threads(),
       [&](std::int64_t i) {
-        const PatchPairs::Shared& pair = own.shared[static_cast<std::size_t>(i)];
+        const PatchPairs::Shared& pair = own.shared[i];
         const std::int64_t end = own.shared[static_cast<std::size_t>(i) + 1].slotBegin;
         double sum[9] = {};
         for (std::int64_t s = pair.slotBegin; s < end; ++s)
-          for (int k = 0; k < 9; ++k) sum[k] += own.slots[static_cast<std::size_t>(9 * s + k)];
+          for (int k = 0; k < 9; ++k) sum[k] += own.slots[9 * s + k];
         storeBlock(values, pair.upper, pair.lower, sum, sum[8]);
       },
       1024);
@@ -318,14 +315,13 @@ void TangentSource::assembleTangent(const NodeVectors& x, SparseTangent& tangent
   parallelFor(
       0, nodeCount(), threads(),
       [&](std::int64_t i) {
-        const std::int64_t begin = blocks.rowBegin[static_cast<std::size_t>(i)],
-                           count = blocks.rowBegin[static_cast<std::size_t>(i) + 1] - begin;
+        const std::int64_t begin = blocks.rowBegin[i], count = blocks.rowBegin[static_cast<std::size_t>(i) + 1] - begin;
         if (fresh)
           for (std::int64_t c = 0; c < 3; ++c) {
             K.outerIndexPtr()[3 * i + c] = static_cast<int>(9 * begin + 3 * c * count);
             int* rows = K.innerIndexPtr() + 9 * begin + 3 * c * count;
             for (std::int64_t s = 0; s < 3 * count; ++s)
-              rows[s] = 3 * blocks.column[static_cast<std::size_t>(begin + s / 3)] + static_cast<int>(s % 3);
+              rows[s] = 3 * blocks.column[begin + s / 3] + static_cast<int>(s % 3);
           }
         double* to = K.valuePtr() + 9 * begin;
         const double* from = blocks.block.data()->data() + 9 * begin;

@@ -44,7 +44,7 @@ struct Solver {
         for (int c = 0; c < 3; ++c)
           inverse.push_back(
               (D[3 * n[c] + n[r]] * D[3 * n[n[c]] + n[n[r]]] - D[3 * n[c] + n[n[r]]] * D[3 * n[n[c]] + n[r]]) / det);
-      for (int a = 0; a < 4; ++a) m[static_cast<std::size_t>(tets[4 * e + a])] += density * det / 24;
+      for (int a = 0; a < 4; ++a) m[tets[4 * e + a]] += density * det / 24;
     }
   }
 

@@ -29,7 +29,7 @@ struct Net {
         if (i + 1 < n) bars.insert(bars.end(), {j * n + i, j * n + i + 1});
         if (j + 1 < n) bars.insert(bars.end(), {j * n + i, (j + 1) * n + i});
       }
-    m[static_cast<std::size_t>(n / 2 * n + n / 2)] *= 50;
+    m[n / 2 * n + n / 2] *= 50;
     v.assign(x.size(), 0.0);
     tangents.resize(18 * bars.size());
   }

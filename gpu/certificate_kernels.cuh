@@ -13,8 +13,10 @@ namespace ringwatch::detail {
 /// RoundedDown (base/short_floats.h) of the device, in half precision; infinity stays.
 class HalfRoundedDown {
  public:
-  __device__ __forceinline__ explicit HalfRoundedDown(double number)
-      : stored_(__float2half_rd(__double2float_rd(number))) {}
+  // Not an initialiser: the host's compiler would see it.
+  __device__ __forceinline__ explicit HalfRoundedDown(double number) {
+    stored_ = __float2half_rd(__double2float_rd(number));
+  }
   __device__ __forceinline__ __half stored() const { return stored_; }
 
  private:

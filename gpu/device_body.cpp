@@ -20,7 +20,7 @@ std::vector<R> tabulateGeometry(const Mesh& mesh, const MeshBlock& block, const 
              threads = static_cast<std::size_t>(plan.threads);
   std::vector<double> dN(static_cast<std::size_t>(3 * n * points));
   for (int q = 0; q < points; ++q)
-    element.shapeGradient(rule.points[static_cast<std::size_t>(q)].xi,
+    element.shapeGradient(rule.points[q].xi,
                           reinterpret_cast<double(*)[3]>(dN.data() + static_cast<std::ptrdiff_t>(3 * n * q)));
   std::vector<R> geometry(plan.patches.size() * static_cast<std::size_t>(points) * entries * threads, R(0));
   std::vector<std::uint8_t> bad(plan.patches.size(), 0);
@@ -41,8 +41,7 @@ std::vector<R> tabulateGeometry(const Mesh& mesh, const MeshBlock& block, const 
         R* to = geometry.data() +
                 (patch * static_cast<std::size_t>(points) + static_cast<std::size_t>(q)) * entries * threads + t;
         for (int i = 0; i < 9; ++i) to[static_cast<std::size_t>(i) * threads] = static_cast<R>(inverse(i / 3, i % 3));
-        if (entries == 10)
-          to[9 * threads] = static_cast<R>(rule.points[static_cast<std::size_t>(q)].weight * determinant);
+        if (entries == 10) to[9 * threads] = static_cast<R>(rule.points[q].weight * determinant);
       }
     }
   });
@@ -89,7 +88,7 @@ DeviceBody<R>::Impl::Impl(const DeviceBodyInput& input, const DevicePlan& plan) 
   for (std::size_t i = 0; i < count; ++i) {
     const double mass = input.lumpedMass[static_cast<Eigen::Index>(i)];
     if (!(mass > 0)) throw InputError(joinText("node ", i, ": lumped mass ", mass, " kg must be > 0 on the device"));
-    inverseMass[static_cast<std::size_t>(deviceNode[i])] = static_cast<R>(1 / mass);
+    inverseMass[deviceNode[i]] = static_cast<R>(1 / mass);
   }
   std::vector<std::vector<R>> geometry;
   std::size_t need = count * (2 * sizeof(Row4<R>) + (loaded ? 9U : 6U) * sizeof(R) + (held ? 1 : 0)) +
@@ -164,8 +163,7 @@ DeviceBody<R>::Impl::Impl(const DeviceBodyInput& input, const DevicePlan& plan) 
     std::vector<std::uint8_t> bits(count, 0);
     for (std::int32_t i = 0; i < nodeCount; ++i)
       for (int c = 0; c < 3; ++c)
-        if (input.constraints->isConstrained(i, c))
-          bits[static_cast<std::size_t>(deviceNode[static_cast<std::size_t>(i)])] |= static_cast<std::uint8_t>(1U << c);
+        if (input.constraints->isConstrained(i, c)) bits[deviceNode[i]] |= static_cast<std::uint8_t>(1U << c);
     constrained = DeviceVector<std::uint8_t>(bits);
     input.constraints->imposeVelocity(v0);
   }
@@ -201,7 +199,7 @@ template <class R>
 NodeVectors DeviceBody<R>::Impl::toMesh(const std::vector<Row4<R>>& rows) const {
   NodeVectors values(3, nodeCount);
   for (std::int32_t i = 0; i < nodeCount; ++i) {
-    const Row4<R>& row = rows[static_cast<std::size_t>(deviceNode[static_cast<std::size_t>(i)])];
+    const Row4<R>& row = rows[deviceNode[i]];
     values.col(i) << static_cast<double>(row.x), static_cast<double>(row.y), static_cast<double>(row.z);
   }
   return values;
@@ -254,7 +252,7 @@ void DeviceBody<R>::setPositions(const NodeVectors& x) {
     throw InputError(joinText("positions of ", x.cols(), " nodes for a body of ", impl_->nodeCount));
   std::vector<Row4<R>> rows(static_cast<std::size_t>(impl_->nodeCount));
   for (Eigen::Index i = 0; i < x.cols(); ++i) {
-    const auto at = static_cast<std::size_t>(impl_->deviceNode[static_cast<std::size_t>(i)]);
+    const auto at = static_cast<std::size_t>(impl_->deviceNode[i]);
     const Eigen::Vector3d u = x.col(i) - impl_->X.col(i);
     rows[at] = {static_cast<R>(u[0]), static_cast<R>(u[1]), static_cast<R>(u[2]), impl_->inverseMass[at]};
   }

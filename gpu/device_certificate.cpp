@@ -176,7 +176,7 @@ void DeviceCertificate::step(double h, std::int64_t count) {
   impl_->body.repeat(count, impl_->graphs, [&] { impl_->enqueueStep(); });
 }
 
-DeviceCertificate::Look DeviceCertificate::look() const {
+DeviceCertificate::Status DeviceCertificate::status() const {
   impl_->body.stream.synchronize();
   const CertificateFlags flags = impl_->flags.download().front();
   return {impl_->certified && flags.lostAt < 0, flags.lostAt, flags.checked, static_cast<std::int64_t>(flags.evaluated),

@@ -15,6 +15,7 @@ namespace ringwatch {
 /// same graph. Nothing is asked of the host: what was found stays in flags until the host reads them.
 ///
 /// Unlike IncrementalNodalBound it distributes no allowances again for single elements: renew() does so for all.
+/// Theorems 14 to 18, docs/theory/incremental_certificate.md, with fixed allowances between two calls of renew().
 class DeviceCertificate {
  public:
   /// The body must outlive the certificate. Throws InputError, with need and free memory, when the device has too
@@ -34,18 +35,18 @@ class DeviceCertificate {
   bool renew();
 
   /// `count` checked steps of symplectic Euler of h seconds each: force, ball test and step in one pass over the
-  /// elements. Returns at once. The steps are certified while look() says so, if sigma belongs to h.
+  /// elements. Returns at once. The steps are certified while status() says so, if sigma belongs to h.
   void step(double h, std::int64_t count = 1);
 
   /// What became of the checked steps since certify() or renew(). Waits for the device.
-  struct Look {
+  struct Status {
     bool certified = false;      ///< certify() succeeded, and every step since was proven at the state before it
     std::int64_t lostAt = -1;    ///< the first step that was not, counted from there
     std::int64_t checked = 0;    ///< steps
     std::int64_t evaluated = 0;  ///< elements evaluated again
     bool nearlyLost = false;     ///< an element has come close to its allowance: time to renew
   };
-  Look look() const;
+  Status status() const;
 
   struct Impl;
   Impl& impl() { return *impl_; }

@@ -50,8 +50,7 @@ DeviceImex::Impl::Impl(DeviceBody<double>& deviceBody, const Mesh& mesh,
   }
   std::vector<bool> held(mesh.nodeCount(), false);
   const std::vector<std::uint8_t> bits = body.constrained.download();
-  for (std::size_t i = 0; i < held.size() && !bits.empty(); ++i)
-    held[i] = bits[static_cast<std::size_t>(body.deviceNode[i])] != 0;
+  for (std::size_t i = 0; i < held.size() && !bits.empty(); ++i) held[i] = bits[body.deviceNode[i]] != 0;
   const ImexPlan plan = planImex(mesh, wanted, held);
   const ImexTeams who = planTeams(plan.clusters, imexResidentBlocks());
 
@@ -78,10 +77,9 @@ DeviceImex::Impl::Impl(DeviceBody<double>& deviceBody, const Mesh& mesh,
   std::vector<double> mass(lanesCount, 0);
   for (std::size_t i = 0; i < plan.node.size(); ++i) {
     if (plan.node[i] < 0) continue;
-    deviceNode[i] = body.deviceNode[static_cast<std::size_t>(plan.node[i])];
+    deviceNode[i] = body.deviceNode[plan.node[i]];
     for (std::size_t c = 0; c < 3; ++c)
-      mass[i / sliceNodes * 32 + i % sliceNodes * 3 + c] =
-          1 / body.inverseMass[static_cast<std::size_t>(deviceNode[i])];
+      mass[i / sliceNodes * 32 + i % sliceNodes * 3 + c] = 1 / body.inverseMass[deviceNode[i]];
   }
   node = DeviceVector<std::int32_t>(deviceNode);
   column = DeviceVector<std::int32_t>(plan.column);
@@ -150,8 +148,8 @@ void DeviceImex::Impl::makeBlocks(const ImexPlan& plan) {
     const std::size_t count = from.count(), n = static_cast<std::size_t>(own.elementNodes);
     std::vector<std::int32_t> placeOf(own.elementCount), place;
     for (std::size_t i = 0; i < own.elements.size(); ++i)
-      if (own.elements[i] >= 0) placeOf[static_cast<std::size_t>(own.elements[i])] = static_cast<std::int32_t>(i);
-    for (const std::int32_t e : from.element) place.push_back(placeOf[static_cast<std::size_t>(e)]);
+      if (own.elements[i] >= 0) placeOf[own.elements[i]] = static_cast<std::int32_t>(i);
+    for (const std::int32_t e : from.element) place.push_back(placeOf[e]);
     Block& block = blocks.emplace_back();
     block.operations = tangentOperations(own.type, own.lawIndex);
     block.place = DeviceVector<std::int32_t>(place);
@@ -221,7 +219,7 @@ void DeviceImex::step(std::int64_t count) {
   m.asked += count;
 }
 
-DeviceImex::Look DeviceImex::look() {
+DeviceImex::Status DeviceImex::status() {
   Impl& m = *impl_;
   m.body.stream.synchronize();
   const ImexStatus status = m.status.download().front();

@@ -20,7 +20,7 @@ struct DeviceImexOptions {
 /// cluster by cluster with block-Jacobi preconditioned conjugate gradients, all clusters in one launch and without a
 /// word to the host. K̂, the rest tangents turned and scaled with their elements, is that of the positions in every
 /// step, where ImplicitCluster keeps it until an element has turned by 0.05 to 0.2 rad (handlers/cluster_matrix.h). The
-/// same, to the last bit, in every run.
+/// same, to the last bit, in every run. Theorem 34, docs/theory/handlers.md.
 class DeviceImex {
  public:
   /// mesh: the body's. clusters: elements that share nodes, each node in one cluster at most (`clustersOf`). h: s, > 0.
@@ -34,13 +34,13 @@ class DeviceImex {
 
   /// Puts `count` steps of h onto the device, and returns at once.
   void step(std::int64_t count = 1);
-  /// What became of the steps since the last look. Waits. After a step that failed the body is in the state before it:
-  /// the steps until there are taken once more, from a copy.
-  struct Look {
+  /// What became of the steps since the last status. Waits. After a step that failed the body is in the state before
+  /// it: the steps until there are taken once more, from a copy.
+  struct Status {
     std::int64_t steps = 0;  ///< taken
     std::string fault;       ///< why the next one failed; "" when none did
   };
-  Look look();
+  Status status();
 
   /// Of conjugate gradients, over all clusters and steps so far. Waits.
   std::int64_t iterations() const;

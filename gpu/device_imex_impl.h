@@ -47,7 +47,7 @@ struct DeviceImex::Impl {
   DeviceVector<ImexTeam> teams;
   DeviceVector<unsigned long long> arrived;
   DeviceVector<ImexStatus> status;
-  // The state at the last look, kept at the first step after it.
+  // The state at the last status, kept at the first step after it.
   DeviceVector<Row4<double>> keptU;
   DeviceVector<double> keptV;
   std::int64_t keptStep = 0, asked = 0;

@@ -55,8 +55,8 @@ std::vector<Centroid> orderedCentroids(const Mesh& mesh, const MeshBlock& block,
   parallelFor(0, static_cast<std::int64_t>(centroids.size()), 0, [&](std::int64_t e) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (int a = 0; a < n; ++a) sum += mesh.X.col(block.element(static_cast<std::size_t>(e))[a]);
-    Centroid& to = centroids[static_cast<std::size_t>(e)];
-    for (int k = 0; k < 3; ++k) to.c[static_cast<std::size_t>(k)] = static_cast<float>(sum[k] / n);
+    Centroid& to = centroids[e];
+    for (int k = 0; k < 3; ++k) to.c[k] = static_cast<float>(sum[k] / n);
     to.element = static_cast<std::int32_t>(e);
   });
   if (!centroids.empty()) {
@@ -91,7 +91,7 @@ void cut(const Mesh& mesh, const MeshBlock& block, DeviceBlockPlan& plan, std::v
       plan.elements.push_back(e);
       for (int a = 0; a < n; ++a) {
         const std::int32_t node = block.element(static_cast<std::size_t>(e))[a];
-        std::int32_t& at = local[static_cast<std::size_t>(node)];
+        std::int32_t& at = local[node];
         if (at < 0) {
           at = static_cast<std::int32_t>(nodes.size() - begin);
           nodes.push_back({node, 0});
@@ -101,7 +101,7 @@ void cut(const Mesh& mesh, const MeshBlock& block, DeviceBlockPlan& plan, std::v
     }
     plan.elements.resize(plan.elements.size() + static_cast<std::size_t>(plan.threads - taken), -1);
     plan.patches.push_back({taken, 0});
-    for (std::size_t i = begin; i < nodes.size(); ++i) local[static_cast<std::size_t>(nodes[i].node)] = -1;
+    for (std::size_t i = begin; i < nodes.size(); ++i) local[nodes[i].node] = -1;
     nodeBegin.push_back(nodes.size());
   }
 }
@@ -115,9 +115,9 @@ void listCorners(const MeshBlock& block, std::size_t p, const std::vector<std::i
     for (int t = 0; t < plan.patches[p].elementCount; ++t) {
       const std::size_t at = p * static_cast<std::size_t>(threads) + static_cast<std::size_t>(t);
       const std::int32_t node = block.element(static_cast<std::size_t>(plan.elements[at]))[a];
-      const std::int32_t i = local[static_cast<std::size_t>(node)];
+      const std::int32_t i = local[node];
       plan.corners[at * static_cast<std::size_t>(n) + static_cast<std::size_t>(a)] = static_cast<std::uint16_t>(i);
-      cornersOf[static_cast<std::size_t>(i)].push_back(static_cast<std::uint16_t>(a * threads + t));
+      cornersOf[i].push_back(static_cast<std::uint16_t>(a * threads + t));
     }
   const auto begin = plan.rows.size();
   for (std::size_t first = 0; first < static_cast<std::size_t>(plan.nodeCapacity); first += group) {
@@ -176,15 +176,13 @@ DevicePlan planPatches(const Mesh& mesh) {
     cut(mesh, mesh.blocks[b], plan.blocks[b], local, nodes, nodeBegin);
     plan.patchCount += static_cast<std::int32_t>(plan.blocks[b].patches.size());
   }
-  for (const LocalNode& node : nodes) ++patchesAt[static_cast<std::size_t>(node.node)];
+  for (const LocalNode& node : nodes) ++patchesAt[node.node];
 
   // Device numbers: interior nodes by patch, those with many elements first, so that the threads of a warp have about
   // the same number to sum; shared nodes in the order of the patches that see them first.
   plan.deviceNode.assign(mesh.nodeCount(), -1);
-  const auto deviceOf = [&](std::int32_t node) -> std::int32_t& {
-    return plan.deviceNode[static_cast<std::size_t>(node)];
-  };
-  const auto shared = [&](const LocalNode& node) { return patchesAt[static_cast<std::size_t>(node.node)] > 1; };
+  const auto deviceOf = [&](std::int32_t node) -> std::int32_t& { return plan.deviceNode[node]; };
+  const auto shared = [&](const LocalNode& node) { return patchesAt[node.node] > 1; };
   std::int32_t sharedCount = 0;
   for (std::size_t p = 0; p + 1 < nodeBegin.size(); ++p) {
     const auto begin = nodes.begin() + static_cast<std::ptrdiff_t>(nodeBegin[p]),
@@ -217,7 +215,7 @@ DevicePlan planPatches(const Mesh& mesh) {
       block.patches[own].nodeCount = static_cast<std::int32_t>(nodeBegin[p + 1] - nodeBegin[p]);
       for (std::size_t i = 0; i < nodeBegin[p + 1] - nodeBegin[p]; ++i) {
         const LocalNode& node = nodes[nodeBegin[p] + i];
-        local[static_cast<std::size_t>(node.node)] = static_cast<std::int32_t>(i);
+        local[node.node] = static_cast<std::int32_t>(i);
         block.nodes[own * static_cast<std::size_t>(block.nodeCapacity) + i] = deviceOf(node.node);
         if (shared(node)) ++plan.slotBegin[static_cast<std::size_t>(deviceOf(node.node) - plan.interiorCount) + 1];
       }
@@ -231,8 +229,7 @@ DevicePlan planPatches(const Mesh& mesh) {
   std::int32_t slot = 0;
   for (const DeviceBlockPlan& block : plan.blocks)
     for (const std::int32_t node : block.nodes) {
-      if (node >= plan.interiorCount)
-        plan.slot[static_cast<std::size_t>(next[static_cast<std::size_t>(node - plan.interiorCount)]++)] = slot;
+      if (node >= plan.interiorCount) plan.slot[next[node - plan.interiorCount]++] = slot;
       ++slot;
     }
   return plan;

@@ -84,7 +84,7 @@ DeviceRings::Highest DeviceRings::highest() {
     for (const HighestRing& ring : m.blocks[b].highest.download()) {
       if (!(ring.value > result.value || std::isnan(ring.value)) || std::isnan(result.value)) continue;
       result.value = ring.value;
-      result.element = {static_cast<std::int32_t>(b), m.body.blocks[b].elements[static_cast<std::size_t>(ring.place)]};
+      result.element = {static_cast<std::int32_t>(b), m.body.blocks[b].elements[ring.place]};
     }
   return result;
 }
@@ -99,7 +99,7 @@ std::vector<std::vector<double>> DeviceRings::evaluate() {
     const std::vector<double> largest = m.blocks[b].largest.download();
     result[b].resize(m.body.blocks[b].elementCount);
     for (std::size_t place = 0; place < elements.size(); ++place)
-      if (elements[place] >= 0) result[b][static_cast<std::size_t>(elements[place])] = largest[place];
+      if (elements[place] >= 0) result[b][elements[place]] = largest[place];
   }
   return result;
 }

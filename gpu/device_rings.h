@@ -8,7 +8,7 @@ namespace ringwatch {
 
 /// ReducedRing on the device, in double precision, for bodies of four-node tetrahedra: the largest eigenvalue of
 /// M^-½ K M^-½ at each element's own nodes, K assembled from node and edge blocks at the device's positions. The same,
-/// to the last bit, in every run.
+/// to the last bit, in every run. Theorem 9, docs/theory/rings_and_rayleigh.md.
 class DeviceRings {
  public:
   /// The body must outlive the rings. Throws InputError for other elements, and, with need and free memory, when the

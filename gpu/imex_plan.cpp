@@ -42,7 +42,7 @@ void addMatrix(std::vector<Entry>& entries, std::int32_t firstSlice, ImexPlan& p
   std::vector<std::vector<std::size_t>> blocks(plan.node.size() - static_cast<std::size_t>(base));
   for (std::size_t k = 0; k < entries.size(); ++k)
     if (k == 0 || entries[k].row != entries[k - 1].row || entries[k].column != entries[k - 1].column)
-      blocks[static_cast<std::size_t>(entries[k].row - base)].push_back(k);
+      blocks[entries[k].row - base].push_back(k);
   const auto endOf = [&](std::size_t k) {
     const std::size_t begin = k;
     while (k < entries.size() && entries[k].row == entries[begin].row && entries[k].column == entries[begin].column)
@@ -50,9 +50,7 @@ void addMatrix(std::vector<Entry>& entries, std::int32_t firstSlice, ImexPlan& p
     return k;
   };
   for (std::int32_t slice = firstSlice; slice < plan.sliceCount(); ++slice) {
-    const auto rowAt = [&](int k) -> const std::vector<std::size_t>& {
-      return blocks[static_cast<std::size_t>(slice * sliceNodes + k - base)];
-    };
+    const auto rowAt = [&](int k) -> const std::vector<std::size_t>& { return blocks[slice * sliceNodes + k - base]; };
     std::size_t longest = 0;
     for (int k = 0; k < sliceNodes; ++k) longest = std::max(longest, rowAt(k).size());
     for (std::size_t j = 0; j < longest; ++j) {
@@ -82,9 +80,9 @@ ImexPlan planImex(const Mesh& mesh, const std::vector<std::vector<ElementRef>>& 
   for (const auto& elements : clusters)
     for (const ElementRef ref : elements) {
       if (ref.block < 0 || static_cast<std::size_t>(ref.block) >= mesh.blocks.size() || ref.element < 0 ||
-          static_cast<std::size_t>(ref.element) >= mesh.blocks[static_cast<std::size_t>(ref.block)].elementCount())
+          static_cast<std::size_t>(ref.element) >= mesh.blocks[ref.block].elementCount())
         throw InputError(joinText("element ", ref.block, ":", ref.element, " is not in the mesh"));
-      ++counts[static_cast<std::size_t>(ref.block)];
+      ++counts[ref.block];
     }
   std::int64_t turned = 0;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
@@ -102,18 +100,18 @@ ImexPlan planImex(const Mesh& mesh, const std::vector<std::vector<ElementRef>>& 
     bool anyHeld = false;
     std::vector<std::int32_t> nodes;
     for (const ElementRef ref : elements) {
-      const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(ref.block)];
+      const MeshBlock& block = mesh.blocks[ref.block];
       for (int a = 0; a < block.nodesPerElement(); ++a)
         nodes.push_back(block.element(static_cast<std::size_t>(ref.element))[a]);
     }
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (const std::int32_t node : nodes) {
-      std::int32_t& place = placeOfNode[static_cast<std::size_t>(node)];
+      std::int32_t& place = placeOfNode[node];
       if (place >= 0) throw InputError(joinText("node ", node, " is in two clusters"));
       place = static_cast<std::int32_t>(plan.node.size());
       plan.node.push_back(node);
-      anyHeld = anyHeld || held[static_cast<std::size_t>(node)];
+      anyHeld = anyHeld || held[node];
     }
     plan.node.resize((plan.node.size() + sliceNodes - 1) / sliceNodes * sliceNodes, -1);
     if (plan.node.size() / sliceNodes * 32 > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()) / 2)
@@ -121,15 +119,13 @@ ImexPlan planImex(const Mesh& mesh, const std::vector<std::vector<ElementRef>>& 
 
     std::vector<Entry> entries;
     for (const ElementRef ref : elements) {
-      const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(ref.block)];
-      ImexPlan::Elements& own = plan.blocks[static_cast<std::size_t>(ref.block)];
+      const MeshBlock& block = mesh.blocks[ref.block];
+      ImexPlan::Elements& own = plan.blocks[ref.block];
       const int n = block.nodesPerElement();
       const auto position = static_cast<std::int32_t>(own.element.size());
-      const auto placeAt = [&](int a) {
-        return placeOfNode[static_cast<std::size_t>(block.element(static_cast<std::size_t>(ref.element))[a])];
-      };
+      const auto placeAt = [&](int a) { return placeOfNode[block.element(static_cast<std::size_t>(ref.element))[a]]; };
       const auto pairAt = [&](int a, int b) {  // a >= b
-        return own.firstBlock + (a * (a + 1) / 2 + b) * counts[static_cast<std::size_t>(ref.block)] + position;
+        return own.firstBlock + (a * (a + 1) / 2 + b) * counts[ref.block] + position;
       };
       for (int a = 0; a < n; ++a)
         for (int b = 0; b < n; ++b) entries.push_back({placeAt(a), placeAt(b), a >= b ? pairAt(a, b) : ~pairAt(b, a)});

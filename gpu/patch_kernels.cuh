@@ -170,7 +170,7 @@ struct OwnNodes {
 
 /// What becomes of the sums at a patch's nodes.
 enum class Use { force, step };
-/// A patch kernel that does not look at balls.
+/// A patch kernel that does not test balls.
 struct NoCheck {
   static constexpr bool on = false;
   struct Ball {};

@@ -35,7 +35,7 @@ PatchPairs pairsOf(const RingPatchesInput& input, std::size_t p, RingBlockPlan& 
       const std::size_t local = (*input.corners)[(places + static_cast<std::size_t>(t)) * nodesOfElement + a];
       node[a] = (*input.nodes)[p * static_cast<std::size_t>(input.nodeCapacity) + local];
     }
-    const auto nodeAt = [&](int a) { return node[static_cast<std::size_t>(a)]; };
+    const auto nodeAt = [&](int a) { return node[a]; };
     std::sort(order.begin(), order.end(), [&](int a, int b) { return nodeAt(a) < nodeAt(b); });
     unsigned packed = 0;
     for (std::size_t a = 0; a < nodesOfElement; ++a) packed |= static_cast<unsigned>(order[a]) << (2 * a);
@@ -69,9 +69,8 @@ RingPlan planRings(const std::vector<RingPatchesInput>& blocks, std::int32_t int
     plan.blocks[b].order.assign(patches * threads, 0);
     plan.blocks[b].pairs.assign(patches * threads * tetrahedronPairs, 0);
     all[b].resize(patches);
-    parallelFor(0, static_cast<std::int64_t>(patches), 0, [&](std::int64_t p) {
-      all[b][static_cast<std::size_t>(p)] = pairsOf(blocks[b], static_cast<std::size_t>(p), plan.blocks[b]);
-    });
+    parallelFor(0, static_cast<std::int64_t>(patches), 0,
+                [&](std::int64_t p) { all[b][p] = pairsOf(blocks[b], static_cast<std::size_t>(p), plan.blocks[b]); });
     // The smaller node, the key's lower half, is interior in most of them.
     for (const PatchPairs& pairs : all[b])
       for (const LocalPair& pair : pairs)
@@ -89,7 +88,7 @@ RingPlan planRings(const std::vector<RingPatchesInput>& blocks, std::int32_t int
     RingBlockPlan& block = plan.blocks[b];
     std::size_t most = 0;
     parallelFor(0, static_cast<std::int64_t>(all[b].size()), 0, [&](std::int64_t p) {
-      PatchPairs& pairs = all[b][static_cast<std::size_t>(p)];
+      PatchPairs& pairs = all[b][p];
       for (LocalPair& pair : pairs)
         pair.shared = static_cast<std::int32_t>(pair.key & 0xffffffffU) >= interiorCount &&
                       std::binary_search(sharedKeys.begin(), sharedKeys.end(), pair.key);
@@ -130,7 +129,7 @@ RingPlan planRings(const std::vector<RingPatchesInput>& blocks, std::int32_t int
           block.pairs[p * threads * tetrahedronPairs + own] = static_cast<std::uint16_t>(l);
         blocksOf[l] = std::move(pairs[l].blocks);
         if (pairs[l].shared)
-          plan.slotPair[static_cast<std::size_t>(patch.firstSlot + static_cast<std::int32_t>(l) - patch.ownCount)] =
+          plan.slotPair[patch.firstSlot + static_cast<std::int32_t>(l) - patch.ownCount] =
               ownTotal + static_cast<std::int32_t>(
                              std::lower_bound(sharedKeys.begin(), sharedKeys.end(), pairs[l].key) - sharedKeys.begin());
       }
@@ -154,8 +153,7 @@ RingPlan planRings(const std::vector<RingPatchesInput>& blocks, std::int32_t int
   plan.sharedSlot.resize(plan.slotPair.size());
   std::vector<std::int32_t> next(plan.sharedBegin.begin(), plan.sharedBegin.end() - 1);
   for (std::size_t slot = 0; slot < plan.slotPair.size(); ++slot)
-    plan.sharedSlot[static_cast<std::size_t>(next[static_cast<std::size_t>(plan.slotPair[slot] - ownTotal)]++)] =
-        static_cast<std::int32_t>(slot);
+    plan.sharedSlot[next[plan.slotPair[slot] - ownTotal]++] = static_cast<std::int32_t>(slot);
   return plan;
 }
 

@@ -13,7 +13,7 @@
 namespace ringwatch {
 namespace {
 
-constexpr double trough = 0.05;  // of the stabilised filters: their least value is that share of their largest
+constexpr double damping = 0.05;  // of the stabilised filters: their least value is that share of their largest
 
 /// Each level more costs some of the range of those above it.
 constexpr std::size_t mostFineLevels = 3;
@@ -66,7 +66,7 @@ std::vector<Adaptive::Level> Adaptive::plan(const std::vector<std::vector<double
   };
   const double deep = count - below(deepest(h));
   const double weights[]{stabilised_ ? 1 + 2 * dissipation_ : 1, 1}, share = stabilised_ ? coarseShare : 0,
-                                                                     least = stabilised_ ? trough : 0;
+                                                                     least = stabilised_ ? damping : 0;
   // Ceilings only scale the filters: their reach over that of p small steps, [ratio][whether inner].
   std::vector<double> reach;
   for (const int p : ratios)
@@ -123,10 +123,10 @@ Eigen::VectorXd Adaptive::massBeside(const ElementFlags& finer, double share) co
 ElementFlags Adaptive::finerThan(const Level& level, const ElementFlags& left, const NodeVectors& x, ElementFlags finer,
                                  std::int64_t& evaluations) const {
   if (options_.selection != Selection::certified) {
-    const ElementFlags hot = selectByReducedRing(body_, x, level.lambda);
+    const ElementFlags high = selectByReducedRing(body_, x, level.lambda);
     evaluations += static_cast<std::int64_t>(body_.mesh().elementCount());
     for (std::size_t b = 0; b < finer.size(); ++b)
-      for (std::size_t e = 0; e < finer[b].size(); ++e) finer[b][e] = finer[b][e] || (hot[b][e] && left[b][e]);
+      for (std::size_t e = 0; e < finer[b].size(); ++e) finer[b][e] = finer[b][e] || (high[b][e] && left[b][e]);
     return finer;
   }
   // What leaves takes mass away from its neighbours, which may make them leave too.
@@ -267,13 +267,13 @@ void Adaptive::averagedAcceleration(const NodeVectors& x, const NodeVectors& v, 
   fineX_.resize(3, n);
   fineA_.resize(3, n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    fineX_.col(i) = x.col(nodes[static_cast<std::size_t>(i)]);
-    fineA_.col(i) = a.col(nodes[static_cast<std::size_t>(i)]);
+    fineX_.col(i) = x.col(nodes[i]);
+    fineA_.col(i) = a.col(nodes[i]);
   }
   if (dissipation_ != 0) addStrainVelocity(x, v, dissipation_ * h);
   std::string fault = filter_->apply(fineX_, fineA_);
   if (fault_.empty()) fault_ = std::move(fault);
-  for (Eigen::Index i = 0; i < n; ++i) a.col(nodes[static_cast<std::size_t>(i)]) = fineA_.col(i);
+  for (Eigen::Index i = 0; i < n; ++i) a.col(nodes[i]) = fineA_.col(i);
 }
 
 StepStatus Adaptive::handledStep(SecondOrderSystem& system, State& state, double h) {

@@ -8,7 +8,7 @@
 namespace ringwatch {
 
 /// Local time stepping by elements (Fierz 2013, section 4.4): level 0 takes the step h, level k a whole fraction
-/// of it, and only nodes of fine elements are looked at within a step. Leapfrog local time stepping in the form of
+/// of it, and only nodes of fine elements are examined within a step. Leapfrog local time stepping in the form of
 /// Diaz & Grote (2009, 2015), split by elements: with the other forces frozen, the fine elements' forces along a motion
 /// that starts from rest at x_n are averaged over the step,
 ///   a_n = E_0 (M⁻¹ (f_ext - f_0(x_n)) - M⁻¹ Σ_(k>=1) f_k(x_n + α h ṽ_n)),   v ← v + h a_n,   x ← x + h v,
@@ -115,7 +115,7 @@ class Adaptive final : public Handler {
   ElementFlags implicit_;
   std::optional<Body> coarse_;  // the elements of level 0
   std::optional<LevelFilter> filter_;
-  std::vector<LevelWatch> watches_;  // of the finer levels that have elements; made at the first look
+  std::vector<LevelWatch> watches_;  // of the finer levels that have elements; made at the first observation
   std::vector<std::vector<std::int32_t>> clusterNodes_;  // positions in filter_->nodes()
   double idealShare_ = 0;                                // Σ max(1, h/h_e) over Σ h/h_min
   double smallest_ = 0;                                  // h/h_min

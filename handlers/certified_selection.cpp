@@ -32,10 +32,10 @@ class Greedy {
     // The worst elements bend the weights of their whole neighbourhood, so they leave first, and the weights are swept
     // without them before the next ones are judged.
     changed_ = true;
-    for (const double hot : {16.0, 4.0, 1.0, 1.0}) {
+    for (const double high : {16.0, 4.0, 1.0, 1.0}) {
       if (changed_) sweep();
-      takeOut(hot * lambda_);
-      if (hot > 1 || kept_) continue;
+      takeOut(high * lambda_);
+      if (high > 1 || kept_) continue;
       keepWeights();
       bringBack();
     }

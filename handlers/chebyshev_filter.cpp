@@ -18,21 +18,20 @@ double ChebyshevFilter::operator()(double b) const {
   // The recursion of the vectors, in numbers.
   double before = 0, u = w1;
   for (int m = 1; m < steps; ++m) {
-    const double next =
-        2 * (atShift[1] - w1 * (coarse + weight * b)) * u - before + 2 * w1 * atShift[static_cast<std::size_t>(m)];
+    const double next = 2 * (atShift[1] - w1 * (coarse + weight * b)) * u - before + 2 * w1 * atShift[m];
     before = u;
     u = next;
   }
   return kappa * u;
 }
 
-ChebyshevFilter chebyshevFilter(int steps, double ceiling, double coarse, double weight, double trough) {
+ChebyshevFilter chebyshevFilter(int steps, double ceiling, double coarse, double weight, double damping) {
   ChebyshevFilter filter;
   filter.steps = steps;
   filter.ceiling = ceiling;
   filter.coarse = coarse;
   filter.weight = weight;
-  const double top = (1 + trough) / (1 - trough);  // T_p(w0)
+  const double top = (1 + damping) / (1 - damping);  // T_p(w0)
   const double w0 = std::cosh(std::acosh(top) / steps);
   filter.kappa = ceiling / (top + 1);
   if (coarse > 0) {

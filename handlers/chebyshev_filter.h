@@ -20,8 +20,8 @@ struct ChebyshevFilter {
   double operator()(double b) const;
 };
 
-/// The filter of p >= 2 steps for 0 <= coarse < ceiling. trough: least N over [c, c + weight range] by its largest,
+/// The filter of p >= 2 steps for 0 <= coarse < ceiling. damping: least N over [c, c + weight range] by its largest,
 /// >= 0 and < 1; with 0, Q has zeros. The range is the largest that these allow.
-ChebyshevFilter chebyshevFilter(int steps, double ceiling, double coarse, double weight, double trough);
+ChebyshevFilter chebyshevFilter(int steps, double ceiling, double coarse, double weight, double damping);
 
 }  // namespace ringwatch

@@ -71,8 +71,7 @@ ClusterGradients<S>::ClusterGradients(const UpperBlocks& A, std::vector<std::uin
   const auto rows = static_cast<std::size_t>(A.rows());
   std::vector<std::vector<std::int32_t>> above(rows);  // upper blocks whose transpose is in the row
   for (std::size_t i = 0; i < rows; ++i)
-    for (std::int32_t k = A.rowBegin[i] + 1; k < A.rowBegin[i + 1]; ++k)
-      above[static_cast<std::size_t>(A.column[static_cast<std::size_t>(k)])].push_back(k);
+    for (std::int32_t k = A.rowBegin[i] + 1; k < A.rowBegin[i + 1]; ++k) above[A.column[k]].push_back(k);
   std::vector<std::int32_t> rowOf(A.column.size());
   for (std::size_t i = 0; i < rows; ++i)
     std::fill(rowOf.begin() + A.rowBegin[i], rowOf.begin() + A.rowBegin[i + 1], static_cast<std::int32_t>(i));
@@ -89,8 +88,8 @@ ClusterGradients<S>::ClusterGradients(const UpperBlocks& A, std::vector<std::uin
   rowBegin_.assign(1, 0);
   for (const std::size_t i : order_) {
     for (const std::int32_t k : above[i]) {
-      mirrored_[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(column_.size());
-      column_.push_back(4 * rowOf[static_cast<std::size_t>(k)]);
+      mirrored_[k] = static_cast<std::int32_t>(column_.size());
+      column_.push_back(4 * rowOf[k]);
     }
     for (std::int32_t k = A.rowBegin[i]; k < A.rowBegin[i + 1]; ++k) {
       const auto at = static_cast<std::size_t>(k);

@@ -43,13 +43,13 @@ ClusterMatrix::ClusterMatrix(const Body& body, const std::vector<ElementRef>& el
   std::vector<std::vector<std::int32_t>> rows(nodes.size());
   std::vector<std::vector<std::int32_t>> ofBlock(body.blocks().size());
   for (const ElementRef e : elements) {
-    ofBlock[static_cast<std::size_t>(e.block)].push_back(e.element);
+    ofBlock[e.block].push_back(e.element);
     std::vector<std::int32_t> local;
-    for (const std::int32_t node : body.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element))
+    for (const std::int32_t node : body.blocks()[e.block]->nodesOf(e.element))
       local.push_back(static_cast<std::int32_t>(std::lower_bound(nodes_.begin(), nodes_.end(), node) - nodes_.begin()));
     for (const std::int32_t i : local)
       for (const std::int32_t j : local)
-        if (i <= j) rows[static_cast<std::size_t>(i)].push_back(j);
+        if (i <= j) rows[i].push_back(j);
   }
   upper_.rowBegin.assign(1, 0);
   for (auto& row : rows) {
@@ -70,7 +70,7 @@ bool ClusterMatrix::objective() const {
 
 void ClusterMatrix::addGroup(std::int32_t block, std::vector<std::int32_t> elements) {
   Group& g = groups_.emplace_back();
-  g.block = body_.blocks()[static_cast<std::size_t>(block)].get();
+  g.block = body_.blocks()[block].get();
   g.n = g.block->element().nodes;
   g.pairs = g.n * (g.n + 1) / 2;
   const LawInfo law = g.block->material().info();
@@ -78,9 +78,7 @@ void ClusterMatrix::addGroup(std::int32_t block, std::vector<std::int32_t> eleme
   g.stiffens = law.tangentStiffens;
   // Along the space-filling curve: elements of a batch turn together, chunks share few nodes.
   const auto& order = g.block->layout().batchOfElement;
-  std::sort(elements.begin(), elements.end(), [&](std::int32_t a, std::int32_t b) {
-    return order[static_cast<std::size_t>(a)] < order[static_cast<std::size_t>(b)];
-  });
+  std::sort(elements.begin(), elements.end(), [&](std::int32_t a, std::int32_t b) { return order[a] < order[b]; });
   elements.resize((elements.size() + lanes - 1) / lanes * lanes, -1);
   g.elements = std::move(elements);
   const auto batches = static_cast<std::int32_t>(g.elements.size() / lanes);
@@ -92,7 +90,7 @@ void ClusterMatrix::addChunk(Group& g, std::int32_t batchBegin, std::int32_t bat
   Chunk c{batchBegin, batchEnd, static_cast<std::int32_t>(g.nodes.size()), 0};
   std::vector<std::int32_t> nodes;
   for (std::int32_t i = batchBegin * lanes; i < batchEnd * lanes; ++i)
-    if (const std::int32_t e = g.elements[static_cast<std::size_t>(i)]; e >= 0)
+    if (const std::int32_t e = g.elements[i]; e >= 0)
       for (const std::int32_t node : g.block->nodesOf(e))
         nodes.push_back(
             static_cast<std::int32_t>(std::lower_bound(nodes_.begin(), nodes_.end(), node) - nodes_.begin()));
@@ -102,10 +100,9 @@ void ClusterMatrix::addChunk(Group& g, std::int32_t batchBegin, std::int32_t bat
     const std::int32_t* e = g.elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
     // A lane without element reads what the first one does, and adds nothing.
     std::array<std::span<const std::int32_t>, lanes> of;
-    for (int lane = 0; lane < lanes; ++lane)
-      of[static_cast<std::size_t>(lane)] = g.block->nodesOf(e[e[lane] < 0 ? 0 : lane]);
+    for (int lane = 0; lane < lanes; ++lane) of[lane] = g.block->nodesOf(e[e[lane] < 0 ? 0 : lane]);
     const auto rowOf = [&](int lane, int a) {
-      const std::int32_t node = of[static_cast<std::size_t>(lane)][static_cast<std::size_t>(a)];
+      const std::int32_t node = of[lane][a];
       return static_cast<std::int32_t>(std::lower_bound(nodes_.begin(), nodes_.end(), node) - nodes_.begin());
     };
     for (int a = 0; a < g.n; ++a)
@@ -116,7 +113,7 @@ void ClusterMatrix::addChunk(Group& g, std::int32_t batchBegin, std::int32_t bat
       for (int b = a; b < g.n; ++b)
         for (int lane = 0; lane < lanes; ++lane) {
           const std::int32_t i = rowOf(lane, a), j = rowOf(lane, b);
-          const auto begin = upper_.column.begin() + upper_.rowBegin[static_cast<std::size_t>(std::min(i, j))];
+          const auto begin = upper_.column.begin() + upper_.rowBegin[std::min(i, j)];
           const auto end = upper_.column.begin() + upper_.rowBegin[static_cast<std::size_t>(std::min(i, j)) + 1];
           const auto place =
               static_cast<std::int32_t>(std::lower_bound(begin, end, std::max(i, j)) - upper_.column.begin());
@@ -147,13 +144,12 @@ void ClusterMatrix::fillGroup(Group& g) {
     std::size_t pair = batch * between * 9;
     for (int a = 0; a < g.n; ++a)
       for (int b = a + 1; b < g.n; ++b)
-        for (int i = 0; i < 9; ++i)
-          g.rest[pair++] = K_[static_cast<std::size_t>((3 * a + i / 3) * size + 3 * b + i % 3)];
+        for (int i = 0; i < 9; ++i) g.rest[pair++] = K_[(3 * a + i / 3) * size + 3 * b + i % 3];
     for (int lane = 0; lane < lanes; ++lane) {
       const ElementRef ref{0, elements[elements[lane] < 0 ? 0 : lane]};
       const auto nodes = g.block->nodesOf(ref.element);
       Eigen::MatrixXd shape(g.n, 3);
-      for (int a = 0; a < g.n; ++a) shape.row(a) = X.col(nodes[static_cast<std::size_t>(a)]).transpose();
+      for (int a = 0; a < g.n; ++a) shape.row(a) = X.col(nodes[a]).transpose();
       shape.rowwise() -= shape.colwise().mean().eval();
       const Eigen::MatrixXd fitted = shape * (shape.transpose() * shape).inverse();
       for (int a = 0; a < g.n; ++a)
@@ -177,8 +173,7 @@ void ClusterMatrix::gather(const Group& g, const Chunk& c, const NodeVectors& x,
   table_.resize(std::max(table_.size(), 4 * static_cast<std::size_t>(c.nodeEnd - c.nodeBegin)));
   double* row = table_.data();
   for (std::int32_t i = c.nodeBegin; i < c.nodeEnd; ++i, row += 4) {
-    const double* y = x.data() + 3 * static_cast<std::ptrdiff_t>(
-                                         nodes_[static_cast<std::size_t>(g.nodes[static_cast<std::size_t>(i)])]);
+    const double* y = x.data() + 3 * static_cast<std::ptrdiff_t>(nodes_[g.nodes[i]]);
     for (int k = 0; k < 3; ++k) row[k] = frame(0, k) * y[0] + frame(1, k) * y[1] + frame(2, k) * y[2];
   }
 }
@@ -196,7 +191,7 @@ Matrix3<P> ClusterMatrix::gradientOf(const Group& g, std::int32_t batch) const {
   return F;
 }
 
-bool ClusterMatrix::look(Group& g, Chunk& c, const NodeVectors& x, const Eigen::Matrix3d& frame, double stretch) {
+bool ClusterMatrix::follow(Group& g, Chunk& c, const NodeVectors& x, const Eigen::Matrix3d& frame, double stretch) {
   gather(g, c, x, frame);
   P fastest(0);
   for (std::int32_t batch = c.batchBegin; batch < c.batchEnd; ++batch) {
@@ -270,7 +265,7 @@ void ClusterMatrix::add(const Turn& turn, bool fromScratch) {
     addBlocks(upper_.eight.data(), upper_.ninth.data(), places + pair * lanes, sums_.data() + 9 * pair, 3);
   const Chunk& c = g.chunks[at / chunkBatches];
   for (std::size_t i = at * n * lanes; i < (at + 1) * n * lanes; ++i)
-    changed_[static_cast<std::size_t>(g.nodes[static_cast<std::size_t>(c.nodeBegin) + g.localNodes[i]])] = 1;
+    changed_[g.nodes[static_cast<std::size_t>(c.nodeBegin) + g.localNodes[i]]] = 1;
   g.gone[at] = P(0);
   g.turned[at] = R;
   g.stretch[at] = turn.stretch;
@@ -306,7 +301,7 @@ ClusterMatrix::Change ClusterMatrix::follow(const NodeVectors& x, const Eigen::M
   for (Group& g : groups_)
     if (g.objective)
       for (Chunk& c : g.chunks)
-        if (--c.wait <= 0 && !look(g, c, x, frame, whole ? stretchOfAll : stretchOfEach)) return Change::notFinite;
+        if (--c.wait <= 0 && !follow(g, c, x, frame, whole ? stretchOfAll : stretchOfEach)) return Change::notFinite;
   if (turns_.empty()) return Change::none;
   if (whole) return make(x, frame) ? Change::some : Change::notFinite;
   for (Turn& turn : turns_)

@@ -55,16 +55,16 @@ class ClusterMatrix {
   bool make(const NodeVectors& x, const Eigen::Matrix3d& frame);
   enum class Change { none, some, notFinite };
   /// Turns the elements that need it, and all as soon as one does if `whole`. Not finite: the matrix is as before. A
-  /// part of the elements that moves slowly is looked at only every fourth call at least.
+  /// part of the elements that moves slowly is examined only every fourth call at least.
   Change follow(const NodeVectors& x, const Eigen::Matrix3d& frame, bool whole);
 
  private:
   using P = NativePack;
-  /// Elements that are looked at together, with the nodes that they read.
+  /// Elements that are examined together, with the nodes that they read.
   struct Chunk {
     std::int32_t batchBegin, batchEnd;
     std::int32_t nodeBegin, nodeEnd;
-    int wait = 1, waited = 1;  // calls until the next look, and between the last two
+    int wait = 1, waited = 1;  // calls until the next observation, and between the last two
   };
   /// The elements of a mesh block, in packs.
   struct Group {
@@ -80,7 +80,7 @@ class ClusterMatrix {
     AlignedVector<P> rest;                  // [batch][a < b][9] of K_e(X), N/m
     AlignedVector<P> restHighest;           // [batch] highest eigenvalue of K_e(X), N/m
     AlignedVector<P> slack;                 // [batch] tolerance of the rotation, squared
-    AlignedVector<P> gone;                  // [batch] share of the tolerance used up at the last look
+    AlignedVector<P> gone;                  // [batch] share of the tolerance used up at the last observation
     AlignedVector<Matrix3<P>> turned;       // [batch] R in the matrix
     AlignedVector<P> stretch;               // [batch] |F|² then
     AlignedVector<P> scale;                 // [batch] w s_e in the matrix
@@ -96,7 +96,7 @@ class ClusterMatrix {
   void addChunk(Group& g, std::int32_t batchBegin, std::int32_t batchEnd);
   void gather(const Group& g, const Chunk& c, const NodeVectors& x, const Eigen::Matrix3d& frame);
   Matrix3<P> gradientOf(const Group& g, std::int32_t batch) const;
-  bool look(Group& g, Chunk& c, const NodeVectors& x, const Eigen::Matrix3d& frame, double stretch);
+  bool follow(Group& g, Chunk& c, const NodeVectors& x, const Eigen::Matrix3d& frame, double stretch);
   bool stiffen(Turn& turn, const NodeVectors& x);
   void add(const Turn& turn, bool fromScratch);
 

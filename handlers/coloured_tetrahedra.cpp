@@ -21,13 +21,10 @@ ColouredTetrahedra::ColouredTetrahedra(const Body& body, const std::vector<Eleme
 
 /// Each element gets the first colour that none at its nodes has.
 void ColouredTetrahedra::colour(const std::vector<ElementRef>& elements) {
-  const auto nodesOf = [&](ElementRef e) {
-    return body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element);
-  };
+  const auto nodesOf = [&](ElementRef e) { return body_.blocks()[e.block]->nodesOf(e.element); };
   std::vector<std::int32_t> rowOfNode(body_.mesh().nodeCount(), 0);  // at first the count of its elements
   for (const ElementRef e : elements)
-    for (const std::int32_t node : nodesOf(e))
-      largestOverlap_ = std::max(largestOverlap_, ++rowOfNode[static_cast<std::size_t>(node)]);
+    for (const std::int32_t node : nodesOf(e)) largestOverlap_ = std::max(largestOverlap_, ++rowOfNode[node]);
   for (std::size_t i = 0; i < rowOfNode.size(); ++i)
     if (rowOfNode[i] > 0) {
       rowOfNode[i] = static_cast<std::int32_t>(nodes_.size());
@@ -37,9 +34,7 @@ void ColouredTetrahedra::colour(const std::vector<ElementRef>& elements) {
   std::vector<std::vector<std::size_t>> ofColour;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const auto nodes = nodesOf(elements[i]);
-    const auto rowAt = [&](std::size_t a) {
-      return static_cast<std::size_t>(rowOfNode[static_cast<std::size_t>(nodes[a])]);
-    };
+    const auto rowAt = [&](std::size_t a) { return static_cast<std::size_t>(rowOfNode[nodes[a]]); };
     std::size_t c = 0;
     const auto isTaken = [&](std::size_t a) { return c < taken[rowAt(a)].size() && taken[rowAt(a)][c]; };
     while (isTaken(0) || isTaken(1) || isTaken(2) || isTaken(3)) ++c;
@@ -67,7 +62,7 @@ void ColouredTetrahedra::colour(const std::vector<ElementRef>& elements) {
     const auto at = static_cast<std::size_t>(place_[i] / lanes);
     const int lane = place_[i] % lanes;
     for (std::size_t a = 0; a < 4; ++a) {
-      row_[(4 * at + a) * lanes + static_cast<std::size_t>(lane)] = rowOfNode[static_cast<std::size_t>(nodes[a])];
+      row_[(4 * at + a) * lanes + static_cast<std::size_t>(lane)] = rowOfNode[nodes[a]];
       const int free = body_.constraints().freeComponents(nodes[a]);
       if (free == 0 || free == 3) continue;
       if (freeOf_[at] < 0) {
@@ -77,7 +72,7 @@ void ColouredTetrahedra::colour(const std::vector<ElementRef>& elements) {
       }
       for (int c = 0; c < 3; ++c)
         if (body_.constraints().isConstrained(nodes[a], c))
-          free_[static_cast<std::size_t>(freeOf_[at])][3 * a + static_cast<std::size_t>(c)].set(lane, 0);
+          free_[freeOf_[at]][3 * a + static_cast<std::size_t>(c)].set(lane, 0);
     }
   }
   rows_.assign(static_cast<std::size_t>(rowSize) * (nodes_.size() + 4), 0);
@@ -91,7 +86,7 @@ void ColouredTetrahedra::start(const NodeVectors& x, const NodeVectors& v, const
   parallelFor(
       0, static_cast<std::int64_t>(nodes_.size()), body_.threads(),
       [&](std::int64_t n) {
-        const std::ptrdiff_t from = 3 * static_cast<std::ptrdiff_t>(nodes_[static_cast<std::size_t>(n)]);
+        const std::ptrdiff_t from = 3 * static_cast<std::ptrdiff_t>(nodes_[n]);
         double* row = rows_.data() + rowSize * n;
         for (int c = 0; c < 3; ++c) {
           row[c] = x.data()[from + c];
@@ -110,14 +105,14 @@ bool ColouredTetrahedra::finish(const NodeVectors& v, NodeVectors& a) const {
   parallelFor(0, chunks, body_.threads(), [&](std::int64_t chunk) {
     double all = 0;
     for (std::int64_t n = chunk * nodeGrain; n < std::min(count, (chunk + 1) * nodeGrain); ++n) {
-      const std::ptrdiff_t to = 3 * static_cast<std::ptrdiff_t>(nodes_[static_cast<std::size_t>(n)]);
+      const std::ptrdiff_t to = 3 * static_cast<std::ptrdiff_t>(nodes_[n]);
       for (int c = 0; c < 3; ++c) {
         double& own = a.data()[to + c];
         own += rows[rowSize * n + 4 + c] - (v.data()[to + c] * perStep + own);
         all += own;
       }
     }
-    finite[static_cast<std::size_t>(chunk)] = std::isfinite(all);
+    finite[chunk] = std::isfinite(all);
   });
   return std::all_of(finite.begin(), finite.end(), [](std::uint8_t f) { return f != 0; });
 }

@@ -82,9 +82,9 @@ class ColouredTetrahedra {
       }
     for (int n = 0; n < 4; ++n)
       for (int i = 0; i < 3; ++i) f[n][i] *= nodes.x[n][3];
-    const std::int32_t freeAt = freeOf_[static_cast<std::size_t>(batch)];
+    const std::int32_t freeAt = freeOf_[batch];
     if (freeAt >= 0) {
-      const Free& free = free_[static_cast<std::size_t>(freeAt)];
+      const Free& free = free_[freeAt];
       for (std::size_t n = 0; n < 4; ++n)
         for (std::size_t i = 0; i < 3; ++i) f[n][i] *= free[3 * n + i];
     }

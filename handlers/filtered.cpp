@@ -52,22 +52,22 @@ void Filtered::take(const NodeVectors&, double h, const ElementFlags& chosen) {
       for (const std::int32_t n : nodesOf(e)) ++share[n];
     for (std::int32_t i = 0; i < body_.nodeCount(); ++i) {
       if (share[i] == 0) continue;
-      const Eigen::Matrix3d rest = freePart(body_, i, certificate()->nodalSums[static_cast<std::size_t>(i)]);
+      const Eigen::Matrix3d rest = freePart(body_, i, certificate()->nodalSums[i]);
       const double used = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(rest, Eigen::EigenvaluesOnly).eigenvalues()[2];
       const double whole = lambda * body_.lumpedMass()[i];
-      share[i] = std::max(whole - used, 1e-9 * whole) / share[i];  // no budget may vanish
+      share[i] = std::max(whole - used, 1e-9 * whole) / share[i];  // no allowance may vanish
     }
   }
-  std::vector<Eigen::Vector4d> budgets;
+  std::vector<Eigen::Vector4d> allowances;
   for (const ElementRef e : elements) {
     const auto nodes = nodesOf(e);
-    Eigen::Vector4d& budget = budgets.emplace_back();
-    body_.elementLumpedMass(e, budget.data());
-    budget *= lambda;
+    Eigen::Vector4d& allowance = allowances.emplace_back();
+    body_.elementLumpedMass(e, allowance.data());
+    allowance *= lambda;
     if (certificate())
-      for (int a = 0; a < 4; ++a) budget[a] = share[nodes[static_cast<std::size_t>(a)]];
+      for (int a = 0; a < 4; ++a) allowance[a] = share[nodes[a]];
   }
-  tetrahedra_ = std::make_unique<FilteredTetrahedra>(body_, elements, budgets, h);
+  tetrahedra_ = std::make_unique<FilteredTetrahedra>(body_, elements, allowances, h);
   if (projects_)
     projection_.emplace(body_, shapeConstraints(body_.mesh(), elements),
                         options_.own.automatic("tolerance") ? 1e-8 : options_.own.number("tolerance"),

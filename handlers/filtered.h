@@ -20,9 +20,9 @@ namespace ringwatch {
 /// Block Gauss–Seidel forward and back over the elements: near rest, any number of passes moves the nodes by (I + h²
 /// M⁻¹ Σ(K - K'))⁻¹ ≼ P ≼ I, and the step is stable as in PositionBased (Theorems 37 and 38, docs/theory/handlers.md).
 ///
-/// Budgets of stiffness: the element's own lumped mass times ω²_max with the Selection::elementFrequency, Fierz 2013's;
-/// with `certified` an even share of what the bound of the other elements leaves at each node. Either way K_E + K' ≼
-/// ω²_max M at the state of the choice, the explicit part is proven stable (Theorem 39).
+/// Allowances of stiffness: the element's own lumped mass times ω²_max with the Selection::elementFrequency, Fierz
+/// 2013's; with `certified` an even share of what the bound of the other elements leaves at each node. Either way K_E +
+/// K' ≼ ω²_max M at the state of the choice, the explicit part is proven stable (Theorem 39).
 ///
 /// Handled elements follow linear elasticity in the frame that turns with them, at small strains any law here; the
 /// linear law and other elements than tet4 are refused. Forces and constraints of the compliant variant are free of

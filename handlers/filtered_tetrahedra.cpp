@@ -38,23 +38,23 @@ RINGWATCH_INLINE Matrix3<P> stressOf(const P (&s)[6]) {
 }  // namespace
 
 FilteredTetrahedra::FilteredTetrahedra(const Body& body, const std::vector<ElementRef>& elements,
-                                       const std::vector<Eigen::Vector4d>& budget, double h)
+                                       const std::vector<Eigen::Vector4d>& allowance, double h)
     : tetrahedra_(body, elements, h) {
   Batch none{};
   Memory rest{};
   for (int i = 0; i < 3; ++i) none.gradient[i][i] = rest.R(i, i) = P(1.0);
   batches_.assign(static_cast<std::size_t>(tetrahedra_.batchCount()), none);
   memory_.assign(batches_.size(), rest);
-  for (std::size_t i = 0; i < elements.size(); ++i) setElement(i, body, elements[i], budget[i], h);
+  for (std::size_t i = 0; i < elements.size(); ++i) setElement(i, body, elements[i], allowance[i], h);
 }
 
-void FilteredTetrahedra::setElement(std::size_t i, const Body& body, ElementRef e, const Eigen::Vector4d& budget,
+void FilteredTetrahedra::setElement(std::size_t i, const Body& body, ElementRef e, const Eigen::Vector4d& allowance,
                                     double h) {
-  const auto nodes = body.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element);
+  const auto nodes = body.blocks()[e.block]->nodesOf(e.element);
   Eigen::Vector4d inverseMass;
   bool constrained = false;
   for (int a = 0; a < 4; ++a) {
-    const std::int32_t node = nodes[static_cast<std::size_t>(a)];
+    const std::int32_t node = nodes[a];
     const int free = body.constraints().freeComponents(node);
     constrained = constrained || free < 3;
     inverseMass[a] = free == 0 ? 0 : 1 / body.lumpedMass()[node];
@@ -65,7 +65,7 @@ void FilteredTetrahedra::setElement(std::size_t i, const Body& body, ElementRef 
   for (int a = 0; a < 12; a += 3)
     for (int b = 0; b < 12; b += 3)
       turned.block<3, 3>(a, b) = shape.axes.transpose() * K.block<3, 3>(a, b) * shape.axes;
-  const FilteredStiffness filtered = filterModes(turned, budget);
+  const FilteredStiffness filtered = filterModes(turned, allowance);
   const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 12, 6>> strains(strainsOf(shape.gradient));
   const Eigen::Matrix<double, 6, 12> half = strains.solve(filtered.kept);
   const Matrix6 kept = strains.solve(half.transpose().eval());
@@ -81,7 +81,7 @@ void FilteredTetrahedra::setElement(std::size_t i, const Body& body, ElementRef 
   const Matrix6 Y = strains.solve((mode * Matrix6(mixed.eigenvectors())).eval());
 
   const std::int32_t at = tetrahedra_.placeOf(i);
-  Batch& batch = batches_[static_cast<std::size_t>(at / lanes)];
+  Batch& batch = batches_[at / lanes];
   const int lane = at % lanes;
   for (int a = 0; a < 3; ++a) {
     for (int c = 0; c < 3; ++c) batch.gradient[a][c].set(lane, shape.gradient(c, a + 1));
@@ -97,8 +97,8 @@ void FilteredTetrahedra::setElement(std::size_t i, const Body& body, ElementRef 
 }
 
 void FilteredTetrahedra::keep(std::int32_t k) {
-  const Batch& batch = batches_[static_cast<std::size_t>(k)];
-  Memory& memory = memory_[static_cast<std::size_t>(k)];
+  const Batch& batch = batches_[k];
+  Memory& memory = memory_[k];
   ColouredTetrahedra::Nodes nodes;
   tetrahedra_.load(k, nodes);
   Matrix3<P> F0, F;
@@ -119,8 +119,8 @@ void FilteredTetrahedra::keep(std::int32_t k) {
 
 template <bool first, bool last>
 void FilteredTetrahedra::relax(std::int32_t k) {
-  const Batch& batch = batches_[static_cast<std::size_t>(k)];
-  Memory& memory = memory_[static_cast<std::size_t>(k)];
+  const Batch& batch = batches_[k];
+  Memory& memory = memory_[k];
   ColouredTetrahedra::Nodes nodes;
   tetrahedra_.load(k, nodes);
   Matrix3<P> F0, F;

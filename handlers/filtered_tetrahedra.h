@@ -12,10 +12,10 @@ namespace ringwatch {
 /// I + h² Yᵀ G M⁻¹ Gᵀ Y, Y = (c_1 …), is diagonal: a visit is then, mode by mode, s_k ← s_k + (c_k·E - s_k)/d_k.
 class FilteredTetrahedra {
  public:
-  /// elements: of type tet4. budget: of each, by node, N/m, > 0. h: s. Mass, constraints and rest shapes are those of
-  /// the body now; it must outlive this.
+  /// elements: of type tet4. allowance: of each, by node, N/m, > 0. h: s. Mass, constraints and rest shapes are those
+  /// of the body now; it must outlive this.
   FilteredTetrahedra(const Body& body, const std::vector<ElementRef>& elements,
-                     const std::vector<Eigen::Vector4d>& budget, double h);
+                     const std::vector<Eigen::Vector4d>& allowance, double h);
 
   /// Adds to the accelerations a (3×N, m/s²) those by K' at positions x (m); then those by which the filtered-out modes
   /// move the predicted positions x + h (v + h a), forward and back over the elements in each of some passes, which may
@@ -41,7 +41,7 @@ class FilteredTetrahedra {
     Matrix3<P> R;
     P s[6];
   };
-  void setElement(std::size_t element, const Body& body, ElementRef e, const Eigen::Vector4d& budget, double h);
+  void setElement(std::size_t element, const Body& body, ElementRef e, const Eigen::Vector4d& allowance, double h);
   void keep(std::int32_t batch);
   template <bool first, bool last>
   void relax(std::int32_t batch);

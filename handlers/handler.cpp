@@ -62,15 +62,14 @@ void Handler::prepare(const NodeVectors& x, double h, const CutMesh& cut, const 
     const std::vector<bool> near = touchedNodes(body_, cut.changed);
     for (const ElementRef e : chosenElements(chosen_))
       for (const std::int32_t node : nodesOf(e))
-        if (near[static_cast<std::size_t>(node)])
-          chosen_[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)] = false;
+        if (near[node]) chosen_[e.block][e.element] = false;
   }
   prepareFor(x, h, cut.changed);
 }
 
-void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& lookAt) {
+void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& toJudge) {
   if (!(h > 0) || !std::isfinite(h)) throw InputError(joinText("step ", h, " s: must be > 0 and finite"));
-  lookAt_ = lookAt;
+  toJudge_ = toJudge;
   ElementFlags chosen = choose(x, h, chosen_);
   h_ = h;
   certified_ = options_.selection != Selection::fierzRing;
@@ -78,9 +77,7 @@ void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& loo
   elements_ = chosenElements(chosen_);
   places_.assign(body_.blocks().size(), {});
   for (const ElementRef e : elements_)
-    places_[static_cast<std::size_t>(e.block)].push_back(body_.blocks()[static_cast<std::size_t>(e.block)]
-                                                             ->layout()
-                                                             .batchOfElement[static_cast<std::size_t>(e.element)]);
+    places_[e.block].push_back(body_.blocks()[e.block]->layout().batchOfElement[e.element]);
   for (auto& places : places_) std::sort(places.begin(), places.end());
   reset();
   if (!elements_.empty()) take(x, h, chosen_);
@@ -94,8 +91,8 @@ ElementFlags Handler::chooseFor(const NodeVectors& x, double lambda, const Eleme
   }
   const bool rings = options_.selection == Selection::fierzRing;
   ElementFlags chosen =
-      rings ? selectByReducedRing(body_, x, lambda, lookAt_) : selectBySingleElement(body_, x, lambda);
-  const std::size_t count = rings && !lookAt_.empty() ? chosenElements(lookAt_).size() : body_.mesh().elementCount();
+      rings ? selectByReducedRing(body_, x, lambda, toJudge_) : selectBySingleElement(body_, x, lambda);
+  const std::size_t count = rings && !toJudge_.empty() ? chosenElements(toJudge_).size() : body_.mesh().elementCount();
   judged_.elements = judged_.evaluations = static_cast<std::int64_t>(count);
   for (std::size_t b = 0; b < keep.size(); ++b)
     for (std::size_t e = 0; e < keep[b].size(); ++e) chosen[b][e] = chosen[b][e] || keep[b][e];
@@ -133,9 +130,9 @@ bool Handler::beginsWithAcceleration() const {
 
 void Handler::requireTurningTetrahedra(const std::vector<ElementRef>& elements) const {
   for (const ElementRef e : elements) {
-    const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(e.block)];
+    const ElementBlock& block = *body_.blocks()[e.block];
     const std::string_view name = handlerInfo().name;
-    if (body_.mesh().blocks[static_cast<std::size_t>(e.block)].type != elementTypeOf<Tet4>)
+    if (body_.mesh().blocks[e.block].type != elementTypeOf<Tet4>)
       throw InputError(joinText(name, " handles tet4, and element ", e.block, ":", e.element, " is a ",
                                 block.element().name, "; take imex"));
     if (const LawInfo law = block.material().info(); !law.objective)
@@ -170,7 +167,7 @@ std::optional<Body::LeastDeterminant> Handler::leastHandledDeterminant(const Nod
       }
       const double value = values[place % lanes];
       if (!least || !(value >= least->value))
-        least = {value, {static_cast<std::int32_t>(b), block.layout().elements[static_cast<std::size_t>(place)]}};
+        least = {value, {static_cast<std::int32_t>(b), block.layout().elements[place]}};
       if (std::isnan(value)) return least;
     }
   }
@@ -196,7 +193,7 @@ Body Handler::partWithMass(const ElementFlags& elements, const Eigen::VectorXd& 
 
 ElementRef Handler::wholeElement(ElementRef part) const {
   if (!explicitPart_) return part;
-  return {part.block, numbers_[static_cast<std::size_t>(part.block)][static_cast<std::size_t>(part.element)]};
+  return {part.block, numbers_[part.block][part.element]};
 }
 
 }  // namespace ringwatch

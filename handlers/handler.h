@@ -64,7 +64,7 @@ class Handler : public Integrator {
   /// it.
   void prepare(const NodeVectors& x, double h);
   /// The same for a body whose mesh was cut: the choice of the handler of the body before, carried over to what the cut
-  /// left as it was. With Selection::fierzRing only the changed elements are looked at; `certified` chooses again among
+  /// left as it was. With Selection::fierzRing only the changed elements are examined; `certified` chooses again among
   /// those and their neighbours and keeps the proof of all others (IncrementalSelection).
   void prepare(const NodeVectors& x, double h, const CutMesh& cut, const Handler& before);
   /// One step of the size that it was prepared for; another throws InputError.
@@ -88,7 +88,7 @@ class Handler : public Integrator {
   bool certified() const { return certified_; }
   virtual std::vector<HandlerFigure> figures() const { return {}; }
   /// Least det F over the handled elements and their quadrature points at positions x (3×N, m), with its element; for
-  /// those that are not in explicitBody(), where a monitor looks. Nothing where there are none.
+  /// those that are not in explicitBody(), where a monitor observes. Nothing where there are none.
   std::optional<Body::LeastDeterminant> leastHandledDeterminant(const NodeVectors& x) const;
   /// Which handled part is no longer proven stable for the tangent at positions x (3×N, m), and "" when none is known
   /// to be: where a proof for explicitBody() is not all that it takes.
@@ -110,9 +110,7 @@ class Handler : public Integrator {
   /// A step of the base scheme in which the system may find a fault: then the state is as before it, and the status
   /// says what it is. fault: filled in by the system, empty else.
   StepStatus baseStep(SecondOrderSystem& system, State& state, double h, const std::string& fault);
-  std::span<const std::int32_t> nodesOf(ElementRef e) const {
-    return body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element);
-  }
+  std::span<const std::int32_t> nodesOf(ElementRef e) const { return body_.blocks()[e.block]->nodesOf(e.element); }
   /// Throws InputError unless all are tet4 of a law that turns with its element.
   void requireTurningTetrahedra(const std::vector<ElementRef>& elements) const;
   /// Which elements, those of `keep` among them: those that a limit of allowedLambda(h) asks for.
@@ -139,13 +137,13 @@ class Handler : public Integrator {
       NodeVectors(3, 0);  // State::a of the base scheme on the system that baseStep gives it
 
  private:
-  /// lookAt: the elements to judge; empty for all.
-  void prepareFor(const NodeVectors& x, double h, const ElementFlags& lookAt);
+  /// toJudge: the elements to judge; empty for all.
+  void prepareFor(const NodeVectors& x, double h, const ElementFlags& toJudge);
 
   const HandlerInfo& info_;
   double h_ = 0;
   bool certified_ = false;
-  ElementFlags chosen_, lookAt_;
+  ElementFlags chosen_, toJudge_;
   State before_;  // the step that is being taken
   std::vector<ElementRef> elements_;
   std::vector<std::vector<std::int32_t>> places_;  // of elements_ in the layouts of their blocks, ascending

@@ -30,15 +30,15 @@ class ImplicitExplicit::Corrected final : public SecondOrderSystem {
     auto& clusters = owner_.clusters_;
     owner_.failed_.assign(clusters.size(), 0);
     parallelFor(0, static_cast<std::int64_t>(clusters.size()), owner_.body_.threads(), [&](std::int64_t k) {
-      ImplicitCluster& cluster = clusters[static_cast<std::size_t>(k)];
+      ImplicitCluster& cluster = clusters[k];
       if (!cluster.follow(x))
-        owner_.failed_[static_cast<std::size_t>(k)] = 1;
+        owner_.failed_[k] = 1;
       else if (!cluster.solve(a, v, c_))
-        owner_.failed_[static_cast<std::size_t>(k)] = 2;
+        owner_.failed_[k] = 2;
     });
     const auto worst = std::max_element(owner_.failed_.begin(), owner_.failed_.end());
     if (*worst != 0 && fault.empty()) {
-      const ImplicitCluster& cluster = clusters[static_cast<std::size_t>(worst - owner_.failed_.begin())];
+      const ImplicitCluster& cluster = clusters[worst - owner_.failed_.begin()];
       const ElementRef first = cluster.elements().front();
       fault = joinText(*worst == 1 ? "the implicit matrix is not positive definite or not finite"
                                    : "conjugate gradients did not converge",

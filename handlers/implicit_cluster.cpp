@@ -31,9 +31,8 @@ std::vector<std::vector<ElementRef>> clustersOf(const Body& body, const std::vec
   constexpr auto none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> first(static_cast<std::size_t>(body.nodeCount()), none);
   for (std::size_t i = 0; i < elements.size(); ++i)
-    for (const std::int32_t node :
-         body.blocks()[static_cast<std::size_t>(elements[i].block)]->nodesOf(elements[i].element)) {
-      std::size_t& other = first[static_cast<std::size_t>(node)];
+    for (const std::int32_t node : body.blocks()[elements[i].block]->nodesOf(elements[i].element)) {
+      std::size_t& other = first[node];
       if (other == none) {
         other = i;
         continue;
@@ -76,8 +75,7 @@ ImplicitCluster::ImplicitCluster(const Body& body, std::vector<ElementRef> eleme
     : body_(body), w_(w), options_(options), elements_(std::move(elements)) {
   const NodeVectors& X = body.mesh().X;
   for (const ElementRef e : elements_)
-    for (const std::int32_t node : body.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element))
-      nodes_.push_back(node);
+    for (const std::int32_t node : body.blocks()[e.block]->nodesOf(e.element)) nodes_.push_back(node);
   std::sort(nodes_.begin(), nodes_.end());
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
 
@@ -99,7 +97,7 @@ ImplicitCluster::ImplicitCluster(const Body& body, std::vector<ElementRef> eleme
       mass_[component(static_cast<std::int32_t>(i), c)] = m;
       const bool held = body.constraints().isConstrained(nodes_[i], c);
       constrained_[3 * i + static_cast<std::size_t>(c)] = held;
-      anyConstrained_[static_cast<std::size_t>(c)] |= held;
+      anyConstrained_[c] |= held;
     }
   }
   frameShape_.resize(static_cast<Eigen::Index>(nodes_.size()), 3);
@@ -131,7 +129,7 @@ Eigen::Matrix3d ImplicitCluster::frameOf(const NodeVectors& x) const {
 }
 
 bool ImplicitCluster::follow(const NodeVectors& x) {
-  double sum = 0;  // elements are not all looked at in every step
+  double sum = 0;  // elements are not all examined in every step
   for (const std::int32_t node : nodes_) sum += x.col(node).sum();
   if (!std::isfinite(sum)) return false;
   const Eigen::Matrix3d before = frame_;
@@ -153,12 +151,11 @@ bool ImplicitCluster::factor() {
     return true;
   }
   const auto size = static_cast<Eigen::Index>(mass_.size());
-  const auto held = [&](Eigen::Index d) { return constrained_[static_cast<std::size_t>(d)] != 0; };
+  const auto held = [&](Eigen::Index d) { return constrained_[d] != 0; };
   const auto forEachLowerEntry = [&](const auto& visit) {
     for (std::int32_t i = 0; i < blocks.rows(); ++i)
-      for (std::int32_t k = blocks.rowBegin[static_cast<std::size_t>(i)];
-           k < blocks.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
-        const std::int32_t j = blocks.column[static_cast<std::size_t>(k)];
+      for (std::int32_t k = blocks.rowBegin[i]; k < blocks.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
+        const std::int32_t j = blocks.column[k];
         const Eigen::Matrix3d block = blocks.block(k);
         for (int c = 0; c < 3; ++c)
           for (int r = i == j ? c : 0; r < 3; ++r) {
@@ -235,7 +232,7 @@ bool ImplicitCluster::solve(NodeVectors& a, const NodeVectors& v, double c) {
   turn(u_, frame_);
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     for (int k = 0; k < 3; ++k)
-      if (const auto d = component(static_cast<std::int32_t>(i), k); !constrained_[static_cast<std::size_t>(d)])
+      if (const auto d = component(static_cast<std::int32_t>(i), k); !constrained_[d])
         a(k, nodes_[i]) = u_[d] - c * v(k, nodes_[i]);
   return true;
 }
@@ -243,9 +240,8 @@ bool ImplicitCluster::solve(NodeVectors& a, const NodeVectors& v, double c) {
 void ImplicitCluster::subtractProduct(const Eigen::VectorXd& p) {
   const UpperBlocks& blocks = matrix_->blocks();
   for (std::int32_t i = 0; i < blocks.rows(); ++i)
-    for (std::int32_t k = blocks.rowBegin[static_cast<std::size_t>(i)];
-         k < blocks.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
-      const std::int32_t j = blocks.column[static_cast<std::size_t>(k)];
+    for (std::int32_t k = blocks.rowBegin[i]; k < blocks.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
+      const std::int32_t j = blocks.column[k];
       const auto pi = p.segment<3>(component(i, 0)), pj = p.segment<3>(component(j, 0));
       if (pi.isZero(0) && pj.isZero(0)) continue;
       const Eigen::Matrix3d block = blocks.block(k);
@@ -280,7 +276,7 @@ bool ImplicitCluster::solveByConjugateGradients() {
 void ImplicitCluster::addTranslation() {
   // K̂ takes no part in translations, so that the sum of M u over the nodes is that of the right-hand side.
   for (int c = 0; c < 3; ++c) {
-    if (anyConstrained_[static_cast<std::size_t>(c)]) continue;
+    if (anyConstrained_[c]) continue;
     double missing = 0, mass = 0;
     for (Eigen::Index d = c; d < mass_.size(); d += 3) {
       missing += right_[d] - mass_[d] * u_[d];
@@ -294,9 +290,8 @@ Eigen::MatrixXd ImplicitCluster::matrix() const {
   const UpperBlocks& blocks = matrix_->blocks();
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(mass_.size(), mass_.size());
   for (std::int32_t i = 0; i < blocks.rows(); ++i)
-    for (std::int32_t k = blocks.rowBegin[static_cast<std::size_t>(i)];
-         k < blocks.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
-      const std::int32_t j = blocks.column[static_cast<std::size_t>(k)];
+    for (std::int32_t k = blocks.rowBegin[i]; k < blocks.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
+      const std::int32_t j = blocks.column[k];
       const Eigen::Matrix3d block = frame_ * blocks.block(k) * frame_.transpose();
       A.block<3, 3>(component(j, 0), component(i, 0)) = block.transpose();
       A.block<3, 3>(component(i, 0), component(j, 0)) = block;

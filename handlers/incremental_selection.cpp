@@ -116,7 +116,7 @@ class IncrementalSelection::Choice {
     parallelFor(
         0, static_cast<std::int64_t>(nodes.size()), body_.threads(),
         [&](std::int64_t k) {
-          const std::int32_t node = nodes[static_cast<std::size_t>(k)];
+          const std::int32_t node = nodes[k];
           own_.last_.nodalSums[at(node)] = state_.sumOfAllowances(node);
         },
         256);
@@ -128,9 +128,9 @@ class IncrementalSelection::Choice {
     parallelFor(
         0, static_cast<std::int64_t>(among.size()), body_.threads(),
         [&](std::int64_t k) {
-          const std::int32_t node = among[static_cast<std::size_t>(k)];
+          const std::int32_t node = among[k];
           const Eigen::Matrix3d& sum = own_.last_.nodalSums[at(node)];
-          above[static_cast<std::size_t>(k)] =
+          above[k] =
               !sum.allFinite() || !(largestEigenvalue(sum) <= lambda_ * (1 - checkSlack) * body_.lumpedMass()[node]);
         },
         256);

@@ -17,7 +17,7 @@ namespace ringwatch {
 /// holds without evaluating K_e, for objective laws; R_e = 1 for others and at nodes that are held in some directions
 /// only. What is summed at the nodes from that is the proof; elements are evaluated again only where it fails: at nodes
 /// whose sum is above lambda m_i, and if that does not help, or elements are new, the choice is made again among them
-/// and their neighbours, with all others as they are.
+/// and their neighbours, with all others as they are. Theorem 33, docs/theory/handlers.md.
 class IncrementalSelection {
  public:
   /// The choice for a limit of lambda, rad²/s², at positions x (3×N, m): from scratch the first time and where

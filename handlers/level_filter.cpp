@@ -17,7 +17,7 @@ LevelFilter::LevelFilter(const Body& body, std::vector<FineLevel> levels, const 
   const auto n = static_cast<Eigen::Index>(nodes_.size());
   mass_.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const std::int32_t node = nodes_[static_cast<std::size_t>(i)];
+    const std::int32_t node = nodes_[i];
     mass_[i] = body.lumpedMass()[node];
     for (int c = 0; c < 3; ++c)
       if (body.constraints().isConstrained(node, c)) held_.push_back(3 * i + c);
@@ -27,7 +27,7 @@ LevelFilter::LevelFilter(const Body& body, std::vector<FineLevel> levels, const 
   ElementFlags& last = levels_.back().fine.elements;
   std::vector<ElementRef> deep;
   for (const ElementRef e : chosenElements(implicit)) {
-    last[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)] = true;
+    last[e.block][e.element] = true;
     deep.push_back(e);
   }
   for (Level& level : levels_) level.body.emplace(partOf(body, level.fine.elements, level.count));
@@ -35,11 +35,11 @@ LevelFilter::LevelFilter(const Body& body, std::vector<FineLevel> levels, const 
   const Body& own = *levels_.back().body;
   const auto numbers = elementNumbers(last);
   for (ElementRef& e : deep) {
-    const auto& of = numbers[static_cast<std::size_t>(e.block)];
+    const auto& of = numbers[e.block];
     e.element = static_cast<std::int32_t>(std::lower_bound(of.begin(), of.end(), e.element) - of.begin());
   }
   NodeVectors start(3, own.nodeCount());
-  for (std::int32_t i = 0; i < own.nodeCount(); ++i) start.col(i) = x.col(nodes_[static_cast<std::size_t>(i)]);
+  for (std::int32_t i = 0; i < own.nodeCount(); ++i) start.col(i) = x.col(nodes_[i]);
   for (auto& elements : clustersOf(own, deep)) clusters_.emplace_back(own, std::move(elements), w, start, options);
 }
 
@@ -47,16 +47,14 @@ void LevelFilter::number(const Body& body, const ElementFlags& implicit) {
   std::vector<std::size_t> depth(static_cast<std::size_t>(body.nodeCount()), 0);
   const auto reach = [&](const ElementFlags& flags, std::size_t level) {
     for (const ElementRef e : chosenElements(flags))
-      for (const std::int32_t node : body.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element))
-        depth[static_cast<std::size_t>(node)] = std::max(depth[static_cast<std::size_t>(node)], level);
+      for (const std::int32_t node : body.blocks()[e.block]->nodesOf(e.element))
+        depth[node] = std::max(depth[node], level);
   };
   for (std::size_t k = 0; k < levels_.size(); ++k) reach(levels_[k].fine.elements, k + 1);
   reach(implicit, levels_.size());
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
-    if (depth[static_cast<std::size_t>(i)] > 0) nodes_.push_back(i);
-  std::stable_sort(nodes_.begin(), nodes_.end(), [&](std::int32_t a, std::int32_t b) {
-    return depth[static_cast<std::size_t>(a)] > depth[static_cast<std::size_t>(b)];
-  });
+    if (depth[i] > 0) nodes_.push_back(i);
+  std::stable_sort(nodes_.begin(), nodes_.end(), [&](std::int32_t a, std::int32_t b) { return depth[a] > depth[b]; });
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const auto node = static_cast<std::size_t>(nodes_[i]);
     for (std::size_t k = 0; k < depth[node]; ++k) ++levels_[k].count;
@@ -104,7 +102,7 @@ bool LevelFilter::average(std::size_t level, const NodeVectors& x, const NodeVec
   }
   own.before.setZero(3, n);
   for (int m = 1; m < filter.steps; ++m) {
-    const double share = filter.w1 * filter.atShift[static_cast<std::size_t>(m)] / w1;
+    const double share = filter.w1 * filter.atShift[m] / w1;
     own.x = x.leftCols(n) + square * own.u;
     evaluate(level, own.x, false);
     own.residual = share * a.leftCols(n) + (own.now - own.base);

@@ -8,7 +8,8 @@
 namespace ringwatch {
 
 /// Watches some elements of a body with a limit of their own along a run, at little cost (IncrementalNodalBound): those
-/// of a level of smaller steps.
+/// of a level of smaller steps. Theorem 14, docs/theory/incremental_certificate.md; its use: Theorem 36,
+/// docs/theory/handlers.md.
 class LevelWatch {
  public:
   /// mass: by node of the body, kg, > 0 where the elements have nodes. lambda: rad²/s².
@@ -23,7 +24,7 @@ class LevelWatch {
 
  private:
   std::vector<std::int32_t> nodes_;
-  std::unique_ptr<Body> part_;  // stays where the bound looks for it
+  std::unique_ptr<Body> part_;  // stays at its address, which the bound holds
   std::unique_ptr<IncrementalNodalBound> bound_;
   double lambda_;
   int substeps_;

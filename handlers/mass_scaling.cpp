@@ -32,7 +32,7 @@ void MassScaling::take(const NodeVectors& x, double h, const ElementFlags& chose
   std::vector<Eigen::Matrix3d> sums = certificate()->nodalSums;
   for (const ElementRef e : chosenElements(chosen)) {
     Eigen::MatrixXd K = body_.elementTangent(e, x);
-    const auto nodes = body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element);
+    const auto nodes = body_.blocks()[e.block]->nodesOf(e.element);
     std::vector<Eigen::Matrix3d> D;
     for (std::size_t a = 0; a < nodes.size(); ++a) {
       const auto at = static_cast<Eigen::Index>(3 * a);
@@ -53,11 +53,11 @@ void MassScaling::take(const NodeVectors& x, double h, const ElementFlags& chose
     }
     const double l = std::max(
         0.0, Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues().tail<1>()[0]);
-    for (std::size_t a = 0; a < nodes.size(); ++a) sums[static_cast<std::size_t>(nodes[a])] += l * (1 + 1e-9) * D[a];
+    for (std::size_t a = 0; a < nodes.size(); ++a) sums[nodes[a]] += l * (1 + 1e-9) * D[a];
   }
   const double lambda = allowedLambda(h);
   for (std::int32_t i = 0; i < body_.nodeCount(); ++i) {
-    const Eigen::Matrix3d sum = freePart(body_, i, sums[static_cast<std::size_t>(i)]);
+    const Eigen::Matrix3d sum = freePart(body_, i, sums[i]);
     const double needed =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum, Eigen::EigenvaluesOnly).eigenvalues()[2] / lambda;
     const double more = needed * (1 + 1e-12) - body_.lumpedMass()[i];

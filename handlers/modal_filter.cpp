@@ -6,9 +6,9 @@
 
 namespace ringwatch {
 
-FilteredStiffness filterModes(const Eigen::Matrix<double, 12, 12>& K, const Eigen::Vector4d& budget) {
+FilteredStiffness filterModes(const Eigen::Matrix<double, 12, 12>& K, const Eigen::Vector4d& allowance) {
   Eigen::Matrix<double, 12, 1> root;
-  for (int d = 0; d < 12; ++d) root[d] = std::sqrt(budget[d / 3]);
+  for (int d = 0; d < 12; ++d) root[d] = std::sqrt(allowance[d / 3]);
   const Eigen::Matrix<double, 12, 12> scaled =
       root.cwiseInverse().asDiagonal() * (0.5 * (K + K.transpose())) * root.cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(Eigen::MatrixXd{scaled});

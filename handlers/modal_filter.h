@@ -15,9 +15,10 @@ struct FilteredStiffness {
 /// The modal filter (Fierz 2013, section 4.1.1) with the mass where it belongs: with K φ_k = μ_k T φ_k and Φᵀ T Φ = I,
 ///   K' = T Φ min(M, 1) Φᵀ T,   so that 0 ≼ K' ≼ T and K' = K on every mode with μ_k <= 1.
 /// Theorem 39, docs/theory/handlers.md.
-/// T = diag(budget), N/m by node, is the stiffness that the step allows this element at its nodes: ω²_max m_a with the
-/// element's own lumped mass for Fierz 2013's choice. (Fierz 2013's Φᵀ Λ' Φ has neither the mass nor the order of the
-/// factors that its eq. 4.1 asks for.) b_k = T φ_k and 1/compliance_k = μ_k - 1 for the others. Budgets must be > 0.
-FilteredStiffness filterModes(const Eigen::Matrix<double, 12, 12>& K, const Eigen::Vector4d& budget);
+/// T = diag(allowance), N/m by node, is the stiffness that the step allows this element at its nodes: ω²_max m_a with
+/// the element's own lumped mass for Fierz 2013's choice. (Fierz 2013's Φᵀ Λ' Φ has neither the mass nor the order of
+/// the factors that its eq. 4.1 asks for.) b_k = T φ_k and 1/compliance_k = μ_k - 1 for the others. Allowances must be
+/// > 0.
+FilteredStiffness filterModes(const Eigen::Matrix<double, 12, 12>& K, const Eigen::Vector4d& allowance);
 
 }  // namespace ringwatch

@@ -29,8 +29,7 @@ RelaxedTetrahedra::RelaxedTetrahedra(const Body& body, const std::vector<Element
   memory_.assign(batches_.size(), rest);
   std::vector<int> overlap(body.mesh().nodeCount(), 0);
   for (const ElementRef e : elements)
-    for (const std::int32_t node : body.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element))
-      ++overlap[static_cast<std::size_t>(node)];
+    for (const std::int32_t node : body.blocks()[e.block]->nodesOf(e.element)) ++overlap[node];
   alpha_.resize(elements.size());
   for (std::size_t i = 0; i < elements.size(); ++i) setElement(i, body, elements[i], overlap, h);
 }
@@ -38,20 +37,18 @@ RelaxedTetrahedra::RelaxedTetrahedra(const Body& body, const std::vector<Element
 void RelaxedTetrahedra::setElement(std::size_t i, const Body& body, ElementRef ref, const std::vector<int>& overlap,
                                    double h) {
   const bool rigid = goal_ == GoalShape::rigid;
-  const ElementBlock& block = *body.blocks()[static_cast<std::size_t>(ref.block)];
+  const ElementBlock& block = *body.blocks()[ref.block];
   const auto nodes = block.nodesOf(ref.element);
   const Lame lame = block.material().restModuli();
   Eigen::Vector4d inverseMass;
   bool constrained = false;
   for (int a = 0; a < 4; ++a) {
-    const std::int32_t node = nodes[static_cast<std::size_t>(a)];
+    const std::int32_t node = nodes[a];
     const int free = body.constraints().freeComponents(node);
     constrained = constrained || free < 3;
     // A rigid goal with a node of infinite mass would need another centre: all of its nodes count as free, and moves of
     // fixed ones are left out.
-    inverseMass[a] = rigid       ? overlap[static_cast<std::size_t>(node)] / body.lumpedMass()[node]
-                     : free == 0 ? 0
-                                 : 1 / body.lumpedMass()[node];
+    inverseMass[a] = rigid ? overlap[node] / body.lumpedMass()[node] : free == 0 ? 0 : 1 / body.lumpedMass()[node];
   }
   const PrincipalTetrahedron shape = principalTetrahedron(body.mesh().X, nodes, inverseMass);
   const Eigen::Vector3d& eta = shape.eta;
@@ -59,7 +56,7 @@ void RelaxedTetrahedra::setElement(std::size_t i, const Body& body, ElementRef r
   alpha_[i] = h * h * lambda / (1 + h * h * lambda);
 
   const std::int32_t at = tetrahedra_.placeOf(i);
-  Batch& batch = batches_[static_cast<std::size_t>(at / lanes)];
+  Batch& batch = batches_[at / lanes];
   const int lane = at % lanes;
   for (int a = 0; a < 3; ++a) {
     for (int c = 0; c < 3; ++c) batch.gradient[a][c].set(lane, shape.gradient(c, a + 1));

@@ -35,15 +35,14 @@ ElementFlags complement(ElementFlags flags) {
 
 std::vector<std::vector<std::int32_t>> elementNumbers(const ElementFlags& flags) {
   std::vector<std::vector<std::int32_t>> numbers(flags.size());
-  for (const ElementRef e : chosenElements(flags)) numbers[static_cast<std::size_t>(e.block)].push_back(e.element);
+  for (const ElementRef e : chosenElements(flags)) numbers[e.block].push_back(e.element);
   return numbers;
 }
 
 std::vector<bool> touchedNodes(const Body& body, const ElementFlags& elements) {
   std::vector<bool> touched(static_cast<std::size_t>(body.nodeCount()), false);
   for (const ElementRef e : chosenElements(elements))
-    for (const std::int32_t node : body.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element))
-      touched[static_cast<std::size_t>(node)] = true;
+    for (const std::int32_t node : body.blocks()[e.block]->nodesOf(e.element)) touched[node] = true;
   return touched;
 }
 
@@ -51,7 +50,7 @@ std::vector<std::int32_t> nodesOf(const Body& body, const ElementFlags& elements
   const std::vector<bool> touched = touchedNodes(body, elements);
   std::vector<std::int32_t> nodes;
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
-    if (touched[static_cast<std::size_t>(i)]) nodes.push_back(i);
+    if (touched[i]) nodes.push_back(i);
   return nodes;
 }
 
@@ -64,7 +63,7 @@ Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::in
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     mesh.X.col(static_cast<Eigen::Index>(i)) = all.X.col(nodes[i]);
     mesh.nodeIds.push_back(all.nodeId(nodes[i]));
-    numberOf[static_cast<std::size_t>(nodes[i])] = static_cast<std::int32_t>(i);
+    numberOf[nodes[i]] = static_cast<std::int32_t>(i);
   }
   for (std::size_t b = 0; b < all.blocks.size(); ++b) {
     const MeshBlock& from = all.blocks[b];
@@ -72,8 +71,7 @@ Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::in
     for (std::size_t e = 0; e < from.elementCount(); ++e) {
       if (!flags[b][e]) continue;
       block.ids.push_back(from.id(e));
-      for (int a = 0; a < from.nodesPerElement(); ++a)
-        block.connectivity.push_back(numberOf[static_cast<std::size_t>(from.element(e)[a])]);
+      for (int a = 0; a < from.nodesPerElement(); ++a) block.connectivity.push_back(numberOf[from.element(e)[a]]);
     }
     mesh.blocks.push_back(std::move(block));
   }
@@ -85,7 +83,7 @@ Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::in
   Body part(std::move(mesh), std::move(blocks), mass, body.threads());
   for (std::int32_t i = 0; i < part.nodeCount(); ++i)
     for (int c = 0; c < 3; ++c) {
-      const std::int32_t whole = nodes[static_cast<std::size_t>(i)];
+      const std::int32_t whole = nodes[i];
       if (body.constraints().isConstrained(whole, c))
         part.constraints().move(i, c, body.constraints().velocity()(c, whole));
     }
@@ -95,10 +93,10 @@ Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::in
 namespace {
 
 /// Calls visit(block, element, value) with the highest eigenvalues of the reduced 1-rings of some elements; all when
-/// lookAt is empty.
+/// toJudge is empty.
 template <class Visit>
-void forEachReducedRing(const Body& body, const NodeVectors& x, const ElementFlags& lookAt, const Visit& visit) {
-  if (lookAt.empty()) {
+void forEachReducedRing(const Body& body, const NodeVectors& x, const ElementFlags& toJudge, const Visit& visit) {
+  if (toJudge.empty()) {
     ReducedRing rings(body);
     const auto& largest = rings.evaluate(x).largest;
     for (std::size_t b = 0; b < largest.size(); ++b)
@@ -106,13 +104,12 @@ void forEachReducedRing(const Body& body, const NodeVectors& x, const ElementFla
     return;
   }
   // A ring is made of all elements at the nodes of its own: with these, a part of the body has the same rings.
-  const std::vector<bool> near = touchedNodes(body, lookAt);
+  const std::vector<bool> near = touchedNodes(body, toJudge);
   ElementFlags around = noElements(body.mesh());
   for (std::size_t b = 0; b < around.size(); ++b)
     for (std::size_t e = 0; e < around[b].size(); ++e) {
       const auto nodes = body.blocks()[b]->nodesOf(static_cast<std::int32_t>(e));
-      around[b][e] =
-          std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return near[static_cast<std::size_t>(n)]; });
+      around[b][e] = std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return near[n]; });
     }
   if (chosenElements(around).empty()) return;
   const auto numbers = elementNumbers(around);
@@ -122,23 +119,23 @@ void forEachReducedRing(const Body& body, const NodeVectors& x, const ElementFla
   for (std::size_t b = 0; b < largest.size(); ++b)
     for (std::size_t e = 0; e < largest[b].size(); ++e) {
       const auto whole = static_cast<std::size_t>(numbers[b][e]);
-      if (lookAt[b][whole]) visit(b, whole, largest[b][e]);
+      if (toJudge[b][whole]) visit(b, whole, largest[b][e]);
     }
 }
 
 }  // namespace
 
-ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& lookAt) {
+ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& toJudge) {
   if (!(lambda > 0)) throw InputError(joinText("selection: lambda = ", lambda, " rad2/s2 must be > 0"));
   ElementFlags flags = noElements(body.mesh());
-  forEachReducedRing(body, x, lookAt,
+  forEachReducedRing(body, x, toJudge,
                      [&](std::size_t b, std::size_t e, double value) { flags[b][e] = !(value <= lambda); });
   return flags;
 }
 
-LowerBound highestReducedRing(const Body& body, const NodeVectors& x, const ElementFlags& lookAt) {
+LowerBound highestReducedRing(const Body& body, const NodeVectors& x, const ElementFlags& toJudge) {
   LowerBound highest{0};
-  forEachReducedRing(body, x, lookAt, [&](std::size_t, std::size_t, double value) {
+  forEachReducedRing(body, x, toJudge, [&](std::size_t, std::size_t, double value) {
     if (!std::isnan(highest.value) && !(value <= highest.value)) highest.value = value;  // NaN stays
   });
   return highest;
@@ -147,8 +144,7 @@ LowerBound highestReducedRing(const Body& body, const NodeVectors& x, const Elem
 ElementFlags carriedOver(const CutMesh& cut, const ElementFlags& before) {
   ElementFlags after = cut.changed;
   for (std::size_t b = 0; b < after.size(); ++b)
-    for (std::size_t e = 0; e < after[b].size(); ++e)
-      after[b][e] = !cut.changed[b][e] && before[b][static_cast<std::size_t>(cut.parent[b][e])];
+    for (std::size_t e = 0; e < after[b].size(); ++e) after[b][e] = !cut.changed[b][e] && before[b][cut.parent[b][e]];
   return after;
 }
 
@@ -162,7 +158,7 @@ ElementFlags selectBySingleElement(const Body& body, const NodeVectors& x, doubl
       Eigen::MatrixXd K = body.elementTangent(ref, x);
       body.elementLumpedMass(ref, mass.data());
       for (Eigen::Index i = 0; i < K.rows(); ++i) {
-        const double root = std::sqrt(mass[static_cast<std::size_t>(i / 3)]);
+        const double root = std::sqrt(mass[i / 3]);
         K.row(i) /= root;
         K.col(i) /= root;
       }

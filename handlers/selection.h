@@ -44,14 +44,14 @@ Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::in
 /// Selection::fierzRing: the elements whose reduced 1-ring at positions x (3×N, m) has a highest
 /// eigenvalue above lambda, rad²/s², (limit/h)² for a step h. Proves nothing about the rest: the ring is a lower bound
 /// (Theorem 9, docs/theory/rings_and_rayleigh.md).
-/// lookAt: the elements to judge; others are not flagged and cost nothing. Empty: all.
+/// toJudge: the elements to judge; others are not flagged and cost nothing. Empty: all.
 /// Throws InputError unless lambda > 0.
 ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double lambda,
-                                 const ElementFlags& lookAt = {});
+                                 const ElementFlags& toJudge = {});
 
 /// The highest eigenvalue of M⁻¹K that the reduced 1-rings of some elements show, rad²/s², a lower bound of the body's;
-/// NaN where the tangent is not finite. lookAt: as for selectByReducedRing.
-LowerBound highestReducedRing(const Body& body, const NodeVectors& x, const ElementFlags& lookAt);
+/// NaN where the tangent is not finite. toJudge: as for selectByReducedRing.
+LowerBound highestReducedRing(const Body& body, const NodeVectors& x, const ElementFlags& toJudge);
 
 /// A choice in a mesh before a cut, carried over to the elements that the cut left as they were; changed ones are not
 /// flagged.

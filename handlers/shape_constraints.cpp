@@ -46,7 +46,7 @@ std::vector<ShapeConstraint> shapeConstraints(const Mesh& mesh, const std::vecto
   std::vector<ShapeConstraint> result;
   std::set<std::pair<std::int32_t, std::int32_t>> edges;
   for (const ElementRef ref : elements) {
-    const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(ref.block)];
+    const MeshBlock& block = mesh.blocks[ref.block];
     const auto e = static_cast<std::size_t>(ref.element);
     const std::int32_t* n = block.element(e);
     const ShapeClass shape = elementShape(block, e, mesh.X, meanVolume).shape;
@@ -106,13 +106,12 @@ std::string ConstraintProjection::project(NodeVectors& x) {
   for (int iteration = 0;; ++iteration) {
     entries.clear();
     for (Eigen::Index k = 0; k < count; ++k) {
-      const ShapeConstraint& c = constraints_[static_cast<std::size_t>(k)];
+      const ShapeConstraint& c = constraints_[k];
       Eigen::Matrix<double, 3, 4> gradient;
       value[k] = constraintValue(c, x, gradient);
       for (int a = 0; a < c.nodeCount(); ++a)
         for (int i = 0; i < 3; ++i)
-          entries.emplace_back(static_cast<int>(3 * c.nodes[static_cast<std::size_t>(a)] + i), static_cast<int>(k),
-                               gradient(i, a));
+          entries.emplace_back(static_cast<int>(3 * c.nodes[a] + i), static_cast<int>(k), gradient(i, a));
     }
     if (!value.allFinite()) return "the constraints are not finite";
     if (count == 0 || value.cwiseAbs().maxCoeff() <= tolerance_) return {};

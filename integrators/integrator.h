@@ -75,8 +75,7 @@ class DifferentiableSystem : public SecondOrderSystem {
     blocks.assign(static_cast<std::size_t>(x.cols()), Eigen::Matrix3d::Zero());
     for (Eigen::Index column = 0; column < K.outerSize(); ++column)
       for (Eigen::SparseMatrix<double>::InnerIterator entry(K, column); entry; ++entry)
-        if (entry.row() / 3 == column / 3)
-          blocks[static_cast<std::size_t>(column / 3)](entry.row() % 3, column % 3) = entry.value();
+        if (entry.row() / 3 == column / 3) blocks[column / 3](entry.row() % 3, column % 3) = entry.value();
   }
   /// Whether the motion of a component is prescribed.
   virtual bool isConstrained(std::int32_t /*node*/, int /*component*/) const { return false; }

@@ -49,7 +49,7 @@ SplitBodySystem::Part::Part(const Body& whole, const std::vector<std::vector<boo
       block.ids.push_back(from.id(e));
       for (int a = 0; a < from.nodesPerElement(); ++a) {
         const std::int32_t node = from.element(e)[a];
-        std::int32_t& number = own[static_cast<std::size_t>(node)];
+        std::int32_t& number = own[node];
         if (number < 0) {
           number = static_cast<std::int32_t>(nodes_.size());
           nodes_.push_back(node);
@@ -115,9 +115,7 @@ Eigen::SparseMatrix<double> SplitBodySystem::Part::stiffness(const NodeVectors& 
   const Eigen::SparseMatrix<double> own = body_->assembleTangent(x_);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<std::size_t>(own.nonZeros()));
-  const auto dof = [&](Eigen::Index d) {
-    return 3 * nodes_[static_cast<std::size_t>(d / 3)] + static_cast<int>(d % 3);
-  };
+  const auto dof = [&](Eigen::Index d) { return 3 * nodes_[d / 3] + static_cast<int>(d % 3); };
   for (Eigen::Index column = 0; column < own.outerSize(); ++column)
     for (Eigen::SparseMatrix<double>::InnerIterator entry(own, column); entry; ++entry)
       entries.emplace_back(dof(entry.row()), dof(column), entry.value());
@@ -130,8 +128,7 @@ void SplitBodySystem::Part::stiffnessDiagonal(const NodeVectors& x, std::vector<
   if (!body_) return;
   gather(x, x_);
   body_->assembleBlocks(x_, blocks_);
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
-    blocks[static_cast<std::size_t>(nodes_[i])] = diagonalBlock(blocks_, i);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) blocks[nodes_[i]] = diagonalBlock(blocks_, i);
 }
 
 }  // namespace ringwatch

@@ -19,8 +19,7 @@ CompressedRows<ElementNode> nodeElements(const Mesh& mesh) {
     const int width = block.nodesPerElement();
     for (std::size_t e = 0; e < block.elementCount(); ++e)
       for (int a = 0; a < width; ++a)
-        rows.values[next[static_cast<std::size_t>(block.element(e)[a])]++] = {static_cast<std::int32_t>(b),
-                                                                              static_cast<std::int32_t>(e), a};
+        rows.values[next[block.element(e)[a]]++] = {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e), a};
   }
   return rows;
 }
@@ -33,7 +32,7 @@ CompressedRows<std::int32_t> nodeNeighbours(const Mesh& mesh) {
   for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
     own.clear();
     for (const ElementNode& at : incidence.row(n)) {
-      const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(at.block)];
+      const MeshBlock& block = mesh.blocks[at.block];
       const std::int32_t* nodes = block.element(static_cast<std::size_t>(at.element));
       own.insert(own.end(), nodes, nodes + block.nodesPerElement());
     }
@@ -77,7 +76,7 @@ FaceNeighbours faceNeighbours(const Mesh& mesh) {
             [](const Entry& p, const Entry& q) { return p.key != q.key ? p.key < q.key : p.face < q.face; });
   const std::vector<std::size_t> first = blockOffsets(mesh);
   const auto slot = [&](const ElementFace& f) -> ElementFace& {
-    const std::size_t row = first[static_cast<std::size_t>(f.block)] + static_cast<std::size_t>(f.element);
+    const std::size_t row = first[f.block] + static_cast<std::size_t>(f.element);
     return result.rows.values[result.rows.offsets[row] + static_cast<std::size_t>(f.face)];
   };
   for (std::size_t i = 0, j; i < entries.size(); i = j) {
@@ -113,29 +112,27 @@ MeshParts connectedParts(const Mesh& mesh) {
   std::vector<std::int32_t> parent(mesh.nodeCount());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](std::int32_t n) {
-    while (parent[static_cast<std::size_t>(n)] != n)
-      n = parent[static_cast<std::size_t>(n)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(n)])];
+    while (parent[n] != n) n = parent[n] = parent[parent[n]];
     return n;
   };
   std::vector<bool> used(mesh.nodeCount());
   for (const MeshBlock& block : mesh.blocks)
     for (std::size_t e = 0; e < block.elementCount(); ++e)
       for (int a = 0; a < block.nodesPerElement(); ++a) {
-        used[static_cast<std::size_t>(block.element(e)[a])] = true;
+        used[block.element(e)[a]] = true;
         const std::int32_t p = root(block.element(e)[0]), q = root(block.element(e)[a]);
-        parent[static_cast<std::size_t>(std::max(p, q))] = std::min(p, q);  // so a root is the first node of its part
+        parent[std::max(p, q)] = std::min(p, q);  // so a root is the first node of its part
       }
   MeshParts parts;
   parts.partOfNode.assign(mesh.nodeCount(), -1);
   for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
     if (!used[n]) continue;
     const std::int32_t r = root(static_cast<std::int32_t>(n));
-    parts.partOfNode[n] =
-        r == static_cast<std::int32_t>(n) ? parts.count++ : parts.partOfNode[static_cast<std::size_t>(r)];
+    parts.partOfNode[n] = r == static_cast<std::int32_t>(n) ? parts.count++ : parts.partOfNode[r];
   }
   for (const MeshBlock& block : mesh.blocks)
     for (std::size_t e = 0; e < block.elementCount(); ++e)
-      parts.partOfElement.push_back(parts.partOfNode[static_cast<std::size_t>(block.element(e)[0])]);
+      parts.partOfElement.push_back(parts.partOfNode[block.element(e)[0]]);
   return parts;
 }
 

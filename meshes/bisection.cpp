@@ -117,16 +117,15 @@ BisectedMesh bisectEdges(const Mesh& mesh, const std::vector<EdgePoint>& points)
 
   for (const auto& [name, nodes] : mesh.nodeSets) {
     std::vector<bool> in(mesh.nodeCount(), false);
-    for (const std::int32_t n : nodes) in[static_cast<std::size_t>(n)] = true;
+    for (const std::int32_t n : nodes) in[n] = true;
     std::vector<std::int32_t>& set = out.nodeSets[name] = nodes;
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (in[static_cast<std::size_t>(points[i].a)] && in[static_cast<std::size_t>(points[i].b)])
-        set.push_back(before + static_cast<std::int32_t>(i));
+      if (in[points[i].a] && in[points[i].b]) set.push_back(before + static_cast<std::int32_t>(i));
   }
   for (const auto& [name, elements] : mesh.elementSets) {
     std::vector<ElementRef>& set = out.elementSets[name];
     for (const ElementRef& e : elements) {
-      const std::vector<std::size_t>& first = firstPart[static_cast<std::size_t>(e.block)];
+      const std::vector<std::size_t>& first = firstPart[e.block];
       const auto i = static_cast<std::size_t>(e.element);
       for (std::size_t part = first[i]; part < first[i + 1]; ++part)
         set.push_back({e.block, static_cast<std::int32_t>(part)});

@@ -25,7 +25,7 @@ std::vector<int> mirrorPermutation(const ElementInfo& info) {
     for (const auto& node : info.referenceNodes) {
       const std::array<double, 3> image = mirror(node);
       for (int b = 0; b < info.nodes; ++b) {
-        const auto& other = info.referenceNodes[static_cast<std::size_t>(b)];
+        const auto& other = info.referenceNodes[b];
         double distance = 0;
         for (std::size_t k = 0; k < 3; ++k) distance = std::max(distance, std::abs(other[k] - image[k]));
         if (distance < 1e-9) {
@@ -70,7 +70,7 @@ std::vector<bool> usedNodes(const Mesh& mesh) {
   std::vector<bool> used(mesh.nodeCount());
   for (const MeshBlock& block : mesh.blocks)
     for (const std::int32_t n : block.connectivity)
-      if (n >= 0 && static_cast<std::size_t>(n) < used.size()) used[static_cast<std::size_t>(n)] = true;
+      if (n >= 0 && static_cast<std::size_t>(n) < used.size()) used[n] = true;
   return used;
 }
 
@@ -109,10 +109,10 @@ void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::str
   mesh.nodeIds = std::move(ids);
   for (MeshBlock& block : mesh.blocks)
     for (std::int32_t& n : block.connectivity)
-      if (n >= 0 && static_cast<std::size_t>(n) < used.size()) n = newIndex[static_cast<std::size_t>(n)];
+      if (n >= 0 && static_cast<std::size_t>(n) < used.size()) n = newIndex[n];
   for (auto& [name, nodes] : mesh.nodeSets) {
-    std::erase_if(nodes, [&](std::int32_t n) { return newIndex[static_cast<std::size_t>(n)] < 0; });
-    for (std::int32_t& n : nodes) n = newIndex[static_cast<std::size_t>(n)];
+    std::erase_if(nodes, [&](std::int32_t n) { return newIndex[n] < 0; });
+    for (std::int32_t& n : nodes) n = newIndex[n];
   }
 }
 
@@ -150,7 +150,7 @@ CoincidentNodes coincidentNodes(const Mesh& mesh) {
         for (std::uint64_t k = cellOf(-near, 2); k <= cellOf(near, 2) && !coincides; ++k) {
           const auto last = lastOfCell.find(keyOf(i, j, k));
           for (std::int32_t other = last == lastOfCell.end() ? -1 : last->second; other >= 0 && !coincides;
-               other = before[static_cast<std::size_t>(other)]) {
+               other = before[other]) {
             coincides = (mesh.X.col(other) - mesh.X.col(index)).norm() <= near;
             if (coincides && found.count++ == 0) found = {1, other, index};
           }
@@ -263,7 +263,7 @@ std::vector<std::string> meshNotes(const Mesh& mesh, const std::string& source) 
   const MeshParts parts = connectedParts(mesh);
   if (parts.count > 1) {
     std::vector<std::size_t> sizes(static_cast<std::size_t>(parts.count));
-    for (const std::int32_t part : parts.partOfElement) ++sizes[static_cast<std::size_t>(part)];
+    for (const std::int32_t part : parts.partOfElement) ++sizes[part];
     std::sort(sizes.rbegin(), sizes.rend());
     constexpr std::size_t shown = 5;
     std::string list;
@@ -291,7 +291,7 @@ void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string
     for (std::size_t e = 0; e < block.elementCount(); ++e) {
       std::int32_t* nodes = block.connectivity.data() + e * mirror.size();
       std::copy(nodes, nodes + mirror.size(), before.begin());
-      for (std::size_t a = 0; a < mirror.size(); ++a) nodes[a] = before[static_cast<std::size_t>(mirror[a])];
+      for (std::size_t a = 0; a < mirror.size(); ++a) nodes[a] = before[mirror[a]];
     }
     if (!all && notes != nullptr)
       notes->push_back(joinText(source, ": all ", block.elementCount(), " ", elementInfo(block.type).name,

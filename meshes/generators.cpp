@@ -142,10 +142,9 @@ void finishElements(Mesh& mesh) {
   if (!middles.empty())
     for (auto& [name, nodes] : mesh.nodeSets) {
       std::vector<bool> inside(static_cast<std::size_t>(corners));
-      for (const std::int32_t node : nodes) inside[static_cast<std::size_t>(node)] = true;
+      for (const std::int32_t node : nodes) inside[node] = true;
       for (std::size_t m = 0; m < middles.size(); ++m)
-        if (inside[static_cast<std::size_t>(middles[m][0])] && inside[static_cast<std::size_t>(middles[m][1])])
-          nodes.push_back(corners + static_cast<std::int32_t>(m));
+        if (inside[middles[m][0]] && inside[middles[m][1]]) nodes.push_back(corners + static_cast<std::int32_t>(m));
     }
   mesh.nodeIds.resize(mesh.nodeCount());
   for (std::size_t n = 0; n < mesh.nodeCount(); ++n) mesh.nodeIds[n] = static_cast<std::int64_t>(n);

@@ -46,7 +46,7 @@ class NodeIndex {
   /// False when the number is there already.
   bool insert(std::int64_t id, std::int32_t index) {
     if (!dense_) return map_.emplace(id, index).second;
-    std::int32_t& slot = table_[static_cast<std::size_t>(id - least_)];
+    std::int32_t& slot = table_[id - least_];
     if (slot >= 0) return false;
     slot = index;
     return true;
@@ -181,7 +181,7 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
         elementTargets.clear();
         nodeTargets.clear();
         if (group >= 0)
-          for (const std::string& name : groups_[static_cast<std::size_t>(group)]) {
+          for (const std::string& name : groups_[group]) {
             if (list.info != nullptr)
               elementTargets.push_back(&mesh.elementSets[name]);
             else

@@ -163,7 +163,7 @@ void writeMsh(const Mesh& mesh, const std::filesystem::path& path, bool version4
       begin(info.gmshType, block.elementCount());
       for (std::size_t e = 0; e < block.elementCount(); ++e) {
         element(elementNumbers[running++], info.gmshType, elementTags[b][e].empty() ? 0 : elementTags[b][e][0], 1);
-        for (const std::size_t a : order) out.int32(nodeNumbers[static_cast<std::size_t>(block.element(e)[a])]);
+        for (const std::size_t a : order) out.int32(nodeNumbers[block.element(e)[a]]);
         out.endLine();
       }
     }
@@ -265,7 +265,7 @@ void writeMsh(const Mesh& mesh, const std::filesystem::path& path, bool version4
       out.endLine();
       for (std::size_t e = run.begin; e < run.end; ++e) {
         out.int64(elementNumbers[running++]);
-        for (const std::size_t a : order) out.int64(nodeNumbers[static_cast<std::size_t>(block.element(e)[a])]);
+        for (const std::size_t a : order) out.int64(nodeNumbers[block.element(e)[a]]);
         out.endLine();
       }
     }

@@ -50,9 +50,9 @@ void renumberNodes(Mesh& mesh) {
   mesh.X = std::move(X);
   mesh.nodeIds = std::move(ids);
   for (MeshBlock& block : mesh.blocks)
-    for (std::int32_t& node : block.connectivity) node = place[static_cast<std::size_t>(node)];
+    for (std::int32_t& node : block.connectivity) node = place[node];
   for (auto& [name, nodes] : mesh.nodeSets) {
-    for (std::int32_t& node : nodes) node = place[static_cast<std::size_t>(node)];
+    for (std::int32_t& node : nodes) node = place[node];
     std::sort(nodes.begin(), nodes.end());
   }
 }

@@ -19,9 +19,7 @@ JacobianProbe::JacobianProbe(const ElementInfo& info) : nodes_(info.nodes) {
     Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
     for (int a = 0; a < nodes_; ++a)
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          J(i, j) += info.referenceNodes[static_cast<std::size_t>(a)][static_cast<std::size_t>(i)] *
-                     point.gradient[static_cast<std::size_t>(3 * a + j)];
+        for (int j = 0; j < 3; ++j) J(i, j) += info.referenceNodes[a][i] * point.gradient[3 * a + j];
     // An isoparametric element maps its own reference to itself; where it does not, the map is singular.
     if (weight != 0 || std::abs(J.determinant() - 1) < 1e-6) points_.push_back(std::move(point));
   };
@@ -31,7 +29,7 @@ JacobianProbe::JacobianProbe(const ElementInfo& info) : nodes_(info.nodes) {
   for (const auto& face : info.faces)
     for (const int corner : face)
       if (corner >= 0) corners.insert(corner);
-  for (const int corner : corners) add(info.referenceNodes[static_cast<std::size_t>(corner)].data(), 0);
+  for (const int corner : corners) add(info.referenceNodes[corner].data(), 0);
 }
 
 Eigen::Matrix3d JacobianProbe::jacobian(const Point& point, const NodeVectors& x, const std::int32_t* nodes) const {

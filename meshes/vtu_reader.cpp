@@ -527,7 +527,7 @@ class VtuReader {
       if (end - begin != known->nodes)
         refuse(joinText("(", known->name(), ") has ", end - begin, " nodes; it must have ", known->nodes));
       for (std::int64_t i = begin; i < end; ++i) {
-        const std::int64_t node = connectivity[static_cast<std::size_t>(i)];
+        const std::int64_t node = connectivity[i];
         // A piece counts its own points; what is out of its range must not fall into another piece's.
         nodes[i - begin] = node < 0 || static_cast<std::uint64_t>(node) >= piece.points
                                ? std::min<std::int64_t>(node, 0) - 1

@@ -18,7 +18,7 @@ double largestEigenvalue(const Eigen::Matrix3d& S) {
 
 void evaluateElements(const Body& body, const NodalBound& weights, const NodeVectors& x, std::int32_t b,
                       const std::int32_t* elements, double* values, double* norms) {
-  const ElementBlock& block = *body.blocks()[static_cast<std::size_t>(b)];
+  const ElementBlock& block = *body.blocks()[b];
   NativePack K[9 * maxElementNodes * maxElementNodes], A[9 * maxElementNodes * maxElementNodes];
   NodalBound::ElementMatrices sets[2];
   std::size_t count = 0;
@@ -81,11 +81,9 @@ double CertificateState<Allowance>::verify(const NodeVectors& x) const {
         for (int a = 0; a < n; ++a)
           for (int c = 0; c < n; ++c) {
             Eigen::Matrix3d own;
-            for (int i = 0; i < 9; ++i)
-              own(i / 3, i % 3) = K[static_cast<std::size_t>((3 * a + i / 3) * size + 3 * c + i % 3)][0];
+            for (int i = 0; i < 9; ++i) own(i / 3, i % 3) = K[(3 * a + i / 3) * size + 3 * c + i % 3][0];
             own = R.transpose() * own * R;
-            for (int i = 0; i < 9; ++i)
-              K[static_cast<std::size_t>((3 * a + i / 3) * size + 3 * c + i % 3)].set(0, own(i / 3, i % 3));
+            for (int i = 0; i < 9; ++i) K[(3 * a + i / 3) * size + 3 * c + i % 3].set(0, own(i / 3, i % 3));
           }
       }
       double value[lanes];

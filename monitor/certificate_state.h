@@ -26,8 +26,9 @@ struct EvaluatedPack {
   int points;
 };
 
-/// What an incremental certificate is: a weight block D_(e,a) for each node of each element, an allowance β_e for each
-/// element, N/m, and a certified eigenvalue σ, rad²/s². The two statements
+/// What an incremental certificate is (Theorem 14, docs/theory/incremental_certificate.md): a weight block D_(e,a) for
+/// each node of each element, an allowance β_e for each element, N/m, and a certified eigenvalue σ, rad²/s². The two
+/// statements
 ///   l_e <= β_e for all e   and   Σ_(e∋i) β_e R_e D_(e,a(i)) R_eᵀ ≼ σ m_i I for all nodes i,
 /// l_e the highest eigenvalue of (R_e D_e R_eᵀ)⁻¹ K_e, prove lambda_max(M⁻¹K) <= σ (nodal_bound.h): K_e ≼ β_e R_e D_e
 /// R_eᵀ, summed up. They say nothing of how β_e was found, so that K_e need not be computed while something else bounds
@@ -49,36 +50,22 @@ class CertificateState {
   void setCertifiedEigenvalue(double sigma) { certifiedEigenvalue_ = sigma; }
 
   std::size_t placeOf(ElementRef e) const {
-    return static_cast<std::size_t>(body_.blocks()[static_cast<std::size_t>(e.block)]
-                                        ->layout()
-                                        .batchOfElement[static_cast<std::size_t>(e.element)]);
+    return static_cast<std::size_t>(body_.blocks()[e.block]->layout().batchOfElement[e.element]);
   }
-  double allowance(ElementRef e) const {
-    return static_cast<double>(allowances_[static_cast<std::size_t>(e.block)][placeOf(e)]);
-  }
-  void setAllowance(ElementRef e, double allowance) {
-    allowances_[static_cast<std::size_t>(e.block)][placeOf(e)] = Allowance(allowance);
-  }
+  double allowance(ElementRef e) const { return static_cast<double>(allowances_[e.block][placeOf(e)]); }
+  void setAllowance(ElementRef e, double allowance) { allowances_[e.block][placeOf(e)] = Allowance(allowance); }
   /// Of a block, by place.
   const std::vector<Allowance>& allowances(std::size_t block) const { return allowances_[block]; }
   std::vector<Allowance>& allowances(std::size_t block) { return allowances_[block]; }
 
-  bool excluded(ElementRef e) const {
-    return !excluded_.empty() && excluded_[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)];
-  }
+  bool excluded(ElementRef e) const { return !excluded_.empty() && excluded_[e.block][e.element]; }
   /// [block][element]; empty for none.
   void setExcluded(std::vector<std::vector<bool>> excluded) { excluded_ = std::move(excluded); }
-  void setExcluded(ElementRef e, bool excluded) {
-    excluded_[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)] = excluded;
-  }
+  void setExcluded(ElementRef e, bool excluded) { excluded_[e.block][e.element] = excluded; }
   /// From now on elements may have rotations. Only for elements whose nodes have all components free or none.
   void allowRotations();
-  const Eigen::Matrix3d& rotation(ElementRef e) const {
-    return rotations_[static_cast<std::size_t>(e.block)][placeOf(e)];
-  }
-  void setRotation(ElementRef e, const Eigen::Matrix3d& R) {
-    rotations_[static_cast<std::size_t>(e.block)][placeOf(e)] = R;
-  }
+  const Eigen::Matrix3d& rotation(ElementRef e) const { return rotations_[e.block][placeOf(e)]; }
+  void setRotation(ElementRef e, const Eigen::Matrix3d& R) { rotations_[e.block][placeOf(e)] = R; }
 
   /// Evaluates elements of a block at x, one a lane, and their deformation gradients, and calls take(EvaluatedPack).
   /// known: l_e of the lanes where they are known already; nullptr: they are computed.
@@ -122,7 +109,7 @@ template <class Allowance>
 template <class Take>
 void CertificateState<Allowance>::evaluatePack(const NodeVectors& x, std::int32_t b, const std::int32_t* elements,
                                                const double* known, bool withStrainNorm, const Take& take) const {
-  const ElementBlock& block = *body_.blocks()[static_cast<std::size_t>(b)];
+  const ElementBlock& block = *body_.blocks()[b];
   const auto points = static_cast<int>(block.rule().points.size());
   double value[lanes], norm[lanes] = {};
   TangentDrift drift[lanes];
@@ -147,13 +134,13 @@ void CertificateState<Allowance>::evaluateEach(const NodeVectors& x, const std::
   std::vector<Pack> packs;
   std::vector<std::ptrdiff_t> open(body_.blocks().size(), -1);
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    std::ptrdiff_t& p = open[static_cast<std::size_t>(elements[i].block)];
+    std::ptrdiff_t& p = open[elements[i].block];
     if (p < 0) {
       p = static_cast<std::ptrdiff_t>(packs.size());
       packs.push_back({elements[i].block, {}, {}, 0});
       std::fill(std::begin(packs.back().element), std::end(packs.back().element), -1);
     }
-    Pack& pack = packs[static_cast<std::size_t>(p)];
+    Pack& pack = packs[p];
     pack.element[pack.count] = elements[i].element;
     pack.at[pack.count] = i;
     if (++pack.count == lanes) p = -1;
@@ -161,7 +148,7 @@ void CertificateState<Allowance>::evaluateEach(const NodeVectors& x, const std::
   parallelFor(
       0, static_cast<std::int64_t>(packs.size()), body_.threads(),
       [&](std::int64_t k) {
-        const Pack& pack = packs[static_cast<std::size_t>(k)];
+        const Pack& pack = packs[k];
         evaluatePack(x, pack.block, pack.element, nullptr, withStrainNorm,
                      [&](const EvaluatedPack& evaluated) { take(evaluated, pack.at); });
       },

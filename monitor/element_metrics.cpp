@@ -36,8 +36,7 @@ Extremes elementEigenvalues(const Body& body, const NodeVectors& x, const MassOf
       massOf(ElementRef{static_cast<std::int32_t>(b), e}, mass);
       const auto nodes = block.nodesOf(e);
       for (int a = 0; a < n; ++a)
-        for (int c = 0; c < 3; ++c)
-          scale[3 * a + c].set(lane, freeFactor(body, nodes[static_cast<std::size_t>(a)], c) / std::sqrt(mass[a]));
+        for (int c = 0; c < 3; ++c) scale[3 * a + c].set(lane, freeFactor(body, nodes[a], c) / std::sqrt(mass[a]));
     });
     scaleSymmetric(K, 3 * n, scale);
     const auto extremes = extremeEigenvalues(K, 3 * n, work, wantLeast);
@@ -45,8 +44,8 @@ Extremes elementEigenvalues(const Body& body, const NodeVectors& x, const MassOf
     const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
     for (int lane = 0; lane < lanes; ++lane) {
       if (elements[lane] < 0) continue;
-      values.largest[b][static_cast<std::size_t>(elements[lane])] = extremes.largest[lane];
-      if (wantLeast) values.least[b][static_cast<std::size_t>(elements[lane])] = extremes.least[lane];
+      values.largest[b][elements[lane]] = extremes.largest[lane];
+      if (wantLeast) values.least[b][elements[lane]] = extremes.least[lane];
     }
   });
   return values;
@@ -55,13 +54,13 @@ Extremes elementEigenvalues(const Body& body, const NodeVectors& x, const MassOf
 /// The masses of an element's nodes in the whole mesh.
 auto nodalMass(const Body& body) {
   return [&body](ElementRef e, double* mass) {
-    const auto nodes = body.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element);
+    const auto nodes = body.blocks()[e.block]->nodesOf(e.element);
     for (std::size_t a = 0; a < nodes.size(); ++a) mass[a] = body.lumpedMass()[nodes[a]];
   };
 }
 auto unitMass(const Body& body) {
   return [&body](ElementRef e, double* mass) {
-    std::fill_n(mass, body.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element).size(), 1.0);
+    std::fill_n(mass, body.blocks()[e.block]->nodesOf(e.element).size(), 1.0);
   };
 }
 
@@ -70,7 +69,7 @@ Values timesValence(const Body& body, Values values, double factor) {
   std::vector<int> valence(static_cast<std::size_t>(body.nodeCount()), 0);
   for (const auto& block : body.blocks())
     for (std::int32_t e = 0; e < block->elementCount(); ++e)
-      for (std::int32_t node : block->nodesOf(e)) ++valence[static_cast<std::size_t>(node)];
+      for (std::int32_t node : block->nodesOf(e)) ++valence[node];
   const int most = *std::max_element(valence.begin(), valence.end());
   for (auto& block : values)
     for (double& value : block) value = (value < 0 ? 0.0 : value) * most * factor;
@@ -83,17 +82,16 @@ Values lessNeighbours(const Body& body, Extremes extremes) {
   const auto forEachElement = [&](const auto& visit) {
     for (std::size_t b = 0; b < body.blocks().size(); ++b)
       for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e)
-        visit(body.blocks()[b]->nodesOf(e), extremes.largest[b][static_cast<std::size_t>(e)],
-              extremes.least[b][static_cast<std::size_t>(e)]);
+        visit(body.blocks()[b]->nodesOf(e), extremes.largest[b][e], extremes.least[b][e]);
   };
   const auto taken = [](double least) { return least > 0 ? 0.0 : -least; };  // keeps NaN
   forEachElement([&](std::span<const std::int32_t> nodes, double&, double least) {
-    for (const std::int32_t node : nodes) takenAt[static_cast<std::size_t>(node)] += taken(least);
+    for (const std::int32_t node : nodes) takenAt[node] += taken(least);
   });
   forEachElement([&](std::span<const std::int32_t> nodes, double& largest, double least) {
     double most = 0;
     for (const std::int32_t node : nodes) {
-      const double others = takenAt[static_cast<std::size_t>(node)] - taken(least);
+      const double others = takenAt[node] - taken(least);
       if (others > most || std::isnan(others)) most = others;
     }
     largest -= most;

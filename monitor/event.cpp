@@ -28,7 +28,7 @@ std::string whatHappened(const MonitorEvent& event) {
 }  // namespace
 
 std::string elementText(const Mesh& mesh, ElementRef ref) {
-  const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(ref.block)];
+  const MeshBlock& block = mesh.blocks[ref.block];
   const auto e = static_cast<std::size_t>(ref.element);
   std::string text = joinText(elementInfo(block.type).name, " element ", ref.block, ":", ref.element, " (file number ",
                               block.id(e), "), nodes");

@@ -15,7 +15,7 @@ bool certifiesFrequency(const TangentSource& source, const NodeVectors& x, doubl
   Eigen::Index n = 0;
   for (std::int32_t i = 0; i < source.nodeCount(); ++i)
     for (int c = 0; c < 3; ++c)
-      if (!source.constraints().isConstrained(i, c)) row[static_cast<std::size_t>(3 * i + c)] = n++;
+      if (!source.constraints().isConstrained(i, c)) row[3 * i + c] = n++;
   if (n == 0) return true;
 
   const Eigen::SparseMatrix<double> K = source.assembleTangent(x);
@@ -25,10 +25,10 @@ bool certifiesFrequency(const TangentSource& source, const NodeVectors& x, doubl
   Eigen::VectorXd rowSum = Eigen::VectorXd::Zero(n);
   double trace = static_cast<double>(n) * sigma;
   for (Eigen::Index j = 0; j < K.outerSize(); ++j) {
-    const Eigen::Index to = row[static_cast<std::size_t>(j)];
+    const Eigen::Index to = row[j];
     if (to < 0) continue;
     for (Eigen::SparseMatrix<double>::InnerIterator at(K, j); at; ++at) {
-      const Eigen::Index from = row[static_cast<std::size_t>(at.row())];
+      const Eigen::Index from = row[at.row()];
       if (from < 0) continue;
       const double value = at.value() * inverseRoot[at.row() / 3] * inverseRoot[j / 3];
       rowSum[from] += std::abs(value);

@@ -105,10 +105,11 @@ class Neighbourhood {
       double own = infinite;
       for (const std::int32_t node : nodesOf(ring_[k])) {
         const auto at = std::lower_bound(nodes_.begin(), nodes_.end(), node);
-        if (at != nodes_.end() && *at == node)
-          own = std::min(own, room_[static_cast<std::size_t>(at - nodes_.begin())]);
+        if (at != nodes_.end() && *at == node) own = std::min(own, room_[at - nodes_.begin()]);
       }
-      if (std::isfinite(own)) state_.setAllowance(ring_[k], state_.value(ring_[k]) * own * (1 - allowanceRounding));
+      // Infinite room: l_e = 0, or no component is free. An older allowance was for weights that may have been swept
+      // since.
+      state_.setAllowance(ring_[k], std::isfinite(own) ? state_.value(ring_[k]) * own * (1 - allowanceRounding) : 0);
       state_.setBall(ring_[k], references_[k]);
     }
   }
@@ -131,7 +132,7 @@ class Neighbourhood {
         own.push_back(weights.weight(weights.incidenceOf(e, static_cast<int>(own.size()))));
         const auto at = std::lower_bound(inner_.begin(), inner_.end(), node);
         if (at == inner_.end() || *at != node) continue;
-        const Eigen::Matrix3d& R = factors[static_cast<std::size_t>(at - inner_.begin())];
+        const Eigen::Matrix3d& R = factors[at - inner_.begin()];
         own.back() = R * own.back() * R;
       }
       weights.setWeights(e, own);
@@ -158,9 +159,7 @@ class Neighbourhood {
     std::size_t node, element;
     NodalBound::Incidence at;
   };
-  std::span<const std::int32_t> nodesOf(ElementRef e) const {
-    return body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element);
-  }
+  std::span<const std::int32_t> nodesOf(ElementRef e) const { return body_.blocks()[e.block]->nodesOf(e.element); }
   std::vector<std::int32_t> freeNodesOf(const std::vector<ElementRef>& elements) const {
     std::vector<std::int32_t> nodes;
     for (const ElementRef e : elements)

@@ -13,7 +13,8 @@ namespace ringwatch {
 /// other elements.
 ///
 /// Returns the elements that have new reference gradients and balls, all of them of x. Empty for a refusal: weights and
-/// allowances are then those before, and the neighbourhood's values and balls those of x.
+/// allowances are then those before, and the neighbourhood's values and balls those of x. Theorem 20,
+/// docs/theory/incremental_certificate.md.
 std::vector<ElementRef> localUpdate(RunCertificate& state, const NodeVectors& x, ElementRef element,
                                     const RebuildPolicy& policy, bool mayRaise);
 

@@ -24,15 +24,15 @@ NodeVectors scaleOf(const Body& body, const NodeVectors& x, Body::Workspace& wor
     const PatchLayout& layout = block.layout();
     const int n = block.element().nodes, size = 3 * n;
     AlignedVector<NativePack> K(static_cast<std::size_t>(size * size));
-    const Patch& patch = layout.patches[static_cast<std::size_t>(p)];
+    const Patch& patch = layout.patches[p];
     for (std::int32_t batch = patch.batchBegin; batch < patch.batchEnd; ++batch) {
       block.tangentBatch(batch, x.data(), reinterpret_cast<double*>(K.data()));
       for (int i = 0; i < size; ++i)
         for (int lane = 0; lane < lanes; ++lane) {
           const std::size_t place = static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane);
           if (layout.elements[place] < 0) continue;
-          const auto local = layout.localNodes[static_cast<std::size_t>((batch * n + i / 3) * lanes + lane)];
-          slots[4 * static_cast<std::ptrdiff_t>(local)] += std::abs(K[static_cast<std::size_t>(i * size + i)][lane]);
+          const auto local = layout.localNodes[(batch * n + i / 3) * lanes + lane];
+          slots[4 * static_cast<std::ptrdiff_t>(local)] += std::abs(K[i * size + i][lane]);
         }
     }
   });
@@ -51,14 +51,14 @@ ElementRef softestElement(const Body& body, const NodeVectors& x, const NodeVect
     const ElementBlock& block = *body.blocks()[b];
     const int size = 3 * block.element().nodes;
     for (int lane = 0; lane < lanes; ++lane) {
-      const std::int32_t e = block.layout().elements[static_cast<std::size_t>(batch * lanes + lane)];
+      const std::int32_t e = block.layout().elements[batch * lanes + lane];
       if (e < 0) continue;
       const auto nodes = block.nodesOf(e);
       double own[3 * maxElementNodes], form = 0;
-      for (int i = 0; i < size; ++i) own[i] = u(i % 3, nodes[static_cast<std::size_t>(i / 3)]);
+      for (int i = 0; i < size; ++i) own[i] = u(i % 3, nodes[i / 3]);
       for (int i = 0; i < size; ++i)
         for (int j = 0; j < size; ++j) form += own[i] * K[i * size + j][lane] * own[j];
-      forms[b][static_cast<std::size_t>(e)] = form;
+      forms[b][e] = form;
     }
   });
   double least = std::numeric_limits<double>::infinity();
@@ -109,8 +109,8 @@ LowestMode findLowestMode(const Body& body, const NodeVectors& x, NodeVectors& s
     if (last || count % 4 == 0) {
       Eigen::MatrixXd T = Eigen::MatrixXd::Zero(count, count);
       for (Eigen::Index i = 0; i < count; ++i) {
-        T(i, i) = alpha[static_cast<std::size_t>(i)];
-        if (i + 1 < count) T(i, i + 1) = T(i + 1, i) = beta[static_cast<std::size_t>(i)];
+        T(i, i) = alpha[i];
+        if (i + 1 < count) T(i, i + 1) = T(i + 1, i) = beta[i];
       }
       solver.compute(T);
       if (solver.info() != Eigen::Success) return result;

@@ -19,7 +19,7 @@ Values reducedRing(const Body& body, const NodeVectors& x, const MetricProgress&
   return ring.evaluate(x).largest;
 }
 
-/// The nodal bound at each element's hottest node.
+/// The nodal bound at each element's highest node.
 Values nodalBound(const Body& body, const NodeVectors& x, const MetricProgress&) {
   NodalBound bound(body);
   constexpr int sweeps = 20;
@@ -30,7 +30,7 @@ Values nodalBound(const Body& body, const NodeVectors& x, const MetricProgress&)
   for (std::size_t b = 0; b < values.size(); ++b)
     for (std::size_t e = 0; e < values[b].size(); ++e)
       for (std::int32_t node : body.blocks()[b]->nodesOf(static_cast<std::int32_t>(e)))
-        values[b][e] = std::max(values[b][e], std::min(best, bound.nodal()[static_cast<std::size_t>(node)]));
+        values[b][e] = std::max(values[b][e], std::min(best, bound.nodal()[node]));
   double top = 0;
   for (const auto& block : values)
     for (double value : block) top = std::max(top, value);

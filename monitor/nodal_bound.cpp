@@ -18,7 +18,7 @@ constexpr int lanes = PatchLayout::lanes;
 using P = NativePack;
 /// A sweep touches the elements at nodes with more than this share of the bound, and all their nodes: others do not
 /// stand in its way yet.
-constexpr double hotShare = 0.6;
+constexpr double highShare = 0.6;
 
 Symmetric3<double> symmetricOf(const NodalBound::Factor& factor) {
   CholeskyFactor<double> L;
@@ -57,8 +57,7 @@ void clearConstrained(const TangentSource& source, const ElementTangents& block,
   for (int lane = 0; lane < lanes; ++lane) {
     const auto nodes = block.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]);
     for (int a = 0; a < n; ++a)
-      for (int c = 0; c < 3; ++c)
-        factor[3 * a + c].set(lane, freeFactor(source, nodes[static_cast<std::size_t>(a)], c));
+      for (int c = 0; c < 3; ++c) factor[3 * a + c].set(lane, freeFactor(source, nodes[a], c));
   }
   scaleSymmetric(K, 3 * n, factor);
 }
@@ -73,8 +72,7 @@ NodalBound::NodalBound(const TangentSource& source) : source_(&source) {
       const int n = block.nodesPerElement();
       for (std::int32_t e = 0; e < block.elementCount(); ++e) {
         const auto nodes = block.nodesOf(e);
-        for (int a = 0; a < n; ++a)
-          visit(nodes[static_cast<std::size_t>(a)], incidenceOf({static_cast<std::int32_t>(b), e}, a));
+        for (int a = 0; a < n; ++a) visit(nodes[a], incidenceOf({static_cast<std::int32_t>(b), e}, a));
       }
     }
   };
@@ -93,10 +91,8 @@ NodalBound::NodalBound(const TangentSource& source) : source_(&source) {
   }
   firstOfBlock_.push_back(static_cast<std::int32_t>(places));
   incidence_.resize(static_cast<std::size_t>(count.back()));
-  forEachIncidence([&](std::int32_t node, Incidence i) {
-    incidence_[static_cast<std::size_t>(count[static_cast<std::size_t>(node)]++)] =
-        firstOfBlock_[static_cast<std::size_t>(i.block)] + i.place;
-  });
+  forEachIncidence(
+      [&](std::int32_t node, Incidence i) { incidence_[count[node]++] = firstOfBlock_[i.block] + i.place; });
 }
 
 CholeskyFactor<P> NodalBound::load(const StoredFactor& stored) {
@@ -158,7 +154,7 @@ void NodalBound::evaluateAll(const NodeVectors& x, const Start* start) {
     P work[12 * maxElementNodes], w[maxElementNodes][6];
     for (int a = 0; a < n; ++a) invertFactor(load(stored[a]), w[a]);
     scaleByFactors(w, n, K);
-    values_[b][static_cast<std::size_t>(batch)] = largestRoundedUp(K, size, work);
+    values_[b][batch] = largestRoundedUp(K, size, work);
   });
   for (const ElementTangents* block : source_->tangents()) evaluations_ += block->elementCount();
   std::fill(changed_.begin(), changed_.end(), true);
@@ -179,15 +175,12 @@ double NodalBound::sumAtNodes() {
           double sum[6] = {0, 0, 0, 0, 0, 0};
           if (!outside_.empty())
             for (int r = 0; r < 3; ++r)
-              for (int c = r; c < 3; ++c)
-                sum[Symmetric3<P>::index(r, c)] = outside_[static_cast<std::size_t>(node)](r, c);
+              for (int c = r; c < 3; ++c) sum[Symmetric3<P>::index(r, c)] = outside_[node](r, c);
           for (const Incidence at : incidences(node)) {
             const auto block = static_cast<std::size_t>(at.block);
             const int l = at.place % lanes;
             const Symmetric3<double> D = symmetricOf(factor(at));
-            const double value =
-                values_[block]
-                       [static_cast<std::size_t>(at.place / lanes / source_->tangents()[block]->nodesPerElement())][l];
+            const double value = values_[block][at.place / lanes / source_->tangents()[block]->nodesPerElement()][l];
             for (int c = 0; c < 6; ++c) sum[c] += value * D.m[c];
           }
           const double inverseMass = 1 / source_->lumpedMass()[node];
@@ -197,7 +190,7 @@ double NodalBound::sumAtNodes() {
           const double keep[6] = {free[0], free[1], free[2], free[1] * free[2], free[0] * free[2], free[0] * free[1]};
           for (int c = 0; c < 6; ++c) S.m[c].set(lane, keep[c] == 0 ? 0.0 : inverseMass * sum[c]);
         }
-        sums_[static_cast<std::size_t>(pack)] = S;
+        sums_[pack] = S;
         P A[9], work[12];
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j <= i; ++j) A[3 * i + j] = S(i, j);
@@ -207,8 +200,8 @@ double NodalBound::sumAtNodes() {
       64);
   double bound = 0;
   for (std::int32_t i = 0; i < nodes; ++i) {
-    if (std::isnan(nodal_[static_cast<std::size_t>(i)])) return std::numeric_limits<double>::quiet_NaN();
-    bound = std::max(bound, nodal_[static_cast<std::size_t>(i)]);
+    if (std::isnan(nodal_[i])) return std::numeric_limits<double>::quiet_NaN();
+    bound = std::max(bound, nodal_[i]);
   }
   return bound;
 }
@@ -218,7 +211,7 @@ void NodalBound::findFactors(double bound) {
   parallelFor(
       0, static_cast<std::int64_t>(sums_.size()), source_->threads(),
       [&](std::int64_t pack) {
-        Symmetric3<P> S = P(1 / bound) * sums_[static_cast<std::size_t>(pack)];
+        Symmetric3<P> S = P(1 / bound) * sums_[pack];
         for (int lane = 0; lane < lanes; ++lane) {
           const auto node = static_cast<std::int32_t>(pack) * lanes + lane;
           if (node >= nodes)
@@ -227,7 +220,7 @@ void NodalBound::findFactors(double bound) {
             for (int c = 0; c < 3; ++c)
               if (freeFactor(*source_, node, c) == 0) S.m[c].set(lane, 1.0);
         }
-        factors_[static_cast<std::size_t>(pack)] = sweepFactor(S);
+        factors_[pack] = sweepFactor(S);
       },
       64);
 }
@@ -238,31 +231,29 @@ void NodalBound::sweep(const NodeVectors& x, double bound) {
   for (std::size_t b = 0; b < source_->tangents().size(); ++b) {
     const ElementTangents& block = *source_->tangents()[b];
     const int n = block.nodesPerElement();
-    std::vector<std::int32_t> hot;
+    std::vector<std::int32_t> high;
     for (const std::int32_t e : block.layout().elements) {
       if (e < 0) continue;
       const auto nodes = block.nodesOf(e);
-      if (std::none_of(nodes.begin(), nodes.end(),
-                       [&](std::int32_t node) { return nodal_[static_cast<std::size_t>(node)] > hotShare * bound; }))
+      if (std::none_of(nodes.begin(), nodes.end(), [&](std::int32_t node) { return nodal_[node] > highShare * bound; }))
         continue;
-      hot.push_back(e);
-      for (const std::int32_t node : nodes) changed_[static_cast<std::size_t>(node)] = true;
+      high.push_back(e);
+      for (const std::int32_t node : nodes) changed_[node] = true;
     }
-    evaluations_ += static_cast<std::int64_t>(hot.size());
-    hot.resize((hot.size() + lanes - 1) / lanes * lanes, -1);
+    evaluations_ += static_cast<std::int64_t>(high.size());
+    high.resize((high.size() + lanes - 1) / lanes * lanes, -1);
     parallelFor(
-        0, static_cast<std::int64_t>(hot.size() / lanes), source_->threads(),
+        0, static_cast<std::int64_t>(high.size() / lanes), source_->threads(),
         [&](std::int64_t pack) {
-          const std::int32_t* elements = hot.data() + pack * lanes;
+          const std::int32_t* elements = high.data() + pack * lanes;
           StoredFactor stored[maxElementNodes];
           gather(b, elements, stored);
           Symmetric3<P> weights[maxElementNodes];
           for (int a = 0; a < n; ++a) {
             Symmetric3<P> R;
             for (int lane = 0; lane < lanes; ++lane) {
-              const std::int32_t node =
-                  block.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane])[static_cast<std::size_t>(a)];
-              const Symmetric3<P>& from = factors_[static_cast<std::size_t>(node / lanes)];
+              const std::int32_t node = block.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane])[a];
+              const Symmetric3<P>& from = factors_[node / lanes];
               for (int c = 0; c < 6; ++c) R.m[c].set(lane, from.m[c][node % lanes]);
             }
             weights[a] = congruence(R, productOf(load(stored[a])));
@@ -272,10 +263,9 @@ void NodalBound::sweep(const NodeVectors& x, double bound) {
           double value[lanes];
           for (int lane = 0; lane < lanes; ++lane) {
             if (elements[lane] < 0) continue;
-            const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(elements[lane])];
+            const std::int32_t place = block.layout().batchOfElement[elements[lane]];
             for (int a = 0; a < n; ++a)
-              for (int c = 0; c < 6; ++c)
-                weights_[b][static_cast<std::size_t>(place / lanes * n + a)].m[c][place % lanes] = stored[a].m[c][lane];
+              for (int c = 0; c < 6; ++c) weights_[b][place / lanes * n + a].m[c][place % lanes] = stored[a].m[c][lane];
           }
           elementValues(static_cast<std::int32_t>(b), elements, x, value);
           for (int lane = 0; lane < lanes; ++lane)
@@ -308,33 +298,33 @@ UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps, Start start, d
 }
 
 ElementRef NodalBound::elementAt(Incidence at) const {
-  const ElementTangents& block = *source_->tangents()[static_cast<std::size_t>(at.block)];
+  const ElementTangents& block = *source_->tangents()[at.block];
   const std::int32_t batch = at.place / lanes / block.nodesPerElement();
-  return {at.block, block.layout().elements[static_cast<std::size_t>(batch * lanes + at.place % lanes)]};
+  return {at.block, block.layout().elements[batch * lanes + at.place % lanes]};
 }
 
 NodalBound::Incidence NodalBound::incidenceOf(ElementRef e, int a) const {
-  const ElementTangents& block = *source_->tangents()[static_cast<std::size_t>(e.block)];
-  const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(e.element)];
+  const ElementTangents& block = *source_->tangents()[e.block];
+  const std::int32_t place = block.layout().batchOfElement[e.element];
   return {e.block, (place / lanes * block.nodesPerElement() + a) * lanes + place % lanes};
 }
 
 NodalBound::Factor NodalBound::factor(Incidence at) const {
-  const StoredFactor& stored = weights_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
+  const StoredFactor& stored = weights_[at.block][at.place / lanes];
   Factor L;
   for (std::size_t c = 0; c < 6; ++c) L[c] = stored.m[c][at.place % lanes];
   return L;
 }
 
 void NodalBound::setFactor(Incidence at, const Factor& L) {
-  StoredFactor& stored = weights_[static_cast<std::size_t>(at.block)][static_cast<std::size_t>(at.place / lanes)];
+  StoredFactor& stored = weights_[at.block][at.place / lanes];
   for (std::size_t c = 0; c < 6; ++c) stored.m[c][at.place % lanes] = L[c];
 }
 
 void NodalBound::setWeights(ElementRef e, std::span<const Eigen::Matrix3d> weights) {
   const auto n = static_cast<int>(weights.size());
   Symmetric3<double> own[maxElementNodes];
-  for (int a = 0; a < n; ++a) own[a] = symmetricOf(weights[static_cast<std::size_t>(a)]);
+  for (int a = 0; a < n; ++a) own[a] = symmetricOf(weights[a]);
   normaliseWeights(own, n);
   for (int a = 0; a < n; ++a) setWeight(incidenceOf(e, a), matrixOf(own[a]));
 }
@@ -343,8 +333,7 @@ void NodalBound::gather(std::size_t b, const std::int32_t* elements, StoredFacto
   const ElementTangents& block = *source_->tangents()[b];
   const int n = block.nodesPerElement();
   for (int lane = 0; lane < lanes; ++lane) {
-    const std::int32_t place =
-        block.layout().batchOfElement[static_cast<std::size_t>(elements[lane] < 0 ? elements[0] : elements[lane])];
+    const std::int32_t place = block.layout().batchOfElement[elements[lane] < 0 ? elements[0] : elements[lane]];
     const StoredFactor* from = weights_[b].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
     for (int a = 0; a < n; ++a)
       for (int c = 0; c < 6; ++c) factors[a].m[c][lane] = from[a].m[c][place % lanes];
@@ -354,14 +343,14 @@ void NodalBound::gather(std::size_t b, const std::int32_t* elements, StoredFacto
 void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, const NodeVectors& x,
                                double* values) const {
   P K[9 * maxElementNodes * maxElementNodes];
-  source_->tangents()[static_cast<std::size_t>(b)]->tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
+  source_->tangents()[b]->tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
   const ElementMatrices tangents{K, values};
   weightedLargest(b, elements, {&tangents, 1});
 }
 
 void NodalBound::weightedLargest(std::int32_t b, const std::int32_t* elements,
                                  std::span<const ElementMatrices> sets) const {
-  const ElementTangents& block = *source_->tangents()[static_cast<std::size_t>(b)];
+  const ElementTangents& block = *source_->tangents()[b];
   const int n = block.nodesPerElement();
   StoredFactor gathered[maxElementNodes];
   gather(static_cast<std::size_t>(b), elements, gathered);
@@ -385,19 +374,16 @@ const std::vector<double>& NodalBound::sumsOf(const std::vector<std::span<const 
 }
 
 void NodalBound::setValue(ElementRef e, double value) {
-  const std::int32_t place = source_->tangents()[static_cast<std::size_t>(e.block)]
-                                 ->layout()
-                                 .batchOfElement[static_cast<std::size_t>(e.element)];
+  const std::int32_t place = source_->tangents()[e.block]->layout().batchOfElement[e.element];
   // Other lanes belong to other threads.
-  std::memcpy(reinterpret_cast<std::byte*>(values_[static_cast<std::size_t>(e.block)].data()) +
-                  static_cast<std::size_t>(place) * sizeof value,
+  std::memcpy(reinterpret_cast<std::byte*>(values_[e.block].data()) + static_cast<std::size_t>(place) * sizeof value,
               &value, sizeof value);
 }
 
 double NodalBound::value(ElementRef e) const {
-  const ElementTangents& block = *source_->tangents()[static_cast<std::size_t>(e.block)];
-  const std::int32_t place = block.layout().batchOfElement[static_cast<std::size_t>(e.element)];
-  return values_[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(place / lanes)][place % lanes];
+  const ElementTangents& block = *source_->tangents()[e.block];
+  const std::int32_t place = block.layout().batchOfElement[e.element];
+  return values_[e.block][place / lanes][place % lanes];
 }
 
 }  // namespace ringwatch

@@ -15,7 +15,7 @@ namespace ringwatch {
 ///   K_e ≼ l_e D_e,  hence  lambda_max(M⁻¹K) <= max_i lambda_max(S_i),  S_i = (1/m_i) Σ_(e∋i) l_e D_(e,a(i)).
 /// True for every symmetric K_e, indefinite ones included. Good weights make it tight: they start at (K_aa)^½ or K_aa
 /// and are swept, D_a ← R_i D_a R_i with R_i = (S_i/t)^-½, t the bound. Weights are kept from call to
-/// call.
+/// call. Theorem 1, docs/theory/eigenvalue_bounds.md.
 class NodalBound {
  public:
   /// Weights to start from. The root wins on irregular meshes, the stiffness itself on regular ones.

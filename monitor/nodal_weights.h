@@ -121,7 +121,8 @@ RINGWATCH_INLINE void scaleByFactors(const P (*w)[6], int n, P* K) {
     }
 }
 
-/// max(0, largest eigenvalue), rounded up; NaN stays: it must not pass for zero.
+/// max(0, largest eigenvalue), rounded up by a margin that is asserted, not derived (docs/theory/floating_point.md);
+/// NaN stays: it must not pass for zero.
 template <class P>
 RINGWATCH_INLINE P largestRoundedUp(P* K, int size, P* work) {
   const auto extremes = extremeEigenvalues(K, size, work, false);

@@ -15,7 +15,7 @@ void NodeSubmatrix::choose(std::vector<std::int32_t> nodes) {
   blocks_.assign(source_.tangents().size(), {});
   for (const std::int32_t node : nodes_)
     for (const NodalBound::Incidence at : incidences_.incidences(node))
-      blocks_[static_cast<std::size_t>(at.block)].elements.push_back(incidences_.elementAt(at).element);
+      blocks_[at.block].elements.push_back(incidences_.elementAt(at).element);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     auto& [elements, parts] = blocks_[b];
     std::sort(elements.begin(), elements.end());

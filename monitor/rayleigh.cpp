@@ -46,7 +46,7 @@ LowerBound rayleighLowerBound(const TangentSource& source, const NodeVectors& x,
   solver.compute(T);
   if (solver.info() == Eigen::Success) {
     start.setZero();
-    for (int i = 0; i < size; ++i) start += solver.eigenvectors()(i, size - 1) * basis[static_cast<std::size_t>(i)];
+    for (int i = 0; i < size; ++i) start += solver.eigenvectors()(i, size - 1) * basis[i];
   }
   // The quotient itself, from one more product: whatever went before, this is a proven lower bound to rounding.
   start /= start.norm();
@@ -60,7 +60,7 @@ LowerBound rayleighLowerBound(const TangentSource& source, const NodeVectors& x,
   return {quotient - 1e-12 * largest};
 }
 
-void HotSpot::choose(const NodeVectors& mode) {
+void LocalSubmatrix::choose(const NodeVectors& mode) {
   constexpr std::ptrdiff_t most = 24;
   const Eigen::VectorXd size = mode.colwise().squaredNorm().transpose();
   std::vector<std::int32_t> order;
@@ -72,11 +72,10 @@ void HotSpot::choose(const NodeVectors& mode) {
   order.resize(static_cast<std::size_t>(count));
   submatrix_.choose(std::move(order));
   vector_.resize(3 * count);
-  for (std::ptrdiff_t i = 0; i < count; ++i)
-    vector_.segment<3>(3 * i) = mode.col(submatrix_.nodes()[static_cast<std::size_t>(i)]);
+  for (std::ptrdiff_t i = 0; i < count; ++i) vector_.segment<3>(3 * i) = mode.col(submatrix_.nodes()[i]);
 }
 
-LowerBound HotSpot::evaluate(const NodeVectors& x) {
+LowerBound LocalSubmatrix::evaluate(const NodeVectors& x) {
   if (submatrix_.nodes().empty()) return {0};
   const Eigen::MatrixXd& A = submatrix_.evaluate(x, &vector_);
   // Power iteration on A shifted by half its norm, so that a large negative eigenvalue cannot win; the quotient is A's

@@ -36,8 +36,7 @@ const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool want
         forEachLane(block, batch, [&](int lane, std::int32_t e) {
           blocksOf[lane] = matrix_.elementBlocks[b].data() + static_cast<std::ptrdiff_t>(e) * n * n;
           const auto nodes = block.nodesOf(e);
-          for (int i = 0; i < size; ++i)
-            factor[static_cast<std::size_t>(i)].set(lane, scale_(i % 3, nodes[static_cast<std::size_t>(i / 3)]));
+          for (int i = 0; i < size; ++i) factor[i].set(lane, scale_(i % 3, nodes[i / 3]));
         });
         for (int i = 0; i < n; ++i)
           for (int j = 0; j <= i; ++j) {
@@ -47,9 +46,7 @@ const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool want
             loadBlocks(matrix_.block.data()->data(), place, entry, size);
             // Entry (i,j) becomes K_ij / √(m_i m_j), zero where constrained.
             for (int r = 0; r < 3; ++r)
-              for (int k = 0; k < 3; ++k)
-                entry[r * size + k] *=
-                    factor[static_cast<std::size_t>(3 * i + r)] * factor[static_cast<std::size_t>(3 * j + k)];
+              for (int k = 0; k < 3; ++k) entry[r * size + k] *= factor[3 * i + r] * factor[3 * j + k];
           }
         // The blocks of the next batch arrive while this one's eigenvalues are computed.
         if (batch + 1 < end)
@@ -85,23 +82,21 @@ const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool want
 }
 
 NodeVectors ReducedRing::topVector(ElementRef ref) const {
-  const ElementTangents& block = *source_.tangents()[static_cast<std::size_t>(ref.block)];
+  const ElementTangents& block = *source_.tangents()[ref.block];
   const int n = block.nodesPerElement();
-  const std::int32_t* position = matrix_.elementBlocks[static_cast<std::size_t>(ref.block)].data() +
-                                 static_cast<std::ptrdiff_t>(ref.element) * n * n;
+  const std::int32_t* position =
+      matrix_.elementBlocks[ref.block].data() + static_cast<std::ptrdiff_t>(ref.element) * n * n;
   Eigen::MatrixXd A(3 * n, 3 * n);
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      A.block<3, 3>(3 * i, 3 * j) = matrix_.block[static_cast<std::size_t>(position[i * n + j])];
+    for (int j = 0; j < n; ++j) A.block<3, 3>(3 * i, 3 * j) = matrix_.block[position[i * n + j]];
   const auto nodes = block.nodesOf(ref.element);
   Eigen::VectorXd factor(3 * n);
-  for (int i = 0; i < n; ++i) factor.segment<3>(3 * i) = scale_.col(nodes[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < n; ++i) factor.segment<3>(3 * i) = scale_.col(nodes[i]);
   A = factor.asDiagonal() * A * factor.asDiagonal();
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A);
   NodeVectors v = NodeVectors::Zero(3, source_.nodeCount());
   if (solver.info() != Eigen::Success) return v;
-  for (int i = 0; i < n; ++i)
-    v.col(nodes[static_cast<std::size_t>(i)]) = solver.eigenvectors().col(3 * n - 1).segment<3>(3 * i);
+  for (int i = 0; i < n; ++i) v.col(nodes[i]) = solver.eigenvectors().col(3 * n - 1).segment<3>(3 * i);
   return v;
 }
 

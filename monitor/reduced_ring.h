@@ -6,8 +6,9 @@
 namespace ringwatch {
 
 /// The reduced 1-ring of an element: rows and columns of M^-½ K M^-½ at the element's own nodes, cut from the assembled
-/// node and edge blocks (source, section 3.4). A principal submatrix, so by Cauchy's interlacing theorem its largest
-/// eigenvalue never exceeds that of the whole, and its least one is never below: both are proven one-sided bounds.
+/// node and edge blocks (Fierz 2013, section 3.4). A principal submatrix, so by Cauchy's interlacing theorem its
+/// largest eigenvalue never exceeds that of the whole, and its least one is never below: both are proven one-sided
+/// bounds. Theorem 9, docs/theory/rings_and_rayleigh.md.
 class ReducedRing {
  public:
   explicit ReducedRing(const TangentSource& source) : source_(source) {}

@@ -139,7 +139,7 @@ class Rings {
       const auto n = static_cast<std::size_t>(block.element().nodes);
       forEachLane(block, batch, [&](int lane, std::int32_t e) {
         // forEachLane fills empty lanes with the first element, whose tangent is not there.
-        if (block.layout().elements[static_cast<std::size_t>(batch * PatchLayout::lanes + lane)] < 0) return;
+        if (block.layout().elements[batch * PatchLayout::lanes + lane] < 0) return;
         Eigen::Matrix3d* target = tangent_[b].data() + static_cast<std::size_t>(e) * n * n;
         for (std::size_t a = 0; a < n; ++a)
           for (std::size_t c = 0; c < n; ++c)
@@ -174,8 +174,7 @@ class Rings {
     }
     scratch.nodes.assign(seeds.begin(), seeds.end());
     scratch.elements.clear();
-    for (std::size_t i = 0; i < seeds.size(); ++i)
-      scratch.place[static_cast<std::size_t>(seeds[i])] = static_cast<std::int32_t>(i);
+    for (std::size_t i = 0; i < seeds.size(); ++i) scratch.place[seeds[i]] = static_cast<std::int32_t>(i);
     const int layers = kind_ == RingKind::vertex2 || kind_ == RingKind::element2 ? 2 : 1;
     std::size_t inner = 0, from = 0;
     for (int layer = 0; layer < layers; ++layer) {
@@ -196,15 +195,13 @@ class Rings {
               randomEntry(0, 3 * static_cast<std::uint64_t>(scratch.nodes[i]) + static_cast<std::uint64_t>(c));
       lambda = scratch.lanczos.largest(scratch.matrix, scratch.start);
     }
-    for (const std::int32_t node : scratch.nodes) scratch.place[static_cast<std::size_t>(node)] = -1;
+    for (const std::int32_t node : scratch.nodes) scratch.place[node] = -1;
     for (const ElementRef e : scratch.elements) scratch.taken[counted(e)] = 0;
     return lambda;
   }
 
  private:
-  std::size_t counted(ElementRef e) const {
-    return offset_[static_cast<std::size_t>(e.block)] + static_cast<std::size_t>(e.element);
-  }
+  std::size_t counted(ElementRef e) const { return offset_[e.block] + static_cast<std::size_t>(e.element); }
 
   void addElementsAt(std::int32_t node, Scratch& scratch) const {
     for (const ElementNode& at : elementsAt_.row(static_cast<std::size_t>(node))) {
@@ -212,8 +209,8 @@ class Rings {
       if (scratch.taken[counted(e)]) continue;
       scratch.taken[counted(e)] = 1;
       scratch.elements.push_back(e);
-      for (const std::int32_t other : body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element)) {
-        std::int32_t& place = scratch.place[static_cast<std::size_t>(other)];
+      for (const std::int32_t other : body_.blocks()[e.block]->nodesOf(e.element)) {
+        std::int32_t& place = scratch.place[other];
         if (place >= 0) continue;
         place = static_cast<std::int32_t>(scratch.nodes.size());
         scratch.nodes.push_back(other);
@@ -233,7 +230,7 @@ class Rings {
       const auto node = static_cast<std::size_t>(scratch.nodes[i]);
       for (std::int64_t s = matrix_.rowBegin[node]; s < matrix_.rowBegin[node + 1]; ++s) {
         const auto slot = static_cast<std::size_t>(s);
-        const std::int32_t j = scratch.place[static_cast<std::size_t>(matrix_.column[slot])];
+        const std::int32_t j = scratch.place[matrix_.column[slot]];
         if (j < 0) continue;
         const bool rim = i >= inner && static_cast<std::size_t>(j) >= inner;
         scratch.slotPlace[slot] = static_cast<std::int32_t>(ring.block.size());
@@ -264,16 +261,14 @@ class Rings {
     const auto b = static_cast<std::size_t>(e.block);
     const auto nodes = body_.blocks()[b]->nodesOf(e.element);
     const std::size_t n = nodes.size(), first = static_cast<std::size_t>(e.element) * n;
-    const auto isRim = [&](std::size_t a) {
-      return static_cast<std::size_t>(scratch.place[static_cast<std::size_t>(nodes[a])]) >= inner;
-    };
+    const auto isRim = [&](std::size_t a) { return static_cast<std::size_t>(scratch.place[nodes[a]]) >= inner; };
     for (std::size_t a = 0; a < n; ++a) {
       if (!isRim(a)) continue;
-      scratch.mass[static_cast<std::size_t>(scratch.place[static_cast<std::size_t>(nodes[a])])] += mass_[b][first + a];
+      scratch.mass[scratch.place[nodes[a]]] += mass_[b][first + a];
       for (std::size_t c = 0; c < n; ++c) {
         if (!isRim(c)) continue;
         const auto slot = static_cast<std::size_t>(matrix_.elementBlocks[b][first * n + a * n + c]);
-        scratch.matrix.block[static_cast<std::size_t>(scratch.slotPlace[slot])] += tangent_[b][first * n + a * n + c];
+        scratch.matrix.block[scratch.slotPlace[slot]] += tangent_[b][first * n + a * n + c];
       }
     }
   }
@@ -299,8 +294,7 @@ std::vector<std::vector<double>> ringEigenvalues(const Body& body, const NodeVec
   const auto forEachRing = [&](std::int64_t count, std::int64_t before, std::int64_t total, const auto& evaluate) {
     for (std::int64_t first = 0; first < count; first += slice) {
       const std::int64_t end = std::min(count, first + slice);
-      parallelFor(first, end, threads,
-                  [&](std::int64_t i) { evaluate(i, scratch[static_cast<std::size_t>(omp_get_thread_num())]); });
+      parallelFor(first, end, threads, [&](std::int64_t i) { evaluate(i, scratch[omp_get_thread_num()]); });
       if (progress) progress(static_cast<double>(before + end) / static_cast<double>(total));
     }
   };
@@ -310,13 +304,13 @@ std::vector<std::vector<double>> ringEigenvalues(const Body& body, const NodeVec
     std::vector<double> nodal(static_cast<std::size_t>(body.nodeCount()));
     forEachRing(body.nodeCount(), 0, body.nodeCount(), [&](std::int64_t i, Rings::Scratch& s) {
       const auto node = static_cast<std::int32_t>(i);
-      nodal[static_cast<std::size_t>(i)] = rings.evaluate({&node, 1}, s);
+      nodal[i] = rings.evaluate({&node, 1}, s);
     });
     for (std::size_t b = 0; b < values.size(); ++b)
       for (std::size_t e = 0; e < values[b].size(); ++e) {
         bool first = true;
         for (const std::int32_t node : body.blocks()[b]->nodesOf(static_cast<std::int32_t>(e))) {
-          const double value = nodal[static_cast<std::size_t>(node)];
+          const double value = nodal[node];
           if (first || value > values[b][e] || std::isnan(value)) values[b][e] = value;
           first = false;
           if (std::isnan(value)) break;
@@ -329,8 +323,7 @@ std::vector<std::vector<double>> ringEigenvalues(const Body& body, const NodeVec
   for (std::size_t b = 0; b < values.size(); ++b) {
     const auto count = static_cast<std::int64_t>(values[b].size());
     forEachRing(count, before, total, [&](std::int64_t e, Rings::Scratch& s) {
-      values[b][static_cast<std::size_t>(e)] =
-          rings.evaluate(body.blocks()[b]->nodesOf(static_cast<std::int32_t>(e)), s);
+      values[b][e] = rings.evaluate(body.blocks()[b]->nodesOf(static_cast<std::int32_t>(e)), s);
     });
     before += count;
   }

@@ -59,7 +59,7 @@ void RunCertificate::note(ElementRef e, const TangentDrift& drift) {
     statistics_.leastDeterminant = drift.determinant;
     statistics_.leastDeterminantElement = e;
   }
-  const double modulus = body().blocks()[static_cast<std::size_t>(e.block)]->material().restModulus();
+  const double modulus = body().blocks()[e.block]->material().restModulus();
   RoundedUp<Bfloat16>& compression = of(e).compression[placeOf(e)];
   compression = drift.law.negative / modulus;
   mostCompression_ = std::max(mostCompression_, static_cast<double>(compression));
@@ -80,7 +80,7 @@ std::vector<ElementRef> RunCertificate::elementsOutsideBall(const NodeVectors& x
    public:
     explicit Check(RunCertificate& state) : state_(state) {}
     void visitPatch(std::size_t block, const PatchPass& pass) override {
-      state_.blocks_[block].balls.checkPatch(pass, state_.outside_[block][static_cast<std::size_t>(pass.index())]);
+      state_.blocks_[block].balls.checkPatch(pass, state_.outside_[block][pass.index()]);
     }
 
    private:
@@ -125,8 +125,7 @@ void RunCertificate::distributeAllowances(const NodeVectors& x) {
             drifts[place] = reference.drift;
             double room = infinite;
             for (const std::int32_t node : block.nodesOf(elements[lane]))
-              if (nodal[static_cast<std::size_t>(node)] > 0)
-                room = std::min(room, certifiedEigenvalue() / nodal[static_cast<std::size_t>(node)]);
+              if (nodal[node] > 0) room = std::min(room, certifiedEigenvalue() / nodal[node]);
             setAllowance(e, swept[lane] > 0 ? swept[lane] * room * (1 - allowanceRounding) : 0);
             setBall(e, reference);
             // Nothing of a wholly constrained element is left in the problem.
@@ -145,8 +144,7 @@ void RunCertificate::distributeAllowances(const NodeVectors& x) {
   frames_.resize(static_cast<std::size_t>(body().nodeCount()));
   parallelFor(
       0, body().nodeCount(), body().threads(),
-      [&](std::int64_t node) { frames_[static_cast<std::size_t>(node)] = frameOf(static_cast<std::int32_t>(node)); },
-      64);
+      [&](std::int64_t node) { frames_[node] = frameOf(static_cast<std::int32_t>(node)); }, 64);
 }
 
 void RunCertificate::raise(double sigma) {
@@ -246,7 +244,7 @@ std::vector<ElementRef> RunCertificate::highestElements(std::size_t count) {
   std::iota(nodes.begin(), nodes.end(), 0);
   const auto end = nodes.begin() + static_cast<std::ptrdiff_t>(std::min(count, nodes.size()));
   std::partial_sort(nodes.begin(), end, nodes.end(), [&](std::int32_t a, std::int32_t b) {
-    const double at = nodal[static_cast<std::size_t>(a)], other = nodal[static_cast<std::size_t>(b)];
+    const double at = nodal[a], other = nodal[b];
     return at != other ? at > other : a < b;
   });
   std::vector<ElementRef> result;

@@ -20,9 +20,10 @@ struct UpdateStatistics {
   ElementRef leastDeterminantElement;
 };
 
-/// The state of a certificate along a run: allowances stay as they are while every element is inside its validity ball,
-/// the ball around the reference gradient at which it was last evaluated within which TangentGrowth keeps l_e <= β_e.
-/// All stored numbers are rounded to the safe side by their types.
+/// The state of a certificate along a run (Theorems 14 to 19 and 21, docs/theory/incremental_certificate.md):
+/// allowances stay as they are while every element is inside its validity ball, the ball around the reference gradient
+/// at which it was last evaluated within which TangentGrowth keeps l_e <= β_e. All stored numbers are rounded to the
+/// safe side by their types.
 class RunCertificate : public CertificateState<RoundedDown<float>> {
  public:
   explicit RunCertificate(const Body& body);
@@ -67,8 +68,8 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   /// The rotation of a node's surroundings since the reference configuration, by reference gradients of its elements.
   Eigen::Quaternionf frameOf(std::int32_t node) const;
   /// The same when the node's weights were made or turned last.
-  const Eigen::Quaternionf& frame(std::int32_t node) const { return frames_[static_cast<std::size_t>(node)]; }
-  void setFrame(std::int32_t node, const Eigen::Quaternionf& frame) { frames_[static_cast<std::size_t>(node)] = frame; }
+  const Eigen::Quaternionf& frame(std::int32_t node) const { return frames_[node]; }
+  void setFrame(std::int32_t node, const Eigen::Quaternionf& frame) { frames_[node] = frame; }
 
   /// Elements whose -lambda_min(∂P/∂F) over λ+2μ was above `least` when last evaluated, most first.
   std::vector<ElementRef> compressedElements(double least) const;
@@ -87,8 +88,8 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
     std::vector<RoundedUp<float>> value;
     std::vector<RoundedUp<Bfloat16>> strainNorm, compression;
   };
-  BlockData& of(ElementRef e) { return blocks_[static_cast<std::size_t>(e.block)]; }
-  const BlockData& of(ElementRef e) const { return blocks_[static_cast<std::size_t>(e.block)]; }
+  BlockData& of(ElementRef e) { return blocks_[e.block]; }
+  const BlockData& of(ElementRef e) const { return blocks_[e.block]; }
   Reference store(const EvaluatedPack& pack, int lane, bool withStrainNorm);
   void note(ElementRef e, const TangentDrift& drift);
 

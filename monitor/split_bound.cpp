@@ -75,11 +75,9 @@ class Splitting {
     const auto blocks = static_cast<std::int64_t>(pattern_.column.size());
     target_.resize(static_cast<std::size_t>(blocks));
     for (std::int32_t i = 0; i < source.nodeCount(); ++i)
-      for (std::int64_t k = pattern_.rowBegin[static_cast<std::size_t>(i)];
-           k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
-        const bool diagonal = pattern_.column[static_cast<std::size_t>(k)] == i;
-        target_[static_cast<std::size_t>(k)] =
-            (diagonal ? sigma : 0.0) * Eigen::Matrix3d::Identity() + sumOf(k);  // P_ holds -A_e
+      for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
+        const bool diagonal = pattern_.column[k] == i;
+        target_[k] = (diagonal ? sigma : 0.0) * Eigen::Matrix3d::Identity() + sumOf(k);  // P_ holds -A_e
       }
     startFrom(weights);
     reserve_.assign(elements_.size(), -1.0);
@@ -111,14 +109,11 @@ class Splitting {
     }
     parallelFor(
         0, static_cast<std::int64_t>(groups.size()), source_.threads(),
-        [&](std::int64_t g) {
-          removeNegativeParts(groups[static_cast<std::size_t>(g)].element, groups[static_cast<std::size_t>(g)].count);
-        },
-        4);
+        [&](std::int64_t g) { removeNegativeParts(groups[g].element, groups[g].count); }, 4);
     std::vector<double> nodal(static_cast<std::size_t>(source_.nodeCount()), 0.0);
     double sum = 0;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      for (std::int32_t node : nodesOf(e)) nodal[static_cast<std::size_t>(node)] += excess_[e];
+      for (std::int32_t node : nodesOf(e)) nodal[node] += excess_[e];
       sum += negative_[e];
     }
     // Nesterov's sequence, from the start again when the last step was uphill.
@@ -172,7 +167,7 @@ class Splitting {
     }
   }
   std::span<const std::int32_t> nodesOf(std::size_t e) const {
-    return source_.tangents()[static_cast<std::size_t>(elements_[e].ref.block)]->nodesOf(elements_[e].ref.element);
+    return source_.tangents()[elements_[e].ref.block]->nodesOf(elements_[e].ref.element);
   }
   Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>> at(AlignedVector<double>& values, const Place& place) const {
     return Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>>(values.data() + place.first,
@@ -195,7 +190,7 @@ class Splitting {
         const auto nodes = block.nodesOf(e);
         double scale[3 * maxElementNodes];
         for (int i = 0; i < size; ++i) {
-          const std::int32_t node = nodes[static_cast<std::size_t>(i / 3)];
+          const std::int32_t node = nodes[i / 3];
           scale[i] = freeFactor(source_, node, i % 3) / std::sqrt(source_.lumpedMass()[node]);
         }
         double* P = P_.data() + elements_[firstOfGroup_[b] + static_cast<std::size_t>(e)].begin;
@@ -216,7 +211,7 @@ class Splitting {
     placeBegin_.assign(pattern_.column.size() + 1, 0);
     const auto forEachPlace = [&](const auto& visit) {
       for (const Element& element : elements_) {
-        const auto& positions = pattern_.elementBlocks[static_cast<std::size_t>(element.ref.block)];
+        const auto& positions = pattern_.elementBlocks[element.ref.block];
         const int n = element.nodes;
         for (int a = 0; a < n; ++a)
           for (int b = 0; b < n; ++b)
@@ -232,10 +227,10 @@ class Splitting {
     for (std::size_t k = 1; k < placeBegin_.size(); ++k) placeBegin_[k] += placeBegin_[k - 1];
     places_.resize(static_cast<std::size_t>(placeBegin_.back()));
     std::vector<std::int64_t> next(placeBegin_.begin(), placeBegin_.end() - 1);
-    forEachPlace([&](std::size_t k, const Place& place) { places_[static_cast<std::size_t>(next[k]++)] = place; });
+    forEachPlace([&](std::size_t k, const Place& place) { places_[next[k]++] = place; });
   }
   std::span<const Place> placesOf(std::int64_t k) const {
-    const std::int64_t begin = placeBegin_[static_cast<std::size_t>(k)];
+    const std::int64_t begin = placeBegin_[k];
     return {places_.data() + begin, static_cast<std::size_t>(placeBegin_[static_cast<std::size_t>(k) + 1] - begin)};
   }
   Eigen::Matrix3d sumOf(std::int64_t k) {
@@ -249,8 +244,7 @@ class Splitting {
     for (std::int32_t node = 0; node < source_.nodeCount(); ++node)
       for (const NodalBound::Incidence incidence : weights.incidences(node)) {
         const ElementRef ref = weights.elementAt(incidence);
-        const Element& element =
-            elements_[firstOfGroup_[static_cast<std::size_t>(ref.block)] + static_cast<std::size_t>(ref.element)];
+        const Element& element = elements_[firstOfGroup_[ref.block] + static_cast<std::size_t>(ref.element)];
         const int a = incidence.place / PatchLayout::lanes % element.nodes;
         at(P_, placeOf(element, a, a)) += weights.value(ref) / source_.lumpedMass()[node] * weights.weight(incidence);
       }
@@ -262,23 +256,19 @@ class Splitting {
     missing_.resize(static_cast<std::size_t>(blocks));
     parallelFor(
         0, blocks, source_.threads(),
-        [&](std::int64_t k) {
-          missing_[static_cast<std::size_t>(k)] =
-              (target_[static_cast<std::size_t>(k)] - sumOf(k)) / static_cast<double>(placesOf(k).size());
-        },
-        256);
+        [&](std::int64_t k) { missing_[k] = (target_[k] - sumOf(k)) / static_cast<double>(placesOf(k).size()); }, 256);
     parallelFor(
         0, static_cast<std::int64_t>(elements_.size()), source_.threads(),
         [&](std::int64_t index) {
           const auto e = static_cast<std::size_t>(index);
           const Element& element = elements_[e];
           const int n = element.nodes, size = 3 * n;
-          const std::int32_t* positions = pattern_.elementBlocks[static_cast<std::size_t>(element.ref.block)].data() +
+          const std::int32_t* positions = pattern_.elementBlocks[element.ref.block].data() +
                                           static_cast<std::ptrdiff_t>(element.ref.element) * n * n;
           double moved = 0, norm = 0;
           for (int a = 0; a < n; ++a)
             for (int b = 0; b < n; ++b) {
-              const Eigen::Matrix3d& add = missing_[static_cast<std::size_t>(positions[a * n + b])];
+              const Eigen::Matrix3d& add = missing_[positions[a * n + b]];
               for (int j = 0; j < 3; ++j)
                 for (int i = 0; i < 3; ++i) {
                   const auto entry = static_cast<std::size_t>(element.begin + (3 * b + j) * size + 3 * a + i);

@@ -18,7 +18,8 @@ namespace ringwatch {
 /// spreads what is then missing from the sum evenly over the elements that share a block (a projection), accelerated
 /// after Nesterov (Beck & Teboulle 2009) and restarted when the sum rises (O'Donoghue & Candès 2015). Every iterate
 /// gives a bound; the best counts. An element is left alone while its least eigenvalue cannot have sunk below zero,
-/// which the norms of its changes tell (Weyl).
+/// which the norms of its changes tell (Weyl). Theorem 12, docs/theory/exchange.md; that iterates keep the sum:
+/// Theorem 13.
 struct SplitBound {
   UpperBound upper;
   int iterations = 0;

@@ -17,7 +17,7 @@
 namespace ringwatch {
 namespace {
 
-constexpr int energySettling = 20;  // looks before the energy balance is judged
+constexpr int energySettling = 20;  // observations before the energy balance is judged
 
 /// criticalStep() that also adds up the element evaluations that it took.
 CriticalStep bracketFromScratch(const Body& body, const NodeVectors& x, const StepRule& limit,
@@ -31,7 +31,7 @@ class Bracketer {
       : body_(body),
         width_(width),
         nodal_(body, {.slack = slackOfWidth * width}),
-        hotSpot_(body, nodal_.weights()),
+        submatrix_(body, nodal_.weights()),
         ringNodes_(body, nodal_.weights()) {}
 
   /// Unless nullptr, `evaluation` is filled in at x. Empty where the tangent is not finite, or where rounding
@@ -50,27 +50,27 @@ class Bracketer {
     LowerBound lower{0};
     const bool first = mode_.size() == 0, rebuilt = spent_.rebuilds > 0;
     if (!first) {
-      lower = hotSpot_.evaluate(x);
+      lower = submatrix_.evaluate(x);
       wholeMode_.tick();
       if (wholeMode_.due()) {
         const LowerBound whole = refreshMode(x, warmProducts);
-        // Seldom while the hot spot tells all.
+        // Seldom while the submatrix tells all.
         wholeMode_.tried(whole.value > 1.005 * lower.value);
         lower = {std::max(lower.value, whole.value)};
       }
-      lower = lookWhereItRose(x, sigma, lower);
+      lower = boundWhereItRose(x, sigma, lower);
     }
     const double allowed = (1 + width_) * (1 + width_);
-    // A bracket that is too wide is either side's fault: look again from below before moving the upper side.
+    // A bracket that is too wide is either side's fault: bound it from below again before moving the upper side.
     const bool wide = upper.value > allowed * lower.value;
     if (wide) restart_.tick();
     if (first || rebuilt || (wide && restart_.due())) {
       const double before = lower.value;
       lower = first ? startMode(x) : restartMode(x);
-      // The hot spot is a part of the whole, its bound a little lower.
+      // The submatrix is a part of the whole, its bound a little lower.
       restart_.tried(lower.value > 1.02 * before);
     }
-    lookUnderCompression(x);
+    searchUnderCompression(x);
     nodal_.relaxBound(lower, width_);
     upper.value = std::max(upper.value, nodal_.certifiedEigenvalue());
     if (upper.value > allowed * lower.value && nodal_.tightenBound(x, lower, width_)) {
@@ -80,7 +80,7 @@ class Bracketer {
     }
     step_ = CriticalStep{safeStep(upper, limit),
                          optimisticStep(lower, limit),
-                         hotSpot_.hottestElement(),
+                         submatrix_.highestElement(),
                          "lazy-nodal-bound",
                          method_,
                          lowest_.value,
@@ -88,8 +88,8 @@ class Bracketer {
     if (!step_->isBracket()) step_.reset();
     return step_;
   }
-  /// Whether h is certified at x, in the cheapest way. While it is not, the bracket is kept, and some looks longer:
-  /// then last() is fresh and `bracketed` true.
+  /// Whether h is certified at x, in the cheapest way. While it is not, the bracket is kept, and some observations
+  /// longer: then last() is fresh and `bracketed` true.
   bool judge(const NodeVectors& x, const StepRule& limit, double h, StepEvaluation* evaluation) {
     std::int64_t before = 0;
     if (sinceDoubt_ >= firstGap) {
@@ -98,7 +98,7 @@ class Bracketer {
       spent_ = nodal_.statistics();
       bracketed_ = false;
       if (certified) {
-        lookUnderCompression(x);
+        searchUnderCompression(x);
         return true;
       }
       before = spent_.evaluated;
@@ -165,7 +165,7 @@ class Bracketer {
   void forget() {
     step_.reset();
     mode_.resize(3, 0);
-    hotSpot_.choose(mode_);
+    submatrix_.choose(mode_);
     lowest_ = {0, {}};
     softest_.resize(3, 0);
     least_ = {};
@@ -175,7 +175,7 @@ class Bracketer {
   /// Only elements under compression can make the tangent indefinite. When there are some, their rings are evaluated
   /// now and then, and a direction of negative stiffness is searched in the whole body: at the first evaluation, when
   /// compression has grown since the last search, and else more and more seldom.
-  void lookUnderCompression(const NodeVectors& x) {
+  void searchUnderCompression(const NodeVectors& x) {
     const double compression = nodal_.mostCompression();
     search_.tick();
     const bool grown = compression > growth * searchedAt_ && search_.since() >= firstGap;
@@ -206,14 +206,14 @@ class Bracketer {
       if (least < lowest_.value) lowest_ = {least, e};
     }
   }
-  /// The top mode jumps to where an element has become stiffer than it had been: rings there are looked at at once.
-  LowerBound lookWhereItRose(const NodeVectors& x, double sigma, LowerBound lower) {
+  /// The top mode jumps to where an element has become stiffer than it had been: rings there are examined at once.
+  LowerBound boundWhereItRose(const NodeVectors& x, double sigma, LowerBound lower) {
     bool jumped = false;
-    std::size_t looks = 0;
+    std::size_t observations = 0;
     for (const IncrementalNodalBound::NearLimit& near : nodal_.nearLimit()) {
-      // One that is within its allowance is worth a look when the bound there is above what is known from below.
-      if (looks >= (near.fraction > 1 ? risenRings : 1) || near.fraction * sigma < 1.005 * lower.value) break;
-      ++looks;
+      // One that is within its allowance is worth an evaluation when the bound there is above what is known from below.
+      if (observations >= (near.fraction > 1 ? risenRings : 1) || near.fraction * sigma < 1.005 * lower.value) break;
+      ++observations;
       if (!decomposeRing(x, near.element)) continue;
       const double value = topOfRing();
       if (!(value > lower.value)) continue;
@@ -223,12 +223,12 @@ class Bracketer {
       mode_.normalize();
       addTopOfRing(mode_);
     }
-    if (jumped) hotSpot_.choose(mode_);
+    if (jumped) submatrix_.choose(mode_);
     return lower;
   }
   /// The reduced ring of one element into solver_; false when it fails.
   bool decomposeRing(const NodeVectors& x, ElementRef e) {
-    const auto nodes = body_.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element);
+    const auto nodes = body_.blocks()[e.block]->nodesOf(e.element);
     ringNodes_.choose({nodes.begin(), nodes.end()});
     solver_.compute(ringNodes_.evaluate(x));
     return solver_.info() == Eigen::Success;
@@ -243,7 +243,7 @@ class Bracketer {
   }
   /// At first, when the nodal bound is of now: from the highest of the rings where it is highest.
   LowerBound startMode(const NodeVectors& x) {
-    const std::vector<ElementRef> hot = nodal_.highestElements(hotRings);
+    const std::vector<ElementRef> hot = nodal_.highestElements(highestRings);
     mode_ = NodeVectors::Zero(3, body_.nodeCount());
     double highest = 0;
     for (const ElementRef e : hot) {
@@ -273,16 +273,17 @@ class Bracketer {
     return followMode(x, rayleighLowerBound(body_, x, mode_, products));
   }
   LowerBound followMode(const NodeVectors& x, LowerBound whole) {
-    hotSpot_.choose(mode_);
+    submatrix_.choose(mode_);
     wholeMode_.restart();
-    return {std::max(whole.value, hotSpot_.evaluate(x).value)};
+    return {std::max(whole.value, submatrix_.evaluate(x).value)};
   }
   static constexpr double slackOfWidth = 1.6;
   static constexpr int coldProducts = 20, restartProducts = 8, warmProducts = 3;
-  // Evaluations between two looks under compression, and of a step that is certified before it is judged cheaply.
+  // Evaluations between two observations under compression, and of a step that is certified before it is judged
+  // cheaply.
   static constexpr int firstGap = 10;
-  static constexpr std::size_t compressedRings = 16, risenRings = 3, hotRings = 64;  // looked at each time
-  static constexpr double compressed = 0.05, slightlyCompressed = 1e-3;              // of λ+2μ
+  static constexpr std::size_t compressedRings = 16, risenRings = 3, highestRings = 64;  // examined each time
+  static constexpr double compressed = 0.05, slightlyCompressed = 1e-3;                  // of λ+2μ
   // Of the search for a negative direction: tangent products of the first and of the others, the growth of compression
   // that asks for one.
   static constexpr int coldSearch = 48, warmSearch = 12;
@@ -291,16 +292,16 @@ class Bracketer {
   const Body& body_;
   double width_;
   IncrementalNodalBound nodal_;
-  HotSpot hotSpot_;
+  LocalSubmatrix submatrix_;
   NodeSubmatrix ringNodes_;
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver_;
   NodeVectors mode_;
   std::string_view method_;
   UpdateStatistics spent_;
   bool bracketed_ = true, finite_ = true;
-  int sinceDoubt_ = firstGap;  // looks in a row that certified the step asked about
+  int sinceDoubt_ = firstGap;  // observations in a row that certified the step asked about
   int sinceSharpened_ = 0, sinceCompressed_ = firstGap;
-  // In evaluations: looks at the whole mode, restarts from all rings, searches for a negative direction.
+  // In evaluations: of the whole mode, restarts from all rings, searches for a negative direction.
   Backoff wholeMode_{{.first = 64, .last = 512, .factor = 2}}, restart_{{.first = firstGap, .last = 2560, .factor = 4}},
       search_{{.first = 80, .last = 2560, .factor = 2}};
   LowestRing lowest_{0, {}};
@@ -313,7 +314,7 @@ class Bracketer {
   std::int64_t bestVersion_ = 0;
 };
 
-/// A sum is quicker than a look at every number, and finite numbers whose sum overflows are rare.
+/// A sum is quicker than a test of every number, and finite numbers whose sum overflows are rare.
 bool allFinite(const NodeVectors& a) { return std::isfinite(a.sum()) || a.allFinite(); }
 
 void requireProof(const StepRule& rule) {
@@ -327,7 +328,8 @@ void requireProof(const StepRule& rule) {
 }  // namespace
 
 struct StabilityMonitor::Impl {
-  Impl(const Body& b, const MonitorOptions& o) : body(b), options(o), tracker(o.clearLooks), bodyVersion(b.version()) {
+  Impl(const Body& b, const MonitorOptions& o)
+      : body(b), options(o), tracker(o.clearObservations), bodyVersion(b.version()) {
     if (o.mode != MonitorMode::metric) bracketer.emplace(b, o.width);
     if (!o.metric.empty() && !o.metricElsewhere) metric = makeMetricEvaluator(o.metric, b);
     largestEnergy = roundingEnergy(b);
@@ -345,7 +347,7 @@ struct StabilityMonitor::Impl {
   MonitorReport report;
   EventTracker tracker;
   double largestEnergy = 0;
-  std::int64_t observations = 0, energyLooks = 0, bodyVersion = 0;
+  std::int64_t observations = 0, energyObservations = 0, bodyVersion = 0;
   bool unknown = false;            // the last state had no tangent
   bool provenFromScratch = false;  // the first bracket was
 
@@ -387,7 +389,7 @@ struct StabilityMonitor::Impl {
       }
       if (!provenFromScratch && bracketed) {
         provenFromScratch = true;
-        if (static_cast<std::int64_t>(body.mesh().elementCount()) <= options.firstLookElements)
+        if (static_cast<std::int64_t>(body.mesh().elementCount()) <= options.firstObservationElements)
           bracketer->proveFromScratch(x, options.limit);
       }
       if (bracketed) {
@@ -395,7 +397,7 @@ struct StabilityMonitor::Impl {
         certified = bracketer->last() && (!h || *h <= bracketer->last()->safe);
       }
       // Where the step is not certified, the optimistic side decides between "not certified" and "violated": it is made
-      // sharp at every look, lest a mode that has moved on says so late.
+      // sharp at every observation: else a mode that has moved on would say so late.
       if (!certified) bracketer->sharpen(x, options.limit);
       report.bracket.reset();
       if (bracketed) report.bracket = bracketer->last();
@@ -429,7 +431,8 @@ StabilityMonitor::StabilityMonitor(const Body& body, const MonitorOptions& optio
   if (!(options.margin >= 0 && options.margin < 1))
     throw InputError(joinText("margin = ", options.margin, ": must be >= 0 and < 1"));
   if (options.every < 1) throw InputError(joinText("every = ", options.every, ": must be >= 1"));
-  if (options.clearLooks < 1) throw InputError(joinText("clearLooks = ", options.clearLooks, ": must be >= 1"));
+  if (options.clearObservations < 1)
+    throw InputError(joinText("clearObservations = ", options.clearObservations, ": must be >= 1"));
   if (options.mode == MonitorMode::metric && options.metric.empty())
     throw InputError("mode = metric: needs a metric; name one, or choose bracket or threshold");
   if (!(options.width > 0 && options.width < 1))
@@ -503,7 +506,7 @@ const MonitorReport& StabilityMonitor::observeEnergies(const Energies& energies)
   const double share = m.largestEnergy > 0 ? std::abs(energies.balanceError) / m.largestEnergy : 0;
   // Schemes whose velocities are half a step behind, symplectic Euler for one, are off by 1/n of the energy at step n
   // of a run that starts under load.
-  const bool settled = m.energyLooks++ >= energySettling;
+  const bool settled = m.energyObservations++ >= energySettling;
   if (settled && share > m.options.energyTolerance)
     m.present({.kind = EventKind::energyBalance, .value = share}, m.body.mesh().X);
   else

@@ -14,12 +14,12 @@ namespace ringwatch {
 
 /// What is kept along a run.
 enum class MonitorMode {
-  bracket,    ///< both sides of the critical step, at every look
+  bracket,    ///< both sides of the critical step, at every observation
   threshold,  ///< only whether the step taken is certified: cheapest. While it is not, both sides, to tell how far
   metric      ///< neither: a metric with a margin, which proves nothing
 };
 inline constexpr auto monitorModeNames = nameTable<MonitorMode>({
-    {MonitorMode::bracket, "bracket", "both proven sides at every look"},
+    {MonitorMode::bracket, "bracket", "both proven sides at every observation"},
     {MonitorMode::threshold, "threshold", "only whether the step is certified, which is cheapest"},
     {MonitorMode::metric, "metric", "the metric alone"},
 });
@@ -37,11 +37,11 @@ struct MonitorOptions {
   int every = 1;                 ///< steps between evaluations
   double width = 0.05;           ///< of the bracket, relative to the step, that the proven side is steered to
   double energyTolerance = 0.1;  ///< balance error over the largest energy so far that is reported
-  int clearLooks = 20;           ///< looks in a row without it that end an event; see EventTracker
-  /// The first look takes the best proof there is, that of criticalStep(), in bodies of up to this many elements; 0 for
-  /// none. It costs about 0.1 ms a tet4 and 0.4 ms a hex8 of one thread, once. Later looks use the bound that is kept
-  /// along the run.
-  std::int64_t firstLookElements = 10000;
+  int clearObservations = 20;    ///< observations in a row without it that end an event; see EventTracker
+  /// The first observation takes the best proof there is, that of criticalStep(), in bodies of up to this many
+  /// elements; 0 for none. It costs about 0.1 ms a tet4 and 0.4 ms a hex8 of one thread, once. Later observations use
+  /// the bound that is kept along the run.
+  std::int64_t firstObservationElements = 10000;
 };
 
 enum class Verdict {
@@ -77,7 +77,7 @@ struct MonitorReport {
 class StabilityMonitor {
  public:
   /// The body must outlive the monitor. Throws InputError for an unknown metric, a margin outside [0, 1), every or
-  /// clearLooks < 1, or a bracket wanted by a rule that is not proven.
+  /// clearObservations < 1, or a bracket wanted by a rule that is not proven.
   StabilityMonitor(const Body& body, const MonitorOptions& options);
   ~StabilityMonitor();
 

@@ -59,13 +59,12 @@ class GivenTangents final : public ElementTangents {
   void addTangentProduct(const Patch& patch, const double* /*x*/, const double* v, double* slots) const override {
     const int n = nodesPerElement(), size = 3 * n;
     for (std::int32_t i = patch.batchBegin * lanes; i < patch.batchEnd * lanes; ++i) {
-      const std::int32_t e = layout().elements[static_cast<std::size_t>(i)];
+      const std::int32_t e = layout().elements[i];
       if (e < 0) continue;
       const double* K = tangents_ + e * entries();
       const auto nodes = nodesOf(e);
       double own[3 * maxElementNodes];
-      for (int k = 0; k < size; ++k)
-        own[k] = v[3 * static_cast<std::ptrdiff_t>(nodes[static_cast<std::size_t>(k / 3)]) + k % 3];
+      for (int k = 0; k < size; ++k) own[k] = v[3 * static_cast<std::ptrdiff_t>(nodes[k / 3]) + k % 3];
       for (int k = 0; k < size; ++k) {
         const auto local = static_cast<std::size_t>((i / lanes * n + k / 3) * lanes + i % lanes);
         double sum = 0;
@@ -230,11 +229,11 @@ struct TangentBracket::Impl {
 
   void addRowSums(std::span<const std::int32_t> nodes, const double* K, int size) {
     double scale[inTriple * maxElementNodes];
-    for (int i = 0; i < size; ++i) scale[i] = inverseRootMass[3 * nodes[static_cast<std::size_t>(i / 3)] + i % 3];
+    for (int i = 0; i < size; ++i) scale[i] = inverseRootMass[3 * nodes[i / 3] + i % 3];
     for (int i = 0; i < size; ++i) {
       double sum = 0;
       for (int j = 0; j < size; ++j) sum += std::abs(K[i * size + j]) * scale[j];
-      rowSum[3 * nodes[static_cast<std::size_t>(i / 3)] + i % 3] += scale[i] * sum;
+      rowSum[3 * nodes[i / 3] + i % 3] += scale[i] * sum;
     }
   }
 
@@ -242,9 +241,7 @@ struct TangentBracket::Impl {
   void scaleInto(const Group& group, std::span<const std::int32_t> nodes, const double* K, double* copy, int stride) {
     const int d = degreesOfFreedom, in = group.degreesOfFreedom, out = group.scaledDegreesOfFreedom;
     const int size = in * group.nodes, scaledSize = out * group.nodes, triples = triplesOf(out);
-    const auto rootOf = [&](int a) {
-      return inverseRoots.data() + static_cast<std::ptrdiff_t>(nodes[static_cast<std::size_t>(a)]) * d * d;
-    };
+    const auto rootOf = [&](int a) { return inverseRoots.data() + static_cast<std::ptrdiff_t>(nodes[a]) * d * d; };
     // W K, and the same with all signs positive.
     halfScaled.assign(static_cast<std::size_t>(2 * scaledSize * size), 0.0);
     double *const half = halfScaled.data(), *const halfSizes = half + scaledSize * size;
@@ -265,8 +262,7 @@ struct TangentBracket::Impl {
           copy[rowOf(i) * stride + rowOf(j)] += half[i * size + j / out * in + l] * w;
           sizes += halfSizes[i * size + j / out * in + l] * std::abs(w);
         }
-      rowSum[inTriple * (nodes[static_cast<std::size_t>(i / out)] * triplesOf(d) + i % out / inTriple) +
-             i % out % inTriple] += sizes;
+      rowSum[inTriple * (nodes[i / out] * triplesOf(d) + i % out / inTriple) + i % out % inTriple] += sizes;
     }
     for (int i = 0; i < stride; ++i)
       for (int j = 0; j < i; ++j)

@@ -149,7 +149,7 @@ class ValidityBalls::BallCheck final : public GradientVisitor {
     const P flags = select(inside, P(1.0), P(0.0));
     for (int lane = 0; lane < lanes; ++lane) {
       // Lanes without an element never leave, but for positions whose squares overflow.
-      const std::int32_t element = balls_.block_->layout().elements[static_cast<std::size_t>(place + lane)];
+      const std::int32_t element = balls_.block_->layout().elements[place + lane];
       if (flags[lane] == 0 && element >= 0) outside_.push_back(element);
     }
   }
@@ -265,7 +265,7 @@ void ValidityBalls::ballChanged(std::size_t place) {
 void ValidityBalls::checkPatch(const PatchPass& pass, std::vector<std::int32_t>& outside) {
   const auto patch = static_cast<std::size_t>(pass.index());
   for (std::int32_t g = patchGroups_[patch]; g < patchGroups_[patch + 1]; ++g) {
-    Group& group = groups_[static_cast<std::size_t>(g)];
+    Group& group = groups_[g];
     if (canSkip(group, pass.rows())) {
       pass.run(group.batchBegin, group.batchEnd);
       continue;

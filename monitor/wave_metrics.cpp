@@ -12,7 +12,7 @@ namespace {
 
 double lengthOf(const ElementInfo& element, const NodeVectors& x, std::span<const std::int32_t> nodes,
                 CharacteristicLength kind) {
-  const auto at = [&](int a) { return Eigen::Vector3d(x.col(nodes[static_cast<std::size_t>(a)])); };
+  const auto at = [&](int a) { return Eigen::Vector3d(x.col(nodes[a])); };
   const int corners = cornerCount(element);
   if (kind == CharacteristicLength::shortestEdge) {
     double least = std::numeric_limits<double>::infinity();
@@ -38,7 +38,7 @@ double lengthOf(const ElementInfo& element, const NodeVectors& x, std::span<cons
     sum += area;
     if (kind != CharacteristicLength::minHeight) continue;
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (int k = 0; k < (triangle ? 3 : 4); ++k) middle += at(face[static_cast<std::size_t>(k)]) / (triangle ? 3 : 4);
+    for (int k = 0; k < (triangle ? 3 : 4); ++k) middle += at(face[k]) / (triangle ? 3 : 4);
     double farthest = 0;
     for (int a = 0; a < corners; ++a)
       farthest = std::max(farthest, std::abs((at(a) - middle).dot(normal)) / (2 * area));
@@ -66,7 +66,7 @@ std::vector<std::vector<double>> pressureWave(const Body& body, const NodeVector
     const double speed = block->material().waveSpeed();
     parallelFor(0, block->elementCount(), body.threads(), [&](std::int64_t e) {
       const auto nodes = block->nodesOf(static_cast<std::int32_t>(e));
-      lambda[static_cast<std::size_t>(e)] = std::pow(2 * speed / lengthOf(block->element(), x, nodes, length), 2);
+      lambda[e] = std::pow(2 * speed / lengthOf(block->element(), x, nodes, length), 2);
     });
   }
   return values;

@@ -56,11 +56,11 @@ Mesh oneElement(const ElementInfo& info, double jitter) {
   mesh.blocks.push_back({info.type, {}, {0}});
   const int corners = cornerCount(info);
   for (int a = 0; a < info.nodes; ++a) {
-    mesh.X.col(a) = 0.01 * Eigen::Vector3d::Map(info.referenceNodes[static_cast<std::size_t>(a)].data());
+    mesh.X.col(a) = 0.01 * Eigen::Vector3d::Map(info.referenceNodes[a].data());
     if (a < corners)
       mesh.X.col(a) += 0.01 * jitter * Eigen::Vector3d(draw(), draw(), draw());
     else {
-      const auto& ends = info.edges[static_cast<std::size_t>(a - corners)];
+      const auto& ends = info.edges[a - corners];
       mesh.X.col(a) = (mesh.X.col(ends[0]) + mesh.X.col(ends[1])) / 2;
     }
     mesh.nodeIds.push_back(a);
@@ -76,7 +76,7 @@ NodeVectors strained(const Mesh& mesh, double scale) {
 std::vector<bool> boundaryNodes(const Mesh& mesh) {
   std::vector<bool> boundary(mesh.nodeCount());
   for (const auto& [name, nodes] : mesh.nodeSets)
-    for (const std::int32_t node : nodes) boundary[static_cast<std::size_t>(node)] = true;
+    for (const std::int32_t node : nodes) boundary[node] = true;
   return boundary;
 }
 
@@ -96,8 +96,7 @@ void studyShapes(StudyReport& report) {
       Eigen::VectorXd weights = Eigen::VectorXd::NullaryExpr(info.nodes, [&] { return 1.01 + draw(); });
       weights /= weights.sum();
       Eigen::Vector3d xi = Eigen::Vector3d::Zero();
-      for (int a = 0; a < info.nodes; ++a)
-        xi += weights[a] * Eigen::Vector3d::Map(info.referenceNodes[static_cast<std::size_t>(a)].data());
+      for (int a = 0; a < info.nodes; ++a) xi += weights[a] * Eigen::Vector3d::Map(info.referenceNodes[a].data());
       info.shape(xi.data(), N.data());
       info.shapeGradient(xi.data(), reinterpret_cast<double(*)[3]>(dN.data()));
       double sum = -1;
@@ -105,9 +104,9 @@ void studyShapes(StudyReport& report) {
       Eigen::RowVector3d slope = Eigen::RowVector3d::Zero();
       for (int a = 0; a < info.nodes; ++a) {
         const Eigen::RowVector3d gradient = Eigen::RowVector3d::Map(dN.data() + 3 * a);
-        sum += N[static_cast<std::size_t>(a)];
+        sum += N[a];
         slope += gradient;
-        J += Eigen::Vector3d::Map(info.referenceNodes[static_cast<std::size_t>(a)].data()) * gradient;
+        J += Eigen::Vector3d::Map(info.referenceNodes[a].data()) * gradient;
       }
       unity = std::max({unity, std::abs(sum), slope.cwiseAbs().maxCoeff()});
       completeness = std::max(completeness, J.cwiseAbs().maxCoeff());
@@ -172,7 +171,7 @@ PatchErrors constantStrain(const Mesh& mesh, const BodyOptions& options) {
   NodeVectors start = exact;
   Draw draw(9);
   for (std::int32_t node = 0; node < body.nodeCount(); ++node) {
-    if (boundary[static_cast<std::size_t>(node)])
+    if (boundary[node])
       body.constraints().fix(node);
     else {
       errors.force = std::max(errors.force, f.col(node).cwiseAbs().maxCoeff() / forceScale);
@@ -215,7 +214,7 @@ double linearStrain(const ElementRule& c, double jitter) {
   const std::vector<bool> boundary = boundaryNodes(mesh);
   double error = 0;
   for (Eigen::Index node = 0; node < x.cols(); ++node)
-    if (!boundary[static_cast<std::size_t>(node)]) error = std::max(error, (f - load).col(node).cwiseAbs().maxCoeff());
+    if (!boundary[node]) error = std::max(error, (f - load).col(node).cwiseAbs().maxCoeff());
   return error / load.cwiseAbs().maxCoeff();
 }
 

@@ -94,14 +94,14 @@ void load(const Deformation& d, Body& body) {
   const Frame frame = frameOf(d);
   const Mesh& mesh = body.mesh();
   std::vector<bool> driven(mesh.nodeCount(), false);
-  for (const std::int32_t n : mesh.nodeSets.at(frame.driven)) driven[static_cast<std::size_t>(n)] = true;
+  for (const std::int32_t n : mesh.nodeSets.at(frame.driven)) driven[n] = true;
   const Vector3d centre = frame.heldCentre + frame.length * frame.along;
   for (const ElementFace& f : boundaryFaces(mesh)) {
-    const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(f.block)];
-    const std::array<int, 4>& corners = elementInfo(block.type).faces[static_cast<std::size_t>(f.face)];
+    const MeshBlock& block = mesh.blocks[f.block];
+    const std::array<int, 4>& corners = elementInfo(block.type).faces[f.face];
     const std::int32_t* nodes = block.element(static_cast<std::size_t>(f.element));
     const std::array<std::int32_t, 3> n{nodes[corners[0]], nodes[corners[1]], nodes[corners[2]]};
-    if (!std::all_of(n.begin(), n.end(), [&](std::int32_t i) { return driven[static_cast<std::size_t>(i)]; })) continue;
+    if (!std::all_of(n.begin(), n.end(), [&](std::int32_t i) { return driven[i]; })) continue;
     const double area =
         (mesh.X.col(n[1]) - mesh.X.col(n[0])).cross(Vector3d(mesh.X.col(n[2]) - mesh.X.col(n[0]))).norm() / 2;
     const Vector3d middle = (mesh.X.col(n[0]) + mesh.X.col(n[1]) + mesh.X.col(n[2])) / 3;
@@ -277,7 +277,7 @@ double sourceError(const Deformation& d, std::string_view handler) {
   const auto column = std::find(sourceHandlers.begin(), sourceHandlers.end(), handler) - sourceHandlers.begin();
   for (const SourceErrors& row : sourceErrors)
     if (row.mode == d.mode && row.mesh == d.mesh && d.poisson == 0.3 && column < 4)
-      return (d.byForce ? row.force : row.position)[static_cast<std::size_t>(column)];
+      return (d.byForce ? row.force : row.position)[column];
   return none;
 }
 
@@ -287,9 +287,9 @@ StudySurfaces::Panel surfaceOf(std::string label, const Mesh& mesh, const NodeVe
                                const Eigen::VectorXd& error) {
   StudySurfaces::Panel panel{std::move(label), {}, {}};
   for (const ElementFace& f : boundaryFaces(mesh)) {
-    const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(f.block)];
+    const MeshBlock& block = mesh.blocks[f.block];
     const std::int32_t* nodes = block.element(static_cast<std::size_t>(f.element));
-    const std::array<int, 4>& corners = elementInfo(block.type).faces[static_cast<std::size_t>(f.face)];
+    const std::array<int, 4>& corners = elementInfo(block.type).faces[f.face];
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3d p = 1e2 * x.col(nodes[corners[k]]);  // cm
       panel.points.push_back({p.x(), p.y(), p.z()});

@@ -133,7 +133,8 @@ void studyBracket(StudyReport& report, StudyEffort effort) {
 void studyDrift(StudyReport& report, StudyEffort effort) {
   StudyTable table{
       "drift",
-      "The incremental nodal bound along random paths, every element checked against an exact evaluation at every look",
+      "The incremental nodal bound along random paths, every element checked against an exact evaluation at every "
+      "observation",
       {"element", "law", "element and state trials", "evaluated (%)", "violations", "least room (relative)"},
       {}};
   const std::int64_t wanted = effort == StudyEffort::full ? 10'400'000 : 40'000;
@@ -161,12 +162,12 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
         const Eigen::Matrix3d rate = random.uniform(0, 4e-3) * random.matrix(1);
         Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
         NodeVectors noise = NodeVectors::Zero(3, X.cols());
-        for (int look = 0; look < 40 && trials < share; ++look) {
-          F = (Eigen::Matrix3d::Identity() + (look % 13 == 12 ? 20 : 1) * rate) * F;
+        for (int state = 0; state < 40 && trials < share; ++state) {
+          F = (Eigen::Matrix3d::Identity() + (state % 13 == 12 ? 20 : 1) * rate) * F;
           for (Eigen::Index i = 0; i < noise.size(); ++i) noise.data()[i] += 4e-6 * random.uniform(-1, 1);
           const NodeVectors x = F * X + noise;
           if (!(bound.update(x).value < std::numeric_limits<double>::infinity())) break;
-          if (look > 0) evaluated += bound.statistics().evaluated;
+          if (state > 0) evaluated += bound.statistics().evaluated;
           const double excess = bound.verify(x);
           room = std::min(room, -excess);
           // Of the proof's statements, one an element and one a node; that one fails is seen, not how many do.

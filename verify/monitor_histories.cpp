@@ -31,7 +31,7 @@ struct History {
   bool indefinite;  // whether it ends by compression, where the tangent loses its positive definiteness
 };
 
-/// Steps until the energy is looked at: velocities of symplectic Euler are half a step behind, which at step n of a run
+/// Steps until the energy is examined: velocities of symplectic Euler are half a step behind, which at step n of a run
 /// under load is 1/n of the energy.
 constexpr int settling = 20;
 
@@ -68,7 +68,7 @@ State gentleStart(const BodySystem& system) {
   Eigen::MatrixX3d A(static_cast<Eigen::Index>(end->second.size()), 3);
   Eigen::MatrixX3d b(A.rows(), 3);
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
-    const std::int32_t node = end->second[static_cast<std::size_t>(i)];
+    const std::int32_t node = end->second[i];
     A.row(i) << 1, X(1, node), X(2, node);
     b.row(i) = state.v.col(node).transpose();
   }
@@ -114,7 +114,7 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
   const int sampleEvery = std::max(1, history.steps / 200);
   std::vector<double> width;  // of the safe side against the exact step, %
   double worstOptimistic = -std::numeric_limits<double>::infinity();
-  std::int64_t compared = 0, outside = 0, falseAlarms = 0, evaluated = 0, looks = 0;
+  std::int64_t compared = 0, outside = 0, falseAlarms = 0, evaluated = 0, observations = 0;
   std::int64_t violatedAt = -1, energyAt = -1, exactAt = -1, indefiniteAt = -1;
   double largest = 0;
   for (std::int64_t step = 0; step <= history.steps; ++step) {
@@ -130,7 +130,7 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
       mark(6, history.h);
     }
     evaluated += seen.elementsRefreshed;
-    ++looks;
+    ++observations;
     for (const MonitorEvent& event : seen.newEvents)
       if (event.kind == EventKind::indefinite && indefiniteAt < 0) indefiniteAt = step;
     const bool alarm = seen.verdict == Verdict::violated && violatedAt < 0;
@@ -166,8 +166,8 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
   table.rows.push_back({history.name, static_cast<std::int64_t>(elements), history.h,
                         *std::min_element(width.begin(), width.end()), median(width),
                         *std::max_element(width.begin(), width.end()), worstOptimistic,
-                        static_cast<double>(evaluated) / elements / static_cast<double>(looks), exactAt, violatedAt,
-                        energyAt, indefiniteAt});
+                        static_cast<double>(evaluated) / elements / static_cast<double>(observations), exactAt,
+                        violatedAt, energyAt, indefiniteAt});
   const auto at = [](std::int64_t step) { return step < 0 ? std::nan("") : static_cast<double>(step); };
   checkNear(report, history.name + ": exact values outside of the bracket",
             compared > 0 ? static_cast<double>(outside) : std::nan(""), 0, 0);
@@ -258,23 +258,23 @@ void studyCost(StudyReport& report) {
       options.limit = limit;
       options.mode = mode.mode;
       options.metric = mode.metric;
-      // Fresh looks of the bracket are rare and dear: a run long enough to hold its share of them.
+      // Fresh observations of the bracket are rare and dear: a run long enough to hold its share of them.
       const int steps = mode.metric.empty() ? 600 : 10;
       StabilityMonitor monitor(body, options);
       std::vector<double> plain, watched;
-      // The first looks start from nothing.
+      // The first observations start from nothing.
       monitor.observe(0, 0, state.x, state.v, h);
       State unwatched = state;
       StepEvaluation evaluation;
       for (int i = 1; i <= steps; ++i) {
         const auto begin = Clock::now();
         integrator.step(system, unwatched, h);
-        const auto look = Clock::now();
+        const auto observed = Clock::now();
         monitor.observe(i, state.time, state.x, state.v, h, &evaluation);
         system.complete(state, evaluation);
         integrator.advance(system, state, h);
-        plain.push_back(std::chrono::duration<double>(look - begin).count());
-        watched.push_back(seconds(look) - plain.back());
+        plain.push_back(std::chrono::duration<double>(observed - begin).count());
+        watched.push_back(seconds(observed) - plain.back());
       }
       double plainSum = 0, watchedSum = 0;
       for (double s : plain) plainSum += s;

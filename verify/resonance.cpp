@@ -70,11 +70,11 @@ double spectralRadius(const Body& body, Integrator& integrator, double h) {
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
     // The law is linear: a unit is as good as any, and loses least to rounding.
     State state{0, body.mesh().X, NodeVectors::Zero(3, body.nodeCount())};
-    (k < n ? state.x : state.v).data()[free[static_cast<std::size_t>(k % n)]] += k < n ? 1 : 1 / h;
+    (k < n ? state.x : state.v).data()[free[k % n]] += k < n ? 1 : 1 / h;
     if (const StepStatus status = integrator.step(system, state, h); !status.done)
       throw NumericalError(joinText("resonance: ", status.reason));
     for (Eigen::Index i = 0; i < n; ++i) {
-      const Eigen::Index d = free[static_cast<std::size_t>(i)];
+      const Eigen::Index d = free[i];
       G(i, k) = state.x.data()[d] - body.mesh().X.data()[d];
       G(n + i, k) = state.v.data()[d] * h;
     }

@@ -84,8 +84,7 @@ NodeVectors consistentTraction(const Mesh& mesh, const std::function<bool(const 
                          [&](int a) { return onFace(Eigen::Vector3d(mesh.X.col(nodes[a]))); }))
           continue;
         const auto corner = [&](int i) {
-          return Eigen::Vector3d(Eigen::Vector3d::Map(
-              info.referenceNodes[static_cast<std::size_t>(face[static_cast<std::size_t>(i)])].data()));
+          return Eigen::Vector3d(Eigen::Vector3d::Map(info.referenceNodes[face[i]].data()));
         };
         // Points (u, v) on [0, 1]² by three Gauss points each way; a triangle is the square with one side collapsed.
         for (std::size_t i = 0; i < 3; ++i)

@@ -109,7 +109,7 @@ std::string advance(Integrator& integrator, SecondOrderSystem& system, State& st
   for (std::int64_t k = 0; k < steps; ++k) {
     const StepStatus status = integrator.step(system, state, end / static_cast<double>(steps));
     if (!status.done) return status.reason;
-    // Looked at now and then: what is lost need not be computed to its end.
+    // Examined now and then: what is lost need not be computed to its end.
     if (k % 64 == 63 && !state.x.allFinite()) return joinText("positions are not finite after step ", k + 1);
   }
   return state.x.allFinite() ? std::string() : std::string("positions are not finite at the end");

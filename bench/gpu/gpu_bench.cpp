@@ -149,8 +149,7 @@ void shuffle(Mesh& mesh) {
     std::shuffle(elements.begin(), elements.end(), generator);
     std::vector<std::int32_t> connectivity(block.connectivity.size());
     for (std::size_t e = 0; e < elements.size(); ++e)
-      for (std::size_t a = 0; a < n; ++a)
-        connectivity[elements[e] * n + a] = order[static_cast<std::size_t>(block.connectivity[e * n + a])];
+      for (std::size_t a = 0; a < n; ++a) connectivity[elements[e] * n + a] = order[block.connectivity[e * n + a]];
     block.connectivity = std::move(connectivity);
   }
 }
@@ -226,11 +225,11 @@ void measureCertificate(const std::string& name, DeviceBody<double>& body, const
       body.synchronize();
       times.push_back((seconds() - start) / steps);
       if (!withCertificate) continue;
-      const DeviceCertificate::Look look = certificate.look();
-      certified = certified && look.certified;
-      lostAt = look.lostAt;
-      evaluated += look.evaluated;
-      checked += look.checked;
+      const DeviceCertificate::Status status = certificate.status();
+      certified = certified && status.certified;
+      lostAt = status.lostAt;
+      evaluated += status.evaluated;
+      checked += status.checked;
     }
     std::sort(times.begin(), times.end());
     time[withCertificate ? 1 : 0] = times[times.size() / 2];

@@ -36,8 +36,8 @@ class HostImex {
     });
     std::vector<std::uint8_t> failed(clusters_.size(), 0);
     parallelFor(0, static_cast<std::int64_t>(clusters_.size()), hostThreads, [&](std::int64_t k) {
-      ImplicitCluster& cluster = clusters_[static_cast<std::size_t>(k)];
-      failed[static_cast<std::size_t>(k)] = !cluster.follow(x) || !cluster.solve(a_, v, c_);
+      ImplicitCluster& cluster = clusters_[k];
+      failed[k] = !cluster.follow(x) || !cluster.solve(a_, v, c_);
     });
     parallelFor(0, x.cols(), hostThreads, [&](std::int64_t i) {
       v.col(i) += h_ * a_.col(i);
@@ -110,14 +110,14 @@ void measure(const std::string& name, bool layer) {
   std::nth_element(times.begin(), times.begin() + compared / 2, times.end());
   const double hostTime = times[compared / 2];
   imex.step(compared);
-  const DeviceImex::Look look = imex.look();
-  good = good && look.fault.empty();
+  const DeviceImex::Status status = imex.status();
+  good = good && status.fault.empty();
   const double error = (device.positions() - host.x).norm() / (host.x - x).norm();
   const auto wait = [&] { device.synchronize(); };
   const std::int64_t iterations = imex.iterations(), steps = device.steps();
   const double time = timeOf([&](std::int64_t count) { imex.step(count); }, wait);
   const double each = static_cast<double>(imex.iterations() - iterations) / static_cast<double>(device.steps() - steps);
-  good = good && imex.look().fault.empty() && device.positions().allFinite();
+  good = good && imex.status().fault.empty() && device.positions().allFinite();
   const double plain = timeOf([&](std::int64_t count) { device.step(1e-9 * h, count); }, wait);
   std::printf(
       "%-34s %d clusters, the largest of %zu elements, %.1f %% of %zu: step %.2f us (explicit %.2f us), %.1f "

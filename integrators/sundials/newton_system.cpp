@@ -147,7 +147,7 @@ void NewtonSystem::updatePreconditioner() {
 
 void NewtonSystem::precondition(const NodeVectors& r, NodeVectors& z) const {
   z.resize(3, r.cols());
-  for (Eigen::Index i = 0; i < r.cols(); ++i) z.col(i) = inverse_[static_cast<std::size_t>(i)] * r.col(i);
+  for (Eigen::Index i = 0; i < r.cols(); ++i) z.col(i) = inverse_[i] * r.col(i);
 }
 
 std::optional<int> NewtonSystem::conjugateGradients(const NodeVectors& r, NodeVectors& u) {

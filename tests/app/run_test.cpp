@@ -312,7 +312,7 @@ TEST_F(Program, ExampleOfStretchedBarIsCaughtInTime) {
     EXPECT_LT(std::abs(history.number(i, "balance_error_J")), 0.1 * largest) << i;
   }
 
-  // The same run up to the steps around the first violation, looked at with the exact eigenvalue.
+  // The same run up to the steps around the first violation, examined with the exact eigenvalue.
   const Scene scene = readScene(RINGWATCH_EXAMPLES "/stretch_bar.toml");
   std::vector<std::string> notes;
   const Body body = sceneBody(scene, sceneMesh(scene, notes), 1);

@@ -131,8 +131,7 @@ TYPED_TEST(PackTest, LoadRowsTransposesTheRowOfEachLane) {
     TypeParam c[3];
     loadRows(table.data(), row.data(), c);
     for (int k = 0; k < 3; ++k)
-      this->expectLanes(c[k],
-                        [&](int i) { return table[4u * row[static_cast<std::size_t>(i)] + static_cast<unsigned>(k)]; });
+      this->expectLanes(c[k], [&](int i) { return table[4u * row[i] + static_cast<unsigned>(k)]; });
   }
 }
 

@@ -22,9 +22,9 @@ TEST(ParallelFor, CallsEveryIndexOnceForAnyNumberOfThreads) {
   for (const int threads : {0, 1, 2, 3, 7})
     for (const std::int64_t count : {0, 1, 2, 5, 1000}) {
       std::vector<std::atomic<int>> calls(static_cast<std::size_t>(count));
-      parallelFor(10, 10 + count, threads, [&](std::int64_t i) { ++calls[static_cast<std::size_t>(i - 10)]; });
+      parallelFor(10, 10 + count, threads, [&](std::int64_t i) { ++calls[i - 10]; });
       for (std::int64_t i = 0; i < count; ++i)
-        EXPECT_EQ(calls[static_cast<std::size_t>(i)], 1) << threads << " threads, index " << i << " of " << count;
+        EXPECT_EQ(calls[i], 1) << threads << " threads, index " << i << " of " << count;
     }
 }
 
@@ -40,9 +40,9 @@ TEST(ParallelParts, CoverEveryIndexOnceWithNoShortPart) {
       std::vector<std::atomic<int>> calls(static_cast<std::size_t>(count));
       parallelParts(count, threads, grain, [&](std::int64_t begin, std::int64_t end) {
         EXPECT_GE(end - begin, std::min(count, grain));
-        for (std::int64_t i = begin; i < end; ++i) ++calls[static_cast<std::size_t>(i)];
+        for (std::int64_t i = begin; i < end; ++i) ++calls[i];
       });
-      for (std::int64_t i = 0; i < count; ++i) EXPECT_EQ(calls[static_cast<std::size_t>(i)], 1) << i << " of " << count;
+      for (std::int64_t i = 0; i < count; ++i) EXPECT_EQ(calls[i], 1) << i << " of " << count;
     }
 }
 

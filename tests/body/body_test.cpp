@@ -152,9 +152,7 @@ TEST_P(BodyTest, TangentsAreSymmetricAndElementTangentsAddUp) {
     EXPECT_LE((Ke - Ke.transpose()).norm(), 1e-13 * Ke.norm()) << e;
     const auto nodes = body.blocks()[0]->nodesOf(e);
     for (int a = 0; a < n; ++a)
-      for (int b = 0; b < n; ++b)
-        sum.block<3, 3>(3 * nodes[static_cast<std::size_t>(a)], 3 * nodes[static_cast<std::size_t>(b)]) +=
-            Ke.block<3, 3>(3 * a, 3 * b);
+      for (int b = 0; b < n; ++b) sum.block<3, 3>(3 * nodes[a], 3 * nodes[b]) += Ke.block<3, 3>(3 * a, 3 * b);
   }
   EXPECT_LE((sum - K).norm(), 1e-14 * K.norm());
 }
@@ -168,13 +166,13 @@ TEST_P(BodyTest, PackedTangentsOfForEachTangentBatchAreThoseOfTheElements) {
   body.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, const NativePack* K) {
     EXPECT_EQ(b, 0u);
     for (int lane = 0; lane < PatchLayout::lanes; ++lane) {
-      const std::int32_t e = block.layout().elements[static_cast<std::size_t>(batch * PatchLayout::lanes + lane)];
+      const std::int32_t e = block.layout().elements[batch * PatchLayout::lanes + lane];
       if (e < 0) {
         for (int i = 0; i < size * size; ++i) EXPECT_EQ(K[i][lane], 0);
         continue;
       }
       const Eigen::MatrixXd Ke = body.elementTangent({0, e}, x);
-      double& difference = largest[static_cast<std::size_t>(e)];
+      double& difference = largest[e];
       for (int i = 0; i < size * size; ++i)
         difference = std::max(difference, std::abs(K[i][lane] - Ke(i / size, i % size)));
     }
@@ -438,11 +436,11 @@ TEST(BlockMatrix, HoldsTheAssembledTangentAndKeepsItsPattern) {
     ASSERT_EQ(blocks.rowBegin.size(), static_cast<std::size_t>(body.nodeCount()) + 1);
     for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
       bool diagonal = false;
-      for (auto s = static_cast<std::size_t>(blocks.rowBegin[static_cast<std::size_t>(i)]);
+      for (auto s = static_cast<std::size_t>(blocks.rowBegin[i]);
            s < static_cast<std::size_t>(blocks.rowBegin[static_cast<std::size_t>(i) + 1]); ++s) {
         const std::int32_t j = blocks.column[s];
         diagonal = diagonal || i == j;
-        if (s > static_cast<std::size_t>(blocks.rowBegin[static_cast<std::size_t>(i)])) {
+        if (s > static_cast<std::size_t>(blocks.rowBegin[i])) {
           EXPECT_LT(blocks.column[s - 1], j);
         }
         dense.block<3, 3>(3 * i, 3 * j) = blocks.block[s];
@@ -457,8 +455,8 @@ TEST(BlockMatrix, HoldsTheAssembledTangentAndKeepsItsPattern) {
         for (std::size_t b = 0; b < n; ++b) {
           const auto s = blocks.elementBlocks[0][(static_cast<std::size_t>(e) * n + a) * n + b];
           const auto nodes = body.blocks()[0]->nodesOf(e);
-          EXPECT_EQ(blocks.column[static_cast<std::size_t>(s)], nodes[b]);
-          EXPECT_GE(s, blocks.rowBegin[static_cast<std::size_t>(nodes[a])]);
+          EXPECT_EQ(blocks.column[s], nodes[b]);
+          EXPECT_GE(s, blocks.rowBegin[nodes[a]]);
           EXPECT_LT(s, blocks.rowBegin[static_cast<std::size_t>(nodes[a]) + 1]);
         }
   }
@@ -489,9 +487,7 @@ TEST(BlockMatrix, AddsUpOverPatchesAndMeshBlocks) {
           const Eigen::MatrixXd K = body.elementTangent({static_cast<std::int32_t>(b), e}, x);
           for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j)
-              expected[static_cast<std::size_t>(
-                  tangent.blocks.elementBlocks[b][static_cast<std::size_t>((e * n + i) * n + j)])] +=
-                  K.block<3, 3>(3 * i, 3 * j);
+              expected[tangent.blocks.elementBlocks[b][(e * n + i) * n + j]] += K.block<3, 3>(3 * i, 3 * j);
         }
       }
       double largest = 0, difference = 0;

@@ -31,15 +31,14 @@ void expectSoundLayout(const Mesh& mesh) {
       for (int lane = 0; lane < lanes; ++lane) {
         const auto place = static_cast<std::size_t>(b * lanes + lane);
         const std::int32_t e = layout.elements[place];
-        EXPECT_GE(layout.elements[static_cast<std::size_t>(b * lanes)], 0) << "a batch begins with an element";
+        EXPECT_GE(layout.elements[b * lanes], 0) << "a batch begins with an element";
         if (e < 0) continue;
-        EXPECT_EQ(layout.batchOfElement[static_cast<std::size_t>(e)], static_cast<std::int32_t>(place));
+        EXPECT_EQ(layout.batchOfElement[e], static_cast<std::int32_t>(place));
         for (std::size_t a = 0; a < n; ++a) {
           const std::uint16_t local =
               layout.localNodes[(static_cast<std::size_t>(b) * n + a) * lanes + static_cast<std::size_t>(lane)];
           ASSERT_LT(local, patch.nodeEnd - patch.nodeBegin);
-          EXPECT_EQ(layout.nodes[static_cast<std::size_t>(patch.nodeBegin + local)],
-                    block.element(static_cast<std::size_t>(e))[a]);
+          EXPECT_EQ(layout.nodes[patch.nodeBegin + local], block.element(static_cast<std::size_t>(e))[a]);
         }
       }
   }

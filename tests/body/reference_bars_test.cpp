@@ -27,7 +27,7 @@ std::vector<int> freeNumbers(const Body& body, int& count) {
   count = 0;
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
     for (int c = 0; c < 3; ++c)
-      if (!body.constraints().isConstrained(i, c)) number[static_cast<std::size_t>(3 * i + c)] = count++;
+      if (!body.constraints().isConstrained(i, c)) number[3 * i + c] = count++;
   return number;
 }
 Eigen::SparseMatrix<double> freeTangent(const Body& body, const NodeVectors& x, const std::vector<int>& number,
@@ -36,7 +36,7 @@ Eigen::SparseMatrix<double> freeTangent(const Body& body, const NodeVectors& x, 
   std::vector<Eigen::Triplet<double>> entries;
   for (int column = 0; column < K.outerSize(); ++column)
     for (Eigen::SparseMatrix<double>::InnerIterator it(K, column); it; ++it) {
-      const int i = number[static_cast<std::size_t>(it.row())], j = number[static_cast<std::size_t>(column)];
+      const int i = number[it.row()], j = number[column];
       if (i >= 0 && j >= 0) entries.emplace_back(i, j, it.value());
     }
   Eigen::SparseMatrix<double> result(count, count);

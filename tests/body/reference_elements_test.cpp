@@ -49,7 +49,7 @@ TEST_P(ReferenceElementTest, HasTheInternalForce) {
   Body::Workspace workspace;
   body.internalForce(x, f, workspace);
   for (Eigen::Index k = 0; k < f.size(); ++k) {
-    const double force = expected().internalForce.empty() ? 0 : expected().internalForce[static_cast<std::size_t>(k)];
+    const double force = expected().internalForce.empty() ? 0 : expected().internalForce[k];
     EXPECT_NEAR(f.data()[k], force, 2e-13) << k;
   }
 }
@@ -69,7 +69,7 @@ TEST_P(ReferenceElementTest, HasTheSpectrum) {
   const Eigen::MatrixXd K = body.elementTangent({0, 0}, x);
   const Eigen::VectorXd lambda = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K).eigenvalues();
   for (Eigen::Index i = 0; i < lambda.size(); ++i)
-    EXPECT_NEAR(lambda[i], expected().eigenvalues[static_cast<std::size_t>(i)], 1e-10 * lambda.maxCoeff() * 5) << i;
+    EXPECT_NEAR(lambda[i], expected().eigenvalues[i], 1e-10 * lambda.maxCoeff() * 5) << i;
   const Eigen::VectorXd scale = body.lumpedMass().cwiseSqrt().cwiseInverse().transpose().replicate(3, 1).reshaped();
   const Eigen::MatrixXd scaled = scale.asDiagonal() * K * scale.asDiagonal();
   const double largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues().maxCoeff();

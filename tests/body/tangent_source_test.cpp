@@ -39,22 +39,19 @@ struct Chains final : ElementTangents {
     const int size = 3 * nodesPerElement();
     for (int i = 0; i < size * size; ++i)
       for (int lane = 0; lane < lanes; ++lane)
-        K[i * lanes + lane] =
-            elements[lane] < 0 ? 0 : matrices[static_cast<std::size_t>(elements[lane])](i / size, i % size);
+        K[i * lanes + lane] = elements[lane] < 0 ? 0 : matrices[elements[lane]](i / size, i % size);
   }
   void addTangentProduct(const Patch& patch, const double*, const double* v, double* slots) const override {
     std::vector<double> rows(static_cast<std::size_t>(4 * (patch.nodeEnd - patch.nodeBegin)));
     gatherRows(patch, v, rows.data());
     const int n = nodesPerElement();
     for (std::int32_t i = patch.batchBegin * lanes; i < patch.batchEnd * lanes; ++i) {
-      const std::int32_t e = layout().elements[static_cast<std::size_t>(i)];
+      const std::int32_t e = layout().elements[i];
       if (e < 0) continue;
-      const auto local = [&](int a) {
-        return 4 * layout().localNodes[static_cast<std::size_t>((i / lanes * n + a) * lanes + i % lanes)];
-      };
+      const auto local = [&](int a) { return 4 * layout().localNodes[(i / lanes * n + a) * lanes + i % lanes]; };
       Eigen::VectorXd own(3 * n);
-      for (int k = 0; k < 3 * n; ++k) own[k] = rows[static_cast<std::size_t>(local(k / 3) + k % 3)];
-      own = matrices[static_cast<std::size_t>(e)] * own;
+      for (int k = 0; k < 3 * n; ++k) own[k] = rows[local(k / 3) + k % 3];
+      own = matrices[e] * own;
       for (int k = 0; k < 3 * n; ++k) slots[local(k / 3) + k % 3] += own[k];
     }
   }
@@ -75,7 +72,7 @@ TEST(TangentSource, AssemblesAndMultipliesElementsOfAnyNumberOfNodes) {
     EXPECT_EQ(source.elementCount(), elements);
     Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes);
     for (int e = 0; e < elements; ++e)
-      whole.block(3 * e * (n - 1), 3 * e * (n - 1), 3 * n, 3 * n) += chains.matrices[static_cast<std::size_t>(e)];
+      whole.block(3 * e * (n - 1), 3 * e * (n - 1), 3 * n, 3 * n) += chains.matrices[e];
     const NodeVectors none;
     EXPECT_EQ(Eigen::MatrixXd(source.assembleTangent(none)), whole);  // at most two numbers an entry
     const NodeVectors v = random.nodeVectors(nodes, 1);

@@ -56,8 +56,7 @@ class RuleTest : public ::testing::TestWithParam<RuleCase> {
       for (std::size_t t = 1; t < 3; ++t) {
         if (t == 2 && face[3] < 0) continue;
         const auto corner = [&](std::size_t c) {
-          return Eigen::Vector3d(
-              Eigen::Vector3d::Map(element().referenceNodes[static_cast<std::size_t>(face[c])].data()));
+          return Eigen::Vector3d(Eigen::Vector3d::Map(element().referenceNodes[face[c]].data()));
         };
         const Eigen::Vector3d p = corner(0), q = corner(t) - p, r = corner(t + 1) - p;
         const double normal = q.cross(r)[0];  // twice the area
@@ -95,8 +94,7 @@ TEST_P(RuleTest, PointsLieInside) {
   for (const QuadraturePoint& q : rule().points)
     for (const auto& face : element().faces) {
       const auto corner = [&](std::size_t c) {
-        return Eigen::Vector3d(
-            Eigen::Vector3d::Map(element().referenceNodes[static_cast<std::size_t>(face[c])].data()));
+        return Eigen::Vector3d(Eigen::Vector3d::Map(element().referenceNodes[face[c]].data()));
       };
       const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
       EXPECT_LT(normal.dot(Eigen::Vector3d::Map(q.xi) - corner(0)), 0);

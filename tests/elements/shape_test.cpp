@@ -20,7 +20,7 @@ template <class E>
 class ElementTest : public ::testing::Test {
  public:
   using Point = Eigen::Vector3d;
-  static Point node(int a) { return Point::Map(E::referenceNodes[static_cast<std::size_t>(a)].data()); }
+  static Point node(int a) { return Point::Map(E::referenceNodes[a].data()); }
   static Point centre() {
     Point c = Point::Zero();
     for (int a = 0; a < E::nodes; ++a) c += node(a) / E::nodes;
@@ -159,7 +159,7 @@ TYPED_TEST(ElementTest, EdgesAreDistinctAndThoseOfTheFaces) {
 TYPED_TEST(ElementTest, NodesBeyondTheCornersAreTheMiddlesOfTheEdgesInOrder) {
   const int corners = cornerCount(elementInfoOf<TypeParam>(ElementType{}));
   for (int a = corners; a < TypeParam::nodes; ++a) {
-    const auto& ends = TypeParam::edges[static_cast<std::size_t>(a - corners)];
+    const auto& ends = TypeParam::edges[a - corners];
     EXPECT_EQ((this->node(ends[0]) + this->node(ends[1])) / 2, this->node(a)) << a;
   }
   for (const auto& face : TypeParam::faces)

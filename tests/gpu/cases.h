@@ -48,11 +48,11 @@ inline Mesh firstElements(const Mesh& mesh, std::size_t count) {
     block.ids.push_back(static_cast<std::int64_t>(e));
     for (int a = 0; a < from.nodesPerElement(); ++a) {
       const std::int32_t node = from.element(e)[a];
-      if (number[static_cast<std::size_t>(node)] < 0) {
-        number[static_cast<std::size_t>(node)] = static_cast<std::int32_t>(nodes.size());
+      if (number[node] < 0) {
+        number[node] = static_cast<std::int32_t>(nodes.size());
         nodes.push_back(node);
       }
-      block.connectivity.push_back(number[static_cast<std::size_t>(node)]);
+      block.connectivity.push_back(number[node]);
     }
   }
   part.X.resize(3, static_cast<Eigen::Index>(nodes.size()));

@@ -81,18 +81,18 @@ void ballsHold(const char* element, const char* law, int steps = 300, std::array
   std::int64_t evaluated = 0;
   for (int k = 0; k < steps; ++k) {
     const double most = impl.verify();  // of all elements, at the state that is about to be checked
-    const std::int64_t before = certificate.look().evaluated;
+    const std::int64_t before = certificate.status().evaluated;
     certificate.step(0.5 * 2 / std::sqrt(sigma));
-    const DeviceCertificate::Look look = certificate.look();
-    evaluated += look.evaluated - before;
-    if (look.certified) {
+    const DeviceCertificate::Status status = certificate.status();
+    evaluated += status.evaluated - before;
+    if (status.certified) {
       ++certified;
       excess = std::max(excess, most);
     } else {
       ++lost;
       expect(most > -1e-9, what + " is lost only where an element exceeds its allowance");
     }
-    if (look.certified && !look.nearlyLost) continue;
+    if (status.certified && !status.nearlyLost) continue;
     ++renewed;
     if (!certificate.renew()) {  // it has stiffened beyond sigma
       sigma = 1.05 * certificate.bound().value;
@@ -115,10 +115,10 @@ void fewAreEvaluated() {
   const double sigma = 1.5 * certificate.bound().value, h = 2 / std::sqrt(sigma);
   expect(certificate.certify(sigma), "certified at the start");
   certificate.step(h, 50);
-  const DeviceCertificate::Look look = certificate.look();
-  expect(look.certified, "a slow run stays certified");
-  expect(look.checked == 50, "every step is checked");
-  expectAtMost(static_cast<double>(look.evaluated), 0.05 * 50 * static_cast<double>(device.elementCount()),
+  const DeviceCertificate::Status status = certificate.status();
+  expect(status.certified, "a slow run stays certified");
+  expect(status.checked == 50, "every step is checked");
+  expectAtMost(static_cast<double>(status.evaluated), 0.05 * 50 * static_cast<double>(device.elementCount()),
                "few elements are evaluated");
   DeviceBody<double> plain(drawn.body);
   plain.setVelocities(drawn.v);
@@ -140,8 +140,8 @@ void mixedBlocks() {
   expectAtMost(std::abs(bound / host.evaluate(body.mesh().X, 6).value - 1), 5e-4, "bound of a mixed mesh");
   expect(certificate.certify(1.3 * bound), "certified");
   certificate.step(1 / std::sqrt(bound), 25);
-  expect(certificate.look().checked == 25, "all blocks together check a step once");
-  expect(certificate.look().certified, "stays certified");
+  expect(certificate.status().checked == 25, "all blocks together check a step once");
+  expect(certificate.status().certified, "stays certified");
 }
 
 void losesWhatItMust() {
@@ -153,7 +153,7 @@ void losesWhatItMust() {
   NodeVectors x = body.mesh().X;
   device.setPositions(1.5 * x);  // far stiffer
   certificate.step(h, 3);
-  expect(!certificate.look().certified && certificate.look().lostAt == 0, "a jump is lost at once");
+  expect(!certificate.status().certified && certificate.status().lostAt == 0, "a jump is lost at once");
   expect(!certificate.renew(), "and cannot be certified");
   device.setPositions(x);
   device.setVelocities(NodeVectors::Zero(3, x.cols()));
@@ -161,7 +161,7 @@ void losesWhatItMust() {
   x(0, 3) = std::numeric_limits<double>::quiet_NaN();
   device.setPositions(x);
   certificate.step(h);
-  expect(!certificate.look().certified, "what is not a number is not certified");
+  expect(!certificate.status().certified, "what is not a number is not certified");
   expect(!certificate.renew(), "nor later");
   expect(std::isnan(certificate.bound().value), "and has no bound");
   checks::expectThrows<InputError>([&] { certificate.certify(0); }, "must be > 0");

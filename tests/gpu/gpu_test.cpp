@@ -157,9 +157,9 @@ void checkPlan() {
         ++seen.at(e);
         for (std::size_t a = 0; a < n; ++a) {
           const std::size_t local = block.corners[(p * threads + t) * n + a];
-          const std::int32_t node = plan.deviceNode[static_cast<std::size_t>(mesh.blocks.front().element(e)[a])];
+          const std::int32_t node = plan.deviceNode[mesh.blocks.front().element(e)[a]];
           right = right && block.nodes[p * static_cast<std::size_t>(block.nodeCapacity) + local] == node;
-          patchesOf[static_cast<std::size_t>(node)].insert(p);
+          patchesOf[node].insert(p);
           // The corner is in its node's rows, once.
           const auto group = p * static_cast<std::size_t>(block.groups()) + local / 32;
           int found = 0;

@@ -93,8 +93,8 @@ void compare(const Body& body, const Clusters& clusters, double h, int steps, do
   const NodeVectors start = host.x;
   imex.step(steps);
   for (int k = 0; k < steps; ++k) host.step();
-  const DeviceImex::Look look = imex.look();
-  expect(look.fault.empty() && look.steps == steps, what + " all steps are taken: " + look.fault);
+  const DeviceImex::Status status = imex.status();
+  expect(status.fault.empty() && status.steps == steps, what + " all steps are taken: " + status.fault);
   expect(imex.iterations() >= steps * static_cast<std::int64_t>(clusters.size()), what + " iterates");
   expect(host.x.allFinite(), what + " stays finite");
   expectAtMost((device.positions() - host.x).norm() / (host.x - start).norm(), bound, what + " positions");
@@ -168,13 +168,13 @@ void runs() {
     DeviceImex imex(device, body.mesh(), clusters, h, options);
     constexpr int steps = 120;
     imex.step(50);
-    expect(imex.look().steps == 50, "steps so far");
+    expect(imex.status().steps == 50, "steps so far");
     imex.step(steps - 50);
     for (int k = 0; k < steps; ++k) {
       fresh.step();
       kept.step();
     }
-    expect(imex.look().steps == steps - 50, std::string(law) + " all steps are taken");
+    expect(imex.status().steps == steps - 50, std::string(law) + " all steps are taken");
     const double moved = (fresh.x - body.mesh().X).norm();
     expectAtMost((device.positions() - fresh.x).norm() / moved, 1e-9, std::string(law) + " run");
     expectAtMost((device.positions() - kept.x).norm() / moved, 2e-3,
@@ -190,7 +190,7 @@ void staysStable() {
   DeviceImex imex(device, body.mesh(), whole, longStep);
   imex.step(200);
   plain.step(longStep, 200);
-  expect(imex.look().fault.empty(), "no step fails");
+  expect(imex.status().fault.empty(), "no step fails");
   const NodeVectors x = device.positions();
   expect(x.allFinite() && (x - body.mesh().X).cwiseAbs().maxCoeff() < 20, "implicit steps stay bounded");
   const NodeVectors y = plain.positions();
@@ -206,7 +206,7 @@ void repeats() {
   DeviceImex one(first, body.mesh(), clusters, 2e-3), other(second, body.mesh(), clusters, 2e-3);
   one.step(40);
   for (int k = 0; k < 40; ++k) other.step();
-  expect(one.look().steps == 40 && other.look().steps == 40, "all steps are taken");
+  expect(one.status().steps == 40 && other.status().steps == 40, "all steps are taken");
   expect(first.positions().allFinite(), "the run stays finite");
   expect(sameBits(first.positions(), second.positions()), "positions repeat to the last bit");
   expect(sameBits(first.velocities(), second.velocities()), "velocities repeat to the last bit");
@@ -223,9 +223,9 @@ void fails() {
   DeviceImex imex(device, body.mesh(), clusters, longStep, options);
   const NodeVectors x = device.positions(), v = device.velocities();
   imex.step(30);
-  const DeviceImex::Look look = imex.look();
-  expect(look.fault.find("conjugate gradients did not converge in the cluster of") == 0, "fault: " + look.fault);
-  expect(look.steps == 0 && device.steps() == 0, "the first step fails");
+  const DeviceImex::Status status = imex.status();
+  expect(status.fault.find("conjugate gradients did not converge in the cluster of") == 0, "fault: " + status.fault);
+  expect(status.steps == 0 && device.steps() == 0, "the first step fails");
   expect(sameBits(device.positions(), x) && sameBits(device.velocities(), v), "the state is that before it");
 
   // Later: the device stops where single steps do.
@@ -238,13 +238,13 @@ void fails() {
   DeviceImex many(whole, body.mesh(), clusters, longStep, options),
       few(single, body.mesh(), clusters, longStep, options);
   many.step(400);  // the explicit rest runs away, until nothing is finite
-  const DeviceImex::Look end = many.look();
+  const DeviceImex::Status end = many.status();
   expect(!end.fault.empty() && end.steps > 0 && end.steps < 400, "a later step fails: " + end.fault);
   std::int64_t taken = 0;
   NodeVectors before = single.positions();
   for (; taken < 400; ++taken) {
     few.step();
-    if (few.look().steps == 0) break;
+    if (few.status().steps == 0) break;
     before = single.positions();
   }
   expect(taken == end.steps, "single steps fail at the same one");
@@ -267,7 +267,7 @@ void refuses() {
   DeviceBody<double> plain(body);
   none.step(5);
   plain.step(1e-3, 5);
-  expect(none.look().steps == 5, "no clusters");
+  expect(none.status().steps == 5, "no clusters");
   expect(sameBits(device.positions(), plain.positions()), "no clusters: the explicit scheme, bit for bit");
 }
 

@@ -46,9 +46,7 @@ void compare(const Body& body, const NodeVectors& x, const std::string& what) {
   expectAtMost(worst, bound, what + " rings");
   const DeviceRings::Highest highest = rings.highest();
   expectAtMost(std::abs(highest.value / wanted.highest - 1), bound, what + " highest ring");
-  const double there =
-      wanted
-          .largest[static_cast<std::size_t>(highest.element.block)][static_cast<std::size_t>(highest.element.element)];
+  const double there = wanted.largest[highest.element.block][highest.element.element];
   expectAtMost(std::abs(there / wanted.highest - 1), 2 * bound, what + " element of the highest ring");
 }
 

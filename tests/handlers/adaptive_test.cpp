@@ -100,8 +100,7 @@ TEST_P(AdaptiveLevels, AreProvenEachForItsOwnStep) {
       Eigen::VectorXd mass = body.lumpedMass();
       ElementFlags finer = handler->implicitElements();
       for (std::size_t j = k + 1; j < handler->levels().size(); ++j)
-        for (const ElementRef e : chosenElements(handler->levels()[j].elements))
-          finer[0][static_cast<std::size_t>(e.element)] = true;
+        for (const ElementRef e : chosenElements(handler->levels()[j].elements)) finer[0][e.element] = true;
       for (const ElementRef e : chosenElements(finer))
         for (const std::int32_t node : body.blocks()[0]->nodesOf(e.element))
           mass[node] = share * body.lumpedMass()[node];
@@ -169,10 +168,10 @@ double spectralRadius(Body& body, double h, const HandlerOptions& options) {
   Eigen::MatrixXd G(2 * n, 2 * n);
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
     State state{0, body.mesh().X, NodeVectors::Zero(3, body.nodeCount())};
-    (k < n ? state.x : state.v).data()[free[static_cast<std::size_t>(k % n)]] += k < n ? 1 : 1 / h;
+    (k < n ? state.x : state.v).data()[free[k % n]] += k < n ? 1 : 1 / h;
     EXPECT_TRUE(handler->step(system, state, h).done);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const Eigen::Index d = free[static_cast<std::size_t>(i)];
+      const Eigen::Index d = free[i];
       G(i, k) = state.x.data()[d] - body.mesh().X.data()[d];
       G(n + i, k) = state.v.data()[d] * h;
     }
@@ -381,10 +380,9 @@ TEST(Adaptive, WatchesTheCoarseElementsAgainstTheirOwnBound) {
   EXPECT_LT(share, 1);
   std::vector<bool> beside(static_cast<std::size_t>(body.nodeCount()), false);
   for (const ElementRef e : handler->elements())
-    for (const std::int32_t node : body.blocks()[0]->nodesOf(e.element)) beside[static_cast<std::size_t>(node)] = true;
+    for (const std::int32_t node : body.blocks()[0]->nodesOf(e.element)) beside[node] = true;
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
-    EXPECT_NEAR(watched.lumpedMass()[i], (beside[static_cast<std::size_t>(i)] ? share : 1) * body.lumpedMass()[i],
-                1e-12 * body.totalMass());
+    EXPECT_NEAR(watched.lumpedMass()[i], (beside[i] ? share : 1) * body.lumpedMass()[i], 1e-12 * body.totalMass());
   EXPECT_LE(denseHighest(watched, body.mesh().X) * h * h, 4 * 0.81 * (1 + 1e-9));
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
     EXPECT_EQ(watched.constraints().freeComponents(i), body.constraints().freeComponents(i));

@@ -72,7 +72,7 @@ TEST_P(EveryHandler, FindsTheHandledElementThatIsInverted) {
   const auto handler = GetParam().make(body, makeIntegrator("verlet"), {});
   handler->prepare(body.mesh().X, 4 * test::criticalStepOf(body));
   const auto least = handler->leastHandledDeterminant(body.mesh().X);
-  if (&handler->explicitBody() == &body) {  // all are explicit, where a monitor looks
+  if (&handler->explicitBody() == &body) {  // all are explicit, where a monitor observes
     EXPECT_FALSE(least.has_value());
     return;
   }
@@ -204,8 +204,8 @@ TEST_P(EveryHandler, GoesOnAfterACutWithTheChoiceMadeBefore) {
   std::size_t carried = 0;
   for (std::size_t e = 0; e < cut.changed[0].size(); ++e) {
     const auto nodes = after.blocks()[0]->nodesOf(static_cast<std::int32_t>(e));
-    if (!first->chosen()[0][static_cast<std::size_t>(cut.parent[0][e])] ||
-        std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return near[static_cast<std::size_t>(n)]; }))
+    if (!first->chosen()[0][cut.parent[0][e]] ||
+        std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return near[n]; }))
       continue;
     EXPECT_TRUE(second->chosen()[0][e]) << e;
     ++carried;

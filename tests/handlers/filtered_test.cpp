@@ -43,11 +43,11 @@ TEST(ModalFilter, CutsTheEigenvaluesAndNothingElse) {
   int modes[7] = {};
   for (const ElementRef e : allElements(body)) {
     const Matrix12 K = body.elementTangent(e, body.mesh().X);
-    Eigen::Vector4d budget;
-    for (int a = 0; a < 4; ++a) budget[a] = 0.2 * K.norm() * random.uniform(0.1, 1);
+    Eigen::Vector4d allowance;
+    for (int a = 0; a < 4; ++a) allowance[a] = 0.2 * K.norm() * random.uniform(0.1, 1);
     Vector12 T;
-    for (int d = 0; d < 12; ++d) T[d] = budget[d / 3];
-    const FilteredStiffness filtered = filterModes(K, budget);
+    for (int d = 0; d < 12; ++d) T[d] = allowance[d / 3];
+    const FilteredStiffness filtered = filterModes(K, allowance);
     const test::GeneralizedEigen before = test::generalizedEigen(0.5 * (K + K.transpose()), T.asDiagonal()),
                                  after = test::generalizedEigen(filtered.kept, T.asDiagonal());
     int cut = 0;

@@ -68,10 +68,10 @@ inline double spectralRadius(const Body& body, Integrator& integrator, double h,
   Eigen::MatrixXd G(2 * n, 2 * n);
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
     State state{0, body.mesh().X, NodeVectors::Zero(3, body.nodeCount())};
-    (k < n ? state.x : state.v).data()[free[static_cast<std::size_t>(k % n)]] += k < n ? unit : unit / h;
+    (k < n ? state.x : state.v).data()[free[k % n]] += k < n ? unit : unit / h;
     integrator.step(system, state, h);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const Eigen::Index d = free[static_cast<std::size_t>(i)];
+      const Eigen::Index d = free[i];
       G(i, k) = (state.x.data()[d] - body.mesh().X.data()[d]) / unit;
       G(n + i, k) = state.v.data()[d] * h / unit;
     }

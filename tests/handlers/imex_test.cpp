@@ -81,8 +81,7 @@ TEST_P(ImexStep, IsThatOfADenseSolve) {
   const NodeVectors x = state.x;
 
   ElementFlags flags = noElements(body.mesh());
-  for (const ElementRef e : handler->elements())
-    flags[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)] = true;
+  for (const ElementRef e : handler->elements()) flags[e.block][e.element] = true;
   const Eigen::MatrixXd K = test::stiffnessOf(body, body.mesh().X, flags, true);
   const double beta = 0.25 * (1 + c.alpha) * (1 + c.alpha);
   Eigen::MatrixXd A = beta * h * h * K;
@@ -284,8 +283,8 @@ TEST(Clusters, ArePartsThatShareNoNode) {
       }
       EXPECT_EQ(taken, clusters[k].size());
       for (const std::int32_t node : reached) {
-        EXPECT_EQ(owner[static_cast<std::size_t>(node)], -1);
-        owner[static_cast<std::size_t>(node)] = static_cast<int>(k);
+        EXPECT_EQ(owner[node], -1);
+        owner[node] = static_cast<int>(k);
       }
       all.insert(all.end(), clusters[k].begin(), clusters[k].end());
     }

@@ -1,5 +1,5 @@
 // A certified selection kept through changes of state and mesh: every claim against dense or global eigenvalues, and
-// how little of the mesh it looks at.
+// how little of the mesh it evaluates.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,8 +24,7 @@ void expectProof(const Body& body, const NodeVectors& x, double lambda, const Ce
   const Eigen::MatrixXd K = test::stiffnessOf(body, x, selection.chosen, false);
   EXPECT_LE(denseHighest(body, K, body.lumpedMass()), selection.rest.value * (1 + 1e-9));
   Eigen::MatrixXd excess = K;
-  for (std::int32_t i = 0; i < body.nodeCount(); ++i)
-    excess.block<3, 3>(3 * i, 3 * i) -= selection.nodalSums[static_cast<std::size_t>(i)];
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i) excess.block<3, 3>(3 * i, 3 * i) -= selection.nodalSums[i];
   EXPECT_LE(denseHighest(body, excess, Eigen::VectorXd::Ones(body.nodeCount())), 1e-9 * K.norm());
 }
 
@@ -62,8 +61,7 @@ TEST_P(IncrementalSelectionTest, ProvesTheRestAtEveryState) {
     const CertifiedSelection& selection = kept.choose(body, x, lambda, chosen);
     expectProof(body, x, lambda, selection);
     EXPECT_LE(kept.verify(body, x), followRounding);
-    for (const ElementRef e : chosenElements(chosen))
-      EXPECT_TRUE(selection.chosen[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)]);
+    for (const ElementRef e : chosenElements(chosen)) EXPECT_TRUE(selection.chosen[e.block][e.element]);
     chosen = selection.chosen;
     EXPECT_LE(amount == 0 ? kept.evaluatedElements() : 0, 120);
     evaluations += selection.evaluations;
@@ -74,7 +72,7 @@ TEST_P(IncrementalSelectionTest, ProvesTheRestAtEveryState) {
 TEST(IncrementalSelection, TurnsWithTheBody) {
   const Body body = test::sliverBody("corotational", 0.98, false);
   const NodeVectors& X = body.mesh().X;
-  // Room at every node: nothing but the turn can make it look again.
+  // Room at every node: nothing but the turn can make it evaluate again.
   const Mesh regular = test::gridMesh("tet4", {10, 2, 2}, {0.2, 0.04, 0.04});
   const Body good(regular, makeMaterial("corotational", test::young, test::poisson, test::density));
   const double lambda = 4 * denseHighest(good, regular.X);
@@ -89,7 +87,7 @@ TEST(IncrementalSelection, TurnsWithTheBody) {
   EXPECT_LE(kept.verify(body, x), followRounding);
 }
 
-TEST(IncrementalSelection, LooksAtLittleOfALargeMeshAfterASmallCut) {
+TEST(IncrementalSelection, EvaluatesLittleOfALargeMeshAfterASmallCut) {
   BarOptions options;
   options.size = {0.4, 0.06, 0.06};
   options.cells = {32, 5, 5};
@@ -143,10 +141,9 @@ TEST(IncrementalSelection, GivesBackBesideACutAlone) {
   const std::vector<bool> beside = touchedNodes(after, cut.changed);
   std::size_t freed = 0, still = 0;
   for (std::size_t e = 0; e < selection.chosen[0].size(); ++e) {
-    if (cut.changed[0][e] || !ordered[0][static_cast<std::size_t>(cut.parent[0][e])]) continue;
+    if (cut.changed[0][e] || !ordered[0][cut.parent[0][e]]) continue;
     const auto nodes = after.blocks()[0]->nodesOf(static_cast<std::int32_t>(e));
-    const bool near =
-        std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return beside[static_cast<std::size_t>(n)]; });
+    const bool near = std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return beside[n]; });
     EXPECT_EQ(selection.chosen[0][e], !near) << e;
     (near ? freed : still) += 1;
   }

@@ -15,9 +15,9 @@ double loadOf(const Body& body, const Adaptive& handler, std::size_t k, double m
   Eigen::VectorXd mass = body.lumpedMass();
   std::vector<bool> finer = touchedNodes(body, handler.implicitElements());
   for (std::size_t deeper = k + 1; deeper < levels.size(); ++deeper)
-    for (const std::int32_t node : nodesOf(body, levels[deeper].elements)) finer[static_cast<std::size_t>(node)] = true;
+    for (const std::int32_t node : nodesOf(body, levels[deeper].elements)) finer[node] = true;
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
-    if (finer[static_cast<std::size_t>(i)]) mass[i] *= levels[k].massShare;
+    if (finer[i]) mass[i] *= levels[k].massShare;
   const double highest = test::denseHighest(body, test::stiffnessOf(body, x, levels[k].elements, true), mass);
   return highest * (1 - margin) * (1 - margin) / levels[k].lambda;
 }

@@ -146,8 +146,7 @@ TEST(PartOfABody, OfAMeshWithoutNumbersHasThoseOfTheWhole) {
   flags[0][3] = flags[0][5] = true;
   const std::vector<std::int32_t> nodes = nodesOf(whole, flags);
   const Body part = bodyOf(whole, flags, nodes, whole.lumpedMass()(nodes)), other(whole, flags);
-  for (std::int32_t i = 0; i < part.nodeCount(); ++i)
-    EXPECT_EQ(part.mesh().nodeId(i), nodes[static_cast<std::size_t>(i)]);
+  for (std::int32_t i = 0; i < part.nodeCount(); ++i) EXPECT_EQ(part.mesh().nodeId(i), nodes[i]);
   for (const Body* body : {&part, &other}) {
     EXPECT_EQ(body->mesh().blocks[0].id(0), 3);
     EXPECT_EQ(body->mesh().blocks[0].id(1), 5);

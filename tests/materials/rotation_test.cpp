@@ -111,13 +111,12 @@ TEST(ClosestRotation, IsTheSameInEveryLaneOfAPack) {
     std::array<Eigen::Matrix3d, NativePack::width> F;
     Matrix3<NativePack> packed;
     for (int lane = 0; lane < NativePack::width; ++lane) {
-      F[static_cast<std::size_t>(lane)] =
-          withSingularValues(random, {random.uniform(0.5, 3), random.uniform(0.5, 1), random.uniform(-0.4, 1)});
-      for (int k = 0; k < 9; ++k) packed.m[k].set(lane, F[static_cast<std::size_t>(lane)](k / 3, k % 3));
+      F[lane] = withSingularValues(random, {random.uniform(0.5, 3), random.uniform(0.5, 1), random.uniform(-0.4, 1)});
+      for (int k = 0; k < 9; ++k) packed.m[k].set(lane, F[lane](k / 3, k % 3));
     }
     const Matrix3<NativePack> R = closestRotation(packed);
     for (int lane = 0; lane < NativePack::width; ++lane) {
-      const Eigen::Matrix3d expected = closest(F[static_cast<std::size_t>(lane)]);
+      const Eigen::Matrix3d expected = closest(F[lane]);
       for (int k = 0; k < 9; ++k) EXPECT_NEAR(R.m[k][lane], expected(k / 3, k % 3), 1e-13);
     }
   }

@@ -44,8 +44,7 @@ TEST(Adjacency, FaceNeighboursPointBack) {
           ++open;
           continue;
         }
-        const ElementFace back =
-            faces.rows.row(static_cast<std::size_t>(other.element))[static_cast<std::size_t>(other.face)];
+        const ElementFace back = faces.rows.row(static_cast<std::size_t>(other.element))[other.face];
         EXPECT_EQ(back, (ElementFace{0, static_cast<std::int32_t>(e), static_cast<std::int32_t>(f)}));
       }
     EXPECT_EQ(open, boundaryFaces(mesh).size());
@@ -74,7 +73,7 @@ TEST(Adjacency, PartsAreCountedThroughSharedNodes) {
   EXPECT_EQ(parts.count, 2);
   EXPECT_EQ(parts.partOfElement, (std::vector<std::int32_t>{0, 0, 1, 1}));
   EXPECT_EQ(parts.partOfNode.front(), 0);
-  EXPECT_EQ(parts.partOfNode[static_cast<std::size_t>(n)], 1);
+  EXPECT_EQ(parts.partOfNode[n], 1);
   EXPECT_EQ(parts.partOfNode.back(), -1);
 }
 

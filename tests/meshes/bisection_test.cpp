@@ -65,7 +65,7 @@ TEST(Bisection, AnySetOfEdgesGivesAConformingMesh) {
     for (std::size_t e = 0; e < parts.elementCount(); ++e) {
       const double volume = probe.volume(bisected.mesh.X, parts.element(e));
       EXPECT_GT(volume, 0);
-      volumes[static_cast<std::size_t>(bisected.parent[0][e])] += volume;
+      volumes[bisected.parent[0][e]] += volume;
     }
     for (std::size_t e = 0; e < volumes.size(); ++e)
       EXPECT_NEAR(volumes[e], probe.volume(mesh.X, mesh.blocks[0].element(e)), 1e-18);
@@ -80,8 +80,7 @@ TEST(Bisection, SetsAndNumbersFollow) {
   std::size_t onFace = 0;
   for (Eigen::Index n = 0; n < bisected.mesh.X.cols(); ++n) onFace += bisected.mesh.X(0, n) == 0;
   EXPECT_EQ(bisected.mesh.nodeSets.at("x-min").size(), onFace);
-  for (const ElementRef& e : bisected.mesh.elementSets.at("one"))
-    EXPECT_EQ(bisected.parent[0][static_cast<std::size_t>(e.element)], 7);
+  for (const ElementRef& e : bisected.mesh.elementSets.at("one")) EXPECT_EQ(bisected.parent[0][e.element], 7);
   EXPECT_GT(bisected.mesh.elementSets.at("one").size(), 7u);
   EXPECT_EQ(bisected.mesh.elementSets.at("all").size(), bisected.mesh.elementCount());
   std::vector<std::int64_t> ids = bisected.mesh.blocks[0].ids;

@@ -41,7 +41,7 @@ void expectSound(const CutMesh& cut, const Mesh& before) {
   for (std::size_t e = 0; e < cut.mesh.elementCount(); ++e) {
     const double own = probe.volume(cut.mesh.X, cut.mesh.blocks[0].element(e));
     EXPECT_GT(own, 0);
-    volume[static_cast<std::size_t>(cut.parent[0][e])] += own;
+    volume[cut.parent[0][e]] += own;
   }
   for (std::size_t e = 0; e < volume.size(); ++e)
     EXPECT_NEAR(volume[e], probe.volume(before.X, before.blocks[0].element(e)), 1e-12 * volume[e]);

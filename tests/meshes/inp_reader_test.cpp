@@ -124,7 +124,7 @@ TEST_F(InpTest, ReadsQuadraticElementsInTheirOrder) {
   std::string text = "*NODE\n";
   const ElementInfo& hex = *findElementByName("hex20");
   for (int a = 0; a < 20; ++a) {
-    const auto& X = hex.referenceNodes[static_cast<std::size_t>(a)];
+    const auto& X = hex.referenceNodes[a];
     text += joinText(a + 1, ", ", X[0], ", ", X[1], ", ", X[2], "\n");
   }
   text += "*ELEMENT, TYPE=C3D20R\n1, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15,\n16, 17, 18, 19, 20\n";
@@ -132,7 +132,7 @@ TEST_F(InpTest, ReadsQuadraticElementsInTheirOrder) {
   text = "*NODE\n";
   const ElementInfo& tet = *findElementByName("tet10");
   for (int a = 0; a < 10; ++a) {
-    const auto& X = tet.referenceNodes[static_cast<std::size_t>(a)];
+    const auto& X = tet.referenceNodes[a];
     text += joinText(a + 1, ", ", X[0], ", ", X[1], ", ", X[2], "\n");
   }
   text += "*ELEMENT, TYPE=C3D10M\n1, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10\n";

@@ -34,12 +34,12 @@ Mesh scatteredBar() {
   Mesh result = mesh;
   for (std::size_t i = 0; i < count; ++i) {
     result.X.col(place[i]) = mesh.X.col(static_cast<Eigen::Index>(i));
-    result.nodeIds[static_cast<std::size_t>(place[i])] = 100 + static_cast<std::int64_t>(i);
+    result.nodeIds[place[i]] = 100 + static_cast<std::int64_t>(i);
   }
   for (MeshBlock& block : result.blocks)
-    for (std::int32_t& node : block.connectivity) node = place[static_cast<std::size_t>(node)];
+    for (std::int32_t& node : block.connectivity) node = place[node];
   for (auto& [name, nodes] : result.nodeSets)
-    for (std::int32_t& node : nodes) node = place[static_cast<std::size_t>(node)];
+    for (std::int32_t& node : nodes) node = place[node];
   return result;
 }
 
@@ -67,7 +67,7 @@ TEST(NodeOrder, RenumberingKeepsTheMeshAndItsNumbers) {
 
   const auto idsOf = [](const Mesh& mesh, const std::vector<std::int32_t>& nodes) {
     std::vector<std::int64_t> ids;
-    for (const std::int32_t node : nodes) ids.push_back(mesh.nodeIds[static_cast<std::size_t>(node)]);
+    for (const std::int32_t node : nodes) ids.push_back(mesh.nodeIds[node]);
     return ids;
   };
   EXPECT_EQ(idsOf(after, after.blocks[0].connectivity), idsOf(before, before.blocks[0].connectivity));

@@ -41,8 +41,7 @@ inline std::string boundsFault(const Body& body, const NodeVectors& x) {
     double most = -std::numeric_limits<double>::infinity();
     for (const auto& block : result.elementLambda)
       for (const double value : block) most = std::max(most, value);
-    const auto controlling = result.elementLambda[static_cast<std::size_t>(result.controlling.block)]
-                                                 [static_cast<std::size_t>(result.controlling.element)];
+    const auto controlling = result.elementLambda[result.controlling.block][result.controlling.element];
     if (most != result.lambda || controlling != most)
       fault += joinText(metric.name, ": its controlling element is not its largest; ");
   }

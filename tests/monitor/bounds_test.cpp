@@ -71,8 +71,8 @@ TEST(Bounds, HoldForRandomBodies) {
   const auto cuts = test::allCuts();
   const bool held = rc::check("bounds of random bodies", [&] {
     test::Random random(*rc::gen::arbitrary<std::uint64_t>());
-    const Cut& cut = cuts[static_cast<std::size_t>(random.index(static_cast<int>(cuts.size())))];
-    const auto& law = allLaws()[static_cast<std::size_t>(random.index(static_cast<int>(allLaws().size())))];
+    const Cut& cut = cuts[random.index(static_cast<int>(cuts.size()))];
+    const auto& law = allLaws()[random.index(static_cast<int>(allLaws().size()))];
     const std::array<int, 3> cells{2 + random.index(2), 1 + random.index(2), 1 + random.index(2)};
     Body body =
         test::boxBody(cut, law.name, cells, random.uniform(0, 0.25), static_cast<std::uint64_t>(random.index(1000)));
@@ -202,7 +202,7 @@ TEST(ReducedRing, IsThePrincipalSubmatrixOfTheWhole) {
             top = std::max(0.0, lambda[lambda.size() - 1]);
             bottom = lambda[0];
           }
-          const double found = rings.largest[b][static_cast<std::size_t>(e)];
+          const double found = rings.largest[b][e];
           EXPECT_NEAR(found, top, 1e-11 * std::max(top, -bottom)) << cut.name << ", " << b << ":" << e;
           const ElementRef here{static_cast<std::int32_t>(b), e};
           if (here == rings.highestElement) {
@@ -242,12 +242,10 @@ TEST(Metrics, OfAnElementAreThoseOfTheElementAlone) {
           std::vector<double> mass(static_cast<std::size_t>(body.blocks()[b]->element().nodes));
           body.elementLumpedMass(here, mass.data());
           for (Eigen::Index r = 0; r < K.rows(); ++r)
-            for (Eigen::Index s = 0; s < K.cols(); ++s)
-              K(r, s) /= std::sqrt(mass[static_cast<std::size_t>(r / 3)] * mass[static_cast<std::size_t>(s / 3)]);
+            for (Eigen::Index s = 0; s < K.cols(); ++s) K(r, s) /= std::sqrt(mass[r / 3] * mass[s / 3]);
           const double lambda =
               Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues()[K.rows() - 1];
-          EXPECT_NEAR(result.elementLambda[b][static_cast<std::size_t>(e)], lambda, 1e-11 * lambda)
-              << cut.name << ", " << b << ":" << e;
+          EXPECT_NEAR(result.elementLambda[b][e], lambda, 1e-11 * lambda) << cut.name << ", " << b << ":" << e;
         }
     }
 }

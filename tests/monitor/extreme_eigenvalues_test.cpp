@@ -46,9 +46,7 @@ class ExtremeEigenvaluesTest : public ::testing::Test {
     std::vector<P> A(static_cast<std::size_t>(n * n)), work(static_cast<std::size_t>(4 * n));
     for (int lane = 0; lane < lanes; ++lane)
       for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-          Lanes<P>::set(A[static_cast<std::size_t>(i * n + j)], lane,
-                        j <= i ? matrices[static_cast<std::size_t>(lane)](i, j) : nan);
+        for (int j = 0; j < n; ++j) Lanes<P>::set(A[i * n + j], lane, j <= i ? matrices[lane](i, j) : nan);
     const ExtremeEigenvalues<P> extremes = extremeEigenvalues(A.data(), n, work.data(), wantLeast);
     Values values;
     for (int lane = 0; lane < lanes; ++lane)

@@ -75,7 +75,7 @@ TEST(GlobalFrequency, OfASingleElement) {
     MeshBlock block{info.type, {}, {0}};
     mesh.X.resize(3, info.nodes);
     for (std::int32_t a = 0; a < info.nodes; ++a) {
-      mesh.X.col(a) = Eigen::Vector3d::Map(info.referenceNodes[static_cast<std::size_t>(a)].data());
+      mesh.X.col(a) = Eigen::Vector3d::Map(info.referenceNodes[a].data());
       mesh.nodeIds.push_back(a);
       block.connectivity.push_back(a);
     }

@@ -134,7 +134,7 @@ TEST(IncrementalNodalBound, EvaluatesElementsInsideTheirBallsWhenTheEigenvalueIs
   const double lambda = DenseTangent(body, X).largest();
   for (const double share : {1.0, 0.7, 0.5}) {
     bound.tightenBound(X, {share * lambda}, 0.05);
-    for (int look = 0; look < 50; ++look) EXPECT_GE(bound.update(X).value, lambda) << share;
+    for (int k = 0; k < 50; ++k) EXPECT_GE(bound.update(X).value, lambda) << share;
     EXPECT_LE(bound.verify(X), 1e-9) << share;
   }
 }
@@ -163,8 +163,7 @@ TEST(IncrementalNodalBound, KnowsWhereTheHighestRingsMayBe) {
   ReducedRing ring(body);
   const ReducedRing::Result& rings = ring.evaluate(X);
   double highest = 0;
-  for (const ElementRef e : bound.highestElements(8))
-    highest = std::max(highest, rings.largest[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)]);
+  for (const ElementRef e : bound.highestElements(8)) highest = std::max(highest, rings.largest[e.block][e.element]);
   EXPECT_GE(highest, 0.95 * rings.highest);
 }
 

@@ -20,7 +20,7 @@ TEST(LanczosBound, HoldsOnHundredsOfRandomBodies) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed)
     for (const LawInfo& law : allLaws()) {
       test::Random random(seed);
-      const Cut& cut = cuts[static_cast<std::size_t>(random.index(static_cast<int>(cuts.size())))];
+      const Cut& cut = cuts[random.index(static_cast<int>(cuts.size()))];
       const std::array<int, 3> cells{1 + random.index(3), 1 + random.index(2), 1 + random.index(2)};
       Body body = test::boxBody(cut, law.name, cells, random.uniform(0, 0.25), seed);
       test::holdBody(body, holds[random.index(3)], seed);

@@ -27,8 +27,8 @@ struct DenseTangent {
     matrix.resize(n, n);
     for (Eigen::Index r = 0; r < n; ++r)
       for (Eigen::Index s = 0; s < n; ++s) {
-        const auto [i, c] = components[static_cast<std::size_t>(r)];
-        const auto [j, d] = components[static_cast<std::size_t>(s)];
+        const auto [i, c] = components[r];
+        const auto [j, d] = components[s];
         matrix(r, s) = K(3 * i + c, 3 * j + d) / std::sqrt(body.lumpedMass()[i] * body.lumpedMass()[j]);
       }
   }

@@ -55,7 +55,7 @@ TEST(NodalBound, IsTheLargestNodalValueOfASweep) {
   NodalBound bound(body);
   const double value = bound.evaluate(body.mesh().X, 0).value;
   double most = 0;
-  for (std::int32_t i = 0; i < body.nodeCount(); ++i) most = std::max(most, bound.nodal()[static_cast<std::size_t>(i)]);
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i) most = std::max(most, bound.nodal()[i]);
   EXPECT_EQ(value, most);
 }
 

@@ -134,7 +134,7 @@ TEST_F(RegisteredElement, PassesThePatchTestInEveryLaw) {
   const Mesh mesh = distortedBox({3, 3, 3});
   std::vector<bool> boundary(mesh.nodeCount());
   for (const auto& [name, nodes] : mesh.nodeSets)
-    for (const std::int32_t node : nodes) boundary[static_cast<std::size_t>(node)] = true;
+    for (const std::int32_t node : nodes) boundary[node] = true;
   Eigen::Matrix3d F;
   F << 1.1, 0.06, -0.04, 0.03, 0.92, 0.05, -0.02, 0.04, 1.06;
   for (const LawInfo& law : allLaws()) {
@@ -144,7 +144,7 @@ TEST_F(RegisteredElement, PassesThePatchTestInEveryLaw) {
     body.internalForce(F * mesh.X, f, workspace);
     int inner = 0;
     for (Eigen::Index node = 0; node < f.cols(); ++node) {
-      if (boundary[static_cast<std::size_t>(node)]) continue;
+      if (boundary[node]) continue;
       EXPECT_LE(f.col(node).cwiseAbs().maxCoeff(), 1e-13 * forceScale) << law.name;
       ++inner;
     }
@@ -228,7 +228,7 @@ Mesh bentWedge() {
   mesh.X.resize(3, 15);
   MeshBlock block{findElementByName(Wedge15::name)->type, {}, {}};
   for (int a = 0; a < 15; ++a) {
-    const auto& xi = Wedge15::referenceNodes[static_cast<std::size_t>(a)];
+    const auto& xi = Wedge15::referenceNodes[a];
     mesh.X.col(a) = Eigen::Vector3d(xi[0] + 0.003 * a, xi[1] - 0.002 * a, xi[2] + 0.001 * a * a / 15);
     block.connectivity.push_back(a);
   }
@@ -272,9 +272,7 @@ TEST_F(RegisteredElement, IsReadInTheNodeOrderOfEachFormat) {
     EXPECT_EQ(mesh.blocks[0].type, info().type) << name;
     for (int a = 0; a < 15; ++a)
       for (int c = 0; c < 3; ++c)
-        EXPECT_EQ(mesh.X(c, mesh.blocks[0].element(0)[a]),
-                  Wedge15::referenceNodes[static_cast<std::size_t>(a)][static_cast<std::size_t>(c)])
-            << name << " node " << a;
+        EXPECT_EQ(mesh.X(c, mesh.blocks[0].element(0)[a]), Wedge15::referenceNodes[a][c]) << name << " node " << a;
     EXPECT_NEAR(meshVolume(mesh), 1, 1e-15) << name;
   }
 }

@@ -35,7 +35,7 @@ std::vector<ElementRef> allElementsOf(const Body& body) {
   return all;
 }
 std::span<const std::int32_t> nodesOf(const Body& body, ElementRef e) {
-  return body.blocks()[static_cast<std::size_t>(e.block)]->nodesOf(e.element);
+  return body.blocks()[e.block]->nodesOf(e.element);
 }
 
 /// The elements that hold any of the nodes, by looking at all of them.
@@ -76,11 +76,11 @@ double literalLargest(const Body& body, const Tangents& tangents, const std::set
     std::vector<double> mass(nodes.size());
     body.elementLumpedMass(e, mass.data());
     for (Eigen::Index i = 0; i < Ke.rows(); ++i) {
-      const auto r = row.find({nodes[static_cast<std::size_t>(i / 3)], static_cast<int>(i % 3)});
+      const auto r = row.find({nodes[i / 3], static_cast<int>(i % 3)});
       if (r == row.end()) continue;
-      M(r->second, r->second) += mass[static_cast<std::size_t>(i / 3)];
+      M(r->second, r->second) += mass[i / 3];
       for (Eigen::Index j = 0; j < Ke.cols(); ++j) {
-        const auto s = row.find({nodes[static_cast<std::size_t>(j / 3)], static_cast<int>(j % 3)});
+        const auto s = row.find({nodes[j / 3], static_cast<int>(j % 3)});
         if (s != row.end()) K(r->second, s->second) += Ke(i, j);
       }
     }
@@ -129,8 +129,7 @@ TEST_P(RingsTest, AreWhatTheSourceDefines) {
         for (std::size_t k = 0; k < elements.size(); k += 3) {
           const ElementRef e = elements[k];
           const double literal = literalRing(name, body, tangents, e);
-          EXPECT_NEAR(result.elementLambda[static_cast<std::size_t>(e.block)][static_cast<std::size_t>(e.element)],
-                      literal, 1e-8 * result.lambda)
+          EXPECT_NEAR(result.elementLambda[e.block][e.element], literal, 1e-8 * result.lambda)
               << name << ", " << law.name << ", " << test::holdName(hold) << ", " << e.block << ":" << e.element;
         }
       }
@@ -168,11 +167,10 @@ TEST_P(RingsTest, CheapBoundsAreTheirFormulas) {
     };
     stiffness = std::max(stiffness, largest(K));
     const auto nodes = nodesOf(body, e);
-    for (const std::int32_t node : nodes) ++valence[static_cast<std::size_t>(node)];
+    for (const std::int32_t node : nodes) ++valence[node];
     for (Eigen::Index i = 0; i < K.rows(); ++i)
       for (Eigen::Index j = 0; j < K.cols(); ++j)
-        K(i, j) /= std::sqrt(body.lumpedMass()[nodes[static_cast<std::size_t>(i / 3)]] *
-                             body.lumpedMass()[nodes[static_cast<std::size_t>(j / 3)]]);
+        K(i, j) /= std::sqrt(body.lumpedMass()[nodes[i / 3]] * body.lumpedMass()[nodes[j / 3]]);
     scaled = std::max(scaled, largest(K));
   }
   const int n = *std::max_element(valence.begin(), valence.end());

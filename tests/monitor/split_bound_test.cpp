@@ -29,16 +29,16 @@ TEST(PackedJacobi, IsEigensOwnDecomposition) {
         if (kind == 2) M = Eigen::MatrixXd(M.diagonal().asDiagonal());
         if (kind == 3 && repeat % 3 == 0) M.setZero();
         matrices.push_back(M);
-        for (int i = 0; i < n * n; ++i) A[static_cast<std::size_t>(i)].set(lane, M(i / n, i % n));
+        for (int i = 0; i < n * n; ++i) A[i].set(lane, M(i / n, i % n));
       }
       const NativePack left = diagonalize<0>(A.data(), VT.data(), n, 1e-12, 30);
       for (int lane = 0; lane < lanes; ++lane) {
-        const Eigen::MatrixXd& M = matrices[static_cast<std::size_t>(lane)];
+        const Eigen::MatrixXd& M = matrices[lane];
         Eigen::MatrixXd V(n, n);
         Eigen::VectorXd values(n);
         for (int i = 0; i < n; ++i) {
-          values[i] = A[static_cast<std::size_t>(i * n + i)][lane];
-          for (int j = 0; j < n; ++j) V(j, i) = VT[static_cast<std::size_t>(i * n + j)][lane];
+          values[i] = A[i * n + i][lane];
+          for (int j = 0; j < n; ++j) V(j, i) = VT[i * n + j][lane];
         }
         const double size = 1 + M.norm();
         EXPECT_LE(left[lane], 1e-11 * size);
@@ -55,16 +55,14 @@ TEST(PackedJacobi, SaysHowFarItGot) {
   test::Random random(22);
   AlignedVector<NativePack> A(n * n), VT(n * n);
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j <= i; ++j)
-      A[static_cast<std::size_t>(i * n + j)] = A[static_cast<std::size_t>(j * n + i)] =
-          NativePack(random.uniform(-1, 1));
+    for (int j = 0; j <= i; ++j) A[i * n + j] = A[j * n + i] = NativePack(random.uniform(-1, 1));
   Eigen::MatrixXd M(n, n);
-  for (int i = 0; i < n * n; ++i) M(i / n, i % n) = A[static_cast<std::size_t>(i)][0];
+  for (int i = 0; i < n * n; ++i) M(i / n, i % n) = A[i][0];
   const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues()[0];
   const double left = diagonalize<n>(A.data(), VT.data(), n, 0.0, 1)[0];
   EXPECT_GT(left, 1e-6);
   double found = A[0][0];
-  for (int i = 1; i < n; ++i) found = std::min(found, A[static_cast<std::size_t>(i * n + i)][0]);
+  for (int i = 1; i < n; ++i) found = std::min(found, A[i * n + i][0]);
   EXPECT_LE(std::abs(found - least), left);
 }
 

@@ -69,7 +69,7 @@ TEST(StabilityMonitor, JudgesAStepByTheBracket) {
       EXPECT_TRUE(report.fresh);
       ASSERT_TRUE(report.bracket);
       EXPECT_EQ(report.bracket->safe, step.safe);
-      EXPECT_LE(report.bracket->optimistic, step.optimistic);  // looked at closer when h comes near it
+      EXPECT_LE(report.bracket->optimistic, step.optimistic);  // examined closer when h comes near it
       EXPECT_EQ(report.verdict, c.verdict) << cut.name << ", h = " << c.h;
       EXPECT_EQ(countEvents(monitor, EventKind::violated), c.verdict == Verdict::violated);
       EXPECT_EQ(report.newEvents.size(), monitor.events().size());
@@ -82,7 +82,7 @@ TEST(StabilityMonitor, ReportsAViolationOnceWhenItBegins) {
   const NodeVectors& X = body.mesh().X;
   const CriticalStep step = criticalStep(body, X, 2);
   MonitorOptions options;
-  options.clearLooks = 3;
+  options.clearObservations = 3;
   StabilityMonitor monitor(body, options);
   std::vector<std::int64_t> reported;
   for (int i = 0; i < 14; ++i) {
@@ -307,8 +307,7 @@ TEST(StabilityMonitor, NamesElementsOfAMeshWithoutNumbers) {
     const MonitorEvent& event = onlyEvent(monitor, EventKind::violated);
     ASSERT_TRUE(event.element);
     std::string nodes = "nodes";
-    for (const std::int32_t node :
-         body.blocks()[static_cast<std::size_t>(event.element->block)]->nodesOf(event.element->element))
+    for (const std::int32_t node : body.blocks()[event.element->block]->nodesOf(event.element->element))
       nodes += joinText(" ", node);
     expectText(body, event, {nodes + ": "});
   }
@@ -370,7 +369,7 @@ TEST(StabilityMonitor, ReportsTheCollapseOfStVenantKirchhoff) {
                     1e-9);
   const MonitorEvent& event = onlyEvent(monitor, EventKind::indefinite);
   EXPECT_GE(event.step, begin);
-  EXPECT_LE(event.step, begin + 10);  // rings under compression are looked at every tenth time
+  EXPECT_LE(event.step, begin + 10);  // rings under compression are examined every tenth time
   EXPECT_LT(event.value, 0);
   ASSERT_TRUE(event.element);
   EXPECT_EQ(*event.element, (ElementRef{0, 0}));
@@ -397,7 +396,7 @@ TEST(StabilityMonitor, ReportsAnIndefiniteTangentOnlyWhenItIs) {
   }
 }
 
-TEST(StabilityMonitor, ReportsAnIndefiniteTangentAtTheFirstLook) {
+TEST(StabilityMonitor, ReportsAnIndefiniteTangentAtTheFirstObservation) {
   int indefinite = 0;
   for (const Cut& cut : test::allCuts())
     for (const LawInfo& law : allLaws())
@@ -427,7 +426,7 @@ TEST(StabilityMonitor, ReportsAnIndefiniteTangentAtTheFirstLook) {
 }
 
 TEST(StabilityMonitor, ReportsABodyThatIsSquashedInTheMiddleOfARun) {
-  // Told by the tenth look after compression has grown by half.
+  // Told by the tenth observation after compression has grown by half.
   for (const Cut& cut : test::allCuts()) {
     Body body = test::boxBody(cut, "neo-hookean", {6, 2, 2});
     test::holdBody(body, test::Hold::face);
@@ -445,7 +444,7 @@ TEST(StabilityMonitor, ReportsAnEnergyImbalance) {
   const Body body = test::boxBody(test::allCuts()[0], "stvk");
   MonitorOptions options;
   options.energyTolerance = 0.1;
-  options.clearLooks = 1;
+  options.clearObservations = 1;
   StabilityMonitor monitor(body, options);
   const auto observe = [&](std::int64_t step, double error) {
     const Energies energies{1, 3, 0, error};
@@ -578,7 +577,7 @@ TEST(StabilityMonitor, RefusesBadOptions) {
       {"margin", "nan", ">= 0 and < 1", [nan](MonitorOptions& o) { o.margin = nan; }},
       {"every", "0", ">= 1", [](MonitorOptions& o) { o.every = 0; }},
       {"every", "-3", ">= 1", [](MonitorOptions& o) { o.every = -3; }},
-      {"clearLooks", "0", ">= 1", [](MonitorOptions& o) { o.clearLooks = 0; }},
+      {"clearObservations", "0", ">= 1", [](MonitorOptions& o) { o.clearObservations = 0; }},
       {"mode", "metric", "name one", [](MonitorOptions& o) { o.mode = MonitorMode::metric; }},
       {"width", "0", "> 0 and < 1", [](MonitorOptions& o) { o.width = 0; }},
       {"width", "1", "> 0 and < 1", [](MonitorOptions& o) { o.width = 1; }},

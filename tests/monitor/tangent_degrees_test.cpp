@@ -35,7 +35,7 @@ struct Foreign {
 
   Eigen::MatrixXd massOf(int node) const {
     const int d = degreesOfFreedom;
-    if (form == Form::scalar) return mass[static_cast<std::size_t>(node)] * Eigen::MatrixXd::Identity(d, d);
+    if (form == Form::scalar) return mass[node] * Eigen::MatrixXd::Identity(d, d);
     if (form == Form::diagonal) return Eigen::VectorXd::Map(mass.data() + node * d, d).asDiagonal();
     return Eigen::MatrixXd::Map(mass.data() + node * d * d, d, d);
   }
@@ -57,7 +57,7 @@ struct Foreign {
     }
     std::vector<int> free;
     for (int l = 0; l < size; ++l)
-      if (constrained.empty() || !constrained[static_cast<std::size_t>(l)]) free.push_back(l);
+      if (constrained.empty() || !constrained[l]) free.push_back(l);
     return std::max(0.0, test::generalizedEigen(K(free, free), M(free, free)).values.tail<1>()[0]);
   }
   TangentBracket bracket() const {
@@ -119,7 +119,7 @@ std::pair<Eigen::Matrix2Xd, double> quadrilateral(const std::vector<Eigen::Vecto
   local << -(1 - v), 1 - v, 1 + v, -(1 + v), -(1 - u), -(1 + u), 1 + u, 1 - u;
   local /= 4;
   Eigen::Matrix2d J = Eigen::Matrix2d::Zero();
-  for (int a = 0; a < 4; ++a) J += corners[static_cast<std::size_t>(a)] * local.col(a).transpose();
+  for (int a = 0; a < 4; ++a) J += corners[a] * local.col(a).transpose();
   return {J.inverse().transpose() * local, J.determinant()};
 }
 
@@ -136,7 +136,7 @@ Foreign quadrilaterals(const Grid& grid, int d, const Stiffness& stiffness, doub
     for (int i = 0; i < grid.nx; ++i) {
       const auto nodes = grid.cell(i, j);
       std::vector<Eigen::Vector2d> corners;
-      for (const std::int32_t node : nodes) corners.push_back(grid.X[static_cast<std::size_t>(node)]);
+      for (const std::int32_t node : nodes) corners.push_back(grid.X[node]);
       Eigen::MatrixXd K = Eigen::MatrixXd::Zero(4 * d, 4 * d);
       double area = 0;
       for (const double u : {-g, g})
@@ -145,7 +145,7 @@ Foreign quadrilaterals(const Grid& grid, int d, const Stiffness& stiffness, doub
           K += weight * stiffness(gradient);
           area += weight;
         }
-      for (const std::int32_t node : nodes) code.mass[static_cast<std::size_t>(node)] += density * area / 4;
+      for (const std::int32_t node : nodes) code.mass[node] += density * area / 4;
       code.groups[0].add(nodes, K);
     }
   return code;
@@ -189,10 +189,10 @@ TEST(TangentDegrees, HoldOfPlaneTriangles) {
       for (const std::vector<std::int32_t>& nodes :
            {std::vector<std::int32_t>{q[0], q[1], q[2]}, std::vector<std::int32_t>{q[0], q[2], q[3]}}) {
         Eigen::Matrix3d P;
-        for (int a = 0; a < 3; ++a) P.col(a) << 1, grid.X[static_cast<std::size_t>(nodes[static_cast<std::size_t>(a)])];
+        for (int a = 0; a < 3; ++a) P.col(a) << 1, grid.X[nodes[a]];
         const double area = P.determinant() / 2;
         const Eigen::MatrixXd B = strains(P.inverse().rightCols<2>().transpose());
-        for (const std::int32_t node : nodes) code.mass[static_cast<std::size_t>(node)] += 1000 * area / 3;
+        for (const std::int32_t node : nodes) code.mass[node] += 1000 * area / 3;
         code.groups[0].add(nodes, area * B.transpose() * C * B);
       }
     }
@@ -272,8 +272,8 @@ Foreign frame(Form form, double offset) {
       const std::int32_t i = nodeAt(from), j = nodeAt(to);
       code.groups[0].add({i, j}, beam(from, to, young, side));
       const double half = density * side * side * (to - from).norm() / 2;
-      lumped[static_cast<std::size_t>(i)] += half;
-      lumped[static_cast<std::size_t>(j)] += half;
+      lumped[i] += half;
+      lumped[j] += half;
     }
   };
   for (int floor = 0; floor < 2; ++floor) {

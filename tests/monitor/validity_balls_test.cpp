@@ -23,9 +23,7 @@ constexpr int lanes = PatchLayout::lanes;
 
 struct Checked final : PatchVisitor {
   explicit Checked(const Body& b) : body(b), block(*b.blocks()[0]), balls(block) {}
-  std::size_t placeOf(std::int32_t e) const {
-    return static_cast<std::size_t>(block.layout().batchOfElement[static_cast<std::size_t>(e)]);
-  }
+  std::size_t placeOf(std::int32_t e) const { return static_cast<std::size_t>(block.layout().batchOfElement[e]); }
   Eigen::Matrix3d gradient(std::int32_t e, const NodeVectors& x) const {
     const auto nodes = block.nodesOf(e);
     Eigen::Matrix3d now, reference;
@@ -131,7 +129,7 @@ TEST(ValidityBalls, FindsEveryElementThatLeavesWhileMostGroupsSkip) {
       visited += static_cast<std::int64_t>(checked.balls.visitedGroups());
     }
     if (rate > 5e-5) {
-      EXPECT_GT(left, checked.block.elementCount());  // some after the first look
+      EXPECT_GT(left, checked.block.elementCount());  // some after the first observation
     }
     const auto groups = static_cast<std::int64_t>(checked.balls.groupCount());
     EXPECT_GT(groups, 4);

@@ -7,7 +7,7 @@ int main() {
   const int n = 10000;
   std::vector<double> a(static_cast<std::size_t>(n), 1.0), b(a);
   double sum = 0;
-  auto at = [](std::vector<double>& v, int i) -> double& { return v[static_cast<std::size_t>(i)]; };
+  auto at = [](std::vector<double>& v, int i) -> double& { return v[i]; };
   for (int round = 0; round < 20; ++round) {
 #pragma omp parallel for schedule(static) num_threads(4)
     for (int i = 0; i < n; ++i) at(b, i) = 0.5 * at(a, n - 1 - i);

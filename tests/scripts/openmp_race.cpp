@@ -5,6 +5,6 @@
 int main() {
   std::vector<double> sums(16, 0.0);
 #pragma omp parallel for schedule(static) num_threads(4)
-  for (int i = 0; i < 100000; ++i) sums[static_cast<std::size_t>(i % 16)] += 1;
+  for (int i = 0; i < 100000; ++i) sums[i % 16] += 1;
   std::printf("%g\n", sums[0]);
 }

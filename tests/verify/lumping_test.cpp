@@ -13,7 +13,7 @@ Mesh referenceMesh(std::string_view name) {
   mesh.X.resize(3, info.nodes);
   mesh.blocks.push_back({info.type, {}, {0}});
   for (int a = 0; a < info.nodes; ++a) {
-    mesh.X.col(a) = Eigen::Vector3d::Map(info.referenceNodes[static_cast<std::size_t>(a)].data());
+    mesh.X.col(a) = Eigen::Vector3d::Map(info.referenceNodes[a].data());
     mesh.blocks[0].connectivity.push_back(a);
   }
   return mesh;

@@ -38,9 +38,9 @@ TEST(MixedMesh, SharesFacesAndHoldsEveryLinearElement) {
     for (const MeshBlock& block : mesh.blocks) EXPECT_GT(block.elementCount(), 0u) << cells;
     // Conforming: what is on the boundary is on the box.
     for (const ElementFace& face : boundaryFaces(mesh)) {
-      const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(face.block)];
+      const MeshBlock& block = mesh.blocks[face.block];
       Eigen::Vector3d low = Eigen::Vector3d::Constant(1), high = -low;
-      for (const int corner : elementInfo(block.type).faces[static_cast<std::size_t>(face.face)])
+      for (const int corner : elementInfo(block.type).faces[face.face])
         if (corner >= 0) {
           const Eigen::Vector3d X = mesh.X.col(block.element(static_cast<std::size_t>(face.element))[corner]);
           low = low.cwiseMin(X);

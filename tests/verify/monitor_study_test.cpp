@@ -1,4 +1,4 @@
-// The study of the monitor as a whole: everything it claims holds, and it looked at enough to say so.
+// The study of the monitor as a whole: everything it claims holds, and it examined enough to say so.
 #include <gtest/gtest.h>
 
 #include <ringwatch/elements/registry.h>
@@ -41,7 +41,7 @@ TEST(MonitorStudy, EveryClaimHolds) {
                         {"*: steps from the first violated to an energy off by 10 %", 0, Basis::theory}});
 }
 
-TEST(MonitorStudy, LooksAtEveryElementAndLaw) {
+TEST(MonitorStudy, CoversEveryElementAndLaw) {
   std::set<std::string> elements;
   std::set<std::pair<std::string, std::string>> pairs;
   for (const ElementInfo& element : allElements()) {
