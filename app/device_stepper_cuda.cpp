@@ -31,7 +31,7 @@ class DeviceStepper final : public Stepper {
     imex_.reset();
     held_ = false;
     if (elements.empty()) return;
-    const Options own = completed(ImplicitExplicit::description.name, ImplicitExplicit::table, options_.own);
+    const Options own = completed(Imex::description.name, Imex::table, options_.own);
     const ClusterOptions cluster = clusterOptionsOf(own);
     DeviceImexOptions wanted;
     wanted.dissipation = own.number("dissipation");

@@ -108,11 +108,11 @@ void RunWatch::judgeHandled(MonitorReport& report) const {
 
 void RunWatch::nameElements(MonitorReport& report) const {
   if (report.bracket) {
-    report.bracket->controlling = handler_->wholeElement(report.bracket->controlling);
-    report.bracket->lowestRingElement = handler_->wholeElement(report.bracket->lowestRingElement);
+    report.bracket->controlling = handler_->toParentElement(report.bracket->controlling);
+    report.bracket->lowestRingElement = handler_->toParentElement(report.bracket->lowestRingElement);
   }
   for (MonitorEvent& event : report.newEvents)
-    if (event.element) event.element = handler_->wholeElement(*event.element);
+    if (event.element) event.element = handler_->toParentElement(*event.element);
 }
 
 }  // namespace ringwatch

@@ -1,6 +1,6 @@
 #include <ringwatch/app/stepper.h>
 
-#include <ringwatch/integrators/split_body_system.h>
+#include <ringwatch/integrators/partitioned_body_system.h>
 
 namespace ringwatch {
 namespace {
@@ -37,7 +37,7 @@ class PartitionedStepper final : public Stepper {
 
  private:
   Integrator& integrator_;
-  SplitBodySystem system_;
+  PartitionedBodySystem system_;
 };
 
 }  // namespace

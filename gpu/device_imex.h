@@ -14,7 +14,7 @@ struct DeviceImexOptions {
   int iterations = 200;      ///< of conjugate gradients, at most
 };
 
-/// The scheme of ImplicitExplicit on the device, on top of symplectic Euler: a step of all nodes, then the nodes of the
+/// The scheme of Imex on the device, on top of symplectic Euler: a step of all nodes, then the nodes of the
 /// implicit elements take theirs back and solve
 ///   (M + beta h² K̂) (a + c v) = M (a₀ + c v),   c = α / (beta h), beta = (1 + α)²/4,
 /// cluster by cluster with block-Jacobi preconditioned conjugate gradients, all clusters in one launch and without a

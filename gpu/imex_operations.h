@@ -60,7 +60,7 @@ RINGWATCH_INLINE unsigned long long imexFaultKey(std::int64_t step, ImexFault fa
 }
 
 struct ImexView {
-  double w = 0, h = 0, c = 0;  // s², s, 1/s; see ImplicitExplicit
+  double w = 0, h = 0, c = 0;  // s², s, 1/s; see Imex
   double tolerance = 0;
   int iterations = 0;
   std::int32_t sliceCount = 0, rowCount = 0;

@@ -6,11 +6,11 @@
 
 namespace ringwatch {
 
-class PositionBased::Relaxed final : public SecondOrderSystem {
+class FePbd::Relaxed final : public SecondOrderSystem {
  public:
-  explicit Relaxed(PositionBased& owner) : owner_(owner) {}
+  explicit Relaxed(FePbd& owner) : owner_(owner) {}
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
-    PositionBased& o = owner_;
+    FePbd& o = owner_;
     o.explicitBody().internalForce(x, o.force_, o.workspace_);
     a = (o.body_.externalForce() - o.force_) * o.inverseMass_.asDiagonal();
     o.body_.constraints().clearConstrained(a);
@@ -22,28 +22,28 @@ class PositionBased::Relaxed final : public SecondOrderSystem {
   std::string fault;
 
  private:
-  PositionBased& owner_;
+  FePbd& owner_;
 };
 
-PositionBased::PositionBased(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
+FePbd::FePbd(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
     : Handler(description, body, std::move(base), std::move(options)),
       goal_(options_.own.text("variant") == variants[0] ? GoalShape::linear : GoalShape::rigid),
       passes_(std::max(1, options_.own.integer("passes"))) {}
 
-void PositionBased::take(const NodeVectors&, double h, const ElementFlags& chosen) {
+void FePbd::take(const NodeVectors&, double h, const ElementFlags& chosen) {
   const auto elements = chosenElements(chosen);
   requireTurningTetrahedra(elements);
   relaxed_ = std::make_unique<RelaxedTetrahedra>(body_, elements, h, goal_, passes_);
   inverseMass_ = body_.lumpedMass().cwiseInverse();
-  splitOff(chosen);
+  detach(chosen);
 }
 
-StepStatus PositionBased::handledStep(SecondOrderSystem&, State& state, double h) {
+StepStatus FePbd::handledStep(SecondOrderSystem&, State& state, double h) {
   Relaxed relaxed(*this);
   return baseStep(relaxed, state, h, relaxed.fault);
 }
 
-std::vector<HandlerFigure> PositionBased::figures() const {
+std::vector<HandlerFigure> FePbd::figures() const {
   if (!relaxed_) return {};
   const auto [least, most] = std::minmax_element(relaxed_->alpha().begin(), relaxed_->alpha().end());
   return {{"handled_nodes", static_cast<double>(relaxed_->nodeCount())},

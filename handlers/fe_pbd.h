@@ -17,7 +17,7 @@ namespace ringwatch {
 ///
 /// Handled elements follow linear elasticity in the frame that turns with them, at small strains any law here. Other
 /// elements than tet4, and laws that do not turn with the element, are refused.
-class PositionBased final : public Handler {
+class FePbd final : public Handler {
  public:
   static constexpr std::array<std::string_view, 2> variants{"linear", "rigid"};
   static constexpr std::array table{
@@ -37,7 +37,7 @@ class PositionBased final : public Handler {
                                            .help = "moves the nodes of critical tetrahedra towards goal shapes",
                                            .options = table,
                                            .relaxes = true};
-  PositionBased(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
+  FePbd(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
 
  protected:

@@ -6,7 +6,7 @@
 #include <Eigen/QR>
 
 #include <ringwatch/base/eigen_instances.h>
-#include <ringwatch/handlers/modal_filter.h>
+#include <ringwatch/handlers/filtered_stiffness.h>
 #include <ringwatch/handlers/turned_tetrahedron.h>
 
 namespace ringwatch {

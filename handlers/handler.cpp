@@ -174,7 +174,7 @@ std::optional<Body::LeastDeterminant> Handler::leastHandledDeterminant(const Nod
   return least;
 }
 
-void Handler::splitOff(const ElementFlags& chosen, const Eigen::VectorXd& mass) {
+void Handler::detach(const ElementFlags& chosen, const Eigen::VectorXd& mass) {
   const ElementFlags left = complement(chosen);
   numbers_ = elementNumbers(left);
   if (mass.size() == 0)
@@ -191,7 +191,7 @@ Body Handler::partWithMass(const ElementFlags& elements, const Eigen::VectorXd& 
   return part;
 }
 
-ElementRef Handler::wholeElement(ElementRef part) const {
+ElementRef Handler::toParentElement(ElementRef part) const {
   if (!explicitPart_) return part;
   return {part.block, numbers_[part.block][part.element]};
 }

@@ -83,7 +83,7 @@ class Handler : public Integrator {
   /// body itself where no element leaves the explicit part.
   const Body& explicitBody() const { return explicitPart_ ? *explicitPart_ : body_; }
   /// The element of the body that has a number in explicitBody().
-  ElementRef wholeElement(ElementRef part) const;
+  ElementRef toParentElement(ElementRef part) const;
   /// Whether the explicit part is proven stable for the tangent at the positions it was prepared for.
   bool certified() const { return certified_; }
   virtual std::vector<HandlerFigure> figures() const { return {}; }
@@ -120,7 +120,7 @@ class Handler : public Integrator {
   /// The elements that a limit of lambda, rad²/s², asks for, as the selection says.
   ElementFlags chooseFor(const NodeVectors& x, double lambda, const ElementFlags& keep);
   /// Leaves the chosen elements out of explicitBody(); with mass (kg, N numbers > 0), that is its lumped mass.
-  void splitOff(const ElementFlags& chosen, const Eigen::VectorXd& mass = {});
+  void detach(const ElementFlags& chosen, const Eigen::VectorXd& mass = {});
   /// Some elements of the body with another lumped mass, kg, N numbers > 0; without loads.
   Body partWithMass(const ElementFlags& elements, const Eigen::VectorXd& mass) const;
   /// The highest frequency squared that is left to the rest, rad²/s²: ((1 - margin) limit/h)².

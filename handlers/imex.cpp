@@ -15,10 +15,10 @@ std::string imexForGpu(Options& own) {
   return {};
 }
 
-class ImplicitExplicit::Corrected final : public SecondOrderSystem {
+class Imex::Corrected final : public SecondOrderSystem {
  public:
   /// first: the acceleration by the inner system that is asked for first; empty when it is not known.
-  Corrected(ImplicitExplicit& owner, SecondOrderSystem& inner, double c, NodeVectors& first)
+  Corrected(Imex& owner, SecondOrderSystem& inner, double c, NodeVectors& first)
       : owner_(owner), inner_(inner), c_(c), first_(first) {}
   void acceleration(double time, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
     if (first_.cols() > 0) {
@@ -52,26 +52,26 @@ class ImplicitExplicit::Corrected final : public SecondOrderSystem {
   std::string fault;
 
  private:
-  ImplicitExplicit& owner_;
+  Imex& owner_;
   SecondOrderSystem& inner_;
   double c_;
   NodeVectors& first_;
 };
 
-ImplicitExplicit::ImplicitExplicit(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
+Imex::Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
     : Handler(description, body, std::move(base), std::move(options)),
       dissipation_(options_.own.number("dissipation")),
       cluster_(clusterOptionsOf(options_.own)) {}
 
-void ImplicitExplicit::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
+void Imex::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
   const double beta = 0.25 * (1 + dissipation_) * (1 + dissipation_);
   clusters_.clear();
   for (auto& elements : clustersOf(body_, chosenElements(chosen)))
     clusters_.emplace_back(body_, std::move(elements), beta * h * h, x, cluster_);
-  splitOff(chosen);
+  detach(chosen);
 }
 
-StepStatus ImplicitExplicit::handledStep(SecondOrderSystem& system, State& state, double h) {
+StepStatus Imex::handledStep(SecondOrderSystem& system, State& state, double h) {
   const double alpha = dissipation_, beta = 0.25 * (1 + alpha) * (1 + alpha);
   // With u = a + c v, c = α/(beta h), the damping force needs no product of its own: (M + beta h² K̂) u = M (a₀ + c v).
   NodeVectors first(3, 0);
@@ -80,7 +80,7 @@ StepStatus ImplicitExplicit::handledStep(SecondOrderSystem& system, State& state
   return baseStep(corrected, state, h, corrected.fault);
 }
 
-std::vector<HandlerFigure> ImplicitExplicit::figures() const {
+std::vector<HandlerFigure> Imex::figures() const {
   std::size_t largest = 0;
   std::int64_t factorisations = 0, iterations = 0;
   for (const ImplicitCluster& cluster : clusters_) {

@@ -20,7 +20,7 @@ std::string imexForGpu(Options& own);
 ///   (1 + beta b) z² - (2 - a + (2 beta - α) b) z + 1 + (beta - α) b = 0,
 /// whose roots have |z| <= 1 for 0 <= a <= 4 + (1 + α²) b. With K_E ≼ (4/h²) M, which the certified selection proves,
 /// it holds whenever K_I ≼ (1 + α²) K̂, which is assumed. Theorem 34, docs/theory/handlers.md.
-class ImplicitExplicit final : public Handler {
+class Imex final : public Handler {
  public:
   static constexpr std::array table{
       OptionInfo{.name = "dissipation",
@@ -32,7 +32,7 @@ class ImplicitExplicit final : public Handler {
                                            .help = "implicit where the step is too large, explicit elsewhere",
                                            .options = table,
                                            .forGpu = imexForGpu};
-  ImplicitExplicit(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
+  Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
   const std::vector<ImplicitCluster>& clusters() const { return clusters_; }
 

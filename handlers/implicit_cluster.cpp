@@ -8,8 +8,8 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/handlers/cluster_gradients.h>
 #include <ringwatch/handlers/cluster_matrix.h>
+#include <ringwatch/handlers/cluster_pcg.h>
 #include <ringwatch/handlers/rotation_of.h>
 
 namespace ringwatch {
@@ -55,7 +55,7 @@ std::vector<std::vector<ElementRef>> clustersOf(const Body& body, const std::vec
 
 /// Conjugate gradients and the solutions of the last two steps.
 struct ImplicitCluster::Iterative {
-  std::variant<ClusterGradients<float>, ClusterGradients<double>> gradients;
+  std::variant<ClusterPcg<float>, ClusterPcg<double>> gradients;
   std::array<Eigen::VectorXd, 2> before;
 };
 
@@ -112,9 +112,9 @@ ImplicitCluster::ImplicitCluster(const Body& body, std::vector<ElementRef> eleme
     const double mean = total / static_cast<double>(nodes_.size());
     constexpr double enoughForSingle = 1e-5;
     if (options_.tolerance >= enoughForSingle)
-      iterative_.reset(new Iterative{ClusterGradients<float>(matrix_->blocks(), constrained_, mean), {}});
+      iterative_.reset(new Iterative{ClusterPcg<float>(matrix_->blocks(), constrained_, mean), {}});
     else
-      iterative_.reset(new Iterative{ClusterGradients<double>(matrix_->blocks(), constrained_, mean), {}});
+      iterative_.reset(new Iterative{ClusterPcg<double>(matrix_->blocks(), constrained_, mean), {}});
   }
   frame_ = frameOf(x);
   if (!frame_.allFinite() || !matrix_->make(x, frame_) || !factor())

@@ -1,24 +1,90 @@
 #pragma once
-#include <Eigen/Core>
+#include <memory>
+#include <optional>
+
+#include <ringwatch/handlers/filtered_tetrahedra.h>
+#include <ringwatch/handlers/handler.h>
+#include <ringwatch/handlers/shape_constraints.h>
 
 namespace ringwatch {
 
-/// A tetrahedron's stiffness in two parts, K = K' + Σ_k (1/compliance_k) b_k b_kᵀ: what a step can take, and the modes
-/// that were filtered out of it. Degrees of freedom 3·node + component, in the element's frame.
-struct FilteredStiffness {
-  Eigen::Matrix<double, 12, 12> kept;                                                 // K', N/m
-  Eigen::Matrix<double, 12, 6> mode = Eigen::Matrix<double, 12, 6>::Zero();           // b_k, √(N/m)
-  Eigen::Matrix<double, 6, 1> compliance = Eigen::Matrix<double, 6, 1>::Constant(1);  // of the first `modes`
-  int modes = 0;
-};
+/// Modal filter by element (Fierz 2013, section 4.1): handled tetrahedra act in the explicit part with the stiffness
+/// K' that the step allows them (modal_filter.h), turned with them, f_a = R K' (Rᵀx - X), and the modes that are
+/// filtered out hold by constraints on the predicted positions x* = x + h (v + h a):
+///
+/// projection, Fierz 2013's: rigid constraints by the shape of the element, met by fast projection
+/// (shape_constraints.h). Fails where they contradict each other.
+///
+/// compliant (FilteredTetrahedra): the filtered-out modes themselves, C_k = b_k·(Rᵀx - X), each with the compliance of
+/// its stiffness (XPBD, Macklin et al. 2016), so that they are implicit Euler for K - K' with R held. Always solvable.
+/// Block Gauss–Seidel forward and back over the elements: near rest, any number of passes moves the nodes by (I + h²
+/// M⁻¹ Σ(K - K'))⁻¹ ≼ P ≼ I, and the step is stable as in FePbd (Theorems 37 and 38, docs/theory/handlers.md).
+///
+/// Allowances of stiffness: the element's own lumped mass times ω²_max with the Selection::elementFrequency, Fierz
+/// 2013's; with `certified` an even share of what the bound of the other elements leaves at each node. Either way K_E +
+/// K' ≼ ω²_max M at the state of the choice, the explicit part is proven stable (Theorem 39).
+///
+/// Handled elements follow linear elasticity in the frame that turns with them, at small strains any law here; the
+/// linear law and other elements than tet4 are refused. Forces and constraints of the compliant variant are free of
+/// torque about x; those of the projection about the positions it ends at.
+class ModalFilter final : public Handler {
+ public:
+  static constexpr std::array<std::string_view, 2> variants{"compliant", "projection"};
+  static constexpr auto compliantAlone = std::span(variants).first<1>(),
+                        projectionAlone = std::span(variants).last<1>();
+  static constexpr std::array table{
+      OptionInfo{.name = "variant",
+                 .type = OptionType::text,
+                 .choices = variants,
+                 .automatic = true,
+                 .fallback = "auto",
+                 .help = "compliant constraints, or by projection as in Fierz 2013"},
+      OptionInfo{.name = "passes",
+                 .type = OptionType::integer,
+                 .range = {0, 2147483647, true, true},
+                 .fallback = "0",
+                 .help = "over the handled elements in a step; more make crowded ones less soft; 0: 1",
+                 .onlyWith = {"variant", compliantAlone}},
+      OptionInfo{.name = "tolerance",
+                 .range = {0, 1, false, true},
+                 .automatic = true,
+                 .fallback = "auto",
+                 .help = "of the projected constraints; auto 1e-8",
+                 .onlyWith = {"variant", projectionAlone}},
+      OptionInfo{.name = "iterations",
+                 .type = OptionType::integer,
+                 .range = {1, 2147483647, true, true},
+                 .fallback = "200",
+                 .help = "of the projection, at most",
+                 .onlyWith = {"variant", projectionAlone}}};
+  // Handled elements stay in the explicit part, which needs a proof.
+  static constexpr std::array selections{Selection::certified, Selection::elementFrequency};
+  static constexpr HandlerInfo description{.name = "modal-filter",
+                                           .help = "critical tetrahedra softened, and held by constraints",
+                                           .alias = "filtered",
+                                           .options = table,
+                                           .selections = selections,
+                                           .relaxes = true};
+  ModalFilter(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
+  std::vector<HandlerFigure> figures() const override;
 
-/// The modal filter (Fierz 2013, section 4.1.1) with the mass where it belongs: with K φ_k = μ_k T φ_k and Φᵀ T Φ = I,
-///   K' = T Φ min(M, 1) Φᵀ T,   so that 0 ≼ K' ≼ T and K' = K on every mode with μ_k <= 1.
-/// Theorem 39, docs/theory/handlers.md.
-/// T = diag(allowance), N/m by node, is the stiffness that the step allows this element at its nodes: ω²_max m_a with
-/// the element's own lumped mass for Fierz 2013's choice. (Fierz 2013's Φᵀ Λ' Φ has neither the mass nor the order of
-/// the factors that its eq. 4.1 asks for.) b_k = T φ_k and 1/compliance_k = μ_k - 1 for the others. Allowances must be
-/// > 0.
-FilteredStiffness filterModes(const Eigen::Matrix<double, 12, 12>& K, const Eigen::Vector4d& allowance);
+ protected:
+  void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
+  /// system: that of the body. Handled elements pull with K' instead of their own force, so the handler evaluates the
+  /// others itself, and a system that counts or splits forces sees none.
+  StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
+
+ private:
+  /// The base scheme's view.
+  class Corrected;
+
+  bool projects_;
+  int passes_;
+  std::unique_ptr<FilteredTetrahedra> tetrahedra_;
+  std::optional<ConstraintProjection> projection_;
+  Eigen::VectorXd inverseMass_;
+  NodeVectors force_, predicted_;
+  Body::Workspace workspace_;
+};
 
 }  // namespace ringwatch

@@ -2,19 +2,19 @@
 #include <string>
 
 #include <ringwatch/base/registry.h>
-#include <ringwatch/handlers/adaptive.h>
 #include <ringwatch/handlers/fe_pbd.h>
-#include <ringwatch/handlers/filtered.h>
 #include <ringwatch/handlers/imex.h>
+#include <ringwatch/handlers/local_time_stepping.h>
 #include <ringwatch/handlers/mass_scaling.h>
+#include <ringwatch/handlers/modal_filter.h>
 
 namespace ringwatch {
 namespace {
 
 /// Every handler of the library, one line each.
 constexpr std::array entries{
-    handlerEntry<Adaptive>(), handlerEntry<ImplicitExplicit>(), handlerEntry<PositionBased>(),
-    handlerEntry<Filtered>(), handlerEntry<MassScaling>(),
+    handlerEntry<LocalTimeStepping>(), handlerEntry<Imex>(),        handlerEntry<FePbd>(),
+    handlerEntry<ModalFilter>(),       handlerEntry<MassScaling>(),
 };
 
 Registry<HandlerEntry>& registry() {

@@ -5,7 +5,7 @@ namespace ringwatch {
 
 /// A system whose acceleration is the sum of two parts, for schemes that treat them apart
 /// (IntegratorInfo::partitioned): additive implicit-explicit ones take the stiff part implicitly, multirate ones in
-/// small steps. The parts may be two sets of elements (SplitBodySystem), two kinds of force, or whatever else the
+/// small steps. The parts may be two sets of elements (PartitionedBodySystem), two kinds of force, or whatever else the
 /// caller splits by. Both give zero where motion is prescribed.
 class AdditiveSystem : public SecondOrderSystem {
  public:

@@ -1,5 +1,5 @@
 #pragma once
-#include <ringwatch/integrators/splitting.h>
+#include <ringwatch/integrators/composition.h>
 
 namespace ringwatch {
 
@@ -12,7 +12,7 @@ class Pefrl final : public Integrator {
 
  public:
   static Eigen::Matrix2d amplification(double z, double dampingRatio) {
-    return splittingAmplification({drifts, kicks}, z, dampingRatio);
+    return compositionAmplification({drifts, kicks}, z, dampingRatio);
   }
   static constexpr IntegratorInfo description{"pefrl",
                                               "fourth order, symplectic, small error, four forces a step",
@@ -25,7 +25,7 @@ class Pefrl final : public Integrator {
                                               &amplification};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
-    stepSplitting({drifts, kicks}, system, state, h, a_);
+    stepComposition({drifts, kicks}, system, state, h, a_);
     return {};
   }
 

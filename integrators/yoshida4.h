@@ -1,5 +1,5 @@
 #pragma once
-#include <ringwatch/integrators/splitting.h>
+#include <ringwatch/integrators/composition.h>
 
 namespace ringwatch {
 
@@ -13,14 +13,14 @@ class Yoshida4 final : public Integrator {
 
  public:
   static Eigen::Matrix2d amplification(double z, double dampingRatio) {
-    return splittingAmplification({drifts, kicks}, z, dampingRatio);
+    return compositionAmplification({drifts, kicks}, z, dampingRatio);
   }
   static constexpr IntegratorInfo description{
       "yoshida4",    "fourth order, symplectic, three forces a step", 4, 3, 1.573401947434540057, true, true, 1,
       &amplification};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
-    stepSplitting({drifts, kicks}, system, state, h, a_);
+    stepComposition({drifts, kicks}, system, state, h, a_);
     return {};
   }
 

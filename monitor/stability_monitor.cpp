@@ -7,11 +7,11 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/element_cause.h>
+#include <ringwatch/monitor/exchange_bound.h>
 #include <ringwatch/monitor/incremental_nodal_bound.h>
 #include <ringwatch/monitor/lowest_mode.h>
 #include <ringwatch/monitor/nodal_bound.h>
 #include <ringwatch/monitor/rayleigh.h>
-#include <ringwatch/monitor/split_bound.h>
 #include <ringwatch/monitor/top_mode.h>
 
 namespace ringwatch {
@@ -538,8 +538,9 @@ CriticalStep bracketFromScratch(const Body& body, const NodeVectors& x, const St
     throw NumericalError("the tangent is not finite at these positions: there is no critical step");
   std::string_view safeBy = "nodal-bound";
   evaluations += static_cast<std::int64_t>(body.mesh().elementCount()) + weights.evaluations();
-  if (upper.value > narrow * lower.value && splitBoundBytes(body) <= mostBytes) {
-    const SplitBound split = splitUpperBound(body, x, weights, aim * lower.value, narrow * lower.value, iterations);
+  if (upper.value > narrow * lower.value && exchangeBoundBytes(body) <= mostBytes) {
+    const ExchangeBound split =
+        exchangeUpperBound(body, x, weights, aim * lower.value, narrow * lower.value, iterations);
     evaluations += split.decompositions;
     if (split.upper.value < upper.value) {
       upper = split.upper;

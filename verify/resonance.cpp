@@ -6,7 +6,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/handlers/adaptive.h>
+#include <ringwatch/handlers/local_time_stepping.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/generators.h>
 #include <ringwatch/verify/oscillator.h>
@@ -133,7 +133,7 @@ void addResonance(StudyEffort effort, StudyReport& report) {
           if (handler->elements().empty()) continue;
           last = h * std::sqrt(highestEigenvalue(body)) / std::numbers::pi;
           const double growth = spectralRadius(body, *handler, h) - 1;
-          finest = std::max(finest, dynamic_cast<const Adaptive&>(*handler).levels().back().substeps);
+          finest = std::max(finest, dynamic_cast<const LocalTimeStepping&>(*handler).levels().back().substeps);
           ++states;
           unstable += growth > unstableFrom;
           if (growth > worst) {

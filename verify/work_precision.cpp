@@ -10,7 +10,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
-#include <ringwatch/integrators/split_body_system.h>
+#include <ringwatch/integrators/partitioned_body_system.h>
 #include <ringwatch/integrators/stability_limit.h>
 #include <ringwatch/meshes/generators.h>
 #include <ringwatch/monitor/global_frequency.h>
@@ -309,7 +309,7 @@ std::vector<ElementRef> stiffElementsAt(const Body& body, const IntegratorInfo& 
 WorkPrecisionCase::Parts splitForStep(const Body& body, const RayleighDamping& damping, const IntegratorInfo& info,
                                       double h) {
   const std::vector<ElementRef> stiff = stiffElementsAt(body, info, h);
-  return {std::make_unique<SplitBodySystem>(body, stiff, damping),
+  return {std::make_unique<PartitionedBodySystem>(body, stiff, damping),
           static_cast<double>(stiff.size()) / static_cast<double>(body.mesh().elementCount())};
 }
 

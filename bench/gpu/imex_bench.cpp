@@ -15,7 +15,7 @@ namespace {
 
 constexpr int hostThreads = 2, cells = 58, tetrahedra = 5;
 
-/// ImplicitExplicit's step on the CPU, with its solvers as they are by default.
+/// Imex's step on the CPU, with its solvers as they are by default.
 class HostImex {
  public:
   HostImex(const Body& body, const std::vector<std::vector<ElementRef>>& chosen, double h,

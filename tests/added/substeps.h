@@ -22,7 +22,7 @@ class Substeps final : public Handler {
   std::vector<HandlerFigure> figures() const override { return {{"substeps", static_cast<double>(count_)}}; }
 
  protected:
-  void take(const NodeVectors&, double, const ElementFlags& chosen) override { splitOff(chosen); }
+  void take(const NodeVectors&, double, const ElementFlags& chosen) override { detach(chosen); }
   StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override {
     StepStatus status;
     for (int i = 0; i < count_ && status.done; ++i) status = base_->step(system, state, h / count_);

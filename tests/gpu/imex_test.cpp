@@ -35,7 +35,7 @@ Clusters clustersWhere(const Body& body, const Wanted& wanted) {
 /// The CPU's scheme: symplectic Euler with the accelerations that ImplicitCluster allows.
 class HostImex {
  public:
-  /// fresh: K̂ is made again at every step, as on the device; else it is kept as ImplicitExplicit keeps it.
+  /// fresh: K̂ is made again at every step, as on the device; else it is kept as Imex keeps it.
   HostImex(const Body& body, Clusters clusters, double h, const DeviceImexOptions& options, bool fresh)
       : body_(body), chosen_(std::move(clusters)), h_(h), fresh_(fresh) {
     const double alpha = options.dissipation, beta = 0.25 * (1 + alpha) * (1 + alpha);

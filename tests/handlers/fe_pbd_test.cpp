@@ -202,7 +202,7 @@ TEST(Relaxation, ConvergesToImplicitEulerWithItsPasses) {
 }
 
 // A body at rest anywhere, in any orientation, moves on as it is.
-TEST(PositionBased, LeavesRigidMotionAlone) {
+TEST(FePbd, LeavesRigidMotionAlone) {
   for (const char* variant : {"linear", "rigid"})
     for (const char* base : {"symplectic-euler", "verlet"}) {
       Body body = test::sliverBody("corotational", 0.98, false);
@@ -237,7 +237,7 @@ TEST_P(PositionBasedStability, NoModeGrowsAtManyTimesTheCriticalStep) {
   EXPECT_GT(test::spectralRadius(body, *plain, h, 1e-7), 2);  // so the test can fail
 }
 
-TEST(PositionBased, KeepsBothMomentaAndBoundsTheEnergy) {
+TEST(FePbd, KeepsBothMomentaAndBoundsTheEnergy) {
   for (const char* variant : {"linear", "rigid"}) {
     Body body = test::sliverBody("corotational", 0.98, false);
     const double h = 4 * criticalStepOf(body);
@@ -283,16 +283,16 @@ double errorOf(const char* variant, int passes, double nu = test::poisson) {
 }
 
 // What three passes leave is implicit Euler's own error; one is softer and damps less.
-TEST(PositionBased, FollowsTheMotionBetterWithLinearGoals) {
+TEST(FePbd, FollowsTheMotionBetterWithLinearGoals) {
   const double rigid = errorOf("rigid", 1), one = errorOf("linear", 1), three = errorOf("linear", 3);
   EXPECT_LT(rigid, 0.1);
   EXPECT_LT(std::max(one, three), 0.4 * rigid);
   EXPECT_LT(std::max(one, three), 0.01);
 }
 
-TEST(PositionBased, StandsNearlyIncompressibleBodies) { EXPECT_LT(errorOf("linear", 3, 0.499), 0.05); }
+TEST(FePbd, StandsNearlyIncompressibleBodies) { EXPECT_LT(errorOf("linear", 3, 0.499), 0.05); }
 
-TEST(PositionBased, HoldsAnIsolatedSliverWithAnyNodesFixed) {
+TEST(FePbd, HoldsAnIsolatedSliverWithAnyNodesFixed) {
   for (const char* variant : {"linear", "rigid"})
     for (const int fixed : {0, 1, 2, 3, 4}) {
       Body body = bodyOf(sliverCorners);
@@ -318,7 +318,7 @@ TEST(PositionBased, HoldsAnIsolatedSliverWithAnyNodesFixed) {
     }
 }
 
-TEST(PositionBased, TurnsAnInvertedElementBack) {
+TEST(FePbd, TurnsAnInvertedElementBack) {
   for (const char* variant : {"linear", "rigid"})
     for (const auto& corners : {regularCorners, sliverCorners}) {
       Body body = bodyOf(corners);
@@ -334,7 +334,7 @@ TEST(PositionBased, TurnsAnInvertedElementBack) {
 }
 
 // On a line the rotation is not unique: any will do, as long as the forces are finite.
-TEST(PositionBased, StandsFlattenedElements) {
+TEST(FePbd, StandsFlattenedElements) {
   for (const char* variant : {"linear", "rigid"})
     for (const Eigen::Vector3d& keep : {Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, 0, 0)}) {
       Body body = bodyOf(sliverCorners);
@@ -349,7 +349,7 @@ TEST(PositionBased, StandsFlattenedElements) {
     }
 }
 
-TEST(PositionBased, SurvivesAStepThatMakesEverythingCritical) {
+TEST(FePbd, SurvivesAStepThatMakesEverythingCritical) {
   for (const char* variant : {"linear", "rigid"}) {
     Body body = test::sliverBody("corotational", 0.98);
     body.addBodyForce({0, 0, -1});
@@ -365,7 +365,7 @@ TEST(PositionBased, SurvivesAStepThatMakesEverythingCritical) {
   }
 }
 
-TEST(PositionBased, DoesNotPassNotANumberOn) {
+TEST(FePbd, DoesNotPassNotANumberOn) {
   Body body = test::sliverBody("stvk", 0.98);
   const double h = 4 * criticalStepOf(body);
   for (const char* base : {"symplectic-euler", "verlet"}) {

@@ -248,7 +248,7 @@ TEST(Imex, WatchesTheExplicitElementsUnderTheirOwnNumbers) {
   EXPECT_LE(denseHighest(rest, body.mesh().X), denseHighest(body, body.mesh().X) / 16);
   for (std::int32_t e = 0; e < rest.blocks()[0]->elementCount(); ++e) {
     const auto own = rest.blocks()[0]->nodesOf(e),
-               whole = body.blocks()[0]->nodesOf(handler->wholeElement({0, e}).element);
+               whole = body.blocks()[0]->nodesOf(handler->toParentElement({0, e}).element);
     ASSERT_TRUE(std::equal(own.begin(), own.end(), whole.begin()));
   }
 }

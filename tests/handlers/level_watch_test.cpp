@@ -1,8 +1,8 @@
 // Finer levels of adaptive along a run: who is called proven is, by dense eigenvalues, and stiffening is seen.
 #include <gtest/gtest.h>
 
-#include <ringwatch/handlers/adaptive.h>
 #include <ringwatch/handlers/level_watch.h>
+#include <ringwatch/handlers/local_time_stepping.h>
 #include <ringwatch/integrators/integrator.h>
 #include <tests/handlers/handler_cases.h>
 
@@ -10,7 +10,7 @@ namespace ringwatch {
 namespace {
 
 /// The highest eigenvalue of a level's elements on the mass that is theirs, over that which its filter takes.
-double loadOf(const Body& body, const Adaptive& handler, std::size_t k, double margin, const NodeVectors& x) {
+double loadOf(const Body& body, const LocalTimeStepping& handler, std::size_t k, double margin, const NodeVectors& x) {
   const auto& levels = handler.levels();
   Eigen::VectorXd mass = body.lumpedMass();
   std::vector<bool> finer = touchedNodes(body, handler.implicitElements());
@@ -25,7 +25,7 @@ double loadOf(const Body& body, const Adaptive& handler, std::size_t k, double m
 TEST(LevelWatch, CallsALevelProvenOnlyWhereItIs) {
   Body body = test::sliverBody("stvk", 0.98);
   constexpr double margin = 0.1;
-  Adaptive handler(body, makeIntegrator("verlet"), {});
+  LocalTimeStepping handler(body, makeIntegrator("verlet"), {});
   const NodeVectors& X = body.mesh().X;
   handler.prepare(X, 4 * test::criticalStepOf(body));
   ASSERT_GT(handler.levels().size(), 1u);

@@ -14,7 +14,7 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
-#include <ringwatch/integrators/split_body_system.h>
+#include <ringwatch/integrators/partitioned_body_system.h>
 #include <ringwatch/integrators/stability_limit.h>
 #include <ringwatch/integrators/sundials/additive.h>
 #include <ringwatch/integrators/sundials/implicit.h>
@@ -284,7 +284,7 @@ TEST(Sundials, PrescribedMotionIsExact) {
   for (const IntegratorEntry& entry : sundialsIntegrators()) {
     const auto integrator = entry.make();
     BodySystem whole(body);
-    SplitBodySystem parts(body, everySecond(body));
+    PartitionedBodySystem parts(body, everySecond(body));
     SecondOrderSystem& system = entry.info->partitioned ? static_cast<SecondOrderSystem&>(parts) : whole;
     State state = whole.initialState();
     const int steps = entry.info->partitioned ? 200 : 10;  // half of the elements are explicit
@@ -455,7 +455,7 @@ TEST(ArkodeMri, HasItsOrderWithEqualSmallSteps) {
   EXPECT_THROW(ArkodeMri(-1), InputError);
 }
 
-TEST(SplitBodySystem, PartsAddUpToTheBody) {
+TEST(PartitionedBodySystem, PartsAddUpToTheBody) {
   Body body = bar();
   body.addBodyForce({0, 0, -1});
   const RayleighDamping damping{0.5, 1e-3};
@@ -467,7 +467,7 @@ TEST(SplitBodySystem, PartsAddUpToTheBody) {
   for (const std::size_t kept : {std::size_t{0}, std::size_t{7}, body.mesh().elementCount()}) {
     std::vector<ElementRef> stiff;
     for (std::size_t e = 0; e < kept; ++e) stiff.push_back({0, static_cast<std::int32_t>(e)});
-    SplitBodySystem parts(body, stiff, damping);
+    PartitionedBodySystem parts(body, stiff, damping);
     parts.acceleration(0, x, v, b);
     EXPECT_LT((a - b).norm(), 1e-12 * a.norm()) << kept;
     auto& nonstiff = dynamic_cast<DifferentiableSystem&>(parts.nonstiff());
@@ -485,7 +485,7 @@ TEST(SplitBodySystem, PartsAddUpToTheBody) {
     parts.stiff().DifferentiableSystem::stiffnessDiagonal(x, assembled);
     for (std::size_t i = 0; i < own.size(); ++i) EXPECT_LT((own[i] - assembled[i]).norm(), 1e-9);
   }
-  EXPECT_THROW(SplitBodySystem(body, {{0, 100000}}), InputError);
+  EXPECT_THROW(PartitionedBodySystem(body, {{0, 100000}}), InputError);
 }
 
 /// The bar with one inner node pulled nearly onto its neighbour: slivers around it.
@@ -503,14 +503,14 @@ Body barWithSlivers() {
 }
 
 // At four times the explicit step of the mesh. The split leaves the frequency of the explicit rest proven.
-TEST(SplitBodySystem, AdditiveStepKeepsItsStepOnSlivers) {
+TEST(PartitionedBodySystem, AdditiveStepKeepsItsStepOnSlivers) {
   const Body body = barWithSlivers();
   const double h = 4 * 2 / std::sqrt(globalFrequency(body, body.mesh().X).lambda), allowed = 1.5;
   const std::vector<ElementRef> stiff = stiffElements(body, body.mesh().X, h, allowed);
   EXPECT_GT(stiff.size(), 3u);
   EXPECT_LT(stiff.size(), body.mesh().elementCount() / 2);
   // The rest alone, by a dense eigenvalue.
-  SplitBodySystem system(body, stiff);
+  PartitionedBodySystem system(body, stiff);
   Eigen::MatrixXd K = dynamic_cast<DifferentiableSystem&>(system.nonstiff()).stiffness(body.mesh().X);
   for (Eigen::Index r = 0; r < K.rows(); ++r)
     for (Eigen::Index c = 0; c < K.cols(); ++c)

@@ -20,18 +20,18 @@ namespace ringwatch {
 /// gives a bound; the best counts. An element is left alone while its least eigenvalue cannot have sunk below zero,
 /// which the norms of its changes tell (Weyl). Theorem 12, docs/theory/exchange.md; that iterates keep the sum:
 /// Theorem 13.
-struct SplitBound {
+struct ExchangeBound {
   UpperBound upper;
   int iterations = 0;
   std::int64_t decompositions = 0;  // of element matrices: nearly all of the cost
 };
 
 /// x: 3×N, m. weights: evaluated at x; the start. sigma: rad²/s², best just above the truth; any value gives a bound.
-/// accept: stops when the bound is at or below it. Memory: 18 n² numbers an element of n nodes, splitBoundBytes.
+/// accept: stops when the bound is at or below it. Memory: 18 n² numbers an element of n nodes, exchangeBoundBytes.
 /// The value is infinite when the tangent is not finite.
-SplitBound splitUpperBound(const TangentSource& source, const NodeVectors& x, const NodalBound& weights, double sigma,
-                           double accept, int maxIterations);
+ExchangeBound exchangeUpperBound(const TangentSource& source, const NodeVectors& x, const NodalBound& weights,
+                                 double sigma, double accept, int maxIterations);
 /// Memory that it needs, bytes.
-std::int64_t splitBoundBytes(const TangentSource& source);
+std::int64_t exchangeBoundBytes(const TangentSource& source);
 
 }  // namespace ringwatch

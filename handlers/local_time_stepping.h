@@ -37,7 +37,7 @@ namespace ringwatch {
 /// explicitBody() has the elements of level 0 on M_1/4: its critical step is h where the proof for level 0 ends. Finer
 /// levels are proven where they are chosen, with the margin, and watched by uncertifiedPart(); a step whose averaged
 /// force outgrows the force fails.
-class Adaptive final : public Handler {
+class LocalTimeStepping final : public Handler {
  public:
   static constexpr std::array<std::string_view, 2> variants{"stabilised", "plain"};
   static constexpr std::array table{
@@ -67,7 +67,7 @@ class Adaptive final : public Handler {
                                            .alias = "adaptive",
                                            .options = table,
                                            .selections = selections};
-  Adaptive(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
+  LocalTimeStepping(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
   /// A finer level whose tangent is above what its filter takes. Of implicit elements nothing is said.
   std::string uncertifiedPart(const NodeVectors& x) override;

@@ -1,4 +1,4 @@
-#include <ringwatch/monitor/split_bound.h>
+#include <ringwatch/monitor/exchange_bound.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,9 +54,9 @@ void removeNegativePart(Pack* A, Pack* VT, Pack* P, int n, Pack& least, Pack& ne
   }
 }
 
-class Splitting {
+class Composition {
  public:
-  Splitting(const TangentSource& source, const NodeVectors& x, const NodalBound& weights, double sigma)
+  Composition(const TangentSource& source, const NodeVectors& x, const NodalBound& weights, double sigma)
       : source_(source), sigma_(sigma) {
     source.assembleBlocks(x, pattern_);
     std::int64_t total = 0;
@@ -304,10 +304,10 @@ class Splitting {
 
 }  // namespace
 
-SplitBound splitUpperBound(const TangentSource& source, const NodeVectors& x, const NodalBound& weights, double sigma,
-                           double accept, int maxIterations) {
-  SplitBound result{{std::numeric_limits<double>::infinity()}, 0, 0};
-  Splitting splitting(source, x, weights, sigma);
+ExchangeBound exchangeUpperBound(const TangentSource& source, const NodeVectors& x, const NodalBound& weights,
+                                 double sigma, double accept, int maxIterations) {
+  ExchangeBound result{{std::numeric_limits<double>::infinity()}, 0, 0};
+  Composition splitting(source, x, weights, sigma);
   while (result.iterations < maxIterations && !(result.upper.value <= accept)) {
     result.upper.value = std::min(result.upper.value, splitting.iterate());
     ++result.iterations;
@@ -317,7 +317,7 @@ SplitBound splitUpperBound(const TangentSource& source, const NodeVectors& x, co
   return result;
 }
 
-std::int64_t splitBoundBytes(const TangentSource& source) {
+std::int64_t exchangeBoundBytes(const TangentSource& source) {
   std::int64_t bytes = 0;
   for (const ElementTangents* block : source.tangents()) {
     const std::int64_t n = block->nodesPerElement();

@@ -8,7 +8,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/handlers/filtered.h>
+#include <ringwatch/handlers/filtered_stiffness.h>
 #include <ringwatch/handlers/modal_filter.h>
 #include <ringwatch/meshes/quality.h>
 #include <tests/handlers/handler_cases.h>
@@ -133,7 +133,7 @@ TEST(Projection, MeetsItsToleranceAndKeepsMomentum) {
   EXPECT_THAT(hasty.project(x), HasSubstr("did not meet its 5 constraints in 1 iterations"));
 }
 
-TEST(Filtered, LeavesRigidMotionAlone) {
+TEST(ModalFilter, LeavesRigidMotionAlone) {
   for (const char* variant : {"compliant", "projection"}) {
     Body body = test::sliverBody("corotational", 0.95, false);
     const double h = 1.5 * criticalStepOf(body);
@@ -167,7 +167,7 @@ TEST_P(FilteredStability, NoModeGrowsAtManyTimesTheCriticalStep) {
   EXPECT_LE(test::spectralRadius(body, *handler, h, 1e-7), 1 + 1e-5);
 }
 
-TEST(Filtered, KeepsBothMomentaAndBoundsTheEnergy) {
+TEST(ModalFilter, KeepsBothMomentaAndBoundsTheEnergy) {
   Body body = test::sliverBody("corotational", 0.98, false);
   const double h = 4 * criticalStepOf(body);
   const auto handler = filtered(body, h);
@@ -213,7 +213,7 @@ double errorOf(const char* variant, double nu, double times) {
   return (x - exact).norm() / (exact - body.mesh().X).norm();
 }
 
-TEST(Filtered, FollowsTheMotion) {
+TEST(ModalFilter, FollowsTheMotion) {
   EXPECT_LT(errorOf("compliant", test::poisson, 3), 0.01);
   EXPECT_LT(errorOf("compliant", 0.499, 3), 0.05);
   EXPECT_LT(errorOf("projection", test::poisson, 1.3), 0.1);
@@ -228,7 +228,7 @@ TEST(Projection, SaysWhenItsConstraintsContradictEachOther) {
   EXPECT_THAT(projection.project(x), HasSubstr("constraints"));
 }
 
-TEST(Filtered, SaysWhenTheProjectionDoesNotConverge) {
+TEST(ModalFilter, SaysWhenTheProjectionDoesNotConverge) {
   Body body = test::sliverBody("corotational", 0.95);
   const HandlerOptions options{.own = {{"variant", "projection"}, {"tolerance", 1e-14}, {"iterations", 1}}};
   const double h = 3 * criticalStepOf(body);
@@ -248,7 +248,7 @@ TEST(Filtered, SaysWhenTheProjectionDoesNotConverge) {
   EXPECT_EQ(state.time, 0);
 }
 
-TEST(Filtered, SurvivesAStepThatMakesEverythingCritical) {
+TEST(ModalFilter, SurvivesAStepThatMakesEverythingCritical) {
   Body body = test::sliverBody("corotational", 0.98);
   body.addBodyForce({0, 0, -1});
   const double h = 50 * criticalStepOf(body);
@@ -260,7 +260,7 @@ TEST(Filtered, SurvivesAStepThatMakesEverythingCritical) {
   EXPECT_LT((state.x - body.mesh().X).cwiseAbs().maxCoeff(), 0.2);
 }
 
-TEST(Filtered, HoldsAnIsolatedSliverWithAnyNodesFixed) {
+TEST(ModalFilter, HoldsAnIsolatedSliverWithAnyNodesFixed) {
   for (const int fixed : {0, 1, 2, 3, 4}) {
     Mesh mesh = test::gridMesh("tet4", {1, 1, 1}, {1, 1, 1});
     mesh.X = (Eigen::Matrix<double, 3, 4>() << -0.01, 0, 0.01, 0, 0, -0.011, 0, 0.009, 0, 2e-4, 0, 2e-4).finished();
@@ -281,7 +281,7 @@ TEST(Filtered, HoldsAnIsolatedSliverWithAnyNodesFixed) {
   }
 }
 
-TEST(Filtered, TurnsAnInvertedElementBackAndReportsNotANumber) {
+TEST(ModalFilter, TurnsAnInvertedElementBackAndReportsNotANumber) {
   Body body = test::sliverBody("corotational", 0.98);
   const double h = 4 * criticalStepOf(body);
   const auto handler = filtered(body, h);

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/monitor/exchange_bound.h>
 #include <ringwatch/monitor/packed_jacobi.h>
-#include <ringwatch/monitor/split_bound.h>
 #include <tests/monitor/monitor_cases.h>
 
 namespace ringwatch {
@@ -66,7 +66,7 @@ TEST(PackedJacobi, SaysHowFarItGot) {
   EXPECT_LE(std::abs(found - least), left);
 }
 
-TEST(SplitBound, HoldsForAnyTargetAfterAnyIteration) {
+TEST(ExchangeBound, HoldsForAnyTargetAfterAnyIteration) {
   int states = 0, tried = 0;
   for (const Cut& cut : test::allCuts())
     for (const LawInfo& law : allLaws())
@@ -83,7 +83,7 @@ TEST(SplitBound, HoldsForAnyTargetAfterAnyIteration) {
           weights.evaluate(state.x, 2);
           for (const double share : {0.0, 0.7, 1.001, 2.0})
             for (const int iterations : {1, 4, 12}) {
-              const SplitBound bound = splitUpperBound(body, state.x, weights, share * lambda, 0, iterations);
+              const ExchangeBound bound = exchangeUpperBound(body, state.x, weights, share * lambda, 0, iterations);
               EXPECT_GE(bound.upper.value, lambda * (1 - 1e-10))
                   << cut.name << ", " << law.name << ", " << test::holdName(hold) << ", " << state.name << ", share "
                   << share << ", " << iterations << " iterations";
@@ -94,7 +94,7 @@ TEST(SplitBound, HoldsForAnyTargetAfterAnyIteration) {
   EXPECT_GE(4 * tried, 3 * states);
 }
 
-TEST(SplitBound, IsWithinOnePercentOnRegularGrids) {
+TEST(ExchangeBound, IsWithinOnePercentOnRegularGrids) {
   for (const Cut& cut : test::allCuts())
     for (const double jitter : {0.0, 0.2}) {
       const Body body = test::boxBody(cut, "stvk", {3, 3, 3}, jitter);
@@ -102,14 +102,14 @@ TEST(SplitBound, IsWithinOnePercentOnRegularGrids) {
       const double lambda = DenseTangent(body, X).largest();
       NodalBound weights(body);
       weights.evaluate(X, 12);
-      const SplitBound bound = splitUpperBound(body, X, weights, 1.01 * lambda, 1.02 * lambda, 60);
+      const ExchangeBound bound = exchangeUpperBound(body, X, weights, 1.01 * lambda, 1.02 * lambda, 60);
       EXPECT_GE(bound.upper.value, lambda) << cut.name;
       EXPECT_LE(bound.upper.value, 1.02 * lambda) << cut.name << ", jitter " << jitter;
       EXPECT_LT(bound.iterations, 60) << cut.name;
     }
 }
 
-TEST(SplitBound, StopsWhereItIsAccepted) {
+TEST(ExchangeBound, StopsWhereItIsAccepted) {
   const Body body = test::boxBody(test::allCuts()[0], "stvk", {3, 3, 3}, 0);
   const NodeVectors& X = body.mesh().X;
   const double lambda = DenseTangent(body, X).largest();
@@ -117,7 +117,7 @@ TEST(SplitBound, StopsWhereItIsAccepted) {
   weights.evaluate(X, 5);
   int before = 0;
   for (const double accept : {1.3, 1.1, 1.03}) {
-    const SplitBound bound = splitUpperBound(body, X, weights, 1.01 * lambda, accept * lambda, 100);
+    const ExchangeBound bound = exchangeUpperBound(body, X, weights, 1.01 * lambda, accept * lambda, 100);
     EXPECT_LE(bound.upper.value, accept * lambda);
     EXPECT_GT(bound.iterations, before);
     EXPECT_LE(bound.decompositions, bound.iterations * static_cast<std::int64_t>(body.mesh().elementCount()));
@@ -125,22 +125,22 @@ TEST(SplitBound, StopsWhereItIsAccepted) {
   }
 }
 
-TEST(SplitBound, IsInfiniteWithoutATangent) {
+TEST(ExchangeBound, IsInfiniteWithoutATangent) {
   const Body body = test::boxBody(test::allCuts()[0], "neo-hookean");
   const NodeVectors& X = body.mesh().X;
   NodalBound weights(body);
   weights.evaluate(X, 1);
   const NodeVectors inverted = Eigen::Vector3d(-0.5, 1, 1).asDiagonal() * X;
-  EXPECT_TRUE(std::isinf(splitUpperBound(body, inverted, weights, 1e6, 0, 5).upper.value));
+  EXPECT_TRUE(std::isinf(exchangeUpperBound(body, inverted, weights, 1e6, 0, 5).upper.value));
 }
 
-TEST(SplitBound, IsTheSameForAnyNumberOfThreads) {
+TEST(ExchangeBound, IsTheSameForAnyNumberOfThreads) {
   double one = 0;
   for (const int threads : {1, 2, 3}) {
     const Body body = test::boxBody(test::allCuts()[0], "stvk", {4, 3, 3}, 0.1, 3, threads);
     NodalBound weights(body);
     const double value = weights.evaluate(body.mesh().X, 3).value;
-    const double bound = splitUpperBound(body, body.mesh().X, weights, 0.8 * value, 0, 8).upper.value;
+    const double bound = exchangeUpperBound(body, body.mesh().X, weights, 0.8 * value, 0, 8).upper.value;
     if (threads == 1) one = bound;
     EXPECT_EQ(bound, one);
   }

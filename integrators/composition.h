@@ -9,35 +9,35 @@ namespace ringwatch {
 ///
 /// Velocity-dependent forces: every kick takes the velocity from before it, so a scheme is of order one in the damping
 /// whatever its order without.
-struct Splitting {
+struct Composition {
   std::span<const double> drifts;  // one more than kicks
   std::span<const double> kicks;
 };
 
-/// Advances a state by a splitting; `a` is scratch memory.
-inline void stepSplitting(const Splitting& splitting, SecondOrderSystem& system, State& state, double h,
-                          NodeVectors& a) {
+/// Advances a state by a composition; `a` is scratch memory.
+inline void stepComposition(const Composition& scheme, SecondOrderSystem& system, State& state, double h,
+                            NodeVectors& a) {
   double time = state.time;
   updateNodes(system, state.x.cols(),
-              [&](auto slice) { slice(state.x) += (splitting.drifts[0] * h) * slice(state.v); });
-  for (std::size_t k = 0; k < splitting.kicks.size(); ++k) {
-    time += splitting.drifts[k] * h;
+              [&](auto slice) { slice(state.x) += (scheme.drifts[0] * h) * slice(state.v); });
+  for (std::size_t k = 0; k < scheme.kicks.size(); ++k) {
+    time += scheme.drifts[k] * h;
     system.acceleration(time, state.x, state.v, a);
     updateNodes(system, state.x.cols(), [&](auto slice) {
-      slice(state.v) += (splitting.kicks[k] * h) * slice(a);
-      slice(state.x) += (splitting.drifts[k + 1] * h) * slice(state.v);
+      slice(state.v) += (scheme.kicks[k] * h) * slice(a);
+      slice(state.x) += (scheme.drifts[k + 1] * h) * slice(state.v);
     });
   }
   state.time += h;
 }
 
 /// Its step for the damped oscillator in (omega x, v), see IntegratorInfo::amplification.
-inline Eigen::Matrix2d splittingAmplification(const Splitting& splitting, double z, double dampingRatio) {
+inline Eigen::Matrix2d compositionAmplification(const Composition& scheme, double z, double dampingRatio) {
   Eigen::Matrix2d T = Eigen::Matrix2d::Identity();
-  for (std::size_t k = 0; k < splitting.drifts.size(); ++k) {
-    T.row(0) += splitting.drifts[k] * z * T.row(1);
-    if (k == splitting.kicks.size()) break;
-    const double c = splitting.kicks[k] * z;
+  for (std::size_t k = 0; k < scheme.drifts.size(); ++k) {
+    T.row(0) += scheme.drifts[k] * z * T.row(1);
+    if (k == scheme.kicks.size()) break;
+    const double c = scheme.kicks[k] * z;
     T.row(1) = (1 - 2 * dampingRatio * c) * T.row(1) - c * T.row(0);
   }
   return T;

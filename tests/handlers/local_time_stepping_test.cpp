@@ -10,7 +10,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/handlers/adaptive.h>
+#include <ringwatch/handlers/local_time_stepping.h>
 #include <tests/handlers/handler_cases.h>
 
 namespace ringwatch {
@@ -24,9 +24,9 @@ double criticalStepOf(const Body& body) { return 2 / std::sqrt(denseHighest(body
 HandlerOptions adaptiveOptions(double dissipation, int levels = 6, bool stabilised = true) {
   return {.own = {{"dissipation", dissipation}, {"levels", levels}, {"variant", stabilised ? "stabilised" : "plain"}}};
 }
-std::unique_ptr<Adaptive> adaptive(Body& body, double h, const HandlerOptions& options = {},
-                                   std::string_view base = "symplectic-euler") {
-  auto handler = std::make_unique<Adaptive>(body, makeIntegrator(base), options);
+std::unique_ptr<LocalTimeStepping> adaptive(Body& body, double h, const HandlerOptions& options = {},
+                                            std::string_view base = "symplectic-euler") {
+  auto handler = std::make_unique<LocalTimeStepping>(body, makeIntegrator(base), options);
   handler->prepare(body.mesh().X, h);
   return handler;
 }
@@ -90,7 +90,7 @@ TEST_P(AdaptiveLevels, AreProvenEachForItsOwnStep) {
     ElementFlags seen = handler->implicitElements();
     double ceiling = 4;
     for (std::size_t k = 0; k < handler->levels().size(); ++k) {
-      const Adaptive::Level& level = handler->levels()[k];
+      const LocalTimeStepping::Level& level = handler->levels()[k];
       const double step = h / level.substeps;
       EXPECT_LE(level.substeps, 1 << deepest);
       // What the proof of stability asks for: below G_(k+1) M, at nodes of finer elements below c_(k+1) M.
@@ -124,7 +124,7 @@ TEST_P(AdaptiveLevels, AreProvenEachForItsOwnStep) {
 }
 
 // The plain variant with one level of half steps, written out with dense matrices.
-TEST(Adaptive, IsLeapfrogLocalTimeSteppingWhenPlain) {
+TEST(LocalTimeStepping, IsLeapfrogLocalTimeSteppingWhenPlain) {
   Body body = test::sliverBody("linear", 0.9, false);
   const std::int32_t moved = test::nodeNearest(body.mesh(), {0.118, 0.02, 0.02});
   body.constraints().move(moved, 1, 0.3);
@@ -188,7 +188,7 @@ Body smallSliverBody(std::string_view law) {
   return body;
 }
 
-TEST(Adaptive, LetsNoModeGrowAtManyTimesTheCriticalStep) {
+TEST(LocalTimeStepping, LetsNoModeGrowAtManyTimesTheCriticalStep) {
   for (const double steps : {2.0, 3.0, 7.0})
     for (const double dissipation : {0.0, 0.1, 0.5})
       for (const int levels : {1, 6}) {  // one level: the worst elements are implicit
@@ -216,7 +216,7 @@ double errorOf(std::string_view law, double h, const HandlerOptions& options, st
     reference = state.x;
   }
   const int steps = static_cast<int>(std::lround(end / h));
-  Adaptive handler(own, makeIntegrator(base), options);
+  LocalTimeStepping handler(own, makeIntegrator(base), options);
   handler.prepare(own.mesh().X, end / steps);
   EXPECT_FALSE(handler.elements().empty());
   State state = system.initialState();
@@ -224,7 +224,7 @@ double errorOf(std::string_view law, double h, const HandlerOptions& options, st
   return (state.x - reference).norm() / (reference - own.mesh().X).norm();
 }
 
-TEST(Adaptive, ConvergesWithSecondOrderWithoutDissipation) {
+TEST(LocalTimeStepping, ConvergesWithSecondOrderWithoutDissipation) {
   for (const char* law : {"linear", "corotational", "stvk"}) {
     constexpr double flatness = 0.95;
     const double h = 0.08 / std::round(0.08 / (4.5 * criticalStepOf(test::sliverBody(law, flatness))));
@@ -238,7 +238,7 @@ TEST(Adaptive, ConvergesWithSecondOrderWithoutDissipation) {
   }
 }
 
-TEST(Adaptive, FollowsTheMotionAtFourTimesTheCriticalStep) {
+TEST(LocalTimeStepping, FollowsTheMotionAtFourTimesTheCriticalStep) {
   for (const char* law : {"linear", "corotational", "stvk", "neo-hookean"}) {
     Body body = test::sliverBody(law, 0.95);
     for (const int levels : {1, 6})
@@ -251,13 +251,13 @@ TEST(Adaptive, FollowsTheMotionAtFourTimesTheCriticalStep) {
   }
 }
 
-TEST(Adaptive, FollowsTheMotionOfANearlyIncompressibleBody) {
+TEST(LocalTimeStepping, FollowsTheMotionOfANearlyIncompressibleBody) {
   Body body(test::sliverBar(0.95), makeMaterial("corotational", test::young, 0.499, test::density));
   const double h = 3 * criticalStepOf(body);
   EXPECT_LT(errorOf("corotational", h, adaptiveOptions(0.1), "verlet", 0.499), 5e-3);
 }
 
-TEST(Adaptive, KeepsEnergyBoundedAndMomentumOverManySteps) {
+TEST(LocalTimeStepping, KeepsEnergyBoundedAndMomentumOverManySteps) {
   for (const char* law : {"corotational", "stvk"})
     for (const int levels : {1, 6}) {
       Body body = test::sliverBody(law, 0.98, false);
@@ -282,7 +282,7 @@ TEST(Adaptive, KeepsEnergyBoundedAndMomentumOverManySteps) {
     }
 }
 
-TEST(Adaptive, SurvivesAStepThatIsTooLargeForEveryElement) {
+TEST(LocalTimeStepping, SurvivesAStepThatIsTooLargeForEveryElement) {
   for (const int levels : {2, 6}) {  // implicit beyond the second level, and levels for all
     Body body = test::sliverBody("corotational", 0.95);
     body.addBodyForce({0, 0, -1});
@@ -297,7 +297,7 @@ TEST(Adaptive, SurvivesAStepThatIsTooLargeForEveryElement) {
   }
 }
 
-TEST(Adaptive, CostsAnIsolatedSliverNoMoreThanItsOwnSteps) {
+TEST(LocalTimeStepping, CostsAnIsolatedSliverNoMoreThanItsOwnSteps) {
   Body body = test::sliverBody("stvk", 0.999);
   const double h = 30 * criticalStepOf(body);
   const auto handler = adaptive(body, h);
@@ -311,12 +311,12 @@ TEST(Adaptive, CostsAnIsolatedSliverNoMoreThanItsOwnSteps) {
   EXPECT_GE(figure("ideal_speed_up"), 1);
   EXPECT_EQ(figure("implicit_elements"), static_cast<double>(chosenElements(handler->implicitElements()).size()));
   double elements = figure("implicit_elements");
-  for (const Adaptive::Level& level : handler->levels())
+  for (const LocalTimeStepping::Level& level : handler->levels())
     elements += figure(joinText("elements_at_step_over_", level.substeps));
   EXPECT_EQ(elements, static_cast<double>(body.mesh().elementCount()));
 }
 
-TEST(Adaptive, LeavesASliverAloneWhoseNodesAreAllFixed) {
+TEST(LocalTimeStepping, LeavesASliverAloneWhoseNodesAreAllFixed) {
   Body body = test::sliverBody("stvk", 0.999);
   const double h = 0.5 * criticalStepOf(test::sliverBody("stvk", 0));
   ASSERT_FALSE(adaptive(body, h)->elements().empty());
@@ -339,7 +339,7 @@ TEST(Adaptive, LeavesASliverAloneWhoseNodesAreAllFixed) {
   EXPECT_TRUE(state.x.allFinite());
 }
 
-TEST(Adaptive, SaysSoWhenAStepIsLost) {
+TEST(LocalTimeStepping, SaysSoWhenAStepIsLost) {
   for (const char* law : {"stvk", "corotational", "neo-hookean"}) {
     Body body = test::sliverBody(law, 0.98);
     const double h = 4 * criticalStepOf(body);
@@ -370,7 +370,7 @@ TEST(Adaptive, SaysSoWhenAStepIsLost) {
 }
 
 // The watched body's critical step is h where the tangent of level 0 is at what its filter leaves room for.
-TEST(Adaptive, WatchesTheCoarseElementsAgainstTheirOwnBound) {
+TEST(LocalTimeStepping, WatchesTheCoarseElementsAgainstTheirOwnBound) {
   Body body = test::sliverBody("stvk", 0.98);
   const double h = 4 * criticalStepOf(body);
   const auto handler = adaptive(body, h);
@@ -388,7 +388,7 @@ TEST(Adaptive, WatchesTheCoarseElementsAgainstTheirOwnBound) {
     EXPECT_EQ(watched.constraints().freeComponents(i), body.constraints().freeComponents(i));
 }
 
-TEST(Adaptive, WorksOnMixedElements) {
+TEST(LocalTimeStepping, WorksOnMixedElements) {
   BarOptions options;
   options.size = {0.2, 0.04, 0.04};
   options.cells = {6, 2, 2};
@@ -407,7 +407,7 @@ TEST(Adaptive, WorksOnMixedElements) {
   EXPECT_NEAR(fallen.z(), -0.5 * 200 * 201 * h * h, 1e-9 * std::abs(fallen.z()) + 1e-12);
 }
 
-TEST(Adaptive, RefusesDamping) {
+TEST(LocalTimeStepping, RefusesDamping) {
   Body body = test::sliverBody();
   const double h = 4 * criticalStepOf(body);
   const auto handler = adaptive(body, h);

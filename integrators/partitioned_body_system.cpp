@@ -1,4 +1,4 @@
-#include <ringwatch/integrators/split_body_system.h>
+#include <ringwatch/integrators/partitioned_body_system.h>
 
 #include <string>
 
@@ -26,14 +26,15 @@ std::vector<std::vector<bool>> inverse(std::vector<std::vector<bool>> chosen) {
 
 }  // namespace
 
-SplitBodySystem::SplitBodySystem(const Body& body, const std::vector<ElementRef>& stiff, const RayleighDamping& damping)
+PartitionedBodySystem::PartitionedBodySystem(const Body& body, const std::vector<ElementRef>& stiff,
+                                             const RayleighDamping& damping)
     : body_(body),
       chosen_(flags(body.mesh(), stiff)),
       nonstiff_(body, inverse(chosen_), true, {0, damping.beta}),
       stiff_(body, chosen_, false, damping) {}
 
-SplitBodySystem::Part::Part(const Body& whole, const std::vector<std::vector<bool>>& chosen, bool loaded,
-                            const RayleighDamping& damping)
+PartitionedBodySystem::Part::Part(const Body& whole, const std::vector<std::vector<bool>>& chosen, bool loaded,
+                                  const RayleighDamping& damping)
     : whole_(whole), loaded_(loaded), damping_(damping) {
   const Mesh& all = whole.mesh();
   std::vector<std::int32_t> own(all.nodeCount(), -1);
@@ -70,12 +71,12 @@ SplitBodySystem::Part::Part(const Body& whole, const std::vector<std::vector<boo
   body_.emplace(std::move(mesh), materials, options);
 }
 
-void SplitBodySystem::Part::gather(const NodeVectors& all, NodeVectors& own) const {
+void PartitionedBodySystem::Part::gather(const NodeVectors& all, NodeVectors& own) const {
   own.resize(3, static_cast<Eigen::Index>(nodes_.size()));
   for (std::size_t i = 0; i < nodes_.size(); ++i) own.col(static_cast<Eigen::Index>(i)) = all.col(nodes_[i]);
 }
 
-void SplitBodySystem::Part::acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) {
+void PartitionedBodySystem::Part::acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) {
   if (loaded_)
     a = whole_.externalForce();
   else
@@ -96,7 +97,7 @@ void SplitBodySystem::Part::acceleration(double, const NodeVectors& x, const Nod
   whole_.constraints().clearConstrained(a);
 }
 
-void SplitBodySystem::Part::stiffnessProduct(const NodeVectors& x, const NodeVectors& u, NodeVectors& Ku) {
+void PartitionedBodySystem::Part::stiffnessProduct(const NodeVectors& x, const NodeVectors& u, NodeVectors& Ku) {
   // Ku may be u.
   if (body_) {
     gather(x, x_);
@@ -108,7 +109,7 @@ void SplitBodySystem::Part::stiffnessProduct(const NodeVectors& x, const NodeVec
   for (std::size_t i = 0; i < nodes_.size(); ++i) Ku.col(nodes_[i]) = force_.col(static_cast<Eigen::Index>(i));
 }
 
-Eigen::SparseMatrix<double> SplitBodySystem::Part::stiffness(const NodeVectors& x) {
+Eigen::SparseMatrix<double> PartitionedBodySystem::Part::stiffness(const NodeVectors& x) {
   Eigen::SparseMatrix<double> K(3 * x.cols(), 3 * x.cols());
   if (!body_) return K;
   gather(x, x_);
@@ -123,7 +124,7 @@ Eigen::SparseMatrix<double> SplitBodySystem::Part::stiffness(const NodeVectors& 
   return K;
 }
 
-void SplitBodySystem::Part::stiffnessDiagonal(const NodeVectors& x, std::vector<Eigen::Matrix3d>& blocks) {
+void PartitionedBodySystem::Part::stiffnessDiagonal(const NodeVectors& x, std::vector<Eigen::Matrix3d>& blocks) {
   blocks.assign(static_cast<std::size_t>(x.cols()), Eigen::Matrix3d::Zero());
   if (!body_) return;
   gather(x, x_);

@@ -10,11 +10,11 @@ namespace ringwatch {
 /// A body in two sets of elements, as an AdditiveSystem: the stiff part is the internal force of the elements named,
 /// the non-stiff part that of all others and the loads. Masses and constraints are those of the whole body. Stiffness
 /// damping goes with its elements, mass damping with the stiff part.
-class SplitBodySystem final : public AdditiveSystem {
+class PartitionedBodySystem final : public AdditiveSystem {
  public:
   /// The body must outlive the system; its constraints and loads may change, its elements not. Throws InputError for an
   /// element that the body does not have.
-  SplitBodySystem(const Body& body, const std::vector<ElementRef>& stiff, const RayleighDamping& damping = {});
+  PartitionedBodySystem(const Body& body, const std::vector<ElementRef>& stiff, const RayleighDamping& damping = {});
 
   SecondOrderSystem& nonstiff() override { return nonstiff_; }
   DifferentiableSystem& stiff() override { return stiff_; }

@@ -1,4 +1,4 @@
-#include <ringwatch/handlers/adaptive.h>
+#include <ringwatch/handlers/local_time_stepping.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +32,9 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 /// The base scheme's view of the body.
-class Adaptive::Averaged final : public SecondOrderSystem {
+class LocalTimeStepping::Averaged final : public SecondOrderSystem {
  public:
-  Averaged(Adaptive& owner, double h) : owner_(owner), h_(h) {}
+  Averaged(LocalTimeStepping& owner, double h) : owner_(owner), h_(h) {}
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
     owner_.averagedAcceleration(x, v, h_, a);
   }
@@ -42,20 +42,21 @@ class Adaptive::Averaged final : public SecondOrderSystem {
   bool velocityDependent() const override { return owner_.dissipation_ != 0; }
 
  private:
-  Adaptive& owner_;
+  LocalTimeStepping& owner_;
   double h_;
 };
 
-Adaptive::Adaptive(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
+LocalTimeStepping::LocalTimeStepping(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
     : Handler(description, body, std::move(base), std::move(options)),
       stabilised_(options_.own.text("variant") == variants[0]),
       levelLimit_(options_.own.integer("levels")),
       dissipation_(options_.own.number("dissipation")),
       cluster_(clusterOptionsOf(options_.own)) {}
 
-double Adaptive::deepest(double h) const { return std::pow(4.0, levelLimit_) * allowedLambda(h); }
+double LocalTimeStepping::deepest(double h) const { return std::pow(4.0, levelLimit_) * allowedLambda(h); }
 
-std::vector<Adaptive::Level> Adaptive::plan(const std::vector<std::vector<double>>& lambdas, double h) const {
+std::vector<LocalTimeStepping::Level> LocalTimeStepping::plan(const std::vector<std::vector<double>>& lambdas,
+                                                              double h) const {
   std::vector<double> sorted;
   for (const auto& block : lambdas) sorted.insert(sorted.end(), block.begin(), block.end());
   std::sort(sorted.begin(), sorted.end());
@@ -112,7 +113,7 @@ std::vector<Adaptive::Level> Adaptive::plan(const std::vector<std::vector<double
   return levels;
 }
 
-Eigen::VectorXd Adaptive::massBeside(const ElementFlags& finer, double share) const {
+Eigen::VectorXd LocalTimeStepping::massBeside(const ElementFlags& finer, double share) const {
   Eigen::VectorXd mass = body_.lumpedMass();
   for (const ElementRef e : chosenElements(finer))
     for (const std::int32_t node : body_.blocks()[at(e.block)]->nodesOf(e.element))
@@ -120,8 +121,8 @@ Eigen::VectorXd Adaptive::massBeside(const ElementFlags& finer, double share) co
   return mass;
 }
 
-ElementFlags Adaptive::finerThan(const Level& level, const ElementFlags& left, const NodeVectors& x, ElementFlags finer,
-                                 std::int64_t& evaluations) const {
+ElementFlags LocalTimeStepping::finerThan(const Level& level, const ElementFlags& left, const NodeVectors& x,
+                                          ElementFlags finer, std::int64_t& evaluations) const {
   if (options_.selection != Selection::certified) {
     const ElementFlags high = selectByReducedRing(body_, x, level.lambda);
     evaluations += static_cast<std::int64_t>(body_.mesh().elementCount());
@@ -146,7 +147,7 @@ ElementFlags Adaptive::finerThan(const Level& level, const ElementFlags& left, c
   }
 }
 
-ElementFlags Adaptive::choose(const NodeVectors& x, double h, const ElementFlags& keep) {
+ElementFlags LocalTimeStepping::choose(const NodeVectors& x, double h, const ElementFlags& keep) {
   levels_.clear();
   watches_.clear();
   ElementFlags chosen = Handler::choose(x, h, keep);
@@ -198,7 +199,7 @@ ElementFlags Adaptive::choose(const NodeVectors& x, double h, const ElementFlags
   }
 }
 
-void Adaptive::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
+void LocalTimeStepping::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
   std::vector<FineLevel> fine;
   for (std::size_t k = 1; k < levels_.size(); ++k)
     fine.push_back({levels_[k].elements, levels_[k].filter, h / levels_[k - 1].substeps});
@@ -212,7 +213,7 @@ void Adaptive::take(const NodeVectors& x, double h, const ElementFlags& chosen) 
   filter_.emplace(body_, std::move(fine), implicit_, weight * step * step / ceiling, x, cluster_);
   coarse_.emplace(body_, complement(chosen));
   inverseMass_ = body_.lumpedMass().cwiseInverse();
-  splitOff(chosen, massBeside(chosen, levels_.front().massShare));
+  detach(chosen, massBeside(chosen, levels_.front().massShare));
 
   std::vector<std::int32_t> position(at(body_.nodeCount()), -1);
   for (std::size_t i = 0; i < filter_->nodes().size(); ++i)
@@ -227,7 +228,7 @@ void Adaptive::take(const NodeVectors& x, double h, const ElementFlags& chosen) 
   }
 }
 
-void Adaptive::addStrainVelocity(const NodeVectors& x, const NodeVectors& v, double share) {
+void LocalTimeStepping::addStrainVelocity(const NodeVectors& x, const NodeVectors& v, double share) {
   const auto& nodes = filter_->nodes();
   for (const auto& cluster : clusterNodes_) {
     double mass = 0;
@@ -258,7 +259,7 @@ void Adaptive::addStrainVelocity(const NodeVectors& x, const NodeVectors& v, dou
   }
 }
 
-void Adaptive::averagedAcceleration(const NodeVectors& x, const NodeVectors& v, double h, NodeVectors& a) {
+void LocalTimeStepping::averagedAcceleration(const NodeVectors& x, const NodeVectors& v, double h, NodeVectors& a) {
   coarse_->internalForce(x, force_, workspace_);
   a = (body_.externalForce() - force_) * inverseMass_.asDiagonal();
   body_.constraints().clearConstrained(a);
@@ -276,7 +277,7 @@ void Adaptive::averagedAcceleration(const NodeVectors& x, const NodeVectors& v, 
   for (Eigen::Index i = 0; i < n; ++i) a.col(nodes[i]) = fineA_.col(i);
 }
 
-StepStatus Adaptive::handledStep(SecondOrderSystem& system, State& state, double h) {
+StepStatus LocalTimeStepping::handledStep(SecondOrderSystem& system, State& state, double h) {
   if (system.velocityDependent())
     throw InputError("local-time-stepping: the system has damping, which it does not work with");
   Averaged averaged(*this, h);
@@ -284,7 +285,7 @@ StepStatus Adaptive::handledStep(SecondOrderSystem& system, State& state, double
   return baseStep(averaged, state, h, fault_);
 }
 
-std::string Adaptive::uncertifiedPart(const NodeVectors& x) {
+std::string LocalTimeStepping::uncertifiedPart(const NodeVectors& x) {
   if (watches_.empty()) {
     const double room = (1 - options_.margin) * (1 - options_.margin);
     ElementFlags finer = implicit_;
@@ -303,14 +304,14 @@ std::string Adaptive::uncertifiedPart(const NodeVectors& x) {
   return {};
 }
 
-std::int64_t Adaptive::evaluations() const {
+std::int64_t LocalTimeStepping::evaluations() const {
   const auto count = [](const ElementFlags& flags) { return static_cast<std::int64_t>(chosenElements(flags).size()); };
   std::int64_t sum = levels_.empty() ? 0 : levels_.back().substeps * count(implicit_);
   for (const Level& level : levels_) sum += level.substeps * count(level.elements);
   return sum;
 }
 
-std::vector<HandlerFigure> Adaptive::figures() const {
+std::vector<HandlerFigure> LocalTimeStepping::figures() const {
   std::vector<HandlerFigure> result;
   if (levels_.empty()) return result;
   for (const Level& level : levels_)

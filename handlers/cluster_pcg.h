@@ -13,10 +13,10 @@ namespace ringwatch {
 /// of type S: the matrix is copied and, with vectors, scaled to the order of one, so that float neither over- nor
 /// underflows. Solves for the difference from a first guess: what float rounds is that alone.
 template <class S>
-class ClusterGradients {
+class ClusterPcg {
  public:
   /// constrained: [3 * row + component]. mass: what to divide the matrix by, kg.
-  ClusterGradients(const UpperBlocks& A, std::vector<std::uint8_t> constrained, double mass);
+  ClusterPcg(const UpperBlocks& A, std::vector<std::uint8_t> constrained, double mass);
 
   /// Copies the rows that have changed and clears their marks.
   void refresh(const UpperBlocks& A, std::vector<std::uint8_t>& changed);
@@ -41,7 +41,7 @@ class ClusterGradients {
   AlignedVector<S> u_, r_, z_, p_, q_;             // four numbers a row
 };
 
-extern template class ClusterGradients<float>;
-extern template class ClusterGradients<double>;
+extern template class ClusterPcg<float>;
+extern template class ClusterPcg<double>;
 
 }  // namespace ringwatch

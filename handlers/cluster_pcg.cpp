@@ -1,4 +1,4 @@
-#include <ringwatch/handlers/cluster_gradients.h>
+#include <ringwatch/handlers/cluster_pcg.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ RINGWATCH_INLINE auto total(Row r) {
 }  // namespace
 
 template <class S>
-ClusterGradients<S>::ClusterGradients(const UpperBlocks& A, std::vector<std::uint8_t> constrained, double mass)
+ClusterPcg<S>::ClusterPcg(const UpperBlocks& A, std::vector<std::uint8_t> constrained, double mass)
     : scale_(1 / mass), constrained_(std::move(constrained)) {
   const auto rows = static_cast<std::size_t>(A.rows());
   std::vector<std::vector<std::int32_t>> above(rows);  // upper blocks whose transpose is in the row
@@ -105,7 +105,7 @@ ClusterGradients<S>::ClusterGradients(const UpperBlocks& A, std::vector<std::uin
 }
 
 template <class S>
-void ClusterGradients<S>::refresh(const UpperBlocks& A, std::vector<std::uint8_t>& changed) {
+void ClusterPcg<S>::refresh(const UpperBlocks& A, std::vector<std::uint8_t>& changed) {
   using Eights = std::conditional_t<sizeof(S) == sizeof(float), Float8, Double8>;
   for (std::size_t i = 0; i < changed.size(); ++i) {
     if (!changed[i]) continue;
@@ -129,7 +129,7 @@ void ClusterGradients<S>::refresh(const UpperBlocks& A, std::vector<std::uint8_t
 }
 
 template <class S>
-void ClusterGradients<S>::invert(const UpperBlocks& A, std::int32_t row) {
+void ClusterPcg<S>::invert(const UpperBlocks& A, std::int32_t row) {
   const auto at = static_cast<std::size_t>(row), k = static_cast<std::size_t>(A.rowBegin[at]);
   Matrix3<double> D;
   for (int i = 0; i < 8; ++i) D.m[i] = scale_ * A.eight[8 * k + static_cast<std::size_t>(i)];
@@ -146,8 +146,8 @@ void ClusterGradients<S>::invert(const UpperBlocks& A, std::int32_t row) {
 }
 
 template <class S>
-typename ClusterGradients<S>::Result ClusterGradients<S>::solve(const Eigen::VectorXd& right, Eigen::VectorXd& u,
-                                                                double tolerance, int mostIterations) {
+typename ClusterPcg<S>::Result ClusterPcg<S>::solve(const Eigen::VectorXd& right, Eigen::VectorXd& u, double tolerance,
+                                                    int mostIterations) {
   using Row = typename RowSum<S>::Row;
   const std::size_t rows = order_.size();
   const auto rowOf = [](AlignedVector<S>& v, std::size_t i) -> Row& { return reinterpret_cast<Row&>(v[4 * i]); };
@@ -233,7 +233,7 @@ typename ClusterGradients<S>::Result ClusterGradients<S>::solve(const Eigen::Vec
   return {true, iteration};
 }
 
-template class ClusterGradients<float>;
-template class ClusterGradients<double>;
+template class ClusterPcg<float>;
+template class ClusterPcg<double>;
 
 }  // namespace ringwatch
