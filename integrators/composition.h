@@ -18,8 +18,7 @@ struct Composition {
 inline void stepComposition(const Composition& scheme, SecondOrderSystem& system, State& state, double h,
                             NodeVectors& a) {
   double time = state.time;
-  updateNodes(system, state.x.cols(),
-              [&](auto slice) { slice(state.x) += (scheme.drifts[0] * h) * slice(state.v); });
+  updateNodes(system, state.x.cols(), [&](auto slice) { slice(state.x) += (scheme.drifts[0] * h) * slice(state.v); });
   for (std::size_t k = 0; k < scheme.kicks.size(); ++k) {
     time += scheme.drifts[k] * h;
     system.acceleration(time, state.x, state.v, a);
