@@ -23,7 +23,7 @@ struct HistoryRow {
 };
 
 /// Appends to history.csv as the run goes, whole rows only, four times a second or at every row when those are slower:
-/// however the run ends, its history is there.
+/// however the run ends, its history is there. A run that is killed (SIGKILL) while it writes may cut the last row.
 class HistoryWriter {
  public:
   /// Begins the file again. Throws InputError when the folder cannot be written.
