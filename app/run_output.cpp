@@ -1,6 +1,7 @@
 #include <ringwatch/app/run_output.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>

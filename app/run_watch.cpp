@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,7 +15,7 @@ Verdict verdictFor(double h, const CriticalStep& bracket) {
 }
 
 RunWatch::RunWatch(const Scene& scene, const Body& body, StepRule rule, RunResult& result)
-    : scene_(scene), body_(body), rule_(rule), result_(result) {}
+    : scene_(scene), body_(body), rule_(std::move(rule)), result_(result) {}
 
 void RunWatch::begin(Handler* handler, std::function<double(const NodeVectors&)> metric, bool everyState) {
   end();

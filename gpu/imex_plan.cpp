@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/sort_unique.h>
 
 namespace ringwatch {
 namespace {
@@ -104,8 +105,7 @@ ImexPlan planImex(const Mesh& mesh, const std::vector<std::vector<ElementRef>>& 
       for (int a = 0; a < block.nodesPerElement(); ++a)
         nodes.push_back(block.element(static_cast<std::size_t>(ref.element))[a]);
     }
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    sortUnique(nodes);
     for (const std::int32_t node : nodes) {
       std::int32_t& place = placeOfNode[node];
       if (place >= 0) throw InputError(joinText("node ", node, " is in two clusters"));

@@ -14,8 +14,6 @@
 namespace ringwatch {
 namespace {
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 class Greedy {
  public:
   Greedy(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep,
@@ -59,7 +57,7 @@ class Greedy {
  private:
   /// lambda_max of a node's sum over its mass and the direction that has it.
   std::pair<double, Eigen::Vector3d> nodal(std::int32_t i) const {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(sums_[at(i)] / body_.lumpedMass()[i]);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(sums_[i] / body_.lumpedMass()[i]);
     return {eigen.eigenvalues()[2], eigen.eigenvectors().col(2)};
   }
   /// The elements that are left, with weights of their own.
@@ -80,14 +78,14 @@ class Greedy {
     }
     if (std::isnan(value))
       throw NumericalError("no elements can be selected: the tangent at these positions is not finite");
-    sums_.resize(at(body_.nodeCount()));
-    for (std::int32_t i = 0; i < body_.nodeCount(); ++i) sums_[at(i)] = sumAt(i);
+    sums_.resize(body_.nodeCount());
+    for (std::int32_t i = 0; i < body_.nodeCount(); ++i) sums_[i] = sumAt(i);
   }
   Eigen::Matrix3d sumAt(std::int32_t node) const {
-    Eigen::Matrix3d sum = outside_.empty() ? Eigen::Matrix3d::Zero() : outside_[at(node)];
+    Eigen::Matrix3d sum = outside_.empty() ? Eigen::Matrix3d::Zero() : outside_[node];
     for (const auto place : bound_->incidences(node)) {
       const ElementRef e = bound_->elementAt(place);
-      if (!chosen_[at(e.block)][number(e)]) sum += bound_->value(e) * bound_->weight(place);
+      if (!chosen_[e.block][number(e)]) sum += bound_->value(e) * bound_->weight(place);
     }
     return freePart(body_, node, sum);
   }
@@ -108,7 +106,7 @@ class Greedy {
       ElementRef worst;
       for (const auto place : bound_->incidences(i)) {
         const ElementRef e = bound_->elementAt(place);
-        if (chosen_[at(e.block)][number(e)]) continue;
+        if (chosen_[e.block][number(e)]) continue;
         const double share = bound_->value(e) * direction.dot(freePart(body_, i, bound_->weight(place)) * direction);
         if (share > most) {
           most = share;
@@ -116,15 +114,14 @@ class Greedy {
         }
       }
       if (most < 0) continue;  // nothing is left here but rounding
-      chosen_[at(worst.block)][number(worst)] = true;
+      chosen_[worst.block][number(worst)] = true;
       changed_ = true;
       // Summed again: differences would keep the rounding of what has left.
-      for (const std::int32_t node : rest_->blocks()[at(worst.block)]->nodesOf(worst.element))
-        sums_[at(node)] = sumAt(node);
+      for (const std::int32_t node : rest_->blocks()[worst.block]->nodesOf(worst.element)) sums_[node] = sumAt(node);
       queue.push({nodal(i).first, i});
     }
   }
-  std::size_t number(ElementRef e) const { return at(numbers_[at(e.block)][at(e.element)]); }
+  std::size_t number(ElementRef e) const { return numbers_[e.block][e.element]; }
   void keepWeights() {
     for (std::size_t b = 0; b < numbers_.size(); ++b)
       for (std::size_t i = 0; i < numbers_[b].size(); ++i) {
@@ -140,23 +137,23 @@ class Greedy {
   void bringBack() {
     std::vector<std::pair<double, ElementRef>> candidates;
     for (const ElementRef e : chosenElements(chosen_))
-      if (!keep_[at(e.block)][at(e.element)]) candidates.push_back({useOfSlack(e).share, e});
+      if (!keep_[e.block][e.element]) candidates.push_back({useOfSlack(e).share, e});
     std::sort(candidates.begin(), candidates.end());
     for (const auto& [before, e] : candidates) {
       if (!(before <= 1)) break;  // slack only shrinks
       const Use use = useOfSlack(e);
       if (!(use.share <= 1)) continue;
-      const auto nodes = body_.blocks()[at(e.block)]->nodesOf(e.element);
+      const auto nodes = body_.blocks()[e.block]->nodesOf(e.element);
       std::vector<Eigen::Matrix3d> sums;
       for (std::size_t a = 0; a < nodes.size(); ++a) {
         const auto place = weights_.incidenceOf(e, static_cast<int>(a));
-        sums.push_back(sums_[at(nodes[a])] + use.value * freePart(body_, nodes[a], weights_.weight(place)));
+        sums.push_back(sums_[nodes[a]] + use.value * freePart(body_, nodes[a], weights_.weight(place)));
         const double largest =
             Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums[a], Eigen::EigenvaluesOnly).eigenvalues()[2];
         if (!(largest <= lambda_ * (1 - selectionSlack) * body_.lumpedMass()[nodes[a]])) break;
         if (a + 1 < nodes.size()) continue;
-        for (std::size_t k = 0; k <= a; ++k) sums_[at(nodes[k])] = sums[k];
-        chosen_[at(e.block)][at(e.element)] = false;
+        for (std::size_t k = 0; k <= a; ++k) sums_[nodes[k]] = sums[k];
+        chosen_[e.block][e.element] = false;
         changed_ = true;
       }
     }
@@ -167,13 +164,13 @@ class Greedy {
   };
   /// Gives a chosen element the slack of its nodes as weights.
   Use useOfSlack(ElementRef e) {
-    const auto nodes = body_.blocks()[at(e.block)]->nodesOf(e.element);
+    const auto nodes = body_.blocks()[e.block]->nodesOf(e.element);
     double trace = 0;
     std::vector<Eigen::Matrix3d> slack;
     for (const std::int32_t node : nodes) {
       slack.push_back(freePart(
           body_, node,
-          lambda_ * (1 - selectionSlack) * body_.lumpedMass()[node] * Eigen::Matrix3d::Identity() - sums_[at(node)]));
+          lambda_ * (1 - selectionSlack) * body_.lumpedMass()[node] * Eigen::Matrix3d::Identity() - sums_[node]));
       trace += slack.back().trace();
     }
     weights_.setWeights(e, slack);

@@ -7,6 +7,7 @@
 
 #include <Eigen/LU>
 
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/materials/rotation.h>
 #include <ringwatch/monitor/power_iteration.h>
 
@@ -53,8 +54,7 @@ ClusterMatrix::ClusterMatrix(const Body& body, const std::vector<ElementRef>& el
   }
   upper_.rowBegin.assign(1, 0);
   for (auto& row : rows) {
-    std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
+    sortUnique(row);
     upper_.column.insert(upper_.column.end(), row.begin(), row.end());
     upper_.rowBegin.push_back(static_cast<std::int32_t>(upper_.column.size()));
   }
@@ -94,8 +94,7 @@ void ClusterMatrix::addChunk(Group& g, std::int32_t batchBegin, std::int32_t bat
       for (const std::int32_t node : g.block->nodesOf(e))
         nodes.push_back(
             static_cast<std::int32_t>(std::lower_bound(nodes_.begin(), nodes_.end(), node) - nodes_.begin()));
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  sortUnique(nodes);
   for (std::int32_t batch = batchBegin; batch < batchEnd; ++batch) {
     const std::int32_t* e = g.elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
     // A lane without element reads what the first one does, and adds nothing.

@@ -21,12 +21,7 @@ class FePbd final : public Handler {
  public:
   static constexpr std::array<std::string_view, 2> variants{"linear", "rigid"};
   static constexpr std::array table{
-      OptionInfo{.name = "variant",
-                 .type = OptionType::text,
-                 .choices = variants,
-                 .automatic = true,
-                 .fallback = "auto",
-                 .help = "linear goals, or rigid as in Fierz 2013"},
+      variantOption(variants, "linear goals, or rigid as in Fierz 2013"),
       OptionInfo{.name = "passes",
                  .type = OptionType::integer,
                  .range = {0, 32, true, true},

@@ -22,6 +22,16 @@ struct HandlerOptions {
   Options own = {};  ///< by name, as HandlerInfo::options declares them; those that are not given have their defaults
 };
 
+/// Of a handler that has more than one way; auto is the first.
+constexpr OptionInfo variantOption(std::span<const std::string_view> variants, std::string_view help) {
+  return {.name = "variant",
+          .type = OptionType::text,
+          .choices = variants,
+          .automatic = true,
+          .fallback = "auto",
+          .help = help};
+}
+
 /// What a handler declares of itself: scenes, command line, help texts, studies and tests take it from here.
 struct HandlerInfo {
   std::string_view name;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/handlers/rotation_of.h>
 #include <ringwatch/monitor/nodal_bound.h>
 
@@ -17,8 +18,6 @@ constexpr int lanes = PatchLayout::lanes;
 constexpr double referenceRounding = 1e-7;
 /// Kept free of lambda when sums are checked: less than a new choice leaves, whose sums are the same but for rounding.
 constexpr double checkSlack = 0.5 * selectionSlack;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// F_q of a lane.
 Eigen::Matrix3d gradientAt(const double* F, std::size_t q, int lane) {
@@ -37,13 +36,13 @@ std::vector<ElementRef> allElements(const Body& body) {
 }
 
 std::vector<std::int32_t> allNodes(const Body& body) {
-  std::vector<std::int32_t> nodes(at(body.nodeCount()));
+  std::vector<std::int32_t> nodes(body.nodeCount());
   std::iota(nodes.begin(), nodes.end(), 0);
   return nodes;
 }
 
 void setAll(ElementFlags& flags, const std::vector<ElementRef>& elements, bool value) {
-  for (const ElementRef e : elements) flags[at(e.block)][at(e.element)] = value;
+  for (const ElementRef e : elements) flags[e.block][e.element] = value;
 }
 
 }  // namespace
@@ -117,7 +116,7 @@ class IncrementalSelection::Choice {
         0, static_cast<std::int64_t>(nodes.size()), body_.threads(),
         [&](std::int64_t k) {
           const std::int32_t node = nodes[k];
-          own_.last_.nodalSums[at(node)] = state_.sumOfAllowances(node);
+          own_.last_.nodalSums[node] = state_.sumOfAllowances(node);
         },
         256);
   }
@@ -129,7 +128,7 @@ class IncrementalSelection::Choice {
         0, static_cast<std::int64_t>(among.size()), body_.threads(),
         [&](std::int64_t k) {
           const std::int32_t node = among[k];
-          const Eigen::Matrix3d& sum = own_.last_.nodalSums[at(node)];
+          const Eigen::Matrix3d& sum = own_.last_.nodalSums[node];
           above[k] =
               !sum.allFinite() || !(largestEigenvalue(sum) <= lambda_ * (1 - checkSlack) * body_.lumpedMass()[node]);
         },
@@ -149,11 +148,10 @@ class IncrementalSelection::Choice {
   std::vector<std::int32_t> nodesOf(const std::vector<ElementRef>& elements) const {
     std::vector<std::int32_t> nodes;
     for (const ElementRef e : elements) {
-      const auto own = body_.blocks()[at(e.block)]->nodesOf(e.element);
+      const auto own = body_.blocks()[e.block]->nodesOf(e.element);
       nodes.insert(nodes.end(), own.begin(), own.end());
     }
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    sortUnique(nodes);
     return nodes;
   }
   std::vector<ElementRef> elementsAt(const std::vector<std::int32_t>& nodes) const {
@@ -161,25 +159,24 @@ class IncrementalSelection::Choice {
     for (const std::int32_t node : nodes)
       for (const NodalBound::Incidence at : state_.weights().incidences(node))
         elements.push_back(state_.weights().elementAt(at));
-    std::sort(elements.begin(), elements.end());
-    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+    sortUnique(elements);
     return elements;
   }
 
  private:
-  int nodesPerElement(ElementRef e) const { return body_.blocks()[at(e.block)]->nodesPerElement(); }
+  int nodesPerElement(ElementRef e) const { return body_.blocks()[e.block]->nodesPerElement(); }
   NodalBound::Factor& storedWeight(ElementRef e, int a) const {
-    return own_.last_.weights[at(e.block)][at(e.element * nodesPerElement(e) + a)];
+    return own_.last_.weights[e.block][e.element * nodesPerElement(e) + a];
   }
   Eigen::Matrix3d reference(ElementRef e, std::size_t q) const {
-    const std::size_t points = body_.blocks()[at(e.block)]->rule().points.size();
-    const float* stored = own_.known_[at(e.block)].reference.data() + (at(e.element) * points + q) * 9;
+    const std::size_t points = body_.blocks()[e.block]->rule().points.size();
+    const float* stored = own_.known_[e.block].reference.data() + (e.element * points + q) * 9;
     return Eigen::Map<const Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(stored).cast<double>();
   }
 
   void follow(ElementRef e, const double* gradients, int lane) {
-    const ElementBlock& block = *body_.blocks()[at(e.block)];
-    const TangentGrowth growth = own_.known_[at(e.block)].growth[at(e.element)].unpacked();
+    const ElementBlock& block = *body_.blocks()[e.block];
+    const TangentGrowth growth = own_.known_[e.block].growth[e.element].unpacked();
     double distance = 0;
     if (growth.radius >= 0) {
       const std::size_t points = block.rule().points.size();
@@ -207,11 +204,11 @@ class IncrementalSelection::Choice {
     const ElementRef e{pack.block, pack.elements[lane]};
     const ElementValue& value = pack.values[lane];
     const TangentGrowth growth = growthOf(value.drift.law, value.value, value.strainNorm);
-    Known& known = own_.known_[at(e.block)];
-    known.growth[at(e.element)] = {growth.value, growth.linear, growth.quadratic, growth.radius * (1 - radiusRounding)};
+    Known& known = own_.known_[e.block];
+    known.growth[e.element] = {growth.value, growth.linear, growth.quadratic, growth.radius * (1 - radiusRounding)};
     const auto count = static_cast<std::size_t>(9 * pack.points);
     for (std::size_t i = 0; i < count; ++i)
-      known.reference[at(e.element) * count + i] =
+      known.reference[e.element * count + i] =
           static_cast<float>(pack.gradients[i * lanes + static_cast<std::size_t>(lane)]);
     for (int a = 0; a < nodesPerElement(e); ++a)
       storedWeight(e, a) = state_.weights().factor(state_.weights().incidenceOf(e, a));
@@ -236,7 +233,7 @@ void IncrementalSelection::Choice::chooseAmong(const std::vector<ElementRef>& re
   NodeVectors x(3, static_cast<Eigen::Index>(nodes.size()));
   Eigen::VectorXd mass(static_cast<Eigen::Index>(nodes.size()));
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    outside.push_back(own_.last_.nodalSums[at(nodes[i])]);
+    outside.push_back(own_.last_.nodalSums[nodes[i]]);
     x.col(static_cast<Eigen::Index>(i)) = x_.col(nodes[i]);
     mass[static_cast<Eigen::Index>(i)] = body_.lumpedMass()[nodes[i]];
   }
@@ -245,14 +242,14 @@ void IncrementalSelection::Choice::chooseAmong(const std::vector<ElementRef>& re
   // Elements of the region are numbered in ascending order.
   std::vector<std::size_t> next(body_.blocks().size(), 0);
   for (const ElementRef e : region) {
-    const std::size_t number = next[at(e.block)]++;
+    const std::size_t number = next[e.block]++;
     const int n = nodesPerElement(e);
     for (int a = 0; a < n; ++a)
       state_.weights().setFactor(
           state_.weights().incidenceOf(e, a),
-          made.weights[at(e.block)][number * static_cast<std::size_t>(n) + static_cast<std::size_t>(a)]);
+          made.weights[e.block][number * static_cast<std::size_t>(n) + static_cast<std::size_t>(a)]);
     state_.setRotation(e, Eigen::Matrix3d::Identity());
-    if (!made.chosen[at(e.block)][number]) exclude({e}, false);
+    if (!made.chosen[e.block][number]) exclude({e}, false);
   }
   evaluate(region);
   sumAt(nodes);
@@ -261,7 +258,7 @@ void IncrementalSelection::Choice::chooseAmong(const std::vector<ElementRef>& re
 bool IncrementalSelection::knows(const Body& body) const {
   if (known_.size() != body.blocks().size()) return false;
   for (std::size_t b = 0; b < known_.size(); ++b)
-    if (known_[b].growth.size() != at(body.blocks()[b]->elementCount())) return false;
+    if (known_[b].growth.size() != static_cast<std::size_t>(body.blocks()[b]->elementCount())) return false;
   return true;
 }
 
@@ -272,8 +269,8 @@ const CertifiedSelection& IncrementalSelection::chooseFromScratch(const Body& bo
   known_.clear();
   for (const auto& block : body.blocks()) {
     Known& known = known_.emplace_back();
-    known.growth.resize(at(block->elementCount()));
-    known.reference.resize(at(block->elementCount()) * block->rule().points.size() * 9);
+    known.growth.resize(block->elementCount());
+    known.reference.resize(block->elementCount() * block->rule().points.size() * 9);
   }
   Choice(*this, body, x, lambda).evaluate(allElements(body));
   return last_;
@@ -289,9 +286,9 @@ const CertifiedSelection& IncrementalSelection::choose(const Body& body, const N
   // New elements are chosen from with their neighbours in any case, and count for nothing until then.
   std::vector<ElementRef> again;
   for (const ElementRef e : allElements(body)) {
-    const bool kept = keep[at(e.block)][at(e.element)];
-    auto chosen = last_.chosen[at(e.block)][at(e.element)];
-    if (!kept && !chosen && static_cast<double>(known_[at(e.block)].growth[at(e.element)].radius) < 0)
+    const bool kept = keep[e.block][e.element];
+    auto chosen = last_.chosen[e.block][e.element];
+    if (!kept && !chosen && static_cast<double>(known_[e.block].growth[e.element].radius) < 0)
       again.push_back(e);
     else if (!kept)
       continue;
@@ -311,7 +308,7 @@ const CertifiedSelection& IncrementalSelection::choose(const Body& body, const N
   }
   if (!again.empty()) {
     std::vector<ElementRef> region = choice.elementsAt(choice.nodesOf(again));
-    std::erase_if(region, [&](ElementRef e) { return keep[at(e.block)][at(e.element)]; });
+    std::erase_if(region, [&](ElementRef e) { return keep[e.block][e.element]; });
     if (static_cast<double>(region.size()) > policy_.tooLargeRegion * static_cast<double>(body.mesh().elementCount())) {
       const std::int64_t before = last_.evaluations;
       chooseFromScratch(body, x, lambda, keep);
@@ -322,7 +319,7 @@ const CertifiedSelection& IncrementalSelection::choose(const Body& body, const N
   }
   last_.rest = {0};
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
-    last_.rest.value = std::max(last_.rest.value, largestEigenvalue(last_.nodalSums[at(i)]) / body.lumpedMass()[i]);
+    last_.rest.value = std::max(last_.rest.value, largestEigenvalue(last_.nodalSums[i]) / body.lumpedMass()[i]);
   return last_;
 }
 
@@ -346,7 +343,7 @@ void IncrementalSelection::carryOver(const CutMesh& cut) {
     std::vector<NodalBound::Factor> weights(count * nodes);
     for (std::size_t e = 0; e < count; ++e) {
       if (cut.changed[b][e]) continue;
-      const auto from = at(cut.parent[b][e]);
+      const auto from = cut.parent[b][e];
       known.growth[e] = known_[b].growth[from];
       std::copy_n(known_[b].reference.begin() + static_cast<std::ptrdiff_t>(from * numbers), numbers,
                   known.reference.begin() + static_cast<std::ptrdiff_t>(e * numbers));

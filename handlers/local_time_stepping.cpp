@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/monitor/reduced_ring.h>
 
 namespace ringwatch {
@@ -26,8 +27,6 @@ constexpr double coarseShare = 0.85;
 
 /// An element's share of one evaluation beyond its own force, in elements: calls and sums over nodes of a small part.
 constexpr double callCost = 20, implicitCost = 60;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
@@ -116,7 +115,7 @@ std::vector<LocalTimeStepping::Level> LocalTimeStepping::plan(const std::vector<
 Eigen::VectorXd LocalTimeStepping::massBeside(const ElementFlags& finer, double share) const {
   Eigen::VectorXd mass = body_.lumpedMass();
   for (const ElementRef e : chosenElements(finer))
-    for (const std::int32_t node : body_.blocks()[at(e.block)]->nodesOf(e.element))
+    for (const std::int32_t node : body_.blocks()[e.block]->nodesOf(e.element))
       mass[node] = share * body_.lumpedMass()[node];
   return mass;
 }
@@ -136,11 +135,10 @@ ElementFlags LocalTimeStepping::finerThan(const Level& level, const ElementFlags
     const Body rest = partWithMass(left, massBeside(finer, level.massShare));
     ElementFlags keep = noElements(rest.mesh());
     for (std::size_t b = 0; b < numbers.size(); ++b)
-      for (std::size_t i = 0; i < numbers[b].size(); ++i) keep[b][i] = finer[b][at(numbers[b][i])];
+      for (std::size_t i = 0; i < numbers[b].size(); ++i) keep[b][i] = finer[b][numbers[b][i]];
     const CertifiedSelection selection = selectCertified(rest, x, level.lambda, keep);
     evaluations += selection.evaluations;
-    for (const ElementRef e : chosenElements(selection.chosen))
-      finer[at(e.block)][at(numbers[at(e.block)][at(e.element)])] = true;
+    for (const ElementRef e : chosenElements(selection.chosen)) finer[e.block][numbers[e.block][e.element]] = true;
     const std::size_t now = chosenElements(finer).size();
     if (now == count) return finer;
     count = now;
@@ -178,13 +176,13 @@ ElementFlags LocalTimeStepping::choose(const NodeVectors& x, double h, const Ele
           finerThan(level, left, x, k == 0 && !keep.empty() ? keep : noElements(body_.mesh()), evaluations);
       if (k == 0) chosen = finer;
       level.elements = left;
-      for (const ElementRef e : chosenElements(finer)) level.elements[at(e.block)][at(e.element)] = false;
+      for (const ElementRef e : chosenElements(finer)) level.elements[e.block][e.element] = false;
       left = std::move(finer);
     }
     bool again = false;
     if (levels.back().substeps < 1 << levelLimit_)
       for (const ElementRef e : chosenElements(left)) {
-        double& lambda = lambdas[at(e.block)][at(e.element)];
+        double& lambda = lambdas[e.block][e.element];
         if (!(lambda <= deepest(h))) continue;
         lambda = std::max(lambda, levels.back().lambda) * 1.1;
         again = true;
@@ -215,16 +213,15 @@ void LocalTimeStepping::take(const NodeVectors& x, double h, const ElementFlags&
   inverseMass_ = body_.lumpedMass().cwiseInverse();
   detach(chosen, massBeside(chosen, levels_.front().massShare));
 
-  std::vector<std::int32_t> position(at(body_.nodeCount()), -1);
+  std::vector<std::int32_t> position(body_.nodeCount(), -1);
   for (std::size_t i = 0; i < filter_->nodes().size(); ++i)
-    position[at(filter_->nodes()[i])] = static_cast<std::int32_t>(i);
+    position[filter_->nodes()[i]] = static_cast<std::int32_t>(i);
   clusterNodes_.clear();
   for (const auto& cluster : clustersOf(body_, chosenElements(chosen))) {
     auto& own = clusterNodes_.emplace_back();
     for (const ElementRef e : cluster)
-      for (const std::int32_t node : body_.blocks()[at(e.block)]->nodesOf(e.element)) own.push_back(position[at(node)]);
-    std::sort(own.begin(), own.end());
-    own.erase(std::unique(own.begin(), own.end()), own.end());
+      for (const std::int32_t node : body_.blocks()[e.block]->nodesOf(e.element)) own.push_back(position[node]);
+    sortUnique(own);
   }
 }
 
@@ -234,7 +231,7 @@ void LocalTimeStepping::addStrainVelocity(const NodeVectors& x, const NodeVector
     double mass = 0;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero(), drift = Eigen::Vector3d::Zero();
     for (const std::int32_t i : cluster) {
-      const std::int32_t node = nodes[at(i)];
+      const std::int32_t node = nodes[i];
       const double m = body_.lumpedMass()[node];
       mass += m;
       centre += m * x.col(node);
@@ -245,7 +242,7 @@ void LocalTimeStepping::addStrainVelocity(const NodeVectors& x, const NodeVector
     Eigen::Vector3d angular = Eigen::Vector3d::Zero();
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
     for (const std::int32_t i : cluster) {
-      const std::int32_t node = nodes[at(i)];
+      const std::int32_t node = nodes[i];
       const double m = body_.lumpedMass()[node];
       const Eigen::Vector3d arm = x.col(node) - centre;
       angular += m * arm.cross(v.col(node));
@@ -253,7 +250,7 @@ void LocalTimeStepping::addStrainVelocity(const NodeVectors& x, const NodeVector
     }
     const Eigen::Vector3d spin = inertia.inverse() * angular;  // of a tetrahedron at least, so not singular
     for (const std::int32_t i : cluster) {
-      const std::int32_t node = nodes[at(i)];
+      const std::int32_t node = nodes[i];
       fineX_.col(i) += share * (v.col(node) - drift - spin.cross(x.col(node) - centre));
     }
   }
@@ -295,7 +292,7 @@ std::string LocalTimeStepping::uncertifiedPart(const NodeVectors& x) {
       if (!elements.empty())
         watches_.emplace_back(body_, level.elements, massBeside(finer, level.massShare), level.lambda / room,
                               level.substeps);
-      for (const ElementRef e : elements) finer[at(e.block)][at(e.element)] = true;
+      for (const ElementRef e : elements) finer[e.block][e.element] = true;
     }
   }
   for (LevelWatch& watch : watches_)

@@ -41,12 +41,7 @@ class LocalTimeStepping final : public Handler {
  public:
   static constexpr std::array<std::string_view, 2> variants{"stabilised", "plain"};
   static constexpr std::array table{
-      OptionInfo{.name = "variant",
-                 .type = OptionType::text,
-                 .choices = variants,
-                 .automatic = true,
-                 .fallback = "auto",
-                 .help = "stabilised (damped local time stepping) or plain, which has resonances"},
+      variantOption(variants, "stabilised (damped local time stepping) or plain, which has resonances"),
       OptionInfo{.name = "levels",
                  .type = OptionType::integer,
                  .range = {1, 12, true, true},

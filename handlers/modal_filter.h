@@ -33,12 +33,7 @@ class ModalFilter final : public Handler {
   static constexpr auto compliantAlone = std::span(variants).first<1>(),
                         projectionAlone = std::span(variants).last<1>();
   static constexpr std::array table{
-      OptionInfo{.name = "variant",
-                 .type = OptionType::text,
-                 .choices = variants,
-                 .automatic = true,
-                 .fallback = "auto",
-                 .help = "compliant constraints, or by projection as in Fierz 2013"},
+      variantOption(variants, "compliant constraints, or by projection as in Fierz 2013"),
       OptionInfo{.name = "passes",
                  .type = OptionType::integer,
                  .range = {0, 2147483647, true, true},

@@ -9,6 +9,7 @@
 #include <Eigen/SparseCore>
 
 #include <ringwatch/base/parallel.h>
+#include <ringwatch/meshes/all_finite.h>
 #include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch {
@@ -29,13 +30,7 @@ struct State {
 
 /// Whether all positions and velocities are finite. threads: 0 for all that OpenMP offers.
 inline bool isFinite(const State& state, int threads) {
-  const auto zeros = [](const NodeVectors& vectors, Eigen::Index begin, Eigen::Index end) {
-    const auto part = vectors.middleCols(begin, end - begin);
-    return (part - part).sum();  // else not a number, in fewer instructions than tests one by one
-  };
-  return parallelSum(state.x.cols(), threads, [&](Eigen::Index begin, Eigen::Index end) {
-           return zeros(state.x, begin, end) + zeros(state.v, begin, end);
-         }) == 0;
+  return allFinite(state.x, threads) && allFinite(state.v, threads);
 }
 
 /// ẍ = a(t, x, ẋ). A body under load is one (BodySystem), an oscillator another.

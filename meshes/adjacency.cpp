@@ -4,6 +4,8 @@
 #include <array>
 #include <numeric>
 
+#include <ringwatch/base/sort_unique.h>
+
 namespace ringwatch {
 
 CompressedRows<ElementNode> nodeElements(const Mesh& mesh) {
@@ -36,8 +38,7 @@ CompressedRows<std::int32_t> nodeNeighbours(const Mesh& mesh) {
       const std::int32_t* nodes = block.element(static_cast<std::size_t>(at.element));
       own.insert(own.end(), nodes, nodes + block.nodesPerElement());
     }
-    std::sort(own.begin(), own.end());
-    own.erase(std::unique(own.begin(), own.end()), own.end());
+    sortUnique(own);
     std::erase(own, static_cast<std::int32_t>(n));
     rows.values.insert(rows.values.end(), own.begin(), own.end());
     rows.offsets.push_back(rows.values.size());

@@ -10,6 +10,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/random.h>
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/meshes/bisection.h>
 #include <ringwatch/meshes/quality.h>
@@ -351,8 +352,7 @@ Mesh generateBall(const BallOptions& options) {
   finishElements(mesh);
   std::vector<std::int32_t> surface;
   for (const auto& [name, nodes] : mesh.nodeSets) surface.insert(surface.end(), nodes.begin(), nodes.end());
-  std::sort(surface.begin(), surface.end());
-  surface.erase(std::unique(surface.begin(), surface.end()), surface.end());
+  sortUnique(surface);
   mesh.nodeSets = {{"surface", std::move(surface)}};
   requirePositiveElements(mesh, joinText("cells = ", options.cells));
   return mesh;

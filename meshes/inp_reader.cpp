@@ -10,6 +10,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/meshes/file_cursor.h>
 #include <ringwatch/meshes/mesh_builder.h>
 #include <ringwatch/meshes/mesh_readers.h>
@@ -156,8 +157,7 @@ class Deck {
         ranges.push_back({id, id, 1});
     }
     void removeRepeated() {
-      std::sort(ranges.begin(), ranges.end());
-      ranges.erase(std::unique(ranges.begin(), ranges.end()), ranges.end());
+      sortUnique(ranges);
       distinct = ranges.size();
     }
   };

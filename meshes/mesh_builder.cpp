@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/sort_unique.h>
 
 namespace ringwatch::detail {
 namespace {
@@ -198,8 +199,7 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
   for (const auto& [name, ids] : nodeSetIds_)
     for (const std::int64_t id : ids) mesh.nodeSets[name].push_back(index.find(id));
   for (auto& [name, nodes] : mesh.nodeSets) {
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    sortUnique(nodes);
   }
   mesh.nodeIds = std::move(nodeIds_);
   if (notes != nullptr && dropped > 0)

@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -7,6 +6,7 @@
 #include <vector>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/meshes/check.h>
 #include <ringwatch/meshes/mesh.h>
 
@@ -50,8 +50,7 @@ class MeshBuilder {
 
   /// A new group (a combination of set names); -1 stands for none.
   int addGroup(std::vector<std::string> names) {
-    std::sort(names.begin(), names.end());  // two groups of a file may share a name
-    names.erase(std::unique(names.begin(), names.end()), names.end());
+    sortUnique(names);  // two groups of a file may share a name
     groups_.push_back(std::move(names));
     return static_cast<int>(groups_.size()) - 1;
   }

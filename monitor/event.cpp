@@ -52,9 +52,9 @@ bool EventTracker::isNew(EventKind kind) {
   return !course.event;
 }
 
-const MonitorEvent& EventTracker::begin(MonitorEvent event) {
+const MonitorEvent& EventTracker::begin(const MonitorEvent& event) {
   courseOf(event.kind).event = events_.size();
-  return events_.emplace_back(std::move(event));
+  return events_.emplace_back(event);
 }
 
 void EventTracker::absent(EventKind kind, std::int64_t step) {

@@ -56,7 +56,7 @@ class EventTracker {
 
   /// The event goes on; true when it begins here, and then `begin` is to be called with it.
   bool isNew(EventKind kind);
-  const MonitorEvent& begin(MonitorEvent event);
+  const MonitorEvent& begin(const MonitorEvent& event);
   /// An observation without the event, before step number `step`.
   void absent(EventKind kind, std::int64_t step);
   /// All so far, in the order of their beginnings.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/monitor/scaled_tangent.h>
 
 namespace ringwatch {
@@ -30,12 +31,6 @@ Eigen::Matrix3d localSweepFactor(const Eigen::Matrix3d& S) {
   return solver.eigenvectors() * powers.asDiagonal() * solver.eigenvectors().transpose();
 }
 
-template <class T>
-void makeUnique(std::vector<T>& entries) {
-  std::sort(entries.begin(), entries.end());
-  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
-}
-
 class Neighbourhood {
  public:
   Neighbourhood(RunCertificate& state, const NodeVectors& x, const RebuildPolicy& policy)
@@ -50,7 +45,7 @@ class Neighbourhood {
     for (const std::int32_t node : inner_)
       for (const NodalBound::Incidence at : state_.weights().incidences(node))
         ring_.push_back(state_.weights().elementAt(at));
-    makeUnique(ring_);
+    sortUnique(ring_);
     nodes_ = freeNodesOf(ring_);
     save();
     meetings_.clear();
@@ -165,7 +160,7 @@ class Neighbourhood {
     for (const ElementRef e : elements)
       for (const std::int32_t node : nodesOf(e))
         if (!body_.constraints().any() || body_.constraints().freeComponents(node) > 0) nodes.push_back(node);
-    makeUnique(nodes);
+    sortUnique(nodes);
     return nodes;
   }
   /// Every neighbourhood holds the smaller one before it, of which all is saved.

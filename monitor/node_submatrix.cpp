@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/monitor/scaled_tangent.h>
 
 namespace ringwatch {
@@ -18,8 +19,7 @@ void NodeSubmatrix::choose(std::vector<std::int32_t> nodes) {
       blocks_[at.block].elements.push_back(incidences_.elementAt(at).element);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     auto& [elements, parts] = blocks_[b];
-    std::sort(elements.begin(), elements.end());
-    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+    sortUnique(elements);
     for (const std::int32_t e : elements) {
       Part& part = parts.emplace_back();
       const auto own = source_.tangents()[b]->nodesOf(e);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/materials/rotation.h>
 
 namespace ringwatch {
@@ -262,8 +263,7 @@ std::vector<ElementRef> RunCertificate::highestElements(std::size_t count) {
     if (most > 0) result.push_back(highest);
   }
   weights().releaseSums();
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  sortUnique(result);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <ringwatch/base/backoff.h>
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/meshes/all_finite.h>
 #include <ringwatch/monitor/element_cause.h>
 #include <ringwatch/monitor/exchange_bound.h>
 #include <ringwatch/monitor/incremental_nodal_bound.h>
@@ -314,9 +315,6 @@ class Bracketer {
   std::int64_t bestVersion_ = 0;
 };
 
-/// A sum is quicker than a test of every number, and finite numbers whose sum overflows are rare.
-bool allFinite(const NodeVectors& a) { return std::isfinite(a.sum()) || a.allFinite(); }
-
 void requireProof(const StepRule& rule) {
   if (!rule.proven())
     throw InputError(
@@ -357,7 +355,7 @@ struct StabilityMonitor::Impl {
     event.step = report.step;
     event.time = report.time;
     if (event.element) event.cause = elementCause(body, x, *event.element);
-    report.newEvents.push_back(tracker.begin(std::move(event)));
+    report.newEvents.push_back(tracker.begin(event));
   }
   void absent(EventKind kind) { tracker.absent(kind, report.step); }
   void tellInverted(const Body::LeastDeterminant& least, const NodeVectors& x) {
@@ -467,7 +465,7 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, c
   report.fresh = false;
   report.elementsRefreshed = 0;
 
-  const bool finite = allFinite(x) && allFinite(v);
+  const bool finite = allFinite(x, m.body.threads()) && allFinite(v, m.body.threads());
   const bool due =
       finite && (m.observations++ % m.options.every == 0 || m.unknown || m.bodyVersion != m.body.version());
   if (evaluation && (!due || !m.bracketer)) {

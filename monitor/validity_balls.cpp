@@ -7,6 +7,8 @@
 
 #include <Eigen/Dense>
 
+#include <ringwatch/base/sort_unique.h>
+
 namespace ringwatch {
 namespace {
 
@@ -22,11 +24,6 @@ constexpr double edgeFraction = 0.25;
 /// A group whose elements leave their balls at every check waits for up to this many before it tries to skip again:
 /// trying costs as much as a visit.
 constexpr int longestPause = 15;
-
-void makeUnique(std::vector<std::uint16_t>& numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
 
 /// Nodes by their rows in a patch, and where they were, from a centre of their own.
 struct TrackedNodes {
@@ -205,7 +202,7 @@ ValidityBalls::ValidityBalls(const ElementBlock& block)
       const auto begin = layout.localNodes.begin();
       touched.assign(begin + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(first) * n * lanes),
                      begin + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(group.batchEnd) * n * lanes));
-      makeUnique(touched);
+      sortUnique(touched);
       group.nodeBegin = nodes_.size();
       nodes_.insert(nodes_.end(), touched.begin(), touched.end());
       while (nodes_.size() % 4 != 0) nodes_.push_back(touched.back());

@@ -214,10 +214,10 @@ TEST_P(EveryHandler, GoesOnAfterACutWithTheChoiceMadeBefore) {
   BodySystem system(after);
   State state = system.initialState();
   state.v.row(1) = 0.1 * state.x.row(0);
-  const test::MotionBooks books(after);
-  const double start = books.energy(state);
+  const test::ConservedQuantities conserved(after);
+  const double start = conserved.energy(state);
   for (int i = 0; i < 200; ++i) ASSERT_TRUE(second->step(system, state, h).done);
-  EXPECT_LE(books.energy(state), 1.02 * start);
+  EXPECT_LE(conserved.energy(state), 1.02 * start);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/body/body.h>
+#include <ringwatch/handlers/handler.h>
 #include <ringwatch/handlers/selection.h>
 #include <ringwatch/integrators/body_system.h>
 #include <tests/support/body_cases.h>
@@ -105,9 +106,9 @@ inline void spinAndVibrate(const Body& body, State& state) {
 }
 
 /// What a free body keeps.
-class MotionBooks {
+class ConservedQuantities {
  public:
-  explicit MotionBooks(const Body& body) : body_(body) {}
+  explicit ConservedQuantities(const Body& body) : body_(body) {}
   /// Strain and kinetic, J.
   double energy(const State& state) const {
     Body::Workspace workspace;
@@ -125,5 +126,29 @@ class MotionBooks {
  private:
   const Body& body_;
 };
+
+/// What a free body that spins and vibrates has lost after many handled steps.
+struct LongRun {
+  int steps = 0;                       ///< that the handler took
+  double highestEnergy, energy;        ///< seen on the way, and at the end; over that of the start
+  double momentumDrift, angularDrift;  ///< m/s, of the body's mean velocity; and over the angular momentum of the start
+};
+inline LongRun longRun(Handler& handler, Body& body, double h, int steps) {
+  BodySystem system(body);
+  State state = system.initialState();
+  spinAndVibrate(body, state);
+  const ConservedQuantities conserved(body);
+  const double start = conserved.energy(state);
+  const Eigen::Vector3d p = conserved.momentum(state), L = conserved.angular(state);
+  LongRun run;
+  double highest = start;
+  while (run.steps < steps && handler.step(system, state, h).done)
+    if (run.steps++ % 20 == 0) highest = std::max(highest, conserved.energy(state));
+  run.highestEnergy = highest / start;
+  run.energy = conserved.energy(state) / start;
+  run.momentumDrift = (conserved.momentum(state) - p).norm() / body.totalMass();
+  run.angularDrift = (conserved.angular(state) - L).norm() / L.norm();
+  return run;
+}
 
 }  // namespace ringwatch::test

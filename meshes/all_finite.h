@@ -1,0 +1,15 @@
+#pragma once
+#include <ringwatch/base/parallel.h>
+#include <ringwatch/meshes/mesh.h>
+
+namespace ringwatch {
+
+/// Whether every component of the node vectors (3×N) is finite. threads: 0 for all that OpenMP offers.
+inline bool allFinite(const NodeVectors& vectors, int threads) {
+  return parallelSum(vectors.cols(), threads, [&](Eigen::Index begin, Eigen::Index end) {
+           const auto part = vectors.middleCols(begin, end - begin);
+           return (part - part).sum();  // else not a number, in fewer instructions than tests one by one
+         }) == 0;
+}
+
+}  // namespace ringwatch
