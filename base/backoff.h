@@ -5,7 +5,7 @@
 namespace ringwatch {
 
 /// When to try again what may not help: after a first gap, and after longer ones while tries are in vain. Gaps are
-/// counted in calls of tick(): evaluations, updates or steps of whoever waits.
+/// counted in calls of tick(): evaluations, updates or steps of the caller.
 class Backoff {
  public:
   struct Gaps {

@@ -11,7 +11,7 @@
 #include <bench/support.h>
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/monitor/extreme_eigenvalues.h>
+#include <ringwatch/monitor/small/extreme_eigenvalues.h>
 
 namespace ringwatch::bench {
 namespace {

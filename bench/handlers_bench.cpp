@@ -13,11 +13,11 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/random.h>
 #include <ringwatch/handlers/handler.h>
-#include <ringwatch/handlers/implicit_cluster.h>
+#include <ringwatch/handlers/imex/implicit_cluster.h>
 #include <ringwatch/integrators/body_system.h>
-#include <ringwatch/meshes/cut.h>
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/meshes/modify/cut.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/verify/fierz2013.h>
 
 namespace ringwatch::bench {
@@ -86,10 +86,10 @@ void choiceAfterCut(benchmark::State& state, int n, bool kept) {
     const CertifiedSelection& made = selection.choose(after, xAfter, lambda, noElements(cut.mesh));
     state.SetIterationTime(threadSeconds() - start);
     state.counters["elements"] = elements;
-    state.counters["judged"] = static_cast<double>(selection.evaluatedElements());
+    state.counters["evaluated"] = static_cast<double>(selection.evaluatedElements());
     state.counters["evaluations"] = static_cast<double>(made.evaluations);
     state.counters["chosen"] = static_cast<double>(chosenElements(made.chosen).size());
-    state.counters["rest_of_lambda"] = made.rest.value / lambda;
+    state.counters["rest_of_lambda"] = made.explicitPart.value / lambda;
   }
 }
 

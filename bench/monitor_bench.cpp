@@ -12,10 +12,10 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
-#include <ringwatch/monitor/global_frequency.h>
-#include <ringwatch/monitor/lanczos_bound.h>
-#include <ringwatch/monitor/metrics.h>
-#include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/bounds/lanczos_bound.h>
+#include <ringwatch/monitor/bounds/reduced_ring.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch::bench {
@@ -225,7 +225,7 @@ void registerAll() {
         // A pull of 80 % a second, eight times slower, and by a step that leaves less room.
         for (const Pull& pull : {Pull{"fast", 0.8, 0.5}, Pull{"slow", 0.1, 0.5}, Pull{"slow_close", 0.1, 0.9}})
           for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold, MonitorMode::metric})
-            for (const CellSplit& split : allCellSplits()) {
+            for (const CellSubdivision& split : allCellSubdivisions()) {
               if (split.element != c.element || split.centre) continue;
               if (mode == MonitorMode::metric && pull.name != "fast") continue;
               benchmark::RegisterBenchmark(joinText("watched/", monitorModeName(mode), "/", pull.name, "/",

@@ -5,7 +5,7 @@
 #include <bench/support.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
-#include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/monitor/bounds/reduced_ring.h>
 
 /// What several benchmark programs time in the same way.
 namespace ringwatch::bench {

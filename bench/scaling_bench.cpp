@@ -13,9 +13,9 @@
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/meshes/node_order.h>
-#include <ringwatch/monitor/global_frequency.h>
-#include <ringwatch/monitor/nodal_bound.h>
-#include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/bounds/nodal_bound.h>
+#include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #ifdef RINGWATCH_HAS_SUNDIALS
 #include <ringwatch/integrators/sundials/implicit.h>

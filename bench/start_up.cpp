@@ -24,7 +24,7 @@
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/node_order.h>
-#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch::bench {

@@ -12,7 +12,7 @@
 
 #include <ringwatch/base/random.h>
 #include <ringwatch/body/body.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 
 namespace ringwatch::bench {
 
@@ -42,7 +42,7 @@ inline Mesh makeMesh(const Case& c, int split = 0) {
   options.jitter = 0.15;
   options.split = split;
   int perCell = std::max(1, split);
-  for (const CellSplit& known : allCellSplits())
+  for (const CellSubdivision& known : allCellSubdivisions())
     if (split == 0 && known.element == c.element) {
       perCell = known.elementsPerCell;
       break;

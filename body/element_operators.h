@@ -3,8 +3,8 @@
 #include <type_traits>
 
 #include <ringwatch/base/matrix3.h>
-#include <ringwatch/materials/lame.h>
 #include <ringwatch/materials/modulus_blocks.h>
+#include <ringwatch/materials/tangent_drift.h>
 
 namespace ringwatch {
 

@@ -50,7 +50,7 @@ if(RINGWATCH_BUILD_TESTS)
   add_custom_target(check_headers)
 endif()
 function(ringwatch_check_headers name)
-  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.h)
+  ringwatch_sources(headers ENDING .h)
   set(sources "")
   foreach(header IN LISTS headers)
     set(source ${CMAKE_CURRENT_BINARY_DIR}/headers/${header}.cpp)
@@ -65,15 +65,21 @@ function(ringwatch_check_headers name)
   endif()
 endfunction()
 
-# ringwatch_sources(FILES [EXCEPT …] [ENDING …]): the sources of this folder, files that end in .cpp or in what is given,
-# less those of EXCEPT, in the list FILES. A new file is found by the next build: no list names it.
+# ringwatch_sources(FILES [EXCEPT …] [ENDING …]): the sources of this folder and of the rooms in it, which are folders
+# without a CMakeLists.txt: files that end in .cpp or in what is given, less those of EXCEPT, in the list FILES. A new file
+# is found by the next build: no list names it.
 function(ringwatch_sources files)
   cmake_parse_arguments(ARG "" "" "EXCEPT;ENDING" ${ARGN})
   if(NOT ARG_ENDING)
     set(ARG_ENDING .cpp)
   endif()
   list(TRANSFORM ARG_ENDING PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/*")
-  file(GLOB found CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${ARG_ENDING})
+  file(GLOB_RECURSE found CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${ARG_ENDING})
+  file(GLOB lists CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/*/CMakeLists.txt)
+  foreach(list IN LISTS lists)
+    get_filename_component(other ${list} DIRECTORY)
+    list(FILTER found EXCLUDE REGEX "^${other}/")
+  endforeach()
   foreach(file IN LISTS ARG_EXCEPT)
     if(NOT file IN_LIST found)
       message(FATAL_ERROR "${CMAKE_CURRENT_SOURCE_DIR} has no ${file}")

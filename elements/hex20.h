@@ -2,7 +2,7 @@
 #include <array>
 
 #include <ringwatch/base/host_device.h>
-#include <ringwatch/elements/cell_split.h>
+#include <ringwatch/elements/cell_subdivision.h>
 #include <ringwatch/elements/quadrature.h>
 
 namespace ringwatch {
@@ -28,7 +28,8 @@ struct Hex20 {
       {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
   static constexpr std::array<std::uint8_t, nodes> gmshOrder{0,  1, 2,  3,  4,  5,  6,  7,  8,  11,
                                                              13, 9, 16, 18, 19, 17, 10, 12, 14, 15};
-  static constexpr std::array<CellSplit, 1> cellSplits{{{name, 1, false, CellSplit::whole, CellSplit::whole}}};
+  static constexpr std::array<CellSubdivision, 1> cellSplits{
+      {{name, 1, false, CellSubdivision::whole, CellSubdivision::whole}}};
 
   /// Corners Π_j (1 + ξ_j ξ_aj) (Σ_j ξ_j ξ_aj - 2)/8; middles Π_j p_j/4 with p_j = 1 - ξ_j² along the edge, 1 + ξ_j
   /// ξ_aj across it.

@@ -2,7 +2,7 @@
 #include <array>
 
 #include <ringwatch/base/host_device.h>
-#include <ringwatch/elements/cell_split.h>
+#include <ringwatch/elements/cell_subdivision.h>
 #include <ringwatch/elements/quadrature.h>
 
 namespace ringwatch {
@@ -23,7 +23,8 @@ struct Hex8 {
       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
   static constexpr std::array<std::array<int, 2>, 12> edges{
       {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
-  static constexpr std::array<CellSplit, 1> cellSplits{{{name, 1, false, CellSplit::whole, CellSplit::whole}}};
+  static constexpr std::array<CellSubdivision, 1> cellSplits{
+      {{name, 1, false, CellSubdivision::whole, CellSubdivision::whole}}};
 
   /// N_a(ξ) = Π_j (1 + ξ_j ξ_aj) / 8
   template <class S>

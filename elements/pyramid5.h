@@ -3,7 +3,7 @@
 
 #include <ringwatch/base/host_device.h>
 #include <ringwatch/base/math.h>
-#include <ringwatch/elements/cell_split.h>
+#include <ringwatch/elements/cell_subdivision.h>
 #include <ringwatch/elements/quadrature.h>
 
 namespace ringwatch {
@@ -28,7 +28,8 @@ struct Pyramid5 {
       {{0, 3, 2, 1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {3, 0, 4, -1}}};
   static constexpr std::array<std::array<int, 2>, 8> edges{
       {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};
-  static constexpr std::array<CellSplit, 1> cellSplits{{{name, 6, true, CellSplit::pyramids, CellSplit::pyramids}}};
+  static constexpr std::array<CellSubdivision, 1> cellSplits{
+      {{name, 6, true, CellSubdivision::pyramids, CellSubdivision::pyramids}}};
 
   /// N_a = (w + x_a x)(w + y_a y)/(4w), w = 1 - z; N_4 = z
   template <class S>
@@ -72,7 +73,10 @@ struct Pyramid5 {
       {{"collapsed-2x2x2", "eight points; at rest exact for pyramids whose base is a parallelogram", collapsed2},
        {"collapsed-3x3x3", "27 points, for strongly distorted elements and large strain", collapsed3},
        {"jacobi-2x2x1", "four points, at rest exact for pyramids whose base is a parallelogram", fourPoints},
-       {"source", "five points, as in Fierz 2013, table 2.1", fivePoints}}};
+       {.name = "fierz2013",
+        .help = "five points, as in Fierz 2013, table 2.1",
+        .points = fivePoints,
+        .alias = "source"}}};
   static constexpr QuadratureRule massRule{"collapsed-2x2x2", "exact for masses", collapsed2};
 
  private:

@@ -31,7 +31,8 @@ struct QuadratureRule {
   std::string_view help;
   std::span<const QuadraturePoint> points;
   LameShares shares{};
-  int spuriousModes = 0;  // zero-energy modes of an undistorted element beyond the six rigid ones
+  int spuriousModes = 0;        // zero-energy modes of an undistorted element beyond the six rigid ones
+  std::string_view alias = {};  // an older name, accepted wherever the name is; "" for none
 };
 
 /// Gauss–Legendre abscissas and weights on [-1, 1] (Abramowitz & Stegun, table 25.4).

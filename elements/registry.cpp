@@ -70,7 +70,7 @@ const ElementInfo* findElementByGmshType(int gmshType) {
 }
 const QuadratureRule* findRule(const ElementInfo& element, std::string_view name) {
   for (const QuadratureRule& rule : element.rules)
-    if (name.empty() || rule.name == name) return &rule;
+    if (name.empty() || rule.name == name || rule.alias == name) return &rule;
   return nullptr;
 }
 

@@ -63,8 +63,8 @@ struct ElementInfo {
   std::span<const std::array<int, 2>>
       edges;  // corner nodes; in a quadratic element the middle of edges[i] is node corners + i
   std::span<const std::uint8_t> gmshOrder;  // node i is node gmshOrder[i] of gmsh's element; empty: the orders agree
-  std::span<const CellSplit> cellSplits;    // ways to fill a box-shaped cell, the usual one first
-  std::span<const QuadratureRule> rules;    // the first is the default
+  std::span<const CellSubdivision> cellSplits;  // ways to fill a box-shaped cell, the usual one first
+  std::span<const QuadratureRule> rules;        // the first is the default
   QuadratureRule massRule;
   void (*shape)(const double xi[3], double* N);                // N[nodes]
   void (*shapeGradient)(const double xi[3], double (*dN)[3]);  // dN[nodes][3]

@@ -2,7 +2,7 @@
 #include <array>
 
 #include <ringwatch/base/host_device.h>
-#include <ringwatch/elements/cell_split.h>
+#include <ringwatch/elements/cell_subdivision.h>
 #include <ringwatch/elements/quadrature.h>
 
 namespace ringwatch {
@@ -23,8 +23,9 @@ struct Tet4 {
   static constexpr std::array<std::array<int, 4>, 4> faces{
       {{0, 2, 1, -1}, {0, 1, 3, -1}, {1, 2, 3, -1}, {0, 3, 2, -1}}};
   static constexpr std::array<std::array<int, 2>, 6> edges{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
-  static constexpr std::array<CellSplit, 2> cellSplits{
-      {{name, 6, false, CellSplit::kuhn, CellSplit::kuhn}, {name, 5, false, CellSplit::fiveEven, CellSplit::fiveOdd}}};
+  static constexpr std::array<CellSubdivision, 2> cellSplits{
+      {{name, 6, false, CellSubdivision::kuhn, CellSubdivision::kuhn},
+       {name, 5, false, CellSubdivision::fiveEven, CellSubdivision::fiveOdd}}};
 
   /// N_a(ξ)
   template <class S>

@@ -2,7 +2,7 @@
 #include <array>
 
 #include <ringwatch/base/host_device.h>
-#include <ringwatch/elements/cell_split.h>
+#include <ringwatch/elements/cell_subdivision.h>
 #include <ringwatch/elements/quadrature.h>
 
 namespace ringwatch {
@@ -26,7 +26,8 @@ struct Wedge6 {
       {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}};
   // VTK's book draws the first triangle facing outward, its own shape functions want it facing inward.
   static constexpr bool eitherHandedness = true;
-  static constexpr std::array<CellSplit, 1> cellSplits{{{name, 2, false, CellSplit::wedges, CellSplit::wedges}}};
+  static constexpr std::array<CellSubdivision, 1> cellSplits{
+      {{name, 2, false, CellSubdivision::wedges, CellSubdivision::wedges}}};
 
   /// N_a = L_a(r, s) (1 ± ζ)/2 with the area coordinates L = (1 - r - s, r, s)
   template <class S>
@@ -64,11 +65,11 @@ struct Wedge6 {
       {{{1.0 / 3, 1.0 / 3, -gauss::p2}, 0.5}, {{1.0 / 3, 1.0 / 3, gauss::p2}, 0.5}}};
   static constexpr std::array<QuadratureRule, 3> rules{
       {{"gauss-3x2", "three points on the triangle by two along the axis, full rank", sixPoints},
-       {"source",
-        "two points, as in Fierz 2013, table 2.1; one spurious mode: the triangles turn against each other",
-        twoPoints,
-        {},
-        1},
+       {.name = "fierz2013",
+        .help = "two points, as in Fierz 2013, table 2.1; one spurious mode: the triangles turn against each other",
+        .points = twoPoints,
+        .spuriousModes = 1,
+        .alias = "source"},
        {"selective", "gauss-3x2 for shear, the mean strain of the element for pressure: no volumetric locking",
         sixPoints, selectiveShares}}};
   static constexpr QuadratureRule massRule{"gauss-3x2", "exact for masses", sixPoints};

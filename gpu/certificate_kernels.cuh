@@ -2,12 +2,13 @@
 #include <cuda_fp16.h>
 
 #include <ringwatch/gpu/certificate_operations.h>
-#include <ringwatch/monitor/nodal_weights.h>
-#include <ringwatch/monitor/rebuild_policy.h>
-#include <ringwatch/monitor/tangent_growth.h>
+#include <ringwatch/monitor/bounds/nodal_weights.h>
+#include <ringwatch/monitor/incremental/rebuild_policy.h>
+#include <ringwatch/monitor/incremental/tangent_growth.h>
 #include <ringwatch/gpu/patch_kernels.cuh>
 
-/// The block nodal bound and its balls on the device: the arithmetic of monitor/nodal_weights.h, an element a thread.
+/// The block nodal bound and its balls on the device: the arithmetic of monitor/bounds/nodal_weights.h, an element a
+/// thread.
 namespace ringwatch::detail {
 
 /// RoundedDown (base/short_floats.h) of the device, in half precision; infinity stays.

@@ -1,6 +1,6 @@
 #include <ringwatch/gpu/certificate_operations.h>
 #include <ringwatch/gpu/cuda_error.h>
-#include <ringwatch/monitor/nodal_weights.h>
+#include <ringwatch/monitor/bounds/nodal_weights.h>
 
 namespace ringwatch {
 namespace {

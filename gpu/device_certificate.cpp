@@ -7,7 +7,7 @@
 
 #include <ringwatch/gpu/device_certificate_impl.h>
 #include <ringwatch/gpu/device_status.h>
-#include <ringwatch/monitor/rebuild_policy.h>
+#include <ringwatch/monitor/incremental/rebuild_policy.h>
 
 namespace ringwatch {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <ringwatch/gpu/device_body.h>
 #include <ringwatch/monitor/bounds.h>
-#include <ringwatch/monitor/rebuild_policy.h>
+#include <ringwatch/monitor/incremental/rebuild_policy.h>
 
 namespace ringwatch {
 

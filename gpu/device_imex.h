@@ -19,8 +19,8 @@ struct DeviceImexOptions {
 ///   (M + beta h² K̂) (a + c v) = M (a₀ + c v),   c = α / (beta h), beta = (1 + α)²/4,
 /// cluster by cluster with block-Jacobi preconditioned conjugate gradients, all clusters in one launch and without a
 /// word to the host. K̂, the rest tangents turned and scaled with their elements, is that of the positions in every
-/// step, where ImplicitCluster keeps it until an element has turned by 0.05 to 0.2 rad (handlers/cluster_matrix.h). The
-/// same, to the last bit, in every run. Theorem 34, docs/theory/handlers.md.
+/// step, where ImplicitCluster keeps it until an element has turned by 0.05 to 0.2 rad
+/// (handlers/imex/cluster_matrix.h). The same, to the last bit, in every run. Theorem 34, docs/theory/handlers.md.
 class DeviceImex {
  public:
   /// mesh: the body's. clusters: elements that share nodes, each node in one cluster at most (`clustersOf`). h: s, > 0.

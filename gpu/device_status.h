@@ -12,7 +12,7 @@ struct DeviceStatus {
   std::size_t totalMemory = 0;  // bytes
   int multiprocessors = 0;
 };
-/// Looks for a GPU; never throws.
+/// Searches for a GPU. Never throws.
 DeviceStatus deviceStatus();
 /// Throws InputError, with the need and what is free, unless so many bytes are free on the device.
 void requireDeviceMemory(std::size_t bytes);

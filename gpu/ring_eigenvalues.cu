@@ -2,7 +2,7 @@
 
 #include <ringwatch/gpu/cuda_error.h>
 #include <ringwatch/gpu/tangent_operations.h>
-#include <ringwatch/monitor/extreme_eigenvalues.h>
+#include <ringwatch/monitor/small/extreme_eigenvalues.h>
 
 namespace ringwatch {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <ringwatch/gpu/tangent_operations.h>
 #include <ringwatch/materials/rotation.h>
-#include <ringwatch/monitor/power_iteration.h>
+#include <ringwatch/monitor/small/power_iteration.h>
 #include <ringwatch/gpu/certificate_kernels.cuh>
 
 /// Kernels that need an element's tangent: see TangentOperations.

@@ -67,9 +67,9 @@ void Handler::prepare(const NodeVectors& x, double h, const CutMesh& cut, const 
   prepareFor(x, h, cut.changed);
 }
 
-void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& toJudge) {
+void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& candidates) {
   if (!(h > 0) || !std::isfinite(h)) throw InputError(joinText("step ", h, " s: must be > 0 and finite"));
-  toJudge_ = toJudge;
+  candidates_ = candidates;
   ElementFlags chosen = choose(x, h, chosen_);
   h_ = h;
   certified_ = options_.selection != Selection::fierzRing;
@@ -86,14 +86,15 @@ void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& toJ
 ElementFlags Handler::chooseFor(const NodeVectors& x, double lambda, const ElementFlags& keep) {
   if (options_.selection == Selection::certified) {
     const ElementFlags chosen = selection_.choose(body_, x, lambda, keep).chosen;
-    judged_ = {selection_.evaluatedElements(), selection_.last().evaluations};
+    selectionCost_ = {selection_.evaluatedElements(), selection_.last().evaluations};
     return chosen;
   }
   const bool rings = options_.selection == Selection::fierzRing;
   ElementFlags chosen =
-      rings ? selectByReducedRing(body_, x, lambda, toJudge_) : selectBySingleElement(body_, x, lambda);
-  const std::size_t count = rings && !toJudge_.empty() ? chosenElements(toJudge_).size() : body_.mesh().elementCount();
-  judged_.elements = judged_.evaluations = static_cast<std::int64_t>(count);
+      rings ? selectByReducedRing(body_, x, lambda, candidates_) : selectBySingleElement(body_, x, lambda);
+  const std::size_t count =
+      rings && !candidates_.empty() ? chosenElements(candidates_).size() : body_.mesh().elementCount();
+  selectionCost_.elements = selectionCost_.evaluations = static_cast<std::int64_t>(count);
   for (std::size_t b = 0; b < keep.size(); ++b)
     for (std::size_t e = 0; e < keep[b].size(); ++e) chosen[b][e] = chosen[b][e] || keep[b][e];
   return chosen;

@@ -9,7 +9,7 @@
 
 #include <ringwatch/base/options.h>
 #include <ringwatch/body/body.h>
-#include <ringwatch/handlers/incremental_selection.h>
+#include <ringwatch/handlers/selection/incremental_selection.h>
 #include <ringwatch/integrators/integrator.h>
 
 namespace ringwatch {
@@ -17,7 +17,8 @@ namespace ringwatch {
 /// What all handlers share, and the options of the one that is made.
 struct HandlerOptions {
   Selection selection = Selection::certified;
-  /// Elements are chosen as for a step of h/(1 - margin), >= 0 and < 1: room for a rest that stiffens along the run.
+  /// Elements are chosen as for a step of h/(1 - margin), >= 0 and < 1: room for an explicit part that stiffens along
+  /// the run.
   double margin = 0.1;
   Options own = {};  ///< by name, as HandlerInfo::options declares them; those that are not given have their defaults
 };
@@ -103,11 +104,11 @@ class Handler : public Integrator {
   /// Which handled part is no longer proven stable for the tangent at positions x (3×N, m), and "" when none is known
   /// to be: where a proof for explicitBody() is not all that it takes.
   virtual std::string uncertifiedPart(const NodeVectors&) { return {}; }
-  /// What the last choice took: elements judged again, and evaluations of a single element or ring.
-  struct Judged {
+  /// What the last choice took: elements evaluated again, and evaluations of a single element or ring.
+  struct SelectionCost {
     std::int64_t elements = 0, evaluations = 0;
   };
-  const Judged& judged() const { return judged_; }
+  const SelectionCost& selectionCost() const { return selectionCost_; }
 
  protected:
   /// Called after a choice that is not empty.
@@ -133,12 +134,12 @@ class Handler : public Integrator {
   void detach(const ElementFlags& chosen, const Eigen::VectorXd& mass = {});
   /// Some elements of the body with another lumped mass, kg, N numbers > 0; without loads.
   Body partWithMass(const ElementFlags& elements, const Eigen::VectorXd& mass) const;
-  /// The highest frequency squared that is left to the rest, rad²/s²: ((1 - margin) limit/h)².
+  /// The highest frequency squared that is left to the explicit part, rad²/s²: ((1 - margin) limit/h)².
   double allowedLambda(double h) const;
   /// The bound behind a certified choice; none with other selections.
   const CertifiedSelection* certificate() const;
   /// For choices that are not those of chooseFor.
-  void noteJudged(Judged judged) { judged_ = judged; }
+  void noteSelectionCost(SelectionCost cost) { selectionCost_ = cost; }
 
   Body& body_;
   std::unique_ptr<Integrator> base_;
@@ -147,18 +148,18 @@ class Handler : public Integrator {
       NodeVectors(3, 0);  // State::a of the base scheme on the system that baseStep gives it
 
  private:
-  /// toJudge: the elements to judge; empty for all.
-  void prepareFor(const NodeVectors& x, double h, const ElementFlags& toJudge);
+  /// candidates: the elements to evaluate; empty for all.
+  void prepareFor(const NodeVectors& x, double h, const ElementFlags& candidates);
 
   const HandlerInfo& info_;
   double h_ = 0;
   bool certified_ = false;
-  ElementFlags chosen_, toJudge_;
+  ElementFlags chosen_, candidates_;
   State before_;  // the step that is being taken
   std::vector<ElementRef> elements_;
   std::vector<std::vector<std::int32_t>> places_;  // of elements_ in the layouts of their blocks, ascending
   IncrementalSelection selection_;
-  Judged judged_;
+  SelectionCost selectionCost_;
   std::optional<Body> explicitPart_;
   std::vector<std::vector<std::int32_t>> numbers_;  // [block][element of the part]: number in the body
 };

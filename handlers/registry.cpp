@@ -2,11 +2,11 @@
 #include <string>
 
 #include <ringwatch/base/registry.h>
-#include <ringwatch/handlers/fe_pbd.h>
-#include <ringwatch/handlers/imex.h>
-#include <ringwatch/handlers/local_time_stepping.h>
-#include <ringwatch/handlers/mass_scaling.h>
-#include <ringwatch/handlers/modal_filter.h>
+#include <ringwatch/handlers/fe_pbd/fe_pbd.h>
+#include <ringwatch/handlers/imex/imex.h>
+#include <ringwatch/handlers/local_time_stepping/local_time_stepping.h>
+#include <ringwatch/handlers/mass_scaling/mass_scaling.h>
+#include <ringwatch/handlers/modal_filter/modal_filter.h>
 
 namespace ringwatch {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <ringwatch/base/matrix3.h>
 #include <ringwatch/materials/lame.h>
+#include <ringwatch/materials/tangent_drift.h>
 
 namespace ringwatch {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include <ringwatch/base/registry.h>
-#include <ringwatch/meshes/file_cursor.h>
-#include <ringwatch/meshes/mesh_readers.h>
+#include <ringwatch/meshes/formats/file_cursor.h>
+#include <ringwatch/meshes/formats/mesh_readers.h>
 
 namespace ringwatch {
 namespace {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/energy_balance.h>
 #include <ringwatch/monitor/event.h>
-#include <ringwatch/monitor/lanczos_bound.h>
-#include <ringwatch/monitor/metrics.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 
 namespace ringwatch {
 
@@ -82,13 +82,13 @@ class StabilityMonitor {
   ~StabilityMonitor();
 
   /// Observes positions x (3×N, m) and velocities v (3×N, m/s) before step number `step` of size h (s) is taken from
-  /// them; h is empty while no step is chosen, and then no step is judged. Unless nullptr, `evaluation` is filled in at
-  /// x: the monitor tests the elements in the one pass that computes what it asks for. When masses or constraints of
+  /// them; h is empty while no step is chosen, and then no step is checked. Unless nullptr, `evaluation` is filled in
+  /// at x: the monitor tests the elements in the one pass that computes what it asks for. When masses or constraints of
   /// the body have changed, everything is evaluated from scratch. The report is valid until the next call. Throws
   /// InputError when x or v is not 3×N, or h is not positive and finite.
   const MonitorReport& observe(std::int64_t step, double time, const NodeVectors& x, const NodeVectors& v,
                                std::optional<double> h, StepEvaluation* evaluation = nullptr);
-  /// Judges the energies (of an EnergyBalance) of the state that was observed last. Returns the same report, with the
+  /// Checks the energies (of an EnergyBalance) of the state that was observed last. Returns the same report, with the
   /// event that has begun, if one has.
   const MonitorReport& observeEnergies(const Energies& energies);
   /// All events so far.
@@ -99,19 +99,5 @@ class StabilityMonitor {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// How a probabilistic safe side is wanted; see lanczosUpperBound.
-struct LanczosOptions {
-  double width = 0.01;
-  double eta = 1e-9;
-  std::uint64_t seed = 1;
-};
-
-/// The best proven bracket at one state, from scratch, both sides as tight as the methods give without a run's history;
-/// with `lanczos` also CriticalStep::probable, which is far tighter than the proven side on regular grids.
-/// x: 3×N, m. limit: the integrator's largest stable h·omega, or a proven rule. Throws InputError for a rule that is
-/// not proven and when x is not 3×N; NumericalError where the tangent is not finite.
-CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit,
-                          const std::optional<LanczosOptions>& lanczos = std::nullopt);
 
 }  // namespace ringwatch

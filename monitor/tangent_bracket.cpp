@@ -10,8 +10,8 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/tangent_source.h>
-#include <ringwatch/monitor/nodal_bound.h>
-#include <ringwatch/monitor/top_mode.h>
+#include <ringwatch/monitor/bounds/nodal_bound.h>
+#include <ringwatch/monitor/bounds/top_mode.h>
 
 namespace ringwatch {
 namespace {

@@ -7,8 +7,8 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/body_system.h>
-#include <ringwatch/meshes/cut.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/meshes/modify/cut.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/verify/processor_time.h>
 
@@ -78,8 +78,8 @@ class CutRun {
 
   const Body& body() const { return body_; }
   std::int64_t handled() const { return handler_ ? static_cast<std::int64_t>(handler_->elements().size()) : 0; }
-  std::int64_t judged() const { return judged_; }
-  double judgingTime() const { return judgingTime_; }
+  std::int64_t examined() const { return examined_; }
+  double selectionTime() const { return selectionTime_; }
   double critical() const { return critical_; }
   double step() const { return h_; }
   double energy() const { return energy_; }
@@ -102,8 +102,8 @@ class CutRun {
       handler_->prepare(state_.x, h_, *cut, *before);
     else
       handler_->prepare(state_.x, h_);
-    judgingTime_ = (processorSeconds() - begin);
-    judged_ = handler_->judged().elements;
+    selectionTime_ = (processorSeconds() - begin);
+    examined_ = handler_->selectionCost().elements;
   }
 
   std::string handlerName_;
@@ -113,8 +113,8 @@ class CutRun {
   State state_;
   std::unique_ptr<Integrator> integrator_;
   Handler* handler_ = nullptr;
-  double energy_ = 0, critical_ = 0, judgingTime_ = 0, secondsPerSecond_ = 0;
-  std::int64_t judged_ = 0;
+  double energy_ = 0, critical_ = 0, selectionTime_ = 0, secondsPerSecond_ = 0;
+  std::int64_t examined_ = 0;
   std::string lost_;
 };
 
@@ -134,7 +134,7 @@ void addCutting(StudyEffort effort, StudyReport& report) {
   StudyTable table{"cutting",
                    "A bar cut four times, corotational; handlers keep the step that they began with, Verlet takes 0.95 "
                    "of the certified one",
-                   {"method", "selection", "after cut", "elements", "handled", "judged again", "judged in (ms)",
+                   {"method", "selection", "after cut", "elements", "handled", "evaluated again", "chosen in (ms)",
                     "critical step (ms)", "step (ms)", "seconds a simulated second", "energy/start", "lost"},
                    {}};
   const auto run = [&](const std::string& handler, Selection selection) {
@@ -148,8 +148,8 @@ void addCutting(StudyEffort effort, StudyReport& report) {
       table.rows.push_back(
           {handler.empty() ? "verlet" : handler, handler.empty() ? "" : std::string(selectionNames.nameOf(selection)),
            static_cast<std::int64_t>(done), static_cast<std::int64_t>(cutRun.body().mesh().elementCount()),
-           cutRun.handled(), cutRun.judged(), 1e3 * cutRun.judgingTime(), 1e3 * cutRun.critical(), 1e3 * cutRun.step(),
-           cutRun.secondsPerSecond(), cutRun.energy() / start, cutRun.lost()});
+           cutRun.handled(), cutRun.examined(), 1e3 * cutRun.selectionTime(), 1e3 * cutRun.critical(),
+           1e3 * cutRun.step(), cutRun.secondsPerSecond(), cutRun.energy() / start, cutRun.lost()});
     };
     goOn();
     for (const CutSurface& surface : fourCuts()) {

@@ -8,7 +8,7 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/random.h>
 #include <ringwatch/body/law_of_packs.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/verify/elements_studies.h>
 #include <ringwatch/verify/static_solver.h>
 

@@ -8,8 +8,8 @@
 #include <Eigen/Dense>
 
 #include <ringwatch/base/eigen_instances.h>
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/verify/elements_studies.h>
 #include <ringwatch/verify/static_solver.h>
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/verify/elements_studies.h>
 #include <ringwatch/verify/static_solver.h>
 

@@ -12,8 +12,8 @@
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/stability_limit.h>
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/verify/work_precision.h>
 
 namespace ringwatch {

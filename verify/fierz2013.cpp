@@ -13,8 +13,8 @@
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/adjacency.h>
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/verify/processor_time.h>
 
@@ -397,7 +397,7 @@ class Study {
         ran.x = X;
       }
       const MethodRun& own = keep(c.name, c.h, handled, ran);
-      judge(d, c, own);
+      compare(d, c, own);
       compareWithSource(own);
       if (ran.lost.empty() && d.poisson == 0.3 && c.name.find(',') == std::string::npos)
         picture(d).panels.push_back(surfaceOf(joinText(c.name, d.byForce ? ", force" : ", position"), body.mesh(),
@@ -423,12 +423,12 @@ class Study {
         {}};
     for (const MethodRun& run : runs_) table.rows.push_back(rowOf(run));
     report_.tables.push_back(std::move(table));
-    report_.tables.push_back(std::move(source_));
+    report_.tables.push_back(std::move(besideFierz_));
     return std::move(report_);
   }
 
  private:
-  void judge(const Deformation& d, const Contestant& c, const MethodRun& run) {
+  void compare(const Deformation& d, const Contestant& c, const MethodRun& run) {
     const std::string what =
         joinText(d.mesh, ", ", d.mode, d.byForce ? " by force, nu = " : " by position, nu = ", d.poisson, ", ", c.name);
     // What mass scaling does to the motion is its own affair.
@@ -453,9 +453,9 @@ class Study {
     const double theirs = sourceError(d, run.method),
                  ours = run.lost.empty() ? 1e3 * run.meanError : std::numeric_limits<double>::infinity();
     const bool unsolved = std::isnan(theirs);
-    source_.rows.push_back({std::string(d.mode), std::string(d.mesh), d.byForce ? "force" : "position", run.method,
-                            numberOr(theirs, "unsolvable"), numberOr(ours, "lost"),
-                            unsolved ? "a result" : (ours <= theirs ? "better" : "worse")});
+    besideFierz_.rows.push_back({std::string(d.mode), std::string(d.mesh), d.byForce ? "force" : "position", run.method,
+                                 numberOr(theirs, "unsolvable"), numberOr(ours, "lost"),
+                                 unsolved ? "a result" : (ours <= theirs ? "better" : "worse")});
   }
 
   /// A point for every deformation at nu = 0.3, by method.
@@ -485,10 +485,10 @@ class Study {
   std::span<const IntegratorEntry> integrators_;
   StudyReport report_;
   std::vector<MethodRun> runs_;
-  StudyTable source_{"source",
-                     "Mean errors beside Fierz 2013's (mm); its motions are the same in kind, not in size",
-                     {"mode", "mesh", "driven by", "handler", "source", "ours", "ours is"},
-                     {}};
+  StudyTable besideFierz_{"fierz2013",
+                          "Mean errors beside Fierz 2013's (mm); its motions are the same in kind, not in size",
+                          {"mode", "mesh", "driven by", "handler", "Fierz 2013", "ours", "ours is"},
+                          {}};
 };
 
 }  // namespace

@@ -12,8 +12,8 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/body_system.h>
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/verify/cutting.h>
 #include <ringwatch/verify/processor_time.h>
@@ -72,7 +72,7 @@ struct AllowedDrift {
 struct Variant {
   std::string name, handler;
   HandlerOptions options;
-  bool showsSelection = false;  // in the table of what selections leave to the rest
+  bool showsSelection = false;  // in the table of what selections leave to the explicit part
   /// Allowed mean errors over the largest displacement, in both forms. Not held to any: mass scaling, whose own affair
   /// the motion is, and passes that carry stress over one element where most are handled, which leaves the body far too
   /// soft.
@@ -272,7 +272,8 @@ void addMotion(const Motion& motion, StudyReport& report, StudyTable& selection,
       selection.rows.push_back({motion.name, motion.law, std::string(selectionNames.nameOf(variant.options.selection)),
                                 static_cast<std::int64_t>(body.mesh().elementCount()), handled, std::sqrt(left)});
       if (handler->certified())
-        checkBelow(report, joinText(motion.name, ", ", motion.law, ": h times the rest's highest frequency / 2"),
+        checkBelow(report,
+                   joinText(motion.name, ", ", motion.law, ": h times the explicit part's highest frequency / 2"),
                    std::sqrt(left), 1 - variant.options.margin);
     }
     const MotionRun run = compared(variant.name, h, handled, advance(body, *handler, motion.end, h));
@@ -358,10 +359,11 @@ StudyReport verifyHandlers(StudyEffort effort) {
   const bool full = effort == StudyEffort::full;
   StudyReport report;
   report.study = "handlers";
-  StudyTable selection{"selection",
-                       "What is handled, and h omega / 2 of the rest (stable to 1; certified is chosen to 0.9)",
-                       {"case", "law", "selection", "elements", "handled", "h omega/2 of the rest"},
-                       {}};
+  StudyTable selection{
+      "selection",
+      "What is handled, and h omega / 2 of the explicit part (stable to 1; certified is chosen to 0.9)",
+      {"case", "law", "selection", "elements", "handled", "h omega/2 of the explicit part"},
+      {}};
   StudyTable motions{"motions",
                      "Swinging under its weight: error against plain explicit at an eighth of its certified step",
                      {"case", "law", "handler", "step/certified", "handled", "mean error (mm)", "largest error (mm)",

@@ -7,7 +7,7 @@ namespace ringwatch {
 /// it could take without them, and a graded cube like Fierz 2013's (5 cm, small elements at one face) at 0.4/0.15 of
 /// its certified step.
 ///
-/// Tables: selection, what the certified and Fierz 2013's choice take, and the highest frequency of the rest,
+/// Tables: selection, what the certified and Fierz 2013's choice take, and the highest frequency of the explicit part,
 /// by Lanczos; motions, errors against plain explicit at a small step and computing time against plain
 /// explicit at its own certified step, in one program; energies, long runs of free, spinning, vibrating bars;
 /// cutting, see `addCutting`; resonance, where local time stepping is unstable (resonance.h).

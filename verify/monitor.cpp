@@ -12,9 +12,9 @@
 #include <ringwatch/body/free_dofs.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/global_frequency.h>
-#include <ringwatch/monitor/incremental_nodal_bound.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/incremental/incremental_nodal_bound.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/verify/monitor_studies.h>
 #include <ringwatch/verify/static_solver.h>

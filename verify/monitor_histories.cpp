@@ -11,9 +11,9 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/global_frequency.h>
-#include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/verify/monitor_studies.h>
 

@@ -6,9 +6,9 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/handlers/local_time_stepping.h>
+#include <ringwatch/handlers/local_time_stepping/local_time_stepping.h>
 #include <ringwatch/integrators/body_system.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/verify/oscillator.h>
 
 namespace ringwatch {

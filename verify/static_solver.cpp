@@ -5,7 +5,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/body/free_dofs.h>
-#include <ringwatch/monitor/symmetric_eigenpairs.h>
+#include <ringwatch/monitor/small/symmetric_eigenpairs.h>
 
 namespace ringwatch {
 

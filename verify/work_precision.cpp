@@ -12,9 +12,9 @@
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/partitioned_body_system.h>
 #include <ringwatch/integrators/stability_limit.h>
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/global_frequency.h>
-#include <ringwatch/monitor/stiff_elements.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/bounds/stiff_elements.h>
 
 namespace ringwatch {
 namespace {

@@ -22,7 +22,7 @@
 #include <ringwatch/gpu/device_certificate.h>
 #include <ringwatch/gpu/device_rings.h>
 #include <ringwatch/gpu/device_status.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/mesh_io.h>
 
 using namespace ringwatch;

@@ -7,8 +7,8 @@
 #include <bench/gpu/bench.h>
 #include <ringwatch/gpu/device_certificate.h>
 #include <ringwatch/gpu/device_imex_impl.h>
-#include <ringwatch/handlers/implicit_cluster.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/handlers/imex/implicit_cluster.h>
+#include <ringwatch/meshes/generators/generators.h>
 
 namespace ringwatch::bench {
 namespace {

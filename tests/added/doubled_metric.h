@@ -1,6 +1,6 @@
 #pragma once
-#include <ringwatch/monitor/element_metrics.h>
-#include <ringwatch/monitor/metrics.h>
+#include <ringwatch/monitor/metrics/element_metrics.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 
 namespace ringwatch::test {
 

@@ -1,7 +1,7 @@
 #pragma once
-#include <ringwatch/app/verify.h>
+#include <ringwatch/app/command/verify.h>
 #include <ringwatch/body/body.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 
 namespace ringwatch::test {
 

@@ -2,7 +2,7 @@
 #include <array>
 
 #include <ringwatch/base/host_device.h>
-#include <ringwatch/elements/cell_split.h>
+#include <ringwatch/elements/cell_subdivision.h>
 #include <ringwatch/elements/quadrature.h>
 
 namespace ringwatch::test {
@@ -56,7 +56,8 @@ struct Wedge15 {
       {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}};
   /// gmsh's middles of edges: 01 02 03 12 14 25 34 35 45.
   static constexpr std::array<std::uint8_t, nodes> gmshOrder{0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8, 10, 11};
-  static constexpr std::array<CellSplit, 1> cellSplits{{{name, 2, false, CellSplit::wedges, CellSplit::wedges}}};
+  static constexpr std::array<CellSubdivision, 1> cellSplits{
+      {{name, 2, false, CellSubdivision::wedges, CellSubdivision::wedges}}};
 
   /// With the area coordinates L = (1 - r - s, r, s) and z = ±ζ at the two ends: corners L_a (1 + z) (2 L_a - 2 + z)/2,
   /// middles of the triangles' edges 2 L_a L_b (1 + z), of the upright ones L_a (1 - ζ²) (Zienkiewicz & Taylor 2000).

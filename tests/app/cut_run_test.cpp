@@ -44,8 +44,8 @@ TEST_F(Program, CutsAndKeepsItsStep) {
   for (const Json* cut : {&first, &last}) {
     EXPECT_GE((*cut)["critical_step_at_most"].get<double>(), (*cut)["critical_step"]["after"]["safe"].get<double>());
     EXPECT_LT((*cut)["critical_step_at_most"].get<double>(), 6e-4);
-    EXPECT_LE((*cut)["elements_looked_at"].get<int>(), (*cut)["elements"]["after"].get<int>());
-    EXPECT_GE((*cut)["element_evaluations"].get<int>(), (*cut)["elements_looked_at"].get<int>());
+    EXPECT_LE((*cut)["elements_examined"].get<int>(), (*cut)["elements"]["after"].get<int>());
+    EXPECT_GE((*cut)["element_evaluations"].get<int>(), (*cut)["elements_examined"].get<int>());
   }
   EXPECT_EQ(first["handled_elements"]["before"], 0);
   EXPECT_GT(last["handled_elements"]["after"].get<int>(), 0);

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <ringwatch/app/device_stepper.h>
+#include <ringwatch/app/run/device_stepper.h>
 #include <ringwatch/meshes/mesh_io.h>
 
 #include "handled_program.h"

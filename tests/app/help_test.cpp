@@ -10,18 +10,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <ringwatch/app/exit_status.h>
-#include <ringwatch/app/help.h>
-#include <ringwatch/app/integrator_catalog.h>
-#include <ringwatch/app/scene_keys.h>
-#include <ringwatch/app/verify.h>
+#include <ringwatch/app/command/exit_status.h>
+#include <ringwatch/app/command/help.h>
+#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/command/verify.h>
+#include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/elements/registry.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/materials/registry.h>
-#include <ringwatch/meshes/generator_registry.h>
+#include <ringwatch/meshes/generators/generator_registry.h>
 #include <ringwatch/meshes/mesh_io.h>
-#include <ringwatch/monitor/metrics.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 
 #include "program.h"
 

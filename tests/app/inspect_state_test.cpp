@@ -2,9 +2,9 @@
 #include <cmath>
 #include <fstream>
 
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/formats/vtu_writer.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/mesh_io.h>
-#include <ringwatch/meshes/vtu_writer.h>
 
 #include <tests/handlers/handler_cases.h>
 #include "program.h"

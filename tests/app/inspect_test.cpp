@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/meshes/mesh_io.h>
-#include <ringwatch/monitor/metrics.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 
 #include "program.h"
 

@@ -1,5 +1,5 @@
 // The program with kinds of its own: each is one file and one line here.
-#include <ringwatch/app/command_line.h>
+#include <ringwatch/app/command/command_line.h>
 #include <ringwatch/body/register_element.h>
 #include <ringwatch/body/register_law.h>
 #include <tests/added/doubled_metric.h>

@@ -129,8 +129,8 @@ TEST_F(Registration, AnElementIsMeshedWrittenReadAndInspected) {
                                  "--metric all --json " +
                                  name + ".json");
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    const Json result = json(name + ".json"), step = result["critical_step"],
-               first = json("a.vtu.json")["critical_step"];
+    const Json result = json(name + ".json"), first = json("a.vtu.json")["critical_step"];
+    const Json& step = result["critical_step"];
     EXPECT_EQ(result["mesh"]["elements"]["wedge15"], 10);
     EXPECT_NEAR(result["mesh"]["volume"].get<double>(), 4e-5, 1e-18);
     EXPECT_LE(step["safe"].get<double>(), step["global"].get<double>() * (1 + 1e-9));

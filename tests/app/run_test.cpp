@@ -16,12 +16,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <ringwatch/app/device_stepper.h>
-#include <ringwatch/app/report.h>
-#include <ringwatch/app/scene.h>
+#include <ringwatch/app/output/report.h>
+#include <ringwatch/app/run/device_stepper.h>
+#include <ringwatch/app/scene/scene.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/mesh_io.h>
-#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 
 #include "program.h"
 

@@ -1,4 +1,4 @@
-#include <ringwatch/app/scene.h>
+#include <ringwatch/app/scene/scene.h>
 
 #include <map>
 #include <string>
@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <ringwatch/app/scene_keys.h>
+#include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/base/error.h>
 
 #include "temporary_folder.h"

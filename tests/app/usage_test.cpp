@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <ringwatch/app/report.h>
+#include <ringwatch/app/output/report.h>
 
 #include "program.h"
 

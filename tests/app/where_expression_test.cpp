@@ -1,4 +1,4 @@
-#include <ringwatch/app/where_expression.h>
+#include <ringwatch/app/scene/where_expression.h>
 
 #include <random>
 #include <string>

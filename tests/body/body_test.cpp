@@ -394,6 +394,7 @@ TEST(Body, AddsItsBlocksUp) {
   // A hexahedral box beside a tetrahedral one, apart, with materials of their own.
   const Mesh hex = test::distortedBox("hex8", {3, 3, 3}), tet = test::distortedBox("tet4", {3, 2, 2});
   Mesh both = hex;
+  both.nodeIds.clear();
   const auto shift = static_cast<std::int32_t>(hex.nodeCount());
   both.X.conservativeResize(3, hex.X.cols() + tet.X.cols());
   both.X.rightCols(tet.X.cols()) = tet.X.colwise() + Eigen::Vector3d(1, 0, 0);
@@ -473,6 +474,7 @@ TEST(BlockMatrix, AddsUpOverPatchesAndMeshBlocks) {
     whole.connectivity.resize(static_cast<std::size_t>(middle));
     whole.ids.clear();
     half.ids.clear();
+    mesh.elementSets.clear();
     mesh.blocks.push_back(half);
     const Body body(mesh, makeMaterial("stvk", 30e3, 0.3, 1000), {{}, Lumping::rowSum, 2});
     ASSERT_GE(body.blocks()[0]->layout().patches.size(), 2u);

@@ -7,7 +7,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/body/tangent_source.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <tests/support/random.h>
 
 namespace ringwatch {

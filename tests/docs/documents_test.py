@@ -153,6 +153,13 @@ class Documents:
                 if not stem.exists() and not list(stem.parent.glob(stem.name + ".*")):
                     self.fault(path, line, f"there is no {span}")
 
+        path, rooms = self.first_column("CONTRIBUTING.md", "| room |")
+        there = {f"{p.parent.parent.name}/{p.parent.name}/" for folder in re.findall(
+            r"^(\w+):", (self.source / "cmake/layers.txt").read_text(encoding="utf-8"), re.M)
+            for p in self.source.glob(f"{folder}/*/*.*")}
+        if there != set(rooms):
+            self.fault(path, 1, f"rooms of folders: the document has {sorted(rooms)}, there are {sorted(there)}")
+
     # ---- lists
 
     def check_invocation(self, path, line, command):
@@ -238,8 +245,8 @@ class Documents:
                 inside = True
             elif inside and not line.startswith("|"):
                 break
-            elif inside and (match := re.match(r"\| `([^`]+)` \|", line)):
-                found.append(match[1])
+            elif inside and line.startswith("| `"):
+                found += re.findall(r"`([^`]+)`", line.split("|")[1])
         return path, found
 
     def same(self, path, what, found, topic, names=None):

@@ -51,6 +51,7 @@ class SeededFaults(unittest.TestCase):
         self.expect("links", "there is no folder python/", "CONTRIBUTING.md", "`docs/`", "`docs/`, `python/`")
         self.expect("links", "there is no handlers/registry.h", "CONTRIBUTING.md", "`handlers/registry.cpp`",
                     "`handlers/registry.h`")
+        self.expect("links", "rooms of folders", "CONTRIBUTING.md", "`handlers/fe_pbd/`, ", "")
 
     def test_invocations(self):
         self.expect("lists", "there is no such topic", "README.md", "`ringwatch help scene`", "`ringwatch help sceen`")
@@ -69,7 +70,7 @@ class SeededFaults(unittest.TestCase):
         self.expect("lists", "laws: the document has", "README.md", "`corotational`", "")
         self.expect("lists", "mesh formats: the document has", "README.md", "`.inp`", "")
         self.expect("lists", "elements: the document has", "docs/elements.md", "| `hex20` | 20", "| `hex27` | 20")
-        self.expect("lists", "the rules of wedge6 are", "docs/elements.md", "`gauss-3x2`, `source`", "`source`")
+        self.expect("lists", "the rules of wedge6 are", "docs/elements.md", "`gauss-3x2`, `fierz2013`", "`fierz2013`")
         self.expect("lists", "monitor.mode: the document has", "docs/monitor.md", "| `threshold` |", "| `certify` |")
         self.expect("lists", "the handler modal-filter has no section", "docs/handlers.md", "## modal-filter", "## filters")
 

@@ -51,6 +51,12 @@ TEST(ElementRegistry, FindsNothingUnderUnknownNames) {
 TEST(ElementRegistry, FindsRulesByNameAndTheFirstByDefault) {
   for (const ElementInfo& info : allElements()) {
     EXPECT_EQ(findRule(info, ""), &info.rules[0]);
+    for (const QuadratureRule& rule : info.rules) {
+      EXPECT_EQ(findRule(info, rule.name), &rule);
+      if (!rule.alias.empty()) {
+        EXPECT_EQ(findRule(info, rule.alias), &rule);
+      }
+    }
     for (const QuadratureRule& rule : info.rules) EXPECT_EQ(findRule(info, rule.name), &rule);
     EXPECT_EQ(findRule(info, "simpson"), nullptr);
   }

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <ringwatch/body/body.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 
 /// Meshes, states and bodies of the GPU's tests.
 namespace ringwatch {

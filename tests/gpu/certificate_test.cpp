@@ -4,7 +4,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/gpu/device_certificate_impl.h>
-#include <ringwatch/monitor/nodal_bound.h>
+#include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <tests/gpu/cases.h>
 #include <tests/gpu/checks.h>
 

@@ -7,7 +7,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/gpu/device_body_impl.h>
 #include <ringwatch/gpu/device_status.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <tests/gpu/cases.h>
 #include <tests/gpu/checks.h>
 

@@ -5,7 +5,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/gpu/device_imex_impl.h>
-#include <ringwatch/handlers/implicit_cluster.h>
+#include <ringwatch/handlers/imex/implicit_cluster.h>
 #include <tests/gpu/cases.h>
 #include <tests/gpu/checks.h>
 

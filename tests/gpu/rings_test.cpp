@@ -4,7 +4,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/gpu/device_rings_impl.h>
-#include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <tests/gpu/cases.h>
 #include <tests/gpu/checks.h>
 

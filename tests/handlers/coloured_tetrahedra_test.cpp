@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include <ringwatch/handlers/relaxed_tetrahedra.h>
-#include <ringwatch/handlers/turned_tetrahedron.h>
+#include <ringwatch/handlers/fe_pbd/relaxed_tetrahedra.h>
+#include <ringwatch/handlers/tetrahedra/turned_tetrahedron.h>
 #include <tests/handlers/handler_cases.h>
 
 namespace ringwatch {

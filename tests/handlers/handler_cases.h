@@ -8,7 +8,7 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/handlers/handler.h>
-#include <ringwatch/handlers/selection.h>
+#include <ringwatch/handlers/selection/selection.h>
 #include <ringwatch/integrators/body_system.h>
 #include <tests/support/body_cases.h>
 #include <tests/support/dense.h>

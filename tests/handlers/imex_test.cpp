@@ -9,7 +9,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/handlers/imex.h>
+#include <ringwatch/handlers/imex/imex.h>
 #include <tests/handlers/handler_cases.h>
 
 namespace ringwatch {

@@ -11,8 +11,8 @@
 #include <Eigen/LU>
 
 #include <ringwatch/base/eigen_instances.h>
-#include <ringwatch/handlers/cluster_matrix.h>
-#include <ringwatch/handlers/implicit_cluster.h>
+#include <ringwatch/handlers/imex/cluster_matrix.h>
+#include <ringwatch/handlers/imex/implicit_cluster.h>
 #include <tests/handlers/handler_cases.h>
 
 namespace ringwatch {

@@ -7,10 +7,10 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/handler.h>
-#include <ringwatch/handlers/incremental_selection.h>
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/global_frequency.h>
-#include <ringwatch/monitor/nodal_bound.h>
+#include <ringwatch/handlers/selection/incremental_selection.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <tests/handlers/handler_cases.h>
 
 namespace ringwatch {
@@ -20,9 +20,9 @@ using test::denseHighest;
 
 /// The claim: explicit elements below the nodal sums, these below lambda M.
 void expectProof(const Body& body, const NodeVectors& x, double lambda, const CertifiedSelection& selection) {
-  EXPECT_LE(selection.rest.value, lambda);
+  EXPECT_LE(selection.explicitPart.value, lambda);
   const Eigen::MatrixXd K = test::stiffnessOf(body, x, selection.chosen, false);
-  EXPECT_LE(denseHighest(body, K, body.lumpedMass()), selection.rest.value * (1 + 1e-9));
+  EXPECT_LE(denseHighest(body, K, body.lumpedMass()), selection.explicitPart.value * (1 + 1e-9));
   Eigen::MatrixXd excess = K;
   for (std::int32_t i = 0; i < body.nodeCount(); ++i) excess.block<3, 3>(3 * i, 3 * i) -= selection.nodalSums[i];
   EXPECT_LE(denseHighest(body, excess, Eigen::VectorXd::Ones(body.nodeCount())), 1e-9 * K.norm());
@@ -111,11 +111,11 @@ TEST(IncrementalSelection, EvaluatesLittleOfALargeMeshAfterASmallCut) {
     const auto elements = static_cast<std::int64_t>(cut.mesh.elementCount());
     EXPECT_GT(chosenElements(selection.chosen).size(), 0u);
     EXPECT_LT(kept.evaluatedElements(), elements / 5) << law;
-    EXPECT_LE(selection.rest.value, lambda);
+    EXPECT_LE(selection.explicitPart.value, lambda);
     EXPECT_LE(kept.verify(after, xCut), followRounding);
     if (std::string_view(law) == "corotational") {
       const Body rest(after, complement(selection.chosen));
-      EXPECT_LE(globalFrequency(rest, xCut).lambda, selection.rest.value * (1 + 1e-6));
+      EXPECT_LE(globalFrequency(rest, xCut).lambda, selection.explicitPart.value * (1 + 1e-6));
     }
     // About as good as the choice from scratch, at a small share of its evaluations.
     const CertifiedSelection fromScratch = selectCertified(after, xCut, lambda);

@@ -1,8 +1,8 @@
 // Finer levels of adaptive along a run: who is called proven is, by dense eigenvalues, and stiffening is seen.
 #include <gtest/gtest.h>
 
-#include <ringwatch/handlers/level_watch.h>
-#include <ringwatch/handlers/local_time_stepping.h>
+#include <ringwatch/handlers/local_time_stepping/level_watch.h>
+#include <ringwatch/handlers/local_time_stepping/local_time_stepping.h>
 #include <ringwatch/integrators/integrator.h>
 #include <tests/handlers/handler_cases.h>
 

@@ -10,7 +10,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/handlers/local_time_stepping.h>
+#include <ringwatch/handlers/local_time_stepping/local_time_stepping.h>
 #include <tests/handlers/handler_cases.h>
 
 namespace ringwatch {

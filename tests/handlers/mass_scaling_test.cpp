@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/handlers/lowest_frequencies.h>
-#include <ringwatch/handlers/mass_scaling.h>
+#include <ringwatch/handlers/mass_scaling/lowest_frequencies.h>
+#include <ringwatch/handlers/mass_scaling/mass_scaling.h>
 #include <tests/handlers/handler_cases.h>
 
 namespace ringwatch {

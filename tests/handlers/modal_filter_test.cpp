@@ -8,8 +8,8 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/handlers/filtered_stiffness.h>
-#include <ringwatch/handlers/modal_filter.h>
+#include <ringwatch/handlers/modal_filter/filtered_stiffness.h>
+#include <ringwatch/handlers/modal_filter/modal_filter.h>
 #include <ringwatch/meshes/quality.h>
 #include <tests/handlers/handler_cases.h>
 
@@ -258,6 +258,7 @@ TEST(ModalFilter, HoldsAnIsolatedSliverWithAnyNodesFixed) {
     mesh.blocks[0].connectivity = {0, 1, 2, 3};
     mesh.blocks[0].ids = {1};
     mesh.nodeSets.clear();
+    mesh.elementSets.clear();
     mesh.nodeIds.clear();
     Body body(mesh, makeMaterial("corotational", test::young, test::poisson, test::density), {{}, Lumping::rowSum, 1});
     for (int n = 0; n < fixed; ++n) body.constraints().fix(n);

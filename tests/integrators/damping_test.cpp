@@ -7,8 +7,8 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/stability_limit.h>
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/verify/oscillator.h>
 #include <tests/support/random.h>

@@ -19,9 +19,9 @@
 #include <ringwatch/integrators/sundials/additive.h>
 #include <ringwatch/integrators/sundials/implicit.h>
 #include <ringwatch/integrators/sundials/registry.h>
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/global_frequency.h>
-#include <ringwatch/monitor/stiff_elements.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/bounds/stiff_elements.h>
 #include <ringwatch/verify/integrators.h>
 #include <ringwatch/verify/oscillator.h>
 

@@ -105,7 +105,8 @@ TYPED_TEST(LawTest, ModulusIsSymmetric) {
 
 TYPED_TEST(LawTest, NodeBlocksAreTheModulusBetweenTwoGradients) {
   test::Random random(12);
-  for (const auto& [kind, F] : this->domain()) {
+  for (const auto& [kind, deformation] : this->domain()) {
+    const Eigen::Matrix3d& F = deformation;  // a name that a requires-expression may use
     const auto A = this->modulus(F);
     const Eigen::Vector3d first = random.vector(1), second = random.vector(1);
     Eigen::Matrix3d expected = Eigen::Matrix3d::Zero();

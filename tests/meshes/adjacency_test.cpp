@@ -1,6 +1,6 @@
 #include <ringwatch/meshes/adjacency.h>
 
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 
 #include "tests/meshes/mesh_test_tools.h"
 

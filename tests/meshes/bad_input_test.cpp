@@ -2,9 +2,9 @@
 
 #include <cstring>
 
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/formats/mesh_readers.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/mesh_io.h>
-#include <ringwatch/meshes/mesh_readers.h>
 #include <ringwatch/meshes/quality.h>
 
 #include "tests/meshes/mesh_test_tools.h"

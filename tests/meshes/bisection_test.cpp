@@ -5,9 +5,9 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/adjacency.h>
-#include <ringwatch/meshes/bisection.h>
 #include <ringwatch/meshes/check.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/meshes/modify/bisection.h>
 #include <ringwatch/meshes/quality.h>
 
 #include "tests/meshes/mesh_test_tools.h"

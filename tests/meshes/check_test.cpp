@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/quality.h>
 

@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 
 #include <ringwatch/meshes/check.h>
-#include <ringwatch/meshes/cut.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/meshes/modify/cut.h>
 #include <ringwatch/meshes/quality.h>
 
 #include "tests/meshes/mesh_test_tools.h"

@@ -8,8 +8,8 @@
 
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/check.h>
-#include <ringwatch/meshes/generator_registry.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generator_registry.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/quality.h>
 
 #include "tests/meshes/mesh_test_tools.h"
@@ -21,7 +21,7 @@ using namespace test;
 using ::testing::HasSubstr;
 
 TEST(Generators, EverySplitFillsTheBoxExactlyAndConformingly) {
-  for (const CellSplit& split : allCellSplits())
+  for (const CellSubdivision& split : allCellSubdivisions())
     for (const std::array<int, 3> cells : {std::array{1, 1, 1}, std::array{2, 3, 4}, std::array{5, 2, 3}})
       for (const double jitter : {0.0, 0.15}) {
         SCOPED_TRACE(joinText(split.element, " ", split.elementsPerCell, " ", cells[0], " ", jitter));
@@ -88,7 +88,7 @@ TEST(Generators, GradingIsTheRatioOfLastToFirstCell) {
 }
 
 TEST(Generators, BallsArePositiveAndConvergeToTheBall) {
-  for (const CellSplit& split : allCellSplits()) {
+  for (const CellSubdivision& split : allCellSubdivisions()) {
     double previous = 0;
     for (const int cells : {1, 2, 3, 4, 8, 16}) {
       const Mesh mesh = generateBall(

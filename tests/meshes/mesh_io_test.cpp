@@ -1,7 +1,7 @@
 #include <bit>
 #include <cstring>
 
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/quality.h>
 

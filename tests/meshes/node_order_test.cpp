@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/node_order.h>
 
 namespace ringwatch {

@@ -4,7 +4,7 @@
 
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/check.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/quality.h>
 
@@ -21,8 +21,8 @@ BarOptions anyBar() {
     o.cells[k] = *rc::gen::inRange(1, 5);
     o.size[k] = *rc::gen::inRange(1, 100) * 1e-2;
   }
-  const auto splits = allCellSplits();
-  const CellSplit& split = splits[*rc::gen::inRange<std::size_t>(0, splits.size())];
+  const auto splits = allCellSubdivisions();
+  const CellSubdivision& split = splits[*rc::gen::inRange<std::size_t>(0, splits.size())];
   o.element = split.element;
   o.split = split.elementsPerCell;
   o.jitter = *rc::gen::inRange(0, 12) * 1e-2;

@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 
 #include "tests/meshes/mesh_test_tools.h"
 

@@ -1,4 +1,4 @@
-#include <ringwatch/meshes/vtu_writer.h>
+#include <ringwatch/meshes/formats/vtu_writer.h>
 
 #include <gmock/gmock.h>
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/monitor/metrics.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <tests/monitor/monitor_cases.h>
 

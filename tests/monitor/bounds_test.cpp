@@ -4,9 +4,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/monitor/metrics.h>
-#include <ringwatch/monitor/rayleigh.h>
-#include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/monitor/bounds/rayleigh.h>
+#include <ringwatch/monitor/bounds/reduced_ring.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <tests/monitor/bounds_fault.h>
 #include <tests/monitor/monitor_cases.h>

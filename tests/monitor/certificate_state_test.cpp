@@ -3,9 +3,9 @@
 
 #include <Eigen/Geometry>
 
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/local_update.h>
-#include <ringwatch/monitor/run_certificate.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/incremental/local_update.h>
+#include <ringwatch/monitor/incremental/run_certificate.h>
 #include <tests/monitor/monitor_cases.h>
 
 namespace ringwatch {

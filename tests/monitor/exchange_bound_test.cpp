@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/monitor/exchange_bound.h>
-#include <ringwatch/monitor/packed_jacobi.h>
+#include <ringwatch/monitor/bounds/exchange_bound.h>
+#include <ringwatch/monitor/small/packed_jacobi.h>
 #include <tests/monitor/monitor_cases.h>
 
 namespace ringwatch {

@@ -9,7 +9,7 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/pack.h>
-#include <ringwatch/monitor/extreme_eigenvalues.h>
+#include <ringwatch/monitor/small/extreme_eigenvalues.h>
 #include <tests/support/dense.h>
 #include <tests/support/random.h>
 

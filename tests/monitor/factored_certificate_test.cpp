@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/monitor/factored_certificate.h>
+#include <ringwatch/monitor/bounds/factored_certificate.h>
 #include <tests/monitor/monitor_cases.h>
 
 namespace ringwatch {

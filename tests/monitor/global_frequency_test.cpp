@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <tests/monitor/monitor_cases.h>
 
 namespace ringwatch {

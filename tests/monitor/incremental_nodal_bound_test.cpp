@@ -5,9 +5,9 @@
 #include <Eigen/Geometry>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/incremental_nodal_bound.h>
-#include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/bounds/reduced_ring.h>
+#include <ringwatch/monitor/incremental/incremental_nodal_bound.h>
 #include <tests/monitor/monitor_cases.h>
 
 namespace ringwatch {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/monitor/lanczos_bound.h>
+#include <ringwatch/monitor/bounds/lanczos_bound.h>
 #include <tests/monitor/monitor_cases.h>
 
 namespace ringwatch {

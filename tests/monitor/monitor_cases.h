@@ -5,7 +5,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/body.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <tests/support/random.h>
 #include <tests/support/registry_types.h>
 
@@ -58,8 +58,8 @@ struct Cut {
 /// Every split of the library into linear elements, and boxes of two blocks.
 inline std::vector<Cut> allCuts() {
   std::vector<Cut> cuts;
-  std::vector<CellSplit> whole;  // splits that add no nodes to the cells' corners, the first of each element
-  for (const CellSplit& split : allCellSplits()) {
+  std::vector<CellSubdivision> whole;  // splits that add no nodes to the cells' corners, the first of each element
+  for (const CellSubdivision& split : allCellSubdivisions()) {
     // Dense eigenvalues at every step of a run take minutes with the 60 degrees of freedom of a quadratic element.
     if (findElementByName(split.element)->order > 1) continue;
     cuts.push_back({joinText(split.element, "_", split.elementsPerCell), std::string(split.element),

@@ -3,7 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/monitor/nodal_bound.h>
+#include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <tests/monitor/monitor_cases.h>
 
 namespace ringwatch {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/monitor/global_frequency.h>
-#include <ringwatch/monitor/metrics.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <tests/monitor/monitor_cases.h>
 

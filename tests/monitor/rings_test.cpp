@@ -9,7 +9,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/quality.h>
-#include <ringwatch/monitor/metrics.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 #include <tests/monitor/monitor_cases.h>
 #include <tests/support/dense.h>
 

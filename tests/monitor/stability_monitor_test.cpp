@@ -8,8 +8,8 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/energy_balance.h>
-#include <ringwatch/monitor/global_frequency.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <tests/monitor/monitor_cases.h>
 
@@ -44,7 +44,7 @@ void expectText(const Body& body, const MonitorEvent& event, const std::vector<s
   EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 
-TEST(StabilityMonitor, JudgesAStepByTheBracket) {
+TEST(StabilityMonitor, ChecksAStepByTheBracket) {
   for (const Cut& cut : test::allCuts()) {
     const Body body = test::boxBody(cut, "stvk");
     const NodeVectors& X = body.mesh().X;
@@ -509,7 +509,7 @@ TEST(StabilityMonitor, EvaluatesEveryNthStep) {
   }
 }
 
-TEST(StabilityMonitor, JudgesTheStepAgainstTheBracketItKeeps) {
+TEST(StabilityMonitor, ChecksTheStepAgainstTheBracketItKeeps) {
   const Body body = test::boxBody(test::allCuts()[0], "stvk");
   MonitorOptions options;
   options.every = 10;

@@ -7,7 +7,7 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/pack.h>
-#include <ringwatch/monitor/symmetric3.h>
+#include <ringwatch/monitor/small/symmetric3.h>
 #include <tests/support/random.h>
 
 namespace ringwatch {

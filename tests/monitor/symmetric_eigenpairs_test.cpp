@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <ringwatch/base/eigen_instances.h>
-#include <ringwatch/monitor/symmetric_eigenpairs.h>
+#include <ringwatch/monitor/small/symmetric_eigenpairs.h>
 #include <tests/support/random.h>
 
 namespace ringwatch {

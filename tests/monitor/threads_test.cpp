@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/bounds/nodal_bound.h>
+#include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <ringwatch/monitor/energy_balance.h>
-#include <ringwatch/monitor/global_frequency.h>
-#include <ringwatch/monitor/metrics.h>
-#include <ringwatch/monitor/nodal_bound.h>
-#include <ringwatch/monitor/reduced_ring.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <tests/monitor/monitor_cases.h>
 

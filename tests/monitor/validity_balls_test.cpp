@@ -9,9 +9,9 @@
 #include <Eigen/Dense>
 
 #include <ringwatch/body/body.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/energy_balance.h>
-#include <ringwatch/monitor/validity_balls.h>
+#include <ringwatch/monitor/incremental/validity_balls.h>
 #include <tests/support/random.h>
 
 namespace ringwatch {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/mesh.h>
 #include <tests/support/random.h>
 
@@ -14,7 +14,9 @@ namespace ringwatch::test {
 using Cells = std::array<int, 3>;
 
 /// The usual split of a cell into this element.
-inline const CellSplit& cellSplit(std::string_view element) { return findElementByName(element)->cellSplits.front(); }
+inline const CellSubdivision& cellSplit(std::string_view element) {
+  return findElementByName(element)->cellSplits.front();
+}
 
 /// A box of nx×ny×nz cells, corner at the origin, nodes moved at random by up to jitter × cell size.
 inline Mesh gridMesh(std::string_view element, Cells cells, const Eigen::Vector3d& size, double jitter = 0,

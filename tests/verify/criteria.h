@@ -9,7 +9,7 @@
 
 #include <ringwatch/verify/report.h>
 
-/// The limits of the studies, stated a second time: whoever loosens one in a study has to loosen it here too.
+/// The limits of the studies, stated a second time: a limit loosened in a study must be loosened here too.
 namespace ringwatch::test {
 
 /// What a limit rests on.

@@ -73,11 +73,11 @@ TEST(ElementStudy, ShowsTheDeficientRules) {
   std::set<std::string> deficient;
   for (const auto& row : test::tableOf(report(), "rank").rows) {
     const std::string rule = std::get<std::string>(row[0]) + " " + std::get<std::string>(row[1]);
-    const std::int64_t expected = rule == "wedge6 source" ? 1 : rule == "hex20 gauss-2x2x2" ? 6 : 0;
+    const std::int64_t expected = rule == "wedge6 fierz2013" ? 1 : rule == "hex20 gauss-2x2x2" ? 6 : 0;
     EXPECT_EQ(std::get<std::int64_t>(row[4]), expected) << rule;
     if (std::get<std::string>(row[7]) == "deficient") deficient.insert(rule);
   }
-  EXPECT_EQ(deficient, (std::set<std::string>{"wedge6 source", "hex20 gauss-2x2x2"}));
+  EXPECT_EQ(deficient, (std::set<std::string>{"wedge6 fierz2013", "hex20 gauss-2x2x2"}));
 }
 
 TEST(ElementStudy, DrawsWhatItMeasured) {

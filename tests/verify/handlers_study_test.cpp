@@ -43,7 +43,7 @@ TEST(HandlersStudy, HoldsHandlersToTheirCriteria) {
        {"graded cube, *, local-time-stepping: mean error", 0.012, Basis::measured},
        {"graded cube, *, local-time-stepping, no dissipation: mean error", 3.2e-3, Basis::measured},
        {"graded cube, *, local-time-stepping, fierz-ring: mean error", 0.013, Basis::measured},
-       {"*: h times the rest's highest frequency / 2", 0.9, Basis::theory},
+       {"*: h times the explicit part's highest frequency / 2", 0.9, Basis::theory},
        // A tangent that turns with its element feeds a little energy in, which dissipation takes out again.
        {"*, imex, 4000 steps: largest energy", 5e-5, Basis::measured},
        {"*, imex, cg, 4000 steps: largest energy", 3e-5, Basis::measured},
@@ -63,7 +63,7 @@ TEST(HandlersStudy, HoldsHandlersToTheirCriteria) {
        {"*, local-time-stepping, 4000 steps: angular momentum error", 9e-5, Basis::measured},
        {"*, local-time-stepping, fierz-ring, 4000 steps: angular momentum error", 1.2e-4, Basis::measured},
        {"*, 4000 steps: angular momentum error", 2e-14, Basis::rounding},
-       // The energy of Verlet swings with its step; the rest is lost to dissipation and passes.
+       // The energy of Verlet swings with its step; what is missing is lost to dissipation and passes.
        {"cutting, verlet: largest energy over four cuts / start", 3.5e-3, Basis::measured},
        {"cutting, *: largest energy over four cuts / start", 1e-3, Basis::measured},
        {"cutting, verlet: energy after four cuts / start", 0.009, Basis::measured},

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/body/body.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 
 namespace ringwatch {
 namespace {
@@ -27,7 +27,7 @@ TEST(Lumping, DiagonalScalingOfTheQuadraticTetrahedronGivesCornersOne36thAndMidd
 }
 
 TEST(Lumping, EveryNodeOfEveryElementHasPositiveMassUnderEveryScheme) {
-  for (const CellSplit& split : allCellSplits())
+  for (const CellSubdivision& split : allCellSubdivisions())
     for (const Lumping lumping : {Lumping::rowSum, Lumping::equal, Lumping::diagonalScaling}) {
       BarOptions options;
       options.cells = {3, 2, 2};

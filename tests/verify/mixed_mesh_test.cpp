@@ -11,10 +11,10 @@
 #include <ringwatch/integrators/stormer_verlet.h>
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/check.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/mesh_io.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/energy_balance.h>
-#include <ringwatch/monitor/global_frequency.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch {

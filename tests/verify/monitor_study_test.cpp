@@ -3,7 +3,7 @@
 
 #include <ringwatch/elements/registry.h>
 #include <ringwatch/materials/registry.h>
-#include <ringwatch/monitor/metrics.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/verify/monitor.h>
 
 #include "criteria.h"

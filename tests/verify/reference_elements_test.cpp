@@ -11,8 +11,8 @@
 #include <ringwatch/body/free_dofs.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/stormer_verlet.h>
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/verify/static_solver.h>
 #include <tests/verify/reference_elements.h>
 

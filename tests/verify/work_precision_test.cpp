@@ -7,8 +7,8 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
-#include <ringwatch/meshes/generators.h>
-#include <ringwatch/monitor/global_frequency.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/verify/work_precision.h>
 
 #include "report_tools.h"

@@ -5,7 +5,7 @@
 
 #include <ringwatch/body/register_element.h>
 #include <ringwatch/integrators/body_system.h>
-#include <ringwatch/meshes/generators.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
 #include "own_kinds.h"

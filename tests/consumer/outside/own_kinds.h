@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include <ringwatch/base/host_device.h>
-#include <ringwatch/elements/cell_split.h>
+#include <ringwatch/elements/cell_subdivision.h>
 #include <ringwatch/elements/quadrature.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/integrator.h>
-#include <ringwatch/monitor/metrics.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 
 namespace outside {
 
@@ -50,7 +50,7 @@ struct Voxel8 {
   static constexpr std::array<std::array<int, 2>, 12> edges{
       {{0, 1}, {1, 3}, {3, 2}, {2, 0}, {4, 5}, {5, 7}, {7, 6}, {6, 4}, {0, 4}, {1, 5}, {3, 7}, {2, 6}}};
   static constexpr std::array<std::uint8_t, 8> corners{0, 1, 2, 3, 4, 5, 6, 7};
-  static constexpr std::array<ringwatch::CellSplit, 1> cellSplits{{{name, 1, false, corners, corners}}};
+  static constexpr std::array<ringwatch::CellSubdivision, 1> cellSplits{{{name, 1, false, corners, corners}}};
 
   template <class S>
   RINGWATCH_HOST_DEVICE static constexpr void shape(const S xi[3], S N[nodes]) {

@@ -1,0 +1,575 @@
+#include <ringwatch/app/command/command_line.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <map>
+#include <new>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <ringwatch/app/command/compare.h>
+#include <ringwatch/app/command/exit_status.h>
+#include <ringwatch/app/command/help.h>
+#include <ringwatch/app/command/inspect.h>
+#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/command/process.h>
+#include <ringwatch/app/command/progress.h>
+#include <ringwatch/app/command/verify.h>
+#include <ringwatch/app/output/report.h>
+#include <ringwatch/app/run/runner.h>
+#include <ringwatch/app/scene/scene_keys.h>
+#include <ringwatch/app/scene/scene_mesh.h>
+#include <ringwatch/base/atomic_file.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
+#include <ringwatch/integrators/integrator.h>
+#include <ringwatch/meshes/mesh_io.h>
+#include <ringwatch/monitor/metrics/metrics.h>
+
+namespace ringwatch {
+namespace {
+
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+
+extern "C" void onInterrupt(int) { interrupted.store(true); }
+
+/// While it lives, Ctrl-C, SIGTERM and a terminal that closes ask the run to end after its step; a second one ends the
+/// program. A hang-up that is ignored (nohup) stays ignored.
+class InterruptGuard {
+ public:
+  InterruptGuard() {
+    interrupted.store(false);
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      sigaction(signals[i], nullptr, &old_[i]);
+      if (signals[i] == SIGHUP && old_[i].sa_handler == SIG_IGN) continue;
+      struct sigaction action {};
+      action.sa_handler = onInterrupt;
+      action.sa_flags = static_cast<int>(SA_RESETHAND);
+      sigemptyset(&action.sa_mask);
+      sigaction(signals[i], &action, nullptr);
+    }
+  }
+  ~InterruptGuard() {
+    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &old_[i], nullptr);
+  }
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+ private:
+  static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, signals.size()> old_{};
+};
+
+/// Where the help of a command sends for what is not its own.
+std::string seeTopics(std::string_view topics) { return fmt::format("More: ringwatch help {}\n", topics); }
+
+/// What the help of every command says of its exit status.
+constexpr const char* exitStatusHint =
+    "\nExit status: 0 when all is well; ringwatch help exit-status has the table of the others.";
+
+std::string mainFooter() {
+  return std::string(unitsText) + "\n" + findHelpTopic("exit-status")->text() +
+         "\n"
+         "Examples:\n"
+         "  ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 -o bar.msh\n"
+         "  ringwatch inspect bar.msh --young 30e3 --poisson 0.3 --density 1000 --metric all --global\n"
+         "  ringwatch run examples/stretch_bar.toml --out out/stretch_bar\n"
+         "  ringwatch compare examples/swinging_bar.toml --integrators all --out out/compare\n"
+         "  ringwatch run scene.toml --set integrator.step=1e-4 --set output.every=0.01\n\n"
+         "Topics of ringwatch help TOPIC:\n" +
+         helpTopicListing();
+}
+
+/// A word of a message is shown to this length: file names fit in, and no argument fills the screen.
+constexpr std::size_t longestWord = 400;
+
+/// A text on one line, with every word shortened: what reaches standard error must not break it.
+std::string oneLine(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  std::string result;
+  for (char c : text) {
+    const bool space = c == '\n' || c == '\r' || c == '\t';
+    if (!space || (!result.empty() && result.back() != ' '))
+      result += space ? ' ' : static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+  }
+  for (std::size_t begin = 0; begin < result.size();) {
+    const std::size_t end = std::min(result.find(' ', begin), result.size());
+    if (end - begin > longestWord) {
+      const std::string word = shortened(std::string_view(result).substr(begin, end - begin), longestWord);
+      result.replace(begin, end - begin, word);
+      begin += word.size() + 1;
+    } else {
+      begin = end + 1;
+    }
+  }
+  return result;
+}
+
+/// To standard error. A closed standard error does not change how the program ends.
+void tell(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+ExitStatus complain(const std::string& text, ExitStatus status) {
+  tell(fmt::format("ringwatch: {}\n", oneLine(text)));
+  return status;
+}
+
+/// Human-readable text or JSON, to standard output. Throws when it cannot be written, e.g. on a full disk.
+void printOut(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw InputError("cannot write to standard output");
+}
+
+struct RunCommand {
+  std::string scene, folder;
+  std::vector<std::string> overrides;
+  int threads = 0;
+  bool quiet = false, helpScene = false, requireCertified = false;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
+    command->add_option("SCENE", scene, "scene file (TOML); see ringwatch help scene");
+    command->add_option("--out", folder,
+                        "folder for the results, made when missing (default: out/ and the scene's name)");
+    command->add_option("--set", overrides, "section.key=value, replaces the value of the scene; may be given again")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--threads", threads,
+                     "threads (default: as many as the mesh keeps busy); results do not depend on it")
+        ->check(CLI::Range(0, 4096));
+    command->add_flag("--require-certified", requireCertified,
+                      "exit with status 1 unless every step was certified; as monitor.require_certified = true");
+    command->add_flag("--quiet", quiet, "print nothing but errors; the exit status tells how it went");
+    command->add_flag("--help-scene", helpScene, "list every key of a scene file, as ringwatch help scene does");
+    command->footer(
+        std::string("Writes history.csv, summary.json, critical_step.png and, with output.every, run.pvd for "
+                    "ParaView.\n") +
+        exitStatusHint);
+  }
+
+  ExitStatus execute() const {
+    if (helpScene) {
+      printOut(sceneHelp());
+      return ExitStatus::done;
+    }
+    if (scene.empty()) throw InputError("run: SCENE is missing; give a scene file (TOML), see ringwatch help scene");
+    std::vector<std::string> settings = overrides;
+    if (requireCertified) settings.emplace_back("monitor.require_certified=true");
+    const Scene description = readScene(scene, settings);
+    RunOptions options;
+    options.folder = folder.empty() ? std::filesystem::path("out") / std::filesystem::path(scene).stem()
+                                    : std::filesystem::path(folder);
+    options.progress = !quiet;
+    options.interrupt = &interrupted;
+    Body body = sceneBody(description, sceneMesh(description, options.notes), threads);
+    const InterruptGuard guard;
+    const RunResult result = runScene(description, body, options);
+    const bool cutShort = result.reason == ExitReason::interrupted;
+    try {
+      if (!quiet) printOut(summaryText(description, body, result, options.folder));
+    } catch (const InputError&) {
+      if (!cutShort) throw;  // the terminal may be what is gone
+    }
+    return result.exitStatus();
+  }
+};
+
+/// Makes the folder of --out, unless it is there or none is wanted ("").
+void makeFolderOfPictures(const std::string& folder) {
+  if (folder.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw InputError(fmt::format("--out: cannot write {}: {}; choose another folder", folder, error.message()));
+}
+
+/// Writes the pictures of a report into a folder.
+void drawInto(const std::string& folder, const StudyReport& report) {
+  for (const std::string& note : drawFigures(report, folder)) tell(fmt::format("note: {}\n", note));
+}
+
+struct CompareCommand {
+  CompareOptions options;
+  std::string json, folder;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("compare", "run a scene with several integrators: error against cost");
+    command->add_option("SCENE", options.scene, "scene file (TOML); its motion is what is computed, to its end")
+        ->required();
+    command->add_option("--integrators", options.integrators, "names, separated by commas, or all (default: all)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command
+        ->add_option("--handlers", options.handlers,
+                     "handlers on verlet, separated by commas, or all (default: none); options from the scene")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command
+        ->add_option("--step", options.steps,
+                     "steps, s, separated by commas (default: a range for each integrator, from its largest)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command->add_option("--set", options.overrides, "section.key=value, replaces the value of the scene")
+        ->allow_extra_args(false);
+    command->add_option("--threads", options.threads, "threads (default: 1, so that times compare)")
+        ->check(CLI::Range(0, 4096));
+    command->add_option("--json", json,
+                        "write the results to this file; - for standard output, and nothing else there");
+    command->add_option("--out", folder, "folder for pictures, made when missing");
+    command->footer(
+        "Against a reference that is refined until it no longer changes. Errors are those of the positions at the end, "
+        "relative\nto the displacement.\n" +
+        seeTopics("integrators | handlers | scene") + exitStatusHint);
+  }
+
+  ExitStatus execute() const {
+    const CompareResult result = compareScene(options);
+    const std::string text = result.json.dump(2) + "\n";
+    if (json == "-")
+      printOut(text);
+    else
+      printOut(studyText(result.report) + result.text);
+    if (!json.empty() && json != "-") writeFileAtomically(json, text);
+    makeFolderOfPictures(folder);
+    if (!folder.empty()) drawInto(folder, result.report);
+    return ExitStatus::done;
+  }
+};
+
+struct InspectCommand {
+  InspectOptions options;
+  std::string json, picture, vtu, lumping;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
+    command->add_option("MESH", options.mesh, "mesh file: " + readableExtensions() + "; or the folder of a run")
+        ->required();
+    for (const SceneKey& key : sceneKeys())
+      if (key.section == "material" && isLawParameter(key.key))
+        command->add_option_function<double>(
+            "--" + key.key, [this, name = key.key](double value) { options.parameters.set(name, value); },
+            fmt::format("{}{}{}{}{}", key.help, key.unit.empty() ? "" : ", ", key.unit,
+                        key.range.text().empty() ? "" : ", ", key.range.text()));
+    command->add_option("--density", options.density,
+                        "density, kg/m3; it and the parameters of the law are required with a mesh file");
+    command->add_option("--model", options.model, "constitutive law (default: stvk)");
+    command->add_option("--displacement", options.displacement,
+                        "field of displacements, m, in a .vtu file: inspect that deformed state");
+    command->add_option("--frame", options.frame,
+                        "inspect this frame of a run, counted from 1; material, supports, integrator and damping are "
+                        "those of its scene unless given");
+    command->add_option("--integrator", options.integrator,
+                        "integrator whose stability limit counts (default: symplectic-euler)");
+    command->add_option(
+        "--lumping", lumping,
+        std::string("how an element's mass goes to its nodes (default: row-sum): ") + lumpingNames.listing());
+    command
+        ->add_option("--rule", options.rules,
+                     "ELEMENT=RULE, a quadrature rule, e.g. hex8=selective; may be given again")
+        ->allow_extra_args(false);
+    command->add_option("--step", options.step,
+                        "list the elements that need a smaller step than this, s, and count what a handler would take");
+    command->add_option("--metric", options.metrics, "metrics, separated by commas, or all")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command
+        ->add_option(
+            "--fix", options.fix,
+            "nodes that are held, by a condition or set:NAME, and behind a colon the components: \"x < 1e-6\", "
+            "\"set:left:x\"; may be given again")
+        ->allow_extra_args(false);
+    command->add_flag("--global", options.global, "also the exact critical step, by a global eigenvalue");
+    command->add_option("--lanczos", options.lanczos,
+                        "also a step that is safe but for this probability, e.g. 1e-9, within 1 %, by Lanczos");
+    command->add_option("--json", json,
+                        "write the numbers to this file; - for standard output, and nothing else there");
+    command->add_flag("--distribution", options.distribution,
+                      "histogram and cumulative share of the elements' steps by metric; the ten worst elements");
+    command->add_option("--picture", picture, "draw the distribution into this file, .svg or .png");
+    command->add_option("--vtu", vtu, "write the mesh with the steps by each metric for ParaView");
+    command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
+        ->check(CLI::Range(0, 4096));
+    command->footer(std::string(unitsText) + "\n" + seeTopics("laws | integrators | metrics | formats") +
+                    exitStatusHint);
+  }
+
+  ExitStatus execute() {
+    if (!vtu.empty()) options.vtu = vtu;
+    if (!picture.empty()) options.picture = picture;
+    if (!lumping.empty()) options.lumping = lumpingNames.valueOf("--lumping", lumping);
+    const InspectResult result = inspectMesh(options);
+    const std::string text = result.json.dump(2) + "\n";
+    if (json == "-") {
+      printOut(text);
+    } else {
+      if (!json.empty()) writeFileAtomically(json, text);
+      printOut(result.text);
+    }
+    return result.failure.empty() ? ExitStatus::done : complain(result.failure, ExitStatus::unstable);
+  }
+};
+
+struct MeshCommand {
+  std::string kind, output, input, target, checked;
+  std::map<std::string, std::vector<std::string>> parameters;  // of generators, as given
+  bool allProblems = false;
+  CLI::App *generate = nullptr, *convert = nullptr, *check = nullptr;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("mesh", "generate, convert or check a mesh");
+    command->require_subcommand(1);
+    command->footer(exitStatusHint);
+    generate = command->add_subcommand("generate", "make a mesh");
+    generate->add_option("KIND", kind, "kind of mesh")->required();
+    generate->add_option("-o,--output", output, "mesh file to write: " + writableExtensions())->required();
+    for (const SceneKey& key : generatorSceneKeys())
+      generate->add_option("--" + key.key, parameters[key.key], key.help)->expected(1, 3)->delimiter(',');
+    generate->footer(
+        fmt::format("Kinds: {}. Lists are written as --size 0.2 0.04 0.04 or --size 0.2,0.04,0.04.\n",
+                    fmt::join(generatorNames(), ", ")) +
+        "Example: ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 --element hex8 -o bar.msh\n" +
+        "\nUnits, ranges and defaults of the parameters: ringwatch help generators");
+    convert = command->add_subcommand("convert", "read a mesh and write it in another format");
+    convert->add_option("IN", input, "mesh file: " + readableExtensions())->required();
+    convert->add_option("OUT", target, "mesh file to write: " + writableExtensions())->required();
+    check = command->add_subcommand("check", "list what is wrong with a mesh; exit status 1 when there is something");
+    check->add_option("MESH", checked, "mesh file: " + readableExtensions())->required();
+    check->add_flag("--all", allProblems, "list every problem, not the first ten");
+  }
+
+  ExitStatus execute() const {
+    if (generate->parsed()) return executeGenerate();
+    return convert->parsed() ? executeConvert() : executeCheck();
+  }
+
+ private:
+  ExitStatus executeGenerate() const {
+    if (!findGenerator(kind)) {
+      const std::vector<std::string> known = generatorNames();
+      throw InputError(fmt::format("KIND: unknown {}; {}known are {}", inQuotes(kind), didYouMean(kind, known),
+                                   fmt::join(known, ", ")));
+    }
+    nlohmann::ordered_json values = nlohmann::ordered_json::object();
+    for (const auto& [name, texts] : parameters) {
+      if (texts.empty()) continue;
+      nlohmann::ordered_json list = nlohmann::ordered_json::array();
+      for (const std::string& text : texts) list.push_back(numberOrText(text));
+      values[name] = texts.size() == 1 ? list[0] : list;
+      const std::string fault = generatorFault(kind, name, values[name]);
+      if (!fault.empty()) throw InputError(fmt::format("--{}: {}", name, fault));
+    }
+    const Mesh mesh = generateMesh(kind, generatorArguments(values));
+    writeMesh(mesh, output);
+    printOut(fmt::format("{}: {} nodes, {}\n", output, mesh.nodeCount(), elementCounts(mesh)));
+    return ExitStatus::done;
+  }
+
+  static nlohmann::ordered_json numberOrText(const std::string& text) {
+    std::int64_t integer = 0;
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, integer)) return integer;
+    if (CLI::detail::lexical_cast(text, value) && std::isfinite(value)) return value;
+    return text;
+  }
+
+  ExitStatus executeConvert() const {
+    std::vector<std::string> notes;
+    const Mesh mesh = readMesh(input, &notes);
+    writeMesh(mesh, target);
+    for (const std::string& note : notes) printOut("note: " + note + "\n");
+    printOut(fmt::format("{}: {} nodes, {}\n", target, mesh.nodeCount(), elementCounts(mesh)));
+    return ExitStatus::done;
+  }
+
+  ExitStatus executeCheck() const {
+    std::vector<std::string> notes;
+    const std::vector<MeshProblem> problems = checkMeshFile(checked, &notes);
+    std::string text;
+    for (const std::string& note : notes) text += "note: " + note + "\n";
+    constexpr std::size_t shownAtFirst = 10;
+    const std::size_t shown = allProblems ? problems.size() : std::min(shownAtFirst, problems.size());
+    for (std::size_t i = 0; i < shown; ++i)
+      text += fmt::format("{}: {}\n", problemName(problems[i].kind), problems[i].text);
+    if (shown < problems.size()) text += fmt::format("… and {} more; --all lists them\n", problems.size() - shown);
+    std::map<std::string_view, std::size_t> counts;
+    for (const MeshProblem& problem : problems) ++counts[problemName(problem.kind)];
+    std::string kinds;
+    for (const auto& [name, count] : counts) kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, name);
+    text += problems.empty()       ? fmt::format("{}: nothing wrong\n", checked)
+            : problems.size() == 1 ? fmt::format("{}: 1 problem\n", checked)
+                                   : fmt::format("{}: {} problems: {}\n", checked, problems.size(), kinds);
+    printOut(text);
+    return problems.empty() ? ExitStatus::done : ExitStatus::unstable;
+  }
+};
+
+struct VerifyCommand {
+  std::vector<std::string> studies;
+  std::string json, folder;
+  bool quick = false;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("verify", "hold elements and integrators to analytic answers");
+    command->add_option("STUDY", studies, "studies to run, or all (default: all)");
+    command->add_option("--json", json,
+                        "write the results to this file; - for standard output, and nothing else there");
+    command->add_option("--out", folder, "folder for pictures, made when missing");
+    command->add_flag("--quick", quick,
+                      "coarser and shorter, on one thread: about a minute of processor time for all studies");
+    command->footer("Exit status 1 when a check fails; ringwatch help exit-status has the table.\n\n" +
+                    findHelpTopic("studies")->text());
+  }
+
+  ExitStatus execute() const {
+    bool passed = true;
+    ProgressLine line(true);
+    StudyProgress progress;
+    progress.begins = [&](const StudyInfo& study, std::size_t number, std::size_t count) {
+      if (number == 1) makeFolderOfPictures(folder);
+      line.announce(fmt::format("study {} of {}: {}", number, count, study.name));
+    };
+    // A study's results are there when it ends: all together take long.
+    progress.ended = [&](const StudyReport& report) {
+      line.clear();
+      passed = passed && report.passed();
+      if (json != "-") printOut(studyText(report) + "\n");
+      if (!folder.empty()) drawInto(folder, report);
+    };
+    const std::vector<StudyReport> reports =
+        runStudies(studies, quick ? StudyEffort::quick : StudyEffort::full, progress);
+    const std::string results = studiesJson(reports).dump(2) + "\n";
+    if (json == "-") {
+      printOut(results);
+    } else if (!json.empty()) {
+      writeFileAtomically(json, results);
+    }
+    return passed ? ExitStatus::done : ExitStatus::unstable;
+  }
+};
+
+struct HelpCommand {
+  std::vector<std::string> words;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("help", "explain a topic or a command");
+    command->add_option("TOPIC", words, "one of the topics below, or a command such as run or mesh generate");
+    command->footer("Topics:\n" + helpTopicListing());
+  }
+
+  ExitStatus execute(const CLI::App& app) const {
+    if (words.size() == 1)
+      if (const HelpTopic* topic = findHelpTopic(words[0])) {
+        printOut(topic->text());
+        return ExitStatus::done;
+      }
+    const auto isCommand = [](const CLI::App*) { return true; };
+    const CLI::App* command = &app;
+    std::string name = app.get_name();
+    for (const std::string& word : words) {
+      std::vector<std::string> known;
+      const CLI::App* found = nullptr;
+      for (const CLI::App* next : command->get_subcommands(isCommand)) {
+        known.push_back(next->get_name());
+        if (next->get_name() == word) found = next;
+      }
+      if (command == &app)
+        for (const HelpTopic& topic : helpTopics()) known.emplace_back(topic.name);
+      if (!found)
+        throw InputError(known.empty() ? fmt::format("help: {} has no command {}", name, inQuotes(word))
+                                       : fmt::format("help: unknown topic {}; {}known are {}", inQuotes(word),
+                                                     didYouMean(word, known), fmt::join(known, ", ")));
+      command = found;
+      name += " " + word;
+    }
+    printOut(app.get_formatter()->make_help(command, name, CLI::AppFormatMode::Normal));
+    return ExitStatus::done;
+  }
+};
+
+/// CLI11's message for a wrong usage, on one line, with the nearest known option or command.
+std::string usageText(const CLI::App& app, const CLI::ParseError& fault) {
+  std::string text = oneLine(fault.what());
+  // An unknown command is reported by CLI11 as a missing one.
+  const bool unknown = dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr ||
+                       dynamic_cast<const CLI::RequiredError*>(&fault) != nullptr;
+  if (unknown && !app.remaining(true).empty()) {
+    const CLI::App* innermost = &app;
+    while (!innermost->get_subcommands().empty()) innermost = innermost->get_subcommands().front();
+    std::vector<std::string> known;
+    for (const CLI::Option* option : innermost->get_options()) known.push_back(option->get_name());
+    for (const CLI::App* command : innermost->get_subcommands([](const CLI::App*) { return true; }))
+      known.push_back(command->get_name());
+    const std::string extra = app.remaining(true).front();
+    const std::string hint = didYouMean(extra, known);
+    text = fmt::format("unknown argument {}{}", inQuotes(extra),
+                       hint.empty() ? "" : "; " + hint.substr(0, hint.size() - 1));
+  }
+  return text + "; see ringwatch --help";
+}
+
+ExitStatus dispatch(int argc, char** argv) {
+  CLI::App app("ringwatch: how large a step can this explicit finite element run take, and what stands in the way",
+               "ringwatch");
+  app.set_version_flag("--version", "ringwatch " + std::string(programVersion()));
+  app.require_subcommand(1);
+  app.footer(mainFooter());
+  RunCommand run;
+  InspectCommand inspect;
+  MeshCommand mesh;
+  VerifyCommand verify;
+  CompareCommand compare;
+  HelpCommand help;
+  help.declare(app);
+  run.declare(app);
+  inspect.declare(app);
+  mesh.declare(app);
+  verify.declare(app);
+  compare.declare(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {  // --help and --version
+    app.exit(asked);
+    return ExitStatus::done;
+  } catch (const CLI::ParseError& fault) {
+    return complain(usageText(app, fault), ExitStatus::badInput);
+  }
+  if (app.got_subcommand("help")) return help.execute(app);
+  if (app.got_subcommand("run")) return run.execute();
+  if (app.got_subcommand("inspect")) return inspect.execute();
+  if (app.got_subcommand("verify")) return verify.execute();
+  if (app.got_subcommand("compare")) return compare.execute();
+  return mesh.execute();
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv) {
+  holdStandardStreams();
+  reportFileSizeLimit();
+  const auto status = [&] {
+    try {
+      ExitStatus result = ExitStatus::done;
+      onLargeStack([&] { result = dispatch(argc, argv); });
+      return result;
+    } catch (const InputError& fault) {
+      return complain(fault.what(), ExitStatus::badInput);
+    } catch (const NumericalError& fault) {
+      return complain(fault.what(), ExitStatus::unstable);
+    } catch (const std::bad_alloc&) {
+      return complain("out of memory; use a smaller mesh or more memory", ExitStatus::badInput);
+    } catch (const std::exception& fault) {
+      return complain(fault.what(), ExitStatus::badInput);
+    }
+  }();
+  return static_cast<int>(status);
+}
+
+}  // namespace ringwatch

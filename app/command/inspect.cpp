@@ -1,0 +1,465 @@
+#include <ringwatch/app/command/inspect.h>
+#include <ringwatch/app/command/integrator_catalog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/command/distribution.h>
+#include <ringwatch/app/command/progress.h>
+#include <ringwatch/app/output/frames.h>
+#include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/scene.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
+#include <ringwatch/handlers/handler.h>
+#include <ringwatch/handlers/selection/certified_selection.h>
+#include <ringwatch/integrators/integrator.h>
+#include <ringwatch/meshes/formats/vtu_writer.h>
+#include <ringwatch/meshes/mesh_io.h>
+#include <ringwatch/meshes/quality.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/metrics/metrics.h>
+#include <ringwatch/monitor/stability_monitor.h>
+
+namespace ringwatch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> metricsWanted(const std::vector<std::string>& asked) {
+  if (asked.empty()) return {"single-element", "pressure-wave", "reduced-1-ring"};
+  std::vector<std::string> known;
+  for (const MetricInfo& info : allMetrics()) known.emplace_back(info.name);
+  std::vector<std::string> wanted;
+  for (const std::string& name : asked) {
+    if (name == "all") return known;
+    if (!findMetric(name))
+      throw InputError(fmt::format("--metric: unknown {}; {}known are all, {}", inQuotes(name), didYouMean(name, known),
+                                   knownMetrics(name)));
+    if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
+  }
+  return wanted;
+}
+
+const IntegratorInfo& integratorNamed(const std::string& integrator) {
+  const IntegratorInfo* info = integratorCatalog().find(integrator);
+  if (!info) {
+    std::vector<std::string> known;
+    for (const IntegratorInfo& other : integratorInfos()) known.emplace_back(other.name);
+    throw InputError(fmt::format("--integrator: unknown {}; {}known are {}", inQuotes(integrator),
+                                 didYouMean(integrator, known), fmt::join(known, ", ")));
+  }
+  if (!(info->imaginaryLimit > 0))
+    throw InputError(
+        fmt::format("--integrator: \"{}\" is unstable at every step without damping and has no critical step; choose "
+                    "another, e.g. symplectic-euler",
+                    integrator));
+  if (std::isinf(info->imaginaryLimit))
+    throw InputError(fmt::format(
+        "--integrator: \"{}\" is stable at every step and has no critical step; choose another, e.g. symplectic-euler",
+        integrator));
+  if (info->partitioned)
+    throw InputError(fmt::format(
+        "--integrator: \"{}\" chooses its stiff elements by the step; choose another, e.g. symplectic-euler",
+        integrator));
+  return *info;
+}
+
+/// What is inspected: a body in a state.
+struct Subject {
+  Body body;
+  NodeVectors x;
+  StepRule rule;
+  const IntegratorInfo* integrator;
+  std::string model;
+  bool damped;
+  std::string state;  // "at rest"
+  Json stateJson;
+  std::vector<std::string> notes;
+};
+
+Body makeBody(const Scene& scene, Mesh mesh, const InspectOptions& options) {
+  try {
+    return sceneBody(scene, std::move(mesh), options.threads);
+  } catch (const NumericalError& fault) {
+    throw InputError(fmt::format("{}: {}", options.mesh.string(), fault.what()));
+  }
+}
+
+/// The frames that a run.pvd lists.
+std::vector<PvdEntry> framesOf(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "run.pvd";
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw InputError(fmt::format("{}: cannot read; a run writes it when its scene has output.every", file.string()));
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  std::vector<PvdEntry> entries;
+  const auto attribute = [&](std::size_t from, const std::string& name) {
+    const std::size_t begin = text.find(name + "=\"", from);
+    if (begin == std::string::npos) return std::string();
+    const std::size_t first = begin + name.size() + 2;
+    return text.substr(first, text.find('"', first) - first);
+  };
+  for (std::size_t at = text.find("<DataSet"); at != std::string::npos; at = text.find("<DataSet", at + 1)) {
+    const std::string time = attribute(at, "timestep");
+    entries.push_back({std::strtod(time.c_str(), nullptr), attribute(at, "file")});
+  }
+  return entries;
+}
+
+/// What the command line says beyond the scene of a run, or instead of one.
+void override(Scene& scene, const InspectOptions& options) {
+  if (options.model && *options.model != scene.model) {
+    scene.model = *options.model;
+    const LawInfo& law = lawNamed(scene.model);
+    Options kept;  // what the scene's law has in common with it
+    for (const auto& [name, value] : scene.parameters)
+      if (findOption(law.parameters, name)) kept.set(name, value);
+    scene.parameters = std::move(kept);
+  }
+  for (const auto& [name, value] : options.parameters) scene.parameters.set(name, value);
+  scene.density = options.density.value_or(scene.density);
+  scene.lumping = options.lumping.value_or(scene.lumping);
+  scene.method = options.integrator.value_or(scene.method);
+  for (auto& [element, rule] : parseRules(options.rules, "--rule")) scene.rules[element] = rule;
+  for (const std::string& text : options.fix) scene.fixes.push_back(parseFix(text, "--fix"));
+}
+
+Subject subjectOfRun(const InspectOptions& options) {
+  Scene scene = sceneOfRun(options.mesh);
+  scene.meshOrigin = options.mesh.string();
+  const std::vector<PvdEntry> frames = framesOf(options.mesh);
+  if (*options.frame < 1 || *options.frame > static_cast<std::int64_t>(frames.size()))
+    throw InputError(fmt::format("--frame: {} is out of range; {} has {} frames, counted from 1", *options.frame,
+                                 options.mesh.string(), frames.size()));
+  const PvdEntry& frame = frames[*options.frame - 1];
+  override(scene, options);
+  const IntegratorInfo& integrator = integratorNamed(scene.method);
+  std::vector<std::string> notes;
+  MeshState state = loadVtuState(options.mesh / frame.file, "displacement", &notes);
+  if (!scene.handler.empty())
+    notes.push_back(findHandler(scene.handler)->addsMass
+                        ? "the run scaled masses; this is the body without added mass"
+                        : fmt::format("the run handled elements apart ({}); here all elements count", scene.handler));
+  return {makeBody(scene, std::move(state.mesh), options),
+          std::move(state.x),
+          stepRule(integrator, scene.damping),
+          &integrator,
+          scene.model,
+          scene.damping.any(),
+          fmt::format("in frame {} of {}, t = {:.6g} s", *options.frame, frames.size(), frame.time),
+          Json{{"frame", *options.frame}, {"frames", frames.size()}, {"time", frame.time}},
+          std::move(notes)};
+}
+
+Subject subjectOf(const InspectOptions& options) {
+  std::error_code error;
+  const bool folder = std::filesystem::is_directory(options.mesh, error);
+  if (options.frame && options.displacement)
+    throw InputError("--frame: goes with the folder of a run, --displacement with a .vtu file; give one of them");
+  if (folder && !options.frame)
+    throw InputError(
+        fmt::format("{}: is a folder; give a mesh file, or with the folder of a run --frame n", options.mesh.string()));
+  if (!folder && options.frame)
+    throw InputError(
+        fmt::format("--frame: {} is not a folder; frames are those of a run's folder, a single .vtu file "
+                    "takes --displacement FIELD",
+                    options.mesh.string()));
+  if (folder) return subjectOfRun(options);
+  Scene scene;
+  const LawInfo& law = lawNamed(options.model.value_or("stvk"));
+  const auto required = [](std::string_view name) {
+    return InputError(fmt::format("--{} is required with a mesh file; see ringwatch inspect --help", name));
+  };
+  for (const OptionInfo& parameter : law.parameters)
+    if (parameter.fallback.empty() && !options.parameters.find(parameter.name)) throw required(parameter.name);
+  if (!options.density) throw required("density");
+  scene.model = "stvk";
+  scene.method = "symplectic-euler";
+  scene.meshOrigin = options.mesh.string();
+  override(scene, options);
+  const IntegratorInfo& integrator = integratorNamed(scene.method);
+  makeMaterial(scene.model, scene.parameters, scene.density);  // throws before a large mesh is read
+  std::vector<std::string> notes;
+  MeshState state;
+  if (options.displacement) {
+    state = loadVtuState(options.mesh, *options.displacement, &notes);
+  } else {
+    state.mesh = loadMesh(options.mesh, &notes);
+    state.x = state.mesh.X;
+  }
+  for (std::string& note : meshNotes(state.mesh, options.mesh.string())) notes.push_back(std::move(note));
+  return {makeBody(scene, std::move(state.mesh), options),
+          std::move(state.x),
+          StepRule(integrator.imaginaryLimit),
+          &integrator,
+          scene.model,
+          false,
+          options.displacement ? fmt::format("with displacement \"{}\"", *options.displacement) : "at rest",
+          options.displacement ? Json{{"displacement", *options.displacement}} : Json("rest"),
+          std::move(notes)};
+}
+
+Json setsJson(const Mesh& mesh) {
+  Json nodes = Json::object(), elements = Json::object();
+  for (const auto& [name, set] : mesh.nodeSets) nodes[name] = set.size();
+  for (const auto& [name, set] : mesh.elementSets) elements[name] = set.size();
+  return Json{{"node_sets", std::move(nodes)}, {"element_sets", std::move(elements)}};
+}
+
+std::string setsText(const Mesh& mesh) {
+  const Json sets = setsJson(mesh);
+  std::string text;
+  for (const auto& [key, what] : {std::pair{"node_sets", "node sets"}, {"element_sets", "element sets"}}) {
+    std::string list;
+    for (const auto& [name, count] : sets[key].items())
+      list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", name, count.get<std::size_t>());
+    text += fmt::format("  {:<13} {}\n", what, list.empty() ? "none" : list);
+  }
+  return text;
+}
+
+std::string qualityText(const std::vector<QualitySummary>& summaries) {
+  std::string text = fmt::format("  {:<22} {:>12} {:>12} {:>12}\n", "quality", "least", "mean", "largest");
+  for (const QualitySummary& s : summaries)
+    text += fmt::format("  {:<22} {:>12.5g} {:>12.5g} {:>12.5g}\n",
+                        s.unit.empty() ? s.name : fmt::format("{} ({})", s.name, s.unit), s.min, s.mean, s.max);
+  return text;
+}
+
+Json qualityJson(const std::vector<QualitySummary>& summaries) {
+  Json json = Json::object();
+  for (const QualitySummary& s : summaries)
+    json[s.name] = Json{{"unit", s.unit},
+                        {"min", s.min},
+                        {"max", s.max},
+                        {"mean", s.mean},
+                        {"min_element", {{"block", s.minElement.block}, {"index", s.minElement.element}}},
+                        {"max_element", {{"block", s.maxElement.block}, {"index", s.maxElement.element}}}};
+  return json;
+}
+
+/// The metric among those at hand, or evaluated.
+MetricResult metricNamed(std::string_view name, const std::vector<MetricResult>& known, const Subject& subject) {
+  for (const MetricResult& metric : known)
+    if (metric.info->name == name) return metric;
+  return evaluateMetric(name, subject.body, subject.x);
+}
+
+/// Elements whose reduced 1-ring forbids a step, and how many forbid it by each metric.
+Json illShaped(const Subject& subject, const std::vector<MetricResult>& metrics, double h) {
+  const MetricResult ring = metricNamed("reduced-1-ring", metrics, subject),
+                     single = metricNamed("single-element", metrics, subject);
+  Json elements = Json::array();
+  std::size_t singleCount = 0;
+  for (std::size_t b = 0; b < ring.elementLambda.size(); ++b)
+    for (std::size_t e = 0; e < ring.elementLambda[b].size(); ++e) {
+      if (subject.rule(ring.elementLambda[b][e]) < h)
+        elements.push_back(Json{{"block", b}, {"index", e}, {"id", subject.body.mesh().blocks[b].id(e)}});
+      singleCount += subject.rule(single.elementLambda[b][e]) < h ? 1 : 0;
+    }
+  return Json{{"count", elements.size()},
+              {"by_metric", {{"reduced-1-ring", elements.size()}, {"single-element", singleCount}}},
+              {"elements", std::move(elements)}};
+}
+
+/// What a handler would take at a step h, as it chooses when a run begins. Null where no handler goes with the
+/// integrator.
+Json handlerChoice(const Subject& subject, double h) {
+  if (!takesHandler(*subject.integrator) || subject.damped) return nullptr;
+  const HandlerOptions options;
+  const double omega = (1 - options.margin) * subject.integrator->imaginaryLimit / h;
+  const std::vector<ElementRef> chosen = chosenElements(selectCertified(subject.body, subject.x, omega * omega).chosen);
+  Json elements = Json::array();
+  for (const ElementRef e : chosen)
+    elements.push_back(
+        Json{{"block", e.block}, {"index", e.element}, {"id", subject.body.mesh().blocks[e.block].ids[e.element]}});
+  return Json{{"count", chosen.size()},
+              {"selection", std::string(selectionNames.nameOf(options.selection))},
+              {"margin", options.margin},
+              {"elements", std::move(elements)}};
+}
+
+void writeMetricsVtu(const std::filesystem::path& path, const Subject& subject,
+                     const std::vector<MetricResult>& metrics, const CriticalStep& step, std::optional<double> h,
+                     const std::vector<std::vector<ElementQuality>>& quality) {
+  std::vector<std::vector<double>> arrays;
+  std::vector<VtuField> fields;
+  arrays.reserve(metrics.size() + 1);  // the fields point into it
+  const auto add = [&](std::string name, std::vector<double> values) {
+    arrays.push_back(std::move(values));
+    fields.push_back({std::move(name), 1, std::span<const double>(arrays.back())});
+  };
+  for (const MetricResult& metric : metrics) {
+    std::vector<double> steps;
+    for (const auto& block : metric.elementLambda)
+      for (double lambda : block) steps.push_back(subject.rule(lambda));
+    add(stepFieldName(*metric.info, metric.direction), std::move(steps));
+  }
+  std::vector<double> heights;
+  for (const auto& block : quality)
+    for (const ElementQuality& q : block) heights.push_back(q.minHeight);
+  add("minimum height (m)", std::move(heights));
+  const NodeVectors displacement = subject.x - subject.body.mesh().X;
+  std::vector<VtuField> points;
+  if (!displacement.isZero(0))
+    points.push_back({"displacement", 3,
+                      std::span<const double>(displacement.data(), static_cast<std::size_t>(displacement.size()))});
+  const std::int32_t deformed = 1;
+  std::vector<VtuField> frame{{"safe step (s)", 1, std::span(&step.safe, 1)},
+                              {"optimistic step (s)", 1, std::span(&step.optimistic, 1)}};
+  if (h) frame.push_back({"step (s)", 1, std::span<const double>(&*h, 1)});
+  if (!points.empty()) frame.push_back({deformedPointsMark, 1, std::span(&deformed, 1)});
+  writeVtu(path, subject.body.mesh(), subject.x, points, fields, std::nullopt, frame);
+}
+
+/// The table of metrics. A difference is (step - global) / global: negative is pessimistic.
+void reportMetrics(const std::vector<MetricResult>& metrics, const StepRule& rule, std::optional<double> globalStep,
+                   Json& json, std::string& text) {
+  for (const char* key : {"metrics", "directions", "controlling"}) json[key] = Json::object();
+  if (globalStep) json["differences_percent"] = Json::object();
+  text += fmt::format("  {:<32} {:<10} {:>16} {}element\n", "metric", "side", "step (s)",
+                      globalStep ? "  difference (%)  " : "  ");
+  for (const MetricResult& m : metrics) {
+    const double h = rule(m.lambda);
+    const std::string name(m.info->name);
+    json["metrics"][name] = h;
+    json["directions"][name] = std::string(stepSide(m.direction));
+    json["controlling"][name] = Json{{"block", m.controlling.block}, {"index", m.controlling.element}};
+    text += fmt::format("  {:<32} {:<10} {:>16.10g}  ", name, stepSide(m.direction), h);
+    if (globalStep) {
+      const double difference = 100 * (h / *globalStep - 1);
+      json["differences_percent"][name] = difference;
+      text += fmt::format("{:>14.3f}  ", difference);
+    }
+    text += fmt::format("{}:{}\n", m.controlling.block, m.controlling.element);
+  }
+  text += "  safe: proven, the critical step is at least this; optimistic: proven, at most this\n";
+}
+
+}  // namespace
+
+InspectResult inspectMesh(const InspectOptions& options) {
+  const std::vector<std::string> wanted = metricsWanted(options.metrics);
+  if (options.step && !(*options.step > 0 && std::isfinite(*options.step)))
+    throw InputError(fmt::format("--step: {} is out of range; must be > 0 s", *options.step));
+  if (options.lanczos && !(*options.lanczos > 0 && *options.lanczos <= 0.5))
+    throw InputError(
+        fmt::format("--lanczos: {} is out of range; must be > 0 and <= 0.5, a probability", *options.lanczos));
+  if (options.picture) checkPictureName(*options.picture);
+
+  const Subject subject = subjectOf(options);
+  const Body& body = subject.body;
+  const Mesh& mesh = body.mesh();
+  const NodeVectors& x = subject.x;
+  const StepRule& rule = subject.rule;
+
+  InspectResult result;
+  Json& json = result.json;
+  const auto quality = meshQuality(mesh);
+  const std::vector<QualitySummary> summaries = summarizeQuality(quality);
+  json["mesh"] = meshJson(mesh, body.volume());
+  json["mesh"].update(setsJson(mesh));
+  json["mass"] = body.totalMass();
+  json["state"] = subject.stateJson;
+  std::string& text = result.text;
+  text = fmt::format("{}: {} nodes, {}\n  volume {:.10g} m3, mass {:.10g} kg\n", options.mesh.string(),
+                     mesh.nodeCount(), elementCounts(mesh), body.volume(), body.totalMass());
+  text += setsText(mesh);
+  for (const std::string& note : subject.notes) text += fmt::format("  note: {}\n", note);
+  json["quality"] = qualityJson(summaries);
+  text += qualityText(summaries);
+
+  std::optional<LanczosOptions> lanczos;
+  if (options.lanczos) lanczos.emplace().eta = *options.lanczos;
+  const CriticalStep step = criticalStep(body, x, rule, lanczos);
+  json["critical_step"] = Json{{"safe", step.safe}, {"optimistic", step.optimistic}};
+  text += fmt::format("critical step {}: {}, {}, limit h omega = {:.6g}{}\n", subject.state, subject.model,
+                      subject.integrator->name, subject.integrator->imaginaryLimit, subject.damped ? ", damped" : "");
+  text += fmt::format("  safe        {:.10g} s   proven stable up to here, by {}\n", step.safe, step.safeBy);
+  if (step.probable) {
+    json["critical_step"]["probable"] = Json{{"safe", step.probable->safe}, {"eta", step.probable->eta}};
+    text +=
+        fmt::format("  probable    {:.10g} s   stable up to here with probability 1 - {:.3g}, {} tangent products\n",
+                    step.probable->safe, step.probable->eta, step.probable->products);
+  }
+  text += fmt::format("  optimistic  {:.10g} s   proven unstable above, by {}\n", step.optimistic, step.optimisticBy);
+  if (step.lowestRing < 0)
+    text +=
+        fmt::format("  the tangent is indefinite, eigenvalue {:.6g} rad2/s2: no step cures that\n", step.lowestRing);
+  std::optional<double> globalStep;
+  if (options.global) {
+    const GlobalFrequency global = globalFrequency(body, x);
+    if (global.converged) {
+      globalStep = rule(global.lambda);
+      json["critical_step"]["global"] = *globalStep;
+      text +=
+          fmt::format("  global      {:.10g} s   the exact value, {} tangent products\n", *globalStep, global.products);
+    } else {
+      result.failure = fmt::format(
+          "{}: the global eigenvalue did not converge after {} tangent products; the bracket holds without it",
+          options.mesh.string(), global.products);
+    }
+  }
+
+  std::vector<MetricResult> metrics;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    ProgressLine progress(true);
+    metrics.push_back(evaluateMetric(wanted[i], body, x, [&](double done) {
+      if (progress.due()) progress.show(fmt::format("{}: {:.0f} %", wanted[i], 100 * done), done);
+    }));
+  }
+  reportMetrics(metrics, rule, globalStep, json["critical_step"], text);
+
+  json["controlling_element"] = elementJson(mesh, step.controlling);
+  const ElementQuality& q = quality[step.controlling.block][step.controlling.element];
+  text += fmt::format("controlling element: {}\n  volume {:.5g} m3, least height {:.5g} m, edges {:.5g} to {:.5g} m",
+                      elementText(mesh, step.controlling), q.volume, q.minHeight, q.minEdge, q.maxEdge);
+  if (!std::isnan(q.minDihedral))
+    text += fmt::format(", dihedral angles {:.4g} to {:.4g} degrees", q.minDihedral, q.maxDihedral);
+  text += "\n";
+
+  if (options.step) {
+    json["ill_shaped"] = illShaped(subject, metrics, *options.step);
+    const Json& counts = json["ill_shaped"]["by_metric"];
+    text += fmt::format(
+        "at h = {:.6g} s: {}; {} of {} elements forbid it by their reduced 1-ring, {} as single elements\n",
+        *options.step,
+        *options.step <= step.safe         ? "proven stable"
+        : *options.step <= step.optimistic ? "neither proven stable nor unstable"
+                                           : "proven unstable",
+        counts["reduced-1-ring"].get<std::size_t>(), mesh.elementCount(), counts["single-element"].get<std::size_t>());
+  }
+  if (options.distribution || options.picture) {
+    const std::vector<Distribution> distributions = distributionsOf(metrics, rule);
+    json["distribution"] = distributionJson(distributions);
+    text += distributionText(distributions, options.step);
+    // Of the metrics at hand the one that tells elements apart best.
+    const auto worst = worstElements(body, metricNamed("reduced-1-ring", metrics, subject), rule, 10);
+    json["worst_elements"] = worstJson(mesh, worst);
+    text += worstText(worst);
+    if (options.picture)
+      text += drawDistribution(*options.picture, distributions, {step.safe, step.optimistic, options.step},
+                               options.mesh.string());
+  }
+  if (options.vtu) writeMetricsVtu(*options.vtu, subject, metrics, step, options.step, quality);
+  if (options.step) {
+    const Json choice = handlerChoice(subject, *options.step);
+    json["handler"] = choice;
+    if (!choice.is_null())
+      text += fmt::format(
+          "a handler would take {} of {} elements at h = {:.6g} s (selection {}, margin {}: room for h = {:.6g} s){}\n",
+          choice["count"].get<std::size_t>(), mesh.elementCount(), *options.step,
+          choice["selection"].get<std::string>(), choice["margin"].get<double>(),
+          *options.step / (1 - choice["margin"].get<double>()),
+          *options.step <= step.safe ? "; the step is proven without one" : "");
+  }
+  return result;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,4 @@
+#include <ringwatch/app/command/command_line.h>
+
+/// `ringwatch` with the studies: takes the same arguments.
+int main(int argc, char** argv) { return ringwatch::runCommandLine(argc, argv); }

@@ -1,0 +1,43 @@
+#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/command/verify.h>
+#include <ringwatch/base/registry.h>
+#include <ringwatch/verify/elements.h>
+#include <ringwatch/verify/fierz2013.h>
+#include <ringwatch/verify/handlers.h>
+#include <ringwatch/verify/integrators.h>
+#include <ringwatch/verify/monitor.h>
+#include <ringwatch/verify/robustness.h>
+
+namespace ringwatch {
+
+namespace {
+
+/// Every study, one entry each.
+const StudyInfo studiesOfLibrary[] = {
+    {"elements", "every element and quadrature rule: rank, patch test, derivatives, convergence, frequencies, locking",
+     verifyElements},
+    {"fierz2013",
+     "Fierz's cube and bar with small elements, stretched, compressed, bent and twisted with every handler",
+     [](StudyEffort effort) { return verifyFierz2013(effort, integratorCatalog().entries()); }, "deformations"},
+    {"handlers",
+     "every handler beyond the critical step: what it takes, error, cost, energy and momentum over many steps",
+     verifyHandlers},
+    {"integrators", "every integrator: stability limit, order, energy drift, reversibility, damping",
+     [](StudyEffort effort) { return verifyIntegrators(effort, integratorCatalog().entries()); }},
+    {"monitor", "bracket, metrics, drift bounds and alarms of the monitor against exact values; nonlinear histories",
+     verifyMonitor},
+    {"robustness", "explicit integrators run long and on hard bodies: who survives, and with what error",
+     [](StudyEffort effort) { return verifyRobustness(effort); }, "stress"},
+};
+
+Registry<StudyInfo>& registry() {
+  static Registry<StudyInfo> studies("study", studiesOfLibrary);
+  return studies;
+}
+
+}  // namespace
+
+std::span<const StudyInfo> allStudies() { return registry().all(); }
+void registerStudy(const StudyInfo& study) { registry().add(study); }
+
+}  // namespace ringwatch

@@ -1,0 +1,53 @@
+#include <ringwatch/app/command/subprocess.h>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+extern char** environ;
+
+namespace ringwatch {
+
+ProgramResult runProgram(const std::vector<std::string>& command, const std::filesystem::path& folder) {
+  constexpr std::size_t kept = 4000;
+  ProgramResult result;
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) return {false, 0, {}};
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  std::vector<char*> arguments;
+  for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
+  arguments.push_back(nullptr);
+  pid_t child = 0;
+  const int error = ::posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  ::close(ends[1]);
+
+  if (error == 0) {
+    char buffer[1024];
+    for (;;) {
+      const ssize_t count = ::read(ends[0], buffer, sizeof buffer);
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) break;
+      if (result.output.size() < kept) result.output.append(buffer, static_cast<std::size_t>(count));
+    }
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  } else {
+    result.found = false;
+  }
+  ::close(ends[0]);
+  return result;
+}
+
+}  // namespace ringwatch

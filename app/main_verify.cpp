@@ -1,4 +1,0 @@
-#include <ringwatch/app/command_line.h>
-
-/// `ringwatch` with the studies: takes the same arguments.
-int main(int argc, char** argv) { return ringwatch::runCommandLine(argc, argv); }

@@ -1,0 +1,124 @@
+#include <ringwatch/app/output/frames.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/meshes/adjacency.h>
+#include <ringwatch/monitor/metrics/metrics.h>
+
+namespace ringwatch {
+namespace {
+
+std::string frameName(std::size_t number) { return fmt::format("frame_{:06}.vtu", number); }
+
+}  // namespace
+
+std::vector<std::string> frameFieldNames() {
+  std::vector<std::string> names;
+  for (const MetricInfo& info : allMetrics()) names.emplace_back(info.name);
+  for (const char* name : {"metric", "verdict", "handler", "critical_step"}) names.emplace_back(name);
+  return names;
+}
+
+std::string_view stepSide(Direction direction) {
+  static constexpr auto sides = nameTable<Direction>({
+      {Direction::upperBound, "safe"},
+      {Direction::lowerBound, "optimistic"},
+      {Direction::estimate, "estimate"},
+  });
+  return sides.nameOf(direction);
+}
+
+std::string stepFieldName(const MetricInfo& metric, Direction direction) {
+  return direction == Direction::estimate ? fmt::format("step estimate by {} (s)", metric.name)
+                                          : fmt::format("{} step by {} (s)", stepSide(direction), metric.name);
+}
+
+FrameWriter::FrameWriter(std::filesystem::path folder, const Scene& scene, const Body& body, StepRule rule)
+    : folder_(std::move(folder)), scene_(scene), body_(body), rule_(std::move(rule)) {
+  std::error_code error;
+  std::filesystem::create_directories(folder_ / "frames", error);
+  if (error)
+    throw InputError(fmt::format("{}: cannot write: {}; choose another folder with --out",
+                                 (folder_ / "frames").string(), error.message()));
+}
+
+bool FrameWriter::asksFor(const char* field) const {
+  return std::find(scene_.fields.begin(), scene_.fields.end(), field) != scene_.fields.end();
+}
+
+FrameWriter::Steps FrameWriter::elementSteps(const std::string& metric, const NodeVectors& x, double factor) const {
+  const MetricResult result = evaluateMetric(metric, body_, x);
+  Steps steps{stepFieldName(*result.info, result.direction), {}};
+  for (const auto& block : result.elementLambda)
+    for (double lambda : block) steps.values.push_back(factor * rule_(lambda));
+  return steps;
+}
+
+void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameState& state) {
+  const NodeVectors displacement = x - body_.mesh().X;
+  const auto values = [](const NodeVectors& vectors) {
+    return std::span<const double>(vectors.data(), static_cast<std::size_t>(vectors.size()));
+  };
+  const std::vector<VtuField> points{{"displacement", 3, values(displacement)}, {"velocity", 3, values(v)}};
+
+  std::vector<std::string> metrics;
+  for (std::string field : scene_.fields) {
+    if (field == "critical_step") field = "reduced-1-ring";
+    if (findMetric(field) && std::find(metrics.begin(), metrics.end(), field) == metrics.end())
+      metrics.push_back(std::move(field));
+  }
+  std::vector<Steps> steps;
+  steps.reserve(metrics.size() + 2);  // the fields point into it
+  std::vector<std::int32_t> verdicts, handled;
+  std::vector<VtuField> cells;
+  const auto add = [&](Steps own) {
+    steps.push_back(std::move(own));
+    cells.push_back({steps.back().name, 1, std::span<const double>(steps.back().values)});
+  };
+  for (const std::string& metric : metrics) add(elementSteps(metric, x, 1));
+  if (asksFor("metric")) {
+    Steps own = elementSteps(scene_.metric, x, 1 - scene_.margin);
+    own.name = fmt::format("step by {} with margin (s)", scene_.metric);
+    add(std::move(own));
+  }
+  if (asksFor("verdict")) {
+    const bool certified = state.verdict == Verdict::certified;
+    const auto known = std::find(metrics.begin(), metrics.end(), "reduced-1-ring");
+    const Steps ring = known == metrics.end() ? elementSteps("reduced-1-ring", x, 1) : steps[known - metrics.begin()];
+    for (double step : ring.values) verdicts.push_back(state.h > step ? 2 : certified ? 0 : 1);
+    cells.push_back({"verdict", 1, std::span<const std::int32_t>(verdicts)});
+  }
+  if (asksFor("handler")) {
+    handled.assign(body_.mesh().elementCount(), 0);
+    const std::vector<std::size_t> first = blockOffsets(body_.mesh());
+    for (const ElementRef e : state.handled) handled[first[e.block] + static_cast<std::size_t>(e.element)] = 1;
+    cells.push_back({"handler", 1, std::span<const std::int32_t>(handled)});
+  }
+
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const double safe = state.safe.value_or(unknown), optimistic = state.optimistic.value_or(unknown);
+  const std::int32_t verdict = state.verdict ? static_cast<std::int32_t>(*state.verdict) : -1, deformed = 1;
+  const VtuField frame[] = {{"safe step (s)", 1, std::span(&safe, 1)},
+                            {"optimistic step (s)", 1, std::span(&optimistic, 1)},
+                            {"step (s)", 1, std::span(&state.h, 1)},
+                            {"verdict", 1, std::span(&verdict, 1)},
+                            {deformedPointsMark, 1, std::span(&deformed, 1)}};
+  const std::filesystem::path file = std::filesystem::path("frames") / frameName(entries_.size() + 1);
+  writeVtu(folder_ / file, body_.mesh(), x, points, cells, state.time, frame);
+  entries_.push_back({state.time, file});
+  // Rewritten at every frame, so that a run can be examined while it goes on.
+  writePvd(folder_ / "run.pvd", entries_);
+}
+
+void FrameWriter::removeStale() const {
+  std::error_code ignored;
+  for (std::size_t i = entries_.size() + 1; std::filesystem::remove(folder_ / "frames" / frameName(i), ignored); ++i) {
+  }
+}
+
+}  // namespace ringwatch

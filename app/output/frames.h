@@ -1,0 +1,67 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <ringwatch/app/scene/scene.h>
+#include <ringwatch/meshes/formats/vtu_writer.h>
+#include <ringwatch/monitor/stability_monitor.h>
+
+namespace ringwatch {
+
+/// What [output] fields may name: cell data of the frames. "critical_step" is an older name of "reduced-1-ring".
+std::vector<std::string> frameFieldNames();
+/// Name of a field with the step of each element by a metric: "optimistic step by reduced-1-ring (s)". An element's
+/// step is a statement about the whole body: safe, the body's critical step is at least the least of these; optimistic,
+/// it is at most the least of these; an estimate may lie on either side.
+std::string stepFieldName(const MetricInfo& metric, Direction direction);
+/// "safe", "optimistic" or "estimate": the side of the critical step on which a metric's step lies, the opposite of
+/// that of its frequency.
+std::string_view stepSide(Direction direction);
+
+/// What is known of the body at the state of a frame.
+struct FrameState {
+  double time = 0;                   // s
+  double h = 0;                      // s, the step taken from here
+  std::optional<double> safe;        // s, the largest step that the monitor has proven at its last observation
+  std::optional<double> optimistic;  // s
+  std::optional<Verdict> verdict;    // empty without a monitor
+  std::span<const ElementRef> handled;
+};
+
+/// Writes frames/frame_000001.vtu … and run.pvd, which lists them, into a folder. Every frame carries displacement (m)
+/// and velocity (m/s) at nodes, the sets of the mesh, and as field data safe step (s), optimistic step (s), step (s)
+/// and verdict (0 certified, 1 not certified, 2 violated, -1 unmonitored); what is not known is NaN. At elements it has
+/// what the scene asks for: the step by a metric, named as stepFieldName says; metric, the same by the scene's metric
+/// with its margin; verdict, 0 where the whole body is certified, 2 where the element's own reduced 1-ring forbids the
+/// step, 1 else; handler, 1 where a handler holds the element. Points are deformed positions.
+class FrameWriter {
+ public:
+  /// rule: makes a step of an eigenvalue for the integrator and the damping of the scene.
+  FrameWriter(std::filesystem::path folder, const Scene& scene, const Body& body, StepRule rule);
+
+  /// A frame of the positions x and velocities v (3×N), which must be finite, before a step. Throws InputError when it
+  /// cannot be written.
+  void write(const NodeVectors& x, const NodeVectors& v, const FrameState& state);
+  std::size_t count() const { return entries_.size(); }
+  /// Removes frames of an earlier, longer run from the folder.
+  void removeStale() const;
+
+ private:
+  bool asksFor(const char* field) const;
+  struct Steps {
+    std::string name;
+    std::vector<double> values;  // s, one an element
+  };
+  Steps elementSteps(const std::string& metric, const NodeVectors& x, double factor) const;
+
+  std::filesystem::path folder_;
+  const Scene& scene_;
+  const Body& body_;
+  StepRule rule_;
+  std::vector<PvdEntry> entries_;
+};
+
+}  // namespace ringwatch

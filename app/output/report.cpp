@@ -1,0 +1,188 @@
+#include <ringwatch/app/output/report.h>
+
+#include <fmt/format.h>
+
+namespace ringwatch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json cutsJson(const RunResult& result) {
+  Json json = Json::array();
+  const auto bracket = [](const std::optional<CriticalStep>& step) {
+    return step ? Json{{"safe", step->safe}, {"optimistic", step->optimistic}} : Json(nullptr);
+  };
+  for (const CutRecord& cut : result.cuts)
+    json.push_back({{"step", cut.step},
+                    {"time", cut.time},
+                    {"elements", {{"before", cut.elementsBefore}, {"after", cut.elementsAfter}}},
+                    {"elements_cut", cut.elementsCut},
+                    {"nodes_added", cut.nodesAdded},
+                    {"faces_opened", cut.facesOpened},
+                    {"area", cut.area},
+                    {"critical_step_at_most", cut.atMost},
+                    {"critical_step", {{"before", bracket(cut.before)}, {"after", bracket(cut.after)}}},
+                    {"kinetic", {{"before", cut.kineticBefore}, {"after", cut.kineticAfter}}},
+                    {"handled_elements", {{"before", cut.handledBefore}, {"after", cut.handledAfter}}},
+                    {"elements_examined", cut.selectionCost.elements},
+                    {"element_evaluations", cut.selectionCost.evaluations},
+                    {"cut_time", cut.cutTime},
+                    {"selection_time", cut.selectionTime}});
+  return json;
+}
+
+Json handlerJson(const Scene& scene, const RunResult& result) {
+  if (!result.handler) return nullptr;
+  Json json{{"method", scene.handler},
+            {"selection", std::string(selectionNames.nameOf(scene.handlerOptions.selection))},
+            {"handled_elements", result.handler->elements},
+            {"explicit_part_certified", result.handler->certified},
+            {"selections", result.handler->selections},
+            {"element_evaluations", result.handler->evaluations}};
+  for (const HandlerFigure& figure : result.handler->figures) json[figure.name] = figure.value;
+  return json;
+}
+
+Json momentJson(const std::optional<RunResult::Moment>& moment) {
+  if (!moment) return nullptr;
+  return Json{{"step", moment->step}, {"time", moment->time}};
+}
+
+}  // namespace
+
+std::string_view programVersion() { return RINGWATCH_VERSION; }
+
+Json meshJson(const Mesh& mesh, double volume) {
+  Json elements = Json::object();
+  for (const MeshBlock& block : mesh.blocks) {
+    const std::string name(elementInfo(block.type).name);
+    elements[name] = elements.value(name, std::size_t{0}) + block.elementCount();
+  }
+  return Json{{"nodes", mesh.nodeCount()}, {"elements", std::move(elements)}, {"volume", volume}};
+}
+
+Json elementJson(const Mesh& mesh, ElementRef ref) {
+  const MeshBlock& block = mesh.blocks[ref.block];
+  const std::int32_t* nodes = block.element(static_cast<std::size_t>(ref.element));
+  Json result{{"block", ref.block},
+              {"index", ref.element},
+              {"type", std::string(elementInfo(block.type).name)},
+              {"nodes", std::vector<std::int32_t>(nodes, nodes + block.nodesPerElement())},
+              {"id", block.id(static_cast<std::size_t>(ref.element))},
+              {"node_ids", Json::array()}};
+  for (int a = 0; a < block.nodesPerElement(); ++a) result["node_ids"].push_back(mesh.nodeId(nodes[a]));
+  return result;
+}
+
+Json elementJson(const Mesh& mesh, const std::optional<ElementRef>& ref) {
+  return ref ? elementJson(mesh, *ref) : Json(nullptr);
+}
+
+std::string elementCounts(const Mesh& mesh) {
+  std::string text;
+  const Json counts = meshJson(mesh, 0)["elements"];
+  for (const auto& [name, count] : counts.items())
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count.get<std::size_t>(), name);
+  return text;
+}
+
+Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) {
+  Json events = Json::array();
+  for (const RunEvent& found : result.events) {
+    const MonitorEvent& event = found.event;
+    events.push_back(Json{{"kind", std::string(eventName(event.kind))},
+                          {"step", event.step},
+                          {"time", event.time},
+                          {"end_step", event.end ? Json(*event.end) : Json(nullptr)},
+                          {"element", found.element},
+                          {"handled", event.handled},
+                          {"cause", event.cause ? Json(causeText(*event.cause)) : Json(nullptr)},
+                          {"value", event.value},
+                          {"text", found.text}});
+  }
+  return Json{
+      {"program", "ringwatch"},
+      {"version", std::string(programVersion())},
+      {"scene_file", scene.file.string()},
+      {"scene", scene.echo},
+      {"mesh", meshJson(body.mesh(), body.volume())},
+      {"mass", body.totalMass()},
+      {"verdict", std::string(result.verdict())},
+      {"stable", result.stable()},
+      {"exit_status", static_cast<int>(result.exitStatus())},
+      {"certified", result.watchedSteps > 0 ? Json(result.certified()) : Json(nullptr)},
+      {"certified_steps", result.certifiedSteps},
+      {"watched_steps", result.watchedSteps},
+      {"safe_seen", result.safeSeen ? Json{{"least", result.safeSeen->least}, {"largest", result.safeSeen->largest}}
+                                    : Json(nullptr)},
+      {"exit_reason", std::string(exitReasonName(result.reason))},
+      {"exit_text", result.reasonText},
+      {"steps", result.steps},
+      {"end_time", result.time},
+      {"handler", handlerJson(scene, result)},
+      {"cuts", cutsJson(result)},
+      {"smallest_step", result.smallestStep},
+      {"largest_step", result.largestStep},
+      {"first_violated", momentJson(result.firstViolated)},
+      {"energy_runaway", momentJson(result.runaway)},
+      {"events", std::move(events)},
+      {"wall_time",
+       {{"total", result.wallTime},
+        {"force", result.forceTime},
+        {"monitor", result.monitorTime},
+        {"output", result.outputTime}}},
+      {"frames", result.frames},
+      {"files", result.files},
+      {"notes", result.notes}};
+}
+
+std::string summaryText(const Scene& scene, const Body& body, const RunResult& result,
+                        const std::filesystem::path& folder) {
+  std::string text = fmt::format("{}: {} nodes, {}, {:.6g} kg, {}\n", scene.file.string(), body.mesh().nodeCount(),
+                                 elementCounts(body.mesh()), body.totalMass(), scene.method);
+  text +=
+      fmt::format("{} steps to t = {:.6g} s, {}; {:.2f} s of wall time (force {:.2f}, monitor {:.2f}, output {:.2f})\n",
+                  result.steps, result.time, result.reasonText, result.wallTime, result.forceTime, result.monitorTime,
+                  result.outputTime);
+  if (result.steps > 0)
+    text += result.smallestStep == result.largestStep
+                ? fmt::format("step {:.6g} s, ", result.smallestStep)
+                : fmt::format("steps {:.6g} to {:.6g} s, ", result.smallestStep, result.largestStep);
+  text += fmt::format("verdict {}", result.verdict());
+  if (result.watchedSteps > 0)
+    text += fmt::format(", certified at {} of {} steps", result.certifiedSteps, result.watchedSteps);
+  text += "\n";
+  if (result.handler) {
+    text += fmt::format("handler {}: {} of {} elements", scene.handler, result.handler->elements,
+                        body.mesh().elementCount());
+    for (const HandlerFigure& figure : result.handler->figures)
+      text += fmt::format(", {} {:.4g}", figure.name, figure.value);
+    text += "\n";
+  }
+  for (const CutRecord& cut : result.cuts) {
+    text += fmt::format(
+        "cut at t = {:.6g} s: {} of {} elements cut, {} now; they leave a critical step of at most {:.4g} s", cut.time,
+        cut.elementsCut, cut.elementsBefore, cut.elementsAfter, cut.atMost);
+    if (cut.before && cut.after)
+      text += fmt::format(", that of all is {:.4g} s, before {:.4g} s", cut.after->safe, cut.before->safe);
+    if (result.handler)
+      text += fmt::format("; {} handled, {} before, {} examined in {:.3g} ms", cut.handledAfter, cut.handledBefore,
+                          cut.selectionCost.elements, 1e3 * cut.selectionTime);
+    text += "\n";
+  }
+  // The first few events; all of them are in summary.json.
+  constexpr std::size_t most = 6;
+  for (std::size_t i = 0; i < result.events.size() && i < most; ++i)
+    text += fmt::format("  {}\n", result.events[i].text);
+  if (result.events.size() > most) text += fmt::format("  and {} more events\n", result.events.size() - most);
+  if (result.runaway)
+    text += fmt::format("  step {}, t = {:.6g} s: the energy ran away\n", result.runaway->step, result.runaway->time);
+  for (const std::string& note : result.notes) text += fmt::format("note: {}\n", note);
+  if (result.neverCertified() && result.exitStatus() != ExitStatus::done)
+    text += fmt::format("not certified: exit status {}\n", static_cast<int>(result.exitStatus()));
+  std::string files;
+  for (const std::string& file : result.files) files += (files.empty() ? "" : ", ") + file;
+  return text + fmt::format("wrote to {}: {}\n", folder.string(), files);
+}
+
+}  // namespace ringwatch

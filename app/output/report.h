@@ -1,0 +1,29 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include <ringwatch/app/run/runner.h>
+
+namespace ringwatch {
+
+/// Numbers of nodes, of elements by type, and volume (m³).
+nlohmann::ordered_json meshJson(const Mesh& mesh, double volume);
+/// An element by block, index, id and nodes: positions counted from 0, and the numbers of the mesh's file.
+nlohmann::ordered_json elementJson(const Mesh& mesh, ElementRef element);
+/// The same, or null without one.
+nlohmann::ordered_json elementJson(const Mesh& mesh, const std::optional<ElementRef>& element);
+/// "1600 tet4, 64 hex8"
+std::string elementCounts(const Mesh& mesh);
+
+/// summary.json of a run.
+nlohmann::ordered_json summaryJson(const Scene& scene, const Body& body, const RunResult& result);
+/// The few lines that a run says of itself.
+std::string summaryText(const Scene& scene, const Body& body, const RunResult& result,
+                        const std::filesystem::path& folder);
+
+/// Version of the program.
+std::string_view programVersion();
+
+}  // namespace ringwatch

@@ -1,0 +1,23 @@
+#include <ringwatch/app/run/handled_watch.h>
+
+namespace ringwatch {
+
+std::optional<MonitorEvent> HandledWatch::observe(Handler& handler, const Body& body, std::int64_t step, double time,
+                                                  const NodeVectors& x) {
+  uncertifiedPart_ = handler.uncertifiedPart(x);
+  const auto least = handler.leastHandledDeterminant(x);
+  if (!least || least->value > 0) {
+    tracker_.absent(EventKind::inverted, step);
+    return std::nullopt;
+  }
+  if (!tracker_.isNew(EventKind::inverted)) return std::nullopt;
+  return tracker_.begin({.kind = EventKind::inverted,
+                         .step = step,
+                         .time = time,
+                         .value = least->value,
+                         .handled = true,
+                         .element = least->element,
+                         .cause = elementCause(body, x, least->element)});
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,48 @@
+#include <ringwatch/app/run/run_energies.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ringwatch {
+
+RunEnergies::RunEnergies(const Scene& scene, const Body& body)
+    : scene_(scene), body_(body), largest_(roundingEnergy(body)) {
+  balance_.emplace(body);
+}
+
+void RunEnergies::record(const State& state, const StepEvaluation& evaluation, BodySystem& system, bool rowDue) {
+  last_.reset();
+  if (!needs(rowDue)) return;
+  balance_->record(state.x, evaluation.internalForce);
+  if (scene_.damping.any()) {
+    system.dampingForce(state.x, state.v, dampingForce_);
+    balance_->recordDamping(state.time, state.v, dampingForce_);
+  }
+  if (!rowDue) return;
+  last_ = balance_->energies(state.v, evaluation.strainEnergy);
+  last_->externalWork += before_.externalWork;
+  last_->dissipated += before_.dissipated;
+  last_->balanceError += before_.balanceError;
+}
+
+void RunEnergies::beginBody() {
+  if (last_) before_ = *last_;
+  last_.reset();
+  balance_.emplace(body_);
+}
+
+void RunEnergies::check(std::int64_t step, double time) {
+  if (!last_) return;
+  if (!runaway_)
+    largest_ = std::max({largest_, last_->kinetic + std::abs(last_->strain), std::abs(last_->externalWork)});
+  // Schemes whose velocities are half a step behind are off by 1/(n + 1) of the energy at step n of a run that starts
+  // under load.
+  const double share = std::max(runawayShare, 1.5 / static_cast<double>(step + 1));
+  const bool off = !(std::abs(last_->balanceError) <= share * largest_);
+  if (!off)
+    runaway_.reset();
+  else if (!runaway_)
+    runaway_ = {step, time};
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,46 @@
+#pragma once
+#include <optional>
+
+#include <ringwatch/app/run/runner.h>
+#include <ringwatch/integrators/body_system.h>
+
+namespace ringwatch {
+
+/// The energies of a run, over cuts of its body, and whether they ran away.
+class RunEnergies {
+ public:
+  /// Scene and body must outlive this.
+  RunEnergies(const Scene& scene, const Body& body);
+
+  /// Whether a state must be recorded. Prescribed motion and damping do work in every step, so theirs need every step.
+  bool needs(bool rowDue) const {
+    return scene_.energy && (rowDue || body_.constraints().moving() || scene_.damping.any());
+  }
+  /// The internal force of the state is needed too.
+  bool needsForce(bool rowDue) const { return needs(rowDue) && body_.constraints().moving(); }
+  /// Records a state, which may not lag, with what was evaluated of it; with a row, its strain energy as well.
+  void record(const State& state, const StepEvaluation& evaluation, BodySystem& system, bool rowDue);
+  /// The body is another one from here on. What the one before has come to is kept.
+  void beginBody();
+  /// At the state recorded last, all bodies together; empty unless a row was due.
+  const std::optional<Energies>& last() const { return last_; }
+
+  /// Checks the last energies, before step number `step`. The energy ran away where the balance error passes its bound
+  /// and stays above it to the end of the run. From there on the largest energy stays what it was: the runaway must not
+  /// become its own measure.
+  void check(std::int64_t step, double time);
+  /// Where it did, as far as is known; empty where it did not.
+  const std::optional<RunResult::Moment>& runaway() const { return runaway_; }
+
+ private:
+  const Scene& scene_;
+  const Body& body_;
+  std::optional<EnergyBalance> balance_;
+  Energies before_;  // what the bodies before have come to
+  std::optional<Energies> last_;
+  NodeVectors dampingForce_;
+  double largest_;  // J, so far
+  std::optional<RunResult::Moment> runaway_;
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,54 @@
+#pragma once
+#include <filesystem>
+#include <limits>
+#include <optional>
+
+#include <ringwatch/app/output/frames.h>
+#include <ringwatch/app/output/history.h>
+#include <ringwatch/app/output/picture.h>
+#include <ringwatch/app/run/folder_lock.h>
+#include <ringwatch/app/run/runner.h>
+#include <ringwatch/integrators/integrator.h>
+
+namespace ringwatch {
+
+/// The files of a run in progress: history.csv, frames and picture, in a folder that no other run may write into.
+class RunOutput {
+ public:
+  /// Takes the folder, which is made when it does not exist. Throws InputError when it cannot be written or another run
+  /// writes into it. Scene and body must outlive the output; a cut may replace the body's contents.
+  RunOutput(const Scene& scene, const Body& body, StepRule rule, std::filesystem::path folder);
+
+  /// Removes what an earlier run left and begins history and frames, once: until it is known that there is a first
+  /// step, old results stay.
+  void open();
+  void writeRow(const HistoryRow& row);
+  /// The step from this row of the history was shortened to end with the run: the picture leaves it out.
+  void leaveOut(std::int64_t step) { picture_.leaveOut(step); }
+  /// A frame is due at that time (s), with steps of h (s).
+  bool frameDue(double time, double h) const { return frames_ && time >= nextFrame_ - 1e-3 * h; }
+  /// s; infinite where no frames are wanted.
+  double nextFrame() const { return frames_ ? nextFrame_ : std::numeric_limits<double>::infinity(); }
+  /// The frame of the state before a step; frame.time and frame.h are those of the state.
+  void writeFrame(std::int64_t step, const State& state, const FrameState& frame);
+  /// Ends history and frames, the last frame of which is `last` unless it is there or not finite, draws the picture and
+  /// lists the files in the result.
+  void finish(RunResult& result, const State& state, const FrameState& last);
+
+ private:
+  void drawPicture(RunResult& result);
+
+  const Scene& scene_;
+  const Body& body_;
+  StepRule rule_;
+  std::filesystem::path folder_;
+  FolderLock lock_;
+  std::optional<HistoryWriter> history_;
+  std::optional<FrameWriter> frames_;
+  Picture picture_;
+  bool pictured_ = false;  // the picture has a row
+  double nextFrame_ = 0;   // s
+  std::int64_t framesDue_ = 0, lastFrame_ = -1;
+};
+
+}  // namespace ringwatch

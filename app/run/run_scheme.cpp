@@ -1,0 +1,97 @@
+#include <ringwatch/app/run/run_scheme.h>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/run/device_stepper.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/verify/work_precision.h>
+
+namespace ringwatch {
+
+RunScheme::RunScheme(const Scene& scene, Body& body, RunResult& result) : scene_(scene), body_(body), result_(result) {
+  makeIntegrator();
+  if (handler_) {
+    handler_->prepare(body_.mesh().X, *scene_.step);
+    noteChoice();
+  }
+  makeStepper(scene_.step.value_or(0));
+}
+
+RunScheme::RunScheme(const Scene& scene, Body& body, RunResult& result, const NodeVectors& x, double h,
+                     const CutMesh& cut, const RunScheme& before)
+    : scene_(scene), body_(body), result_(result) {
+  makeIntegrator();
+  if (handler_) {
+    handler_->prepare(x, h, cut, *before.handler_);
+    noteChoice();
+  }
+  makeStepper(h);
+}
+
+void RunScheme::makeIntegrator() {
+  integrator_ = integratorCatalog().make(scene_.method);
+  if (scene_.handler.empty()) return;
+  auto handler = makeHandler(scene_.handler, body_, std::move(integrator_), scene_.handlerOptions);
+  handler_ = handler.get();
+  integrator_ = std::move(handler);
+}
+
+/// After the handler's choice, which may change masses.
+void RunScheme::makeStepper(double h) {
+  system_.emplace(body_, scene_.damping);
+  stepper_ = onDevice(h);
+  if (!stepper_ && integrator_->info().partitioned) {
+    // The stiff part is the elements whose own critical step is too small.
+    const std::vector<ElementRef> stiff = stiffElementsAt(body_, integrator_->info(), *scene_.step);
+    stepper_ = makePartitionedStepper(*integrator_, body_, stiff, scene_.damping);
+    stiffElements_ = static_cast<std::int64_t>(stiff.size());
+    result_.notes.push_back(
+        fmt::format("{}: {} of {} elements are in the stiff part, by their own critical step at rest", scene_.method,
+                    stiff.size(), body_.mesh().elementCount()));
+  }
+  if (!stepper_) stepper_ = makeIntegratorStepper(*integrator_, *system_);
+}
+
+/// nullptr where the scene wants no GPU, or may do without one.
+std::unique_ptr<Stepper> RunScheme::onDevice(double h) {
+  if (scene_.device == RunDevice::cpu) return nullptr;
+  std::string reason = scene_.noDevice.empty() ? whyNoDevice() : scene_.noDevice;
+  if (reason.empty()) {
+    try {
+      // A handler's monitor watches the explicit elements, the GPU's rings would be those of all.
+      const MetricInfo* metric = findMetric(scene_.metric);
+      std::unique_ptr<Stepper> stepper = makeDeviceStepper(body_, system_->initialState(), scene_.handlerOptions,
+                                                           metric != nullptr && metric->runsOnGpu && !handler_);
+      if (handler_) stepper->handle(handler_->elements(), h);
+      return stepper;
+    } catch (const InputError& fault) {
+      reason = fault.what();
+    }
+  }
+  if (scene_.device == RunDevice::cuda)
+    throw InputError(fmt::format("{}: \"cuda\": {}; set it to \"cpu\" or \"auto\"", scene_.deviceOrigin, reason));
+  result_.notes.push_back(fmt::format("device = \"auto\": the steps are taken on the CPU, since {}", reason));
+  return nullptr;
+}
+
+void RunScheme::prepare(const NodeVectors& x, double h) {
+  handler_->prepare(x, h);
+  noteChoice();
+  system_->followMasses();
+  stepper_->handle(handler_->elements(), h);
+}
+
+void RunScheme::noteChoice() {
+  if (!result_.handler) result_.handler.emplace();
+  result_.handler->elements = static_cast<std::int64_t>(handler_->elements().size());
+  result_.handler->certified = handler_->certified();
+  ++result_.handler->selections;
+  result_.handler->evaluations += handler_->selectionCost().evaluations;
+}
+
+std::int64_t RunScheme::treatedElements() const {
+  return handler_ ? static_cast<std::int64_t>(handler_->elements().size()) : stiffElements_;
+}
+
+}  // namespace ringwatch

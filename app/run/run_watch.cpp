@@ -1,0 +1,119 @@
+#include <ringwatch/app/run/run_watch.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/run/stopwatch.h>
+
+namespace ringwatch {
+
+Verdict verdictFor(double h, const CriticalStep& bracket) {
+  return h <= bracket.safe ? Verdict::certified : h <= bracket.optimistic ? Verdict::notCertified : Verdict::violated;
+}
+
+RunWatch::RunWatch(const Scene& scene, const Body& body, StepRule rule, RunResult& result)
+    : scene_(scene), body_(body), rule_(std::move(rule)), result_(result) {}
+
+void RunWatch::begin(Handler* handler, std::function<double(const NodeVectors&)> metric, bool everyState) {
+  end();
+  handler_ = handler;
+  everyState_ = everyState;
+  if (!scene_.monitored()) return;
+  const Body& watched = handler_ ? handler_->explicitBody() : body_;
+  if (watched.mesh().elementCount() == 0) {
+    if (result_.handler->selections == 1)
+      result_.notes.emplace_back("every element is handled: there is no explicit one to monitor");
+    return;
+  }
+  MonitorOptions wanted;
+  wanted.limit = rule_;
+  wanted.mode = scene_.mode;
+  wanted.metric = scene_.metric;
+  wanted.margin = scene_.margin;
+  // Where not every state is seen, the monitor is asked only where it is to evaluate.
+  wanted.every =
+      everyState_ ? static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max())) : 1;
+  wanted.energyTolerance = scene_.energyTolerance;
+  if (monitored_) wanted.firstObservationElements = 0;  // too dear at every choice of a handler
+  monitored_ = true;
+  wanted.metricElsewhere = std::move(metric);
+  monitor_.emplace(watched, wanted);
+}
+
+void RunWatch::end() {
+  const auto close = [&](const std::vector<MonitorEvent>& events, bool handled) {
+    for (RunEvent& told : result_.events)
+      for (const MonitorEvent& known : events)
+        if (told.event.handled == handled && known.kind == told.event.kind && known.step == told.event.step)
+          told.event.end = known.end;
+  };
+  close(handledWatch_.events(), true);
+  if (monitor_) close(monitor_->events(), false);
+  monitor_.reset();
+  handler_ = nullptr;
+}
+
+MonitorReport RunWatch::observe(std::int64_t k, const State& state, std::optional<double> h,
+                                StepEvaluation* evaluation) {
+  MonitorReport report;
+  report.step = k;
+  report.time = state.time;
+  report.h = h.value_or(0);
+  if (!monitor_) return report;
+  const Stopwatch watch(result_.monitorTime);
+  if (!sees(k)) {
+    report = lastReport_;
+    report.step = k;
+    report.time = state.time;
+    report.fresh = false;
+    report.newEvents.clear();
+    return report;
+  }
+  if (evaluation) evaluation->wallTime = 0;
+  report = monitor_->observe(k, state.time, state.x, state.v, h, evaluation);
+  if (evaluation) {
+    // The pass over the elements counts as the force's, which it serves too.
+    result_.monitorTime -= evaluation->wallTime;
+    result_.forceTime += evaluation->wallTime;
+  }
+  freshReports_ += report.fresh ? 1 : 0;
+  if (!everyState_) lastReport_ = report;
+  return report;
+}
+
+void RunWatch::complete(MonitorReport& report, const State& state, const std::optional<Energies>& energies) {
+  if (!scene_.monitored()) return;
+  const Stopwatch watch(result_.monitorTime);
+  if (monitor_ && energies && sees(report.step)) report.newEvents = monitor_->observeEnergies(*energies).newEvents;
+  if (!handler_) return;
+  nameElements(report);
+  if (report.step % scene_.every == 0 && state.x.allFinite()) watchHandled(report, state);
+  checkHandled(report);
+}
+
+void RunWatch::watchHandled(MonitorReport& report, const State& state) {
+  const bool certifiedBefore = handledWatch_.uncertifiedPart().empty();
+  if (const auto event = handledWatch_.observe(*handler_, body_, report.step, state.time, state.x))
+    report.newEvents.push_back(*event);
+  if (const std::string& part = handledWatch_.uncertifiedPart(); certifiedBefore && !part.empty())
+    result_.notes.push_back(fmt::format("step {}, t = {:.6g} s: {}", report.step, state.time, part));
+}
+
+void RunWatch::checkHandled(MonitorReport& report) const {
+  if (handler_ && !handledWatch_.uncertifiedPart().empty() && report.verdict == Verdict::certified)
+    report.verdict = Verdict::notCertified;
+}
+
+void RunWatch::nameElements(MonitorReport& report) const {
+  if (report.bracket) {
+    report.bracket->controlling = handler_->toParentElement(report.bracket->controlling);
+    report.bracket->lowestRingElement = handler_->toParentElement(report.bracket->lowestRingElement);
+  }
+  for (MonitorEvent& event : report.newEvents)
+    if (event.element) event.element = handler_->toParentElement(*event.element);
+}
+
+}  // namespace ringwatch

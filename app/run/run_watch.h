@@ -1,0 +1,60 @@
+#pragma once
+#include <functional>
+#include <optional>
+
+#include <ringwatch/app/run/handled_watch.h>
+#include <ringwatch/app/run/runner.h>
+#include <ringwatch/integrators/integrator.h>
+
+namespace ringwatch {
+
+Verdict verdictFor(double h, const CriticalStep& bracket);
+
+/// What a run knows of the stability of its states: a monitor watches the elements that are explicit, the handler
+/// those that it handles. Reports name elements of the body. Adds its times and notes to the result of the run.
+class RunWatch {
+ public:
+  /// All of them must outlive the watch; a cut may replace the body's contents between end() and begin().
+  RunWatch(const Scene& scene, const Body& body, StepRule rule, RunResult& result);
+
+  /// Watches the body as it is from here on, or what a handler (nullptr: none) leaves explicit of it. metric: in place
+  /// of the monitor's own evaluation, unless empty. everyState: the states come one by one; else they come at least
+  /// where the scene wants the monitor.
+  void begin(Handler* handler, std::function<double(const NodeVectors&)> metric, bool everyState);
+  /// Nothing is watched until the next begin(); the ends of events are known now.
+  void end();
+
+  /// Whether there is a monitor: not without the scene's wish, nor when every element is handled.
+  bool monitors() const { return monitor_.has_value(); }
+  /// Whether observe() fills in an evaluation of the whole body in its own pass.
+  bool sharesPass() const { return monitor_ && !handler_; }
+  /// Observes the state before step k of h seconds (empty while none is chosen). evaluation: as of
+  /// StabilityMonitor::observe; nullptr unless sharesPass().
+  MonitorReport observe(std::int64_t k, const State& state, std::optional<double> h, StepEvaluation* evaluation);
+  /// Adds to the report what the energies of the state (empty: not known) and the handled elements say.
+  void complete(MonitorReport& report, const State& state, const std::optional<Energies>& energies);
+  /// A step is certified only with the handled parts that need a proof of their own.
+  void checkHandled(MonitorReport& report) const;
+  /// Reports that were made of the very state, so far.
+  std::int64_t freshReports() const { return freshReports_; }
+
+ private:
+  /// Between its observations the monitor does not see the states of a run that does not show every one.
+  bool sees(std::int64_t k) const { return everyState_ || k % scene_.every == 0; }
+  void watchHandled(MonitorReport& report, const State& state);
+  void nameElements(MonitorReport& report) const;
+
+  const Scene& scene_;
+  const Body& body_;
+  StepRule rule_;
+  RunResult& result_;
+  Handler* handler_ = nullptr;
+  bool everyState_ = true;
+  bool monitored_ = false;  // a monitor has been made
+  std::optional<StabilityMonitor> monitor_;
+  HandledWatch handledWatch_;
+  MonitorReport lastReport_;  // where not every state is seen: of the last one that was
+  std::int64_t freshReports_ = 0;
+};
+
+}  // namespace ringwatch

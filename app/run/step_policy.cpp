@@ -1,0 +1,47 @@
+#include <ringwatch/app/run/step_policy.h>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <ringwatch/base/error.h>
+
+namespace ringwatch {
+
+bool StepPolicy::collapsed(double h) const {
+  constexpr double collapse = 1e-6;  // of the first step: a run that needs less goes nowhere
+  return !(h > collapse * first_);
+}
+
+std::string StepPolicy::choose(MonitorReport& report, double time, const std::function<void(MonitorReport&)>& prove) {
+  const bool automatic = !scene_.step, reduce = scene_.onViolation == OnViolation::reduceStep;
+  const bool tooLong = scene_.proves() ? report.verdict != Verdict::certified
+                                       : report.metricStep.has_value() && !(h_ <= *report.metricStep);
+  if (automatic ? (report.fresh || (reduce && tooLong)) : (reduce && tooLong)) {
+    if (scene_.proves() && !report.fresh) prove(report);
+    const double safe = !scene_.proves() ? *report.metricStep : report.bracket ? report.bracket->safe : 0;
+    double next = scene_.safety * safe;
+    if (!(next > 0)) next = 0.5 * h_;           // nothing can be certified: keep reducing
+    if (!automatic) next = std::min(next, h_);  // a fixed step is shortened, never lengthened
+    // Evaluated at this state, the step is certified after all.
+    if (report.bracket && !automatic && h_ <= report.bracket->safe) next = h_;
+    h_ = std::min(next, scene_.end);
+    if (first_ <= 0) first_ = h_;
+    if (collapsed(h_)) return fmt::format("no step can be certified: reduced to {:.3g} s", h_);
+  }
+  if (automatic && first_ == h_)
+    if (const std::string fault = tooManySteps(h_, scene_.end); !fault.empty())
+      throw InputError(fmt::format("{}: integrator.end: \"auto\" begins with {}", scene_.file.string(), fault));
+  endsTheRun_ = automatic && h_ > scene_.end - time;
+  if (endsTheRun_) h_ = scene_.end - time;
+  if (first_ <= 0) first_ = h_;
+  return {};
+}
+
+bool StepPolicy::halve() {
+  if (collapsed(0.5 * h_)) return false;
+  h_ *= 0.5;
+  return true;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,36 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include <ringwatch/app/scene/scene.h>
+#include <ringwatch/monitor/stability_monitor.h>
+
+namespace ringwatch {
+
+/// Chooses the steps of a run: the one that the scene fixes, or what the monitor proves.
+class StepPolicy {
+ public:
+  /// The scene must outlive this.
+  explicit StepPolicy(const Scene& scene) : scene_(scene), h_(scene.step.value_or(0)) {}
+
+  /// s; 0 while none is chosen.
+  double step() const { return h_; }
+  std::optional<double> asked() const { return h_ > 0 ? std::optional(h_) : std::nullopt; }
+  /// Sets the step to take at `time` by what a report says of the state, for "auto" and "reduce-step".
+  /// prove: gives the report a bracket of the state, from scratch. Returns why there is no step, "" where there is one.
+  /// Throws InputError where "auto" begins with a step that is out of all proportion to the end.
+  std::string choose(MonitorReport& report, double time, const std::function<void(MonitorReport&)>& prove);
+  /// The step was shortened to end with the run.
+  bool endsTheRun() const { return endsTheRun_; }
+  /// Takes half the step; false where it would collapse.
+  bool halve();
+
+ private:
+  bool collapsed(double h) const;
+
+  const Scene& scene_;
+  double h_, first_ = 0;
+  bool endsTheRun_ = false;
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,480 @@
+#include <ringwatch/app/scene/scene.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/scene/scene_keys.h>
+#include <ringwatch/app/scene/scene_mesh.h>
+#include <ringwatch/app/scene/scene_tables.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
+#include <ringwatch/integrators/integrator.h>
+#include <ringwatch/monitor/metrics/metrics.h>
+
+namespace ringwatch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Eigen::Vector3d vectorOf(const Json& value) {
+  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+std::array<bool, 3> componentsOf(const SceneTable& section) {
+  const auto text = section.get<std::string>("components");
+  const auto components = parseComponents(text);
+  if (!components)
+    fail(section.at("components").origin, section.name + ".components",
+         inQuotes(text) + " names no components; must be some of x, y, z, each once");
+  return *components;
+}
+
+NodeSelection selectionOf(const SceneTable& section) {
+  if (section.given("where") == section.given("set"))
+    fail(section.given("set") ? section.at("set").origin : section.origin, section.name + ".where",
+         section.given("set") ? "both where and set are given; give one of them"
+                              : "missing; give a condition, e.g. where = \"x < 1e-6\", or set = \"NAME\"");
+  if (section.given("set")) return {std::nullopt, section.get<std::string>("set"), section.where("set")};
+  return NodeSelection::parse(section.get<std::string>("where"), section.where("where"));
+}
+
+/// [mesh]: a file, or a generator with parameters that it takes.
+void readMeshSection(const SceneTable& section, Scene& scene) {
+  if (section.given("file") == section.given("generate"))
+    fail(section.given("file") ? section.at("file").origin : section.origin, "mesh.file",
+         section.given("file") ? "both file and generate are given; give one of them"
+                               : "missing; give file or generate");
+  if (section.given("file")) {
+    const std::filesystem::path path = section.get<std::string>("file");
+    scene.meshFile = path.is_absolute() ? path : scene.file.parent_path() / path;
+    scene.meshOrigin = section.where("file");
+  } else {
+    scene.generator = section.get<std::string>("generate");
+    scene.meshOrigin = section.where("generate");
+    scene.generatorArguments = Json::object();
+  }
+  for (const auto& [key, entry] : section.entries) {
+    if (key == "file" || key == "generate") continue;
+    if (scene.generator.empty())
+      fail(entry.origin, "mesh." + key, "is a parameter of generators; a mesh file takes none");
+    const std::string fault = generatorFault(scene.generator, key, entry.value);
+    if (!fault.empty()) fail(entry.origin, "mesh." + key, fault);
+    scene.generatorArguments[key] = entry.value;
+  }
+  if (scene.generator.empty()) return;
+  const Json defaults = generatorDefaults(scene.generator);
+  for (const auto& [key, value] : defaults.items())
+    if (!scene.generatorArguments.contains(key)) scene.generatorArguments[key] = value;
+  scene.echo["mesh"].update(scene.generatorArguments);
+}
+
+/// The keys of [material] that the law declares.
+void readLawParameters(const LawInfo& law, const SceneTable& material, Scene& scene) {
+  for (const LawInfo& other : allLaws())
+    for (const OptionInfo& option : other.parameters) {
+      const std::string key(option.name);
+      if (material.given(key) && !findOption(law.parameters, key)) {
+        std::vector<std::string_view> known;
+        for (const OptionInfo& own : law.parameters) known.push_back(own.name);
+        fail(material.at(key).origin, "material." + key,
+             fmt::format("is no parameter of the law \"{}\"; it takes {}", law.name, fmt::join(known, ", ")));
+      }
+    }
+  for (const OptionInfo& option : law.parameters) {
+    const std::string key(option.name);
+    if (!material.given(key)) {
+      if (option.fallback.empty())
+        fail(material.origin, "material." + key, missingText(SceneType::number, option.unit, option.range));
+      continue;
+    }
+    scene.parameters.set(key, material.get<double>(key));
+    if (const std::string fault = optionFault(law.parameters, scene.parameters, key); !fault.empty())
+      fail(material.at(key).origin, "material." + key,
+           fmt::format("{}; {}{}", material.at(key).value.dump(), fault,
+                       option.unit.empty() ? "" : fmt::format(" {}", option.unit)));
+  }
+}
+
+/// "verlet and symplectic-euler": the names of the entries that have a trait.
+template <class Infos, class Trait>
+std::string namesWhere(const Infos& infos, const Trait& trait) {
+  std::vector<std::string_view> names;
+  for (const auto& info : infos)
+    if (trait(info)) names.push_back(info.name);
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+void readIntegratorSection(const SceneTable& integrator, const SceneTable& monitor, const SceneTable& damping,
+                           Scene& scene) {
+  scene.damping = {damping.get<double>("mass"), damping.get<double>("stiffness")};
+  scene.method = integrator.get<std::string>("method");
+  const Json& step = integrator.at("step").value;
+  if (step.is_number()) scene.step = step.get<double>();
+  scene.end = integrator.get<double>("end");
+  scene.safety = integrator.get<double>("safety");
+
+  scene.mode = monitor.named("mode", monitorModeNames);
+  if (scene.mode == MonitorMode::metric && monitor.get<std::string>("metric") == "none")
+    fail(monitor.at("mode").origin, "monitor.mode", "\"metric\" needs a metric; set monitor.metric");
+  if (!monitor.get<bool>("bracket")) {
+    if (scene.mode == MonitorMode::threshold)
+      fail(monitor.at("bracket").origin, "monitor.bracket",
+           "false leaves nothing to prove, but mode = \"threshold\" does; take one of them out");
+    scene.mode = MonitorMode::metric;
+  }
+  scene.metric = monitor.get<std::string>("metric");
+  if (scene.metric == "none") scene.metric.clear();
+  scene.margin = monitor.get<double>("margin");
+  scene.every = monitor.get<std::int64_t>("every");
+  scene.energyTolerance = monitor.get<double>("energy_tolerance");
+  scene.requireCertified = monitor.get<bool>("require_certified");
+  scene.onViolation = monitor.named("on_violation", onViolationNames);
+
+  if (scene.step && *scene.step > scene.end)
+    fail(integrator.at("step").origin, "integrator.step",
+         fmt::format("{} s is beyond the end; must be <= end = {} s", *scene.step, scene.end));
+  if (scene.step)
+    if (const std::string fault = tooManySteps(*scene.step, scene.end); !fault.empty())
+      fail(integrator.at("step").origin, "integrator.step", fault);
+  if (!scene.step && scene.mode != MonitorMode::bracket)
+    fail(integrator.at("step").origin, "integrator.step",
+         "\"auto\" follows the safe step; it needs monitor.bracket = true and monitor.mode = \"bracket\"");
+  if (scene.onViolation == OnViolation::reduceStep && !scene.monitored())
+    fail(monitor.at("on_violation").origin, "monitor.on_violation",
+         "\"reduce-step\" needs monitor.bracket = true or a monitor.metric");
+  if (scene.monitored() && !(integratorCatalog().find(scene.method)->imaginaryLimit > 0))
+    fail(integrator.at("method").origin, "integrator.method",
+         fmt::format("\"{}\" is unstable at every step without damping, so there is no critical step to monitor; "
+                     "choose another, "
+                     "or set monitor.bracket = false and monitor.metric = \"none\"",
+                     scene.method));
+  const IntegratorInfo& info = *integratorCatalog().find(scene.method);
+  if (std::isinf(info.imaginaryLimit) || info.partitioned) {
+    // No step is too large for it, or its stiff part is whatever the step asks for: there is nothing to watch but
+    // energies and the state itself.
+    if (!scene.step)
+      fail(integrator.at("step").origin, "integrator.step",
+           fmt::format("\"auto\" follows the critical step, and \"{}\" {}; give a number", scene.method,
+                       info.partitioned ? "chooses its stiff elements by the step" : "is stable at every step"));
+    scene.mode = MonitorMode::metric;
+    scene.metric.clear();
+  }
+  if (scene.requireCertified && !scene.proves())
+    fail(monitor.at("require_certified").origin, "monitor.require_certified",
+         "true needs a proof: monitor.mode = \"bracket\" or \"threshold\", and an integrator with a critical step");
+  if (scene.proves() && scene.damping.any() && !info.highestModeBinds)
+    fail(integrator.at("method").origin, "integrator.method",
+         fmt::format(
+             "\"{}\": with [damping] the bracket is proven for {} only; choose one of them, or set monitor.bracket "
+             "= false, with a monitor.metric for an estimate",
+             scene.method,
+             namesWhere(integratorInfos(), [](const IntegratorInfo& one) { return one.highestModeBinds; })));
+}
+
+/// The keys of [handler] that the handler declares.
+void readHandlerOptions(const HandlerInfo& info, const SceneTable& handler, Scene& scene) {
+  if (!info.takes(scene.handlerOptions.selection)) {
+    std::vector<std::string> names;
+    for (const Selection one : info.selections) names.push_back(fmt::format("\"{}\"", selectionNames.nameOf(one)));
+    fail(handler.at("selection").origin, "handler.selection",
+         fmt::format("\"{}\" does not go with {}; must be {}", selectionNames.nameOf(scene.handlerOptions.selection),
+                     info.name, fmt::join(names, " or ")));
+  }
+  Options& own = scene.handlerOptions.own;
+  for (const auto& [key, entry] : handler.entries) {
+    if (!entry.given || isKeyOfEveryHandler(key)) continue;
+    if (!findOption(info.options, key)) {
+      std::vector<std::string_view> owners;
+      for (const HandlerEntry& other : allHandlers())
+        if (findOption(other.info->options, key)) owners.push_back(other.info->name);
+      fail(entry.origin, "handler." + key,
+           fmt::format("is a key of {}; \"{}\" does not take it", fmt::join(owners, ", "), info.name));
+    }
+    own.set(key, entry.value.is_string() ? OptionValue(entry.value.get<std::string>())
+                                         : OptionValue(entry.value.get<double>()));
+  }
+  for (const auto& [key, value] : own)
+    if (const std::string fault = optionFault(info.options, own, key); !fault.empty())
+      fail(handler.at(key).origin, "handler." + key,
+           fmt::format("{} {}, with the handler \"{}\"", handler.at(key).value.dump(), fault, info.name));
+  const Options all = completed(info.name, info.options, own);
+  scene.reduceOnFailure = findOption(info.options, "on_failure") && all.text("on_failure") == "reduce-step";
+}
+
+void readHandlerSection(const SceneTable& handler, const SceneTable& integrator, const SceneTable& monitor,
+                        const SceneTable& damping, Scene& scene) {
+  scene.handler = handler.get<std::string>("method");
+  if (scene.handler == "none") scene.handler.clear();
+  scene.handlerOptions.selection = handler.named("selection", selectionNames);
+  scene.handlerOptions.margin = handler.get<double>("margin");
+
+  if (scene.handler.empty()) {
+    for (const auto& [key, entry] : handler.entries)
+      if (entry.given && key != "method")
+        fail(entry.origin, "handler." + key, "there is no handler; set handler.method");
+    if (scene.onViolation == OnViolation::handle)
+      fail(monitor.at("on_violation").origin, "monitor.on_violation", "\"handle\" needs a handler; set handler.method");
+    return;
+  }
+  const IntegratorInfo& info = *integratorCatalog().find(scene.method);
+  if (!takesHandler(info))
+    fail(integrator.at("method").origin, "integrator.method",
+         fmt::format("\"{}\": handlers work on {}; choose one of them", scene.method,
+                     namesWhere(integratorInfos(), takesHandler)));
+  if (!scene.step)
+    fail(integrator.at("step").origin, "integrator.step",
+         "\"auto\" follows the safe step, which a handler is there to exceed; give a number");
+  readHandlerOptions(*findHandler(scene.handler), handler, scene);
+  if (scene.onViolation == OnViolation::reduceStep)
+    fail(monitor.at("on_violation").origin, "monitor.on_violation",
+         "\"reduce-step\" works against the handler; set it to \"handle\", \"warn\" or \"stop\"");
+  if (scene.onViolation == OnViolation::handle && !scene.proves())
+    fail(monitor.at("on_violation").origin, "monitor.on_violation",
+         "\"handle\" follows the proven bracket; it needs monitor.mode = \"bracket\" or \"threshold\"");
+  if (scene.damping.any())
+    fail(damping.origin, "[damping]", "handlers do not work with damping; remove it or set handler.method = \"none\"");
+}
+
+void readDevice(const SceneTable& integrator, Scene& scene) {
+  scene.device = integrator.named("device", runDeviceNames);
+  if (scene.device == RunDevice::cpu) return;
+  scene.deviceOrigin = integrator.at("device").origin + ": integrator.device";
+  const HandlerInfo* info = findHandler(scene.handler);
+  const bool onGpu = integratorCatalog().find(scene.method)->runsOnGpu && !scene.damping.any() &&
+                     (scene.handler.empty() || info->forGpu != nullptr);
+  if (!onGpu) {
+    std::vector<HandlerInfo> handlers;
+    for (const HandlerEntry& entry : allHandlers()) handlers.push_back(*entry.info);
+    scene.noDevice = fmt::format("a GPU runs {} without [damping], and of the handlers {} alone",
+                                 namesWhere(integratorInfos(), [](const IntegratorInfo& one) { return one.runsOnGpu; }),
+                                 namesWhere(handlers, [](const HandlerInfo& one) { return one.forGpu != nullptr; }));
+  } else if (info) {
+    scene.noDevice = info->forGpu(scene.handlerOptions.own);
+  }
+  if (scene.noDevice.empty()) return;
+  if (scene.device == RunDevice::cuda)
+    fail(integrator.at("device").origin, "integrator.device", scene.noDevice + "; change that, or set it to \"cpu\"");
+}
+
+void readLoadSection(const SceneTable& section, Scene& scene) {
+  NodeSelection nodes = selectionOf(section);
+  if (section.name == "fix") {
+    scene.fixes.push_back({std::move(nodes), componentsOf(section)});
+  } else if (section.name == "move") {
+    scene.moves.push_back({std::move(nodes), componentsOf(section), vectorOf(section.at("velocity").value)});
+  } else {
+    if (section.given("acceleration") == section.given("force"))
+      fail(section.given("force") ? section.at("force").origin : section.origin, "force.acceleration",
+           section.given("force") ? "both acceleration and force are given; give one of them"
+                                  : "missing; give acceleration (m/s2) or force (N)");
+    Scene::Force force{std::move(nodes), std::nullopt, std::nullopt};
+    if (section.given("force"))
+      force.total = vectorOf(section.at("force").value);
+    else
+      force.acceleration = vectorOf(section.at("acceleration").value);
+    scene.forces.push_back(std::move(force));
+  }
+}
+
+void readCutSection(const SceneTable& section, Scene& scene) {
+  for (const auto& [one, other] : {std::pair{"point", "normal"}, std::pair{"line", "sweep"}})
+    if (section.given(one) != section.given(other))
+      fail(section.origin, std::string("cut.") + (section.given(one) ? other : one),
+           fmt::format("missing; it goes with {}", section.given(one) ? one : other));
+  if (section.given("point") == section.given("line"))
+    fail(section.origin, "[[cut]]",
+         section.given("line") ? "both a plane and a line are given; give one of them"
+                               : "missing; give point and normal, or line and sweep");
+  const std::string origin = section.origin + ": [[cut]]";
+  const auto time = section.get<double>("time");
+  if (!(time < scene.end))
+    fail(section.at("time").origin, "cut.time",
+         fmt::format("{} s is not before the end; must be < end = {} s", time, scene.end));
+  try {
+    CutSurface surface = [&] {
+      if (section.given("point"))
+        return CutSurface::plane(vectorOf(section.at("point").value), vectorOf(section.at("normal").value));
+      std::vector<Eigen::Vector3d> line;
+      for (const Json& point : section.at("line").value) line.push_back(vectorOf(point));
+      return CutSurface::swept(std::move(line), vectorOf(section.at("sweep").value));
+    }();
+    scene.cuts.push_back({std::move(surface), time, section.get<double>("snap"),
+                          section.named("positions", cutPositionsNames) == CutPositions::reference,
+                          section.get<bool>("critical_step"), origin});
+  } catch (const InputError& fault) {
+    throw InputError(fmt::format("{}: {}", origin, fault.what()));
+  }
+}
+
+Json echoOf(const std::vector<SceneTable>& sections) {
+  Json echo = Json::object();
+  for (const SceneTable& section : sections) {
+    Json values = Json::object();
+    for (const SceneKey& key : sceneKeys())  // the table's order
+      if (key.section == section.name && section.entries.count(key.key) != 0)
+        values[key.key] = section.at(key.key).value;
+    if (section.name == "fix" || section.name == "move" || section.name == "force" || section.name == "cut")
+      echo[section.name].push_back(std::move(values));
+    else
+      echo[section.name] = std::move(values);
+  }
+  return echo;
+}
+
+}  // namespace
+
+NodeSelection NodeSelection::parse(const std::string& text, const std::string& origin) {
+  if (text.rfind("set:", 0) == 0) return {std::nullopt, text.substr(4), origin};
+  try {
+    return {WhereExpression(text), {}, origin};
+  } catch (const InputError& fault) {
+    throw InputError(fmt::format("{}: {}: {}", origin, inQuotes(text), fault.what()));
+  }
+}
+
+std::string tooManySteps(double h, double end) {
+  const double steps = end / h;
+  if (steps <= mostSteps) return {};
+  return fmt::format("{} s makes {:.3g} steps to the end at {} s; at most {} are possible", h, steps, end, mostSteps);
+}
+
+namespace {
+Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>& sections) {
+  Scene scene;
+  scene.file = file;
+  scene.echo = echoOf(sections);
+  const auto section = [&](std::string_view name) -> const SceneTable& {
+    return *std::find_if(sections.begin(), sections.end(), [&](const SceneTable& s) { return s.name == name; });
+  };
+  readMeshSection(section("mesh"), scene);
+
+  const SceneTable& material = section("material");
+  scene.model = material.get<std::string>("model");
+  readLawParameters(lawNamed(scene.model), material, scene);
+  scene.density = material.get<double>("density");
+  scene.lumping = material.named("lumping", lumpingNames);
+  if (material.given("rules"))
+    scene.rules = parseRules(material.get<std::vector<std::string>>("rules"), material.where("rules"));
+
+  readIntegratorSection(section("integrator"), section("monitor"), section("damping"), scene);
+  readHandlerSection(section("handler"), section("integrator"), section("monitor"), section("damping"), scene);
+  readDevice(section("integrator"), scene);
+  for (const SceneTable& s : sections)
+    if (s.name == "fix" || s.name == "move" || s.name == "force") readLoadSection(s, scene);
+
+  for (const SceneTable& s : sections)
+    if (s.name == "cut") readCutSection(s, scene);
+  std::stable_sort(scene.cuts.begin(), scene.cuts.end(),
+                   [](const Scene::Cut& a, const Scene::Cut& b) { return a.time < b.time; });
+  if (!scene.cuts.empty() && scene.device == RunDevice::cuda)
+    throw InputError(fmt::format("{}: \"cuda\": a GPU runs no cuts; set it to \"cpu\"", scene.deviceOrigin));
+  if (!scene.cuts.empty() && scene.device == RunDevice::automatic) scene.noDevice = "a GPU runs no cuts";
+
+  const SceneTable& output = section("output");
+  if (output.given("every")) {
+    scene.frameInterval = output.get<double>("every");
+    const double frames = scene.end / *scene.frameInterval;
+    if (!(frames <= mostSteps))
+      fail(output.at("every").origin, "output.every",
+           fmt::format("{} s makes {:.3g} frames to the end at {} s; at most {} are possible", *scene.frameInterval,
+                       frames, scene.end, mostSteps));
+  }
+  scene.fields = output.get<std::vector<std::string>>("fields");
+  scene.historyEvery = output.get<std::int64_t>("history_every");
+  scene.energy = output.get<bool>("energy");
+  scene.picture = output.get<bool>("picture");
+  const IntegratorInfo& info = *integratorCatalog().find(scene.method);
+  for (const std::string& field : scene.fields)
+    if ((std::isinf(info.imaginaryLimit) || info.partitioned) && (field == "critical_step" || findMetric(field)))
+      fail(output.at("fields").origin, "output.fields",
+           fmt::format("\"{}\": \"{}\" {} and has no critical step", field, scene.method,
+                       info.partitioned ? "chooses its stiff elements by the step" : "is stable at every step"));
+  if (scene.metric.empty() && std::find(scene.fields.begin(), scene.fields.end(), "metric") != scene.fields.end())
+    fail(output.at("fields").origin, "output.fields", "\"metric\" needs a metric; set monitor.metric");
+  return scene;
+}
+}  // namespace
+
+Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return makeScene(file, readSceneTables(file, overrides));
+}
+
+Scene sceneOfRun(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "summary.json";
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw InputError(fmt::format("{}: cannot read; it is there when a run has ended in this folder", file.string()));
+  const Json summary = Json::parse(stream, nullptr, false);
+  const auto echo = summary.is_object() ? summary.find("scene") : summary.end();
+  if (!summary.is_object() || echo == summary.end() || !echo->is_object())
+    throw InputError(fmt::format("{}: not the summary of a run; it has no \"scene\"", file.string()));
+  // JSON's texts, numbers and lists are TOML's.
+  std::string text;
+  const auto add = [&](const std::string& head, const Json& section) {
+    text += head + "\n";
+    for (const auto& [key, value] : section.items())
+      if (!value.is_null()) text += fmt::format("{} = {}\n", key, value.dump());
+  };
+  for (const auto& [name, section] : echo->items()) {
+    if (!section.is_array()) {
+      add(fmt::format("[{}]", name), section);
+    } else {
+      for (const Json& entry : section) add(fmt::format("[[{}]]", name), entry);
+    }
+  }
+  return makeScene(file, sceneTablesOfEcho(file, text));
+}
+
+std::optional<std::array<bool, 3>> parseComponents(std::string_view text) {
+  std::array<bool, 3> result{};
+  for (char c : text) {
+    if (c < 'x' || c > 'z' || result[c - 'x']) return std::nullopt;
+    result[c - 'x'] = true;
+  }
+  if (text.empty()) return std::nullopt;
+  return result;
+}
+
+Scene::Fix parseFix(const std::string& text, const std::string& origin) {
+  const std::size_t begin = text.rfind("set:", 0) == 0 ? 4 : 0, colon = text.rfind(':');
+  if (colon == std::string::npos || colon < begin) return {NodeSelection::parse(text, origin), {true, true, true}};
+  const std::string components = text.substr(colon + 1);
+  const auto held = parseComponents(components);
+  if (!held)
+    throw InputError(fmt::format("{}: {}: {} names no components; must be some of x, y, z, each once", origin,
+                                 inQuotes(text), inQuotes(components)));
+  return {NodeSelection::parse(text.substr(0, colon), origin), *held};
+}
+
+std::map<std::string, std::string> parseRules(const std::vector<std::string>& texts, const std::string& origin) {
+  std::map<std::string, std::string> rules;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    const std::string name = text.substr(0, equals);
+    const ElementInfo* element = nullptr;
+    std::vector<std::string> elements;
+    for (const ElementInfo& info : allElements()) {
+      elements.emplace_back(info.name);
+      if (info.name == name) element = &info;
+    }
+    if (equals == std::string::npos || !element)
+      throw InputError(fmt::format("{}: {} must be ELEMENT=RULE; elements are {}", origin, inQuotes(text),
+                                   fmt::join(elements, ", ")));
+    const std::string rule = text.substr(equals + 1);
+    if (!findRule(*element, rule) || rule.empty()) {
+      std::vector<std::string> known;
+      for (const QuadratureRule& r : element->rules) known.emplace_back(r.name);
+      throw InputError(fmt::format("{}: unknown rule {} for {}; did you mean \"{}\"? known are {}", origin,
+                                   inQuotes(rule), name, nearestName(rule, known), fmt::join(known, ", ")));
+    }
+    rules[name] = rule;
+  }
+  return rules;
+}
+
+}  // namespace ringwatch

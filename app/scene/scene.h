@@ -1,0 +1,163 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+
+#include <ringwatch/app/scene/where_expression.h>
+#include <ringwatch/body/body.h>
+#include <ringwatch/handlers/handler.h>
+#include <ringwatch/integrators/integrator.h>
+#include <ringwatch/meshes/mesh.h>
+#include <ringwatch/meshes/modify/cut.h>
+#include <ringwatch/monitor/stability_monitor.h>
+
+namespace ringwatch {
+
+/// Nodes that a scene or a command line names: by a condition on their position or by a named set of the mesh.
+struct NodeSelection {
+  std::optional<WhereExpression> where;
+  std::string set;     // used when there is no condition
+  std::string origin;  // "scene.toml:12: fix.where", for messages
+
+  /// The condition, or `set:NAME`.
+  static NodeSelection parse(const std::string& text, const std::string& origin);
+  /// Positions of the selected nodes, ascending. Throws InputError for an unknown set and for a selection without
+  /// nodes.
+  std::vector<std::int32_t> nodesOf(const Mesh& mesh) const;
+};
+
+/// What a run does when the monitor no longer certifies its step.
+enum class OnViolation { stop, warn, reduceStep, handle };
+inline constexpr auto onViolationNames = nameTable<OnViolation>({
+    {OnViolation::stop, "stop", "stop the run"},
+    {OnViolation::warn, "warn", "go on"},
+    {OnViolation::reduceStep, "reduce-step", "shorten the step as soon as it is no longer certified"},
+    {OnViolation::handle, "handle", "give the handler more elements"},
+});
+
+/// Where a run takes its steps. automatic: on a GPU if that can be, else on the CPU.
+enum class RunDevice { cpu, cuda, automatic };
+inline constexpr auto runDeviceNames = nameTable<RunDevice>({
+    {RunDevice::cpu, "cpu"},
+    {RunDevice::cuda, "cuda"},
+    {RunDevice::automatic, "auto"},
+});
+
+/// Where the surface of a cut lies: in space, or in the body at rest.
+enum class CutPositions { deformed, reference };
+inline constexpr auto cutPositionsNames = nameTable<CutPositions>({
+    {CutPositions::deformed, "deformed"},
+    {CutPositions::reference, "reference"},
+});
+
+/// A validated description of a run. SI units.
+struct Scene {
+  struct Fix {
+    NodeSelection nodes;
+    std::array<bool, 3> components;
+  };
+  struct Move {
+    NodeSelection nodes;
+    std::array<bool, 3> components;
+    Eigen::Vector3d velocity;  // m/s
+  };
+  struct Force {
+    NodeSelection nodes;
+    std::optional<Eigen::Vector3d> acceleration;  // m/s²
+    std::optional<Eigen::Vector3d> total;         // N, spread over the nodes by mass
+  };
+
+  struct Cut {
+    CutSurface surface;
+    double time = 0;  // s
+    double snap = 0;  // edge lengths
+    bool atRest = false;
+    bool criticalStep = false;  // of the whole body, before and after, is wanted
+    std::string origin;         // "scene.toml:31: [[cut]]", for messages
+  };
+
+  std::filesystem::path file;
+  nlohmann::ordered_json echo;  // every section and key with defaults filled in
+
+  std::filesystem::path meshFile;  // empty when generated
+  std::string generator;
+  nlohmann::ordered_json generatorArguments;
+  std::string meshOrigin;  // "scene.toml:3: mesh.file", for messages
+
+  std::string model;
+  Options parameters;  // of the law
+  double density = 0;
+  Lumping lumping = Lumping::rowSum;
+  std::map<std::string, std::string> rules;  // element name -> quadrature rule name
+
+  std::string method;
+  std::optional<double> step;  // s; empty for "auto"
+  double end = 0;              // s
+  RayleighDamping damping;
+  RunDevice device = RunDevice::cpu;
+  std::string deviceOrigin;  // "scene.toml:9: integrator.device", for messages
+  std::string noDevice;      // why this scene cannot run on a GPU; "" when it can
+  double safety = 0;         // share of the safe step that "auto" and "reduce-step" take
+
+  std::string metric;  // "" for none
+  double margin = 0;
+  MonitorMode mode = MonitorMode::bracket;
+  std::int64_t every = 1;
+  OnViolation onViolation = OnViolation::stop;
+  double energyTolerance = 0;
+  bool requireCertified = false;  // a step that is not certified makes the run fail
+
+  std::string handler;  // "" for none
+  HandlerOptions handlerOptions;
+  bool reduceOnFailure = false;  // halve the step when the handler cannot take it
+
+  std::vector<Fix> fixes;
+  std::vector<Move> moves;
+  std::vector<Force> forces;
+  std::vector<Cut> cuts;  // by time
+
+  std::optional<double> frameInterval;  // s; empty for no frames
+  std::vector<std::string> fields;
+  std::int64_t historyEvery = 1;
+  bool energy = true;
+  bool picture = true;
+
+  /// Whether the monitor proves anything; a metric does not.
+  bool proves() const { return mode != MonitorMode::metric; }
+  bool monitored() const { return proves() || !metric.empty(); }
+};
+
+/// Reads and checks a scene file. overrides: `section.key=value` each, value as TOML (a bare word is taken for a
+/// string); they win over the file. Throws InputError "FILE:LINE: section.key: what is wrong; what would be right".
+Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// The scene of a finished run, from its summary.json. Throws InputError when there is none that can be read.
+Scene sceneOfRun(const std::filesystem::path& folder);
+/// `hex8=RULE` and so on as element name -> quadrature rule name. Throws InputError "origin: …" for another form, an
+/// unknown element or an unknown rule.
+std::map<std::string, std::string> parseRules(const std::vector<std::string>& texts, const std::string& origin);
+/// Which of x, y, z a text such as "xy" names; nothing unless it names some, each once.
+std::optional<std::array<bool, 3>> parseComponents(std::string_view text);
+/// A condition or `set:NAME`, and behind a colon the components that are held, e.g. "x < 1e-6:x" for a roller; all of
+/// them without. Throws InputError "origin: …".
+Scene::Fix parseFix(const std::string& text, const std::string& origin);
+/// More steps, or frames, than a run can have: at a microsecond each they would take twelve days.
+inline constexpr double mostSteps = 1e12;
+/// "" unless steps of h (s) to the end (s) are more than that; then how many, for a message.
+std::string tooManySteps(double h, double end);
+
+/// Threads for a request; 0 asks for as many as the mesh can keep busy: on a small one, waiting for each other would
+/// cost more than they share, above all on a machine that has other work too.
+int threadsThatPay(int requested, const Mesh& mesh);
+/// The mesh of a scene, read or generated. notes: what a reader has to tell.
+Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes);
+/// The body of a scene with its constraints and forces. Throws InputError for selections without nodes.
+Body sceneBody(const Scene& scene, Mesh mesh, int threads);
+
+}  // namespace ringwatch

@@ -1,0 +1,153 @@
+#include <ringwatch/app/scene/scene.h>
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/scene/scene_mesh.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/parallel.h>
+#include <ringwatch/base/user_text.h>
+#include <ringwatch/meshes/mesh_io.h>
+#include <ringwatch/meshes/node_order.h>
+
+namespace ringwatch {
+namespace {
+
+/// What the [[fix]] and [[move]] of a scene prescribe at each component of each node. Two that ask for different
+/// velocities at one of them are refused.
+class PrescribedMotions {
+ public:
+  explicit PrescribedMotions(std::int32_t nodes) : by_(3 * static_cast<std::size_t>(nodes), -1) {}
+
+  void add(const std::string& origin, const std::vector<std::int32_t>& nodes, const std::array<bool, 3>& components,
+           const Eigen::Vector3d& velocity) {
+    const auto own = static_cast<std::int32_t>(all_.size());
+    all_.push_back({origin, velocity});
+    std::map<std::int32_t, std::pair<std::size_t, int>> conflicts;  // of an earlier one: shared nodes, first component
+    for (const std::int32_t node : nodes) {
+      std::int32_t counted = -1;
+      for (int c = 0; c < 3; ++c) {
+        if (!components[c]) continue;
+        std::int32_t& by = by_[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(c)];
+        if (by < 0) {
+          by = own;
+        } else if (all_[by].velocity[c] != velocity[c] && by != counted) {
+          conflicts.try_emplace(by, 0, c).first->second.first += 1;
+          counted = by;
+        }
+      }
+    }
+    if (conflicts.empty()) return;
+    const auto& [other, shared] = *conflicts.begin();
+    const auto& [count, c] = shared;
+    throw InputError(fmt::format(
+        "{}: it prescribes another velocity than {} at {} node{} of both ({} and {} m/s along {}); change "
+        "a condition or "
+        "components so that no node has two",
+        origin, all_[other].origin, count, count == 1 ? "" : "s", velocity[c], all_[other].velocity[c], "xyz"[c]));
+  }
+
+ private:
+  struct Motion {
+    std::string origin;
+    Eigen::Vector3d velocity;  // m/s
+  };
+  std::vector<Motion> all_;
+  std::vector<std::int32_t> by_;  // [node][component]: which of all_; -1: none
+};
+
+}  // namespace
+
+std::vector<std::int32_t> NodeSelection::nodesOf(const Mesh& mesh) const {
+  if (!where) {
+    const auto found = mesh.nodeSets.find(set);
+    if (found != mesh.nodeSets.end() && !found->second.empty()) return found->second;
+    std::vector<std::string> known;
+    for (const auto& entry : mesh.nodeSets) known.push_back(entry.first);
+    if (found != mesh.nodeSets.end())
+      throw InputError(fmt::format("{}: the node set {} is empty", origin, inQuotes(set)));
+    throw InputError(known.empty()
+                         ? fmt::format("{}: unknown node set {}; the mesh has no named sets", origin, inQuotes(set))
+                         : fmt::format("{}: unknown node set {}; {}the mesh has {}", origin, inQuotes(set),
+                                       didYouMean(set, known), shortList(known)));
+  }
+  std::vector<std::int32_t> nodes;
+  try {
+    for (Eigen::Index i = 0; i < mesh.X.cols(); ++i)
+      if (where->holdsAt(mesh.X.col(i))) nodes.push_back(static_cast<std::int32_t>(i));
+  } catch (const InputError& fault) {
+    throw InputError(fmt::format("{}: {}", origin, fault.what()));
+  }
+  if (nodes.empty()) {
+    const Eigen::Vector3d low = mesh.X.rowwise().minCoeff(), high = mesh.X.rowwise().maxCoeff();
+    throw InputError(fmt::format("{}: {} selects no node; the mesh lies in {} <= x <= {}, {} <= y <= {}, {} <= z <= {}",
+                                 origin, inQuotes(where->text()), low[0], high[0], low[1], high[1], low[2], high[2]));
+  }
+  return nodes;
+}
+
+int threadsThatPay(int requested, const Mesh& mesh) {
+  constexpr std::size_t elementsPerThread = 4000;
+  if (requested > 0) return requested;
+  return std::min(threadCount(0),
+                  static_cast<int>(std::min<std::size_t>(1 + mesh.elementCount() / elementsPerThread, 1 << 20)));
+}
+
+Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes) {
+  if (scene.generator.empty()) {
+    try {
+      Mesh mesh = loadMesh(scene.meshFile, &notes);
+      renumberNodes(mesh);  // a mesher's order may cost a fifth of every step
+      return mesh;
+    } catch (const InputError& fault) {
+      throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));
+    }
+  }
+  try {
+    return generateMesh(scene.generator, generatorArguments(scene.generatorArguments));
+  } catch (const InputError& fault) {
+    throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));
+  }
+}
+
+Body sceneBody(const Scene& scene, Mesh mesh, int threads) {
+  BodyOptions options;
+  options.lumping = scene.lumping;
+  options.rules = scene.rules;
+  options.threads = threadsThatPay(threads, mesh);
+  std::optional<Body> body;
+  try {
+    body.emplace(std::move(mesh), makeMaterial(scene.model, scene.parameters, scene.density), options);
+  } catch (const NumericalError& fault) {
+    throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));  // the mesh is what the user can mend
+  }
+  PrescribedMotions prescribed(body->nodeCount());
+  for (const Scene::Fix& fix : scene.fixes) {
+    const std::vector<std::int32_t> nodes = fix.nodes.nodesOf(body->mesh());
+    prescribed.add(fix.nodes.origin, nodes, fix.components, Eigen::Vector3d::Zero());
+    for (std::int32_t node : nodes)
+      for (int c = 0; c < 3; ++c)
+        if (fix.components[c]) body->constraints().fix(node, c);
+  }
+  for (const Scene::Move& move : scene.moves) {
+    const std::vector<std::int32_t> nodes = move.nodes.nodesOf(body->mesh());
+    prescribed.add(move.nodes.origin, nodes, move.components, move.velocity);
+    for (std::int32_t node : nodes)
+      for (int c = 0; c < 3; ++c)
+        if (move.components[c]) body->constraints().move(node, c, move.velocity[c]);
+  }
+  for (const Scene::Force& force : scene.forces) {
+    const std::vector<std::int32_t> nodes = force.nodes.nodesOf(body->mesh());
+    double mass = 0;
+    for (std::int32_t node : nodes) mass += body->lumpedMass()[node];
+    const Eigen::Vector3d acceleration =
+        force.acceleration ? *force.acceleration : Eigen::Vector3d(*force.total / mass);
+    for (std::int32_t node : nodes) body->externalForce().col(node) += body->lumpedMass()[node] * acceleration;
+  }
+  return std::move(*body);
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,56 @@
+#pragma once
+#include <ringwatch/handlers/handler.h>
+#include <ringwatch/handlers/imex/implicit_cluster.h>
+
+namespace ringwatch {
+
+/// HandlerInfo::forGpu of `imex`: conjugate gradients alone, to a tolerance of 1e-8. They start from nothing there, and
+/// what they leave out of the momentum is not put back.
+std::string imexForGpu(Options& own);
+
+/// Implicit-explicit integration by elements (Fierz 2013, section 4.3; Hughes & Liu 1978): the base scheme for all
+/// elements but the handled ones, Newmark's method for those, with gamma = 1/2 + α and beta = (1 + α)²/4, α the
+/// dissipation. α = 0 is the trapezoidal rule, of second order; α = 1 is implicit Euler, Fierz 2013's. Linearly
+/// implicit: in the two-step form, with the internal force f(x) of all elements and K̂ of the handled ones,
+///   (M + beta h² K̂) a_n = f_ext - f(x_n) - α h K̂ v_(n-½),   v_(n+½) = v_(n-½) + h a_n,   x_(n+1) = x_n + h v_(n+½).
+/// One force a step, and a linear solve on the nodes of the handled elements alone, cluster by cluster.
+///
+/// Stable, for a frozen tangent K(x) = K_E + K_I, when K_E + K_I ≼ (4/h²) M + (1 + α²) K̂: with the quotients a of
+/// h² K(x) and b of h² K̂ over M at an eigenvector of the recursion,
+///   (1 + beta b) z² - (2 - a + (2 beta - α) b) z + 1 + (beta - α) b = 0,
+/// whose roots have |z| <= 1 for 0 <= a <= 4 + (1 + α²) b. With K_E ≼ (4/h²) M, which the certified selection proves,
+/// it holds whenever K_I ≼ (1 + α²) K̂, which is assumed. Theorem 34, docs/theory/handlers.md.
+class Imex final : public Handler {
+ public:
+  static constexpr std::array table{
+      OptionInfo{.name = "dissipation",
+                 .range = {0, 1, true, true},
+                 .fallback = "0.1",
+                 .help = "of the handled elements: 0 none and second order, 1 implicit Euler"},
+      solverOption, solverToleranceOption, solverIterationsOption, onFailureOption};
+  static constexpr HandlerInfo description{.name = "imex",
+                                           .help = "implicit where the step is too large, explicit elsewhere",
+                                           .options = table,
+                                           .forGpu = imexForGpu};
+  Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
+  std::vector<HandlerFigure> figures() const override;
+  const std::vector<ImplicitCluster>& clusters() const { return clusters_; }
+
+ protected:
+  void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
+  StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
+  bool handledBeginsWithAcceleration() const override {
+    return base_->beginsWithAcceleration() && baseAcceleration_.cols() == 0;
+  }
+
+ private:
+  /// The base scheme's view: the acceleration that the implicit elements allow.
+  class Corrected;
+
+  double dissipation_;
+  ClusterOptions cluster_;
+  std::vector<ImplicitCluster> clusters_;
+  std::vector<std::uint8_t> failed_;
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,96 @@
+#include <ringwatch/handlers/modal_filter/modal_filter.h>
+
+#include <algorithm>
+
+#include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/bounds/scaled_tangent.h>
+
+namespace ringwatch {
+
+class ModalFilter::Corrected final : public SecondOrderSystem {
+ public:
+  Corrected(ModalFilter& owner, double h) : owner_(owner), h_(h) {}
+  void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
+    ModalFilter& o = owner_;
+    o.explicitBody().internalForce(x, o.force_, o.workspace_);
+    a = (o.body_.externalForce() - o.force_) * o.inverseMass_.asDiagonal();
+    o.body_.constraints().clearConstrained(a);
+    const bool finite = o.tetrahedra_->act(x, v, a, o.projects_ ? 0 : o.passes_);
+    if (!finite && fault.empty()) fault = "the handled elements' nodes are not at finite positions";
+    if (o.projection_) {
+      o.predicted_ = x + h_ * (v + h_ * a);
+      o.force_ = o.predicted_;
+      const std::string reason = o.projection_->project(o.predicted_);
+      if (!reason.empty() && fault.empty()) fault = reason;
+      a += (o.predicted_ - o.force_) / (h_ * h_);
+      if (!a.allFinite() && fault.empty()) fault = "the projected positions are not finite";
+    }
+  }
+  int threads() const override { return owner_.body_.threads(); }
+  bool velocityDependent() const override { return true; }
+
+  std::string fault;
+
+ private:
+  ModalFilter& owner_;
+  double h_;
+};
+
+ModalFilter::ModalFilter(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
+    : Handler(description, body, std::move(base), std::move(options)),
+      projects_(options_.own.text("variant") == variants[1]),
+      passes_(std::max(1, options_.own.integer("passes"))) {}
+
+void ModalFilter::take(const NodeVectors&, double h, const ElementFlags& chosen) {
+  const auto elements = chosenElements(chosen);
+  requireTurningTetrahedra(elements);
+  const double lambda = allowedLambda(h);
+  Eigen::VectorXd share = Eigen::VectorXd::Zero(body_.nodeCount());  // certified: of each handled element, N/m
+  if (certificate()) {
+    for (const ElementRef e : elements)
+      for (const std::int32_t n : nodesOf(e)) ++share[n];
+    for (std::int32_t i = 0; i < body_.nodeCount(); ++i) {
+      if (share[i] == 0) continue;
+      const Eigen::Matrix3d rest = freePart(body_, i, certificate()->nodalSums[i]);
+      const double used = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(rest, Eigen::EigenvaluesOnly).eigenvalues()[2];
+      const double whole = lambda * body_.lumpedMass()[i];
+      share[i] = std::max(whole - used, 1e-9 * whole) / share[i];  // no allowance may vanish
+    }
+  }
+  std::vector<Eigen::Vector4d> allowances;
+  for (const ElementRef e : elements) {
+    const auto nodes = nodesOf(e);
+    Eigen::Vector4d& allowance = allowances.emplace_back();
+    body_.elementLumpedMass(e, allowance.data());
+    allowance *= lambda;
+    if (certificate())
+      for (int a = 0; a < 4; ++a) allowance[a] = share[nodes[a]];
+  }
+  tetrahedra_ = std::make_unique<FilteredTetrahedra>(body_, elements, allowances, h);
+  if (projects_)
+    projection_.emplace(body_, shapeConstraints(body_.mesh(), elements),
+                        options_.own.automatic("tolerance") ? 1e-8 : options_.own.number("tolerance"),
+                        options_.own.integer("iterations"));
+  inverseMass_ = body_.lumpedMass().cwiseInverse();
+  detach(chosen);
+}
+
+StepStatus ModalFilter::handledStep(SecondOrderSystem&, State& state, double h) {
+  Corrected corrected(*this, h);
+  return baseStep(corrected, state, h, corrected.fault);
+}
+
+std::vector<HandlerFigure> ModalFilter::figures() const {
+  if (!tetrahedra_) return {};
+  std::vector<HandlerFigure> result{{"filtered_modes", static_cast<double>(tetrahedra_->modes())}};
+  if (projection_) {
+    result.push_back({"constraints", static_cast<double>(projection_->constraints().size())});
+    result.push_back({"iterations", static_cast<double>(projection_->iterations())});
+  } else {
+    result.push_back({"passes", static_cast<double>(passes_)});
+  }
+  return result;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,174 @@
+#include <ringwatch/handlers/selection/selection.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/bounds/reduced_ring.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr double slack = 1e-9;  // kept free for the rounding of small eigenvalues
+
+}  // namespace
+
+ElementFlags noElements(const Mesh& mesh) {
+  ElementFlags flags;
+  for (const MeshBlock& block : mesh.blocks) flags.emplace_back(block.elementCount(), false);
+  return flags;
+}
+
+std::vector<ElementRef> chosenElements(const ElementFlags& flags) {
+  std::vector<ElementRef> elements;
+  for (std::size_t b = 0; b < flags.size(); ++b)
+    for (std::size_t e = 0; e < flags[b].size(); ++e)
+      if (flags[b][e]) elements.push_back({static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)});
+  return elements;
+}
+
+ElementFlags complement(ElementFlags flags) {
+  for (std::vector<bool>& block : flags) block.flip();
+  return flags;
+}
+
+std::vector<std::vector<std::int32_t>> elementNumbers(const ElementFlags& flags) {
+  std::vector<std::vector<std::int32_t>> numbers(flags.size());
+  for (const ElementRef e : chosenElements(flags)) numbers[e.block].push_back(e.element);
+  return numbers;
+}
+
+std::vector<bool> touchedNodes(const Body& body, const ElementFlags& elements) {
+  std::vector<bool> touched(static_cast<std::size_t>(body.nodeCount()), false);
+  for (const ElementRef e : chosenElements(elements))
+    for (const std::int32_t node : body.blocks()[e.block]->nodesOf(e.element)) touched[node] = true;
+  return touched;
+}
+
+std::vector<std::int32_t> nodesOf(const Body& body, const ElementFlags& elements) {
+  const std::vector<bool> touched = touchedNodes(body, elements);
+  std::vector<std::int32_t> nodes;
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+    if (touched[i]) nodes.push_back(i);
+  return nodes;
+}
+
+Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::int32_t> nodes,
+            const Eigen::VectorXd& mass) {
+  const Mesh& all = body.mesh();
+  Mesh mesh;
+  mesh.X.resize(3, static_cast<Eigen::Index>(nodes.size()));
+  std::vector<std::int32_t> numberOf(all.nodeCount(), -1);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    mesh.X.col(static_cast<Eigen::Index>(i)) = all.X.col(nodes[i]);
+    mesh.nodeIds.push_back(all.nodeId(nodes[i]));
+    numberOf[nodes[i]] = static_cast<std::int32_t>(i);
+  }
+  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
+    const MeshBlock& from = all.blocks[b];
+    MeshBlock block{from.type, {}, {}};
+    for (std::size_t e = 0; e < from.elementCount(); ++e) {
+      if (!flags[b][e]) continue;
+      block.ids.push_back(from.id(e));
+      for (int a = 0; a < from.nodesPerElement(); ++a) block.connectivity.push_back(numberOf[from.element(e)[a]]);
+    }
+    mesh.blocks.push_back(std::move(block));
+  }
+  std::vector<std::unique_ptr<ElementBlock>> blocks;
+  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
+    const ElementBlock& face = *body.blocks()[b];
+    blocks.push_back(makeElementBlock(mesh, mesh.blocks[b], face.material(), face.rule().name));
+  }
+  Body part(std::move(mesh), std::move(blocks), mass, body.threads());
+  for (std::int32_t i = 0; i < part.nodeCount(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const std::int32_t whole = nodes[i];
+      if (body.constraints().isConstrained(whole, c))
+        part.constraints().move(i, c, body.constraints().velocity()(c, whole));
+    }
+  return part;
+}
+
+namespace {
+
+/// Calls visit(block, element, value) with the highest eigenvalues of the reduced 1-rings of some elements; all when
+/// candidates is empty.
+template <class Visit>
+void forEachReducedRing(const Body& body, const NodeVectors& x, const ElementFlags& candidates, const Visit& visit) {
+  if (candidates.empty()) {
+    ReducedRing rings(body);
+    const auto& largest = rings.evaluate(x).largest;
+    for (std::size_t b = 0; b < largest.size(); ++b)
+      for (std::size_t e = 0; e < largest[b].size(); ++e) visit(b, e, largest[b][e]);
+    return;
+  }
+  // A ring is made of all elements at the nodes of its own: with these, a part of the body has the same rings.
+  const std::vector<bool> near = touchedNodes(body, candidates);
+  ElementFlags around = noElements(body.mesh());
+  for (std::size_t b = 0; b < around.size(); ++b)
+    for (std::size_t e = 0; e < around[b].size(); ++e) {
+      const auto nodes = body.blocks()[b]->nodesOf(static_cast<std::int32_t>(e));
+      around[b][e] = std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return near[n]; });
+    }
+  if (chosenElements(around).empty()) return;
+  const auto numbers = elementNumbers(around);
+  const Body part(body, around);
+  ReducedRing rings(part);
+  const auto& largest = rings.evaluate(x).largest;
+  for (std::size_t b = 0; b < largest.size(); ++b)
+    for (std::size_t e = 0; e < largest[b].size(); ++e) {
+      const auto whole = static_cast<std::size_t>(numbers[b][e]);
+      if (candidates[b][whole]) visit(b, whole, largest[b][e]);
+    }
+}
+
+}  // namespace
+
+ElementFlags selectByReducedRing(const Body& body, const NodeVectors& x, double lambda,
+                                 const ElementFlags& candidates) {
+  if (!(lambda > 0)) throw InputError(joinText("selection: lambda = ", lambda, " rad2/s2 must be > 0"));
+  ElementFlags flags = noElements(body.mesh());
+  forEachReducedRing(body, x, candidates,
+                     [&](std::size_t b, std::size_t e, double value) { flags[b][e] = !(value <= lambda); });
+  return flags;
+}
+
+LowerBound highestReducedRing(const Body& body, const NodeVectors& x, const ElementFlags& candidates) {
+  LowerBound highest{0};
+  forEachReducedRing(body, x, candidates, [&](std::size_t, std::size_t, double value) {
+    if (!std::isnan(highest.value) && !(value <= highest.value)) highest.value = value;  // NaN stays
+  });
+  return highest;
+}
+
+ElementFlags carriedOver(const CutMesh& cut, const ElementFlags& before) {
+  ElementFlags after = cut.changed;
+  for (std::size_t b = 0; b < after.size(); ++b)
+    for (std::size_t e = 0; e < after[b].size(); ++e) after[b][e] = !cut.changed[b][e] && before[b][cut.parent[b][e]];
+  return after;
+}
+
+ElementFlags selectBySingleElement(const Body& body, const NodeVectors& x, double lambda) {
+  if (!(lambda > 0)) throw InputError(joinText("lambda ", lambda, ": must be > 0"));
+  ElementFlags flags = noElements(body.mesh());
+  for (std::size_t b = 0; b < flags.size(); ++b) {
+    std::vector<double> mass(static_cast<std::size_t>(body.blocks()[b]->element().nodes));
+    for (std::size_t e = 0; e < flags[b].size(); ++e) {
+      const ElementRef ref{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
+      Eigen::MatrixXd K = body.elementTangent(ref, x);
+      body.elementLumpedMass(ref, mass.data());
+      for (Eigen::Index i = 0; i < K.rows(); ++i) {
+        const double root = std::sqrt(mass[i / 3]);
+        K.row(i) /= root;
+        K.col(i) /= root;
+      }
+      const double highest =
+          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues().tail<1>()[0];
+      flags[b][e] = !(highest <= lambda * (1 - slack));
+    }
+  }
+  return flags;
+}
+
+}  // namespace ringwatch

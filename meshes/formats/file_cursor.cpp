@@ -1,0 +1,116 @@
+#include <ringwatch/meshes/formats/file_cursor.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <limits>
+#include <system_error>
+
+namespace ringwatch::detail {
+namespace {
+
+constexpr std::size_t mostPipedBytes = std::size_t{4} << 30;
+
+std::uintmax_t memorySize() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), bytes = ::sysconf(_SC_PAGESIZE);
+  return pages > 0 && bytes > 0 ? static_cast<std::uintmax_t>(pages) * static_cast<std::uintmax_t>(bytes)
+                                : std::numeric_limits<std::uintmax_t>::max();
+}
+
+}  // namespace
+
+std::string readWholeFile(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::string name = path.string();
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw InputError(name + ": cannot read: there is no such file");
+  if (std::filesystem::is_directory(status))
+    throw InputError(name + ": cannot read: this is a folder, a mesh file is needed");
+  const bool pipe = std::filesystem::is_fifo(status);
+  if (!pipe && !std::filesystem::is_regular_file(status))
+    throw InputError(name + ": cannot read: this is a device or a socket, a mesh file is needed");
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(name + ": cannot read: " + (errno != 0 ? std::strerror(errno) : "it does not open"));
+  std::string text;
+  if (pipe) {
+    constexpr std::size_t part = std::size_t{1} << 20;
+    while (file) {
+      const std::size_t before = text.size();
+      if (before > mostPipedBytes)
+        throw InputError(joinText(name, ": cannot read: more than ", mostPipedBytes >> 30,
+                                  " GiB come through the pipe; put the mesh into a file"));
+      text.resize(before + part);
+      file.read(text.data() + before, part);
+      text.resize(before + static_cast<std::size_t>(file.gcount()));
+    }
+  } else {
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (error) throw InputError(name + ": cannot read: " + error.message());
+    if (size > memorySize())
+      throw InputError(joinText(name, ": cannot read: the file has ", size, " bytes, more than the memory of this ",
+                                "machine, ", memorySize()));
+    text.resize(size);
+    file.read(text.data(), static_cast<std::streamsize>(size));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+  }
+  if (file.bad()) throw InputError(name + ": cannot read: input/output error");
+  if (text.empty()) throw InputError(name + ": the file is empty");
+  return text;
+}
+
+std::string quoted(std::string_view word) {
+  std::string text = "\"";
+  for (const char c : word.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (word.size() > 40 ? "…\"" : "\"");
+}
+
+std::string FileCursor::where(std::size_t position) const {
+  if (binary) return joinText(source_, ": byte ", position);
+  const std::size_t end = std::min(position, text_.size());
+  if (end < countedTo_) countedTo_ = lineEnds_ = 0;
+  const std::string_view on = text_.substr(countedTo_, end - countedTo_);
+  lineEnds_ += static_cast<std::size_t>(std::count(on.begin(), on.end(), '\n'));
+  countedTo_ = end;
+  return joinText(source_, ":", 1 + lineEnds_);
+}
+
+std::string_view FileCursor::line(std::string_view what) {
+  if (!skipSpace()) fail(joinText("the file ends where ", what, " is expected; is it cut short?"));
+  const std::size_t begin = position_;
+  skipComment();  // to the end of the line
+  std::string_view found = text_.substr(begin, position_ - begin);
+  if (position_ < text_.size()) ++position_;
+  while (!found.empty() && isSpace(found.back())) found.remove_suffix(1);
+  return found;
+}
+
+void FileCursor::expectLine(std::string_view expected) {
+  if (!skipSpace()) fail(joinText("the file ends where ", expected, " is expected; is it cut short?"));
+  const std::size_t begin = position_;
+  const std::string_view found = line(expected);
+  if (found != expected) failAt(begin, joinText("found ", quoted(found), " where ", expected, " is expected"));
+}
+
+std::size_t FileCursor::checkedCount(std::int64_t value, std::size_t bytesEach, std::string_view what,
+                                     std::size_t at) const {
+  if (value < 0) failAt(at, joinText("the number of ", what, " is ", value, "; it must be 0 or more"));
+  if (static_cast<std::uint64_t>(value) > remaining() / bytesEach)
+    failAt(at, joinText("the number of ", what, " is ", value, ", more than the ", remaining(),
+                        " bytes that follow can hold; is the file cut short?"));
+  return static_cast<std::size_t>(value);
+}
+
+void FileCursor::failMissing(std::string_view what) const {
+  fail(joinText(position_ == text_.size() ? "the file ends where " : "the line ends where ", what, " is expected"));
+}
+
+void FileCursor::failNumber(std::string_view what, std::string_view kind) {
+  const std::size_t begin = position_;
+  const std::string found = quoted(word(what));
+  failAt(begin, joinText(what, " is ", found, "; it must be ", kind));
+}
+
+}  // namespace ringwatch::detail

@@ -1,0 +1,268 @@
+#include <algorithm>
+#include <bit>
+#include <optional>
+
+#include <ringwatch/meshes/formats/file_cursor.h>
+#include <ringwatch/meshes/formats/mesh_builder.h>
+#include <ringwatch/meshes/formats/mesh_readers.h>
+
+namespace ringwatch::detail {
+namespace {
+
+std::string upper(std::string_view word) {
+  std::string text(word);
+  for (char& c : text) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return text;
+}
+
+/// "VTK File Formats", legacy unstructured grids of versions 1 to 5. Read here and not by VTK's own reader, which
+/// crashes on many damaged files.
+class LegacyReader {
+ public:
+  LegacyReader(const std::string& source, const std::string& text)
+      : cursor_(text, source),
+        source_(source),
+        builder_(
+            source, [this](std::size_t p) { return cursor_.where(p); },
+            [this](std::size_t p) { return cursor_.where(p); }) {}
+
+  Mesh read(Notes* notes, Problems* problems) {
+    cursor_.line("the version");
+    cursor_.skipLine();  // the title, which may be empty
+    const std::string mode = upper(cursor_.line("ASCII or BINARY"));
+    if (mode != "ASCII" && mode != "BINARY")
+      cursor_.fail(joinText("found ", detail::quoted(mode), " where ASCII or BINARY is expected"));
+    binary_ = mode == "BINARY";
+    // A last line without its end may have lost digits, and a shorter number is still a number.
+    if (!binary_ && !cursor_.endsWithNewline())
+      cursor_.fail("the last line of the file has no line end; is the file cut short?");
+    if (const std::string set = upper(cursor_.line("DATASET")); set != "DATASET UNSTRUCTURED_GRID")
+      cursor_.fail(joinText("found ", detail::quoted(set), "; only DATASET UNSTRUCTURED_GRID is supported"));
+    while ((!points_ || !cells_ || types_.empty()) && cursor_.skipSpace()) {
+      const std::size_t at = cursor_.position();
+      const std::string key = upper(cursor_.word("a section"));
+      if (key == "POINTS" && !points_)
+        readPoints(at);
+      else if (key == "CELLS" && !cells_)
+        readCells(at);
+      else if (key == "CELL_TYPES" && types_.empty())
+        readTypes(at);
+      else if (key == "METADATA")
+        skipMetadata();
+      else if (key == "FIELD")
+        skipFields(at);
+      else
+        cursor_.failAt(at, joinText("found ", detail::quoted(key), " where POINTS, CELLS or CELL_TYPES is expected"));
+    }
+    if (!points_ || !cells_ || types_.empty())
+      throw InputError(joinText(source_, ": the file ends without ",
+                                !points_  ? "POINTS"
+                                : !cells_ ? "CELLS"
+                                          : "CELL_TYPES",
+                                "; is it cut short?"));
+    return build(notes, problems);
+  }
+
+ private:
+  struct Format {
+    std::size_t bytes;
+    bool real, isSigned;
+  };
+  Format format(std::string_view name, std::size_t at) const {
+    const std::string type = upper(name);
+    if (type == "DOUBLE") return {8, true, true};
+    if (type == "FLOAT") return {4, true, true};
+    if (type == "LONG" || type == "VTKTYPEINT64" || type == "VTKIDTYPE" || type == "UNSIGNED_LONG")
+      return {8, false, true};
+    if (type == "INT" || type == "VTKTYPEINT32") return {4, false, true};
+    if (type == "UNSIGNED_INT") return {4, false, false};
+    if (type == "SHORT" || type == "UNSIGNED_SHORT") return {2, false, true};
+    if (type == "CHAR" || type == "UNSIGNED_CHAR") return {1, false, true};
+    cursor_.failAt(at, joinText("the data type is ", detail::quoted(name),
+                                "; it must be one such as double, float, int or vtktypeint64"));
+  }
+
+  /// The numbers of a section, behind its header line. Binary values are big-endian.
+  void beginData() {
+    cursor_.endRecord();
+    if (!binary_) return;
+    cursor_.skipLine();
+    cursor_.binary = true;
+    cursor_.swapBytes = std::endian::native == std::endian::little;
+  }
+  void endData() { cursor_.binary = false; }
+  double real(const Format& f, std::string_view what) {
+    if (!binary_)
+      return nextWord(what), f.real ? cursor_.numberText(what) : static_cast<double>(cursor_.integerText(what));
+    if (f.real) return f.bytes == 8 ? cursor_.raw<double>(what) : static_cast<double>(cursor_.raw<float>(what));
+    return static_cast<double>(integer(f, what));
+  }
+  std::int64_t integer(const Format& f, std::string_view what) {
+    if (!binary_) return nextWord(what), cursor_.integerText(what);
+    if (f.bytes == 8) return cursor_.raw<std::int64_t>(what);
+    return f.isSigned ? std::int64_t{cursor_.raw<std::int32_t>(what)} : std::int64_t{cursor_.raw<std::uint32_t>(what)};
+  }
+  void nextWord(std::string_view what) { cursor_.beginRecord(what); }  // numbers may stand on lines as they like
+  std::size_t count(std::string_view what, std::size_t bytesEach, std::size_t at) {
+    return cursor_.checkedCount(cursor_.integerText(joinText("the number of ", what)), bytesEach, what, at);
+  }
+
+  void readPoints(std::size_t at) {
+    points_ = true;
+    const std::size_t n = count("POINTS", 5, at);
+    const Format f = format(cursor_.word("the data type"), at);
+    if (!f.real) cursor_.failAt(at, "the data type of POINTS must be float or double");
+    if (binary_) cursor_.checkedCount(static_cast<std::int64_t>(n), 3 * f.bytes, "POINTS", at);
+    beginData();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!binary_) nextWord("a point");
+      const std::size_t where = cursor_.position();
+      const double x = real(f, "coordinate x"), y = real(f, "coordinate y"), z = real(f, "coordinate z");
+      builder_.addNode(static_cast<std::int64_t>(i), x, y, z, where);
+    }
+    endData();
+  }
+
+  void readCells(std::size_t at) {
+    cells_ = true;
+    const std::size_t first = count("CELLS", 2, at);
+    const std::size_t second = count("entries of CELLS", 2, at);
+    beginData();
+    const Format int32{4, false, true};
+    // Version 5 has offsets and connectivity apart. In a binary file the size of the raw block tells nothing, but a
+    // header in words cannot be mistaken for the small number that the older form begins with.
+    if (cursor_.startsWith("OFFSETS")) {
+      const auto list = [&](const char* key, std::size_t n, std::vector<std::int64_t>& values) {
+        endData();
+        if (!cursor_.skipSpace() || upper(cursor_.word(key)) != key) cursor_.fail(joinText(key, " is expected here"));
+        const std::size_t where = cursor_.position();
+        const Format f = format(cursor_.word("the data type"), where);
+        if (f.real || f.bytes < 4)
+          cursor_.failAt(where, joinText("the data type of ", key, " must be an integer of 4 or 8 bytes"));
+        beginData();
+        for (std::size_t i = 0; i < n; ++i) values.push_back(integer(f, key));
+        endData();
+      };
+      std::vector<std::int64_t> offsets;
+      list("OFFSETS", first, offsets);
+      list("CONNECTIVITY", second, nodes_);
+      if (offsets.empty() || offsets.front() != 0 || offsets.back() != static_cast<std::int64_t>(second) ||
+          !std::is_sorted(offsets.begin(), offsets.end()))
+        cursor_.failAt(at, joinText("the OFFSETS must ascend from 0 to ", second));
+      for (std::size_t c = 0; c + 1 < offsets.size(); ++c) {
+        begins_.push_back(static_cast<std::size_t>(offsets[c]));
+        positions_.push_back(at);
+      }
+      begins_.push_back(second);
+      return;
+    }
+    std::size_t used = 0;
+    for (std::size_t c = 0; c < first; ++c) {
+      if (!binary_) nextWord("a cell");
+      const std::size_t where = cursor_.position();
+      const std::int64_t n = integer(int32, "the number of nodes of a cell");
+      ++used;
+      if (n < 0 || static_cast<std::uint64_t>(n) > second - std::min(second, used))
+        cursor_.failAt(where, joinText("the number of nodes of cell ", c, " is ", n, "; the CELLS have ", second,
+                                       " entries in all"));
+      begins_.push_back(nodes_.size());
+      positions_.push_back(where);
+      for (std::int64_t k = 0; k < n; ++k) nodes_.push_back(integer(int32, "a node of a cell"));
+      used += static_cast<std::size_t>(n);
+    }
+    begins_.push_back(nodes_.size());
+    if (used != second) cursor_.failAt(at, joinText("the CELLS announce ", second, " entries, but have ", used));
+    endData();
+  }
+
+  void readTypes(std::size_t at) {
+    const std::size_t n = count("CELL_TYPES", 2, at);
+    if (n == 0) cursor_.failAt(at, "there are no cells");
+    beginData();
+    for (std::size_t i = 0; i < n; ++i) types_.push_back(integer({4, false, true}, "a cell type"));
+    endData();
+    typesAt_ = at;
+  }
+
+  void skipMetadata() {
+    cursor_.skipLine();
+    while (cursor_.remaining() > 0 && !cursor_.atLineEnd()) cursor_.skipLine();  // it ends with an empty line
+  }
+
+  void skipFields(std::size_t at) {
+    cursor_.word("the name of the fields");
+    const std::size_t n = count("fields", 8, at);
+    cursor_.endRecord();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!cursor_.skipSpace()) cursor_.fail("the file ends within a FIELD; is it cut short?");
+      const std::size_t where = cursor_.position();
+      cursor_.word("the name of a field");
+      const std::size_t components = count("components", 1, where), tuples = count("tuples", 1, where);
+      const Format f = format(cursor_.word("the data type"), where);
+      const std::size_t bytes = binary_ ? f.bytes : 2;
+      if (components > 0 && tuples > cursor_.remaining() / bytes / components)
+        cursor_.failAt(
+            where, joinText("the field announces ", components, " x ", tuples, " values, more than the file holds"));
+      cursor_.endRecord();
+      if (binary_) {
+        cursor_.skipLine();
+        cursor_.seek(cursor_.position() + components * tuples * f.bytes);
+      } else {
+        for (std::size_t k = 0; k < components * tuples; ++k) nextWord("a field value"), cursor_.word("a field value");
+      }
+    }
+  }
+
+  Mesh build(Notes* notes, Problems* problems) {
+    const std::size_t count = begins_.size() - 1;
+    if (types_.size() != count)
+      cursor_.failAt(typesAt_,
+                     joinText("the number of CELL_TYPES is ", types_.size(), ", but there are ", count, " CELLS"));
+    cursor_.binary = binary_;  // so that positions are told as bytes
+    std::int64_t nodes[125];
+    std::size_t flat = 0;
+    for (std::size_t c = 0; c < count; ++c) {
+      const int type = types_[c] >= 0 && types_[c] < 256 ? static_cast<int>(types_[c]) : 255;
+      const FileElement* known = findVtkElement(type);
+      if (known == nullptr && isVtkVolumeCell(type))
+        cursor_.failAt(positions_[c], joinText("cell ", c, " is of VTK type ", types_[c],
+                                               ", which is not supported; tetrahedra (10) and hexahedra (12) are"));
+      if (known == nullptr || known->dimension < 3) {
+        ++flat;
+        continue;
+      }
+      const std::size_t n = begins_[c + 1] - begins_[c];
+      if (n != static_cast<std::size_t>(known->nodes))
+        cursor_.failAt(positions_[c],
+                       joinText("cell ", c, " (", known->name(), ") has ", n, " nodes; it must have ", known->nodes));
+      std::copy_n(nodes_.begin() + static_cast<std::ptrdiff_t>(begins_[c]), n, nodes);
+      builder_.addElement(*known, static_cast<std::int64_t>(c), nodes, -1, positions_[c], false);
+    }
+    if (flat > 0 && notes != nullptr)
+      notes->push_back(joinText(source_, ": ", flat, " cells of surfaces, lines or points are left out"));
+    return builder_.finish(notes, problems);
+  }
+
+  FileCursor cursor_;
+  std::string source_;
+  MeshBuilder builder_;
+  bool binary_ = false, points_ = false, cells_ = false;
+  std::vector<std::int64_t> nodes_, types_;
+  std::vector<std::size_t> begins_, positions_;
+  std::size_t typesAt_ = 0;
+};
+
+}  // namespace
+
+bool isVtkVolumeCell(int type) {
+  if (const FileElement* known = findVtkElement(type)) return known->dimension == 3;
+  // Flat cells without a fixed order, or that gmsh does not have (vtkCellType.h).
+  constexpr int flat[] = {0, 2, 4, 6, 7, 8, 30, 34, 36, 51, 52, 55, 56, 60, 61, 62, 68, 69, 70, 75, 76, 77};
+  return std::find(std::begin(flat), std::end(flat), type) == std::end(flat);
+}
+
+Mesh readLegacyVtk(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems) {
+  return LegacyReader(path.string(), text).read(notes, problems);
+}
+
+}  // namespace ringwatch::detail

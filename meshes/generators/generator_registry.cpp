@@ -1,0 +1,244 @@
+#include <ringwatch/meshes/generators/generator_registry.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
+#include <ringwatch/meshes/generators/generators.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double mostCells = 1e6;
+using K = ParameterKind;
+
+constexpr GeneratorParameter size3{"size", "m",  "lengths along x, y, z", K::number, 3, {0.2, 0.04, 0.04}, "", 0, inf,
+                                   false,  false};
+constexpr GeneratorParameter cells3{"cells", "",  "cells along x, y, z", K::integer, 3, {20, 4, 4}, "", 1, mostCells,
+                                    true,    true};
+constexpr GeneratorParameter mixedCells3{
+    "cells", "", "cells along x (5 or more), y, z", K::integer, 3, {20, 4, 4}, "", 1, mostCells, true, true};
+constexpr GeneratorParameter size1{"size", "m", "length of an edge", K::number, 1, {0.05}, "", 0, inf, false, false};
+constexpr GeneratorParameter cells1{"cells", "",  "cells along each edge", K::integer, 1, {5}, "", 1, mostCells,
+                                    true,    true};
+constexpr GeneratorParameter origin{
+    "origin", "m", "corner with the smallest coordinates", K::number, 3, {0, 0, 0}, "", -inf, inf, false, false};
+constexpr GeneratorParameter element{
+    "element", "", "element that the cells are cut into", K::text, 1, {}, "tet4", 0, 0, false, false};
+constexpr GeneratorParameter split{
+    "split", "", "elements a cell (tet4: 6 or 5); 0 is the usual one", K::integer, 1, {0}, "", 0, 6, true, true};
+constexpr GeneratorParameter jitter{
+    "jitter", "cell sizes", "largest displacement of a node along each axis", K::number, 1, {0}, "", 0, 0.5,
+    true,     false};
+constexpr GeneratorParameter seed{"seed", "", "of the jitter",    K::integer, 1,   {1},
+                                  "",     0,  9007199254740991.0, true,       true};
+constexpr GeneratorParameter grading{
+    "grading", "",   "last cell over first cell along x; above 1 the small ones are at x-min",
+    K::number, 1,    {1},
+    "",        1,    inf,
+    true,      false};
+constexpr GeneratorParameter steepGrading{
+    "grading", "",   "last cell over first cell along x; above 1 the small ones are at x-min",
+    K::number, 1,    {4},
+    "",        1,    inf,
+    true,      false};
+constexpr GeneratorParameter radius{"radius", "m", "of the ball", K::number, 1, {0.05}, "", 0, inf, false, false};
+constexpr GeneratorParameter cellsAcross{
+    "cells", "", "cells across the diameter", K::integer, 1, {8}, "", 1, mostCells, true, true};
+
+constexpr GeneratorParameter barParameters[] = {size3, cells3, origin, element, split, jitter, seed, grading};
+constexpr GeneratorParameter cubeParameters[] = {size1, cells1, origin, element, split, jitter, seed, grading};
+constexpr GeneratorParameter gradedParameters[] = {size3, cells3, origin, element, split, jitter, seed, steepGrading};
+constexpr GeneratorParameter mixedParameters[] = {size3, mixedCells3, origin, jitter, seed, grading};
+constexpr GeneratorParameter ballParameters[] = {radius, cellsAcross, element, split};
+
+constexpr GeneratorParameter finest{"finest", "m",  "longest edge at the plane", K::number, 1, {0.005}, "", 0, inf,
+                                    false,    false};
+constexpr GeneratorParameter plane{"plane", "m",  "x of the plane, from the corner", K::number, 1, {0}, "", -inf, inf,
+                                   false,   false};
+constexpr GeneratorParameter growth{
+    "growth", "m/m", "of the longest edge with distance from the plane", K::number, 1, {0.3}, "", 0, inf, true, false};
+constexpr GeneratorParameter refinedParameters[] = {size3, cells3, origin, jitter, seed, finest, plane, growth};
+
+std::string valueText(const GeneratorValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return inQuotes(*text);
+  if (const auto* number = std::get_if<double>(&value)) return joinText(*number);
+  std::string list = "[";
+  for (const double number : std::get<std::vector<double>>(value))
+    list += joinText(list.size() > 1 ? ", " : "", number);
+  return list + "]";
+}
+
+std::vector<std::string> elementChoices() {
+  std::vector<std::string> names;
+  for (const ElementInfo& info : allElements()) names.emplace_back(info.name);
+  return names;
+}
+
+/// The checked values of a generator's parameters.
+class Values {
+ public:
+  Values(const GeneratorInfo& info, const GeneratorArguments& arguments) : info_(info), arguments_(arguments) {
+    for (const auto& [name, value] : arguments) {
+      const GeneratorParameter* parameter = find(name);
+      if (parameter == nullptr) {
+        std::vector<std::string_view> known;
+        for (const GeneratorParameter& p : info.parameters) known.push_back(p.name);
+        throw InputError(joinText(info.name, ": there is no parameter ", inQuotes(name), "; ", didYouMean(name, known),
+                                  "known are ", shortList(known)));
+      }
+      check(*parameter, value);
+    }
+  }
+  bool has(std::string_view name) const { return find(name) != nullptr; }
+  double number(std::string_view name, std::size_t k = 0) const {
+    const auto given = arguments_.find(name);
+    if (given == arguments_.end()) return find(name)->defaults[k];
+    if (const auto* single = std::get_if<double>(&given->second)) return *single;
+    return std::get<std::vector<double>>(given->second)[k];
+  }
+  std::string text(std::string_view name) const {
+    const auto given = arguments_.find(name);
+    return given == arguments_.end() ? std::string(find(name)->textDefault) : std::get<std::string>(given->second);
+  }
+
+ private:
+  const GeneratorParameter* find(std::string_view name) const {
+    for (const GeneratorParameter& p : info_.parameters)
+      if (p.name == name) return &p;
+    return nullptr;
+  }
+  void check(const GeneratorParameter& p, const GeneratorValue& value) const {
+    const auto refuse = [&](const std::string& right) {
+      throw InputError(joinText(info_.name, ": ", p.name, " = ", valueText(value), ": it must be ", right));
+    };
+    if (p.kind == ParameterKind::text) {
+      const auto* given = std::get_if<std::string>(&value);
+      const std::vector<std::string> choices = elementChoices();
+      if (given == nullptr)
+        refuse("a text, " + parameterRange(p));
+      else if (std::find(choices.begin(), choices.end(), *given) == choices.end())
+        refuse(parameterRange(p) + (nearestName(*given, choices).empty()
+                                        ? ""
+                                        : "; the nearest is \"" + nearestName(*given, choices) + "\""));
+      return;
+    }
+    std::vector<double> numbers;
+    if (const auto* single = std::get_if<double>(&value)) numbers = {*single};
+    if (const auto* list = std::get_if<std::vector<double>>(&value)) numbers = *list;
+    const std::string kind = p.kind == ParameterKind::integer ? "integer" : "number";
+    if (numbers.size() != static_cast<std::size_t>(p.count))
+      refuse(p.count == 1 ? "one " + kind + " " + parameterRange(p)
+                          : joinText("a list of ", p.count, " ", kind, "s, each ", parameterRange(p)));
+    for (const double x : numbers) {
+      const bool inside = (p.minAllowed ? x >= p.min : x > p.min) && (p.maxAllowed ? x <= p.max : x < p.max);
+      if (!inside) refuse(parameterRange(p));
+      if (p.kind == ParameterKind::integer && x != std::floor(x)) refuse("an integer " + parameterRange(p));
+    }
+  }
+  const GeneratorInfo& info_;
+  const GeneratorArguments& arguments_;
+};
+
+BarOptions boxOptions(const Values& values) {
+  BarOptions o;
+  for (std::size_t k = 0; k < 3; ++k) o.origin[k] = values.number("origin", k);
+  if (values.has("element")) {
+    o.element = values.text("element");
+    o.split = static_cast<int>(values.number("split"));
+  }
+  o.jitter = values.number("jitter");
+  o.seed = static_cast<std::uint64_t>(values.number("seed"));
+  if (values.has("grading")) o.grading = values.number("grading");
+  return o;
+}
+
+/// With size and cells along each axis.
+BarOptions barOptions(const Values& values) {
+  BarOptions options = boxOptions(values);
+  for (std::size_t k = 0; k < 3; ++k) {
+    options.size[k] = values.number("size", k);
+    options.cells[k] = static_cast<int>(values.number("cells", k));
+  }
+  return options;
+}
+
+Mesh bar(const Values& values) { return generateBar(barOptions(values)); }
+Mesh cube(const Values& values) {
+  return generateCube(values.number("size"), static_cast<int>(values.number("cells")), boxOptions(values));
+}
+Mesh refined(const Values& values) {
+  return generateRefinedBar(
+      {barOptions(values), values.number("finest"), values.number("plane"), values.number("growth")});
+}
+Mesh mixed(const Values& values) { return generateMixedBar(barOptions(values)); }
+Mesh ball(const Values& values) {
+  return generateBall({values.number("radius"), static_cast<int>(values.number("cells")), values.text("element"),
+                       static_cast<int>(values.number("split"))});
+}
+
+struct Generator {
+  GeneratorInfo info;
+  Mesh (*generate)(const Values& values);
+};
+/// Every generator, one line each.
+constexpr Generator generators[] = {
+    {{"bar", "a box of cells", barParameters}, bar},
+    {{"cube", "a box with equal edges", cubeParameters}, cube},
+    {{"graded", "a box with small elements toward its face x-min", gradedParameters}, bar},
+    {{"refined", "a box of tetrahedra bisected until they are small at a plane across x", refinedParameters}, refined},
+    {{"mixed", "a bar of wedges, hexahedra, pyramids and tetrahedra that share faces", mixedParameters}, mixed},
+    {{"ball", "a ball, a cube of cells mapped onto it", ballParameters}, ball},
+};
+
+}  // namespace
+
+std::span<const GeneratorInfo> allGenerators() {
+  static const auto infos = [] {
+    std::vector<GeneratorInfo> all;
+    for (const Generator& generator : generators) all.push_back(generator.info);
+    return all;
+  }();
+  return infos;
+}
+
+const GeneratorInfo* findGenerator(std::string_view name) {
+  for (const GeneratorInfo& info : allGenerators())
+    if (info.name == name) return &info;
+  return nullptr;
+}
+
+std::string parameterRange(const GeneratorParameter& p) {
+  if (p.kind == ParameterKind::text) {
+    std::string list = "one of ";
+    for (const std::string& name : elementChoices()) list += (list.size() > 7 ? ", " : "") + name;
+    return list;
+  }
+  std::string text;
+  if (p.min > -inf) text = p.minAllowed ? joinText(p.min, " or more") : joinText("above ", p.min);
+  if (p.max < inf) text += joinText(text.empty() ? "" : " and ", p.maxAllowed ? "at most " : "below ", p.max);
+  return text.empty() ? "finite" : text;
+}
+
+Mesh generateMesh(std::string_view kind, const GeneratorArguments& arguments) {
+  const GeneratorInfo* info = findGenerator(kind);
+  if (info == nullptr) {
+    std::vector<std::string_view> known;
+    for (const GeneratorInfo& g : allGenerators()) known.push_back(g.name);
+    throw InputError(joinText("generate = ", inQuotes(kind), ": there is no such mesh; ", didYouMean(kind, known),
+                              "known are ", shortList(known)));
+  }
+  const Values values(*info, arguments);
+  try {
+    return generators[info - allGenerators().data()].generate(values);
+  } catch (const InputError& error) {
+    throw InputError(joinText(info->name, ": ", error.what()));
+  }
+}
+
+}  // namespace ringwatch

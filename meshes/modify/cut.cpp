@@ -1,0 +1,310 @@
+#include <ringwatch/meshes/modify/cut.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <Eigen/Geometry>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/meshes/adjacency.h>
+
+namespace ringwatch {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+void requireFinite(const Vector3d& v, const char* what) {
+  if (!v.allFinite()) throw InputError(joinText(what, " of a cut: must be finite"));
+}
+
+std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Which nodes are on the surface, and the edges that cross it elsewhere.
+struct Crossings {
+  std::vector<double> distance;  // of each node
+  std::vector<bool> on;
+  std::vector<EdgePoint> points;
+};
+
+Crossings findCrossings(const Mesh& mesh, const CutSurface& surface, const NodeVectors& x, double snap) {
+  Crossings found;
+  const std::size_t nodes = mesh.nodeCount();
+  found.distance.resize(nodes);
+  found.on.assign(nodes, false);
+  for (std::size_t n = 0; n < nodes; ++n) {
+    const Vector3d at = x.col(static_cast<Eigen::Index>(n));
+    found.distance[n] = surface.distance(at);
+    found.on[n] = found.distance[n] == 0 && surface.reaches(at);
+  }
+  std::vector<EdgePoint> crossing;
+  const CompressedRows<std::int32_t> neighbours = nodeNeighbours(mesh);
+  for (std::size_t n = 0; n < nodes; ++n)
+    for (const std::int32_t m : neighbours.row(n)) {
+      const double here = found.distance[n], there = found.distance[index(m)];
+      if (static_cast<std::int32_t>(n) > m || !(here * there < 0)) continue;
+      const double t = here / (here - there);
+      const auto a = static_cast<Eigen::Index>(n);
+      if (!surface.reaches((1 - t) * x.col(a) + t * x.col(m))) continue;
+      if (t < snap) found.on[n] = true;
+      if (1 - t < snap) found.on[index(m)] = true;
+      crossing.push_back({static_cast<std::int32_t>(n), m, t});
+    }
+  for (const EdgePoint& p : crossing)
+    if (!found.on[index(p.a)] && !found.on[index(p.b)]) found.points.push_back(p);
+  return found;
+}
+
+/// Groups of a few elements, joined pair by pair.
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : parent_(count) {
+    for (std::size_t i = 0; i < count; ++i) parent_[i] = i;
+  }
+  std::size_t find(std::size_t i) const {
+    while (parent_[i] != i) i = parent_[i];
+    return i;
+  }
+  void join(std::size_t i, std::size_t j) {
+    i = find(i);
+    j = find(j);
+    parent_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+}  // namespace
+
+CutSurface CutSurface::plane(const Vector3d& point, const Vector3d& normal) {
+  requireFinite(point, "point");
+  requireFinite(normal, "normal");
+  if (!(normal.norm() > 0)) throw InputError("normal of a cut: must not be zero");
+  CutSurface surface;
+  surface.point_ = point;
+  surface.normal_ = normal.normalized();
+  return surface;
+}
+
+CutSurface CutSurface::swept(std::vector<Vector3d> line, const Vector3d& sweep) {
+  requireFinite(sweep, "sweep");
+  if (!(sweep.norm() > 0)) throw InputError("sweep of a cut: must not be zero");
+  if (line.size() < 2) throw InputError(joinText("line of a cut: ", line.size(), " points; it needs two or more"));
+  CutSurface surface;
+  surface.start_ = line.front();
+  surface.along_ = sweep / sweep.squaredNorm();
+  const Vector3d first = sweep.unitOrthogonal();
+  surface.across_.row(0) = first.transpose();
+  surface.across_.row(1) = sweep.normalized().cross(first).transpose();
+  for (const Vector3d& p : line) {
+    requireFinite(p, "line");
+    surface.line_.push_back(surface.across_ * p);
+  }
+  for (std::size_t i = 1; i < line.size(); ++i)
+    if (!((surface.line_[i] - surface.line_[i - 1]).norm() > 1e-12 * (line[i].norm() + line[i - 1].norm())))
+      throw InputError(joinText("line of a cut: points ", i - 1, " and ", i, " coincide seen along the sweep"));
+  return surface;
+}
+
+CutSurface::Nearest CutSurface::nearest(const Vector3d& x) const {
+  const Vector2d p = across_ * x;
+  const std::size_t pieces = line_.size() - 1;
+  double best = std::numeric_limits<double>::infinity();
+  Nearest result{};
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const Vector2d a = line_[i], d = line_[i + 1] - a;
+    double t = d.dot(p - a) / d.squaredNorm();
+    const bool before = i == 0 && t < 0, after = i + 1 == pieces && t > 1;
+    if (!before && !after) t = std::clamp(t, 0.0, 1.0);
+    const Vector2d to = p - (a + t * d);
+    const double distance = to.norm();
+    if (distance > best) continue;
+    double side = cross(d, p - a);
+    // At a corner both pieces are as near; the side is that of the two together.
+    if (!before && t == 0 && i > 0) side = cross(Vector2d(d.normalized() + (a - line_[i - 1]).normalized()), p - a);
+    if (!after && t == 1 && i + 1 < pieces)
+      side = cross(Vector2d(d.normalized() + (line_[i + 2] - line_[i + 1]).normalized()), Vector2d(p - line_[i + 1]));
+    best = distance;
+    result = {side < 0 ? -distance : distance, before || after};
+  }
+  return result;
+}
+
+double CutSurface::distance(const Vector3d& x) const {
+  return line_.empty() ? normal_.dot(x - point_) : nearest(x).distance;
+}
+
+bool CutSurface::reaches(const Vector3d& x) const {
+  if (line_.empty()) return true;
+  const double u = along_.dot(x - start_);
+  return u >= 0 && u <= 1 && !nearest(x).beyondEnds;
+}
+
+CutMesh cutMesh(const Mesh& mesh, const CutSurface& surface, const NodeVectors& x, double snap) {
+  constexpr double leastSnap = 1e-6;  // a part of less volume than this to the third has none in floating point
+  if (!(snap >= 0 && snap <= 0.5)) throw InputError(joinText("snap of a cut: ", snap, ": must be >= 0 and <= 0.5"));
+  Crossings crossings = findCrossings(mesh, surface, x, std::max(snap, leastSnap));
+  BisectedMesh bisected = bisectEdges(mesh, crossings.points);
+
+  CutMesh result;
+  result.mesh = std::move(bisected.mesh);
+  result.parent = std::move(bisected.parent);
+  Mesh& cut = result.mesh;
+  for (std::int32_t n = 0; index(n) < mesh.nodeCount(); ++n) result.origin.push_back({n, n, 0});
+  result.origin.insert(result.origin.end(), bisected.newNodes.begin(), bisected.newNodes.end());
+  crossings.distance.resize(cut.nodeCount(), 0);
+  crossings.on.resize(cut.nodeCount(), true);
+  const NodeVectors at = carriedOver(result, x);
+
+  // The side of every element: that of its nodes off the surface, or where there are none of its middle.
+  const std::vector<std::size_t> offsets = blockOffsets(cut);
+  std::vector<bool> below(offsets.back());
+  for (std::size_t b = 0; b < cut.blocks.size(); ++b)
+    for (std::size_t e = 0; e < cut.blocks[b].elementCount(); ++e) {
+      const std::int32_t* nodes = cut.blocks[b].element(e);
+      double side = 0;
+      Vector3d middle = Vector3d::Zero();
+      for (int a = 0; a < 4; ++a) {
+        if (!crossings.on[index(nodes[a])]) side += crossings.distance[index(nodes[a])];
+        middle += at.col(nodes[a]) / 4;
+      }
+      below[offsets[b] + e] = (side != 0 ? side : surface.distance(middle)) < 0;
+    }
+
+  // Faces in the surface with an element on either side are opened.
+  const FaceNeighbours neighbours = faceNeighbours(cut);
+  const auto facesOf = [&](std::size_t b) -> std::span<const std::array<int, 4>> {
+    return elementInfo(cut.blocks[b].type).faces;
+  };
+  const auto opened = [&](std::size_t b, std::size_t e, std::size_t face, const ElementFace& other) {
+    if (other.element < 0) return false;
+    const std::int32_t* nodes = cut.blocks[b].element(e);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!crossings.on[index(nodes[facesOf(b)[face][k]])]) return false;
+    return below[offsets[b] + e] != below[offsets[index(other.block)] + index(other.element)];
+  };
+  std::vector<bool> atOpenFace(cut.nodeCount(), false);
+  for (std::size_t b = 0; b < cut.blocks.size(); ++b)
+    for (std::size_t e = 0; e < cut.blocks[b].elementCount(); ++e) {
+      const auto others = neighbours.rows.row(offsets[b] + e);
+      for (std::size_t face = 0; face < others.size(); ++face) {
+        if (!opened(b, e, face, others[face])) continue;
+        const std::int32_t* nodes = cut.blocks[b].element(e);
+        const auto& corners = facesOf(b)[face];
+        for (std::size_t k = 0; k < 3; ++k) atOpenFace[index(nodes[corners[k]])] = true;
+        if (!below[offsets[b] + e]) continue;  // once for the two sides
+        ++result.facesOpened;
+        const Vector3d p = cut.X.col(nodes[corners[0]]);
+        result.area += (cut.X.col(nodes[corners[1]]) - p).cross(Vector3d(cut.X.col(nodes[corners[2]]) - p)).norm() / 2;
+      }
+    }
+  if (result.facesOpened == 0) {
+    CutMesh same;
+    same.mesh = mesh;
+    for (std::int32_t n = 0; index(n) < mesh.nodeCount(); ++n) same.origin.push_back({n, n, 0});
+    for (const MeshBlock& block : mesh.blocks) {
+      auto& parents = same.parent.emplace_back(block.elementCount());
+      for (std::size_t e = 0; e < parents.size(); ++e) parents[e] = static_cast<std::int32_t>(e);
+      same.changed.emplace_back(block.elementCount(), false);
+    }
+    return same;
+  }
+
+  // A node of opened faces is doubled when its elements below are joined with those above by no face around it.
+  const CompressedRows<ElementNode> around = nodeElements(cut);
+  std::map<std::int32_t, std::int32_t> copyOf;
+  std::vector<ElementNode> turned;  // the places that the copies take
+  std::vector<bool> touched(cut.nodeCount(), false);
+  for (std::size_t b = 0; b < cut.blocks.size(); ++b) {
+    const std::vector<std::int32_t>& parents = result.parent[b];
+    result.elementsCut += mesh.blocks[b].elementCount();
+    for (std::size_t e = 0; e < parents.size(); ++e) {
+      const bool alone =
+          (e == 0 || parents[e - 1] != parents[e]) && (e + 1 == parents.size() || parents[e + 1] != parents[e]);
+      result.elementsCut -= alone;
+      if (alone) continue;
+      const std::int32_t* nodes = cut.blocks[b].element(e);
+      for (int a = 0; a < 4; ++a) touched[index(nodes[a])] = true;
+    }
+  }
+  std::int64_t nodeId = *std::max_element(cut.nodeIds.begin(), cut.nodeIds.end()) + 1;
+  for (std::size_t n = 0; n < atOpenFace.size(); ++n) {
+    if (!atOpenFace[n]) continue;
+    const auto star = around.row(n);
+    const auto number = [&](const ElementNode& place) { return offsets[index(place.block)] + index(place.element); };
+    Groups groups(star.size());
+    std::map<std::size_t, std::size_t> inStar;
+    std::array<std::size_t, 2> firstOfSide{star.size(), star.size()};
+    for (std::size_t i = 0; i < star.size(); ++i) {
+      inStar[number(star[i])] = i;
+      std::size_t& first = firstOfSide[below[number(star[i])] ? 1 : 0];
+      if (first == star.size()) first = i;
+      groups.join(first, i);
+    }
+    for (std::size_t i = 0; i < star.size(); ++i) {
+      const auto b = index(star[i].block), e = index(star[i].element);
+      const auto others = neighbours.rows.row(offsets[b] + e);
+      for (std::size_t face = 0; face < others.size(); ++face) {
+        if (others[face].element < 0 || opened(b, e, face, others[face])) continue;
+        const auto other = inStar.find(offsets[index(others[face].block)] + index(others[face].element));
+        if (other != inStar.end()) groups.join(i, other->second);
+      }
+    }
+    if (firstOfSide[0] == star.size() || firstOfSide[1] == star.size() ||
+        groups.find(firstOfSide[0]) == groups.find(firstOfSide[1]))
+      continue;
+    const auto copy = static_cast<std::int32_t>(result.origin.size());
+    copyOf[static_cast<std::int32_t>(n)] = copy;
+    touched[n] = true;
+    result.origin.push_back(result.origin[n]);
+    cut.nodeIds.push_back(nodeId++);
+    for (const ElementNode& place : star)
+      if (below[number(place)]) turned.push_back(place);
+  }
+  for (const ElementNode& place : turned) {
+    MeshBlock& block = cut.blocks[index(place.block)];
+    std::int32_t& node = block.connectivity[index(place.element) * 4 + index(place.localNode)];
+    node = copyOf.at(node);
+  }
+  cut.X.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(result.origin.size()));
+  touched.resize(result.origin.size(), true);
+  for (const auto& [node, copy] : copyOf) cut.X.col(copy) = cut.X.col(node);
+  for (auto& [name, nodes] : cut.nodeSets) {
+    std::vector<std::int32_t> copies;
+    for (const std::int32_t n : nodes)
+      if (const auto copy = copyOf.find(n); copy != copyOf.end()) copies.push_back(copy->second);
+    nodes.insert(nodes.end(), copies.begin(), copies.end());
+  }
+
+  result.nodesAdded = result.origin.size() - mesh.nodeCount();
+  for (std::size_t b = 0; b < cut.blocks.size(); ++b) {
+    const MeshBlock& block = cut.blocks[b];
+    auto& changed = result.changed.emplace_back(block.elementCount());
+    for (std::size_t e = 0; e < changed.size(); ++e) {
+      const std::int32_t* nodes = block.element(e);
+      changed[e] = std::any_of(nodes, nodes + 4, [&](std::int32_t n) { return touched[index(n)]; });
+    }
+  }
+  return result;
+}
+
+NodeVectors carriedOver(const CutMesh& cut, const NodeVectors& field) {
+  NodeVectors result(3, static_cast<Eigen::Index>(cut.origin.size()));
+  for (std::size_t n = 0; n < cut.origin.size(); ++n) {
+    const EdgePoint& p = cut.origin[n];
+    const auto to = static_cast<Eigen::Index>(n);
+    if (p.t == 0)
+      result.col(to) = field.col(p.a);
+    else
+      result.col(to) = (1 - p.t) * field.col(p.a) + p.t * field.col(p.b);
+  }
+  return result;
+}
+
+}  // namespace ringwatch

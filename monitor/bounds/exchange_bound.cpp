@@ -1,0 +1,329 @@
+#include <ringwatch/monitor/bounds/exchange_bound.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <ringwatch/monitor/bounds/scaled_tangent.h>
+#include <ringwatch/monitor/small/packed_jacobi.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr double rounding = 1e-12;  // relative to the norms of an element's matrices
+
+constexpr int lanes = PatchLayout::lanes;
+using Pack = NativePack;
+
+/// P ← P without its negative part, one matrix a lane; least: lambda_min before, rounded down; negative: the squared
+/// norm of the negative part; error: what either is uncertain by.
+template <int N>
+void removeNegativePart(Pack* A, Pack* VT, Pack* P, int anyN, Pack& least, Pack& negative, Pack& error) {
+  const int n = N > 0 ? N : anyN;
+  // Steps need no more digits than that; the bound counts the error in full.
+  constexpr double tolerance = 1e-6;
+  constexpr int maxSweeps = 12;
+  error = diagonalize<N>(A, VT, n, tolerance, maxSweeps);
+  least = A[0];
+  negative = Pack(0.0);
+  for (int k = 0; k < n; ++k) {
+    const Pack value = A[k * n + k];
+    least = select(value < least, value, least);
+    const Pack below = select(value < Pack(0.0), value, Pack(0.0));
+    negative += below * below;
+    if (!anyOf(below < Pack(0.0))) continue;
+    const Pack* v = VT + k * n;
+    for (int i = 0; i < n; ++i) {
+      const Pack weight = below * v[i];
+      for (int j = 0; j < n; ++j) P[i * n + j] -= weight * v[j];
+    }
+  }
+  // NaN passes comparisons unseen.
+  negative += Pack(0.0) * error;
+  least = least - error;
+}
+void removeNegativePart(Pack* A, Pack* VT, Pack* P, int n, Pack& least, Pack& negative, Pack& error) {
+  switch (n) {
+    case 12:
+      return removeNegativePart<12>(A, VT, P, n, least, negative, error);
+    case 24:
+      return removeNegativePart<24>(A, VT, P, n, least, negative, error);
+    default:
+      return removeNegativePart<0>(A, VT, P, n, least, negative, error);
+  }
+}
+
+class Composition {
+ public:
+  Composition(const TangentSource& source, const NodeVectors& x, const NodalBound& weights, double sigma)
+      : source_(source), sigma_(sigma) {
+    source.assembleBlocks(x, pattern_);
+    std::int64_t total = 0;
+    for (std::size_t b = 0; b < source.tangents().size(); ++b) {
+      const int n = source.tangents()[b]->nodesPerElement();
+      firstOfGroup_.push_back(elements_.size());
+      for (std::int32_t e = 0; e < source.tangents()[b]->elementCount(); ++e) {
+        elements_.push_back({{static_cast<std::int32_t>(b), e}, n, total});
+        total += 9 * n * n;
+      }
+    }
+    P_.resize(static_cast<std::size_t>(total));
+    fillTangents(x);
+    indexBlocks();
+    // What all P_e must sum up to: sigma I - A, with A from the very numbers that the elements start with.
+    const auto blocks = static_cast<std::int64_t>(pattern_.column.size());
+    target_.resize(static_cast<std::size_t>(blocks));
+    for (std::int32_t i = 0; i < source.nodeCount(); ++i)
+      for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
+        const bool diagonal = pattern_.column[k] == i;
+        target_[k] = (diagonal ? sigma : 0.0) * Eigen::Matrix3d::Identity() + sumOf(k);  // P_ holds -A_e
+      }
+    startFrom(weights);
+    reserve_.assign(elements_.size(), -1.0);
+    excess_.assign(elements_.size(), 0.0);
+    negative_.assign(elements_.size(), 0.0);
+    spread(0);
+    before_ = P_;
+  }
+
+  /// One iteration; returns the bound of the iterate that it began with.
+  double iterate() {
+    // Elements whose least eigenvalue may be below zero, in packs of one size.
+    struct Group {
+      std::size_t element[lanes];
+      int count;
+    };
+    std::vector<Group> groups;
+    int open = -1;
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      excess_[e] = rounding * norms_[e];
+      negative_[e] = 0;
+      if (reserve_[e] > 0) continue;
+      if (open < 0 || groups.back().count == lanes || open != elements_[e].nodes) {
+        groups.push_back({{}, 0});
+        open = elements_[e].nodes;
+      }
+      groups.back().element[groups.back().count++] = e;
+      ++decompositions;
+    }
+    parallelFor(
+        0, static_cast<std::int64_t>(groups.size()), source_.threads(),
+        [&](std::int64_t g) { removeNegativeParts(groups[g].element, groups[g].count); }, 4);
+    std::vector<double> nodal(static_cast<std::size_t>(source_.nodeCount()), 0.0);
+    double sum = 0;
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      for (std::int32_t node : nodesOf(e)) nodal[node] += excess_[e];
+      sum += negative_[e];
+    }
+    // Nesterov's sequence, from the start again when the last step was uphill.
+    if (sum > lastSum_) momentum_ = 1;
+    lastSum_ = sum;
+    const double next = 0.5 * (1 + std::sqrt(1 + 4 * momentum_ * momentum_)), beta = (momentum_ - 1) / next;
+    momentum_ = next;
+    spread(beta);
+    double most = 0;
+    for (const double value : nodal) {
+      if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
+      most = std::max(most, value);
+    }
+    return std::isfinite(sum) ? sigma_ + most : std::numeric_limits<double>::infinity();
+  }
+  std::int64_t decompositions = 0;
+
+ private:
+  struct Element {
+    ElementRef ref;
+    int nodes;
+    std::int64_t begin;  // of its matrix in P_
+  };
+  /// A 3×3 block of an element's matrix: first entry, and entries from one column to the next.
+  struct Place {
+    std::int64_t first;
+    std::int32_t stride;
+  };
+  void removeNegativeParts(const std::size_t* elements, int count) {
+    const int size = 3 * elements_[elements[0]].nodes;
+    const auto entries = static_cast<std::size_t>(size * size);
+    thread_local AlignedVector<Pack> work;
+    work.resize(3 * entries);
+    Pack *P = work.data(), *A = P + entries, *VT = A + entries;
+    for (int lane = 0; lane < lanes; ++lane) {  // empty lanes repeat the first element
+      const double* from = P_.data() + elements_[elements[lane < count ? lane : 0]].begin;
+      for (std::size_t i = 0; i < entries; ++i) P[i].set(lane, from[i]);
+    }
+    std::copy_n(P, entries, A);
+    Pack least, negative, error;
+    removeNegativePart(A, VT, P, size, least, negative, error);
+    for (int lane = 0; lane < count; ++lane) {
+      const std::size_t e = elements[lane];
+      // A NaN must not pass for zero.
+      excess_[e] += least[lane] >= 0 ? 0.0 : -least[lane];
+      negative_[e] = negative[lane];
+      reserve_[e] = std::max(-error[lane], least[lane]);
+      if (!(negative[lane] > 0)) continue;
+      double* to = P_.data() + elements_[e].begin;
+      for (std::size_t i = 0; i < entries; ++i) to[i] = P[i][lane];
+    }
+  }
+  std::span<const std::int32_t> nodesOf(std::size_t e) const {
+    return source_.tangents()[elements_[e].ref.block]->nodesOf(elements_[e].ref.element);
+  }
+  Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>> at(AlignedVector<double>& values, const Place& place) const {
+    return Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>>(values.data() + place.first,
+                                                                Eigen::OuterStride<>(place.stride));
+  }
+  static Place placeOf(const Element& element, int a, int b) {
+    const int size = 3 * element.nodes;
+    return {element.begin + static_cast<std::int64_t>(3 * b) * size + 3 * a, size};
+  }
+
+  /// P_e = -A_e, constrained components zero.
+  void fillTangents(const NodeVectors& x) {
+    source_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, NativePack* K) {
+      const ElementTangents& block = *source_.tangents()[b];
+      const int n = block.nodesPerElement(), size = 3 * n;
+      for (int lane = 0; lane < lanes; ++lane) {
+        const std::int32_t e =
+            block.layout().elements[static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane)];
+        if (e < 0) continue;
+        const auto nodes = block.nodesOf(e);
+        double scale[3 * maxElementNodes];
+        for (int i = 0; i < size; ++i) {
+          const std::int32_t node = nodes[i / 3];
+          scale[i] = freeFactor(source_, node, i % 3) / std::sqrt(source_.lumpedMass()[node]);
+        }
+        double* P = P_.data() + elements_[firstOfGroup_[b] + static_cast<std::size_t>(e)].begin;
+        for (int i = 0; i < size; ++i)
+          for (int j = 0; j <= i; ++j) P[i * size + j] = P[j * size + i] = -K[i * size + j][lane] * scale[i] * scale[j];
+      }
+    });
+    norms_.resize(elements_.size());
+    for (std::size_t e = 0; e < elements_.size(); ++e) norms_[e] = normOf(e);
+  }
+  double normOf(std::size_t e) const {
+    const auto size = static_cast<Eigen::Index>(9 * elements_[e].nodes * elements_[e].nodes);
+    return Eigen::Map<const Eigen::VectorXd>(P_.data() + elements_[e].begin, size).norm();
+  }
+
+  /// Which elements hold a part of each block of the assembled matrix.
+  void indexBlocks() {
+    placeBegin_.assign(pattern_.column.size() + 1, 0);
+    const auto forEachPlace = [&](const auto& visit) {
+      for (const Element& element : elements_) {
+        const auto& positions = pattern_.elementBlocks[element.ref.block];
+        const int n = element.nodes;
+        for (int a = 0; a < n; ++a)
+          for (int b = 0; b < n; ++b)
+            visit(static_cast<std::size_t>(
+                      positions[(static_cast<std::size_t>(element.ref.element) * static_cast<std::size_t>(n) +
+                                 static_cast<std::size_t>(a)) *
+                                    static_cast<std::size_t>(n) +
+                                static_cast<std::size_t>(b)]),
+                  placeOf(element, a, b));
+      }
+    };
+    forEachPlace([&](std::size_t k, const Place&) { ++placeBegin_[k + 1]; });
+    for (std::size_t k = 1; k < placeBegin_.size(); ++k) placeBegin_[k] += placeBegin_[k - 1];
+    places_.resize(static_cast<std::size_t>(placeBegin_.back()));
+    std::vector<std::int64_t> next(placeBegin_.begin(), placeBegin_.end() - 1);
+    forEachPlace([&](std::size_t k, const Place& place) { places_[next[k]++] = place; });
+  }
+  std::span<const Place> placesOf(std::int64_t k) const {
+    const std::int64_t begin = placeBegin_[k];
+    return {places_.data() + begin, static_cast<std::size_t>(placeBegin_[static_cast<std::size_t>(k) + 1] - begin)};
+  }
+  Eigen::Matrix3d sumOf(std::int64_t k) {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (const Place& place : placesOf(k)) sum += at(P_, place);
+    return sum;
+  }
+
+  /// P_e += l_e D_e, the nodal bound's own split.
+  void startFrom(const NodalBound& weights) {
+    for (std::int32_t node = 0; node < source_.nodeCount(); ++node)
+      for (const NodalBound::Incidence incidence : weights.incidences(node)) {
+        const ElementRef ref = weights.elementAt(incidence);
+        const Element& element = elements_[firstOfGroup_[ref.block] + static_cast<std::size_t>(ref.element)];
+        const int a = incidence.place / PatchLayout::lanes % element.nodes;
+        at(P_, placeOf(element, a, a)) += weights.value(ref) / source_.lumpedMass()[node] * weights.weight(incidence);
+      }
+  }
+
+  /// Spreads what is missing from the sum evenly, then goes on in the direction of the last step by beta.
+  void spread(double beta) {
+    const auto blocks = static_cast<std::int64_t>(pattern_.column.size());
+    missing_.resize(static_cast<std::size_t>(blocks));
+    parallelFor(
+        0, blocks, source_.threads(),
+        [&](std::int64_t k) { missing_[k] = (target_[k] - sumOf(k)) / static_cast<double>(placesOf(k).size()); }, 256);
+    parallelFor(
+        0, static_cast<std::int64_t>(elements_.size()), source_.threads(),
+        [&](std::int64_t index) {
+          const auto e = static_cast<std::size_t>(index);
+          const Element& element = elements_[e];
+          const int n = element.nodes, size = 3 * n;
+          const std::int32_t* positions = pattern_.elementBlocks[element.ref.block].data() +
+                                          static_cast<std::ptrdiff_t>(element.ref.element) * n * n;
+          double moved = 0, norm = 0;
+          for (int a = 0; a < n; ++a)
+            for (int b = 0; b < n; ++b) {
+              const Eigen::Matrix3d& add = missing_[positions[a * n + b]];
+              for (int j = 0; j < 3; ++j)
+                for (int i = 0; i < 3; ++i) {
+                  const auto entry = static_cast<std::size_t>(element.begin + (3 * b + j) * size + 3 * a + i);
+                  const double was = P_[entry], now = was + add(i, j);
+                  double value = now;
+                  if (beta > 0) value += beta * (now - before_[entry]);
+                  if (!before_.empty()) before_[entry] = now;
+                  P_[entry] = value;
+                  moved += (value - was) * (value - was);
+                  norm += value * value;
+                }
+            }
+          reserve_[e] -= std::sqrt(moved);
+          norms_[e] = std::max(norms_[e], std::sqrt(norm));
+        },
+        64);
+  }
+
+  const TangentSource& source_;
+  double sigma_;
+  BlockMatrix pattern_;
+  std::vector<Element> elements_;
+  std::vector<std::size_t> firstOfGroup_;  // into elements_
+  AlignedVector<double> P_, before_;       // of all elements, column by column
+  std::vector<Eigen::Matrix3d> target_, missing_;
+  std::vector<std::int64_t> placeBegin_;
+  std::vector<Place> places_;
+  std::vector<double> reserve_;  // a lower bound of lambda_min(P_e)
+  std::vector<double> excess_, negative_;
+  std::vector<double> norms_;  // the largest so far
+  double momentum_ = 1, lastSum_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+ExchangeBound exchangeUpperBound(const TangentSource& source, const NodeVectors& x, const NodalBound& weights,
+                                 double sigma, double accept, int maxIterations) {
+  ExchangeBound result{{std::numeric_limits<double>::infinity()}, 0, 0};
+  Composition splitting(source, x, weights, sigma);
+  while (result.iterations < maxIterations && !(result.upper.value <= accept)) {
+    result.upper.value = std::min(result.upper.value, splitting.iterate());
+    ++result.iterations;
+    if (!std::isfinite(result.upper.value)) break;
+  }
+  result.decompositions = splitting.decompositions;
+  return result;
+}
+
+std::int64_t exchangeBoundBytes(const TangentSource& source) {
+  std::int64_t bytes = 0;
+  for (const ElementTangents* block : source.tangents()) {
+    const std::int64_t n = block->nodesPerElement();
+    bytes += block->elementCount() * n * n * (18 * 8 + 16 + 4);  // two matrices, places, positions
+  }
+  return bytes;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,110 @@
+#include <ringwatch/monitor/bounds/lanczos_bound.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/random.h>
+#include <ringwatch/monitor/bounds/mass_scaled_operator.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// The Lanczos matrix so far: alpha on the diagonal, beta beside it; beta.back() belongs to the vector to come.
+struct Tridiagonal {
+  std::vector<double> alpha, beta;
+  double size = 0;  // a bound of its norm, Gershgorin's
+
+  void append(double a, double b) {
+    size = std::max(size, std::abs(a) + b + (beta.empty() ? 0.0 : beta.back()));
+    alpha.push_back(a);
+    beta.push_back(b);
+  }
+  /// log of the product of the k ratios β_j p_j/p_(j-1), which is p_k β_k times the other betas; NaN unless t lies
+  /// right of all Ritz values.
+  double logProduct(double t) const {
+    double sum = 0, ratio = 1;
+    for (std::size_t j = 0; j < alpha.size(); ++j) {
+      ratio = t - alpha[j] - (j == 0 ? 0.0 : beta[j - 1] * beta[j - 1] / ratio);
+      if (!(ratio > 0)) return std::numeric_limits<double>::quiet_NaN();
+      sum += std::log(ratio);
+    }
+    return sum;
+  }
+  /// The least t, to a relative 1e-14 of the norm and rounded up, that fulfils a condition which holds for all larger
+  /// t.
+  template <class Condition>
+  double least(double low, const Condition& holds) const {
+    double high = size + 1e-3 * size + std::numeric_limits<double>::min();
+    while (!holds(high)) high += high - low + size;
+    while (high - low > 1e-14 * size) {
+      const double middle = 0.5 * (low + high);
+      if (!(middle > low && middle < high)) break;
+      (holds(middle) ? high : low) = middle;
+    }
+    return high;
+  }
+};
+
+}  // namespace
+
+LanczosBound lanczosUpperBound(const TangentSource& source, const NodeVectors& x, double width, double eta,
+                               std::uint64_t seed, int maxProducts) {
+  if (!(width >= 1e-4 && width < 1)) throw InputError(joinText("width = ", width, ": must be >= 1e-4 and < 1"));
+  if (!(eta > 0 && eta <= 0.5)) throw InputError(joinText("eta = ", eta, ": must be > 0 and <= 0.5"));
+  if (maxProducts < 1) throw InputError(joinText("maxProducts = ", maxProducts, ": must be >= 1"));
+  source.checkNodal("x", x);
+  LanczosBound result{{0, eta}, {0}, 0, true};
+  std::int64_t free = 0;
+  for (std::int32_t i = 0; i < source.nodeCount(); ++i) free += source.constraints().freeComponents(i);
+  if (free == 0) return result;
+  const double d = eta * std::sqrt(std::numbers::pi / (2 * static_cast<double>(free)));
+  if (!(d >= 500 * epsilon))
+    throw InputError(joinText("eta = ", eta, ": must be >= ", eta * 500 * epsilon / d, " for ", free,
+                              " free degrees of freedom, lest rounding hides the top mode"));
+
+  const MassScaledOperator op(source, x);
+  NodeVectors q(3, source.nodeCount()), before = NodeVectors::Zero(3, source.nodeCount()), w(3, source.nodeCount());
+  Random random(seed);
+  for (double& entry : q.reshaped()) entry = random.normal();
+  source.constraints().clearConstrained(q);
+  q /= q.norm();
+  Tridiagonal T;
+  double logBetas = 0, ritz = 0;  // of all betas but the last
+  while (true) {
+    op.apply(q.data(), w.data());
+    ++result.products;
+    // Three terms only: the argument needs no orthogonality, just a recurrence that is exact to rounding.
+    if (!T.beta.empty()) w -= T.beta.back() * before;
+    const double alpha = w.cwiseProduct(q).sum();
+    w -= alpha * q;
+    const double beta = w.norm();
+    if (!std::isfinite(alpha + beta)) {
+      result.upper.value = result.ritz.value = std::numeric_limits<double>::quiet_NaN();
+      result.achieved = false;
+      return result;
+    }
+    if (!T.beta.empty()) logBetas += std::log(T.beta.back());
+    T.append(alpha, beta);
+    if (!(T.size > 0)) return result;  // K q = 0 for a random q: there is no stiffness
+    // The recurrence's own rounding counts as part of the next vector; that also serves when the vectors end.
+    const double rounding = 32 * epsilon * T.size, target = std::log((beta + rounding) / (0.5 * d)) + logBetas;
+    const double floor = T.alpha.size() == 1 ? -T.size : ritz - rounding;  // Ritz values only rise
+    ritz = T.least(floor, [&](double t) { return !std::isnan(T.logProduct(t)); });
+    const double upper = T.least(ritz, [&](double t) { return T.logProduct(t) >= target; }) + rounding;
+    result.ritz.value = std::max(0.0, ritz);
+    result.upper.value = std::max(0.0, upper);
+    // Below the rounding of the norm nothing can be told apart.
+    result.achieved = result.upper.value <= (1 + width) * (1 + width) * result.ritz.value || upper <= 2 * rounding;
+    if (result.achieved || !(beta > rounding) || result.products == maxProducts) return result;
+    before.swap(q);
+    q = w / beta;
+  }
+}
+
+}  // namespace ringwatch

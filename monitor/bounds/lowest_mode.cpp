@@ -1,0 +1,135 @@
+#include <ringwatch/monitor/bounds/lowest_mode.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/base/random.h>
+#include <ringwatch/monitor/bounds/scaled_tangent.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr double rounding = 1e-10;     // of a quotient, relative to the norm of S K S
+constexpr double clearlyBelow = 1e-4;  // zero, relative to that norm: the search can end
+constexpr int lanes = PatchLayout::lanes;
+
+/// 1/√(Σ_e tr|K_e,aa|) of every node, zero in constrained components.
+NodeVectors scaleOf(const Body& body, const NodeVectors& x, Body::Workspace& workspace) {
+  NodeVectors scale;
+  body.sumOverPatches(scale, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
+    const ElementBlock& block = *body.blocks()[b];
+    const PatchLayout& layout = block.layout();
+    const int n = block.element().nodes, size = 3 * n;
+    AlignedVector<NativePack> K(static_cast<std::size_t>(size * size));
+    const Patch& patch = layout.patches[p];
+    for (std::int32_t batch = patch.batchBegin; batch < patch.batchEnd; ++batch) {
+      block.tangentBatch(batch, x.data(), reinterpret_cast<double*>(K.data()));
+      for (int i = 0; i < size; ++i)
+        for (int lane = 0; lane < lanes; ++lane) {
+          const std::size_t place = static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane);
+          if (layout.elements[place] < 0) continue;
+          const auto local = layout.localNodes[(batch * n + i / 3) * lanes + lane];
+          slots[4 * static_cast<std::ptrdiff_t>(local)] += std::abs(K[i * size + i][lane]);
+        }
+    }
+  });
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
+    const double root = scale(0, i) > 0 ? 1 / std::sqrt(scale(0, i)) : 0;
+    for (int c = 0; c < 3; ++c) scale(c, i) = root * freeFactor(body, i, c);
+  }
+  return scale;
+}
+
+/// The element with the least uᵀK_e u.
+ElementRef softestElement(const Body& body, const NodeVectors& x, const NodeVectors& u) {
+  std::vector<std::vector<double>> forms;
+  for (const auto& block : body.blocks()) forms.emplace_back(static_cast<std::size_t>(block->elementCount()));
+  body.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, const NativePack* K) {
+    const ElementBlock& block = *body.blocks()[b];
+    const int size = 3 * block.element().nodes;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const std::int32_t e = block.layout().elements[batch * lanes + lane];
+      if (e < 0) continue;
+      const auto nodes = block.nodesOf(e);
+      double own[3 * maxElementNodes], form = 0;
+      for (int i = 0; i < size; ++i) own[i] = u(i % 3, nodes[i / 3]);
+      for (int i = 0; i < size; ++i)
+        for (int j = 0; j < size; ++j) form += own[i] * K[i * size + j][lane] * own[j];
+      forms[b][e] = form;
+    }
+  });
+  double least = std::numeric_limits<double>::infinity();
+  ElementRef softest;
+  for (std::size_t b = 0; b < forms.size(); ++b)
+    for (std::size_t e = 0; e < forms[b].size(); ++e)
+      if (forms[b][e] < least) {
+        least = forms[b][e];
+        softest = {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
+      }
+  return softest;
+}
+
+}  // namespace
+
+LowestMode findLowestMode(const Body& body, const NodeVectors& x, NodeVectors& start, int maxProducts) {
+  LowestMode result;
+  Body::Workspace workspace;
+  const NodeVectors scale = scaleOf(body, x, workspace);
+  if (start.cols() != body.nodeCount() || !start.allFinite()) {
+    start.resize(3, body.nodeCount());
+    for (Eigen::Index i = 0; i < start.size(); ++i) start.data()[i] = randomEntry(1, static_cast<std::uint64_t>(i));
+  }
+  // A component that nothing stiff holds has no part in the search.
+  start = start.cwiseProduct(scale.cwiseSign());
+  const double norm = start.norm();
+  if (!(norm > 0)) return result;  // nothing is free
+  std::vector<NodeVectors> basis{start / norm};
+  std::vector<double> alpha, beta;
+  NodeVectors w, u;
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  double size = 0;  // of S K S, as far as it is known
+  while (true) {
+    u = basis.back().cwiseProduct(scale);
+    body.tangentProduct(x, u, w, workspace);
+    w = w.cwiseProduct(scale);
+    ++result.products;
+    alpha.push_back(w.cwiseProduct(basis.back()).sum());
+    for (const NodeVectors& q : basis) w -= w.cwiseProduct(q).sum() * q;
+    beta.push_back(w.norm());
+    if (!std::isfinite(alpha.back() + beta.back())) {
+      result.value = std::numeric_limits<double>::quiet_NaN();
+      return result;
+    }
+    const auto count = static_cast<Eigen::Index>(alpha.size());
+    size = std::max(size, std::abs(alpha.back()) + beta.back() + (count > 1 ? beta[alpha.size() - 2] : 0.0));
+    const bool last = result.products == maxProducts || !(beta.back() > 1e-12 * size);
+    if (last || count % 4 == 0) {
+      Eigen::MatrixXd T = Eigen::MatrixXd::Zero(count, count);
+      for (Eigen::Index i = 0; i < count; ++i) {
+        T(i, i) = alpha[i];
+        if (i + 1 < count) T(i, i + 1) = T(i + 1, i) = beta[i];
+      }
+      solver.compute(T);
+      if (solver.info() != Eigen::Success) return result;
+      if (last || solver.eigenvalues()[0] < -clearlyBelow * size) break;
+    }
+    basis.push_back(w / beta.back());
+  }
+  start.setZero();
+  for (std::size_t i = 0; i < basis.size(); ++i)
+    start += solver.eigenvectors()(static_cast<Eigen::Index>(i), 0) * basis[i];
+  start /= start.norm();
+  // The quotient itself: whatever went before, its sign is proven to rounding.
+  u = start.cwiseProduct(scale);
+  body.tangentProduct(x, u, w, workspace);
+  ++result.products;
+  const double form = w.cwiseProduct(u).sum() + rounding * size;
+  result.value = form / (u.cwiseAbs2() * body.lumpedMass()).sum();
+  if (result.value < 0) result.element = softestElement(body, x, u);
+  return result;
+}
+
+}  // namespace ringwatch

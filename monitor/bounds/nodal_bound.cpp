@@ -1,0 +1,389 @@
+#include <ringwatch/monitor/bounds/nodal_bound.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/bounds/nodal_weights.h>
+#include <ringwatch/monitor/bounds/scaled_tangent.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr int lanes = PatchLayout::lanes;
+
+using P = NativePack;
+/// A sweep touches the elements at nodes with more than this share of the bound, and all their nodes: others do not
+/// stand in its way yet.
+constexpr double highShare = 0.6;
+
+Symmetric3<double> symmetricOf(const NodalBound::Factor& factor) {
+  CholeskyFactor<double> L;
+  std::copy(factor.begin(), factor.end(), L.m);
+  return productOf(L);
+}
+Symmetric3<double> symmetricOf(const Eigen::Matrix3d& D) {
+  Symmetric3<double> result;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) result(i, j) = 0.5 * (D(i, j) + D(j, i));
+  return result;
+}
+Eigen::Matrix3d matrixOf(const Symmetric3<double>& D) {
+  Eigen::Matrix3d result;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) result(i, j) = D(i, j);
+  return result;
+}
+
+/// To empty is not enough: `vector = {}` keeps the memory.
+template <class Vector>
+void giveBack(Vector& numbers) {
+  Vector().swap(numbers);
+}
+
+/// Zeroes the rows and columns of constrained degrees of freedom.
+void clearConstrained(const TangentSource& source, const ElementTangents& block, const std::int32_t* elements, P* K) {
+  if (!source.constraints().any()) return;
+  const int n = block.nodesPerElement();
+  bool some = false;
+  for (int lane = 0; lane < lanes; ++lane)
+    for (const std::int32_t node : block.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]))
+      some |= source.constraints().freeComponents(node) < 3;
+  if (!some) return;
+  P factor[3 * maxElementNodes];
+  for (int lane = 0; lane < lanes; ++lane) {
+    const auto nodes = block.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]);
+    for (int a = 0; a < n; ++a)
+      for (int c = 0; c < 3; ++c) factor[3 * a + c].set(lane, freeFactor(source, nodes[a], c));
+  }
+  scaleSymmetric(K, 3 * n, factor);
+}
+
+}  // namespace
+
+NodalBound::NodalBound(const TangentSource& source) : source_(&source) {
+  std::vector<std::int64_t> count(static_cast<std::size_t>(source.nodeCount()) + 1, 0);
+  auto forEachIncidence = [&](auto&& visit) {
+    for (std::size_t b = 0; b < source.tangents().size(); ++b) {
+      const ElementTangents& block = *source.tangents()[b];
+      const int n = block.nodesPerElement();
+      for (std::int32_t e = 0; e < block.elementCount(); ++e) {
+        const auto nodes = block.nodesOf(e);
+        for (int a = 0; a < n; ++a) visit(nodes[a], incidenceOf({static_cast<std::int32_t>(b), e}, a));
+      }
+    }
+  };
+  forEachIncidence([&](std::int32_t node, Incidence) { ++count[static_cast<std::size_t>(node) + 1]; });
+  for (std::size_t i = 1; i < count.size(); ++i) count[i] += count[i - 1];
+  incidenceBegin_ = count;
+  std::int64_t places = 0;
+  for (const ElementTangents* block : source.tangents()) {
+    const auto weights =
+        static_cast<std::size_t>(block->layout().batchCount()) * static_cast<std::size_t>(block->nodesPerElement());
+    firstOfBlock_.push_back(static_cast<std::int32_t>(places));
+    places += static_cast<std::int64_t>(weights * lanes);
+    if (places > std::numeric_limits<std::int32_t>::max())
+      throw InputError("the nodal bound: more than 2^31 nodes of elements; use a metric for a body of this size");
+    weights_.emplace_back(weights);
+  }
+  firstOfBlock_.push_back(static_cast<std::int32_t>(places));
+  incidence_.resize(static_cast<std::size_t>(count.back()));
+  forEachIncidence(
+      [&](std::int32_t node, Incidence i) { incidence_[count[node]++] = firstOfBlock_[i.block] + i.place; });
+}
+
+CholeskyFactor<P> NodalBound::load(const StoredFactor& stored) {
+  CholeskyFactor<P> L;
+  for (int c = 0; c < 6; ++c) L.m[c] = ShortRoot::load(stored.m[c]);
+  return L;
+}
+
+void NodalBound::store(const Symmetric3<P>& weight, StoredFactor& stored) {
+  const CholeskyFactor<P> L = ringwatch::factorOf(weight);
+  for (int c = 0; c < 6; ++c) ShortRoot::store(L.m[c], stored.m[c]);
+}
+
+NodalBound::Factor NodalBound::factorOf(const Eigen::Matrix3d& D) {
+  const CholeskyFactor<double> L = ringwatch::factorOf(symmetricOf(D));
+  Factor rounded;
+  for (std::size_t c = 0; c < 6; ++c) rounded[c] = ShortRoot(L.m[c]);
+  return rounded;
+}
+
+Eigen::Matrix3d NodalBound::weightOf(const Factor& factor) { return matrixOf(symmetricOf(factor)); }
+
+void NodalBound::prepareSums() {
+  const std::size_t packs = (static_cast<std::size_t>(source_->nodeCount()) + lanes - 1) / lanes;
+  if (sums_.size() == packs && values_.size() == weights_.size()) return;
+  for (const ElementTangents* block : source_->tangents())
+    values_.emplace_back(static_cast<std::size_t>(block->layout().batchCount()));
+  sums_.resize(packs);
+  factors_.resize(packs);
+  nodal_.resize(packs * lanes);
+  changed_.resize(packs * lanes);
+}
+
+void NodalBound::releaseSums() {
+  giveBack(values_);
+  giveBack(sums_);
+  giveBack(factors_);
+  giveBack(nodal_);
+  giveBack(changed_);
+}
+
+void NodalBound::evaluateAll(const NodeVectors& x, const Start* start) {
+  source_->forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
+    const ElementTangents& block = *source_->tangents()[b];
+    const int n = block.nodesPerElement(), size = 3 * n;
+    clearConstrained(*source_, block, block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, K);
+    StoredFactor* stored = weights_[b].data() + static_cast<std::ptrdiff_t>(batch) * n;
+    if (start) {
+      Symmetric3<P> weights[maxElementNodes];
+      for (int a = 0; a < n; ++a) {
+        Symmetric3<P> k;
+        for (int r = 0; r < 3; ++r)
+          for (int c = r; c < 3; ++c) k(r, c) = K[(3 * a + r) * size + 3 * a + c];
+        weights[a] = startWeight(k, *start == Start::rootOfStiffness);
+      }
+      normaliseWeights(weights, n);
+      for (int a = 0; a < n; ++a) store(weights[a], stored[a]);
+    }
+    P work[12 * maxElementNodes], w[maxElementNodes][6];
+    for (int a = 0; a < n; ++a) invertFactor(load(stored[a]), w[a]);
+    scaleByFactors(w, n, K);
+    values_[b][batch] = largestRoundedUp(K, size, work);
+  });
+  for (const ElementTangents* block : source_->tangents()) evaluations_ += block->elementCount();
+  std::fill(changed_.begin(), changed_.end(), true);
+}
+
+double NodalBound::sumAtNodes() {
+  const std::int32_t nodes = source_->nodeCount();
+  parallelFor(
+      0, static_cast<std::int64_t>(sums_.size()), source_->threads(),
+      [&](std::int64_t pack) {
+        const auto* changed = changed_.data() + pack * lanes;
+        if (std::find(changed, changed + lanes, true) == changed + lanes) return;
+        Symmetric3<P> S;
+        for (P& entry : S.m) entry = P(0.0);
+        for (int lane = 0; lane < lanes; ++lane) {
+          const auto node = static_cast<std::int32_t>(pack) * lanes + lane;
+          if (node >= nodes) continue;
+          double sum[6] = {0, 0, 0, 0, 0, 0};
+          if (!outside_.empty())
+            for (int r = 0; r < 3; ++r)
+              for (int c = r; c < 3; ++c) sum[Symmetric3<P>::index(r, c)] = outside_[node](r, c);
+          for (const Incidence at : incidences(node)) {
+            const auto block = static_cast<std::size_t>(at.block);
+            const int l = at.place % lanes;
+            const Symmetric3<double> D = symmetricOf(factor(at));
+            const double value = values_[block][at.place / lanes / source_->tangents()[block]->nodesPerElement()][l];
+            for (int c = 0; c < 6; ++c) sum[c] += value * D.m[c];
+          }
+          const double inverseMass = 1 / source_->lumpedMass()[node];
+          // Constrained components leave the problem: their rows and columns count nothing.
+          const double free[3] = {freeFactor(*source_, node, 0), freeFactor(*source_, node, 1),
+                                  freeFactor(*source_, node, 2)};
+          const double keep[6] = {free[0], free[1], free[2], free[1] * free[2], free[0] * free[2], free[0] * free[1]};
+          for (int c = 0; c < 6; ++c) S.m[c].set(lane, keep[c] == 0 ? 0.0 : inverseMass * sum[c]);
+        }
+        sums_[pack] = S;
+        P A[9], work[12];
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j <= i; ++j) A[3 * i + j] = S(i, j);
+        const auto extremes = extremeEigenvalues(A, 3, work, false);
+        (extremes.largest + P(eigenvalueRounding) * extremes.scale).store(nodal_.data() + pack * lanes);
+      },
+      64);
+  double bound = 0;
+  for (std::int32_t i = 0; i < nodes; ++i) {
+    if (std::isnan(nodal_[i])) return std::numeric_limits<double>::quiet_NaN();
+    bound = std::max(bound, nodal_[i]);
+  }
+  return bound;
+}
+
+void NodalBound::findFactors(double bound) {
+  const std::int32_t nodes = source_->nodeCount();
+  parallelFor(
+      0, static_cast<std::int64_t>(sums_.size()), source_->threads(),
+      [&](std::int64_t pack) {
+        Symmetric3<P> S = P(1 / bound) * sums_[pack];
+        for (int lane = 0; lane < lanes; ++lane) {
+          const auto node = static_cast<std::int32_t>(pack) * lanes + lane;
+          if (node >= nodes)
+            for (int c = 0; c < 3; ++c) S.m[c].set(lane, 1.0);
+          else
+            for (int c = 0; c < 3; ++c)
+              if (freeFactor(*source_, node, c) == 0) S.m[c].set(lane, 1.0);
+        }
+        factors_[pack] = sweepFactor(S);
+      },
+      64);
+}
+
+void NodalBound::sweep(const NodeVectors& x, double bound) {
+  findFactors(bound);
+  std::fill(changed_.begin(), changed_.end(), false);
+  for (std::size_t b = 0; b < source_->tangents().size(); ++b) {
+    const ElementTangents& block = *source_->tangents()[b];
+    const int n = block.nodesPerElement();
+    std::vector<std::int32_t> high;
+    for (const std::int32_t e : block.layout().elements) {
+      if (e < 0) continue;
+      const auto nodes = block.nodesOf(e);
+      if (std::none_of(nodes.begin(), nodes.end(), [&](std::int32_t node) { return nodal_[node] > highShare * bound; }))
+        continue;
+      high.push_back(e);
+      for (const std::int32_t node : nodes) changed_[node] = true;
+    }
+    evaluations_ += static_cast<std::int64_t>(high.size());
+    high.resize((high.size() + lanes - 1) / lanes * lanes, -1);
+    parallelFor(
+        0, static_cast<std::int64_t>(high.size() / lanes), source_->threads(),
+        [&](std::int64_t pack) {
+          const std::int32_t* elements = high.data() + pack * lanes;
+          StoredFactor stored[maxElementNodes];
+          gather(b, elements, stored);
+          Symmetric3<P> weights[maxElementNodes];
+          for (int a = 0; a < n; ++a) {
+            Symmetric3<P> R;
+            for (int lane = 0; lane < lanes; ++lane) {
+              const std::int32_t node = block.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane])[a];
+              const Symmetric3<P>& from = factors_[node / lanes];
+              for (int c = 0; c < 6; ++c) R.m[c].set(lane, from.m[c][node % lanes]);
+            }
+            weights[a] = congruence(R, productOf(load(stored[a])));
+          }
+          normaliseWeights(weights, n);
+          for (int a = 0; a < n; ++a) store(weights[a], stored[a]);
+          double value[lanes];
+          for (int lane = 0; lane < lanes; ++lane) {
+            if (elements[lane] < 0) continue;
+            const std::int32_t place = block.layout().batchOfElement[elements[lane]];
+            for (int a = 0; a < n; ++a)
+              for (int c = 0; c < 6; ++c) weights_[b][place / lanes * n + a].m[c][place % lanes] = stored[a].m[c][lane];
+          }
+          elementValues(static_cast<std::int32_t>(b), elements, x, value);
+          for (int lane = 0; lane < lanes; ++lane)
+            if (elements[lane] >= 0) setValue({static_cast<std::int32_t>(b), elements[lane]}, value[lane]);
+        },
+        8);
+  }
+}
+
+UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps, Start start, double leastGain) {
+  evaluations_ = 0;
+  prepareSums();
+  evaluateAll(x, started_ ? nullptr : &start);
+  started_ = true;
+  double best = std::numeric_limits<double>::infinity(), before[2] = {best, best};
+  for (int done = 0;; ++done) {
+    const double bound = sumAtNodes();
+    last_ = bound;
+    if (std::isnan(bound)) {
+      started_ = false;
+      return {bound};
+    }
+    best = std::min(best, bound);
+    if (done == sweeps || !(bound > 0) || (leastGain > 0 && bound >= (1 - leastGain) * before[0])) break;
+    before[0] = before[1];
+    before[1] = bound;
+    sweep(x, bound);
+  }
+  return {best};
+}
+
+ElementRef NodalBound::elementAt(Incidence at) const {
+  const ElementTangents& block = *source_->tangents()[at.block];
+  const std::int32_t batch = at.place / lanes / block.nodesPerElement();
+  return {at.block, block.layout().elements[batch * lanes + at.place % lanes]};
+}
+
+NodalBound::Incidence NodalBound::incidenceOf(ElementRef e, int a) const {
+  const ElementTangents& block = *source_->tangents()[e.block];
+  const std::int32_t place = block.layout().batchOfElement[e.element];
+  return {e.block, (place / lanes * block.nodesPerElement() + a) * lanes + place % lanes};
+}
+
+NodalBound::Factor NodalBound::factor(Incidence at) const {
+  const StoredFactor& stored = weights_[at.block][at.place / lanes];
+  Factor L;
+  for (std::size_t c = 0; c < 6; ++c) L[c] = stored.m[c][at.place % lanes];
+  return L;
+}
+
+void NodalBound::setFactor(Incidence at, const Factor& L) {
+  StoredFactor& stored = weights_[at.block][at.place / lanes];
+  for (std::size_t c = 0; c < 6; ++c) stored.m[c][at.place % lanes] = L[c];
+}
+
+void NodalBound::setWeights(ElementRef e, std::span<const Eigen::Matrix3d> weights) {
+  const auto n = static_cast<int>(weights.size());
+  Symmetric3<double> own[maxElementNodes];
+  for (int a = 0; a < n; ++a) own[a] = symmetricOf(weights[a]);
+  normaliseWeights(own, n);
+  for (int a = 0; a < n; ++a) setWeight(incidenceOf(e, a), matrixOf(own[a]));
+}
+
+void NodalBound::gather(std::size_t b, const std::int32_t* elements, StoredFactor* factors) const {
+  const ElementTangents& block = *source_->tangents()[b];
+  const int n = block.nodesPerElement();
+  for (int lane = 0; lane < lanes; ++lane) {
+    const std::int32_t place = block.layout().batchOfElement[elements[lane] < 0 ? elements[0] : elements[lane]];
+    const StoredFactor* from = weights_[b].data() + static_cast<std::ptrdiff_t>(place / lanes) * n;
+    for (int a = 0; a < n; ++a)
+      for (int c = 0; c < 6; ++c) factors[a].m[c][lane] = from[a].m[c][place % lanes];
+  }
+}
+
+void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, const NodeVectors& x,
+                               double* values) const {
+  P K[9 * maxElementNodes * maxElementNodes];
+  source_->tangents()[b]->tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
+  const ElementMatrices tangents{K, values};
+  weightedLargest(b, elements, {&tangents, 1});
+}
+
+void NodalBound::weightedLargest(std::int32_t b, const std::int32_t* elements,
+                                 std::span<const ElementMatrices> sets) const {
+  const ElementTangents& block = *source_->tangents()[b];
+  const int n = block.nodesPerElement();
+  StoredFactor gathered[maxElementNodes];
+  gather(static_cast<std::size_t>(b), elements, gathered);
+  P w[maxElementNodes][6], work[12 * maxElementNodes];
+  for (int a = 0; a < n; ++a) invertFactor(load(gathered[a]), w[a]);
+  for (const auto& [matrices, largest] : sets) {
+    clearConstrained(*source_, block, elements, matrices);
+    scaleByFactors(w, n, matrices);
+    largestRoundedUp(matrices, 3 * n, work).store(largest);
+  }
+}
+
+const std::vector<double>& NodalBound::sumsOf(const std::vector<std::span<const RoundedUp<float>>>& values) {
+  prepareSums();
+  for (std::size_t b = 0; b < values_.size(); ++b)
+    for (std::size_t place = 0; place < values[b].size(); ++place)
+      values_[b][place / lanes].set(static_cast<int>(place % lanes), static_cast<double>(values[b][place]));
+  std::fill(changed_.begin(), changed_.end(), true);
+  sumAtNodes();
+  return nodal_;
+}
+
+void NodalBound::setValue(ElementRef e, double value) {
+  const std::int32_t place = source_->tangents()[e.block]->layout().batchOfElement[e.element];
+  // Other lanes belong to other threads.
+  std::memcpy(reinterpret_cast<std::byte*>(values_[e.block].data()) + static_cast<std::size_t>(place) * sizeof value,
+              &value, sizeof value);
+}
+
+double NodalBound::value(ElementRef e) const {
+  const ElementTangents& block = *source_->tangents()[e.block];
+  const std::int32_t place = block.layout().batchOfElement[e.element];
+  return values_[e.block][place / lanes][place % lanes];
+}
+
+}  // namespace ringwatch

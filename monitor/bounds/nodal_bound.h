@@ -1,0 +1,147 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include <ringwatch/base/short_floats.h>
+#include <ringwatch/body/tangent_source.h>
+#include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/bounds/nodal_weights.h>
+
+namespace ringwatch {
+
+/// The block nodal bound, a proven upper bound of the highest eigenvalue of M⁻¹K. For any symmetric positive definite
+/// 3×3 weights D_(e,a), one for each element and node, and l_e = max(0, lambda_max(D_e⁻¹ K_e)):
+///   K_e ≼ l_e D_e,  hence  lambda_max(M⁻¹K) <= max_i lambda_max(S_i),  S_i = (1/m_i) Σ_(e∋i) l_e D_(e,a(i)).
+/// True for every symmetric K_e, indefinite ones included. Good weights make it tight: they start at (K_aa)^½ or K_aa
+/// and are swept, D_a ← R_i D_a R_i with R_i = (S_i/t)^-½, t the bound. Weights are kept from call to
+/// call. Theorem 1, docs/theory/eigenvalue_bounds.md.
+class NodalBound {
+ public:
+  /// Weights to start from. The root wins on irregular meshes, the stiffness itself on regular ones.
+  enum class Start { rootOfStiffness, stiffness };
+
+  explicit NodalBound(const TangentSource& source);
+
+  /// The bound at x, as the source reads it: the best of up to `sweeps` + 1 evaluations. From scratch when nothing is
+  /// kept. It ends when two sweeps lowered the bound by no more than leastGain, relative.
+  UpperBound evaluate(const NodeVectors& x, int sweeps, Start start = Start::rootOfStiffness, double leastGain = 0);
+  /// Elements that are not in the source and share nodes with it, by their Σ l_e D_e at each node (N of them, N/m):
+  /// they count in every sum and thus in the bound, and are not swept.
+  void setOutside(std::vector<Eigen::Matrix3d> sums) { outside_ = std::move(sums); }
+  /// Forgets the weights.
+  void reset() { started_ = false; }
+  /// The bound with the weights as they are now: that of the last sweep, which need not be the best.
+  double last() const { return last_; }
+
+  /// An element at a node: which of the block's weights is its own there.
+  struct Incidence {
+    std::int32_t block;
+    std::int32_t place;  // (batch * n + a) * lanes + lane
+  };
+  /// Those of one node, to loop over.
+  class Incidences {
+   public:
+    class Iterator {
+     public:
+      Iterator(const std::int32_t* code, const std::int32_t* firstOfBlock) : code_(code), firstOfBlock_(firstOfBlock) {}
+      Incidence operator*() const {
+        std::int32_t block = 0;
+        while (*code_ >= firstOfBlock_[block + 1]) ++block;  // sources have a few groups
+        return {block, *code_ - firstOfBlock_[block]};
+      }
+      Iterator& operator++() {
+        ++code_;
+        return *this;
+      }
+      bool operator!=(const Iterator& other) const { return code_ != other.code_; }
+
+     private:
+      const std::int32_t *code_, *firstOfBlock_;
+    };
+    Incidences(std::span<const std::int32_t> codes, const std::int32_t* firstOfBlock)
+        : codes_(codes), firstOfBlock_(firstOfBlock) {}
+    Iterator begin() const { return {codes_.data(), firstOfBlock_}; }
+    Iterator end() const { return {codes_.data() + codes_.size(), firstOfBlock_}; }
+
+   private:
+    std::span<const std::int32_t> codes_;
+    const std::int32_t* firstOfBlock_;
+  };
+  Incidences incidences(std::int32_t node) const {
+    const auto i = static_cast<std::size_t>(node);
+    return {{incidence_.data() + incidenceBegin_[i], incidence_.data() + incidenceBegin_[i + 1]}, firstOfBlock_.data()};
+  }
+  ElementRef elementAt(Incidence at) const;
+  /// Of an element at its node a.
+  Incidence incidenceOf(ElementRef e, int a) const;
+  /// L of a weight D = L Lᵀ, lower triangle 00, 11, 22, 21, 20, 10. Any weights give a bound, so those in memory may as
+  /// well be rounded ones, each an L of 16 bits an entry, all at most 1 by size.
+  using Factor = std::array<ShortRoot, 6>;
+  static Factor factorOf(const Eigen::Matrix3d& D);
+  static Eigen::Matrix3d weightOf(const Factor& L);
+  Factor factor(Incidence at) const;
+  void setFactor(Incidence at, const Factor& L);
+  Eigen::Matrix3d weight(Incidence at) const { return weightOf(factor(at)); }
+  /// To within the rounding, as all of these.
+  void setWeight(Incidence at, const Eigen::Matrix3d& D) { setFactor(at, factorOf(D)); }
+  /// Of all nodes of an element, of any size: they get trace 1 over the element.
+  void setWeights(ElementRef e, std::span<const Eigen::Matrix3d> weights);
+  /// l_e at x of any elements of a group, one a lane (-1: none): values[lane].
+  void elementValues(std::int32_t block, const std::int32_t* elements, const NodeVectors& x, double* values) const;
+  /// Symmetric matrices of elements, one a lane, as ElementTangents::tangentOf gives tangents; overwritten.
+  struct ElementMatrices {
+    NativePack* matrices;
+    double* largest;  ///< max(0, lambda_max(D_e⁻¹ A_e)), rounded up: [lane]
+  };
+  /// For such elements the largest eigenvalues of any matrices without the rows and columns of constrained components.
+  void weightedLargest(std::int32_t block, const std::int32_t* elements, std::span<const ElementMatrices> sets) const;
+  /// l_e of the last sweep.
+  double value(ElementRef e) const;
+  /// lambda_max(S_i) of every node at the last sweep, rad²/s².
+  const std::vector<double>& nodal() const { return nodal_; }
+  /// The same with the weights as they are and other element values, [block][batch * lanes + lane].
+  const std::vector<double>& sumsOf(const std::vector<std::span<const RoundedUp<float>>>& values);
+  /// Gives the memory back that only evaluate(), value(), nodal() and sumsOf() need; the weights stay.
+  void releaseSums();
+
+  /// Elements times evaluations in the last call.
+  std::int64_t evaluations() const { return evaluations_; }
+
+ private:
+  using Pack = NativePack;
+  void prepareSums();
+  /// l_e of all elements; weights start from scratch unless `start` is nullptr.
+  void evaluateAll(const NodeVectors& x, const Start* start);
+  /// The sums of the nodes that have changed, and the largest of all.
+  double sumAtNodes();
+  /// New weights and values where they stand in the way of a lower bound.
+  void sweep(const NodeVectors& x, double bound);
+  void findFactors(double bound);
+  void setValue(ElementRef e, double value);
+
+  const TangentSource* source_;
+  bool started_ = false;
+  struct StoredFactor {
+    alignas(Pack::width * sizeof(ShortRoot)) ShortRoot m[6][Pack::width];
+  };
+  /// Of any elements of a block, one a lane (-1: the first one's again).
+  void gather(std::size_t block, const std::int32_t* elements, StoredFactor* factors) const;
+  static CholeskyFactor<Pack> load(const StoredFactor& stored);
+  static void store(const Symmetric3<Pack>& weight, StoredFactor& stored);
+
+  std::vector<AlignedVector<StoredFactor>> weights_;  // [block][batch * n + a]
+  std::vector<AlignedVector<Pack>> values_;           // [block][batch], l_e
+  std::vector<std::int64_t> incidenceBegin_;
+  std::vector<std::int32_t> incidence_;     // firstOfBlock_[block] + place
+  std::vector<std::int32_t> firstOfBlock_;  // blocks + 1
+  AlignedVector<Symmetric3<Pack>> sums_;    // S_i, one node a lane
+  AlignedVector<Symmetric3<Pack>> factors_;
+  std::vector<Eigen::Matrix3d> outside_;  // by node; empty for none
+  std::vector<double> nodal_;
+  std::vector<std::uint8_t> changed_;  // by node: since its sum was made
+  std::int64_t evaluations_ = 0;
+  double last_ = 0;
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,133 @@
+#pragma once
+#include <limits>
+
+#include <ringwatch/monitor/small/extreme_eigenvalues.h>
+#include <ringwatch/monitor/small/symmetric3.h>
+
+/// The arithmetic of the block nodal bound (nodal_bound.h) for one element, or a pack of them: one source for CPU and
+/// CUDA threads.
+namespace ringwatch {
+
+/// Kept free of every allowance for the rounding of the sums that it was computed from, relative.
+inline constexpr double allowanceRounding = 1e-12;
+
+/// L of D = L Lᵀ, lower triangle: 00, 11, 22, 21, 20, 10. NaN where D is not positive definite.
+template <class P>
+struct CholeskyFactor {
+  P m[6];
+};
+template <class P>
+RINGWATCH_INLINE CholeskyFactor<P> factorOf(const Symmetric3<P>& D) {
+  CholeskyFactor<P> L;
+  L.m[0] = math::sqrt(D.m[0]);
+  const P i00 = P(1.0) / L.m[0];
+  L.m[5] = D.m[5] * i00;
+  L.m[4] = D.m[4] * i00;
+  L.m[1] = math::sqrt(D.m[1] - L.m[5] * L.m[5]);
+  L.m[3] = (D.m[3] - L.m[4] * L.m[5]) * (P(1.0) / L.m[1]);
+  L.m[2] = math::sqrt(D.m[2] - L.m[4] * L.m[4] - L.m[3] * L.m[3]);
+  return L;
+}
+template <class P>
+RINGWATCH_INLINE Symmetric3<P> productOf(const CholeskyFactor<P>& L) {
+  return {{L.m[0] * L.m[0], L.m[5] * L.m[5] + L.m[1] * L.m[1], L.m[4] * L.m[4] + L.m[3] * L.m[3] + L.m[2] * L.m[2],
+           L.m[5] * L.m[4] + L.m[1] * L.m[3], L.m[0] * L.m[4], L.m[0] * L.m[5]}};
+}
+/// L⁻¹, lower triangle: 00, 10, 11, 20, 21, 22.
+template <class P>
+RINGWATCH_INLINE void invertFactor(const CholeskyFactor<P>& L, P w[6]) {
+  w[0] = P(1.0) / L.m[0];
+  w[2] = P(1.0) / L.m[1];
+  w[5] = P(1.0) / L.m[2];
+  w[1] = -(L.m[5] * w[0]) * w[2];
+  w[4] = -(L.m[3] * w[2]) * w[5];
+  w[3] = -(L.m[4] * w[0] + L.m[3] * w[1]) * w[5];
+}
+
+template <class P>
+RINGWATCH_INLINE Symmetric3<P> inverse(const Symmetric3<P>& a) {
+  Symmetric3<P> c;
+  c.m[0] = a.m[1] * a.m[2] - a.m[3] * a.m[3];
+  c.m[1] = a.m[0] * a.m[2] - a.m[4] * a.m[4];
+  c.m[2] = a.m[0] * a.m[1] - a.m[5] * a.m[5];
+  c.m[3] = a.m[4] * a.m[5] - a.m[0] * a.m[3];
+  c.m[4] = a.m[5] * a.m[3] - a.m[1] * a.m[4];
+  c.m[5] = a.m[3] * a.m[4] - a.m[2] * a.m[5];
+  return (P(1.0) / (a.m[0] * c.m[0] + a.m[5] * c.m[5] + a.m[4] * c.m[4])) * c;
+}
+
+/// A weight to start from, |K_aa| or its root, of a diagonal block: (K_aa² + ε²)^½, so that an indefinite block counts
+/// by its size.
+template <class P>
+RINGWATCH_INLINE Symmetric3<P> startWeight(const Symmetric3<P>& k, bool root) {
+  Symmetric3<P> squared = square(k);
+  const P floor = P(1e-4) * squared.trace() + P(1e-200);
+  for (int c = 0; c < 3; ++c) squared.m[c] += floor;
+  const Symmetric3<P> size = squareRoot(squared);
+  return root ? squareRoot(size) : size;
+}
+
+/// A floor under every direction, over the trace: positive definite beyond the rounding to single precision.
+inline constexpr double weightFloor = 1e-6;
+/// And one for nodes that have no stiffness left, where everything is constrained: beyond underflow.
+inline constexpr double smallestWeight = 1e-12;
+
+/// Trace 1 over the element.
+template <class P>
+RINGWATCH_INLINE void normaliseWeights(Symmetric3<P>* weights, int n) {
+  P sum(0.0);
+  for (int a = 0; a < n; ++a) {
+    const P floor = P(weightFloor) * weights[a].trace() + P(1e-200);
+    for (int c = 0; c < 3; ++c) weights[a].m[c] += floor;
+    sum += weights[a].trace();
+  }
+  const P scale = P(1.0) / sum;
+  for (int a = 0; a < n; ++a) {
+    weights[a] = scale * weights[a];
+    for (int c = 0; c < 3; ++c) weights[a].m[c] += P(smallestWeight);
+  }
+}
+
+/// R = (S/t)^-½ of a node, S with ones on the diagonal where constrained; for D ← R D R. Longer steps save a third of
+/// the sweeps on good meshes and swing at slivers.
+template <class P>
+RINGWATCH_INLINE Symmetric3<P> sweepFactor(Symmetric3<P> S) {
+  const P floor = P(1e-5) * S.trace() + P(1e-8);
+  for (int c = 0; c < 3; ++c) S.m[c] += floor;
+  return inverse(squareRoot(S));
+}
+
+/// K_ac ← L_a⁻¹ K_ac L_c⁻ᵀ for c <= a, with the inverse factors w of the weights: K's lower triangle, 3n×3n.
+template <class P>
+RINGWATCH_INLINE void scaleByFactors(const P (*w)[6], int n, P* K) {
+  const int size = 3 * n;
+  for (int a = 0; a < n; ++a)
+    for (int c = 0; c <= a; ++c) {
+      P* first = K + (3 * a) * size + 3 * c;
+      for (int j = 0; j < 3; ++j) {  // rows
+        P& k0 = first[j];
+        P& k1 = first[size + j];
+        P& k2 = first[2 * size + j];
+        k2 = w[a][3] * k0 + w[a][4] * k1 + w[a][5] * k2;
+        k1 = w[a][1] * k0 + w[a][2] * k1;
+        k0 = w[a][0] * k0;
+      }
+      for (int i = 0; i < 3; ++i) {  // columns
+        P* row = first + i * size;
+        row[2] = w[c][3] * row[0] + w[c][4] * row[1] + w[c][5] * row[2];
+        row[1] = w[c][1] * row[0] + w[c][2] * row[1];
+        row[0] = w[c][0] * row[0];
+      }
+    }
+}
+
+/// max(0, largest eigenvalue), rounded up by a margin that is asserted, not derived (docs/theory/floating_point.md);
+/// NaN stays: it must not pass for zero.
+template <class P>
+RINGWATCH_INLINE P largestRoundedUp(P* K, int size, P* work) {
+  const auto extremes = extremeEigenvalues(K, size, work, false);
+  const P l = extremes.largest + P(eigenvalueRounding) * extremes.scale;
+  return select(l < P(0.0), P(0.0), l);
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,80 @@
+#include <ringwatch/monitor/bounds/node_submatrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <ringwatch/base/sort_unique.h>
+#include <ringwatch/monitor/bounds/scaled_tangent.h>
+
+namespace ringwatch {
+
+void NodeSubmatrix::choose(std::vector<std::int32_t> nodes) {
+  nodes_ = std::move(nodes);
+  sourceVersion_ = source_.version();
+  std::sort(nodes_.begin(), nodes_.end());
+  blocks_.assign(source_.tangents().size(), {});
+  for (const std::int32_t node : nodes_)
+    for (const NodalBound::Incidence at : incidences_.incidences(node))
+      blocks_[at.block].elements.push_back(incidences_.elementAt(at).element);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    auto& [elements, parts] = blocks_[b];
+    sortUnique(elements);
+    for (const std::int32_t e : elements) {
+      Part& part = parts.emplace_back();
+      const auto own = source_.tangents()[b]->nodesOf(e);
+      for (std::size_t a = 0; a < own.size(); ++a) {
+        const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), own[a]);
+        if (found == nodes_.end() || *found != own[a]) continue;
+        for (int c = 0; c < 3; ++c) {
+          if (freeFactor(source_, own[a], c) == 0) continue;
+          part.own[part.count] = static_cast<int>(3 * a) + c;
+          part.row[part.count] = static_cast<int>(3 * (found - nodes_.begin())) + c;
+          part.scale[part.count++] = 1 / std::sqrt(source_.lumpedMass()[own[a]]);
+        }
+      }
+    }
+  }
+}
+
+const Eigen::MatrixXd& NodeSubmatrix::evaluate(const NodeVectors& x, const Eigen::VectorXd* v) {
+  constexpr int lanes = PatchLayout::lanes;
+  if (sourceVersion_ != source_.version()) choose(std::move(nodes_));
+  const auto dofs = static_cast<Eigen::Index>(3 * nodes_.size());
+  matrix_.setZero(dofs, dofs);
+  NativePack K[9 * maxElementNodes * maxElementNodes];
+  double largest = -1;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const ElementTangents& block = *source_.tangents()[b];
+    const auto& [listed, parts] = blocks_[b];
+    const int size = 3 * block.nodesPerElement();
+    for (std::size_t first = 0; first < listed.size(); first += lanes) {
+      std::int32_t elements[lanes];
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        elements[lane] = first + lane < listed.size() ? listed[first + lane] : -1;
+      block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
+      for (int lane = 0; lane < lanes && elements[lane] >= 0; ++lane) {
+        const Part& part = parts[first + static_cast<std::size_t>(lane)];
+        double form = 0;
+        for (int i = 0; i < part.count; ++i) {
+          const NativePack* k = K + part.own[i] * size;
+          double* column = matrix_.data() + part.row[i] * dofs;  // K is symmetric: its rows are columns
+          double product = 0;
+          for (int j = 0; j < part.count; ++j) {
+            const double entry = k[part.own[j]][lane] * (part.scale[i] * part.scale[j]);
+            column[part.row[j]] += entry;
+            if (v) product += entry * (*v)[part.row[j]];
+          }
+          if (v) form += product * (*v)[part.row[i]];
+        }
+        if (v && form > largest) {
+          largest = form;
+          most_ = {static_cast<std::int32_t>(b), elements[lane]};
+        }
+      }
+    }
+  }
+  return matrix_;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,21 @@
+#include <ringwatch/monitor/bounds/top_mode.h>
+
+#include <utility>
+
+#include <ringwatch/monitor/bounds/rayleigh.h>
+
+namespace ringwatch {
+
+TopMode findTopMode(ReducedRing& ring, const TangentSource& source, const NodeVectors& x, NodeVectors& mode,
+                    int coldProducts, int warmProducts, bool wantLowest) {
+  const ReducedRing::Result& rings = ring.evaluate(x, wantLowest);
+  NodeVectors start = ring.topVector(rings.highestElement);
+  const bool cold = mode.size() == 0;
+  if (!cold) start += (start.cwiseProduct(mode).sum() < 0 ? -1.0 : 1.0) * mode;
+  mode = std::move(start);
+  const LowerBound quotient = rayleighLowerBound(source, x, mode, cold ? coldProducts : warmProducts);
+  if (quotient.value > rings.highest) return {quotient, "rayleigh-quotient"};
+  return {{rings.highest}, "reduced-1-ring"};
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,79 @@
+#include <ringwatch/monitor/critical_step.h>
+
+#include <cmath>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/bounds/exchange_bound.h>
+#include <ringwatch/monitor/bounds/lowest_mode.h>
+#include <ringwatch/monitor/bounds/nodal_bound.h>
+#include <ringwatch/monitor/bounds/top_mode.h>
+
+namespace ringwatch {
+namespace {
+
+// Tangent products for the top mode and for a direction of negative stiffness; sweeps of the nodal bound, which gain
+// little after; iterations of the exchange bound, at most.
+constexpr int products = 20, searchProducts = 48, sweeps = 12, iterations = 60;
+// Upper over lower eigenvalue that the exchange aims for, and from which it is worth its cost: 0.5 % and 1 % of the
+// step.
+constexpr double aim = 1.01, narrow = 1.02;
+constexpr std::int64_t mostBytes = 4LL << 30;  // of the exchange bound; beyond, the nodal bound has to do
+
+}  // namespace
+
+void requireProof(const StepRule& rule) {
+  if (!rule.proven())
+    throw InputError(
+        "limit: a bracket needs a proven rule, which damped runs have with symplectic-euler and verlet; use one of "
+        "them, or a metric instead of the bracket");
+}
+
+CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit,
+                          const std::optional<LanczosOptions>& lanczos, std::int64_t* evaluations) {
+  requireProof(limit);
+  body.checkNodal("x", x);
+  ReducedRing ring(body);
+  NodeVectors mode;
+  const TopMode top = findTopMode(ring, body, x, mode, products, products, true);
+  const LowerBound lower = top.lower;
+  NodalBound weights(body);
+  UpperBound upper = weights.evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);
+  if (!std::isfinite(upper.value))
+    throw NumericalError("the tangent is not finite at these positions: there is no critical step");
+  std::string_view safeBy = "nodal-bound";
+  const auto count = [&](std::int64_t spent) {
+    if (evaluations) *evaluations += spent;
+  };
+  count(static_cast<std::int64_t>(body.mesh().elementCount()) + weights.evaluations());
+  if (upper.value > narrow * lower.value && exchangeBoundBytes(body) <= mostBytes) {
+    const ExchangeBound exchange =
+        exchangeUpperBound(body, x, weights, aim * lower.value, narrow * lower.value, iterations);
+    count(exchange.decompositions);
+    if (exchange.upper.value < upper.value) {
+      upper = exchange.upper;
+      safeBy = "exchange-bound";
+    }
+  }
+  CriticalStep step{
+      safeStep(upper, limit), optimisticStep(lower, limit), ring.last().highestElement, safeBy, top.method,
+      ring.last().lowest,     ring.last().lowestElement};
+  if (!step.isBracket())
+    throw NumericalError(joinText("the sides of the bracket cross by rounding: safe ", step.safe, " s, optimistic ",
+                                  step.optimistic, " s"));
+  // At rest there is no stress that could make the tangent indefinite.
+  if (!(step.lowestRing < 0) && x != body.mesh().X) {
+    NodeVectors direction;
+    const LowestMode lowest = findLowestMode(body, x, direction, searchProducts);
+    if (lowest.value < 0) {
+      step.lowestRing = lowest.value;
+      step.lowestRingElement = lowest.element;
+    }
+  }
+  if (lanczos) {
+    const LanczosBound bound = lanczosUpperBound(body, x, lanczos->width, lanczos->eta, lanczos->seed);
+    step.probable = {limit(bound.upper.value), bound.upper.eta, bound.products};
+  }
+  return step;
+}
+
+}  // namespace ringwatch

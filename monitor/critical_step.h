@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include <ringwatch/body/body.h>
+#include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/bounds/lanczos_bound.h>
+
+namespace ringwatch {
+
+/// How a probabilistic safe side is wanted; see lanczosUpperBound.
+struct LanczosOptions {
+  double width = 0.01;
+  double eta = 1e-9;
+  std::uint64_t seed = 1;
+};
+
+/// The best proven bracket at one state, from scratch, both sides as tight as the methods give without a run's history;
+/// with `lanczos` also CriticalStep::probable, which is far tighter than the proven side on regular grids.
+/// x: 3×N, m. limit: the integrator's largest stable h·omega, or a proven rule. Unless nullptr, the element evaluations
+/// that it took are added to `evaluations`. Throws InputError for a rule that is not proven and when x is not 3×N;
+/// NumericalError where the tangent is not finite.
+CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit,
+                          const std::optional<LanczosOptions>& lanczos = std::nullopt,
+                          std::int64_t* evaluations = nullptr);
+
+/// Throws InputError for a rule that is not proven: it cannot make a bracket.
+void requireProof(const StepRule& rule);
+
+}  // namespace ringwatch

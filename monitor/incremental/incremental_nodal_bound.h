@@ -1,0 +1,82 @@
+#pragma once
+#include <vector>
+
+#include <ringwatch/base/backoff.h>
+#include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/incremental/rebuild_policy.h>
+#include <ringwatch/monitor/incremental/run_certificate.h>
+
+namespace ringwatch {
+
+/// The block nodal bound kept along a run at little cost. Its certificate (CertificateState) stays as it is while every
+/// element is inside its validity ball. An element that leaves is evaluated exactly; when it exceeds its allowance, the
+/// certificate is mended around it (localUpdate), and rebuilt from scratch where that fails or pays (RebuildPolicy).
+/// The proof is for the masses and the free components at that time: when the body's version has changed, the next
+/// update or certify starts from scratch.
+class IncrementalNodalBound {
+ public:
+  explicit IncrementalNodalBound(const Body& body, const RebuildPolicy& policy = {});
+
+  /// The certified eigenvalue, proven at positions x (3×N, m). NaN when x or the tangent is not finite. Unless nullptr,
+  /// `evaluation` is filled in at x: elements are tested in the one pass that computes what it asks for. Its visitor is
+  /// not used.
+  UpperBound update(const NodeVectors& x, StepEvaluation* evaluation = nullptr);
+  /// Tells the bound what a lower bound is at x, so that it can follow downwards: the certified eigenvalue is lowered,
+  /// or the certificate rebuilt, when it lies more than `width` (relative, in the step) above. Proves nothing: when it
+  /// returns true, the certified eigenvalue has changed and holds only after the next update.
+  bool tightenBound(const NodeVectors& x, LowerBound lower, double width);
+  /// The same upwards: raises the certified eigenvalue and all allowances when it lies so little above a lower bound at
+  /// x that elements would soon exceed their allowances everywhere. Needs no evaluation.
+  void relaxBound(LowerBound lower, double width);
+
+  /// Threshold mode: proves lambda_max <= sigma for a sigma of the caller's at x, or returns false. Where there is much
+  /// room below sigma, balls are large and hardly any element is ever evaluated again. A proof that is kept for a
+  /// smaller sigma serves too.
+  bool certify(const NodeVectors& x, double sigma, StepEvaluation* evaluation = nullptr);
+
+  double certifiedEigenvalue() const { return state_.certifiedEigenvalue(); }
+  const NodalBound& weights() const { return state_.weights(); }
+  /// Of the last update or certify.
+  const UpdateStatistics& statistics() const { return state_.statistics(); }
+  /// Elements whose -lambda_min(∂P/∂F) over λ+2μ was above `least` when last evaluated, most first. Only elements under
+  /// compression can make the tangent indefinite.
+  std::vector<ElementRef> compressedElements(double least) const { return state_.compressedElements(least); }
+  /// The most compressed element's, since the certificate was built.
+  double mostCompression() const { return state_.mostCompression(); }
+  /// An element's exact value over its allowance, which is about the bound at its highest node over the certified
+  /// eigenvalue.
+  struct NearLimit {
+    double fraction;
+    ElementRef element;
+  };
+  /// Of the elements evaluated at the last update those above RebuildPolicy::nearLimit, largest first, before any local
+  /// update: where the highest eigenvalue may have come to.
+  const std::vector<NearLimit>& nearLimit() const { return nearLimit_; }
+  /// The elements that hold most of the bound at the `count` nodes where it is highest, by their values when last
+  /// evaluated: where the top mode may live. Empty while nothing is proven.
+  std::vector<ElementRef> highestElements(std::size_t count);
+  /// CertificateState::verify, for tests.
+  double verify(const NodeVectors& x) const { return state_.verify(x); }
+
+ private:
+  /// Ends the proof when masses or free components have changed.
+  void followBody();
+  void rebuild(const NodeVectors& x);
+  /// Builds the certificate for an eigenvalue, with the weights of the last rebuild. Whether there is one.
+  void start(const NodeVectors& x, double certifiedEigenvalue);
+  enum class Outcome { held, tooManyViolations, refused, notFinite };
+  /// Brings a certificate from the positions of the last call to x.
+  Outcome follow(const NodeVectors& x, bool mayRaise, StepEvaluation* evaluation);
+
+  const Body& body_;
+  RebuildPolicy policy_;
+  RunCertificate state_;
+  Body::Workspace workspace_;
+  bool started_ = false;
+  std::int64_t bodyVersion_ = 0;  // that the proof is for
+  std::vector<NearLimit> nearLimit_;
+  Backoff rebuilds_, lowerings_;  // in updates
+  double tightOverLower_ = 0;     // the tight bound at the last rebuild over the lower bound then; 0: not known yet
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,264 @@
+#include <ringwatch/monitor/incremental/run_bracket.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/bounds/top_mode.h>
+#include <ringwatch/monitor/critical_step.h>
+
+namespace ringwatch {
+namespace {
+
+// Of the largest size of an eigenvalue: rounding of the highest one of a ring, and of zero eigenvalues of constrained
+// components (docs/theory/floating_point.md).
+constexpr double ringRounding = 1e-12, zeroRounding = 1e-10;
+
+}  // namespace
+
+RunBracket::RunBracket(const Body& body, double width, const BracketPolicy& policy)
+    : body_(body),
+      policy_(policy),
+      width_(width),
+      nodal_(body, {.slack = policy.slackOfWidth * width}),
+      submatrix_(body, nodal_.weights()),
+      ringNodes_(body, nodal_.weights()),
+      sinceDoubt_(policy.firstGap),
+      sinceCompressed_(policy.firstGap),
+      wholeMode_(policy.wholeMode),
+      restart_(policy.restarts),
+      search_(policy.searches) {}
+
+const std::optional<CriticalStep>& RunBracket::evaluate(const NodeVectors& x, const StepRule& limit,
+                                                        StepEvaluation* evaluation) {
+  const double sigma = nodal_.certifiedEigenvalue();  // that allowances belong to
+  UpperBound upper = nodal_.update(x, evaluation);
+  spent_ = nodal_.statistics();
+  bracketed_ = true;
+  finite_ = std::isfinite(upper.value);
+  if (!finite_) {
+    forget();
+    return step_;
+  }
+  method_ = "rayleigh-quotient";
+  LowerBound lower{0};
+  const bool first = mode_.size() == 0, rebuilt = spent_.rebuilds > 0;
+  if (!first) {
+    lower = submatrix_.evaluate(x);
+    wholeMode_.tick();
+    if (wholeMode_.due()) {
+      const LowerBound whole = refreshMode(x, policy_.productsOfFollowing);
+      // Seldom while the submatrix tells all.
+      wholeMode_.tried(whole.value > (1 + policy_.leastGain) * lower.value);
+      lower = {std::max(lower.value, whole.value)};
+    }
+    lower = boundWhereItRose(x, sigma, lower);
+  }
+  const double allowed = (1 + width_) * (1 + width_);
+  // A bracket that is too wide is either side's fault: bound it from below again before moving the upper side.
+  const bool wide = upper.value > allowed * lower.value;
+  if (wide) restart_.tick();
+  if (first || rebuilt || (wide && restart_.due())) {
+    const double before = lower.value;
+    lower = first ? startMode(x) : restartMode(x);
+    // The submatrix is a part of the whole, its bound a little lower.
+    restart_.tried(lower.value > (1 + policy_.helpfulRestart) * before);
+  }
+  searchUnderCompression(x);
+  nodal_.relaxBound(lower, width_);
+  upper.value = std::max(upper.value, nodal_.certifiedEigenvalue());
+  if (upper.value > allowed * lower.value && nodal_.tightenBound(x, lower, width_)) {
+    spent_.evaluated += nodal_.statistics().evaluated;
+    upper = nodal_.update(x);
+    spent_.evaluated += nodal_.statistics().evaluated;
+  }
+  step_ = CriticalStep{safeStep(upper, limit),
+                       optimisticStep(lower, limit),
+                       submatrix_.highestElement(),
+                       "incremental-nodal-bound",
+                       method_,
+                       lowest_.value,
+                       lowest_.element};
+  if (!step_->isBracket()) step_.reset();
+  return step_;
+}
+
+bool RunBracket::certify(const NodeVectors& x, const StepRule& limit, double h, StepEvaluation* evaluation) {
+  std::int64_t before = 0;
+  if (sinceDoubt_ >= policy_.firstGap) {
+    const bool certified = nodal_.certify(x, limit.lambdaFor(h), evaluation);
+    evaluation = nullptr;
+    spent_ = nodal_.statistics();
+    bracketed_ = false;
+    if (certified) {
+      searchUnderCompression(x);
+      return true;
+    }
+    before = spent_.evaluated;
+  }
+  evaluate(x, limit, evaluation);
+  spent_.evaluated += before;
+  const bool certified = step_ && h <= step_->safe;
+  sinceDoubt_ = certified ? sinceDoubt_ + 1 : 0;
+  return certified;
+}
+
+void RunBracket::proveFromScratch(const NodeVectors& x, const StepRule& limit) {
+  if (!step_ || !finite_) return;
+  try {
+    best_ = criticalStep(body_, x, limit, std::nullopt, &spent_.evaluated);
+    bestAt_ = x;
+    bestVersion_ = body_.version();
+  } catch (const NumericalError&) {
+    // From scratch there is no bracket, and the last one stays.
+  }
+}
+
+void RunBracket::takeBest(const NodeVectors& x) {
+  if (!best_) return;
+  if (bestVersion_ != body_.version() || x != bestAt_) {
+    best_.reset();
+    bestAt_.resize(3, 0);
+    return;
+  }
+  if (!step_) return;
+  CriticalStep step = *step_;
+  if (best_->safe > step.safe) {
+    step.safe = best_->safe;
+    step.safeBy = best_->safeBy;
+  }
+  if (best_->optimistic < step.optimistic) {
+    step.optimistic = best_->optimistic;
+    step.optimisticBy = best_->optimisticBy;
+  }
+  if (step.isBracket()) step_ = step;
+}
+
+void RunBracket::sharpen(const NodeVectors& x, const StepRule& limit) {
+  if (!step_) return;
+  const LowerBound lower =
+      sinceSharpened_++ % policy_.firstGap == 0 ? restartMode(x) : refreshMode(x, policy_.restartProducts);
+  step_->optimistic = std::min(step_->optimistic, optimisticStep(lower, limit));
+  if (!step_->isBracket()) step_.reset();
+}
+
+void RunBracket::forget() {
+  step_.reset();
+  mode_.resize(3, 0);
+  submatrix_.choose(mode_);
+  lowest_ = {0, {}};
+  softest_.resize(3, 0);
+  least_ = {};
+  search_.reset();
+  searchedAt_ = 0;
+}
+
+void RunBracket::searchUnderCompression(const NodeVectors& x) {
+  const double compression = nodal_.mostCompression();
+  search_.tick();
+  const bool grown = compression > policy_.growthOfCompression * searchedAt_ && search_.since() >= policy_.firstGap;
+  const bool search = compression > policy_.slightlyCompressed && (grown || search_.due());
+  if (search) {
+    least_ = findLowestMode(body_, x, softest_, softest_.cols() == 0 ? policy_.firstSearch : policy_.laterSearch);
+    search_.tried(grown);
+    searchedAt_ = grown ? compression : std::max(searchedAt_, compression);
+  } else if (!(compression > policy_.slightlyCompressed)) {
+    least_ = {};
+  }
+  if (++sinceCompressed_ < policy_.firstGap && !search) return;
+  sinceCompressed_ = 0;
+  const std::vector<ElementRef> all = nodal_.compressedElements(policy_.compressed);
+  // The most compressed ones, the lowest so far, and others by turns.
+  std::vector<ElementRef> chosen;
+  for (std::size_t i = 0; i < all.size() && i < policy_.compressedRings; ++i) {
+    chosen.push_back(all[i]);
+    chosen.push_back(all[nextCompressed_++ % all.size()]);
+  }
+  if (lowest_.value < 0) chosen.push_back(lowest_.element);
+  lowest_ = {0, {}};
+  if (least_.value < 0) lowest_ = {least_.value, least_.element};
+  for (const ElementRef e : chosen) {
+    if (!decomposeRing(x, e)) continue;
+    // Constrained components have eigenvalues of zero, to rounding.
+    const double least = solver_.eigenvalues()[0] + zeroRounding * solver_.eigenvalues().cwiseAbs().maxCoeff();
+    if (least < lowest_.value) lowest_ = {least, e};
+  }
+}
+
+LowerBound RunBracket::boundWhereItRose(const NodeVectors& x, double sigma, LowerBound lower) {
+  bool jumped = false;
+  std::size_t observations = 0;
+  for (const IncrementalNodalBound::NearLimit& near : nodal_.nearLimit()) {
+    // One that is within its allowance is worth an evaluation when the bound there is above what is known from below.
+    if (observations >= (near.fraction > 1 ? policy_.risenRings : 1) ||
+        near.fraction * sigma < (1 + policy_.leastGain) * lower.value)
+      break;
+    ++observations;
+    if (!decomposeRing(x, near.element)) continue;
+    const double value = topOfRing();
+    if (!(value > lower.value)) continue;
+    lower = {value};
+    method_ = "reduced-1-ring";
+    jumped = true;
+    mode_.normalize();
+    addTopOfRing(mode_);
+  }
+  if (jumped) submatrix_.choose(mode_);
+  return lower;
+}
+
+bool RunBracket::decomposeRing(const NodeVectors& x, ElementRef e) {
+  const auto nodes = body_.blocks()[e.block]->nodesOf(e.element);
+  ringNodes_.choose({nodes.begin(), nodes.end()});
+  solver_.compute(ringNodes_.evaluate(x));
+  return solver_.info() == Eigen::Success;
+}
+
+LowerBound RunBracket::restartMode(const NodeVectors& x) {
+  ReducedRing ring(body_);  // restarts are rare, and its pattern is as large as all the rest
+  const TopMode top = findTopMode(ring, body_, x, mode_, policy_.firstProducts, policy_.restartProducts, false);
+  method_ = top.method;
+  spent_.evaluated += body_.mesh().elementCount();
+  return followMode(x, top.lower);
+}
+
+LowerBound RunBracket::startMode(const NodeVectors& x) {
+  const std::vector<ElementRef> hot = nodal_.highestElements(policy_.highestRings);
+  mode_ = NodeVectors::Zero(3, body_.nodeCount());
+  double highest = 0;
+  for (const ElementRef e : hot) {
+    if (!decomposeRing(x, e)) continue;
+    const double value = topOfRing();
+    if (!(value > highest)) continue;
+    highest = value;
+    mode_.setZero();
+    addTopOfRing(mode_);
+  }
+  spent_.evaluated += static_cast<std::int64_t>(hot.size());
+  const LowerBound quotient = rayleighLowerBound(body_, x, mode_, policy_.firstProducts);
+  method_ = quotient.value > highest ? "rayleigh-quotient" : "reduced-1-ring";
+  return followMode(x, {std::max(quotient.value, highest)});
+}
+
+double RunBracket::topOfRing() const {
+  return solver_.eigenvalues()[solver_.eigenvalues().size() - 1] -
+         ringRounding * solver_.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+void RunBracket::addTopOfRing(NodeVectors& mode) const {
+  const auto top = solver_.eigenvectors().col(solver_.eigenvectors().cols() - 1);
+  for (std::size_t k = 0; k < ringNodes_.nodes().size(); ++k)
+    mode.col(ringNodes_.nodes()[k]) += top.segment<3>(static_cast<Eigen::Index>(3 * k));
+}
+
+LowerBound RunBracket::refreshMode(const NodeVectors& x, int products) {
+  return followMode(x, rayleighLowerBound(body_, x, mode_, products));
+}
+
+LowerBound RunBracket::followMode(const NodeVectors& x, LowerBound whole) {
+  submatrix_.choose(mode_);
+  wholeMode_.restart();
+  return {std::max(whole.value, submatrix_.evaluate(x).value)};
+}
+
+}  // namespace ringwatch

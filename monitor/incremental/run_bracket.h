@@ -1,0 +1,131 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include <ringwatch/base/backoff.h>
+#include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/bounds/lowest_mode.h>
+#include <ringwatch/monitor/bounds/node_submatrix.h>
+#include <ringwatch/monitor/bounds/rayleigh.h>
+#include <ringwatch/monitor/incremental/incremental_nodal_bound.h>
+
+namespace ringwatch {
+
+/// How both sides of the bracket are followed along a run. No constant here bears on what is proven: each trades
+/// evaluations against the width.
+struct BracketPolicy {
+  /// Slack of the certified eigenvalue (RebuildPolicy::slack, in the eigenvalue) over the width that is wanted of the
+  /// bracket (in the step): 2 would use all of the width; the rest is for the lower side.
+  double slackOfWidth = 1.6;
+
+  // The top mode, by Lanczos.
+  /// Tangent products: at the first evaluation, at a restart from the highest ring, and when the mode is followed.
+  int firstProducts = 20, restartProducts = 8, productsOfFollowing = 3;
+  /// The whole mode is refreshed that seldom while a submatrix around its highest elements tells all: while a refresh
+  /// gains less than leastGain of the eigenvalue.
+  Backoff::Gaps wholeMode{.first = 64, .last = 512, .factor = 2};
+  double leastGain = 0.005;
+  /// Restarts from all reduced rings, each of which evaluates every element, while the bracket is too wide; one has
+  /// helped when the lower side has risen by this share.
+  Backoff::Gaps restarts{.first = 10, .last = 2560, .factor = 4};
+  double helpfulRestart = 0.02;
+  /// Rings that are examined: at the first evaluation, around the nodes where the bound is highest; later, those of
+  /// elements that have just exceeded their allowance.
+  std::size_t highestRings = 64, risenRings = 3;
+
+  // Directions of negative stiffness. Compression is -lambda_min(∂P/∂F) over λ+2μ.
+  /// Compression above which an element's ring is examined, so many of the most compressed each time, and above which a
+  /// direction is searched in the whole body.
+  double compressed = 0.05, slightlyCompressed = 1e-3;
+  std::size_t compressedRings = 16;
+  /// Tangent products of the first search and of the others.
+  int firstSearch = 48, laterSearch = 12;
+  /// Growth of compression since the last search that asks for one at once; else they become more and more seldom.
+  double growthOfCompression = 1.5;
+  Backoff::Gaps searches{.first = 80, .last = 2560, .factor = 2};
+
+  /// Evaluations between two examinations of compressed rings, and of a step that is certified before it is tested in
+  /// the cheapest way again.
+  int firstGap = 10;
+};
+
+/// Keeps both sides of the bracket along a run: the incremental nodal bound from above, Rayleigh quotients and small
+/// submatrices around the tracked top mode from below.
+class RunBracket {
+ public:
+  RunBracket(const Body& body, double width, const BracketPolicy& policy = {});
+
+  /// Unless nullptr, `evaluation` is filled in at x. Empty where the tangent is not finite, or where rounding
+  /// makes the sides cross.
+  const std::optional<CriticalStep>& evaluate(const NodeVectors& x, const StepRule& limit, StepEvaluation* evaluation);
+  /// Whether h is certified at x, in the cheapest way. While it is not, the bracket is kept, and some observations
+  /// longer: then last() is fresh and `bracketed` true.
+  bool certify(const NodeVectors& x, const StepRule& limit, double h, StepEvaluation* evaluation);
+  bool bracketed() const { return bracketed_; }
+  /// Whether the tangent was finite when last evaluated.
+  bool finite() const { return finite_; }
+  /// Makes the best proof from scratch at x, which is kept for as long as the body stays there.
+  void proveFromScratch(const NodeVectors& x, const StepRule& limit);
+  /// Replaces either side of the last bracket by that of the proof from scratch, where it is of this x and better.
+  void takeBest(const NodeVectors& x);
+  /// The optimistic side as sharp as it can be had, for a step that comes close to the limit.
+  void sharpen(const NodeVectors& x, const StepRule& limit);
+  const UpdateStatistics& spent() const { return spent_; }
+  /// Of the last evaluate().
+  const std::optional<CriticalStep>& last() const { return step_; }
+  /// Least eigenvalue of the reduced 1-rings and of the direction that were evaluated last, rad²/s².
+  struct LowestRing {
+    double value;
+    ElementRef element;
+  };
+  const LowestRing& lowestRing() const { return lowest_; }
+
+ private:
+  /// The state has no tangent: nothing that is known of the modes can be carried over it.
+  void forget();
+  /// Only elements under compression can make the tangent indefinite. When there are some, their rings are evaluated
+  /// now and then, and a direction of negative stiffness is searched in the whole body: at the first evaluation, when
+  /// compression has grown since the last search, and else more and more seldom.
+  void searchUnderCompression(const NodeVectors& x);
+  /// The top mode jumps to where an element has become stiffer than it had been: rings there are examined at once.
+  LowerBound boundWhereItRose(const NodeVectors& x, double sigma, LowerBound lower);
+  /// The reduced ring of one element into solver_; false when it fails.
+  bool decomposeRing(const NodeVectors& x, ElementRef e);
+  /// From the highest of all rings.
+  LowerBound restartMode(const NodeVectors& x);
+  /// At first, when the nodal bound is of now: from the highest of the rings where it is highest.
+  LowerBound startMode(const NodeVectors& x);
+  /// Of the ring that was decomposed last: its highest eigenvalue, rounded down, and that one's vector.
+  double topOfRing() const;
+  void addTopOfRing(NodeVectors& mode) const;
+  LowerBound refreshMode(const NodeVectors& x, int products);
+  LowerBound followMode(const NodeVectors& x, LowerBound whole);
+
+  const Body& body_;
+  BracketPolicy policy_;
+  double width_;
+  IncrementalNodalBound nodal_;
+  LocalSubmatrix submatrix_;
+  NodeSubmatrix ringNodes_;
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver_;
+  NodeVectors mode_;
+  std::string_view method_;
+  UpdateStatistics spent_;
+  bool bracketed_ = true, finite_ = true;
+  int sinceDoubt_;  // observations in a row that certified the step asked about
+  int sinceSharpened_ = 0, sinceCompressed_;
+  // In evaluations: of the whole mode, restarts from all rings, searches for a negative direction.
+  Backoff wholeMode_, restart_, search_;
+  LowestRing lowest_{0, {}};
+  std::size_t nextCompressed_ = 0;
+  NodeVectors softest_;                      // the direction of the last search
+  LowestMode least_;                         // what it proved
+  double searchedAt_ = 0;                    // the compression then
+  std::optional<CriticalStep> step_, best_;  // best_: from scratch, of positions bestAt_ and that version of the body
+  NodeVectors bestAt_;
+  std::int64_t bestVersion_ = 0;
+};
+
+}  // namespace ringwatch

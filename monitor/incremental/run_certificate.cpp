@@ -1,0 +1,270 @@
+#include <ringwatch/monitor/incremental/run_certificate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <ringwatch/base/sort_unique.h>
+#include <ringwatch/materials/rotation.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+/// A strain norm at or below it belongs to an element without any free component.
+constexpr double nothingFree = 1e-200;
+
+}  // namespace
+
+RunCertificate::RunCertificate(const Body& body) : CertificateState(body) {
+  for (const auto& block : body.blocks()) {
+    const std::size_t places = block->layout().elements.size();
+    blocks_.push_back({ValidityBalls(*block), std::vector<RoundedUp<float>>(places),
+                       std::vector<RoundedUp<Bfloat16>>(places), std::vector<RoundedUp<Bfloat16>>(places)});
+  }
+}
+
+RunCertificate::Reference RunCertificate::store(const EvaluatedPack& pack, int lane, bool withStrainNorm) {
+  const ElementRef e{pack.block, pack.elements[lane]};
+  const ElementValue& evaluated = pack.values[lane];
+  if (withStrainNorm) setStrainNorm(e, evaluated.strainNorm);
+  return {evaluated.value, evaluated.drift,
+          of(e).balls.setReferenceGradient(placeOf(e), pack.gradients, pack.points, lane)};
+}
+
+void RunCertificate::setBall(ElementRef e, const Reference& reference) {
+  BlockData& data = of(e);
+  const std::size_t place = placeOf(e);
+  data.value[place] = reference.value;
+  data.balls.setRadius(place,
+                       validityRadius(growthOf(reference.drift.law, reference.value, strainNorm(e)),
+                                      reference.drift.inversionDistance, allowance(e)),
+                       reference.fromStored);
+}
+
+void RunCertificate::evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withStrainNorm,
+                              std::vector<Reference>& results) {
+  results.resize(elements.size());
+  evaluateEach(x, elements, withStrainNorm, [&](const EvaluatedPack& pack, const std::size_t* index) {
+    for (int lane = 0; lane < lanes && pack.elements[lane] >= 0; ++lane) {
+      results[index[lane]] = store(pack, lane, withStrainNorm);
+      setBall({pack.block, pack.elements[lane]}, results[index[lane]]);
+    }
+  });
+  for (std::size_t i = 0; i < elements.size(); ++i) note(elements[i], results[i].drift);
+  statistics_.evaluated += static_cast<std::int64_t>(elements.size());
+}
+
+void RunCertificate::note(ElementRef e, const TangentDrift& drift) {
+  if (drift.determinant < statistics_.leastDeterminant) {
+    statistics_.leastDeterminant = drift.determinant;
+    statistics_.leastDeterminantElement = e;
+  }
+  const double modulus = body().blocks()[e.block]->material().restModulus();
+  RoundedUp<Bfloat16>& compression = of(e).compression[placeOf(e)];
+  compression = drift.law.negative / modulus;
+  mostCompression_ = std::max(mostCompression_, static_cast<double>(compression));
+}
+
+void RunCertificate::ballsChanged(const std::vector<ElementRef>& elements) {
+  for (const ElementRef e : elements) of(e).balls.ballChanged(placeOf(e));
+}
+
+std::vector<ElementRef> RunCertificate::elementsOutsideBall(const NodeVectors& x, StepEvaluation* evaluation) {
+  outside_.resize(blocks_.size());
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    outside_[b].resize(body().blocks()[b]->layout().patches.size());
+    for (auto& list : outside_[b]) list.clear();
+    blocks_[b].balls.beginCheck();
+  }
+  class Check final : public PatchVisitor {
+   public:
+    explicit Check(RunCertificate& state) : state_(state) {}
+    void visitPatch(std::size_t block, const PatchPass& pass) override {
+      state_.blocks_[block].balls.checkPatch(pass, state_.outside_[block][pass.index()]);
+    }
+
+   private:
+    RunCertificate& state_;
+  };
+  Check check(*this);
+  StepEvaluation checkOnly;
+  checkOnly.wantsForce = false;
+  StepEvaluation& asked = evaluation ? *evaluation : checkOnly;
+  asked.visitor = &check;
+  body().evaluate(x, asked, workspace_);
+  asked.visitor = nullptr;
+  std::vector<ElementRef> outside;
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    for (const auto& list : outside_[b])
+      for (const std::int32_t e : list) outside.push_back({static_cast<std::int32_t>(b), e});
+  return outside;
+}
+
+void RunCertificate::distributeAllowances(const NodeVectors& x) {
+  mostCompression_ = 0;
+  const std::vector<double>& nodal = weights().nodal();
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const ElementBlock& block = *body().blocks()[b];
+    BlockData& data = blocks_[b];
+    constexpr std::int32_t chunk = 8;
+    const std::int32_t batches = block.layout().batchCount();
+    std::vector<TangentDrift> drifts(static_cast<std::size_t>(batches) * lanes);
+    parallelFor(0, (batches + chunk - 1) / chunk, body().threads(), [&](std::int64_t c) {
+      const std::int32_t end = std::min(batches, static_cast<std::int32_t>(c + 1) * chunk);
+      for (auto batch = static_cast<std::int32_t>(c) * chunk; batch < end; ++batch) {
+        const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
+        double swept[lanes] = {};
+        for (int lane = 0; lane < lanes; ++lane)
+          if (elements[lane] >= 0) swept[lane] = weights().value({static_cast<std::int32_t>(b), elements[lane]});
+        evaluatePack(x, static_cast<std::int32_t>(b), elements, swept, true, [&](const EvaluatedPack& pack) {
+          for (int lane = 0; lane < lanes; ++lane) {
+            if (elements[lane] < 0) continue;
+            const ElementRef e{pack.block, elements[lane]};
+            const auto place = static_cast<std::size_t>(batch * lanes + lane);
+            const Reference reference = store(pack, lane, true);
+            drifts[place] = reference.drift;
+            double room = infinite;
+            for (const std::int32_t node : block.nodesOf(elements[lane]))
+              if (nodal[node] > 0) room = std::min(room, certifiedEigenvalue() / nodal[node]);
+            setAllowance(e, swept[lane] > 0 ? swept[lane] * room * (1 - allowanceRounding) : 0);
+            setBall(e, reference);
+            // Nothing of a wholly constrained element is left in the problem.
+            if (body().constraints().any() && reference.value == 0 && strainNorm(e) <= nothingFree)
+              data.balls.setNeverOutside(place);
+          }
+        });
+      }
+    });
+    for (std::size_t i = 0; i < drifts.size(); ++i)
+      if (block.layout().elements[i] >= 0) note({static_cast<std::int32_t>(b), block.layout().elements[i]}, drifts[i]);
+    statistics_.evaluated += block.elementCount();
+    data.balls.invalidateAll();
+  }
+  weights().releaseSums();
+  frames_.resize(static_cast<std::size_t>(body().nodeCount()));
+  parallelFor(
+      0, body().nodeCount(), body().threads(),
+      [&](std::int64_t node) { frames_[node] = frameOf(static_cast<std::int32_t>(node)); }, 64);
+}
+
+void RunCertificate::raise(double sigma) {
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    for (RoundedDown<float>& allowance : allowances(b))
+      allowance = static_cast<double>(allowance) * (sigma / certifiedEigenvalue()) * (1 - allowanceRounding);
+  setCertifiedEigenvalue(sigma);
+}
+
+void RunCertificate::lower(double sigma) {
+  const double factor = sigma / certifiedEigenvalue();
+  setCertifiedEigenvalue(sigma);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    BlockData& data = blocks_[b];
+    for (std::size_t place = 0; place < data.value.size(); ++place) {
+      RoundedDown<float>& allowance = allowances(b)[place];
+      const auto value = static_cast<double>(data.value[place]);
+      const double before = static_cast<double>(allowance) - value;
+      allowance = static_cast<double>(allowance) * factor * (1 - allowanceRounding);
+      const double after = static_cast<double>(allowance) - value;
+      const double radius = data.balls.radius(place), error = ValidityBalls::storageError;
+      if (radius >= 0 && std::isfinite(radius))
+        data.balls.setRadius(place, after > 0 && before > 0 ? (radius + error) * (after / before) : -1, error);
+    }
+    data.balls.invalidateAll();
+  }
+}
+
+Eigen::Quaternionf RunCertificate::frameOf(std::int32_t node) const {
+  Matrix3<double> F = Matrix3<double>::zero();
+  int count = 0;
+  for (const NodalBound::Incidence at : weights().incidences(node)) {
+    if (++count > elementsOfFrame_) break;
+    const ElementRef e = weights().elementAt(at);
+    of(e).balls.addReferenceGradient(placeOf(e), F.m);
+  }
+  const Matrix3<double> R = closestRotation(F);
+  Eigen::Matrix3d matrix;
+  for (int i = 0; i < 9; ++i) matrix(i / 3, i % 3) = R.m[i];
+  return Eigen::Quaterniond(matrix).cast<float>();
+}
+
+std::vector<std::int32_t> RunCertificate::rotateWeights(const std::vector<std::int32_t>& nodes,
+                                                        const RebuildPolicy& policy) {
+  std::vector<std::int32_t> turned;
+  for (const std::int32_t node : nodes) {
+    // Where components are constrained the sum is cut along fixed axes.
+    if (body().constraints().any() && body().constraints().freeComponents(node) < 3) continue;
+    const Eigen::Quaternionf now = frameOf(node);
+    if (now.angularDistance(frame(node)) < policy.leastTurn) continue;
+    const Eigen::Matrix3d Q = (now * frame(node).conjugate()).normalized().toRotationMatrix().cast<double>();
+    for (const NodalBound::Incidence at : weights().incidences(node))
+      weights().setWeight(at, Q * weights().weight(at) * Q.transpose());
+    setFrame(node, now);
+    turned.push_back(node);
+  }
+  for (const std::int32_t node : turned) {
+    const double share = certifiedEigenvalue() * body().lumpedMass()[node] / largestEigenvalue(sumOfAllowances(node));
+    if (share > 1) continue;
+    for (const NodalBound::Incidence at : weights().incidences(node)) {
+      const ElementRef e = weights().elementAt(at);
+      setAllowance(e, allowance(e) * share * (1 - allowanceRounding));
+    }
+  }
+  return turned;
+}
+
+namespace {
+struct Ranked {
+  double key;
+  ElementRef element;
+};
+}  // namespace
+
+std::vector<ElementRef> RunCertificate::compressedElements(double least) const {
+  if (!(mostCompression_ > least)) return {};
+  std::vector<Ranked> found;
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    for (std::size_t place = 0; place < blocks_[b].compression.size(); ++place) {
+      const double compression = blocks_[b].compression[place];
+      if (compression > least)
+        found.push_back({compression, {static_cast<std::int32_t>(b), body().blocks()[b]->layout().elements[place]}});
+    }
+  std::sort(found.begin(), found.end(), [](const Ranked& a, const Ranked& other) {
+    return a.key != other.key ? a.key > other.key : a.element < other.element;
+  });
+  std::vector<ElementRef> result;
+  for (const Ranked& entry : found) result.push_back(entry.element);
+  return result;
+}
+
+std::vector<ElementRef> RunCertificate::highestElements(std::size_t count) {
+  std::vector<std::span<const RoundedUp<float>>> values;
+  for (const BlockData& data : blocks_) values.emplace_back(data.value);
+  const std::vector<double>& nodal = weights().sumsOf(values);
+  std::vector<std::int32_t> nodes(static_cast<std::size_t>(body().nodeCount()));
+  std::iota(nodes.begin(), nodes.end(), 0);
+  const auto end = nodes.begin() + static_cast<std::ptrdiff_t>(std::min(count, nodes.size()));
+  std::partial_sort(nodes.begin(), end, nodes.end(), [&](std::int32_t a, std::int32_t b) {
+    const double at = nodal[a], other = nodal[b];
+    return at != other ? at > other : a < b;
+  });
+  std::vector<ElementRef> result;
+  for (auto node = nodes.begin(); node != end; ++node) {
+    double most = 0;
+    ElementRef highest;
+    for (const NodalBound::Incidence at : weights().incidences(*node)) {
+      const ElementRef e = weights().elementAt(at);
+      const double part = value(e) * weights().weight(at).trace();
+      if (part > most) {
+        most = part;
+        highest = e;
+      }
+    }
+    if (most > 0) result.push_back(highest);
+  }
+  weights().releaseSums();
+  sortUnique(result);
+  return result;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,105 @@
+#pragma once
+#include <limits>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <ringwatch/base/short_floats.h>
+#include <ringwatch/monitor/incremental/certificate_state.h>
+#include <ringwatch/monitor/incremental/rebuild_policy.h>
+#include <ringwatch/monitor/incremental/validity_balls.h>
+
+namespace ringwatch {
+
+/// What an update of an incremental certificate took, and what it saw.
+struct UpdateStatistics {
+  std::int64_t evaluated = 0;  ///< elements
+  int localUpdates = 0, raises = 0, rebuilds = 0;
+  double leastDeterminant =
+      std::numeric_limits<double>::infinity();  ///< det F of the elements evaluated; no other can be <= 0
+  ElementRef leastDeterminantElement;
+};
+
+/// The state of a certificate along a run (Theorems 14 to 19 and 21, docs/theory/incremental_certificate.md):
+/// allowances stay as they are while every element is inside its validity ball, the ball around the reference gradient
+/// at which it was last evaluated within which TangentGrowth keeps l_e <= β_e. All stored numbers are rounded to the
+/// safe side by their types.
+class RunCertificate : public CertificateState<RoundedDown<float>> {
+ public:
+  explicit RunCertificate(const Body& body);
+
+  /// l_e where it was evaluated last, N/m.
+  double value(ElementRef e) const { return static_cast<double>(of(e).value[placeOf(e)]); }
+  double strainNorm(ElementRef e) const { return static_cast<double>(of(e).strainNorm[placeOf(e)]); }
+  void setStrainNorm(ElementRef e, double norm) { of(e).strainNorm[placeOf(e)] = norm; }
+
+  /// An evaluation, and how far the stored reference gradient lies from the exact one.
+  struct Reference {
+    double value;
+    TangentDrift drift;
+    double fromStored;
+  };
+  /// Evaluates elements at x: values, reference gradients, balls for their allowances, and with weights that have
+  /// changed strain norms.
+  void evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withStrainNorm,
+                std::vector<Reference>& results);
+  /// The ball of an element for the allowance that it has.
+  void setBall(ElementRef e, const Reference& reference);
+  /// Call it for elements that got new balls at the positions of the last elementsOutsideBall.
+  void ballsChanged(const std::vector<ElementRef>& elements);
+  /// Elements that may have left their balls at x. Unless nullptr, `evaluation` is filled in by the same pass; its
+  /// visitor is not used.
+  std::vector<ElementRef> elementsOutsideBall(const NodeVectors& x, StepEvaluation* evaluation);
+
+  /// Gives every element the largest allowance that its nodes have room for below the certified eigenvalue, in
+  /// proportion to its value, and a ball around x. weights() must have been evaluated at x.
+  void distributeAllowances(const NodeVectors& x);
+  /// Raises the certified eigenvalue, and all allowances with it; balls stay.
+  void raise(double certifiedEigenvalue);
+  /// Lowers the certified eigenvalue, all allowances, and balls in proportion to what is left of the gaps between value
+  /// and allowance: radii are concave in the gap.
+  void lower(double certifiedEigenvalue);
+  /// D ← Q D Qᵀ for all elements at a node, Q the rotation of its surroundings since its weights were made: with one Q
+  /// for all of them the eigenvalues of their sum stay, but for rounding, for which the allowances there are reduced.
+  /// Nodes with constrained components are left alone, as are those that have turned by less than leastTurn. Reference
+  /// gradients must be those of the positions at hand. Returns the nodes that were turned; balls and strain norms of
+  /// their elements are out of date.
+  std::vector<std::int32_t> rotateWeights(const std::vector<std::int32_t>& nodes, const RebuildPolicy& policy);
+  /// The rotation of a node's surroundings since the reference configuration, by reference gradients of its elements.
+  Eigen::Quaternionf frameOf(std::int32_t node) const;
+  /// The same when the node's weights were made or turned last.
+  const Eigen::Quaternionf& frame(std::int32_t node) const { return frames_[node]; }
+  void setFrame(std::int32_t node, const Eigen::Quaternionf& frame) { frames_[node] = frame; }
+
+  /// Elements whose -lambda_min(∂P/∂F) over λ+2μ was above `least` when last evaluated, most first.
+  std::vector<ElementRef> compressedElements(double least) const;
+  /// The most compressed element's, since allowances were distributed.
+  double mostCompression() const { return mostCompression_; }
+  /// Of each of the `count` nodes where the bound by the last values is highest, the element that holds most of it.
+  std::vector<ElementRef> highestElements(std::size_t count);
+
+  UpdateStatistics& statistics() { return statistics_; }
+  const UpdateStatistics& statistics() const { return statistics_; }
+
+ private:
+  /// By place; compression: -lambda_min(∂P/∂F) / (λ+2μ) at the reference gradient, at most.
+  struct BlockData {
+    ValidityBalls balls;
+    std::vector<RoundedUp<float>> value;
+    std::vector<RoundedUp<Bfloat16>> strainNorm, compression;
+  };
+  BlockData& of(ElementRef e) { return blocks_[e.block]; }
+  const BlockData& of(ElementRef e) const { return blocks_[e.block]; }
+  Reference store(const EvaluatedPack& pack, int lane, bool withStrainNorm);
+  void note(ElementRef e, const TangentDrift& drift);
+
+  int elementsOfFrame_ = RebuildPolicy{}.elementsOfFrame;
+  std::vector<BlockData> blocks_;
+  std::vector<Eigen::Quaternionf> frames_;
+  double mostCompression_ = 0;
+  UpdateStatistics statistics_;
+  Body::Workspace workspace_;
+  std::vector<std::vector<std::vector<std::int32_t>>> outside_;  // elements, [block][patch]
+};
+
+}  // namespace ringwatch

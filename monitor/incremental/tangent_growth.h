@@ -1,0 +1,48 @@
+#pragma once
+#include <limits>
+
+#include <ringwatch/base/math.h>
+#include <ringwatch/materials/tangent_drift.h>
+
+/// The arithmetic of validity balls: one source for CPU and CUDA threads.
+namespace ringwatch {
+
+/// What an element's highest eigenvalue l_e = lambda_max(D_e⁻¹K_e) can have grown to, N/m, when its deformation
+/// gradients F_q have moved from the reference gradients F0_q at which it was evaluated:
+///   l_e <= value + linear δ + quadratic δ²   for   max_q |F_q - F0_q| <= δ <= radius,
+/// in Frobenius norms. TangentDriftOf (body/element_operators.h) has the inequality, each law its coefficients.
+struct TangentGrowth {
+  double value, linear, quadratic;
+  double radius;  ///< of the inequality; < 0: nothing is known
+
+  /// The bound of l_e at a distance δ; infinite beyond the radius, and where δ is NaN.
+  RINGWATCH_INLINE double at(double distance) const {
+    return distance <= radius ? value + distance * (linear + distance * quadratic)
+                              : std::numeric_limits<double>::infinity();
+  }
+};
+
+/// From the law's drift at F0 and the strain norm bound b_e = lambda_max(D_e⁻¹ Σ_q w_q BᵀB).
+RINGWATCH_INLINE TangentGrowth growthOf(const TangentDriftCoefficients<double>& drift, double value,
+                                        double strainNorm) {
+  return {value,
+          2 * math::sqrt((value + strainNorm * drift.negative) * drift.kappa * strainNorm) + strainNorm * drift.linear,
+          strainNorm * (drift.kappa + drift.quadratic), drift.radius};
+}
+
+/// Kept free of a radius for the rounding of its own computation, relative.
+inline constexpr double radiusRounding = 1e-6;
+
+/// Radius of the validity ball |F_q - F0_q| <= r within which l_e stays within an allowance and no F_q inverts; -1
+/// where the value itself exceeds the allowance. inversionDistance: TangentDriftOf's.
+RINGWATCH_INLINE double validityRadius(const TangentGrowth& growth, double inversionDistance, double allowance) {
+  const double gap = allowance - growth.value;
+  if (!(gap >= 0)) return -1;
+  const double denominator = growth.linear + math::sqrt(growth.linear * growth.linear + 4 * growth.quadratic * gap);
+  double radius = denominator > 0 ? 2 * gap / denominator : std::numeric_limits<double>::infinity();
+  // An element that inverts must be outside its ball before it does.
+  radius = math::min(radius, math::min(growth.radius, inversionDistance));
+  return radius * (1 - radiusRounding);
+}
+
+}  // namespace ringwatch

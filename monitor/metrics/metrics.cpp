@@ -1,0 +1,172 @@
+#include <ringwatch/monitor/metrics/metrics.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <ringwatch/base/registry.h>
+#include <ringwatch/monitor/bounds/nodal_bound.h>
+#include <ringwatch/monitor/bounds/reduced_ring.h>
+#include <ringwatch/monitor/metrics/element_metrics.h>
+#include <ringwatch/monitor/metrics/wave_metrics.h>
+
+namespace ringwatch {
+namespace {
+
+using Values = MetricValues;
+
+Values reducedRing(const Body& body, const NodeVectors& x, const MetricProgress&) {
+  ReducedRing ring(body);
+  return ring.evaluate(x).largest;
+}
+
+/// The nodal bound at each element's highest node.
+Values nodalBound(const Body& body, const NodeVectors& x, const MetricProgress&) {
+  NodalBound bound(body);
+  constexpr int sweeps = 20;
+  const double best = bound.evaluate(x, sweeps).value;
+  Values values;
+  for (const auto& block : body.blocks()) values.emplace_back(static_cast<std::size_t>(block->elementCount()));
+  // Nodal values of the last sweep lie about the best bound; none is shown above it.
+  for (std::size_t b = 0; b < values.size(); ++b)
+    for (std::size_t e = 0; e < values[b].size(); ++e)
+      for (std::int32_t node : body.blocks()[b]->nodesOf(static_cast<std::int32_t>(e)))
+        values[b][e] = std::max(values[b][e], std::min(best, bound.nodal()[node]));
+  double top = 0;
+  for (const auto& block : values)
+    for (double value : block) top = std::max(top, value);
+  for (auto& block : values)
+    for (double& value : block)
+      if (value == top) value = best;
+  return values;
+}
+
+// A metric that needs no word on its progress, and one with an option, as the table takes them.
+template <Values (*metric)(const Body&, const NodeVectors&)>
+Values plain(const Body& body, const NodeVectors& x, const MetricProgress&) {
+  return metric(body, x);
+}
+template <CharacteristicLength length>
+Values wave(const Body& body, const NodeVectors& x, const MetricProgress&) {
+  return pressureWave(body, x, length);
+}
+template <RingKind kind>
+Values ring(const Body& body, const NodeVectors& x, const MetricProgress& progress) {
+  return ringEigenvalues(body, x, kind, progress);
+}
+
+/// Keeps the pattern of the matrix: half of the cost.
+class ReducedRingsAlong final : public MetricEvaluator {
+ public:
+  explicit ReducedRingsAlong(const Body& body) : ring_(body) {}
+  double highest(const NodeVectors& x) override {
+    double highest = 0;
+    for (const auto& block : ring_.evaluate(x).largest)
+      for (const double value : block) {
+        if (std::isnan(value)) return value;
+        highest = std::max(highest, value);
+      }
+    return highest;
+  }
+
+ private:
+  ReducedRing ring_;
+};
+
+/// Evaluates all elements each time.
+class FromScratch final : public MetricEvaluator {
+ public:
+  FromScratch(std::string_view name, const Body& body) : name_(name), body_(body) {}
+  double highest(const NodeVectors& x) override { return evaluateMetric(name_, body_, x).lambda; }
+
+ private:
+  std::string name_;
+  const Body& body_;
+};
+
+using enum Direction;
+/// Every metric of the library, one entry each.
+const MetricEntry entriesOfLibrary[] = {
+    {{"single-element", "every element on its own, with its own mass", upperBound}, plain<singleElement>},
+    {{"pressure-wave", "a pressure wave crossing the element's least height", estimate},
+     wave<CharacteristicLength::usual>},
+    {{"pressure-wave:min-height", "crossing the least extent over a face", estimate},
+     wave<CharacteristicLength::minHeight>},
+    {{"pressure-wave:volume-over-area", "crossing volume over largest face (Miller)", estimate},
+     wave<CharacteristicLength::volumeOverArea>},
+    {{"pressure-wave:in-radius", "crossing the inscribed sphere's radius", estimate},
+     wave<CharacteristicLength::inRadius>},
+    {{"pressure-wave:shortest-edge", "crossing the shortest edge (Debunne)", estimate},
+     wave<CharacteristicLength::shortestEdge>},
+    {{"fried", "largest element stiffness over least nodal mass, times the largest valence", upperBound}, plain<fried>},
+    {{"fried-lower", "largest element stiffness over largest nodal mass", lowerBound}, plain<friedLower>},
+    {{"shewchuk", "element with the mesh's nodal masses, times the largest valence", upperBound}, plain<shewchuk>},
+    {{"shewchuk-lower", "element with the mesh's nodal masses", lowerBound}, plain<shewchukLower>},
+    {{"vertex-1-ring", "the elements at a node as a body of their own; an upper bound if all have as many nodes",
+      estimate},
+     ring<RingKind::vertex1>,
+     vertexRingsAreUpperBound},
+    {{"vertex-2-ring", "the elements at the nodes of the vertex 1-ring", estimate}, ring<RingKind::vertex2>},
+    {{"element-1-ring", "the elements at an element's nodes as a body of their own", estimate},
+     ring<RingKind::element1>},
+    {{"element-2-ring", "the elements at the nodes of the element 1-ring", estimate}, ring<RingKind::element2>},
+    {{"reduced-1-ring", "assembled stiffness cut to the element's own nodes", lowerBound, true},
+     reducedRing,
+     nullptr,
+     [](const Body& body) -> std::unique_ptr<MetricEvaluator> { return std::make_unique<ReducedRingsAlong>(body); }},
+    {{"reduced-2-ring", "assembled stiffness cut to the nodes of the element 1-ring", lowerBound},
+     ring<RingKind::reduced2>},
+    {{"nodal-bound", "proven bound by 3x3 weights summed at nodes", upperBound}, nodalBound},
+};
+
+Registry<MetricEntry>& registry() {
+  static Registry<MetricEntry> metrics("metric", entriesOfLibrary);
+  return metrics;
+}
+
+/// Throws InputError for an unknown name.
+const MetricEntry& entryOf(std::string_view name) {
+  if (const MetricEntry* entry = registry().find(name)) return *entry;
+  throw InputError(joinText("metric \"", name, "\": must be one of ", knownMetrics(name)));
+}
+
+}  // namespace
+
+std::span<const MetricInfo> allMetrics() { return registry().infos(); }
+void registerMetric(const MetricEntry& entry) { registry().add(entry); }
+
+std::unique_ptr<MetricEvaluator> makeMetricEvaluator(std::string_view name, const Body& body) {
+  const MetricEntry& entry = entryOf(name);
+  return entry.along ? entry.along(body) : std::make_unique<FromScratch>(name, body);
+}
+
+const MetricInfo* findMetric(std::string_view name) { return registry().findInfo(name); }
+
+MetricResult evaluateMetric(std::string_view name, const Body& body, const NodeVectors& x,
+                            const MetricProgress& progress) {
+  const MetricEntry& entry = entryOf(name);
+  const bool bound = entry.isUpperBoundOn && entry.isUpperBoundOn(body);
+  MetricResult result{
+      findMetric(name), bound ? Direction::upperBound : entry.info.direction, 0, {}, entry.evaluate(body, x, progress)};
+  bool first = true;
+  for (std::size_t b = 0; b < result.elementLambda.size(); ++b)
+    for (std::size_t e = 0; e < result.elementLambda[b].size(); ++e)
+      // NaN, an element without a tangent, stays once it was met.
+      if (first || result.elementLambda[b][e] > result.lambda || std::isnan(result.elementLambda[b][e])) {
+        result.lambda = result.elementLambda[b][e];
+        result.controlling = {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
+        first = false;
+      }
+  return result;
+}
+
+std::string knownMetrics(std::string_view name) {
+  const std::string_view family = name.substr(0, name.find(':') + 1);  // "" without an option
+  std::string all, options;
+  for (const MetricInfo& info : allMetrics()) {
+    all += joinText(all.empty() ? "" : ", ", info.name);
+    if (!family.empty() && info.name.starts_with(family)) options += joinText(options.empty() ? "" : ", ", info.name);
+  }
+  return options.empty() ? all : options;
+}
+
+}  // namespace ringwatch
