@@ -21,6 +21,7 @@ Body::Body(Mesh mesh, const std::vector<Material>& materialOfBlock, const BodyOp
       materials_(materialOfBlock),
       externalForce_(NodeVectors::Zero(3, mesh_.X.cols())) {
   if (mesh_.blocks.empty()) throw InputError("the mesh has no volume elements: a body needs at least one");
+  requireValid(mesh_);
   // One material serves all blocks.
   if (materials_.size() == 1) materials_.resize(mesh_.blocks.size(), materials_.front());
   if (materials_.size() != mesh_.blocks.size())
@@ -39,6 +40,7 @@ Body::Body(Mesh mesh, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::
       mesh_(std::move(mesh)),
       blocks_(std::move(blocks)),
       externalForce_(NodeVectors::Zero(3, mesh_.X.cols())) {
+  requireValid(mesh_);
   if (blocks_.size() != mesh_.blocks.size())
     throw InputError(joinText(blocks_.size(), " blocks for a mesh of ", mesh_.blocks.size()));
   if (lumpedMass.size() != mesh_.X.cols())

@@ -17,15 +17,15 @@ using NodeVectors = Eigen::Matrix3Xd;
 struct MeshBlock {
   ElementType type;
   std::vector<std::int32_t> connectivity;  // element after element, VTK node order, indices into Mesh::X
-  std::vector<std::int64_t> ids;           // the elements' numbers in the file; may be empty, see id()
+  std::vector<std::int64_t> ids;           // the elements' numbers in the file; empty, or one each
 
   int nodesPerElement() const { return elementInfo(type).nodes; }
   std::size_t elementCount() const { return connectivity.size() / static_cast<std::size_t>(nodesPerElement()); }
   const std::int32_t* element(std::size_t e) const {
     return connectivity.data() + e * static_cast<std::size_t>(nodesPerElement());
   }
-  /// The number of an element for messages and files: that of `ids`, or its position e in the block where `ids` has
-  /// none.
+  /// The number of an element for messages and files:
+  /// that of `ids`, or its position e in the block without them.
   std::int64_t id(std::size_t e) const { return e < ids.size() ? ids[e] : static_cast<std::int64_t>(e); }
 };
 
@@ -36,16 +36,17 @@ struct ElementRef {
   friend auto operator<=>(const ElementRef&, const ElementRef&) = default;
 };
 
-/// Nodes, blocks of one element type each, and named sets. No physics.
+/// Nodes, blocks of one element type each, and named sets. No physics. Its parts must fit together as requireValid()
+/// says; a Body tests that when it is made.
 struct Mesh {
   NodeVectors X;                      // reference positions, 3×N, m
-  std::vector<std::int64_t> nodeIds;  // the nodes' numbers in the file; may be empty, see nodeId()
+  std::vector<std::int64_t> nodeIds;  // the nodes' numbers in the file; empty, or one each
   std::vector<MeshBlock> blocks;
   std::map<std::string, std::vector<std::int32_t>> nodeSets;
   std::map<std::string, std::vector<ElementRef>> elementSets;
 
   std::size_t nodeCount() const { return static_cast<std::size_t>(X.cols()); }
-  /// The number of node i for messages and files: that of `nodeIds`, or i itself where `nodeIds` has none.
+  /// The number of node i for messages and files: that of `nodeIds`, or i itself without them.
   std::int64_t nodeId(std::int32_t i) const {
     const auto at = static_cast<std::size_t>(i);
     return at < nodeIds.size() ? nodeIds[at] : i;
@@ -56,5 +57,9 @@ struct Mesh {
     return n;
   }
 };
+
+/// Throws InputError where the parts of a mesh do not fit together: a connectivity that is no whole number of elements,
+/// a node or an element that does not exist, ids for some only. Shapes are checkMesh's business (meshes/check.h).
+void requireValid(const Mesh& mesh);
 
 }  // namespace ringwatch

@@ -30,6 +30,28 @@ TEST(BodyErrors, RefusesAMeshWithoutVolumeElements) {
   EXPECT_THAT(refusal<InputError>(Mesh{}), HasSubstr("no volume elements"));
 }
 
+TEST(BodyErrors, RefusesAMeshWhosePartsDoNotFitTogether) {
+  const Mesh good = test::distortedBox("tet4", {2, 2, 2});
+  EXPECT_EQ(refusal<InputError>(good), "accepted");
+  const auto changed = [&](const auto& change) {
+    Mesh mesh = good;
+    change(mesh);
+    return refusal<InputError>(mesh);
+  };
+  EXPECT_EQ(changed([](Mesh& m) { m.blocks[0].connectivity[13] = 27; }),
+            "block 0, tet4 element 3: has node 27; nodes are 0 to 26");
+  EXPECT_THAT(changed([](Mesh& m) { m.blocks[0].connectivity[13] = -1; }), HasSubstr("has node -1"));
+  EXPECT_THAT(changed([](Mesh& m) { m.blocks[0].connectivity.pop_back(); }),
+              HasSubstr("not a multiple of the 4 nodes of a tet4"));
+  EXPECT_THAT(changed([](Mesh& m) { m.blocks[0].ids = {1, 2}; }), HasSubstr("block 0: 2 ids for"));
+  EXPECT_THAT(changed([](Mesh& m) { m.nodeIds = {1}; }), HasSubstr("1 nodeIds for 27 nodes"));
+  EXPECT_THAT(changed([](Mesh& m) { m.nodeSets["a"] = {27}; }), HasSubstr("node set \"a\": has node 27"));
+  EXPECT_THAT(changed([](Mesh& m) {
+                m.elementSets["a"] = {{1, 0}};
+              }),
+              HasSubstr("element set \"a\": has element 0 of block 1, which is not there"));
+}
+
 TEST(BodyErrors, RefusesABlockWithoutElementsOrSurvivesIt) {
   // A block may be empty beside another that is not.
   Mesh mesh = test::distortedBox("hex8", {2, 2, 2});
@@ -104,6 +126,7 @@ TEST(BodyErrors, NamesANodeWithoutMass) {
   Mesh mesh = test::distortedBox("hex8", {2, 2, 2});
   mesh.X.conservativeResize(3, mesh.X.cols() + 1);
   mesh.X.col(mesh.X.cols() - 1).setOnes();
+  mesh.nodeIds.push_back(28);
   EXPECT_THAT(refusal<NumericalError>(mesh), AllOf(HasSubstr("node 27"), HasSubstr("mass"), HasSubstr("must be > 0")));
 }
 
