@@ -84,6 +84,7 @@ void constraintsAndBlocks() {
   first.ids.resize(half);
   first.connectivity.resize(4 * half);
   mesh.blocks.push_back(second);
+  mesh.elementSets.clear();
   const Body body(mesh, {makeMaterial("stvk", 3e4, 0.3, 1000), makeMaterial("corotational", 9e4, 0.2, 2000)});
   compare(body, randomState(mesh, 0.01, 9), "two blocks");
 }
