@@ -62,8 +62,7 @@ CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule
                                   step.optimistic, " s"));
   // At rest there is no stress that could make the tangent indefinite.
   if (!(step.lowestRing < 0) && x != body.mesh().X) {
-    NodeVectors direction;
-    const LowestMode lowest = findLowestMode(body, x, direction, searchProducts);
+    const LowestMode lowest = LowestModeSearch(body).find(x, searchProducts);
     if (lowest.value < 0) {
       step.lowestRing = lowest.value;
       step.lowestRingElement = lowest.element;

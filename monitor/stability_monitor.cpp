@@ -84,9 +84,8 @@ struct StabilityMonitor::Impl {
         bracket->takeBest(x);
         certified = bracket->last() && (!h || *h <= bracket->last()->safe);
       }
-      // Where the step is not certified, the optimistic side decides between "not certified" and "violated": it is made
-      // sharp at every observation: else a mode that has moved on would say so late.
-      if (!certified) bracket->sharpen(x, options.limit);
+      // Where the step is not certified, the optimistic side decides between "not certified" and "violated".
+      if (!certified && h) bracket->sharpen(x, options.limit, *h);
       report.bracket.reset();
       if (bracketed) report.bracket = bracket->last();
       report.certified = !bracketed ? *h : report.bracket ? report.bracket->safe : 0;

@@ -5,6 +5,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/body/sub_body.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 
 namespace ringwatch {
@@ -56,38 +57,7 @@ std::vector<std::int32_t> nodesOf(const Body& body, const ElementFlags& elements
 
 Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::int32_t> nodes,
             const Eigen::VectorXd& mass) {
-  const Mesh& all = body.mesh();
-  Mesh mesh;
-  mesh.X.resize(3, static_cast<Eigen::Index>(nodes.size()));
-  std::vector<std::int32_t> numberOf(all.nodeCount(), -1);
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    mesh.X.col(static_cast<Eigen::Index>(i)) = all.X.col(nodes[i]);
-    mesh.nodeIds.push_back(all.nodeId(nodes[i]));
-    numberOf[nodes[i]] = static_cast<std::int32_t>(i);
-  }
-  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
-    const MeshBlock& from = all.blocks[b];
-    MeshBlock block{from.type, {}, {}};
-    for (std::size_t e = 0; e < from.elementCount(); ++e) {
-      if (!flags[b][e]) continue;
-      block.ids.push_back(from.id(e));
-      for (int a = 0; a < from.nodesPerElement(); ++a) block.connectivity.push_back(numberOf[from.element(e)[a]]);
-    }
-    mesh.blocks.push_back(std::move(block));
-  }
-  std::vector<std::unique_ptr<ElementBlock>> blocks;
-  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
-    const ElementBlock& face = *body.blocks()[b];
-    blocks.push_back(makeElementBlock(mesh, mesh.blocks[b], face.material(), face.rule().name));
-  }
-  Body part(std::move(mesh), std::move(blocks), mass, body.threads());
-  for (std::int32_t i = 0; i < part.nodeCount(); ++i)
-    for (int c = 0; c < 3; ++c) {
-      const std::int32_t whole = nodes[i];
-      if (body.constraints().isConstrained(whole, c))
-        part.constraints().move(i, c, body.constraints().velocity()(c, whole));
-    }
-  return part;
+  return subBody(body, elementNumbers(flags), nodes, mass, body.threads());
 }
 
 namespace {

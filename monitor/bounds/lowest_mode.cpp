@@ -74,16 +74,23 @@ ElementRef softestElement(const Body& body, const NodeVectors& x, const NodeVect
 
 }  // namespace
 
-LowestMode findLowestMode(const Body& body, const NodeVectors& x, NodeVectors& start, int maxProducts) {
+void LowestModeSearch::takeScale(const NodeVectors& x) {
+  if (scale_.cols() > 0 && bodyVersion_ == body_.version() && ++sinceScale_ < scaleGap) return;
+  scale_ = scaleOf(body_, x, workspace_);
+  sinceScale_ = 0;
+  bodyVersion_ = body_.version();
+}
+
+LowestMode LowestModeSearch::find(const NodeVectors& x, int maxProducts) {
   LowestMode result;
-  Body::Workspace workspace;
-  const NodeVectors scale = scaleOf(body, x, workspace);
-  if (start.cols() != body.nodeCount() || !start.allFinite()) {
-    start.resize(3, body.nodeCount());
+  takeScale(x);
+  NodeVectors& start = direction_;
+  if (start.cols() != body_.nodeCount() || !start.allFinite()) {
+    start.resize(3, body_.nodeCount());
     for (Eigen::Index i = 0; i < start.size(); ++i) start.data()[i] = randomEntry(1, static_cast<std::uint64_t>(i));
   }
   // A component that nothing stiff holds has no part in the search.
-  start = start.cwiseProduct(scale.cwiseSign());
+  start = start.cwiseProduct(scale_.cwiseSign());
   const double norm = start.norm();
   if (!(norm > 0)) return result;  // nothing is free
   std::vector<NodeVectors> basis{start / norm};
@@ -92,15 +99,16 @@ LowestMode findLowestMode(const Body& body, const NodeVectors& x, NodeVectors& s
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
   double size = 0;  // of S K S, as far as it is known
   while (true) {
-    u = basis.back().cwiseProduct(scale);
-    body.tangentProduct(x, u, w, workspace);
-    w = w.cwiseProduct(scale);
+    u = basis.back().cwiseProduct(scale_);
+    body_.tangentProduct(x, u, w, workspace_);
+    w = w.cwiseProduct(scale_);
     ++result.products;
     alpha.push_back(w.cwiseProduct(basis.back()).sum());
     for (const NodeVectors& q : basis) w -= w.cwiseProduct(q).sum() * q;
     beta.push_back(w.norm());
     if (!std::isfinite(alpha.back() + beta.back())) {
       result.value = std::numeric_limits<double>::quiet_NaN();
+      forget();
       return result;
     }
     const auto count = static_cast<Eigen::Index>(alpha.size());
@@ -123,12 +131,12 @@ LowestMode findLowestMode(const Body& body, const NodeVectors& x, NodeVectors& s
     start += solver.eigenvectors()(static_cast<Eigen::Index>(i), 0) * basis[i];
   start /= start.norm();
   // The quotient itself: whatever went before, its sign is proven to rounding.
-  u = start.cwiseProduct(scale);
-  body.tangentProduct(x, u, w, workspace);
+  u = start.cwiseProduct(scale_);
+  body_.tangentProduct(x, u, w, workspace_);
   ++result.products;
   const double form = w.cwiseProduct(u).sum() + rounding * size;
-  result.value = form / (u.cwiseAbs2() * body.lumpedMass()).sum();
-  if (result.value < 0) result.element = softestElement(body, x, u);
+  result.value = form / (u.cwiseAbs2() * body_.lumpedMass()).sum();
+  if (result.value < 0) result.element = softestElement(body_, x, u);
   return result;
 }
 

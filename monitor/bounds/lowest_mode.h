@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+
 #include <ringwatch/body/body.h>
 
 namespace ringwatch {
@@ -13,12 +15,36 @@ struct LowestMode {
   int products = 0;    // tangent products spent
 };
 
-/// Searches for a direction in which K(x) is negative, at positions x (3×N, m). A congruence keeps the signs of the
-/// eigenvalues, so the search is made on S K S with S = 1/√(Σ_e tr|K_e,aa|) at each node, whose spectrum does not
-/// depend on the sizes of the elements: Lanczos with full orthogonalisation from `start` (3×N, of any size; random when
-/// empty; becomes the direction in the coordinates of S K S), at most maxProducts >= 1 tangent products, fewer once a
-/// direction is clearly negative. Directions with more than about (3 / maxProducts)² of the stiffest one's size are
-/// found; finer ones can be missed.
-LowestMode findLowestMode(const Body& body, const NodeVectors& x, NodeVectors& start, int maxProducts);
+/// Searches for a direction in which K(x) is negative. A congruence keeps the signs of the eigenvalues, so the search
+/// is made on S K S with S = 1/√(Σ_e tr|K_e,aa|) at each node, whose spectrum does not depend on the sizes of the
+/// elements: Lanczos with full orthogonalisation. Directions with more than about (3 / maxProducts)² of the stiffest
+/// one's size are found; finer ones can be missed. Later searches start from the last direction and, since any S keeps
+/// the signs, from its S, which is that of the state now and then.
+class LowestModeSearch {
+ public:
+  /// The body must outlive the search.
+  explicit LowestModeSearch(const Body& body) : body_(body) {}
+
+  /// At positions x (3×N, m): at most maxProducts >= 1 tangent products, fewer once a direction is clearly negative.
+  LowestMode find(const NodeVectors& x, int maxProducts);
+  /// Whether there is a direction to start from; the first search starts from a random one.
+  bool found() const { return direction_.cols() > 0; }
+  void forget() {
+    direction_.resize(3, 0);
+    scale_.resize(3, 0);
+  }
+
+ private:
+  void takeScale(const NodeVectors& x);
+  /// Searches between two computations of S, which evaluate every element's tangent.
+  static constexpr int scaleGap = 8;
+
+  const Body& body_;
+  Body::Workspace workspace_;
+  NodeVectors direction_;  // in the coordinates of S K S
+  NodeVectors scale_;      // S; 0 for constrained components
+  int sinceScale_ = 0;
+  std::int64_t bodyVersion_ = 0;  // of scale_
+};
 
 }  // namespace ringwatch

@@ -37,13 +37,12 @@ void NodeSubmatrix::choose(std::vector<std::int32_t> nodes) {
   }
 }
 
-const Eigen::MatrixXd& NodeSubmatrix::evaluate(const NodeVectors& x, const Eigen::VectorXd* v) {
+const Eigen::MatrixXd& NodeSubmatrix::evaluate(const NodeVectors& x) {
   constexpr int lanes = PatchLayout::lanes;
   if (sourceVersion_ != source_.version()) choose(std::move(nodes_));
   const auto dofs = static_cast<Eigen::Index>(3 * nodes_.size());
   matrix_.setZero(dofs, dofs);
   NativePack K[9 * maxElementNodes * maxElementNodes];
-  double largest = -1;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ElementTangents& block = *source_.tangents()[b];
     const auto& [listed, parts] = blocks_[b];
@@ -55,21 +54,11 @@ const Eigen::MatrixXd& NodeSubmatrix::evaluate(const NodeVectors& x, const Eigen
       block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
       for (int lane = 0; lane < lanes && elements[lane] >= 0; ++lane) {
         const Part& part = parts[first + static_cast<std::size_t>(lane)];
-        double form = 0;
         for (int i = 0; i < part.count; ++i) {
           const NativePack* k = K + part.own[i] * size;
           double* column = matrix_.data() + part.row[i] * dofs;  // K is symmetric: its rows are columns
-          double product = 0;
-          for (int j = 0; j < part.count; ++j) {
-            const double entry = k[part.own[j]][lane] * (part.scale[i] * part.scale[j]);
-            column[part.row[j]] += entry;
-            if (v) product += entry * (*v)[part.row[j]];
-          }
-          if (v) form += product * (*v)[part.row[i]];
-        }
-        if (v && form > largest) {
-          largest = form;
-          most_ = {static_cast<std::int32_t>(b), elements[lane]};
+          for (int j = 0; j < part.count; ++j)
+            column[part.row[j]] += k[part.own[j]][lane] * (part.scale[i] * part.scale[j]);
         }
       }
     }

@@ -18,10 +18,8 @@ class NodeSubmatrix {
   void choose(std::vector<std::int32_t> nodes);
   /// Ascending; rows and columns of the matrix are 3·position + component.
   const std::vector<std::int32_t>& nodes() const { return nodes_; }
-  /// At positions x (3×N, m), rad²/s²; rows and columns of constrained components are zero. With v (3 a node), the
-  /// element whose part of the matrix has the largest quadratic form with it is noted.
-  const Eigen::MatrixXd& evaluate(const NodeVectors& x, const Eigen::VectorXd* v = nullptr);
-  ElementRef mostOfLast() const { return most_; }
+  /// At positions x (3×N, m), rad²/s²; rows and columns of constrained components are zero.
+  const Eigen::MatrixXd& evaluate(const NodeVectors& x);
 
  private:
   /// An element's degrees of freedom that are chosen and free: which of its own, which row, and 1/√m.
@@ -39,7 +37,6 @@ class NodeSubmatrix {
   std::vector<std::int32_t> nodes_;
   std::vector<BlockParts> blocks_;
   Eigen::MatrixXd matrix_;
-  ElementRef most_;
   std::int64_t sourceVersion_ = 0;  // when the parts were made
 };
 

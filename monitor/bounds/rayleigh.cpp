@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include <ringwatch/base/eigen_instances.h>
@@ -19,7 +18,7 @@ LowerBound rayleighLowerBound(const TangentSource& source, const NodeVectors& x,
   }
   MassScaledOperator op(source, x);
   start /= norm;
-  const int steps = std::max(1, products - 1);
+  const int steps = products - 1;  // none: the quotient of `start` as it is
   std::vector<NodeVectors> basis{start};
   Eigen::VectorXd diagonal(steps), subdiagonal(steps);
   NodeVectors w(3, start.cols());
@@ -43,8 +42,8 @@ LowerBound rayleighLowerBound(const TangentSource& source, const NodeVectors& x,
     T(i, i) = diagonal[i];
     if (i + 1 < size) T(i, i + 1) = T(i + 1, i) = subdiagonal[i];
   }
-  solver.compute(T);
-  if (solver.info() == Eigen::Success) {
+  if (size > 0) solver.compute(T);
+  if (size > 0 && solver.info() == Eigen::Success) {
     start.setZero();
     for (int i = 0; i < size; ++i) start += solver.eigenvectors()(i, size - 1) * basis[i];
   }
@@ -58,39 +57,6 @@ LowerBound rayleighLowerBound(const TangentSource& source, const NodeVectors& x,
   for (int i = 0; i < size; ++i)
     largest = std::max(largest, std::abs(diagonal[i]) + subdiagonal[i] + (i > 0 ? subdiagonal[i - 1] : 0.0));
   return {quotient - 1e-12 * largest};
-}
-
-void LocalSubmatrix::choose(const NodeVectors& mode) {
-  constexpr std::ptrdiff_t most = 24;
-  const Eigen::VectorXd size = mode.colwise().squaredNorm().transpose();
-  std::vector<std::int32_t> order;
-  for (std::int32_t i = 0; i < mode.cols(); ++i)
-    if (size[i] > 0) order.push_back(i);
-  const auto count = std::min<std::ptrdiff_t>(most, static_cast<std::ptrdiff_t>(order.size()));
-  std::partial_sort(order.begin(), order.begin() + count, order.end(),
-                    [&](std::int32_t a, std::int32_t b) { return size[a] != size[b] ? size[a] > size[b] : a < b; });
-  order.resize(static_cast<std::size_t>(count));
-  submatrix_.choose(std::move(order));
-  vector_.resize(3 * count);
-  for (std::ptrdiff_t i = 0; i < count; ++i) vector_.segment<3>(3 * i) = mode.col(submatrix_.nodes()[i]);
-}
-
-LowerBound LocalSubmatrix::evaluate(const NodeVectors& x) {
-  if (submatrix_.nodes().empty()) return {0};
-  const Eigen::MatrixXd& A = submatrix_.evaluate(x, &vector_);
-  // Power iteration on A shifted by half its norm, so that a large negative eigenvalue cannot win; the quotient is A's
-  // own.
-  const double size = A.cwiseAbs().rowwise().sum().maxCoeff(), shift = 0.5 * size;
-  double best = 0;
-  for (int iteration = 0; iteration < 4; ++iteration) {
-    const double norm = vector_.norm();
-    if (!(norm > 0)) return {0};
-    vector_ /= norm;
-    const Eigen::VectorXd product = A * vector_;
-    best = std::max(best, product.dot(vector_) - 1e-12 * size);
-    vector_ = product + shift * vector_;
-  }
-  return {best};
 }
 
 }  // namespace ringwatch

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/monitor/bounds/rayleigh.h>
 #include <ringwatch/monitor/bounds/top_mode.h>
 #include <ringwatch/monitor/critical_step.h>
 
@@ -21,9 +22,12 @@ RunBracket::RunBracket(const Body& body, double width, const BracketPolicy& poli
       policy_(policy),
       width_(width),
       nodal_(body, {.slack = policy.slackOfWidth * width}),
-      submatrix_(body, nodal_.weights()),
+      local_(body, nodal_.weights(), policy.localProducts, policy.localGap),
+      localNodes_(policy.leastLocalNodes),
       ringNodes_(body, nodal_.weights()),
+      softest_(body),
       sinceDoubt_(policy.firstGap),
+      sinceSharpened_(policy.sharpenGap),
       sinceCompressed_(policy.firstGap),
       wholeMode_(policy.wholeMode),
       restart_(policy.restarts),
@@ -44,12 +48,12 @@ const std::optional<CriticalStep>& RunBracket::evaluate(const NodeVectors& x, co
   LowerBound lower{0};
   const bool first = mode_.size() == 0, rebuilt = spent_.rebuilds > 0;
   if (!first) {
-    lower = submatrix_.evaluate(x);
+    lower = local_.evaluate(x);
     wholeMode_.tick();
     if (wholeMode_.due()) {
       const LowerBound whole = refreshMode(x, policy_.productsOfFollowing);
-      // Seldom while the submatrix tells all.
-      wholeMode_.tried(whole.value > (1 + policy_.leastGain) * lower.value);
+      // It helps when the region is better for it: the whole mode's own bound is of this observation alone.
+      wholeMode_.tried(regionBound_.value > (1 + policy_.leastGain) * lower.value);
       lower = {std::max(lower.value, whole.value)};
     }
     lower = boundWhereItRose(x, sigma, lower);
@@ -61,8 +65,7 @@ const std::optional<CriticalStep>& RunBracket::evaluate(const NodeVectors& x, co
   if (first || rebuilt || (wide && restart_.due())) {
     const double before = lower.value;
     lower = first ? startMode(x) : restartMode(x);
-    // The submatrix is a part of the whole, its bound a little lower.
-    restart_.tried(lower.value > (1 + policy_.helpfulRestart) * before);
+    restart_.tried(regionBound_.value > (1 + policy_.helpfulRestart) * before);
   }
   searchUnderCompression(x);
   nodal_.relaxBound(lower, width_);
@@ -74,7 +77,7 @@ const std::optional<CriticalStep>& RunBracket::evaluate(const NodeVectors& x, co
   }
   step_ = CriticalStep{safeStep(upper, limit),
                        optimisticStep(lower, limit),
-                       submatrix_.highestElement(),
+                       local_.highestElement(),
                        "incremental-nodal-bound",
                        method_,
                        lowest_.value,
@@ -134,10 +137,13 @@ void RunBracket::takeBest(const NodeVectors& x) {
   if (step.isBracket()) step_ = step;
 }
 
-void RunBracket::sharpen(const NodeVectors& x, const StepRule& limit) {
+void RunBracket::sharpen(const NodeVectors& x, const StepRule& limit, double h) {
   if (!step_) return;
+  const bool close = h > (1 - policy_.close) * step_->optimistic;
+  if (++sinceSharpened_ < policy_.sharpenGap && !close) return;
+  sinceSharpened_ = 0;
   const LowerBound lower =
-      sinceSharpened_++ % policy_.firstGap == 0 ? restartMode(x) : refreshMode(x, policy_.restartProducts);
+      sharpened_++ % policy_.firstGap == 0 ? restartMode(x) : refreshMode(x, policy_.restartProducts);
   step_->optimistic = std::min(step_->optimistic, optimisticStep(lower, limit));
   if (!step_->isBracket()) step_.reset();
 }
@@ -145,9 +151,9 @@ void RunBracket::sharpen(const NodeVectors& x, const StepRule& limit) {
 void RunBracket::forget() {
   step_.reset();
   mode_.resize(3, 0);
-  submatrix_.choose(mode_);
+  local_.choose(mode_, localNodes_);
   lowest_ = {0, {}};
-  softest_.resize(3, 0);
+  softest_.forget();
   least_ = {};
   search_.reset();
   searchedAt_ = 0;
@@ -156,10 +162,10 @@ void RunBracket::forget() {
 void RunBracket::searchUnderCompression(const NodeVectors& x) {
   const double compression = nodal_.mostCompression();
   search_.tick();
-  const bool grown = compression > policy_.growthOfCompression * searchedAt_ && search_.since() >= policy_.firstGap;
+  const bool grown = compression > policy_.growthOfCompression * searchedAt_ && search_.since() >= policy_.searchGap;
   const bool search = compression > policy_.slightlyCompressed && (grown || search_.due());
   if (search) {
-    least_ = findLowestMode(body_, x, softest_, softest_.cols() == 0 ? policy_.firstSearch : policy_.laterSearch);
+    least_ = softest_.find(x, softest_.found() ? policy_.laterSearch : policy_.firstSearch);
     search_.tried(grown);
     searchedAt_ = grown ? compression : std::max(searchedAt_, compression);
   } else if (!(compression > policy_.slightlyCompressed)) {
@@ -203,7 +209,7 @@ LowerBound RunBracket::boundWhereItRose(const NodeVectors& x, double sigma, Lowe
     mode_.normalize();
     addTopOfRing(mode_);
   }
-  if (jumped) submatrix_.choose(mode_);
+  if (jumped) local_.choose(mode_, localNodes_);
   return lower;
 }
 
@@ -256,9 +262,17 @@ LowerBound RunBracket::refreshMode(const NodeVectors& x, int products) {
 }
 
 LowerBound RunBracket::followMode(const NodeVectors& x, LowerBound whole) {
-  submatrix_.choose(mode_);
   wholeMode_.restart();
-  return {std::max(whole.value, submatrix_.evaluate(x).value)};
+  while (true) {
+    local_.choose(mode_, localNodes_);
+    regionBound_ = local_.evaluate(x);
+    const bool lost = regionBound_.value < (1 - policy_.lostInRegion) * whole.value;
+    if (!lost || localNodes_ >= policy_.mostLocalNodes) break;
+    localNodes_ = std::min(2 * localNodes_, policy_.mostLocalNodes);
+  }
+  if (regionBound_.value >= (1 - 0.25 * policy_.lostInRegion) * whole.value)
+    localNodes_ = std::max(localNodes_ / 2, policy_.leastLocalNodes);
+  return {std::max(whole.value, regionBound_.value)};
 }
 
 }  // namespace ringwatch

@@ -6,9 +6,9 @@
 #include <ringwatch/base/backoff.h>
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/bounds/local_mode.h>
 #include <ringwatch/monitor/bounds/lowest_mode.h>
 #include <ringwatch/monitor/bounds/node_submatrix.h>
-#include <ringwatch/monitor/bounds/rayleigh.h>
 #include <ringwatch/monitor/incremental/incremental_nodal_bound.h>
 
 namespace ringwatch {
@@ -23,13 +23,20 @@ struct BracketPolicy {
   // The top mode, by Lanczos.
   /// Tangent products: at the first evaluation, at a restart from the highest ring, and when the mode is followed.
   int firstProducts = 20, restartProducts = 8, productsOfFollowing = 3;
-  /// The whole mode is refreshed that seldom while a submatrix around its highest elements tells all: while a refresh
-  /// gains less than leastGain of the eigenvalue.
+  /// Nodes of the region in which the mode is followed at every observation. When the region is chosen its bound is
+  /// compared with the whole mode's: it is doubled while it holds less by more than lostInRegion, and halved for the
+  /// next time when it holds all but a quarter of that. Local modes need few nodes, those of regular grids many. Each
+  /// observation takes a tangent product of the region; every localGap-th improves the mode by localProducts of them.
+  std::size_t leastLocalNodes = 24, mostLocalNodes = 512;
+  double lostInRegion = 0.02;
+  int localProducts = 3, localGap = 4;
+  /// The whole mode is refreshed that seldom while it does not help: while the region's bound gains less than leastGain
+  /// of the eigenvalue.
   Backoff::Gaps wholeMode{.first = 64, .last = 512, .factor = 2};
   double leastGain = 0.005;
   /// Restarts from all reduced rings, each of which evaluates every element, while the bracket is too wide; one has
-  /// helped when the lower side has risen by this share.
-  Backoff::Gaps restarts{.first = 10, .last = 2560, .factor = 4};
+  /// helped when the region's bound has risen by this share.
+  Backoff::Gaps restarts{.first = 40, .last = 10240, .factor = 4};
   double helpfulRestart = 0.02;
   /// Rings that are examined: at the first evaluation, around the nodes where the bound is highest; later, those of
   /// elements that have just exceeded their allowance.
@@ -42,17 +49,25 @@ struct BracketPolicy {
   std::size_t compressedRings = 16;
   /// Tangent products of the first search and of the others.
   int firstSearch = 48, laterSearch = 12;
-  /// Growth of compression since the last search that asks for one at once; else they become more and more seldom.
+  /// Growth of compression since the last search that asks for one, after searchGap evaluations; else they become more
+  /// and more seldom.
   double growthOfCompression = 1.5;
-  Backoff::Gaps searches{.first = 80, .last = 2560, .factor = 2};
+  int searchGap = 40;
+  Backoff::Gaps searches{.first = 160, .last = 2560, .factor = 2};
+
+  /// Observations of a step that is not certified between two refreshes of the whole mode, which find a mode that has
+  /// moved on: with a gap of 5 the hanging ball of `verify monitor` learns 4 steps too late that it is unstable. A step
+  /// within `close` of the optimistic side has one at every observation: the verdict hangs on it.
+  int sharpenGap = 3;
+  double close = 0.02;
 
   /// Evaluations between two examinations of compressed rings, and of a step that is certified before it is tested in
   /// the cheapest way again.
   int firstGap = 10;
 };
 
-/// Keeps both sides of the bracket along a run: the incremental nodal bound from above, Rayleigh quotients and small
-/// submatrices around the tracked top mode from below.
+/// Keeps both sides of the bracket along a run: the incremental nodal bound from above, Rayleigh quotients of the
+/// tracked top mode, of all of it seldom and of a region at every observation, from below.
 class RunBracket {
  public:
   RunBracket(const Body& body, double width, const BracketPolicy& policy = {});
@@ -70,8 +85,8 @@ class RunBracket {
   void proveFromScratch(const NodeVectors& x, const StepRule& limit);
   /// Replaces either side of the last bracket by that of the proof from scratch, where it is of this x and better.
   void takeBest(const NodeVectors& x);
-  /// The optimistic side as sharp as it can be had, for a step that comes close to the limit.
-  void sharpen(const NodeVectors& x, const StepRule& limit);
+  /// Sharpens the optimistic side, now and then, for a step h (s) that is not certified: oftener when h is close to it.
+  void sharpen(const NodeVectors& x, const StepRule& limit, double h);
   const UpdateStatistics& spent() const { return spent_; }
   /// Of the last evaluate().
   const std::optional<CriticalStep>& last() const { return step_; }
@@ -107,20 +122,22 @@ class RunBracket {
   BracketPolicy policy_;
   double width_;
   IncrementalNodalBound nodal_;
-  LocalSubmatrix submatrix_;
+  LocalMode local_;
+  std::size_t localNodes_;
+  LowerBound regionBound_{0};  // when the region was chosen last
   NodeSubmatrix ringNodes_;
+  LowestModeSearch softest_;
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver_;
   NodeVectors mode_;
   std::string_view method_;
   UpdateStatistics spent_;
   bool bracketed_ = true, finite_ = true;
   int sinceDoubt_;  // observations in a row that certified the step asked about
-  int sinceSharpened_ = 0, sinceCompressed_;
+  int sharpened_ = 0, sinceSharpened_, sinceCompressed_;
   // In evaluations: of the whole mode, restarts from all rings, searches for a negative direction.
   Backoff wholeMode_, restart_, search_;
   LowestRing lowest_{0, {}};
   std::size_t nextCompressed_ = 0;
-  NodeVectors softest_;                      // the direction of the last search
   LowestMode least_;                         // what it proved
   double searchedAt_ = 0;                    // the compression then
   std::optional<CriticalStep> step_, best_;  // best_: from scratch, of positions bestAt_ and that version of the body

@@ -1,0 +1,125 @@
+#include <ringwatch/monitor/bounds/local_mode.h>
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <utility>
+
+#include <ringwatch/base/sort_unique.h>
+#include <ringwatch/body/sub_body.h>
+#include <ringwatch/monitor/bounds/rayleigh.h>
+
+namespace ringwatch {
+
+std::vector<std::int32_t> LocalMode::grow(const NodeVectors& mode) const {
+  const auto amplitude = [&](std::int32_t node) { return mode.col(node).norm(); };
+  std::vector<std::int32_t> region;
+  std::int32_t top = -1;
+  for (std::int32_t i = 0; i < mode.cols(); ++i)
+    if (amplitude(i) > (top < 0 ? 0 : amplitude(top))) top = i;
+  if (top < 0) return region;
+  // Larger ones first, weighed by the elements that they share with the region, which keeps it compact where all are
+  // alike; of equal ones the node with the lower number. A node is queued again when its weight has grown.
+  const double least = leastAmplitude * amplitude(top);
+  using Candidate = std::pair<double, std::int32_t>;
+  const auto later = [](const Candidate& a, const Candidate& b) {
+    return a.first != b.first ? a.first < b.first : a.second > b.second;
+  };
+  std::priority_queue<Candidate, std::vector<Candidate>, decltype(later)> frontier(later);
+  std::vector<std::uint16_t> shared(static_cast<std::size_t>(body_.nodeCount()));
+  std::vector<bool> taken(static_cast<std::size_t>(body_.nodeCount()));
+  frontier.push({amplitude(top), top});
+  while (!frontier.empty() && region.size() < size_) {
+    const std::int32_t node = frontier.top().second;
+    frontier.pop();
+    if (taken[node]) continue;
+    taken[node] = true;
+    region.push_back(node);
+    for (const NodalBound::Incidence at : incidences_.incidences(node)) {
+      const ElementRef e = incidences_.elementAt(at);
+      for (const std::int32_t other : body_.blocks()[e.block]->nodesOf(e.element)) {
+        if (taken[other] || body_.constraints().freeComponents(other) == 0) continue;
+        frontier.push({++shared[other] * std::max(amplitude(other), least), other});
+      }
+    }
+  }
+  std::sort(region.begin(), region.end());
+  return region;
+}
+
+void LocalMode::makePart(const std::vector<std::int32_t>& region) {
+  std::vector<std::vector<std::int32_t>> elements(body_.blocks().size());
+  for (const std::int32_t node : region)
+    for (const NodalBound::Incidence at : incidences_.incidences(node))
+      elements[at.block].push_back(incidences_.elementAt(at).element);
+  nodes_.clear();
+  for (std::size_t b = 0; b < elements.size(); ++b) {
+    sortUnique(elements[b]);
+    for (const std::int32_t e : elements[b]) {
+      const auto own = body_.blocks()[b]->nodesOf(e);
+      nodes_.insert(nodes_.end(), own.begin(), own.end());
+    }
+  }
+  sortUnique(nodes_);
+  Eigen::VectorXd mass(static_cast<Eigen::Index>(nodes_.size()));
+  for (std::size_t i = 0; i < nodes_.size(); ++i) mass[static_cast<Eigen::Index>(i)] = body_.lumpedMass()[nodes_[i]];
+  part_ = std::make_unique<Body>(subBody(body_, elements, nodes_, std::move(mass), body_.threads()));
+  for (std::int32_t i = 0; i < part_->nodeCount(); ++i)
+    if (!std::binary_search(region.begin(), region.end(), nodes_[i])) part_->constraints().fix(i);
+  x_.resize(3, part_->nodeCount());
+  bodyVersion_ = body_.version();
+}
+
+void LocalMode::choose(const NodeVectors& mode, std::size_t nodes) {
+  size_ = nodes;
+  part_.reset();
+  nodes_.clear();
+  vector_.resize(3, 0);
+  const std::vector<std::int32_t> region = grow(mode);
+  if (region.empty()) return;
+  makePart(region);
+  vector_ = NodeVectors(3, part_->nodeCount());
+  for (std::int32_t i = 0; i < part_->nodeCount(); ++i) vector_.col(i) = mode.col(nodes_[i]);
+  sinceSearch_ = searchGap;
+  isNew_ = true;
+}
+
+LowerBound LocalMode::evaluate(const NodeVectors& x) {
+  if (!part_) return {0};
+  if (bodyVersion_ != body_.version()) {
+    NodeVectors mode = NodeVectors::Zero(3, body_.nodeCount());
+    for (std::int32_t i = 0; i < part_->nodeCount(); ++i) mode.col(nodes_[i]) = vector_.col(i);
+    choose(mode, size_);
+    if (!part_) return {0};
+  }
+  for (std::int32_t i = 0; i < part_->nodeCount(); ++i) x_.col(i) = x.col(nodes_[i]);
+  const bool improve = isNew_ || ++sinceImproved_ >= gap_;
+  const LowerBound bound = rayleighLowerBound(*part_, x_, vector_, isNew_ ? 3 * products_ : improve ? products_ : 1);
+  if (improve) sinceImproved_ = 0;
+  isNew_ = false;
+  if (++sinceSearch_ >= searchGap) findHighestElement(x);
+  return {std::max(bound.value, 0.0)};
+}
+
+void LocalMode::findHighestElement(const NodeVectors& x) {
+  sinceSearch_ = 0;
+  Eigen::Index top = 0;
+  vector_.colwise().squaredNorm().maxCoeff(&top);
+  double most = -1;
+  for (const NodalBound::Incidence at : incidences_.incidences(nodes_[top])) {
+    const ElementRef e = incidences_.elementAt(at);
+    const auto nodes = body_.blocks()[e.block]->nodesOf(e.element);
+    Eigen::VectorXd v(static_cast<Eigen::Index>(3 * nodes.size()));
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      const auto place = std::lower_bound(nodes_.begin(), nodes_.end(), nodes[a]) - nodes_.begin();
+      v.segment<3>(static_cast<Eigen::Index>(3 * a)) = vector_.col(place) / std::sqrt(body_.lumpedMass()[nodes[a]]);
+    }
+    const double form = v.dot(body_.elementTangent(e, x) * v);
+    if (form > most) {
+      most = form;
+      highest_ = e;
+    }
+  }
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,57 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include <ringwatch/body/body.h>
+#include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/bounds/nodal_bound.h>
+
+namespace ringwatch {
+
+/// A lower bound of the highest eigenvalue from a region around the place where a tracked mode is largest: M^-½ K M^-½
+/// cut to its nodes is a principal submatrix of the whole (Theorem 9), and a Rayleigh quotient a lower bound of its
+/// highest eigenvalue (Theorem 8, docs/theory/rings_and_rayleigh.md). The elements at those nodes are a body of their
+/// own, so that the cost does not grow with the mesh. A region is connected: on a regular grid, where the mode moves
+/// all nodes alike, scattered nodes would hold little of it, and a box of n nodes a side loses about (π/n)²/4 of a
+/// direction's part.
+class LocalMode {
+ public:
+  /// `incidences` knows the elements at each node. Every `gap`-th evaluation improves the mode by Lanczos with
+  /// `products` tangent products, the first one in a region with three times as many; the others take one.
+  LocalMode(const Body& body, const NodalBound& incidences, int products, int gap)
+      : body_(body), incidences_(incidences), products_(products), gap_(gap) {}
+
+  /// Chooses a region of at most `nodes` nodes around the largest entry of `mode` (3×N, mass-scaled coordinates), and
+  /// starts from the mode there. A mode without an entry above zero has no region, nor has an empty one.
+  void choose(const NodeVectors& mode, std::size_t nodes);
+  /// The bound at positions x (3×N, m); 0 without a region, NaN where the tangent is not finite, after which a mode has
+  /// to be chosen again. Masses and constraints are those of now.
+  LowerBound evaluate(const NodeVectors& x);
+  /// The element that holds most of the mode's energy at the node that it moves most, as of one of the last
+  /// evaluations.
+  ElementRef highestElement() const { return highest_; }
+
+ private:
+  /// Nodes of the region, grown from the largest entry.
+  std::vector<std::int32_t> grow(const NodeVectors& mode) const;
+  void makePart(const std::vector<std::int32_t>& region);
+  void findHighestElement(const NodeVectors& x);
+  /// Of the largest one: entries below count as that much, so that nodes beside a mode of few entries come first.
+  static constexpr double leastAmplitude = 1e-3;
+  /// Evaluations between two searches for the highest element, which take some tangents each.
+  static constexpr int searchGap = 16;
+
+  const Body& body_;
+  const NodalBound& incidences_;
+  std::size_t size_ = 0;  // nodes of the region, at most
+  int products_, gap_;
+  std::unique_ptr<Body> part_;
+  std::vector<std::int32_t> nodes_;  // of the part: the region and its rim, which is held; ascending
+  NodeVectors x_, vector_;           // positions and the mode, of the part
+  ElementRef highest_;
+  int sinceSearch_ = searchGap, sinceImproved_ = 0;
+  bool isNew_ = false;
+  std::int64_t bodyVersion_ = 0;  // that the part has masses and constraints of
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,119 @@
+// The bound from a region around the top mode: below dense eigenvalues whatever the region, the whole when it holds the
+// whole, close to it on a regular grid, and of the masses and constraints of now.
+#include <gtest/gtest.h>
+
+#include <ringwatch/monitor/bounds/local_mode.h>
+#include <ringwatch/monitor/bounds/rayleigh.h>
+#include <tests/monitor/monitor_cases.h>
+#include <tests/support/meshes.h>
+
+namespace ringwatch {
+namespace {
+
+using test::Cut;
+using test::DenseTangent;
+using test::Hold;
+
+NodeVectors anyMode(const Body& body, std::uint64_t seed) {
+  test::Random random(seed);
+  NodeVectors mode = random.nodeVectors(body.nodeCount(), 1);
+  body.constraints().clearConstrained(mode);
+  return mode;
+}
+
+TEST(LocalMode, IsALowerBoundInAnyRegionOfAnyState) {
+  int tried = 0;
+  for (const Cut& cut : test::allCuts())
+    for (const LawInfo& law : allLaws())
+      for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
+        Body body = test::boxBody(cut, law.name);
+        test::holdBody(body, hold);
+        const NodalBound incidences(body);
+        for (const std::size_t nodes : {1u, 4u, 1000u}) {
+          LocalMode mode(body, incidences, 3, 2);
+          for (const test::NamedState& state : test::deformedStates(body.mesh().X, nodes)) {
+            if (!Eigen::MatrixXd(body.assembleTangent(state.x)).allFinite()) continue;  // a law without a tangent there
+            const double lambda = DenseTangent(body, state.x).largest();
+            mode.choose(anyMode(body, nodes), nodes);
+            for (int evaluation = 0; evaluation < 4; ++evaluation) {
+              EXPECT_LE(mode.evaluate(state.x).value, std::max(lambda, 0.0) * (1 + 1e-12))
+                  << cut.name << ", " << law.name << ", " << test::holdName(hold) << ", " << state.name;
+              ++tried;
+            }
+          }
+        }
+      }
+  EXPECT_GT(tried, 1000);
+}
+
+TEST(LocalMode, FindsTheHighestEigenvalueWhenTheRegionIsTheWhole) {
+  for (const Cut& cut : test::allCuts()) {
+    Body body = test::boxBody(cut, "stvk");
+    test::holdBody(body, Hold::face);
+    const NodalBound incidences(body);
+    LocalMode mode(body, incidences, 30, 1);
+    mode.choose(anyMode(body, 3), 1000);
+    const double lambda = DenseTangent(body, body.mesh().X).largest();
+    EXPECT_NEAR(mode.evaluate(body.mesh().X).value, lambda, 1e-6 * lambda) << cut.name;
+  }
+}
+
+TEST(LocalMode, HoldsMostOfAModeThatIsSpreadOverARegularGrid) {
+  // A fifth of the nodes. Scattered over the grid, as the largest entries are, they would hold half of it.
+  const Body body(test::gridMesh("hex8", {8, 8, 8}, {0.08, 0.08, 0.08}),
+                  makeMaterial("stvk", test::young, test::poisson, test::density));
+  const NodalBound incidences(body);
+  const DenseTangent dense(body, body.mesh().X);
+  LocalMode mode(body, incidences, 8, 1);
+  NodeVectors top = anyMode(body, 1);
+  rayleighLowerBound(body, body.mesh().X, top, 30);
+  mode.choose(top, 150);
+  double bound = 0;
+  for (int evaluation = 0; evaluation < 10; ++evaluation) bound = mode.evaluate(body.mesh().X).value;
+  EXPECT_GE(bound, 0.9965 * dense.largest());  // measured 0.9988
+}
+
+TEST(LocalMode, FollowsMassesAndConstraints) {
+  Body body = test::boxBody(test::allCuts()[0], "corotational");
+  const NodalBound incidences(body);
+  LocalMode mode(body, incidences, 30, 1);
+  mode.choose(anyMode(body, 2), 1000);
+  mode.evaluate(body.mesh().X);
+  for (std::int32_t i = 0; i < body.nodeCount(); i += 2) body.addNodalMass(i, 0.3 * body.lumpedMass()[i]);
+  double lambda = DenseTangent(body, body.mesh().X).largest();
+  EXPECT_NEAR(mode.evaluate(body.mesh().X).value, lambda, 1e-6 * lambda);
+  for (std::int32_t i = 0; i < body.nodeCount(); i += 3) body.constraints().fix(i);
+  lambda = DenseTangent(body, body.mesh().X).largest();
+  EXPECT_NEAR(mode.evaluate(body.mesh().X).value, lambda, 1e-6 * lambda);
+}
+
+TEST(LocalMode, HasNoBoundWithoutAMode) {
+  const Body body = test::boxBody(test::allCuts()[0], "linear");
+  const NodalBound incidences(body);
+  LocalMode mode(body, incidences, 3, 1);
+  EXPECT_EQ(mode.evaluate(body.mesh().X).value, 0);
+  mode.choose(NodeVectors::Zero(3, body.nodeCount()), 10);
+  EXPECT_EQ(mode.evaluate(body.mesh().X).value, 0);
+  mode.choose(NodeVectors(3, 0), 10);
+  EXPECT_EQ(mode.evaluate(body.mesh().X).value, 0);
+}
+
+TEST(LocalMode, NamesTheElementThatHoldsTheMode) {
+  // One element that is far stiffer for its size than the others.
+  Mesh mesh = test::gridMesh("tet4", {10, 2, 2}, {0.2, 0.04, 0.04});
+  const auto node = [](int i, int j, int k) { return i + 11 * (j + 3 * k); };
+  mesh.X(0, node(5, 1, 1)) += 0.95 * (mesh.X(0, node(6, 1, 1)) - mesh.X(0, node(5, 1, 1)));
+  const Body body(mesh, makeMaterial("stvk", test::young, test::poisson, test::density));
+  const NodalBound incidences(body);
+  NodeVectors start = NodeVectors::Zero(3, body.nodeCount());
+  start.col(node(5, 1, 1)).setOnes();
+  LocalMode mode(body, incidences, 20, 1);
+  mode.choose(start, 40);
+  const double bound = mode.evaluate(body.mesh().X).value;
+  EXPECT_GE(bound, 0.98 * DenseTangent(body, body.mesh().X).largest());
+  const auto nodes = body.blocks()[0]->nodesOf(mode.highestElement().element);
+  EXPECT_NE(std::find(nodes.begin(), nodes.end(), node(5, 1, 1)), nodes.end());
+}
+
+}  // namespace
+}  // namespace ringwatch
