@@ -33,6 +33,7 @@ Body bar(double stiff, bool graded) {
     to.ids.push_back(all.id(e));
   }
   mesh.blocks = std::move(blocks);
+  mesh.elementSets.clear();
   const std::vector<std::int32_t> clamped = mesh.nodeSets.at("x-min");
   std::vector<Material> materials{makeMaterial("linear", young, poisson, density),
                                   makeMaterial("linear", young * stiff, poisson, density)};
