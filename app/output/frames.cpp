@@ -51,10 +51,13 @@ bool FrameWriter::asksFor(const char* field) const {
   return std::find(scene_.fields.begin(), scene_.fields.end(), field) != scene_.fields.end();
 }
 
-FrameWriter::Steps FrameWriter::elementSteps(const std::string& metric, const NodeVectors& x, double factor) const {
-  const MetricResult result = evaluateMetric(metric, body_, x);
-  Steps steps{stepFieldName(*result.info, result.direction), {}};
-  for (const auto& block : result.elementLambda)
+FrameWriter::Steps FrameWriter::elementSteps(const std::string& metric, const NodeVectors& x, double factor) {
+  if (bodyVersion_ != body_.version()) metrics_.clear();
+  bodyVersion_ = body_.version();
+  std::unique_ptr<MetricEvaluator>& evaluator = metrics_[metric];
+  if (!evaluator) evaluator = makeMetricEvaluator(metric, body_);
+  Steps steps{stepFieldName(*findMetric(metric), metricDirection(metric, body_)), {}};
+  for (const auto& block : evaluator->evaluate(x))
     for (double lambda : block) steps.values.push_back(factor * rule_(lambda));
   return steps;
 }

@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -7,6 +9,7 @@
 
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/meshes/formats/vtu_writer.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch {
@@ -55,13 +58,15 @@ class FrameWriter {
     std::string name;
     std::vector<double> values;  // s, one an element
   };
-  Steps elementSteps(const std::string& metric, const NodeVectors& x, double factor) const;
+  Steps elementSteps(const std::string& metric, const NodeVectors& x, double factor);
 
   std::filesystem::path folder_;
   const Scene& scene_;
   const Body& body_;
   StepRule rule_;
   std::vector<PvdEntry> entries_;
+  std::map<std::string, std::unique_ptr<MetricEvaluator>> metrics_;  // asked for so far, of that version of the body
+  std::int64_t bodyVersion_ = 0;
 };
 
 }  // namespace ringwatch

@@ -286,7 +286,8 @@ void writeGrid(vtkUnstructuredGrid* grid, const Mesh& mesh, const std::filesyste
     writer->SetInputData(grid);
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();
-    writer->SetCompressorTypeToZLib();
+    // Twice as large as by zlib, and three times as quick.
+    writer->SetCompressorTypeToLZ4();
     errno = 0;
     const bool written = writer->Write() != 0 && writer->GetErrorCode() == 0 && !session.window->failed;
     const int system = errno;

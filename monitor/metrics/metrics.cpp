@@ -58,29 +58,24 @@ Values ring(const Body& body, const NodeVectors& x, const MetricProgress& progre
 class ReducedRingsAlong final : public MetricEvaluator {
  public:
   explicit ReducedRingsAlong(const Body& body) : ring_(body) {}
-  double highest(const NodeVectors& x) override {
-    double highest = 0;
-    for (const auto& block : ring_.evaluate(x).largest)
-      for (const double value : block) {
-        if (std::isnan(value)) return value;
-        highest = std::max(highest, value);
-      }
-    return highest;
-  }
+  const Values& evaluate(const NodeVectors& x) override { return ring_.evaluate(x).largest; }
 
  private:
   ReducedRing ring_;
 };
 
-/// Evaluates all elements each time.
+/// Keeps nothing.
 class FromScratch final : public MetricEvaluator {
  public:
   FromScratch(std::string_view name, const Body& body) : name_(name), body_(body) {}
-  double highest(const NodeVectors& x) override { return evaluateMetric(name_, body_, x).lambda; }
+  const Values& evaluate(const NodeVectors& x) override {
+    return values_ = evaluateMetric(name_, body_, x).elementLambda;
+  }
 
  private:
   std::string name_;
   const Body& body_;
+  Values values_;
 };
 
 using enum Direction;
@@ -139,14 +134,27 @@ std::unique_ptr<MetricEvaluator> makeMetricEvaluator(std::string_view name, cons
   return entry.along ? entry.along(body) : std::make_unique<FromScratch>(name, body);
 }
 
+double MetricEvaluator::highest(const NodeVectors& x) {
+  double highest = 0;
+  for (const auto& block : evaluate(x))
+    for (const double value : block) {
+      if (std::isnan(value)) return value;
+      highest = std::max(highest, value);
+    }
+  return highest;
+}
+
+Direction metricDirection(std::string_view name, const Body& body) {
+  const MetricEntry& entry = entryOf(name);
+  return entry.isUpperBoundOn && entry.isUpperBoundOn(body) ? Direction::upperBound : entry.info.direction;
+}
+
 const MetricInfo* findMetric(std::string_view name) { return registry().findInfo(name); }
 
 MetricResult evaluateMetric(std::string_view name, const Body& body, const NodeVectors& x,
                             const MetricProgress& progress) {
   const MetricEntry& entry = entryOf(name);
-  const bool bound = entry.isUpperBoundOn && entry.isUpperBoundOn(body);
-  MetricResult result{
-      findMetric(name), bound ? Direction::upperBound : entry.info.direction, 0, {}, entry.evaluate(body, x, progress)};
+  MetricResult result{findMetric(name), metricDirection(name, body), 0, {}, entry.evaluate(body, x, progress)};
   bool first = true;
   for (std::size_t b = 0; b < result.elementLambda.size(); ++b)
     for (std::size_t e = 0; e < result.elementLambda[b].size(); ++e)

@@ -19,15 +19,17 @@ struct MetricInfo {
   bool runsOnGpu = false;  // of a run whose steps are taken there: for tet4 without a handler
 };
 
+using MetricValues = std::vector<std::vector<double>>;  // [block][element], rad²/s²
+
 /// A metric along a run, which may keep from one evaluation to the next what does not depend on the positions.
 class MetricEvaluator {
  public:
   virtual ~MetricEvaluator() = default;
-  /// The largest element value at positions x (3×N, m), rad²/s²; NaN where an element has no tangent.
-  virtual double highest(const NodeVectors& x) = 0;
+  /// Of all elements at positions x (3×N, m); valid until the next call.
+  virtual const MetricValues& evaluate(const NodeVectors& x) = 0;
+  /// The largest of them; NaN where an element has no tangent.
+  double highest(const NodeVectors& x);
 };
-
-using MetricValues = std::vector<std::vector<double>>;  // [block][element], rad²/s²
 
 /// A metric that can be evaluated by name.
 struct MetricEntry {
@@ -57,6 +59,9 @@ const MetricInfo* findMetric(std::string_view name);
 /// freedom are left out. Throws InputError for an unknown name.
 MetricResult evaluateMetric(std::string_view name, const Body& body, const NodeVectors& x,
                             const MetricProgress& progress = {});
+/// The direction in which a metric errs on this body: MetricInfo's, or a proven side where its elements allow it.
+/// Throws InputError for an unknown name.
+Direction metricDirection(std::string_view name, const Body& body);
 /// A metric along a run; the body outlives it. Throws InputError for an unknown name.
 std::unique_ptr<MetricEvaluator> makeMetricEvaluator(std::string_view name, const Body& body);
 /// The names to choose from instead of one that `findMetric` does not know, separated by commas: those of its family
