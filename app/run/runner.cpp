@@ -398,12 +398,16 @@ class Run {
     if (result_.watchedSteps == 0 || result_.certified()) return;
     std::string note = fmt::format("certified steps: {} of {}", result_.certifiedSteps, result_.watchedSteps);
     if (result_.safeSeen && scene_.step) {
-      // Rounded down, so that the number as it is printed is certified.
-      const double unit = std::pow(10, std::floor(std::log10(result_.safeSeen->least)) - 3);
-      note += fmt::format(
-          "; the safe step was {:.4g} to {:.4g} s along the run: a step of {:.4g} s would have been "
-          "certified in these states",
-          result_.safeSeen->least, result_.safeSeen->largest, std::floor(result_.safeSeen->least / unit) * unit);
+      const auto [least, largest] = *result_.safeSeen;
+      note += fmt::format("; the safe step was {:.4g} to {:.4g} s along the run", least, largest);
+      // A run that has gone unstable ends in states that no useful step would have led to.
+      constexpr double useful = 0.1;  // of the largest
+      if (least > useful * largest) {
+        // Rounded down, so that the number as it is printed is certified.
+        const double unit = std::pow(10, std::floor(std::log10(least)) - 3);
+        note += fmt::format(": a step of {:.4g} s would have been certified in these states",
+                            std::floor(least / unit) * unit);
+      }
     }
     if (static_cast<std::int64_t>(body_.mesh().elementCount()) > MonitorOptions{}.firstObservationElements)
       note += fmt::format("; on more than {} elements inspect may prove a larger step than the run's first observation",
