@@ -38,7 +38,13 @@ class ElementGeometry {
   }));
 
   /// Throws NumericalError when a Jacobian determinant is not positive. Keeps the block by reference.
-  [[gnu::noinline]] ElementGeometry(const ElementBlock& block, const Mesh& mesh, const MeshBlock& meshBlock);
+  ElementGeometry(const ElementBlock& block, const Mesh& mesh, const MeshBlock& meshBlock)
+      : block_(block), points_(static_cast<int>(block.rule().points.size())), hasMean_(block.rule().shares.mean()) {
+    fill(mesh, meshBlock);
+  }
+  /// The constructor's work, which is compiled once an element (element_geometry.cpp): a constructor has no address
+  /// that would make every compiler emit all its variants there.
+  [[gnu::noinline]] void fill(const Mesh& mesh, const MeshBlock& meshBlock);
 
   /// Known at compile time for elements of constant gradient: the loop over points goes, and the sums stay in
   /// registers.

@@ -7,8 +7,8 @@
 namespace ringwatch {
 
 template <class Element>
-ElementGeometry<Element>::ElementGeometry(const ElementBlock& block, const Mesh& mesh, const MeshBlock& meshBlock)
-    : block_(block), points_(static_cast<int>(block.rule().points.size())), hasMean_(block.rule().shares.mean()) {
+void ElementGeometry<Element>::fill(const Mesh& mesh, const MeshBlock& meshBlock) {
+  const ElementBlock& block = block_;
   const QuadratureRule& rule = block.rule();
   shapeGradients_.resize(static_cast<std::size_t>(points_ * n * 3));
   for (int q = 0; q < points_; ++q)
