@@ -89,8 +89,10 @@ struct Grid {
   Grid(int x, int y, double jitter) : nx(x), ny(y) {
     test::Random random(5);
     for (int j = 0; j <= ny; ++j)
-      for (int i = 0; i <= nx; ++i)
-        X.emplace_back(0.1 * (i + jitter * random.uniform(-1, 1)), 0.1 * (j + jitter * random.uniform(-1, 1)));
+      for (int i = 0; i <= nx; ++i) {
+        const double above = jitter * random.uniform(-1, 1), right = jitter * random.uniform(-1, 1);
+        X.emplace_back(0.1 * (i + right), 0.1 * (j + above));  // drawn in an order that every compiler keeps
+      }
   }
   std::vector<std::int32_t> cell(int i, int j) const {
     const std::int32_t corner = i + (nx + 1) * j;
