@@ -2,8 +2,8 @@
 
 namespace ringwatch {
 
-Body subBody(const Body& whole, const std::vector<std::vector<std::int32_t>>& elements,
-             std::span<const std::int32_t> nodes, Eigen::VectorXd lumpedMass, int threads) {
+Body subBody(const Body& whole, std::span<const ElementRef> elements, std::span<const std::int32_t> nodes,
+             Eigen::VectorXd lumpedMass, int threads) {
   const Mesh& all = whole.mesh();
   Mesh mesh;
   mesh.X.resize(3, static_cast<Eigen::Index>(nodes.size()));
@@ -13,14 +13,12 @@ Body subBody(const Body& whole, const std::vector<std::vector<std::int32_t>>& el
     mesh.nodeIds.push_back(all.nodeId(nodes[i]));
     numberOf[nodes[i]] = static_cast<std::int32_t>(i);
   }
-  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
-    const MeshBlock& from = all.blocks[b];
-    MeshBlock block{from.type, {}, {}};
-    for (const std::int32_t e : elements[b]) {
-      block.ids.push_back(from.id(static_cast<std::size_t>(e)));
-      for (const std::int32_t node : whole.blocks()[b]->nodesOf(e)) block.connectivity.push_back(numberOf[node]);
-    }
-    mesh.blocks.push_back(std::move(block));
+  for (const MeshBlock& block : all.blocks) mesh.blocks.push_back({block.type, {}, {}});
+  for (const ElementRef e : elements) {
+    MeshBlock& block = mesh.blocks[e.block];
+    block.ids.push_back(all.blocks[e.block].id(static_cast<std::size_t>(e.element)));
+    for (const std::int32_t node : whole.blocks()[e.block]->nodesOf(e.element))
+      block.connectivity.push_back(numberOf[node]);
   }
   std::vector<std::unique_ptr<ElementBlock>> blocks;
   for (std::size_t b = 0; b < all.blocks.size(); ++b) {

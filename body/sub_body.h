@@ -6,10 +6,9 @@
 
 namespace ringwatch {
 
-/// Some elements as a body of their own, on some nodes of the whole (all that they have). elements: [block], ascending;
-/// blocks keep their numbers. lumpedMass: kg, one for each of the nodes. It has the constraints of the whole, and no
-/// loads.
-Body subBody(const Body& whole, const std::vector<std::vector<std::int32_t>>& elements,
-             std::span<const std::int32_t> nodes, Eigen::VectorXd lumpedMass, int threads);
+/// Some elements, ascending, as a body of their own, on some nodes of the whole (all that they have). Blocks keep their
+/// numbers. lumpedMass: kg, one for each of the nodes. It has the constraints of the whole, and no loads.
+Body subBody(const Body& whole, std::span<const ElementRef> elements, std::span<const std::int32_t> nodes,
+             Eigen::VectorXd lumpedMass, int threads);
 
 }  // namespace ringwatch

@@ -5,6 +5,15 @@
 namespace ringwatch {
 namespace {
 
+bool hasNode(const Mesh& mesh, std::int32_t node) {
+  return node >= 0 && static_cast<std::size_t>(node) < mesh.nodeCount();
+}
+
+[[noreturn]] void refuseNode(const Mesh& mesh, std::int32_t node, const std::string& owner) {
+  throw InputError(
+      joinText(owner, ": has node ", node, "; nodes are 0 to ", static_cast<std::int64_t>(mesh.nodeCount()) - 1));
+}
+
 void requireNodesOfBlock(const Mesh& mesh, std::size_t b) {
   const MeshBlock& block = mesh.blocks[b];
   const auto n = static_cast<std::size_t>(block.nodesPerElement());
@@ -16,9 +25,8 @@ void requireNodesOfBlock(const Mesh& mesh, std::size_t b) {
     throw InputError(joinText("block ", b, ": ", block.ids.size(), " ids for ", block.elementCount(),
                               " elements: give none, or one an element"));
   for (std::size_t i = 0; i < block.connectivity.size(); ++i)
-    if (const std::int32_t node = block.connectivity[i]; node < 0 || static_cast<std::size_t>(node) >= mesh.nodeCount())
-      throw InputError(joinText("block ", b, ", ", name, " element ", i / n, ": has node ", node, "; nodes are 0 to ",
-                                static_cast<std::int64_t>(mesh.nodeCount()) - 1));
+    if (const std::int32_t node = block.connectivity[i]; !hasNode(mesh, node))
+      refuseNode(mesh, node, joinText("block ", b, ", ", name, " element ", i / n));
 }
 
 }  // namespace
@@ -30,9 +38,7 @@ void requireValid(const Mesh& mesh) {
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) requireNodesOfBlock(mesh, b);
   for (const auto& [name, nodes] : mesh.nodeSets)
     for (const std::int32_t node : nodes)
-      if (node < 0 || static_cast<std::size_t>(node) >= mesh.nodeCount())
-        throw InputError(joinText("node set \"", name, "\": has node ", node, "; nodes are 0 to ",
-                                  static_cast<std::int64_t>(mesh.nodeCount()) - 1));
+      if (!hasNode(mesh, node)) refuseNode(mesh, node, joinText("node set \"", name, "\""));
   for (const auto& [name, elements] : mesh.elementSets)
     for (const ElementRef e : elements)
       if (e.block < 0 || static_cast<std::size_t>(e.block) >= mesh.blocks.size() || e.element < 0 ||

@@ -6,7 +6,7 @@
 #include <span>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/base/sort_unique.h>
+#include <ringwatch/body/nodes_of.h>
 #include <ringwatch/handlers/selection/rotation_of.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 
@@ -141,25 +141,8 @@ class IncrementalSelection::Choice {
 
   /// Elements at some nodes, ascending, but excluded ones.
   std::vector<ElementRef> explicitElementsAt(const std::vector<std::int32_t>& nodes) const {
-    std::vector<ElementRef> elements = elementsAt(nodes);
+    std::vector<ElementRef> elements = state_.weights().elementsAt(nodes);
     std::erase_if(elements, [&](ElementRef e) { return state_.excluded(e); });
-    return elements;
-  }
-  std::vector<std::int32_t> nodesOf(const std::vector<ElementRef>& elements) const {
-    std::vector<std::int32_t> nodes;
-    for (const ElementRef e : elements) {
-      const auto own = body_.blocks()[e.block]->nodesOf(e.element);
-      nodes.insert(nodes.end(), own.begin(), own.end());
-    }
-    sortUnique(nodes);
-    return nodes;
-  }
-  std::vector<ElementRef> elementsAt(const std::vector<std::int32_t>& nodes) const {
-    std::vector<ElementRef> elements;
-    for (const std::int32_t node : nodes)
-      for (const NodalBound::Incidence at : state_.weights().incidences(node))
-        elements.push_back(state_.weights().elementAt(at));
-    sortUnique(elements);
     return elements;
   }
 
@@ -227,7 +210,7 @@ void IncrementalSelection::Choice::chooseAmong(const std::vector<ElementRef>& re
   exclude(region, true);
   ElementFlags flags = noElements(body_.mesh());
   setAll(flags, region, true);
-  const std::vector<std::int32_t> nodes = nodesOf(region);
+  const std::vector<std::int32_t> nodes = nodesOfElements(body_, region);
   sumAt(nodes);
   std::vector<Eigen::Matrix3d> outside;
   NodeVectors x(3, static_cast<Eigen::Index>(nodes.size()));
@@ -302,12 +285,12 @@ const CertifiedSelection& IncrementalSelection::choose(const Body& body, const N
   if (const auto above = choice.violated(all); !above.empty()) {
     const std::vector<ElementRef> doubtful = choice.explicitElementsAt(above);
     choice.evaluate(doubtful);
-    const std::vector<std::int32_t> nodes = choice.nodesOf(doubtful);
+    const std::vector<std::int32_t> nodes = nodesOfElements(body, doubtful);
     choice.sumAt(nodes);
     for (const ElementRef e : choice.explicitElementsAt(choice.violated(nodes))) again.push_back(e);
   }
   if (!again.empty()) {
-    std::vector<ElementRef> region = choice.elementsAt(choice.nodesOf(again));
+    std::vector<ElementRef> region = choice.state().weights().elementsAt(nodesOfElements(body, again));
     std::erase_if(region, [&](ElementRef e) { return keep[e.block][e.element]; });
     if (static_cast<double>(region.size()) > policy_.tooLargeRegion * static_cast<double>(body.mesh().elementCount())) {
       const std::int64_t before = last_.evaluations;

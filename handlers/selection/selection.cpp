@@ -57,7 +57,7 @@ std::vector<std::int32_t> nodesOf(const Body& body, const ElementFlags& elements
 
 Body bodyOf(const Body& body, const ElementFlags& flags, std::span<const std::int32_t> nodes,
             const Eigen::VectorXd& mass) {
-  return subBody(body, elementNumbers(flags), nodes, mass, body.threads());
+  return subBody(body, chosenElements(flags), nodes, mass, body.threads());
 }
 
 namespace {

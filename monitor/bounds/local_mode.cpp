@@ -5,7 +5,7 @@
 #include <queue>
 #include <utility>
 
-#include <ringwatch/base/sort_unique.h>
+#include <ringwatch/body/nodes_of.h>
 #include <ringwatch/body/sub_body.h>
 #include <ringwatch/monitor/bounds/rayleigh.h>
 
@@ -48,25 +48,11 @@ std::vector<std::int32_t> LocalMode::grow(const NodeVectors& mode) const {
 }
 
 void LocalMode::makePart(const std::vector<std::int32_t>& region) {
-  std::vector<std::vector<std::int32_t>> elements(body_.blocks().size());
-  for (const std::int32_t node : region)
-    for (const NodalBound::Incidence at : incidences_.incidences(node))
-      elements[at.block].push_back(incidences_.elementAt(at).element);
-  nodes_.clear();
-  for (std::size_t b = 0; b < elements.size(); ++b) {
-    sortUnique(elements[b]);
-    for (const std::int32_t e : elements[b]) {
-      const auto own = body_.blocks()[b]->nodesOf(e);
-      nodes_.insert(nodes_.end(), own.begin(), own.end());
-    }
-  }
-  sortUnique(nodes_);
-  Eigen::VectorXd mass(static_cast<Eigen::Index>(nodes_.size()));
-  for (std::size_t i = 0; i < nodes_.size(); ++i) mass[static_cast<Eigen::Index>(i)] = body_.lumpedMass()[nodes_[i]];
-  part_ = std::make_unique<Body>(subBody(body_, elements, nodes_, std::move(mass), body_.threads()));
+  const std::vector<ElementRef> elements = incidences_.elementsAt(region);
+  nodes_ = nodesOfElements(body_, elements);
+  part_ = std::make_unique<Body>(subBody(body_, elements, nodes_, body_.lumpedMass()(nodes_), body_.threads()));
   for (std::int32_t i = 0; i < part_->nodeCount(); ++i)
     if (!std::binary_search(region.begin(), region.end(), nodes_[i])) part_->constraints().fix(i);
-  x_.resize(3, part_->nodeCount());
   bodyVersion_ = body_.version();
 }
 
@@ -78,8 +64,8 @@ void LocalMode::choose(const NodeVectors& mode, std::size_t nodes) {
   const std::vector<std::int32_t> region = grow(mode);
   if (region.empty()) return;
   makePart(region);
-  vector_ = NodeVectors(3, part_->nodeCount());
-  for (std::int32_t i = 0; i < part_->nodeCount(); ++i) vector_.col(i) = mode.col(nodes_[i]);
+  vector_ = mode(Eigen::all, nodes_);
+  largest_ = 0;
   sinceSearch_ = searchGap;
   isNew_ = true;
 }
@@ -88,13 +74,14 @@ LowerBound LocalMode::evaluate(const NodeVectors& x) {
   if (!part_) return {0};
   if (bodyVersion_ != body_.version()) {
     NodeVectors mode = NodeVectors::Zero(3, body_.nodeCount());
-    for (std::int32_t i = 0; i < part_->nodeCount(); ++i) mode.col(nodes_[i]) = vector_.col(i);
+    mode(Eigen::all, nodes_) = vector_;
     choose(mode, size_);
     if (!part_) return {0};
   }
-  for (std::int32_t i = 0; i < part_->nodeCount(); ++i) x_.col(i) = x.col(nodes_[i]);
+  x_ = x(Eigen::all, nodes_);
   const bool improve = isNew_ || ++sinceImproved_ >= gap_;
-  const LowerBound bound = rayleighLowerBound(*part_, x_, vector_, isNew_ ? 3 * products_ : improve ? products_ : 1);
+  const int products = isNew_ ? 3 * products_ : improve ? products_ : 1;
+  const LowerBound bound = rayleighLowerBound(*part_, x_, vector_, products, &largest_);
   if (improve) sinceImproved_ = 0;
   isNew_ = false;
   if (++sinceSearch_ >= searchGap) findHighestElement(x);

@@ -48,6 +48,7 @@ class LocalMode {
   std::unique_ptr<Body> part_;
   std::vector<std::int32_t> nodes_;  // of the part: the region and its rim, which is held; ascending
   NodeVectors x_, vector_;           // positions and the mode, of the part
+  double largest_ = 0;               // size of an eigenvalue that was seen in this region, for the rounding
   ElementRef highest_;
   int sinceSearch_ = searchGap, sinceImproved_ = 0;
   bool isNew_ = false;

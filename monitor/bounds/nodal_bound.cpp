@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/monitor/bounds/nodal_weights.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 
@@ -301,6 +302,14 @@ ElementRef NodalBound::elementAt(Incidence at) const {
   const ElementTangents& block = *source_->tangents()[at.block];
   const std::int32_t batch = at.place / lanes / block.nodesPerElement();
   return {at.block, block.layout().elements[batch * lanes + at.place % lanes]};
+}
+
+std::vector<ElementRef> NodalBound::elementsAt(std::span<const std::int32_t> nodes) const {
+  std::vector<ElementRef> elements;
+  for (const std::int32_t node : nodes)
+    for (const Incidence at : incidences(node)) elements.push_back(elementAt(at));
+  sortUnique(elements);
+  return elements;
 }
 
 NodalBound::Incidence NodalBound::incidenceOf(ElementRef e, int a) const {

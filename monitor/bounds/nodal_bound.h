@@ -73,6 +73,8 @@ class NodalBound {
     return {{incidence_.data() + incidenceBegin_[i], incidence_.data() + incidenceBegin_[i + 1]}, firstOfBlock_.data()};
   }
   ElementRef elementAt(Incidence at) const;
+  /// The elements that have at least one of the nodes, ascending.
+  std::vector<ElementRef> elementsAt(std::span<const std::int32_t> nodes) const;
   /// Of an element at its node a.
   Incidence incidenceOf(ElementRef e, int a) const;
   /// L of a weight D = L Lᵀ, lower triangle 00, 11, 22, 21, 20, 10. Any weights give a bound, so those in memory may as

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 
 namespace ringwatch {
@@ -14,12 +13,9 @@ void NodeSubmatrix::choose(std::vector<std::int32_t> nodes) {
   sourceVersion_ = source_.version();
   std::sort(nodes_.begin(), nodes_.end());
   blocks_.assign(source_.tangents().size(), {});
-  for (const std::int32_t node : nodes_)
-    for (const NodalBound::Incidence at : incidences_.incidences(node))
-      blocks_[at.block].elements.push_back(incidences_.elementAt(at).element);
+  for (const ElementRef e : incidences_.elementsAt(nodes_)) blocks_[e.block].elements.push_back(e.element);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     auto& [elements, parts] = blocks_[b];
-    sortUnique(elements);
     for (const std::int32_t e : elements) {
       Part& part = parts.emplace_back();
       const auto own = source_.tangents()[b]->nodesOf(e);

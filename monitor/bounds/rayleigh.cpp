@@ -9,7 +9,8 @@
 
 namespace ringwatch {
 
-LowerBound rayleighLowerBound(const TangentSource& source, const NodeVectors& x, NodeVectors& start, int products) {
+LowerBound rayleighLowerBound(const TangentSource& source, const NodeVectors& x, NodeVectors& start, int products,
+                              double* seen) {
   source.constraints().clearConstrained(start);
   const double norm = start.norm();
   if (!(norm > 0) || !std::isfinite(norm)) {
@@ -56,6 +57,7 @@ LowerBound rayleighLowerBound(const TangentSource& source, const NodeVectors& x,
   double largest = w.norm();
   for (int i = 0; i < size; ++i)
     largest = std::max(largest, std::abs(diagonal[i]) + subdiagonal[i] + (i > 0 ? subdiagonal[i - 1] : 0.0));
+  if (seen) *seen = largest = std::max(largest, *seen);
   return {quotient - 1e-12 * largest};
 }
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include <ringwatch/base/eigen_instances.h>
-#include <ringwatch/base/sort_unique.h>
+#include <ringwatch/body/nodes_of.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 
 namespace ringwatch {
@@ -41,11 +41,7 @@ class Neighbourhood {
   /// The elements at the free nodes of the seed.
   void choose(const std::vector<ElementRef>& seed) {
     inner_ = freeNodesOf(seed);
-    ring_.clear();
-    for (const std::int32_t node : inner_)
-      for (const NodalBound::Incidence at : state_.weights().incidences(node))
-        ring_.push_back(state_.weights().elementAt(at));
-    sortUnique(ring_);
+    ring_ = state_.weights().elementsAt(inner_);
     nodes_ = freeNodesOf(ring_);
     save();
     meetings_.clear();
@@ -156,11 +152,9 @@ class Neighbourhood {
   };
   std::span<const std::int32_t> nodesOf(ElementRef e) const { return body_.blocks()[e.block]->nodesOf(e.element); }
   std::vector<std::int32_t> freeNodesOf(const std::vector<ElementRef>& elements) const {
-    std::vector<std::int32_t> nodes;
-    for (const ElementRef e : elements)
-      for (const std::int32_t node : nodesOf(e))
-        if (!body_.constraints().any() || body_.constraints().freeComponents(node) > 0) nodes.push_back(node);
-    sortUnique(nodes);
+    std::vector<std::int32_t> nodes = nodesOfElements(body_, elements);
+    if (body_.constraints().any())
+      std::erase_if(nodes, [&](std::int32_t node) { return body_.constraints().freeComponents(node) == 0; });
     return nodes;
   }
   /// Every neighbourhood holds the smaller one before it, of which all is saved.

@@ -62,7 +62,7 @@ struct BracketPolicy {
   double close = 0.02;
 
   /// Evaluations between two examinations of compressed rings, and of a step that is certified before it is tested in
-  /// the cheapest way again.
+  /// the cheapest way again; refreshes for a step that is not certified between two restarts from all reduced rings.
   int firstGap = 10;
 };
 
@@ -138,7 +138,7 @@ class RunBracket {
   Backoff wholeMode_, restart_, search_;
   LowestRing lowest_{0, {}};
   std::size_t nextCompressed_ = 0;
-  LowestMode least_;                         // what it proved
+  LowestMode least_;                         // what the last search for a negative direction proved
   double searchedAt_ = 0;                    // the compression then
   std::optional<CriticalStep> step_, best_;  // best_: from scratch, of positions bestAt_ and that version of the body
   NodeVectors bestAt_;

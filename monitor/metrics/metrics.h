@@ -27,7 +27,7 @@ class MetricEvaluator {
   virtual ~MetricEvaluator() = default;
   /// Of all elements at positions x (3×N, m); valid until the next call.
   virtual const MetricValues& evaluate(const NodeVectors& x) = 0;
-  /// The largest of them; NaN where an element has no tangent.
+  /// The largest of them, at least 0; NaN where an element has no tangent.
   double highest(const NodeVectors& x);
 };
 

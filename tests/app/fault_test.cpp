@@ -33,12 +33,19 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-constexpr bool sanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+// GCC defines the macros, Clang has the features.
+#ifndef __has_feature
+#define __has_feature(name) 0
+#endif
+#if defined(__SANITIZE_THREAD__) || __has_feature(thread_sanitizer)
+constexpr bool checksThreads = true;
 #else
-constexpr bool sanitized = false;
+constexpr bool checksThreads = false;
+#endif
+#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = checksThreads;
 #endif
 
 /// Sanitizers reserve terabytes of addresses.
@@ -281,6 +288,7 @@ TEST_F(Faults, AKilledRunLeavesWholeRows) {
 // Limits, full disks, closed streams
 
 TEST_F(Faults, AFrameThatDoesNotFitIsOneLine) {
+  if (checksThreads) GTEST_SKIP() << "the thread sanitizer writes a file of its own when it starts";
   // Blocks of 512 or 1024 bytes; a frame of this mesh has some 100 kB.
   const Outcome outcome =
       call("run tiny.toml --out r --set output.every=0.01 --set mesh.cells=[40,10,10]", "ulimit -f 20; ");
@@ -289,6 +297,7 @@ TEST_F(Faults, AFrameThatDoesNotFitIsOneLine) {
 }
 
 TEST_F(Faults, AHistoryThatDoesNotFitKeepsItsWholeRows) {
+  if (checksThreads) GTEST_SKIP() << "the thread sanitizer writes a file of its own when it starts";
   const Outcome outcome = call("run tiny.toml --out r --set integrator.end=1", "ulimit -f 8; ");
   expectRefused(outcome, "cannot write r/history.csv: File too large");
   EXPECT_THAT(folder_.read("r/history.csv"), EndsWith("\n"));

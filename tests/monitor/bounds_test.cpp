@@ -170,6 +170,22 @@ TEST(Rayleigh, IsALowerBoundThatProductsTighten) {
       }
 }
 
+TEST(Rayleigh, IsRoundedByTheLargestEigenvalueThatWasSeen) {
+  const Body body = test::boxBody(test::allCuts()[0], "linear");
+  test::Random random(7);
+  const NodeVectors start = random.nodeVectors(body.nodeCount(), 1);
+  NodeVectors v = start;
+  const double alone = rayleighLowerBound(body, body.mesh().X, v, 1).value;
+  double seen = 1e6 * alone;
+  v = start;
+  EXPECT_NEAR(alone - rayleighLowerBound(body, body.mesh().X, v, 1, &seen).value, 1e-6 * alone, 1e-11 * alone);
+  EXPECT_EQ(seen, 1e6 * alone);
+  seen = 0;
+  v = start;
+  EXPECT_EQ(rayleighLowerBound(body, body.mesh().X, v, 1, &seen).value, alone);
+  EXPECT_GT(seen, alone);
+}
+
 TEST(Rayleigh, GivesZeroForNoStart) {
   const Body body = test::boxBody(test::allCuts()[0], "linear");
   NodeVectors zero = NodeVectors::Zero(3, body.nodeCount());
