@@ -2,6 +2,7 @@
 
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/output_file.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
 #include <ringwatch/meshes/formats/vtu_writer.h>
@@ -9,10 +10,8 @@
 // The only file that knows VTK, so that everything else builds without it.
 #ifdef RINGWATCH_WITH_VTK
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <mutex>
 
@@ -20,7 +19,6 @@
 #include <vtkCellData.h>
 #include <vtkDataCompressor.h>
 #include <vtkDoubleArray.h>
-#include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkLZ4DataCompressor.h>
 #include <vtkLZMADataCompressor.h>
@@ -253,25 +251,6 @@ void addSets(vtkUnstructuredGrid* grid, const Mesh& mesh, const NameOf& nameOf) 
   }
 }
 
-/// VTK does not look at what fails when it closes a file: the end tells whether all of it is there.
-bool isWhole(const std::filesystem::path& path) {
-  constexpr std::string_view end = "</VTKFile>\n";
-  std::ifstream file(path, std::ios::binary);
-  std::string found(end.size(), '\0');
-  file.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
-  file.read(found.data(), static_cast<std::streamsize>(found.size()));
-  return file && found == end;
-}
-
-/// Why VTK could not write, in the system's words where the system refused.
-std::string reasonOf(unsigned long vtkCode, int system, const std::string& said) {
-  for (const int known : {ENOSPC, EFBIG, EDQUOT, EIO, EROFS, EACCES, ENOENT})
-    if (system == known) return std::strerror(system);
-  if (vtkCode == vtkErrorCode::OutOfDiskSpaceError) return std::strerror(ENOSPC);
-  if (vtkCode > 0 && vtkCode < vtkErrorCode::FirstVTKErrorCode) return std::strerror(static_cast<int>(vtkCode));
-  return said.empty() ? "input/output error" : said;
-}
-
 void writeGrid(vtkUnstructuredGrid* grid, const Mesh& mesh, const std::filesystem::path& path) {
   std::vector<std::int64_t> nodeIds, ids;
   for (std::size_t i = 0; i < mesh.nodeCount(); ++i) nodeIds.push_back(mesh.nodeId(static_cast<std::int32_t>(i)));
@@ -279,21 +258,25 @@ void writeGrid(vtkUnstructuredGrid* grid, const Mesh& mesh, const std::filesyste
     for (std::size_t e = 0; e < block.elementCount(); ++e) ids.push_back(block.id(e));
   addArray<vtkTypeInt64Array>(grid->GetPointData(), "originalNodeId", 1, std::span<const std::int64_t>(nodeIds));
   addArray<vtkTypeInt64Array>(grid->GetCellData(), "originalElementId", 1, std::span<const std::int64_t>(ids));
-  writeFileAtomically(path, [&](const std::filesystem::path& temporary) {
+  // Into memory first: VTK looks neither at what fails when it closes a file nor keeps why.
+  std::string text;
+  {
     const VtkSession session;
     vtkNew<vtkXMLUnstructuredGridWriter> writer;
-    writer->SetFileName(temporary.c_str());
+    writer->SetWriteToOutputString(1);
     writer->SetInputData(grid);
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();
     // Twice as large as by zlib, and three times as quick.
     writer->SetCompressorTypeToLZ4();
-    errno = 0;
-    const bool written = writer->Write() != 0 && writer->GetErrorCode() == 0 && !session.window->failed;
-    const int system = errno;
-    if (!written || !isWhole(temporary))
-      throw InputError("cannot write " + path.string() + ": " +
-                       reasonOf(writer->GetErrorCode(), system, session.window->first));
+    if (writer->Write() == 0 || session.window->failed)
+      throw InputError("cannot write " + path.string() + ": " + session.window->first);
+    text = writer->GetOutputString();
+  }
+  writeFileAtomically(path, [&](const std::filesystem::path& temporary) {
+    OutputFile file(temporary, OutputFile::Mode::empty, path.string());
+    file.write(text);
+    file.close();
   });
 }
 
