@@ -6,11 +6,12 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/stability_limit.h>
+#include <ringwatch/verify/matrix_eigenvalues.h>
 
 namespace ringwatch {
 namespace {
@@ -70,22 +71,6 @@ bool isStable(const TransitionMatrix& T) {
 }
 
 }  // namespace
-
-Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& A) {
-  // Eigen's iteration fails on some matrices. A reflection keeps the eigenvalues and sends it another way.
-  Eigen::MatrixXd similar = A;
-  constexpr int attempts = 4;
-  for (int attempt = 0; attempt < attempts; ++attempt) {
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(similar, false);
-    if (solver.info() == Eigen::Success) return solver.eigenvalues();
-    Eigen::VectorXd normal(A.rows());
-    for (Eigen::Index i = 0; i < A.rows(); ++i) normal[i] = std::cos(1.0 + attempt + 2.0 * static_cast<double>(i));
-    normal.normalize();
-    similar -= 2 * normal * (normal.transpose() * similar).eval();
-    similar -= 2 * (similar * normal).eval() * normal.transpose();
-  }
-  throw NumericalError(joinText("eigenvalues of a ", A.rows(), " by ", A.cols(), " matrix: the iteration failed"));
-}
 
 double TransitionMatrix::spectralRadius() const {
   if (!found) return nan;

@@ -65,11 +65,6 @@ class AdditiveOscillator final : public AdditiveSystem {
   Oscillator nonstiff_, stiff_;
 };
 
-/// Of a general square matrix. Throws NumericalError where they are not found. Eigen's solver for real matrices may
-/// give up where eigenvalues come in defective pairs, as those of two-step methods at critical damping do; the complex
-/// one is asked then.
-Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& A);
-
 /// One step as a linear map, found by stepping unit vectors.
 struct TransitionMatrix {
   /// (omega x, v) of the last `memory` states -> the next, as a companion matrix: 2×2 for a one-step method.

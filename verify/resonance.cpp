@@ -9,6 +9,7 @@
 #include <ringwatch/handlers/local_time_stepping/local_time_stepping.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/verify/matrix_eigenvalues.h>
 #include <ringwatch/verify/oscillator.h>
 
 namespace ringwatch {

@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include <ringwatch/verify/matrix_eigenvalues.h>
 #include <ringwatch/verify/oscillator.h>
 #include <ringwatch/verify/spring_chain.h>
 
