@@ -328,7 +328,7 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
 template <class Element, class Law, class R>
 struct PatchLauncher {
   static constexpr int n = Element::nodes, threads = patchThreads(n);
-  /// Thread blocks that must fit on a multiprocessor: bounds the registers. Measured; see docs/performance.md.
+  /// Thread blocks that must fit on a multiprocessor: bounds the registers. Measured; see bench/results.
   static constexpr int minBlocks = n == 4 ? (sizeof(R) == 8 ? 3 : 6) : 2;
 
   static ShapeTable<Element, R> tableOf(const QuadratureRule& rule) {

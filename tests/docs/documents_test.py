@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds README.md and all of docs/, and the files that CONTRIBUTING.md names, to the program and to the repository.
+"""Holds README.md, all of docs/ and bench/, and the files that CONTRIBUTING.md names, to the program and to the repository.
 
 usage: documents_test.py links|lists|commands SOURCE_DIR PROGRAM
 
@@ -45,6 +45,7 @@ NOT_RUN = {
     "compute-sanitizer": "needs a GPU machine",
     "bench/figures": "measures for minutes",
     "bench/compare.py": "compares results of the benchmark programs",
+    "cmake": "configures and builds",
     "cp": "copies pictures that bench/figures makes",
     "build/release/bin/ringwatch_bench_body": "bench",
     "build/release/bin/ringwatch_bench_monitor": "bench",
@@ -58,7 +59,7 @@ class Documents:
     def __init__(self, source, program):
         self.source = source
         self.program = program
-        self.paths = [source / "README.md", *sorted((source / "docs").rglob("*.md"))]
+        self.paths = [source / "README.md", *sorted((source / "docs").rglob("*.md")), *sorted((source / "bench").rglob("*.md"))]
         self.faults = []
         self.helps = {}
 
