@@ -137,7 +137,7 @@ CompareResult compareScene(const CompareOptions& options) {
     throw InputError(fmt::format("{}: nothing moves; give a force or a prescribed motion", scene.file.string()));
   const WorkPrecisionCase c{
       options.scene.stem().string(),
-      fmt::format("{}: {}, {}", options.scene.stem().string(), elementCounts(body.mesh()), scene.model),
+      fmt::format("{}: {}, {}", options.scene.stem().string(), elementCounts(body.mesh()), modelsText(scene.materials)),
       system,
       start,
       scene.end,

@@ -83,9 +83,9 @@ struct Subject {
   std::vector<std::string> notes;
 };
 
-Body makeBody(const Scene& scene, Mesh mesh, const InspectOptions& options) {
+Body makeBody(const Scene& scene, Mesh mesh, const InspectOptions& options, MaterialsBy by) {
   try {
-    return sceneBody(scene, std::move(mesh), options.threads);
+    return sceneBody(scene, std::move(mesh), options.threads, by);
   } catch (const NumericalError& fault) {
     throw InputError(fmt::format("{}: {}", options.mesh.string(), fault.what()));
   }
@@ -114,16 +114,25 @@ std::vector<PvdEntry> framesOf(const std::filesystem::path& folder) {
 
 /// What the command line says beyond the scene of a run, or instead of one.
 void override(Scene& scene, const InspectOptions& options) {
-  if (options.model && *options.model != scene.model) {
-    scene.model = *options.model;
-    const LawInfo& law = lawNamed(scene.model);
+  const auto given = [&]() -> std::string {
+    if (options.model) return "--model";
+    if (options.density) return "--density";
+    return options.parameters.begin() == options.parameters.end() ? "" : "--" + options.parameters.begin()->first;
+  }();
+  if (scene.materials.size() > 1 && !given.empty())
+    throw InputError(fmt::format("{}: the run has {} materials; leave it out, all are those of its scene", given,
+                                 scene.materials.size()));
+  SceneMaterial& material = scene.materials.front();
+  if (options.model && *options.model != material.model) {
+    material.model = *options.model;
+    const LawInfo& law = lawNamed(material.model);
     Options kept;  // what the scene's law has in common with it
-    for (const auto& [name, value] : scene.parameters)
+    for (const auto& [name, value] : material.parameters)
       if (findOption(law.parameters, name)) kept.set(name, value);
-    scene.parameters = std::move(kept);
+    material.parameters = std::move(kept);
   }
-  for (const auto& [name, value] : options.parameters) scene.parameters.set(name, value);
-  scene.density = options.density.value_or(scene.density);
+  for (const auto& [name, value] : options.parameters) material.parameters.set(name, value);
+  material.density = options.density.value_or(material.density);
   scene.lumping = options.lumping.value_or(scene.lumping);
   scene.method = options.integrator.value_or(scene.method);
   for (auto& [element, rule] : parseRules(options.rules, "--rule")) scene.rules[element] = rule;
@@ -146,11 +155,11 @@ Subject subjectOfRun(const InspectOptions& options) {
     notes.push_back(findHandler(scene.handler)->addsMass
                         ? "the run scaled masses; this is the body without added mass"
                         : fmt::format("the run handled elements apart ({}); here all elements count", scene.handler));
-  return {makeBody(scene, std::move(state.mesh), options),
+  return {makeBody(scene, std::move(state.mesh), options, MaterialsBy::mesh),
           std::move(state.x),
           stepRule(integrator, scene.damping),
           &integrator,
-          scene.model,
+          modelsText(scene.materials),
           scene.damping.any(),
           fmt::format("in frame {} of {}, t = {:.6g} s", *options.frame, frames.size(), frame.time),
           Json{{"frame", *options.frame}, {"frames", frames.size()}, {"time", frame.time}},
@@ -179,12 +188,13 @@ Subject subjectOf(const InspectOptions& options) {
   for (const OptionInfo& parameter : law.parameters)
     if (parameter.fallback.empty() && !options.parameters.find(parameter.name)) throw required(parameter.name);
   if (!options.density) throw required("density");
-  scene.model = "stvk";
+  scene.materials.emplace_back().model = "stvk";
   scene.method = "symplectic-euler";
   scene.meshOrigin = options.mesh.string();
   override(scene, options);
   const IntegratorInfo& integrator = integratorNamed(scene.method);
-  makeMaterial(scene.model, scene.parameters, scene.density);  // throws before a large mesh is read
+  const SceneMaterial& material = scene.materials.front();
+  makeMaterial(material.model, material.parameters, material.density);  // throws before a large mesh is read
   std::vector<std::string> notes;
   MeshState state;
   if (options.displacement) {
@@ -194,11 +204,11 @@ Subject subjectOf(const InspectOptions& options) {
     state.x = state.mesh.X;
   }
   for (std::string& note : meshNotes(state.mesh, options.mesh.string())) notes.push_back(std::move(note));
-  return {makeBody(scene, std::move(state.mesh), options),
+  return {makeBody(scene, std::move(state.mesh), options, MaterialsBy::scene),
           std::move(state.x),
           StepRule(integrator.imaginaryLimit),
           &integrator,
-          scene.model,
+          modelsText(scene.materials),
           false,
           options.displacement ? fmt::format("with displacement \"{}\"", *options.displacement) : "at rest",
           options.displacement ? Json{{"displacement", *options.displacement}} : Json("rest"),

@@ -77,7 +77,7 @@ void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameS
   }
   std::vector<Steps> steps;
   steps.reserve(metrics.size() + 2);  // the fields point into it
-  std::vector<std::int32_t> verdicts, handled;
+  std::vector<std::int32_t> verdicts, handled, materials;
   std::vector<VtuField> cells;
   const auto add = [&](Steps own) {
     steps.push_back(std::move(own));
@@ -101,6 +101,12 @@ void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameS
     const std::vector<std::size_t> first = blockOffsets(body_.mesh());
     for (const ElementRef e : state.handled) handled[first[e.block] + static_cast<std::size_t>(e.element)] = 1;
     cells.push_back({"handler", 1, std::span<const std::int32_t>(handled)});
+  }
+
+  if (const std::vector<int> ofBlocks = materialOfBlocks(body_.mesh()); !ofBlocks.empty()) {
+    for (std::size_t b = 0; b < ofBlocks.size(); ++b)
+      materials.insert(materials.end(), body_.mesh().blocks[b].elementCount(), ofBlocks[b]);
+    cells.push_back({"material", 1, std::span<const std::int32_t>(materials)});
   }
 
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();

@@ -43,6 +43,50 @@ Json handlerJson(const Scene& scene, const RunResult& result) {
   return json;
 }
 
+/// The materials with what they are of, and which of them governs the bracket.
+Json materialsJson(const Scene& scene, const Body& body, const RunResult& result) {
+  const std::vector<int> ofBlocks = materialOfBlocks(body.mesh());
+  Json json = Json::array();
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    std::size_t elements = 0;
+    double mass = 0, nodal[maxElementNodes];
+    for (std::size_t b = 0; b < body.blocks().size(); ++b) {
+      if (!ofBlocks.empty() && ofBlocks[b] != static_cast<int>(m)) continue;
+      elements += body.mesh().blocks[b].elementCount();
+      for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
+        body.elementLumpedMass({static_cast<std::int32_t>(b), e}, nodal);
+        for (int a = 0; a < body.blocks()[b]->nodesPerElement(); ++a) mass += nodal[a];
+      }
+    }
+    json.push_back(
+        {{"number", m},
+         {"selection", scene.materials[m].selection()},
+         {"model", scene.materials[m].model},
+         {"elements", elements},
+         {"mass", mass},
+         {"governed_observations", result.governing ? Json(result.governing->observations[m]) : Json(nullptr)}});
+  }
+  return json;
+}
+
+std::string materialText(const Scene& scene, int number) {
+  return fmt::format("material {} ({}, {})", number, scene.materials[static_cast<std::size_t>(number)].selection(),
+                     scene.materials[static_cast<std::size_t>(number)].model);
+}
+
+/// Which material governs the bracket; "" where nothing is known of it.
+std::string governingText(const Scene& scene, const RunResult& result) {
+  if (!result.governing || !result.governing->leastSafe) return "";
+  const RunResult::Governing& governing = *result.governing;
+  std::string text = fmt::format("{} governs: the least safe step, {:.4g} s, is that of one of its elements",
+                                 materialText(scene, governing.atLeastSafe), *governing.leastSafe);
+  for (std::size_t m = 0; m < governing.observations.size(); ++m)
+    if (static_cast<int>(m) != governing.atLeastSafe && governing.observations[m] > 0)
+      text += fmt::format("; {} did at {} observations", materialText(scene, static_cast<int>(m)),
+                          governing.observations[m]);
+  return text + "\n";
+}
+
 Json momentJson(const std::optional<RunResult::Moment>& moment) {
   if (!moment) return nullptr;
   return Json{{"step", moment->step}, {"time", moment->time}};
@@ -71,6 +115,8 @@ Json elementJson(const Mesh& mesh, ElementRef ref) {
               {"id", block.id(static_cast<std::size_t>(ref.element))},
               {"node_ids", Json::array()}};
   for (int a = 0; a < block.nodesPerElement(); ++a) result["node_ids"].push_back(mesh.nodeId(nodes[a]));
+  if (const std::vector<int> materials = materialOfBlocks(mesh); !materials.empty())
+    result["material"] = materials[ref.block];
   return result;
 }
 
@@ -107,6 +153,9 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
       {"scene", scene.echo},
       {"mesh", meshJson(body.mesh(), body.volume())},
       {"mass", body.totalMass()},
+      {"materials", materialsJson(scene, body, result)},
+      {"governing_material",
+       result.governing && result.governing->leastSafe ? Json(result.governing->atLeastSafe) : Json(nullptr)},
       {"verdict", std::string(result.verdict())},
       {"stable", result.stable()},
       {"exit_status", static_cast<int>(result.exitStatus())},
@@ -151,7 +200,7 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
   text += fmt::format("verdict {}", result.verdict());
   if (result.watchedSteps > 0)
     text += fmt::format(", certified at {} of {} steps", result.certifiedSteps, result.watchedSteps);
-  text += "\n";
+  text += "\n" + governingText(scene, result);
   if (result.handler) {
     text += fmt::format("handler {}: {} of {} elements", scene.handler, result.handler->elements,
                         body.mesh().elementCount());

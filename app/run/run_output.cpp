@@ -72,7 +72,7 @@ void RunOutput::drawPicture(RunResult& result) {
   for (const CutRecord& cut : result.cuts) picture_.markCut(cut.time);
   const std::string note =
       picture_.draw(folder_, fmt::format("{}: {}, {}, {}", scene_.file.stem().string(), elementCounts(body_.mesh()),
-                                         scene_.model, scene_.method));
+                                         modelsText(scene_.materials), scene_.method));
   if (note.empty())
     result.files.emplace_back("critical_step.png");
   else

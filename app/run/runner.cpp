@@ -40,6 +40,7 @@ class Run {
         if (block.type != elementTypeOf<Tet4>)
           throw InputError(fmt::format("{}: only tetrahedra of four nodes can be cut; the mesh has {}", cut.origin,
                                        elementInfo(block.type).name));
+    followMaterials();
     scheme_ = std::make_unique<RunScheme>(scene_, body_, result_);
     beginWatch();
   }
@@ -176,7 +177,8 @@ class Run {
     state_.x = carriedOver(made, state_.x);
     state_.v = carriedOver(made, state_.v);
     state_.a.resize(3, 0);
-    body_ = sceneBody(scene_, made.mesh, body_.threads());
+    body_ = sceneBody(scene_, made.mesh, body_.threads(), MaterialsBy::mesh);
+    followMaterials();
     body_.constraints().imposeVelocity(state_.v);
     energies_.beginBody();
     {
@@ -274,6 +276,21 @@ class Run {
     return true;
   }
 
+  void followMaterials() {
+    materialOfBlock_ = materialOfBlocks(body_.mesh());
+    if (!materialOfBlock_.empty() && !result_.governing)
+      result_.governing.emplace().observations.resize(scene_.materials.size());
+  }
+  void keepGoverning(const MonitorReport& report) {
+    if (!result_.governing || !report.fresh || !report.bracket) return;
+    RunResult::Governing& governing = *result_.governing;
+    const int material = materialOfBlock_[report.bracket->controlling.block];
+    ++governing.observations[material];
+    if (governing.leastSafe && !(report.bracket->safe < *governing.leastSafe)) return;
+    governing.leastSafe = report.bracket->safe;
+    governing.atLeastSafe = material;
+  }
+
   void keepEvents(const MonitorReport& report) {
     for (const MonitorEvent& event : report.newEvents) {
       result_.events.push_back({event, elementJson(body_.mesh(), event.element), eventText(event, body_.mesh())});
@@ -285,6 +302,7 @@ class Run {
     const Stopwatch output(result_.outputTime);
     output_->open();
     keepEvents(report);
+    keepGoverning(report);
     if (rowDue) {
       HistoryRow row;
       row.step = report.step;
@@ -431,6 +449,7 @@ class Run {
   Body::Workspace workspace_;
   bool stepperNeedsForce_ = false;
   std::size_t cutsMissed_ = 0;
+  std::vector<int> materialOfBlock_;  // empty where there is one
   Verdict lastVerdict_ = Verdict::notCertified;
 };
 

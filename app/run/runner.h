@@ -98,6 +98,13 @@ struct RunResult {
   std::vector<RunEvent> events;
   std::optional<Handling> handler;  // empty without one
   std::vector<CutRecord> cuts;
+  /// Which materials hold the elements that control the bracket, where the scene has several.
+  struct Governing {
+    std::vector<std::int64_t> observations;  // by material, of which the controlling element was of it
+    std::optional<double> leastSafe;         // s, of all observations
+    int atLeastSafe = 0;                     // the material of the controlling element there
+  };
+  std::optional<Governing> governing;
   double forceTime = 0, monitorTime = 0, outputTime = 0, wallTime = 0;  // s
   std::size_t frames = 0;
   std::vector<std::string> files;  // written, relative to the folder

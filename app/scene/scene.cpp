@@ -73,8 +73,9 @@ void readMeshSection(const SceneTable& section, Scene& scene) {
   scene.echo["mesh"].update(scene.generatorArguments);
 }
 
-/// The keys of [material] that the law declares.
-void readLawParameters(const LawInfo& law, const SceneTable& material, Scene& scene) {
+/// The keys of a [material] that its law declares.
+Options lawParameters(const LawInfo& law, const SceneTable& material) {
+  Options parameters;
   for (const LawInfo& other : allLaws())
     for (const OptionInfo& option : other.parameters) {
       const std::string key(option.name);
@@ -92,12 +93,55 @@ void readLawParameters(const LawInfo& law, const SceneTable& material, Scene& sc
         fail(material.origin, "material." + key, missingText(SceneType::number, option.unit, option.range));
       continue;
     }
-    scene.parameters.set(key, material.get<double>(key));
-    if (const std::string fault = optionFault(law.parameters, scene.parameters, key); !fault.empty())
+    parameters.set(key, material.get<double>(key));
+    if (const std::string fault = optionFault(law.parameters, parameters, key); !fault.empty())
       fail(material.at(key).origin, "material." + key,
            fmt::format("{}; {}{}", material.at(key).value.dump(), fault,
                        option.unit.empty() ? "" : fmt::format(" {}", option.unit)));
   }
+  return parameters;
+}
+
+/// A [material]. several: there are others, so that it must say of which elements it is.
+SceneMaterial materialOf(const SceneTable& section, bool several) {
+  SceneMaterial material;
+  material.model = section.get<std::string>("model");
+  material.parameters = lawParameters(lawNamed(material.model), section);
+  material.density = section.get<double>("density");
+  material.origin = section.origin + (several ? ": [[material]]" : ": [material]");
+  if (!several && !section.given("where") && !section.given("set")) return material;
+  const NodeSelection selection = selectionOf(section);
+  material.where = selection.where;
+  material.set = selection.set;
+  material.selectionOrigin = selection.origin;
+  return material;
+}
+
+/// [material] or [[material]]: the materials, and what they say of the body as a whole.
+void readMaterials(const std::vector<SceneTable>& sections, Scene& scene) {
+  std::vector<const SceneTable*> tables;
+  for (const SceneTable& section : sections)
+    if (section.name == "material") tables.push_back(&section);
+  for (const SceneTable* table : tables) scene.materials.push_back(materialOf(*table, tables.size() > 1));
+  const SceneTable *lumping = tables.front(), *rules = nullptr;
+  const auto differs = [](const SceneTable& table, const std::string& key, const SceneTable& other) {
+    fail(table.at(key).origin, "material." + key,
+         fmt::format("another value than at {}; it is one of the whole body: give it once, or the same",
+                     other.at(key).origin));
+  };
+  for (const SceneTable* table : tables) {
+    if (table->given("lumping")) {
+      if (lumping->given("lumping") && lumping->at("lumping").value != table->at("lumping").value)
+        differs(*table, "lumping", *lumping);
+      lumping = table;
+    }
+    if (table->given("rules")) {
+      if (rules && rules->at("rules").value != table->at("rules").value) differs(*table, "rules", *rules);
+      rules = table;
+    }
+  }
+  scene.lumping = lumping->named("lumping", lumpingNames);
+  if (rules) scene.rules = parseRules(rules->get<std::vector<std::string>>("rules"), rules->where("rules"));
 }
 
 /// "verlet and symplectic-euler": the names of the entries that have a trait.
@@ -313,12 +357,17 @@ void readCutSection(const SceneTable& section, Scene& scene) {
 
 Json echoOf(const std::vector<SceneTable>& sections) {
   Json echo = Json::object();
+  const auto isList = [&](const std::string& name) {
+    const auto known = sceneSections();
+    const auto section = std::ranges::find(known, name, &SceneSection::name);
+    return section->list || (section->alsoList && std::ranges::count(sections, name, &SceneTable::name) > 1);
+  };
   for (const SceneTable& section : sections) {
     Json values = Json::object();
     for (const SceneKey& key : sceneKeys())  // the table's order
       if (key.section == section.name && section.entries.count(key.key) != 0)
         values[key.key] = section.at(key.key).value;
-    if (section.name == "fix" || section.name == "move" || section.name == "force" || section.name == "cut")
+    if (isList(section.name))
       echo[section.name].push_back(std::move(values));
     else
       echo[section.name] = std::move(values);
@@ -353,14 +402,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
   };
   readMeshSection(section("mesh"), scene);
 
-  const SceneTable& material = section("material");
-  scene.model = material.get<std::string>("model");
-  readLawParameters(lawNamed(scene.model), material, scene);
-  scene.density = material.get<double>("density");
-  scene.lumping = material.named("lumping", lumpingNames);
-  if (material.given("rules"))
-    scene.rules = parseRules(material.get<std::vector<std::string>>("rules"), material.where("rules"));
-
+  readMaterials(sections, scene);
   readIntegratorSection(section("integrator"), section("monitor"), section("damping"), scene);
   readHandlerSection(section("handler"), section("integrator"), section("monitor"), section("damping"), scene);
   readDevice(section("integrator"), scene);

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
+#include <ringwatch/app/scene/scene_materials.h>
 #include <ringwatch/app/scene/where_expression.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/handlers/handler.h>
@@ -90,9 +91,7 @@ struct Scene {
   nlohmann::ordered_json generatorArguments;
   std::string meshOrigin;  // "scene.toml:3: mesh.file", for messages
 
-  std::string model;
-  Options parameters;  // of the law
-  double density = 0;
+  std::vector<SceneMaterial> materials;  // at least one
   Lumping lumping = Lumping::rowSum;
   std::map<std::string, std::string> rules;  // element name -> quadrature rule name
 
@@ -157,7 +156,8 @@ std::string tooManySteps(double h, double end);
 int threadsThatPay(int requested, const Mesh& mesh);
 /// The mesh of a scene, read or generated. notes: what a reader has to tell.
 Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes);
-/// The body of a scene with its constraints and forces. Throws InputError for selections without nodes.
-Body sceneBody(const Scene& scene, Mesh mesh, int threads);
+/// The body of a scene with its materials, constraints and forces. materials: by the mesh where it is one of an earlier
+/// body of the scene. Throws InputError for selections without nodes or elements, and as assignMaterials.
+Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy materials = MaterialsBy::scene);
 
 }  // namespace ringwatch

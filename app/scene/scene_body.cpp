@@ -113,14 +113,15 @@ Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes) {
   }
 }
 
-Body sceneBody(const Scene& scene, Mesh mesh, int threads) {
+Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
   BodyOptions options;
   options.lumping = scene.lumping;
   options.rules = scene.rules;
   options.threads = threadsThatPay(threads, mesh);
+  const std::vector<Material> materials = assignMaterials(scene.materials, mesh, by);
   std::optional<Body> body;
   try {
-    body.emplace(std::move(mesh), makeMaterial(scene.model, scene.parameters, scene.density), options);
+    body.emplace(std::move(mesh), materials, options);
   } catch (const NumericalError& fault) {
     throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));  // the mesh is what the user can mend
   }

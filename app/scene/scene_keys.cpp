@@ -29,7 +29,8 @@ constexpr SceneRange factor{0, 1, false, true};  // 0 < s <= 1
 
 constexpr std::array<SceneSection, 11> sections{{
     {"mesh", false, true, "a file or a generator with its parameters"},
-    {"material", false, true, "one material for the whole body"},
+    {"material", false, true,
+     "one material for the whole body, or several [[material]], each for the elements that it selects", true},
     {"integrator", false, true, "how time advances"},
     {"damping", false, false, "Rayleigh damping, C = mass M + stiffness K(x); its forces lag in the explicit schemes"},
     {"monitor", false, false, "what is watched, and what happens when the step is too large"},
@@ -146,9 +147,20 @@ std::vector<SceneKey> makeKeys() {
                   "constitutive law; help laws lists its parameters"});
   for (SceneKey& key : keysOfOptions("material", allLaws(), &LawInfo::parameters)) keys.push_back(std::move(key));
   const std::vector<SceneKey> rest{
+      {"material",
+       "where",
+       T::text,
+       "",
+       false,
+       "",
+       anything,
+       {},
+       "elements that have it, by a condition on the centre of their nodes at rest, e.g. \"x < 0.1\"; each element "
+       "has one material"},
+      {"material", "set", T::text, "", false, "", anything, {}, "named element set of the mesh, instead of where"},
       {"material", "density", T::number, "kg/m3", true, "", positive, {}, "density at rest"},
       {"material", "lumping", T::text, "", false, "\"row-sum\"", anything, lumpingNames.names(),
-       "how an element's mass goes to its nodes; " + lumpingNames.listing()},
+       "how an element's mass goes to its nodes, of the whole body; " + lumpingNames.listing()},
       {"material",
        "rules",
        T::texts,
@@ -157,7 +169,8 @@ std::vector<SceneKey> makeKeys() {
        "",
        anything,
        {},
-       "quadrature rules of elements, e.g. [\"hex8=gauss-2x2x2\"]; `ringwatch verify elements` compares them"},
+       "quadrature rules of elements, of the whole body, e.g. [\"hex8=gauss-2x2x2\"]; `ringwatch verify elements` "
+       "compares them"},
       {"integrator", "method", T::text, "", false, "\"symplectic-euler\"", anything, namesOf(integratorInfos()),
        "scheme"},
       {"integrator",
@@ -381,7 +394,9 @@ std::string sceneHelp() {
       "A scene is a TOML file.\n" + std::string(unitsText) + "\nKeys with their type, unit, range and default:\n";
   for (const SceneSection& section : sections) {
     text += fmt::format("\n{}  {}{}\n",
-                        section.list ? fmt::format("[[{}]]", section.name) : fmt::format("[{}]", section.name),
+                        section.list       ? fmt::format("[[{}]]", section.name)
+                        : section.alsoList ? fmt::format("[{0}] or [[{0}]]", section.name)
+                                           : fmt::format("[{}]", section.name),
                         section.help, section.required ? " (required)" : "");
     for (const SceneKey& key : sceneKeys()) {
       if (key.section != section.name) continue;

@@ -30,7 +30,7 @@ using SceneRange = NumberRange;
 /// One key of the scene format. The table of these drives validation, defaults, messages and the human-readable
 /// listing.
 struct SceneKey {
-  std::string section;  // "fix", "move", "force" and "cut" are lists of tables
+  std::string section;  // see SceneSection
   std::string key;
   SceneType type;
   std::string unit;  // "" for none
@@ -47,6 +47,7 @@ struct SceneSection {
   bool list;  // [[name]], any number of times
   bool required;
   std::string_view help;
+  bool alsoList = false;  // [[name]] may stand in place of [name]
 };
 
 std::span<const SceneSection> sceneSections();

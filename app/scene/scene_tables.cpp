@@ -59,10 +59,11 @@ class Reader {
     for (const SceneSection& section : sceneSections()) {
       const toml::node* node = root_.get(section.name);
       const std::string name(section.name);
-      if (section.list) {
+      if (section.list || (section.alsoList && node && node->is_array())) {
         if (!node) continue;
         const toml::array* list = node->as_array();
-        if (!list || !std::all_of(list->begin(), list->end(), [](const toml::node& n) { return n.is_table(); }))
+        if (!list || (section.required && list->empty()) ||
+            !std::all_of(list->begin(), list->end(), [](const toml::node& n) { return n.is_table(); }))
           fail(originOf(name, *node), name,
                fmt::format("{} where tables are needed; write [[{}]] above each", kindOf(*node), name));
         std::size_t i = 0;
@@ -135,7 +136,8 @@ class Reader {
     const toml::table assignment = parseValue(text.substr(equals + 1), origin);
     toml::table* target = nullptr;
     if (parts.size() == 2) {
-      if (findSection(parts[0]) && findSection(parts[0])->list)
+      const SceneSection* section = findSection(parts[0]);
+      if (section && (section->list || (section->alsoList && root_.contains(parts[0]) && root_[parts[0]].is_array())))
         throw InputError(fmt::format("{}: [[{}]] is a list; write {}.0.{}=… for its first entry", origin, parts[0],
                                      parts[0], parts[1]));
       if (!root_.contains(parts[0])) root_.insert(parts[0], toml::table{});

@@ -75,7 +75,7 @@ TEST(Scene, ReadsAGoodOneAndFillsDefaults) {
   const TemporaryFolder folder;
   const Scene scene = readScene(folder.write("scene.toml", good));
   EXPECT_EQ(scene.generator, "bar");
-  EXPECT_EQ(scene.parameters.number("young"), 30e3);
+  EXPECT_EQ(scene.materials.front().parameters.number("young"), 30e3);
   EXPECT_EQ(scene.step, 1e-4);
   EXPECT_EQ(scene.method, "symplectic-euler");
   EXPECT_EQ(scene.safety, 0.95);
@@ -209,8 +209,9 @@ TEST(Scene, NamesFileLineKeyAndWhatWouldBeRight) {
        "scene.toml:24: output.fields: the text \"critical_step\" where a list of texts is needed"},
       {with("every = 1e-3", "every = 0"), "scene.toml:24: output.every: 0 is out of range; must be > 0 s"},
       {with("[[fix]]", "[fix]"), "scene.toml:15: fix: a table where tables are needed; write [[fix]] above each"},
-      {with("[material]", "[[material]]"),
-       "scene.toml:5: material: a list of 1 where a section is needed; write [material]"},
+      {with("[integrator]", "[[integrator]]"),
+       "scene.toml:10: integrator: a list of 1 where a section is needed; write [integrator]"},
+      {with("[material]", "[[material]]"), "no fault"},
       {with("young = 30e3", "young = 30e3\nyoung = 1"), "scene.toml:8: not TOML"},
       {with("[material]", "[material"), "scene.toml:"},
       {std::string("\xff\xfe\x00", 3), "scene.toml:1: not TOML"},

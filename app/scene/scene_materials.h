@@ -1,0 +1,47 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <ringwatch/app/scene/where_expression.h>
+#include <ringwatch/base/options.h>
+#include <ringwatch/materials/registry.h>
+#include <ringwatch/meshes/mesh.h>
+
+namespace ringwatch {
+
+/// A [material] of a scene and the elements that have it. SI units.
+struct SceneMaterial {
+  std::string model;
+  Options parameters;                    // of the law
+  double density = 0;                    // kg/m³
+  std::optional<WhereExpression> where;  // holds at the centre of the element's nodes at rest
+  std::string set;                       // or a named element set of the mesh; both empty: all elements
+  std::string origin;                    // "scene.toml:12: [[material]]", for messages
+  std::string selectionOrigin;           // "scene.toml:13: material.where"
+
+  bool ofAllElements() const { return !where && set.empty(); }
+  /// The condition or the set as the scene has it; "all" without.
+  std::string selection() const;
+};
+
+/// The laws of materials, each once: "stvk, neo-hookean".
+std::string modelsText(const std::vector<SceneMaterial>& materials);
+
+/// What decides which material an element has.
+enum class MaterialsBy {
+  scene,  ///< the conditions and sets of the scene
+  mesh    ///< the element sets of an earlier assignMaterials, in a mesh that was cut or read from a frame
+};
+
+/// Splits the blocks of a mesh so that each has one material, and names the elements of material N as the element set
+/// "material.N", N counted from 0; element sets follow, and element numbers for messages stay. One material of all
+/// elements changes nothing. Returns the materials of the blocks. Throws InputError for a selection without elements
+/// and for elements without a material or with two.
+std::vector<Material> assignMaterials(const std::vector<SceneMaterial>& materials, Mesh& mesh, MaterialsBy by);
+
+/// Which material the blocks of a mesh have after assignMaterials, counted from 0; empty where there is but one.
+std::vector<int> materialOfBlocks(const Mesh& mesh);
+
+}  // namespace ringwatch
