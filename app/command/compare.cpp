@@ -9,6 +9,7 @@
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/scene/scene.h>
+#include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
@@ -119,6 +120,7 @@ CompareResult compareScene(const CompareOptions& options) {
   if (!handlers.empty() && scene.damping.any())
     throw InputError(
         fmt::format("{}: handlers do not work with [damping]; remove it or --handlers", scene.file.string()));
+  if (!scene.timed.empty()) throw InputError(fmt::format("{}: compare takes no tables of time", scene.timed));
   for (const double h : options.steps)
     if (h > scene.end) throw InputError(fmt::format("--step: {} s is beyond the end of the scene, {} s", h, scene.end));
   for (const double h : options.steps)
@@ -130,11 +132,12 @@ CompareResult compareScene(const CompareOptions& options) {
   if (const std::string fault = tooManySteps(2 / std::sqrt(top.lambda), scene.end); !fault.empty())
     throw InputError(fmt::format("{}: integrator.end: the critical step of {}", scene.file.string(), fault));
   BodySystem system(body, scene.damping);
-  const State start = system.initialState();
+  const State start = sceneInitialState(scene, system);
   ProgressLine progress(options.progress);
   const ConvergedMotion reference = convergedMotion(system, start, scene.end, top.lambda);
   if (!((reference.x - start.x).norm() > 0))
-    throw InputError(fmt::format("{}: nothing moves; give a force or a prescribed motion", scene.file.string()));
+    throw InputError(fmt::format("{}: nothing moves; give a force, a velocity at the start or a prescribed motion",
+                                 scene.file.string()));
   const WorkPrecisionCase c{
       options.scene.stem().string(),
       fmt::format("{}: {}, {}", options.scene.stem().string(), elementCounts(body.mesh()), modelsText(scene.materials)),

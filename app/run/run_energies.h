@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <ringwatch/app/run/runner.h>
@@ -20,10 +22,24 @@ class RunEnergies {
   bool needsForce(bool rowDue) const { return needs(rowDue) && body_.constraints().moving(); }
   /// Records a state, which may not lag, with what was evaluated of it; with a row, its strain energy as well.
   void record(const State& state, const StepEvaluation& evaluation, BodySystem& system, bool rowDue);
+  /// Work, J, that the body's balance does not know of, from the last record on.
+  void addExternalWork(double work) { ownWork_ += work; }
   /// The body is another one from here on. What the one before has come to is kept.
   void beginBody();
   /// At the state recorded last, all bodies together; empty unless a row was due.
   const std::optional<Energies>& last() const { return last_; }
+
+  /// Energies, J, below that are no measure of the balance.
+  void setScale(double energy) {
+    scale_ = energy;
+    largest_ = std::max(largest_, energy);
+  }
+  /// The last energies as they are to be judged: an error far below the scale is none.
+  std::optional<Energies> judged() const {
+    std::optional<Energies> energies = last_;
+    if (energies && std::abs(energies->balanceError) <= runawayShare * scale_) energies->balanceError = 0;
+    return energies;
+  }
 
   /// Checks the last energies, before step number `step`. The energy ran away where the balance error passes its bound
   /// and stays above it to the end of the run. From there on the largest energy stays what it was: the runaway must not
@@ -36,10 +52,12 @@ class RunEnergies {
   const Scene& scene_;
   const Body& body_;
   std::optional<EnergyBalance> balance_;
-  Energies before_;  // what the bodies before have come to
+  Energies before_;     // what the bodies before have come to
+  double ownWork_ = 0;  // J, of the body now
   std::optional<Energies> last_;
   NodeVectors dampingForce_;
-  double largest_;  // J, so far
+  double largest_;    // J, so far
+  double scale_ = 0;  // J
   std::optional<RunResult::Moment> runaway_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/run/device_stepper.h>
+#include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/verify/work_precision.h>
 
@@ -61,8 +62,9 @@ std::unique_ptr<Stepper> RunScheme::onDevice(double h) {
     try {
       // A handler's monitor watches the explicit elements, the GPU's rings would be those of all.
       const MetricInfo* metric = findMetric(scene_.metric);
-      std::unique_ptr<Stepper> stepper = makeDeviceStepper(body_, system_->initialState(), scene_.handlerOptions,
-                                                           metric != nullptr && metric->runsOnGpu && !handler_);
+      std::unique_ptr<Stepper> stepper =
+          makeDeviceStepper(body_, sceneInitialState(scene_, *system_), scene_.handlerOptions,
+                            metric != nullptr && metric->runsOnGpu && !handler_);
       if (handler_) stepper->handle(handler_->elements(), h);
       return stepper;
     } catch (const InputError& fault) {

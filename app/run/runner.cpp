@@ -15,6 +15,8 @@
 #include <ringwatch/app/run/run_watch.h>
 #include <ringwatch/app/run/step_policy.h>
 #include <ringwatch/app/run/stopwatch.h>
+#include <ringwatch/app/run/timed_loads.h>
+#include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 
@@ -31,6 +33,7 @@ class Run {
         rule_(stepRule(*integratorCatalog().find(scene.method), scene.damping)),
         energies_(scene, body),
         steps_(scene),
+        loads_(scene, body),
         progress_(options.progress),
         watch_(scene, body, rule_, result_) {
     result_.notes = options.notes;
@@ -52,7 +55,8 @@ class Run {
         const Stopwatch output(result_.outputTime);
         output_.emplace(scene_, body_, rule_, options_.folder);
       }
-      state_ = scheme_->system().initialState();
+      state_ = sceneInitialState(scene_, scheme_->system());
+      loads_.begin(state_.x);
       advance();
       progress_.clear();
       finish();
@@ -66,6 +70,7 @@ class Run {
   /// Steps until something ends the run.
   void advance() {
     for (std::int64_t k = 0;; k = result_.steps) {
+      if (loads_.any()) energies_.addExternalWork(loads_.setForces(state_.time, state_.x));
       // A rounding error in the sum of the steps must not add one.
       if (steps_.step() > 0 && state_.time >= scene_.end - 1e-3 * steps_.step())
         return end(ExitReason::end, "end time reached");
@@ -80,6 +85,7 @@ class Run {
         return end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", k));
       }
       if (!chooseStep(report)) return keepEvents(report);
+      if (loads_.any() && k == 0) energies_.setScale(loads_.energyScale(steps_.step()));
       energies_.check(k, state_.time);
       record(report, rowDue);
       if (report.verdict == Verdict::violated && watch_.monitors() &&
@@ -228,7 +234,7 @@ class Run {
     // With "auto" the first step is chosen from the first bracket.
     MonitorReport report = watch_.observe(k, state_, steps_.asked(), shared ? &evaluation_ : nullptr);
     takeEvaluation(rowDue);
-    watch_.complete(report, state_, energies_.last());
+    watch_.complete(report, state_, energies_.judged());
     return report;
   }
   /// The energies of the state, in a pass of their own.
@@ -336,6 +342,7 @@ class Run {
 
   bool takeStep(const MonitorReport& report) {
     const Stopwatch force(result_.forceTime);
+    if (loads_.any()) energies_.addExternalWork(loads_.setVelocities(state_, steps_.step()));
     const auto take = [this](std::int64_t count) {
       const double lambda = watch_.monitors() && scene_.proves() ? rule_.lambdaFor(steps_.step()) : 0;
       return scheme_->stepper().step(state_, steps_.step(), count, lambda);
@@ -439,6 +446,7 @@ class Run {
   StepRule rule_;
   RunEnergies energies_;
   StepPolicy steps_;
+  TimedLoads loads_;
   ProgressLine progress_;
   RunResult result_;
   RunWatch watch_;

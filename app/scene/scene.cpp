@@ -305,18 +305,64 @@ void readDevice(const SceneTable& integrator, Scene& scene) {
     fail(integrator.at("device").origin, "integrator.device", scene.noDevice + "; change that, or set it to \"cpu\"");
 }
 
+/// The table of time of a [[move]] or [[force]], where it has one.
+std::optional<TimeTable> tableOf(const SceneTable& section, Scene& scene) {
+  if (!section.given("times") && !section.given("factors")) {
+    if (section.given("ramp"))
+      fail(section.at("ramp").origin, section.name + ".ramp", "there is no table; give times and factors");
+    return std::nullopt;
+  }
+  for (const auto& [one, other] : {std::pair{"times", "factors"}, std::pair{"factors", "times"}})
+    if (!section.given(one))
+      fail(section.at(other).origin, section.name + "." + one, fmt::format("missing; it goes with {}", other));
+  if (scene.timed.empty()) scene.timed = section.where("times");
+  try {
+    return TimeTable(section.get<std::vector<double>>("times"), section.get<std::vector<double>>("factors"),
+                     section.named("ramp", rampNames));
+  } catch (const InputError& fault) {
+    fail(section.at("times").origin, section.name + ".times", fault.what());
+  }
+}
+
+/// Where loads follow tables of time, their forces are those of the states of a run: schemes must ask for no others.
+void checkTimedLoads(Scene& scene) {
+  if (scene.timed.empty()) return;
+  const auto takes = [](const IntegratorInfo& info) {
+    return info.forceEvaluations == 1 && !info.partitioned && !info.adaptive && !std::isinf(info.imaginaryLimit);
+  };
+  if (!takes(*integratorCatalog().find(scene.method)))
+    throw InputError(fmt::format("{}: \"{}\" takes no tables of time; {} do", scene.timed, scene.method,
+                                 namesWhere(integratorInfos(), takes)));
+  if (!scene.handler.empty())
+    throw InputError(fmt::format("{}: handlers take no tables of time; set handler.method = \"none\"", scene.timed));
+  if (!scene.cuts.empty()) throw InputError(fmt::format("{}: tables of time do not go with [[cut]]", scene.timed));
+  if (scene.device == RunDevice::cuda)
+    throw InputError(fmt::format("{}: \"cuda\": a GPU takes no tables of time; set it to \"cpu\"", scene.deviceOrigin));
+  if (scene.device == RunDevice::automatic) scene.noDevice = "a GPU takes no tables of time";
+}
+
+void readInitialSection(const SceneTable& section, Scene& scene) {
+  if (!section.given("velocity") && !section.given("angular_velocity"))
+    fail(section.origin, "initial.velocity", "missing; give velocity (m/s) or angular_velocity (rad/s)");
+  if (section.given("point") && !section.given("angular_velocity"))
+    fail(section.at("point").origin, "initial.point", "there is no angular_velocity for it");
+  scene.initials.push_back({selectionOf(section), vectorOf(section.at("velocity").value),
+                            vectorOf(section.at("angular_velocity").value), vectorOf(section.at("point").value)});
+}
+
 void readLoadSection(const SceneTable& section, Scene& scene) {
   NodeSelection nodes = selectionOf(section);
   if (section.name == "fix") {
     scene.fixes.push_back({std::move(nodes), componentsOf(section)});
   } else if (section.name == "move") {
-    scene.moves.push_back({std::move(nodes), componentsOf(section), vectorOf(section.at("velocity").value)});
+    scene.moves.push_back(
+        {std::move(nodes), componentsOf(section), vectorOf(section.at("velocity").value), tableOf(section, scene)});
   } else {
     if (section.given("acceleration") == section.given("force"))
       fail(section.given("force") ? section.at("force").origin : section.origin, "force.acceleration",
            section.given("force") ? "both acceleration and force are given; give one of them"
                                   : "missing; give acceleration (m/s2) or force (N)");
-    Scene::Force force{std::move(nodes), std::nullopt, std::nullopt};
+    Scene::Force force{std::move(nodes), std::nullopt, std::nullopt, tableOf(section, scene)};
     if (section.given("force"))
       force.total = vectorOf(section.at("force").value);
     else
@@ -410,12 +456,16 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
     if (s.name == "fix" || s.name == "move" || s.name == "force") readLoadSection(s, scene);
 
   for (const SceneTable& s : sections)
+    if (s.name == "initial") readInitialSection(s, scene);
+
+  for (const SceneTable& s : sections)
     if (s.name == "cut") readCutSection(s, scene);
   std::stable_sort(scene.cuts.begin(), scene.cuts.end(),
                    [](const Scene::Cut& a, const Scene::Cut& b) { return a.time < b.time; });
   if (!scene.cuts.empty() && scene.device == RunDevice::cuda)
     throw InputError(fmt::format("{}: \"cuda\": a GPU runs no cuts; set it to \"cpu\"", scene.deviceOrigin));
   if (!scene.cuts.empty() && scene.device == RunDevice::automatic) scene.noDevice = "a GPU runs no cuts";
+  checkTimedLoads(scene);
 
   const SceneTable& output = section("output");
   if (output.given("every")) {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <ringwatch/app/scene/scene_materials.h>
+#include <ringwatch/app/scene/time_table.h>
 #include <ringwatch/app/scene/where_expression.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/handlers/handler.h>
@@ -66,12 +67,21 @@ struct Scene {
   struct Move {
     NodeSelection nodes;
     std::array<bool, 3> components;
-    Eigen::Vector3d velocity;  // m/s
+    Eigen::Vector3d velocity;        // m/s
+    std::optional<TimeTable> table;  // its factor; empty: 1
+  };
+  /// Velocities at the start, on top of those of others.
+  struct Initial {
+    NodeSelection nodes;
+    Eigen::Vector3d velocity;         // m/s
+    Eigen::Vector3d angularVelocity;  // rad/s
+    Eigen::Vector3d point;            // m, on the axis
   };
   struct Force {
     NodeSelection nodes;
     std::optional<Eigen::Vector3d> acceleration;  // m/s²
     std::optional<Eigen::Vector3d> total;         // N, spread over the nodes by mass
+    std::optional<TimeTable> table;               // its factor; empty: 1
   };
 
   struct Cut {
@@ -119,6 +129,8 @@ struct Scene {
   std::vector<Fix> fixes;
   std::vector<Move> moves;
   std::vector<Force> forces;
+  std::vector<Initial> initials;
+  std::string timed;      // "scene.toml:12: move.times", of the first load or motion with a table; "" for none
   std::vector<Cut> cuts;  // by time
 
   std::optional<double> frameInterval;  // s; empty for no frames
@@ -150,6 +162,9 @@ Scene::Fix parseFix(const std::string& text, const std::string& origin);
 inline constexpr double mostSteps = 1e12;
 /// "" unless steps of h (s) to the end (s) are more than that; then how many, for a message.
 std::string tooManySteps(double h, double end);
+
+/// What a force of a scene gives each of its nodes on a body, m/s²: force = mass × this.
+Eigen::Vector3d accelerationOfLoad(const Scene::Force& force, const std::vector<std::int32_t>& nodes, const Body& body);
 
 /// Threads for a request; 0 asks for as many as the mesh can keep busy: on a small one, waiting for each other would
 /// cost more than they share, above all on a machine that has other work too.

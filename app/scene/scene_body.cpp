@@ -23,9 +23,9 @@ class PrescribedMotions {
   explicit PrescribedMotions(std::int32_t nodes) : by_(3 * static_cast<std::size_t>(nodes), -1) {}
 
   void add(const std::string& origin, const std::vector<std::int32_t>& nodes, const std::array<bool, 3>& components,
-           const Eigen::Vector3d& velocity) {
+           const Eigen::Vector3d& velocity, const std::optional<TimeTable>& table = {}) {
     const auto own = static_cast<std::int32_t>(all_.size());
-    all_.push_back({origin, velocity});
+    all_.push_back({origin, velocity, table});
     std::map<std::int32_t, std::pair<std::size_t, int>> conflicts;  // of an earlier one: shared nodes, first component
     for (const std::int32_t node : nodes) {
       std::int32_t counted = -1;
@@ -34,7 +34,8 @@ class PrescribedMotions {
         std::int32_t& by = by_[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(c)];
         if (by < 0) {
           by = own;
-        } else if (all_[by].velocity[c] != velocity[c] && by != counted) {
+        } else if ((all_[by].velocity[c] != velocity[c] || (velocity[c] != 0 && all_[by].table != table)) &&
+                   by != counted) {
           conflicts.try_emplace(by, 0, c).first->second.first += 1;
           counted = by;
         }
@@ -54,6 +55,7 @@ class PrescribedMotions {
   struct Motion {
     std::string origin;
     Eigen::Vector3d velocity;  // m/s
+    std::optional<TimeTable> table;
   };
   std::vector<Motion> all_;
   std::vector<std::int32_t> by_;  // [node][component]: which of all_; -1: none
@@ -113,6 +115,14 @@ Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes) {
   }
 }
 
+Eigen::Vector3d accelerationOfLoad(const Scene::Force& force, const std::vector<std::int32_t>& nodes,
+                                   const Body& body) {
+  if (force.acceleration) return *force.acceleration;
+  double mass = 0;
+  for (std::int32_t node : nodes) mass += body.lumpedMass()[node];
+  return *force.total / mass;
+}
+
 Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
   BodyOptions options;
   options.lumping = scene.lumping;
@@ -135,19 +145,22 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
   }
   for (const Scene::Move& move : scene.moves) {
     const std::vector<std::int32_t> nodes = move.nodes.nodesOf(body->mesh());
-    prescribed.add(move.nodes.origin, nodes, move.components, move.velocity);
+    prescribed.add(move.nodes.origin, nodes, move.components, move.velocity, move.table);
     for (std::int32_t node : nodes)
-      for (int c = 0; c < 3; ++c)
-        if (move.components[c]) body->constraints().move(node, c, move.velocity[c]);
+      for (int c = 0; c < 3; ++c) {
+        if (!move.components[c]) continue;
+        body->constraints().move(node, c, move.velocity[c]);  // whose factor may be 0 at the start: it is a motion
+        if (move.table) body->constraints().move(node, c, move.table->at(0) * move.velocity[c]);
+      }
   }
   for (const Scene::Force& force : scene.forces) {
     const std::vector<std::int32_t> nodes = force.nodes.nodesOf(body->mesh());
-    double mass = 0;
-    for (std::int32_t node : nodes) mass += body->lumpedMass()[node];
-    const Eigen::Vector3d acceleration =
-        force.acceleration ? *force.acceleration : Eigen::Vector3d(*force.total / mass);
+    if (force.table) continue;  // a run sets them at each of its times
+    const Eigen::Vector3d acceleration = accelerationOfLoad(force, nodes, *body);
     for (std::int32_t node : nodes) body->externalForce().col(node) += body->lumpedMass()[node] * acceleration;
   }
+  for (const Scene::Initial& initial : scene.initials)
+    initial.nodes.nodesOf(body->mesh());  // throws before a run begins
   return std::move(*body);
 }
 

@@ -27,7 +27,7 @@ constexpr SceneRange atLeastOne{1, infinity, true, true};
 constexpr SceneRange share{0, 1, true, false};   // 0 <= s < 1
 constexpr SceneRange factor{0, 1, false, true};  // 0 < s <= 1
 
-constexpr std::array<SceneSection, 11> sections{{
+constexpr std::array<SceneSection, 12> sections{{
     {"mesh", false, true, "a file or a generator with its parameters"},
     {"material", false, true,
      "one material for the whole body, or several [[material]], each for the elements that it selects", true},
@@ -36,8 +36,10 @@ constexpr std::array<SceneSection, 11> sections{{
     {"monitor", false, false, "what is watched, and what happens when the step is too large"},
     {"handler", false, false, "what is done about elements that need a smaller step"},
     {"fix", true, false, "nodes that stay; each [[fix]] adds to the others"},
-    {"move", true, false, "nodes that move at a constant velocity"},
-    {"force", true, false, "dead loads"},
+    {"initial", true, false,
+     "velocities at the start, where motion is not prescribed; each [[initial]] adds to the others"},
+    {"move", true, false, "nodes that move at a constant velocity, or one that follows a table of time"},
+    {"force", true, false, "dead loads, constant or following a table of time"},
     {"cut", true, false,
      "cuts through a mesh of tetrahedra along a plane or a swept line; lips may pass through each other"},
     {"output", false, false, "what is written besides history.csv and summary.json"},
@@ -258,7 +260,7 @@ std::vector<SceneKey> makeKeys() {
   };
   keys.insert(keys.end(), rest.begin(), rest.end());
   for (SceneKey& key : keysOfOptions("handler", handlerInfos(), &HandlerInfo::options)) keys.push_back(std::move(key));
-  for (const char* section : {"fix", "move", "force"}) {
+  for (const char* section : {"fix", "initial", "move", "force"}) {
     keys.push_back({section,
                     "where",
                     T::text,
@@ -271,7 +273,35 @@ std::vector<SceneKey> makeKeys() {
     keys.push_back(
         {section, "set", T::text, "", false, "", anything, {}, "named node set of the mesh, instead of where"});
   }
+  for (const char* section : {"move", "force"}) {
+    const std::string what = section == std::string("move") ? "velocity" : "load";
+    keys.push_back({section,
+                    "times",
+                    T::numbers,
+                    "s",
+                    false,
+                    "",
+                    notNegative,
+                    {},
+                    "times of a table, increasing; before the first and after the last its factor stays. With "
+                    "integrators of one force a step, without handler, cuts and GPU"});
+    keys.push_back(
+        {section, "factors", T::numbers, "", false, "", anything, {}, "of the " + what + ", at these times"});
+    keys.push_back({section, "ramp", T::text, "", false, "\"linear\"", anything, rampNames.names(),
+                    "between two times; " + rampNames.listing()});
+  }
   const std::vector<SceneKey> last{
+      {"initial", "velocity", T::vector, "m/s", false, "[0.0, 0.0, 0.0]", anything, {}, "of the nodes"},
+      {"initial",
+       "angular_velocity",
+       T::vector,
+       "rad/s",
+       false,
+       "[0.0, 0.0, 0.0]",
+       anything,
+       {},
+       "rotation about an axis of this direction"},
+      {"initial", "point", T::vector, "m", false, "[0.0, 0.0, 0.0]", anything, {}, "on the axis"},
       {"fix", "components", T::text, "", false, "\"xyz\"", anything, {}, "components that are held, any of x, y, z"},
       {"move", "velocity", T::vector, "m/s", true, "", anything, {}, "prescribed velocity"},
       {"move",
@@ -365,6 +395,7 @@ std::string_view sceneTypeName(SceneType type) {
       {SceneType::boolean, "true or false"},
       {SceneType::text, "text"},
       {SceneType::texts, "list of texts"},
+      {SceneType::numbers, "list of numbers"},
       {SceneType::vector, "list of three numbers"},
       {SceneType::vectors, "list of points, each a list of three numbers"},
       {SceneType::numberOrAuto, "number or \"auto\""},

@@ -17,6 +17,7 @@ enum class SceneType {
   boolean,
   text,
   texts,         ///< list of strings
+  numbers,       ///< list of numbers
   vector,        ///< three numbers
   vectors,       ///< list of them
   numberOrAuto,  ///< a number or "auto"

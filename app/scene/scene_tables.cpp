@@ -299,6 +299,8 @@ class Reader {
         return text(node);
       case SceneType::texts:
         return list(text);
+      case SceneType::numbers:
+        return list(number);
       case SceneType::vector: {
         Json values = list(number);
         if (values.size() != 3) wrongType(kindOf(node));
