@@ -18,16 +18,22 @@ namespace ringwatch {
 /// system's reason.
 class OutputFile {
  public:
-  /// The mode of opening: an empty file, made when missing; or what is there already, such as a device or a pipe.
-  enum class Mode { empty, existing };
+  /// The mode of opening: an empty file, made when missing; what is there already, such as a device or a pipe; or the
+  /// end of a file that is there.
+  enum class Mode { empty, existing, append };
 
   /// name: of the file in messages.
   OutputFile(const std::filesystem::path& path, Mode mode, std::string name) : name_(std::move(name)) {
-    const int flags = O_WRONLY | O_CLOEXEC | O_NOCTTY | (mode == Mode::empty ? O_CREAT | O_TRUNC : 0);
+    const int flags = O_WRONLY | O_CLOEXEC | O_NOCTTY |
+                      (mode == Mode::empty    ? O_CREAT | O_TRUNC
+                       : mode == Mode::append ? O_APPEND
+                                              : 0);
     do {
       descriptor_ = ::open(path.c_str(), flags, 0666);
     } while (descriptor_ < 0 && errno == EINTR);
     if (descriptor_ < 0) fail(errno);
+    if (mode == Mode::append)
+      written_ = static_cast<std::size_t>(std::max<off_t>(0, ::lseek(descriptor_, 0, SEEK_END)));
   }
   explicit OutputFile(const std::filesystem::path& path) : OutputFile(path, Mode::empty, path.string()) {}
   /// Closes in silence; close() says what went wrong.
@@ -45,6 +51,8 @@ class OutputFile {
     }
     fail(reason);
   }
+  /// Bytes in the file.
+  std::size_t size() const { return written_; }
   void close() {
     if (descriptor_ < 0) return;
     const int descriptor = std::exchange(descriptor_, -1);

@@ -23,6 +23,7 @@
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/run/checkpoint.h>
 #include <ringwatch/app/run/runner.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
@@ -129,7 +130,7 @@ void printOut(const std::string& text) {
 }
 
 struct RunCommand {
-  std::string scene, folder;
+  std::string scene, folder, resumed;
   std::vector<std::string> overrides;
   int threads = 0;
   bool quiet = false, helpScene = false, requireCertified = false;
@@ -139,6 +140,9 @@ struct RunCommand {
     command->add_option("SCENE", scene, "scene file (TOML); see ringwatch help scene");
     command->add_option("--out", folder,
                         "folder for the results, made when missing (default: out/ and the scene's name)");
+    command->add_option(
+        "--resume", resumed,
+        "folder of a run with output.checkpoint_every that was stopped: go on from its last checkpoint");
     command->add_option("--set", overrides, "section.key=value, replaces the value of the scene; may be given again")
         ->allow_extra_args(false);
     command
@@ -160,13 +164,34 @@ struct RunCommand {
       printOut(sceneHelp());
       return ExitStatus::done;
     }
+    if (!resumed.empty()) return resume();
     if (scene.empty()) throw InputError("run: SCENE is missing; give a scene file (TOML), see ringwatch help scene");
     std::vector<std::string> settings = overrides;
     if (requireCertified) settings.emplace_back("monitor.require_certified=true");
     const Scene description = readScene(scene, settings);
+    return run(description,
+               folder.empty() ? std::filesystem::path("out") / std::filesystem::path(scene).stem()
+                              : std::filesystem::path(folder),
+               nullptr);
+  }
+
+  /// Goes on with a run that was stopped.
+  ExitStatus resume() const {
+    for (const auto& [given, option] : {std::pair{!overrides.empty(), "--set"},
+                                        {!folder.empty(), "--out"},
+                                        {requireCertified, "--require-certified"}})
+      if (given)
+        throw InputError(
+            fmt::format("{}: does not go with --resume, which takes scene and folder as they were", option));
+    const Checkpoint checkpoint = readCheckpoint(resumed);
+    if (!scene.empty()) requireSameScene(checkpoint, readScene(scene, {}), resumed);
+    return run(sceneOf(checkpoint), resumed, &checkpoint);
+  }
+
+  ExitStatus run(const Scene& description, const std::filesystem::path& results, const Checkpoint* from) const {
     RunOptions options;
-    options.folder = folder.empty() ? std::filesystem::path("out") / std::filesystem::path(scene).stem()
-                                    : std::filesystem::path(folder);
+    options.folder = results;
+    options.resume = from;
     options.progress = !quiet;
     options.interrupt = &interrupted;
     Body body = sceneBody(description, sceneMesh(description, options.notes), threads);

@@ -124,6 +124,25 @@ void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameS
   writePvd(folder_ / "run.pvd", entries_);
 }
 
+std::vector<double> FrameWriter::times() const {
+  std::vector<double> times;
+  for (const PvdEntry& entry : entries_) times.push_back(entry.time);
+  return times;
+}
+
+void FrameWriter::goOnBehind(const std::vector<double>& times) {
+  entries_.clear();
+  for (const double time : times) {
+    const std::filesystem::path file = std::filesystem::path("frames") / frameName(entries_.size() + 1);
+    std::error_code error;
+    if (!std::filesystem::exists(folder_ / file, error))
+      throw InputError(
+          fmt::format("{}: is missing; the checkpoint needs it, begin the run again", (folder_ / file).string()));
+    entries_.push_back({time, file});
+  }
+  if (!entries_.empty()) writePvd(folder_ / "run.pvd", entries_);
+}
+
 void FrameWriter::removeStale() const {
   std::error_code ignored;
   for (std::size_t i = entries_.size() + 1; std::filesystem::remove(folder_ / "frames" / frameName(i), ignored); ++i) {

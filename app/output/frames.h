@@ -50,6 +50,10 @@ class FrameWriter {
   /// cannot be written.
   void write(const NodeVectors& x, const NodeVectors& v, const FrameState& state);
   std::size_t count() const { return entries_.size(); }
+  /// Times of the frames so far, s.
+  std::vector<double> times() const;
+  /// Goes on behind frames of these times, which are there. Throws InputError where one is not.
+  void goOnBehind(const std::vector<double>& times);
   /// Removes frames of an earlier, longer run from the folder.
   void removeStale() const;
 

@@ -1,5 +1,8 @@
 #include <ringwatch/app/output/history.h>
 
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,6 +22,26 @@ HistoryWriter::HistoryWriter(const std::filesystem::path& folder)
     : file_(folder / "history.csv"), flushed_(std::chrono::steady_clock::now()) {
   file_.write(columns);
 }
+
+namespace {
+
+/// The file as it was after its first `bytes`.
+std::filesystem::path cutBack(const std::filesystem::path& file, std::size_t bytes) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file, error);
+  if (error || size < bytes)
+    throw InputError(fmt::format("{}: {}; the checkpoint needs its first {} bytes, begin the run again", file.string(),
+                                 error ? error.message() : fmt::format("has {} bytes", size), bytes));
+  std::filesystem::resize_file(file, bytes, error);
+  if (error) throw InputError(fmt::format("cannot write {}: {}", file.string(), error.message()));
+  return file;
+}
+
+}  // namespace
+
+HistoryWriter::HistoryWriter(const std::filesystem::path& folder, std::size_t bytes)
+    : file_(cutBack(folder / "history.csv", bytes), OutputFile::Mode::append, (folder / "history.csv").string()),
+      flushed_(std::chrono::steady_clock::now()) {}
 
 HistoryWriter::~HistoryWriter() {
   try {
@@ -57,6 +80,44 @@ void HistoryWriter::write(const HistoryRow& row) {
   if (now - flushed_ < std::chrono::milliseconds(250)) return;
   flush();
   flushed_ = now;
+}
+
+std::size_t HistoryWriter::bytes() {
+  flush();
+  return file_.size();
+}
+
+std::vector<HistoryRow> readHistory(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "history.csv";
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  if (!std::getline(file, line) || line + '\n' != columns)
+    throw InputError(fmt::format("{}: is no history of this version", path.string()));
+  std::vector<HistoryRow> rows;
+  while (std::getline(file, line)) {
+    std::vector<std::string> cells;
+    std::istringstream text(line + ",");
+    for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+    constexpr std::size_t count = 15;  // columns
+    if (cells.size() != count)
+      throw InputError(fmt::format("{}: row {} has {} cells, not {}", path.string(), rows.size(), cells.size(), count));
+    const auto number = [&](std::size_t i) { return std::strtod(cells[i].c_str(), nullptr); };
+    HistoryRow& row = rows.emplace_back();
+    row.step = std::strtoll(cells[0].c_str(), nullptr, 10);
+    row.time = number(1);
+    row.h = number(2);
+    if (!cells[3].empty()) {
+      row.bracket.emplace();
+      row.bracket->safe = number(3);
+      row.bracket->optimistic = number(4);
+    }
+    if (!cells[6].empty()) row.energies = Energies{number(6), number(7), number(8), number(9), number(14)};
+    row.elementsRefreshed = std::strtoll(cells[10].c_str(), nullptr, 10);
+    row.handledElements = std::strtoll(cells[11].c_str(), nullptr, 10);
+    if (!cells[12].empty()) row.metricStep = number(12);
+    if (!cells[13].empty()) row.verdict = verdictNames.valueOf(path.string(), cells[13]);
+  }
+  return rows;
 }
 
 void HistoryWriter::finish() {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <ringwatch/base/output_file.h>
 #include <ringwatch/monitor/stability_monitor.h>
@@ -28,6 +29,9 @@ class HistoryWriter {
  public:
   /// Begins the file again. Throws InputError when the folder cannot be written.
   explicit HistoryWriter(const std::filesystem::path& folder);
+  /// Goes on behind the first `bytes` of the file; what is behind them is dropped. Throws InputError when there are
+  /// fewer.
+  HistoryWriter(const std::filesystem::path& folder, std::size_t bytes);
   /// Writes what is left, in silence.
   ~HistoryWriter();
   HistoryWriter(const HistoryWriter&) = delete;
@@ -35,6 +39,8 @@ class HistoryWriter {
 
   /// Throws InputError when the disk is full.
   void write(const HistoryRow& row);
+  /// Writes what is left; the bytes of the file then.
+  std::size_t bytes();
   void finish();
 
  private:
@@ -44,5 +50,8 @@ class HistoryWriter {
   std::string rows_;  // not yet in the file
   std::chrono::steady_clock::time_point flushed_;
 };
+
+/// The rows of a history.csv, of brackets the two sides alone. Throws InputError where it is not one.
+std::vector<HistoryRow> readHistory(const std::filesystem::path& folder);
 
 }  // namespace ringwatch

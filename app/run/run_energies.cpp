@@ -32,6 +32,28 @@ void RunEnergies::beginBody() {
   balance_.emplace(body_);
 }
 
+nlohmann::ordered_json RunEnergies::save() const {
+  return {{"kinetic", before_.kinetic},
+          {"strain", before_.strain},
+          {"external_work", before_.externalWork},
+          {"balance_error", before_.balanceError},
+          {"dissipated", before_.dissipated},
+          {"largest", largest_},
+          {"scale", scale_},
+          {"runaway_step", runaway_ ? nlohmann::ordered_json(runaway_->step) : nlohmann::ordered_json(nullptr)},
+          {"runaway_time", runaway_ ? runaway_->time : 0}};
+}
+
+void RunEnergies::resume(const nlohmann::ordered_json& saved) {
+  const auto number = [&](const char* key) { return saved.at(key).get<double>(); };
+  before_ = {number("kinetic"), number("strain"), number("external_work"), number("balance_error"),
+             number("dissipated")};
+  largest_ = number("largest");
+  scale_ = number("scale");
+  if (!saved.at("runaway_step").is_null())
+    runaway_ = {saved.at("runaway_step").get<std::int64_t>(), number("runaway_time")};
+}
+
 void RunEnergies::check(std::int64_t step, double time) {
   if (!last_) return;
   if (!runaway_)

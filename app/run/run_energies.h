@@ -26,6 +26,9 @@ class RunEnergies {
   void addExternalWork(double work) { ownWork_ += work; }
   /// The body is another one from here on. What the one before has come to is kept.
   void beginBody();
+  /// For resume(), after beginBody().
+  nlohmann::ordered_json save() const;
+  void resume(const nlohmann::ordered_json& saved);
   /// At the state recorded last, all bodies together; empty unless a row was due.
   const std::optional<Energies>& last() const { return last_; }
 
@@ -34,10 +37,11 @@ class RunEnergies {
     scale_ = energy;
     largest_ = std::max(largest_, energy);
   }
-  /// The last energies as they are to be judged: an error far below the scale is none.
+  /// The last energies as they are to be judged: an error within the tolerance is none.
   std::optional<Energies> judged() const {
     std::optional<Energies> energies = last_;
-    if (energies && std::abs(energies->balanceError) <= runawayShare * scale_) energies->balanceError = 0;
+    // The largest energy of the run, which outlives a monitor.
+    if (energies && std::abs(energies->balanceError) <= scene_.energyTolerance * largest_) energies->balanceError = 0;
     return energies;
   }
 

@@ -1,23 +1,22 @@
 #include <ringwatch/app/run/run_output.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/run/checkpoint.h>
 
 namespace ringwatch {
 namespace {
 
-/// Removes what an earlier run left in the folder under the names of this one, and what one that was killed left half
-/// written.
-void removeOldResults(const std::filesystem::path& folder) {
+/// Removes files of an earlier run, and what one that was killed left half written.
+void removeOldResults(const std::filesystem::path& folder, std::initializer_list<const char*> names) {
   std::error_code error;
-  for (const char* name :
-       {"history.csv", "summary.json", "run.pvd", "critical_step.png", "critical_step.gp", "critical_step.dat"})
-    std::filesystem::remove(folder / name, error);
+  for (const char* name : names) std::filesystem::remove(folder / name, error);
   std::vector<std::filesystem::path> halfWritten;
   for (const std::filesystem::path& place : {folder, folder / "frames"})
     for (const auto& entry : std::filesystem::directory_iterator(place, error))
@@ -32,16 +31,42 @@ RunOutput::RunOutput(const Scene& scene, const Body& body, StepRule rule, std::f
 
 void RunOutput::open() {
   if (history_) return;
-  removeOldResults(folder_);
+  removeOldResults(folder_, {"history.csv", "summary.json", "run.pvd", "critical_step.png", "critical_step.gp",
+                             "critical_step.dat", checkpointFile});
   history_.emplace(folder_);
   if (scene_.frameInterval) frames_.emplace(folder_, scene_, body_, rule_);
 }
 
-void RunOutput::writeRow(const HistoryRow& row) {
-  history_->write(row);
+void RunOutput::resume(const nlohmann::ordered_json& saved) {
+  removeOldResults(folder_, {"summary.json", "critical_step.png", "critical_step.gp", "critical_step.dat"});
+  history_.emplace(folder_, saved.at("history").get<std::size_t>());
+  if (scene_.picture)
+    for (const HistoryRow& row : readHistory(folder_)) keepForPicture(row);
+  if (!scene_.frameInterval) return;
+  frames_.emplace(folder_, scene_, body_, rule_);
+  frames_->goOnBehind(saved.at("frames").get<std::vector<double>>());
+  nextFrame_ = saved.at("next_frame").get<double>();
+  framesDue_ = saved.at("frames_due").get<std::int64_t>();
+  lastFrame_ = saved.at("last_frame").get<std::int64_t>();
+}
+
+nlohmann::ordered_json RunOutput::save() {
+  return {{"history", history_->bytes()},
+          {"frames", frames_ ? frames_->times() : std::vector<double>()},
+          {"next_frame", nextFrame_},
+          {"frames_due", framesDue_},
+          {"last_frame", lastFrame_}};
+}
+
+void RunOutput::keepForPicture(const HistoryRow& row) {
   if (!scene_.picture || !row.verdict) return;
   picture_.add(row);
   pictured_ = true;
+}
+
+void RunOutput::writeRow(const HistoryRow& row) {
+  history_->write(row);
+  keepForPicture(row);
 }
 
 void RunOutput::writeFrame(std::int64_t step, const State& state, const FrameState& frame) {

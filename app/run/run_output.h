@@ -22,6 +22,10 @@ class RunOutput {
   /// Removes what an earlier run left and begins history and frames, once: until it is known that there is a first
   /// step, old results stay.
   void open();
+  /// In place of open(): goes on behind what was there at a checkpoint.
+  void resume(const nlohmann::ordered_json& saved);
+  /// For resume(), at a state where all rows and frames before it are written.
+  nlohmann::ordered_json save();
   void writeRow(const HistoryRow& row);
   /// The step from this row of the history was shortened to end with the run: the picture leaves it out.
   void leaveOut(std::int64_t step) { picture_.leaveOut(step); }
@@ -37,6 +41,7 @@ class RunOutput {
 
  private:
   void drawPicture(RunResult& result);
+  void keepForPicture(const HistoryRow& row);
 
   const Scene& scene_;
   const Body& body_;

@@ -50,6 +50,12 @@ void RunWatch::end() {
         if (told.event.handled == handled && known.kind == told.event.kind && known.step == told.event.step)
           told.event.end = known.end;
   };
+  for (const GoingOn& one : goingOn_)
+    if (monitor_ && one.comesAt)
+      for (const MonitorEvent& known : monitor_->events())
+        if (MonitorEvent& told = result_.events[one.event].event; known.kind == told.kind && known.step == *one.comesAt)
+          told.end = known.end;
+  goingOn_.clear();
   close(handledWatch_.events(), true);
   if (monitor_) close(monitor_->events(), false);
   monitor_.reset();
@@ -88,10 +94,36 @@ void RunWatch::complete(MonitorReport& report, const State& state, const std::op
   if (!scene_.monitored()) return;
   const Stopwatch watch(result_.monitorTime);
   if (monitor_ && energies && sees(report.step)) report.newEvents = monitor_->observeEnergies(*energies).newEvents;
+  dropContinued(report);
   if (!handler_) return;
   nameElements(report);
   if (report.step % scene_.every == 0 && state.x.allFinite()) watchHandled(report, state);
   checkHandled(report);
+}
+
+void RunWatch::goOnWithEvents(std::int64_t k) {
+  goingOn_.clear();
+  for (std::size_t i = 0; i < result_.events.size(); ++i)
+    if (!result_.events[i].event.end) goingOn_.push_back({i});
+  checkpointStep_ = k;
+  sinceCheckpoint_ = 0;
+}
+
+void RunWatch::dropContinued(MonitorReport& report) {
+  if (goingOn_.empty()) return;
+  std::erase_if(report.newEvents, [&](const MonitorEvent& event) {
+    for (GoingOn& one : goingOn_)
+      if (!one.comesAt && result_.events[one.event].event.kind == event.kind) {
+        one.comesAt = event.step;
+        return true;
+      }
+    return false;
+  });
+  if (++sinceCheckpoint_ <= MonitorOptions{}.clearObservations) return;
+  std::erase_if(goingOn_, [&](const GoingOn& one) {
+    if (!one.comesAt) result_.events[one.event].event.end = checkpointStep_;
+    return !one.comesAt;
+  });
 }
 
 void RunWatch::watchHandled(MonitorReport& report, const State& state) {

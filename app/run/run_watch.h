@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include <ringwatch/app/run/handled_watch.h>
 #include <ringwatch/app/run/runner.h>
@@ -35,12 +36,23 @@ class RunWatch {
   void complete(MonitorReport& report, const State& state, const std::optional<Energies>& energies);
   /// A step is certified only with the handled parts that need a proof of their own.
   void checkHandled(MonitorReport& report) const;
+  /// After end() and begin() at a checkpoint, at step k: events that go on are told once. One that does not come again
+  /// in as many observations as end an event has ended here.
+  void goOnWithEvents(std::int64_t k);
+  /// For resume(), after end().
+  nlohmann::ordered_json save() const { return {{"fresh_reports", freshReports_}}; }
+  /// Before begin().
+  void resume(const nlohmann::ordered_json& saved) {
+    freshReports_ = saved.at("fresh_reports").get<std::int64_t>();
+    monitored_ = true;
+  }
   /// Reports that were made of the very state, so far.
   std::int64_t freshReports() const { return freshReports_; }
 
  private:
   /// Between its observations the monitor does not see the states of a run that does not show every one.
   bool sees(std::int64_t k) const { return everyState_ || k % scene_.every == 0; }
+  void dropContinued(MonitorReport& report);
   void watchHandled(MonitorReport& report, const State& state);
   void nameElements(MonitorReport& report) const;
 
@@ -55,6 +67,14 @@ class RunWatch {
   HandledWatch handledWatch_;
   MonitorReport lastReport_;  // where not every state is seen: of the last one that was
   std::int64_t freshReports_ = 0;
+  /// An event from before a checkpoint that has not ended.
+  struct GoingOn {
+    std::size_t event;                         // of the result
+    std::optional<std::int64_t> comesAt = {};  // the step at which the monitor of now has told it again
+  };
+  std::vector<GoingOn> goingOn_;
+  std::int64_t checkpointStep_ = 0;
+  int sinceCheckpoint_ = 0;  // observations
 };
 
 }  // namespace ringwatch

@@ -9,10 +9,12 @@
 
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/run/checkpoint.h>
 #include <ringwatch/app/run/run_energies.h>
 #include <ringwatch/app/run/run_output.h>
 #include <ringwatch/app/run/run_scheme.h>
 #include <ringwatch/app/run/run_watch.h>
+#include <ringwatch/app/run/saved_result.h>
 #include <ringwatch/app/run/step_policy.h>
 #include <ringwatch/app/run/stopwatch.h>
 #include <ringwatch/app/run/timed_loads.h>
@@ -55,21 +57,28 @@ class Run {
         const Stopwatch output(result_.outputTime);
         output_.emplace(scene_, body_, rule_, options_.folder);
       }
-      state_ = sceneInitialState(scene_, scheme_->system());
-      loads_.begin(state_.x);
+      if (options_.resume) {
+        resume(*options_.resume);
+        goOnFromCheckpoint();
+      } else {
+        state_ = sceneInitialState(scene_, scheme_->system());
+        loads_.begin(state_.x);
+      }
       advance();
       progress_.clear();
       finish();
     }
     result_.files.emplace_back("summary.json");
     writeFileAtomically(options_.folder / "summary.json", summaryJson(scene_, body_, result_).dump(2) + "\n");
+    std::error_code ignored;
+    if (result_.reason == ExitReason::end) std::filesystem::remove(options_.folder / checkpointFile, ignored);
     return std::move(result_);
   }
 
  private:
   /// Steps until something ends the run.
   void advance() {
-    for (std::int64_t k = 0;; k = result_.steps) {
+    for (std::int64_t k = result_.steps;; k = result_.steps) {
       if (loads_.any()) energies_.addExternalWork(loads_.setForces(state_.time, state_.x));
       // A rounding error in the sum of the steps must not add one.
       if (steps_.step() > 0 && state_.time >= scene_.end - 1e-3 * steps_.step())
@@ -77,6 +86,7 @@ class Run {
       if (options_.interrupt && options_.interrupt->load())
         return end(ExitReason::interrupted, fmt::format("interrupted before step {}", k));
       while (const Scene::Cut* due = cutDue()) cut(*due);
+      if (checkpointDue()) checkpoint();
 
       const bool rowDue = k % scene_.historyEvery == 0;
       MonitorReport report = handleMore(observe(k, rowDue), rowDue);
@@ -94,6 +104,73 @@ class Run {
       if (!takeStep(report)) return;
       showProgress(report);
     }
+  }
+
+  bool checkpointDue() const {
+    return scene_.checkpointInterval && result_.steps > 0 && isFinite(state_, body_.threads()) &&
+           state_.time >= static_cast<double>(checkpointsDue_ + 1) * *scene_.checkpointInterval - 1e-3 * steps_.step();
+  }
+
+  /// Writes what a resumed run goes on from, and goes on from there itself: monitor and energy balance begin anew.
+  void checkpoint() {
+    scheme_->stepper().complete(state_);
+    recordEnergies();
+    energies_.beginBody();
+    watch_.end();
+    const double interval = *scene_.checkpointInterval, reached = state_.time + 1e-3 * steps_.step();
+    // However many lie within a step.
+    checkpointsDue_ = std::max(checkpointsDue_ + 1, static_cast<std::int64_t>(reached / interval));
+    {
+      const Stopwatch output(result_.outputTime);
+      Checkpoint saved;
+      saved.sceneFile = scene_.file;
+      if (!scene_.meshFile.empty()) saved.meshFile = std::filesystem::absolute(scene_.meshFile);
+      saved.scene = scene_.echo;
+      saved.mesh = hashOf(body_.mesh());
+      saved.state.time = state_.time;
+      saved.state.x = state_.x;
+      saved.state.v = state_.v;
+      saved.books = {{"result", savedResult(result_)},
+                     {"energies", energies_.save()},
+                     {"steps", steps_.save()},
+                     {"watch", watch_.save()},
+                     {"output", output_->save()},
+                     {"checkpoints_due", checkpointsDue_},
+                     {"last_verdict", static_cast<int>(lastVerdict_)}};
+      writeCheckpoint(options_.folder, saved);
+    }
+    beginWatch();
+    loads_.begin(state_.x);
+    goOnFromCheckpoint();
+  }
+
+  void resume(const Checkpoint& saved) {
+    if (saved.mesh != hashOf(body_.mesh()) || saved.state.x.cols() != body_.nodeCount() ||
+        saved.state.v.cols() != body_.nodeCount())
+      throw InputError(
+          fmt::format("{}: the mesh is another one than when the checkpoint was written; begin the run again",
+                      scene_.meshFile.empty() ? scene_.file.string() : scene_.meshFile.string()));
+    state_.time = saved.state.time;
+    state_.x = saved.state.x;
+    state_.v = saved.state.v;
+    watch_.end();
+    resumeResult(saved.books.at("result"), result_);
+    energies_.resume(saved.books.at("energies"));
+    steps_.resume(saved.books.at("steps"));
+    watch_.resume(saved.books.at("watch"));
+    checkpointsDue_ = saved.books.at("checkpoints_due").get<std::int64_t>();
+    lastVerdict_ = static_cast<Verdict>(saved.books.at("last_verdict").get<int>());
+    beginWatch();
+    loads_.begin(state_.x);
+    loads_.setForces(state_.time, state_.x);
+    output_->resume(saved.books.at("output"));
+  }
+
+  /// What is done alike behind a checkpoint, by a run that goes on and by one that is resumed.
+  void goOnFromCheckpoint() {
+    state_.a.resize(3, 0);
+    watch_.goOnWithEvents(result_.steps);
+    recordEnergies();
   }
 
   /// Watches the body, or what its handler leaves explicit, from here on.
@@ -418,6 +495,11 @@ class Run {
   }
 
   void noteWhatIsNotCertified() {
+    if (result_.reason == ExitReason::interrupted && scene_.checkpointInterval)
+      result_.notes.push_back(
+          checkpointsDue_ > 0
+              ? fmt::format("ringwatch run --resume {} goes on from its last checkpoint", options_.folder.string())
+              : "there was no checkpoint yet to go on from");
     if (result_.energyOff())
       result_.notes.emplace_back("the energy balance was off (see the events), so the run is not called stable");
     if (result_.watchedSteps == 0 || result_.certified()) return;
@@ -457,6 +539,7 @@ class Run {
   Body::Workspace workspace_;
   bool stepperNeedsForce_ = false;
   std::size_t cutsMissed_ = 0;
+  std::int64_t checkpointsDue_ = 0;   // whole intervals that the last one ended
   std::vector<int> materialOfBlock_;  // empty where there is one
   Verdict lastVerdict_ = Verdict::notCertified;
 };

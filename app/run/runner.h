@@ -15,6 +15,8 @@
 
 namespace ringwatch {
 
+struct Checkpoint;
+
 /// Why a run ended.
 enum class ExitReason {
   end,            ///< its end time was reached
@@ -39,6 +41,7 @@ struct RunOptions {
   bool progress = true;                          // a progress line on a terminal
   const std::atomic<bool>* interrupt = nullptr;  // the run ends after the step in which it becomes true
   std::vector<std::string> notes;                // of the mesh reader, for the summary
+  const Checkpoint* resume = nullptr;            // the run goes on from there, in the folder of the checkpoint
 };
 
 /// What a handler did in a run.

@@ -341,6 +341,28 @@ void checkTimedLoads(Scene& scene) {
   if (scene.device == RunDevice::automatic) scene.noDevice = "a GPU takes no tables of time";
 }
 
+/// output.checkpoint_every: for what a state of positions and velocities tells all of.
+void readCheckpoints(const SceneTable& output, Scene& scene) {
+  if (!output.given("checkpoint_every")) return;
+  const SceneEntry& entry = output.at("checkpoint_every");
+  const auto refuse = [&](const std::string& what) { fail(entry.origin, "output.checkpoint_every", what); };
+  scene.checkpointInterval = entry.value.get<double>();
+  const double count = scene.end / *scene.checkpointInterval;
+  if (!(count <= mostSteps))
+    refuse(fmt::format("{} s makes {:.3g} checkpoints to the end at {} s; at most {} are possible",
+                       *scene.checkpointInterval, count, scene.end, mostSteps));
+  const auto takes = [](const IntegratorInfo& info) {
+    return info.forceEvaluations > 0 && !info.partitioned && !info.adaptive && !std::isinf(info.imaginaryLimit);
+  };
+  if (!takes(*integratorCatalog().find(scene.method)))
+    refuse(fmt::format("\"{}\" has no checkpoints; {} have", scene.method, namesWhere(integratorInfos(), takes)));
+  if (!scene.handler.empty())
+    refuse(fmt::format("the handler \"{}\" has no checkpoints; set handler.method = \"none\"", scene.handler));
+  if (!scene.cuts.empty()) refuse("runs with [[cut]] have no checkpoints");
+  if (scene.device == RunDevice::cuda) refuse("a run on a GPU has no checkpoints; set integrator.device = \"cpu\"");
+  if (scene.device == RunDevice::automatic) scene.noDevice = "a run on a GPU has no checkpoints";
+}
+
 void readInitialSection(const SceneTable& section, Scene& scene) {
   if (!section.given("velocity") && !section.given("angular_velocity"))
     fail(section.origin, "initial.velocity", "missing; give velocity (m/s) or angular_velocity (rad/s)");
@@ -476,6 +498,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
            fmt::format("{} s makes {:.3g} frames to the end at {} s; at most {} are possible", *scene.frameInterval,
                        frames, scene.end, mostSteps));
   }
+  readCheckpoints(output, scene);
   scene.fields = output.get<std::vector<std::string>>("fields");
   scene.historyEvery = output.get<std::int64_t>("history_every");
   scene.energy = output.get<bool>("energy");
@@ -505,6 +528,10 @@ Scene sceneOfRun(const std::filesystem::path& folder) {
   const auto echo = summary.is_object() ? summary.find("scene") : summary.end();
   if (!summary.is_object() || echo == summary.end() || !echo->is_object())
     throw InputError(fmt::format("{}: not the summary of a run; it has no \"scene\"", file.string()));
+  return sceneOfEcho(file, *echo);
+}
+
+Scene sceneOfEcho(const std::filesystem::path& file, const Json& echo) {
   // JSON's texts, numbers and lists are TOML's.
   std::string text;
   const auto add = [&](const std::string& head, const Json& section) {
@@ -512,7 +539,7 @@ Scene sceneOfRun(const std::filesystem::path& folder) {
     for (const auto& [key, value] : section.items())
       if (!value.is_null()) text += fmt::format("{} = {}\n", key, value.dump());
   };
-  for (const auto& [name, section] : echo->items()) {
+  for (const auto& [name, section] : echo.items()) {
     if (!section.is_array()) {
       add(fmt::format("[{}]", name), section);
     } else {

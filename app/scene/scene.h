@@ -133,7 +133,8 @@ struct Scene {
   std::string timed;      // "scene.toml:12: move.times", of the first load or motion with a table; "" for none
   std::vector<Cut> cuts;  // by time
 
-  std::optional<double> frameInterval;  // s; empty for no frames
+  std::optional<double> checkpointInterval;  // s; empty for no checkpoints
+  std::optional<double> frameInterval;       // s; empty for no frames
   std::vector<std::string> fields;
   std::int64_t historyEvery = 1;
   bool energy = true;
@@ -148,6 +149,8 @@ struct Scene {
 /// string); they win over the file. Throws InputError "FILE:LINE: section.key: what is wrong; what would be right".
 Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
+/// The scene of an echo (Scene::echo). file: of the scene, for messages and what is relative to it.
+Scene sceneOfEcho(const std::filesystem::path& file, const nlohmann::ordered_json& echo);
 /// The scene of a finished run, from its summary.json. Throws InputError when there is none that can be read.
 Scene sceneOfRun(const std::filesystem::path& folder);
 /// `hex8=RULE` and so on as element name -> quadrature rule name. Throws InputError "origin: …" for another form, an

@@ -362,6 +362,16 @@ std::vector<SceneKey> makeKeys() {
        "cell data of the frames: each element's step by a metric (critical_step stands for reduced-1-ring), by the "
        "monitor's metric with its margin, verdict, handled elements; displacement, velocity, sets and the frame's "
        "bracket are always there"},
+      {"output",
+       "checkpoint_every",
+       T::number,
+       "s",
+       false,
+       "",
+       positive,
+       {},
+       "time between checkpoints, from the last of which `ringwatch run --resume DIR` goes on, bit by bit as the run "
+       "would have; with explicit integrators of fixed order, without handler, cuts and GPU"},
       {"output", "history_every", T::integer, "steps", false, "1", atLeastOne, {}, "steps between rows of history.csv"},
       {"output",
        "energy",

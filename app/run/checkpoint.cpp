@@ -1,0 +1,159 @@
+#include <ringwatch/app/run/checkpoint.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/output/report.h>
+#include <ringwatch/base/atomic_file.h>
+#include <ringwatch/base/error.h>
+
+namespace ringwatch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view mark = "ringwatch checkpoint\n";
+constexpr int format = 1;  // of the file; any change of what is in it counts
+
+/// FNV-1a, 64 bits (Fowler, Noll, Vo): finds damage and changes, resists no forgery.
+class Hash {
+ public:
+  void add(const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < size; ++i) value_ = (value_ ^ bytes[i]) * 0x100000001b3u;
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+Json binaryOf(const NodeVectors& vectors) {
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(vectors.size()) * sizeof(double));
+  if (!bytes.empty()) std::memcpy(bytes.data(), vectors.data(), bytes.size());
+  return Json::binary(std::move(bytes));
+}
+
+NodeVectors vectorsOf(const Json& json) {
+  const auto& bytes = json.get_binary();
+  NodeVectors vectors(3, static_cast<Eigen::Index>(bytes.size() / (3 * sizeof(double))));
+  if (static_cast<std::size_t>(vectors.size()) * sizeof(double) != bytes.size()) throw InputError("no 3×N numbers");
+  if (!bytes.empty()) std::memcpy(vectors.data(), bytes.data(), bytes.size());
+  return vectors;
+}
+
+std::uint64_t hashOf(std::string_view text) {
+  Hash hash;
+  hash.add(text.data(), text.size());
+  return hash.value();
+}
+
+/// The first place in which two values differ: "integrator.step".
+std::string firstDifference(const Json& a, const Json& b, const std::string& path) {
+  if (a.type() == b.type() && (a.is_object() || a.is_array()) && (a.is_object() || a.size() == b.size())) {
+    for (const auto& [key, value] : a.items()) {
+      const std::string at = path.empty() ? key : path + "." + key;
+      if (a.is_object() && !b.contains(key)) return at;
+      const Json& other = a.is_object() ? b.at(key) : b.at(std::stoul(key));
+      if (const std::string found = firstDifference(value, other, at); !found.empty()) return found;
+    }
+    for (const auto& [key, value] : b.items())
+      if (a.is_object() && !a.contains(key)) return path.empty() ? key : path + "." + key;
+    return "";
+  }
+  return a == b ? "" : path;
+}
+
+}  // namespace
+
+std::uint64_t hashOf(const Mesh& mesh) {
+  Hash hash;
+  hash.add(mesh.X.data(), static_cast<std::size_t>(mesh.X.size()) * sizeof(double));
+  for (const MeshBlock& block : mesh.blocks) {
+    const std::string_view name = elementInfo(block.type).name;
+    hash.add(name.data(), name.size());
+    hash.add(block.connectivity.data(), block.connectivity.size() * sizeof(std::int32_t));
+  }
+  return hash.value();
+}
+
+void writeCheckpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint) {
+  const Json content{{"format", format},
+                     {"version", std::string(programVersion())},
+                     {"scene_file", checkpoint.sceneFile.string()},
+                     {"mesh_file", checkpoint.meshFile.string()},
+                     {"scene", checkpoint.scene},
+                     {"mesh", checkpoint.mesh},
+                     {"time", checkpoint.state.time},
+                     {"x", binaryOf(checkpoint.state.x)},
+                     {"v", binaryOf(checkpoint.state.v)},
+                     {"books", checkpoint.books}};
+  std::string text(mark);
+  Json::to_cbor(content, text);
+  const std::uint64_t hash = hashOf(text);
+  text.append(reinterpret_cast<const char*>(&hash), sizeof hash);
+  writeFileAtomically(folder / checkpointFile, text);
+}
+
+Checkpoint readCheckpoint(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / checkpointFile;
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error))
+    throw InputError(fmt::format("{}: is no folder of a run", folder.string()));
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw InputError(
+        fmt::format("{}: cannot read: {}; a run with output.checkpoint_every writes it, and removes it "
+                    "when it has reached its end",
+                    file.string(), std::strerror(errno)));
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  std::uint64_t hash = 0;
+  if (!text.starts_with(mark) || text.size() < mark.size() + sizeof hash)
+    throw InputError(fmt::format("{}: is no checkpoint", file.string()));
+  const std::string_view body(text.data(), text.size() - sizeof hash);
+  std::memcpy(&hash, body.end(), sizeof hash);
+  if (hash != hashOf(body)) throw InputError(fmt::format("{}: is damaged; begin the run again", file.string()));
+  try {
+    const Json content = Json::from_cbor(body.begin() + mark.size(), body.end());
+    const auto version = content.at("version").get<std::string>();
+    if (content.at("format").get<int>() != format || version != programVersion())
+      throw InputError(
+          fmt::format("{}: was written by ringwatch {} (format {}); this is {} (format {}), begin the run "
+                      "again or resume it with that version",
+                      file.string(), version, content.at("format").get<int>(), programVersion(), format));
+    Checkpoint checkpoint;
+    checkpoint.sceneFile = content.at("scene_file").get<std::string>();
+    checkpoint.meshFile = content.at("mesh_file").get<std::string>();
+    checkpoint.scene = content.at("scene");
+    checkpoint.mesh = content.at("mesh").get<std::uint64_t>();
+    checkpoint.state.time = content.at("time").get<double>();
+    checkpoint.state.x = vectorsOf(content.at("x"));
+    checkpoint.state.v = vectorsOf(content.at("v"));
+    checkpoint.books = content.at("books");
+    return checkpoint;
+  } catch (const Json::exception& fault) {
+    throw InputError(fmt::format("{}: is damaged: {}", file.string(), fault.what()));
+  }
+}
+
+Scene sceneOf(const Checkpoint& checkpoint) {
+  Scene scene = sceneOfEcho(checkpoint.sceneFile, checkpoint.scene);
+  scene.meshFile = checkpoint.meshFile;  // wherever the program is called from
+  scene.echo = checkpoint.scene;         // keys in the same order
+  return scene;
+}
+
+void requireSameScene(const Checkpoint& checkpoint, const Scene& scene, const std::filesystem::path& folder) {
+  const std::string key = firstDifference(checkpoint.scene, scene.echo, "");
+  if (!key.empty())
+    throw InputError(fmt::format("{}: is of another scene than {}: {} differs; resume without SCENE, or begin a run",
+                                 (folder / checkpointFile).string(), scene.file.string(), key));
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include <ringwatch/app/scene/scene.h>
+#include <ringwatch/integrators/integrator.h>
+
+namespace ringwatch {
+
+/// What a run goes on from as if it had not been stopped: its state and the books of what came before. At a checkpoint
+/// a run begins its monitor and its energy balance anew, whether it goes on or is resumed: so both have the same bits.
+struct Checkpoint {
+  std::filesystem::path sceneFile;  // as the run was given it
+  std::filesystem::path meshFile;   // empty when generated
+  nlohmann::ordered_json scene;     // Scene::echo
+  std::uint64_t mesh = 0;           // hashOf
+  State state;                      // positions and velocities of one time; no acceleration
+  nlohmann::ordered_json books;     // what the parts of a run have saved
+};
+
+/// Name of the file in the folder of a run.
+inline constexpr const char* checkpointFile = "checkpoint.bin";
+
+/// A number for nodes and elements of a mesh; another mesh has another one.
+std::uint64_t hashOf(const Mesh& mesh);
+
+/// Replaces the checkpoint in a folder: the old one or the whole new one is there, however the program ends. Throws
+/// InputError when it cannot be written.
+void writeCheckpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint);
+/// Throws InputError where there is none, it is damaged, or another version has written it.
+Checkpoint readCheckpoint(const std::filesystem::path& folder);
+
+/// The scene of a checkpoint.
+Scene sceneOf(const Checkpoint& checkpoint);
+/// Throws InputError that names the first key in which a scene differs from that of the checkpoint in the folder.
+void requireSameScene(const Checkpoint& checkpoint, const Scene& scene, const std::filesystem::path& folder);
+
+/// Numbers that may be missing, as JSON.
+template <class T>
+nlohmann::ordered_json optionalJson(const std::optional<T>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+template <class T>
+std::optional<T> optionalOf(const nlohmann::ordered_json& json) {
+  return json.is_null() ? std::nullopt : std::optional(json.get<T>());
+}
+
+}  // namespace ringwatch

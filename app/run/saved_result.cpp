@@ -1,0 +1,124 @@
+#include <ringwatch/app/run/saved_result.h>
+
+#include <cstring>
+#include <type_traits>
+
+#include <ringwatch/app/run/checkpoint.h>
+#include <ringwatch/base/error.h>
+
+namespace ringwatch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Written and read by the same version of the program.
+static_assert(std::is_trivially_copyable_v<ElementCause>);
+
+Json causeJson(const std::optional<ElementCause>& cause) {
+  if (!cause) return nullptr;
+  std::vector<std::uint8_t> bytes(sizeof(ElementCause));
+  std::memcpy(bytes.data(), &*cause, bytes.size());
+  return Json::binary(std::move(bytes));
+}
+
+std::optional<ElementCause> causeOf(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  const auto& bytes = json.get_binary();
+  if (bytes.size() != sizeof(ElementCause))
+    throw InputError("checkpoint: was written by another build of ringwatch; begin the run again");
+  ElementCause cause;
+  std::memcpy(&cause, bytes.data(), bytes.size());
+  return cause;
+}
+
+Json eventJson(const RunEvent& told) {
+  const MonitorEvent& event = told.event;
+  return {{"kind", std::string(eventName(event.kind))},
+          {"step", event.step},
+          {"time", event.time},
+          {"value", event.value},
+          {"h", event.h},
+          {"tangent", event.tangent},
+          {"element_ref", event.element ? Json{event.element->block, event.element->element} : Json(nullptr)},
+          {"cause", causeJson(event.cause)},
+          {"end", optionalJson(event.end)},
+          {"element", told.element},
+          {"text", told.text}};
+}
+
+RunEvent eventOf(const Json& json) {
+  RunEvent told;
+  MonitorEvent& event = told.event;
+  event.kind = eventNames.valueOf("checkpoint", json.at("kind").get<std::string>());
+  event.step = json.at("step").get<std::int64_t>();
+  event.time = json.at("time").get<double>();
+  event.value = json.at("value").get<double>();
+  event.h = json.at("h").get<double>();
+  event.tangent = json.at("tangent").get<bool>();
+  if (const Json& ref = json.at("element_ref"); !ref.is_null())
+    event.element = ElementRef{ref.at(0).get<std::int32_t>(), ref.at(1).get<std::int32_t>()};
+  event.cause = causeOf(json.at("cause"));
+  event.end = optionalOf<std::int64_t>(json.at("end"));
+  told.element = json.at("element");
+  told.text = json.at("text").get<std::string>();
+  return told;
+}
+
+Json momentJson(const std::optional<RunResult::Moment>& moment) {
+  return moment ? Json{moment->step, moment->time} : Json(nullptr);
+}
+
+}  // namespace
+
+Json savedResult(const RunResult& result) {
+  Json events = Json::array();
+  for (const RunEvent& event : result.events) events.push_back(eventJson(event));
+  Json governing = nullptr;
+  if (result.governing)
+    governing = Json{{"observations", result.governing->observations},
+                     {"least_safe", optionalJson(result.governing->leastSafe)},
+                     {"at_least_safe", result.governing->atLeastSafe}};
+  return {{"steps", result.steps},
+          {"smallest_step", result.smallestStep},
+          {"largest_step", result.largestStep},
+          {"worst", result.worst ? Json(static_cast<int>(*result.worst)) : Json(nullptr)},
+          {"violated_step_taken", result.violatedStepTaken},
+          {"watched_steps", result.watchedSteps},
+          {"certified_steps", result.certifiedSteps},
+          {"first_observation_steps", result.firstObservationSteps},
+          {"safe_seen", result.safeSeen ? Json{result.safeSeen->least, result.safeSeen->largest} : Json(nullptr)},
+          {"first_violated", momentJson(result.firstViolated)},
+          {"events", std::move(events)},
+          {"governing", std::move(governing)},
+          {"times", {result.forceTime, result.monitorTime, result.outputTime, result.wallTime}},
+          {"notes", result.notes}};
+}
+
+void resumeResult(const Json& saved, RunResult& result) {
+  const auto count = [&](const char* key) { return saved.at(key).get<std::int64_t>(); };
+  result.steps = count("steps");
+  result.smallestStep = saved.at("smallest_step").get<double>();
+  result.largestStep = saved.at("largest_step").get<double>();
+  if (const auto worst = optionalOf<int>(saved.at("worst"))) result.worst = static_cast<Verdict>(*worst);
+  result.violatedStepTaken = saved.at("violated_step_taken").get<bool>();
+  result.watchedSteps = count("watched_steps");
+  result.certifiedSteps = count("certified_steps");
+  result.firstObservationSteps = count("first_observation_steps");
+  if (const Json& seen = saved.at("safe_seen"); !seen.is_null())
+    result.safeSeen = {seen.at(0).get<double>(), seen.at(1).get<double>()};
+  if (const Json& moment = saved.at("first_violated"); !moment.is_null())
+    result.firstViolated = {moment.at(0).get<std::int64_t>(), moment.at(1).get<double>()};
+  result.events.clear();
+  for (const Json& event : saved.at("events")) result.events.push_back(eventOf(event));
+  if (const Json& governing = saved.at("governing"); !governing.is_null())
+    result.governing = {governing.at("observations").get<std::vector<std::int64_t>>(),
+                        optionalOf<double>(governing.at("least_safe")), governing.at("at_least_safe").get<int>()};
+  const Json& times = saved.at("times");
+  result.forceTime += times.at(0).get<double>();
+  result.monitorTime += times.at(1).get<double>();
+  result.outputTime += times.at(2).get<double>();
+  result.wallTime += times.at(3).get<double>();
+  result.notes = saved.at("notes").get<std::vector<std::string>>();
+}
+
+}  // namespace ringwatch
