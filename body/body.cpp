@@ -159,7 +159,7 @@ void Body::addBodyForce(const Eigen::Vector3d& acceleration) {
   externalForce_ += acceleration * lumpedMass().transpose();
 }
 
-void Body::pass(const NodeVectors& x, PatchVisitor* visitor, NodeVectors* force, double* energy,
+void Body::pass(NodeVectorsView x, PatchVisitor* visitor, NodeVectors* force, double* energy,
                 Workspace& workspace) const {
   if (force) workspace.slots.resize(static_cast<std::size_t>(4 * slotCount()));
   if (energy) workspace.energies.resize(patches().size());
@@ -194,24 +194,24 @@ void Body::pass(const NodeVectors& x, PatchVisitor* visitor, NodeVectors* force,
   }
 }
 
-void Body::evaluate(const NodeVectors& x, StepEvaluation& evaluation, Workspace& workspace) const {
+void Body::evaluate(NodeVectorsView x, StepEvaluation& evaluation, Workspace& workspace) const {
   const auto begin = std::chrono::steady_clock::now();
   pass(x, evaluation.visitor, evaluation.wantsForce ? &evaluation.internalForce : nullptr,
        evaluation.wantsEnergy ? &evaluation.strainEnergy : nullptr, workspace);
   evaluation.wallTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-void Body::internalForce(const NodeVectors& x, NodeVectors& f, Workspace& workspace) const {
+void Body::internalForce(NodeVectorsView x, NodeVectors& f, Workspace& workspace) const {
   pass(x, nullptr, &f, nullptr, workspace);
 }
 
-double Body::energy(const NodeVectors& x, Workspace& workspace) const {
+double Body::energy(NodeVectorsView x, Workspace& workspace) const {
   double energy = 0;
   pass(x, nullptr, nullptr, &energy, workspace);
   return energy;
 }
 
-Body::LeastDeterminant Body::leastDeterminant(const NodeVectors& x) const {
+Body::LeastDeterminant Body::leastDeterminant(NodeVectorsView x) const {
   LeastDeterminant least{std::numeric_limits<double>::infinity(), {}};
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ElementBlock& block = *blocks_[b];

@@ -74,11 +74,11 @@ class Body : public TangentSource {
   /// Internal force, strain energy and deformation gradients at positions x (3×N, m), whatever of them is asked for, in
   /// one pass over the elements. In parallel, with the same bits for any number of threads. The equation of motion is
   /// m a = externalForce - internalForce.
-  void evaluate(const NodeVectors& x, StepEvaluation& evaluation, Workspace& workspace) const;
+  void evaluate(NodeVectorsView x, StepEvaluation& evaluation, Workspace& workspace) const;
   /// The internal force alone, 3×N, N.
-  void internalForce(const NodeVectors& x, NodeVectors& f, Workspace& workspace) const;
+  void internalForce(NodeVectorsView x, NodeVectors& f, Workspace& workspace) const;
   /// The strain energy alone, J.
-  double energy(const NodeVectors& x, Workspace& workspace) const;
+  double energy(NodeVectorsView x, Workspace& workspace) const;
   /// Lumped mass that an element gives to its nodes, kg: mass[n].
   void elementLumpedMass(ElementRef element, double* mass) const;
   /// Least det F over all elements and quadrature points, with its element.
@@ -86,13 +86,12 @@ class Body : public TangentSource {
     double value;
     ElementRef element;
   };
-  LeastDeterminant leastDeterminant(const NodeVectors& x) const;
+  LeastDeterminant leastDeterminant(NodeVectorsView x) const;
 
  private:
   std::vector<const ElementTangents*> tangentsOfBlocks() const;
   Eigen::VectorXd lumpMass();
-  void pass(const NodeVectors& x, PatchVisitor* visitor, NodeVectors* force, double* energy,
-            Workspace& workspace) const;
+  void pass(NodeVectorsView x, PatchVisitor* visitor, NodeVectors* force, double* energy, Workspace& workspace) const;
   Mesh mesh_;
   BodyOptions options_;
   std::vector<std::unique_ptr<ElementBlock>> blocks_;

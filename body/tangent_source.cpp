@@ -47,7 +47,7 @@ void TangentSource::addNodalMass(std::int32_t node, double mass) {
   massVersion_.add();
 }
 
-void TangentSource::checkNodal(std::string_view name, const NodeVectors& values) const {
+void TangentSource::checkNodal(std::string_view name, NodeVectorsView values) const {
   if (values.cols() != nodeCount())
     throw InputError(
         joinText(name, " is 3 x ", values.cols(), ": must be 3 x ", nodeCount(), ", a column for each node"));
@@ -113,8 +113,7 @@ void TangentSource::sumOverPatches(
   sumSlots(result, slots);
 }
 
-void TangentSource::tangentProduct(const NodeVectors& x, const NodeVectors& v, NodeVectors& Kv,
-                                   Workspace& workspace) const {
+void TangentSource::tangentProduct(NodeVectorsView x, NodeVectorsView v, NodeVectors& Kv, Workspace& workspace) const {
   sumOverPatches(Kv, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
     const ElementTangents& block = *tangents_[b];
     const Patch& patch = block.layout().patches[p];
@@ -122,7 +121,7 @@ void TangentSource::tangentProduct(const NodeVectors& x, const NodeVectors& v, N
   });
 }
 
-Eigen::MatrixXd TangentSource::elementTangent(ElementRef ref, const NodeVectors& x) const {
+Eigen::MatrixXd TangentSource::elementTangent(ElementRef ref, NodeVectorsView x) const {
   const ElementTangents& block = *tangents_.at(static_cast<std::size_t>(ref.block));
   const std::int32_t place = block.layout().batchOfElement.at(static_cast<std::size_t>(ref.element));
   const int size = 3 * block.nodesPerElement(), lane = place % PatchLayout::lanes;
@@ -249,7 +248,7 @@ void TangentSource::placePairs(BlockMatrix& matrix) const {
   own.slots.resize(9 * static_cast<std::size_t>(slotCount));
 }
 
-void TangentSource::assembleBlocks(const NodeVectors& x, BlockMatrix& matrix) const {
+void TangentSource::assembleBlocks(NodeVectorsView x, BlockMatrix& matrix) const {
   if (matrix.rowBegin.empty()) makePattern(matrix);
   PatchPairs& own = matrix.patchPairs;
   double* values = matrix.block.data()->data();
@@ -302,7 +301,7 @@ void TangentSource::assembleBlocks(const NodeVectors& x, BlockMatrix& matrix) co
       1024);
 }
 
-void TangentSource::assembleTangent(const NodeVectors& x, SparseTangent& tangent) const {
+void TangentSource::assembleTangent(NodeVectorsView x, SparseTangent& tangent) const {
   BlockMatrix& blocks = tangent.blocks;
   Eigen::SparseMatrix<double>& K = tangent.matrix;
   assembleBlocks(x, blocks);
@@ -333,7 +332,7 @@ void TangentSource::assembleTangent(const NodeVectors& x, SparseTangent& tangent
   if (fresh) K.outerIndexPtr()[3 * nodeCount()] = static_cast<int>(9 * blocks.column.size());
 }
 
-Eigen::SparseMatrix<double> TangentSource::assembleTangent(const NodeVectors& x) const {
+Eigen::SparseMatrix<double> TangentSource::assembleTangent(NodeVectorsView x) const {
   SparseTangent tangent;
   assembleTangent(x, tangent);
   Eigen::SparseMatrix<double> K;

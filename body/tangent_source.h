@@ -58,28 +58,28 @@ class TangentSource {
   void addNodalMass(std::int32_t node, double mass);
 
   /// Throws InputError unless `values`, an argument called `name`, is 3×N.
-  void checkNodal(std::string_view name, const NodeVectors& values) const;
+  void checkNodal(std::string_view name, NodeVectorsView values) const;
 
   /// The sum at the nodes, 3×N, of what addPatch adds into the slots of each patch of each group (the slots are zero
   /// before); in parallel.
   void sumOverPatches(NodeVectors& result, Workspace& workspace,
                       const std::function<void(std::size_t block, std::int32_t patch, double* slots)>& addPatch) const;
   /// K(x) v with the exact tangent K.
-  void tangentProduct(const NodeVectors& x, const NodeVectors& v, NodeVectors& Kv, Workspace& workspace) const;
+  void tangentProduct(NodeVectorsView x, NodeVectorsView v, NodeVectors& Kv, Workspace& workspace) const;
   /// Exact tangent of one element, 3n×3n, N/m.
-  Eigen::MatrixXd elementTangent(ElementRef element, const NodeVectors& x) const;
+  Eigen::MatrixXd elementTangent(ElementRef element, NodeVectorsView x) const;
   /// Exact tangent of all elements as node blocks. The pattern is made when `matrix` is empty and reused else.
-  void assembleBlocks(const NodeVectors& x, BlockMatrix& matrix) const;
+  void assembleBlocks(NodeVectorsView x, BlockMatrix& matrix) const;
   /// Exact tangent as a sparse matrix; constrained degrees of freedom are kept. The pattern is made when `tangent` is
   /// empty and reused else.
-  void assembleTangent(const NodeVectors& x, SparseTangent& tangent) const;
+  void assembleTangent(NodeVectorsView x, SparseTangent& tangent) const;
   /// The same from scratch, pattern included.
-  Eigen::SparseMatrix<double> assembleTangent(const NodeVectors& x) const;
+  Eigen::SparseMatrix<double> assembleTangent(NodeVectorsView x) const;
 
   /// Calls visit(block index, batch, K) for every batch, in parallel, with the packed tangents of
   /// ElementTangents::tangentBatch; visit writes to places of its own.
   template <class Visit>
-  void forEachTangentBatch(const NodeVectors& x, const Visit& visit) const {
+  void forEachTangentBatch(NodeVectorsView x, const Visit& visit) const {
     for (std::size_t b = 0; b < tangents_.size(); ++b) {
       const ElementTangents& block = *tangents_[b];
       const auto size = static_cast<std::size_t>(9 * block.nodesPerElement() * block.nodesPerElement());

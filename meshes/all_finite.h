@@ -5,7 +5,7 @@
 namespace ringwatch {
 
 /// Whether every component of the node vectors (3×N) is finite. threads: 0 for all that OpenMP offers.
-inline bool allFinite(const NodeVectors& vectors, int threads) {
+inline bool allFinite(NodeVectorsView vectors, int threads) {
   return parallelSum(vectors.cols(), threads, [&](Eigen::Index begin, Eigen::Index end) {
            const auto part = vectors.middleCols(begin, end - begin);
            return (part - part).sum();  // else not a number, in fewer instructions than tests one by one

@@ -13,6 +13,21 @@ namespace ringwatch {
 /// Node vectors, 3×N: a column per node.
 using NodeVectors = Eigen::Matrix3Xd;
 
+/// Node vectors that are only read, wherever they lie: a NodeVectors, or 3×N numbers of somebody else's, node after
+/// node. Valid as long as those are. An expression is evaluated for the call that it is an argument of.
+class NodeVectorsView : public Eigen::Map<const NodeVectors> {
+ public:
+  using Map = Eigen::Map<const NodeVectors>;
+  NodeVectorsView(const double* data, Eigen::Index nodes) : Map(data, 3, nodes) {}
+  NodeVectorsView(const NodeVectors& vectors) : Map(vectors.data(), 3, vectors.cols()) {}
+  NodeVectorsView(const Map& vectors) : Map(vectors) {}
+  NodeVectorsView(const Eigen::Map<NodeVectors>& vectors) : Map(vectors.data(), 3, vectors.cols()) {}
+  /// A default argument lives until the end of the call.
+  template <class Expression>
+  NodeVectorsView(const Eigen::MatrixBase<Expression>& expression, NodeVectors&& evaluated = NodeVectors())
+      : NodeVectorsView(static_cast<const NodeVectors&>(evaluated = expression)) {}
+};
+
 /// Elements of one type.
 struct MeshBlock {
   ElementType type;

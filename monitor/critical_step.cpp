@@ -28,7 +28,7 @@ void requireProof(const StepRule& rule) {
         "them, or a metric instead of the bracket");
 }
 
-CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit,
+CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& limit,
                           const std::optional<LanczosOptions>& lanczos, std::int64_t* evaluations) {
   requireProof(limit);
   body.checkNodal("x", x);

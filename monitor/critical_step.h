@@ -20,7 +20,7 @@ struct LanczosOptions {
 /// x: 3×N, m. limit: the integrator's largest stable h·omega, or a proven rule. Unless nullptr, the element evaluations
 /// that it took are added to `evaluations`. Throws InputError for a rule that is not proven and when x is not 3×N;
 /// NumericalError where the tangent is not finite.
-CriticalStep criticalStep(const Body& body, const NodeVectors& x, const StepRule& limit,
+CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& limit,
                           const std::optional<LanczosOptions>& lanczos = std::nullopt,
                           std::int64_t* evaluations = nullptr);
 

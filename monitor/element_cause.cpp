@@ -29,7 +29,7 @@ bool ElementCause::badlyShaped() const {
   return shape.minDihedral < sharp || shape.maxDihedral > flat || shape.aspect > slender;
 }
 
-ElementCause elementCause(const Body& body, const NodeVectors& x, ElementRef element) {
+ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef element) {
   const Mesh& mesh = body.mesh();
   const NodeVectors& X = mesh.X;
   const auto b = static_cast<std::size_t>(element.block);

@@ -17,7 +17,7 @@ struct ElementCause {
 };
 
 /// The cause at positions x (3×N, m).
-ElementCause elementCause(const Body& body, const NodeVectors& x, ElementRef element);
+ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef element);
 
 /// In a few words: the largest departure from rest ("inverted, det F = -0.31", "stretched 1.6", "compressed
 /// to 0.62", from 5 % on), and a bad shape ("needle, 0.4° dihedral", "small"); "well shaped, unstrained" when it is

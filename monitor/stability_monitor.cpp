@@ -23,7 +23,7 @@ struct StabilityMonitor::Impl {
     largestEnergy = roundingEnergy(b);
   }
   /// The metric's highest value at x, rad²/s².
-  double metricLambda(const NodeVectors& x) {
+  double metricLambda(NodeVectorsView x) {
     return options.metricElsewhere ? options.metricElsewhere(x) : metric->highest(x);
   }
 
@@ -40,7 +40,7 @@ struct StabilityMonitor::Impl {
   bool provenFromScratch = false;  // the first bracket was
 
   /// Reports an event when it begins; step, time and cause are filled in.
-  void present(MonitorEvent event, const NodeVectors& x) {
+  void present(MonitorEvent event, NodeVectorsView x) {
     if (!tracker.isNew(event.kind)) return;
     event.step = report.step;
     event.time = report.time;
@@ -48,7 +48,7 @@ struct StabilityMonitor::Impl {
     report.newEvents.push_back(tracker.begin(event));
   }
   void absent(EventKind kind) { tracker.absent(kind, report.step); }
-  void tellInverted(const Body::LeastDeterminant& least, const NodeVectors& x) {
+  void tellInverted(const Body::LeastDeterminant& least, NodeVectorsView x) {
     if (least.value > 0)
       absent(EventKind::inverted);
     else
@@ -62,7 +62,7 @@ struct StabilityMonitor::Impl {
     unknown = true;
   }
   /// Bracket, certified step and metric at x.
-  void evaluate(const NodeVectors& x, std::optional<double> h, StepEvaluation* evaluation) {
+  void evaluate(NodeVectorsView x, std::optional<double> h, StepEvaluation* evaluation) {
     report.fresh = true;
     report.evaluatedAt = report.step;
     bodyVersion = body.version();
@@ -138,9 +138,8 @@ StabilityMonitor::~StabilityMonitor() = default;
 const std::vector<MonitorEvent>& StabilityMonitor::events() const { return impl_->tracker.events(); }
 const MonitorOptions& StabilityMonitor::options() const { return impl_->options; }
 
-const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, const NodeVectors& x,
-                                               const NodeVectors& v, std::optional<double> h,
-                                               StepEvaluation* evaluation) {
+const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, NodeVectorsView x, NodeVectorsView v,
+                                               std::optional<double> h, StepEvaluation* evaluation) {
   Impl& m = *impl_;
   m.body.checkNodal("x", x);
   m.body.checkNodal("v", v);

@@ -32,7 +32,7 @@ struct MonitorOptions {
   std::string metric = {};  ///< Fierz 2013's way: a metric with a margin, e.g. "reduced-1-ring"; "" for none
   /// Evaluates the metric elsewhere, e.g. on a GPU: its highest value at x (3×N, m), rad²/s², NaN where the tangent is
   /// not finite. Empty: here.
-  std::function<double(const NodeVectors& x)> metricElsewhere = {};
+  std::function<double(NodeVectorsView x)> metricElsewhere = {};
   double margin = 0.1;           ///< of the metric's step: h_metric (1 - margin)
   int every = 1;                 ///< steps between evaluations
   double width = 0.05;           ///< of the bracket, relative to the step, that the proven side is steered to
@@ -86,7 +86,7 @@ class StabilityMonitor {
   /// at x: the monitor tests the elements in the one pass that computes what it asks for. When masses or constraints of
   /// the body have changed, everything is evaluated from scratch. The report is valid until the next call. Throws
   /// InputError when x or v is not 3×N, or h is not positive and finite.
-  const MonitorReport& observe(std::int64_t step, double time, const NodeVectors& x, const NodeVectors& v,
+  const MonitorReport& observe(std::int64_t step, double time, NodeVectorsView x, NodeVectorsView v,
                                std::optional<double> h, StepEvaluation* evaluation = nullptr);
   /// Checks the energies (of an EnergyBalance) of the state that was observed last. Returns the same report, with the
   /// event that has begun, if one has.

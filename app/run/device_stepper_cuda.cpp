@@ -56,10 +56,10 @@ class DeviceStepper final : public Stepper {
   }
   /// An interrupt need not wait longer, nor the certificate to be renewed.
   std::int64_t mostSteps() const override { return 256; }
-  std::function<double(const NodeVectors&)> metric() override {
+  std::function<double(NodeVectorsView)> metric() override {
     if (!rings_) return {};
     // They are at the state that the monitor observes.
-    return [this](const NodeVectors&) { return rings_->highest().value; };
+    return [this](NodeVectorsView) { return rings_->highest().value; };
   }
   /// The GPU solves the clusters in its own way.
   std::vector<HandlerFigure> figures(std::vector<HandlerFigure> ofHandler) const override {

@@ -17,7 +17,7 @@ Verdict verdictFor(double h, const CriticalStep& bracket) {
 RunWatch::RunWatch(const Scene& scene, const Body& body, StepRule rule, RunResult& result)
     : scene_(scene), body_(body), rule_(std::move(rule)), result_(result) {}
 
-void RunWatch::begin(Handler* handler, std::function<double(const NodeVectors&)> metric, bool everyState) {
+void RunWatch::begin(Handler* handler, std::function<double(NodeVectorsView)> metric, bool everyState) {
   end();
   handler_ = handler;
   everyState_ = everyState;

@@ -36,7 +36,7 @@ class Stepper {
   /// that lambda_max(M⁻¹K) <= lambda, for its own record.
   virtual Taken step(State& state, double h, std::int64_t count, double lambda) = 0;
   /// What a monitor calls for its metric instead of evaluating it; empty where the monitor is to do it.
-  virtual std::function<double(const NodeVectors&)> metric() { return {}; }
+  virtual std::function<double(NodeVectorsView)> metric() { return {}; }
   /// The handler's figures, with what the stepper did in its place.
   virtual std::vector<HandlerFigure> figures(std::vector<HandlerFigure> ofHandler) const { return ofHandler; }
   /// A note on where the steps were taken; "" for none.

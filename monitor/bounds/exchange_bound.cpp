@@ -56,7 +56,7 @@ void removeNegativePart(Pack* A, Pack* VT, Pack* P, int n, Pack& least, Pack& ne
 
 class Composition {
  public:
-  Composition(const TangentSource& source, const NodeVectors& x, const NodalBound& weights, double sigma)
+  Composition(const TangentSource& source, NodeVectorsView x, const NodalBound& weights, double sigma)
       : source_(source), sigma_(sigma) {
     source.assembleBlocks(x, pattern_);
     std::int64_t total = 0;
@@ -179,7 +179,7 @@ class Composition {
   }
 
   /// P_e = -A_e, constrained components zero.
-  void fillTangents(const NodeVectors& x) {
+  void fillTangents(NodeVectorsView x) {
     source_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, NativePack* K) {
       const ElementTangents& block = *source_.tangents()[b];
       const int n = block.nodesPerElement(), size = 3 * n;
@@ -304,7 +304,7 @@ class Composition {
 
 }  // namespace
 
-ExchangeBound exchangeUpperBound(const TangentSource& source, const NodeVectors& x, const NodalBound& weights,
+ExchangeBound exchangeUpperBound(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
                                  double sigma, double accept, int maxIterations) {
   ExchangeBound result{{std::numeric_limits<double>::infinity()}, 0, 0};
   Composition splitting(source, x, weights, sigma);

@@ -29,7 +29,7 @@ struct ExchangeBound {
 /// x: 3×N, m. weights: evaluated at x; the start. sigma: rad²/s², best just above the truth; any value gives a bound.
 /// accept: stops when the bound is at or below it. Memory: 18 n² numbers an element of n nodes, exchangeBoundBytes.
 /// The value is infinite when the tangent is not finite.
-ExchangeBound exchangeUpperBound(const TangentSource& source, const NodeVectors& x, const NodalBound& weights,
+ExchangeBound exchangeUpperBound(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
                                  double sigma, double accept, int maxIterations);
 /// Memory that it needs, bytes.
 std::int64_t exchangeBoundBytes(const TangentSource& source);

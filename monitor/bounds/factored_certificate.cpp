@@ -9,7 +9,7 @@
 
 namespace ringwatch {
 
-bool certifiesFrequency(const TangentSource& source, const NodeVectors& x, double sigma) {
+bool certifiesFrequency(const TangentSource& source, NodeVectorsView x, double sigma) {
   if (!(sigma > 0) || !std::isfinite(sigma)) return false;
   std::vector<Eigen::Index> row(static_cast<std::size_t>(3 * source.nodeCount()), -1);
   Eigen::Index n = 0;
@@ -53,7 +53,7 @@ bool certifiesFrequency(const TangentSource& source, const NodeVectors& x, doubl
   return true;
 }
 
-bool certifies(const TangentSource& source, const NodeVectors& x, double h, double limit) {
+bool certifies(const TangentSource& source, NodeVectorsView x, double h, double limit) {
   if (!(h > 0)) throw InputError(joinText("h = ", h, ": must be > 0"));
   if (!(limit > 0)) throw InputError(joinText("limit = ", limit, ": must be > 0"));
   return certifiesFrequency(source, x, limit * limit / (h * h));

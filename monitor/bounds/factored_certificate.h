@@ -14,10 +14,10 @@ namespace ringwatch {
 ///
 /// x: 3×N, m. sigma: rad²/s². True where nothing is free and sigma > 0; false when the tangent or sigma is not finite.
 /// Costs 50 to 5000 tangent products, and memory for the factor: for a box of n nodes about 9 n^(4/3) numbers.
-bool certifiesFrequency(const TangentSource& source, const NodeVectors& x, double sigma);
+bool certifiesFrequency(const TangentSource& source, NodeVectorsView x, double sigma);
 
 /// The same for a step: whether h is proven stable at x for an integrator whose largest stable h·omega is `limit`.
 /// Throws InputError unless h > 0 and limit > 0.
-bool certifies(const TangentSource& source, const NodeVectors& x, double h, double limit);
+bool certifies(const TangentSource& source, NodeVectorsView x, double h, double limit);
 
 }  // namespace ringwatch

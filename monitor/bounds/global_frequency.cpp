@@ -15,7 +15,7 @@ constexpr double residualRounding = 1e-8;
 
 }  // namespace
 
-GlobalFrequency globalFrequency(const TangentSource& source, const NodeVectors& x, double tolerance, int maxRestarts) {
+GlobalFrequency globalFrequency(const TangentSource& source, NodeVectorsView x, double tolerance, int maxRestarts) {
   source.checkNodal("x", x);
   GlobalFrequency result;
   const MassScaledOperator op(source, x);

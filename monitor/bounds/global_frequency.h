@@ -13,7 +13,7 @@ struct GlobalFrequency {
 };
 /// x: 3×N, m. tolerance: of the residual |A u - lambda u|, A = M^-½ K M^-½ and |u| = 1, relative to lambda. Works for
 /// any state, indefinite K included. Throws InputError when x is not 3×N.
-GlobalFrequency globalFrequency(const TangentSource& source, const NodeVectors& x, double tolerance = 1e-10,
+GlobalFrequency globalFrequency(const TangentSource& source, NodeVectorsView x, double tolerance = 1e-10,
                                 int maxRestarts = 3000);
 
 }  // namespace ringwatch

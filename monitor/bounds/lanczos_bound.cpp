@@ -53,7 +53,7 @@ struct Tridiagonal {
 
 }  // namespace
 
-LanczosBound lanczosUpperBound(const TangentSource& source, const NodeVectors& x, double width, double eta,
+LanczosBound lanczosUpperBound(const TangentSource& source, NodeVectorsView x, double width, double eta,
                                std::uint64_t seed, int maxProducts) {
   if (!(width >= 1e-4 && width < 1)) throw InputError(joinText("width = ", width, ": must be >= 1e-4 and < 1"));
   if (!(eta > 0 && eta <= 0.5)) throw InputError(joinText("eta = ", eta, ": must be > 0 and <= 0.5"));

@@ -27,7 +27,7 @@ struct LanczosBound {
 /// same and `achieved` is false. True for indefinite K, and for unconnected parts; 0 where nothing is free. NaN when
 /// the tangent is not finite. With new seeds drawn until the value pleases, the probability is lost.
 /// Throws InputError for width, eta or maxProducts out of range.
-LanczosBound lanczosUpperBound(const TangentSource& source, const NodeVectors& x, double width = 0.01,
-                               double eta = 1e-9, std::uint64_t seed = 1, int maxProducts = 1000);
+LanczosBound lanczosUpperBound(const TangentSource& source, NodeVectorsView x, double width = 0.01, double eta = 1e-9,
+                               std::uint64_t seed = 1, int maxProducts = 1000);
 
 }  // namespace ringwatch

@@ -70,7 +70,7 @@ void LocalMode::choose(const NodeVectors& mode, std::size_t nodes) {
   isNew_ = true;
 }
 
-LowerBound LocalMode::evaluate(const NodeVectors& x) {
+LowerBound LocalMode::evaluate(NodeVectorsView x) {
   if (!part_) return {0};
   if (bodyVersion_ != body_.version()) {
     NodeVectors mode = NodeVectors::Zero(3, body_.nodeCount());
@@ -88,7 +88,7 @@ LowerBound LocalMode::evaluate(const NodeVectors& x) {
   return {std::max(bound.value, 0.0)};
 }
 
-void LocalMode::findHighestElement(const NodeVectors& x) {
+void LocalMode::findHighestElement(NodeVectorsView x) {
   sinceSearch_ = 0;
   Eigen::Index top = 0;
   vector_.colwise().squaredNorm().maxCoeff(&top);

@@ -26,7 +26,7 @@ class LocalMode {
   void choose(const NodeVectors& mode, std::size_t nodes);
   /// The bound at positions x (3×N, m); 0 without a region, NaN where the tangent is not finite, after which a mode has
   /// to be chosen again. Masses and constraints are those of now.
-  LowerBound evaluate(const NodeVectors& x);
+  LowerBound evaluate(NodeVectorsView x);
   /// The element that holds most of the mode's energy at the node that it moves most, as of one of the last
   /// evaluations.
   ElementRef highestElement() const { return highest_; }
@@ -35,7 +35,7 @@ class LocalMode {
   /// Nodes of the region, grown from the largest entry.
   std::vector<std::int32_t> grow(const NodeVectors& mode) const;
   void makePart(const std::vector<std::int32_t>& region);
-  void findHighestElement(const NodeVectors& x);
+  void findHighestElement(NodeVectorsView x);
   /// Of the largest one: entries below count as that much, so that nodes beside a mode of few entries come first.
   static constexpr double leastAmplitude = 1e-3;
   /// Evaluations between two searches for the highest element, which take some tangents each.

@@ -17,7 +17,7 @@ constexpr double clearlyBelow = 1e-4;  // zero, relative to that norm: the searc
 constexpr int lanes = PatchLayout::lanes;
 
 /// 1/√(Σ_e tr|K_e,aa|) of every node, zero in constrained components.
-NodeVectors scaleOf(const Body& body, const NodeVectors& x, Body::Workspace& workspace) {
+NodeVectors scaleOf(const Body& body, NodeVectorsView x, Body::Workspace& workspace) {
   NodeVectors scale;
   body.sumOverPatches(scale, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
     const ElementBlock& block = *body.blocks()[b];
@@ -44,7 +44,7 @@ NodeVectors scaleOf(const Body& body, const NodeVectors& x, Body::Workspace& wor
 }
 
 /// The element with the least uᵀK_e u.
-ElementRef softestElement(const Body& body, const NodeVectors& x, const NodeVectors& u) {
+ElementRef softestElement(const Body& body, NodeVectorsView x, const NodeVectors& u) {
   std::vector<std::vector<double>> forms;
   for (const auto& block : body.blocks()) forms.emplace_back(static_cast<std::size_t>(block->elementCount()));
   body.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, const NativePack* K) {
@@ -74,14 +74,14 @@ ElementRef softestElement(const Body& body, const NodeVectors& x, const NodeVect
 
 }  // namespace
 
-void LowestModeSearch::takeScale(const NodeVectors& x) {
+void LowestModeSearch::takeScale(NodeVectorsView x) {
   if (scale_.cols() > 0 && bodyVersion_ == body_.version() && ++sinceScale_ < scaleGap) return;
   scale_ = scaleOf(body_, x, workspace_);
   sinceScale_ = 0;
   bodyVersion_ = body_.version();
 }
 
-LowestMode LowestModeSearch::find(const NodeVectors& x, int maxProducts) {
+LowestMode LowestModeSearch::find(NodeVectorsView x, int maxProducts) {
   LowestMode result;
   takeScale(x);
   NodeVectors& start = direction_;

@@ -26,7 +26,7 @@ class LowestModeSearch {
   explicit LowestModeSearch(const Body& body) : body_(body) {}
 
   /// At positions x (3×N, m): at most maxProducts >= 1 tangent products, fewer once a direction is clearly negative.
-  LowestMode find(const NodeVectors& x, int maxProducts);
+  LowestMode find(NodeVectorsView x, int maxProducts);
   /// Whether there is a direction to start from; the first search starts from a random one.
   bool found() const { return direction_.cols() > 0; }
   void forget() {
@@ -35,7 +35,7 @@ class LowestModeSearch {
   }
 
  private:
-  void takeScale(const NodeVectors& x);
+  void takeScale(NodeVectorsView x);
   /// Searches between two computations of S, which evaluate every element's tangent.
   static constexpr int scaleGap = 8;
 

@@ -7,7 +7,7 @@ namespace ringwatch {
 /// are zero.
 class MassScaledOperator {
  public:
-  MassScaledOperator(const TangentSource& source, const NodeVectors& x)
+  MassScaledOperator(const TangentSource& source, NodeVectorsView x)
       : source_(source), x_(x), inverseRootMass_(source.lumpedMass().cwiseSqrt().cwiseInverse()) {}
 
   Eigen::Index rows() const { return 3 * source_.nodeCount(); }
@@ -27,7 +27,7 @@ class MassScaledOperator {
 
  private:
   const TangentSource& source_;
-  const NodeVectors& x_;
+  NodeVectorsView x_;
   Eigen::VectorXd inverseRootMass_;
   // An operator serves one thread.
   mutable NodeVectors scaled_, product_;

@@ -135,7 +135,7 @@ void NodalBound::releaseSums() {
   giveBack(changed_);
 }
 
-void NodalBound::evaluateAll(const NodeVectors& x, const Start* start) {
+void NodalBound::evaluateAll(NodeVectorsView x, const Start* start) {
   source_->forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
     const ElementTangents& block = *source_->tangents()[b];
     const int n = block.nodesPerElement(), size = 3 * n;
@@ -226,7 +226,7 @@ void NodalBound::findFactors(double bound) {
       64);
 }
 
-void NodalBound::sweep(const NodeVectors& x, double bound) {
+void NodalBound::sweep(NodeVectorsView x, double bound) {
   findFactors(bound);
   std::fill(changed_.begin(), changed_.end(), false);
   for (std::size_t b = 0; b < source_->tangents().size(); ++b) {
@@ -276,7 +276,7 @@ void NodalBound::sweep(const NodeVectors& x, double bound) {
   }
 }
 
-UpperBound NodalBound::evaluate(const NodeVectors& x, int sweeps, Start start, double leastGain) {
+UpperBound NodalBound::evaluate(NodeVectorsView x, int sweeps, Start start, double leastGain) {
   evaluations_ = 0;
   prepareSums();
   evaluateAll(x, started_ ? nullptr : &start);
@@ -349,8 +349,7 @@ void NodalBound::gather(std::size_t b, const std::int32_t* elements, StoredFacto
   }
 }
 
-void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, const NodeVectors& x,
-                               double* values) const {
+void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, NodeVectorsView x, double* values) const {
   P K[9 * maxElementNodes * maxElementNodes];
   source_->tangents()[b]->tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
   const ElementMatrices tangents{K, values};

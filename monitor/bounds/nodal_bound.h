@@ -25,7 +25,7 @@ class NodalBound {
 
   /// The bound at x, as the source reads it: the best of up to `sweeps` + 1 evaluations. From scratch when nothing is
   /// kept. It ends when two sweeps lowered the bound by no more than leastGain, relative.
-  UpperBound evaluate(const NodeVectors& x, int sweeps, Start start = Start::rootOfStiffness, double leastGain = 0);
+  UpperBound evaluate(NodeVectorsView x, int sweeps, Start start = Start::rootOfStiffness, double leastGain = 0);
   /// Elements that are not in the source and share nodes with it, by their Σ l_e D_e at each node (N of them, N/m):
   /// they count in every sum and thus in the bound, and are not swept.
   void setOutside(std::vector<Eigen::Matrix3d> sums) { outside_ = std::move(sums); }
@@ -90,7 +90,7 @@ class NodalBound {
   /// Of all nodes of an element, of any size: they get trace 1 over the element.
   void setWeights(ElementRef e, std::span<const Eigen::Matrix3d> weights);
   /// l_e at x of any elements of a group, one a lane (-1: none): values[lane].
-  void elementValues(std::int32_t block, const std::int32_t* elements, const NodeVectors& x, double* values) const;
+  void elementValues(std::int32_t block, const std::int32_t* elements, NodeVectorsView x, double* values) const;
   /// Symmetric matrices of elements, one a lane, as ElementTangents::tangentOf gives tangents; overwritten.
   struct ElementMatrices {
     NativePack* matrices;
@@ -114,11 +114,11 @@ class NodalBound {
   using Pack = NativePack;
   void prepareSums();
   /// l_e of all elements; weights start from scratch unless `start` is nullptr.
-  void evaluateAll(const NodeVectors& x, const Start* start);
+  void evaluateAll(NodeVectorsView x, const Start* start);
   /// The sums of the nodes that have changed, and the largest of all.
   double sumAtNodes();
   /// New weights and values where they stand in the way of a lower bound.
-  void sweep(const NodeVectors& x, double bound);
+  void sweep(NodeVectorsView x, double bound);
   void findFactors(double bound);
   void setValue(ElementRef e, double value);
 

@@ -19,7 +19,7 @@ class NodeSubmatrix {
   /// Ascending; rows and columns of the matrix are 3·position + component.
   const std::vector<std::int32_t>& nodes() const { return nodes_; }
   /// At positions x (3×N, m), rad²/s²; rows and columns of constrained components are zero.
-  const Eigen::MatrixXd& evaluate(const NodeVectors& x);
+  const Eigen::MatrixXd& evaluate(NodeVectorsView x);
 
  private:
   /// An element's degrees of freedom that are chosen and free: which of its own, which row, and 1/√m.

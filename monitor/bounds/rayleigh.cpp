@@ -9,7 +9,7 @@
 
 namespace ringwatch {
 
-LowerBound rayleighLowerBound(const TangentSource& source, const NodeVectors& x, NodeVectors& start, int products,
+LowerBound rayleighLowerBound(const TangentSource& source, NodeVectorsView x, NodeVectors& start, int products,
                               double* seen) {
   source.constraints().clearConstrained(start);
   const double norm = start.norm();

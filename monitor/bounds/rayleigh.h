@@ -11,7 +11,7 @@ namespace ringwatch {
 /// so does one that is not finite, which becomes 0. Unless nullptr, `seen` is the largest size of an eigenvalue that
 /// earlier calls have seen, for calls of few products, which see little themselves; it is raised. Theorem 8,
 /// docs/theory/rings_and_rayleigh.md; the 1e-12 is asserted (docs/theory/floating_point.md).
-LowerBound rayleighLowerBound(const TangentSource& source, const NodeVectors& x, NodeVectors& start, int products,
+LowerBound rayleighLowerBound(const TangentSource& source, NodeVectorsView x, NodeVectors& start, int products,
                               double* seen = nullptr);
 
 }  // namespace ringwatch

@@ -12,7 +12,7 @@ constexpr int lanes = PatchLayout::lanes;
 
 }  // namespace
 
-const ReducedRing::Result& ReducedRing::evaluate(const NodeVectors& x, bool wantLowest) {
+const ReducedRing::Result& ReducedRing::evaluate(NodeVectorsView x, bool wantLowest) {
   source_.assembleBlocks(x, matrix_);
   result_.largest.resize(source_.tangents().size());
   result_.highest = result_.lowest = 0;

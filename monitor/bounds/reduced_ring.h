@@ -21,7 +21,7 @@ class ReducedRing {
     ElementRef lowestElement;
   };
   /// All rings at positions x (3×N, m).
-  const Result& evaluate(const NodeVectors& x, bool wantLowest = false);
+  const Result& evaluate(NodeVectorsView x, bool wantLowest = false);
   /// The last evaluation.
   const Result& last() const { return result_; }
   /// The top eigenvector of one ring of the last evaluation, put into a 3×N vector, in mass-scaled coordinates.

@@ -4,7 +4,7 @@
 
 namespace ringwatch {
 
-std::vector<ElementRef> stiffElements(const Body& body, const NodeVectors& x, double h, double limit) {
+std::vector<ElementRef> stiffElements(const Body& body, NodeVectorsView x, double h, double limit) {
   const MetricResult own = evaluateMetric("single-element", body, x);
   const double allowed = (limit / h) * (limit / h);
   std::vector<ElementRef> elements;

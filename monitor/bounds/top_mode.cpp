@@ -6,7 +6,7 @@
 
 namespace ringwatch {
 
-TopMode findTopMode(ReducedRing& ring, const TangentSource& source, const NodeVectors& x, NodeVectors& mode,
+TopMode findTopMode(ReducedRing& ring, const TangentSource& source, NodeVectorsView x, NodeVectors& mode,
                     int coldProducts, int warmProducts, bool wantLowest) {
   const ReducedRing::Result& rings = ring.evaluate(x, wantLowest);
   NodeVectors start = ring.topVector(rings.highestElement);

@@ -16,7 +16,7 @@ struct TopMode {
 /// added to the mode tracked so far, by Lanczos. A tracked vector alone can miss a jump of the top mode; the ring's
 /// alone can lie beside it. mode: 3×N, mass-scaled coordinates, empty at first; becomes the one found. products:
 /// coldProducts tangent products the first time, warmProducts then. wantLowest: the rings' lowest eigenvalues too.
-TopMode findTopMode(ReducedRing& ring, const TangentSource& source, const NodeVectors& x, NodeVectors& mode,
+TopMode findTopMode(ReducedRing& ring, const TangentSource& source, NodeVectorsView x, NodeVectors& mode,
                     int coldProducts, int warmProducts, bool wantLowest);
 
 }  // namespace ringwatch

@@ -16,7 +16,7 @@ double largestEigenvalue(const Eigen::Matrix3d& S) {
   return extremes.largest + eigenvalueRounding * extremes.scale;
 }
 
-void evaluateElements(const Body& body, const NodalBound& weights, const NodeVectors& x, std::int32_t b,
+void evaluateElements(const Body& body, const NodalBound& weights, NodeVectorsView x, std::int32_t b,
                       const std::int32_t* elements, double* values, double* norms) {
   const ElementBlock& block = *body.blocks()[b];
   NativePack K[9 * maxElementNodes * maxElementNodes], A[9 * maxElementNodes * maxElementNodes];
@@ -62,7 +62,7 @@ Eigen::Matrix3d CertificateState<Allowance>::sumOfAllowances(std::int32_t node) 
 }
 
 template <class Allowance>
-double CertificateState<Allowance>::verify(const NodeVectors& x) const {
+double CertificateState<Allowance>::verify(NodeVectorsView x) const {
   double excess = -1;
   for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
     const ElementBlock& block = *body_.blocks()[b];

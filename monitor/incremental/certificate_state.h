@@ -70,19 +70,19 @@ class CertificateState {
   /// Evaluates elements of a block at x, one a lane, and their deformation gradients, and calls take(EvaluatedPack).
   /// known: l_e of the lanes where they are known already; nullptr: they are computed.
   template <class Take>
-  void evaluatePack(const NodeVectors& x, std::int32_t block, const std::int32_t* elements, const double* known,
+  void evaluatePack(NodeVectorsView x, std::int32_t block, const std::int32_t* elements, const double* known,
                     bool withStrainNorm, const Take& take) const;
   /// The same for any elements, in packs and in parallel: take(EvaluatedPack, index[lanes]), `index` into `elements`;
   /// take writes to places of the elements.
   template <class Take>
-  void evaluateEach(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withStrainNorm,
+  void evaluateEach(NodeVectorsView x, const std::vector<ElementRef>& elements, bool withStrainNorm,
                     const Take& take) const;
 
   /// Σ β_e R_e D_e R_eᵀ at a node, N/m, without the rows and columns of constrained components.
   Eigen::Matrix3d sumOfAllowances(std::int32_t node) const;
   /// Checks the two statements at positions x from nothing but weights, rotations, allowances and exact tangents; for
   /// tests. Returns the largest relative excess: <= 0 when both hold, but for rounding.
-  double verify(const NodeVectors& x) const;
+  double verify(NodeVectorsView x) const;
 
  protected:
   static constexpr int lanes = PatchLayout::lanes;
@@ -100,14 +100,14 @@ class CertificateState {
 double largestEigenvalue(const Eigen::Matrix3d& S);
 /// l_e at x and b_e of elements of a block, one a lane (-1: none), with weights of the body: values[lane], norms[lane].
 /// Either may be nullptr.
-void evaluateElements(const Body& body, const NodalBound& weights, const NodeVectors& x, std::int32_t block,
+void evaluateElements(const Body& body, const NodalBound& weights, NodeVectorsView x, std::int32_t block,
                       const std::int32_t* elements, double* values, double* norms);
 
 // Templates.
 
 template <class Allowance>
 template <class Take>
-void CertificateState<Allowance>::evaluatePack(const NodeVectors& x, std::int32_t b, const std::int32_t* elements,
+void CertificateState<Allowance>::evaluatePack(NodeVectorsView x, std::int32_t b, const std::int32_t* elements,
                                                const double* known, bool withStrainNorm, const Take& take) const {
   const ElementBlock& block = *body_.blocks()[b];
   const auto points = static_cast<int>(block.rule().points.size());
@@ -123,7 +123,7 @@ void CertificateState<Allowance>::evaluatePack(const NodeVectors& x, std::int32_
 
 template <class Allowance>
 template <class Take>
-void CertificateState<Allowance>::evaluateEach(const NodeVectors& x, const std::vector<ElementRef>& elements,
+void CertificateState<Allowance>::evaluateEach(NodeVectorsView x, const std::vector<ElementRef>& elements,
                                                bool withStrainNorm, const Take& take) const {
   struct Pack {
     std::int32_t block;

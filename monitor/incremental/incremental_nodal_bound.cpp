@@ -22,7 +22,7 @@ IncrementalNodalBound::IncrementalNodalBound(const Body& body, const RebuildPoli
       rebuilds_(policy.rebuilds),
       lowerings_(policy.lowerings) {}
 
-void IncrementalNodalBound::rebuild(const NodeVectors& x) {
+void IncrementalNodalBound::rebuild(NodeVectorsView x) {
   NodalBound& weights = state_.weights();
   weights.reset();  // weights that are swept along get stuck at a front that moves through the mesh
   weights.evaluate(x, policy_.sweeps, NodalBound::Start::rootOfStiffness, policy_.leastGain);
@@ -32,13 +32,13 @@ void IncrementalNodalBound::rebuild(const NodeVectors& x) {
   tightOverLower_ = 0;
 }
 
-void IncrementalNodalBound::start(const NodeVectors& x, double sigma) {
+void IncrementalNodalBound::start(NodeVectorsView x, double sigma) {
   state_.setCertifiedEigenvalue(sigma);
   started_ = std::isfinite(sigma);
   if (started_) state_.distributeAllowances(x);
 }
 
-IncrementalNodalBound::Outcome IncrementalNodalBound::follow(const NodeVectors& x, bool mayRaise,
+IncrementalNodalBound::Outcome IncrementalNodalBound::follow(NodeVectorsView x, bool mayRaise,
                                                              StepEvaluation* evaluation) {
   nearLimit_.clear();
   std::vector<ElementRef> changed = state_.elementsOutsideBall(x, evaluation);
@@ -76,7 +76,7 @@ void IncrementalNodalBound::followBody() {
   rebuilds_.reset();
 }
 
-UpperBound IncrementalNodalBound::update(const NodeVectors& x, StepEvaluation* evaluation) {
+UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* evaluation) {
   state_.statistics() = {};
   followBody();
   rebuilds_.tick();
@@ -92,7 +92,7 @@ UpperBound IncrementalNodalBound::update(const NodeVectors& x, StepEvaluation* e
   return {certifiedEigenvalue()};
 }
 
-bool IncrementalNodalBound::certify(const NodeVectors& x, double sigma, StepEvaluation* evaluation) {
+bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluation* evaluation) {
   state_.statistics() = {};
   followBody();
   rebuilds_.tick();
@@ -121,7 +121,7 @@ void IncrementalNodalBound::relaxBound(LowerBound lower, double width) {
     state_.raise(above(lower, policy_.targetOfWidth * width));
 }
 
-bool IncrementalNodalBound::tightenBound(const NodeVectors& x, LowerBound lower, double width) {
+bool IncrementalNodalBound::tightenBound(NodeVectorsView x, LowerBound lower, double width) {
   if (!started_ || !(lower.value > 0)) return false;
   if (certifiedEigenvalue() <= above(lower, width)) return false;
   if (tightOverLower_ == 0) tightOverLower_ = state_.weights().last() / lower.value;

@@ -20,11 +20,11 @@ class IncrementalNodalBound {
   /// The certified eigenvalue, proven at positions x (3×N, m). NaN when x or the tangent is not finite. Unless nullptr,
   /// `evaluation` is filled in at x: elements are tested in the one pass that computes what it asks for. Its visitor is
   /// not used.
-  UpperBound update(const NodeVectors& x, StepEvaluation* evaluation = nullptr);
+  UpperBound update(NodeVectorsView x, StepEvaluation* evaluation = nullptr);
   /// Tells the bound what a lower bound is at x, so that it can follow downwards: the certified eigenvalue is lowered,
   /// or the certificate rebuilt, when it lies more than `width` (relative, in the step) above. Proves nothing: when it
   /// returns true, the certified eigenvalue has changed and holds only after the next update.
-  bool tightenBound(const NodeVectors& x, LowerBound lower, double width);
+  bool tightenBound(NodeVectorsView x, LowerBound lower, double width);
   /// The same upwards: raises the certified eigenvalue and all allowances when it lies so little above a lower bound at
   /// x that elements would soon exceed their allowances everywhere. Needs no evaluation.
   void relaxBound(LowerBound lower, double width);
@@ -32,7 +32,7 @@ class IncrementalNodalBound {
   /// Threshold mode: proves lambda_max <= sigma for a sigma of the caller's at x, or returns false. Where there is much
   /// room below sigma, balls are large and hardly any element is ever evaluated again. A proof that is kept for a
   /// smaller sigma serves too.
-  bool certify(const NodeVectors& x, double sigma, StepEvaluation* evaluation = nullptr);
+  bool certify(NodeVectorsView x, double sigma, StepEvaluation* evaluation = nullptr);
 
   double certifiedEigenvalue() const { return state_.certifiedEigenvalue(); }
   const NodalBound& weights() const { return state_.weights(); }
@@ -56,17 +56,17 @@ class IncrementalNodalBound {
   /// evaluated: where the top mode may live. Empty while nothing is proven.
   std::vector<ElementRef> highestElements(std::size_t count);
   /// CertificateState::verify, for tests.
-  double verify(const NodeVectors& x) const { return state_.verify(x); }
+  double verify(NodeVectorsView x) const { return state_.verify(x); }
 
  private:
   /// Ends the proof when masses or free components have changed.
   void followBody();
-  void rebuild(const NodeVectors& x);
+  void rebuild(NodeVectorsView x);
   /// Builds the certificate for an eigenvalue, with the weights of the last rebuild. Whether there is one.
-  void start(const NodeVectors& x, double certifiedEigenvalue);
+  void start(NodeVectorsView x, double certifiedEigenvalue);
   enum class Outcome { held, tooManyViolations, refused, notFinite };
   /// Brings a certificate from the positions of the last call to x.
-  Outcome follow(const NodeVectors& x, bool mayRaise, StepEvaluation* evaluation);
+  Outcome follow(NodeVectorsView x, bool mayRaise, StepEvaluation* evaluation);
 
   const Body& body_;
   RebuildPolicy policy_;

@@ -33,7 +33,7 @@ Eigen::Matrix3d localSweepFactor(const Eigen::Matrix3d& S) {
 
 class Neighbourhood {
  public:
-  Neighbourhood(RunCertificate& state, const NodeVectors& x, const RebuildPolicy& policy)
+  Neighbourhood(RunCertificate& state, NodeVectorsView x, const RebuildPolicy& policy)
       : state_(state), body_(state.body()), x_(x), policy_(policy) {}
 
   const std::vector<ElementRef>& elements() const { return ring_; }
@@ -182,7 +182,7 @@ class Neighbourhood {
 
   RunCertificate& state_;
   const Body& body_;
-  const NodeVectors& x_;
+  NodeVectorsView x_;
   const RebuildPolicy& policy_;
   std::vector<ElementRef> ring_;             // all elements at the inner nodes
   std::vector<std::int32_t> inner_, nodes_;  // free nodes of the seed, of the ring
@@ -202,7 +202,7 @@ class Neighbourhood {
 
 }  // namespace
 
-std::vector<ElementRef> localUpdate(RunCertificate& state, const NodeVectors& x, ElementRef element,
+std::vector<ElementRef> localUpdate(RunCertificate& state, NodeVectorsView x, ElementRef element,
                                     const RebuildPolicy& policy, bool mayRaise) {
   ++state.statistics().localUpdates;
   Neighbourhood near(state, x, policy);

@@ -15,7 +15,7 @@ namespace ringwatch {
 /// Returns the elements that have new reference gradients and balls, all of them of x. Empty for a refusal: weights and
 /// allowances are then those before, and the neighbourhood's values and balls those of x. Theorem 20,
 /// docs/theory/incremental_certificate.md.
-std::vector<ElementRef> localUpdate(RunCertificate& state, const NodeVectors& x, ElementRef element,
+std::vector<ElementRef> localUpdate(RunCertificate& state, NodeVectorsView x, ElementRef element,
                                     const RebuildPolicy& policy, bool mayRaise);
 
 }  // namespace ringwatch

@@ -33,7 +33,7 @@ RunBracket::RunBracket(const Body& body, double width, const BracketPolicy& poli
       restart_(policy.restarts),
       search_(policy.searches) {}
 
-const std::optional<CriticalStep>& RunBracket::evaluate(const NodeVectors& x, const StepRule& limit,
+const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const StepRule& limit,
                                                         StepEvaluation* evaluation) {
   const double sigma = nodal_.certifiedEigenvalue();  // that allowances belong to
   UpperBound upper = nodal_.update(x, evaluation);
@@ -86,7 +86,7 @@ const std::optional<CriticalStep>& RunBracket::evaluate(const NodeVectors& x, co
   return step_;
 }
 
-bool RunBracket::certify(const NodeVectors& x, const StepRule& limit, double h, StepEvaluation* evaluation) {
+bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, StepEvaluation* evaluation) {
   std::int64_t before = 0;
   if (sinceDoubt_ >= policy_.firstGap) {
     const bool certified = nodal_.certify(x, limit.lambdaFor(h), evaluation);
@@ -106,7 +106,7 @@ bool RunBracket::certify(const NodeVectors& x, const StepRule& limit, double h, 
   return certified;
 }
 
-void RunBracket::proveFromScratch(const NodeVectors& x, const StepRule& limit) {
+void RunBracket::proveFromScratch(NodeVectorsView x, const StepRule& limit) {
   if (!step_ || !finite_) return;
   try {
     best_ = criticalStep(body_, x, limit, std::nullopt, &spent_.evaluated);
@@ -117,7 +117,7 @@ void RunBracket::proveFromScratch(const NodeVectors& x, const StepRule& limit) {
   }
 }
 
-void RunBracket::takeBest(const NodeVectors& x) {
+void RunBracket::takeBest(NodeVectorsView x) {
   if (!best_) return;
   if (bestVersion_ != body_.version() || x != bestAt_) {
     best_.reset();
@@ -137,7 +137,7 @@ void RunBracket::takeBest(const NodeVectors& x) {
   if (step.isBracket()) step_ = step;
 }
 
-void RunBracket::sharpen(const NodeVectors& x, const StepRule& limit, double h) {
+void RunBracket::sharpen(NodeVectorsView x, const StepRule& limit, double h) {
   if (!step_) return;
   const bool close = h > (1 - policy_.close) * step_->optimistic;
   if (++sinceSharpened_ < policy_.sharpenGap && !close) return;
@@ -159,7 +159,7 @@ void RunBracket::forget() {
   searchedAt_ = 0;
 }
 
-void RunBracket::searchUnderCompression(const NodeVectors& x) {
+void RunBracket::searchUnderCompression(NodeVectorsView x) {
   const double compression = nodal_.mostCompression();
   search_.tick();
   const bool grown = compression > policy_.growthOfCompression * searchedAt_ && search_.since() >= policy_.searchGap;
@@ -191,7 +191,7 @@ void RunBracket::searchUnderCompression(const NodeVectors& x) {
   }
 }
 
-LowerBound RunBracket::boundWhereItRose(const NodeVectors& x, double sigma, LowerBound lower) {
+LowerBound RunBracket::boundWhereItRose(NodeVectorsView x, double sigma, LowerBound lower) {
   bool jumped = false;
   std::size_t observations = 0;
   for (const IncrementalNodalBound::NearLimit& near : nodal_.nearLimit()) {
@@ -213,14 +213,14 @@ LowerBound RunBracket::boundWhereItRose(const NodeVectors& x, double sigma, Lowe
   return lower;
 }
 
-bool RunBracket::decomposeRing(const NodeVectors& x, ElementRef e) {
+bool RunBracket::decomposeRing(NodeVectorsView x, ElementRef e) {
   const auto nodes = body_.blocks()[e.block]->nodesOf(e.element);
   ringNodes_.choose({nodes.begin(), nodes.end()});
   solver_.compute(ringNodes_.evaluate(x));
   return solver_.info() == Eigen::Success;
 }
 
-LowerBound RunBracket::restartMode(const NodeVectors& x) {
+LowerBound RunBracket::restartMode(NodeVectorsView x) {
   ReducedRing ring(body_);  // restarts are rare, and its pattern is as large as all the rest
   const TopMode top = findTopMode(ring, body_, x, mode_, policy_.firstProducts, policy_.restartProducts, false);
   method_ = top.method;
@@ -228,7 +228,7 @@ LowerBound RunBracket::restartMode(const NodeVectors& x) {
   return followMode(x, top.lower);
 }
 
-LowerBound RunBracket::startMode(const NodeVectors& x) {
+LowerBound RunBracket::startMode(NodeVectorsView x) {
   const std::vector<ElementRef> hot = nodal_.highestElements(policy_.highestRings);
   mode_ = NodeVectors::Zero(3, body_.nodeCount());
   double highest = 0;
@@ -257,11 +257,11 @@ void RunBracket::addTopOfRing(NodeVectors& mode) const {
     mode.col(ringNodes_.nodes()[k]) += top.segment<3>(static_cast<Eigen::Index>(3 * k));
 }
 
-LowerBound RunBracket::refreshMode(const NodeVectors& x, int products) {
+LowerBound RunBracket::refreshMode(NodeVectorsView x, int products) {
   return followMode(x, rayleighLowerBound(body_, x, mode_, products));
 }
 
-LowerBound RunBracket::followMode(const NodeVectors& x, LowerBound whole) {
+LowerBound RunBracket::followMode(NodeVectorsView x, LowerBound whole) {
   wholeMode_.restart();
   while (true) {
     local_.choose(mode_, localNodes_);

@@ -74,19 +74,19 @@ class RunBracket {
 
   /// Unless nullptr, `evaluation` is filled in at x. Empty where the tangent is not finite, or where rounding
   /// makes the sides cross.
-  const std::optional<CriticalStep>& evaluate(const NodeVectors& x, const StepRule& limit, StepEvaluation* evaluation);
+  const std::optional<CriticalStep>& evaluate(NodeVectorsView x, const StepRule& limit, StepEvaluation* evaluation);
   /// Whether h is certified at x, in the cheapest way. While it is not, the bracket is kept, and some observations
   /// longer: then last() is fresh and `bracketed` true.
-  bool certify(const NodeVectors& x, const StepRule& limit, double h, StepEvaluation* evaluation);
+  bool certify(NodeVectorsView x, const StepRule& limit, double h, StepEvaluation* evaluation);
   bool bracketed() const { return bracketed_; }
   /// Whether the tangent was finite when last evaluated.
   bool finite() const { return finite_; }
   /// Makes the best proof from scratch at x, which is kept for as long as the body stays there.
-  void proveFromScratch(const NodeVectors& x, const StepRule& limit);
+  void proveFromScratch(NodeVectorsView x, const StepRule& limit);
   /// Replaces either side of the last bracket by that of the proof from scratch, where it is of this x and better.
-  void takeBest(const NodeVectors& x);
+  void takeBest(NodeVectorsView x);
   /// Sharpens the optimistic side, now and then, for a step h (s) that is not certified: oftener when h is close to it.
-  void sharpen(const NodeVectors& x, const StepRule& limit, double h);
+  void sharpen(NodeVectorsView x, const StepRule& limit, double h);
   const UpdateStatistics& spent() const { return spent_; }
   /// Of the last evaluate().
   const std::optional<CriticalStep>& last() const { return step_; }
@@ -103,20 +103,20 @@ class RunBracket {
   /// Only elements under compression can make the tangent indefinite. When there are some, their rings are evaluated
   /// now and then, and a direction of negative stiffness is searched in the whole body: at the first evaluation, when
   /// compression has grown since the last search, and else more and more seldom.
-  void searchUnderCompression(const NodeVectors& x);
+  void searchUnderCompression(NodeVectorsView x);
   /// The top mode jumps to where an element has become stiffer than it had been: rings there are examined at once.
-  LowerBound boundWhereItRose(const NodeVectors& x, double sigma, LowerBound lower);
+  LowerBound boundWhereItRose(NodeVectorsView x, double sigma, LowerBound lower);
   /// The reduced ring of one element into solver_; false when it fails.
-  bool decomposeRing(const NodeVectors& x, ElementRef e);
+  bool decomposeRing(NodeVectorsView x, ElementRef e);
   /// From the highest of all rings.
-  LowerBound restartMode(const NodeVectors& x);
+  LowerBound restartMode(NodeVectorsView x);
   /// At first, when the nodal bound is of now: from the highest of the rings where it is highest.
-  LowerBound startMode(const NodeVectors& x);
+  LowerBound startMode(NodeVectorsView x);
   /// Of the ring that was decomposed last: its highest eigenvalue, rounded down, and that one's vector.
   double topOfRing() const;
   void addTopOfRing(NodeVectors& mode) const;
-  LowerBound refreshMode(const NodeVectors& x, int products);
-  LowerBound followMode(const NodeVectors& x, LowerBound whole);
+  LowerBound refreshMode(NodeVectorsView x, int products);
+  LowerBound followMode(NodeVectorsView x, LowerBound whole);
 
   const Body& body_;
   BracketPolicy policy_;

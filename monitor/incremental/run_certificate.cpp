@@ -42,7 +42,7 @@ void RunCertificate::setBall(ElementRef e, const Reference& reference) {
                        reference.fromStored);
 }
 
-void RunCertificate::evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withStrainNorm,
+void RunCertificate::evaluate(NodeVectorsView x, const std::vector<ElementRef>& elements, bool withStrainNorm,
                               std::vector<Reference>& results) {
   results.resize(elements.size());
   evaluateEach(x, elements, withStrainNorm, [&](const EvaluatedPack& pack, const std::size_t* index) {
@@ -70,7 +70,7 @@ void RunCertificate::ballsChanged(const std::vector<ElementRef>& elements) {
   for (const ElementRef e : elements) of(e).balls.ballChanged(placeOf(e));
 }
 
-std::vector<ElementRef> RunCertificate::elementsOutsideBall(const NodeVectors& x, StepEvaluation* evaluation) {
+std::vector<ElementRef> RunCertificate::elementsOutsideBall(NodeVectorsView x, StepEvaluation* evaluation) {
   outside_.resize(blocks_.size());
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     outside_[b].resize(body().blocks()[b]->layout().patches.size());
@@ -101,7 +101,7 @@ std::vector<ElementRef> RunCertificate::elementsOutsideBall(const NodeVectors& x
   return outside;
 }
 
-void RunCertificate::distributeAllowances(const NodeVectors& x) {
+void RunCertificate::distributeAllowances(NodeVectorsView x) {
   mostCompression_ = 0;
   const std::vector<double>& nodal = weights().nodal();
   for (std::size_t b = 0; b < blocks_.size(); ++b) {

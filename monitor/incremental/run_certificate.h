@@ -41,7 +41,7 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   };
   /// Evaluates elements at x: values, reference gradients, balls for their allowances, and with weights that have
   /// changed strain norms.
-  void evaluate(const NodeVectors& x, const std::vector<ElementRef>& elements, bool withStrainNorm,
+  void evaluate(NodeVectorsView x, const std::vector<ElementRef>& elements, bool withStrainNorm,
                 std::vector<Reference>& results);
   /// The ball of an element for the allowance that it has.
   void setBall(ElementRef e, const Reference& reference);
@@ -49,11 +49,11 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   void ballsChanged(const std::vector<ElementRef>& elements);
   /// Elements that may have left their balls at x. Unless nullptr, `evaluation` is filled in by the same pass; its
   /// visitor is not used.
-  std::vector<ElementRef> elementsOutsideBall(const NodeVectors& x, StepEvaluation* evaluation);
+  std::vector<ElementRef> elementsOutsideBall(NodeVectorsView x, StepEvaluation* evaluation);
 
   /// Gives every element the largest allowance that its nodes have room for below the certified eigenvalue, in
   /// proportion to its value, and a ball around x. weights() must have been evaluated at x.
-  void distributeAllowances(const NodeVectors& x);
+  void distributeAllowances(NodeVectorsView x);
   /// Raises the certified eigenvalue, and all allowances with it; balls stay.
   void raise(double certifiedEigenvalue);
   /// Lowers the certified eigenvalue, all allowances, and balls in proportion to what is left of the gaps between value

@@ -24,7 +24,7 @@ struct Extremes {
   Values largest, least;
 };
 template <class MassOf>
-Extremes elementEigenvalues(const Body& body, const NodeVectors& x, const MassOf& massOf, bool wantLeast = false) {
+Extremes elementEigenvalues(const Body& body, NodeVectorsView x, const MassOf& massOf, bool wantLeast = false) {
   constexpr int lanes = PatchLayout::lanes;
   Extremes values{emptyValues(body), wantLeast ? emptyValues(body) : Values{}};
   body.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, NativePack* K) {
@@ -101,23 +101,23 @@ Values lessNeighbours(const Body& body, Extremes extremes) {
 
 }  // namespace
 
-std::vector<std::vector<double>> singleElement(const Body& body, const NodeVectors& x) {
+std::vector<std::vector<double>> singleElement(const Body& body, NodeVectorsView x) {
   return elementEigenvalues(body, x, [&](ElementRef e, double* mass) { body.elementLumpedMass(e, mass); }).largest;
 }
 
-std::vector<std::vector<double>> shewchuk(const Body& body, const NodeVectors& x) {
+std::vector<std::vector<double>> shewchuk(const Body& body, NodeVectorsView x) {
   return timesValence(body, elementEigenvalues(body, x, nodalMass(body)).largest, 1);
 }
 
-std::vector<std::vector<double>> shewchukLower(const Body& body, const NodeVectors& x) {
+std::vector<std::vector<double>> shewchukLower(const Body& body, NodeVectorsView x) {
   return lessNeighbours(body, elementEigenvalues(body, x, nodalMass(body), true));
 }
 
-std::vector<std::vector<double>> fried(const Body& body, const NodeVectors& x) {
+std::vector<std::vector<double>> fried(const Body& body, NodeVectorsView x) {
   return timesValence(body, elementEigenvalues(body, x, unitMass(body)).largest, 1 / body.lumpedMass().minCoeff());
 }
 
-std::vector<std::vector<double>> friedLower(const Body& body, const NodeVectors& x) {
+std::vector<std::vector<double>> friedLower(const Body& body, NodeVectorsView x) {
   Values values = lessNeighbours(body, elementEigenvalues(body, x, unitMass(body), true));
   const double most = body.lumpedMass().maxCoeff(), least = body.lumpedMass().minCoeff();
   for (auto& block : values)

@@ -14,13 +14,13 @@ namespace {
 
 using Values = MetricValues;
 
-Values reducedRing(const Body& body, const NodeVectors& x, const MetricProgress&) {
+Values reducedRing(const Body& body, NodeVectorsView x, const MetricProgress&) {
   ReducedRing ring(body);
   return ring.evaluate(x).largest;
 }
 
 /// The nodal bound at each element's highest node.
-Values nodalBound(const Body& body, const NodeVectors& x, const MetricProgress&) {
+Values nodalBound(const Body& body, NodeVectorsView x, const MetricProgress&) {
   NodalBound bound(body);
   constexpr int sweeps = 20;
   const double best = bound.evaluate(x, sweeps).value;
@@ -41,16 +41,16 @@ Values nodalBound(const Body& body, const NodeVectors& x, const MetricProgress&)
 }
 
 // A metric that needs no word on its progress, and one with an option, as the table takes them.
-template <Values (*metric)(const Body&, const NodeVectors&)>
-Values plain(const Body& body, const NodeVectors& x, const MetricProgress&) {
+template <Values (*metric)(const Body&, NodeVectorsView)>
+Values plain(const Body& body, NodeVectorsView x, const MetricProgress&) {
   return metric(body, x);
 }
 template <CharacteristicLength length>
-Values wave(const Body& body, const NodeVectors& x, const MetricProgress&) {
+Values wave(const Body& body, NodeVectorsView x, const MetricProgress&) {
   return pressureWave(body, x, length);
 }
 template <RingKind kind>
-Values ring(const Body& body, const NodeVectors& x, const MetricProgress& progress) {
+Values ring(const Body& body, NodeVectorsView x, const MetricProgress& progress) {
   return ringEigenvalues(body, x, kind, progress);
 }
 
@@ -58,7 +58,7 @@ Values ring(const Body& body, const NodeVectors& x, const MetricProgress& progre
 class ReducedRingsAlong final : public MetricEvaluator {
  public:
   explicit ReducedRingsAlong(const Body& body) : ring_(body) {}
-  const Values& evaluate(const NodeVectors& x) override { return ring_.evaluate(x).largest; }
+  const Values& evaluate(NodeVectorsView x) override { return ring_.evaluate(x).largest; }
 
  private:
   ReducedRing ring_;
@@ -68,9 +68,7 @@ class ReducedRingsAlong final : public MetricEvaluator {
 class FromScratch final : public MetricEvaluator {
  public:
   FromScratch(std::string_view name, const Body& body) : name_(name), body_(body) {}
-  const Values& evaluate(const NodeVectors& x) override {
-    return values_ = evaluateMetric(name_, body_, x).elementLambda;
-  }
+  const Values& evaluate(NodeVectorsView x) override { return values_ = evaluateMetric(name_, body_, x).elementLambda; }
 
  private:
   std::string name_;
@@ -134,7 +132,7 @@ std::unique_ptr<MetricEvaluator> makeMetricEvaluator(std::string_view name, cons
   return entry.along ? entry.along(body) : std::make_unique<FromScratch>(name, body);
 }
 
-double MetricEvaluator::highest(const NodeVectors& x) {
+double MetricEvaluator::highest(NodeVectorsView x) {
   double highest = 0;
   for (const auto& block : evaluate(x))
     for (const double value : block) {
@@ -151,7 +149,7 @@ Direction metricDirection(std::string_view name, const Body& body) {
 
 const MetricInfo* findMetric(std::string_view name) { return registry().findInfo(name); }
 
-MetricResult evaluateMetric(std::string_view name, const Body& body, const NodeVectors& x,
+MetricResult evaluateMetric(std::string_view name, const Body& body, NodeVectorsView x,
                             const MetricProgress& progress) {
   const MetricEntry& entry = entryOf(name);
   MetricResult result{findMetric(name), metricDirection(name, body), 0, {}, entry.evaluate(body, x, progress)};

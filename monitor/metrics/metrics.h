@@ -26,16 +26,16 @@ class MetricEvaluator {
  public:
   virtual ~MetricEvaluator() = default;
   /// Of all elements at positions x (3×N, m); valid until the next call.
-  virtual const MetricValues& evaluate(const NodeVectors& x) = 0;
+  virtual const MetricValues& evaluate(NodeVectorsView x) = 0;
   /// The largest of them, at least 0; NaN where an element has no tangent.
-  double highest(const NodeVectors& x);
+  double highest(NodeVectorsView x);
 };
 
 /// A metric that can be evaluated by name.
 struct MetricEntry {
   MetricInfo info;
   /// Of all elements at positions x (3×N, m).
-  MetricValues (*evaluate)(const Body& body, const NodeVectors& x, const MetricProgress& progress);
+  MetricValues (*evaluate)(const Body& body, NodeVectorsView x, const MetricProgress& progress);
   /// For an estimate that is an upper bound on some bodies: whether it is on this one. nullptr: on none.
   bool (*isUpperBoundOn)(const Body& body) = nullptr;
   /// Along a run; the body outlives it. nullptr: `evaluate` each time.
@@ -57,7 +57,7 @@ void registerMetric(const MetricEntry& entry);
 const MetricInfo* findMetric(std::string_view name);
 /// Evaluates a metric at positions x (3×N, m), and tells those that take long how far they are. Constrained degrees of
 /// freedom are left out. Throws InputError for an unknown name.
-MetricResult evaluateMetric(std::string_view name, const Body& body, const NodeVectors& x,
+MetricResult evaluateMetric(std::string_view name, const Body& body, NodeVectorsView x,
                             const MetricProgress& progress = {});
 /// The direction in which a metric errs on this body: MetricInfo's, or a proven side where its elements allow it.
 /// Throws InputError for an unknown name.

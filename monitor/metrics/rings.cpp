@@ -123,7 +123,7 @@ class Lanczos {
 /// What all rings of a body share.
 class Rings {
  public:
-  Rings(const Body& body, const NodeVectors& x, RingKind kind)
+  Rings(const Body& body, NodeVectorsView x, RingKind kind)
       : body_(body), kind_(kind), elementsAt_(nodeElements(body.mesh())), offset_(blockOffsets(body.mesh())) {
     body.assembleBlocks(x, matrix_);
     if (kind == RingKind::reduced2) return;
@@ -284,7 +284,7 @@ class Rings {
 
 }  // namespace
 
-std::vector<std::vector<double>> ringEigenvalues(const Body& body, const NodeVectors& x, RingKind kind,
+std::vector<std::vector<double>> ringEigenvalues(const Body& body, NodeVectorsView x, RingKind kind,
                                                  const MetricProgress& progress) {
   const Rings rings(body, x, kind);
   const int threads = threadCount(body.threads());

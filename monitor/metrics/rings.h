@@ -34,7 +34,7 @@ using MetricProgress = std::function<void(double)>;
 /// iteration with full orthogonalisation, run until its residual is below 3e-6 of it: an eigenvalue lies that close, in
 /// practice within 1e-9. A Ritz value is a Rayleigh quotient, so reduced2 remains a lower bound however early it
 /// stopped.
-std::vector<std::vector<double>> ringEigenvalues(const Body& body, const NodeVectors& x, RingKind kind,
+std::vector<std::vector<double>> ringEigenvalues(const Body& body, NodeVectorsView x, RingKind kind,
                                                  const MetricProgress& progress = {});
 
 /// Whether all elements have the same number of nodes, so that vertex1 is an upper bound.

@@ -10,7 +10,7 @@
 namespace ringwatch {
 namespace {
 
-double lengthOf(const ElementInfo& element, const NodeVectors& x, std::span<const std::int32_t> nodes,
+double lengthOf(const ElementInfo& element, NodeVectorsView x, std::span<const std::int32_t> nodes,
                 CharacteristicLength kind) {
   const auto at = [&](int a) { return Eigen::Vector3d(x.col(nodes[a])); };
   const int corners = cornerCount(element);
@@ -59,7 +59,7 @@ double lengthOf(const ElementInfo& element, const NodeVectors& x, std::span<cons
 
 }  // namespace
 
-std::vector<std::vector<double>> pressureWave(const Body& body, const NodeVectors& x, CharacteristicLength length) {
+std::vector<std::vector<double>> pressureWave(const Body& body, NodeVectorsView x, CharacteristicLength length) {
   std::vector<std::vector<double>> values;
   for (const auto& block : body.blocks()) {
     auto& lambda = values.emplace_back(static_cast<std::size_t>(block->elementCount()));

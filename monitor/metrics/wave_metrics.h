@@ -17,6 +17,6 @@ enum class CharacteristicLength {
 /// omega = 2 s / L, s the speed of a pressure wave at rest, L the characteristic length of the current shape (Fierz
 /// 2013, eq. 3.18, 3.27 and 3.28): [block][element], rad²/s², at positions x (3×N, m). An estimate. Faces are those of
 /// the corners; the middle nodes of quadratic elements count in the volume and as neighbours on an edge.
-std::vector<std::vector<double>> pressureWave(const Body& body, const NodeVectors& x, CharacteristicLength length);
+std::vector<std::vector<double>> pressureWave(const Body& body, NodeVectorsView x, CharacteristicLength length);
 
 }  // namespace ringwatch

@@ -5,7 +5,7 @@
 namespace ringwatch::test {
 
 /// A metric added from outside: twice each element's own eigenvalue.
-inline MetricValues doubled(const Body& body, const NodeVectors& x, const MetricProgress&) {
+inline MetricValues doubled(const Body& body, NodeVectorsView x, const MetricProgress&) {
   MetricValues values = singleElement(body, x);
   for (auto& block : values)
     for (double& value : block) value *= 2;
