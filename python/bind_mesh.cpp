@@ -1,0 +1,180 @@
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
+#include <ringwatch/meshes/check.h>
+#include <ringwatch/meshes/generators/generator_registry.h>
+#include <ringwatch/meshes/mesh_io.h>
+#include <ringwatch/python/arrays.h>
+#include <ringwatch/python/held.h>
+
+namespace ringwatch::python {
+namespace {
+
+ElementType elementNamed(const std::string& name) {
+  std::vector<std::string_view> known;
+  for (const ElementInfo& info : allElements()) {
+    if (info.name == name) return info.type;
+    known.push_back(info.name);
+  }
+  throw InputError(joinText("cells: unknown element ", inQuotes(name), "; ", didYouMean(name, known), "known are ",
+                            shortList(known)));
+}
+
+HeldMesh sound(Mesh mesh, const char* source) {
+  HeldMesh made;
+  {
+    const py::gil_scoped_release release;
+    requireValid(mesh);
+    requireSound(mesh, source, &made.notes);
+    for (std::string& note : meshNotes(mesh, source)) made.notes.push_back(std::move(note));
+  }
+  made.mesh = std::make_shared<const Mesh>(std::move(mesh));
+  return made;
+}
+
+HeldMesh meshOf(py::handle points, const py::object& cells, const py::dict& nodeSets) {
+  Mesh mesh;
+  const std::span<const double> numbers = realsOf("points", points, {-1, 3});
+  const auto nodes = static_cast<Eigen::Index>(numbers.size() / 3);
+  mesh.X = NodeVectorsView(numbers.data(), nodes);
+  const auto addBlock = [&](const std::string& name, py::handle connectivity) {
+    const ElementType type = elementNamed(name);
+    const int perElement = elementInfo(type).nodes;
+    const std::string argument = joinText("cells[", inQuotes(name), "]");
+    std::vector<std::int32_t> indices = indicesOf(argument.c_str(), connectivity, 2, nodes);
+    const auto given = py::reinterpret_borrow<py::array>(connectivity);
+    if (given.shape(1) != perElement)
+      throw InputError(joinText(argument, ": ", describe(given), "; must be of shape ", shapeText({-1, perElement}),
+                                ", ", perElement, " nodes an element"));
+    mesh.blocks.push_back({type, std::move(indices), {}});
+  };
+  if (py::isinstance<py::dict>(cells)) {
+    for (const auto& [name, connectivity] : py::reinterpret_borrow<py::dict>(cells))
+      addBlock(name.cast<std::string>(), connectivity);
+  } else {
+    for (const py::handle block : cells) {
+      const auto pair = block.cast<std::pair<std::string, py::object>>();
+      addBlock(pair.first, pair.second);
+    }
+  }
+  for (const auto& [name, set] : nodeSets) {
+    const auto key = name.cast<std::string>();
+    mesh.nodeSets[key] = indicesOf(joinText("node_sets[", inQuotes(key), "]").c_str(), set, 1, nodes);
+  }
+  return sound(std::move(mesh), "mesh");
+}
+
+HeldMesh load(const std::filesystem::path& path) {
+  HeldMesh made;
+  const py::gil_scoped_release release;
+  Mesh mesh = loadMesh(path, &made.notes);
+  for (std::string& note : meshNotes(mesh, path.string())) made.notes.push_back(std::move(note));
+  made.mesh = std::make_shared<const Mesh>(std::move(mesh));
+  return made;
+}
+
+HeldMesh generate(const std::string& kind, const py::kwargs& parameters) {
+  GeneratorArguments arguments;
+  for (const auto& [name, value] : parameters) {
+    const auto key = name.cast<std::string>();
+    try {
+      if (py::isinstance<py::str>(value))
+        arguments[key] = value.cast<std::string>();
+      else if (py::isinstance<py::sequence>(value) || py::isinstance<py::array>(value))
+        arguments[key] = value.cast<std::vector<double>>();
+      else
+        arguments[key] = value.cast<double>();
+    } catch (const py::cast_error&) {
+      throw InputError(
+          joinText(kind, ": ", key, ": ", describe(value), "; must be a number, a list of numbers or a text"));
+    }
+  }
+  return sound(generateMesh(kind, arguments), "mesh");
+}
+
+py::list blocksOf(const py::object& self) {
+  const Mesh& mesh = *self.cast<const HeldMesh&>().mesh;
+  py::list blocks;
+  for (const MeshBlock& block : mesh.blocks)
+    blocks.append(py::make_tuple(
+        std::string(elementInfo(block.type).name),
+        viewOf(block.connectivity.data(),
+               {static_cast<py::ssize_t>(block.elementCount()), py::ssize_t{block.nodesPerElement()}}, self)));
+  return blocks;
+}
+
+}  // namespace
+
+void bindMesh(py::module_& module) {
+  py::class_<HeldMesh>(module, "Mesh",
+                       "Points and elements: Mesh(points, {\"tet4\": cells}, *, node_sets={}). It never "
+                       "changes.\n\npoints: (N, 3) float64 in "
+                       "C order, m. cells: by element name, (n, nodes of the element) of whole numbers in VTK's "
+                       "node\norder; or a list of "
+                       "(name, cells). node_sets: node numbers by name. All of them are copied. Raises InputError for "
+                       "arrays\nof another "
+                       "shape or type, and for a mesh that is not sound: inverted or degenerate elements, nodes that "
+                       "do not exist.\nA mesh "
+                       "whose elements are all of the other handedness is turned round, and nodes that no element uses "
+                       "are dropped:\n`notes` "
+                       "says so.")
+      .def(py::init(&meshOf), py::arg("points"), py::arg("cells"), py::kw_only(), py::arg("node_sets") = py::dict())
+      .def_property_readonly(
+          "points",
+          [](const py::object& self) {
+            const NodeVectors& X = self.cast<const HeldMesh&>().mesh->X;
+            return viewOf(X.data(), {static_cast<py::ssize_t>(X.cols()), py::ssize_t{3}}, self);
+          },
+          "Positions at rest, (N, 3), m: a view that cannot be written.")
+      .def_property_readonly(
+          "blocks", [](const py::object& self) { return py::tuple(blocksOf(self)); },
+          "(element name, nodes of the elements (n, k), int32) of each block: views.")
+      .def_property_readonly(
+          "cells",
+          [](const py::object& self) {
+            py::dict cells;
+            for (const py::handle block : blocksOf(self)) {
+              const auto pair = py::reinterpret_borrow<py::tuple>(block);
+              if (cells.contains(pair[0]))
+                throw InputError(
+                    joinText("cells: the mesh has several blocks of ", pair[0].cast<std::string>(), "; use blocks"));
+              cells[pair[0]] = pair[1];
+            }
+            return cells;
+          },
+          "Nodes of the elements by element name; InputError where two blocks have the same.")
+      .def_property_readonly(
+          "node_sets",
+          [](const py::object& self) {
+            py::dict sets;
+            for (const auto& [name, set] : self.cast<const HeldMesh&>().mesh->nodeSets)
+              sets[py::str(name)] = viewOf(set.data(), {static_cast<py::ssize_t>(set.size())}, self);
+            return sets;
+          },
+          "Node numbers by name: views.")
+      .def_property_readonly(
+          "notes", [](const HeldMesh& self) { return py::tuple(py::cast(self.notes)); },
+          "What the reader wants to be known, one line each.")
+      .def_property_readonly("element_count", [](const HeldMesh& self) { return self.mesh->elementCount(); })
+      .def(
+          "save",
+          [](const HeldMesh& self, const std::filesystem::path& path) {
+            const py::gil_scoped_release release;
+            writeMesh(*self.mesh, path);
+          },
+          py::arg("path"), "Writes the mesh, as .msh or .vtu.");
+  module.def(
+      "load_mesh", &load, py::arg("path"),
+      "Reads a mesh to compute with, in the formats of `ringwatch help formats`. Coordinates are taken as m. Raises "
+      "InputError\nwith the line that the command line prints.");
+  module.def(
+      "generate_mesh", &generate, py::arg("kind"), py::pos_only(),
+      "A mesh made from parameters, as `ringwatch help generators` lists them: generate_mesh(\"bar\", cells=[8, 2, "
+      "2]).");
+}
+
+}  // namespace ringwatch::python

@@ -1,0 +1,52 @@
+"""ringwatch: how large a step an explicit nonlinear finite element run can take, proven from both sides.
+
+>>> import ringwatch as rw
+>>> mesh = rw.generate_mesh("bar", cells=[8, 2, 2])
+>>> body = rw.Body(mesh, rw.Material("stvk", young=30e3, poisson=0.3, density=1000))
+>>> step = rw.inspect(body)
+>>> 0 < step.safe <= step.optimistic
+True
+
+Arrays of nodes are (N, 3), float64, in C order, and are read where they lie. SI units. docs/python.md tells more.
+"""
+from ._errors import InputError, NumericalError
+from ._results import CriticalStep, Element, ElementCause, Inspection, Metric, MonitorEvent, MonitorReport
+from ._ringwatch import (
+    Body,
+    Material,
+    Mesh,
+    Monitor,
+    TangentBracket,
+    __version__,
+    generate_mesh,
+    inspect,
+    load_mesh,
+    metric_names,
+)
+from ._convert import mesh_from
+from ._run import RunResult, run
+
+__all__ = [
+    "Body",
+    "CriticalStep",
+    "Element",
+    "ElementCause",
+    "InputError",
+    "Inspection",
+    "Material",
+    "Mesh",
+    "Metric",
+    "Monitor",
+    "MonitorEvent",
+    "MonitorReport",
+    "NumericalError",
+    "RunResult",
+    "TangentBracket",
+    "__version__",
+    "generate_mesh",
+    "inspect",
+    "load_mesh",
+    "mesh_from",
+    "metric_names",
+    "run",
+]

@@ -1,0 +1,185 @@
+"""What the functions return. The extension fills the fields by their order here."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._errors import InputError
+
+
+@dataclass(frozen=True, slots=True)
+class Element:
+    """An element of a mesh."""
+
+    block: int
+    """Its block, from 0."""
+    index: int
+    """Its place in the block, from 0."""
+    type: str
+    nodes: tuple[int, ...]
+    """Its nodes, rows of the points."""
+    id: int
+    """Its number in the file."""
+    node_ids: tuple[int, ...]
+    """The numbers of its nodes in the file."""
+    text: str
+    """All of that in a few words."""
+
+    def __str__(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True, slots=True)
+class ElementCause:
+    """Why an element allows only a small step: its departure from rest, and its shape at rest."""
+
+    text: str
+    """In a few words."""
+    finite: bool
+    """Whether its deformation gradients are numbers; where not, the next three say nothing."""
+    least_determinant: float
+    """det F, least over the quadrature points."""
+    largest_stretch: float
+    least_stretch: float
+    shape: str
+    """round, small, needle, wedge, spindle, sliver, cap; other for what is no tetrahedron."""
+    least_dihedral: float
+    """Degrees."""
+    largest_dihedral: float
+    aspect: float
+    """Longest over shortest edge."""
+    badly_shaped: bool
+    """The shape alone makes the step small."""
+
+    def __str__(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True, slots=True)
+class CriticalStep:
+    """The bracket safe <= critical step <= optimistic, s, proven for the tangent at one state."""
+
+    safe: float
+    optimistic: float
+    controlling: tuple[int, int]
+    """Block (or group) and index of the element that holds most of the top mode, as far as it is known."""
+    safe_by: str
+    """How the side was obtained."""
+    optimistic_by: str
+    lowest_eigenvalue: float
+    """Least eigenvalue seen, rad²/s²; below 0 it proves the tangent indefinite, which no step cures."""
+
+
+@dataclass(frozen=True, slots=True)
+class Metric:
+    """The steps of all elements by a metric."""
+
+    name: str
+    side: str
+    """Where `step` lies of the critical step: "safe" or "optimistic" where that is proven, else "estimate"."""
+    step: float
+    """s, the least of all elements."""
+    controlling: tuple[int, int]
+    """Block and index of the element that has it."""
+    element_steps: tuple[NDArray[np.float64], ...]
+    """s, an array for each block of the mesh with a number for each element."""
+
+
+@dataclass(frozen=True, slots=True)
+class Inspection:
+    """What a body can take at one state: see `inspect`."""
+
+    safe: float
+    """s, proven stable up to here for the tangent at this state."""
+    optimistic: float
+    """s, proven unstable above."""
+    exact: float | None
+    """s, by a global eigenvalue, when asked for."""
+    controlling: Element
+    """The element in the way."""
+    cause: ElementCause
+    """Why it is."""
+    safe_by: str
+    """How the side was obtained."""
+    optimistic_by: str
+    lowest_eigenvalue: float
+    """Least eigenvalue seen, rad²/s²; below 0 it proves the tangent indefinite, which no step cures."""
+    limit: float
+    """The largest stable h·omega that the steps are for."""
+    metrics: dict[str, Metric]
+    """Those that were asked for, in that order."""
+
+    @property
+    def element_steps(self) -> tuple[NDArray[np.float64], ...]:
+        """Those of the first metric: s, an array for each block of the mesh."""
+        if not self.metrics:
+            raise InputError("element_steps: no metric was asked for; name one in inspect(metrics=...)")
+        return next(iter(self.metrics.values())).element_steps
+
+
+@dataclass(frozen=True, slots=True)
+class MonitorEvent:
+    """Something that happened in a run."""
+
+    kind: str
+    """violated, energy-balance, inverted, non-finite or indefinite."""
+    step: int
+    time: float
+    """s"""
+    value: float
+    """violated: the step over the optimistic one; inverted: det F; indefinite: an eigenvalue, rad²/s²."""
+    element: Element | None
+    """Where, when it is an element's doing."""
+    cause: ElementCause | None
+    """Why that element is in the way."""
+    end: int | None
+    """First step without it; None while it goes on."""
+    text: str
+    """All of that in one line."""
+
+    def __str__(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True, slots=True)
+class MonitorReport:
+    """What a monitor knows of a state."""
+
+    step: int
+    time: float
+    """s"""
+    h: float | None
+    """s, the step that was asked about."""
+    verdict: str
+    """certified: h is proven stable at this state; violated: proven unstable, or the state is not finite and no step
+    helps; not-certified: neither."""
+    bracket: CriticalStep | None
+    """None in mode "threshold" while the step is certified, and for a state that is not finite."""
+    certified: float
+    """s, the largest step proven at this state; 0 for none."""
+    metric_step: float | None
+    """s, by the monitor's metric, less its margin: an estimate."""
+    fresh: bool
+    """Evaluated at this very state; else fewer steps than `every` have passed."""
+    evaluated_at: int
+    """The step whose state the bracket is of."""
+    elements_refreshed: int
+    """Element evaluations spent."""
+    new_events: tuple[MonitorEvent, ...]
+    """Begun at this step."""
+    internal_force: NDArray[np.float64] | None
+    """N, (N, 3), when asked for."""
+    strain_energy: float | None
+    """J, when asked for."""
+
+    @property
+    def safe(self) -> float:
+        """s, of the bracket; the certified step where there is none."""
+        return self.bracket.safe if self.bracket else self.certified
+
+    @property
+    def optimistic(self) -> float | None:
+        """s, of the bracket; None where there is none."""
+        return self.bracket.optimistic if self.bracket else None

@@ -1,0 +1,83 @@
+"""Type hints: mypy --strict finds nothing in the package and in a program that uses all of it, and finds a seeded fault;
+the hints of the extension are those of the extension itself."""
+import os
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+import ringwatch as rw
+from support import BUILD
+
+PACKAGE = pathlib.Path(rw.__file__).parent
+
+PROGRAM = """
+import numpy as np
+import ringwatch as rw
+
+mesh: rw.Mesh = rw.generate_mesh("bar", cells=[4, 1, 1], element="tet4")
+body = rw.Body(mesh, rw.Material("stvk", young=30e3, poisson=0.3, density=1000))
+body.fix(mesh.points[:, 0] < 1e-6, "xy", velocity=(0, 0, 1))
+safe: float = rw.inspect(body, limit=2.0).safe
+x, v = body.points.copy(), np.zeros_like(body.points)
+monitor = rw.Monitor(body, limit=2.0)
+report: rw.MonitorReport = monitor.observe(0, 0.0, x, v, safe, force=True)
+if report.bracket is not None:
+    both: float = report.bracket.safe + report.bracket.optimistic
+energy: float = body.energy(x) + float(np.sum(body.internal_force(x) * v))
+bracket = rw.TangentBracket(body.lumped_mass, mesh.cells["tet4"])
+step: rw.CriticalStep = bracket.evaluate(body.element_tangents(x), limit=2.0)
+"""
+
+
+def mypy(tmp_path, *arguments):
+    return subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), *arguments],
+                          capture_output=True, text=True, check=False, cwd=tmp_path,
+                          env={**os.environ, "MYPYPATH": str(BUILD / "python")})
+
+
+def test_package_and_users_are_strictly_typed(tmp_path):
+    (tmp_path / "program.py").write_text(PROGRAM)
+    told = mypy(tmp_path, "-p", "ringwatch")
+    assert told.returncode == 0, told.stdout
+    told = mypy(tmp_path, "program.py")
+    assert told.returncode == 0, told.stdout
+    (tmp_path / "wrong.py").write_text(PROGRAM.replace("limit=2.0)\nreport", "limt=2.0)\nreport"))
+    told = mypy(tmp_path, "wrong.py")
+    assert told.returncode == 1 and "limt" in told.stdout
+
+
+def test_the_program_runs(tmp_path):
+    subprocess.run([sys.executable, "-c", PROGRAM], check=True)
+
+
+def test_hints_are_those_of_the_extension(tmp_path):
+    """Names of the extension against the hints, and the other way round; its signatures cannot be asked."""
+    import ast
+
+    hints = {}
+    for node in ast.parse((PACKAGE / "_ringwatch.pyi").read_text()).body:
+        if isinstance(node, ast.ClassDef):
+            hints[node.name] = {member.name for member in node.body if isinstance(member, ast.FunctionDef)}
+        elif isinstance(node, ast.FunctionDef):
+            hints[node.name] = set()
+    from ringwatch import _ringwatch
+
+    there = {}
+    for name, value in vars(_ringwatch).items():
+        if isinstance(value, type):
+            there[name] = {member for member in vars(value) if not member.startswith("_") or member == "__init__"}
+        elif callable(value):
+            there[name] = set()
+    assert hints == there
+
+
+@pytest.mark.parametrize("name", rw.__all__)
+def test_everything_public_is_documented(name):
+    thing = getattr(rw, name)
+    assert name == "__version__" or thing.__doc__ and not thing.__doc__.startswith(f"{name}(")
+    if isinstance(thing, type) and thing.__module__ == "ringwatch._ringwatch":
+        for member, value in vars(thing).items():
+            if not member.startswith("_") and member not in ("node_count", "element_count", "model"):
+                assert value.__doc__, f"{name}.{member}"
