@@ -8,6 +8,7 @@
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_builder.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
+#include <ringwatch/meshes/formats/vtu_frame.h>
 #include <ringwatch/meshes/formats/vtu_writer.h>
 
 namespace ringwatch::detail {
@@ -106,6 +107,33 @@ class VtuReader {
     return result;
   }
   bool deformedPoints() const { return deformedPoints_; }
+
+  /// After read(): the numbers at cells. Their order is the mesh's only where no type comes again behind another one.
+  std::vector<FrameField> cellFields() const {
+    if (flat_ > 0 || mixed_)
+      throw InputError(source_ + (flat_ > 0
+                                      ? ": has cells of surfaces, lines or points; a frame has volume elements alone"
+                                      : ": element types are mixed; a frame has them type by type"));
+    std::vector<FrameField> fields;
+    for (const Piece& piece : pieces_)
+      for (const Array& a : piece.arrays) {
+        if (a.section != "CellData" || a.components != 1 || a.name == "originalElementId" ||
+            a.name.starts_with(setPrefix))
+          continue;
+        auto field = std::find_if(fields.begin(), fields.end(), [&](const FrameField& f) { return f.name == a.name; });
+        if (field == fields.end()) field = fields.insert(fields.end(), {a.name, !a.type->real, {}});
+        const std::vector<double> own = values<double>(a, piece.cells);
+        field->values.insert(field->values.end(), own.begin(), own.end());
+      }
+    std::erase_if(fields, [this](const FrameField& field) { return field.values.size() != cellCount_; });
+    return fields;
+  }
+  /// The field data that are a single number.
+  std::map<std::string, double> numbers() const {
+    std::map<std::string, double> result;
+    for (const Array& a : fieldData_) result[a.name] = values<double>(a, 1)[0];
+    return result;
+  }
 
  private:
   struct Piece {
@@ -228,6 +256,7 @@ class VtuReader {
         pieces_.push_back({countAttribute(tag, "NumberOfPoints"), countAttribute(tag, "NumberOfCells"), tag.begin, {}});
       } else if (tag.name == "DataArray" && open.back() == "FieldData") {
         deformedPoints_ = deformedPoints_ || tag.get("Name") == deformedPointsMark;
+        if (tag.get("NumberOfTuples") == "1") addArray(tag, "FieldData");
       } else if (tag.name == "DataArray" && !pieces_.empty()) {
         addArray(tag, open.back());
       } else if (tag.name == "AppendedData") {
@@ -281,7 +310,7 @@ class VtuReader {
                 tag.end,
                 tag.end};
     if (!tag.selfClosing) array.end = std::min(text_.find('<', tag.end), text_.size());
-    pieces_.back().arrays.push_back(std::move(array));
+    (section == "FieldData" ? fieldData_ : pieces_.back().arrays).push_back(std::move(array));
   }
 
   const Array* find(const Piece& piece, std::string_view section, std::string_view name) const {
@@ -509,6 +538,11 @@ class VtuReader {
         sets.emplace_back(a.name.substr(setPrefix.size()), values<std::int64_t>(a, piece.cells));
     }
     std::map<std::vector<std::string>, int> groups;
+    if (pieces_.size() > 1) mixed_ = true;
+    std::vector<std::int64_t> runs = types;  // a type for each run of equal ones
+    runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
+    std::sort(runs.begin(), runs.end());
+    mixed_ = mixed_ || std::adjacent_find(runs.begin(), runs.end()) != runs.end();
     std::int64_t nodes[125];
     for (std::size_t c = 0; c < piece.cells; ++c, ++cellCount_) {
       const int type = types[c] >= 0 && types[c] < 256 ? static_cast<int>(types[c]) : 255;
@@ -555,7 +589,8 @@ class VtuReader {
   std::vector<Piece> pieces_;
   std::string compressor_;
   std::size_t wordBytes_ = 4;
-  bool swap_ = false, rawAppended_ = false, deformedPoints_ = false;
+  bool swap_ = false, rawAppended_ = false, deformedPoints_ = false, mixed_ = false;
+  std::vector<Array> fieldData_;
   std::string_view appended_;
   std::vector<std::int64_t> nodeIds_;
   std::size_t cellCount_ = 0, flat_ = 0;
@@ -579,3 +614,17 @@ MeshState readVtuState(const std::filesystem::path& path, const std::string& tex
 }
 
 }  // namespace ringwatch::detail
+
+namespace ringwatch {
+
+VtuFrame readVtuFrame(const std::filesystem::path& path) {
+  const std::string text = detail::readWholeFile(path);
+  detail::VtuReader reader(path.string(), text);
+  VtuFrame frame;
+  frame.mesh = reader.read(nullptr, nullptr);
+  frame.cells = reader.cellFields();
+  frame.values = reader.numbers();
+  return frame;
+}
+
+}  // namespace ringwatch
