@@ -21,9 +21,11 @@
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/process.h>
 #include <ringwatch/app/command/progress.h>
+#include <ringwatch/app/command/provenance.h>
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/run/checkpoint.h>
+#include <ringwatch/app/report/run_report.h>
 #include <ringwatch/app/run/runner.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
@@ -84,6 +86,7 @@ std::string mainFooter() {
          "  ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 -o bar.msh\n"
          "  ringwatch inspect bar.msh --young 30e3 --poisson 0.3 --density 1000 --metric all --global\n"
          "  ringwatch run examples/stretch_bar.toml --out out/stretch_bar\n"
+         "  ringwatch report out/stretch_bar\n"
          "  ringwatch compare examples/swinging_bar.toml --integrators all --out out/compare\n"
          "  ringwatch run scene.toml --set integrator.step=1e-4 --set output.every=0.01\n\n"
          "Topics of ringwatch help TOPIC:\n" +
@@ -129,11 +132,52 @@ void printOut(const std::string& text) {
     throw InputError("cannot write to standard output");
 }
 
+/// What the program says of a page that it wrote.
+std::string reportText(const ReportResult& report) {
+  std::string text = fmt::format("wrote {}: {:.2f} MB", report.file.string(), 1e-6 * static_cast<double>(report.bytes));
+  if (report.framesOfRun > 0) text += fmt::format(", {} of {} frames", report.frames, report.framesOfRun);
+  text += "\n";
+  for (const std::string& note : report.notes) text += fmt::format("note: {}\n", note);
+  return text;
+}
+
+/// The writer of pages; in a program without it nothing gets here, see main.cpp.
+ReportWriter neededReportWriter() {
+  if (const ReportWriter write = reportWriter()) return write;
+  throw InputError("this program has no report; call ringwatch report");
+}
+
+struct ReportCommand {
+  ReportOptions options;
+  std::string folder, output;
+
+  void declare(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("report", "write one page that says which element of a run is in the way, when and why");
+    command->add_option("DIR", folder, "folder of a run")->required();
+    command->add_option("--out", output, "file to write (default: report.html in DIR)");
+    command->add_option("--frames", options.frames, "most frames in the page (default: as many as keep it small)")
+        ->check(CLI::Range(1, 100000));
+    command->footer(
+        std::string(
+            "The page is one HTML file, and asks for nothing from anywhere: it opens from disk in any browser.\n") +
+        exitStatusHint);
+  }
+
+  ExitStatus execute() {
+    options.folder = folder;
+    options.output = output;
+    const ReportResult report = neededReportWriter()(options);
+    printOut(fmt::format("{}: {}\n", report.title, report.sentence) + reportText(report));
+    return ExitStatus::done;
+  }
+};
+
 struct RunCommand {
   std::string scene, folder, resumed;
   std::vector<std::string> overrides;
   int threads = 0;
-  bool quiet = false, helpScene = false, requireCertified = false;
+  bool quiet = false, helpScene = false, requireCertified = false, report = false;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
@@ -151,12 +195,22 @@ struct RunCommand {
         ->check(CLI::Range(0, 4096));
     command->add_flag("--require-certified", requireCertified,
                       "exit with status 1 unless every step was certified; as monitor.require_certified = true");
+    command->add_flag("--report", report, "also write report.html there, as ringwatch report does");
     command->add_flag("--quiet", quiet, "print nothing but errors; the exit status tells how it went");
     command->add_flag("--help-scene", helpScene, "list every key of a scene file, as ringwatch help scene does");
     command->footer(
         std::string("Writes history.csv, summary.json, critical_step.png and, with output.every, run.pvd for "
                     "ParaView.\n") +
         exitStatusHint);
+  }
+
+  /// The command again, with all that the results depend on.
+  std::string commandText() const {
+    std::string text = "ringwatch run " + scene;
+    for (const std::string& setting : overrides) text += " --set '" + setting + "'";
+    if (requireCertified) text += " --require-certified";
+    if (threads > 0) text += fmt::format(" --threads {}", threads);
+    return text;
   }
 
   ExitStatus execute() const {
@@ -194,12 +248,15 @@ struct RunCommand {
     options.resume = from;
     options.progress = !quiet;
     options.interrupt = &interrupted;
+    options.provenance = provenanceOf(commandText(), scene);
     Body body = sceneBody(description, sceneMesh(description, options.notes), threads);
     const InterruptGuard guard;
     const RunResult result = runScene(description, body, options);
     const bool cutShort = result.reason == ExitReason::interrupted;
     try {
-      if (!quiet) printOut(summaryText(description, body, result, options.folder));
+      std::string text = summaryText(description, body, result, options.folder);
+      if (report) text += reportText(neededReportWriter()({.folder = options.folder, .output = {}, .frames = 0}));
+      if (!quiet) printOut(text);
     } catch (const InputError&) {
       if (!cutShort) throw;  // the terminal may be what is gone
     }
@@ -551,6 +608,7 @@ ExitStatus dispatch(int argc, char** argv) {
   MeshCommand mesh;
   VerifyCommand verify;
   CompareCommand compare;
+  ReportCommand report;
   HelpCommand help;
   help.declare(app);
   run.declare(app);
@@ -558,6 +616,7 @@ ExitStatus dispatch(int argc, char** argv) {
   mesh.declare(app);
   verify.declare(app);
   compare.declare(app);
+  report.declare(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help and --version
@@ -570,6 +629,7 @@ ExitStatus dispatch(int argc, char** argv) {
   if (app.got_subcommand("run")) return run.execute();
   if (app.got_subcommand("inspect")) return inspect.execute();
   if (app.got_subcommand("verify")) return verify.execute();
+  if (app.got_subcommand("report")) return report.execute();
   if (app.got_subcommand("compare")) return compare.execute();
   return mesh.execute();
 }

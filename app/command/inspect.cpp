@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -91,27 +89,6 @@ Body makeBody(const Scene& scene, Mesh mesh, const InspectOptions& options, Mate
   }
 }
 
-/// The frames that a run.pvd lists.
-std::vector<PvdEntry> framesOf(const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / "run.pvd";
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw InputError(fmt::format("{}: cannot read; a run writes it when its scene has output.every", file.string()));
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  std::vector<PvdEntry> entries;
-  const auto attribute = [&](std::size_t from, const std::string& name) {
-    const std::size_t begin = text.find(name + "=\"", from);
-    if (begin == std::string::npos) return std::string();
-    const std::size_t first = begin + name.size() + 2;
-    return text.substr(first, text.find('"', first) - first);
-  };
-  for (std::size_t at = text.find("<DataSet"); at != std::string::npos; at = text.find("<DataSet", at + 1)) {
-    const std::string time = attribute(at, "timestep");
-    entries.push_back({std::strtod(time.c_str(), nullptr), attribute(at, "file")});
-  }
-  return entries;
-}
-
 /// What the command line says beyond the scene of a run, or instead of one.
 void override(Scene& scene, const InspectOptions& options) {
   const auto given = [&]() -> std::string {
@@ -142,7 +119,7 @@ void override(Scene& scene, const InspectOptions& options) {
 Subject subjectOfRun(const InspectOptions& options) {
   Scene scene = sceneOfRun(options.mesh);
   scene.meshOrigin = options.mesh.string();
-  const std::vector<PvdEntry> frames = framesOf(options.mesh);
+  const std::vector<PvdEntry> frames = framesOfRun(options.mesh);
   if (*options.frame < 1 || *options.frame > static_cast<std::int64_t>(frames.size()))
     throw InputError(fmt::format("--frame: {} is out of range; {} has {} frames, counted from 1", *options.frame,
                                  options.mesh.string(), frames.size()));

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -10,30 +12,37 @@
 #include <ringwatch/app/command/command_line.h>
 #include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/app/command/verify.h>
+#include <ringwatch/app/report/run_report.h>
 
 namespace ringwatch {
 
 // Most users never build the studies, which take the compiler long: they are a program of their own,
-// `ringwatch-verify`.
+// `ringwatch-verify`. So is what writes the page of a run, `ringwatch-report`.
 std::span<const StudyInfo> allStudies() { return {}; }
+ReportWriter reportWriter() { return nullptr; }
 
 namespace {
 
-bool isAboutStudies(int argc, char** argv) {
+/// The program that does what the arguments ask for, "" for this one.
+std::string_view programFor(int argc, char** argv) {
   const auto word = [&](int i) { return i < argc ? std::string_view(argv[i]) : std::string_view(); };
-  return word(1) == "verify" || (word(1) == "help" && (word(2) == "verify" || word(2) == "studies"));
+  if (word(1) == "verify" || (word(1) == "help" && (word(2) == "verify" || word(2) == "studies")))
+    return "ringwatch-verify";
+  const bool runReports =
+      word(1) == "run" && std::find(argv + 2, argv + argc, std::string_view("--report")) < argv + argc;
+  return word(1) == "report" || runReports ? "ringwatch-report" : "";
 }
 
-/// Becomes the program with the studies; returns only when there is none.
-int runStudyProgram(char** argv) {
+/// Becomes a program that lies beside this one; returns only when there is none.
+int become(std::string_view name, char** argv) {
   std::error_code fault;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", fault);
-  const std::filesystem::path program = self.parent_path() / "ringwatch-verify";
+  const std::filesystem::path program = self.parent_path() / name;
   execv(program.c_str(), argv);
-  std::fprintf(stderr,
-               "ringwatch: cannot start %s: %s; the studies are a program of its own, the build target "
-               "ringwatch_verify_app\n",
-               program.c_str(), std::strerror(errno));
+  const char* what = name == "ringwatch-verify" ? "the studies are" : "the report is";
+  const char* target = name == "ringwatch-verify" ? "ringwatch_verify_app" : "ringwatch_report_app";
+  std::fprintf(stderr, "ringwatch: cannot start %s: %s; %s a program of its own, the build target %s\n",
+               program.c_str(), std::strerror(errno), what, target);
   return static_cast<int>(ExitStatus::badInput);
 }
 
@@ -41,6 +50,7 @@ int runStudyProgram(char** argv) {
 }  // namespace ringwatch
 
 int main(int argc, char** argv) {
-  if (ringwatch::isAboutStudies(argc, argv)) return ringwatch::runStudyProgram(argv);
+  if (const std::string_view program = ringwatch::programFor(argc, argv); !program.empty())
+    return ringwatch::become(program, argv);
   return ringwatch::runCommandLine(argc, argv);
 }

@@ -1,6 +1,9 @@
 #include <ringwatch/app/output/frames.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -22,6 +25,26 @@ std::vector<std::string> frameFieldNames() {
   for (const MetricInfo& info : allMetrics()) names.emplace_back(info.name);
   for (const char* name : {"metric", "verdict", "handler", "critical_step"}) names.emplace_back(name);
   return names;
+}
+
+std::vector<PvdEntry> framesOfRun(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "run.pvd";
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw InputError(fmt::format("{}: cannot read; a run writes it when its scene has output.every", file.string()));
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  std::vector<PvdEntry> entries;
+  const auto attribute = [&](std::size_t from, const std::string& name) {
+    const std::size_t begin = text.find(name + "=\"", from);
+    if (begin == std::string::npos) return std::string();
+    const std::size_t first = begin + name.size() + 2;
+    return text.substr(first, text.find('"', first) - first);
+  };
+  for (std::size_t at = text.find("<DataSet"); at != std::string::npos; at = text.find("<DataSet", at + 1)) {
+    const std::string time = attribute(at, "timestep");
+    entries.push_back({std::strtod(time.c_str(), nullptr), attribute(at, "file")});
+  }
+  return entries;
 }
 
 std::string_view stepSide(Direction direction) {

@@ -24,6 +24,9 @@ std::string stepFieldName(const MetricInfo& metric, Direction direction);
 /// that of its frequency.
 std::string_view stepSide(Direction direction);
 
+/// The frames that run.pvd lists in the folder of a run. Throws InputError when the file cannot be read.
+std::vector<PvdEntry> framesOfRun(const std::filesystem::path& folder);
+
 /// What is known of the body at the state of a frame.
 struct FrameState {
   double time = 0;                   // s

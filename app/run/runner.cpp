@@ -69,7 +69,10 @@ class Run {
       finish();
     }
     result_.files.emplace_back("summary.json");
-    writeFileAtomically(options_.folder / "summary.json", summaryJson(scene_, body_, result_).dump(2) + "\n");
+    nlohmann::ordered_json summary = summaryJson(scene_, body_, result_);
+    summary["provenance"] = options_.provenance;
+    writeFileAtomically(options_.folder / "summary.json", summary.dump(2) + "
+");
     std::error_code ignored;
     if (result_.reason == ExitReason::end) std::filesystem::remove(options_.folder / checkpointFile, ignored);
     return std::move(result_);

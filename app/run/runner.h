@@ -42,6 +42,7 @@ struct RunOptions {
   const std::atomic<bool>* interrupt = nullptr;  // the run ends after the step in which it becomes true
   std::vector<std::string> notes;                // of the mesh reader, for the summary
   const Checkpoint* resume = nullptr;            // the run goes on from there, in the folder of the checkpoint
+  nlohmann::ordered_json provenance = nullptr;   // for the summary: where the run comes from
 };
 
 /// What a handler did in a run.

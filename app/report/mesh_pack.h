@@ -1,0 +1,77 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <ringwatch/app/report/page_data.h>
+#include <ringwatch/meshes/formats/vtu_frame.h>
+
+namespace ringwatch {
+
+/// A frame for the page.
+struct PageFrame {
+  std::int64_t number = 1;  // in the run, counted from 1
+  double time = 0;          // s
+  VtuFrame state;
+};
+
+/// An element with one of the least steps of a frame, for a card.
+struct WorstCard {
+  ElementRef ref;
+  std::int64_t element = 0;  // elements counted through, as the page counts them
+  std::int64_t id = 0;
+  std::string type, shape;                         // "tet4"; "sliver, 2.1° dihedral", at the frame's positions
+  double step = 0;                                 // s
+  double volume = 0, minHeight = 0;                // m³, m
+  double minEdge = 0, maxEdge = 0;                 // m
+  std::vector<std::array<double, 3>> corners;      // m
+  std::vector<std::array<std::int32_t, 2>> edges;  // of the corners
+  std::vector<std::vector<std::int32_t>> faces;    // of the corners
+};
+
+/// Makes of frames, one after the other, what the page shows in space: the surface, and the elements with the least
+/// steps through the body; of small meshes all elements. Frames of one mesh after each other share what does not
+/// change.
+class MeshPack {
+ public:
+  /// Up to so many elements all of them are in the page, and from larger meshes so many of each frame.
+  static constexpr std::size_t allElements = 30000, leastElements = 10000;
+
+  explicit MeshPack(PageData& data) : data_(data) {}
+  /// keyFrame: of this one the picture and the cards are made.
+  void add(const PageFrame& frame, bool keyFrame);
+  /// { scale: {field, min, max} or null, groups: [ … ] }
+  nlohmann::ordered_json finish();
+
+  const std::vector<WorstCard>& worst() const { return worst_; }
+  /// PNG of the key frame, "" for none.
+  const std::string& picture() const { return picture_; }
+  /// The field that is the step of elements: the first of the frames named "… step by … (s)"; "" for none.
+  const std::string& stepField() const { return stepField_; }
+  std::size_t elementCount() const { return elementCount_; }  // of the last frame
+  struct Scale {
+    double least = 0, largest = 0;  // s
+  };
+  const Scale& pictureScale() const { return pictureScale_; }
+
+ private:
+  struct KeptFrame;
+  struct Group;
+  void closeGroup();
+  void makeKeyFrame(const PageFrame& frame, const std::vector<double>* steps);
+
+  PageData& data_;
+  std::shared_ptr<Group> group_;  // that is open
+  nlohmann::ordered_json groups_ = nlohmann::ordered_json::array();
+  std::vector<WorstCard> worst_;
+  std::string picture_, stepField_;
+  Scale pictureScale_;
+  std::size_t elementCount_ = 0;
+};
+
+}  // namespace ringwatch

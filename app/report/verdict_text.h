@@ -1,0 +1,41 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <ringwatch/app/report/run_history.h>
+
+namespace ringwatch {
+
+/// What the page says first. Every sentence is about what the run wrote.
+struct PageVerdict {
+  enum class Tone { good, unsure, bad };
+  Tone tone = Tone::unsure;
+  std::string title;                  // "Unstable"
+  std::string sentence;               // which element, what is wrong with it, when
+  std::vector<std::string> remedies;  // what to do, one sentence each
+};
+
+/// The smallest safe step of a history's rows before a time (s), and where it was.
+struct SmallestSafe {
+  double safe = 0, time = 0;  // s
+  double step = 0;            // number of the step
+  std::string element;        // "block:element", "" for unknown
+};
+/// Empty where the history has no positive safe step there.
+std::optional<SmallestSafe> smallestSafe(const RunHistory& history, std::optional<double> before = {});
+
+/// A step rounded down to four digits, so that what holds for the step holds for the text.
+std::string stepRoundedDown(double step);
+
+/// summary: of summary.json, or null without one; history: empty without one. elementsInTheWay: how many elements stand
+/// in the way of the run's step in its first frame, where that was computed.
+PageVerdict verdictOf(const nlohmann::ordered_json& summary, const std::optional<RunHistory>& history,
+                      std::optional<std::size_t> elementsInTheWay = {});
+
+/// "element 1357 of the mesh file (tet4, 0:1357)", of an element of summary.json; "" for null.
+std::string elementName(const nlohmann::ordered_json& element);
+
+}  // namespace ringwatch

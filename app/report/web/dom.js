@@ -1,0 +1,44 @@
+// Small helpers for elements, texts and files.
+
+/// An element with attributes and children: make('button', {type: 'button'}, 'Save').
+export function make(name, attributes = {}, ...children) {
+  const element = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) {
+    if (key.startsWith('on')) element.addEventListener(key.slice(2), value);
+    else if (value === true) element.setAttribute(key, '');
+    else if (value !== false && value !== null && value !== undefined) element.setAttribute(key, value);
+  }
+  element.append(...children);
+  return element;
+}
+
+export function number(value, digits = 4) {
+  if (value === null || value === undefined || Number.isNaN(value)) return 'unknown';
+  if (!Number.isFinite(value)) return value > 0 ? 'no limit' : '-∞';
+  if (value === 0) return '0';
+  const rounded = Number(value.toPrecision(digits));
+  return Math.abs(value) >= 1e-3 && Math.abs(value) < 1e6 ? rounded.toString() : rounded.toExponential().replace('e+', 'e');
+}
+
+export function save(name, type, parts) {
+  const link = make('a', {href: URL.createObjectURL(new Blob(parts, {type})), download: name});
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+export function colourOf(name) { return getComputedStyle(document.documentElement).getPropertyValue(name).trim(); }
+
+/// A slider with its label and what it says: {element, input, output}.
+export function slider(label, attributes, onInput) {
+  const id = `control-${++slider.count}`;
+  const input = make('input', {type: 'range', id, ...attributes, oninput: onInput});
+  const output = make('output', {for: id});
+  return {element: make('div', {}, make('label', {for: id}, `${label}: `, output), input), input, output};
+}
+slider.count = 0;
+
+export function select(label, options, onChange) {
+  const id = `control-${++slider.count}`;
+  const input = make('select', {id, onchange: onChange}, ...options.map(([value, text]) => make('option', {value}, text)));
+  return {element: make('div', {}, make('label', {for: id}, `${label} `), input), input};
+}

@@ -1,0 +1,239 @@
+"""The page of a run in a real browser: opened from disk without a network, its controls do what they say.
+
+  report_page_test.py NAME PROGRAM [AXE]
+
+NAME is one of the checks below. Exit status 77 where there is no browser, or for `accessible` no axe-core (AXE is its
+axe.min.js): the test then counts as skipped. `scripts/setup --browser` installs the browser.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from browser import Browser, find_chromium  # noqa: E402
+
+SKIPPED = 77
+READY = "globalThis.ringwatchReport?.ready === true"
+
+SCENE = """[mesh]
+generate = "bar"
+size = [0.1, 0.02, 0.02]
+cells = [10, 2, 2]
+jitter = 0.15
+[material]
+model = "stvk"
+young = 30e3
+poisson = 0.3
+density = 1000
+[integrator]
+step = 9e-4
+end = 0.05
+[monitor]
+on_violation = "warn"
+[[fix]]
+where = "x < 1e-6"
+[[move]]
+where = "x > 0.1 - 1e-6"
+velocity = [0.5, 0, 0]
+[output]
+every = 5e-3
+fields = ["critical_step", "verdict", "handler"]
+picture = false
+"""
+
+
+def equal(found, expected, what):
+    if found != expected:
+        raise AssertionError(f"{what}: {found}, not {expected}")
+
+
+def true(value, what):
+    if not value:
+        raise AssertionError(what)
+
+
+def make_run(program, folder):
+    (folder / "bar.toml").write_text(SCENE)
+    result = subprocess.run([program, "run", "bar.toml", "--out", "run", "--report", "--quiet"], cwd=folder, check=False)
+    true(result.returncode in (0, 1), f"the run ended with {result.returncode}")
+    return folder / "run"
+
+
+def check_opens(browser, chromium, run):
+    """From disk, with the network off: no message on the console, no request; both colour schemes, wide and narrow."""
+    del browser
+    for width, dark in ((1200, False), (1200, True), (380, False), (380, True)):
+        with Browser(chromium, width, 900, dark) as page:
+            page.open(run / "report.html")
+            page.wait_for(READY)
+            equal(page.said(), [], f"messages at width {width}")
+            equal(page.requests(), [], f"requests at width {width}")
+            true(page.evaluate("document.documentElement.scrollWidth <= innerWidth"), f"wider than {width} pixels")
+
+
+def check_still(browser, chromium, run):
+    """Without scripts: verdict, two pictures and tables."""
+    del browser
+    with Browser(chromium, scripts=False) as page:
+        page.open(run / "report.html")
+        root = page.call("DOM.getDocument")["root"]["nodeId"]
+
+        def shown(selector):
+            """Width and height of what a selector finds, as drawn."""
+            node = page.call("DOM.querySelector", nodeId=root, selector=selector)["nodeId"]
+            model = page.call("DOM.getBoxModel", nodeId=node)["model"]
+            return model["width"], model["height"]
+
+        for selector in ("#verdict .lead", "#history-static svg", "#mesh-static svg image", "#distribution svg",
+                         "#what-if table", "#history table", ".card svg"):
+            width, height = shown(selector)
+            true(width > 40 and height > 10, f"{selector} is {width} by {height}")
+
+
+def check_mesh(browser, chromium, run):
+    """Threshold, frames, cards and cut show what the run's own numbers say."""
+    del chromium
+    summary = json.loads((run / "summary.json").read_text())
+    total = sum(summary["mesh"]["elements"].values())
+    browser.open(run / "report.html")
+    browser.wait_for(READY)
+    state = "ringwatchReport.mesh.state()"
+    equal(browser.evaluate(f"{state}.shown"), 0, "elements shown at first")
+    report = json.loads(browser.evaluate("document.getElementById('report').textContent"))
+
+    # The threshold by keyboard: at its end all elements but the largest may be shown, and every one between grows.
+    browser.evaluate("document.querySelector('#mesh-live input[type=range]').focus()")
+    shown = []
+    for key in ("Home", *["ArrowRight"] * 12):
+        browser.key(key)
+        shown.append(browser.evaluate(f"{state}.shown"))
+    equal(shown, sorted(shown), "elements below a growing threshold")
+    browser.key("End")
+    equal(browser.evaluate(f"{state}.shown"), total, "elements below the largest threshold")
+    equal(browser.evaluate(f"{state}.drawnTriangles"), 4 * total, "triangles of them")
+
+    # Between the fifth and the sixth of the ten worst steps five elements are below.
+    steps = [card["step"] for card in report["worst"]]
+    middle = next(i for i in range(9) if steps[i + 1] > 1.001 * steps[i])
+    browser.evaluate(f"ringwatchReport.mesh.setThreshold({(steps[middle] * steps[middle + 1]) ** 0.5})")
+    equal(browser.evaluate(f"{state}.shown"), middle + 1, "elements below a step between two of the worst")
+    browser.evaluate("[...document.querySelectorAll('#mesh-live button')].find(b => b.textContent == 'Whole surface').click()")
+    equal(browser.evaluate(f"{state}.shown"), 0, "elements after Whole surface")
+
+    # Every card's button brings its element into the picture, in the colour of its step.
+    for place in range(len(steps)):
+        browser.evaluate(f"document.querySelectorAll('.show-me')[{place}].click()")
+        element = browser.evaluate(f"Number(document.querySelectorAll('.show-me')[{place}].dataset.element)")
+        browser.wait_for(f"{state}.selected === {element} && document.activeElement.tagName === 'CANVAS'")
+        pixel = browser.evaluate(f"ringwatchReport.mesh.pixelOf({element})")
+        equal((pixel["colour"][3], pixel["alone"][3]), (255, 255), f"what is drawn at element {element}")
+        # Faces are shaded between 0.68 and 1; one more for the rounding of colours.
+        true(all(0.68 * c - 1 <= found <= c + 1 for found, c in zip(pixel["alone"], pixel["expected"])),
+             f"element {element} is {pixel['alone']}, not {pixel['expected']}")
+        true(f"number {report['worst'][place]['id']} in the mesh" in browser.evaluate(
+            "document.querySelector('#mesh-live [role=status]').textContent"), f"the numbers of element {element}")
+
+    # Frames by keyboard, to the last one.
+    frames = sum(len(group["frames"]) for group in report["mesh"]["groups"])
+    browser.evaluate("[...document.querySelectorAll('#mesh-live label')].find(l => l.textContent.startsWith('Frame'))"
+                     ".parentElement.querySelector('input').focus()")
+    browser.key("Home")
+    browser.wait_for(f"{state}.frame === 1")
+    browser.key("End")
+    browser.wait_for(f"{state}.frame === {frames}")
+
+    # Half of a bar is cut off along x.
+    browser.evaluate("ringwatchReport.mesh.setThreshold(0)")
+    whole = browser.evaluate(f"{state}.surfaceTriangles")
+    true(whole > 0, "a surface")
+    browser.evaluate("(() => { const s = [...document.querySelectorAll('#mesh-live select')].at(-1); s.value = '0';"
+                     " s.dispatchEvent(new Event('change')); })()")
+    cut = browser.evaluate(f"{state}.drawnTriangles")
+    true(0.3 * 4 * total < cut < 0.7 * 4 * total, f"{cut} triangles of {4 * total} are left of the cut bar")
+    equal(browser.said(), [], "messages")
+
+
+def check_history(browser, chromium, run):
+    """Zoom and cursor over all pictures at once, and the saved CSV is the run's."""
+    del chromium
+    browser.open(run / "report.html")
+    browser.wait_for(READY)
+    begin, end = browser.evaluate("ringwatchReport.history.range()")
+    press = "[...document.querySelectorAll('#history-live button')].find(b => b.textContent == '{}').click()"
+    browser.evaluate(press.format("Closer"))
+    low, high = browser.evaluate("ringwatchReport.history.range()")
+    true(abs((high - low) - 0.5 * (end - begin)) < 1e-9 * (end - begin), "Closer shows half of the time")
+    browser.evaluate(press.format("Later"))
+    true(browser.evaluate("ringwatchReport.history.range()")[1] > high, "Later moves on")
+    browser.evaluate(press.format("All"))
+    equal(browser.evaluate("ringwatchReport.history.range()"), [begin, end], "All")
+    browser.evaluate("document.querySelector('#history-live input[type=range]').focus()")
+    browser.key("End")
+    lines = (run / "history.csv").read_text().splitlines()
+    last = lines[-1].split(",")
+    readout = browser.evaluate("ringwatchReport.history.readout()")
+    true(readout.startswith(f"step {last[0]} ·") and f"controlled by element {last[5]}" in readout, readout)
+    # What a click on the button would save.
+    browser.evaluate("""(() => { globalThis.saved = null; const make = URL.createObjectURL;
+      URL.createObjectURL = blob => { blob.text().then(t => { globalThis.saved = t; }); return make(blob); };
+      HTMLAnchorElement.prototype.click = () => {}; document.getElementById('save-history').click(); })()""")
+    browser.wait_for("globalThis.saved !== null")
+    saved = browser.evaluate("globalThis.saved").splitlines()
+    equal(len(saved), len(lines), "rows saved")
+    head, saved_head = lines[0].split(","), saved[0].split(",")
+    for own, row in zip(lines[1:], saved[1:]):
+        found, wanted = dict(zip(saved_head, row.split(","))), dict(zip(head, own.split(",")))
+        for name, cell in wanted.items():
+            true(found[name] == cell or float(found[name]) == float(cell), f"{name}: {found[name]}, not {cell}")
+    browser.evaluate("globalThis.saved = null; document.getElementById('save-json').click()")
+    browser.wait_for("globalThis.saved !== null")
+    everything = json.loads(browser.evaluate("globalThis.saved"))
+    equal(everything["summary"], json.loads((run / "summary.json").read_text()), "the summary saved")
+    equal(len(everything["history"]["safe_s"]), len(lines) - 1, "rows in the JSON")
+    equal(browser.said(), [], "messages")
+
+
+def check_accessible(browser, chromium, run, axe):
+    """axe-core finds nothing, light and dark."""
+    del browser
+    for dark in (False, True):
+        with Browser(chromium, dark=dark) as page:
+            page.open(run / "report.html")
+            page.wait_for(READY)
+            page.evaluate("document.querySelectorAll('details').forEach(d => { d.open = true; })")
+            page.evaluate(pathlib.Path(axe).read_text() + "; 0")
+            faults = page.evaluate("axe.run(document, {resultTypes: ['violations']}).then(r => r.violations.map(v => "
+                                   "v.id + ': ' + v.help + ' at ' + v.nodes.map(n => n.target.join(' ')).join(', ')))")
+            equal(faults, [], f"faults, {'dark' if dark else 'light'}")
+
+
+CHECKS = {"opens": check_opens, "still": check_still, "mesh": check_mesh, "history": check_history,
+          "accessible": check_accessible}
+
+
+def main():
+    name, program = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+    chromium = find_chromium()
+    if chromium is None:
+        print("skipped: there is no chromium; scripts/setup --browser installs it")
+        return SKIPPED
+    more = []
+    if name == "accessible":
+        if len(sys.argv) < 4 or not pathlib.Path(sys.argv[3]).is_file():
+            print("skipped: there is no axe-core; npm ci in app/report/web installs it")
+            return SKIPPED
+        more = [sys.argv[3]]
+    with tempfile.TemporaryDirectory() as folder:
+        run = make_run(program, pathlib.Path(folder))
+        if name in ("mesh", "history"):
+            with Browser(chromium) as browser:
+                CHECKS[name](browser, chromium, run, *more)
+        else:
+            CHECKS[name](None, chromium, run, *more)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,313 @@
+// The page of a run: what it says, that its numbers are those of the run, and what it makes of folders that lack
+// something. How it looks and what its controls do is tested in a browser, by report_page_test.py.
+#include <zlib.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <regex>
+
+#include <ringwatch/app/report/page_data.h>
+#include <ringwatch/app/report/run_history.h>
+#include <ringwatch/app/report/verdict_text.h>
+
+#include "program.h"
+
+namespace ringwatch {
+namespace {
+
+using test::Json;
+using test::Outcome;
+using test::tiny;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string unpackedBase64(const std::string& text) {
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int held = 0;
+  for (const char c : text) {
+    const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const char* found = std::strchr(letters, c);
+    if (c == '=' || found == nullptr) break;
+    bits = bits << 6 | static_cast<std::uint32_t>(found - letters);
+    held += 6;
+    if (held >= 8) bytes += static_cast<char>(bits >> (held -= 8) & 0xFF);
+  }
+  return bytes;
+}
+
+/// An array of a page, as a browser unpacks it.
+template <class T>
+std::vector<T> arrayIn(const std::string& page, std::size_t number) {
+  const std::string head = "id=\"array-" + std::to_string(number) + "\"";
+  const std::size_t at = page.find(head);
+  if (at == std::string::npos) throw std::runtime_error("no " + head);
+  const std::size_t count = std::stoull(page.substr(page.find("data-count=\"", at) + 12));
+  const std::size_t begin = page.find('>', at) + 1, end = page.find('<', begin);
+  const std::string packed = unpackedBase64(page.substr(begin, end - begin));
+  std::string planes(count * sizeof(T), '\0');
+  uLongf size = planes.size();
+  if (uncompress(reinterpret_cast<Bytef*>(planes.data()), &size, reinterpret_cast<const Bytef*>(packed.data()),
+                 packed.size()) != Z_OK ||
+      size != planes.size())
+    throw std::runtime_error("cannot unpack " + head);
+  std::vector<T> values(count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t b = 0; b < sizeof(T); ++b) reinterpret_cast<char*>(&values[i])[b] = planes[b * count + i];
+  return values;
+}
+
+Json reportIn(const std::string& page) {
+  const std::string head = "<script type=\"application/json\" id=\"report\">";
+  const std::size_t begin = page.find(head) + head.size();
+  return Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+class Report : public test::Program {
+ protected:
+  void makeRun(const std::string& options = "", int status = 0) {
+    folder_.write("tiny.toml", tiny);
+    ASSERT_EQ(call("run tiny.toml --set integrator.step=5e-4 --out r " + options).status, status);
+  }
+  std::string page() const { return folder_.read("r/report.html"); }
+};
+
+TEST_F(Report, HoldsVerdictSectionsAndNothingFromElsewhere) {
+  makeRun("--report");
+  const std::string html = page();
+  const Json summary = json("r/summary.json"), report = reportIn(html);
+  EXPECT_EQ(report["summary"], summary);
+  EXPECT_EQ(report["verdict"]["title"], "Stable");
+  EXPECT_THAT(html, HasSubstr(report["verdict"]["sentence"].get<std::string>()));
+  for (const char* section : {"verdict", "history", "mesh", "distribution", "what-if", "provenance"})
+    EXPECT_THAT(html, HasSubstr("<section id=\"" + std::string(section) + "\""));
+  EXPECT_THAT(html, HasSubstr("default-src 'none'"));
+  // What a browser would fetch: sources and links of elements, before the scripts.
+  const std::string markup = html.substr(0, html.find("<script"));
+  EXPECT_FALSE(std::regex_search(markup, std::regex("(src|href)=\"(https?:)?//|url\\(\\s*[\"']?http|@import")));
+  EXPECT_EQ(summary["provenance"]["command"], "ringwatch run tiny.toml --set 'integrator.step=5e-4'");
+  EXPECT_EQ(summary["provenance"]["scene_text"], tiny);
+}
+
+TEST_F(Report, ItsHistoryIsThatOfTheRunToTheLastBit) {
+  makeRun();
+  ASSERT_EQ(call("report r").status, 0);
+  const std::string html = page();
+  const Json history = reportIn(html)["history"];
+  const Table csv = table("r/history.csv");
+  ASSERT_EQ(history["rows"], csv.rows.size());
+  int columns = 0;
+  for (const Json& column : history["columns"]) {
+    const auto values = arrayIn<double>(html, column["array"]);
+    ASSERT_EQ(values.size(), csv.rows.size());
+    ++columns;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::string cell = csv.at(i, column["name"]);
+      if (cell.empty())
+        EXPECT_TRUE(std::isnan(values[i]));
+      else
+        EXPECT_EQ(values[i], std::stod(cell)) << column["name"] << " in row " << i;
+    }
+  }
+  EXPECT_EQ(columns, 13);
+  const auto controlling = arrayIn<std::int32_t>(html, history["controlling"]);
+  for (std::size_t i = 0; i < controlling.size(); ++i)
+    EXPECT_EQ(history["elements"][static_cast<std::size_t>(controlling[i])], csv.at(i, "controlling_element"));
+}
+
+TEST_F(Report, ItsFramesHoldPositionsAndStepsOfTheElements) {
+  makeRun();
+  ASSERT_EQ(call("report r").status, 0);
+  const std::string html = page();
+  const Json mesh = reportIn(html)["mesh"];
+  ASSERT_EQ(mesh["groups"].size(), 1u);
+  const Json group = mesh["groups"][0], last = group["frames"].back();
+  // inspect reads the same frame by another way and evaluates the metric itself.
+  const std::size_t frames = group["frames"].size();
+  ASSERT_EQ(
+      call("inspect r --frame " + std::to_string(frames) + " --metric reduced-1-ring --distribution --json i.json")
+          .status,
+      0);
+  const Json worst = json("i.json")["worst_elements"];
+  ASSERT_EQ(reportIn(html)["worst"].size(), 10u);
+  // Cards are of the key frame: the last one of a run without a violation.
+  ASSERT_EQ(reportIn(html)["keyFrame"], frames);
+  for (std::size_t i = 0; i < 10; ++i)
+    EXPECT_NEAR(reportIn(html)["worst"][i]["step"].get<double>() / worst[i]["step"].get<double>(), 1, 1e-9) << i;
+  const auto codes = arrayIn<std::uint16_t>(html, last["fields"][0]["array"]);
+  EXPECT_EQ(codes.size(), group["elements"].get<std::size_t>());
+  EXPECT_NEAR(last["fields"][0]["min"].get<double>() / worst[0]["step"].get<double>(), 1, 1e-6);  // kept as float
+  // The bar is pulled to x = 0.1 + 0.05 t.
+  EXPECT_NEAR(last["max"][0].get<double>(), 0.1 + 0.05 * last["time"].get<double>(), 1e-7);
+  EXPECT_NEAR(group["frames"][0]["max"][0].get<double>(), 0.1, 1e-7);
+  const auto positions = arrayIn<std::uint16_t>(html, last["positions"]);
+  EXPECT_EQ(positions.size(), 3 * group["nodes"].get<std::size_t>());
+  EXPECT_EQ(*std::max_element(positions.begin(), positions.end()), 65535);
+  const auto triangles = arrayIn<std::int32_t>(html, group["triangles"]);
+  EXPECT_EQ(triangles.size(), 3u * 2 * (4 * 5 + 2));  // a bar of 5 by 1 by 1 cells, whose faces are cut in two
+}
+
+TEST_F(Report, SaysWhichElementWhenAndWhatToDo) {
+  folder_.write("tiny.toml", tiny);
+  ASSERT_EQ(call("run tiny.toml --set integrator.step=4e-3 --set integrator.end=0.2 --out r --report").status, 1);
+  const Json summary = json("r/summary.json"), verdict = reportIn(page())["verdict"];
+  const Json* violated = nullptr;
+  for (const Json& event : summary["events"])
+    if (event["kind"] == "violated" && !violated) violated = &event;
+  ASSERT_NE(violated, nullptr);
+  EXPECT_EQ(verdict["title"], "Step too large");
+  const std::string sentence = verdict["sentence"];
+  EXPECT_THAT(sentence, HasSubstr("step " + (*violated)["step"].dump() + ", t = "));
+  EXPECT_THAT(sentence, HasSubstr("element " + (*violated)["element"]["id"].dump() + " of the mesh"));
+  EXPECT_THAT(sentence, HasSubstr((*violated)["cause"].get<std::string>()));
+  EXPECT_THAT(sentence, HasSubstr("stopped before"));
+  EXPECT_THAT(verdict["remedies"].dump(), AllOf(HasSubstr("smaller step"), HasSubstr("handler")));
+}
+
+TEST(ReportHistory, ThinningKeepsEverySpikeAndVerdict) {
+  RunHistory history;
+  history.columns = {{"step", {}}, {"time_s", {}}, {"h_s", {}}, {"safe_s", {}}, {"kinetic_J", {}}};
+  const std::size_t rows = 100000;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> noise(0.9, 1.1);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double values[] = {static_cast<double>(i), 1e-3 * static_cast<double>(i), 1e-3, noise(random), noise(random)};
+    for (std::size_t c = 0; c < 5; ++c) history.columns[c].values.push_back(values[c]);
+    history.verdicts.emplace_back(i == 70707 ? "violated" : "certified");
+    history.controlling.push_back(-1);
+  }
+  history.columns[3].values[31416] = 0.01;
+  history.columns[4].values[27182] = 50;
+  history.columns[4].values[99000] = std::nan("");
+  const auto kept = rowsForPicture(history, 2000);
+  EXPECT_LE(kept.size(), 2100u);
+  EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+  for (const std::size_t row :
+       {std::size_t{0}, std::size_t{27182}, std::size_t{31416}, std::size_t{70707}, std::size_t{99000}, rows - 1})
+    EXPECT_TRUE(std::binary_search(kept.begin(), kept.end(), row)) << row;
+  // Any window of a bucket's length shows the extremes that all of its rows have: compared over the whole.
+  const RunHistory thin = selected(history, kept);
+  EXPECT_EQ(*std::min_element(thin.columns[3].values.begin(), thin.columns[3].values.end()), 0.01);
+  EXPECT_EQ(thin.columns[3].values.size(), kept.size());
+  EXPECT_EQ(rowsForPicture(history, rows).size(), rows);
+}
+
+TEST_F(Report, OfALongRunIsSmall) {
+  std::string csv =
+      "step,time_s,h_s,safe_s,optimistic_s,controlling_element,kinetic_J,strain_J,external_work_J,balance_error_J,"
+      "elements_refreshed,handled_elements,metric_step_s,verdict,dissipated_J\n";
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(0, 1);
+  for (int i = 0; i < 100000; ++i) {
+    std::ostringstream row;
+    row.precision(17);
+    row << i << ',' << 1e-3 * i << ",0.001";
+    for (const char* before : {",", ",", ",0:7,", ",", ",", ","}) row << before << any(random);
+    row << ",12,0," << any(random) << ",certified," << any(random) << '\n';
+    csv += row.str();
+  }
+  std::filesystem::create_directory(folder_.path() / "r");
+  folder_.write("r/history.csv", csv);
+  ASSERT_EQ(call("report r").status, 0);
+  EXPECT_LE(page().size(), 1000000u + 2000000u);  // page and data
+  EXPECT_THAT(page(), HasSubstr("history.csv has 100000 rows"));
+}
+
+TEST_F(Report, OfAFolderThatLacksSomethingSaysSo) {
+  makeRun();
+  const auto without = [&](const std::string& name) {
+    std::filesystem::remove_all(folder_.path() / "p");
+    std::filesystem::copy(folder_.path() / "r", folder_.path() / "p", std::filesystem::copy_options::recursive);
+    std::filesystem::remove_all(folder_.path() / "p" / name);
+    const Outcome outcome = call("report p");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return folder_.read("p/report.html");
+  };
+  // A killed run.
+  EXPECT_THAT(without("summary.json"), AllOf(HasSubstr("No end on record"), HasSubstr("it needs the scene")));
+  EXPECT_THAT(without("history.csv"), AllOf(HasSubstr("<h2 id=\"verdict-title\">Stable"), HasSubstr("no history.csv")));
+  EXPECT_THAT(without("run.pvd"), HasSubstr("no frames that can be read"));
+  EXPECT_THAT(without("frames"), HasSubstr("frames cannot be read"));
+  without("report.html");
+  // The last row is cut, as by a kill.
+  const std::string csv = folder_.read("r/history.csv");
+  folder_.write("p/history.csv", csv.substr(0, csv.size() - 9));
+  ASSERT_EQ(call("report p").status, 0);
+  const std::size_t rows = table("r/history.csv").rows.size();
+  EXPECT_THAT(folder_.read("p/report.html"), HasSubstr("ends within a row"));
+  EXPECT_EQ(reportIn(folder_.read("p/report.html"))["history"]["rows"], rows - 1);
+  // One row, and none.
+  folder_.write("p/history.csv", csv.substr(0, csv.find('\n', csv.find('\n') + 1) + 1));
+  ASSERT_EQ(call("report p").status, 0);
+  EXPECT_EQ(reportIn(folder_.read("p/report.html"))["history"]["rows"], 1);
+  folder_.write("p/history.csv", csv.substr(0, csv.find('\n') + 1));
+  ASSERT_EQ(call("report p").status, 0);
+  EXPECT_THAT(folder_.read("p/report.html"), HasSubstr("no history.csv with a row"));
+  // A row in the middle is damaged, a frame is, and the summary is.
+  std::string damaged = csv;
+  damaged.replace(damaged.find("\n1,") + 1, 20, "\n");
+  folder_.write("p/history.csv", damaged);
+  folder_.write("p/frames/frame_000002.vtu", folder_.read("r/frames/frame_000002.vtu").substr(0, 900));
+  folder_.write("p/summary.json", "{\"verdict\": ");
+  ASSERT_EQ(call("report p").status, 0);
+  EXPECT_THAT(folder_.read("p/report.html"), AllOf(HasSubstr("damaged rows"), HasSubstr("1 frames cannot be read"),
+                                                   HasSubstr("summary.json is damaged")));
+  // A summary in which everything has another type.
+  folder_.write("p/summary.json", R"({"verdict": 3, "events": [1, {"kind": 2}], "mesh": [], "notes": {}, "cuts": 1,
+      "scene": "x", "wall_time": null, "first_violated": true, "handler": 7, "provenance": [], "energy_runaway": {"time": "x"}})");
+  EXPECT_EQ(call("report p").status, 0);
+}
+
+TEST_F(Report, RefusesWhatIsNoRunInOneLine) {
+  std::filesystem::create_directory(folder_.path() / "empty");
+  expectRefused("report empty", "is not the folder of a run");
+  expectRefused("report nowhere", "is no folder");
+  folder_.write("file", "x");
+  expectRefused("report file", "is no folder");
+  folder_.write("empty/history.csv", "a,b\n1,2\n");
+  expectRefused("report empty", "history.csv:1: begins with \"a,b\"");
+  EXPECT_FALSE(exists("empty/report.html"));
+  makeRun();
+  expectRefused("report r --out nowhere/x.html", "cannot write");
+  expectRefused("report r --frames 0", "--frames");
+}
+
+TEST_F(Report, NamesFromTheSceneDoNotBecomeMarkup) {
+  std::filesystem::create_directory(folder_.path() / "r");
+  const std::string evil = "</script><img src=x onerror=alert(1)>";
+  Json summary{{"scene_file", evil}, {"verdict", "certified"}, {"notes", {evil}}, {"exit_text", evil}};
+  folder_.write("r/summary.json", summary.dump());
+  ASSERT_EQ(call("report r").status, 0);
+  EXPECT_THAT(page(), AllOf(Not(HasSubstr(evil)), Not(HasSubstr("<img")), HasSubstr("&lt;/script&gt;")));
+  EXPECT_EQ(reportIn(page())["summary"], summary);
+}
+
+TEST(ReportVerdict, RoundsStepsDownOnly) {
+  for (const double step : {7.29999e-4, 1.0, 9.9999e-7, 123456.0}) {
+    const double rounded = std::stod(stepRoundedDown(step));
+    EXPECT_LE(rounded, step);
+    EXPECT_GE(rounded, step * (1 - 1.001e-3));
+  }
+}
+
+TEST(ReportVerdict, ClaimsNothingThatTheRunDidNot) {
+  const auto said = [](const Json& summary) {
+    const PageVerdict verdict = verdictOf(nlohmann::ordered_json(summary), std::nullopt);
+    return verdict.title + ". " + verdict.sentence + " " + ::testing::PrintToString(verdict.remedies);
+  };
+  EXPECT_THAT(said({{"verdict", "unmonitored"}, {"steps", 5}}),
+              AllOf(HasSubstr("Not watched"), Not(HasSubstr("was proven"))));
+  EXPECT_THAT(said({{"verdict", "not-certified"}, {"certified_steps", 1}, {"watched_steps", 9}}),
+              AllOf(HasSubstr("Not proven"), HasSubstr("1 of 9"), Not(HasSubstr("Stable"))));
+  const PageVerdict interrupted =
+      verdictOf({{"verdict", "certified"}, {"exit_reason", "interrupted"}, {"exit_text", "interrupted before step 7"}},
+                std::nullopt);
+  EXPECT_EQ(interrupted.tone, PageVerdict::Tone::unsure);
+  EXPECT_THAT(interrupted.sentence, HasSubstr("interrupted before step 7"));
+  EXPECT_THAT(said(nullptr), AllOf(HasSubstr("No end on record"), Not(HasSubstr("Stable"))));
+}
+
+}  // namespace
+}  // namespace ringwatch
