@@ -206,7 +206,7 @@ struct RunCommand {
 
   /// The command again, with all that the results depend on.
   std::string commandText() const {
-    std::string text = "ringwatch run " + scene;
+    std::string text = "ringwatch run " + (resumed.empty() ? scene : "--resume " + resumed);
     for (const std::string& setting : overrides) text += " --set '" + setting + "'";
     if (requireCertified) text += " --require-certified";
     if (threads > 0) text += fmt::format(" --threads {}", threads);
