@@ -71,8 +71,7 @@ class Run {
     result_.files.emplace_back("summary.json");
     nlohmann::ordered_json summary = summaryJson(scene_, body_, result_);
     summary["provenance"] = options_.provenance;
-    writeFileAtomically(options_.folder / "summary.json", summary.dump(2) + "
-");
+    writeFileAtomically(options_.folder / "summary.json", summary.dump(2) + "\n");
     std::error_code ignored;
     if (result_.reason == ExitReason::end) std::filesystem::remove(options_.folder / checkpointFile, ignored);
     return std::move(result_);
