@@ -38,16 +38,18 @@ void RunOutput::open() {
 }
 
 void RunOutput::resume(const nlohmann::ordered_json& saved) {
-  removeOldResults(folder_, {"summary.json", "critical_step.png", "critical_step.gp", "critical_step.dat"});
+  // What throws comes first: the folder stays as it was then.
+  if (scene_.frameInterval) {
+    frames_.emplace(folder_, scene_, body_, rule_);
+    frames_->goOnBehind(saved.at("frames").get<std::vector<double>>());
+    nextFrame_ = saved.at("next_frame").get<double>();
+    framesDue_ = saved.at("frames_due").get<std::int64_t>();
+    lastFrame_ = saved.at("last_frame").get<std::int64_t>();
+  }
   history_.emplace(folder_, saved.at("history").get<std::size_t>());
   if (scene_.picture)
     for (const HistoryRow& row : readHistory(folder_)) keepForPicture(row);
-  if (!scene_.frameInterval) return;
-  frames_.emplace(folder_, scene_, body_, rule_);
-  frames_->goOnBehind(saved.at("frames").get<std::vector<double>>());
-  nextFrame_ = saved.at("next_frame").get<double>();
-  framesDue_ = saved.at("frames_due").get<std::int64_t>();
-  lastFrame_ = saved.at("last_frame").get<std::int64_t>();
+  removeOldResults(folder_, {"summary.json", "critical_step.png", "critical_step.gp", "critical_step.dat"});
 }
 
 nlohmann::ordered_json RunOutput::save() {

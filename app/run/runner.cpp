@@ -363,8 +363,10 @@ class Run {
 
   void followMaterials() {
     materialOfBlock_ = materialOfBlocks(body_.mesh());
-    if (!materialOfBlock_.empty() && !result_.governing)
-      result_.governing.emplace().observations.resize(scene_.materials.size());
+    if (materialOfBlock_.empty() || result_.governing) return;
+    RunResult::Governing governing;
+    governing.observations.resize(scene_.materials.size());
+    result_.governing = std::move(governing);
   }
   void keepGoverning(const MonitorReport& report) {
     if (!result_.governing || !report.fresh || !report.bracket) return;

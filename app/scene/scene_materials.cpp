@@ -129,8 +129,10 @@ ElementNumbers numbersByMesh(const std::vector<SceneMaterial>& materials, const 
         ++known;
       }
   if (known != mesh.elementCount())
-    throw InputError(fmt::format("the sets material.0 to material.{} name {} of {} elements", materials.size() - 1,
-                                 known, mesh.elementCount()));
+    throw InputError(
+        fmt::format("{}: the mesh has no materials of this scene: its element sets material.0 to "
+                    "material.{} name {} of {} elements",
+                    materials.back().origin, materials.size() - 1, known, mesh.elementCount()));
   return numbers;
 }
 
