@@ -7,7 +7,9 @@
 
 #include <Eigen/LU>
 
+#include <ringwatch/base/double_double.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/matrix3.h>
 
 namespace ringwatch {
 
@@ -87,6 +89,17 @@ std::vector<const ElementTangents*> Body::tangentsOfBlocks() const {
   return tangents;
 }
 
+double Body::wideDeterminant(std::span<const std::int32_t> nodes, const double (*dN)[3]) const {
+  using Wide = DoubleDouble<double>;
+  auto J = Matrix3<Wide>::zero();
+  for (std::size_t a = 1; a < nodes.size(); ++a)
+    for (int i = 0; i < 3; ++i) {
+      const Wide edge = Wide::sum(mesh_.X(i, nodes[a]), -mesh_.X(i, nodes[0]));
+      for (int j = 0; j < 3; ++j) J(i, j) += edge * Wide(dN[a][j]);
+    }
+  return determinant(J).rounded();
+}
+
 void Body::elementLumpedMass(ElementRef ref, double* mass) const {
   const ElementBlock& block = *blocks_[ref.block];
   const ElementInfo& element = block.element();
@@ -102,7 +115,11 @@ void Body::elementLumpedMass(ElementRef ref, double* mass) const {
     // Relative to the first node: far from the origin, products of large coordinates would lose the element's size.
     Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
     for (int a = 1; a < n; ++a) J += (mesh_.X.col(nodes[a]) - mesh_.X.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
-    const double w = density * J.determinant() * point.weight;
+    double volume = J.determinant();
+    // The determinant of a flat element cancels.
+    constexpr double flat = 1e-2;
+    if (const double size = J.norm(); !(volume > flat * size * size * size)) volume = wideDeterminant(nodes, dN);
+    const double w = density * volume * point.weight;
     for (int a = 0; a < n; ++a) {
       mass[a] += w * N[a];
       diagonal[a] += w * N[a] * N[a];

@@ -91,6 +91,8 @@ class Body : public TangentSource {
  private:
   std::vector<const ElementTangents*> tangentsOfBlocks() const;
   Eigen::VectorXd lumpMass();
+  /// det J of an element at a point with the shape gradients dN, in twice the precision.
+  double wideDeterminant(std::span<const std::int32_t> nodes, const double (*dN)[3]) const;
   void pass(NodeVectorsView x, PatchVisitor* visitor, NodeVectors* force, double* energy, Workspace& workspace) const;
   Mesh mesh_;
   BodyOptions options_;

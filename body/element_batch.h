@@ -2,6 +2,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/element_geometry.h>
 #include <ringwatch/body/law_of_packs.h>
+#include <ringwatch/body/tangent_rounding.h>
 
 namespace ringwatch {
 
@@ -59,14 +60,40 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  void tangentBatch(std::int32_t batch, const double* x, double* K) const override {
-    tangent(layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, geometry_.pointsOf(batch), x, K);
+  void tangentBatch(std::int32_t batch, const double* x, double* K, double* rounding) const override {
+    tangent(layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, geometry_.pointsOf(batch),
+            geometry_.extentOf(batch), x, K, rounding);
   }
 
-  void tangentOf(const std::int32_t* elements, const double* x, double* K) const override {
+  void tangentOf(const std::int32_t* elements, const double* x, double* K, double* rounding) const override {
     P points[Geometry::stride * Geometry::maxPoints];
     geometry_.gatherPoints(elements, points);
-    tangent(elements, points, x, K);
+    tangent(elements, points, geometry_.gatherExtents(elements), x, K, rounding);
+  }
+
+  void addTangentRounding(const Patch& patch, const double* x, double* slots) const override {
+    for (std::int32_t batch = patch.batchBegin; batch < patch.batchEnd; ++batch) {
+      P position[n][3], T[n][3], own[n];
+      geometry_.loadEdgesFromMesh(x, layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, position);
+      Budget budget(position, geometry_.extentOf(batch));
+      const P* const first = geometry_.pointsOf(batch);
+      const P* point = first;
+      for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
+        const Matrix3<P> J1 = Geometry::inverseJacobian(point), F = geometry_.gradient(position, q, J1);
+        P g[n][3];
+        Operators::shapeGradients(J1, geometry_.shapeTable(q), g);
+        budget.addPoint(law_.linearize(F), F, J1, geometry_.tableNorm(q), Geometry::weight(point), g);
+      }
+      if constexpr (Geometry::offersMean)
+        if (geometry_.hasMean()) {
+          const Matrix3<P> F = Geometry::meanGradient(position, geometry_.meanGradientsOf(batch));
+          budget.addMean(meanLaw_.linearize(F), F);
+        }
+      budget.store(own);
+      clear(T);
+      for (int a = 0; a < n; ++a) T[a][0] = own[a];
+      geometry_.addToSlots(slots, batch, T);
+    }
   }
 
   void deformationOf(const std::int32_t* elements, const double* x, double* F, TangentDrift* drift) const override {
@@ -76,8 +103,12 @@ class ElementBatch final : public ElementBlock {
     geometry_.loadEdgesFromMesh(x, elements, position);
     const P* point = gathered;
     TangentDriftOf<P> all;
+    const TangentRounding<Element, P> budget(norm(position), geometry_.gatherExtents(elements));
     for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
-      const Matrix3<P> own = geometry_.gradient(position, q, Geometry::inverseJacobian(point));
+      const Matrix3<P> J1 = Geometry::inverseJacobian(point), own = geometry_.gradient(position, q, J1);
+      // Of F here, of F there, where it is at most this much larger, and once more of a radius that is scaled.
+      all.gradientRounding =
+          math::max(all.gradientRounding, P(4.0) * budget.gradientError(norm(J1), geometry_.tableNorm(q), own));
       for (int i = 0; i < 9; ++i) own.m[i].store(F + (9 * q + i) * lanes);
       all.addPoint(law_, own);
     }
@@ -93,10 +124,13 @@ class ElementBatch final : public ElementBlock {
                 all.law.radius[lane]};
       of.determinant = all.determinant[lane];
       of.inversionDistance = all.inversionDistance[lane];
+      of.gradientRounding = all.gradientRounding[lane];
     }
   }
 
-  void laplacianOf(const std::int32_t* elements, double* L) const override { geometry_.laplacianOf(elements, L); }
+  void laplacianOf(const std::int32_t* elements, double* L, double* rounding) const override {
+    geometry_.laplacianOf(elements, L, rounding);
+  }
   void gradientNormBatch(std::int32_t batch, double* norms) const override {
     geometry_.gradientNormBatch(batch, norms);
   }
@@ -167,19 +201,67 @@ class ElementBatch final : public ElementBlock {
     sum.store(energy);
   }
 
-  void tangent(const std::int32_t* elements, const P* point, const double* x, double* K) const {
+  RINGWATCH_INLINE static P norm(const P (&edges)[n][3]) {
+    P sum(0.0);
+    for (int a = 1; a < n; ++a)
+      sum += edges[a][0] * edges[a][0] + edges[a][1] * edges[a][1] + edges[a][2] * edges[a][2];
+    return math::sqrt(sum);
+  }
+  RINGWATCH_INLINE static P norm(const Matrix3<P>& A) { return math::sqrt(innerProduct(A, A)); }
+
+  /// The rounding of the tangents of a pack of elements, gathered over their points.
+  class Budget {
+   public:
+    RINGWATCH_INLINE Budget(const P (&position)[n][3], const P& extent) : rounding_(norm(position), extent) {
+      for (int a = 0; a < n; ++a) T_[a] = P(0.0);
+      if constexpr (Geometry::offersMean)
+        for (int a = 0; a < n; ++a) gradients_[a] = P(0.0);
+    }
+    template <class Linearization>
+    RINGWATCH_INLINE void addPoint(const Linearization& linearization, const Matrix3<P>& F, const Matrix3<P>& J1,
+                                   double table, const P& weight, const P (&g)[n][3]) {
+      const P inverse = norm(J1), error = rounding_.gradientError(inverse, table, F);
+      rounding_.addPoint(linearization.rounding(F, error), inverse, table, weight, g, T_);
+      if constexpr (Geometry::offersMean) {
+        error_ = math::max(error_, error);
+        condition_ = math::max(condition_, rounding_.condition(inverse, table));
+        for (int a = 0; a < n; ++a) gradients_[a] += weight * rounding_.squareOf(g[a]);
+      }
+    }
+    /// The share at the mean gradient: by Jensen's inequality V |ḡ_a|² <= Σ w |g_a|², and the mean of the F errs by no
+    /// more than the worst of them, twice that with its own sum.
+    template <class Linearization>
+    RINGWATCH_INLINE void addMean(const Linearization& linearization, const Matrix3<P>& F) {
+      const P factor =
+          P(2.0) * TangentRounding<Element, P>::factorOf(linearization.rounding(F, P(2.0) * error_), condition_);
+      for (int a = 0; a < n; ++a) T_[a] += select(gradients_[a] > P(0.0), factor * gradients_[a], P(0.0));
+    }
+    RINGWATCH_INLINE void store(P* T) const {
+      for (int a = 0; a < n; ++a) T[a] = T_[a];
+    }
+
+   private:
+    TangentRounding<Element, P> rounding_;
+    P T_[n], gradients_[n], error_ = P(0.0), condition_ = P(0.0);
+  };
+
+  void tangent(const std::int32_t* elements, const P* point, const P& extent, const double* x, double* K,
+               double* rounding) const {
     const LawType law = law_;
     [[maybe_unused]] const P* const firstPoint = point;
     P position[n][3];
     geometry_.loadEdgesFromMesh(x, elements, position);
+    Budget budget(position, extent);
     P* k = reinterpret_cast<P*>(K);
     const auto set = [k](int row, int column, const P& value) { k[row * size + column] = value; };
     const auto add = [k](int row, int column, const P& value) { k[row * size + column] += value; };
     for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
       const Matrix3<P> J1 = Geometry::inverseJacobian(point);
-      const auto linearization = law.linearize(geometry_.gradient(position, q, J1));
+      const Matrix3<P> F = geometry_.gradient(position, q, J1);
+      const auto linearization = law.linearize(F);
       P g[n][3];
       Operators::shapeGradients(J1, geometry_.shapeTable(q), g);
+      if (rounding) budget.addPoint(linearization, F, J1, geometry_.tableNorm(q), Geometry::weight(point), g);
       if (q == 0)
         Operators::addTangent(linearization, Geometry::weight(point), g, set);
       else
@@ -190,8 +272,12 @@ class ElementBatch final : public ElementBlock {
         P stored[3 * n + 1], g[n][3];
         geometry_.meanGradients(firstPoint, stored);
         for (int i = 0; i < 3 * n; ++i) g[i / 3][i % 3] = stored[i];
-        Operators::addTangent(meanLaw_.linearize(Geometry::meanGradient(position, stored)), stored[3 * n], g, add);
+        const Matrix3<P> F = Geometry::meanGradient(position, stored);
+        const auto linearization = meanLaw_.linearize(F);
+        Operators::addTangent(linearization, stored[3 * n], g, add);
+        if (rounding) budget.addMean(linearization, F);
       }
+    if (rounding) budget.store(reinterpret_cast<P*>(rounding));
     // Symmetric to the last bit.
     for (int i = 1; i < size; ++i)
       for (int j = 0; j < i; ++j) k[i * size + j] = k[j * size + i];

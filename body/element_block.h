@@ -48,7 +48,8 @@ class ElementBlock : public ElementTangents {
                                      double* slots) const = 0;
   void addTangentProduct(const Patch& patch, const double* x, const double* v, double* slots) const final;
   /// Σ_q w_q ∇N_a · ∇N_b of any elements, one a lane: L[(a * n + b) * lanes + lane], m; the matrix Σ w BᵀB is L ⊗ I₃.
-  virtual void laplacianOf(const std::int32_t* elements, double* L) const = 0;
+  /// rounding: its T_a, T[a * lanes + lane], as tangentBatch gives those of the tangent.
+  virtual void laplacianOf(const std::int32_t* elements, double* L, double* rounding) const = 0;
   /// Deformation gradients at positions x of any elements, one a lane (-1: none), F[(q * 9 + i) * lanes + lane] row by
   /// row, q the quadrature point, and how fast the tangent can grow from there, drift[lane].
   virtual void deformationOf(const std::int32_t* elements, const double* x, double* F, TangentDrift* drift) const = 0;

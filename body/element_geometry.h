@@ -68,6 +68,13 @@ class ElementGeometry {
     return Operators::naturalGradient([&](int a, int i) { return edges[a][i]; }, shapeTable(q)) * inverseJacobianHere;
   }
 
+  /// Norm of ∂N/∂ξ at a point, over all nodes.
+  double tableNorm(int q) const { return tableNorm_[q]; }
+  /// (Σ_a |X_a - X_0|²)^½ of the elements of a batch, m; one in lanes without an element.
+  const P& extentOf(std::int32_t batch) const { return extents_[batch]; }
+  /// The same of any elements, one a lane; lanes without an element (-1) repeat the first.
+  P gatherExtents(const std::int32_t* elements) const;
+
   bool hasMean() const { return hasMean_; }
   /// Mean gradients ∂N_a/∂X of the elements of a batch, row by row, then their volume.
   const P* meanGradientsOf(std::int32_t batch) const {
@@ -106,7 +113,7 @@ class ElementGeometry {
   void gatherPoints(const std::int32_t* elements, P* points) const;
 
   /// See the functions of the same names in ElementBlock.
-  void laplacianOf(const std::int32_t* elements, double* L) const;
+  void laplacianOf(const std::int32_t* elements, double* L, double* rounding) const;
   void gradientNormBatch(std::int32_t batch, double* norms) const;
   void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const;
   void volumeBatch(std::int32_t batch, double* volumes) const;
@@ -128,6 +135,8 @@ class ElementGeometry {
   int points_;
   bool hasMean_;
   std::vector<double> shapeGradients_;  // [q][a][j]
+  std::vector<double> tableNorm_;       // [q]
+  AlignedVector<P> extents_;            // [batch]
   AlignedVector<P> geometry_;           // [batch][q][stride]
   AlignedVector<P> meanGradients_;      // [batch][3n + 1]; empty without a mean share
 };

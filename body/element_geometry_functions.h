@@ -1,6 +1,8 @@
 #pragma once
+#include <ringwatch/base/double_double.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/element_geometry.h>
+#include <ringwatch/body/tangent_rounding.h>
 
 /// The functions of ElementGeometry that are not inline: for element_geometry.cpp, which compiles them for the elements
 /// of the library, and for elements that a program registers.
@@ -11,20 +13,41 @@ void ElementGeometry<Element>::fill(const Mesh& mesh, const MeshBlock& meshBlock
   const ElementBlock& block = block_;
   const QuadratureRule& rule = block.rule();
   shapeGradients_.resize(static_cast<std::size_t>(points_ * n * 3));
-  for (int q = 0; q < points_; ++q)
-    Element::shapeGradient(rule.points[q].xi, reinterpret_cast<double(*)[3]>(shapeGradients_.data() +
-                                                                             static_cast<std::ptrdiff_t>(q) * n * 3));
+  tableNorm_.resize(static_cast<std::size_t>(points_));
+  for (int q = 0; q < points_; ++q) {
+    double* table = shapeGradients_.data() + static_cast<std::ptrdiff_t>(q) * n * 3;
+    Element::shapeGradient(rule.points[q].xi, reinterpret_cast<double(*)[3]>(table));
+    double sum = 0;
+    for (int i = 0; i < 3 * n; ++i) sum += table[i] * table[i];
+    tableNorm_[q] = std::sqrt(sum);
+  }
   const std::int32_t batches = block.layout().batchCount();
   geometry_.resize(static_cast<std::size_t>(batches) * static_cast<std::size_t>(points_) * stride);
+  extents_.resize(static_cast<std::size_t>(batches));
+  // In twice the precision: determinants of flat elements cancel, and what is stored here serves every step.
+  using Wide = DoubleDouble<P>;
   for (std::int32_t batch = 0; batch < batches; ++batch) {
-    P X[n][3];
-    loadEdgesFromMesh(mesh.X.data(), elementsOf(batch), X);
+    Wide X[n][3];
+    P extent2(0.0);
+    for (int a = 0; a < n; ++a)
+      for (int i = 0; i < 3; ++i) {
+        P own, first;
+        for (int lane = 0; lane < lanes; ++lane) {
+          const std::int32_t e = elementsOf(batch)[lane] < 0 ? elementsOf(batch)[0] : elementsOf(batch)[lane];
+          own.set(lane, mesh.X(i, block.nodesOf(e)[a]));
+          first.set(lane, mesh.X(i, block.nodesOf(e)[0]));
+        }
+        X[a][i] = Wide::sum(own, -first);
+        extent2 += X[a][i].high * X[a][i].high;
+      }
+    extents_[batch] = math::sqrt(extent2);
     P* point = geometry_.data() + static_cast<std::ptrdiff_t>(batch) * points_ * stride;
     for (int q = 0; q < pointCount(); ++q, point += stride) {
-      const Matrix3<P> J = Operators::naturalGradient([&](int a, int i) { return X[a][i]; }, shapeTable(q));
-      const P det = determinant(J);
-      const Matrix3<P> J1 = inverse(J);
-      for (int i = 0; i < 9; ++i) point[i] = J1.m[i];
+      const Matrix3<Wide> J =
+          ElementOperators<Element, Wide>::naturalGradient([&](int a, int i) { return X[a][i]; }, shapeTable(q));
+      const P det = determinant(J).rounded();
+      const Matrix3<Wide> J1 = inverse(J);
+      for (int i = 0; i < 9; ++i) point[i] = J1.m[i].rounded();
       for (int lane = 0; lane < lanes; ++lane) {
         const std::int32_t e = elementsOf(batch)[lane];
         if (e >= 0 && !(det[lane] > 0))
@@ -91,16 +114,31 @@ void ElementGeometry<Element>::gatherPoints(const std::int32_t* elements, P* poi
 }
 
 template <class Element>
-void ElementGeometry<Element>::laplacianOf(const std::int32_t* elements, double* L) const {
+typename ElementGeometry<Element>::P ElementGeometry<Element>::gatherExtents(const std::int32_t* elements) const {
+  P extents;
+  for (int lane = 0; lane < lanes; ++lane) {
+    const std::int32_t place = block_.layout().batchOfElement[elements[lane] < 0 ? elements[0] : elements[lane]];
+    extents.set(lane, extents_[place / lanes][place % lanes]);
+  }
+  return extents;
+}
+
+template <class Element>
+void ElementGeometry<Element>::laplacianOf(const std::int32_t* elements, double* L, double* rounding) const {
   P gathered[stride * maxPoints];
   gatherPoints(elements, gathered);
   P* l = reinterpret_cast<P*>(L);
+  P* T = reinterpret_cast<P*>(rounding);
   for (int i = 0; i < n * n; ++i) l[i] = P(0.0);
+  for (int a = 0; a < n; ++a) T[a] = P(0.0);
+  const TangentRounding<Element, P> budget(P(0.0), gatherExtents(elements));
   const P* point = gathered;
   for (int q = 0; q < pointCount(); ++q, point += stride) {
     P g[n][3];
-    Operators::shapeGradients(inverseJacobian(point), shapeTable(q), g);
+    const Matrix3<P> J1 = inverseJacobian(point);
+    Operators::shapeGradients(J1, shapeTable(q), g);
     Operators::addLaplacian(weight(point), g, [&](int a, int b, const P& value) { l[a * n + b] += value; });
+    budget.addPoint({P(1.0), P(0.0)}, math::sqrt(innerProduct(J1, J1)), tableNorm(q), weight(point), g, T);
   }
   for (int a = 0; a < n; ++a)
     for (int b = 0; b < a; ++b) l[b * n + a] = l[a * n + b];

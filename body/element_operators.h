@@ -130,6 +130,8 @@ struct TangentDriftOf {
   /// No F_q inverts while |F_q - F0_q| is smaller; 0 when one is inverted. Theorem 18,
   /// docs/theory/incremental_certificate.md.
   S inversionDistance = S(std::numeric_limits<double>::infinity());
+  /// What F_q, as computed, and a later one in the ball together err by, for what is proven inside a ball.
+  S gradientRounding = S(0);
 
   /// Adds a quadrature point with the deformation gradient F.
   template <class Law>

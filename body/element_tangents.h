@@ -38,9 +38,15 @@ class ElementTangents {
 
   /// Exact tangents of the elements of a batch: K[(row * 3n + column) * lanes + lane], rows and columns 3·node +
   /// component, N/m. Lanes without an element get zeros.
-  virtual void tangentBatch(std::int32_t batch, const double* x, double* K) const = 0;
+  /// rounding: unless nullptr, numbers T_a of the elements' nodes, T[a * lanes + lane], N/m: the blocks of what is
+  /// computed err by at most √(T_a T_b) (Theorem 42, docs/theory/floating_point.md).
+  virtual void tangentBatch(std::int32_t batch, const double* x, double* K, double* rounding) const = 0;
   /// The same for any elements, one a lane (-1: none).
-  virtual void tangentOf(const std::int32_t* elements, const double* x, double* K) const = 0;
+  virtual void tangentOf(const std::int32_t* elements, const double* x, double* K, double* rounding) const = 0;
+  void tangentBatch(std::int32_t batch, const double* x, double* K) const { tangentBatch(batch, x, K, nullptr); }
+  void tangentOf(const std::int32_t* elements, const double* x, double* K) const { tangentOf(elements, x, K, nullptr); }
+  /// Adds the T_a of the elements of a patch into the first number of its slots, without their tangents.
+  virtual void addTangentRounding(const Patch& patch, const double* x, double* slots) const = 0;
   /// Adds K(x) v of the elements of a patch into its slots; v: 3×N.
   virtual void addTangentProduct(const Patch& patch, const double* x, const double* v, double* slots) const = 0;
 

@@ -6,6 +6,7 @@
 #include <ringwatch/base/pack.h>
 #include <ringwatch/elements/quadrature.h>
 #include <ringwatch/materials/modulus_blocks.h>
+#include <ringwatch/materials/modulus_rounding.h>
 #include <ringwatch/materials/registry.h>
 
 namespace ringwatch {
@@ -40,6 +41,7 @@ class LawOfPacks {
     Matrix3<P> (*stress)(const void* law, const Matrix3<P>& F);
     Matrix3<P> (*stressDifferential)(const void* law, const Matrix3<P>& F, const Matrix3<P>& dF);
     ModulusBlocks<P> (*nodeBlocks)(const void* law, const Matrix3<P>& F, const P& weight);
+    ModulusRounding<P> (*rounding)(const void* law, const Matrix3<P>& F, const P& error);
     TangentDriftCoefficients<P> (*drift)(const void* law, const Matrix3<P>& F);
     std::shared_ptr<const void> (*share)(const void* law, double lambda, double mu);  // as withShares, nullptr for none
   };
@@ -50,6 +52,9 @@ class LawOfPacks {
             [](const void* law, const Matrix3<P>& F, const Matrix3<P>& dF) { return own<L>(law).linearize(F)(dF); },
             [](const void* law, const Matrix3<P>& F, const P& weight) {
               return ModulusBlocks<P>(own<L>(law).linearize(F), weight);
+            },
+            [](const void* law, const Matrix3<P>& F, const P& error) {
+              return own<L>(law).linearize(F).rounding(F, error);
             },
             [](const void* law, const Matrix3<P>& F) { return own<L>(law).drift(F); },
             [](const void* law, double lambda, double mu) -> std::shared_ptr<const void> {
@@ -70,6 +75,9 @@ class LawOfPacks {
     }
     RINGWATCH_INLINE ModulusBlocks<P> nodeBlocks(const P& weight) const {
       return law.functions_.nodeBlocks(law.law_.get(), F, weight);
+    }
+    RINGWATCH_INLINE ModulusRounding<P> rounding(const Matrix3<P>& F0, const P& error) const {
+      return law.functions_.rounding(law.law_.get(), F0, error);
     }
   };
   RINGWATCH_INLINE Linearization linearize(const Matrix3<P>& F) const { return {*this, F}; }

@@ -121,6 +121,25 @@ void TangentSource::tangentProduct(NodeVectorsView x, NodeVectorsView v, NodeVec
   });
 }
 
+Eigen::VectorXd TangentSource::tangentRounding(NodeVectorsView x, Workspace& workspace) const {
+  NodeVectors sums;
+  sumOverPatches(sums, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
+    tangents_[b]->addTangentRounding(tangents_[b]->layout().patches[p], x.data(), slots);
+  });
+  return sums.row(0).transpose();
+}
+
+double TangentSource::formRounding(NodeVectorsView x, const NodeVectors& v, Workspace& workspace) const {
+  int mostNodes = 0;
+  for (const ElementTangents* block : tangents_) mostNodes = std::max(mostNodes, block->nodesPerElement());
+  const Eigen::VectorXd tau = tangentRounding(x, workspace);
+  // A node at rest may be one of an element without a bound: 0 times infinity counts nothing.
+  double sum = 0;
+  for (std::int32_t i = 0; i < nodeCount(); ++i)
+    if (const double size2 = v.col(i).squaredNorm(); size2 > 0) sum += tau[i] * size2;
+  return mostNodes * sum;
+}
+
 Eigen::MatrixXd TangentSource::elementTangent(ElementRef ref, NodeVectorsView x) const {
   const ElementTangents& block = *tangents_.at(static_cast<std::size_t>(ref.block));
   const std::int32_t place = block.layout().batchOfElement.at(static_cast<std::size_t>(ref.element));

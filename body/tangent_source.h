@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -76,8 +77,15 @@ class TangentSource {
   /// The same from scratch, pattern included.
   Eigen::SparseMatrix<double> assembleTangent(NodeVectorsView x) const;
 
-  /// Calls visit(block index, batch, K) for every batch, in parallel, with the packed tangents of
-  /// ElementTangents::tangentBatch; visit writes to places of its own.
+  /// What the rounding of element tangents comes to at the nodes, Σ_e T_(e,a(i)), N/m (ElementTangents::tangentBatch):
+  /// τ of N numbers. Blocks of the assembled K err by at most √(τ_i τ_j), and vᵀKv, from tangents or products with
+  /// them, by at most mostNodes Σ_i τ_i |v_i|². Theorem 42, docs/theory/floating_point.md.
+  Eigen::VectorXd tangentRounding(NodeVectorsView x, Workspace& workspace) const;
+  /// That bound for a vector v, 3×N, N m or what v's squares times N/m are.
+  double formRounding(NodeVectorsView x, const NodeVectors& v, Workspace& workspace) const;
+
+  /// Calls visit(block index, batch, K), or visit(block index, batch, K, T) where it takes the rounding too, for every
+  /// batch, in parallel, with the packed tangents of ElementTangents::tangentBatch; visit writes to places of its own.
   template <class Visit>
   void forEachTangentBatch(NodeVectorsView x, const Visit& visit) const {
     for (std::size_t b = 0; b < tangents_.size(); ++b) {
@@ -89,8 +97,15 @@ class TangentSource {
         AlignedVector<NativePack> K(size);
         const auto end = std::min<std::int32_t>(batches, static_cast<std::int32_t>(c + 1) * chunk);
         for (auto batch = static_cast<std::int32_t>(c) * chunk; batch < end; ++batch) {
-          block.tangentBatch(batch, x.data(), reinterpret_cast<double*>(K.data()));
-          visit(b, batch, K.data());
+          if constexpr (std::is_invocable_v<Visit, std::size_t, std::int32_t, NativePack*, const NativePack*>) {
+            NativePack rounding[maxElementNodes];
+            block.tangentBatch(batch, x.data(), reinterpret_cast<double*>(K.data()),
+                               reinterpret_cast<double*>(rounding));
+            visit(b, batch, K.data(), rounding);
+          } else {
+            block.tangentBatch(batch, x.data(), reinterpret_cast<double*>(K.data()));
+            visit(b, batch, K.data());
+          }
         }
       });
     }

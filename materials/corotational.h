@@ -4,6 +4,7 @@
 
 #include <ringwatch/base/matrix3.h>
 #include <ringwatch/materials/lame.h>
+#include <ringwatch/materials/modulus_rounding.h>
 #include <ringwatch/materials/rotation.h>
 #include <ringwatch/materials/tangent_drift.h>
 
@@ -98,6 +99,30 @@ struct Corotational {
     RINGWATCH_INLINE NodeBlocks nodeBlocks(const S& weight) const {
       return {R, (weight * t) * timesTranspose(R * spin, R), weight * S(law.constants.lambda),
               weight * S(2 * law.constants.mu)};
+    }
+    /// A posteriori: R is the rotation closest to R sym(RᵀF), from which F lies away by the skew part of RᵀF. So R errs
+    /// by at most 2 ρ / (g - √2 ρ), ρ that part and what F errs by, 1/g = |(tr(U) I - U)⁻¹|, as in drift below. U and
+    /// the inverse of tr(U) I - U move with it. Infinite where R is not unique to rounding.
+    RINGWATCH_INLINE ModulusRounding<S> rounding(const Matrix3<S>& F, const S& error) const {
+      const Matrix3<S> A = transposeTimes(R, F), off = transposeTimes(R, R) - Matrix3<S>::identity();
+      const S k0 = A.m[7] - A.m[5], k1 = A.m[2] - A.m[6], k2 = A.m[3] - A.m[1];
+      const S skew = math::sqrt(S(0.5) * (k0 * k0 + k1 * k1 + k2 * k2)), f = math::sqrt(innerProduct(F, F));
+      const S oblique = math::sqrt(innerProduct(off, off)) + S(8 * unitRoundoff);
+      const S rho = skew + error + S(2.0) * f * oblique, spinNorm = S(1.1) * math::sqrt(innerProduct(spin, spin));
+      const S minor = spin.m[0] * spin.m[4] - spin.m[1] * spin.m[3], det = determinant(spin);
+      const S dR = S(2.3) * spinNorm * rho + oblique;
+      const S dU = S(2.0) * error + f * dR + S(8 * unitRoundoff) * f;
+      const S z = S(27.0) * f * f * f * det;  // |tr(U) I - U|³ over its determinant, at most
+      const auto unique = (spin.m[0] > S(0.0)) & (minor > S(0.0)) & (det > S(0.0)) & (spinNorm * rho < S(0.03)) &
+                          (spinNorm * dU < S(0.03)) & (S(unitRoundoff) * z < S(1e-3));
+      const S dSpin = spinNorm * (S(4.0) * spinNorm * dU + S(unitRoundoff) * (S(5.0) * z + S(4.0)));
+      const S lambda(math::abs(law.constants.lambda)), absolute = math::abs(t);
+      const S dt =
+          lambda * (S(2.0) * error + f * dR + S(8 * unitRoundoff) * (f + S(1.0))) + S(4 * unitRoundoff) * absolute;
+      const S size = lambda + S(4 * law.constants.mu) + absolute * spinNorm;
+      return {size, detail::knownOnly(unique, S(lawRounding * unitRoundoff) * size + S(2.5) * lambda * dR +
+                                                  absolute * (S(2.5) * spinNorm * dR + S(1.1) * dSpin) +
+                                                  S(1.1) * spinNorm * dt)};
     }
   };
   template <class S>

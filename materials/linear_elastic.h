@@ -4,6 +4,7 @@
 
 #include <ringwatch/base/matrix3.h>
 #include <ringwatch/materials/lame.h>
+#include <ringwatch/materials/modulus_rounding.h>
 #include <ringwatch/materials/tangent_drift.h>
 
 namespace ringwatch {
@@ -65,6 +66,11 @@ struct LinearElastic {
     };
     RINGWATCH_INLINE NodeBlocks nodeBlocks(const S& weight) const {
       return {weight * S(law.constants.lambda), weight * S(law.constants.mu)};
+    }
+    /// The tangent does not depend on F.
+    RINGWATCH_INLINE ModulusRounding<S> rounding(const Matrix3<S>& /*F*/, const S& /*error*/) const {
+      const double size = math::abs(law.constants.lambda) + 3 * law.constants.mu;
+      return {S(size), S(lawRounding * unitRoundoff * size)};
     }
   };
   template <class S>

@@ -4,6 +4,7 @@
 
 #include <ringwatch/base/matrix3.h>
 #include <ringwatch/materials/lame.h>
+#include <ringwatch/materials/modulus_rounding.h>
 #include <ringwatch/materials/tangent_drift.h>
 
 namespace ringwatch {
@@ -78,6 +79,15 @@ struct NeoHookean {
     };
     RINGWATCH_INLINE NodeBlocks nodeBlocks(const S& weight) const {
       return {inverseTranspose, weight * S(law.constants.lambda), weight * S(law.constants.mu), weight * a};
+    }
+    /// Blocks are at most 2μ + (|λ| + |a|) |G|², with G = F⁻ᵀ and a = μ - λ ln J; ΔG and Δa by detail::inverseRounding.
+    RINGWATCH_INLINE ModulusRounding<S> rounding(const Matrix3<S>& F, const S& error) const {
+      const auto inverse = detail::inverseRounding(F, inverseTranspose, error);
+      const S lambda(math::abs(law.constants.lambda)), mu(law.constants.mu), terms = lambda + math::abs(a);
+      const S size = S(2.0) * mu + terms * inverse.norm2;
+      const S da = lambda * inverse.logarithm + S(4 * unitRoundoff) * (math::abs(mu - a) + terms);
+      return {size,
+              S(lawRounding * unitRoundoff) * size + inverse.norm2 * (S(2.5) * inverse.relative * terms + S(1.3) * da)};
     }
   };
   template <class S>

@@ -4,6 +4,7 @@
 
 #include <ringwatch/base/matrix3.h>
 #include <ringwatch/materials/lame.h>
+#include <ringwatch/materials/modulus_rounding.h>
 #include <ringwatch/materials/tangent_drift.h>
 
 namespace ringwatch {
@@ -78,6 +79,14 @@ struct StVenantKirchhoff {
     RINGWATCH_INLINE NodeBlocks nodeBlocks(const S& weight) const {
       const S mu = weight * S(law.constants.mu);
       return {F, weight * secondStress, mu * timesTranspose(F, F), weight * S(law.constants.lambda), mu};
+    }
+    /// With m = |λ| + 2μ: |S| <= m (|F|² + 3) √3/2 as a sum of sizes, so that the blocks are at most
+    /// m (2.5 |F|² + 4.5); F + Δ, with |F| <= (1 + |F|²)/2, moves S by at most (3|λ| + 2μ) (|F| δ + δ²/2) and the other
+    /// terms by m (2 |F| δ + δ²).
+    RINGWATCH_INLINE ModulusRounding<S> rounding(const Matrix3<S>& F0, const S& error) const {
+      const double m = math::abs(law.constants.lambda) + 2 * law.constants.mu;
+      const S F2 = innerProduct(F0, F0), size = S(m) * (S(2.5) * F2 + S(4.5));
+      return {size, S(lawRounding * unitRoundoff) * size + S(8 * m) * error * (S(0.5) * (S(1.0) + F2) + error)};
     }
   };
   template <class S>

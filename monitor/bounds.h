@@ -95,6 +95,10 @@ struct CriticalStep {
   double lowestRing;  // least eigenvalue seen, of a reduced 1-ring or a direction, rad²/s²; < 0 proves K indefinite
   ElementRef lowestRingElement;
   std::optional<ProbableStep> probable{};  // when asked for; never part of the proven bracket
+  /// Elements whose values are rounded up by more than a thousandth, how many and the worst: their shapes or states
+  /// leave little to say in double precision, and the safe side is that much lower there. Only from scratch.
+  std::size_t poorlyConditioned = 0;
+  ElementRef worstConditioned{};
 
   /// Whether the two sides are a bracket: numbers, with safe <= optimistic. No function hands out one for which it is
   /// false.

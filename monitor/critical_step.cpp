@@ -57,6 +57,10 @@ CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& l
   CriticalStep step{
       safeStep(upper, limit), optimisticStep(lower, limit), ring.last().highestElement, safeBy, top.method,
       ring.last().lowest,     ring.last().lowestElement};
+  if (!weights.poorlyConditioned().empty()) {
+    step.poorlyConditioned = weights.poorlyConditioned().size();
+    step.worstConditioned = weights.poorlyConditioned().front().element;
+  }
   if (!step.isBracket())
     throw NumericalError(joinText("the sides of the bracket cross by rounding: safe ", step.safe, " s, optimistic ",
                                   step.optimistic, " s"));

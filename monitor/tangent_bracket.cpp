@@ -46,15 +46,27 @@ class GivenTangents final : public ElementTangents {
   /// The tangents from now on, 3n×3n numbers an element, symmetric, rows and columns 3·node + component; by reference.
   void setTangents(const double* tangents) { tangents_ = tangents; }
 
-  void tangentBatch(std::int32_t batch, const double* x, double* K) const override {
-    tangentOf(layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, x, K);
+  void tangentBatch(std::int32_t batch, const double* x, double* K, double* rounding) const override {
+    tangentOf(layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, x, K, rounding);
   }
-  void tangentOf(const std::int32_t* elements, const double* /*x*/, double* K) const override {
+  void tangentOf(const std::int32_t* elements, const double* /*x*/, double* K, double* rounding) const override {
     const std::ptrdiff_t count = entries();
+    if (rounding)
+      for (int lane = 0; lane < lanes; ++lane)
+        for (int a = 0; a < nodesPerElement(); ++a)
+          rounding[a * lanes + lane] = elements[lane] < 0 ? 0.0 : roundingOf(elements[lane], a);
     for (int lane = 0; lane < lanes; ++lane) {
       const double* own = tangents_ + (elements[lane] < 0 ? 0 : elements[lane]) * count;
       for (std::ptrdiff_t i = 0; i < count; ++i) K[i * lanes + lane] = elements[lane] < 0 ? 0.0 : own[i];
     }
+  }
+  void addTangentRounding(const Patch& patch, const double* /*x*/, double* slots) const override {
+    const int n = nodesPerElement();
+    for (std::int32_t i = patch.batchBegin * lanes; i < patch.batchEnd * lanes; ++i)
+      for (int a = 0; a < n && layout().elements[i] >= 0; ++a) {
+        const auto local = static_cast<std::size_t>((i / lanes * n + a) * lanes + i % lanes);
+        slots[4 * static_cast<std::ptrdiff_t>(layout().localNodes[local])] += roundingOf(layout().elements[i], a);
+      }
   }
   void addTangentProduct(const Patch& patch, const double* /*x*/, const double* v, double* slots) const override {
     const int n = nodesPerElement(), size = 3 * n;
@@ -76,6 +88,21 @@ class GivenTangents final : public ElementTangents {
 
  private:
   static constexpr int lanes = PatchLayout::lanes;
+  /// The numbers are exact; what is computed with them is not: T_a = productRounding u max_b |K_ab|.
+  double roundingOf(std::int32_t e, int a) const {
+    const int n = nodesPerElement(), size = 3 * n;
+    const double* K = tangents_ + e * entries();
+    double most = 0;
+    for (int b = 0; b < n; ++b) {
+      double sum = 0;
+      for (int i = 0; i < 9; ++i) {
+        const double entry = K[(3 * a + i / 3) * size + 3 * b + i % 3];
+        sum += entry * entry;
+      }
+      most = std::max(most, sum);
+    }
+    return productRounding * unitRoundoff * std::sqrt(most);
+  }
   std::ptrdiff_t entries() const { return 9 * static_cast<std::ptrdiff_t>(nodesPerElement()) * nodesPerElement(); }
 
   const double* tangents_ = nullptr;

@@ -97,7 +97,7 @@ class Composition {
     std::vector<Group> groups;
     int open = -1;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      excess_[e] = rounding * norms_[e];
+      excess_[e] = rounding * norms_[e] + tangentRounding_[e];
       negative_[e] = 0;
       if (reserve_[e] > 0) continue;
       if (open < 0 || groups.back().count == lanes || open != elements_[e].nodes) {
@@ -180,7 +180,8 @@ class Composition {
 
   /// P_e = -A_e, constrained components zero.
   void fillTangents(NodeVectorsView x) {
-    source_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, NativePack* K) {
+    tangentRounding_.resize(elements_.size());
+    source_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, NativePack* K, const NativePack* T) {
       const ElementTangents& block = *source_.tangents()[b];
       const int n = block.nodesPerElement(), size = 3 * n;
       for (int lane = 0; lane < lanes; ++lane) {
@@ -193,7 +194,11 @@ class Composition {
           const std::int32_t node = nodes[i / 3];
           scale[i] = freeFactor(source_, node, i % 3) / std::sqrt(source_.lumpedMass()[node]);
         }
-        double* P = P_.data() + elements_[firstOfGroup_[b] + static_cast<std::size_t>(e)].begin;
+        const std::size_t element = firstOfGroup_[b] + static_cast<std::size_t>(e);
+        // |Σ_ab ΔA_ab v_a v_b| <= Σ_a T_a/m_a for a unit vector.
+        tangentRounding_[element] = 0;
+        for (int a = 0; a < n; ++a) tangentRounding_[element] += T[a][lane] / source_.lumpedMass()[nodes[a]];
+        double* P = P_.data() + elements_[element].begin;
         for (int i = 0; i < size; ++i)
           for (int j = 0; j <= i; ++j) P[i * size + j] = P[j * size + i] = -K[i * size + j][lane] * scale[i] * scale[j];
       }
@@ -298,7 +303,8 @@ class Composition {
   std::vector<Place> places_;
   std::vector<double> reserve_;  // a lower bound of lambda_min(P_e)
   std::vector<double> excess_, negative_;
-  std::vector<double> norms_;  // the largest so far
+  std::vector<double> norms_;            // the largest so far
+  std::vector<double> tangentRounding_;  // of A_e, in its norm
   double momentum_ = 1, lastSum_ = std::numeric_limits<double>::infinity();
 };
 

@@ -134,7 +134,7 @@ LowestMode LowestModeSearch::find(NodeVectorsView x, int maxProducts) {
   u = start.cwiseProduct(scale_);
   body_.tangentProduct(x, u, w, workspace_);
   ++result.products;
-  const double form = w.cwiseProduct(u).sum() + rounding * size;
+  const double form = w.cwiseProduct(u).sum() + rounding * size + body_.formRounding(x, u, workspace_);
   result.value = form / (u.cwiseAbs2() * body_.lumpedMass()).sum();
   if (result.value < 0) result.element = softestElement(body_, x, u);
   return result;

@@ -22,6 +22,12 @@ class MassScaledOperator {
     y = product_;
     ++products_;
   }
+  /// What vᵀ M^-½ K M^-½ v errs by when K does: TangentSource::formRounding.
+  double formRounding(const NodeVectors& v) const {
+    scaled_ = v * inverseRootMass_.asDiagonal();
+    source_.constraints().clearConstrained(scaled_);
+    return source_.formRounding(x_, scaled_, workspace_);
+  }
   int products() const { return products_; }
   const Eigen::VectorXd& inverseRootMass() const { return inverseRootMass_; }
 

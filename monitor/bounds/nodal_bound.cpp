@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <mutex>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/sort_unique.h>
@@ -45,22 +46,23 @@ void giveBack(Vector& numbers) {
   Vector().swap(numbers);
 }
 
-/// Zeroes the rows and columns of constrained degrees of freedom.
-void clearConstrained(const TangentSource& source, const ElementTangents& block, const std::int32_t* elements, P* K) {
-  if (!source.constraints().any()) return;
+/// Which components of the elements' nodes are free: 1, or 0. Returns whether any is not.
+bool findFree(const TangentSource& source, const ElementTangents& block, const std::int32_t* elements,
+              P (&factor)[3 * maxElementNodes]) {
   const int n = block.nodesPerElement();
+  std::fill(factor, factor + 3 * n, P(1.0));
+  if (!source.constraints().any()) return false;
   bool some = false;
   for (int lane = 0; lane < lanes; ++lane)
     for (const std::int32_t node : block.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]))
       some |= source.constraints().freeComponents(node) < 3;
-  if (!some) return;
-  P factor[3 * maxElementNodes];
+  if (!some) return false;
   for (int lane = 0; lane < lanes; ++lane) {
     const auto nodes = block.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]);
     for (int a = 0; a < n; ++a)
       for (int c = 0; c < 3; ++c) factor[3 * a + c].set(lane, freeFactor(source, nodes[a], c));
   }
-  scaleSymmetric(K, 3 * n, factor);
+  return true;
 }
 
 }  // namespace
@@ -136,10 +138,14 @@ void NodalBound::releaseSums() {
 }
 
 void NodalBound::evaluateAll(NodeVectorsView x, const Start* start) {
-  source_->forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K) {
+  poorlyConditioned_.clear();
+  std::mutex noting;
+  source_->forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, P* K, const P* T) {
     const ElementTangents& block = *source_->tangents()[b];
     const int n = block.nodesPerElement(), size = 3 * n;
-    clearConstrained(*source_, block, block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, K);
+    P free[3 * maxElementNodes];
+    if (findFree(*source_, block, block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, free))
+      scaleSymmetric(K, size, free);
     StoredFactor* stored = weights_[b].data() + static_cast<std::ptrdiff_t>(batch) * n;
     if (start) {
       Symmetric3<P> weights[maxElementNodes];
@@ -152,10 +158,25 @@ void NodalBound::evaluateAll(NodeVectorsView x, const Start* start) {
       normaliseWeights(weights, n);
       for (int a = 0; a < n; ++a) store(weights[a], stored[a]);
     }
-    P work[12 * maxElementNodes], w[maxElementNodes][6];
-    for (int a = 0; a < n; ++a) invertFactor(load(stored[a]), w[a]);
+    P work[12 * maxElementNodes], w[maxElementNodes][6], rounding(0.0);
+    for (int a = 0; a < n; ++a) {
+      const CholeskyFactor<P> L = load(stored[a]);
+      invertFactor(L, w[a]);
+      rounding += scaledRounding(L, w[a], T[a], free + 3 * a);
+    }
     scaleByFactors(w, n, K);
-    values_[b][batch] = largestRoundedUp(K, size, work);
+    const P value = values_[b][batch] = largestRoundedUp(K, size, work, rounding);
+    const auto large = rounding > P(largeRounding) * value;
+    if (!anyOf(large)) return;
+    const P share = select(large, rounding / value, P(0.0));
+    const std::lock_guard lock(noting);
+    for (int lane = 0; lane < lanes; ++lane)
+      if (const std::int32_t e = block.layout().elements[static_cast<std::ptrdiff_t>(batch) * lanes + lane];
+          e >= 0 && share[lane] > 0)
+        poorlyConditioned_.push_back({share[lane], {static_cast<std::int32_t>(b), e}});
+  });
+  std::sort(poorlyConditioned_.begin(), poorlyConditioned_.end(), [](const RoundingShare& a, const RoundingShare& b) {
+    return a.share != b.share ? a.share > b.share : a.element < b.element;
   });
   for (const ElementTangents* block : source_->tangents()) evaluations_ += block->elementCount();
   std::fill(changed_.begin(), changed_.end(), true);
@@ -350,9 +371,9 @@ void NodalBound::gather(std::size_t b, const std::int32_t* elements, StoredFacto
 }
 
 void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, NodeVectorsView x, double* values) const {
-  P K[9 * maxElementNodes * maxElementNodes];
-  source_->tangents()[b]->tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
-  const ElementMatrices tangents{K, values};
+  P K[9 * maxElementNodes * maxElementNodes], T[maxElementNodes];
+  source_->tangents()[b]->tangentOf(elements, x.data(), reinterpret_cast<double*>(K), reinterpret_cast<double*>(T));
+  const ElementMatrices tangents{K, T, values};
   weightedLargest(b, elements, {&tangents, 1});
 }
 
@@ -363,11 +384,19 @@ void NodalBound::weightedLargest(std::int32_t b, const std::int32_t* elements,
   StoredFactor gathered[maxElementNodes];
   gather(static_cast<std::size_t>(b), elements, gathered);
   P w[maxElementNodes][6], work[12 * maxElementNodes];
-  for (int a = 0; a < n; ++a) invertFactor(load(gathered[a]), w[a]);
-  for (const auto& [matrices, largest] : sets) {
-    clearConstrained(*source_, block, elements, matrices);
+  CholeskyFactor<P> L[maxElementNodes];
+  for (int a = 0; a < n; ++a) {
+    L[a] = load(gathered[a]);
+    invertFactor(L[a], w[a]);
+  }
+  P free[3 * maxElementNodes];
+  const bool constrained = findFree(*source_, block, elements, free);
+  for (const auto& [matrices, T, largest] : sets) {
+    P rounding(0.0);
+    for (int a = 0; a < n; ++a) rounding += scaledRounding(L[a], w[a], T[a], free + 3 * a);
+    if (constrained) scaleSymmetric(matrices, 3 * n, free);
     scaleByFactors(w, n, matrices);
-    largestRoundedUp(matrices, 3 * n, work).store(largest);
+    largestRoundedUp(matrices, 3 * n, work, rounding).store(largest);
   }
 }
 

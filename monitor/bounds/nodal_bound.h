@@ -94,7 +94,8 @@ class NodalBound {
   /// Symmetric matrices of elements, one a lane, as ElementTangents::tangentOf gives tangents; overwritten.
   struct ElementMatrices {
     NativePack* matrices;
-    double* largest;  ///< max(0, lambda_max(D_e⁻¹ A_e)), rounded up: [lane]
+    const NativePack* rounding;  ///< T_a of the nodes: |ΔA_ab| <= √(T_a T_b)
+    double* largest;             ///< max(0, lambda_max(D_e⁻¹ A_e)), rounded up: [lane]
   };
   /// For such elements the largest eigenvalues of any matrices without the rows and columns of constrained components.
   void weightedLargest(std::int32_t block, const std::int32_t* elements, std::span<const ElementMatrices> sets) const;
@@ -106,6 +107,15 @@ class NodalBound {
   const std::vector<double>& sumsOf(const std::vector<std::span<const RoundedUp<float>>>& values);
   /// Gives the memory back that only evaluate(), value(), nodal() and sumsOf() need; the weights stay.
   void releaseSums();
+
+  /// The element whose value of the last evaluation from scratch is rounded up by the largest share of itself.
+  struct RoundingShare {
+    double share = 0;
+    ElementRef element{};
+  };
+  /// Those above largeRounding, by share: their shapes, or their states, leave little to say in double precision.
+  const std::vector<RoundingShare>& poorlyConditioned() const { return poorlyConditioned_; }
+  static constexpr double largeRounding = 1e-3;
 
   /// Elements times evaluations in the last call.
   std::int64_t evaluations() const { return evaluations_; }
@@ -144,6 +154,7 @@ class NodalBound {
   std::vector<std::uint8_t> changed_;  // by node: since its sum was made
   std::int64_t evaluations_ = 0;
   double last_ = 0;
+  std::vector<RoundingShare> poorlyConditioned_;
 };
 
 }  // namespace ringwatch

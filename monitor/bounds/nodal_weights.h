@@ -121,12 +121,23 @@ RINGWATCH_INLINE void scaleByFactors(const P (*w)[6], int n, P* K) {
     }
 }
 
-/// max(0, largest eigenvalue), rounded up by a margin that is asserted, not derived (docs/theory/floating_point.md);
-/// NaN stays: it must not pass for zero.
+/// What errors of a tangent, |ΔK_ab| <= √(T_a T_b), come to in the scaled matrix L⁻¹ K L⁻ᵀ: Σ_a |L_a⁻¹|² T_a, with the
+/// inverse factors w of the weights and the sizes of what they are summed from. free: 1, or 0 for a component that is
+/// constrained, of which nothing is left in the matrix. Theorem 42, docs/theory/floating_point.md.
 template <class P>
-RINGWATCH_INLINE P largestRoundedUp(P* K, int size, P* work) {
+RINGWATCH_INLINE P scaledRounding(const CholeskyFactor<P>& L, const P (&w)[6], const P& T, const P* free) {
+  const P w3 = (math::abs(L.m[4]) * w[0] + math::abs(L.m[3] * w[1])) * w[5];
+  const P norm2 =
+      free[0] * (w[0] * w[0] + w[1] * w[1] + w3 * w3) + free[1] * (w[2] * w[2] + w[4] * w[4]) + free[2] * (w[5] * w[5]);
+  return select((T > P(0.0)) & (norm2 > P(0.0)), norm2 * T, P(0.0));
+}
+
+/// max(0, largest eigenvalue), rounded up: by the eigenvalue's own rounding and by what the matrix errs by. NaN stays:
+/// it must not pass for zero.
+template <class P>
+RINGWATCH_INLINE P largestRoundedUp(P* K, int size, P* work, const P& rounding) {
   const auto extremes = extremeEigenvalues(K, size, work, false);
-  const P l = extremes.largest + P(eigenvalueRounding) * extremes.scale;
+  const P l = extremes.largest + P(eigenvalueRounding) * extremes.scale + rounding;
   return select(l < P(0.0), P(0.0), l);
 }
 

@@ -26,7 +26,8 @@ void NodeSubmatrix::choose(std::vector<std::int32_t> nodes) {
           if (freeFactor(source_, own[a], c) == 0) continue;
           part.own[part.count] = static_cast<int>(3 * a) + c;
           part.row[part.count] = static_cast<int>(3 * (found - nodes_.begin())) + c;
-          part.scale[part.count++] = 1 / std::sqrt(source_.lumpedMass()[own[a]]);
+          part.inverseMass[a] = 1 / source_.lumpedMass()[own[a]];
+          part.scale[part.count++] = std::sqrt(part.inverseMass[a]);
         }
       }
     }
@@ -38,18 +39,21 @@ const Eigen::MatrixXd& NodeSubmatrix::evaluate(NodeVectorsView x) {
   if (sourceVersion_ != source_.version()) choose(std::move(nodes_));
   const auto dofs = static_cast<Eigen::Index>(3 * nodes_.size());
   matrix_.setZero(dofs, dofs);
-  NativePack K[9 * maxElementNodes * maxElementNodes];
+  rounding_ = 0;
+  NativePack K[9 * maxElementNodes * maxElementNodes], T[maxElementNodes];
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ElementTangents& block = *source_.tangents()[b];
     const auto& [listed, parts] = blocks_[b];
-    const int size = 3 * block.nodesPerElement();
+    const int n = block.nodesPerElement(), size = 3 * n;
     for (std::size_t first = 0; first < listed.size(); first += lanes) {
       std::int32_t elements[lanes];
       for (std::size_t lane = 0; lane < lanes; ++lane)
         elements[lane] = first + lane < listed.size() ? listed[first + lane] : -1;
-      block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
+      block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K), reinterpret_cast<double*>(T));
       for (int lane = 0; lane < lanes && elements[lane] >= 0; ++lane) {
         const Part& part = parts[first + static_cast<std::size_t>(lane)];
+        for (int a = 0; a < n; ++a)
+          if (part.inverseMass[a] > 0) rounding_ += T[a][lane] * part.inverseMass[a];
         for (int i = 0; i < part.count; ++i) {
           const NativePack* k = K + part.own[i] * size;
           double* column = matrix_.data() + part.row[i] * dofs;  // K is symmetric: its rows are columns

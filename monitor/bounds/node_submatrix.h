@@ -20,6 +20,9 @@ class NodeSubmatrix {
   const std::vector<std::int32_t>& nodes() const { return nodes_; }
   /// At positions x (3×N, m), rad²/s²; rows and columns of constrained components are zero.
   const Eigen::MatrixXd& evaluate(NodeVectorsView x);
+  /// What eigenvalues of the matrix err by when element tangents do, rad²/s²: Σ_i τ_i/m_i (Theorem 42,
+  /// docs/theory/floating_point.md). Of the last evaluation.
+  double rounding() const { return rounding_; }
 
  private:
   /// An element's degrees of freedom that are chosen and free: which of its own, which row, and 1/√m.
@@ -27,6 +30,7 @@ class NodeSubmatrix {
     int count = 0;
     int own[3 * maxElementNodes], row[3 * maxElementNodes];
     double scale[3 * maxElementNodes];
+    double inverseMass[maxElementNodes] = {};  // of its nodes that are chosen and not held in all components
   };
   struct BlockParts {
     std::vector<std::int32_t> elements;
@@ -37,6 +41,7 @@ class NodeSubmatrix {
   std::vector<std::int32_t> nodes_;
   std::vector<BlockParts> blocks_;
   Eigen::MatrixXd matrix_;
+  double rounding_ = 0;
   std::int64_t sourceVersion_ = 0;  // when the parts were made
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/monitor/bounds/mass_scaled_operator.h>
 
 namespace ringwatch {
@@ -58,7 +59,8 @@ LowerBound rayleighLowerBound(const TangentSource& source, NodeVectorsView x, No
   for (int i = 0; i < size; ++i)
     largest = std::max(largest, std::abs(diagonal[i]) + subdiagonal[i] + (i > 0 ? subdiagonal[i - 1] : 0.0));
   if (seen) *seen = largest = std::max(largest, *seen);
-  return {quotient - 1e-12 * largest};
+  const double ofSums = quotientRounding + unitRoundoff * static_cast<double>(start.size());
+  return {quotient - ofSums * largest - op.formRounding(start)};
 }
 
 }  // namespace ringwatch

@@ -14,6 +14,9 @@ constexpr int lanes = PatchLayout::lanes;
 
 const ReducedRing::Result& ReducedRing::evaluate(NodeVectorsView x, bool wantLowest) {
   source_.assembleBlocks(x, matrix_);
+  Eigen::VectorXd rounding = source_.tangentRounding(x, workspace_).cwiseQuotient(source_.lumpedMass());
+  for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
+    if (source_.constraints().freeComponents(i) == 0) rounding[i] = 0;
   result_.largest.resize(source_.tangents().size());
   result_.highest = result_.lowest = 0;
   scale_ = NodeVectors(3, source_.nodeCount());
@@ -66,13 +69,15 @@ const ReducedRing::Result& ReducedRing::evaluate(NodeVectorsView x, bool wantLow
     });
     for (std::size_t e = 0; e < largest.size(); ++e) {
       const ElementRef here{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
-      const double proven = largest[e] - eigenvalueRounding * scale[e];
+      double margin = eigenvalueRounding * scale[e];
+      for (const std::int32_t node : block.nodesOf(static_cast<std::int32_t>(e))) margin += rounding[node];
+      const double proven = largest[e] - margin;
       if (proven > result_.highest || std::isnan(proven)) {
         result_.highest = proven;
         result_.highestElement = here;
       }
       // Only a clearly negative value proves that the tangent is indefinite.
-      if (wantLowest && least[e] + eigenvalueRounding * scale[e] < result_.lowest) {
+      if (wantLowest && least[e] + margin < result_.lowest) {
         result_.lowest = least[e];
         result_.lowestElement = here;
       }

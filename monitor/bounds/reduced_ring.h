@@ -31,6 +31,7 @@ class ReducedRing {
   const TangentSource& source_;
   BlockMatrix matrix_;  // as assembled
   NodeVectors scale_;   // 1/√m, 0 where constrained
+  TangentSource::Workspace workspace_;
   Result result_;
 };
 

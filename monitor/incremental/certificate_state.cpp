@@ -20,19 +20,20 @@ void evaluateElements(const Body& body, const NodalBound& weights, NodeVectorsVi
                       const std::int32_t* elements, double* values, double* norms) {
   const ElementBlock& block = *body.blocks()[b];
   NativePack K[9 * maxElementNodes * maxElementNodes], A[9 * maxElementNodes * maxElementNodes];
+  NativePack ofTangent[maxElementNodes], ofLaplacian[maxElementNodes];
   NodalBound::ElementMatrices sets[2];
   std::size_t count = 0;
   if (values) {
-    block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K));
-    sets[count++] = {K, values};
+    block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K), reinterpret_cast<double*>(ofTangent));
+    sets[count++] = {K, ofTangent, values};
   }
   if (norms) {
     const int n = block.nodesPerElement(), size = 3 * n;
     NativePack L[maxElementNodes * maxElementNodes];
-    block.laplacianOf(elements, reinterpret_cast<double*>(L));
+    block.laplacianOf(elements, reinterpret_cast<double*>(L), reinterpret_cast<double*>(ofLaplacian));
     for (int i = 0; i < size; ++i)
       for (int j = 0; j < size; ++j) A[i * size + j] = i % 3 == j % 3 ? L[i / 3 * n + j / 3] : NativePack(0.0);
-    sets[count++] = {A, norms};
+    sets[count++] = {A, ofLaplacian, norms};
   }
   weights.weightedLargest(b, elements, {sets, count});
 }
@@ -67,14 +68,14 @@ double CertificateState<Allowance>::verify(NodeVectorsView x) const {
   for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
     const ElementBlock& block = *body_.blocks()[b];
     const int n = block.nodesPerElement(), size = 3 * n;
-    AlignedVector<NativePack> K(static_cast<std::size_t>(size * size));
+    AlignedVector<NativePack> K(static_cast<std::size_t>(size * size)), T(static_cast<std::size_t>(n));
     for (std::int32_t e = 0; e < block.elementCount(); ++e) {
       const ElementRef element{static_cast<std::int32_t>(b), e};
       if (excluded(element)) continue;
       std::int32_t elements[lanes];
       std::fill(elements, elements + lanes, -1);
       elements[0] = e;
-      block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K.data()));
+      block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K.data()), reinterpret_cast<double*>(T.data()));
       if (!rotations_.empty()) {
         // The eigenvalues of (R D Rᵀ)⁻¹K are those of D⁻¹ RᵀKR.
         const Eigen::Matrix3d& R = rotation(element);
@@ -87,7 +88,7 @@ double CertificateState<Allowance>::verify(NodeVectorsView x) const {
           }
       }
       double value[lanes];
-      const NodalBound::ElementMatrices tangent{K.data(), value};
+      const NodalBound::ElementMatrices tangent{K.data(), T.data(), value};
       weights_.weightedLargest(element.block, elements, {&tangent, 1});
       if (std::isnan(value[0])) return std::numeric_limits<double>::infinity();
       if (value[0] > 0) excess = std::max(excess, value[0] / allowance(element) - 1);

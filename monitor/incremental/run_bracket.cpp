@@ -186,7 +186,8 @@ void RunBracket::searchUnderCompression(NodeVectorsView x) {
   for (const ElementRef e : chosen) {
     if (!decomposeRing(x, e)) continue;
     // Constrained components have eigenvalues of zero, to rounding.
-    const double least = solver_.eigenvalues()[0] + zeroRounding * solver_.eigenvalues().cwiseAbs().maxCoeff();
+    const double least =
+        solver_.eigenvalues()[0] + zeroRounding * solver_.eigenvalues().cwiseAbs().maxCoeff() + ringNodes_.rounding();
     if (least < lowest_.value) lowest_ = {least, e};
   }
 }
@@ -248,7 +249,7 @@ LowerBound RunBracket::startMode(NodeVectorsView x) {
 
 double RunBracket::topOfRing() const {
   return solver_.eigenvalues()[solver_.eigenvalues().size() - 1] -
-         ringRounding * solver_.eigenvalues().cwiseAbs().maxCoeff();
+         ringRounding * solver_.eigenvalues().cwiseAbs().maxCoeff() - ringNodes_.rounding();
 }
 
 void RunBracket::addTopOfRing(NodeVectors& mode) const {

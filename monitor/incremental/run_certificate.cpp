@@ -29,7 +29,8 @@ RunCertificate::Reference RunCertificate::store(const EvaluatedPack& pack, int l
   const ElementValue& evaluated = pack.values[lane];
   if (withStrainNorm) setStrainNorm(e, evaluated.strainNorm);
   return {evaluated.value, evaluated.drift,
-          of(e).balls.setReferenceGradient(placeOf(e), pack.gradients, pack.points, lane)};
+          of(e).balls.setReferenceGradient(placeOf(e), pack.gradients, pack.points, lane) +
+              evaluated.drift.gradientRounding};
 }
 
 void RunCertificate::setBall(ElementRef e, const Reference& reference) {

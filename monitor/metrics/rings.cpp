@@ -126,6 +126,8 @@ class Rings {
   Rings(const Body& body, NodeVectorsView x, RingKind kind)
       : body_(body), kind_(kind), elementsAt_(nodeElements(body.mesh())), offset_(blockOffsets(body.mesh())) {
     body.assembleBlocks(x, matrix_);
+    TangentSource::Workspace workspace;
+    rounding_ = body.tangentRounding(x, workspace).cwiseQuotient(body.lumpedMass());
     if (kind == RingKind::reduced2) return;
     // The rims' blocks are sums over the ring's own elements.
     for (const auto& block : body.blocks()) {
@@ -185,7 +187,7 @@ class Rings {
     gather(inner, scratch);
     double lambda = 0;
     if (kind_ == RingKind::vertex1) {
-      lambda = denseLargest(scratch.matrix, scratch.dense);
+      lambda = denseLargest(scratch.matrix, scratch.dense) + roundingOf(scratch);
     } else {
       scratch.start.resize(scratch.matrix.size());
       for (std::size_t i = 0; i < scratch.nodes.size(); ++i)
@@ -194,6 +196,7 @@ class Rings {
               freeFactor(body_, scratch.nodes[i], c) *
               randomEntry(0, 3 * static_cast<std::uint64_t>(scratch.nodes[i]) + static_cast<std::uint64_t>(c));
       lambda = scratch.lanczos.largest(scratch.matrix, scratch.start);
+      if (kind_ == RingKind::reduced2) lambda -= roundingOf(scratch);
     }
     for (const std::int32_t node : scratch.nodes) scratch.place[node] = -1;
     for (const ElementRef e : scratch.elements) scratch.taken[counted(e)] = 0;
@@ -202,6 +205,14 @@ class Rings {
 
  private:
   std::size_t counted(ElementRef e) const { return offset_[e.block] + static_cast<std::size_t>(e.element); }
+
+  /// Of the ring's matrix, in its norm. Nodes on a rim have less mass in the ring than in the body.
+  double roundingOf(const Scratch& scratch) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < scratch.nodes.size(); ++i)
+      sum += rounding_[scratch.nodes[i]] * body_.lumpedMass()[scratch.nodes[i]] * scratch.mass[i] * scratch.mass[i];
+    return sum;
+  }
 
   void addElementsAt(std::int32_t node, Scratch& scratch) const {
     for (const ElementNode& at : elementsAt_.row(static_cast<std::size_t>(node))) {
@@ -278,6 +289,7 @@ class Rings {
   CompressedRows<ElementNode> elementsAt_;
   std::vector<std::size_t> offset_;
   BlockMatrix matrix_;
+  Eigen::VectorXd rounding_;                           // of every node, rad²/s²
   std::vector<std::vector<Eigen::Matrix3d>> tangent_;  // [block][(element * n + a) * n + b]
   std::vector<std::vector<double>> mass_;              // [block][element * n + a]
 };

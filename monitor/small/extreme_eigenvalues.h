@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <ringwatch/base/math.h>
+#include <ringwatch/base/rounding.h>
 
 namespace ringwatch {
 
@@ -11,16 +12,14 @@ namespace ringwatch {
 /// polynomial from outside the spectrum, which for real roots approaches the outermost one monotonically and cubically
 /// (Parlett 1964).
 ///
-/// The values are taken to be within `1e-12 * scale` of those of the matrix as given. That is asserted, not derived
-/// (docs/theory/floating_point.md); a proven side needs a margin above it.
+/// The values are within `eigenvalueRounding * scale` of those of the matrix as given (base/rounding.h): Theorem 43,
+/// docs/theory/floating_point.md.
 template <class P>
 struct ExtremeEigenvalues {
   P largest;
   P least;
   P scale;  // Gershgorin bound of the spectral radius
 };
-/// What extremeEigenvalues may be off by, relative to `scale`, with a margin of ten.
-inline constexpr double eigenvalueRounding = 1e-11;
 
 namespace detail {
 /// Calls body(i) for begin <= i < end; `Unrolled` asks the compiler for straight code, which takes constant bounds.

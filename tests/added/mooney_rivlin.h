@@ -5,6 +5,7 @@
 
 #include <ringwatch/base/matrix3.h>
 #include <ringwatch/materials/lame.h>
+#include <ringwatch/materials/modulus_rounding.h>
 #include <ringwatch/materials/tangent_drift.h>
 
 namespace ringwatch::test {
@@ -60,6 +61,15 @@ struct MooneyRivlin {
       const Matrix3<S> turned = timesTranspose(inverseTranspose, dF) * inverseTranspose;
       return S(2 * law.c10) * dF + S(2 * law.c01) * (trace(dC) * F + trace(C) * dF - dF * C - F * dC) + a * turned +
              (S(law.lambda) * innerProduct(inverseTranspose, dF)) * inverseTranspose;
+    }
+    /// As NeoHookean's, and 2 c01 times at most 6 |F|² for the terms of I2, which F + Δ moves by 12 |F| δ + 6 δ².
+    RINGWATCH_INLINE ModulusRounding<S> rounding(const Matrix3<S>& F0, const S& error) const {
+      const auto inverse = detail::inverseRounding(F0, inverseTranspose, error);
+      const S lambda(math::abs(law.lambda)), terms = lambda + math::abs(a), F2 = innerProduct(F0, F0);
+      const S size = S(4 * law.c10) + S(12 * law.c01) * F2 + terms * inverse.norm2;
+      const S da = lambda * inverse.logarithm + S(4 * unitRoundoff) * (math::abs(S(law.d()) - a) + terms);
+      return {size, S(3 * lawRounding * unitRoundoff) * size + S(24 * law.c01) * error * (math::sqrt(F2) + error) +
+                        inverse.norm2 * (S(2.5) * inverse.relative * terms + S(1.3) * da)};
     }
   };
   template <class S>

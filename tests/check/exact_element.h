@@ -1,0 +1,33 @@
+#pragma once
+#include <check/tangent.h>
+#include <ringwatch/body/body.h>
+
+namespace ringwatch::test {
+
+/// What check/ knows of the elements of a block.
+inline check::Kind kindOf(const ElementBlock& block) {
+  const Lame constants = std::visit([](const auto& law) { return law.constants; }, block.material().law);
+  const LameShares& shares = block.rule().shares;
+  check::Kind kind;
+  kind.element = block.element().name;
+  kind.law = block.material().lawName();
+  kind.lambda = constants.lambda;
+  kind.mu = constants.mu;
+  kind.pointLambda = shares.pointLambda;
+  kind.pointMu = shares.pointMu;
+  kind.meanLambda = shares.meanLambda;
+  kind.meanMu = shares.meanMu;
+  for (const QuadraturePoint& point : block.rule().points)
+    kind.points.push_back({point.xi[0], point.xi[1], point.xi[2], point.weight});
+  return kind;
+}
+
+/// The tangent of element 0 of a body of one element, whose nodes are in their own order, in balls; false where it
+/// cannot be enclosed.
+inline bool exactTangent(const Body& body, NodeVectorsView x, check::Square& K) {
+  double volume = 0;
+  const NodeVectors& X = body.mesh().X;
+  return check::elementTangent(kindOf(*body.blocks()[0]), X.data(), x.data(), K, volume);
+}
+
+}  // namespace ringwatch::test
