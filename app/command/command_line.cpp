@@ -328,7 +328,7 @@ struct CompareCommand {
 
 struct InspectCommand {
   InspectOptions options;
-  std::string json, picture, vtu, lumping;
+  std::string json, picture, vtu, lumping, certificate;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
@@ -377,6 +377,8 @@ struct InspectCommand {
                       "histogram and cumulative share of the elements' steps by metric; the ten worst elements");
     command->add_option("--picture", picture, "draw the distribution into this file, .svg or .png");
     command->add_option("--vtu", vtu, "write the mesh with the steps by each metric for ParaView");
+    command->add_option("--certificate", certificate,
+                        "write a proof of the bracket, by the nodal bound, that ringwatch-check can check");
     command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
         ->check(CLI::Range(0, 4096));
     command->footer(std::string(unitsText) + "\n" + seeTopics("laws | integrators | metrics | formats") +
@@ -385,6 +387,7 @@ struct InspectCommand {
 
   ExitStatus execute() {
     if (!vtu.empty()) options.vtu = vtu;
+    if (!certificate.empty()) options.certificate = certificate;
     if (!picture.empty()) options.picture = picture;
     if (!lumping.empty()) options.lumping = lumpingNames.valueOf("--lumping", lumping);
     const InspectResult result = inspectMesh(options);

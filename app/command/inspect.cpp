@@ -11,6 +11,7 @@
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/scene/scene.h>
+#include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
@@ -21,6 +22,7 @@
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/quality.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/certificate_file.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
@@ -379,6 +381,10 @@ InspectResult inspectMesh(const InspectOptions& options) {
   if (step.lowestRing < 0)
     text +=
         fmt::format("  the tangent is indefinite, eigenvalue {:.6g} rad2/s2: no step cures that\n", step.lowestRing);
+  if (step.poorlyConditioned > 0)
+    text += fmt::format(
+        "  note: rounding leaves little to say of {} element{}, the worst is {}; the safe step is lower for it\n",
+        step.poorlyConditioned, step.poorlyConditioned == 1 ? "" : "s", elementText(mesh, step.worstConditioned));
   std::optional<double> globalStep;
   if (options.global) {
     const GlobalFrequency global = globalFrequency(body, x);
@@ -433,6 +439,18 @@ InspectResult inspectMesh(const InspectOptions& options) {
     if (options.picture)
       text += drawDistribution(*options.picture, distributions, {step.safe, step.optimistic, options.step},
                                options.mesh.string());
+  }
+  if (options.certificate) {
+    const Certificate certificate = makeCertificate(body, x);
+    writeFileAtomically(*options.certificate, std::string_view(certificate.bytes));
+    const double safe = safeStep(certificate.upper, rule), optimistic = optimisticStep(certificate.lower, rule);
+    json["certificate"] = Json{{"file", options.certificate->string()},
+                               {"safe", safe},
+                               {"optimistic", optimistic},
+                               {"bytes", certificate.bytes.size()}};
+    text += fmt::format("certificate: {}, {:.3g} MB; what it proves, by nodal-bound: {:.10g} to {:.10g} s\n",
+                        options.certificate->string(), 1e-6 * static_cast<double>(certificate.bytes.size()), safe,
+                        optimistic);
   }
   if (options.vtu) writeMetricsVtu(*options.vtu, subject, metrics, step, options.step, quality);
   if (options.step) {

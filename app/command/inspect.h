@@ -29,6 +29,7 @@ struct InspectOptions {
   bool distribution = false;         // histogram and cumulative share by metric, the worst elements with their shapes
   std::optional<std::filesystem::path> picture;  // of the distribution, .svg or .png
   std::optional<std::filesystem::path> vtu;
+  std::optional<std::filesystem::path> certificate;  // a proof that ringwatch-check can check
   int threads = 0;
 };
 

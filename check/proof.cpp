@@ -1,0 +1,214 @@
+#include "proof.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+#include "tangent.h"
+
+namespace check {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "numbers are read as they lie in the file");
+
+struct Unreadable : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+struct Unproven : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Takes words and numbers from the file, one after the other.
+class Reader {
+ public:
+  explicit Reader(const std::string& bytes) : bytes_(bytes) {}
+
+  /// The next word of the header.
+  std::string word() {
+    const std::size_t end = bytes_.find_first_of(" \n", at_);
+    if (end == std::string::npos || end - at_ > 60) throw Unreadable("its header is damaged");
+    const std::string next = bytes_.substr(at_, end - at_);
+    at_ = end + 1;
+    return next;
+  }
+  Reader& expect(const std::string& name) {
+    if (const std::string next = word(); next != name)
+      throw Unreadable("\"" + next + "\" in place of \"" + name + "\"");
+    return *this;
+  }
+  double number() {
+    const std::string next = word();
+    char* end = nullptr;
+    const double value = std::strtod(next.c_str(), &end);
+    if (next.empty() || *end != 0 || !std::isfinite(value)) throw Unreadable("\"" + next + "\" is not a number");
+    return value;
+  }
+  /// A number of things that take at least `size` bytes each of what is left.
+  std::size_t count(std::size_t size) {
+    const double value = number();
+    if (!(value >= 0 && value * static_cast<double>(size) <= static_cast<double>(left()) && value == std::floor(value)))
+      throw Unreadable("it ends too early");
+    return static_cast<std::size_t>(value);
+  }
+  template <class T>
+  void take(T* to, std::size_t many) {
+    if (many * sizeof(T) > left()) throw Unreadable("it ends too early");
+    std::memcpy(to, bytes_.data() + at_, many * sizeof(T));
+    at_ += many * sizeof(T);
+  }
+  std::size_t left() const { return bytes_.size() - at_; }
+
+ private:
+  const std::string& bytes_;
+  std::size_t at_ = 0;
+};
+
+struct Node {
+  double numbers[10];  // X, x, mass, u
+  std::uint8_t held;   // a bit for each component
+  Matrix sum;          // Σ allowance D
+  double mass() const { return numbers[6]; }
+  bool free(int c) const { return (held >> c & 1) == 0; }
+  Ball u(int c) const { return free(c) ? numbers[7 + c] : 0; }
+};
+
+/// One element: that its allowance bounds its tangent. Adds to the sums at its nodes and to uᵀKu.
+void proveElement(const Kind& kind, Reader& file, std::vector<Node>& nodes, Ball& form, Verdict& verdict) {
+  const auto n = static_cast<std::size_t>(nodesOf(kind.element));
+  std::int32_t own[20];
+  std::int16_t weights[6 * 20];
+  double allowance = 0, X[60], x[60], volume = 0;
+  file.take(own, n);
+  file.take(&allowance, 1);
+  file.take(weights, 6 * n);
+  if (!(allowance > 0) || !std::isfinite(allowance)) throw Unproven("its allowance is not positive");
+  std::vector<int> free;
+  for (std::size_t a = 0; a < n; ++a) {
+    if (own[a] < 0 || own[a] >= static_cast<std::int64_t>(nodes.size())) throw Unreadable("a node is not there");
+    for (std::size_t b = 0; b < a; ++b)
+      if (own[a] == own[b]) throw Unproven("it has a node twice");
+    std::memcpy(X + 3 * a, nodes[own[a]].numbers, 3 * sizeof(double));
+    std::memcpy(x + 3 * a, nodes[own[a]].numbers + 3, 3 * sizeof(double));
+    for (int c = 0; c < 3; ++c)
+      if (nodes[own[a]].free(c)) free.push_back(static_cast<int>(3 * a) + c);
+  }
+  Square K(0);
+  if (!elementTangent(kind, X, x, K, volume)) throw Unproven("its tangent cannot be enclosed");
+  verdict.volume += volume;
+  const int corner[6] = {0, 4, 8, 7, 6, 3};  // where the factor's six numbers stand in a 3×3 matrix
+  std::vector<Matrix> D(n);
+  for (std::size_t a = 0; a < n; ++a) {
+    Matrix L;
+    for (std::size_t k = 0; k < 6; ++k) {
+      const double w = weights[6 * a + k];
+      L[corner[k] / 3][corner[k] % 3] = Ball(w * std::abs(w)) / Ball(32767.0 * 32767.0);
+    }
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        for (int k = 0; k < 3; ++k) D[a][i][j].addProduct(L[i][k], L[j][k]);
+        nodes[own[a]].sum[i][j] += D[a][i][j] = Ball(allowance) * D[a][i][j];
+      }
+  }
+  Square rest(static_cast<int>(free.size()));
+  for (int i = 0; i < rest.size; ++i)
+    for (int j = 0; j < rest.size; ++j) {
+      const int r = free[i], s = free[j];
+      rest(i, j) = (r / 3 == s / 3 ? D[r / 3][r % 3][s % 3] : Ball(0.0)) - K(r, s);
+      form += nodes[own[r / 3]].u(r % 3) * K(r, s) * nodes[own[s / 3]].u(s % 3);
+    }
+  if (!positiveDefinite(rest)) throw Unproven("its allowance does not bound its tangent");
+}
+
+/// One node: that the allowances of its elements add up to sigma times its mass at most.
+void proveNode(const Node& node, double sigma) {
+  std::vector<int> free;
+  for (int c = 0; c < 3; ++c)
+    if (node.free(c)) free.push_back(c);
+  Square rest(static_cast<int>(free.size()));
+  for (int r = 0; r < rest.size; ++r)
+    for (int s = 0; s < rest.size; ++s)
+      rest(r, s) = (r == s ? Ball(sigma) * Ball(node.mass()) : Ball(0.0)) - node.sum[free[r]][free[s]];
+  if (!positiveDefinite(rest)) throw Unproven("the allowances of its elements exceed sigma");
+}
+
+/// The last eight bytes are FNV-1a of all others, which finds every change of a single byte.
+void testChecksum(const std::string& bytes) {
+  std::uint64_t stored = 0, sum = 0xcbf29ce484222325ULL;
+  const std::size_t end = bytes.size() - std::min(bytes.size(), sizeof stored);
+  for (std::size_t i = 0; i < end; ++i) sum = (sum ^ static_cast<unsigned char>(bytes[i])) * 0x100000001b3ULL;
+  std::memcpy(&stored, bytes.data() + end, bytes.size() - end);
+  if (stored != sum) throw Unreadable("its checksum does not fit: it was damaged or changed");
+}
+
+/// `place`: what is at hand, for the message.
+void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
+  testChecksum(bytes);
+  Reader file(bytes);
+  if (file.expect("ringwatch-certificate").number() != 1) throw Unreadable("its version is not 1");
+  std::vector<Node> nodes(file.expect("nodes").count(81));
+  verdict.nodes = static_cast<std::int64_t>(nodes.size());
+  verdict.sigma = file.expect("sigma").number();
+  verdict.lower = file.expect("lower").number();
+  std::vector<Kind> kinds(file.expect("kinds").count(20));
+  std::vector<std::size_t> elements;
+  for (Kind& kind : kinds) {
+    kind.element = file.expect("kind").word();
+    kind.law = file.word();
+    if (nodesOf(kind.element) == 0) throw Unreadable("element \"" + kind.element + "\" is not known");
+    if (!knowsLaw(kind.law)) throw Unreadable("law \"" + kind.law + "\" is not known");
+    elements.push_back(file.count(72));
+    for (double* constant : {&kind.lambda, &kind.mu, &kind.pointLambda, &kind.pointMu, &kind.meanLambda, &kind.meanMu})
+      *constant = file.number();
+    kind.points.resize(file.count(10));
+    for (auto& point : kind.points) {
+      file.expect("point");
+      for (double& coordinate : point) coordinate = file.number();
+    }
+  }
+  file.expect("end");
+  Ball form, mass;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    place = "node " + std::to_string(i) + ": ";
+    file.take(nodes[i].numbers, 10);
+    file.take(&nodes[i].held, 1);
+    for (const double number : nodes[i].numbers)
+      if (!std::isfinite(number)) throw Unproven("a number is not finite");
+    if (!(nodes[i].mass() > 0)) throw Unproven("its mass is not positive");
+    verdict.mass += nodes[i].mass();
+    for (int c = 0; c < 3; ++c) mass += Ball(nodes[i].mass()) * nodes[i].u(c) * nodes[i].u(c);
+  }
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    for (std::size_t e = 0; e < elements[k]; ++e, ++verdict.elements) {
+      place = "element " + std::to_string(e) + " of kind " + std::to_string(k) + " (" + kinds[k].element + "): ";
+      proveElement(kinds[k], file, nodes, form, verdict);
+    }
+  if (file.left() != 8) throw Unreadable("it goes on after its end");
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    place = "node " + std::to_string(i) + ": ";
+    proveNode(nodes[i], verdict.sigma);
+  }
+  place = "lower side: ";
+  if (verdict.lower > 0 && !(form - Ball(verdict.lower) * mass).positive())
+    throw Unproven("the vector does not reach it");
+}
+
+}  // namespace
+
+Verdict verify(const std::string& bytes) {
+  Verdict verdict{Verdict::Status::proven, ""};
+  std::string place;
+  try {
+    prove(bytes, verdict, place);
+  } catch (const Unproven& fault) {
+    verdict.status = Verdict::Status::notProven;
+    verdict.reason = place + fault.what();
+  } catch (const Unreadable& fault) {
+    verdict.status = Verdict::Status::unreadable;
+    verdict.reason = fault.what();
+  }
+  return verdict;
+}
+
+}  // namespace check
