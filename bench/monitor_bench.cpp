@@ -1,6 +1,7 @@
 // Metrics and bracket of the critical step, ns an element, each with how far its step is from the true one, and dense
 // eigenvalues element by element as the peer; then what a monitor costs along a run, over the step it watches.
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -138,7 +139,12 @@ struct Pull {
   double rate;
   double h;
 };
-void watchedRun(benchmark::State& state, const Case& c, int split, MonitorMode mode, const Pull& pull) {
+struct Watch {
+  std::string name;
+  MonitorMode mode;
+  double budget;
+};
+void watchedRun(benchmark::State& state, const Case& c, int split, const Watch& watch, const Pull& pull) {
   Body body(makeBar(c, split), makeMaterial(c.law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, c.threads});
   const double length = body.mesh().X.row(0).maxCoeff();
   for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
@@ -151,11 +157,12 @@ void watchedRun(benchmark::State& state, const Case& c, int split, MonitorMode m
   BodySystem system(body), plainSystem(body);
   SymplecticEuler integrator, plainIntegrator;
   MonitorOptions options;
-  options.mode = mode;
-  if (mode == MonitorMode::metric) options.metric = "reduced-1-ring";
+  options.mode = watch.mode;
+  options.budget = watch.budget;
+  if (watch.mode == MonitorMode::metric) options.metric = "reduced-1-ring";
   const double h = pull.h * 2 / std::sqrt(globalFrequency(body, body.mesh().X, 1e-6).lambda);
   // Fierz 2013 evaluates only now and then; so does a metric here, for it costs the same at every observation.
-  const int steps = mode == MonitorMode::metric ? 20 : 1000;
+  const int steps = watch.mode == MonitorMode::metric ? 20 : 1000;
   double stepTime = 0, watchTime = 0, startTime = 0, refreshed = 0, certified = 0;
   std::vector<double> width;
   for (auto _ : state) {
@@ -223,17 +230,21 @@ void registerAll() {
         if (threads != 1) continue;
         add("dense_eigenvalues", [c](benchmark::State& state) { denseEigenvalues(state, c); });
         // A pull of 80 % a second, eight times slower, and by a step that leaves less room.
+        constexpr double unlimited = std::numeric_limits<double>::infinity();
         for (const Pull& pull : {Pull{"fast", 0.8, 0.5}, Pull{"slow", 0.1, 0.5}, Pull{"slow_close", 0.1, 0.9}})
-          for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold, MonitorMode::metric})
+          for (const Watch& watch :
+               {Watch{"bracket", MonitorMode::bracket, unlimited}, Watch{"bracket_budget_1", MonitorMode::bracket, 1},
+                Watch{"bracket_budget_0.1", MonitorMode::bracket, 0.1},
+                Watch{"threshold", MonitorMode::threshold, unlimited}, Watch{"metric", MonitorMode::metric, unlimited}})
             for (const CellSubdivision& split : allCellSubdivisions()) {
               if (split.element != c.element || split.centre) continue;
-              if (mode == MonitorMode::metric && pull.name != "fast") continue;
-              benchmark::RegisterBenchmark(joinText("watched/", monitorModeName(mode), "/", pull.name, "/",
-                                                    split.elementsPerCell, "_a_cell/", c.name())
-                                               .c_str(),
-                                           [c, mode, pull, cut = split.elementsPerCell](benchmark::State& state) {
-                                             watchedRun(state, c, cut, mode, pull);
-                                           })
+              if (watch.mode == MonitorMode::metric && pull.name != "fast") continue;
+              benchmark::RegisterBenchmark(
+                  joinText("watched/", watch.name, "/", pull.name, "/", split.elementsPerCell, "_a_cell/", c.name())
+                      .c_str(),
+                  [c, watch, pull, cut = split.elementsPerCell](benchmark::State& state) {
+                    watchedRun(state, c, cut, watch, pull);
+                  })
                   ->UseManualTime()
                   ->Iterations(1)
                   ->Unit(benchmark::kMillisecond);

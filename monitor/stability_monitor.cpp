@@ -18,7 +18,7 @@ constexpr int energySettling = 20;  // observations before the energy balance is
 struct StabilityMonitor::Impl {
   Impl(const Body& b, const MonitorOptions& o)
       : body(b), options(o), tracker(o.clearObservations), bodyVersion(b.version()) {
-    if (o.mode != MonitorMode::metric) bracket.emplace(b, o.width);
+    if (o.mode != MonitorMode::metric) bracket.emplace(b, o.width, o.budget * o.every);
     if (!o.metric.empty() && !o.metricElsewhere) metric = makeMetricEvaluator(o.metric, b);
     largestEnergy = roundingEnergy(b);
   }
@@ -73,7 +73,7 @@ struct StabilityMonitor::Impl {
         certified = bracket->certify(x, options.limit, *h, evaluation);
         bracketed = bracket->bracketed();
       } else {
-        bracket->evaluate(x, options.limit, evaluation);
+        bracket->evaluate(x, options.limit, h, evaluation);
       }
       if (!provenFromScratch && bracketed) {
         provenFromScratch = true;
@@ -118,6 +118,7 @@ StabilityMonitor::StabilityMonitor(const Body& body, const MonitorOptions& optio
   if (!(options.margin >= 0 && options.margin < 1))
     throw InputError(joinText("margin = ", options.margin, ": must be >= 0 and < 1"));
   if (options.every < 1) throw InputError(joinText("every = ", options.every, ": must be >= 1"));
+  if (!(options.budget >= 0)) throw InputError(joinText("budget = ", options.budget, ": must be >= 0"));
   if (options.clearObservations < 1)
     throw InputError(joinText("clearObservations = ", options.clearObservations, ": must be >= 1"));
   if (options.mode == MonitorMode::metric && options.metric.empty())

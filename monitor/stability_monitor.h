@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,9 +34,13 @@ struct MonitorOptions {
   /// Evaluates the metric elsewhere, e.g. on a GPU: its highest value at x (3×N, m), rad²/s², NaN where the tangent is
   /// not finite. Empty: here.
   std::function<double(NodeVectorsView x)> metricElsewhere = {};
-  double margin = 0.1;           ///< of the metric's step: h_metric (1 - margin)
-  int every = 1;                 ///< steps between evaluations
-  double width = 0.05;           ///< of the bracket, relative to the step, that the proven side is steered to
+  double margin = 0.1;  ///< of the metric's step: h_metric (1 - margin)
+  int every = 1;        ///< steps between evaluations
+  double width = 0.05;  ///< of the bracket, relative to the step, that the proven side is steered to
+  /// Of evaluating elements for the proven side, as a share of a step's own work, counted (WorkAccount); infinity for
+  /// no limit. When it is used up the proof stays and the bracket becomes wider. The proof that h is stable goes before
+  /// it.
+  double budget = std::numeric_limits<double>::infinity();
   double energyTolerance = 0.1;  ///< balance error over the largest energy so far that is reported
   int clearObservations = 20;    ///< observations in a row without it that end an event; see EventTracker
   /// The first observation takes the best proof there is, that of criticalStep(), in bodies of up to this many

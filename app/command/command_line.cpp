@@ -24,8 +24,8 @@
 #include <ringwatch/app/command/provenance.h>
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/report.h>
-#include <ringwatch/app/run/checkpoint.h>
 #include <ringwatch/app/report/run_report.h>
+#include <ringwatch/app/run/checkpoint.h>
 #include <ringwatch/app/run/runner.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>

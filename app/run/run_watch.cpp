@@ -36,6 +36,7 @@ void RunWatch::begin(Handler* handler, std::function<double(NodeVectorsView)> me
   // Where not every state is seen, the monitor is asked only where it is to evaluate.
   wanted.every =
       everyState_ ? static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max())) : 1;
+  wanted.budget = scene_.budget;
   wanted.energyTolerance = scene_.energyTolerance;
   if (monitored_) wanted.firstObservationElements = 0;  // too dear at every choice of a handler
   monitored_ = true;

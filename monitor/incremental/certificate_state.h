@@ -78,6 +78,11 @@ class CertificateState {
   void evaluateEach(NodeVectorsView x, const std::vector<ElementRef>& elements, bool withStrainNorm,
                     const Take& take) const;
 
+  /// Any elements in packs of one block, one a lane (-1: none), in parallel: visit(block, elements[lanes],
+  /// index[lanes]), `index` into `elements`.
+  template <class Visit>
+  void forEachPack(const std::vector<ElementRef>& elements, const Visit& visit) const;
+
   /// Σ β_e R_e D_e R_eᵀ at a node, N/m, without the rows and columns of constrained components.
   Eigen::Matrix3d sumOfAllowances(std::int32_t node) const;
   /// Checks the two statements at positions x from nothing but weights, rotations, allowances and exact tangents; for
@@ -125,6 +130,15 @@ template <class Allowance>
 template <class Take>
 void CertificateState<Allowance>::evaluateEach(NodeVectorsView x, const std::vector<ElementRef>& elements,
                                                bool withStrainNorm, const Take& take) const {
+  forEachPack(elements, [&](std::int32_t block, const std::int32_t* pack, const std::size_t* index) {
+    evaluatePack(x, block, pack, nullptr, withStrainNorm,
+                 [&](const EvaluatedPack& evaluated) { take(evaluated, index); });
+  });
+}
+
+template <class Allowance>
+template <class Visit>
+void CertificateState<Allowance>::forEachPack(const std::vector<ElementRef>& elements, const Visit& visit) const {
   struct Pack {
     std::int32_t block;
     std::int32_t element[lanes];
@@ -149,8 +163,7 @@ void CertificateState<Allowance>::evaluateEach(NodeVectorsView x, const std::vec
       0, static_cast<std::int64_t>(packs.size()), body_.threads(),
       [&](std::int64_t k) {
         const Pack& pack = packs[k];
-        evaluatePack(x, pack.block, pack.element, nullptr, withStrainNorm,
-                     [&](const EvaluatedPack& evaluated) { take(evaluated, pack.at); });
+        visit(pack.block, pack.element, pack.at);
       },
       8);
 }

@@ -14,12 +14,14 @@ double above(LowerBound lower, double width) { return (1 + width) * (1 + width) 
 
 }  // namespace
 
-IncrementalNodalBound::IncrementalNodalBound(const Body& body, const RebuildPolicy& policy)
+IncrementalNodalBound::IncrementalNodalBound(const Body& body, const RebuildPolicy& policy, WorkAccount* account)
     : body_(body),
       policy_(policy),
+      account_(account),
       state_(body),
       bodyVersion_(body.version()),
       rebuilds_(policy.rebuilds),
+      refreshes_(policy.refreshes),
       lowerings_(policy.lowerings) {}
 
 void IncrementalNodalBound::rebuild(NodeVectorsView x) {
@@ -27,45 +29,109 @@ void IncrementalNodalBound::rebuild(NodeVectorsView x) {
   weights.reset();  // weights that are swept along get stuck at a front that moves through the mesh
   weights.evaluate(x, policy_.sweeps, NodalBound::Start::rootOfStiffness, policy_.leastGain);
   state_.statistics().evaluated += weights.evaluations();
+  state_.statistics().work += WorkAccount::ofEvaluation(body_) * static_cast<double>(weights.evaluations()) /
+                              static_cast<double>(body_.mesh().elementCount());
   ++state_.statistics().rebuilds;
+  sinceRebuild_ = -state_.statistics().work;
   rebuilds_.restart();
   tightOverLower_ = 0;
 }
 
-void IncrementalNodalBound::start(NodeVectorsView x, double sigma) {
+void IncrementalNodalBound::start(NodeVectorsView x, double sigma, bool newWeights) {
+  const bool first = !started_;
   state_.setCertifiedEigenvalue(sigma);
   started_ = std::isfinite(sigma);
-  if (started_) state_.distributeAllowances(x);
+  if (started_) state_.distributeAllowances(x, newWeights);
+  // Before there is a proof nothing can be earned for it.
+  if (first) state_.statistics().work = 0;
+  // What this took itself is not counted for the next one.
+  sinceRefresh_ = -state_.statistics().work;
 }
 
-IncrementalNodalBound::Outcome IncrementalNodalBound::follow(NodeVectorsView x, bool mayRaise,
+IncrementalNodalBound::Outcome IncrementalNodalBound::follow(NodeVectorsView x, bool mayRaise, double ceiling,
                                                              StepEvaluation* evaluation) {
-  nearLimit_.clear();
   std::vector<ElementRef> changed = state_.elementsOutsideBall(x, evaluation);
+  if (mayRaise && !evaluates(changed)) changed = state_.raiseFor(x, changed, policy_, ceiling);
+  if (!evaluate(x, changed)) return Outcome::notFinite;
+  const Outcome outcome = mend(x, mayRaise, changed);
+  if (outcome != Outcome::tooManyViolations) state_.ballsChanged(changed);
+  return outcome;
+}
+
+bool IncrementalNodalBound::evaluates(const std::vector<ElementRef>& elements) const {
+  // A raise for few elements costs more than they do, and makes the bound wider everywhere.
+  const double needed = WorkAccount::ofEvaluation(body_, elements), all = WorkAccount::ofEvaluation(body_);
+  return elements.empty() || affords(needed <= policy_.fewElements * all ? needed - all : needed);
+}
+
+bool IncrementalNodalBound::evaluate(NodeVectorsView x, const std::vector<ElementRef>& elements) {
+  nearLimit_.clear();
   std::vector<RunCertificate::Reference> now;
-  state_.evaluate(x, changed, false, now);
-  for (std::size_t i = 0; i < changed.size(); ++i) {
-    if (!std::isfinite(now[i].value)) return Outcome::notFinite;
-    const double allowance = state_.allowance(changed[i]), value = now[i].value;
+  state_.evaluate(x, elements, false, now);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (!std::isfinite(now[i].value)) return false;
+    const double allowance = state_.allowance(elements[i]), value = now[i].value;
     const double fraction = allowance > 0 ? value / allowance : value > 0 ? std::numeric_limits<double>::infinity() : 0;
-    if (fraction > policy_.nearLimit) nearLimit_.push_back({fraction, changed[i]});
+    if (fraction > policy_.nearLimit) nearLimit_.push_back({fraction, elements[i]});
   }
   std::sort(nearLimit_.begin(), nearLimit_.end(), [](const NearLimit& a, const NearLimit& b) {
     return a.fraction != b.fraction ? a.fraction > b.fraction : a.element < b.element;
   });
+  return true;
+}
+
+IncrementalNodalBound::Outcome IncrementalNodalBound::mend(NodeVectorsView x, bool mayRaise,
+                                                           std::vector<ElementRef>& changed) {
   const auto end =
       std::find_if(nearLimit_.begin(), nearLimit_.end(), [](const NearLimit& near) { return near.fraction <= 1; });
-  if (static_cast<double>(end - nearLimit_.begin()) >
-      policy_.tooManyViolations * static_cast<double>(body_.mesh().elementCount()))
-    return Outcome::tooManyViolations;
+  const bool many = static_cast<double>(end - nearLimit_.begin()) >
+                    policy_.tooManyViolations * static_cast<double>(body_.mesh().elementCount());
+  if (many && paysToRebuild()) return Outcome::tooManyViolations;
+  // Raising is all that is left once an update was refused, and to the bound where means are short.
+  bool updates = !many;
+  std::vector<ElementRef> raised;
   for (auto near = nearLimit_.begin(); near != end; ++near) {
     if (state_.value(near->element) <= state_.allowance(near->element)) continue;  // a neighbour's update served it
-    const std::vector<ElementRef> updated = localUpdate(state_, x, near->element, policy_, mayRaise);
-    if (updated.empty()) return Outcome::refused;
+    updates = updates && (!mayRaise || affords(0));
+    const std::vector<ElementRef> updated =
+        updates ? localUpdate(state_, x, near->element, policy_, mayRaise) : std::vector<ElementRef>();
     changed.insert(changed.end(), updated.begin(), updated.end());
+    if (!updated.empty()) continue;
+    updates = false;
+    raised.push_back(near->element);
   }
-  state_.ballsChanged(changed);
-  return Outcome::held;
+  state_.raiseToValues(raised, policy_.raisedSlack * policy_.slack);
+  return mayRaise || raised.empty() ? Outcome::held : Outcome::refused;
+}
+
+bool IncrementalNodalBound::paysToRefresh() const {
+  const double work = WorkAccount::ofEvaluation(body_);
+  return affords(work) || sinceRefresh_ >= 2 * work;
+}
+
+bool IncrementalNodalBound::paysToRebuild() const {
+  const double work = WorkAccount::ofRebuild(body_);
+  return affords(work) || sinceRebuild_ >= work;
+}
+
+void IncrementalNodalBound::beginCounting() {
+  const double work = state_.statistics().work;
+  if (account_) account_->spend(work);
+  sinceRefresh_ += work;
+  sinceRebuild_ += work;
+  state_.statistics() = {};
+}
+
+void IncrementalNodalBound::refresh(NodeVectorsView x, double wanted) {
+  const bool turned = state_.turnWithBody(x, policy_);
+  NodalBound& weights = state_.weights();
+  weights.evaluate(x, 0);
+  state_.statistics().evaluated += weights.evaluations();
+  state_.statistics().work += WorkAccount::ofEvaluation(body_);
+  ++state_.statistics().refreshes;
+  const double tight = weights.last();
+  const double sigma = std::min(tight * (1 + policy_.slack), certifiedEigenvalue());
+  start(x, tight <= wanted * (1 - policy_.proofMargin) ? wanted : sigma, turned);
 }
 
 void IncrementalNodalBound::followBody() {
@@ -76,34 +142,54 @@ void IncrementalNodalBound::followBody() {
   rebuilds_.reset();
 }
 
-UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* evaluation) {
-  state_.statistics() = {};
+UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* evaluation, double ceiling) {
+  beginCounting();
   followBody();
   rebuilds_.tick();
+  refreshes_.tick();
   lowerings_.tick();
   if (!started_ && evaluation) body_.evaluate(x, *evaluation, workspace_);
-  const Outcome outcome = started_ ? follow(x, true, evaluation) : Outcome::tooManyViolations;
-  if (outcome == Outcome::tooManyViolations || outcome == Outcome::refused) {
+  // A proof that is lost already has no ceiling.
+  if (started_ && certifiedEigenvalue() > ceiling) ceiling = std::numeric_limits<double>::infinity();
+  const Outcome outcome = started_ ? follow(x, true, ceiling, evaluation) : Outcome::tooManyViolations;
+  if (outcome == Outcome::tooManyViolations) {
     rebuild(x);
     start(x, state_.weights().last() * (1 + policy_.slack));
   } else if (outcome == Outcome::notFinite) {
     start(x, std::numeric_limits<double>::quiet_NaN());
   }
+  // What had been proven of the step is worth more than the account has.
+  if (outcome == Outcome::held && certifiedEigenvalue() > ceiling && refreshes_.due()) {
+    refresh(x, ceiling);
+    refreshes_.tried(certifiedEigenvalue() <= ceiling);
+  }
+  if (outcome == Outcome::held && certifiedEigenvalue() > ceiling && rebuilds_.due()) {
+    rebuild(x);
+    start(x, state_.weights().last() * (1 + policy_.slack));
+    rebuilds_.tried(certifiedEigenvalue() <= ceiling);
+  }
   return {certifiedEigenvalue()};
 }
 
 bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluation* evaluation) {
-  state_.statistics() = {};
+  beginCounting();
   followBody();
   rebuilds_.tick();
+  refreshes_.tick();
   lowerings_.tick();
   if (started_ && certifiedEigenvalue() <= sigma) {
-    const Outcome outcome = follow(x, false, evaluation);
+    const Outcome outcome = follow(x, false, certifiedEigenvalue(), evaluation);
     if (outcome == Outcome::held) return true;
-    started_ = false;
+    // A certificate that was refused holds for a larger eigenvalue.
+    started_ = outcome == Outcome::refused;
     if (outcome == Outcome::notFinite) return false;
   } else if (evaluation) {
     body_.evaluate(x, *evaluation, workspace_);
+  }
+  if (started_ && refreshes_.due()) {
+    refresh(x, sigma);
+    refreshes_.tried(certifiedEigenvalue() <= sigma);
+    if (certifiedEigenvalue() <= sigma) return true;
   }
   // From scratch, but not at every step while it keeps failing.
   if (!rebuilds_.due()) return false;
@@ -118,7 +204,7 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
 
 void IncrementalNodalBound::relaxBound(LowerBound lower, double width) {
   if (started_ && certifiedEigenvalue() < above(lower, policy_.relaxBelow * width))
-    state_.raise(above(lower, policy_.targetOfWidth * width));
+    state_.moveTo(above(lower, policy_.targetOfWidth * width));
 }
 
 bool IncrementalNodalBound::tightenBound(NodeVectorsView x, LowerBound lower, double width) {
@@ -127,15 +213,22 @@ bool IncrementalNodalBound::tightenBound(NodeVectorsView x, LowerBound lower, do
   if (tightOverLower_ == 0) tightOverLower_ = state_.weights().last() / lower.value;
   const double target = std::max(above(lower, policy_.targetOfWidth * width),
                                  tightOverLower_ * (1 + policy_.leastSlack * policy_.slack) * lower.value);
-  if (target < (1 - policy_.leastLowering) * certifiedEigenvalue() && lowerings_.due()) {
+  if (target < (1 - policy_.leastLowering) * certifiedEigenvalue() && lowerings_.due() && affords(0)) {
     lowerings_.tried(lowerings_.since() >= policy_.soon);
-    state_.lower(target);
+    state_.moveTo(target);
     return true;
   }
-  const bool drifted = certifiedEigenvalue() > policy_.drifted * tightOverLower_ * (1 + policy_.slack) * lower.value;
-  if (!rebuilds_.due(drifted ? 0 : policy_.updatesOfChange)) return false;
-  state_.statistics() = {};
+  const double risen = certifiedEigenvalue() / (tightOverLower_ * (1 + policy_.slack) * lower.value);
+  const bool drifted = risen > policy_.drifted;
+  const bool rebuilding = rebuilds_.due(drifted ? 0 : policy_.updatesOfChange) && paysToRebuild();
+  if (!rebuilding && !(drifted && refreshes_.due() && (risen > policy_.tooHigh || paysToRefresh()))) return false;
+  beginCounting();
   const double before = certifiedEigenvalue();
+  if (!rebuilding) {
+    refresh(x, 0);
+    refreshes_.tried(certifiedEigenvalue() <= (1 - policy_.helpfulRefresh) * before);
+    return true;
+  }
   rebuild(x);
   const double rebuilt = state_.weights().last() * (1 + policy_.slack);
   rebuilds_.tried(rebuilt <= (1 - policy_.helpfulRebuild) * before);

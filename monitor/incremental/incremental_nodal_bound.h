@@ -5,6 +5,7 @@
 #include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/incremental/rebuild_policy.h>
 #include <ringwatch/monitor/incremental/run_certificate.h>
+#include <ringwatch/monitor/incremental/work_account.h>
 
 namespace ringwatch {
 
@@ -15,12 +16,17 @@ namespace ringwatch {
 /// update or certify starts from scratch.
 class IncrementalNodalBound {
  public:
-  explicit IncrementalNodalBound(const Body& body, const RebuildPolicy& policy = {});
+  /// account: what may be spent; it must outlive this. nullptr: no limit. Without means the bound stays proven and
+  /// becomes wider.
+  explicit IncrementalNodalBound(const Body& body, const RebuildPolicy& policy = {}, WorkAccount* account = nullptr);
 
   /// The certified eigenvalue, proven at positions x (3×N, m). NaN when x or the tangent is not finite. Unless nullptr,
   /// `evaluation` is filled in at x: elements are tested in the one pass that computes what it asks for. Its visitor is
   /// not used.
-  UpperBound update(NodeVectorsView x, StepEvaluation* evaluation = nullptr);
+  /// While means are short the certified eigenvalue rises instead of elements being evaluated, but not above `ceiling`:
+  /// up to there the proof goes before the account.
+  UpperBound update(NodeVectorsView x, StepEvaluation* evaluation = nullptr,
+                    double ceiling = std::numeric_limits<double>::infinity());
   /// Tells the bound what a lower bound is at x, so that it can follow downwards: the certified eigenvalue is lowered,
   /// or the certificate rebuilt, when it lies more than `width` (relative, in the step) above. Proves nothing: when it
   /// returns true, the certified eigenvalue has changed and holds only after the next update.
@@ -59,24 +65,45 @@ class IncrementalNodalBound {
   double verify(NodeVectorsView x) const { return state_.verify(x); }
 
  private:
+  /// Whether the account, less what the statistics count, has so much.
+  bool affords(double work) const { return !account_ || account_->affords(state_.statistics().work + work); }
+  /// Whether all elements are to be evaluated again: when the account has what that takes, or as much was spent since
+  /// the last time all the same, on single elements and on raises, since the proof needed it.
+  bool paysToRefresh() const;
+  bool paysToRebuild() const;
+  /// Takes from the account what the statistics count, and begins to count again.
+  void beginCounting();
+  /// Builds the certificate again at x with the weights that there are, turned with the body: for the wanted eigenvalue
+  /// if they prove it, else not above that of now.
+  void refresh(NodeVectorsView x, double wanted);
   /// Ends the proof when masses or free components have changed.
   void followBody();
   void rebuild(NodeVectorsView x);
-  /// Builds the certificate for an eigenvalue, with the weights of the last rebuild. Whether there is one.
-  void start(NodeVectorsView x, double certifiedEigenvalue);
+  /// Builds the certificate for an eigenvalue, with the weights that were evaluated at x. newWeights: since allowances
+  /// were distributed last.
+  void start(NodeVectorsView x, double certifiedEigenvalue, bool newWeights = true);
   enum class Outcome { held, tooManyViolations, refused, notFinite };
-  /// Brings a certificate from the positions of the last call to x.
-  Outcome follow(NodeVectorsView x, bool mayRaise, StepEvaluation* evaluation);
+  /// Brings a certificate from the positions of the last call to x. Unless mayRaise, the certified eigenvalue stays,
+  /// and `refused` tells that it had to rise nevertheless.
+  Outcome follow(NodeVectorsView x, bool mayRaise, double ceiling, StepEvaluation* evaluation);
+  /// Whether elements that have left their balls are evaluated: as far as means go, and few of them on credit.
+  bool evaluates(const std::vector<ElementRef>& elements) const;
+  /// Evaluates elements, and notes those near their limits. False where a value is not finite.
+  bool evaluate(NodeVectorsView x, const std::vector<ElementRef>& elements);
+  /// Serves the elements above their allowances, and adds those with new balls to `changed`.
+  Outcome mend(NodeVectorsView x, bool mayRaise, std::vector<ElementRef>& changed);
 
   const Body& body_;
   RebuildPolicy policy_;
+  WorkAccount* account_;
+  double sinceRefresh_ = 0, sinceRebuild_ = 0;  // work
   RunCertificate state_;
   Body::Workspace workspace_;
   bool started_ = false;
   std::int64_t bodyVersion_ = 0;  // that the proof is for
   std::vector<NearLimit> nearLimit_;
-  Backoff rebuilds_, lowerings_;  // in updates
-  double tightOverLower_ = 0;     // the tight bound at the last rebuild over the lower bound then; 0: not known yet
+  Backoff rebuilds_, refreshes_, lowerings_;  // in updates
+  double tightOverLower_ = 0;  // the tight bound at the last rebuild over the lower bound then; 0: not known yet
 };
 
 }  // namespace ringwatch

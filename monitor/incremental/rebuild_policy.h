@@ -23,6 +23,20 @@ struct RebuildPolicy {
   /// Room below a caller's eigenvalue that a proof for it must have: without any, all validity balls would be points.
   double proofMargin = 1e-3;
 
+  // While means are short.
+  /// Share by which the certified eigenvalue is raised at once when elements leave their balls: each raise visits every
+  /// element.
+  double raise = 0.03;
+  /// Share of the elements that are evaluated nevertheless, on credit.
+  double fewElements = 0.02;
+  /// Updates between evaluations of all elements that may not help, and the share of the certified eigenvalue by which
+  /// one that helps lowers it.
+  Backoff::Gaps refreshes{.first = 4, .last = 640, .factor = 2};
+  double helpfulRefresh = 0.01;
+  /// The certified eigenvalue above what the last rebuild gave, at today's lower bound, from which all elements are
+  /// evaluated whatever the account has: 12 % of the step.
+  double tooHigh = 1.25;
+
   // Local updates.
   /// Times that the neighbourhood grows by a ring of elements before an update is refused, and sweeps of its weights
   /// each time. Weights farther away hardly reach the element.

@@ -17,11 +17,12 @@ constexpr double ringRounding = 1e-12, zeroRounding = 1e-10;
 
 }  // namespace
 
-RunBracket::RunBracket(const Body& body, double width, const BracketPolicy& policy)
+RunBracket::RunBracket(const Body& body, double width, double budget, const BracketPolicy& policy)
     : body_(body),
       policy_(policy),
       width_(width),
-      nodal_(body, {.slack = policy.slackOfWidth * width}),
+      account_(body, budget),
+      nodal_(body, {.slack = policy.slackOfWidth * width}, &account_),
       local_(body, nodal_.weights(), policy.localProducts, policy.localGap),
       localNodes_(policy.leastLocalNodes),
       ringNodes_(body, nodal_.weights()),
@@ -34,9 +35,16 @@ RunBracket::RunBracket(const Body& body, double width, const BracketPolicy& poli
       search_(policy.searches) {}
 
 const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const StepRule& limit,
-                                                        StepEvaluation* evaluation) {
+                                                        std::optional<double> h, StepEvaluation* evaluation) {
+  account_.earn();
+  return follow(x, limit, h, evaluation);
+}
+
+const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const StepRule& limit, std::optional<double> h,
+                                                      StepEvaluation* evaluation) {
   const double sigma = nodal_.certifiedEigenvalue();  // that allowances belong to
-  UpperBound upper = nodal_.update(x, evaluation);
+  const double ceiling = h ? limit.lambdaFor(*h) : std::numeric_limits<double>::infinity();
+  UpperBound upper = nodal_.update(x, evaluation, ceiling);
   spent_ = nodal_.statistics();
   bracketed_ = true;
   finite_ = std::isfinite(upper.value);
@@ -87,6 +95,7 @@ const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const
 }
 
 bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, StepEvaluation* evaluation) {
+  account_.earn();
   std::int64_t before = 0;
   if (sinceDoubt_ >= policy_.firstGap) {
     const bool certified = nodal_.certify(x, limit.lambdaFor(h), evaluation);
@@ -99,7 +108,7 @@ bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, Ste
     }
     before = spent_.evaluated;
   }
-  evaluate(x, limit, evaluation);
+  follow(x, limit, h, evaluation);
   spent_.evaluated += before;
   const bool certified = step_ && h <= step_->safe;
   sinceDoubt_ = certified ? sinceDoubt_ + 1 : 0;
@@ -138,7 +147,7 @@ void RunBracket::takeBest(NodeVectorsView x) {
 }
 
 void RunBracket::sharpen(NodeVectorsView x, const StepRule& limit, double h) {
-  if (!step_) return;
+  if (!step_ || h > step_->optimistic) return;
   const bool close = h > (1 - policy_.close) * step_->optimistic;
   if (++sinceSharpened_ < policy_.sharpenGap && !close) return;
   sinceSharpened_ = 0;

@@ -70,11 +70,16 @@ struct BracketPolicy {
 /// tracked top mode, of all of it seldom and of a region at every observation, from below.
 class RunBracket {
  public:
-  RunBracket(const Body& body, double width, const BracketPolicy& policy = {});
+  /// budget: what evaluating elements for the safe side may take at an evaluation, as a share of a step's work
+  /// (WorkAccount). The proof comes first, then the width.
+  RunBracket(const Body& body, double width, double budget, const BracketPolicy& policy = {});
 
   /// Unless nullptr, `evaluation` is filled in at x. Empty where the tangent is not finite, or where rounding
   /// makes the sides cross.
-  const std::optional<CriticalStep>& evaluate(NodeVectorsView x, const StepRule& limit, StepEvaluation* evaluation);
+  /// h: the step that is taken, if one is; while it is certified it stays so as long as that can be proven, whatever
+  /// the budget.
+  const std::optional<CriticalStep>& evaluate(NodeVectorsView x, const StepRule& limit, std::optional<double> h,
+                                              StepEvaluation* evaluation);
   /// Whether h is certified at x, in the cheapest way. While it is not, the bracket is kept, and some observations
   /// longer: then last() is fresh and `bracketed` true.
   bool certify(NodeVectorsView x, const StepRule& limit, double h, StepEvaluation* evaluation);
@@ -98,6 +103,8 @@ class RunBracket {
   const LowestRing& lowestRing() const { return lowest_; }
 
  private:
+  const std::optional<CriticalStep>& follow(NodeVectorsView x, const StepRule& limit, std::optional<double> h,
+                                            StepEvaluation* evaluation);
   /// The state has no tangent: nothing that is known of the modes can be carried over it.
   void forget();
   /// Only elements under compression can make the tangent indefinite. When there are some, their rings are evaluated
@@ -121,6 +128,7 @@ class RunBracket {
   const Body& body_;
   BracketPolicy policy_;
   double width_;
+  WorkAccount account_;
   IncrementalNodalBound nodal_;
   LocalMode local_;
   std::size_t localNodes_;

@@ -5,7 +5,9 @@
 #include <numeric>
 
 #include <ringwatch/base/sort_unique.h>
+#include <ringwatch/body/nodes_of.h>
 #include <ringwatch/materials/rotation.h>
+#include <ringwatch/monitor/incremental/work_account.h>
 
 namespace ringwatch {
 namespace {
@@ -19,8 +21,9 @@ constexpr double nothingFree = 1e-200;
 RunCertificate::RunCertificate(const Body& body) : CertificateState(body) {
   for (const auto& block : body.blocks()) {
     const std::size_t places = block->layout().elements.size();
-    blocks_.push_back({ValidityBalls(*block), std::vector<RoundedUp<float>>(places),
-                       std::vector<RoundedUp<Bfloat16>>(places), std::vector<RoundedUp<Bfloat16>>(places)});
+    const std::vector<RoundedUp<Bfloat16>> none(places);
+    blocks_.push_back({ValidityBalls(*block), std::vector<RoundedUp<float>>(places), none, none, none, none,
+                       std::vector<RoundedDown<Bfloat16>>(places, -1)});
   }
 }
 
@@ -36,10 +39,13 @@ RunCertificate::Reference RunCertificate::store(const EvaluatedPack& pack, int l
 void RunCertificate::setBall(ElementRef e, const Reference& reference) {
   BlockData& data = of(e);
   const std::size_t place = placeOf(e);
-  data.value[place] = reference.value;
-  data.balls.setRadius(place,
-                       validityRadius(growthOf(reference.drift.law, reference.value, strainNorm(e)),
-                                      reference.drift.inversionDistance, allowance(e)),
+  const TangentGrowth growth = growthOf(reference.drift.law, reference.value, strainNorm(e));
+  data.value[place] = growth.value;
+  data.linear[place] = growth.linear;
+  data.quadratic[place] = growth.quadratic;
+  data.reach[place] =
+      std::isfinite(reference.fromStored) ? std::min(growth.radius, reference.drift.inversionDistance) : -1;
+  data.balls.setRadius(place, validityRadius(growth, reference.drift.inversionDistance, allowance(e)),
                        reference.fromStored);
 }
 
@@ -54,6 +60,77 @@ void RunCertificate::evaluate(NodeVectorsView x, const std::vector<ElementRef>& 
   });
   for (std::size_t i = 0; i < elements.size(); ++i) note(elements[i], results[i].drift);
   statistics_.evaluated += static_cast<std::int64_t>(elements.size());
+  statistics_.work += WorkAccount::ofEvaluation(body(), elements);
+}
+
+std::vector<double> RunCertificate::sumsAt(const std::vector<std::int32_t>& nodes) const {
+  std::vector<double> sums(nodes.size());
+  parallelFor(
+      0, static_cast<std::int64_t>(nodes.size()), body().threads(),
+      [&](std::int64_t k) {
+        sums[k] =
+            largestEigenvalue(sumOfAllowances(nodes[k])) * (1 + allowanceRounding) / body().lumpedMass()[nodes[k]];
+      },
+      64);
+  return sums;
+}
+
+std::vector<ElementRef> RunCertificate::raiseFor(NodeVectorsView x, const std::vector<ElementRef>& elements,
+                                                 const RebuildPolicy& policy, double ceiling) {
+  struct Need {
+    double distance, allowance;
+    TangentDrift drift;
+  };
+  std::vector<Need> needs(elements.size());
+  forEachPack(elements, [&](std::int32_t b, const std::int32_t* pack, const std::size_t* index) {
+    const ElementBlock& block = *body().blocks()[b];
+    std::vector<double> F(9 * block.rule().points.size() * lanes);
+    TangentDrift drift[lanes];
+    block.deformationOf(pack, x.data(), F.data(), drift);
+    for (int lane = 0; lane < lanes && pack[lane] >= 0; ++lane) {
+      const std::size_t place = placeOf({b, pack[lane]});
+      const double distance = blocks_[b].balls.distance(place, F.data(), lane);
+      // It has to be inside a radius that is stored with 8 bits, and not at its edge.
+      const double radius = (1 + 1.0 / 64) * distance / (1 - ValidityBalls::edgeFraction) + ValidityBalls::storageError;
+      needs[index[lane]] = {distance, blocks_[b].growth(place).at(radius), drift[lane]};
+    }
+  });
+  const double most = std::min(1 + 2 * policy.raise, ceiling / certifiedEigenvalue());
+  double factor = std::min(1 + policy.raise, most);
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (needs[i].allowance <= most * allowance(elements[i]))
+      factor = std::max(factor, needs[i].allowance / allowance(elements[i]) * (1 + radiusRounding));
+  // Where many elements need more than that they have to be evaluated anyway.
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < elements.size(); ++i) beyond += !(needs[i].allowance <= factor * allowance(elements[i]));
+  const bool few =
+      static_cast<double>(beyond) <= policy.fewElements * static_cast<double>(body().mesh().elementCount());
+  if (!(few && factor > 1 && certifiedEigenvalue() > 0)) return elements;
+  moveTo(factor * certifiedEigenvalue());
+  ++statistics_.raises;
+  statistics_.work += WorkAccount::ofRaise(body());
+  std::vector<ElementRef> outside;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    note(elements[i], needs[i].drift);
+    const ValidityBalls& balls = of(elements[i]).balls;
+    // Not for what is not a number either.
+    const double radius = balls.radius(placeOf(elements[i]));
+    if (!(needs[i].distance < (1 - ValidityBalls::edgeFraction) * radius)) outside.push_back(elements[i]);
+  }
+  return outside;
+}
+
+void RunCertificate::raiseToValues(const std::vector<ElementRef>& elements, double share) {
+  for (const ElementRef e : elements) setAllowance(e, std::max(allowance(e), value(e) * (1 + share)));
+  const std::vector<double> sums = sumsAt(nodesOfElements(body(), elements));
+  for (const double sum : sums) setCertifiedEigenvalue(std::max(certifiedEigenvalue(), sum));
+  for (const ElementRef e : elements) {
+    BlockData& data = of(e);
+    const std::size_t place = placeOf(e);
+    data.balls.setRadius(place, validityRadius(data.growth(place), infinite, allowance(e)),
+                         ValidityBalls::storageError);
+  }
+  statistics_.raises += elements.empty() ? 0 : 1;
 }
 
 void RunCertificate::note(ElementRef e, const TangentDrift& drift) {
@@ -102,7 +179,7 @@ std::vector<ElementRef> RunCertificate::elementsOutsideBall(NodeVectorsView x, S
   return outside;
 }
 
-void RunCertificate::distributeAllowances(NodeVectorsView x) {
+void RunCertificate::distributeAllowances(NodeVectorsView x, bool newWeights) {
   mostCompression_ = 0;
   const std::vector<double>& nodal = weights().nodal();
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -118,12 +195,12 @@ void RunCertificate::distributeAllowances(NodeVectorsView x) {
         double swept[lanes] = {};
         for (int lane = 0; lane < lanes; ++lane)
           if (elements[lane] >= 0) swept[lane] = weights().value({static_cast<std::int32_t>(b), elements[lane]});
-        evaluatePack(x, static_cast<std::int32_t>(b), elements, swept, true, [&](const EvaluatedPack& pack) {
+        evaluatePack(x, static_cast<std::int32_t>(b), elements, swept, newWeights, [&](const EvaluatedPack& pack) {
           for (int lane = 0; lane < lanes; ++lane) {
             if (elements[lane] < 0) continue;
             const ElementRef e{pack.block, elements[lane]};
             const auto place = static_cast<std::size_t>(batch * lanes + lane);
-            const Reference reference = store(pack, lane, true);
+            const Reference reference = store(pack, lane, newWeights);
             drifts[place] = reference.drift;
             double room = infinite;
             for (const std::int32_t node : block.nodesOf(elements[lane]))
@@ -139,38 +216,33 @@ void RunCertificate::distributeAllowances(NodeVectorsView x) {
     });
     for (std::size_t i = 0; i < drifts.size(); ++i)
       if (block.layout().elements[i] >= 0) note({static_cast<std::int32_t>(b), block.layout().elements[i]}, drifts[i]);
-    statistics_.evaluated += block.elementCount();
+    statistics_.evaluated += newWeights ? block.elementCount() : 0;
     data.balls.invalidateAll();
   }
   weights().releaseSums();
+  if (newWeights) statistics_.work += WorkAccount::ofEvaluation(body());
   frames_.resize(static_cast<std::size_t>(body().nodeCount()));
   parallelFor(
       0, body().nodeCount(), body().threads(),
       [&](std::int64_t node) { frames_[node] = frameOf(static_cast<std::int32_t>(node)); }, 64);
 }
 
-void RunCertificate::raise(double sigma) {
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    for (RoundedDown<float>& allowance : allowances(b))
-      allowance = static_cast<double>(allowance) * (sigma / certifiedEigenvalue()) * (1 - allowanceRounding);
-  setCertifiedEigenvalue(sigma);
-}
-
-void RunCertificate::lower(double sigma) {
-  const double factor = sigma / certifiedEigenvalue();
+void RunCertificate::moveTo(double sigma) {
+  const double factor = sigma / certifiedEigenvalue() * (1 - allowanceRounding);
   setCertifiedEigenvalue(sigma);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     BlockData& data = blocks_[b];
-    for (std::size_t place = 0; place < data.value.size(); ++place) {
-      RoundedDown<float>& allowance = allowances(b)[place];
-      const auto value = static_cast<double>(data.value[place]);
-      const double before = static_cast<double>(allowance) - value;
-      allowance = static_cast<double>(allowance) * factor * (1 - allowanceRounding);
-      const double after = static_cast<double>(allowance) - value;
-      const double radius = data.balls.radius(place), error = ValidityBalls::storageError;
-      if (radius >= 0 && std::isfinite(radius))
-        data.balls.setRadius(place, after > 0 && before > 0 ? (radius + error) * (after / before) : -1, error);
-    }
+    parallelFor(
+        0, static_cast<std::int64_t>(data.value.size()), body().threads(),
+        [&](std::int64_t place) {
+          RoundedDown<float>& allowance = allowances(b)[place];
+          allowance = static_cast<double>(allowance) * factor;
+          const double radius = data.balls.radius(place);
+          if (radius >= 0 && std::isfinite(radius))
+            data.balls.setRadius(place, validityRadius(data.growth(place), infinite, allowance),
+                                 ValidityBalls::storageError);
+        },
+        1024);
     data.balls.invalidateAll();
   }
 }
@@ -187,6 +259,27 @@ Eigen::Quaternionf RunCertificate::frameOf(std::int32_t node) const {
   Eigen::Matrix3d matrix;
   for (int i = 0; i < 9; ++i) matrix(i / 3, i % 3) = R.m[i];
   return Eigen::Quaterniond(matrix).cast<float>();
+}
+
+bool RunCertificate::turnWithBody(NodeVectorsView x, const RebuildPolicy& policy) {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const ElementBlock& block = *body().blocks()[b];
+    parallelFor(
+        0, block.layout().batchCount(), body().threads(),
+        [&](std::int64_t batch) {
+          const std::int32_t* elements = block.layout().elements.data() + batch * lanes;
+          std::vector<double> F(9 * block.rule().points.size() * lanes);
+          TangentDrift drift[lanes];
+          block.deformationOf(elements, x.data(), F.data(), drift);
+          for (int lane = 0; lane < lanes; ++lane)
+            blocks_[b].balls.setReferenceGradient(static_cast<std::size_t>(batch * lanes + lane), F.data(),
+                                                  static_cast<int>(block.rule().points.size()), lane);
+        },
+        8);
+  }
+  std::vector<std::int32_t> all(static_cast<std::size_t>(body().nodeCount()));
+  std::iota(all.begin(), all.end(), 0);
+  return !rotateWeights(all, policy).empty();
 }
 
 std::vector<std::int32_t> RunCertificate::rotateWeights(const std::vector<std::int32_t>& nodes,

@@ -14,7 +14,8 @@ namespace ringwatch {
 /// What an update of an incremental certificate took, and what it saw.
 struct UpdateStatistics {
   std::int64_t evaluated = 0;  ///< elements
-  int localUpdates = 0, raises = 0, rebuilds = 0;
+  int localUpdates = 0, raises = 0, refreshes = 0, rebuilds = 0;
+  double work = 0;  ///< WorkAccount's units
   double leastDeterminant =
       std::numeric_limits<double>::infinity();  ///< det F of the elements evaluated; no other can be <= 0
   ElementRef leastDeterminantElement;
@@ -39,6 +40,15 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
     TangentDrift drift;
     double fromStored;
   };
+  /// Raises the certified eigenvalue, and all allowances with it, for elements that have left their balls: as far as
+  /// Theorem 16 needs around their reference gradients, by RebuildPolicy::raise at least and twice that at most, but
+  /// not above `ceiling`. Evaluates no element. x: the positions of the last elementsOutsideBall. Returns the elements
+  /// that still are outside their balls.
+  std::vector<ElementRef> raiseFor(NodeVectorsView x, const std::vector<ElementRef>& elements,
+                                   const RebuildPolicy& policy, double ceiling);
+  /// Raises the allowances of elements that were evaluated at the positions of the last elementsOutsideBall to their
+  /// values and a share of them, and the certified eigenvalue to what their nodes then need.
+  void raiseToValues(const std::vector<ElementRef>& elements, double share);
   /// Evaluates elements at x: values, reference gradients, balls for their allowances, and with weights that have
   /// changed strain norms.
   void evaluate(NodeVectorsView x, const std::vector<ElementRef>& elements, bool withStrainNorm,
@@ -53,12 +63,13 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
 
   /// Gives every element the largest allowance that its nodes have room for below the certified eigenvalue, in
   /// proportion to its value, and a ball around x. weights() must have been evaluated at x.
-  void distributeAllowances(NodeVectorsView x);
-  /// Raises the certified eigenvalue, and all allowances with it; balls stay.
-  void raise(double certifiedEigenvalue);
-  /// Lowers the certified eigenvalue, all allowances, and balls in proportion to what is left of the gaps between value
-  /// and allowance: radii are concave in the gap.
-  void lower(double certifiedEigenvalue);
+  /// newWeights: strain norms are out of date.
+  void distributeAllowances(NodeVectorsView x, bool newWeights = true);
+  /// Turns the weights of all nodes with the body (rotateWeights); what needs them has to be evaluated again. False
+  /// when none has turned enough.
+  bool turnWithBody(NodeVectorsView x, const RebuildPolicy& policy);
+  /// Moves the certified eigenvalue, and all allowances and balls with it.
+  void moveTo(double certifiedEigenvalue);
   /// D ← Q D Qᵀ for all elements at a node, Q the rotation of its surroundings since its weights were made: with one Q
   /// for all of them the eigenvalues of their sum stay, but for rounding, for which the allowances there are reduced.
   /// Nodes with constrained components are left alone, as are those that have turned by less than leastTurn. Reference
@@ -82,12 +93,19 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   const UpdateStatistics& statistics() const { return statistics_; }
 
  private:
-  /// By place; compression: -lambda_min(∂P/∂F) / (λ+2μ) at the reference gradient, at most.
+  /// By place; compression: -lambda_min(∂P/∂F) / (λ+2μ) at the reference gradient, at most. linear, quadratic, reach:
+  /// TangentGrowth's, the reach ending before an inversion; < 0: there is no reference gradient.
   struct BlockData {
     ValidityBalls balls;
     std::vector<RoundedUp<float>> value;
-    std::vector<RoundedUp<Bfloat16>> strainNorm, compression;
+    std::vector<RoundedUp<Bfloat16>> strainNorm, compression, linear, quadratic;
+    std::vector<RoundedDown<Bfloat16>> reach;
+    TangentGrowth growth(std::size_t place) const {
+      return {value[place], linear[place], quadratic[place], reach[place]};
+    }
   };
+  /// The highest eigenvalue of the sum of allowances over the mass of each node, rad²/s².
+  std::vector<double> sumsAt(const std::vector<std::int32_t>& nodes) const;
   BlockData& of(ElementRef e) { return blocks_[e.block]; }
   const BlockData& of(ElementRef e) const { return blocks_[e.block]; }
   Reference store(const EvaluatedPack& pack, int lane, bool withStrainNorm);

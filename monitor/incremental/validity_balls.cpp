@@ -18,9 +18,6 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Batches that skip checks together: enough that the test of their nodes costs little, few enough that they move
 /// alike.
 constexpr int groupBatches = 64;
-/// Elements with less than this fraction of their radius left count as outside: one at the edge of its ball would keep
-/// its whole group from skipping.
-constexpr double edgeFraction = 0.25;
 /// A group whose elements leave their balls at every check waits for up to this many before it tries to skip again:
 /// trying costs as much as a visit.
 constexpr int longestPause = 15;
@@ -247,15 +244,29 @@ void ValidityBalls::setRadius(std::size_t place, double aroundF0, double fromSto
 
 void ValidityBalls::setNeverOutside(std::size_t place) { radius_[place] = infinite; }
 
-void ValidityBalls::ballChanged(std::size_t place) {
+double ValidityBalls::distance(std::size_t place, const double* F, int lane) const {
+  const auto points = static_cast<std::size_t>(points_);
+  const std::int16_t* stored = referenceGradient_.data() + place / lanes * points * 9 * lanes + place % lanes;
+  double farthest2 = 0;
+  for (std::size_t q = 0; q < points; ++q) {
+    double distance2 = 0;
+    for (std::size_t i = 0; i < 9; ++i) {
+      const double off =
+          F[(9 * q + i) * lanes + static_cast<std::size_t>(lane)] - entryUnit * stored[(9 * q + i) * lanes];
+      distance2 += off * off;
+    }
+    if (!(distance2 <= farthest2)) farthest2 = distance2;  // a NaN stays
+  }
+  return std::sqrt(farthest2) * (1 + 1e-15) + storageError;
+}
+
+void ValidityBalls::ballChanged(std::size_t place, double distance) {
   const auto group =
       std::upper_bound(groups_.begin(), groups_.end(), static_cast<std::int32_t>(place / PatchLayout::lanes),
                        [](std::int32_t batch, const Group& g) { return batch < g.batchEnd; });
-  // The margin counts from the positions of the last visit: only when that was now does the ball fit in. At the stored
-  // gradient it is less by how far that lies from F0.
-  const double margin = group->visitedAt == checks_
-                            ? (radius_[place] - storageError) * static_cast<double>(inverseGradientNorm_[place])
-                            : -1;
+  // The margin counts from the positions of the last visit: only when that was now does the ball fit in.
+  const double margin =
+      group->visitedAt == checks_ ? (radius_[place] - distance) * static_cast<double>(inverseGradientNorm_[place]) : -1;
   group->marginAtCheck = std::min(group->marginAtCheck, margin);
 }
 

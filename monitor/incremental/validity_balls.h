@@ -27,6 +27,9 @@ class ValidityBalls {
   static constexpr double entryUnit = 1.0 / 4096, largestEntry = 8 - entryUnit;
   /// How far a stored reference gradient lies from F0, at most.
   static constexpr double storageError = 1.5 * entryUnit;
+  /// Elements with less than this fraction of their radius left count as outside: one at the edge of its ball would
+  /// keep its whole group from skipping.
+  static constexpr double edgeFraction = 0.25;
 
   /// Every element counts as outside until it has a ball.
   explicit ValidityBalls(const ElementBlock& block);
@@ -44,12 +47,16 @@ class ValidityBalls {
   /// The radius about the stored gradient: < 0 always outside, infinity never.
   double radius(std::size_t place) const { return radius_[place]; }
 
+  /// How far the gradients of an element lie from its reference gradient F0, at most: F[(q * 9 + i) * lanes + lane].
+  double distance(std::size_t place, const double* F, int lane) const;
+
   /// Begins a check at new positions: checkPatch of every patch follows.
   void beginCheck() { ++checks_; }
   /// Runs the batches of a patch and appends the elements that have left their balls.
   void checkPatch(const PatchPass& pass, std::vector<std::int32_t>& outside);
-  /// Call it for every element that got a new ball at the positions of the last check, before the next one.
-  void ballChanged(std::size_t place);
+  /// Call it for every element that got a new ball, before the next check; distance: of the positions of the last check
+  /// from F0, at most.
+  void ballChanged(std::size_t place, double distance = storageError);
   /// The next check visits every element: radii have changed other than at the positions of the last check.
   void invalidateAll() {
     for (Group& group : groups_) group.marginAtCheck = -1;

@@ -1,6 +1,8 @@
 // The state of an incremental certificate: its two statements are checked, local updates keep them or change nothing.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <Eigen/Geometry>
 
 #include <ringwatch/meshes/generators/generators.h>
@@ -83,14 +85,62 @@ TEST(RunCertificate, RaisesAndLowers) {
   start(state, X, 0.06);
   EXPECT_TRUE(state.elementsOutsideBall(X, nullptr).empty());
   const double sigma = state.certifiedEigenvalue();
-  state.raise(1.2 * sigma);
+  state.moveTo(1.2 * sigma);
   EXPECT_LE(state.verify(X), rounding);
-  state.lower(1.1 * sigma);
+  state.moveTo(1.1 * sigma);
   EXPECT_LE(state.verify(X), rounding);
   EXPECT_TRUE(state.elementsOutsideBall(X, nullptr).empty());
   // Below what the elements need those without allowance are outside their balls.
-  state.lower(0.8 * sigma);
+  state.moveTo(0.8 * sigma);
   EXPECT_FALSE(state.elementsOutsideBall(X, nullptr).empty());
+}
+
+TEST(RunCertificate, RaisesForElementsThatHaveLeftTheirBallsWithoutAnEvaluation) {
+  for (const std::string_view law : {"stvk", "neo-hookean", "corotational"}) {
+    const Body body = bar(law);
+    const NodeVectors x = Eigen::Vector3d(1.008, 1, 1).asDiagonal() * body.mesh().X;
+    const RebuildPolicy policy;
+    for (const double most : {1.01, 1e3}) {
+      RunCertificate state(body);
+      start(state, body.mesh().X, 0.02);
+      const double ceiling = most * state.certifiedEigenvalue();
+      const std::int64_t evaluated = state.statistics().evaluated;
+      std::vector<ElementRef> outside = state.elementsOutsideBall(x, nullptr);
+      ASSERT_FALSE(outside.empty()) << law;
+      int raises = 0;
+      while (!outside.empty() && state.certifiedEigenvalue() < ceiling && raises < 50) {
+        outside = state.raiseFor(x, outside, policy, ceiling);
+        ++raises;
+        EXPECT_LE(state.certifiedEigenvalue(), ceiling * (1 + 1e-15)) << law;
+      }
+      EXPECT_EQ(state.statistics().evaluated, evaluated);
+      // What is called outside is that, or nearly.
+      for (const ElementRef e : state.elementsOutsideBall(x, nullptr))
+        EXPECT_NE(std::find(outside.begin(), outside.end(), e), outside.end()) << law << ", element " << e.element;
+      if (most > 2) {
+        EXPECT_TRUE(outside.empty()) << law << ": after " << raises << " raises";
+        EXPECT_LE(state.verify(x), rounding) << law;
+        EXPECT_GE(state.certifiedEigenvalue(), test::DenseTangent(body, x).largest()) << law;
+      } else {
+        EXPECT_FALSE(outside.empty()) << law;
+      }
+    }
+  }
+}
+
+TEST(RunCertificate, RaisesToTheValuesOfElements) {
+  const Body body = bar("stvk");
+  const NodeVectors x = Eigen::Vector3d(1.1, 1, 1).asDiagonal() * body.mesh().X;
+  RunCertificate state(body);
+  start(state, body.mesh().X, 0.02);
+  const std::vector<ElementRef> outside = state.elementsOutsideBall(x, nullptr);
+  std::vector<RunCertificate::Reference> now;
+  state.evaluate(x, outside, false, now);
+  ASSERT_GT(state.verify(x), rounding);
+  state.raiseToValues(outside, 0.03);
+  state.ballsChanged(outside);
+  EXPECT_LE(state.verify(x), rounding);
+  EXPECT_TRUE(state.elementsOutsideBall(x, nullptr).empty());
 }
 
 TEST(LocalUpdate, MendsTheNeighbourhoodOfAnElement) {

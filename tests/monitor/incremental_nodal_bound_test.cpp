@@ -66,6 +66,87 @@ TEST_P(IncrementalNodalBoundTest, HoldsAtEveryStateOfAPath) {
     }
 }
 
+TEST_P(IncrementalNodalBoundTest, HoldsWhateverItMaySpend) {
+  int raises = 0;
+  for (const LawInfo& law : allLaws()) {
+    const Body body = test::boxBody(GetParam(), law.name);
+    const NodeVectors& X = body.mesh().X;
+    test::Random random(12);
+    const NodeVectors shake = random.nodeVectors(X.cols(), 0.08 * test::cellSize);
+    std::int64_t evaluatedOfMore = std::numeric_limits<std::int64_t>::max();
+    for (const double share : {std::numeric_limits<double>::infinity(), 10.0, 0.0}) {
+      WorkAccount account(body, share);
+      IncrementalNodalBound bound(body, {}, &account);
+      constexpr int steps = 60;
+      std::int64_t evaluated = 0;
+      for (int step = 0; step <= steps; ++step) {
+        account.earn();
+        const NodeVectors x = pathState(X, static_cast<double>(step) / steps, shake);
+        const double lambda = DenseTangent(body, x).largest();
+        const std::string what = joinText(law.name, ", ", share, ", step ", step);
+        ASSERT_GE(bound.update(x).value, lambda * (1 - 1e-9)) << what;
+        EXPECT_LE(bound.verify(x), 1e-9) << what;
+        if (step > 0) evaluated += bound.statistics().evaluated;
+        if (share == 0) raises += bound.statistics().raises;
+        if (bound.tightenBound(x, LowerBound{lambda}, 0.05)) {
+          evaluated += bound.statistics().evaluated;
+          ASSERT_GE(bound.update(x).value, lambda * (1 - 1e-9)) << what;
+          EXPECT_LE(bound.verify(x), 1e-9) << what;
+          evaluated += bound.statistics().evaluated;
+        }
+      }
+      if (law.name == "linear") continue;  // its tangent stays, and so do its balls
+      EXPECT_LE(evaluated, evaluatedOfMore) << law.name << ", " << share;
+      evaluatedOfMore = evaluated;
+    }
+  }
+  EXPECT_GT(raises, 0);
+}
+
+TEST(IncrementalNodalBound, KeepsAProofBelowItsCeilingWhateverItMaySpend) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const NodeVectors& X = body.mesh().X;
+  for (const bool asked : {false, true}) {
+    WorkAccount account(body, 0);
+    IncrementalNodalBound bound(body, {}, &account);
+    const double ceiling = 1.5 * bound.update(X).value;
+    bool kept = true;
+    // To and fro, so that hardly anything of the debt is needed at the end.
+    for (int step = 0; step <= 200; ++step) {
+      const double stretch = 1 + 0.1 * std::sin(0.1 * step);
+      const NodeVectors x = Eigen::Vector3d(stretch, 1, 1).asDiagonal() * X;
+      const double most = asked ? ceiling : std::numeric_limits<double>::infinity();
+      kept = kept && bound.update(x, nullptr, most).value <= ceiling;
+      ASSERT_LE(bound.verify(x), 1e-9);
+    }
+    EXPECT_EQ(kept, asked);
+  }
+}
+
+TEST(WorkAccount, EarnsSpendsAndForgives) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const auto elements = static_cast<double>(body.mesh().elementCount());
+  ASSERT_EQ(body.blocks()[0]->nodesPerElement(), 4);
+  const double evaluation = 216 * elements, force = 4 * elements;
+  EXPECT_EQ(WorkAccount::ofEvaluation(body), evaluation);
+  EXPECT_EQ(WorkAccount::ofForce(body), force);
+  EXPECT_EQ(WorkAccount::ofEvaluation(body, std::vector<ElementRef>{{0, 0}, {0, 1}}), 432);
+  WorkAccount account(body, 0.5);
+  EXPECT_TRUE(account.affords(evaluation));
+  EXPECT_FALSE(account.affords(evaluation + 1));
+  account.earn();
+  EXPECT_TRUE(account.affords(evaluation + 0.5 * force));
+  for (int step = 0; step < 100000; ++step) account.earn();
+  EXPECT_TRUE(account.affords(WorkAccount::ofRebuild(body)));
+  EXPECT_FALSE(account.affords(2 * WorkAccount::ofRebuild(body)));
+  account.spend(100 * WorkAccount::ofRebuild(body));
+  EXPECT_TRUE(account.affords(-evaluation));
+  EXPECT_FALSE(account.affords(-0.99 * evaluation));
+  WorkAccount unlimited(body, std::numeric_limits<double>::infinity());
+  unlimited.spend(1e300);
+  EXPECT_TRUE(unlimited.affords(1e300));
+}
+
 TEST(IncrementalNodalBound, HoldsForEveryRuleOfTheHexahedron) {
   // Rules with a share at the mean deformation gradient too.
   for (const QuadratureRule& rule : findElementByName("hex8")->rules)

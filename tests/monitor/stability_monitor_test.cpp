@@ -585,6 +585,8 @@ TEST(StabilityMonitor, RefusesBadOptions) {
       {"limit", "0", "", [](MonitorOptions& o) { o.limit = 0; }},
       {"limit", "-2", "", [](MonitorOptions& o) { o.limit = -2; }},
       {"limit", "nan", "", [nan](MonitorOptions& o) { o.limit = nan; }},
+      {"budget", "nan", ">= 0", [nan](MonitorOptions& o) { o.budget = nan; }},
+      {"budget", "-1", ">= 0", [](MonitorOptions& o) { o.budget = -1; }},
       {"energyTolerance", "nan", "> 0", [nan](MonitorOptions& o) { o.energyTolerance = nan; }},
       {"energyTolerance", "-1", "> 0", [](MonitorOptions& o) { o.energyTolerance = -1; }},
       {"metric", "reduced-ring", "reduced-1-ring", [](MonitorOptions& o) { o.metric = "reduced-ring"; }},
