@@ -79,7 +79,8 @@ class Checkpoints : public Program {
       ++others;
     if (frames < 2 || frames != others) found += joinText(frames, " and ", others, " frames ");
     Json one = json(a + "/summary.json"), other = json(b + "/summary.json");
-    for (Json* summary : {&one, &other}) summary->erase("wall_time");
+    for (Json* summary : {&one, &other})
+      for (const char* own : {"wall_time", "provenance"}) summary->erase(own);
     if (one != other) found += "summary " + Json::diff(one, other).dump();
     return found;
   }

@@ -1,6 +1,7 @@
 // A source of tangents that is no body: what it assembles and multiplies is the sum of the matrices it was given.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -32,15 +33,17 @@ struct Chains final : ElementTangents {
       matrices.push_back(A + A.transpose());
     }
   }
-  void tangentBatch(std::int32_t batch, const double* x, double* K) const override {
-    tangentOf(layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, x, K);
+  void tangentBatch(std::int32_t batch, const double* x, double* K, double* rounding) const override {
+    tangentOf(layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, x, K, rounding);
   }
-  void tangentOf(const std::int32_t* elements, const double*, double* K) const override {
+  void tangentOf(const std::int32_t* elements, const double*, double* K, double* rounding) const override {
+    if (rounding) std::fill_n(rounding, nodesPerElement() * lanes, 0.0);
     const int size = 3 * nodesPerElement();
     for (int i = 0; i < size * size; ++i)
       for (int lane = 0; lane < lanes; ++lane)
         K[i * lanes + lane] = elements[lane] < 0 ? 0 : matrices[elements[lane]](i / size, i % size);
   }
+  void addTangentRounding(const Patch&, const double*, double*) const override {}
   void addTangentProduct(const Patch& patch, const double*, const double* v, double* slots) const override {
     std::vector<double> rows(static_cast<std::size_t>(4 * (patch.nodeEnd - patch.nodeBegin)));
     gatherRows(patch, v, rows.data());

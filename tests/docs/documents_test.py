@@ -353,7 +353,7 @@ class Documents:
                 self.fault(path, line, f"bench/ has no program {first}")
             return
         script = self.source / first
-        if "/" not in first:
+        if "/" not in first or "=" in first:
             return
         if not script.is_file() or not script.stat().st_mode & 0o100:
             self.fault(path, line, f"{first} is not a script that can be called")

@@ -48,7 +48,7 @@ class SeededFaults(unittest.TestCase):
                     "](integrators.md)", "](integrators.md#theorem-27)")
         self.expect("links", "there is no docs/none.md", "README.md", "`docs/gpu.md`", "`docs/none.md`")
 
-        self.expect("links", "there is no folder python/", "CONTRIBUTING.md", "`docs/`", "`docs/`, `python/`")
+        self.expect("links", "there is no folder nowhere/", "CONTRIBUTING.md", "`docs/`", "`docs/`, `nowhere/`")
         self.expect("links", "there is no handlers/registry.h", "CONTRIBUTING.md", "`handlers/registry.cpp`",
                     "`handlers/registry.h`")
         self.expect("links", "rooms of folders", "CONTRIBUTING.md", "`handlers/fe_pbd/`, ", "")

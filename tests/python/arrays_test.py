@@ -97,7 +97,7 @@ def test_nothing_is_left_behind():
     x, v = stretched(body.points, 1), np.zeros_like(body.points)
     monitor = rw.Monitor(body, limit=2.0)
     sizes = []
-    for _ in range(8):
+    for _ in range(10):
         for k in range(100):
             monitor.observe(k, 0.0, x, v, 1e-5, force=True, energy=True)
             body.internal_force(x)
@@ -106,7 +106,8 @@ def test_nothing_is_left_behind():
         sizes.append(resident())
     # The allocator takes more and gives it back; the least of some rounds shows what is kept. If each call left one
     # array behind, 400 of a kind would be kept from one half to the other.
-    assert min(sizes[4:]) - min(sizes[:4]) < 100 * x.nbytes, sizes
+    early, late = sizes[2:6], sizes[6:]  # the first rounds fill the allocator
+    assert min(late) - min(early) < 100 * x.nbytes, sizes
 
 
 STATES = {

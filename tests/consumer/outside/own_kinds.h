@@ -74,7 +74,7 @@ struct Voxel8 {
 };
 
 /// A wave that crosses the shortest edge from an element's first node.
-inline ringwatch::MetricValues byEdge(const ringwatch::Body& body, const ringwatch::NodeVectors& x,
+inline ringwatch::MetricValues byEdge(const ringwatch::Body& body, ringwatch::NodeVectorsView x,
                                       const ringwatch::MetricProgress&) {
   ringwatch::MetricValues values;
   for (const auto& block : body.blocks()) {
