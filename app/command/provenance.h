@@ -7,8 +7,8 @@
 namespace ringwatch {
 
 /// Where results come from, for summary.json: { command, started, machine, scene_text }. started: UTC, ISO 8601;
-/// machine: system, processor and number of hardware threads; scene_text: the scene's file as it is now, null where there
-/// is none or it is not UTF-8.
+/// machine: system, processor and number of hardware threads; scene_text: the scene's file as it is now, null where
+/// there is none or it is not UTF-8.
 nlohmann::ordered_json provenanceOf(const std::string& command, const std::filesystem::path& scene);
 
 }  // namespace ringwatch
