@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -111,7 +112,7 @@ void addFrames(PageContent& page, const ReportOptions& options, const std::vecto
   std::optional<VtuFrame> keyState = read(key);
   const std::size_t fit = options.frames > 0 ? options.frames : keyState ? framesThatFit(*keyState) : 3;
   for (const std::size_t i : chosenFrames(frames.size(), key, fit)) {
-    std::optional<VtuFrame> state = i == key ? std::move(keyState) : read(i);
+    std::optional<VtuFrame> state = i == key ? std::exchange(keyState, std::nullopt) : read(i);
     if (!state) continue;
     if (i == key) {
       page.keyFrame = static_cast<std::int64_t>(i) + 1;

@@ -369,8 +369,11 @@ void readInitialSection(const SceneTable& section, Scene& scene) {
     fail(section.origin, "initial.velocity", "missing; give velocity (m/s) or angular_velocity (rad/s)");
   if (section.given("point") && !section.given("angular_velocity"))
     fail(section.at("point").origin, "initial.point", "there is no angular_velocity for it");
-  scene.initials.push_back({selectionOf(section), vectorOf(section.at("velocity").value),
-                            vectorOf(section.at("angular_velocity").value), vectorOf(section.at("point").value)});
+  const auto given = [&](const char* key) {
+    return section.given(key) ? vectorOf(section.at(key).value) : Eigen::Vector3d(0, 0, 0);
+  };
+  scene.initials.push_back(
+      {selectionOf(section), given("velocity"), given("angular_velocity"), vectorOf(section.at("point").value)});
 }
 
 void readLoadSection(const SceneTable& section, Scene& scene) {

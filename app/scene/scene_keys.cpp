@@ -301,13 +301,13 @@ std::vector<SceneKey> makeKeys() {
                     "between two times; " + rampNames.listing()});
   }
   const std::vector<SceneKey> last{
-      {"initial", "velocity", T::vector, "m/s", false, "[0.0, 0.0, 0.0]", anything, {}, "of the nodes"},
+      {"initial", "velocity", T::vector, "m/s", false, "", anything, {}, "of the nodes"},
       {"initial",
        "angular_velocity",
        T::vector,
        "rad/s",
        false,
-       "[0.0, 0.0, 0.0]",
+       "",
        anything,
        {},
        "rotation about an axis of this direction"},

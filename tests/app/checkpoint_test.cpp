@@ -182,6 +182,17 @@ TEST_F(Checkpoints, NeedTheirHistoryAndFrames) {
   EXPECT_FALSE(exists("part/checkpoint.bin"));
 }
 
+// What is given must not depend on its value: the scene of a run is read again from what the run has kept of it.
+TEST_F(Checkpoints, KeepWhatEqualsADefault) {
+  const Scene atRest = readScene(folder_.path() / "scene.toml", {"initial.0.velocity=[0, 0, 0]"});
+  Checkpoint checkpoint;
+  checkpoint.sceneFile = "scene.toml";
+  checkpoint.scene = atRest.echo;
+  EXPECT_EQ(sceneOf(checkpoint).echo, atRest.echo);
+  ASSERT_EQ(call("run scene.toml --out rest --set initial.0.velocity=[0,0,0] --set integrator.end=0.1").status, 0);
+  EXPECT_EQ(call("inspect rest --frame 1").status, 0);
+}
+
 TEST_F(Checkpoints, AreRefusedWhereTheyDoNotFit) {
   ASSERT_EQ(call("run scene.toml --out part --set integrator.end=0.1").status, 0);
   EXPECT_FALSE(exists("part/checkpoint.bin"));
