@@ -29,35 +29,17 @@ class ElementBatch final : public ElementBlock {
 
   void evaluateBatches(std::int32_t first, std::int32_t last, const double* rows,
                        const BatchEvaluation& evaluation) const override {
-    if (evaluation.slots)
-      evaluate<true>(first, last, rows, evaluation);
-    else
-      evaluate<false>(first, last, rows, evaluation);
+    withOperators([&](auto operators) {
+      if (evaluation.slots)
+        evaluate<true, decltype(operators)>(first, last, rows, evaluation);
+      else
+        evaluate<false, decltype(operators)>(first, last, rows, evaluation);
+    });
   }
 
   void tangentProductBatches(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
                              double* slots) const override {
-    const LawType law = law_;
-    for (std::int32_t batch = first; batch < last; ++batch) {
-      P position[n][3], direction[n][3], force[n][3];
-      geometry_.loadEdges(rows, batch, position);
-      geometry_.loadEdges(vRows, batch, direction);
-      clear(force);
-      const P* point = geometry_.pointsOf(batch);
-      for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
-        const Matrix3<P> J1 = Geometry::inverseJacobian(point);
-        const Matrix3<P> F = geometry_.gradient(position, q, J1), dF = geometry_.gradient(direction, q, J1);
-        Operators::addForces(timesTranspose(Geometry::weight(point) * law.linearize(F)(dF), J1),
-                             geometry_.shapeTable(q), force);
-      }
-      if constexpr (Geometry::offersMean)
-        if (geometry_.hasMean()) {
-          const P* g = geometry_.meanGradientsOf(batch);
-          const Matrix3<P> F = Geometry::meanGradient(position, g), dF = Geometry::meanGradient(direction, g);
-          Geometry::addMeanForces(g[3 * n] * meanLaw_.linearize(F)(dF), g, force);
-        }
-      geometry_.addToSlots(slots, batch, force);
-    }
+    withOperators([&](auto operators) { product<decltype(operators)>(first, last, rows, vRows, slots); });
   }
 
   void tangentBatch(std::int32_t batch, const double* x, double* K, double* rounding) const override {
@@ -152,9 +134,76 @@ class ElementBatch final : public ElementBlock {
       return material.as<LawType>();
   }
 
+  /// A nodal field's natural gradients at the points, and forces from stresses there: by the tables of ∂N/∂ξ.
+  struct ByTables {
+    using Field = typename Geometry::Field;
+    class Forces {
+     public:
+      RINGWATCH_INLINE Forces(const Geometry& geometry, P (&force)[n][3]) : geometry_(geometry), force_(force) {
+        clear(force_);
+      }
+      RINGWATCH_INLINE void add(int q, const Matrix3<P>& T) {
+        Operators::addForces(T, geometry_.shapeTable(q), force_);
+      }
+      RINGWATCH_INLINE void finish() {}
+
+     private:
+      const Geometry& geometry_;
+      P (&force_)[n][3];
+    };
+  };
+  /// The same, one direction after the other.
+  template <class Directions>
+  struct ByDirections {
+    class Field : public Directions::template Field<P> {
+     public:
+      RINGWATCH_INLINE Field(const Geometry&, const P (&edges)[n][3]) : Directions::template Field<P>(edges) {}
+    };
+    class Forces : public Directions::template Forces<P> {
+     public:
+      RINGWATCH_INLINE Forces(const Geometry&, P (&force)[n][3]) : force_(force) {}
+      RINGWATCH_INLINE void finish() { this->store(force_); }
+
+     private:
+      P (&force_)[n][3];
+    };
+  };
+  /// Calls visit(operators) with the quicker of the two that the rule has.
+  template <class Visit>
+  void withOperators(const Visit& visit) const {
+    if constexpr (Geometry::offersDirections)
+      if (geometry_.hasDirections()) return visit(ByDirections<typename Element::Directions>());
+    visit(ByTables());
+  }
+
+  template <class By>
+  void product(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double* slots) const {
+    const LawType law = law_;
+    for (std::int32_t batch = first; batch < last; ++batch) {
+      P position[n][3], direction[n][3], force[n][3];
+      geometry_.loadEdges(rows, batch, position);
+      geometry_.loadEdges(vRows, batch, direction);
+      const typename By::Field x(geometry_, position), v(geometry_, direction);
+      typename By::Forces forces(geometry_, force);
+      const P* point = geometry_.pointsOf(batch);
+      for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
+        const Matrix3<P> J1 = Geometry::inverseJacobian(point), F = x(q) * J1, dF = v(q) * J1;
+        forces.add(q, timesTranspose(Geometry::weight(point) * law.linearize(F)(dF), J1));
+      }
+      forces.finish();
+      if constexpr (Geometry::offersMean)
+        if (geometry_.hasMean()) {
+          const P* g = geometry_.meanGradientsOf(batch);
+          const Matrix3<P> F = Geometry::meanGradient(position, g), dF = Geometry::meanGradient(direction, g);
+          Geometry::addMeanForces(g[3 * n] * meanLaw_.linearize(F)(dF), g, force);
+        }
+      geometry_.addToSlots(slots, batch, force);
+    }
+  }
+
   /// Forces are the same to the last bit whatever else is asked for: energies and visitors read the deformation
   /// gradients from memory, so that nothing but the force is compiled into its loop.
-  template <bool wantsForce>
+  template <bool wantsForce, class By>
   void evaluate(std::int32_t first, std::int32_t last, const double* rows, const BatchEvaluation& evaluation) const {
     const LawType law = law_;
     const bool stores = evaluation.visitor || evaluation.energy;
@@ -162,17 +211,17 @@ class ElementBatch final : public ElementBlock {
     for (std::int32_t batch = first; batch < last; ++batch) {
       P position[n][3], force[n][3];
       geometry_.loadEdges(rows, batch, position);
-      if constexpr (wantsForce) clear(force);
+      const typename By::Field x(geometry_, position);
+      [[maybe_unused]] typename By::Forces forces(geometry_, force);
       const P* point = geometry_.pointsOf(batch);
       for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
         const Matrix3<P> J1 = Geometry::inverseJacobian(point);
-        const Matrix3<P> F = geometry_.gradient(position, q, J1);
+        const Matrix3<P> F = x(q) * J1;
         if (stores)
           for (int i = 0; i < 9; ++i) F.m[i].store(gradients + (9 * q + i) * lanes);
-        if constexpr (wantsForce)
-          Operators::addForces(timesTranspose(Geometry::weight(point) * law.stress(F), J1), geometry_.shapeTable(q),
-                               force);
+        if constexpr (wantsForce) forces.add(q, timesTranspose(Geometry::weight(point) * law.stress(F), J1));
       }
+      if constexpr (wantsForce) forces.finish();
       if constexpr (Geometry::offersMean && wantsForce)
         if (geometry_.hasMean()) {
           const P* g = geometry_.meanGradientsOf(batch);

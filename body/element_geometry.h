@@ -40,6 +40,7 @@ class ElementGeometry {
   /// Throws NumericalError when a Jacobian determinant is not positive. Keeps the block by reference.
   ElementGeometry(const ElementBlock& block, const Mesh& mesh, const MeshBlock& meshBlock)
       : block_(block), points_(static_cast<int>(block.rule().points.size())), hasMean_(block.rule().shares.mean()) {
+    if constexpr (offersDirections) hasDirections_ = haveDirections<typename Element::Directions>(block.rule());
     fill(mesh, meshBlock);
   }
   /// The constructor's work, which is compiled once an element (element_geometry.cpp): a constructor has no address
@@ -63,9 +64,22 @@ class ElementGeometry {
   const double (*shapeTable(int q) const)[3] {
     return reinterpret_cast<const double(*)[3]>(shapeGradients_.data() + static_cast<std::ptrdiff_t>(q) * n * 3);
   }
+  /// Σ_a u_a ⊗ ∂N_a/∂ξ of edges u, from the tables.
+  class Field {
+   public:
+    RINGWATCH_INLINE Field(const ElementGeometry& geometry, const P (&edges)[n][3])
+        : geometry_(geometry), edges_(edges) {}
+    RINGWATCH_INLINE Matrix3<P> operator()(int q) const {
+      return Operators::naturalGradient([&](int a, int i) { return edges_[a][i]; }, geometry_.shapeTable(q));
+    }
+
+   private:
+    const ElementGeometry& geometry_;
+    const P (&edges_)[n][3];
+  };
   /// Deformation gradient (or gradient of any nodal vectors) at a point.
   RINGWATCH_INLINE Matrix3<P> gradient(const P (&edges)[n][3], int q, const Matrix3<P>& inverseJacobianHere) const {
-    return Operators::naturalGradient([&](int a, int i) { return edges[a][i]; }, shapeTable(q)) * inverseJacobianHere;
+    return Field(*this, edges)(q) * inverseJacobianHere;
   }
 
   /// Norm of ∂N/∂ξ at a point, over all nodes.
@@ -76,6 +90,10 @@ class ElementGeometry {
   P gatherExtents(const std::int32_t* elements) const;
 
   bool hasMean() const { return hasMean_; }
+  /// Whether the element's operators can go one direction after the other, and whether they can at this rule's points
+  /// (elements/directions.h).
+  static constexpr bool offersDirections = requires { typename Element::Directions; };
+  bool hasDirections() const { return hasDirections_; }
   /// Mean gradients ∂N_a/∂X of the elements of a batch, row by row, then their volume.
   const P* meanGradientsOf(std::int32_t batch) const {
     return meanGradients_.data() + static_cast<std::ptrdiff_t>(batch) * (3 * n + 1);
@@ -134,6 +152,7 @@ class ElementGeometry {
   const ElementBlock& block_;
   int points_;
   bool hasMean_;
+  bool hasDirections_ = false;
   std::vector<double> shapeGradients_;  // [q][a][j]
   std::vector<double> tableNorm_;       // [q]
   AlignedVector<P> extents_;            // [batch]

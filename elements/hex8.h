@@ -3,6 +3,7 @@
 
 #include <ringwatch/base/host_device.h>
 #include <ringwatch/elements/cell_subdivision.h>
+#include <ringwatch/elements/directions.h>
 #include <ringwatch/elements/quadrature.h>
 
 namespace ringwatch {
@@ -45,6 +46,7 @@ struct Hex8 {
       }
   }
 
+  using Directions = TrilinearDirections<Hex8>;
   static constexpr auto gauss2 = gaussCube(gauss::x2, gauss::w2);
   static constexpr auto gauss3 = gaussCube(gauss::x3, gauss::w3);
   /// One evaluation at the mean (Flanagan & Belytschko 1981) with a tenth of μ left at eight points to hold the

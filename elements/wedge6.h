@@ -3,6 +3,7 @@
 
 #include <ringwatch/base/host_device.h>
 #include <ringwatch/elements/cell_subdivision.h>
+#include <ringwatch/elements/directions.h>
 #include <ringwatch/elements/quadrature.h>
 
 namespace ringwatch {
@@ -54,13 +55,8 @@ struct Wedge6 {
     }
   }
 
-  // Triangle: the three inner points of degree 2 (Strang & Fix 1973, table 4.1).
-  static constexpr std::array<QuadraturePoint, 6> sixPoints{{{{1.0 / 6, 1.0 / 6, -gauss::p2}, 1.0 / 6},
-                                                             {{2.0 / 3, 1.0 / 6, -gauss::p2}, 1.0 / 6},
-                                                             {{1.0 / 6, 2.0 / 3, -gauss::p2}, 1.0 / 6},
-                                                             {{1.0 / 6, 1.0 / 6, gauss::p2}, 1.0 / 6},
-                                                             {{2.0 / 3, 1.0 / 6, gauss::p2}, 1.0 / 6},
-                                                             {{1.0 / 6, 2.0 / 3, gauss::p2}, 1.0 / 6}}};
+  using Directions = WedgeDirections;
+  static constexpr auto sixPoints = Directions::points;
   static constexpr std::array<QuadraturePoint, 2> twoPoints{
       {{{1.0 / 3, 1.0 / 3, -gauss::p2}, 0.5}, {{1.0 / 3, 1.0 / 3, gauss::p2}, 0.5}}};
   static constexpr std::array<QuadratureRule, 3> rules{
