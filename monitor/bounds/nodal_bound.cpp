@@ -297,7 +297,7 @@ void NodalBound::sweep(NodeVectorsView x, double bound) {
   }
 }
 
-UpperBound NodalBound::evaluate(NodeVectorsView x, int sweeps, Start start, double leastGain) {
+UpperBound NodalBound::evaluate(NodeVectorsView x, int sweeps, Start start, double leastGain, UpperBound enough) {
   evaluations_ = 0;
   prepareSums();
   evaluateAll(x, started_ ? nullptr : &start);
@@ -311,7 +311,7 @@ UpperBound NodalBound::evaluate(NodeVectorsView x, int sweeps, Start start, doub
       return {bound};
     }
     best = std::min(best, bound);
-    if (done == sweeps || !(bound > 0) || (leastGain > 0 && bound >= (1 - leastGain) * before[0])) break;
+    if (done == sweeps || !(bound > enough.value) || (leastGain > 0 && bound >= (1 - leastGain) * before[0])) break;
     before[0] = before[1];
     before[1] = bound;
     sweep(x, bound);

@@ -24,8 +24,9 @@ class NodalBound {
   explicit NodalBound(const TangentSource& source);
 
   /// The bound at x, as the source reads it: the best of up to `sweeps` + 1 evaluations. From scratch when nothing is
-  /// kept. It ends when two sweeps lowered the bound by no more than leastGain, relative.
-  UpperBound evaluate(NodeVectorsView x, int sweeps, Start start = Start::rootOfStiffness, double leastGain = 0);
+  /// kept. It ends when two sweeps lowered the bound by no more than leastGain, relative, or to `enough`.
+  UpperBound evaluate(NodeVectorsView x, int sweeps, Start start = Start::rootOfStiffness, double leastGain = 0,
+                      UpperBound enough = {0});
   /// Elements that are not in the source and share nodes with it, by their Σ l_e D_e at each node (N of them, N/m):
   /// they count in every sum and thus in the bound, and are not swept.
   void setOutside(std::vector<Eigen::Matrix3d> sums) { outside_ = std::move(sums); }

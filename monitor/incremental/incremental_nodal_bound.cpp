@@ -24,10 +24,12 @@ IncrementalNodalBound::IncrementalNodalBound(const Body& body, const RebuildPoli
       refreshes_(policy.refreshes),
       lowerings_(policy.lowerings) {}
 
-void IncrementalNodalBound::rebuild(NodeVectorsView x) {
+void IncrementalNodalBound::rebuild(NodeVectorsView x, double wanted) {
   NodalBound& weights = state_.weights();
   weights.reset();  // weights that are swept along get stuck at a front that moves through the mesh
-  weights.evaluate(x, policy_.sweeps, NodalBound::Start::rootOfStiffness, policy_.leastGain);
+  weights.evaluate(x, policy_.sweeps, NodalBound::Start::rootOfStiffness, policy_.leastGain,
+                   {policy_.enoughOfWanted * wanted});
+  endedEarly_ = weights.last() <= policy_.enoughOfWanted * wanted;
   state_.statistics().evaluated += weights.evaluations();
   state_.statistics().work += WorkAccount::ofEvaluation(body_) * static_cast<double>(weights.evaluations()) /
                               static_cast<double>(body_.mesh().elementCount());
@@ -177,9 +179,12 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
   rebuilds_.tick();
   refreshes_.tick();
   lowerings_.tick();
+  bool sweep = false;
   if (started_ && certifiedEigenvalue() <= sigma) {
     const Outcome outcome = follow(x, false, certifiedEigenvalue(), evaluation);
-    if (outcome == Outcome::held) return true;
+    // Weights that ended early have cost as much since as those would that did not: so at most twice the least is spent.
+    sweep = outcome == Outcome::held && endedEarly_ && sinceRebuild_ >= WorkAccount::ofRebuild(body_);
+    if (outcome == Outcome::held && !sweep) return true;
     // A certificate that was refused holds for a larger eigenvalue.
     started_ = outcome == Outcome::refused;
     if (outcome == Outcome::notFinite) return false;
@@ -192,8 +197,8 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
     if (certifiedEigenvalue() <= sigma) return true;
   }
   // From scratch, but not at every step while it keeps failing.
-  if (!rebuilds_.due()) return false;
-  rebuild(x);
+  if (!sweep && !rebuilds_.due()) return false;
+  rebuild(x, sweep ? 0 : sigma);
   const double tight = state_.weights().last();
   const bool proven = tight <= sigma * (1 - policy_.proofMargin);
   rebuilds_.tried(proven);

@@ -78,7 +78,8 @@ class IncrementalNodalBound {
   void refresh(NodeVectorsView x, double wanted);
   /// Ends the proof when masses or free components have changed.
   void followBody();
-  void rebuild(NodeVectorsView x);
+  /// Weights from scratch, no better than they need to be for the eigenvalue that is wanted; 0 for as good as can be.
+  void rebuild(NodeVectorsView x, double wanted = 0);
   /// Builds the certificate for an eigenvalue, with the weights that were evaluated at x. newWeights: since allowances
   /// were distributed last.
   void start(NodeVectorsView x, double certifiedEigenvalue, bool newWeights = true);
@@ -99,7 +100,7 @@ class IncrementalNodalBound {
   double sinceRefresh_ = 0, sinceRebuild_ = 0;  // work
   RunCertificate state_;
   Body::Workspace workspace_;
-  bool started_ = false;
+  bool started_ = false, endedEarly_ = false;  // endedEarly_: the last rebuild, since its weights were good enough
   std::int64_t bodyVersion_ = 0;  // that the proof is for
   std::vector<NearLimit> nearLimit_;
   Backoff rebuilds_, refreshes_, lowerings_;  // in updates

@@ -15,6 +15,9 @@ struct RebuildPolicy {
   int sweeps = 12;
   /// A rebuild ends when two sweeps gain less: 0.25 % of the step, a tenth of the slack.
   double leastGain = 0.005;
+  /// Or at this share of the eigenvalue that is wanted, since what is left is room enough for a long way: 0.7 of the
+  /// step.
+  double enoughOfWanted = 0.5;
   /// Updates between rebuilds that may not help. A rebuild costs as much as 150 to 400 steps.
   Backoff::Gaps rebuilds{.first = 40, .last = 10240, .factor = 4};
   /// Share of all elements over their allowances from which a rebuild is cheaper than local updates, each of which

@@ -220,6 +220,35 @@ TEST(IncrementalNodalBound, EvaluatesElementsInsideTheirBallsWhenTheEigenvalueIs
   }
 }
 
+// A step far below the critical one needs no sweep of the weights. Once elements have cost as much as all sweeps do,
+// the weights are swept after all.
+TEST(IncrementalNodalBound, SweepsNoMoreThanAProofNeeds) {
+  const Body body = jitteredBar({6, 3, 3}, 0.2);
+  const NodeVectors& X = body.mesh().X;
+  const double lambda = DenseTangent(body, X).largest();
+  const auto elements = static_cast<std::int64_t>(body.mesh().elementCount());
+  IncrementalNodalBound close(body);
+  ASSERT_TRUE(close.certify(X, 1.3 * lambda));
+  EXPECT_GT(close.statistics().evaluated, 4 * elements);
+
+  IncrementalNodalBound bound(body);
+  const double wanted = 4.5 * lambda;
+  ASSERT_TRUE(bound.certify(X, wanted));
+  EXPECT_LE(bound.statistics().evaluated, 2 * elements);
+  std::int64_t evaluated = 0, rebuilds = 0;
+  test::Random random(17);
+  for (int step = 0; rebuilds == 0 && step < 1000; ++step) {
+    const NodeVectors x = 1.4 * X + random.nodeVectors(X.cols(), 0.004);
+    ASSERT_TRUE(bound.certify(x, wanted)) << step;
+    EXPECT_LE(bound.verify(x), 1e-9) << step;
+    rebuilds += bound.statistics().rebuilds;
+    if (rebuilds == 0) evaluated += bound.statistics().evaluated;
+  }
+  EXPECT_EQ(rebuilds, 1);
+  EXPECT_GT(evaluated, 4 * elements);
+  EXPECT_GT(bound.statistics().evaluated, 4 * elements);
+}
+
 TEST(IncrementalNodalBound, TurnsItsWeightsWithTheBody) {
   const Body body = jitteredBar({6, 3, 3}, 0.2);
   const NodeVectors& X = body.mesh().X;
