@@ -17,6 +17,7 @@ void raise(const char* name, const char* line) {
 PYBIND11_MODULE(_ringwatch, module) {
   py::options options;
   options.disable_function_signatures();  // they stand in _ringwatch.pyi
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11 takes a function of this type.
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
