@@ -150,7 +150,9 @@ class Documents:
                 first = span.split("/")[0]
                 if path.parent == self.source and re.fullmatch(r"\w+/", span) and first not in (*top, "build", "out"):
                     self.fault(path, line, f"there is no folder {span}")
-                if "/" not in span or first not in top or first == "build" or re.search(r"[\s*<>…]|NAME|FOLDER", span):
+                # What builds and runs leave is there or not.
+                left = first in ("build", "out")
+                if "/" not in span or first not in top or left or re.search(r"[\s*<>…]|NAME|FOLDER", span):
                     continue
                 stem = self.source / span
                 if not stem.exists() and not list(stem.parent.glob(stem.name + ".*")):
