@@ -3,6 +3,10 @@
 
 namespace ringwatch {
 
+/// The highest frequency that the nonstiff part is to have at most, over the integrator's own limit: half, since the
+/// limit shrinks where a node belongs to both parts, to 1.57 of 3.03 with arkode-ark (`ringwatch verify integrators`).
+inline constexpr double nonstiffShareOfLimit = 0.5;
+
 /// A system whose acceleration is the sum of two parts, for schemes that treat them apart
 /// (IntegratorInfo::partitioned): additive implicit-explicit ones take the stiff part implicitly, multirate ones in
 /// small steps. The parts may be two sets of elements (PartitionedBodySystem), two kinds of force, or whatever else the

@@ -302,13 +302,10 @@ void addWorkPrecision(const WorkPrecisionCase& c, const std::vector<WorkPrecisio
   figure("forces", "force evaluations and tangent products", byForces);
 }
 
-std::vector<ElementRef> stiffElementsAt(const Body& body, const IntegratorInfo& info, double h) {
-  return stiffElements(body, body.mesh().X, h, 0.5 * info.imaginaryLimit);
-}
-
-WorkPrecisionCase::Parts splitForStep(const Body& body, const RayleighDamping& damping, const IntegratorInfo& info,
-                                      double h) {
-  const std::vector<ElementRef> stiff = stiffElementsAt(body, info, h);
+WorkPrecisionCase::Parts partitionForStep(const Body& body, const RayleighDamping& damping, const IntegratorInfo& info,
+                                          double h) {
+  const std::vector<ElementRef> stiff =
+      stiffElements(body, body.mesh().X, h, nonstiffShareOfLimit * info.imaginaryLimit);
   return {std::make_unique<PartitionedBodySystem>(body, stiff, damping),
           static_cast<double>(stiff.size()) / static_cast<double>(body.mesh().elementCount())};
 }
@@ -341,7 +338,7 @@ void addStandardCases(std::span<const IntegratorEntry> integrators, int levels, 
     const ConvergedMotion reference = convergedMotion(system, start, end, lambda);
     take({slivers ? "slivers" : "bar", slivers ? "Swinging StVK bar with slivers" : "Swinging StVK bar", system, start,
           end, lambda, reference.x, reference.change,
-          [&](const IntegratorInfo& info, double h) { return splitForStep(body, {}, info, h); }},
+          [&](const IntegratorInfo& info, double h) { return partitionForStep(body, {}, info, h); }},
          levels);
   }
 }

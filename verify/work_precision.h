@@ -103,13 +103,10 @@ void addRefinedBar(const IntegratorFactory& implicit, int finest, StudyReport& r
 void addStandardCases(std::span<const IntegratorEntry> integrators, int levels, double end, StudyReport& report,
                       const std::function<void(const WorkPrecisionCase&, const std::vector<WorkPrecisionRun>&)>& seen);
 
-/// The elements that a partitioned integrator is to take as stiff at a step h (s): those that alone would be unstable,
-/// such that the others' highest frequency, proven at rest, is at most half of the integrator's limit over h. Half,
-/// since the limit shrinks where a node belongs to both parts: to 1.57 of 3.03 with arkode-ark (`ringwatch verify
-/// integrators`).
-std::vector<ElementRef> stiffElementsAt(const Body& body, const IntegratorInfo& info, double h);
-/// The body in these parts.
-WorkPrecisionCase::Parts splitForStep(const Body& body, const RayleighDamping& damping, const IntegratorInfo& info,
-                                      double h);
+/// The body in two parts for a partitioned integrator at a step h (s). Stiff are the elements that alone would be
+/// unstable, such that the others' highest frequency, proven at rest, is at most nonstiffShareOfLimit of the
+/// integrator's limit over h.
+WorkPrecisionCase::Parts partitionForStep(const Body& body, const RayleighDamping& damping, const IntegratorInfo& info,
+                                          double h);
 
 }  // namespace ringwatch

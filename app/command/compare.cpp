@@ -147,7 +147,7 @@ CompareResult compareScene(const CompareOptions& options) {
       top.lambda,
       reference.x,
       reference.change,
-      [&](const IntegratorInfo& info, double h) { return splitForStep(body, scene.damping, info, h); }};
+      [&](const IntegratorInfo& info, double h) { return partitionForStep(body, scene.damping, info, h); }};
   WorkPrecisionOptions wanted;
   wanted.steps = options.steps;
   wanted.progress = [&](const std::string& what, double share) {

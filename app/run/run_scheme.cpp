@@ -6,7 +6,8 @@
 #include <ringwatch/app/run/device_stepper.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/verify/work_precision.h>
+#include <ringwatch/integrators/additive_system.h>
+#include <ringwatch/monitor/bounds/stiff_elements.h>
 
 namespace ringwatch {
 
@@ -44,7 +45,8 @@ void RunScheme::makeStepper(double h) {
   stepper_ = onDevice(h);
   if (!stepper_ && integrator_->info().partitioned) {
     // The stiff part is the elements whose own critical step is too small.
-    const std::vector<ElementRef> stiff = stiffElementsAt(body_, integrator_->info(), *scene_.step);
+    const std::vector<ElementRef> stiff =
+        stiffElements(body_, body_.mesh().X, *scene_.step, nonstiffShareOfLimit * integrator_->info().imaginaryLimit);
     stepper_ = makePartitionedStepper(*integrator_, body_, stiff, scene_.damping);
     stiffElements_ = static_cast<std::int64_t>(stiff.size());
     result_.notes.push_back(
