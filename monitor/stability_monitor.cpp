@@ -172,12 +172,13 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, N
     m.present({.kind = EventKind::nonFinite, .tangent = true}, x);
   else
     m.absent(EventKind::nonFinite);
-  // A metric with a margin proves nothing: it can only say that the step is above what it recommends.
-  const bool above = h && report.bracket && !(*h <= report.bracket->optimistic);
-  report.verdict = m.bracket && h && *h <= report.certified ? Verdict::certified
-                   : above || m.unknown                     ? Verdict::violated
-                                                            : Verdict::notCertified;
-  if (above) {
+  // Without a bracket the step may be certified all the same, in threshold mode. A metric with a margin proves nothing:
+  // it can only say that the step is above what it recommends.
+  report.verdict = m.unknown                                  ? Verdict::violated
+                   : h && report.bracket                      ? verdictFor(*h, *report.bracket)
+                   : m.bracket && h && *h <= report.certified ? Verdict::certified
+                                                              : Verdict::notCertified;
+  if (h && report.bracket && report.verdict == Verdict::violated) {
     const CriticalStep& b = *report.bracket;
     m.present({.kind = EventKind::violated, .value = *h / b.optimistic, .h = *h, .element = b.controlling}, x);
   } else if (m.bracket) {

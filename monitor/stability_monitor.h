@@ -21,7 +21,7 @@ enum class MonitorMode {
 };
 inline constexpr auto monitorModeNames = nameTable<MonitorMode>({
     {MonitorMode::bracket, "bracket", "both proven sides at every observation"},
-    {MonitorMode::threshold, "threshold", "only whether the step is certified, which is cheapest"},
+    {MonitorMode::threshold, "threshold", "only whether the step is certified, which is cheapest", "certify"},
     {MonitorMode::metric, "metric", "the metric alone"},
 });
 constexpr std::string_view monitorModeName(MonitorMode mode) { return monitorModeNames.nameOf(mode); }
@@ -61,6 +61,10 @@ inline constexpr auto verdictNames = nameTable<Verdict>({
     {Verdict::violated, "violated"},
 });
 constexpr std::string_view verdictName(Verdict verdict) { return verdictNames.nameOf(verdict); }
+/// What a bracket says of a step of h seconds.
+constexpr Verdict verdictFor(double h, const CriticalStep& bracket) {
+  return h <= bracket.safe ? Verdict::certified : h <= bracket.optimistic ? Verdict::notCertified : Verdict::violated;
+}
 
 /// What the monitor knows after a step.
 struct MonitorReport {
@@ -79,6 +83,13 @@ struct MonitorReport {
 };
 
 /// Keeps the bracket of the critical step current along a run. Reports; never stops a run itself.
+///
+///   Body body(loadMesh("bar.msh"), makeMaterial("stvk", 30e3, 0.3, 1000));
+///   StabilityMonitor monitor(body, {.limit = 2.0});  // of symplectic Euler
+///   // in the time loop, before each step:
+///   const MonitorReport& report = monitor.observe(step, time, x, v, h);
+///   for (const MonitorEvent& event : report.newEvents) std::puts(eventText(event, body.mesh()).c_str());
+///   if (report.verdict == Verdict::violated && report.bracket) h = report.bracket->safe;
 class StabilityMonitor {
  public:
   /// The body must outlive the monitor. Throws InputError for an unknown metric, a margin outside [0, 1), every or

@@ -10,10 +10,6 @@
 
 namespace ringwatch {
 
-Verdict verdictFor(double h, const CriticalStep& bracket) {
-  return h <= bracket.safe ? Verdict::certified : h <= bracket.optimistic ? Verdict::notCertified : Verdict::violated;
-}
-
 RunWatch::RunWatch(const Scene& scene, const Body& body, StepRule rule, RunResult& result)
     : scene_(scene), body_(body), rule_(std::move(rule)), result_(result) {}
 

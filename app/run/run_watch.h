@@ -9,8 +9,6 @@
 
 namespace ringwatch {
 
-Verdict verdictFor(double h, const CriticalStep& bracket);
-
 /// What a run knows of the stability of its states: a monitor watches the elements that are explicit, the handler
 /// those that it handles. Reports name elements of the body. Adds its times and notes to the result of the run.
 class RunWatch {

@@ -218,7 +218,7 @@ std::vector<SceneKey> makeKeys() {
        {},
        "keep the proven bracket safe <= critical step <= optimistic; false is mode = \"metric\""},
       {"monitor", "mode", T::text, "", false, "\"bracket\"", anything, monitorModeNames.names(),
-       monitorModeNames.listing()},
+       monitorModeNames.listing(), aliasesOf(monitorModeNames)},
       {"monitor", "metric", T::text, "", false, "\"none\"", anything, metricNames(),
        "also keep an estimate by this metric"},
       {"monitor", "margin", T::number, "", false, "0.1", share, {}, "taken off the step by metric"},
@@ -459,7 +459,7 @@ std::string sceneHelp() {
       text += line + "\n" + fmt::format("  {:<17}   {}\n", "", key.help);
       if (!key.choices.empty()) text += fmt::format("  {:<17}   one of: {}\n", "", fmt::join(key.choices, ", "));
       for (const auto& [alias, meant] : key.aliases)
-        text += fmt::format("  {:<17}   {} is an older name of {}\n", "", alias, meant);
+        text += fmt::format("  {:<17}   {} is another name of {}\n", "", alias, meant);
     }
   }
   return text + "\nMesh generators and their parameters in [mesh]:\n" + generatorHelp();

@@ -265,6 +265,8 @@ TEST(Scene, OverridesWinAndAreNamedInErrors) {
   EXPECT_EQ(readScene(file, {"integrator.step=auto"}).step, std::nullopt);
   EXPECT_EQ(readScene(file, {"monitor.mode=threshold"}).mode, MonitorMode::threshold);
   EXPECT_TRUE(readScene(file, {"monitor.mode=threshold"}).proves());
+  EXPECT_EQ(readScene(file, {"monitor.mode=certify"}).mode, MonitorMode::threshold);
+  EXPECT_THAT(sceneHelp(), HasSubstr("certify is another name of threshold"));
   EXPECT_EQ(readScene(file, {"monitor.mode=metric", "monitor.metric=single-element"}).mode, MonitorMode::metric);
 
   const std::map<std::string, std::string> faults{
