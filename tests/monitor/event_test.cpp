@@ -73,5 +73,20 @@ TEST(EventText, IsTheLineOfItsKind) {
   for (const auto& c : cases) EXPECT_EQ(eventText(c.event, mesh), c.text);
 }
 
+// A mesh that is made in memory may have neither numbers of nodes nor of elements: both count from 0.
+TEST(EventText, OfAMeshWithoutFileNumbersHasPlaces) {
+  Mesh mesh = test::box({"", "tet4", 5, "", 0}, {1, 1, 1});
+  mesh.nodeIds.clear();
+  mesh.blocks[0].ids.clear();
+  std::string nodes;
+  for (int a = 0; a < 4; ++a) nodes += joinText(" ", mesh.blocks[0].element(2)[a]);
+  EXPECT_EQ(elementText(mesh, {0, 2}), "tet4 element 0:2 (file number 2), nodes" + nodes);
+  EXPECT_EQ(
+      eventText({.kind = EventKind::violated, .value = 2, .h = 1e-3, .element = ElementRef{0, 2}}, mesh),
+      "step 0, t = 0 s: violated: h = 0.001 s is above the critical step, which is at most 0.0005 s, tet4 element "
+      "0:2 (file number 2), nodes" +
+          nodes);
+}
+
 }  // namespace
 }  // namespace ringwatch
