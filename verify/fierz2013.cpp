@@ -256,12 +256,12 @@ double allowedError(const Deformation& d, const Contestant& c) {
 }
 
 /// Fierz 2013's mean errors, mm (tables 4.2 to 4.6); NaN where its constraints could not be solved.
-struct SourceErrors {
+struct FierzErrors {
   std::string_view mode, mesh;
   std::array<double, 4> force, position;  // filtered, fe-pbd, imex, adaptive
 };
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<SourceErrors, 8> sourceErrors{{
+constexpr std::array<FierzErrors, 8> fierzErrors{{
     {"stretch", "bar", {none, 0.34, 0.01, 0.03}, {none, 0.73, 0.07, 0.1}},
     {"stretch", "cube", {0.13, 0.26, 0.02, 0.007}, {0.18, 0.25, 0.06, 0.03}},
     {"compress", "bar", {none, 0.29, 0.009, 0.003}, {none, 0.7, 0.18, 0.05}},
@@ -271,11 +271,11 @@ constexpr std::array<SourceErrors, 8> sourceErrors{{
     {"twist", "bar", {none, 0.11, 0.03, 0.02}, {none, 0.21, 0.11, 0.03}},
     {"twist", "cube", {0.08, 0.09, 0.05, 0.04}, {0.33, 0.23, 0.03, 0.02}},
 }};
-constexpr std::array<std::string_view, 4> sourceHandlers{"modal-filter", "fe-pbd", "imex", "local-time-stepping"};
+constexpr std::array<std::string_view, 4> fierzHandlers{"modal-filter", "fe-pbd", "imex", "local-time-stepping"};
 /// NaN when Fierz 2013 has no such row.
-double sourceError(const Deformation& d, std::string_view handler) {
-  const auto column = std::find(sourceHandlers.begin(), sourceHandlers.end(), handler) - sourceHandlers.begin();
-  for (const SourceErrors& row : sourceErrors)
+double fierzError(const Deformation& d, std::string_view handler) {
+  const auto column = std::find(fierzHandlers.begin(), fierzHandlers.end(), handler) - fierzHandlers.begin();
+  for (const FierzErrors& row : fierzErrors)
     if (row.mode == d.mode && row.mesh == d.mesh && d.poisson == 0.3 && column < 4)
       return (d.byForce ? row.force : row.position)[column];
   return none;
@@ -398,7 +398,7 @@ class Study {
       }
       const MethodRun& own = keep(c.name, c.h, handled, ran);
       compare(d, c, own);
-      compareWithSource(own);
+      compareWithFierz(own);
       if (ran.lost.empty() && d.poisson == 0.3 && c.name.find(',') == std::string::npos)
         picture(d).panels.push_back(surfaceOf(joinText(c.name, d.byForce ? ", force" : ", position"), body.mesh(),
                                               ran.x, Eigen::VectorXd((ran.x - exact.x).colwise().norm().transpose())));
@@ -446,11 +446,11 @@ class Study {
     return report_.surfaces.back();
   }
 
-  void compareWithSource(const MethodRun& run) {
+  void compareWithFierz(const MethodRun& run) {
     const Deformation& d = run.deformation;
-    const bool named = std::find(sourceHandlers.begin(), sourceHandlers.end(), run.method) != sourceHandlers.end();
+    const bool named = std::find(fierzHandlers.begin(), fierzHandlers.end(), run.method) != fierzHandlers.end();
     if (!named || d.poisson != 0.3) return;
-    const double theirs = sourceError(d, run.method),
+    const double theirs = fierzError(d, run.method),
                  ours = run.lost.empty() ? 1e3 * run.meanError : std::numeric_limits<double>::infinity();
     const bool unsolved = std::isnan(theirs);
     besideFierz_.rows.push_back({std::string(d.mode), std::string(d.mesh), d.byForce ? "force" : "position", run.method,

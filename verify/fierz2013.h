@@ -36,10 +36,10 @@ std::vector<Deformation> allDeformations(double poisson);
 /// certified step, and with implicit Euler on the cube (integrators: where to look for it), against Verlet at 0.05 ms.
 /// At nu = 0.4, 0.45 and 0.49 the cube alone, in the steps of Fierz 2013.
 ///
-/// Tables: deformations, a row a run with errors, time and energy; source, its errors beside ours. Figures: mean error
-/// against time, and the bodies at the end with the error of each node.
-/// Checks: the mean error of every handler over the largest displacement, by mode; mass scaling is not lost. Times are
-/// for information: no check rests on one.
+/// Tables: deformations, a row a run with errors, time and energy; source, the errors of Fierz 2013 beside ours.
+/// Figures: mean error against time, and the bodies at the end with the error of each node. Checks: the mean error of
+/// every handler over the largest displacement, by mode; mass scaling is not lost. Times are for information: no check
+/// rests on one.
 StudyReport verifyFierz2013(StudyEffort effort, std::span<const IntegratorEntry> integrators);
 
 }  // namespace ringwatch

@@ -147,7 +147,7 @@ TEST(Bisection, RefusesWhatItCannotCut) {
               HasSubstr("above 0"));
 }
 
-TEST(Bisection, RefinedBarIsLikeTheSourcesCube) {
+TEST(Bisection, RefinedBarIsLikeTheCubeOfFierz2013) {
   RefinedBarOptions o;
   o.coarse.size = {0.05, 0.05, 0.05};
   o.coarse.cells = {5, 5, 5};

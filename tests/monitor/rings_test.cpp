@@ -111,7 +111,7 @@ class RingsTest : public ::testing::TestWithParam<Cut> {};
 INSTANTIATE_TEST_SUITE_P(Cuts, RingsTest, ::testing::ValuesIn(cutsAndQuadratics()),
                          [](const auto& test) { return test::testName(test.param.name); });
 
-TEST_P(RingsTest, AreWhatTheSourceDefines) {
+TEST_P(RingsTest, AreWhatFierz2013Defines) {
   test::Random random(21);
   const bool quadratic = findElementByName(GetParam().element)->order > 1;
   for (const LawInfo& law : allLaws())

@@ -78,6 +78,7 @@ constexpr const char* howToGetVtk =
     "this build is without VTK; install it (Debian: libvtk9-dev) and configure with -DRINGWATCH_WITH_VTK=ON";
 }
 namespace detail {
+// Of the readers (mesh_readers.h): it is here since this file alone sees VTK.
 bool unpack(const std::string& source, const std::string&, const char*, std::size_t, char*, std::size_t) {
   throw InputError(source + ": the data are packed: " + howToGetVtk);
 }

@@ -14,7 +14,7 @@
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/verify/static_solver.h>
-#include <tests/verify/reference_elements.h>
+#include <tests/verify/reference_wedges_pyramids.h>
 
 namespace ringwatch {
 namespace {
