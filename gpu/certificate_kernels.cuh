@@ -135,7 +135,7 @@ struct ElementBound {
     });
   }
 
-  /// Puts a ball around the gradients F(q): its radius, anchor and what both lose by rounding.
+  /// Puts a ball around the gradients F(q): its radius, reference gradients and what both lose by rounding.
   template <class Gradients>
   static __device__ void setBall(const Law& law, const CertificateView& view, std::size_t place, int points,
                                  const Gradients& F, double value, double allowance, double strainNorm) {

@@ -215,7 +215,7 @@ std::string meshSection(const PageContent& page) {
 }
 
 /// What a rule's step means beside a bracket.
-std::string judged(const RuleStep& rule, const RunAnalysis& analysis) {
+std::string evaluated(const RuleStep& rule, const RunAnalysis& analysis) {
   if (!analysis.safe || !analysis.optimistic || !(*analysis.safe > 0)) return "there is no bracket to compare it with";
   // Of a metric that errs to one side, the side says what it is good for.
   if (rule.side == "optimistic")
@@ -249,7 +249,7 @@ std::string distributionSection(const PageContent& page) {
       "scope=\"col\">As a rule for the step</th><th scope=\"col\">What it is</th></tr></thead>\n<tbody>\n";
   for (const RuleStep& rule : a.rules)
     html += fmt::format("<tr><th scope=\"row\">{}</th><td>{:.4g}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                        htmlText(rule.name), rule.step, rule.side, judged(rule, a), htmlText(rule.help));
+                        htmlText(rule.name), rule.step, rule.side, evaluated(rule, a), htmlText(rule.help));
   return html + "</tbody></table></div>\n</section>\n";
 }
 

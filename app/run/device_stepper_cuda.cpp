@@ -81,7 +81,7 @@ class DeviceStepper final : public Stepper {
   void explicitSteps(double h, std::int64_t count, double lambda) {
     if (lambda > 0) {
       // After a failure, which costs a bound from scratch, the next attempt waits.
-      if (!(held_ && lambda == lambda_) && waited_++ % 16 == 0) {
+      if (!(held_ && lambda == lambda_) && waited_++ % callsBetweenAttempts == 0) {
         held_ = certificate_.certify(lambda);
         lambda_ = lambda;
         if (held_) waited_ = 0;
@@ -99,6 +99,9 @@ class DeviceStepper final : public Stepper {
       device_.step(h, count);
     }
   }
+
+  /// Calls of explicitSteps() from an attempt in vain to the next: a bound from scratch is spent on one of so many.
+  static constexpr std::int64_t callsBetweenAttempts = 16;
 
   const Body& body_;
   const HandlerOptions& options_;

@@ -37,8 +37,8 @@ class RunEnergies {
     scale_ = energy;
     largest_ = std::max(largest_, energy);
   }
-  /// The last energies as they are to be judged: an error within the tolerance is none.
-  std::optional<Energies> judged() const {
+  /// The last energies for the monitor's check: an error within the tolerance is none.
+  std::optional<Energies> checked() const {
     std::optional<Energies> energies = last_;
     // The largest energy of the run, which outlives a monitor.
     if (energies && std::abs(energies->balanceError) <= scene_.energyTolerance * largest_) energies->balanceError = 0;

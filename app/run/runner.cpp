@@ -313,7 +313,7 @@ class Run {
     // With "auto" the first step is chosen from the first bracket.
     MonitorReport report = watch_.observe(k, state_, steps_.asked(), shared ? &evaluation_ : nullptr);
     takeEvaluation(rowDue);
-    watch_.complete(report, state_, energies_.judged());
+    watch_.complete(report, state_, energies_.checked());
     return report;
   }
   /// The energies of the state, in a pass of their own.

@@ -71,6 +71,7 @@ bool ClusterMatrix::objective() const {
 void ClusterMatrix::addGroup(std::int32_t block, std::vector<std::int32_t> elements) {
   Group& g = groups_.emplace_back();
   g.block = body_.blocks()[block].get();
+  g.blockNumber = block;
   g.n = g.block->element().nodes;
   g.pairs = g.n * (g.n + 1) / 2;
   const LawInfo law = g.block->material().info();
@@ -145,7 +146,7 @@ void ClusterMatrix::fillGroup(Group& g) {
       for (int b = a + 1; b < g.n; ++b)
         for (int i = 0; i < 9; ++i) g.rest[pair++] = K_[(3 * a + i / 3) * size + 3 * b + i % 3];
     for (int lane = 0; lane < lanes; ++lane) {
-      const ElementRef ref{0, elements[elements[lane] < 0 ? 0 : lane]};
+      const ElementRef ref{g.blockNumber, elements[elements[lane] < 0 ? 0 : lane]};
       const auto nodes = g.block->nodesOf(ref.element);
       Eigen::MatrixXd shape(g.n, 3);
       for (int a = 0; a < g.n; ++a) shape.row(a) = X.col(nodes[a]).transpose();
@@ -156,9 +157,7 @@ void ClusterMatrix::fillGroup(Group& g) {
           g.shape[(batch * n + static_cast<std::size_t>(a)) * 3 + static_cast<std::size_t>(k)].set(lane, fitted(a, k));
       double slack = std::numeric_limits<double>::infinity();
       if (elements[lane] >= 0) {
-        const auto block = std::find_if(body_.blocks().begin(), body_.blocks().end(),
-                                        [&](const auto& own) { return own.get() == g.block; });
-        body_.elementLumpedMass({static_cast<std::int32_t>(block - body_.blocks().begin()), ref.element}, mass.data());
+        body_.elementLumpedMass(ref, mass.data());
         const double lambda = g.restHighest[batch][lane] / *std::min_element(mass.begin(), mass.end());
         // h² <= 4 w. |ΔR|² = 2 θ² for small angles.
         slack = 2 * std::clamp(turnShare / (4 * w_ * lambda), leastTurn * leastTurn, mostTurn * mostTurn);

@@ -69,7 +69,8 @@ class ClusterMatrix {
   /// The elements of a mesh block, in packs.
   struct Group {
     const ElementBlock* block = nullptr;
-    int n = 0, pairs = 0;  // nodes, and pairs a <= b, of an element
+    std::int32_t blockNumber = 0;  // in the body
+    int n = 0, pairs = 0;          // nodes, and pairs a <= b, of an element
     bool objective = true, stiffens = false;
     std::vector<Chunk> chunks;
     std::vector<std::int32_t> nodes;        // of the chunks: rows

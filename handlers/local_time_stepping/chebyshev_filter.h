@@ -6,7 +6,8 @@ namespace ringwatch {
 /// A polynomial Q of degree p - 1 that averages a force over a step which is too large for it. With
 ///   N(s) = kappa (T_p(w0) - T_p(w0 - w1 s)),   s = c + weight b,   Q(b) = N(s)/s,
 /// T_p Chebyshev's polynomial: Q(0) = 1, 0 < Q <= 1 and
-///   Q(b) (c + weight b) <= ceiling   for 0 <= b <= range.
+///   Q(b) (c + weight b) <= ceiling   for 0 <= b <= range,
+/// the ceiling being the largest (h omega)² that the base scheme is to see: 4 is the limit of leapfrog.
 /// c = 0 and w0 = 1 is p leapfrog steps of h/p from rest (Diaz & Grote 2009); w0 > 1 and the shift c are the damping
 /// and the stabilisation of Carle, Hochbruck & Sturm (2020). Theorem 35, docs/theory/handlers.md.
 struct ChebyshevFilter {

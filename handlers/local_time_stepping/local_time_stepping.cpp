@@ -14,7 +14,9 @@
 namespace ringwatch {
 namespace {
 
-constexpr double damping = 0.05;  // of the stabilised filters: their least value is that share of their largest
+/// Of the stabilised filters: the least N over the largest, which is 0 without damping, where the filter takes all
+/// force from some modes. With a shift c = 0 it costs 1.3 % of the range for 2 substeps and 1.7 % for many.
+constexpr double damping = 0.05;
 
 /// Each level more costs some of the range of those above it.
 constexpr std::size_t mostFineLevels = 3;

@@ -22,7 +22,6 @@ class MassScaling final : public Handler {
   /// Added mass, kg and % of the body's own, and the lowest elastic frequencies with and without it, Hz, at the
   /// positions of the first mass that was added.
   std::vector<HandlerFigure> figures() const override;
-  double addedMass() const { return added_.sum(); }
 
  protected:
   void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;

@@ -35,9 +35,9 @@ class IncrementalNodalBound {
   /// x that elements would soon exceed their allowances everywhere. Needs no evaluation.
   void relaxBound(LowerBound lower, double width);
 
-  /// Threshold mode: proves lambda_max <= sigma for a sigma of the caller's at x, or returns false. Where there is much
-  /// room below sigma, balls are large and hardly any element is ever evaluated again. A proof that is kept for a
-  /// smaller sigma serves too.
+  /// Threshold mode: proves that the highest eigenvalue at x is at most `sigma`, rad²/s², or returns false. Where
+  /// `sigma` lies far above it, balls are large and hardly any element is ever evaluated again. A proof that is kept
+  /// for a smaller value serves too.
   bool certify(NodeVectorsView x, double sigma, StepEvaluation* evaluation = nullptr);
 
   double certifiedEigenvalue() const { return state_.certifiedEigenvalue(); }
@@ -101,7 +101,7 @@ class IncrementalNodalBound {
   RunCertificate state_;
   Body::Workspace workspace_;
   bool started_ = false, endedEarly_ = false;  // endedEarly_: the last rebuild, since its weights were good enough
-  std::int64_t bodyVersion_ = 0;  // that the proof is for
+  std::int64_t bodyVersion_ = 0;               // that the proof is for
   std::vector<NearLimit> nearLimit_;
   Backoff rebuilds_, refreshes_, lowerings_;  // in updates
   double tightOverLower_ = 0;  // the tight bound at the last rebuild over the lower bound then; 0: not known yet

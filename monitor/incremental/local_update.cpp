@@ -23,7 +23,8 @@ double largestScaling(const Eigen::Matrix3d& base, const Eigen::Matrix3d& part, 
 }
 
 /// (S/σ)^-¼ of a node, for D ← R D R: half the step of a sweep from scratch, since allowances outside the neighbourhood
-/// stay. Eigenvalues below the floor count as the floor: nothing is gained from weights that vanish.
+/// stay. Eigenvalues below the floor count as the floor: nothing is gained from weights that vanish. With this one no
+/// direction grows by more than 1e-3^-¼ = 5.6 an update.
 Eigen::Matrix3d localSweepFactor(const Eigen::Matrix3d& S) {
   constexpr double floor = 1e-3, power = -0.25;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(S);

@@ -239,10 +239,10 @@ LowerBound RunBracket::restartMode(NodeVectorsView x) {
 }
 
 LowerBound RunBracket::startMode(NodeVectorsView x) {
-  const std::vector<ElementRef> hot = nodal_.highestElements(policy_.highestRings);
+  const std::vector<ElementRef> elements = nodal_.highestElements(policy_.highestRings);
   mode_ = NodeVectors::Zero(3, body_.nodeCount());
   double highest = 0;
-  for (const ElementRef e : hot) {
+  for (const ElementRef e : elements) {
     if (!decomposeRing(x, e)) continue;
     const double value = topOfRing();
     if (!(value > highest)) continue;
@@ -250,7 +250,7 @@ LowerBound RunBracket::startMode(NodeVectorsView x) {
     mode_.setZero();
     addTopOfRing(mode_);
   }
-  spent_.evaluated += static_cast<std::int64_t>(hot.size());
+  spent_.evaluated += static_cast<std::int64_t>(elements.size());
   const LowerBound quotient = rayleighLowerBound(body_, x, mode_, policy_.firstProducts);
   method_ = quotient.value > highest ? "rayleigh-quotient" : "reduced-1-ring";
   return followMode(x, {std::max(quotient.value, highest)});

@@ -289,14 +289,14 @@ std::size_t ValidityBalls::visitedGroups() const {
       std::count_if(groups_.begin(), groups_.end(), [&](const Group& group) { return group.visitedAt == checks_; }));
 }
 
-bool ValidityBalls::canSkip(Group& group, const double* rows) const {
+bool ValidityBalls::canSkip(Group& group, const double* rows) {
   if (group.marginAtCheck < 0 || !(remainingMargin(group, rows) >= 0)) return false;  // NaN among them
   group.skipped = true;
   group.pause = 0;
   return true;
 }
 
-double ValidityBalls::remainingMargin(Group& group, const double* rows) const {
+double ValidityBalls::remainingMargin(Group& group, const double* rows) {
   const TrackedNodes tracked{nodes_.data() + group.nodeBegin, before_.data() + 3 * group.nodeBegin,
                              group.nodeEnd - group.nodeBegin, group.centre, rows};
   const double moved = tracked.moved(0).lpNorm<1>();

@@ -79,8 +79,8 @@ class ValidityBalls {
     bool skipped = true;                               // a check since it last began to skip
     std::int16_t pause = 0, waits = 0;  // checks without trying to skip after a try in vain; those still to come
   };
-  bool canSkip(Group& group, const double* rows) const;
-  double remainingMargin(Group& group, const double* rows) const;
+  bool canSkip(Group& group, const double* rows);
+  double remainingMargin(Group& group, const double* rows);
   void beginSkipping(Group& group, double margin, double leverArm, const double* rows);
 
   const ElementBlock* block_;
