@@ -10,6 +10,7 @@
 #include <ringwatch/base/double_double.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/matrix3.h>
+#include <ringwatch/meshes/jacobian.h>
 
 namespace ringwatch {
 
@@ -112,9 +113,7 @@ void Body::elementLumpedMass(ElementRef ref, double* mass) const {
   for (const QuadraturePoint& point : element.massRule.points) {
     element.shape(point.xi, N);
     element.shapeGradient(point.xi, dN);
-    // Relative to the first node: far from the origin, products of large coordinates would lose the element's size.
-    Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
-    for (int a = 1; a < n; ++a) J += (mesh_.X.col(nodes[a]) - mesh_.X.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
+    const Eigen::Matrix3d J = jacobianOf(mesh_.X, nodes.data(), n, dN[0]);
     double volume = J.determinant();
     // The determinant of a flat element cancels.
     constexpr double flat = 1e-2;

@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/meshes/jacobian.h>
 
 namespace ringwatch {
 
@@ -33,12 +34,7 @@ JacobianProbe::JacobianProbe(const ElementInfo& info) : nodes_(info.nodes) {
 }
 
 Eigen::Matrix3d JacobianProbe::jacobian(const Point& point, const NodeVectors& x, const std::int32_t* nodes) const {
-  Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
-  // Relative to the first node, for elements far from the origin.
-  for (int a = 1; a < nodes_; ++a)
-    J.noalias() +=
-        (x.col(nodes[a]) - x.col(nodes[0])) * Eigen::Map<const Eigen::RowVector3d>(point.gradient.data() + 3 * a);
-  return J;
+  return jacobianOf(x, nodes, nodes_, point.gradient.data());
 }
 
 JacobianRange JacobianProbe::range(const NodeVectors& x, const std::int32_t* nodes) const {

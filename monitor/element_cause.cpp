@@ -9,6 +9,7 @@
 #include <Eigen/SVD>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/meshes/jacobian.h>
 
 namespace ringwatch {
 namespace {
@@ -40,12 +41,8 @@ ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef elemen
   double dN[maxElementNodes][3];
   for (const QuadraturePoint& point : block.rule().points) {
     block.element().shapeGradient(point.xi, dN);
-    Eigen::Matrix3d rest = Eigen::Matrix3d::Zero(), current = Eigen::Matrix3d::Zero();
-    for (std::size_t a = 1; a < nodes.size(); ++a) {
-      rest += (X.col(nodes[a]) - X.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
-      current += (x.col(nodes[a]) - x.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
-    }
-    const Eigen::Matrix3d F = current * rest.inverse();
+    const int n = block.element().nodes;
+    const Eigen::Matrix3d F = jacobianOf(x, nodes.data(), n, dN[0]) * jacobianOf(X, nodes.data(), n, dN[0]).inverse();
     cause.finite = cause.finite && F.allFinite();
     if (!cause.finite) break;
     const Eigen::Vector3d stretches = Eigen::JacobiSVD<Eigen::Matrix3d>(F).singularValues();

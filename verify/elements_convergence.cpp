@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/meshes/jacobian.h>
 #include <ringwatch/verify/elements_studies.h>
 #include <ringwatch/verify/static_solver.h>
 
@@ -72,14 +73,12 @@ Errors solve(const ElementRule& c, std::string_view law, const Manufactured& exa
       c.element->shape(q.xi, N.data());
       c.element->shapeGradient(q.xi, reinterpret_cast<double(*)[3]>(dN.data()));
       Eigen::Vector3d X = Eigen::Vector3d::Zero(), x = X;
-      Eigen::Matrix3d J = Eigen::Matrix3d::Zero(), D = J;
       for (std::size_t a = 0; a < N.size(); ++a) {
-        const Eigen::RowVector3d g = Eigen::RowVector3d::Map(dN.data() + 3 * a);
         X += N[a] * mesh.X.col(nodes[a]);
         x += N[a] * solution.x.col(nodes[a]);
-        J += mesh.X.col(nodes[a]) * g;
-        D += solution.x.col(nodes[a]) * g;
       }
+      const Eigen::Matrix3d J = jacobianOf(mesh.X, nodes, c.element->nodes, dN.data()),
+                            D = jacobianOf(solution.x, nodes, c.element->nodes, dN.data());
       const double w = q.weight * J.determinant();
       const Eigen::Matrix3d gradient = exact.gradient(X);
       l2 += w * (x - X - exact.displacement(X)).squaredNorm();

@@ -5,6 +5,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/body/free_dofs.h>
+#include <ringwatch/meshes/jacobian.h>
 #include <ringwatch/monitor/small/symmetric_eigenpairs.h>
 
 namespace ringwatch {
@@ -56,12 +57,9 @@ NodeVectors consistentBodyForce(const Mesh& mesh,
       for (const QuadraturePoint& q : finestRule(info).points) {
         info.shape(q.xi, N);
         info.shapeGradient(q.xi, dN);
-        Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+        const Eigen::Matrix3d J = jacobianOf(mesh.X, nodes, info.nodes, dN[0]);
         Eigen::Vector3d X = Eigen::Vector3d::Zero();
-        for (int a = 0; a < info.nodes; ++a) {
-          X += N[a] * mesh.X.col(nodes[a]);
-          J += (mesh.X.col(nodes[a]) - mesh.X.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
-        }
+        for (int a = 0; a < info.nodes; ++a) X += N[a] * mesh.X.col(nodes[a]);
         const Eigen::Vector3d b = force(X) * (q.weight * J.determinant());
         for (int a = 0; a < info.nodes; ++a) f.col(nodes[a]) += N[a] * b;
       }
@@ -106,12 +104,9 @@ NodeVectors consistentTraction(const Mesh& mesh, const std::function<bool(const 
             }
             info.shape(xi.data(), N);
             info.shapeGradient(xi.data(), dN);
-            Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+            const Eigen::Matrix3d J = jacobianOf(mesh.X, nodes, info.nodes, dN[0]);
             Eigen::Vector3d X = Eigen::Vector3d::Zero();
-            for (int a = 0; a < info.nodes; ++a) {
-              X += N[a] * mesh.X.col(nodes[a]);
-              J += (mesh.X.col(nodes[a]) - mesh.X.col(nodes[0])) * Eigen::RowVector3d::Map(dN[a]);
-            }
+            for (int a = 0; a < info.nodes; ++a) X += N[a] * mesh.X.col(nodes[a]);
             const Eigen::Vector3d t = traction(X) * (factor * (J * du).cross(J * dv).norm());
             for (int a = 0; a < info.nodes; ++a) f.col(nodes[a]) += N[a] * t;
           }

@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <ringwatch/meshes/jacobian.h>
+
 namespace ringwatch {
 namespace {
 
@@ -48,9 +50,7 @@ double lengthOf(const ElementInfo& element, NodeVectorsView x, std::span<const s
   double volume = 0, dN[maxElementNodes][3];
   for (const QuadraturePoint& point : element.massRule.points) {
     element.shapeGradient(point.xi, dN);
-    Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
-    for (int a = 1; a < element.nodes; ++a) J += (at(a) - at(0)) * Eigen::RowVector3d::Map(dN[a]);
-    volume += J.determinant() * point.weight;
+    volume += jacobianOf(x, nodes.data(), element.nodes, dN[0]).determinant() * point.weight;
   }
   if (kind == CharacteristicLength::inRadius) return 3 * volume / sum;
   const bool tetrahedron = element.faces.size() == 4 && kind == CharacteristicLength::usual;
