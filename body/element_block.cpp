@@ -44,10 +44,9 @@ BatchMaker batchMaker(ElementType element, const Material& material) {
   }
   if (material.outside) return registeredLaw(material).makerOf(element);
   BatchMaker make = nullptr;
-  [&]<std::size_t... shard>(std::index_sequence<shard...>) {
-    ((make = make ? make : batchMakerOfShard<shard>(element, material.law.index())), ...);
-  }
-  (std::make_index_sequence<lawShards>{});
+  forEachLawShard([&](auto shard) {
+    if (make == nullptr) make = batchMakerOfShard<shard>(element, material.law.index());
+  });
   return make;
 }
 }  // namespace

@@ -1,5 +1,3 @@
-#include <utility>
-
 #include <ringwatch/gpu/certificate_operations.h>
 #include <ringwatch/gpu/patch_operations.h>
 #include <ringwatch/gpu/tangent_operations.h>
@@ -20,10 +18,7 @@ void tangentOperationsOfShard(ElementType type, std::size_t law, TangentOperatio
 template <class R>
 PatchOperations<R> patchOperations(ElementType type, std::size_t law) {
   PatchOperations<R> result;
-  [&]<std::size_t... shard>(std::index_sequence<shard...>) {
-    (detail::patchOperationsOfShard<shard, R>(type, law, result), ...);
-  }
-  (std::make_index_sequence<lawShards>{});
+  forEachLawShard([&](auto shard) { detail::patchOperationsOfShard<shard, R>(type, law, result); });
   return result;
 }
 template PatchOperations<double> patchOperations(ElementType, std::size_t);
@@ -31,19 +26,13 @@ template PatchOperations<float> patchOperations(ElementType, std::size_t);
 
 CertificateOperations certificateOperations(ElementType type, std::size_t law) {
   CertificateOperations result;
-  [&]<std::size_t... shard>(std::index_sequence<shard...>) {
-    (detail::certificateOperationsOfShard<shard>(type, law, result), ...);
-  }
-  (std::make_index_sequence<lawShards>{});
+  forEachLawShard([&](auto shard) { detail::certificateOperationsOfShard<shard>(type, law, result); });
   return result;
 }
 
 TangentOperations tangentOperations(ElementType type, std::size_t law) {
   TangentOperations result;
-  [&]<std::size_t... shard>(std::index_sequence<shard...>) {
-    (detail::tangentOperationsOfShard<shard>(type, law, result), ...);
-  }
-  (std::make_index_sequence<lawShards>{});
+  forEachLawShard([&](auto shard) { detail::tangentOperationsOfShard<shard>(type, law, result); });
   return result;
 }
 

@@ -49,6 +49,15 @@ void visitLawOfShard(std::size_t law, Visit&& visit) {
   (std::make_index_sequence<std::variant_size_v<Law>>{});
 }
 
+/// Calls visit(std::integral_constant<std::size_t, s>{}) for every such file s.
+template <class Visit>
+void forEachLawShard(Visit&& visit) {
+  [&]<std::size_t... shard>(std::index_sequence<shard...>) {
+    (visit(std::integral_constant<std::size_t, shard>{}), ...);
+  }
+  (std::make_index_sequence<lawShards>{});
+}
+
 /// What a law declares: scenes, command line, help texts, blocks and tests take it from here.
 struct LawInfo {
   std::string_view name;
