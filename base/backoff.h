@@ -12,6 +12,9 @@ class Backoff {
     int first;   ///< after a try that helped
     int last;    ///< the longest
     int factor;  ///< from one gap to the next while tries do not help
+
+    /// The same gap always.
+    static constexpr Gaps fixed(int gap) { return {.first = gap, .last = gap, .factor = 1}; }
   };
   /// The first try is due at once.
   constexpr explicit Backoff(Gaps gaps) : gaps_(gaps), gap_(gaps.first), since_(gaps.last) {}

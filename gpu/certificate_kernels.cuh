@@ -270,14 +270,14 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
   const std::int32_t* own = block.nodes + static_cast<std::size_t>(blockIdx.x) * block.nodeCapacity;
   const ElementView<Element, double> element(block);
   const unsigned constrained = Bound::constrainedOf(nodes, own, element.corners);
-  double room = std::numeric_limits<double>::infinity();
+  double scaling = std::numeric_limits<double>::infinity();
 #pragma unroll
   for (int a = 0; a < n; ++a) {
     const double nodal = sums.nodal[own[element.corners.node[a]]];
-    if (nodal > 0) room = fmin(room, sigma / nodal);
+    if (nodal > 0) scaling = fmin(scaling, sigma / nodal);
   }
   const double value = view.value[place];
-  const double allowance = value > 0 ? value * room * (1 - allowanceRounding) : 0;
+  const double allowance = value > 0 ? value * scaling * (1 - allowanceRounding) : 0;
   double L[Bound::size * Bound::size];
   Bound::clear(L);
   forEachPoint(element, block.pointCount, [&](int q, const Matrix3<double>& J1, double weight) {

@@ -89,14 +89,14 @@ struct StabilityMonitor::Impl {
       report.bracket.reset();
       if (bracketed) report.bracket = bracket->last();
       report.certified = !bracketed ? *h : report.bracket ? report.bracket->safe : 0;
-      const UpdateStatistics& spent = bracket->spent();
-      report.elementsRefreshed = spent.evaluated;
+      const UpdateStatistics& statistics = bracket->statistics();
+      report.elementsRefreshed = statistics.evaluated;
       unknown = !bracket->finite();
       // An element that inverts leaves its ball first, so the elements evaluated are all that can have inverted. Where
       // the tangent is not finite the evaluation has ended early.
       const Body::LeastDeterminant least =
           unknown ? body.leastDeterminant(x)
-                  : Body::LeastDeterminant{spent.leastDeterminant, spent.leastDeterminantElement};
+                  : Body::LeastDeterminant{statistics.leastDeterminant, statistics.leastDeterminantElement};
       tellInverted(least, x);
       const RunBracket::LowestRing& lowest = bracket->lowestRing();
       if (lowest.value < 0)

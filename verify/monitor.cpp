@@ -135,7 +135,7 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
       "drift",
       "The incremental nodal bound along random paths, every element checked against an exact evaluation at every "
       "observation",
-      {"element", "law", "element and state trials", "evaluated (%)", "violations", "least room (relative)"},
+      {"element", "law", "element and state trials", "evaluated (%)", "violations", "least margin (relative)"},
       {}};
   const std::int64_t wanted = effort == StudyEffort::full ? 10'400'000 : 40'000;
   std::vector<const ElementInfo*> elements;
@@ -155,7 +155,7 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
       const auto count = static_cast<std::int64_t>(body.mesh().elementCount());
       const NodeVectors& X = body.mesh().X;
       std::int64_t trials = 0, violations = 0, evaluated = 0;
-      double room = std::numeric_limits<double>::infinity();
+      double margin = std::numeric_limits<double>::infinity();
       while (trials < share) {
         IncrementalNodalBound bound(body);
         // A path: a slow turn and stretch, with noise that grows; now and then a jump.
@@ -169,7 +169,7 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
           if (!(bound.update(x).value < std::numeric_limits<double>::infinity())) break;
           if (state > 0) evaluated += bound.statistics().evaluated;
           const double excess = bound.verify(x);
-          room = std::min(room, -excess);
+          margin = std::min(margin, -excess);
           // Of the proof's statements, one an element and one a node; that one fails is seen, not how many do.
           violations += !(excess <= 1e-9);
           trials += count;
@@ -178,7 +178,7 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
       total += trials;
       violated += violations;
       table.rows.push_back({std::string(info->name), std::string(law.name), trials,
-                            100.0 * static_cast<double>(evaluated) / static_cast<double>(trials), violations, room});
+                            100.0 * static_cast<double>(evaluated) / static_cast<double>(trials), violations, margin});
     }
   checkBelow(report, joinText("violations of the incremental nodal bound in ", total, " element and state trials"),
              static_cast<double>(violated), 0);

@@ -137,10 +137,10 @@ std::string Picture::script(const std::string& title) const {
   text += "set title 'Step sizes' offset 0,-0.5\nset ylabel 'step (s)'\n";
   if (panels == 1) text += "set xlabel 'time (s)'\n";
   if (logarithmic) text += "set logscale y\n";
-  const double room = std::max(0.08 * (mostStep - leastStep), 0.05 * mostStep);
+  const double margin = std::max(0.08 * (mostStep - leastStep), 0.05 * mostStep);
   if (mostStep > 0 && leastStep <= mostStep)
     text += logarithmic ? fmt::format("set yrange [{}:{}]\n", 0.5 * leastStep, 1.5 * mostStep)
-                        : fmt::format("set yrange [{}:{}]\n", leastStep - room, mostStep + room);
+                        : fmt::format("set yrange [{}:{}]\n", leastStep - margin, mostStep + margin);
   std::string curves;
   if (hasBracket)
     curves +=

@@ -45,13 +45,13 @@ LevelFilter::LevelFilter(const Body& body, std::vector<FineLevel> levels, const 
 
 void LevelFilter::number(const Body& body, const ElementFlags& implicit) {
   std::vector<std::size_t> depth(static_cast<std::size_t>(body.nodeCount()), 0);
-  const auto reach = [&](const ElementFlags& flags, std::size_t level) {
+  const auto deepen = [&](const ElementFlags& flags, std::size_t level) {
     for (const ElementRef e : chosenElements(flags))
       for (const std::int32_t node : body.blocks()[e.block]->nodesOf(e.element))
         depth[node] = std::max(depth[node], level);
   };
-  for (std::size_t k = 0; k < levels_.size(); ++k) reach(levels_[k].fine.elements, k + 1);
-  reach(implicit, levels_.size());
+  for (std::size_t k = 0; k < levels_.size(); ++k) deepen(levels_[k].fine.elements, k + 1);
+  deepen(implicit, levels_.size());
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
     if (depth[i] > 0) nodes_.push_back(i);
   std::stable_sort(nodes_.begin(), nodes_.end(), [&](std::int32_t a, std::int32_t b) { return depth[a] > depth[b]; });

@@ -62,18 +62,18 @@ std::vector<LocalTimeStepping::Level> LocalTimeStepping::plan(const std::vector<
   for (const auto& block : lambdas) sorted.insert(sorted.end(), block.begin(), block.end());
   std::sort(sorted.begin(), sorted.end());
   const auto count = static_cast<double>(sorted.size());
-  const double room = allowedLambda(h) * h * h / 4;  // (1 - margin)²
+  const double marginFactor = allowedLambda(h) * h * h / 4;  // (1 - margin)²
   const auto below = [&](double lambda) {
     return static_cast<double>(std::upper_bound(sorted.begin(), sorted.end(), lambda) - sorted.begin());
   };
   const double deep = count - below(deepest(h));
   const double weights[]{stabilised_ ? 1 + 2 * dissipation_ : 1, 1}, share = stabilised_ ? coarseShare : 0,
                                                                      least = stabilised_ ? damping : 0;
-  // Ceilings only scale the filters: their reach over that of p small steps, [ratio][whether inner].
-  std::vector<double> reach;
+  // Ceilings only scale the filters: their range over that of p small steps, [ratio][whether inner].
+  std::vector<double> ranges;
   for (const int p : ratios)
     for (const double weight : weights)
-      reach.push_back(chebyshevFilter(p, 1, share, weight, least).range / (1.0 * p * p));
+      ranges.push_back(chebyshevFilter(p, 1, share, weight, least).range / (1.0 * p * p));
 
   struct Step {
     int substeps;
@@ -84,7 +84,7 @@ std::vector<LocalTimeStepping::Level> LocalTimeStepping::plan(const std::vector<
   const auto extend = [&](const auto& self, double cost, double counted) -> void {  // every ascending choice of steps
     if (cost >= leastCost) return;
     const auto [substeps, ceiling] = steps.back();
-    const double own = std::max(0.0, below(ceiling * room * substeps * substeps / (h * h)) - counted),
+    const double own = std::max(0.0, below(ceiling * marginFactor * substeps * substeps / (h * h)) - counted),
                  left = count - counted - own, total = cost + substeps * (own + (substeps > 1 ? callCost : 0));
     const double whole = total + substeps * implicitCost * left;
     if ((left <= deep || substeps == 1 << levelLimit_) && whole < leastCost) {
@@ -93,7 +93,7 @@ std::vector<LocalTimeStepping::Level> LocalTimeStepping::plan(const std::vector<
     }
     if (steps.size() > mostFineLevels) return;
     for (std::size_t p = 0; p < ratios.size() && substeps * ratios[p] <= 1 << levelLimit_; ++p) {
-      steps.push_back({substeps * ratios[p], ceiling * reach[2 * p + (steps.size() > 1)]});
+      steps.push_back({substeps * ratios[p], ceiling * ranges[2 * p + (steps.size() > 1)]});
       self(self, total, counted + own);
       steps.pop_back();
     }
@@ -105,7 +105,7 @@ std::vector<LocalTimeStepping::Level> LocalTimeStepping::plan(const std::vector<
     const auto [substeps, ceiling] = best[k];
     Level& level = levels.emplace_back();
     level.substeps = substeps;
-    level.lambda = ceiling * room * substeps * substeps / (h * h);
+    level.lambda = ceiling * marginFactor * substeps * substeps / (h * h);
     level.massShare = k + 1 < best.size() && stabilised_ ? share : 1;
     if (k > 0)
       level.filter = chebyshevFilter(substeps / best[k - 1].substeps, best[k - 1].ceiling, share * best[k - 1].ceiling,
@@ -204,8 +204,8 @@ void LocalTimeStepping::take(const NodeVectors& x, double h, const ElementFlags&
   for (std::size_t k = 1; k < levels_.size(); ++k)
     fine.push_back({levels_[k].elements, levels_[k].filter, h / levels_[k - 1].substeps});
   const Level& last = levels_.back();
-  const double room = allowedLambda(h) * h * h / 4, step = h / last.substeps,
-               ceiling = last.lambda * step * step / room;
+  const double marginFactor = allowedLambda(h) * h * h / 4, step = h / last.substeps,
+               ceiling = last.lambda * step * step / marginFactor;
   if (fine.empty()) fine.push_back({noElements(body_.mesh()), {}, h});
   // A tenth more than at rest: K̂ is kept while elements turn by a few hundredths (ImplicitCluster).
   constexpr double lag = 1.1;
@@ -286,13 +286,13 @@ StepStatus LocalTimeStepping::handledStep(SecondOrderSystem& system, State& stat
 
 std::string LocalTimeStepping::uncertifiedPart(const NodeVectors& x) {
   if (watches_.empty()) {
-    const double room = (1 - options_.margin) * (1 - options_.margin);
+    const double marginFactor = (1 - options_.margin) * (1 - options_.margin);
     ElementFlags finer = implicit_;
     for (std::size_t k = levels_.size(); k-- > 1;) {
       const Level& level = levels_[k];
       const auto elements = chosenElements(level.elements);
       if (!elements.empty())
-        watches_.emplace_back(body_, level.elements, massBeside(finer, level.massShare), level.lambda / room,
+        watches_.emplace_back(body_, level.elements, massBeside(finer, level.massShare), level.lambda / marginFactor,
                               level.substeps);
       for (const ElementRef e : elements) finer[e.block][e.element] = true;
     }

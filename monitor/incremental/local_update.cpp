@@ -71,14 +71,14 @@ class Neighbourhood {
   }
 
   /// How far the values of all elements could grow together below the certified eigenvalue: the least of the nodes.
-  double leastRoom() {
+  double leastScaling() {
     inside_.assign(nodes_.size(), Eigen::Matrix3d::Zero());
     for (const Meeting& m : meetings_)
       inside_[m.node] += state_.value(ring_[m.element]) * state_.weights().weight(m.at);
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       inside_[i] = freePart(body_, nodes_[i], inside_[i] / body_.lumpedMass()[nodes_[i]]);
-    findRoom();
-    return room_.empty() ? infinite : *std::min_element(room_.begin(), room_.end());
+    findScalings();
+    return scalings_.empty() ? infinite : *std::min_element(scalings_.begin(), scalings_.end());
   }
 
   /// Raises the certified eigenvalue to what the neighbourhood needs.
@@ -88,18 +88,18 @@ class Neighbourhood {
     state_.setCertifiedEigenvalue(
         std::max(state_.certifiedEigenvalue(), need * (1 + policy_.raisedSlack * policy_.slack)));
     ++state_.statistics().raises;
-    findRoom();
+    findScalings();
   }
 
-  /// Gives every element the room of its nodes.
+  /// Gives every element the least scaling of its nodes.
   void distribute() {
     for (std::size_t k = 0; k < ring_.size(); ++k) {
       double own = infinite;
       for (const std::int32_t node : nodesOf(ring_[k])) {
         const auto at = std::lower_bound(nodes_.begin(), nodes_.end(), node);
-        if (at != nodes_.end() && *at == node) own = std::min(own, room_[at - nodes_.begin()]);
+        if (at != nodes_.end() && *at == node) own = std::min(own, scalings_[at - nodes_.begin()]);
       }
-      // Infinite room: l_e = 0, or no component is free. An older allowance was for weights that may have been swept
+      // Infinite: l_e = 0, or no component is free. An older allowance was for weights that may have been swept
       // since.
       state_.setAllowance(ring_[k], std::isfinite(own) ? state_.value(ring_[k]) * own * (1 - allowanceRounding) : 0);
       state_.setBall(ring_[k], references_[k]);
@@ -175,10 +175,10 @@ class Neighbourhood {
     lastRing_ = ring_;
     lastInner_ = inner_;
   }
-  void findRoom() {
-    room_.resize(nodes_.size());
+  void findScalings() {
+    scalings_.resize(nodes_.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-      room_[i] = largestScaling(outside_[i], inside_[i], state_.certifiedEigenvalue());
+      scalings_[i] = largestScaling(outside_[i], inside_[i], state_.certifiedEigenvalue());
   }
 
   RunCertificate& state_;
@@ -189,7 +189,7 @@ class Neighbourhood {
   std::vector<std::int32_t> inner_, nodes_;  // free nodes of the seed, of the ring
   std::vector<Meeting> meetings_;
   std::vector<Eigen::Matrix3d> outside_, inside_;  // by node: Σ β_e D_e / m of all others, Σ l_e D_e / m of the ring
-  std::vector<double> room_;                       // by node
+  std::vector<double> scalings_;                   // by node
   std::vector<RunCertificate::Reference> references_;
   std::vector<ElementRef> lastRing_;
   std::vector<std::int32_t> lastInner_;
@@ -215,7 +215,7 @@ std::vector<ElementRef> localUpdate(RunCertificate& state, NodeVectorsView x, El
     for (int sweep = 0; sweep <= policy.localSweeps; ++sweep) {
       if (sweep > 0) near.sweep();
       const bool lastSweep = sweep == policy.localSweeps, last = lastSweep && growth == policy.growths;
-      bool enough = near.leastRoom() > 1 + (lastSweep ? policy.leastRegain : policy.wantedRegain) * policy.slack;
+      bool enough = near.leastScaling() > 1 + (lastSweep ? policy.leastRegain : policy.wantedRegain) * policy.slack;
       if (!enough && last && mayRaise) {
         near.raise();
         enough = true;

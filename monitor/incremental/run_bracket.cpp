@@ -27,12 +27,13 @@ RunBracket::RunBracket(const Body& body, double width, double budget, const Brac
       localNodes_(policy.leastLocalNodes),
       ringNodes_(body, nodal_.weights()),
       softest_(body),
-      sinceDoubt_(policy.firstGap),
-      sinceSharpened_(policy.sharpenGap),
-      sinceCompressed_(policy.firstGap),
+      cheapest_(Backoff::Gaps::fixed(policy.firstGap)),
+      sharpening_(Backoff::Gaps::fixed(policy.sharpenGap)),
+      sharpeningRestart_(Backoff::Gaps::fixed(policy.firstGap)),
       wholeMode_(policy.wholeMode),
       restart_(policy.restarts),
-      search_(policy.searches) {}
+      search_(policy.searches),
+      examination_(Backoff::Gaps::fixed(policy.firstGap)) {}
 
 const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const StepRule& limit,
                                                         std::optional<double> h, StepEvaluation* evaluation) {
@@ -45,7 +46,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   const double sigma = nodal_.certifiedEigenvalue();  // that allowances belong to
   const double ceiling = h ? limit.lambdaFor(*h) : std::numeric_limits<double>::infinity();
   UpperBound upper = nodal_.update(x, evaluation, ceiling);
-  spent_ = nodal_.statistics();
+  statistics_ = nodal_.statistics();
   bracketed_ = true;
   finite_ = std::isfinite(upper.value);
   if (!finite_) {
@@ -54,7 +55,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   }
   method_ = "rayleigh-quotient";
   LowerBound lower{0};
-  const bool first = mode_.size() == 0, rebuilt = spent_.rebuilds > 0;
+  const bool first = mode_.size() == 0, rebuilt = statistics_.rebuilds > 0;
   if (!first) {
     lower = local_.evaluate(x);
     wholeMode_.tick();
@@ -79,9 +80,9 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   nodal_.relaxBound(lower, width_);
   upper.value = std::max(upper.value, nodal_.certifiedEigenvalue());
   if (upper.value > allowed * lower.value && nodal_.tightenBound(x, lower, width_)) {
-    spent_.evaluated += nodal_.statistics().evaluated;
+    statistics_.evaluated += nodal_.statistics().evaluated;
     upper = nodal_.update(x);
-    spent_.evaluated += nodal_.statistics().evaluated;
+    statistics_.evaluated += nodal_.statistics().evaluated;
   }
   step_ = CriticalStep{safeStep(upper, limit),
                        optimisticStep(lower, limit),
@@ -97,28 +98,31 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
 bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, StepEvaluation* evaluation) {
   account_.earn();
   std::int64_t before = 0;
-  if (sinceDoubt_ >= policy_.firstGap) {
+  if (cheapest_.due()) {
     const bool certified = nodal_.certify(x, limit.lambdaFor(h), evaluation);
     evaluation = nullptr;
-    spent_ = nodal_.statistics();
+    statistics_ = nodal_.statistics();
     bracketed_ = false;
     if (certified) {
       searchUnderCompression(x);
       return true;
     }
-    before = spent_.evaluated;
+    before = statistics_.evaluated;
   }
   follow(x, limit, h, evaluation);
-  spent_.evaluated += before;
+  statistics_.evaluated += before;
   const bool certified = step_ && h <= step_->safe;
-  sinceDoubt_ = certified ? sinceDoubt_ + 1 : 0;
+  if (certified)
+    cheapest_.tick();
+  else
+    cheapest_.restart();
   return certified;
 }
 
 void RunBracket::proveFromScratch(NodeVectorsView x, const StepRule& limit) {
   if (!step_ || !finite_) return;
   try {
-    best_ = criticalStep(body_, x, limit, std::nullopt, &spent_.evaluated);
+    best_ = criticalStep(body_, x, limit, std::nullopt, &statistics_.evaluated);
     bestAt_ = x;
     bestVersion_ = body_.version();
   } catch (const NumericalError&) {
@@ -149,10 +153,13 @@ void RunBracket::takeBest(NodeVectorsView x) {
 void RunBracket::sharpen(NodeVectorsView x, const StepRule& limit, double h) {
   if (!step_ || h > step_->optimistic) return;
   const bool close = h > (1 - policy_.close) * step_->optimistic;
-  if (++sinceSharpened_ < policy_.sharpenGap && !close) return;
-  sinceSharpened_ = 0;
-  const LowerBound lower =
-      sharpened_++ % policy_.firstGap == 0 ? restartMode(x) : refreshMode(x, policy_.restartProducts);
+  sharpening_.tick();
+  if (!sharpening_.due() && !close) return;
+  sharpening_.tried(true);
+  const bool fromRings = sharpeningRestart_.due();
+  if (fromRings) sharpeningRestart_.tried(true);
+  sharpeningRestart_.tick();
+  const LowerBound lower = fromRings ? restartMode(x) : refreshMode(x, policy_.restartProducts);
   step_->optimistic = std::min(step_->optimistic, optimisticStep(lower, limit));
   if (!step_->isBracket()) step_.reset();
 }
@@ -180,8 +187,9 @@ void RunBracket::searchUnderCompression(NodeVectorsView x) {
   } else if (!(compression > policy_.slightlyCompressed)) {
     least_ = {};
   }
-  if (++sinceCompressed_ < policy_.firstGap && !search) return;
-  sinceCompressed_ = 0;
+  examination_.tick();
+  if (!examination_.due() && !search) return;
+  examination_.tried(true);
   const std::vector<ElementRef> all = nodal_.compressedElements(policy_.compressed);
   // The most compressed ones, the lowest so far, and others by turns.
   std::vector<ElementRef> chosen;
@@ -234,7 +242,7 @@ LowerBound RunBracket::restartMode(NodeVectorsView x) {
   ReducedRing ring(body_);  // restarts are rare, and its pattern is as large as all the rest
   const TopMode top = findTopMode(ring, body_, x, mode_, policy_.firstProducts, policy_.restartProducts, false);
   method_ = top.method;
-  spent_.evaluated += body_.mesh().elementCount();
+  statistics_.evaluated += body_.mesh().elementCount();
   return followMode(x, top.lower);
 }
 
@@ -250,7 +258,7 @@ LowerBound RunBracket::startMode(NodeVectorsView x) {
     mode_.setZero();
     addTopOfRing(mode_);
   }
-  spent_.evaluated += static_cast<std::int64_t>(elements.size());
+  statistics_.evaluated += static_cast<std::int64_t>(elements.size());
   const LowerBound quotient = rayleighLowerBound(body_, x, mode_, policy_.firstProducts);
   method_ = quotient.value > highest ? "rayleigh-quotient" : "reduced-1-ring";
   return followMode(x, {std::max(quotient.value, highest)});

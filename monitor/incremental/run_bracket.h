@@ -92,7 +92,8 @@ class RunBracket {
   void takeBest(NodeVectorsView x);
   /// Sharpens the optimistic side, now and then, for a step h (s) that is not certified: oftener when h is close to it.
   void sharpen(NodeVectorsView x, const StepRule& limit, double h);
-  const UpdateStatistics& spent() const { return spent_; }
+  /// Of the last evaluate() or certify(), with what was evaluated after it.
+  const UpdateStatistics& statistics() const { return statistics_; }
   /// Of the last evaluate().
   const std::optional<CriticalStep>& last() const { return step_; }
   /// Least eigenvalue of the reduced 1-rings and of the direction that were evaluated last, rad²/s².
@@ -138,12 +139,14 @@ class RunBracket {
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver_;
   NodeVectors mode_;
   std::string_view method_;
-  UpdateStatistics spent_;
+  UpdateStatistics statistics_;
   bool bracketed_ = true, finite_ = true;
-  int sinceDoubt_;  // observations in a row that certified the step asked about
-  int sharpened_ = 0, sinceSharpened_, sinceCompressed_;
-  // In evaluations: of the whole mode, restarts from all rings, searches for a negative direction.
-  Backoff wholeMode_, restart_, search_;
+  // Of certify(): the cheapest way, in observations in a row that certified the step asked about.
+  Backoff cheapest_;
+  // Of sharpen(): refreshes, in observations; restarts from all rings, in refreshes.
+  Backoff sharpening_, sharpeningRestart_;
+  // In evaluations: of the whole mode, restarts from all rings, searches for a negative direction, compressed rings.
+  Backoff wholeMode_, restart_, search_, examination_;
   LowestRing lowest_{0, {}};
   std::size_t nextCompressed_ = 0;
   LowestMode least_;                         // what the last search for a negative direction proved

@@ -43,7 +43,7 @@ void RunCertificate::setBall(ElementRef e, const Reference& reference) {
   data.value[place] = growth.value;
   data.linear[place] = growth.linear;
   data.quadratic[place] = growth.quadratic;
-  data.reach[place] =
+  data.growthRadius[place] =
       std::isfinite(reference.fromStored) ? std::min(growth.radius, reference.drift.inversionDistance) : -1;
   data.balls.setRadius(place, validityRadius(growth, reference.drift.inversionDistance, allowance(e)),
                        reference.fromStored);
@@ -202,10 +202,10 @@ void RunCertificate::distributeAllowances(NodeVectorsView x, bool newWeights) {
             const auto place = static_cast<std::size_t>(batch * lanes + lane);
             const Reference reference = store(pack, lane, newWeights);
             drifts[place] = reference.drift;
-            double room = infinite;
+            double scaling = infinite;
             for (const std::int32_t node : block.nodesOf(elements[lane]))
-              if (nodal[node] > 0) room = std::min(room, certifiedEigenvalue() / nodal[node]);
-            setAllowance(e, swept[lane] > 0 ? swept[lane] * room * (1 - allowanceRounding) : 0);
+              if (nodal[node] > 0) scaling = std::min(scaling, certifiedEigenvalue() / nodal[node]);
+            setAllowance(e, swept[lane] > 0 ? swept[lane] * scaling * (1 - allowanceRounding) : 0);
             setBall(e, reference);
             // Nothing of a wholly constrained element is left in the problem.
             if (body().constraints().any() && reference.value == 0 && strainNorm(e) <= nothingFree)

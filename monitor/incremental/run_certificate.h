@@ -93,15 +93,15 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   const UpdateStatistics& statistics() const { return statistics_; }
 
  private:
-  /// By place; compression: -lambda_min(∂P/∂F) / (λ+2μ) at the reference gradient, at most. linear, quadratic, reach:
-  /// TangentGrowth's, the reach ending before an inversion; < 0: there is no reference gradient.
+  /// By place; compression: -lambda_min(∂P/∂F) / (λ+2μ) at the reference gradient, at most. linear, quadratic,
+  /// growthRadius: TangentGrowth's, the radius ending before an inversion; < 0: there is no reference gradient.
   struct BlockData {
     ValidityBalls balls;
     std::vector<RoundedUp<float>> value;
     std::vector<RoundedUp<Bfloat16>> strainNorm, compression, linear, quadratic;
-    std::vector<RoundedDown<Bfloat16>> reach;
+    std::vector<RoundedDown<Bfloat16>> growthRadius;
     TangentGrowth growth(std::size_t place) const {
-      return {value[place], linear[place], quadratic[place], reach[place]};
+      return {value[place], linear[place], quadratic[place], growthRadius[place]};
     }
   };
   /// The highest eigenvalue of the sum of allowances over the mass of each node, rad²/s².

@@ -191,9 +191,10 @@ RINGWATCH_HOST_DEVICE inline double largestFromSingle(const double* d, const dou
     single2[k] = k + 1 < N ? static_cast<float>(e2[k]) : 0.0F;
   }
   // Rounding moves eigenvalues of order one by less than this; whether it was enough is seen in double precision.
-  constexpr double room = 5e-6;
+  constexpr double singleRounding = 5e-6;
   const double guess =
-      static_cast<double>(largestByLaguerre<N>(single, single2, N, static_cast<float>(start + room))) + room;
+      static_cast<double>(largestByLaguerre<N>(single, single2, N, static_cast<float>(start + singleRounding))) +
+      singleRounding;
   if (guess < start) {
     const double found = largestByLaguerre<N>(d, e2, N, guess);
     if (found < guess) return found;  // else it did not lie above
@@ -237,9 +238,9 @@ RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvaluesOf(P* A, in
   const int n = N > 0 ? N : anyN;
   P *d = work, *e2 = work + n, *v = work + 2 * n, *p = work + 3 * n;
   tridiagonalize<N>(A, n, d, e2, v, p);
-  P poison(0.0);  // min and max lose NaN: added back; 0 for finite numbers
-  for (int k = 0; k < n; ++k) poison += k + 1 < n ? d[k] + e2[k] : d[k];
-  poison *= P(0.0);
+  P nanGuard(0.0);  // min and max lose NaN: added back; 0 for finite numbers
+  for (int k = 0; k < n; ++k) nanGuard += k + 1 < n ? d[k] + e2[k] : d[k];
+  nanGuard *= P(0.0);
   const TridiagonalBounds<P> bounds = tridiagonalBounds(d, e2, n);
   // To a spectral radius of at most one; a zero matrix stays as it is.
   const auto zero = bounds.scale <= P(1e-290);
@@ -249,21 +250,21 @@ RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvaluesOf(P* A, in
     if (k + 1 < n) e2[k] = e2[k] * unit * unit;
   }
   // No eigenvalue is farther than √(n-1) deviations from the mean (Samuelson 1968).
-  const P reach = P(math::sqrt(n - 1.0)) * bounds.deviation, margin(1e-13);
+  const P spread = P(math::sqrt(n - 1.0)) * bounds.deviation, margin(1e-13);
   ExtremeEigenvalues<P> result;
-  result.scale = bounds.scale + poison;
-  const P high = math::min(bounds.high, bounds.mean + reach) * unit + margin;
+  result.scale = bounds.scale + nanGuard;
+  const P high = math::min(bounds.high, bounds.mean + spread) * unit + margin;
   P largest;
   if constexpr (fromSingle)
     largest = largestFromSingle<N>(d, e2, high);
   else
     largest = largestByLaguerre<N>(d, e2, n, high);
-  result.largest = select(zero, P(0.0), bounds.scale * largest) + poison;
+  result.largest = select(zero, P(0.0), bounds.scale * largest) + nanGuard;
   result.least = P(0.0);
   if (wantLeast) {
     for (int k = 0; k < n; ++k) d[k] = -d[k];
-    const P low = math::min(-bounds.low, reach - bounds.mean) * unit + margin;
-    result.least = select(zero, P(0.0), -bounds.scale * largestByLaguerre<N>(d, e2, n, low)) + poison;
+    const P low = math::min(-bounds.low, spread - bounds.mean) * unit + margin;
+    result.least = select(zero, P(0.0), -bounds.scale * largestByLaguerre<N>(d, e2, n, low)) + nanGuard;
   }
   return result;
 }
