@@ -24,10 +24,17 @@ CONTEXTS = {
         "  ringwatch::Body& body = any<ringwatch::Body>(); ringwatch::StabilityMonitor monitor(body, {.limit = 2.0});\n" + STATE,
     ),
     ("docs/embedding.md", 2): (
+        ["ringwatch/integrators/body_system.h", "ringwatch/integrators/symplectic_euler.h",
+         "ringwatch/monitor/stability_monitor.h"],
+        "  ringwatch::Body& body = any<ringwatch::Body>(); ringwatch::StabilityMonitor monitor(body, {.limit = 2.0});\n"
+        "  ringwatch::BodySystem system(body); ringwatch::SymplecticEuler integrator;\n"
+        "  ringwatch::State state = system.initialState(); std::int64_t step = 0; double h = 1e-4;\n",
+    ),
+    ("docs/embedding.md", 3): (
         ["ringwatch/monitor/tangent_bracket.h"],
         "  std::vector<double> mass, tangents; std::vector<std::int32_t> bars; std::vector<std::uint8_t> held;\n",
     ),
-    ("docs/embedding.md", 3): (
+    ("docs/embedding.md", 4): (
         ["ringwatch/monitor/tangent_bracket.h"],
         "  std::vector<double> blocks; std::vector<std::int32_t> beams, solids; std::vector<std::uint8_t> held;\n",
     ),

@@ -159,7 +159,7 @@ TEST(StabilityMonitor, HasNoBracketOfAnEarlierStateWhereTheStateIsNotFinite) {
           EXPECT_FALSE(report.metricStep);
           EXPECT_EQ(report.certified, 0);
         }
-        // The first finite state is evaluated, whoever's turn it is.
+        // The first finite state is evaluated, due or not.
         const MonitorReport& report = monitor.observe(4, 0, X, noVelocity(body), 1e-9);
         EXPECT_TRUE(report.fresh);
         EXPECT_EQ(report.evaluatedAt, 4);
@@ -507,6 +507,59 @@ TEST(StabilityMonitor, EvaluatesEveryNthStep) {
       EXPECT_EQ(*report.metricStep, metricStep);
     }
   }
+}
+
+// Whether the monitor evaluates in the pass of the force or not, what it says and what the pass gives are the same.
+TEST(StabilityMonitor, FillsInTheEvaluationOfEveryState) {
+  const Body body = test::boxBody(test::allCuts()[0], "stvk", {4, 3, 3});
+  const NodeVectors& X = body.mesh().X;
+  test::Random random(17);
+  const NodeVectors shake = random.nodeVectors(X.cols(), 0.05 * test::cellSize);
+  NodeVectors notFinite = X;
+  notFinite(1, 4) = std::numeric_limits<double>::quiet_NaN();
+  const double h = 0.9 * criticalStep(body, X, 2).safe;
+  for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold, MonitorMode::metric})
+    for (const int every : {1, 3}) {
+      MonitorOptions options;
+      options.mode = mode;
+      options.every = every;
+      if (mode == MonitorMode::metric) options.metric = "reduced-1-ring";
+      StabilityMonitor with(body, options), apart(body, options);
+      StepEvaluation evaluation;
+      evaluation.wantsEnergy = true;
+      constexpr int steps = 12, bad = 7;
+      for (int step = 0; step < steps; ++step) {
+        const std::string what = joinText(monitorModeName(mode), ", every ", every, ", step ", step);
+        const NodeVectors x = step == bad ? notFinite : NodeVectors(X + 0.1 * step * shake);
+        evaluation.internalForce.resize(3, 0);
+        evaluation.strainEnergy = -1;
+        const MonitorReport& seen = with.observe(step, 0, x, noVelocity(body), h, &evaluation);
+        const MonitorReport& expected = apart.observe(step, 0, x, noVelocity(body), h);
+        EXPECT_EQ(seen.verdict, expected.verdict) << what;
+        EXPECT_EQ(seen.fresh, expected.fresh) << what;
+        EXPECT_EQ(seen.newEvents.size(), expected.newEvents.size()) << what;
+        ASSERT_EQ(seen.bracket.has_value(), expected.bracket.has_value()) << what;
+        // The gradients of the two passes may be rounded otherwise.
+        EXPECT_NEAR(seen.certified, expected.certified, 1e-9 * expected.certified) << what;
+        if (seen.bracket) {
+          EXPECT_NEAR(seen.bracket->safe, expected.bracket->safe, 1e-9 * expected.bracket->safe) << what;
+          EXPECT_NEAR(seen.bracket->optimistic, expected.bracket->optimistic, 1e-9 * expected.bracket->optimistic)
+              << what;
+        }
+        ASSERT_EQ(evaluation.internalForce.cols(), X.cols()) << what;
+        if (step == bad) {
+          EXPECT_FALSE(evaluation.internalForce.allFinite()) << what;
+          continue;
+        }
+        StepEvaluation alone;
+        alone.wantsEnergy = true;
+        Body::Workspace workspace;
+        body.evaluate(x, alone, workspace);
+        EXPECT_TRUE(evaluation.internalForce == alone.internalForce) << what;
+        EXPECT_NEAR(evaluation.strainEnergy, alone.strainEnergy, 1e-13 * alone.strainEnergy + roundingEnergy(body))
+            << what;
+      }
+    }
 }
 
 TEST(StabilityMonitor, ChecksTheStepAgainstTheBracketItKeeps) {
