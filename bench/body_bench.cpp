@@ -122,7 +122,7 @@ void reassembleBlocks(benchmark::State& state, const Case& c) {
   report(state, s.body.mesh().elementCount(), productError(c, s, K.matrix));
 }
 
-/// The peer: the same law, one element after the other in plain doubles.
+/// The baseline: the same law, one element after the other in plain doubles.
 void scalarForce(benchmark::State& state, const Case& c) {
   Setup& s = setupOf(c);
   NodeVectors f, expected;

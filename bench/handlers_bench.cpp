@@ -41,7 +41,7 @@ Ran run(const Deformation& d, Body& body, Integrator& integrator, int substeps) 
   State state = system.initialState();
   double seconds = 0;
   for (int k = 0; k < frames; ++k) {
-    d.lead(body, k * target, target);
+    d.prescribeMotion(body, k * target, target);
     body.constraints().imposeVelocity(state.v);
     const double start = threadSeconds();
     for (int i = 0; i < substeps; ++i) integrator.step(system, state, target / substeps);

@@ -362,9 +362,9 @@ void rotations(benchmark::State& state, int kind) {
   }
 }
 
-/// The peers, one matrix at a time.
+/// The baselines, one matrix at a time.
 template <class T, Eigen::Matrix<T, 3, 3> (*method)(const Eigen::Matrix<T, 3, 3>&)>
-void peer(benchmark::State& state, int kind) {
+void baseline(benchmark::State& state, int kind) {
   const Inputs& inputs = inputsOf(kind);
   std::vector<Eigen::Matrix<T, 3, 3>> F, R(count);
   for (const Eigen::Matrix3d& matrix : inputs.F) F.push_back(matrix.cast<T>());
@@ -418,10 +418,10 @@ void registerAll() {
   add("mueller_warm", rotations<Double, mueller<Double>, Counted, mueller<Counted>>);
   add("mueller_warm_float", rotations<Float, mueller<Float>, CountedSingle, mueller<CountedSingle>>);
   add("plain", rotations<double, library<double>, Counted, library<Counted>>);
-  add("eigen_svd", peer<double, eigenSvd<double>>);
-  add("eigen_svd_float", peer<float, eigenSvd<float>>);
-  add("eigen_direct", peer<double, eigenDirect<double>>);
-  add("eigen_direct_float", peer<float, eigenDirect<float>>);
+  add("eigen_svd", baseline<double, eigenSvd<double>>);
+  add("eigen_svd_float", baseline<float, eigenSvd<float>>);
+  add("eigen_direct", baseline<double, eigenDirect<double>>);
+  add("eigen_direct_float", baseline<float, eigenDirect<float>>);
 }
 
 }  // namespace

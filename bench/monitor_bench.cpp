@@ -1,5 +1,5 @@
 // Metrics and bracket of the critical step, ns an element, each with how far its step is from the true one, and dense
-// eigenvalues element by element as the peer; then what a monitor costs along a run, over the step it watches.
+// eigenvalues element by element as the baseline; then what a monitor costs along a run, over the step it watches.
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -73,7 +73,7 @@ void bracket(benchmark::State& state, const Case& c) {
   report(state, s.body.mesh().elementCount(), step.safe / step.optimistic - 1);
 }
 
-/// The peer: an eigenvalue solver on each element's dense, mass-scaled tangent.
+/// The baseline: an eigenvalue solver on each element's dense, mass-scaled tangent.
 void denseEigenvalues(benchmark::State& state, const Case& c) {
   Setup& s = setupOf(c);
   const ElementBlock& block = *s.body.blocks()[0];
@@ -107,7 +107,7 @@ void lanczos(benchmark::State& state, const Case& c) {
   state.counters["products"] = bound.products;
 }
 
-/// The peer: the global eigenvalue from scratch.
+/// The baseline: the global eigenvalue from scratch.
 void spectra(benchmark::State& state, const Case& c) {
   Setup& s = setupOf(c);
   GlobalFrequency global;

@@ -254,7 +254,7 @@ void conjugateGradients(benchmark::State& state, const Case& c) {
 }
 #endif
 
-/// The peer: Eigen's conjugate gradients on the assembled matrix of the same step, an iteration.
+/// The baseline: Eigen's conjugate gradients on the assembled matrix of the same step, an iteration.
 void eigenConjugateGradients(benchmark::State& state, const Case& c) {
   Setup& s = setupOf(c);
   const double h = 5e-3;
@@ -276,7 +276,7 @@ void eigenConjugateGradients(benchmark::State& state, const Case& c) {
       static_cast<double>(s.body.mesh().elementCount()) * static_cast<double>(solver.iterations());
 }
 
-/// The peer of the matrix-free product: Eigen's, of the assembled matrix.
+/// The baseline of the matrix-free product: Eigen's, of the assembled matrix.
 void eigenProduct(benchmark::State& state, const Case& c) {
   Setup& s = setupOf(c);
   Eigen::setNbThreads(1);

@@ -17,9 +17,9 @@ struct Energies {
 /// Energy of the whole body at a strain of 1e-12, J. Less is rounding, whose changes are as large as itself.
 double roundingEnergy(const Body& body);
 
-/// Keeps the books of a run. Prescribed motion does work ∫ f · dx, f the internal force at moved nodes, summed by the
-/// trapezoidal rule; dead forces do f · (x - x at the start). Damping takes ∫ v · C v dt, by the same rule;
-/// what of it acts at moved nodes their support has to bring up, as work of its own.
+/// The energy balance of a run. Prescribed motion does work ∫ f · dx, f the internal force at moved nodes, summed by
+/// the trapezoidal rule; dead forces do f · (x - x at the start). Damping takes ∫ v · C v dt, by the same rule; what of
+/// it acts at moved nodes their support has to bring up, as work of its own.
 class EnergyBalance {
  public:
   explicit EnergyBalance(const Body& body) : body_(body) {}

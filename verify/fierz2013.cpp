@@ -27,12 +27,12 @@ using Eigen::Vector3d;
 constexpr double edge = 0.05;    // m, of the cube; the bar is twice as long
 constexpr double target = 4e-4;  // s, Fierz 2013's step
 constexpr double limit = 2;      // of Verlet
-constexpr double ramp = 0.1;     // s, in which a face is led over the length of the cube
+constexpr double ramp = 0.1;     // s, in which a face moves over the length of the cube
 
-/// How a mode drives its face.
+/// How a mode moves or loads its face.
 struct Mode {
   std::string_view name;
-  double led;                      // stretch, or rad
+  double amount;                   // stretch, or rad
   double traction;                 // Pa; of twist, at the middle of an edge of the face
   std::array<double, 2> forceEnd;  // s, cube and bar: soon before the dead load has pulled it as far as it will go
 };
@@ -46,21 +46,21 @@ const Mode& modeOf(const Deformation& d) {
 
 bool isBar(const Deformation& d) { return d.mesh == "bar"; }
 
-/// The frame of a mesh: along from the held to the driven face, and where bending goes.
+/// The frame of a mesh: along from the held to the moving face, and where bending goes.
 struct Frame {
   Vector3d along, sideways, heldCentre;
   double length;
-  const char *held, *driven;
+  const char *held, *moving;
 };
 Frame frameOf(const Deformation& d) {
   if (isBar(d)) return {Vector3d::UnitX(), -Vector3d::UnitZ(), {0, edge / 2, edge / 2}, 2 * edge, "x-min", "x-max"};
   return {Vector3d::UnitZ(), -Vector3d::UnitX(), {edge / 2, edge / 2, 0}, edge, "z-min", "z-max"};
 }
 
-/// Where a point of the driven face belongs when a share s of the way is done.
-Vector3d ledPosition(const Deformation& d, const Vector3d& X, double s) {
+/// Where a point of the moving face belongs when a share s of the way is done.
+Vector3d prescribedPosition(const Deformation& d, const Vector3d& X, double s) {
   const Frame frame = frameOf(d);
-  const double amount = s * modeOf(d).led * (isBar(d) && modeOf(d).name == "twist" ? 2 : 1);
+  const double amount = s * modeOf(d).amount * (isBar(d) && modeOf(d).name == "twist" ? 2 : 1);
   const Vector3d centre = frame.heldCentre + frame.length * frame.along;
   if (d.mode == "twist") return centre + Eigen::AngleAxisd(amount, frame.along) * (X - centre);
   if (d.mode != "bend") return X + amount * frame.length * frame.along;
@@ -89,19 +89,19 @@ Mesh meshOf(const Deformation& d) {
   return generateRefinedBar(options);
 }
 
-/// Traction over the driven face as nodal forces, by areas at rest.
+/// Traction over the moving face as nodal forces, by areas at rest.
 void load(const Deformation& d, Body& body) {
   const Frame frame = frameOf(d);
   const Mesh& mesh = body.mesh();
-  std::vector<bool> driven(mesh.nodeCount(), false);
-  for (const std::int32_t n : mesh.nodeSets.at(frame.driven)) driven[n] = true;
+  std::vector<bool> loaded(mesh.nodeCount(), false);
+  for (const std::int32_t n : mesh.nodeSets.at(frame.moving)) loaded[n] = true;
   const Vector3d centre = frame.heldCentre + frame.length * frame.along;
   for (const ElementFace& f : boundaryFaces(mesh)) {
     const MeshBlock& block = mesh.blocks[f.block];
     const std::array<int, 4>& corners = elementInfo(block.type).faces[f.face];
     const std::int32_t* nodes = block.element(static_cast<std::size_t>(f.element));
     const std::array<std::int32_t, 3> n{nodes[corners[0]], nodes[corners[1]], nodes[corners[2]]};
-    if (!std::all_of(n.begin(), n.end(), [&](std::int32_t i) { return driven[i]; })) continue;
+    if (!std::all_of(n.begin(), n.end(), [&](std::int32_t i) { return loaded[i]; })) continue;
     const double area =
         (mesh.X.col(n[1]) - mesh.X.col(n[0])).cross(Vector3d(mesh.X.col(n[2]) - mesh.X.col(n[0]))).norm() / 2;
     const Vector3d middle = (mesh.X.col(n[0]) + mesh.X.col(n[1]) + mesh.X.col(n[2])) / 3;
@@ -128,7 +128,7 @@ Ran run(const Deformation& d, Body& body, Integrator& integrator, double h) {
   State state = system.initialState();
   Ran result;
   for (int k = 0; k < frames && result.lost.empty(); ++k) {
-    d.lead(body, k * target, target);
+    d.prescribeMotion(body, k * target, target);
     body.constraints().imposeVelocity(state.v);
     const double start = processorSeconds();
     for (int i = 0; i < substeps && result.lost.empty(); ++i)
@@ -177,7 +177,7 @@ Expectation expectationOf(std::string_view handler) {
   return own == expectations.end() ? expectations.back() : *own;
 }
 /// Integrators of the whole body that the handlers are compared with, where the program has them.
-constexpr std::array<std::string_view, 1> peersOfHandlers{"implicit-euler"};
+constexpr std::array<std::string_view, 1> baselines{"implicit-euler"};
 
 std::vector<Contestant> contestants(double h) {
   std::vector<Contestant> all;
@@ -258,7 +258,7 @@ double allowedError(const Deformation& d, const Contestant& c) {
 /// Fierz 2013's mean errors, mm (tables 4.2 to 4.6); NaN where its constraints could not be solved.
 struct FierzErrors {
   std::string_view mode, mesh;
-  std::array<double, 4> force, position;  // filtered, fe-pbd, imex, adaptive
+  std::array<double, 4> force, position;  // as in fierzHandlers
 };
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<FierzErrors, 8> fierzErrors{{
@@ -346,7 +346,7 @@ class Study {
  public:
   explicit Study(std::span<const IntegratorEntry> integrators) : integrators_(integrators) {}
 
-  void add(const Deformation& d, bool peers) {
+  void add(const Deformation& d, bool withBaselines) {
     const double reduced = d.poisson > 0.46 ? 0.5 : 1;  // Fierz 2013's target step there
     Body body = d.body();
     const NodeVectors X = body.mesh().X;
@@ -403,9 +403,9 @@ class Study {
         picture(d).panels.push_back(surfaceOf(joinText(c.name, d.byForce ? ", force" : ", position"), body.mesh(),
                                               ran.x, Eigen::VectorXd((ran.x - exact.x).colwise().norm().transpose())));
     }
-    if (!peers) return;
+    if (!withBaselines) return;
     for (const IntegratorEntry& entry : integrators_)
-      if (std::ranges::count(peersOfHandlers, entry.info->name) > 0) {
+      if (std::ranges::count(baselines, entry.info->name) > 0) {
         Body own = d.body();
         keep(std::string(entry.info->name), target, 0, run(d, own, *entry.make(), target));
       }
@@ -505,16 +505,17 @@ Body Deformation::body() const {
   if (byForce)
     load(*this, b);
   else
-    for (const std::int32_t n : b.mesh().nodeSets.at(frame.driven)) b.constraints().fix(n);
+    for (const std::int32_t n : b.mesh().nodeSets.at(frame.moving)) b.constraints().fix(n);
   return b;
 }
 
-void Deformation::lead(Body& body, double t, double dt) const {
+void Deformation::prescribeMotion(Body& body, double t, double dt) const {
   if (byForce) return;
   const NodeVectors& X = body.mesh().X;
   const double from = shareAt(*this, t), to = shareAt(*this, t + dt);
-  for (const std::int32_t n : body.mesh().nodeSets.at(frameOf(*this).driven)) {
-    const Vector3d velocity = (ledPosition(*this, X.col(n), to) - ledPosition(*this, X.col(n), from)) / dt;
+  for (const std::int32_t n : body.mesh().nodeSets.at(frameOf(*this).moving)) {
+    const Vector3d velocity =
+        (prescribedPosition(*this, X.col(n), to) - prescribedPosition(*this, X.col(n), from)) / dt;
     for (int c = 0; c < 3; ++c) body.constraints().move(n, c, velocity[c]);
   }
 }

@@ -18,15 +18,16 @@ namespace ringwatch {
 struct Deformation {
   std::string_view mesh;  // "cube" or "bar"
   std::string_view mode;  // "stretch", "compress", "bend" or "twist"
-  bool byForce = false;   // a dead load on one face from t = 0, until it has pulled it far; else that face is led
+  bool byForce =
+      false;  // a dead load on one face from t = 0, until it has pulled it far; else that face has a prescribed motion
   double poisson = 0.3;
 
   double end() const;  // s
-  /// The body with its held and its led or loaded face.
+  /// The body with its held face, and its moving or loaded one.
   Body body() const;
-  /// Leads the face from where it belongs at time t to where it belongs at t + dt (s), in straight lines. Does nothing
-  /// to a body that is driven by force.
-  void lead(Body& body, double t, double dt) const;
+  /// Prescribes velocities that bring the moving face from where it belongs at time t to where it belongs at t + dt
+  /// (s), in straight lines. Does nothing to a body that is loaded.
+  void prescribeMotion(Body& body, double t, double dt) const;
 };
 
 /// Every deformation of both meshes at this Poisson's ratio: by mesh, mode, by position before by force.
@@ -36,7 +37,7 @@ std::vector<Deformation> allDeformations(double poisson);
 /// certified step, and with implicit Euler on the cube (integrators: where to look for it), against Verlet at 0.05 ms.
 /// At nu = 0.4, 0.45 and 0.49 the cube alone, in the steps of Fierz 2013.
 ///
-/// Tables: deformations, a row a run with errors, time and energy; source, the errors of Fierz 2013 beside ours.
+/// Tables: deformations, a row a run with errors, time and energy; fierz2013, its errors beside ours.
 /// Figures: mean error against time, and the bodies at the end with the error of each node. Checks: the mean error of
 /// every handler over the largest displacement, by mode; mass scaling is not lost. Times are for information: no check
 /// rests on one.

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view mark = "ringwatch checkpoint\n";
-constexpr int format = 1;  // of the file; any change of what is in it counts
+constexpr int format = 2;  // of the file; any change of what is in it counts
 
 /// FNV-1a, 64 bits (Fowler, Noll, Vo): finds damage and changes, resists no forgery.
 class Hash {
@@ -92,7 +92,7 @@ void writeCheckpoint(const std::filesystem::path& folder, const Checkpoint& chec
                      {"time", checkpoint.state.time},
                      {"x", binaryOf(checkpoint.state.x)},
                      {"v", binaryOf(checkpoint.state.v)},
-                     {"books", checkpoint.books}};
+                     {"parts", checkpoint.parts}};
   std::string text(mark);
   Json::to_cbor(content, text);
   const std::uint64_t hash = hashOf(text);
@@ -135,7 +135,7 @@ Checkpoint readCheckpoint(const std::filesystem::path& folder) {
     checkpoint.state.time = content.at("time").get<double>();
     checkpoint.state.x = vectorsOf(content.at("x"));
     checkpoint.state.v = vectorsOf(content.at("v"));
-    checkpoint.books = content.at("books");
+    checkpoint.parts = content.at("parts");
     return checkpoint;
   } catch (const Json::exception& fault) {
     throw InputError(fmt::format("{}: is damaged: {}", file.string(), fault.what()));

@@ -10,15 +10,15 @@
 
 namespace ringwatch {
 
-/// What a run goes on from as if it had not been stopped: its state and the books of what came before. At a checkpoint
-/// a run begins its monitor and its energy balance anew, whether it goes on or is resumed: so both have the same bits.
+/// What a run goes on from as if it had not been stopped: its state and what its parts have saved. At a checkpoint
+/// a run begins its monitor and its energy balance again, whether it goes on or is resumed: so both have the same bits.
 struct Checkpoint {
   std::filesystem::path sceneFile;  // as the run was given it
   std::filesystem::path meshFile;   // empty when generated
   nlohmann::ordered_json scene;     // Scene::echo
   std::uint64_t mesh = 0;           // hashOf
   State state;                      // positions and velocities of one time; no acceleration
-  nlohmann::ordered_json books;     // what the parts of a run have saved
+  nlohmann::ordered_json parts;     // what the parts of a run have saved
 };
 
 /// Name of the file in the folder of a run.

@@ -113,7 +113,7 @@ class Run {
            state_.time >= static_cast<double>(checkpointsDue_ + 1) * *scene_.checkpointInterval - 1e-3 * steps_.step();
   }
 
-  /// Writes what a resumed run goes on from, and goes on from there itself: monitor and energy balance begin anew.
+  /// Writes what a resumed run goes on from, and goes on from there itself: monitor and energy balance begin again.
   void checkpoint() {
     scheme_->stepper().complete(state_);
     recordEnergies();
@@ -132,7 +132,7 @@ class Run {
       saved.state.time = state_.time;
       saved.state.x = state_.x;
       saved.state.v = state_.v;
-      saved.books = {{"result", savedResult(result_)},
+      saved.parts = {{"result", savedResult(result_)},
                      {"energies", energies_.save()},
                      {"steps", steps_.save()},
                      {"watch", watch_.save()},
@@ -156,16 +156,16 @@ class Run {
     state_.x = saved.state.x;
     state_.v = saved.state.v;
     watch_.end();
-    resumeResult(saved.books.at("result"), result_);
-    energies_.resume(saved.books.at("energies"));
-    steps_.resume(saved.books.at("steps"));
-    watch_.resume(saved.books.at("watch"));
-    checkpointsDue_ = saved.books.at("checkpoints_due").get<std::int64_t>();
-    lastVerdict_ = static_cast<Verdict>(saved.books.at("last_verdict").get<int>());
+    resumeResult(saved.parts.at("result"), result_);
+    energies_.resume(saved.parts.at("energies"));
+    steps_.resume(saved.parts.at("steps"));
+    watch_.resume(saved.parts.at("watch"));
+    checkpointsDue_ = saved.parts.at("checkpoints_due").get<std::int64_t>();
+    lastVerdict_ = static_cast<Verdict>(saved.parts.at("last_verdict").get<int>());
     beginWatch();
     loads_.begin(state_.x);
     loads_.setForces(state_.time, state_.x);
-    output_->resume(saved.books.at("output"));
+    output_->resume(saved.parts.at("output"));
   }
 
   /// What is done alike behind a checkpoint, by a run that goes on and by one that is resumed.

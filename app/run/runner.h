@@ -50,7 +50,7 @@ struct Handling {
   std::int64_t elements = 0;     // handled at the end
   std::int64_t selections = 0;   // how often they were chosen
   std::int64_t evaluations = 0;  // of single elements or rings, all selections together
-  bool certified = false;        // the explicit rest, at the last choice
+  bool certified = false;        // the explicit part, at the last choice
   std::vector<HandlerFigure> figures;
 };
 

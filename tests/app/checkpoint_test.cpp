@@ -210,13 +210,13 @@ TEST_F(Checkpoints, AreRefusedWhereTheyDoNotFit) {
   checkpoint.state.time = std::nextafter(0.1, 1);
   checkpoint.state.x = body.mesh().X;
   checkpoint.state.v = 1e-300 * body.mesh().X;
-  checkpoint.books = {{"number", 0.1}};
+  checkpoint.parts = {{"number", 0.1}};
   writeCheckpoint(folder_.path() / "part", checkpoint);
   const Checkpoint back = readCheckpoint(folder_.path() / "part");
   EXPECT_EQ(back.state.time, checkpoint.state.time);
   EXPECT_EQ(back.state.x, checkpoint.state.x);
   EXPECT_EQ(back.state.v, checkpoint.state.v);
-  EXPECT_EQ(back.books, checkpoint.books);
+  EXPECT_EQ(back.parts, checkpoint.parts);
   EXPECT_EQ(sceneOf(back).echo, described.echo);
 
   folder_.write("other.toml", std::string(scene).replace(std::string(scene).find("2e-4"), 4, "3e-4"));

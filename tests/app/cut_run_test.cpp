@@ -52,7 +52,7 @@ TEST_F(Program, CutsAndKeepsItsStep) {
   const Table history = table("cut/history.csv");
   for (std::size_t i = 0; i < history.rows.size(); ++i) {
     EXPECT_EQ(history.number(i, "h_s"), 6e-4);
-    // The books go on through the cuts.
+    // The energy balance goes on through the cuts.
     EXPECT_LE(std::abs(history.number(i, "balance_error_J")),
               0.03 * history.number(history.rows.size() - 1, "kinetic_J"));
   }

@@ -123,7 +123,7 @@ TEST_F(HandledProgram, TakesSmallerStepsWhereTheyAreNeeded) {
               HasSubstr("must be \"certified\" or \"fierz-ring\""));
 }
 
-TEST_F(HandledProgram, TakesMoreElementsWhenTheRestStiffens) {
+TEST_F(HandledProgram, TakesMoreElementsWhenTheExplicitPartStiffens) {
   // With less dissipation new choices disturb the energy: docs/handlers.md.
   const std::string pull = "[[move]]\nwhere = \"x > 0.2 - 1e-6\"\nvelocity = [1.2, 0, 0]\n",
                     imex = "[handler]\nmethod = \"imex\"\nmargin = 0.02\ndissipation = 0.3\n";
@@ -144,17 +144,17 @@ TEST_F(HandledProgram, TakesMoreElementsWhenTheRestStiffens) {
 }
 
 TEST_F(Program, ReportsAHandledElementThatInverts) {
-  // A node in the midst of a bar is led along it, faster than the rest can follow.
-  folder_.write("led.toml",
+  // A node in the midst of a bar is moved along it, faster than the others can follow.
+  folder_.write("moved.toml",
                 "[mesh]\ngenerate = \"bar\"\nsize = [0.2, 0.04, 0.04]\ncells = [10, 2, 2]\n[material]\n"
                 "model = \"corotational\"\nyoung = 30e3\npoisson = 0.3\ndensity = 1000\n[integrator]\n"
                 "method = \"verlet\"\nstep = 2.5e-3\nend = 0.03\n[[fix]]\nwhere = \"x < 1e-6\"\n[[move]]\n"
                 "where = \"abs(x - 0.1) < 0.01 and abs(y - 0.02) < 0.01 and abs(z - 0.02) < 0.01\"\n"
                 "velocity = [4, 0, 0]\n[monitor]\non_violation = \"warn\"\n[handler]\nmethod = \"imex\"\n"
                 "[output]\nevery = 2.5e-3\n");
-  const Outcome outcome = call("run led.toml --out led");
+  const Outcome outcome = call("run moved.toml --out moved");
   EXPECT_THAT(outcome.out, ::testing::ContainsRegex("handled tet4 element 0:.* inverted, det F = "));
-  const Json summary = json("led/summary.json");
+  const Json summary = json("moved/summary.json");
   int found = 0;
   for (const Json& event : summary["events"]) {
     if (!event["handled"].get<bool>()) continue;
@@ -164,7 +164,7 @@ TEST_F(Program, ReportsAHandledElementThatInverts) {
     const auto nodes = event["element"]["nodes"].get<std::vector<int>>();
     const auto volumeIn = [&](std::int64_t step) {
       const std::string digits = std::to_string(1000001 + step).substr(1);
-      const NodeVectors x = readMesh(folder_.path() / ("led/frames/frame_" + digits + ".vtu")).X;
+      const NodeVectors x = readMesh(folder_.path() / ("moved/frames/frame_" + digits + ".vtu")).X;
       Eigen::Matrix3d edges;
       for (int k = 0; k < 3; ++k) edges.col(k) = x.col(nodes[static_cast<std::size_t>(k) + 1]) - x.col(nodes[0]);
       return edges.determinant();

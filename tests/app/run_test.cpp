@@ -334,7 +334,7 @@ TEST_F(Program, ExampleOfStretchedBarIsCaughtInTime) {
   EXPECT_GT(*scene.step, stepFor(global.lambda, 2.0));
 }
 
-TEST_F(Program, DampingShortensTheStepAndIsInTheBooks) {
+TEST_F(Program, DampingShortensTheStepAndIsInTheEnergyBalance) {
   folder_.write("tiny.toml", tiny);
   ASSERT_EQ(call("run tiny.toml --out plain --set integrator.step=auto").status, 0);
   const Outcome outcome =

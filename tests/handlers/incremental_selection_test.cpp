@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(All, IncrementalSelectionTest,
                                   (std::get<1>(test.param) ? "_clamped" : "_free");
                          });
 
-TEST_P(IncrementalSelectionTest, ProvesTheRestAtEveryState) {
+TEST_P(IncrementalSelectionTest, ProvesTheExplicitPartAtEveryState) {
   const auto [law, clamped] = GetParam();
   const Body body = test::sliverBody(law, 0.95, clamped);
   const NodeVectors& X = body.mesh().X;
@@ -69,7 +69,7 @@ TEST_P(IncrementalSelectionTest, ProvesTheRestAtEveryState) {
   EXPECT_EQ(evaluations == 0, std::string_view(law) == "linear");  // whose tangent never changes
 }
 
-TEST(IncrementalSelection, TurnsWithTheBody) {
+TEST(IncrementalSelection, RotatesWithTheBody) {
   const Body body = test::sliverBody("corotational", 0.98, false);
   const NodeVectors& X = body.mesh().X;
   // Room at every node: nothing but the turn can make it evaluate again.

@@ -1,4 +1,5 @@
-// Finer levels of adaptive along a run: who is called proven is, by dense eigenvalues, and stiffening is seen.
+// Finer levels of local-time-stepping along a run: who is called proven is, by dense eigenvalues, and stiffening is
+// seen.
 #include <gtest/gtest.h>
 
 #include <ringwatch/handlers/local_time_stepping/level_watch.h>

@@ -21,11 +21,11 @@ using ::testing::HasSubstr;
 
 double criticalStepOf(const Body& body) { return 2 / std::sqrt(denseHighest(body, body.mesh().X)); }
 
-HandlerOptions adaptiveOptions(double dissipation, int levels = 6, bool stabilised = true) {
+HandlerOptions localOptions(double dissipation, int levels = 6, bool stabilised = true) {
   return {.own = {{"dissipation", dissipation}, {"levels", levels}, {"variant", stabilised ? "stabilised" : "plain"}}};
 }
-std::unique_ptr<LocalTimeStepping> adaptive(Body& body, double h, const HandlerOptions& options = {},
-                                            std::string_view base = "symplectic-euler") {
+std::unique_ptr<LocalTimeStepping> localTimeStepping(Body& body, double h, const HandlerOptions& options = {},
+                                                     std::string_view base = "symplectic-euler") {
   auto handler = std::make_unique<LocalTimeStepping>(body, makeIntegrator(base), options);
   handler->prepare(body.mesh().X, h);
   return handler;
@@ -84,7 +84,7 @@ TEST_P(AdaptiveLevels, AreProvenEachForItsOwnStep) {
   for (const int deepest : {1, 6}) {
     Body body = test::sliverBody(law, 0.99);
     const double h = steps * criticalStepOf(body);
-    const auto handler = adaptive(body, h, adaptiveOptions(0.1, deepest));
+    const auto handler = localTimeStepping(body, h, localOptions(0.1, deepest));
     ASSERT_FALSE(handler->levels().empty());
     EXPECT_TRUE(handler->certified());
     ElementFlags seen = handler->implicitElements();
@@ -130,7 +130,7 @@ TEST(LocalTimeStepping, IsLeapfrogLocalTimeSteppingWhenPlain) {
   body.constraints().move(moved, 1, 0.3);
   body.addBodyForce({0, 0.5, -1});
   double h = 1.2 * criticalStepOf(body);
-  const auto handler = adaptive(body, h, adaptiveOptions(0, 1, false));
+  const auto handler = localTimeStepping(body, h, localOptions(0, 1, false));
   ASSERT_EQ(handler->levels().size(), 2u);
   ASSERT_TRUE(chosenElements(handler->implicitElements()).empty());
   BodySystem system(body);
@@ -159,7 +159,7 @@ TEST(LocalTimeStepping, IsLeapfrogLocalTimeSteppingWhenPlain) {
 
 // The amplification matrix of the whole linear body, column by column from the program's own steps.
 double spectralRadius(Body& body, double h, const HandlerOptions& options) {
-  const auto handler = adaptive(body, h, options);
+  const auto handler = localTimeStepping(body, h, options);
   BodySystem system(body);
   std::vector<Eigen::Index> free;
   for (Eigen::Index d = 0; d < 3 * body.nodeCount(); ++d)
@@ -193,7 +193,7 @@ TEST(LocalTimeStepping, LetsNoModeGrowAtManyTimesTheCriticalStep) {
     for (const double dissipation : {0.0, 0.1, 0.5})
       for (const int levels : {1, 6}) {  // one level: the worst elements are implicit
         Body body = smallSliverBody("linear");
-        EXPECT_LE(spectralRadius(body, steps * criticalStepOf(body), adaptiveOptions(dissipation, levels)), 1 + 1e-9)
+        EXPECT_LE(spectralRadius(body, steps * criticalStepOf(body), localOptions(dissipation, levels)), 1 + 1e-9)
             << steps << " " << dissipation << " " << levels;
       }
 }
@@ -229,7 +229,7 @@ TEST(LocalTimeStepping, ConvergesWithSecondOrderWithoutDissipation) {
     constexpr double flatness = 0.95;
     const double h = 0.08 / std::round(0.08 / (4.5 * criticalStepOf(test::sliverBody(law, flatness))));
     const auto error = [&](double step) {
-      return errorOf(law, step, adaptiveOptions(0), "verlet", test::poisson, flatness);
+      return errorOf(law, step, localOptions(0), "verlet", test::poisson, flatness);
     };
     const double coarse = error(h), fine = error(h / 2);
     EXPECT_GT(coarse / fine, 3) << law << " " << coarse << " " << fine;
@@ -243,7 +243,7 @@ TEST(LocalTimeStepping, FollowsTheMotionAtFourTimesTheCriticalStep) {
     Body body = test::sliverBody(law, 0.95);
     for (const int levels : {1, 6})
       for (const Selection selection : {Selection::certified, Selection::fierzRing}) {
-        HandlerOptions options = adaptiveOptions(0.1, levels);
+        HandlerOptions options = localOptions(0.1, levels);
         options.selection = selection;
         EXPECT_LT(errorOf(law, 4 * criticalStepOf(body), options), 5e-3)
             << law << " " << levels << " " << selectionNames.nameOf(selection);
@@ -254,7 +254,7 @@ TEST(LocalTimeStepping, FollowsTheMotionAtFourTimesTheCriticalStep) {
 TEST(LocalTimeStepping, FollowsTheMotionOfANearlyIncompressibleBody) {
   Body body(test::sliverBar(0.95), makeMaterial("corotational", test::young, 0.499, test::density));
   const double h = 3 * criticalStepOf(body);
-  EXPECT_LT(errorOf("corotational", h, adaptiveOptions(0.1), "verlet", 0.499), 5e-3);
+  EXPECT_LT(errorOf("corotational", h, localOptions(0.1), "verlet", 0.499), 5e-3);
 }
 
 TEST(LocalTimeStepping, KeepsEnergyBoundedAndMomentumOverManySteps) {
@@ -262,7 +262,7 @@ TEST(LocalTimeStepping, KeepsEnergyBoundedAndMomentumOverManySteps) {
     for (const int levels : {1, 6}) {
       Body body = test::sliverBody(law, 0.98, false);
       const double h = 4 * criticalStepOf(body);
-      const auto handler = adaptive(body, h, adaptiveOptions(0.1, levels), "verlet");
+      const auto handler = localTimeStepping(body, h, localOptions(0.1, levels), "verlet");
       EXPECT_EQ(chosenElements(handler->implicitElements()).empty(), levels == 6);
       const test::LongRun run = test::longRun(*handler, body, h, 4000);
       ASSERT_EQ(run.steps, 4000) << law;
@@ -278,7 +278,7 @@ TEST(LocalTimeStepping, SurvivesAStepThatIsTooLargeForEveryElement) {
     Body body = test::sliverBody("corotational", 0.95);
     body.addBodyForce({0, 0, -1});
     const double h = 12 * criticalStepOf(body);
-    const auto handler = adaptive(body, h, adaptiveOptions(0.1, levels));
+    const auto handler = localTimeStepping(body, h, localOptions(0.1, levels));
     EXPECT_GT(handler->elements().size(), body.mesh().elementCount() / 2);
     EXPECT_EQ(chosenElements(handler->implicitElements()).empty(), levels == 6);
     BodySystem system(body);
@@ -291,7 +291,7 @@ TEST(LocalTimeStepping, SurvivesAStepThatIsTooLargeForEveryElement) {
 TEST(LocalTimeStepping, CostsAnIsolatedSliverNoMoreThanItsOwnSteps) {
   Body body = test::sliverBody("stvk", 0.999);
   const double h = 30 * criticalStepOf(body);
-  const auto handler = adaptive(body, h);
+  const auto handler = localTimeStepping(body, h);
   const auto figures = handler->figures();
   const auto figure = [&](const std::string& name) {
     for (const HandlerFigure& f : figures)
@@ -310,18 +310,18 @@ TEST(LocalTimeStepping, CostsAnIsolatedSliverNoMoreThanItsOwnSteps) {
 TEST(LocalTimeStepping, LeavesASliverAloneWhoseNodesAreAllFixed) {
   Body body = test::sliverBody("stvk", 0.999);
   const double h = 0.5 * criticalStepOf(test::sliverBody("stvk", 0));
-  ASSERT_FALSE(adaptive(body, h)->elements().empty());
-  const std::vector<ElementRef> handled = adaptive(body, h)->elements();
+  ASSERT_FALSE(localTimeStepping(body, h)->elements().empty());
+  const std::vector<ElementRef> handled = localTimeStepping(body, h)->elements();
   for (const ElementRef e : handled)
     for (const std::int32_t node : body.blocks()[0]->nodesOf(e.element)) body.constraints().fix(node);
-  EXPECT_TRUE(adaptive(body, h)->elements().empty());
+  EXPECT_TRUE(localTimeStepping(body, h)->elements().empty());
   // Some nodes fixed: what is handled includes them.
   Body half = test::sliverBody("stvk", 0.999);
-  const std::int32_t centre = half.blocks()[0]->nodesOf(adaptive(half, h)->elements().front().element)[0];
+  const std::int32_t centre = half.blocks()[0]->nodesOf(localTimeStepping(half, h)->elements().front().element)[0];
   half.constraints().fix(centre);
   half.addBodyForce({0, 0, -1});
   const double step = 3 * criticalStepOf(half);
-  const auto handler = adaptive(half, step);
+  const auto handler = localTimeStepping(half, step);
   ASSERT_FALSE(handler->elements().empty());
   BodySystem system(half);
   State state = system.initialState();
@@ -334,7 +334,7 @@ TEST(LocalTimeStepping, SaysSoWhenAStepIsLost) {
   for (const char* law : {"stvk", "corotational", "neo-hookean"}) {
     Body body = test::sliverBody(law, 0.98);
     const double h = 4 * criticalStepOf(body);
-    const auto handler = adaptive(body, h, {}, "verlet");
+    const auto handler = localTimeStepping(body, h, {}, "verlet");
     BodySystem system(body);
     State state = system.initialState();
     // Far beyond the certified state: a handled element is driven through itself.
@@ -364,7 +364,7 @@ TEST(LocalTimeStepping, SaysSoWhenAStepIsLost) {
 TEST(LocalTimeStepping, WatchesTheCoarseElementsAgainstTheirOwnBound) {
   Body body = test::sliverBody("stvk", 0.98);
   const double h = 4 * criticalStepOf(body);
-  const auto handler = adaptive(body, h);
+  const auto handler = localTimeStepping(body, h);
   const Body& watched = handler->explicitBody();
   EXPECT_EQ(watched.mesh().elementCount() + handler->elements().size(), body.mesh().elementCount());
   const double share = handler->levels()[1].filter.coarse / 4;
@@ -388,7 +388,7 @@ TEST(LocalTimeStepping, WorksOnMixedElements) {
             {{}, Lumping::rowSum, 1});
   body.addBodyForce({0, 0, -1});
   const double h = 2 * criticalStepOf(body);
-  const auto handler = adaptive(body, h);
+  const auto handler = localTimeStepping(body, h);
   ASSERT_FALSE(handler->elements().empty());
   BodySystem system(body);
   State state = system.initialState();
@@ -401,7 +401,7 @@ TEST(LocalTimeStepping, WorksOnMixedElements) {
 TEST(LocalTimeStepping, RefusesDamping) {
   Body body = test::sliverBody();
   const double h = 4 * criticalStepOf(body);
-  const auto handler = adaptive(body, h);
+  const auto handler = localTimeStepping(body, h);
   BodySystem damped(body, {0.1, 0});
   State state = damped.initialState();
   EXPECT_THROW(handler->step(damped, state, h), InputError);

@@ -176,7 +176,7 @@ TEST(Selection, RingsOfAPartAreThoseOfTheWhole) {
   EXPECT_TRUE(chosenElements(selectByReducedRing(body, x, lambda, noElements(body.mesh()))).empty());
 }
 
-TEST(Selection, AfterACutOnlyTheChangedElementsAreChosenAnew) {
+TEST(Selection, AfterACutOnlyTheChangedElementsAreChosenAgain) {
   BarOptions options;
   options.size = {0.2, 0.05, 0.05};
   options.cells = {12, 3, 3};

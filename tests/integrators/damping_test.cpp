@@ -159,7 +159,7 @@ TEST(RayleighDampedBody, HasNoBracketWhereNothingIsProven) {
   EXPECT_GT(*report.metricStep, 0);
 }
 
-// What damping takes is in the books, at order two, with a moved end that has to pull against it.
+// What damping takes is in the energy balance, at order two, with a moved end that has to pull against it.
 TEST(RayleighDampedBody, BalancesItsEnergies) {
   Body body = bar("stvk");
   body.addBodyForce({0, 0, -1});

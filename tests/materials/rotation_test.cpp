@@ -122,7 +122,7 @@ TEST(ClosestRotation, IsTheSameInEveryLaneOfAPack) {
   }
 }
 
-RC_GTEST_PROP(ClosestRotation, TurnsWithItsArgument, ()) {
+RC_GTEST_PROP(ClosestRotation, RotatesWithItsArgument, ()) {
   test::Random random(*rc::gen::arbitrary<std::uint64_t>());
   const Eigen::Matrix3d F =
       withSingularValues(random, {random.uniform(1, 3), random.uniform(0.5, 1), random.uniform(-0.4, 1)});

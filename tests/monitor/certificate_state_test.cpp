@@ -61,7 +61,7 @@ TEST(CertificateState, VerifiesBothStatements) {
   EXPECT_TRUE(std::isinf(state.verify(bad)));
 }
 
-TEST(CertificateState, TurnsWithTheElements) {
+TEST(CertificateState, RotatesWithTheElements) {
   const Body body = bar("stvk");
   const NodeVectors& X = body.mesh().X;
   const Eigen::Matrix3d R = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 2) / 3).toRotationMatrix();

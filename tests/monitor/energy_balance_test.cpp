@@ -1,4 +1,4 @@
-// The books of a run: what is put in is what is there, to the order of the scheme.
+// The energy balance of a run: what is put in is what is there, to the order of the scheme.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -13,7 +13,7 @@
 namespace ringwatch {
 namespace {
 
-struct Books {
+struct Balance {
   double worst = 0;  // |balance error|
   double most = 0;   // largest kinetic + strain
   Energies last;
@@ -22,21 +22,21 @@ struct Books {
 class EnergyBalanceTest : public ::testing::TestWithParam<std::string> {
  protected:
   static Body makeBody(const test::Cut& cut) { return test::boxBody(cut, GetParam(), {3, 2, 2}, 0.1); }
-  /// Runs Verlet from `state` for `duration` with steps of at most h, with books kept at every step.
-  static Books run(const Body& body, State state, double duration, double h) {
+  /// Runs Verlet from `state` for `duration` with steps of at most h, with energies evaluated at every step.
+  static Balance run(const Body& body, State state, double duration, double h) {
     BodySystem system(body);
     StormerVerlet integrator;
     EnergyBalance balance(body);
-    Books books;
+    Balance result;
     balance.evaluate(state.x, state.v);
     const int steps = static_cast<int>(std::ceil(duration / h));
     for (int i = 0; i < steps; ++i) {
       integrator.step(system, state, duration / steps);
-      books.last = balance.evaluate(state.x, state.v);
-      books.worst = std::max(books.worst, std::abs(books.last.balanceError));
-      books.most = std::max(books.most, books.last.kinetic + books.last.strain);
+      result.last = balance.evaluate(state.x, state.v);
+      result.worst = std::max(result.worst, std::abs(result.last.balanceError));
+      result.most = std::max(result.most, result.last.kinetic + result.last.strain);
     }
-    return books;
+    return result;
   }
   static double safe(const Body& body) { return criticalStep(body, body.mesh().X, 2).safe; }
   static State atRest(const Body& body) { return BodySystem(body).initialState(); }
@@ -57,7 +57,7 @@ TEST_P(EnergyBalanceTest, OfABodyInFreeFlightErrsAtSecondOrder) {
     const Eigen::Matrix3d gradient = Eigen::Vector3d(8, -5, -3).asDiagonal();
     state.v = (gradient * state.x).colwise() + Eigen::Vector3d(0.01, 0.02, 0);
     const double h = 0.2 * safe(body), duration = 60 * h;
-    const Books coarse = run(body, state, duration, h), fine = run(body, state, duration, h / 2);
+    const Balance coarse = run(body, state, duration, h), fine = run(body, state, duration, h / 2);
     EXPECT_LE(coarse.worst, 0.02 * coarse.most) << cut.name;
     EXPECT_NEAR(coarse.worst / fine.worst, 4, 0.4) << cut.name;
     EXPECT_EQ(coarse.last.externalWork, 0) << cut.name;
@@ -76,7 +76,7 @@ TEST_P(EnergyBalanceTest, CountsTheWorkOfAPulledEnd) {
     }
     // The pull comes at full speed, so the balance starts with the kinetic energy of the pulled nodes and a shock.
     const double h = 0.1 * safe(body), duration = 0.02;
-    const Books coarse = run(body, atRest(body), duration, h), fine = run(body, atRest(body), duration, h / 2);
+    const Balance coarse = run(body, atRest(body), duration, h), fine = run(body, atRest(body), duration, h / 2);
     EXPECT_GT(coarse.last.externalWork, 0.5 * coarse.last.strain) << cut.name;
     EXPECT_GT(coarse.last.strain, 0) << cut.name;
     EXPECT_LE(coarse.worst, 2e-3 * coarse.most) << cut.name;
@@ -91,24 +91,24 @@ TEST_P(EnergyBalanceTest, CountsTheWorkOfGravity) {
     test::holdBody(body, test::Hold::face);
     body.addBodyForce({0, 0, -9.81});
     const double h = 0.2 * safe(body), duration = 0.05;
-    const Books coarse = run(body, atRest(body), duration, h), fine = run(body, atRest(body), duration, h / 2);
+    const Balance coarse = run(body, atRest(body), duration, h), fine = run(body, atRest(body), duration, h / 2);
     EXPECT_GT(coarse.last.externalWork, 0) << cut.name;
     EXPECT_LE(coarse.worst, 5e-3 * coarse.most) << cut.name;
     EXPECT_LE(fine.worst, 0.35 * coarse.worst) << cut.name;
   }
 }
 
-TEST_P(EnergyBalanceTest, OfAFallingBodyIsThatOfAStone) {
+TEST_P(EnergyBalanceTest, OfAFallingBodyIsThatOfAPointMass) {
   const test::Cut cut = test::allCuts()[0];
   Body body = makeBody(cut);
   body.addBodyForce({0, 0, -9.81});
   const double h = 0.5 * safe(body), duration = 40 * h;
-  const Books books = run(body, atRest(body), duration, h);
+  const Balance result = run(body, atRest(body), duration, h);
   const double expected = 0.5 * body.totalMass() * std::pow(9.81 * duration, 2);
-  EXPECT_NEAR(books.last.kinetic, expected, 1e-10 * expected);
-  EXPECT_NEAR(books.last.externalWork, expected, 1e-10 * expected);
-  EXPECT_LE(books.last.strain, 1e-10 * expected);
-  EXPECT_LE(books.worst, 1e-10 * expected);
+  EXPECT_NEAR(result.last.kinetic, expected, 1e-10 * expected);
+  EXPECT_NEAR(result.last.externalWork, expected, 1e-10 * expected);
+  EXPECT_LE(result.last.strain, 1e-10 * expected);
+  EXPECT_LE(result.worst, 1e-10 * expected);
 }
 
 TEST_P(EnergyBalanceTest, SeesWhatComesFromNowhere) {

@@ -1,4 +1,4 @@
-// The replica of Fierz's comparison of handlers (2013), quick, and how its faces are led.
+// The replica of Fierz's comparison of handlers (2013), quick, and how its faces move.
 #include <gtest/gtest.h>
 
 #include <ringwatch/handlers/handler.h>
@@ -47,23 +47,23 @@ TEST(Fierz2013Study, EveryHandlerFollowsTheReference) {
                                              "deformation_cube_bend", "deformation_cube_twist"}));
 }
 
-TEST(Fierz2013Study, LedFacesArriveWhereTheyBelong) {
-  std::set<std::pair<std::string_view, std::string_view>> led;
+TEST(Fierz2013Study, MovingFacesArriveWhereTheyBelong) {
+  std::set<std::pair<std::string_view, std::string_view>> seen;
   for (const Deformation& d : allDeformations(0.3)) {
     if (d.byForce) continue;
-    led.insert({d.mesh, d.mode});
+    seen.insert({d.mesh, d.mode});
     Body body = d.body();
     NodeVectors x = body.mesh().X;
     constexpr double dt = 4e-4;
     for (double t = 0; t < d.end() - dt / 2; t += dt) {
-      d.lead(body, t, dt);
+      d.prescribeMotion(body, t, dt);
       x += dt * body.constraints().velocity();
     }
-    const std::vector<std::int32_t>& driven = body.mesh().nodeSets.at(d.mesh == "bar" ? "x-max" : "z-max");
+    const std::vector<std::int32_t>& moving = body.mesh().nodeSets.at(d.mesh == "bar" ? "x-max" : "z-max");
     // Stretched by 40 %, compressed by 20 %, turned by 45° and the long bar by 90°: the face keeps its shape.
     const auto size = [&](const NodeVectors& y) {
-      Eigen::Matrix3Xd face(3, static_cast<Eigen::Index>(driven.size()));
-      for (std::size_t i = 0; i < driven.size(); ++i) face.col(static_cast<Eigen::Index>(i)) = y.col(driven[i]);
+      Eigen::Matrix3Xd face(3, static_cast<Eigen::Index>(moving.size()));
+      for (std::size_t i = 0; i < moving.size(); ++i) face.col(static_cast<Eigen::Index>(i)) = y.col(moving[i]);
       const Eigen::Vector3d centre = face.rowwise().mean();
       return std::pair((face.colwise() - centre).norm(), centre);
     };
@@ -79,7 +79,7 @@ TEST(Fierz2013Study, LedFacesArriveWhereTheyBelong) {
     if (d.mode == "twist") {
       const int along = d.mesh == "bar" ? 0 : 2;
       Eigen::Vector3d axis = Eigen::Vector3d::Constant(0.025);
-      for (const std::int32_t n : driven) {
+      for (const std::int32_t n : moving) {
         axis[along] = body.mesh().X(along, n);
         EXPECT_NEAR((x.col(n) - axis).norm(), (body.mesh().X.col(n) - axis).norm(), 1e-9);
       }
@@ -87,7 +87,7 @@ TEST(Fierz2013Study, LedFacesArriveWhereTheyBelong) {
     }
     EXPECT_NEAR(moved, (d.mode == "stretch" ? 0.4 : 0.2) * length, 1e-9) << d.mesh << " " << d.mode;
   }
-  EXPECT_EQ(led.size(), 8u);  // two meshes, stretched, compressed, bent and twisted
+  EXPECT_EQ(seen.size(), 8u);  // two meshes, stretched, compressed, bent and twisted
 }
 
 }  // namespace
