@@ -11,7 +11,7 @@
 namespace ringwatch {
 
 namespace detail {
-// GCC refuses vector_size that depends on a template parameter, hence a table of specialisations.
+// GCC refuses vector_size that depends on a template parameter, so there is a table of specialisations.
 template <class T, int Width>
 struct VectorType;
 #define RINGWATCH_VECTOR_TYPE(T, I, Width)                            \

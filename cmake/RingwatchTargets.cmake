@@ -22,8 +22,8 @@ endif()
 target_compile_options(ringwatch_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=fast -fno-math-errno>)
 
 # What all code that ends up in one program must agree on. The instruction set decides how Eigen aligns and allocates and
-# how wide a pack is, so a program that mixes two of them breaks; the same goes for sanitizers. Hence these flags are for
-# every file alike, and the installed package hands them on to whoever links it.
+# how wide a pack is, so a program that mixes two of them breaks; the same goes for sanitizers. So these flags are for
+# every file alike, and the installed package hands them on to what links it.
 add_library(ringwatch_abi INTERFACE)
 add_library(ringwatch::abi ALIAS ringwatch_abi)
 set_target_properties(ringwatch_abi PROPERTIES EXPORT_NAME abi)
@@ -36,7 +36,7 @@ if(RINGWATCH_SANITIZE)
   target_link_options(ringwatch_abi INTERFACE -fsanitize=${RINGWATCH_SANITIZE})
 endif()
 
-# ringwatch_find_package(COMPONENT NAME [VERSION] …): find_package for every folder of this tree, and for whoever finds the
+# ringwatch_find_package(COMPONENT NAME [VERSION] …): find_package for every folder of this tree, and for a project that finds the
 # installed ringwatch with that component; COMPONENT `core` is for all. What is only linked by programs and tests does not
 # belong here.
 macro(ringwatch_find_package component)

@@ -9,8 +9,8 @@
 
 namespace ringwatch {
 
-/// What a body on a device is made of. A `Body` has all of it; whoever needs no body on the CPU, as for meshes of many
-/// millions of elements, hands it over without one.
+/// What a body on a device is made of. A `Body` has all of it; a program that needs no body on the CPU, as for meshes
+/// of many millions of elements, hands it over without one.
 struct DeviceBodyInput {
   const Mesh* mesh = nullptr;
   std::vector<Material> materials;             // one a block

@@ -6,8 +6,8 @@ namespace ringwatch {
 /// The classical Runge–Kutta method of order four on y = (x, v), ẏ = (v, a(t, x, v)) (Fierz 2013, eq. 2.74, with h,
 /// not h/2, in the fourth stage). Neither symplectic nor a Nyström method.
 ///
-/// R(w) = 1 + w + w²/2 + w³/6 + w⁴/24. On the imaginary axis |R(iz)|² = 1 - z⁶/72 + z⁸/576, hence z <= 2√2 = 2.8284. On
-/// the real axis R(-z) = 1 gives z <= 2.7853; Fierz 2013's 2.78 is that value. Damping is treated to full order.
+/// R(w) = 1 + w + w²/2 + w³/6 + w⁴/24. On the imaginary axis |R(iz)|² = 1 - z⁶/72 + z⁸/576, so that z <= 2√2 = 2.8284.
+/// On the real axis R(-z) = 1 gives z <= 2.7853; Fierz 2013's 2.78 is that value. Damping is treated to full order.
 /// Theorem 28, docs/theory/integrators.md.
 class RungeKutta4 final : public Integrator {
  public:

@@ -98,7 +98,7 @@ struct NeoHookean {
   }
 
   /// ∂P/∂F = μ I + a T + λ G⊗G with G = F⁻ᵀ, T dF = G dFᵀ G, a = μ - λ ln J. With 1/w <= σ_min(F) and δ <= θ/w the
-  /// resolvent identity gives |ΔG| <= k w² δ, k = 1/(1 - θ); |G| <= w in the spectral norm. Hence
+  /// resolvent identity gives |ΔG| <= k w² δ, k = 1/(1 - θ); |G| <= w in the spectral norm. So
   ///   |ΔT| <= |ΔG| (2 w + |ΔG|),   |Δa| <= |λ| (|G| δ + k w² δ²/2),
   ///   λ_max(G'⊗G' - G⊗G) <= |ΔG| (2 |G| + |ΔG|),
   /// and the tangent moves by |a| |ΔT| + |Δa| (w² + |ΔT|) + |λ| |ΔG| (2 |G| + |ΔG|), all norms but w's Frobenius. w² is

@@ -13,7 +13,7 @@ namespace ringwatch {
 /// Node vectors, 3×N: a column per node.
 using NodeVectors = Eigen::Matrix3Xd;
 
-/// Node vectors that are only read, wherever they lie: a NodeVectors, or 3×N numbers of somebody else's, node after
+/// Node vectors that are only read, wherever they lie: a NodeVectors, or 3×N numbers that others hold, node after
 /// node. Valid as long as those are. An expression is evaluated for the call that it is an argument of.
 class NodeVectorsView : public Eigen::Map<const NodeVectors> {
  public:

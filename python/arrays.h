@@ -49,7 +49,7 @@ py::array_t<T> ownedArray(std::vector<T>&& values) {
   return ownedArray(std::move(values), {size});
 }
 
-/// An array of numbers that `owner` holds, which nobody may write.
+/// An array of numbers that `owner` holds; read-only.
 template <class T>
 py::array_t<T> viewOf(const T* data, std::vector<py::ssize_t> shape, py::handle owner) {
   py::array_t<T> view(std::move(shape), data, owner);

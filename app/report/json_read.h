@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-/// Values of a summary that may be missing or of another type, as when somebody has edited the file.
+/// Values of a summary that may be missing or of another type, as when a file was edited by hand.
 namespace ringwatch::json_read {
 
 inline std::optional<double> numberOf(const nlohmann::ordered_json& object, const char* key) {

@@ -134,7 +134,7 @@ PageVerdict withoutSummary(const std::optional<RunHistory>& history) {
     }
   }
   verdict.remedies.emplace_back(
-      "Run the scene again to its end for a verdict, or wait until it ends and write the page anew.");
+      "Run the scene again to its end for a verdict, or wait until it ends and write the page again.");
   return verdict;
 }
 

@@ -24,7 +24,7 @@ enum class GoalShape {
 ///
 /// linear: element after element, each on all of the mass of its nodes, forward and back. P = R σ, σ = C E' the stress
 /// at the strain E' that an implicit Euler step of the corotational law leaves of E* = S - I when R is held,
-///   E' = E* - h² V sym(σ H),   hence V σ = (C⁻¹/V + h² B)⁻¹ E*,  B σ = sym(σ H),
+///   E' = E* - h² V sym(σ H),   so that V σ = (C⁻¹/V + h² B)⁻¹ E*,  B σ = sym(σ H),
 /// and on every later visit (C⁻¹/V + h² B) Δ(V σ) = E - C⁻¹σ. In the principal axes of H the 6×6 matrix is three shear
 /// factors and a rank-one change of a diagonal, so every mode has its α = h²λ/(1 + h²λ), deviatoric and volumetric ones
 /// alike. With D = C⁻¹/V + h² B over all elements and L its part below the diagonal blocks N in the order of the
@@ -41,7 +41,7 @@ class RelaxedTetrahedra {
   RelaxedTetrahedra(const Body& body, const std::vector<ElementRef>& elements, double h, GoalShape goal, int passes);
 
   /// Adds f/m to the accelerations a (3×N, m/s²) of a step from positions x (m) with velocities v (m/s); constrained
-  /// components stay. False, with a spoilt, when a result is not finite.
+  /// components stay. False when a result is not finite; a is undefined then.
   bool relax(const NodeVectors& x, const NodeVectors& v, NodeVectors& a);
 
   int passes() const { return passes_; }

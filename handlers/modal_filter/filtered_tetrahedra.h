@@ -19,8 +19,8 @@ class FilteredTetrahedra {
 
   /// Adds to the accelerations a (3×N, m/s²) those by K' at positions x (m); then those by which the filtered-out modes
   /// move the predicted positions x + h (v + h a), forward and back over the elements in each of some passes, which may
-  /// be none. Forces are free of torque about x; constrained components stay. False, with a spoilt, when a result is
-  /// not finite.
+  /// be none. Forces are free of torque about x; constrained components stay. False when a result is not
+  /// finite; a is undefined then.
   bool act(const NodeVectors& x, const NodeVectors& v, NodeVectors& a, int passes);
   /// Modes that were filtered out, of all elements.
   int modes() const { return modes_; }

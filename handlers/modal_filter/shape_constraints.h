@@ -34,7 +34,7 @@ class ConstraintProjection {
  public:
   /// tolerance: of the largest |C|. iterations: at most. The body must outlive it.
   ConstraintProjection(const Body& body, std::vector<ShapeConstraint> constraints, double tolerance, int iterations);
-  /// Moves the free nodes in x (3×N, m). "" or why the constraints could not be met; x is spoilt then.
+  /// Moves the free nodes in x (3×N, m). "" or why the constraints could not be met; x is undefined then.
   std::string project(NodeVectors& x);
 
   const std::vector<ShapeConstraint>& constraints() const { return constraints_; }

@@ -39,9 +39,9 @@ class Greedy {
     }
     CertifiedSelection result;
     result.chosen = std::move(chosen_);
-    double rest = 0;
-    for (std::int32_t i = 0; i < body_.nodeCount(); ++i) rest = std::max(rest, nodal(i).first);
-    result.explicitPart = {rest};
+    double highest = 0;
+    for (std::int32_t i = 0; i < body_.nodeCount(); ++i) highest = std::max(highest, nodal(i).first);
+    result.explicitPart = {highest};
     result.nodalSums = std::move(sums_);
     result.evaluations = evaluations_;
     result.weights.resize(body_.blocks().size());

@@ -26,12 +26,12 @@ inline constexpr double selectionSlack = 1e-9;
 
 /// The smallest set found whose removal brings the block nodal bound of the explicit part, on the whole lumped mass, to
 /// lambda or below: with K_e ≼ l_e D_e for each remaining element and lambda_max(Σ l_e D_e) <= lambda m_i at every node
-/// i, the rest is proven stable at the step limit/√lambda, for the tangent at x. Greedy: the node with the highest
-/// value hands over the element with the largest share of it, until no node value is too high, with weights D_e swept
-/// again as the worst ones leave; then elements that fit into the slack T_i = lambda m_i - Σ l_e D_e of their nodes
-/// come back, with D_e = T_i. keep: elements that stay chosen whatever the bound says, e.g. those chosen so far; may be
-/// empty. outside: Σ l_e D_e at each node over elements that are not in the body and stay as they are, N/m, below
-/// lambda M; it counts in all sums. Empty for none. Theorem 31, docs/theory/handlers.md. Throws InputError unless
+/// i, the explicit part is proven stable at the step limit/√lambda, for the tangent at x. Greedy: the node with the
+/// highest value hands over the element with the largest share of it, until no node value is too high, with weights D_e
+/// swept again as the worst ones leave; then elements that fit into the slack T_i = lambda m_i - Σ l_e D_e of their
+/// nodes come back, with D_e = T_i. keep: elements that stay chosen whatever the bound says, e.g. those chosen so far;
+/// may be empty. outside: Σ l_e D_e at each node over elements that are not in the body and stay as they are, N/m,
+/// below lambda M; it counts in all sums. Empty for none. Theorem 31, docs/theory/handlers.md. Throws InputError unless
 /// lambda > 0, NumericalError when the tangent is not finite.
 CertifiedSelection selectCertified(const Body& body, const NodeVectors& x, double lambda, const ElementFlags& keep = {},
                                    const std::vector<Eigen::Matrix3d>& outside = {});

@@ -70,7 +70,8 @@ class ColouredTetrahedra {
         }
       }
   }
-  /// Adds the accelerations f/m by the forces f_a = -T ∂N_a/∂X, T a stress times the volume, N·m. nodes are spoilt.
+  /// Adds the accelerations f/m by the forces f_a = -T ∂N_a/∂X, T a stress times the volume, N·m. nodes are
+  /// overwritten.
   RINGWATCH_INLINE void push(std::int32_t batch, Nodes& nodes, const P (&g)[3][3], const Matrix3<P>& T) {
     P f[4][3];
     for (int i = 0; i < 3; ++i) f[0][i] = P(0.0);
@@ -104,7 +105,8 @@ class ColouredTetrahedra {
   const std::int32_t* rowsOf(std::int32_t batch, int node) const {
     return row_.data() + (4 * static_cast<std::ptrdiff_t>(batch) + node) * lanes;
   }
-  /// Rows of a node of each lane. A template, as storeRow is, lest packs of other widths meet the branch for eight.
+  /// Rows of a node of each lane. A template, as storeRow is, so that packs of other widths do not meet the branch for
+  /// eight.
   template <class Pack>
   RINGWATCH_INLINE static void loadRow(const double* rows, const std::int32_t* row, Pack (&x)[4], Pack (&q)[3]) {
     if constexpr (Pack::width == 8) {

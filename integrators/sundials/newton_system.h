@@ -16,7 +16,8 @@ namespace ringwatch::detail {
 ///
 /// (I - γ J)(dx, dv) = (p, q) with J = [0 I; -M⁻¹K -M⁻¹C]: dx = p + γ dv and (M + γ C + γ² K) dv = M q - γ K p, a
 /// symmetric system of half the size. The derivative of K along v, which Rayleigh damping would add, is left out:
-/// Newton's method converges linearly then, to the same solution. Where motion is prescribed a = 0, hence dv = q there.
+/// Newton's method converges linearly then, to the same solution. Where motion is prescribed a = 0, so that dv = q
+/// there.
 class NewtonSystem {
  public:
   explicit NewtonSystem(const ImplicitOptions& options) : options_(options) { SUNContext_Create(nullptr, &context_); }

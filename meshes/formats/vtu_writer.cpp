@@ -97,7 +97,7 @@ namespace {
 
 constexpr std::string_view setPrefix = "set:";
 
-/// Catches what VTK would print. VTK has one output window for the whole program, hence the lock.
+/// Catches what VTK would print. VTK has one output window for the whole program, so there is a lock.
 class CaptureWindow : public vtkOutputWindow {
  public:
   static CaptureWindow* New();

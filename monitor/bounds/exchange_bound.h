@@ -11,7 +11,7 @@ namespace ringwatch {
 /// tangents in mass-scaled coordinates and any symmetric P_e on the nodes of element e with
 ///   Σ_e P_e = sigma I - Σ_e A_e   (assembled),   eps_e = max(0, -lambda_min(P_e)),
 /// P_e + eps_e I ≽ 0 sums up to   lambda_max(M⁻¹K) <= sigma + max_i Σ_(e∋i) eps_e.
-/// The block nodal bound is the special case P_e = block diagonal - A_e; here neighbours also trade the stiffness
+/// The block nodal bound is the special case P_e = block diagonal - A_e; here neighbours also exchange the stiffness
 /// between two nodes that they share, which closes the gap that every choice of weights leaves on regular grids.
 ///
 /// The P_e are found by minimising Σ |P_e's negative part|² over the affine set: a step removes the negative parts and

@@ -3,7 +3,7 @@
 
 namespace ringwatch {
 
-/// Whether sigma M - K(x) is positive definite over the free degrees of freedom, hence lambda_max(M⁻¹K) < sigma: a
+/// Whether sigma M - K(x) is positive definite over the free degrees of freedom, so that lambda_max(M⁻¹K) < sigma: a
 /// proof without probability, by the pivots of a sparse LDLᵀ factorisation. `false` proves nothing. Theorem 5,
 /// docs/theory/eigenvalue_bounds.md.
 ///

@@ -66,7 +66,7 @@ LanczosBound lanczosUpperBound(const TangentSource& source, NodeVectorsView x, d
   const double d = eta * std::sqrt(std::numbers::pi / (2 * static_cast<double>(free)));
   if (!(d >= 500 * epsilon))
     throw InputError(joinText("eta = ", eta, ": must be >= ", eta * 500 * epsilon / d, " for ", free,
-                              " free degrees of freedom, lest rounding hides the top mode"));
+                              " free degrees of freedom, since rounding hides the top mode else"));
 
   const MassScaledOperator op(source, x);
   NodeVectors q(3, source.nodeCount()), before = NodeVectors::Zero(3, source.nodeCount()), w(3, source.nodeCount());

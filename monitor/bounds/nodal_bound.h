@@ -12,7 +12,7 @@ namespace ringwatch {
 
 /// The block nodal bound, a proven upper bound of the highest eigenvalue of M⁻¹K. For any symmetric positive definite
 /// 3×3 weights D_(e,a), one for each element and node, and l_e = max(0, lambda_max(D_e⁻¹ K_e)):
-///   K_e ≼ l_e D_e,  hence  lambda_max(M⁻¹K) <= max_i lambda_max(S_i),  S_i = (1/m_i) Σ_(e∋i) l_e D_(e,a(i)).
+///   K_e ≼ l_e D_e,  so that  lambda_max(M⁻¹K) <= max_i lambda_max(S_i),  S_i = (1/m_i) Σ_(e∋i) l_e D_(e,a(i)).
 /// True for every symmetric K_e, indefinite ones included. Good weights make it tight: they start at (K_aa)^½ or K_aa
 /// and are swept, D_a ← R_i D_a R_i with R_i = (S_i/t)^-½, t the bound. Weights are kept from call to
 /// call. Theorem 1, docs/theory/eigenvalue_bounds.md.

@@ -159,7 +159,7 @@ void runs() {
     const Body body = loadedBar("tet4", law, {8, 3, 3});
     const Clusters clusters =
         clustersWhere(body, [](const auto& c, std::int32_t e) { return c[0] < 0.6 || e % 89 == 0; });
-    // Short enough for the explicit rest.
+    // Short enough for the explicit part.
     const double h = 2e-3;
     DeviceImexOptions options;
     options.tolerance = 1e-13;
@@ -237,7 +237,7 @@ void fails() {
   single.setVelocities(fast);
   DeviceImex many(whole, body.mesh(), clusters, longStep, options),
       few(single, body.mesh(), clusters, longStep, options);
-  many.step(400);  // the explicit rest runs away, until nothing is finite
+  many.step(400);  // the explicit part runs away, until nothing is finite
   const DeviceImex::Status end = many.status();
   expect(!end.fault.empty() && end.steps > 0 && end.steps < 400, "a later step fails: " + end.fault);
   std::int64_t taken = 0;

@@ -502,7 +502,7 @@ Body barWithSlivers() {
   return body;
 }
 
-// At four times the explicit step of the mesh. The split leaves the frequency of the explicit rest proven.
+// At four times the explicit step of the mesh. The frequency of the explicit part is proven.
 TEST(PartitionedBodySystem, AdditiveStepKeepsItsStepOnSlivers) {
   const Body body = barWithSlivers();
   const double h = 4 * 2 / std::sqrt(globalFrequency(body, body.mesh().X).lambda), allowed = 1.5;

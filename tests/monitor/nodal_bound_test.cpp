@@ -59,7 +59,7 @@ TEST(NodalBound, IsTheLargestNodalValueOfASweep) {
   EXPECT_EQ(value, most);
 }
 
-TEST(NodalBound, StartsAfreshAfterReset) {
+TEST(NodalBound, StartsFromScratchAfterReset) {
   const Body body = test::boxBody(test::allCuts()[0], "stvk");
   const NodeVectors& X = body.mesh().X;
   const NodeVectors pulled = Eigen::Vector3d(1.5, 1, 1).asDiagonal() * X;

@@ -62,7 +62,7 @@ TEST_F(RegisteredElement, IsFoundLikeThoseOfTheLibrary) {
 TEST_F(RegisteredElement, IsRefusedWhenItDoesNotFit) {
   struct Case {
     std::string words;
-    void (*spoil)(ElementInfo& info);
+    void (*change)(ElementInfo& info);
   };
   const Case cases[] = {
       {"element \"wedge27\": it has 27 nodes; at most 20 are possible", [](ElementInfo& i) { i.nodes = 27; }},
@@ -76,12 +76,12 @@ TEST_F(RegisteredElement, IsRefusedWhenItDoesNotFit) {
       {"it has the VTK cell type 25 of hex20", [](ElementInfo& i) { i.vtkCellType = 25; }},
       {"it has the gmsh type 11 of tet10", [](ElementInfo& i) { i.gmshType = 11; }},
       {"element \"tet4\": there is one of that name already", [](ElementInfo& i) { i.name = "tet4"; }}};
-  for (const Case& spoilt : cases) {
+  for (const Case& wrong : cases) {
     ElementInfo other = elementInfoOf<Wedge15>(ElementType{});
     other.name = "wedge27";
     other.vtkCellType = other.gmshType = 0;
-    spoilt.spoil(other);
-    EXPECT_THAT(test::errorOf([&] { detail::registerElement(other); }), HasSubstr(spoilt.words));
+    wrong.change(other);
+    EXPECT_THAT(test::errorOf([&] { detail::registerElement(other); }), HasSubstr(wrong.words));
   }
   EXPECT_THAT(test::errorOf([] { registerElement<Wedge15>(); }), HasSubstr("it has the VTK cell type 26 of wedge15"));
   EXPECT_EQ(allElements().size(), Elements::size + 1);
