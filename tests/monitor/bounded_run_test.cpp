@@ -47,7 +47,7 @@ struct RunCase {
   bool held;
 };
 std::vector<RunCase> runCases() {
-  const test::Cut six{"", "tet4", 6, "", 0}, five{"", "tet4", 5, "", 0}, hexes{"", "hex8", 1, "", 0};
+  const test::Subdivision six{"", "tet4", 6, "", 0}, five{"", "tet4", 5, "", 0}, hexes{"", "hex8", 1, "", 0};
   const Mesh slivers = withSlivers(test::box(six, {2, 2, 2}, 0.1));
   return {{"tets", test::box(six, {2, 2, 1}), false},
           {"tets_held", test::box(five, {3, 1, 1}), true},

@@ -21,7 +21,9 @@ struct Balance {
 
 class EnergyBalanceTest : public ::testing::TestWithParam<std::string> {
  protected:
-  static Body makeBody(const test::Cut& cut) { return test::boxBody(cut, GetParam(), {3, 2, 2}, 0.1); }
+  static Body makeBody(const test::Subdivision& subdivision) {
+    return test::boxBody(subdivision, GetParam(), {3, 2, 2}, 0.1);
+  }
   /// Runs Verlet from `state` for `duration` with steps of at most h, with energies evaluated at every step.
   static Balance run(const Body& body, State state, double duration, double h) {
     BodySystem system(body);
@@ -50,23 +52,23 @@ INSTANTIATE_TEST_SUITE_P(Laws, EnergyBalanceTest, ::testing::ValuesIn(lawNames()
                          [](const auto& test) { return test::testName(test.param); });
 
 TEST_P(EnergyBalanceTest, OfABodyInFreeFlightErrsAtSecondOrder) {
-  for (const test::Cut& cut : test::allCuts()) {
-    const Body body = makeBody(cut);
+  for (const test::Subdivision& subdivision : test::allSubdivisions()) {
+    const Body body = makeBody(subdivision);
     State state = atRest(body);
     // Swinging about its middle and flying.
     const Eigen::Matrix3d gradient = Eigen::Vector3d(8, -5, -3).asDiagonal();
     state.v = (gradient * state.x).colwise() + Eigen::Vector3d(0.01, 0.02, 0);
     const double h = 0.2 * safe(body), duration = 60 * h;
     const Balance coarse = run(body, state, duration, h), fine = run(body, state, duration, h / 2);
-    EXPECT_LE(coarse.worst, 0.02 * coarse.most) << cut.name;
-    EXPECT_NEAR(coarse.worst / fine.worst, 4, 0.4) << cut.name;
-    EXPECT_EQ(coarse.last.externalWork, 0) << cut.name;
+    EXPECT_LE(coarse.worst, 0.02 * coarse.most) << subdivision.name;
+    EXPECT_NEAR(coarse.worst / fine.worst, 4, 0.4) << subdivision.name;
+    EXPECT_EQ(coarse.last.externalWork, 0) << subdivision.name;
   }
 }
 
 TEST_P(EnergyBalanceTest, CountsTheWorkOfAPulledEnd) {
-  for (const test::Cut& cut : test::allCuts()) {
-    Body body = makeBody(cut);
+  for (const test::Subdivision& subdivision : test::allSubdivisions()) {
+    Body body = makeBody(subdivision);
     for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
       if (body.mesh().X(0, i) < 1e-9) body.constraints().fix(i);
       if (body.mesh().X(0, i) > 3 * test::cellSize - 1e-9) {
@@ -77,30 +79,30 @@ TEST_P(EnergyBalanceTest, CountsTheWorkOfAPulledEnd) {
     // The pull comes at full speed, so the balance starts with the kinetic energy of the pulled nodes and a shock.
     const double h = 0.1 * safe(body), duration = 0.02;
     const Balance coarse = run(body, atRest(body), duration, h), fine = run(body, atRest(body), duration, h / 2);
-    EXPECT_GT(coarse.last.externalWork, 0.5 * coarse.last.strain) << cut.name;
-    EXPECT_GT(coarse.last.strain, 0) << cut.name;
-    EXPECT_LE(coarse.worst, 2e-3 * coarse.most) << cut.name;
-    EXPECT_LE(fine.worst, 0.35 * coarse.worst) << cut.name;
-    EXPECT_NEAR(fine.last.externalWork, coarse.last.externalWork, 1e-2 * coarse.last.externalWork) << cut.name;
+    EXPECT_GT(coarse.last.externalWork, 0.5 * coarse.last.strain) << subdivision.name;
+    EXPECT_GT(coarse.last.strain, 0) << subdivision.name;
+    EXPECT_LE(coarse.worst, 2e-3 * coarse.most) << subdivision.name;
+    EXPECT_LE(fine.worst, 0.35 * coarse.worst) << subdivision.name;
+    EXPECT_NEAR(fine.last.externalWork, coarse.last.externalWork, 1e-2 * coarse.last.externalWork) << subdivision.name;
   }
 }
 
 TEST_P(EnergyBalanceTest, CountsTheWorkOfGravity) {
-  for (const test::Cut& cut : test::allCuts()) {
-    Body body = makeBody(cut);
+  for (const test::Subdivision& subdivision : test::allSubdivisions()) {
+    Body body = makeBody(subdivision);
     test::holdBody(body, test::Hold::face);
     body.addBodyForce({0, 0, -9.81});
     const double h = 0.2 * safe(body), duration = 0.05;
     const Balance coarse = run(body, atRest(body), duration, h), fine = run(body, atRest(body), duration, h / 2);
-    EXPECT_GT(coarse.last.externalWork, 0) << cut.name;
-    EXPECT_LE(coarse.worst, 5e-3 * coarse.most) << cut.name;
-    EXPECT_LE(fine.worst, 0.35 * coarse.worst) << cut.name;
+    EXPECT_GT(coarse.last.externalWork, 0) << subdivision.name;
+    EXPECT_LE(coarse.worst, 5e-3 * coarse.most) << subdivision.name;
+    EXPECT_LE(fine.worst, 0.35 * coarse.worst) << subdivision.name;
   }
 }
 
 TEST_P(EnergyBalanceTest, OfAFallingBodyIsThatOfAPointMass) {
-  const test::Cut cut = test::allCuts()[0];
-  Body body = makeBody(cut);
+  const test::Subdivision subdivision = test::allSubdivisions()[0];
+  Body body = makeBody(subdivision);
   body.addBodyForce({0, 0, -9.81});
   const double h = 0.5 * safe(body), duration = 40 * h;
   const Balance result = run(body, atRest(body), duration, h);
@@ -112,7 +114,7 @@ TEST_P(EnergyBalanceTest, OfAFallingBodyIsThatOfAPointMass) {
 }
 
 TEST_P(EnergyBalanceTest, SeesWhatComesFromNowhere) {
-  const Body body = makeBody(test::allCuts()[0]);
+  const Body body = makeBody(test::allSubdivisions()[0]);
   EnergyBalance balance(body);
   const NodeVectors& X = body.mesh().X;
   const NodeVectors none = NodeVectors::Zero(3, body.nodeCount());

@@ -9,9 +9,9 @@
 namespace ringwatch {
 namespace {
 
-using test::Cut;
 using test::DenseTangent;
 using test::Hold;
+using test::Subdivision;
 
 TEST(PackedJacobi, IsEigensOwnDecomposition) {
   constexpr int lanes = PatchLayout::lanes;
@@ -68,10 +68,10 @@ TEST(PackedJacobi, SaysHowFarItGot) {
 
 TEST(ExchangeBound, HoldsForAnyTargetAfterAnyIteration) {
   int states = 0, tried = 0;
-  for (const Cut& cut : test::allCuts())
+  for (const Subdivision& subdivision : test::allSubdivisions())
     for (const LawInfo& law : allLaws())
       for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
-        Body body = test::boxBody(cut, law.name);
+        Body body = test::boxBody(subdivision, law.name);
         test::holdBody(body, hold);
         for (const test::NamedState& state : test::deformedStates(body.mesh().X, 6)) {
           const DenseTangent dense(body, state.x);
@@ -85,8 +85,8 @@ TEST(ExchangeBound, HoldsForAnyTargetAfterAnyIteration) {
             for (const int iterations : {1, 4, 12}) {
               const ExchangeBound bound = exchangeUpperBound(body, state.x, weights, share * lambda, 0, iterations);
               EXPECT_GE(bound.upper.value, lambda * (1 - 1e-10))
-                  << cut.name << ", " << law.name << ", " << test::holdName(hold) << ", " << state.name << ", share "
-                  << share << ", " << iterations << " iterations";
+                  << subdivision.name << ", " << law.name << ", " << test::holdName(hold) << ", " << state.name
+                  << ", share " << share << ", " << iterations << " iterations";
               EXPECT_EQ(bound.iterations, iterations);
             }
         }
@@ -95,22 +95,22 @@ TEST(ExchangeBound, HoldsForAnyTargetAfterAnyIteration) {
 }
 
 TEST(ExchangeBound, IsWithinOnePercentOnRegularGrids) {
-  for (const Cut& cut : test::allCuts())
+  for (const Subdivision& subdivision : test::allSubdivisions())
     for (const double jitter : {0.0, 0.2}) {
-      const Body body = test::boxBody(cut, "stvk", {3, 3, 3}, jitter);
+      const Body body = test::boxBody(subdivision, "stvk", {3, 3, 3}, jitter);
       const NodeVectors& X = body.mesh().X;
       const double lambda = DenseTangent(body, X).largest();
       NodalBound weights(body);
       weights.evaluate(X, 12);
       const ExchangeBound bound = exchangeUpperBound(body, X, weights, 1.01 * lambda, 1.02 * lambda, 60);
-      EXPECT_GE(bound.upper.value, lambda) << cut.name;
-      EXPECT_LE(bound.upper.value, 1.02 * lambda) << cut.name << ", jitter " << jitter;
-      EXPECT_LT(bound.iterations, 60) << cut.name;
+      EXPECT_GE(bound.upper.value, lambda) << subdivision.name;
+      EXPECT_LE(bound.upper.value, 1.02 * lambda) << subdivision.name << ", jitter " << jitter;
+      EXPECT_LT(bound.iterations, 60) << subdivision.name;
     }
 }
 
 TEST(ExchangeBound, StopsWhereItIsAccepted) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk", {3, 3, 3}, 0);
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk", {3, 3, 3}, 0);
   const NodeVectors& X = body.mesh().X;
   const double lambda = DenseTangent(body, X).largest();
   NodalBound weights(body);
@@ -126,7 +126,7 @@ TEST(ExchangeBound, StopsWhereItIsAccepted) {
 }
 
 TEST(ExchangeBound, IsInfiniteWithoutATangent) {
-  const Body body = test::boxBody(test::allCuts()[0], "neo-hookean");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "neo-hookean");
   const NodeVectors& X = body.mesh().X;
   NodalBound weights(body);
   weights.evaluate(X, 1);
@@ -137,7 +137,7 @@ TEST(ExchangeBound, IsInfiniteWithoutATangent) {
 TEST(ExchangeBound, IsTheSameForAnyNumberOfThreads) {
   double one = 0;
   for (const int threads : {1, 2, 3}) {
-    const Body body = test::boxBody(test::allCuts()[0], "stvk", {4, 3, 3}, 0.1, 3, threads);
+    const Body body = test::boxBody(test::allSubdivisions()[0], "stvk", {4, 3, 3}, 0.1, 3, threads);
     NodalBound weights(body);
     const double value = weights.evaluate(body.mesh().X, 3).value;
     const double bound = exchangeUpperBound(body, body.mesh().X, weights, 0.8 * value, 0, 8).upper.value;

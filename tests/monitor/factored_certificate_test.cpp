@@ -8,20 +8,21 @@
 namespace ringwatch {
 namespace {
 
-using test::Cut;
 using test::DenseTangent;
 using test::Hold;
+using test::Subdivision;
 
 TEST(FactoredCertificate, SaysYesAboveTheTruthAndNeverBelow) {
   int states = 0, finite = 0, withSteps = 0;
-  for (const Cut& cut : test::allCuts())
+  for (const Subdivision& subdivision : test::allSubdivisions())
     for (const LawInfo& law : allLaws())
       for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
-        Body body = test::boxBody(cut, law.name);
+        Body body = test::boxBody(subdivision, law.name);
         test::holdBody(body, hold);
         for (const test::NamedState& state : test::deformedStates(body.mesh().X, 4)) {
           const DenseTangent dense(body, state.x);
-          const std::string what = joinText(cut.name, ", ", law.name, ", ", test::holdName(hold), ", ", state.name);
+          const std::string what =
+              joinText(subdivision.name, ", ", law.name, ", ", test::holdName(hold), ", ", state.name);
           ++states;
           if (!dense.finite()) {
             EXPECT_FALSE(certifiesFrequency(body, state.x, 1e30)) << what;
@@ -49,13 +50,13 @@ TEST(FactoredCertificate, SaysYesAboveTheTruthAndNeverBelow) {
 }
 
 TEST(FactoredCertificate, OfABodyWithNothingFree) {
-  Body body = test::boxBody(test::allCuts()[0], "stvk");
+  Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.constraints().fix(i);
   EXPECT_TRUE(certifies(body, body.mesh().X, 1e6, 2));
 }
 
 TEST(FactoredCertificate, RefusesNoStepAtAll) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {0.0, -1.0, nan}) {
     EXPECT_THROW(certifies(body, body.mesh().X, bad, 2), InputError) << bad;

@@ -8,16 +8,16 @@
 namespace ringwatch {
 namespace {
 
-using test::Cut;
 using test::DenseTangent;
 using test::Hold;
+using test::Subdivision;
 
 TEST(GlobalFrequency, IsTheLargestDenseEigenvalue) {
   int states = 0, tried = 0;
-  for (const Cut& cut : test::allCuts())
+  for (const Subdivision& subdivision : test::allSubdivisions())
     for (const LawInfo& law : allLaws())
       for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
-        Body body = test::boxBody(cut, law.name);
+        Body body = test::boxBody(subdivision, law.name);
         test::holdBody(body, hold);
         for (const test::NamedState& state : test::deformedStates(body.mesh().X, 4)) {
           const DenseTangent dense(body, state.x);
@@ -26,7 +26,8 @@ TEST(GlobalFrequency, IsTheLargestDenseEigenvalue) {
           ++tried;
           const double lambda = dense.largest();
           const GlobalFrequency found = globalFrequency(body, state.x);
-          const std::string what = joinText(cut.name, ", ", law.name, ", ", test::holdName(hold), ", ", state.name);
+          const std::string what =
+              joinText(subdivision.name, ", ", law.name, ", ", test::holdName(hold), ", ", state.name);
           ASSERT_TRUE(found.converged) << what;
           EXPECT_NEAR(found.lambda, lambda, 1e-9 * lambda) << what;
           EXPECT_GT(found.products, 0) << what;
@@ -47,7 +48,7 @@ TEST(GlobalFrequency, IsTheLargestDenseEigenvalue) {
 }
 
 TEST(GlobalFrequency, OfABodyWithNothingFreeIsZero) {
-  Body body = test::boxBody(test::allCuts()[0], "stvk");
+  Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.constraints().fix(i);
   const GlobalFrequency found = globalFrequency(body, body.mesh().X);
   EXPECT_TRUE(found.converged);
@@ -56,16 +57,16 @@ TEST(GlobalFrequency, OfABodyWithNothingFreeIsZero) {
 }
 
 TEST(GlobalFrequency, OfOneFreeNodeOrComponent) {
-  for (const Cut& cut : test::allCuts())
+  for (const Subdivision& subdivision : test::allSubdivisions())
     for (const int components : {1, 2, 3}) {
-      Body body = test::boxBody(cut, "stvk");
+      Body body = test::boxBody(subdivision, "stvk");
       for (std::int32_t i = 0; i < body.nodeCount(); ++i)
         for (int c = 0; c < 3; ++c)
           if (i != 13 || c >= components) body.constraints().fix(i, c);
       const double lambda = DenseTangent(body, body.mesh().X).largest();
       const GlobalFrequency found = globalFrequency(body, body.mesh().X);
-      ASSERT_TRUE(found.converged) << cut.name << ", " << components;
-      EXPECT_NEAR(found.lambda, lambda, 1e-9 * lambda) << cut.name << ", " << components;
+      ASSERT_TRUE(found.converged) << subdivision.name << ", " << components;
+      EXPECT_NEAR(found.lambda, lambda, 1e-9 * lambda) << subdivision.name << ", " << components;
     }
 }
 
@@ -89,13 +90,13 @@ TEST(GlobalFrequency, OfASingleElement) {
 }
 
 TEST(GlobalFrequency, IsTheLargestDenseEigenvalueInAnyUnits) {
-  const Cut cut = test::allCuts()[0];
-  const NodeVectors X = test::box(cut, {4, 2, 2}).X;
+  const Subdivision subdivision = test::allSubdivisions()[0];
+  const NodeVectors X = test::box(subdivision, {4, 2, 2}).X;
   for (const double young : {1e-200, 1e-100, 1e-30, 1e-16, 1e-8, 1e8, 1e30, 1e100, 1e200}) {
-    Body body(test::box(cut, {4, 2, 2}), makeMaterial("linear", young, 0.3, 1000), test::onThreads(1));
+    Body body(test::box(subdivision, {4, 2, 2}), makeMaterial("linear", young, 0.3, 1000), test::onThreads(1));
     test::holdBody(body, Hold::face);
     // The dense problem at E = 1, where its solver is at home: eigenvalues are proportional to E.
-    Body unit(test::box(cut, {4, 2, 2}), makeMaterial("linear", 1, 0.3, 1000), test::onThreads(1));
+    Body unit(test::box(subdivision, {4, 2, 2}), makeMaterial("linear", 1, 0.3, 1000), test::onThreads(1));
     test::holdBody(unit, Hold::face);
     const double lambda = young * DenseTangent(unit, X).largest();
     const GlobalFrequency found = globalFrequency(body, X);
@@ -105,7 +106,7 @@ TEST(GlobalFrequency, IsTheLargestDenseEigenvalueInAnyUnits) {
 }
 
 TEST(GlobalFrequency, ThatDidNotConvergeHasNoValue) {
-  const Body body = test::boxBody(test::allCuts()[0], "linear", {10, 5, 5}, 0);
+  const Body body = test::boxBody(test::allSubdivisions()[0], "linear", {10, 5, 5}, 0);
   const GlobalFrequency found = globalFrequency(body, body.mesh().X, 1e-15, 1);
   EXPECT_FALSE(found.converged);
   EXPECT_EQ(found.lambda, 0);
@@ -114,13 +115,13 @@ TEST(GlobalFrequency, ThatDidNotConvergeHasNoValue) {
 }
 
 TEST(GlobalFrequency, OfAStateWithoutTangentHasNoValue) {
-  const Body body = test::boxBody(test::allCuts()[0], "neo-hookean");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "neo-hookean");
   const GlobalFrequency found = globalFrequency(body, Eigen::Vector3d(-0.5, 1, 1).asDiagonal() * body.mesh().X);
   EXPECT_FALSE(found.converged);
 }
 
 TEST(GlobalFrequency, IsTheSameEveryTime) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk", {4, 3, 3});
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk", {4, 3, 3});
   const GlobalFrequency a = globalFrequency(body, body.mesh().X), b = globalFrequency(body, body.mesh().X);
   EXPECT_EQ(a.lambda, b.lambda);
   EXPECT_EQ(a.mode, b.mode);

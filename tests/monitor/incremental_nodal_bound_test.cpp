@@ -13,12 +13,12 @@
 namespace ringwatch {
 namespace {
 
-using test::Cut;
 using test::DenseTangent;
 using test::Hold;
+using test::Subdivision;
 
-class IncrementalNodalBoundTest : public ::testing::TestWithParam<Cut> {};
-INSTANTIATE_TEST_SUITE_P(Cuts, IncrementalNodalBoundTest, ::testing::ValuesIn(test::allCuts()),
+class IncrementalNodalBoundTest : public ::testing::TestWithParam<Subdivision> {};
+INSTANTIATE_TEST_SUITE_P(Subdivisions, IncrementalNodalBoundTest, ::testing::ValuesIn(test::allSubdivisions()),
                          [](const auto& test) { return test::testName(test.param.name); });
 
 /// A path of states: a slow stretch, a shake of single nodes, a jump, and back; `at` in [0, 1].
@@ -104,7 +104,7 @@ TEST_P(IncrementalNodalBoundTest, HoldsWhateverItMaySpend) {
 }
 
 TEST(IncrementalNodalBound, KeepsAProofBelowItsCeilingWhateverItMaySpend) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   const NodeVectors& X = body.mesh().X;
   for (const bool asked : {false, true}) {
     WorkAccount account(body, 0);
@@ -124,7 +124,7 @@ TEST(IncrementalNodalBound, KeepsAProofBelowItsCeilingWhateverItMaySpend) {
 }
 
 TEST(WorkAccount, EarnsSpendsAndForgives) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   const auto elements = static_cast<double>(body.mesh().elementCount());
   ASSERT_EQ(body.blocks()[0]->nodesPerElement(), 4);
   const double evaluation = 216 * elements, force = 4 * elements;

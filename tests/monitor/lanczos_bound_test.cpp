@@ -9,25 +9,25 @@
 namespace ringwatch {
 namespace {
 
-using test::Cut;
 using test::DenseTangent;
 using test::Hold;
+using test::Subdivision;
 
 TEST(LanczosBound, HoldsOnHundredsOfRandomBodies) {
-  const auto cuts = test::allCuts();
+  const auto subdivisions = test::allSubdivisions();
   const Hold holds[] = {Hold::nothing, Hold::face, Hold::components};
   int bodies = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed)
     for (const LawInfo& law : allLaws()) {
       test::Random random(seed);
-      const Cut& cut = cuts[random.index(static_cast<int>(cuts.size()))];
+      const Subdivision& subdivision = subdivisions[random.index(static_cast<int>(subdivisions.size()))];
       const std::array<int, 3> cells{1 + random.index(3), 1 + random.index(2), 1 + random.index(2)};
-      Body body = test::boxBody(cut, law.name, cells, random.uniform(0, 0.25), seed);
+      Body body = test::boxBody(subdivision, law.name, cells, random.uniform(0, 0.25), seed);
       test::holdBody(body, holds[random.index(3)], seed);
       const NodeVectors x = (random.rotation() * (Eigen::Matrix3d::Identity() + random.matrix(0.5))) * body.mesh().X +
                             random.nodeVectors(body.nodeCount(), random.uniform(0, 0.3) * test::cellSize);
       const DenseTangent dense(body, x);
-      const std::string what = joinText(cut.name, ", ", law.name, ", seed ", seed);
+      const std::string what = joinText(subdivision.name, ", ", law.name, ", seed ", seed);
       if (!dense.finite()) {
         EXPECT_TRUE(std::isnan(lanczosUpperBound(body, x).upper.value)) << what;
         continue;
@@ -49,7 +49,7 @@ TEST(LanczosBound, HoldsOnHundredsOfRandomBodies) {
 TEST(LanczosBound, FailsNoMoreOftenThanItMay) {
   // Wide brackets end early, when the start still matters: with eta = 0.5 half of d, kept for rounding, still leaves an
   // eta of 0.25 in truth. 600 seeds: the share of failures is below eta by far more than chance.
-  Body body = test::boxBody(test::allCuts()[0], "stvk", {3, 2, 2});
+  Body body = test::boxBody(test::allSubdivisions()[0], "stvk", {3, 2, 2});
   const double lambda = DenseTangent(body, body.mesh().X).largest();
   int failed = 0;
   constexpr int seeds = 600;
@@ -60,19 +60,19 @@ TEST(LanczosBound, FailsNoMoreOftenThanItMay) {
 }
 
 TEST(LanczosBound, IsExactWhereLittleIsFree) {
-  for (const Cut& cut : test::allCuts())
+  for (const Subdivision& subdivision : test::allSubdivisions())
     for (const int components : {1, 2, 3}) {
-      Body body = test::boxBody(cut, "stvk");
+      Body body = test::boxBody(subdivision, "stvk");
       for (std::int32_t i = 0; i < body.nodeCount(); ++i)
         for (int c = 0; c < 3; ++c)
           if (i != 13 || c >= components) body.constraints().fix(i, c);
       const double lambda = DenseTangent(body, body.mesh().X).largest();
       const LanczosBound bound = lanczosUpperBound(body, body.mesh().X, 1e-3);
-      EXPECT_GE(bound.upper.value, lambda * (1 - 1e-12)) << cut.name << ", " << components;
-      EXPECT_LE(bound.upper.value, lambda * 1.003) << cut.name << ", " << components;
-      EXPECT_LE(bound.products, components + 1) << cut.name << ", " << components;
+      EXPECT_GE(bound.upper.value, lambda * (1 - 1e-12)) << subdivision.name << ", " << components;
+      EXPECT_LE(bound.upper.value, lambda * 1.003) << subdivision.name << ", " << components;
+      EXPECT_LE(bound.products, components + 1) << subdivision.name << ", " << components;
     }
-  Body body = test::boxBody(test::allCuts()[0], "stvk");
+  Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.constraints().fix(i);
   const LanczosBound bound = lanczosUpperBound(body, body.mesh().X);
   EXPECT_EQ(bound.upper.value, 0);
@@ -105,7 +105,7 @@ Mesh copies(const Mesh& mesh, int count, double growth) {
 
 TEST(LanczosBound, SeesEveryPartOfABodyInParts) {
   // The top mode lives in the last and smallest part alone; many equal parts end Lanczos early.
-  const Mesh one = test::box(test::allCuts()[0], {1, 1, 1});
+  const Mesh one = test::box(test::allSubdivisions()[0], {1, 1, 1});
   for (const double growth : {1.0, 0.9, 0.5})
     for (const int count : {2, 7, 40}) {
       if (growth < 0.9 && count > 7) continue;  // an element of 1e-14 m
@@ -124,7 +124,7 @@ TEST(LanczosBound, SeesEveryPartOfABodyInParts) {
 }
 
 TEST(LanczosBound, HoldsWithinTheProductsItIsGiven) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk", {4, 3, 3});
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk", {4, 3, 3});
   const double lambda = DenseTangent(body, body.mesh().X).largest();
   for (const int products : {1, 2, 3, 5, 8}) {
     const LanczosBound bound = lanczosUpperBound(body, body.mesh().X, 1e-3, 1e-9, 5, products);
@@ -135,7 +135,7 @@ TEST(LanczosBound, HoldsWithinTheProductsItIsGiven) {
 }
 
 TEST(LanczosBound, RefusesWhatItCannotKeep) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const struct {
     double width, eta;

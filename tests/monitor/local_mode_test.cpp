@@ -10,9 +10,9 @@
 namespace ringwatch {
 namespace {
 
-using test::Cut;
 using test::DenseTangent;
 using test::Hold;
+using test::Subdivision;
 
 NodeVectors anyMode(const Body& body, std::uint64_t seed) {
   test::Random random(seed);
@@ -23,10 +23,10 @@ NodeVectors anyMode(const Body& body, std::uint64_t seed) {
 
 TEST(LocalMode, IsALowerBoundInAnyRegionOfAnyState) {
   int tried = 0;
-  for (const Cut& cut : test::allCuts())
+  for (const Subdivision& subdivision : test::allSubdivisions())
     for (const LawInfo& law : allLaws())
       for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
-        Body body = test::boxBody(cut, law.name);
+        Body body = test::boxBody(subdivision, law.name);
         test::holdBody(body, hold);
         const NodalBound incidences(body);
         for (const std::size_t nodes : {1u, 4u, 1000u}) {
@@ -37,7 +37,7 @@ TEST(LocalMode, IsALowerBoundInAnyRegionOfAnyState) {
             mode.choose(anyMode(body, nodes), nodes);
             for (int evaluation = 0; evaluation < 4; ++evaluation) {
               EXPECT_LE(mode.evaluate(state.x).value, std::max(lambda, 0.0) * (1 + 1e-12))
-                  << cut.name << ", " << law.name << ", " << test::holdName(hold) << ", " << state.name;
+                  << subdivision.name << ", " << law.name << ", " << test::holdName(hold) << ", " << state.name;
               ++tried;
             }
           }
@@ -47,14 +47,14 @@ TEST(LocalMode, IsALowerBoundInAnyRegionOfAnyState) {
 }
 
 TEST(LocalMode, FindsTheHighestEigenvalueWhenTheRegionIsTheWhole) {
-  for (const Cut& cut : test::allCuts()) {
-    Body body = test::boxBody(cut, "stvk");
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
+    Body body = test::boxBody(subdivision, "stvk");
     test::holdBody(body, Hold::face);
     const NodalBound incidences(body);
     LocalMode mode(body, incidences, 30, 1);
     mode.choose(anyMode(body, 3), 1000);
     const double lambda = DenseTangent(body, body.mesh().X).largest();
-    EXPECT_NEAR(mode.evaluate(body.mesh().X).value, lambda, 1e-6 * lambda) << cut.name;
+    EXPECT_NEAR(mode.evaluate(body.mesh().X).value, lambda, 1e-6 * lambda) << subdivision.name;
   }
 }
 
@@ -74,7 +74,7 @@ TEST(LocalMode, HoldsMostOfAModeThatIsSpreadOverARegularGrid) {
 }
 
 TEST(LocalMode, FollowsMassesAndConstraints) {
-  Body body = test::boxBody(test::allCuts()[0], "corotational");
+  Body body = test::boxBody(test::allSubdivisions()[0], "corotational");
   const NodalBound incidences(body);
   LocalMode mode(body, incidences, 30, 1);
   mode.choose(anyMode(body, 2), 1000);
@@ -88,7 +88,7 @@ TEST(LocalMode, FollowsMassesAndConstraints) {
 }
 
 TEST(LocalMode, HasNoBoundWithoutAMode) {
-  const Body body = test::boxBody(test::allCuts()[0], "linear");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "linear");
   const NodalBound incidences(body);
   LocalMode mode(body, incidences, 3, 1);
   EXPECT_EQ(mode.evaluate(body.mesh().X).value, 0);

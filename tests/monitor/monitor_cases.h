@@ -48,7 +48,7 @@ struct DenseTangent {
 };
 
 /// How a box of cells is cut into elements.
-struct Cut {
+struct Subdivision {
   std::string name;
   std::string element;
   int split = 0;
@@ -56,35 +56,35 @@ struct Cut {
   int otherSplit = 0;
 };
 /// Every split of the library into linear elements, and boxes of two blocks.
-inline std::vector<Cut> allCuts() {
-  std::vector<Cut> cuts;
+inline std::vector<Subdivision> allSubdivisions() {
+  std::vector<Subdivision> subdivisions;
   std::vector<CellSubdivision> whole;  // splits that add no nodes to the cells' corners, the first of each element
   for (const CellSubdivision& split : allCellSubdivisions()) {
     // Dense eigenvalues at every step of a run take minutes with the 60 degrees of freedom of a quadratic element.
     if (findElementByName(split.element)->order > 1) continue;
-    cuts.push_back({joinText(split.element, "_", split.elementsPerCell), std::string(split.element),
-                    split.elementsPerCell, "", 0});
+    subdivisions.push_back({joinText(split.element, "_", split.elementsPerCell), std::string(split.element),
+                            split.elementsPerCell, "", 0});
     if (!split.centre && (whole.empty() || whole.back().element != split.element)) whole.push_back(split);
   }
   for (std::size_t i = 0; i + 1 < whole.size(); ++i)
-    cuts.push_back({joinText(whole[i].element, "_and_", whole[i + 1].element), std::string(whole[i].element),
-                    whole[i].elementsPerCell, std::string(whole[i + 1].element), whole[i + 1].elementsPerCell});
-  return cuts;
+    subdivisions.push_back({joinText(whole[i].element, "_and_", whole[i + 1].element), std::string(whole[i].element),
+                            whole[i].elementsPerCell, std::string(whole[i + 1].element), whole[i + 1].elementsPerCell});
+  return subdivisions;
 }
 
 /// A box of cells of 1 cm.
-inline Mesh box(const Cut& cut, std::array<int, 3> cells, double jitter = 0.2, std::uint64_t seed = 3) {
+inline Mesh box(const Subdivision& subdivision, std::array<int, 3> cells, double jitter = 0.2, std::uint64_t seed = 3) {
   BarOptions options;
   options.cells = cells;
   for (std::size_t k = 0; k < 3; ++k) options.size[k] = cells[k] * cellSize;
   options.jitter = jitter;
   options.seed = seed;
-  options.element = cut.element;
-  options.split = cut.split;
+  options.element = subdivision.element;
+  options.split = subdivision.split;
   Mesh mesh = generateBar(options);
-  if (cut.other.empty()) return mesh;
-  options.element = cut.other;
-  options.split = cut.otherSplit;
+  if (subdivision.other.empty()) return mesh;
+  options.element = subdivision.other;
+  options.split = subdivision.otherSplit;
   const Mesh second = generateBar(options);
   // Cells run along x first: the lower half keeps the first block's elements, the upper half takes the second's.
   const auto keep = [&](const MeshBlock& from, bool low) {
@@ -107,9 +107,9 @@ inline BodyOptions onThreads(int threads) {
   options.threads = threads;
   return options;
 }
-inline Body boxBody(const Cut& cut, std::string_view law, std::array<int, 3> cells = {2, 2, 2}, double jitter = 0.2,
-                    std::uint64_t seed = 3, int threads = 1) {
-  Mesh mesh = box(cut, cells, jitter, seed);
+inline Body boxBody(const Subdivision& subdivision, std::string_view law, std::array<int, 3> cells = {2, 2, 2},
+                    double jitter = 0.2, std::uint64_t seed = 3, int threads = 1) {
+  Mesh mesh = box(subdivision, cells, jitter, seed);
   std::vector<Material> materials{makeMaterial(law, young, poisson, density)};
   if (mesh.blocks.size() > 1) materials.push_back(makeMaterial(law, 3 * young, 0.4, 0.7 * density));
   return Body(std::move(mesh), materials, onThreads(threads));

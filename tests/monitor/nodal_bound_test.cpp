@@ -9,16 +9,16 @@
 namespace ringwatch {
 namespace {
 
-using test::Cut;
 using test::DenseTangent;
 using test::Hold;
+using test::Subdivision;
 using Start = NodalBound::Start;
 
 TEST(NodalBound, HoldsWithWeightsOfAnyOtherState) {
-  for (const Cut& cut : test::allCuts())
+  for (const Subdivision& subdivision : test::allSubdivisions())
     for (const Hold hold : {Hold::nothing, Hold::face, Hold::components})
       for (const Start start : {Start::rootOfStiffness, Start::stiffness}) {
-        Body body = test::boxBody(cut, "stvk");
+        Body body = test::boxBody(subdivision, "stvk");
         test::holdBody(body, hold);
         NodalBound bound(body);
         for (const std::uint64_t seed : {1u, 2u})
@@ -26,32 +26,33 @@ TEST(NodalBound, HoldsWithWeightsOfAnyOtherState) {
             for (const int sweeps : {0, 1, 3}) {
               const double lambda = DenseTangent(body, state.x).largest();
               EXPECT_GE(bound.evaluate(state.x, sweeps, start).value, lambda * (1 - 1e-9))
-                  << cut.name << ", " << test::holdName(hold) << ", " << state.name << ", " << sweeps << " sweeps";
+                  << subdivision.name << ", " << test::holdName(hold) << ", " << state.name << ", " << sweeps
+                  << " sweeps";
             }
       }
 }
 
 TEST(NodalBound, SweepsTightenIt) {
-  for (const Cut& cut : test::allCuts()) {
-    const Body body = test::boxBody(cut, "linear", {3, 3, 3});
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
+    const Body body = test::boxBody(subdivision, "linear", {3, 3, 3});
     const double lambda = DenseTangent(body, body.mesh().X).largest();
     double before = std::numeric_limits<double>::infinity();
     for (const int sweeps : {0, 1, 5, 20}) {
       NodalBound bound(body);
       const double value = bound.evaluate(body.mesh().X, sweeps).value;
-      EXPECT_LE(value, before) << cut.name << ", " << sweeps;
+      EXPECT_LE(value, before) << subdivision.name << ", " << sweeps;
       // A sweep evaluates only where it changes something.
       const auto elements = static_cast<std::int64_t>(body.mesh().elementCount());
-      EXPECT_GE(bound.evaluations(), elements) << cut.name;
-      EXPECT_LE(bound.evaluations(), elements * (sweeps + 1)) << cut.name;
+      EXPECT_GE(bound.evaluations(), elements) << subdivision.name;
+      EXPECT_LE(bound.evaluations(), elements * (sweeps + 1)) << subdivision.name;
       before = value;
     }
-    EXPECT_LE(before, 1.35 * lambda) << cut.name;
+    EXPECT_LE(before, 1.35 * lambda) << subdivision.name;
   }
 }
 
 TEST(NodalBound, IsTheLargestNodalValueOfASweep) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   NodalBound bound(body);
   const double value = bound.evaluate(body.mesh().X, 0).value;
   double most = 0;
@@ -60,7 +61,7 @@ TEST(NodalBound, IsTheLargestNodalValueOfASweep) {
 }
 
 TEST(NodalBound, StartsFromScratchAfterReset) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   const NodeVectors& X = body.mesh().X;
   const NodeVectors pulled = Eigen::Vector3d(1.5, 1, 1).asDiagonal() * X;
   NodalBound bound(body), other(body);
@@ -72,7 +73,7 @@ TEST(NodalBound, StartsFromScratchAfterReset) {
 }
 
 TEST(NodalBound, RecoversFromAStateWithoutTangent) {
-  const Body body = test::boxBody(test::allCuts()[0], "neo-hookean");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "neo-hookean");
   const NodeVectors& X = body.mesh().X;
   const NodeVectors inverted = Eigen::Vector3d(-0.5, 1, 1).asDiagonal() * X;
   NodalBound bound(body), fresh(body);

@@ -38,8 +38,8 @@ class RegisteredElement : public ::testing::Test {
   static Material material(std::string_view law) {
     return makeMaterial(law, test::young, test::poisson, test::density);
   }
-  static test::Cut cut() { return {std::string(Wedge15::name), std::string(Wedge15::name), 0, "", 0}; }
-  static Mesh distortedBox(std::array<int, 3> cells) { return test::box(cut(), cells); }
+  static test::Subdivision subdivision() { return {std::string(Wedge15::name), std::string(Wedge15::name), 0, "", 0}; }
+  static Mesh distortedBox(std::array<int, 3> cells) { return test::box(subdivision(), cells); }
   /// Nodes lie half a cell apart: a disturbance of 2 % of the cell keeps det F well above zero.
   static NodeVectors strained(const NodeVectors& X) {
     test::Random random(5);
@@ -187,7 +187,7 @@ TEST_F(RegisteredElement, IsBoundedInEveryLaw) {
   int tried = 0;
   for (const LawInfo& law : allLaws())
     for (const test::Hold hold : {test::Hold::nothing, test::Hold::face}) {
-      Body body = test::boxBody(cut(), law.name, {2, 1, 1}, 0.2, 3);
+      Body body = test::boxBody(subdivision(), law.name, {2, 1, 1}, 0.2, 3);
       test::holdBody(body, hold, 3);
       for (const test::NamedState& state :
            {test::NamedState{"rest", body.mesh().X}, test::NamedState{"strained", strained(body.mesh().X)}}) {
@@ -200,7 +200,7 @@ TEST_F(RegisteredElement, IsBoundedInEveryLaw) {
 
 TEST_F(RegisteredElement, IsMonitoredAlongAPull) {
   for (const std::string_view law : {"stvk", "mooney-rivlin"}) {
-    Body body = test::boxBody(cut(), law, {2, 1, 1});
+    Body body = test::boxBody(subdivision(), law, {2, 1, 1});
     test::holdBody(body, test::Hold::face);
     MonitorOptions options;
     options.limit = test::limit;

@@ -16,15 +16,15 @@
 namespace ringwatch {
 namespace {
 
-using test::Cut;
 using test::DenseTangent;
 using test::Hold;
+using test::Subdivision;
 
-std::vector<Cut> cutsAndQuadratics() {
-  std::vector<Cut> cuts = test::allCuts();
-  cuts.push_back({"tet10", "tet10", 5, "", 0});
-  cuts.push_back({"hex20", "hex20", 0, "", 0});
-  return cuts;
+std::vector<Subdivision> subdivisionsAndQuadratics() {
+  std::vector<Subdivision> subdivisions = test::allSubdivisions();
+  subdivisions.push_back({"tet10", "tet10", 5, "", 0});
+  subdivisions.push_back({"hex20", "hex20", 0, "", 0});
+  return subdivisions;
 }
 
 std::vector<ElementRef> allElementsOf(const Body& body) {
@@ -107,8 +107,8 @@ double literalRing(std::string_view name, const Body& body, const Tangents& tang
   return literalLargest(body, tangents, second, nodesOf(body, first));
 }
 
-class RingsTest : public ::testing::TestWithParam<Cut> {};
-INSTANTIATE_TEST_SUITE_P(Cuts, RingsTest, ::testing::ValuesIn(cutsAndQuadratics()),
+class RingsTest : public ::testing::TestWithParam<Subdivision> {};
+INSTANTIATE_TEST_SUITE_P(Subdivisions, RingsTest, ::testing::ValuesIn(subdivisionsAndQuadratics()),
                          [](const auto& test) { return test::testName(test.param.name); });
 
 TEST_P(RingsTest, AreWhatFierz2013Defines) {
@@ -185,7 +185,7 @@ TEST_P(RingsTest, CheapBoundsAreTheirFormulas) {
 }
 
 TEST(Rings, ReportProgressUpToTheEnd) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk", {4, 4, 4});
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk", {4, 4, 4});
   std::vector<double> shares;
   evaluateMetric("element-1-ring", body, body.mesh().X, [&](double share) { shares.push_back(share); });
   ASSERT_GT(shares.size(), 1u);
@@ -238,7 +238,7 @@ TEST(PressureWave, LengthsOfARegularTetrahedron) {
 }
 
 TEST(PressureWave, NamesItsKnownOptions) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   try {
     evaluateMetric("pressure-wave:height", body, body.mesh().X);
     FAIL() << "an unknown option was accepted";

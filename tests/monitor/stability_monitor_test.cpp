@@ -16,8 +16,8 @@
 namespace ringwatch {
 namespace {
 
-using test::Cut;
 using test::DenseTangent;
+using test::Subdivision;
 
 NodeVectors noVelocity(const Body& body) { return NodeVectors::Zero(3, body.nodeCount()); }
 
@@ -45,14 +45,14 @@ void expectText(const Body& body, const MonitorEvent& event, const std::vector<s
 }
 
 TEST(StabilityMonitor, ChecksAStepByTheBracket) {
-  for (const Cut& cut : test::allCuts()) {
-    const Body body = test::boxBody(cut, "stvk");
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
+    const Body body = test::boxBody(subdivision, "stvk");
     const NodeVectors& X = body.mesh().X;
     StabilityMonitor first(body, {});
     const CriticalStep step = *first.observe(0, 0, X, noVelocity(body), 1e-9).bracket;
     const double exact = 2 / std::sqrt(globalFrequency(body, X).lambda);
-    EXPECT_LE(step.safe, exact) << cut.name;
-    EXPECT_GE(step.optimistic, exact * (1 - 1e-9)) << cut.name;
+    EXPECT_LE(step.safe, exact) << subdivision.name;
+    EXPECT_GE(step.optimistic, exact * (1 - 1e-9)) << subdivision.name;
     const struct {
       double h;
       Verdict verdict;
@@ -70,7 +70,7 @@ TEST(StabilityMonitor, ChecksAStepByTheBracket) {
       ASSERT_TRUE(report.bracket);
       EXPECT_EQ(report.bracket->safe, step.safe);
       EXPECT_LE(report.bracket->optimistic, step.optimistic);  // examined closer when h comes near it
-      EXPECT_EQ(report.verdict, c.verdict) << cut.name << ", h = " << c.h;
+      EXPECT_EQ(report.verdict, c.verdict) << subdivision.name << ", h = " << c.h;
       EXPECT_EQ(countEvents(monitor, EventKind::violated), c.verdict == Verdict::violated);
       EXPECT_EQ(report.newEvents.size(), monitor.events().size());
     }
@@ -78,7 +78,7 @@ TEST(StabilityMonitor, ChecksAStepByTheBracket) {
 }
 
 TEST(StabilityMonitor, ReportsAViolationOnceWhenItBegins) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   const NodeVectors& X = body.mesh().X;
   const CriticalStep step = criticalStep(body, X, 2);
   MonitorOptions options;
@@ -111,7 +111,7 @@ TEST(StabilityMonitor, ReportsAViolationOnceWhenItBegins) {
 
 TEST(StabilityMonitor, ReportsANonFiniteState) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity})
     for (const bool inVelocity : {false, true}) {
       StabilityMonitor monitor(body, {});
@@ -139,7 +139,7 @@ void expectNoNan(const Body& body, const StabilityMonitor& monitor) {
 }
 
 TEST(StabilityMonitor, HasNoBracketOfAnEarlierStateWhereTheStateIsNotFinite) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   const NodeVectors& X = body.mesh().X;
   NodeVectors bad = X;
   bad(1, 4) = std::numeric_limits<double>::quiet_NaN();
@@ -170,9 +170,9 @@ TEST(StabilityMonitor, HasNoBracketOfAnEarlierStateWhereTheStateIsNotFinite) {
 }
 
 TEST(StabilityMonitor, HasNoBracketWhereTheTangentIsNotFinite) {
-  for (const Cut& cut : test::allCuts()) {
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
     // The logarithm of det F does not exist in a mirrored body.
-    const Body body = test::boxBody(cut, "neo-hookean");
+    const Body body = test::boxBody(subdivision, "neo-hookean");
     const NodeVectors &X = body.mesh().X, mirrored = Eigen::Vector3d(-1, 1, 1).asDiagonal() * X;
     const double exact = stepFor(DenseTangent(body, X).largest(), 2);
     for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold})
@@ -185,26 +185,26 @@ TEST(StabilityMonitor, HasNoBracketWhereTheTangentIsNotFinite) {
         for (int step = 2; step < 6; ++step) {
           const MonitorReport& report = monitor.observe(step, 0, mirrored, noVelocity(body), 1e-9);
           if (!first && step == 2) continue;  // not its turn yet
-          EXPECT_EQ(report.verdict, Verdict::violated) << cut.name;
-          EXPECT_FALSE(report.bracket) << cut.name;
-          EXPECT_EQ(report.certified, 0) << cut.name;
+          EXPECT_EQ(report.verdict, Verdict::violated) << subdivision.name;
+          EXPECT_FALSE(report.bracket) << subdivision.name;
+          EXPECT_EQ(report.certified, 0) << subdivision.name;
         }
         expectText(body, onlyEvent(monitor, EventKind::nonFinite), {"tangent is not finite"});
         onlyEvent(monitor, EventKind::inverted);
         expectNoNan(body, monitor);
         // Nothing of it is left over.
         const MonitorReport& report = monitor.observe(6, 0, X, noVelocity(body), std::nullopt);
-        ASSERT_TRUE(report.bracket) << cut.name;
-        EXPECT_LE(report.bracket->safe, exact * (1 + 1e-9)) << cut.name;
-        EXPECT_GE(report.bracket->optimistic, exact * (1 - 1e-9)) << cut.name;
-        EXPECT_LE(report.bracket->optimistic, 1.1 * exact) << cut.name;
+        ASSERT_TRUE(report.bracket) << subdivision.name;
+        EXPECT_LE(report.bracket->safe, exact * (1 + 1e-9)) << subdivision.name;
+        EXPECT_GE(report.bracket->optimistic, exact * (1 - 1e-9)) << subdivision.name;
+        EXPECT_LE(report.bracket->optimistic, 1.1 * exact) << subdivision.name;
       }
     EXPECT_THROW(criticalStep(body, mirrored, 2), NumericalError);
   }
 }
 
 TEST(StabilityMonitor, RefusesWhatIsNoStateOrNoStep) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   const NodeVectors X = body.mesh().X, v = noVelocity(body), few = X.leftCols(3), many = NodeVectors::Zero(3, 1000);
   StabilityMonitor monitor(body, {});
   const auto refusal = [&](const std::function<void()>& call) -> std::string {
@@ -231,7 +231,7 @@ TEST(StabilityMonitor, RefusesWhatIsNoStateOrNoStep) {
 }
 
 TEST(StabilityMonitor, GivesABracketWhileNoStepIsChosen) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold}) {
     MonitorOptions options;
     options.mode = mode;
@@ -264,14 +264,15 @@ TEST(StabilityMonitor, FollowsMassesAndConstraintsOfTheBody) {
          body.constraints() = Constraints(body.mesh().nodeCount());
          for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.constraints().fix(i, 1);
        }}};
-  for (const Cut& cut : test::allCuts())
+  for (const Subdivision& subdivision : test::allSubdivisions())
     for (const auto& [name, change] : changes)
       for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold})
         for (const int every : {1, 10}) {
-          Body body = test::boxBody(cut, "stvk");
+          Body body = test::boxBody(subdivision, "stvk");
           for (std::int32_t i = 0; i < 18; ++i) body.constraints().fix(i);
           const NodeVectors& X = body.mesh().X;
-          const std::string what = joinText(cut.name, ", ", name, ", ", monitorModeName(mode), ", every ", every);
+          const std::string what =
+              joinText(subdivision.name, ", ", name, ", ", monitorModeName(mode), ", every ", every);
           MonitorOptions options;
           options.mode = mode;
           options.every = every;
@@ -297,8 +298,8 @@ TEST(StabilityMonitor, FollowsMassesAndConstraintsOfTheBody) {
 }
 
 TEST(StabilityMonitor, NamesElementsOfAMeshWithoutNumbers) {
-  for (const Cut& cut : test::allCuts()) {
-    Mesh mesh = test::box(cut, {2, 2, 2});
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
+    Mesh mesh = test::box(subdivision, {2, 2, 2});
     mesh.nodeIds.clear();
     for (MeshBlock& block : mesh.blocks) block.ids.clear();
     const Body body(std::move(mesh), makeMaterial("stvk", test::young, 0.3, test::density), test::onThreads(1));
@@ -314,9 +315,9 @@ TEST(StabilityMonitor, NamesElementsOfAMeshWithoutNumbers) {
 }
 
 TEST(StabilityMonitor, ReportsAnInvertedElement) {
-  for (const Cut& cut : test::allCuts())
+  for (const Subdivision& subdivision : test::allSubdivisions())
     for (const LawInfo& law : allLaws()) {
-      Body body = test::boxBody(cut, law.name);
+      Body body = test::boxBody(subdivision, law.name);
       const NodeVectors& X = body.mesh().X;
       StabilityMonitor monitor(body, {});
       NodeVectors x = X;
@@ -328,10 +329,10 @@ TEST(StabilityMonitor, ReportsAnInvertedElement) {
         const MonitorReport& report = monitor.observe(step, step, x, noVelocity(body), 1e-9);
         const int expected = !(least > 0);
         EXPECT_EQ(countEvents(monitor, EventKind::inverted), expected)
-            << cut.name << ", " << law.name << ", det F = " << least;
+            << subdivision.name << ", " << law.name << ", det F = " << least;
         // Where the law has no tangent any more, nothing is certified.
         if (law.name == NeoHookean::name && expected) {
-          EXPECT_NE(report.verdict, Verdict::certified) << cut.name;
+          EXPECT_NE(report.verdict, Verdict::certified) << subdivision.name;
         }
       }
       const MonitorEvent& event = onlyEvent(monitor, EventKind::inverted);
@@ -349,7 +350,7 @@ TEST(StabilityMonitor, ReportsAnInvertedElement) {
 TEST(StabilityMonitor, ReportsTheCollapseOfStVenantKirchhoff) {
   // A column that can only be compressed along x: P11 = s (λ+2μ)(s²-1)/2 falls below s = 1/√3. With ν = 0.2 shear
   // across the column, S22 + μ s² = λ (s²-1)/2 + μ s², holds out until s = 1/2.
-  const Cut hexes{"", "hex8", 1, "", 0};
+  const Subdivision hexes{"", "hex8", 1, "", 0};
   Body body(test::box(hexes, {1, 1, 1}, 0), makeMaterial("stvk", test::young, 0.2, test::density), test::onThreads(1));
   for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
     body.constraints().fix(i, 1);
@@ -378,8 +379,8 @@ TEST(StabilityMonitor, ReportsTheCollapseOfStVenantKirchhoff) {
 
 TEST(StabilityMonitor, ReportsAnIndefiniteTangentOnlyWhenItIs) {
   // Compressed more and more, free sideways: rotating under compression has negative stiffness.
-  for (const Cut& cut : test::allCuts()) {
-    Body body = test::boxBody(cut, "stvk");
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
+    Body body = test::boxBody(subdivision, "stvk");
     test::holdBody(body, test::Hold::face);
     StabilityMonitor monitor(body, {});
     bool told = false;
@@ -388,24 +389,24 @@ TEST(StabilityMonitor, ReportsAnIndefiniteTangentOnlyWhenItIs) {
       monitor.observe(i, 0, x, noVelocity(body), 1e-9);
       const bool now = countEvents(monitor, EventKind::indefinite) > 0;
       if (now && !told) {
-        EXPECT_LT(test::DenseTangent(body, x).eigenvalues()[0], 0) << cut.name << ", " << i;
+        EXPECT_LT(test::DenseTangent(body, x).eigenvalues()[0], 0) << subdivision.name << ", " << i;
       }
       told = now;
     }
-    EXPECT_TRUE(told) << cut.name;
+    EXPECT_TRUE(told) << subdivision.name;
   }
 }
 
 TEST(StabilityMonitor, ReportsAnIndefiniteTangentAtTheFirstObservation) {
   int indefinite = 0;
-  for (const Cut& cut : test::allCuts())
+  for (const Subdivision& subdivision : test::allSubdivisions())
     for (const LawInfo& law : allLaws())
       for (const double squash : {0.9, 0.7, 0.5}) {
-        Body body = test::boxBody(cut, law.name, {6, 2, 2});
+        Body body = test::boxBody(subdivision, law.name, {6, 2, 2});
         test::holdBody(body, test::Hold::face);
         const NodeVectors x = Eigen::Vector3d(squash, 1, 1).asDiagonal() * body.mesh().X;
         const Eigen::VectorXd lambda = test::DenseTangent(body, x).eigenvalues();
-        const std::string what = joinText(cut.name, ", ", law.name, ", squashed to ", squash);
+        const std::string what = joinText(subdivision.name, ", ", law.name, ", squashed to ", squash);
         StabilityMonitor monitor(body, {});
         monitor.observe(0, 0, x, noVelocity(body), 1e-9);
         const bool told = countEvents(monitor, EventKind::indefinite) > 0;
@@ -427,8 +428,8 @@ TEST(StabilityMonitor, ReportsAnIndefiniteTangentAtTheFirstObservation) {
 
 TEST(StabilityMonitor, ReportsABodyThatIsSquashedInTheMiddleOfARun) {
   // Told by the tenth observation after compression has grown by half.
-  for (const Cut& cut : test::allCuts()) {
-    Body body = test::boxBody(cut, "neo-hookean", {6, 2, 2});
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
+    Body body = test::boxBody(subdivision, "neo-hookean", {6, 2, 2});
     test::holdBody(body, test::Hold::face);
     StabilityMonitor monitor(body, {});
     std::int64_t step = 0;
@@ -436,12 +437,12 @@ TEST(StabilityMonitor, ReportsABodyThatIsSquashedInTheMiddleOfARun) {
     EXPECT_EQ(countEvents(monitor, EventKind::indefinite), 0);
     const NodeVectors x = Eigen::Vector3d(0.6, 1, 1).asDiagonal() * body.mesh().X;
     for (; step < 36; ++step) monitor.observe(step, 0, x, noVelocity(body), 1e-9);
-    EXPECT_EQ(countEvents(monitor, EventKind::indefinite), 1) << cut.name;
+    EXPECT_EQ(countEvents(monitor, EventKind::indefinite), 1) << subdivision.name;
   }
 }
 
 TEST(StabilityMonitor, ReportsAnEnergyImbalance) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   MonitorOptions options;
   options.energyTolerance = 0.1;
   options.clearObservations = 1;
@@ -467,7 +468,7 @@ TEST(StabilityMonitor, ReportsAnEnergyImbalance) {
 }
 
 TEST(StabilityMonitor, SeesTheEnergyOfARunBeyondItsStep) {
-  const Body body = test::boxBody(test::allCuts()[0], "linear");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "linear");
   const double h = 1.05 * criticalStep(body, body.mesh().X, 2).optimistic;
   StabilityMonitor monitor(body, {});
   BodySystem system(body);
@@ -485,7 +486,7 @@ TEST(StabilityMonitor, SeesTheEnergyOfARunBeyondItsStep) {
 }
 
 TEST(StabilityMonitor, EvaluatesEveryNthStep) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   for (const int every : {1, 2, 5}) {
     MonitorOptions options;
     options.every = every;
@@ -511,7 +512,7 @@ TEST(StabilityMonitor, EvaluatesEveryNthStep) {
 
 // Whether the monitor evaluates in the pass of the force or not, what it says and what the pass gives are the same.
 TEST(StabilityMonitor, FillsInTheEvaluationOfEveryState) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk", {4, 3, 3});
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk", {4, 3, 3});
   const NodeVectors& X = body.mesh().X;
   test::Random random(17);
   const NodeVectors shake = random.nodeVectors(X.cols(), 0.05 * test::cellSize);
@@ -563,7 +564,7 @@ TEST(StabilityMonitor, FillsInTheEvaluationOfEveryState) {
 }
 
 TEST(StabilityMonitor, ChecksTheStepAgainstTheBracketItKeeps) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   MonitorOptions options;
   options.every = 10;
   StabilityMonitor monitor(body, options);
@@ -575,7 +576,7 @@ TEST(StabilityMonitor, ChecksTheStepAgainstTheBracketItKeeps) {
 }
 
 TEST(StabilityMonitor, AppliesTheMarginOfAnyMetric) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   const NodeVectors x = Eigen::Vector3d(1.2, 1, 1).asDiagonal() * body.mesh().X;
   for (const MonitorMode mode : {MonitorMode::bracket, MonitorMode::threshold, MonitorMode::metric})
     for (const MetricInfo& metric : allMetrics())
@@ -599,7 +600,7 @@ TEST(StabilityMonitor, AppliesTheMarginOfAnyMetric) {
 }
 
 TEST(StabilityMonitor, ComputesOnlyWhatIsAskedFor) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   MonitorOptions options;
   options.metric = "";
   StabilityMonitor monitor(body, options);
@@ -609,7 +610,7 @@ TEST(StabilityMonitor, ComputesOnlyWhatIsAskedFor) {
 }
 
 TEST(StabilityMonitor, UsesTheIntegratorsLimit) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   MonitorOptions two, three;
   three.limit = 3;
   StabilityMonitor a(body, two), b(body, three);
@@ -618,7 +619,7 @@ TEST(StabilityMonitor, UsesTheIntegratorsLimit) {
 }
 
 TEST(StabilityMonitor, RefusesBadOptions) {
-  const Body body = test::boxBody(test::allCuts()[0], "stvk");
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   using Change = std::function<void(MonitorOptions&)>;
   const struct {
@@ -667,7 +668,7 @@ TEST(StabilityMonitor, NamesItsVerdictsAndEvents) {
     EXPECT_FALSE(eventName(kind).empty());
 }
 
-class MonitoredRun : public ::testing::TestWithParam<Cut> {
+class MonitoredRun : public ::testing::TestWithParam<Subdivision> {
  protected:
   static constexpr double length = 6 * test::cellSize, speed = 0.1;
   static Body pulledBar() {
@@ -682,7 +683,7 @@ class MonitoredRun : public ::testing::TestWithParam<Cut> {
     return body;
   }
 };
-INSTANTIATE_TEST_SUITE_P(Cuts, MonitoredRun, ::testing::ValuesIn(test::allCuts()),
+INSTANTIATE_TEST_SUITE_P(Subdivisions, MonitoredRun, ::testing::ValuesIn(test::allSubdivisions()),
                          [](const auto& test) { return test::testName(test.param.name); });
 
 TEST_P(MonitoredRun, SaysViolatedOnTimeAndNeverTooEarly) {

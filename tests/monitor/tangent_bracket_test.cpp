@@ -15,9 +15,9 @@
 namespace ringwatch {
 namespace {
 
-using test::Cut;
 using test::DenseTangent;
 using test::Hold;
+using test::Subdivision;
 
 /// What a foreign code would hand over of a body.
 struct HandedOver {
@@ -45,17 +45,17 @@ struct HandedOver {
 };
 
 TEST(TangentBracket, HoldsTheDenseEigenvalueOfEveryElementAndState) {
-  for (const Cut& cut : test::allCuts())
+  for (const Subdivision& subdivision : test::allSubdivisions())
     for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
-      Body body = test::boxBody(cut, "stvk");
+      Body body = test::boxBody(subdivision, "stvk");
       test::holdBody(body, hold);
       HandedOver own(body);
       TangentBracket bracket(own.mass, own.elements, own.constrained, 1);
       for (const test::NamedState& state : test::deformedStates(body.mesh().X, 1)) {
         const double lambda = DenseTangent(body, state.x).largest();
         const CriticalStep step = bracket.evaluate(own.at(body, state.x), 2.0);
-        EXPECT_LE(step.safe, stepFor(lambda, 2) * (1 + 1e-9)) << cut.name << ", " << state.name;
-        EXPECT_GE(step.optimistic, stepFor(lambda, 2) * (1 - 1e-9)) << cut.name << ", " << state.name;
+        EXPECT_LE(step.safe, stepFor(lambda, 2) * (1 + 1e-9)) << subdivision.name << ", " << state.name;
+        EXPECT_GE(step.optimistic, stepFor(lambda, 2) * (1 - 1e-9)) << subdivision.name << ", " << state.name;
       }
     }
 }

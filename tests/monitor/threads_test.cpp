@@ -14,9 +14,9 @@ namespace ringwatch {
 namespace {
 
 /// Everything that the monitor computes of a body at a state, as numbers.
-std::vector<double> everything(const test::Cut& cut, int threads) {
+std::vector<double> everything(const test::Subdivision& subdivision, int threads) {
   // Enough elements and nodes that every loop is cut into several pieces.
-  Body body = test::boxBody(cut, "stvk", {10, 7, 7}, 0.2, 3, threads);
+  Body body = test::boxBody(subdivision, "stvk", {10, 7, 7}, 0.2, 3, threads);
   test::holdBody(body, test::Hold::face);
   test::Random random(11);
   const NodeVectors x = Eigen::Vector3d(1.3, 0.95, 0.95).asDiagonal() * body.mesh().X +
@@ -55,8 +55,8 @@ std::vector<double> everything(const test::Cut& cut, int threads) {
   return numbers;
 }
 
-class Threads : public ::testing::TestWithParam<test::Cut> {};
-INSTANTIATE_TEST_SUITE_P(Cuts, Threads, ::testing::ValuesIn(test::allCuts()),
+class Threads : public ::testing::TestWithParam<test::Subdivision> {};
+INSTANTIATE_TEST_SUITE_P(Subdivisions, Threads, ::testing::ValuesIn(test::allSubdivisions()),
                          [](const auto& test) { return test::testName(test.param.name); });
 
 TEST_P(Threads, DoNotChangeABit) {
