@@ -149,7 +149,7 @@ inline void writeFileAtomically(const std::filesystem::path& path,
   }
 }
 
-/// The same for a text or bytes at hand.
+/// Replaces a file, as above, by a text or bytes at hand.
 inline void writeFileAtomically(const std::filesystem::path& path, std::string_view content) {
   if (detail::isWrittenThrough(path)) {
     detail::ThroughFile file(path);

@@ -35,7 +35,7 @@ class NameTable {
       if (known.value == value) return known.name;
     return {};
   }
-  /// By name or alias; nullptr when there is none.
+  /// The entry of a name or alias; nullptr when there is none.
   constexpr const NamedValue<Enum>* find(std::string_view name) const {
     for (const NamedValue<Enum>& known : values_)
       if (known.name == name || (!known.alias.empty() && known.alias == name)) return &known;
@@ -51,7 +51,7 @@ class NameTable {
     for (const NamedValue<Enum>& known : values_) result.emplace_back(known.name);
     return result;
   }
-  /// For tables of constants, such as OptionInfo::choices.
+  /// The names, for tables of constants such as OptionInfo::choices.
   constexpr std::array<std::string_view, count> views() const {
     std::array<std::string_view, count> result{};
     for (std::size_t i = 0; i < count; ++i) result[i] = values_[i].name;

@@ -11,20 +11,20 @@ namespace ringwatch {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
-  /// In [low, high).
+  /// A uniform number in [low, high).
   double uniform(double low, double high) {
     return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
   }
-  /// Normally distributed, mean 0 and variance 1, by the method of Box and Muller.
+  /// A normal number, mean 0 and variance 1, by the method of Box and Muller.
   double normal() {
     const double radius = std::sqrt(-2 * std::log(inside()));
     return radius * std::cos(2 * std::numbers::pi * inside());
   }
-  /// In [0, count).
+  /// A uniform integer in [0, count).
   int index(int count) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(count)); }
 
  private:
-  /// In (0, 1).
+  /// A uniform number in (0, 1).
   double inside() { return (static_cast<double>(engine_() >> 11) + 0.5) * 0x1p-53; }
 
   std::mt19937_64 engine_;

@@ -58,7 +58,7 @@ class Registry {
     const auto found = std::ranges::find(entries_, name, detail::keyOf<Entry>);
     return found == entries_.end() ? nullptr : &*found;
   }
-  /// The same for what an entry declares.
+  /// What the entry of that name declares; nullptr when there is none.
   const Info* findInfo(std::string_view name) const {
     const Entry* entry = find(name);
     return entry ? &infos()[entry - entries_.data()] : nullptr;

@@ -58,7 +58,7 @@ class ShortRoot {
 
  private:
   static constexpr double most = 32767, unit = 1 / (most * most);
-  /// To the nearest when what follows the point is cut off.
+  /// The signed root of a value in units, such that cutting off what follows the point rounds it to the nearest.
   template <class S>
   RINGWATCH_INLINE static S rounded(S value) {
     const S size = math::abs(value), root = S(most) * math::sqrt(math::min(size, S(1.0))) + S(0.5);
@@ -72,7 +72,7 @@ class ShortRoot {
 class Bfloat16 {
  public:
   Bfloat16() = default;
-  /// At or below, at or above the number; NaN stays.
+  /// down: at or below the number, up: at or above it; NaN stays.
   static Bfloat16 down(double value) {
     const float at = detail::singleAtOrBelow(value);
     Bfloat16 result;
@@ -117,7 +117,7 @@ class RoundedDown {
   RoundedDown() = default;
   RoundedDown(double number) : stored_(RoundingDown<T>::of(number)) {}
   operator double() const { return static_cast<double>(stored_); }
-  /// Of the lanes of a pack, one beside another.
+  /// A pack of numbers that lie one beside another.
   static NativePack load(const RoundedDown* from) {
     static_assert(sizeof(RoundedDown) == sizeof(T));
     return T::load(reinterpret_cast<const T*>(from));
@@ -127,7 +127,8 @@ class RoundedDown {
   T stored_{};
 };
 
-/// The same at or above the number: for what a proof may overestimate, as an element's highest eigenvalue.
+/// A number in memory as a T at or above the number that it is made of: for what a proof may overestimate, as an
+/// element's highest eigenvalue.
 template <class T>
 class RoundedUp {
  public:

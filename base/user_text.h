@@ -9,7 +9,7 @@ namespace ringwatch {
 
 /// Error messages show at most so many bytes of a text that a user has written.
 inline constexpr std::size_t longestUserText = 80;
-/// And at most so many names of a list that a user's file determines.
+/// Error messages show at most so many names of a list that a user's file determines.
 inline constexpr std::size_t longestUserList = 20;
 
 /// A user's text on one line: control characters as '?', and no more than `most` bytes, cut between UTF-8 characters,
@@ -26,7 +26,7 @@ inline std::string shortened(std::string_view text, std::size_t most = longestUs
   return end < text.size() ? result + "…" : result;
 }
 
-/// The same in double quotes.
+/// A user's text, shortened, in double quotes.
 inline std::string inQuotes(std::string_view text) { return "\"" + shortened(text) + "\""; }
 
 /// Names of a user's file, separated by commas: the first ones, and how many more there are.

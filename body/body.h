@@ -52,7 +52,7 @@ class Body : public TangentSource {
   /// when the lumped mass does not add up to density × volume.
   Body(Mesh mesh, const Material& material, const BodyOptions& options = {});
   Body(Mesh mesh, const std::vector<Material>& materialOfBlock, const BodyOptions& options = {});
-  /// Of blocks made elsewhere, one for each of the mesh, with the lumped mass of each node, kg.
+  /// Makes a body of blocks made elsewhere, one for each of the mesh, with the lumped mass of each node, kg.
   Body(Mesh mesh, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::VectorXd lumpedMass, int threads = 0);
   /// Some elements of another body, chosen[block][element], on all of its nodes and with its lumped mass, constraints
   /// and loads. Blocks keep their numbers and chosen elements their order; a block may end up empty. For bodies made of

@@ -41,7 +41,7 @@ class ElementTangents {
   /// rounding: unless nullptr, numbers T_a of the elements' nodes, T[a * lanes + lane], N/m: the blocks of what is
   /// computed err by at most √(T_a T_b) (Theorem 42, docs/theory/floating_point.md).
   virtual void tangentBatch(std::int32_t batch, const double* x, double* K, double* rounding) const = 0;
-  /// The same for any elements, one a lane (-1: none).
+  /// Exact tangents of any elements, one a lane (-1: none), as tangentBatch gives them.
   virtual void tangentOf(const std::int32_t* elements, const double* x, double* K, double* rounding) const = 0;
   void tangentBatch(std::int32_t batch, const double* x, double* K) const { tangentBatch(batch, x, K, nullptr); }
   void tangentOf(const std::int32_t* elements, const double* x, double* K) const { tangentOf(elements, x, K, nullptr); }

@@ -74,7 +74,7 @@ class TangentSource {
   /// Exact tangent as a sparse matrix; constrained degrees of freedom are kept. The pattern is made when `tangent` is
   /// empty and reused else.
   void assembleTangent(NodeVectorsView x, SparseTangent& tangent) const;
-  /// The same from scratch, pattern included.
+  /// Exact tangent as a sparse matrix of its own, pattern included.
   Eigen::SparseMatrix<double> assembleTangent(NodeVectorsView x) const;
 
   /// What the rounding of element tangents comes to at the nodes, Σ_e T_(e,a(i)), N/m (ElementTangents::tangentBatch):
@@ -112,7 +112,7 @@ class TangentSource {
   }
 
  protected:
-  /// For classes that make their elements and masses themselves: setElements must follow.
+  /// A source without elements, for classes that make them and the masses themselves: setElements must follow.
   TangentSource(Constraints constraints, int threads) : constraints_(std::move(constraints)), threads_(threads) {}
   void setElements(std::vector<const ElementTangents*> tangents, Eigen::VectorXd lumpedMass);
 

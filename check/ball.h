@@ -37,7 +37,7 @@ class Ball {
   void addProduct(const Ball& a, const Ball& b) { arb_addmul(value_, a.value_, b.value_, precision); }
   void subtractProduct(const Ball& a, const Ball& b) { arb_submul(value_, a.value_, b.value_, precision); }
 
-  /// Of all numbers of the ball, or it is false.
+  /// Whether all numbers of the ball are positive.
   bool positive() const { return arb_is_positive(value_) != 0; }
   friend Ball root(const Ball& a) { return of(arb_sqrt, a); }
   friend Ball logarithm(const Ball& a) { return of(arb_log, a); }

@@ -29,7 +29,7 @@ constexpr ElementType elementTypeOf(TypeList<Es...>) {
   return ElementType{found};
 }
 }  // namespace detail
-/// Of an element of the library.
+/// The number of an element of the library.
 template <class E>
 inline constexpr ElementType elementTypeOf = detail::elementTypeOf<E>(Elements{});
 /// Whether the element is one of `Elements`, which GPUs need, and not one that was registered.
@@ -70,7 +70,7 @@ struct ElementInfo {
   void (*shapeGradient)(const double xi[3], double (*dN)[3]);  // dN[nodes][3]
 };
 
-/// Of an element as in this folder; what it does not declare (gmshOrder, eitherHandedness) has the usual value.
+/// What an element as in this folder declares; what it does not (gmshOrder, eitherHandedness) has the usual value.
 template <class E>
 ElementInfo elementInfoOf(ElementType type) {
   ElementInfo info{.type = type,

@@ -19,7 +19,7 @@ struct DeviceBodyInput {
   const Constraints* constraints = nullptr;    // nullptr: none
   const NodeVectors* externalForce = nullptr;  // 3×N, N; nullptr: none
 
-  /// Of a body made of a mesh and materials. The body must outlive the result.
+  /// The input of a body made of a mesh and materials. The body must outlive the result.
   static DeviceBodyInput of(const Body& body);
 };
 
@@ -69,7 +69,7 @@ class DeviceBody {
   /// Steps taken so far.
   std::int64_t steps() const;
 
-  /// The same work as internalForce() and tangentProduct() without any copy: into the device's own arrays.
+  /// Do the work of internalForce() and tangentProduct() without any copy, into the device's own arrays.
   void computeForce();
   void computeTangentProduct();
   /// Waits until the device is done.

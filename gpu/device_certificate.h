@@ -31,7 +31,7 @@ class DeviceCertificate {
   /// Proves lambda_max <= sigma (rad²/s², > 0) at the device's positions and distributes allowances for it: with the
   /// weights at hand if they do, else from scratch. Forgets what was lost before. False when it cannot be proven.
   bool certify(double sigma);
-  /// The same for the last sigma, at a later state.
+  /// Proves the last sigma again, at a later state, as certify().
   bool renew();
 
   /// `count` checked steps of symplectic Euler of h seconds each: force, ball test and step in one pass over the

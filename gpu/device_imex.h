@@ -42,7 +42,7 @@ class DeviceImex {
   };
   Status status();
 
-  /// Of conjugate gradients, over all clusters and steps so far. Waits.
+  /// Iterations of conjugate gradients over all clusters and steps so far. Waits.
   std::int64_t iterations() const;
   /// Memory that it takes on the device, bytes.
   std::size_t bytes() const;

@@ -23,7 +23,7 @@ struct HandlerOptions {
   Options own = {};  ///< by name, as HandlerInfo::options declares them; those that are not given have their defaults
 };
 
-/// Of a handler that has more than one way; auto is the first.
+/// The option of a handler that has more than one way; auto is the first.
 constexpr OptionInfo variantOption(std::span<const std::string_view> variants, std::string_view help) {
   return {.name = "variant",
           .type = OptionType::text,
@@ -74,11 +74,11 @@ class Handler : public Integrator {
   /// Throws InputError for options or a body that it cannot work with. Changes what steps compute: empty State::a after
   /// it.
   void prepare(const NodeVectors& x, double h);
-  /// The same for a body whose mesh was cut: the choice of the handler of the body before, carried over to what the cut
+  /// Chooses for a body whose mesh was cut: the choice of the handler of the body before, carried over to what the cut
   /// left as it was. With Selection::fierzRing only the changed elements are examined; `certified` chooses again among
   /// those and their neighbours and keeps the proof of all others (IncrementalSelection).
   void prepare(const NodeVectors& x, double h, const CutMesh& cut, const Handler& before);
-  /// One step of the size that it was prepared for; another throws InputError.
+  /// Takes a step of the size that it was prepared for; another throws InputError.
   StepStatus step(SecondOrderSystem& system, State& state, double h) override;
   StepStatus advance(SecondOrderSystem& system, State& state, double h) override;
   bool beginsWithAcceleration() const override;
@@ -138,7 +138,7 @@ class Handler : public Integrator {
   double allowedLambda(double h) const;
   /// The bound behind a certified choice; none with other selections.
   const CertifiedSelection* certificate() const;
-  /// For choices that are not those of chooseFor.
+  /// Notes the cost of a choice that is not one of chooseFor().
   void noteSelectionCost(SelectionCost cost) { selectionCost_ = cost; }
 
   Body& body_;
@@ -181,11 +181,11 @@ constexpr HandlerEntry handlerEntry() {
 std::span<const HandlerEntry> allHandlers();
 /// Adds one; call it when the program starts, before any is asked for. Throws InputError when the name is taken.
 void registerHandler(const HandlerEntry& entry);
-/// By name or alias; nullptr when there is none.
+/// The handler of a name or alias; nullptr when there is none.
 const HandlerInfo* findHandler(std::string_view name);
 /// The options as far as the handler takes them: others are left out, a selection that it does not take is its first.
 HandlerOptions optionsFor(const HandlerInfo& info, const HandlerOptions& options);
-/// By name or alias. Throws InputError that lists the names when there is none.
+/// Makes a handler by name or alias. Throws InputError that lists the names when there is none.
 std::unique_ptr<Handler> makeHandler(std::string_view name, Body& body, std::unique_ptr<Integrator> base,
                                      const HandlerOptions& options = {});
 /// Whether handlers work on top of an integrator.

@@ -76,7 +76,7 @@ class BodySystem final : public DifferentiableSystem {
   }
 
   const Body& body() const { return body_; }
-  /// At rest in the reference configuration, constrained components already moving.
+  /// The body at rest in the reference configuration, constrained components already moving.
   State initialState() const {
     State state;
     state.x = body_.mesh().X;

@@ -183,7 +183,7 @@ std::span<const IntegratorEntry> coreIntegrators();
 /// Adds one; call it when the program starts, before any is asked for. Throws InputError when the name is taken.
 void registerIntegrator(const IntegratorEntry& entry);
 
-/// The same by name.
+/// What these integrators declare.
 std::span<const IntegratorInfo> allIntegrators();
 /// nullptr when there is none of that name.
 const IntegratorInfo* findIntegrator(std::string_view name);

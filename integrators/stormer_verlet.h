@@ -14,7 +14,7 @@ namespace ringwatch {
 /// docs/theory/integrators.md.
 class StormerVerlet final : public Integrator {
  public:
-  /// In (omega x, v½), which is similar to (omega x, v).
+  /// A step in (omega x, v½), which is similar to one in (omega x, v).
   static Eigen::Matrix2d amplification(double z, double dampingRatio) {
     const double keep = 1 - 2 * dampingRatio * z;
     return (Eigen::Matrix2d() << 1 - z * z, z * keep, -z, keep).finished();

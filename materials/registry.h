@@ -70,7 +70,7 @@ struct LawInfo {
   /// Parameters for which the law has Young's modulus (Pa) and Poisson's ratio at rest.
   Options (*parametersFor)(double young, double poisson);
 };
-/// Of a law as in this folder.
+/// What a law as in this folder declares.
 template <class L>
 constexpr LawInfo lawInfo() {
   return {L::name,

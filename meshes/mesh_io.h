@@ -23,8 +23,8 @@ struct MeshFormatEntry {
   using Notes = std::vector<std::string>;
   using Problems = std::vector<MeshProblem>;
   MeshFormatInfo info;
-  /// Of the whole text of a file. notes: as readMesh; problems: where not nullptr, receives what would else be thrown
-  /// but leaves a mesh.
+  /// Reads the whole text of a file. notes: as readMesh; problems: where not nullptr, receives what would else be
+  /// thrown but leaves a mesh.
   Mesh (*read)(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems) = nullptr;
   bool (*isBegin)(std::string_view text) = nullptr;  ///< tells it by the content; nullptr: the extension must
   std::string_view mustBegin = {};  ///< what a file with the extension begins with; "": the reader says what is wrong

@@ -37,7 +37,7 @@ std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> inte
                                            StudyReport& report,
                                            const std::function<void(const std::string&)>& progress = {});
 
-/// Of some runs those that no other beats in both error and time, by time ascending.
+/// The runs that no other beats in both error and time, by time ascending.
 std::vector<ErrorCost> paretoFront(std::vector<ErrorCost> runs);
 
 }  // namespace ringwatch

@@ -20,7 +20,7 @@ namespace ringwatch {
 /// the phase error.
 StudyReport verifyIntegrators(StudyEffort effort, std::span<const IntegratorEntry> integrators = coreIntegrators());
 
-/// The same for one integrator, your own for example.
+/// Verifies one integrator so, your own for example.
 StudyReport verifyIntegrator(const IntegratorFactory& make, StudyEffort effort);
 
 /// The declarations as a table in Markdown, a row an integrator: docs/integrators.md holds it.

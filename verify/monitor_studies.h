@@ -9,7 +9,7 @@ namespace ringwatch::detail {
 inline constexpr double limit = 2;  // symplectic Euler's
 /// Both sides of the bracket are proven but for the error of what they are compared with.
 inline constexpr double ofTheReference = 1e-9;
-/// Of a step against the exact one, %; negative: below.
+/// How far a step lies above the exact one, %; negative: below.
 inline double percentBelow(double step, double exact) { return 100 * (step / exact - 1); }
 
 /// A figure with named curves that have no points yet.

@@ -113,7 +113,7 @@ struct EnergyDrift {
 /// After `periods` periods, by powers of the transition matrix; the oscillation is that of one period. NaN when the
 /// method is not a one-step map.
 EnergyDrift energyDriftByPowers(const IntegratorFactory& make, double z, double periods);
-/// The same by stepping, all periods examined.
+/// The drift by stepping, all periods examined.
 EnergyDrift energyDriftBySteps(const IntegratorFactory& make, double z, double periods);
 
 /// |state after n steps forward and n steps back - start| over |start|, undamped, n = 100.

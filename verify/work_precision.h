@@ -87,7 +87,7 @@ struct CheapestRuns {
   const WorkPrecisionRun* byTime = nullptr;    // nullptr: none reaches it
   const WorkPrecisionRun* byForces = nullptr;  // forces and tangent products together
 };
-/// For 1 %, 0.1 % and 1e-6. Points into `runs`.
+/// The cheapest runs for errors of 1 %, 0.1 % and 1e-6. Points into `runs`.
 std::vector<CheapestRuns> cheapestRuns(const std::vector<WorkPrecisionRun>& runs);
 
 /// Adds the tables NAME_runs and NAME_cheapest and the figures work_precision_NAME_time and …_forces to a report.

@@ -23,7 +23,7 @@ struct Distribution {
   /// Share of all elements that forbid a step h (s) by this metric, 0 to 1: their own step is below h.
   double critical(double h) const;
 };
-/// Those of several metrics on common bins. rule: makes a step of an eigenvalue.
+/// The distributions of several metrics on common bins. rule: makes a step of an eigenvalue.
 std::vector<Distribution> distributionsOf(const std::vector<MetricResult>& metrics, const StepRule& rule);
 nlohmann::ordered_json distributionJson(const std::vector<Distribution>& distributions);
 /// A table of the share of critical elements at a few steps, and at h when one is given; bars for the histograms.

@@ -12,7 +12,7 @@ namespace ringwatch {
 nlohmann::ordered_json meshJson(const Mesh& mesh, double volume);
 /// An element by block, index, id and nodes: positions counted from 0, and the numbers of the mesh's file.
 nlohmann::ordered_json elementJson(const Mesh& mesh, ElementRef element);
-/// The same, or null without one.
+/// The element as above, or null where there is none.
 nlohmann::ordered_json elementJson(const Mesh& mesh, const std::optional<ElementRef>& element);
 /// "1600 tet4, 64 hex8"
 std::string elementCounts(const Mesh& mesh);

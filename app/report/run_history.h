@@ -35,7 +35,7 @@ std::optional<RunHistory> readRunHistory(const std::filesystem::path& folder);
 /// the first one of each verdict. All rows when there are at most `most`, else hardly more than that.
 std::vector<std::size_t> rowsForPicture(const RunHistory& history, std::size_t most);
 
-/// The same rows of a history, as a history.
+/// A history of these rows alone.
 RunHistory selected(const RunHistory& history, const std::vector<std::size_t>& rows);
 
 }  // namespace ringwatch

@@ -16,7 +16,7 @@ class HandledWatch {
                                       const NodeVectors& x);
   /// All events so far.
   const std::vector<MonitorEvent>& events() const { return tracker_.events(); }
-  /// Of the last observation: the part of which the handler does not know that it is stable, "" for none.
+  /// The part that the handler did not know to be stable at the last observation, "" for none.
   const std::string& uncertifiedPart() const { return uncertifiedPart_; }
 
  private:

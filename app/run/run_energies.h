@@ -26,10 +26,10 @@ class RunEnergies {
   void addExternalWork(double work) { ownWork_ += work; }
   /// The body is another one from here on. What the one before has come to is kept.
   void beginBody();
-  /// For resume(), after beginBody().
+  /// What resume() needs; call it after beginBody().
   nlohmann::ordered_json save() const;
   void resume(const nlohmann::ordered_json& saved);
-  /// At the state recorded last, all bodies together; empty unless a row was due.
+  /// The energies at the state recorded last, all bodies together; empty unless a row was due.
   const std::optional<Energies>& last() const { return last_; }
 
   /// Energies, J, below that are no measure of the balance.
@@ -49,7 +49,7 @@ class RunEnergies {
   /// and stays above it to the end of the run. From there on the largest energy stays what it was: the runaway must not
   /// become its own measure.
   void check(std::int64_t step, double time);
-  /// Where it did, as far as is known; empty where it did not.
+  /// The moment at which the energy ran away, as far as is known; empty where it did not.
   const std::optional<RunResult::Moment>& runaway() const { return runaway_; }
 
  private:

@@ -22,9 +22,9 @@ class RunOutput {
   /// Removes what an earlier run left and begins history and frames, once: until it is known that there is a first
   /// step, old results stay.
   void open();
-  /// In place of open(): goes on behind what was there at a checkpoint.
+  /// Goes on behind what was there at a checkpoint; call it in place of open().
   void resume(const nlohmann::ordered_json& saved);
-  /// For resume(), at a state where all rows and frames before it are written.
+  /// What resume() needs; call it at a state where all rows and frames before it are written.
   nlohmann::ordered_json save();
   void writeRow(const HistoryRow& row);
   /// The step from this row of the history was shortened to end with the run: the picture leaves it out.

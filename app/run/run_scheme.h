@@ -15,8 +15,8 @@ class RunScheme {
   /// Prepares the handler, if the scene has one, at the reference positions. All of them must outlive the scheme.
   /// Throws InputError for a device that cannot be had.
   RunScheme(const Scene& scene, Body& body, RunResult& result);
-  /// Of a body that was cut, at positions x (3×N, m), in steps of h seconds: the handler's choice is carried over from
-  /// the scheme before, whose body may be gone.
+  /// The scheme of a body that was cut, at positions x (3×N, m), in steps of h seconds: the handler's choice is carried
+  /// over from the scheme before, whose body may be gone.
   RunScheme(const Scene& scene, Body& body, RunResult& result, const NodeVectors& x, double h, const CutMesh& cut,
             const RunScheme& before);
 

@@ -37,9 +37,9 @@ class RunWatch {
   /// After end() and begin() at a checkpoint, at step k: events that go on are told once. One that does not come again
   /// in as many observations as end an event has ended here.
   void goOnWithEvents(std::int64_t k);
-  /// For resume(), after end().
+  /// What resume() needs; call it after end().
   nlohmann::ordered_json save() const { return {{"fresh_reports", freshReports_}}; }
-  /// Before begin().
+  /// Goes on from what save() gave; call it before begin().
   void resume(const nlohmann::ordered_json& saved) {
     freshReports_ = saved.at("fresh_reports").get<std::int64_t>();
     monitored_ = true;
@@ -48,7 +48,8 @@ class RunWatch {
   std::int64_t freshReports() const { return freshReports_; }
 
  private:
-  /// Between its observations the monitor does not see the states of a run that does not show every one.
+  /// Whether the monitor sees the state before step k: not between its observations, where a run does not show every
+  /// state.
   bool sees(std::int64_t k) const { return everyState_ || k % scene_.every == 0; }
   void dropContinued(MonitorReport& report);
   void watchHandled(MonitorReport& report, const State& state);

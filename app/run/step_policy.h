@@ -22,7 +22,7 @@ class StepPolicy {
   std::string choose(MonitorReport& report, double time, const std::function<void(MonitorReport&)>& prove);
   /// The step was shortened to end with the run.
   bool endsTheRun() const { return endsTheRun_; }
-  /// For resume().
+  /// What resume() needs.
   nlohmann::ordered_json save() const { return {{"h", h_}, {"first", first_}}; }
   void resume(const nlohmann::ordered_json& saved) {
     h_ = saved.at("h").get<double>();

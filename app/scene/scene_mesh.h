@@ -18,7 +18,7 @@ std::string generatorFault(const std::string& generator, const std::string& para
                            const nlohmann::ordered_json& value);
 /// All parameters of a generator with their defaults.
 nlohmann::ordered_json generatorDefaults(const std::string& generator);
-/// The same values as `generateMesh` takes them.
+/// The values of generatorDefaults() as `generateMesh` takes them.
 GeneratorArguments generatorArguments(const nlohmann::ordered_json& values);
 /// The human-readable listing: every generator with its parameters, units, defaults and ranges.
 std::string generatorHelp();

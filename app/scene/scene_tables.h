@@ -47,7 +47,7 @@ std::string missingText(SceneType type, std::string_view unit, const SceneRange&
 /// All sections of a scene file (TOML) with their values checked against the table of keys and defaults filled in, in
 /// the order of that table; lists in the order of the file. overrides: see readScene.
 std::vector<SceneTable> readSceneTables(const std::filesystem::path& file, const std::vector<std::string>& overrides);
-/// The same of an echo, in which all defaults are filled in, as TOML. file: for messages.
+/// The sections of an echo, TOML in which all defaults are filled in. file: for messages.
 std::vector<SceneTable> sceneTablesOfEcho(const std::filesystem::path& file, const std::string& toml);
 
 }  // namespace ringwatch

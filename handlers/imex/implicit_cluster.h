@@ -26,8 +26,8 @@ inline constexpr auto clusterSolverNames = nameTable<ClusterSolver>({
 
 struct ClusterOptions {
   ClusterSolver solver = ClusterSolver::automatic;
-  /// Of conjugate gradients: residual over right-hand side, in the preconditioner's norm. In single precision from
-  /// 1e-5.
+  /// Conjugate gradients end at this residual over the right-hand side, in the preconditioner's norm. They are in
+  /// single precision from 1e-5 on.
   double tolerance = 2e-3;
   int iterations = 200;  ///< of conjugate gradients, at most
 };
@@ -62,7 +62,7 @@ inline constexpr OptionInfo onFailureOption{.name = "on_failure",
                                             .choices = onFailureChoices,
                                             .fallback = "stop",
                                             .help = "when a step fails, stop the run or halve its step"};
-/// From the options above, all given.
+/// Reads the options above, all of which are given.
 ClusterOptions clusterOptionsOf(const Options& own);
 
 /// Elements that share nodes, with the matrix M + w K̂ on their nodes: M the lumped mass of the whole body, K̂ the sum

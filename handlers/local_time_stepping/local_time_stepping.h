@@ -96,7 +96,7 @@ class LocalTimeStepping final : public Handler {
   double deepest(double h) const;
   /// The lumped mass, at nodes of some elements a share of it.
   Eigen::VectorXd massBeside(const ElementFlags& finer, double share) const;
-  /// Of the elements left, those that a level cannot have, `finer` among them. Adds to the evaluations that it took.
+  /// The elements among `left` that a level cannot have, and those of `finer`. Adds to the evaluations what it took.
   ElementFlags finerThan(const Level& level, const ElementFlags& left, const NodeVectors& x, ElementFlags finer,
                          std::int64_t& evaluations) const;
   void averagedAcceleration(const NodeVectors& x, const NodeVectors& v, double h, NodeVectors& a);

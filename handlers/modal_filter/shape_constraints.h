@@ -13,7 +13,8 @@ namespace ringwatch {
 /// What a constraint keeps as it is at rest: C = value/rest - 1.
 enum class ConstraintKind { edge, height, volume };
 
-/// Of an edge (nodes 0, 1), of the height of node 3 over the face 0 1 2, signed, or of the volume of a tetrahedron.
+/// Keeps the length of an edge (nodes 0, 1), the signed height of node 3 over the face 0 1 2, or the volume of a
+/// tetrahedron.
 struct ShapeConstraint {
   ConstraintKind kind;
   std::array<std::int32_t, 4> nodes;  // -1 where there is none

@@ -16,7 +16,7 @@ namespace ringwatch {
 /// Costs 50 to 5000 tangent products, and memory for the factor: for a box of n nodes about 9 n^(4/3) numbers.
 bool certifiesFrequency(const TangentSource& source, NodeVectorsView x, double sigma);
 
-/// The same for a step: whether h is proven stable at x for an integrator whose largest stable h·omega is `limit`.
+/// Whether a step h (s) is proven stable at x for an integrator whose largest stable h·omega is `limit`.
 /// Throws InputError unless h > 0 and limit > 0.
 bool certifies(const TangentSource& source, NodeVectorsView x, double h, double limit);
 

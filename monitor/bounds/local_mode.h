@@ -36,7 +36,8 @@ class LocalMode {
   std::vector<std::int32_t> grow(const NodeVectors& mode) const;
   void makePart(const std::vector<std::int32_t>& region);
   void findHighestElement(NodeVectorsView x);
-  /// Of the largest one: entries below count as that much, so that nodes beside a mode of few entries come first.
+  /// Entries below this share of the largest one count as that much, so that nodes beside a mode of few entries come
+  /// first.
   static constexpr double leastAmplitude = 1e-3;
   /// Evaluations between two searches for the highest element, which take some tangents each.
   static constexpr int searchGap = 16;

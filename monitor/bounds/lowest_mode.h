@@ -25,7 +25,8 @@ class LowestModeSearch {
   /// The body must outlive the search.
   explicit LowestModeSearch(const Body& body) : body_(body) {}
 
-  /// At positions x (3×N, m): at most maxProducts >= 1 tangent products, fewer once a direction is clearly negative.
+  /// Searches at positions x (3×N, m), with at most maxProducts >= 1 tangent products, fewer once a direction is
+  /// clearly negative.
   LowestMode find(NodeVectorsView x, int maxProducts);
   /// Whether there is a direction to start from; the first search starts from a random one.
   bool found() const { return direction_.cols() > 0; }

@@ -40,7 +40,7 @@ class NodalBound {
     std::int32_t block;
     std::int32_t place;  // (batch * n + a) * lanes + lane
   };
-  /// Those of one node, to loop over.
+  /// The incidences of one node, to loop over.
   class Incidences {
    public:
     class Iterator {
@@ -76,7 +76,7 @@ class NodalBound {
   ElementRef elementAt(Incidence at) const;
   /// The elements that have at least one of the nodes, ascending.
   std::vector<ElementRef> elementsAt(std::span<const std::int32_t> nodes) const;
-  /// Of an element at its node a.
+  /// The incidence of an element at its node a.
   Incidence incidenceOf(ElementRef e, int a) const;
   /// L of a weight D = L Lᵀ, lower triangle 00, 11, 22, 21, 20, 10. Any weights give a bound, so those in memory may as
   /// well be rounded ones, each an L of 16 bits an entry, all at most 1 by size.
@@ -86,9 +86,9 @@ class NodalBound {
   Factor factor(Incidence at) const;
   void setFactor(Incidence at, const Factor& L);
   Eigen::Matrix3d weight(Incidence at) const { return weightOf(factor(at)); }
-  /// To within the rounding, as all of these.
+  /// Sets the weight, to within the rounding to a Factor.
   void setWeight(Incidence at, const Eigen::Matrix3d& D) { setFactor(at, factorOf(D)); }
-  /// Of all nodes of an element, of any size: they get trace 1 over the element.
+  /// Sets the weights at all nodes of an element, of any size: they get trace 1 over the element.
   void setWeights(ElementRef e, std::span<const Eigen::Matrix3d> weights);
   /// l_e at x of any elements of a group, one a lane (-1: none): values[lane].
   void elementValues(std::int32_t block, const std::int32_t* elements, NodeVectorsView x, double* values) const;
@@ -98,13 +98,14 @@ class NodalBound {
     const NativePack* rounding;  ///< T_a of the nodes: |ΔA_ab| <= √(T_a T_b)
     double* largest;             ///< max(0, lambda_max(D_e⁻¹ A_e)), rounded up: [lane]
   };
-  /// For such elements the largest eigenvalues of any matrices without the rows and columns of constrained components.
+  /// Computes the largest eigenvalues of any matrices of such elements, without the rows and columns of constrained
+  /// components.
   void weightedLargest(std::int32_t block, const std::int32_t* elements, std::span<const ElementMatrices> sets) const;
   /// l_e of the last sweep.
   double value(ElementRef e) const;
   /// lambda_max(S_i) of every node at the last sweep, rad²/s².
   const std::vector<double>& nodal() const { return nodal_; }
-  /// The same with the weights as they are and other element values, [block][batch * lanes + lane].
+  /// nodal() with the weights as they are and other element values, [block][batch * lanes + lane].
   const std::vector<double>& sumsOf(const std::vector<std::span<const RoundedUp<float>>>& values);
   /// Gives the memory back that only evaluate(), value(), nodal() and sumsOf() need; the weights stay.
   void releaseSums();
@@ -114,7 +115,8 @@ class NodalBound {
     double share = 0;
     ElementRef element{};
   };
-  /// Those above largeRounding, by share: their shapes, or their states, leave little to say in double precision.
+  /// The elements above largeRounding, by share: their shapes, or their states, leave little to say in double
+  /// precision.
   const std::vector<RoundingShare>& poorlyConditioned() const { return poorlyConditioned_; }
   static constexpr double largeRounding = 1e-3;
 

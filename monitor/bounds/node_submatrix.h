@@ -18,7 +18,7 @@ class NodeSubmatrix {
   void choose(std::vector<std::int32_t> nodes);
   /// Ascending; rows and columns of the matrix are 3·position + component.
   const std::vector<std::int32_t>& nodes() const { return nodes_; }
-  /// At positions x (3×N, m), rad²/s²; rows and columns of constrained components are zero.
+  /// The submatrix at positions x (3×N, m), rad²/s²; rows and columns of constrained components are zero.
   const Eigen::MatrixXd& evaluate(NodeVectorsView x);
   /// What eigenvalues of the matrix err by when element tangents do, rad²/s²: Σ_i τ_i/m_i (Theorem 42,
   /// docs/theory/floating_point.md). Of the last evaluation.

@@ -40,7 +40,7 @@ struct EvaluatedPack {
 template <class Allowance>
 class CertificateState {
  public:
-  /// Of unknown weights, allowances of zero.
+  /// Begins with unknown weights and allowances of zero.
   explicit CertificateState(const Body& body);
 
   const Body& body() const { return body_; }
@@ -54,7 +54,7 @@ class CertificateState {
   }
   double allowance(ElementRef e) const { return static_cast<double>(allowances_[e.block][placeOf(e)]); }
   void setAllowance(ElementRef e, double allowance) { allowances_[e.block][placeOf(e)] = Allowance(allowance); }
-  /// Of a block, by place.
+  /// The allowances of a block, by place.
   const std::vector<Allowance>& allowances(std::size_t block) const { return allowances_[block]; }
   std::vector<Allowance>& allowances(std::size_t block) { return allowances_[block]; }
 
@@ -62,7 +62,7 @@ class CertificateState {
   /// [block][element]; empty for none.
   void setExcluded(std::vector<std::vector<bool>> excluded) { excluded_ = std::move(excluded); }
   void setExcluded(ElementRef e, bool excluded) { excluded_[e.block][e.element] = excluded; }
-  /// From now on elements may have rotations. Only for elements whose nodes have all components free or none.
+  /// Gives elements rotations from now on. Only for elements whose nodes have all components free or none.
   void allowRotations();
   const Eigen::Matrix3d& rotation(ElementRef e) const { return rotations_[e.block][placeOf(e)]; }
   void setRotation(ElementRef e, const Eigen::Matrix3d& R) { rotations_[e.block][placeOf(e)] = R; }
@@ -72,7 +72,7 @@ class CertificateState {
   template <class Take>
   void evaluatePack(NodeVectorsView x, std::int32_t block, const std::int32_t* elements, const double* known,
                     bool withStrainNorm, const Take& take) const;
-  /// The same for any elements, in packs and in parallel: take(EvaluatedPack, index[lanes]), `index` into `elements`;
+  /// Evaluates any elements so, in packs and in parallel: take(EvaluatedPack, index[lanes]), `index` into `elements`;
   /// take writes to places of the elements.
   template <class Take>
   void evaluateEach(NodeVectorsView x, const std::vector<ElementRef>& elements, bool withStrainNorm,

@@ -31,8 +31,8 @@ class IncrementalNodalBound {
   /// or the certificate rebuilt, when it lies more than `width` (relative, in the step) above. Proves nothing: when it
   /// returns true, the certified eigenvalue has changed and holds only after the next update.
   bool tightenBound(NodeVectorsView x, LowerBound lower, double width);
-  /// The same upwards: raises the certified eigenvalue and all allowances when it lies so little above a lower bound at
-  /// x that elements would soon exceed their allowances everywhere. Needs no evaluation.
+  /// Follows a lower bound upwards: raises the certified eigenvalue and all allowances when it lies so little above the
+  /// one at x that elements would soon exceed their allowances everywhere. Needs no evaluation.
   void relaxBound(LowerBound lower, double width);
 
   /// Threshold mode: proves that the highest eigenvalue at x is at most `sigma`, rad²/s², or returns false. Where
@@ -42,12 +42,12 @@ class IncrementalNodalBound {
 
   double certifiedEigenvalue() const { return state_.certifiedEigenvalue(); }
   const NodalBound& weights() const { return state_.weights(); }
-  /// Of the last update or certify.
+  /// What the last update() or certify() took.
   const UpdateStatistics& statistics() const { return state_.statistics(); }
   /// Elements whose -lambda_min(∂P/∂F) over λ+2μ was above `least` when last evaluated, most first. Only elements under
   /// compression can make the tangent indefinite.
   std::vector<ElementRef> compressedElements(double least) const { return state_.compressedElements(least); }
-  /// The most compressed element's, since the certificate was built.
+  /// The largest -lambda_min(∂P/∂F) over λ+2μ of an element since the certificate was built.
   double mostCompression() const { return state_.mostCompression(); }
   /// An element's exact value over its allowance, which is about the bound at its highest node over the certified
   /// eigenvalue.
@@ -55,8 +55,8 @@ class IncrementalNodalBound {
     double fraction;
     ElementRef element;
   };
-  /// Of the elements evaluated at the last update those above RebuildPolicy::nearLimit, largest first, before any local
-  /// update: where the highest eigenvalue may have come to.
+  /// The elements evaluated at the last update that were above RebuildPolicy::nearLimit, largest first, before any
+  /// local update: where the highest eigenvalue may have come to.
   const std::vector<NearLimit>& nearLimit() const { return nearLimit_; }
   /// The elements that hold most of the bound at the `count` nodes where it is highest, by their values when last
   /// evaluated: where the top mode may live. Empty while nothing is proven.

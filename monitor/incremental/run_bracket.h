@@ -92,9 +92,9 @@ class RunBracket {
   void takeBest(NodeVectorsView x);
   /// Sharpens the optimistic side, now and then, for a step h (s) that is not certified: oftener when h is close to it.
   void sharpen(NodeVectorsView x, const StepRule& limit, double h);
-  /// Of the last evaluate() or certify(), with what was evaluated after it.
+  /// What the last evaluate() or certify() took, and what was evaluated after it.
   const UpdateStatistics& statistics() const { return statistics_; }
-  /// Of the last evaluate().
+  /// The bracket of the last evaluate().
   const std::optional<CriticalStep>& last() const { return step_; }
   /// Least eigenvalue of the reduced 1-rings and of the direction that were evaluated last, rad²/s².
   struct LowestRing {
@@ -116,11 +116,12 @@ class RunBracket {
   LowerBound boundWhereItRose(NodeVectorsView x, double sigma, LowerBound lower);
   /// The reduced ring of one element into solver_; false when it fails.
   bool decomposeRing(NodeVectorsView x, ElementRef e);
-  /// From the highest of all rings.
+  /// Starts the mode again from the highest of all rings.
   LowerBound restartMode(NodeVectorsView x);
-  /// At first, when the nodal bound is of now: from the highest of the rings where it is highest.
+  /// Starts the mode at the first evaluation, when the nodal bound is of these positions: from the highest of the rings
+  /// where that bound is highest.
   LowerBound startMode(NodeVectorsView x);
-  /// Of the ring that was decomposed last: its highest eigenvalue, rounded down, and that one's vector.
+  /// The highest eigenvalue, rounded down, of the ring that was decomposed last, and that one's vector.
   double topOfRing() const;
   void addTopOfRing(NodeVectors& mode) const;
   LowerBound refreshMode(NodeVectorsView x, int products);

@@ -78,23 +78,24 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   std::vector<std::int32_t> rotateWeights(const std::vector<std::int32_t>& nodes, const RebuildPolicy& policy);
   /// The rotation of a node's surroundings since the reference configuration, by reference gradients of its elements.
   Eigen::Quaternionf frameOf(std::int32_t node) const;
-  /// The same when the node's weights were made or turned last.
+  /// The rotation of its surroundings when the node's weights were made or turned last.
   const Eigen::Quaternionf& frame(std::int32_t node) const { return frames_[node]; }
   void setFrame(std::int32_t node, const Eigen::Quaternionf& frame) { frames_[node] = frame; }
 
   /// Elements whose -lambda_min(∂P/∂F) over λ+2μ was above `least` when last evaluated, most first.
   std::vector<ElementRef> compressedElements(double least) const;
-  /// The most compressed element's, since allowances were distributed.
+  /// The largest of these since allowances were distributed.
   double mostCompression() const { return mostCompression_; }
-  /// Of each of the `count` nodes where the bound by the last values is highest, the element that holds most of it.
+  /// The elements that hold most of the bound by the last values at the `count` nodes where it is highest.
   std::vector<ElementRef> highestElements(std::size_t count);
 
   UpdateStatistics& statistics() { return statistics_; }
   const UpdateStatistics& statistics() const { return statistics_; }
 
  private:
-  /// By place; compression: -lambda_min(∂P/∂F) / (λ+2μ) at the reference gradient, at most. linear, quadratic,
-  /// growthRadius: TangentGrowth's, the radius ending before an inversion; < 0: there is no reference gradient.
+  /// What is known of the elements of a block, by place. compression: -lambda_min(∂P/∂F) / (λ+2μ) at the reference
+  /// gradient, at most. linear, quadratic, growthRadius: TangentGrowth's, the radius ending before an inversion; < 0:
+  /// there is no reference gradient.
   struct BlockData {
     ValidityBalls balls;
     std::vector<RoundedUp<float>> value;

@@ -22,7 +22,7 @@ struct TangentGrowth {
   }
 };
 
-/// From the law's drift at F0 and the strain norm bound b_e = lambda_max(D_e⁻¹ Σ_q w_q BᵀB).
+/// The growth by the law's drift at F0 and the strain norm bound b_e = lambda_max(D_e⁻¹ Σ_q w_q BᵀB).
 RINGWATCH_INLINE TangentGrowth growthOf(const TangentDriftCoefficients<double>& drift, double value,
                                         double strainNorm) {
   return {value,

@@ -26,7 +26,7 @@ class WorkAccount {
     for (const ElementRef e : elements) work += ofEvaluation(*body.blocks()[e.block]);
     return work;
   }
-  /// Of all elements, as the others below.
+  /// The work of evaluating all elements, as the others below.
   static double ofEvaluation(const Body& body) {
     double work = 0;
     for (const auto& block : body.blocks()) work += static_cast<double>(block->elementCount()) * ofEvaluation(*block);

@@ -25,7 +25,7 @@ using MetricValues = std::vector<std::vector<double>>;  // [block][element], rad
 class MetricEvaluator {
  public:
   virtual ~MetricEvaluator() = default;
-  /// Of all elements at positions x (3×N, m); valid until the next call.
+  /// The values of all elements at positions x (3×N, m); valid until the next call.
   virtual const MetricValues& evaluate(NodeVectorsView x) = 0;
   /// The largest of them, at least 0; NaN where an element has no tangent.
   double highest(NodeVectorsView x);
@@ -34,9 +34,9 @@ class MetricEvaluator {
 /// A metric that can be evaluated by name.
 struct MetricEntry {
   MetricInfo info;
-  /// Of all elements at positions x (3×N, m).
+  /// Computes the values of all elements at positions x (3×N, m).
   MetricValues (*evaluate)(const Body& body, NodeVectorsView x, const MetricProgress& progress);
-  /// For an estimate that is an upper bound on some bodies: whether it is on this one. nullptr: on none.
+  /// Whether an estimate that is an upper bound on some bodies is one on this. nullptr: on none.
   bool (*isUpperBoundOn)(const Body& body) = nullptr;
   /// Along a run; the body outlives it. nullptr: `evaluate` each time.
   std::unique_ptr<MetricEvaluator> (*along)(const Body& body) = nullptr;

@@ -112,7 +112,8 @@ struct CharacteristicSums {
   P second;  // Σ 1/(x - λ_i)² = (p'/p)² - p''/p
   P least;   // positive where x lies right of all λ_i: then all leading minors are
 };
-/// By the three-term recurrence, without a division in it; for numbers of order one and n <= 24, else minors underflow.
+/// The sums by the three-term recurrence, without a division in it; for numbers of order one and n <= 24, else minors
+/// underflow.
 template <int N, class P>
 RINGWATCH_HOST_DEVICE inline CharacteristicSums<P> sumsByMinors(const P* d, const P* e2, int anyN, P x) {
   const int n = N > 0 ? N : anyN;
@@ -134,7 +135,7 @@ RINGWATCH_HOST_DEVICE inline CharacteristicSums<P> sumsByMinors(const P* d, cons
   const P first = dp * inverse;
   return {first, first * first - P(2.0) * ddp * inverse, least - P(tiny)};
 }
-/// By ratios of successive minors: for any n.
+/// The sums by ratios of successive minors: for any n.
 template <class P>
 RINGWATCH_HOST_DEVICE inline CharacteristicSums<P> sumsByRatios(const P* d, const P* e2, int n, P x) {
   const P tiny(1e-16);
@@ -181,7 +182,7 @@ RINGWATCH_HOST_DEVICE inline P largestByLaguerre(const P* d, const P* e2, int an
   }
   return lambda;
 }
-/// The same for n <= 24, most of the way in single precision: half of the work where that is the faster one.
+/// largestByLaguerre for n <= 24, most of the way in single precision: half of the work where that is the faster one.
 template <int N>
 RINGWATCH_HOST_DEVICE inline double largestFromSingle(const double* d, const double* e2, double start) {
   static_assert(N > 0 && N <= 24);
