@@ -182,7 +182,8 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
   bool sweep = false;
   if (started_ && certifiedEigenvalue() <= sigma) {
     const Outcome outcome = follow(x, false, certifiedEigenvalue(), evaluation);
-    // Weights that ended early have cost as much since as those would that did not: so at most twice the least is spent.
+    // Weights that ended early have cost as much since as those would that did not: so at most twice the least is
+    // spent.
     sweep = outcome == Outcome::held && endedEarly_ && sinceRebuild_ >= WorkAccount::ofRebuild(body_);
     if (outcome == Outcome::held && !sweep) return true;
     // A certificate that was refused holds for a larger eigenvalue.
