@@ -52,10 +52,11 @@ struct Places {
       : nodes(bytes.find("\nend\n") + 5), elements(nodes + 81 * static_cast<std::size_t>(nodeCount)) {}
 };
 /// Replaces the number at a place, which need not be aligned: scale · number + shift.
+template <class T = double>
 void changeNumber(std::string& bytes, std::size_t place, double scale, double shift) {
-  double number;
+  T number;
   std::memcpy(&number, bytes.data() + place, sizeof number);
-  number = scale * number + shift;
+  number = static_cast<T>(scale * number + shift);
   std::memcpy(bytes.data() + place, &number, sizeof number);
 }
 
@@ -90,17 +91,17 @@ TEST(TamperedCertificate, IsRejectedByItsMathematicsWhereTheChecksumIsMadeToFit)
     expectRejected(other, "allowance" + which);
     changeNumber(other, element + 16, 0, -1);
     expectRejected(other, "negative allowance" + which);
-    const auto weightOf = [&](std::size_t w) -> std::int16_t& {
-      return *reinterpret_cast<std::int16_t*>(other.data() + element + 24 + 2 * w);
+    const auto scaleWeight = [&](std::size_t w, double scale) {
+      changeNumber<std::int16_t>(other, element + 24 + 2 * w, scale, 0);
     };
     for (std::size_t w = 0; w < 24; ++w) {
       if (w % 6 >= 3) continue;
       other = bytes;  // zero on the diagonal of a factor: its block has no weight in some direction
-      weightOf(w) = 0;
+      scaleWeight(w, 0);
       expectRejected(other, "weight " + std::to_string(w) + which);
     }
     other = bytes;
-    for (std::size_t w = 0; w < 24; ++w) weightOf(w) = static_cast<std::int16_t>(0.99 * weightOf(w));
+    for (std::size_t w = 0; w < 24; ++w) scaleWeight(w, 0.99);
     expectRejected(other, "all weights" + which);
     other = bytes;  // two of its nodes swapped: the Jacobian turns round
     for (std::size_t i = 0; i < 4; ++i) std::swap(other[element + i], other[element + 4 + i]);
