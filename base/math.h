@@ -27,3 +27,10 @@ RINGWATCH_INLINE float min(float a, float b) { return a < b ? a : b; }
 }  // namespace math
 
 }  // namespace ringwatch
+
+// A kernel's math::log is looked up where the kernel is defined, so the other scalars come before any kernel, whatever
+// is included first.
+#if !defined(__CUDACC__)
+#include <ringwatch/base/dual.h>
+#include <ringwatch/base/pack.h>
+#endif

@@ -61,7 +61,7 @@ class FloatForce {
     const NodeVectors& X = body.mesh().X;
     for (const Patch& patch : layout_.patches) {
       batchBegin_.push_back(static_cast<std::int32_t>(geometry_.size() / 10));
-      constexpr int own = PatchLayout::lanes;
+      constexpr int own = lanes;
       for (std::int32_t b = patch.batchBegin; b < patch.batchEnd; b += 2) {
         F geometry[10];
         std::uint16_t local[4][lanes];

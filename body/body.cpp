@@ -71,7 +71,7 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
     }
     mesh_.blocks.push_back(std::move(block));
   }
-  double volumes[PatchLayout::lanes];
+  double volumes[lanes];
   for (std::size_t b = 0; b < chosen.size(); ++b) {
     const ElementBlock& face = *whole.blocks_[b];
     materials_.push_back(face.material());
@@ -140,7 +140,7 @@ void Body::elementLumpedMass(ElementRef ref, double* mass) const {
 
 Eigen::VectorXd Body::lumpMass() {
   Eigen::VectorXd lumped = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh_.nodeCount()));
-  double expected = 0, mass[maxElementNodes], volumes[PatchLayout::lanes];
+  double expected = 0, mass[maxElementNodes], volumes[lanes];
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ElementBlock& block = *blocks_[b];
     const double density = block.material().density;
@@ -189,7 +189,7 @@ void Body::pass(NodeVectorsView x, PatchVisitor* visitor, NodeVectors* force, do
       slots = workspace.slots.data() + 4 * ref.firstSlot;
       std::fill(slots, slots + 4 * static_cast<std::ptrdiff_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
     }
-    alignas(64) double energies[PatchLayout::lanes] = {};
+    alignas(64) double energies[lanes] = {};
     alignas(64) double rows[4 * PatchLayout::maxPatchNodes];
     block.gatherRows(patch, x.data(), rows);
     const PatchPass pass(block, ref.patch, rows, slots, energy ? energies : nullptr);
@@ -233,8 +233,7 @@ Body::LeastDeterminant Body::leastDeterminant(NodeVectorsView x) const {
     const ElementBlock& block = *blocks_[b];
     std::vector<double> values(block.layout().elements.size());
     parallelFor(0, block.layout().batchCount(), threads(), [&](std::int64_t batch) {
-      block.minimumDeterminantBatch(static_cast<std::int32_t>(batch), x.data(),
-                                    values.data() + batch * PatchLayout::lanes);
+      block.minimumDeterminantBatch(static_cast<std::int32_t>(batch), x.data(), values.data() + batch * lanes);
     });
     for (std::size_t i = 0; i < values.size(); ++i)
       if (block.layout().elements[i] >= 0 && !(values[i] >= least.value)) {

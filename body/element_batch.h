@@ -19,7 +19,6 @@ class ElementBatch final : public ElementBlock {
   using Geometry = ElementGeometry<Element>;
   using Operators = ElementOperators<Element, P>;
   static constexpr int n = Element::nodes, size = 3 * n;
-  static constexpr int lanes = PatchLayout::lanes;
 
   ElementBatch(const Mesh& mesh, const MeshBlock& block, const Material& material, const QuadratureRule& rule)
       : ElementBlock(mesh, block, material, rule),

@@ -19,7 +19,6 @@ class ElementGeometry {
   using P = NativePack;
   using Operators = ElementOperators<Element, P>;
   static constexpr int n = Element::nodes;
-  static constexpr int lanes = PatchLayout::lanes;
   /// Numbers stored for a point: J⁻¹ row by row, w det(J), which is zero in lanes without an element.
   static constexpr int stride = 10;
   static constexpr std::size_t maxPoints = [] {

@@ -33,7 +33,6 @@ PatchLayout layOutPatches(std::size_t nodeCount, int nodesPerElement, std::span<
                           const std::vector<std::int32_t>& order) {
   // Rows of positions and slots of a patch, 64 bytes a node, are to stay in a first-level cache of 32 to 48 kB.
   constexpr std::int32_t maxNodes = 448;
-  constexpr int lanes = PatchLayout::lanes;
   const int n = nodesPerElement;
   PatchLayout layout;
   layout.batchOfElement.resize(order.size());

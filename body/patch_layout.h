@@ -8,6 +8,9 @@
 
 namespace ringwatch {
 
+/// Elements of a batch, which are computed side by side.
+inline constexpr int lanes = nativeWidth;
+
 /// A group of elements that lie close together, handled by one thread at a time. Element kernels add nodal values into
 /// the patch's own slots (one row of 4 numbers for each node of the patch); the body then sums the slots of each node
 /// in a fixed order. That needs no atomics and gives the same bits for any number of threads.
@@ -18,7 +21,6 @@ struct Patch {
 
 /// The elements of a block in an order of their own, cut into patches and, within them, into batches.
 struct PatchLayout {
-  static constexpr int lanes = nativeWidth;
   std::vector<Patch> patches;
   std::vector<std::int32_t> nodes;           // mesh nodes of each patch
   std::vector<std::int32_t> elements;        // [batch][lane] position in the mesh block; -1 for a lane without element

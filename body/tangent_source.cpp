@@ -9,8 +9,6 @@
 namespace ringwatch {
 namespace {
 
-constexpr int lanes = PatchLayout::lanes;
-
 /// Node pairs (a, b), a <= b, of an element in the order of `places`.
 constexpr int pairCount(int n) { return n * (n + 1) / 2; }
 
@@ -143,9 +141,9 @@ double TangentSource::formRounding(NodeVectorsView x, const NodeVectors& v, Work
 Eigen::MatrixXd TangentSource::elementTangent(ElementRef ref, NodeVectorsView x) const {
   const ElementTangents& block = *tangents_.at(static_cast<std::size_t>(ref.block));
   const std::int32_t place = block.layout().batchOfElement.at(static_cast<std::size_t>(ref.element));
-  const int size = 3 * block.nodesPerElement(), lane = place % PatchLayout::lanes;
+  const int size = 3 * block.nodesPerElement(), lane = place % lanes;
   AlignedVector<NativePack> K(static_cast<std::size_t>(size * size));
-  block.tangentBatch(place / PatchLayout::lanes, x.data(), reinterpret_cast<double*>(K.data()));
+  block.tangentBatch(place / lanes, x.data(), reinterpret_cast<double*>(K.data()));
   Eigen::MatrixXd result(size, size);
   for (int i = 0; i < size; ++i)
     for (int j = 0; j < size; ++j) result(i, j) = K[i * size + j][lane];

@@ -155,7 +155,6 @@ StepStatus Handler::baseStep(SecondOrderSystem& system, State& state, double h, 
 
 std::optional<Body::LeastDeterminant> Handler::leastHandledDeterminant(const NodeVectors& x) const {
   if (elements_.empty() || !explicitPart_) return std::nullopt;
-  constexpr int lanes = PatchLayout::lanes;
   std::optional<Body::LeastDeterminant> least;
   double values[lanes];
   for (std::size_t b = 0; b < places_.size(); ++b) {

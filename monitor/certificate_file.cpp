@@ -19,7 +19,7 @@ namespace {
 
 constexpr int formatVersion = 1;
 // As in criticalStep: tangent products for the top mode, sweeps of the nodal bound.
-constexpr int products = 20, sweeps = 12;
+constexpr int modeProducts = 20, boundSweeps = 12;
 /// Left between what is computed and what is stated, relative: sums at nodes, and allowances that stand for zero, must
 /// be proven with strict inequalities. It is 5e-10 of the step.
 constexpr double room = 1e-9;
@@ -93,9 +93,9 @@ Certificate makeCertificate(const Body& body, const NodeVectors& x) {
                                 " was registered by a program; certificates are of the library's own"));
   ReducedRing ring(body);
   NodeVectors mode;
-  const TopMode top = findTopMode(ring, body, x, mode, products, products, false);
+  const TopMode top = findTopMode(ring, body, x, mode, modeProducts, modeProducts, false);
   NodalBound weights(body);
-  weights.evaluate(x, sweeps);
+  weights.evaluate(x, boundSweeps);
   const double bound = weights.last();
   if (!std::isfinite(bound) || !(bound > 0))
     throw NumericalError("certificate: the tangent is not finite here, or nothing in the body is stiff and free");

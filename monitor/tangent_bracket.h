@@ -66,6 +66,7 @@ class TangentBracket {
 
  private:
   struct Impl;
+  class GivenTangents;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -11,13 +11,14 @@
 #include <ringwatch/meshes/modify/cut.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/verify/processor_time.h>
+#include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double limit = 2;    // of Verlet
+using detail::young, detail::density, detail::verletLimit;
 constexpr double snap = 0.02;  // little: slivers are what this is about
 const Vector3d size{0.12, 0.06, 0.06};
 
@@ -29,7 +30,7 @@ std::vector<CutSurface> fourCuts() {
 }
 
 Body bodyOf(const Mesh& mesh) {
-  Body body(mesh, makeMaterial("corotational", 30e3, 0.3, 1000), {{}, Lumping::rowSum, 1});
+  Body body(mesh, makeMaterial("corotational", young, detail::poisson, density), {{}, Lumping::rowSum, 1});
   for (const std::int32_t n : body.mesh().nodeSets.at("x-min")) body.constraints().fix(n);
   return body;
 }
@@ -88,7 +89,7 @@ class CutRun {
 
  private:
   void start(const CutMesh* cut, const Handler* before) {
-    critical_ = criticalStep(body_, state_.x, limit).safe;
+    critical_ = criticalStep(body_, state_.x, verletLimit).safe;
     integrator_ = makeIntegrator("verlet");
     if (handlerName_.empty()) {
       h_ = 0.95 * critical_;
@@ -129,7 +130,7 @@ void addCutting(StudyEffort effort, StudyReport& report) {
   options.jitter = 0.1;
   const Mesh mesh = generateBar(options);
   const Body whole = bodyOf(mesh);
-  const double before = criticalStep(whole, whole.mesh().X, limit).safe, h = 0.5 * before;
+  const double before = criticalStep(whole, whole.mesh().X, verletLimit).safe, h = 0.5 * before;
 
   StudyTable table{"cutting",
                    "A bar cut four times, corotational; handlers keep the step that they began with, Verlet takes 0.95 "

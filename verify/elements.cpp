@@ -11,12 +11,12 @@
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/verify/elements_studies.h>
 #include <ringwatch/verify/static_solver.h>
+#include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch {
 namespace detail {
 namespace {
 
-constexpr double young = 30e3, poisson = 0.3, density = 1000;
 constexpr double edge = 0.03;                       // m, of the cubes below
 constexpr double forceScale = young * 0.01 * 0.01;  // N, order one strain on a face of 1 cm
 constexpr double rounding = 1e-14;                  // of sums of some tens of terms: 45 units in the last place

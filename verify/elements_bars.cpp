@@ -12,11 +12,11 @@
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/verify/elements_studies.h>
 #include <ringwatch/verify/static_solver.h>
+#include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch::detail {
 namespace {
 
-constexpr double young = 30e3, density = 1000;
 constexpr double length = 0.2, width = 0.04, radius = 0.05;  // m
 
 Mesh bar(std::string_view element, int cells) {
@@ -202,8 +202,8 @@ namespace {
 constexpr double tipForce = 1e-4;  // N, small strain
 
 /// Mean deflection under an even traction, work of the load over its force, m.
-double deflection(const ElementRule& c, int cells, double poisson) {
-  Body body(bar(c.element->name, cells), makeMaterial("linear", young, poisson, density), c.options());
+double deflection(const ElementRule& c, int cells, double ratio) {
+  Body body(bar(c.element->name, cells), makeMaterial("linear", young, ratio, density), c.options());
   for (const std::int32_t node : body.mesh().nodeSets.at("x-min")) body.constraints().fix(node);
   body.externalForce() = consistentTraction(
       body.mesh(), [](const Eigen::Vector3d& X) { return X[0] > length * (1 - 1e-9); },
@@ -213,9 +213,9 @@ double deflection(const ElementRule& c, int cells, double poisson) {
   return body.externalForce().cwiseProduct(solution.x - body.mesh().X).sum() / tipForce;
 }
 /// Timoshenko's cantilever with Cowper's shear coefficient (1966) of a rectangle.
-double timoshenko(double poisson) {
-  const double inertia = std::pow(width, 4) / 12, shear = young / (2 * (1 + poisson)),
-               kappa = 10 * (1 + poisson) / (12 + 11 * poisson);
+double timoshenko(double ratio) {
+  const double inertia = std::pow(width, 4) / 12, shear = young / (2 * (1 + ratio)),
+               kappa = 10 * (1 + ratio) / (12 + 11 * ratio);
   return tipForce * (std::pow(length, 3) / (3 * young * inertia) + length / (kappa * shear * width * width));
 }
 /// Seconds of one call, the best of a few.

@@ -7,6 +7,7 @@
 #include <ringwatch/meshes/jacobian.h>
 #include <ringwatch/verify/elements_studies.h>
 #include <ringwatch/verify/static_solver.h>
+#include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch::detail {
 namespace {
@@ -54,7 +55,7 @@ Errors solve(const ElementRule& c, std::string_view law, const Manufactured& exa
   BarOptions options;
   options.element = c.element->name;
   const Mesh mesh = generateCube(1.0, cells, options);
-  const Material material = makeMaterial(law, 30e3, 0.3, 1000);
+  const Material material = makeMaterial(law, young, poisson, density);
   Body body(mesh, material, c.options());
   for (const auto& [name, nodes] : mesh.nodeSets)
     for (const std::int32_t node : nodes) body.constraints().fix(node);

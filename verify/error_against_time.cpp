@@ -14,13 +14,15 @@
 #include <ringwatch/integrators/stability_limit.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/verify/study_bodies.h>
 #include <ringwatch/verify/work_precision.h>
 
 namespace ringwatch {
 namespace {
 
 constexpr double length = 0.2, width = 0.04;  // m
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double frequencyTolerance = 1e-6;
+using detail::highestEigenvalue, detail::nan;
 
 struct Motion {
   std::string name, title;
@@ -72,7 +74,7 @@ Mesh barMesh(std::string_view element, int cells, bool slivers) {
 }
 
 Body barBody(const Motion& motion, std::string_view element, int cells, bool slivers) {
-  Body body(barMesh(element, cells, slivers), makeMaterial("stvk", 30e3, motion.poisson, 1000),
+  Body body(barMesh(element, cells, slivers), makeMaterial("stvk", detail::young, motion.poisson, detail::density),
             {{}, Lumping::rowSum, 1});
   for (const std::int32_t n : body.mesh().nodeSets.at("x-min")) body.constraints().fix(n);
   if (motion.pull != 0)
@@ -121,12 +123,6 @@ NodeVectors uniformAtProbes(const Motion& motion, const Mesh& mesh, const std::v
   NodeVectors x = atProbes(mesh.X, probes);
   x.row(0) *= 1 + motion.pull * motion.end;
   return x;
-}
-
-double highestEigenvalue(const Body& body) {
-  const GlobalFrequency top = globalFrequency(body, body.mesh().X, 1e-6);
-  if (!top.converged) throw NumericalError("the highest frequency of the bar did not converge");
-  return top.lambda;
 }
 
 /// Elements whose finest mesh is run too, by motions of some seconds each: the most used ones.
@@ -203,7 +199,8 @@ std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> inte
       BodySystem system(body);
       State state = startOf(motion, body);
       // Stretching stiffens this law: half the step that is stable at rest.
-      const auto steps = static_cast<std::int64_t>(std::ceil(motion.end * std::sqrt(highestEigenvalue(body))));
+      const auto steps =
+          static_cast<std::int64_t>(std::ceil(motion.end * std::sqrt(highestEigenvalue(body, frequencyTolerance))));
       const std::unique_ptr<Integrator> integrator = makeIntegrator("verlet");
       for (std::int64_t k = 0; k < steps; ++k) integrator->step(system, state, motion.end / static_cast<double>(steps));
       if (!state.x.allFinite()) throw NumericalError(joinText(motion.name, ": the reference was lost"));
@@ -221,7 +218,7 @@ std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> inte
     for (const Choice& choice : choices(effort)) {
       const Body body = barBody(motion, choice.element, choice.cells, choice.slivers);
       BodySystem system(body);
-      const double lambda = highestEigenvalue(body);
+      const double lambda = highestEigenvalue(body, frequencyTolerance);
       const std::vector<std::int32_t> probes = probesOf(motion, body.mesh());
       const NodeVectors uniform = uniformAtProbes(motion, body.mesh(), probes);
       WorkPrecisionCase c{
@@ -258,7 +255,8 @@ std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> inte
       }
       if (!choice.slivers) continue;
       // Handlers at the steps that the mesh would allow without its slivers.
-      const double free = 2 / std::sqrt(highestEigenvalue(barBody(motion, choice.element, choice.cells, false)));
+      const double free =
+          2 / std::sqrt(highestEigenvalue(barBody(motion, choice.element, choice.cells, false), frequencyTolerance));
       for (const HandlerEntry& entry : allHandlers())
         for (const double share : {0.9, 0.6, 0.3}) {
           const std::string name(entry.info->name);

@@ -17,6 +17,7 @@
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/verify/processor_time.h>
+#include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch {
 namespace {
@@ -26,8 +27,8 @@ using Eigen::Vector3d;
 
 constexpr double edge = 0.05;    // m, of the cube; the bar is twice as long
 constexpr double target = 4e-4;  // s, Fierz 2013's step
-constexpr double limit = 2;      // of Verlet
-constexpr double ramp = 0.1;     // s, in which a face moves over the length of the cube
+using detail::young, detail::density, detail::verletLimit;
+constexpr double ramp = 0.1;  // s, in which a face moves over the length of the cube
 
 /// How a mode moves or loads its face.
 struct Mode {
@@ -379,7 +380,7 @@ class Study {
       return runs_.back();
     };
     keep("verlet", referenceStep, 0, reference);
-    const double safe = 0.95 * criticalStep(body, X, limit).safe;
+    const double safe = 0.95 * criticalStep(body, X, verletLimit).safe;
     keep("verlet, certified", target / std::ceil(target / safe), 0, verletIn(safe));
     for (const Contestant& c : contestants(reduced * target)) {
       std::int64_t handled = 0;
@@ -499,7 +500,7 @@ double Deformation::end() const {
 }
 
 Body Deformation::body() const {
-  Body b(meshOf(*this), makeMaterial("corotational", 30e3, poisson, 1000), {{}, Lumping::rowSum, 1});
+  Body b(meshOf(*this), makeMaterial("corotational", young, poisson, density), {{}, Lumping::rowSum, 1});
   const Frame frame = frameOf(*this);
   for (const std::int32_t n : b.mesh().nodeSets.at(frame.held)) b.constraints().fix(n);
   if (byForce)

@@ -18,20 +18,14 @@
 #include <ringwatch/verify/cutting.h>
 #include <ringwatch/verify/processor_time.h>
 #include <ringwatch/verify/resonance.h>
+#include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch {
 namespace {
 
 using Cell = StudyTable::Cell;
 
-constexpr double limit = 2;  // of the base schemes
-
-double highestEigenvalue(const Body& body) {
-  if (body.mesh().elementCount() == 0) return 0;
-  const GlobalFrequency top = globalFrequency(body, body.mesh().X, 1e-8);
-  if (!top.converged) throw NumericalError("verify handlers: a highest frequency did not converge");
-  return top.lambda;
-}
+using namespace detail;
 
 /// A bar of tetrahedra in which a few inner nodes are pulled most of the way to their neighbours along x.
 Mesh barWithSlivers(int refine, double flatness) {
@@ -84,7 +78,7 @@ struct Variant {
 HandlerOptions withDissipation(double dissipation, Selection selection = Selection::certified) {
   return {.selection = selection, .own = {{"dissipation", dissipation}}};
 }
-constexpr double none = 1e-12;                // growth of the energy of a scheme that loses some at every step
+constexpr double noGrowth = 1e-12;            // growth of the energy of a scheme that loses some at every step
 constexpr Allowed solved{4e-12, 2e-11};       // momentum after solves: 2.6e-13 to 1.9e-12 by build
 constexpr Allowed exchanged{2e-14, 1.5e-13};  // momentum that nodes exchange
 constexpr Allowed turned{2e-14, 5e-12};       // the same of angular momentum
@@ -108,13 +102,13 @@ std::vector<Variant> allVariants() {
        .options = withDissipation(0.3),
        .barError = 9e-4,
        .cubeError = 0.03,
-       .drift = AllowedDrift{none, solved, {7e-4, 7.5e-4}}},
+       .drift = AllowedDrift{noGrowth, solved, {7e-4, 7.5e-4}}},
       {.name = "imex, implicit Euler",
        .handler = "imex",
        .options = withDissipation(1),
        .barError = 3e-3,
        .cubeError = 0.08,
-       .drift = AllowedDrift{none, solved, {1.3e-3, 9e-3}}},
+       .drift = AllowedDrift{noGrowth, solved, {1.3e-3, 9e-3}}},
       {.name = "imex, cg",
        .handler = "imex",
        .options = {.own = {{"solver", "cg"}}},
@@ -152,13 +146,13 @@ std::vector<Variant> allVariants() {
        .options = {},
        .barError = 2.9e-3,
        .cubeError = {},
-       .drift = AllowedDrift{none, exchanged, turned}},
+       .drift = AllowedDrift{noGrowth, exchanged, turned}},
       {.name = "fe-pbd, three passes",
        .handler = "fe-pbd",
        .options = {.own = {{"passes", 3}}},
        .barError = 3e-3,
        .cubeError = {},
-       .drift = AllowedDrift{none, exchanged, turned}},
+       .drift = AllowedDrift{noGrowth, exchanged, turned}},
       {.name = "fe-pbd, rigid",
        .handler = "fe-pbd",
        .options = {.own = {{"variant", "rigid"}}},
@@ -170,11 +164,11 @@ std::vector<Variant> allVariants() {
        .options = {},
        .barError = 1.4e-3,
        .cubeError = {},
-       .drift = AllowedDrift{none, exchanged, turned}},
+       .drift = AllowedDrift{noGrowth, exchanged, turned}},
       {.name = "mass-scaling", .handler = "mass-scaling", .options = {}, .barError = {}, .cubeError = {}, .drift = {}}};
 }
 
-struct Motion {
+struct HandledMotion {
   std::string name, law;
   std::function<Mesh()> mesh;
   std::function<double(double safe)> step;  // s, from the certified one
@@ -183,7 +177,7 @@ struct Motion {
   std::optional<double> Variant::*allowed;  // mean error
 
   Body body() const {
-    Body b(mesh(), makeMaterial(law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, 1});
+    Body b(mesh(), makeMaterial(law, young, poisson, density), {{}, Lumping::rowSum, 1});
     for (const std::int32_t n : b.mesh().nodeSets.at("x-min")) b.constraints().fix(n);
     b.addBodyForce({0, 0, -acceleration});
     return b;
@@ -226,7 +220,7 @@ struct MotionRun {
     return lost.empty() ? meanError / displacement : std::numeric_limits<double>::infinity();
   }
 };
-std::vector<Cell> rowOf(const Motion& motion, const MotionRun& run) {
+std::vector<Cell> rowOf(const HandledMotion& motion, const MotionRun& run) {
   const bool lost = !run.lost.empty();
   return {motion.name,
           motion.law,
@@ -240,10 +234,10 @@ std::vector<Cell> rowOf(const Motion& motion, const MotionRun& run) {
           run.seconds / run.own};
 }
 
-void addMotion(const Motion& motion, StudyReport& report, StudyTable& selection, StudyTable& table) {
+void addMotion(const HandledMotion& motion, StudyReport& report, StudyTable& selection, StudyTable& table) {
   const Body plain = motion.body();
   const NodeVectors& X = plain.mesh().X;
-  const double safe = criticalStep(plain, X, limit).safe, h = evenStep(motion.end, motion.step(safe));
+  const double safe = criticalStep(plain, X, verletLimit).safe, h = evenStep(motion.end, motion.step(safe));
   const auto verlet = makeIntegrator("verlet"), reference = makeIntegrator("verlet");
   const Advanced exact = advance(plain, *reference, motion.end, evenStep(motion.end, safe / 8));
   const double ownStep = evenStep(motion.end, 0.95 * safe);
@@ -268,7 +262,7 @@ void addMotion(const Motion& motion, StudyReport& report, StudyTable& selection,
     handler->prepare(X, h);
     const auto handled = static_cast<std::int64_t>(handler->elements().size());
     if (variant.showsSelection) {
-      const double left = highestEigenvalue(handler->explicitBody()) * h * h / (limit * limit);
+      const double left = highestEigenvalue(handler->explicitBody(), 1e-8) * h * h / (verletLimit * verletLimit);
       selection.rows.push_back({motion.name, motion.law, std::string(selectionNames.nameOf(variant.options.selection)),
                                 static_cast<std::int64_t>(body.mesh().elementCount()), handled, std::sqrt(left)});
       if (handler->certified())
@@ -292,7 +286,7 @@ struct FreeFlight {
   std::string lost;
 };
 FreeFlight fly(const char* law, const Variant& variant, std::int64_t steps, double h) {
-  Body body(barWithSlivers(1, 0.98), makeMaterial(law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, 1});
+  Body body(barWithSlivers(1, 0.98), makeMaterial(law, young, poisson, density), {{}, Lumping::rowSum, 1});
   const NodeVectors& X = body.mesh().X;
   const auto handler = makeHandler(variant.handler, body, makeIntegrator("verlet"), variant.options);
   handler->prepare(X, h);
@@ -373,8 +367,9 @@ StudyReport verifyHandlers(StudyEffort effort) {
   const double end = full ? 0.1 : 0.05;
   // Three quarters of what the same bar without slivers can take.
   const auto withoutSlivers = [](int fineness) {
-    const Body regular(barWithSlivers(fineness, 0), makeMaterial("stvk", 30e3, 0.3, 1000), {{}, Lumping::rowSum, 1});
-    return 0.75 * criticalStep(regular, regular.mesh().X, limit).safe;
+    const Body regular(barWithSlivers(fineness, 0), makeMaterial("stvk", young, poisson, density),
+                       {{}, Lumping::rowSum, 1});
+    return 0.75 * criticalStep(regular, regular.mesh().X, verletLimit).safe;
   };
   const auto sliverStep = [own = withoutSlivers(refine)](double) { return own; };
   for (const char* law : {"corotational", "stvk"}) {

@@ -16,11 +16,12 @@
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/verify/spring_chain.h>
+#include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-14;  // of steps at numbers of order one: 45 units in the last place
 // Limits are bisected to 1e-10 of themselves, and none is above 3.
@@ -348,7 +349,7 @@ class IntegratorStudy {
     options.jitter = 0.2;
     BodyOptions bodyOptions;
     bodyOptions.threads = 1;  // a few elements: waking others costs more
-    Body body(generateBar(options), makeMaterial(model, 30e3, 0.3, 1000), bodyOptions);
+    Body body(generateBar(options), makeMaterial(model, detail::young, detail::poisson, detail::density), bodyOptions);
     for (const std::int32_t node : body.mesh().nodeSets.at("x-min")) body.constraints().fix(node);
     return body;
   }

@@ -18,6 +18,7 @@
 #include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/verify/monitor_studies.h>
 #include <ringwatch/verify/static_solver.h>
+#include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch::detail {
 namespace {
@@ -151,7 +152,7 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
       for (std::size_t k = 0; k < 3; ++k) bar.size[k] = 0.01 * bar.cells[k];
       bar.jitter = 0.2;
       bar.element = info->name;
-      Body body(generateBar(bar), makeMaterial(law.name, 30e3, 0.3, 1000));
+      Body body(generateBar(bar), makeMaterial(law.name, young, poisson, density));
       const auto count = static_cast<std::int64_t>(body.mesh().elementCount());
       const NodeVectors& X = body.mesh().X;
       std::int64_t trials = 0, violations = 0, evaluated = 0;
@@ -186,7 +187,7 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
 }
 
 void studyTetrahedron(StudyReport& report) {
-  constexpr double edge = 2, young = 1, density = 1;
+  constexpr double edge = 2, unitModulus = 1, unitDensity = 1;
   // Lumped mass over four nodes: omega² = lambda_max(lambda q qᵀ + 2 mu diag(w)), w the eigenvalues of (4/ρ) Σ g gᵀ,
   // q = √w, g the shape gradients.
   const auto corners = [](double scale, double height) {
@@ -206,15 +207,15 @@ void studyTetrahedron(StudyReport& report) {
     for (int a = 0; a < 3; ++a) edges.col(a) = mesh.X.col(a + 1) - mesh.X.col(0);
     const Eigen::Matrix3d g = edges.inverse();  // rows: gradients of nodes 1, 2, 3
     const Eigen::Vector3d g0 = -g.colwise().sum().transpose();
-    const Eigen::Matrix3d W = 4 / density * (g.transpose() * g + g0 * g0.transpose());
+    const Eigen::Matrix3d W = 4 / unitDensity * (g.transpose() * g + g0 * g0.transpose());
     const Eigen::Vector3d w = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(W).eigenvalues();
-    const Lame lame = lameConstants(young, nu);
+    const Lame lame = lameConstants(unitModulus, nu);
     const Eigen::Vector3d q = w.cwiseSqrt();
     const Eigen::Matrix3d A = lame.lambda * q * q.transpose() + 2 * lame.mu * Eigen::Matrix3d(w.asDiagonal());
     return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(A).eigenvalues()[2]);
   };
   const auto computed = [&](const Mesh& mesh, double nu) {
-    const Body body(mesh, makeMaterial("stvk", young, nu, density));
+    const Body body(mesh, makeMaterial("stvk", unitModulus, nu, unitDensity));
     return std::sqrt(evaluateMetric("single-element", body, body.mesh().X).lambda);
   };
   StudyTable table{"tetrahedron",
@@ -322,7 +323,7 @@ void studyMetrics(StudyReport& report, StudyEffort effort) {
                   {"mesh", "elements", "safe side (%)", "optimistic side (%)"},
                   {}};
   for (const auto& [name, mesh] : studyMeshes(effort)) {
-    const Body body(mesh, makeMaterial("stvk", 30e3, 0.3, 1000));
+    const Body body(mesh, makeMaterial("stvk", young, poisson, density));
     const NodeVectors& X = body.mesh().X;
     const GlobalFrequency top = globalFrequency(body, X);
     checkNear(report, name + ": the exact value converged", top.converged ? 1 : 0, 1, 0);
@@ -361,7 +362,7 @@ void studyObserved(StudyReport& report, StudyEffort effort) {
   for (const auto& [name, mesh] : studyMeshes(StudyEffort::quick)) {
     BodyOptions options;
     options.threads = 1;
-    const Body body(mesh, makeMaterial("linear", 30e3, 0.3, 1000), options);
+    const Body body(mesh, makeMaterial("linear", young, poisson, density), options);
     const NodeVectors& X = body.mesh().X;
     const CriticalStep bracket = criticalStep(body, X, limit);
     BodySystem system(body);

@@ -16,11 +16,10 @@
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/verify/monitor_studies.h>
+#include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch::detail {
 namespace {
-
-constexpr double young = 30e3, poisson = 0.3, density = 1000;
 
 /// A run of St. Venant–Kirchhoff at a fixed step that its critical step falls below.
 struct History {

@@ -12,11 +12,12 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/stability_limit.h>
 #include <ringwatch/verify/matrix_eigenvalues.h>
+#include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Two oscillators side by side in components 0 and 1, started at the unit vectors.

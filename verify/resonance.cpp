@@ -11,11 +11,12 @@
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/verify/matrix_eigenvalues.h>
 #include <ringwatch/verify/oscillator.h>
+#include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch {
 namespace {
 
-constexpr double young = 30e3, poisson = 0.3, density = 1000, limit = 2;
+using detail::young, detail::poisson, detail::density, detail::verletLimit;
 
 /// A bar of 24 tetrahedra, clamped at one end. Block 0 is soft; of two neighbours in its middle one is `stiff` times as
 /// stiff, and the other one the square root of that where `graded` says so.
@@ -53,7 +54,7 @@ std::vector<Eigen::Index> freeComponents(const Body& body) {
 }
 
 /// rad²/s², by a dense solver.
-double highestEigenvalue(const Body& body) {
+double highestDenseEigenvalue(const Body& body) {
   const std::vector<Eigen::Index> free = freeComponents(body);
   const Eigen::MatrixXd K(body.assembleTangent(body.mesh().X));
   Eigen::MatrixXd A(free.size(), free.size());
@@ -84,7 +85,7 @@ double spectralRadius(const Body& body, Integrator& integrator, double h) {
   return eigenvaluesOf(G).cwiseAbs().maxCoeff();
 }
 
-struct Variant {
+struct LevelVariant {
   const char* name;
   bool stabilised;
   double dissipation;
@@ -96,11 +97,11 @@ void addResonance(StudyEffort effort, StudyReport& report) {
   const bool full = effort == StudyEffort::full;
   StudyTable table{"resonance",
                    "Local time stepping of linear bars: spectral radius of a step, the highest frequency scanned",
-                   {"stiff elements", "variant", "step/limit of the soft part", "highest h omega/pi", "states",
+                   {"stiff elements", "variant", "step/verletLimit of the soft part", "highest h omega/pi", "states",
                     "largest spectral radius - 1", "at h omega/pi", "unstable states", "finest step"},
                    {}};
   StudyFigure figure{"handlers_resonance",
-                     "One stiff element, step 0.85 of the soft part's limit: growth per step",
+                     "One stiff element, step 0.85 of the soft part's verletLimit: growth per step",
                      "h omega / pi",
                      "spectral radius - 1, at least 1e-12",
                      false,
@@ -115,11 +116,12 @@ void addResonance(StudyEffort effort, StudyReport& report) {
   for (const bool graded : {false, true})
     for (const double share : {0.4, 0.85}) {
       if (!full && share < 0.5) continue;
-      const double softest = std::sqrt(highestEigenvalue(bar(1, graded))), h = share * limit / softest;
+      const double softest = std::sqrt(highestDenseEigenvalue(bar(1, graded))), h = share * verletLimit / softest;
       // omega² grows in proportion to the stiffness from where the stiff element rules.
       constexpr double large = 1e4;
-      const double slope = highestEigenvalue(bar(large, graded)) / large;
-      for (const Variant& variant : {Variant{"plain", false, 0}, {"stabilised", true, 0}, {"default", true, 0.1}}) {
+      const double slope = highestDenseEigenvalue(bar(large, graded)) / large;
+      for (const LevelVariant& variant :
+           {LevelVariant{"plain", false, 0}, {"stabilised", true, 0}, {"default", true, 0.1}}) {
         double worst = -1, worstAt = 0, last = 0;
         std::int64_t states = 0, unstable = 0;
         int finest = 1;
@@ -133,7 +135,7 @@ void addResonance(StudyEffort effort, StudyReport& report) {
           const auto handler = makeHandler("local-time-stepping", body, makeIntegrator("symplectic-euler"), options);
           handler->prepare(body.mesh().X, h);
           if (handler->elements().empty()) continue;
-          last = h * std::sqrt(highestEigenvalue(body)) / std::numbers::pi;
+          last = h * std::sqrt(highestDenseEigenvalue(body)) / std::numbers::pi;
           const double growth = spectralRadius(body, *handler, h) - 1;
           finest = std::max(finest, dynamic_cast<const LocalTimeStepping&>(*handler).levels().back().substeps);
           ++states;
@@ -148,7 +150,7 @@ void addResonance(StudyEffort effort, StudyReport& report) {
         table.rows.push_back({std::string(graded ? "two, one more" : "one"), std::string(variant.name), share, last,
                               states, worst, worstAt, unstable, joinText("h/", finest)});
         const std::string what = joinText(graded ? "two stiff elements, " : "one stiff element, ", variant.name, ", ",
-                                          share, " of the soft limit: largest spectral radius");
+                                          share, " of the soft verletLimit: largest spectral radius");
         const double largest = states > 0 ? 1 + worst : std::nan("");
         if (variant.stabilised)
           checkAtMost(report, what, largest, 1, rounding);

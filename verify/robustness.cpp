@@ -11,6 +11,7 @@
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch {
 namespace {
@@ -96,7 +97,7 @@ void setRandomVelocities(State& state, double scale) {
 
 StudyReport verifyRobustness(StudyEffort effort, std::span<const IntegratorEntry> integrators) {
   const bool full = effort == StudyEffort::full;
-  const Material soft = makeMaterial("stvk", 30e3, 0.3, 1000);
+  const Material soft = makeMaterial("stvk", detail::young, detail::poisson, detail::density);
   StudyReport report;
   report.study = "robustness";
   report.tables.push_back(

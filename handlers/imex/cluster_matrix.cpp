@@ -15,7 +15,6 @@ namespace ringwatch {
 namespace {
 
 using P = NativePack;
-constexpr int lanes = P::width;
 // Of |F|², for laws that stiffen, where all elements are turned as soon as one needs it, and where each is on its own:
 // at 1.1 the graded cube of `verify handlers` gains energy there without dissipation.
 constexpr double stretchOfAll = 1.1, stretchOfEach = 1.01;

@@ -175,10 +175,10 @@ class Greedy {
       trace += slack.back().trace();
     }
     weights_.setWeights(e, slack);
-    std::int32_t elements[PatchLayout::lanes];
+    std::int32_t elements[lanes];
     std::fill(std::begin(elements), std::end(elements), -1);
     elements[0] = e.element;
-    double values[PatchLayout::lanes];
+    double values[lanes];
     weights_.elementValues(e.block, elements, x_, values);
     ++evaluations_;
     // A node without slack in some direction gives a weight that is not positive definite, thus NaN, or a large value.

@@ -13,7 +13,6 @@
 namespace ringwatch {
 namespace {
 
-constexpr int lanes = PatchLayout::lanes;
 /// Reference gradients are stored in single precision: a stored one is off by less, relative.
 constexpr double referenceRounding = 1e-7;
 /// Kept free of lambda when sums are checked: less than a new choice leaves, whose sums are the same but for rounding.

@@ -61,6 +61,12 @@ std::string readWholeFile(const std::filesystem::path& path) {
   return text;
 }
 
+std::string inUpperCase(std::string_view word) {
+  std::string text(word);
+  for (char& c : text) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return text;
+}
+
 std::string quoted(std::string_view word) {
   std::string text = "\"";
   for (const char c : word.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';

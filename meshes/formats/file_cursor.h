@@ -21,6 +21,9 @@ std::string readWholeFile(const std::filesystem::path& path);
 /// line.
 std::string quoted(std::string_view word);
 
+/// With A to Z in place of a to z; other bytes stay.
+std::string inUpperCase(std::string_view word);
+
 /// Reads the bytes of a mesh file: words and numbers of lines, or raw values. Every failure is an InputError that
 /// begins with the file and the line (the byte in a binary file).
 class FileCursor {

@@ -24,11 +24,6 @@ std::string_view trimmed(std::string_view text) {
   while (!text.empty() && blank(text.back())) text.remove_suffix(1);
   return text;
 }
-std::string upper(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return std::toupper(c); });
-  return result;
-}
 
 /// The type of a deck's element by the number of its VTK cell; nullptr for types without a mesh cell (springs, masses,
 /// …). Where the decks' node order is not VTK's it would be said here; for all of these the two agree.
@@ -216,14 +211,14 @@ class Deck {
     bool isName = true;
     for (const std::string_view field : fields(whole)) {
       if (isName) {
-        keyword_.name = upper(field.substr(1));
+        keyword_.name = inUpperCase(field.substr(1));
         keyword_.name = std::string(trimmed(keyword_.name));
       } else {
         const std::size_t equals = field.find('=');
         std::string_view value =
             equals == std::string_view::npos ? std::string_view() : trimmed(field.substr(equals + 1));
         if (value.size() > 1 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
-        keyword_.parameters[upper(trimmed(field.substr(0, equals)))] = std::string(value);
+        keyword_.parameters[inUpperCase(trimmed(field.substr(0, equals)))] = std::string(value);
       }
       isName = false;
     }
@@ -235,14 +230,14 @@ class Deck {
     if (name == "NODE" || name == "ELEMENT" || name == "NSET" || name == "ELSET")
       if (keyword_.has("INPUT")) refuse("with INPUT= takes its lines from another file; put them into this one");
     if (name == "NODE") {
-      if (keyword_.has("SYSTEM") && upper(keyword_.value("SYSTEM")) != "R")
+      if (keyword_.has("SYSTEM") && inUpperCase(keyword_.value("SYSTEM")) != "R")
         refuse("with SYSTEM= other than R is not supported; write Cartesian coordinates");
       reading_ = Reading::nodes;
     } else if (name == "ELEMENT") {
       if (keyword_.value("TYPE").empty()) refuse("needs TYPE=, for instance TYPE=C3D8");
-      type_ = elementOfDeck(upper(keyword_.value("TYPE")));
+      type_ = elementOfDeck(inUpperCase(keyword_.value("TYPE")));
       if (type_ == nullptr)
-        ++skipped_["*ELEMENT, TYPE=" + upper(keyword_.value("TYPE"))];
+        ++skipped_["*ELEMENT, TYPE=" + inUpperCase(keyword_.value("TYPE"))];
       else
         reading_ = Reading::elements;
     } else if (name == "NSET" || name == "ELSET") {
@@ -277,7 +272,7 @@ class Deck {
   }
 
   Set& setOf(std::map<std::string, Set>& sets, const std::string& name) {
-    return sets.try_emplace(upper(name), Set{name, {}, keyword_.position}).first->second;
+    return sets.try_emplace(inUpperCase(name), Set{name, {}, keyword_.position}).first->second;
   }
 
   void data(const Line& line) {
@@ -386,7 +381,7 @@ class Deck {
                          joinText("set ", set.name, " holds node ", id, ", which no *NODE above defines"));
         set.add(id);
       } else {
-        const auto other = sets.find(upper(word));
+        const auto other = sets.find(inUpperCase(word));
         if (other == sets.end() || &other->second == &set)
           cursor_.failAt(line.position, joinText("set ", set.name, " refers to the set ", quoted(word),
                                                  ", which is not defined above"));

@@ -9,12 +9,6 @@
 namespace ringwatch::detail {
 namespace {
 
-std::string upper(std::string_view word) {
-  std::string text(word);
-  for (char& c : text) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  return text;
-}
-
 /// "VTK File Formats", legacy unstructured grids of versions 1 to 5. Read here and not by VTK's own reader, which
 /// crashes on many damaged files.
 class LegacyReader {
@@ -29,18 +23,18 @@ class LegacyReader {
   Mesh read(Notes* notes, Problems* problems) {
     cursor_.line("the version");
     cursor_.skipLine();  // the title, which may be empty
-    const std::string mode = upper(cursor_.line("ASCII or BINARY"));
+    const std::string mode = inUpperCase(cursor_.line("ASCII or BINARY"));
     if (mode != "ASCII" && mode != "BINARY")
       cursor_.fail(joinText("found ", detail::quoted(mode), " where ASCII or BINARY is expected"));
     binary_ = mode == "BINARY";
     // A last line without its end may have lost digits, and a shorter number is still a number.
     if (!binary_ && !cursor_.endsWithNewline())
       cursor_.fail("the last line of the file has no line end; is the file cut short?");
-    if (const std::string set = upper(cursor_.line("DATASET")); set != "DATASET UNSTRUCTURED_GRID")
+    if (const std::string set = inUpperCase(cursor_.line("DATASET")); set != "DATASET UNSTRUCTURED_GRID")
       cursor_.fail(joinText("found ", detail::quoted(set), "; only DATASET UNSTRUCTURED_GRID is supported"));
     while ((!points_ || !cells_ || types_.empty()) && cursor_.skipSpace()) {
       const std::size_t at = cursor_.position();
-      const std::string key = upper(cursor_.word("a section"));
+      const std::string key = inUpperCase(cursor_.word("a section"));
       if (key == "POINTS" && !points_)
         readPoints(at);
       else if (key == "CELLS" && !cells_)
@@ -69,7 +63,7 @@ class LegacyReader {
     bool real, isSigned;
   };
   Format format(std::string_view name, std::size_t at) const {
-    const std::string type = upper(name);
+    const std::string type = inUpperCase(name);
     if (type == "DOUBLE") return {8, true, true};
     if (type == "FLOAT") return {4, true, true};
     if (type == "LONG" || type == "VTKTYPEINT64" || type == "VTKIDTYPE" || type == "UNSIGNED_LONG")
@@ -134,7 +128,8 @@ class LegacyReader {
     if (cursor_.startsWith("OFFSETS")) {
       const auto list = [&](const char* key, std::size_t n, std::vector<std::int64_t>& values) {
         endData();
-        if (!cursor_.skipSpace() || upper(cursor_.word(key)) != key) cursor_.fail(joinText(key, " is expected here"));
+        if (!cursor_.skipSpace() || inUpperCase(cursor_.word(key)) != key)
+          cursor_.fail(joinText(key, " is expected here"));
         const std::size_t where = cursor_.position();
         const Format f = format(cursor_.word("the data type"), where);
         if (f.real || f.bytes < 4)

@@ -11,9 +11,8 @@
 namespace ringwatch {
 namespace {
 
-constexpr double rounding = 1e-12;  // relative to the norms of an element's matrices
+constexpr double roundingOfForms = 1e-12;  // relative to the norms of an element's matrices
 
-constexpr int lanes = PatchLayout::lanes;
 using Pack = NativePack;
 
 /// P ← P without its negative part, one matrix a lane; least: lambda_min before, rounded down; negative: the squared
@@ -97,7 +96,7 @@ class Composition {
     std::vector<Group> groups;
     int open = -1;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      excess_[e] = rounding * norms_[e] + tangentRounding_[e];
+      excess_[e] = roundingOfForms * norms_[e] + tangentRounding_[e];
       negative_[e] = 0;
       if (reserve_[e] > 0) continue;
       if (open < 0 || groups.back().count == lanes || open != elements_[e].nodes) {
@@ -250,7 +249,7 @@ class Composition {
       for (const NodalBound::Incidence incidence : weights.incidences(node)) {
         const ElementRef ref = weights.elementAt(incidence);
         const Element& element = elements_[firstOfGroup_[ref.block] + static_cast<std::size_t>(ref.element)];
-        const int a = incidence.place / PatchLayout::lanes % element.nodes;
+        const int a = incidence.place / lanes % element.nodes;
         at(P_, placeOf(element, a, a)) += weights.value(ref) / source_.lumpedMass()[node] * weights.weight(incidence);
       }
   }

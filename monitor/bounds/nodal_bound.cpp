@@ -15,8 +15,6 @@
 namespace ringwatch {
 namespace {
 
-constexpr int lanes = PatchLayout::lanes;
-
 using P = NativePack;
 /// A sweep touches the elements at nodes with more than this share of the bound, and all their nodes: others do not
 /// stand in its way yet.

@@ -35,7 +35,6 @@ void NodeSubmatrix::choose(std::vector<std::int32_t> nodes) {
 }
 
 const Eigen::MatrixXd& NodeSubmatrix::evaluate(NodeVectorsView x) {
-  constexpr int lanes = PatchLayout::lanes;
   if (sourceVersion_ != source_.version()) choose(std::move(nodes_));
   const auto dofs = static_cast<Eigen::Index>(3 * nodes_.size());
   matrix_.setZero(dofs, dofs);

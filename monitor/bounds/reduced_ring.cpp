@@ -6,11 +6,7 @@
 #include <ringwatch/monitor/small/extreme_eigenvalues.h>
 
 namespace ringwatch {
-namespace {
-
-constexpr int lanes = PatchLayout::lanes;
-
-}  // namespace
+namespace {}  // namespace
 
 const ReducedRing::Result& ReducedRing::evaluate(NodeVectorsView x, bool wantLowest) {
   source_.assembleBlocks(x, matrix_);

@@ -27,7 +27,6 @@ RINGWATCH_INLINE void scaleSymmetric(NativePack* K, int size, const NativePack* 
 /// Calls set(lane, nodes) for the elements of a batch; empty lanes repeat the batch's first element.
 template <class Set>
 void forEachLane(const ElementTangents& block, std::int32_t batch, const Set& set) {
-  constexpr int lanes = PatchLayout::lanes;
   const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
   for (int lane = 0; lane < lanes; ++lane) set(lane, elements[lane] < 0 ? elements[0] : elements[lane]);
 }

@@ -90,8 +90,6 @@ class CertificateState {
   double verify(NodeVectorsView x) const;
 
  protected:
-  static constexpr int lanes = PatchLayout::lanes;
-
  private:
   const Body& body_;
   NodalBound weights_;

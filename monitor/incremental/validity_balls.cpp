@@ -12,7 +12,6 @@
 namespace ringwatch {
 namespace {
 
-constexpr int lanes = PatchLayout::lanes;
 using P = NativePack;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Batches that skip checks together: enough that the test of their nodes costs little, few enough that they move
@@ -261,9 +260,8 @@ double ValidityBalls::distance(std::size_t place, const double* F, int lane) con
 }
 
 void ValidityBalls::ballChanged(std::size_t place, double distance) {
-  const auto group =
-      std::upper_bound(groups_.begin(), groups_.end(), static_cast<std::int32_t>(place / PatchLayout::lanes),
-                       [](std::int32_t batch, const Group& g) { return batch < g.batchEnd; });
+  const auto group = std::upper_bound(groups_.begin(), groups_.end(), static_cast<std::int32_t>(place / lanes),
+                                      [](std::int32_t batch, const Group& g) { return batch < g.batchEnd; });
   // The margin counts from the positions of the last visit: only when that was now does the ball fit in.
   const double margin =
       group->visitedAt == checks_ ? (radius_[place] - distance) * static_cast<double>(inverseGradientNorm_[place]) : -1;

@@ -25,7 +25,6 @@ struct Extremes {
 };
 template <class MassOf>
 Extremes elementEigenvalues(const Body& body, NodeVectorsView x, const MassOf& massOf, bool wantLeast = false) {
-  constexpr int lanes = PatchLayout::lanes;
   Extremes values{emptyValues(body), wantLeast ? emptyValues(body) : Values{}};
   body.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, NativePack* K) {
     const ElementBlock& block = *body.blocks()[b];

@@ -141,7 +141,7 @@ class Rings {
       const auto n = static_cast<std::size_t>(block.element().nodes);
       forEachLane(block, batch, [&](int lane, std::int32_t e) {
         // forEachLane fills empty lanes with the first element, whose tangent is not there.
-        if (block.layout().elements[batch * PatchLayout::lanes + lane] < 0) return;
+        if (block.layout().elements[batch * lanes + lane] < 0) return;
         Eigen::Matrix3d* target = tangent_[b].data() + static_cast<std::size_t>(e) * n * n;
         for (std::size_t a = 0; a < n; ++a)
           for (std::size_t c = 0; c < n; ++c)

@@ -52,15 +52,15 @@ constexpr bool sanitized = checksThreads;
 const std::string twoGigabytes = sanitized ? "" : "ulimit -v 2000000 && ";
 
 /// The scene of the other tests without a picture, and with frames at its two ends alone.
-const std::string tiny = [] {
+const std::string withoutPicture = [] {
   const std::string all = test::tiny;
   return all.substr(0, all.find("[output]")) + "[output]\npicture = false\n";
 }();
-const std::string material = test::material;
+const std::string materialOptions = test::material;
 
 class Faults : public test::Program {
  protected:
-  void SetUp() override { folder_.write("tiny.toml", tiny); }
+  void SetUp() override { folder_.write("tiny.toml", withoutPicture); }
 
   /// A line for the shell in the test's folder, where ringwatch is the program. It has a minute.
   Outcome shell(const std::string& line) {
@@ -175,7 +175,7 @@ TEST_F(Faults, WritesThroughDevices) {
   link("full", "link");
   for (const std::string name : {"full", "link"}) {
     for (const std::string option : {"--json ", "--vtu "}) {
-      const Outcome outcome = call("inspect bar.msh" + material + option + name);
+      const Outcome outcome = call("inspect bar.msh" + materialOptions + option + name);
       expectRefused(outcome, "cannot write " + name + ": No space left on device");
     }
     expectRefused("mesh convert bar.msh " + name, "names no format that can be written");
@@ -186,8 +186,8 @@ TEST_F(Faults, WritesThroughDevices) {
 
 TEST_F(Faults, WritesThroughPipes) {
   ASSERT_EQ(call("mesh generate bar --cells 3 1 1 -o bar.msh").status, 0);
-  const Outcome outcome =
-      shell("mkfifo pipe; timeout 20 cat pipe > got & ringwatch inspect bar.msh" + material + "--json pipe; wait");
+  const Outcome outcome = shell("mkfifo pipe; timeout 20 cat pipe > got & ringwatch inspect bar.msh" + materialOptions +
+                                "--json pipe; wait");
   EXPECT_EQ(outcome.err, "");
   EXPECT_TRUE(std::filesystem::is_fifo(folder_.path() / "pipe"));
   EXPECT_EQ(json("got")["mesh"]["nodes"], 16);
@@ -202,12 +202,12 @@ TEST_F(Faults, ReplacesTheFileThatALinkLeadsTo) {
   ASSERT_EQ(call("mesh generate bar --cells 3 1 1 -o new.msh").status, 0);
   EXPECT_TRUE(isLink("new.msh"));
   EXPECT_TRUE(exists("sub/none.msh"));
-  ASSERT_EQ(call("inspect new.msh" + material + "--json far").status, 0);
+  ASSERT_EQ(call("inspect new.msh" + materialOptions + "--json far").status, 0);
   EXPECT_TRUE(isLink("far") && isLink("near") && !isLink("sub/old.json"));
   EXPECT_EQ(json("sub/old.json")["mesh"]["nodes"], 16);
   link("b", "a");
   link("a", "b");
-  const Outcome outcome = call("inspect new.msh" + material + "--json a");
+  const Outcome outcome = call("inspect new.msh" + materialOptions + "--json a");
   expectRefused(outcome, "cannot write a: Too many levels of symbolic links");
   EXPECT_TRUE(isLink("a") && isLink("b"));
 }
@@ -215,7 +215,7 @@ TEST_F(Faults, ReplacesTheFileThatALinkLeadsTo) {
 TEST_F(Faults, StandardOutputUnderAnotherNameIsAppendedTo) {
   ASSERT_EQ(call("mesh generate bar --cells 3 1 1 -o bar.msh").status, 0);
   link("/proc/self/fd/1", "output");
-  const Outcome outcome = call("inspect bar.msh" + material + "--json output");
+  const Outcome outcome = call("inspect bar.msh" + materialOptions + "--json output");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_TRUE(isLink("output"));
   const std::size_t end = outcome.out.find("\n}\n");
@@ -336,16 +336,18 @@ TEST_F(Faults, RunsOnASmallStack) {
 // Input without end
 
 TEST_F(Faults, RefusesInputWithoutEnd) {
-  expectRefused("inspect /dev/zero" + material, "/dev/zero: cannot read: this is a device or a socket, a mesh file");
+  expectRefused("inspect /dev/zero" + materialOptions,
+                "/dev/zero: cannot read: this is a device or a socket, a mesh file");
   expectRefused("run /dev/zero --out r", "/dev/zero: is a device; a scene file (TOML) is needed");
-  std::string scene = tiny;
+  std::string scene = withoutPicture;
   scene.replace(0, scene.find("[material]"), "[mesh]\nfile = \"/dev/zero\"\n");
   folder_.write("zero.toml", scene);
   expectRefused("run zero.toml --out r", "zero.toml:2: mesh.file: /dev/zero: cannot read: this is a device");
   folder_.write("large.msh", "$MeshFormat\n");
   std::error_code error;
   std::filesystem::resize_file(folder_.path() / "large.msh", std::uintmax_t{1} << 42, error);
-  if (!error) expectRefused("inspect large.msh" + material, "large.msh: cannot read: the file has 4398046511104 bytes");
+  if (!error)
+    expectRefused("inspect large.msh" + materialOptions, "large.msh: cannot read: the file has 4398046511104 bytes");
   folder_.write("large.toml", std::string(std::size_t{17} << 20, '\n'));
   expectRefused("run large.toml --out r", "large.toml: is larger than 16 MiB");
 }
@@ -376,7 +378,7 @@ TEST_F(Faults, ALineOfADeckTakesNoMemory) {
         std::string("*ELSET, ELSET=e, GENERATE\n1, 1000000000000, 1\n"),
         std::string("*NSET, NSET=n, GENERATE\n3, 9223372036854775807, 5000000000000000000\n"), doubled}) {
     folder_.write("deck.inp", deck + sets);
-    const Outcome outcome = call("inspect deck.inp" + material, twoGigabytes);
+    const Outcome outcome = call("inspect deck.inp" + materialOptions, twoGigabytes);
     EXPECT_EQ(outcome.status, 0) << sets.substr(0, 60) << "\n" << outcome.err;
   }
 }
@@ -385,7 +387,7 @@ TEST_F(Faults, ALineOfADeckTakesNoMemory) {
 
 TEST_F(Faults, RefusesBytesThatAreNotToml) {
   const auto expectAt = [&](const std::string& text, const std::string& what) {
-    folder_.write("bad.toml", std::string(tiny) + text);
+    folder_.write("bad.toml", std::string(withoutPicture) + text);
     expectRefused("run bad.toml --out r", "bad.toml:" + what);
   };
   expectAt(std::string("every\0 = 1\n", 11), "20: not TOML: a NUL byte");
@@ -394,7 +396,7 @@ TEST_F(Faults, RefusesBytesThatAreNotToml) {
   expectAt("every = [1\xD0\x96]\n", "20: not TOML: the character U+0416 is not ASCII");
   expectRefused("run tiny.toml --out r --set 'output.every=1\xCC\x81'", "the value is not TOML: the character U+0301");
   expectRefused("run tiny.toml --out r --set 'output.every=1\xFF'", "the byte 0xFF is not UTF-8");
-  folder_.write("good.toml", "\xEF\xBB\xBF# na\xC3\xAFve\n" + std::string(tiny));
+  folder_.write("good.toml", "\xEF\xBB\xBF# na\xC3\xAFve\n" + std::string(withoutPicture));
   EXPECT_EQ(call("run good.toml --out r").status, 0);
 }
 

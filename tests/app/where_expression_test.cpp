@@ -18,7 +18,7 @@ bool holds(const std::string& text, double x, double y = 0, double z = 0) {
   return WhereExpression(text).holdsAt({x, y, z});
 }
 
-std::string faultOf(const std::string& text) {
+std::string faultOfExpression(const std::string& text) {
   try {
     const WhereExpression parsed(text);
   } catch (const InputError& fault) {
@@ -73,23 +73,23 @@ TEST(WhereExpression, ChainsComparisons) {
 }
 
 TEST(WhereExpression, RefusesWhatWouldSilentlyMeanSomething) {
-  EXPECT_THAT(faultOf("x"), HasSubstr("number, not a condition"));
-  EXPECT_THAT(faultOf("x = 0"), HasSubstr("=="));
-  EXPECT_THAT(faultOf("(x < 1) + 1 > 0"), HasSubstr("a condition where a number is needed"));
-  EXPECT_THAT(faultOf("x and y < 1"), HasSubstr("a number where a condition is needed"));
-  EXPECT_THAT(faultOf("not x"), HasSubstr("a number where a condition is needed"));
-  EXPECT_THAT(faultOf("all < 1"), HasSubstr("a condition where a number is needed"));
-  EXPECT_THAT(faultOf("x < 0,1"), HasSubstr("column 6"));
-  EXPECT_THAT(faultOf("min(x) < 1"), HasSubstr("two numbers or more"));
+  EXPECT_THAT(faultOfExpression("x"), HasSubstr("number, not a condition"));
+  EXPECT_THAT(faultOfExpression("x = 0"), HasSubstr("=="));
+  EXPECT_THAT(faultOfExpression("(x < 1) + 1 > 0"), HasSubstr("a condition where a number is needed"));
+  EXPECT_THAT(faultOfExpression("x and y < 1"), HasSubstr("a number where a condition is needed"));
+  EXPECT_THAT(faultOfExpression("not x"), HasSubstr("a number where a condition is needed"));
+  EXPECT_THAT(faultOfExpression("all < 1"), HasSubstr("a condition where a number is needed"));
+  EXPECT_THAT(faultOfExpression("x < 0,1"), HasSubstr("column 6"));
+  EXPECT_THAT(faultOfExpression("min(x) < 1"), HasSubstr("two numbers or more"));
 }
 
 TEST(WhereExpression, NamesColumnAndNearestWord) {
-  EXPECT_THAT(faultOf("x < "), HasSubstr("column 5: found the end"));
-  EXPECT_THAT(faultOf("x < 1 y"), HasSubstr("column 7: found \"y\""));
-  EXPECT_THAT(faultOf("(x < 1"), HasSubstr("expected \")\""));
-  EXPECT_THAT(faultOf("sqr(x) < 1"), HasSubstr("did you mean \"sqrt\"?"));
-  EXPECT_THAT(faultOf(""), HasSubstr("column 1: found the end"));
-  EXPECT_THAT(faultOf("x < 1e999"), HasSubstr("column 5"));
+  EXPECT_THAT(faultOfExpression("x < "), HasSubstr("column 5: found the end"));
+  EXPECT_THAT(faultOfExpression("x < 1 y"), HasSubstr("column 7: found \"y\""));
+  EXPECT_THAT(faultOfExpression("(x < 1"), HasSubstr("expected \")\""));
+  EXPECT_THAT(faultOfExpression("sqr(x) < 1"), HasSubstr("did you mean \"sqrt\"?"));
+  EXPECT_THAT(faultOfExpression(""), HasSubstr("column 1: found the end"));
+  EXPECT_THAT(faultOfExpression("x < 1e999"), HasSubstr("column 5"));
 }
 
 TEST(WhereExpression, HasNoValueWhereArithmeticHasNone) {
@@ -100,10 +100,10 @@ TEST(WhereExpression, HasNoValueWhereArithmeticHasNone) {
 }
 
 TEST(WhereExpression, BoundsNesting) {
-  EXPECT_THAT(faultOf(std::string(1500, '(')), HasSubstr("nested"));
-  EXPECT_THAT(faultOf(std::string(1500, '-')), HasSubstr("nested"));
-  EXPECT_THAT(faultOf(std::string(1500, '!')), HasSubstr("nested"));
-  EXPECT_THAT(faultOf(std::string(5000, 'x')), HasSubstr("longer"));
+  EXPECT_THAT(faultOfExpression(std::string(1500, '(')), HasSubstr("nested"));
+  EXPECT_THAT(faultOfExpression(std::string(1500, '-')), HasSubstr("nested"));
+  EXPECT_THAT(faultOfExpression(std::string(1500, '!')), HasSubstr("nested"));
+  EXPECT_THAT(faultOfExpression(std::string(5000, 'x')), HasSubstr("longer"));
   std::string sum = "x";
   while (sum.size() < 1990) sum += "+x";
   EXPECT_TRUE(holds(sum + ">0", 1));

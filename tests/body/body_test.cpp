@@ -165,8 +165,8 @@ TEST_P(BodyTest, PackedTangentsOfForEachTangentBatchAreThoseOfTheElements) {
   std::vector<double> largest(static_cast<std::size_t>(block.elementCount()), -1);  // difference, by element
   body.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, const NativePack* K) {
     EXPECT_EQ(b, 0u);
-    for (int lane = 0; lane < PatchLayout::lanes; ++lane) {
-      const std::int32_t e = block.layout().elements[batch * PatchLayout::lanes + lane];
+    for (int lane = 0; lane < lanes; ++lane) {
+      const std::int32_t e = block.layout().elements[batch * lanes + lane];
       if (e < 0) {
         for (int i = 0; i < size * size; ++i) EXPECT_EQ(K[i][lane], 0);
         continue;
@@ -366,7 +366,7 @@ TEST_P(MassTest, IsDensityTimesVolumeForBothLumpings) {
     // The blocks agree on the volume.
     double volume = 0;
     for (std::int32_t batch = 0; batch < body.blocks()[0]->layout().batchCount(); ++batch) {
-      double volumes[PatchLayout::lanes];
+      double volumes[lanes];
       body.blocks()[0]->volumeBatch(batch, volumes);
       for (double v : volumes) volume += v;
     }

@@ -12,7 +12,6 @@ namespace {
 void expectSoundLayout(const Mesh& mesh) {
   const MeshBlock& block = mesh.blocks[0];
   const PatchLayout layout = layOutPatches(mesh, block);
-  constexpr int lanes = PatchLayout::lanes;
   const auto n = static_cast<std::size_t>(block.nodesPerElement());
   ASSERT_EQ(layout.batchOfElement.size(), block.elementCount());
   ASSERT_EQ(layout.elements.size() % lanes, 0u);

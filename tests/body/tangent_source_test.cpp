@@ -14,8 +14,6 @@
 namespace ringwatch {
 namespace {
 
-constexpr int lanes = PatchLayout::lanes;
-
 std::vector<std::int32_t> ascending(std::size_t count) {
   std::vector<std::int32_t> order(count);
   std::iota(order.begin(), order.end(), 0);

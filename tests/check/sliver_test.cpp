@@ -15,7 +15,7 @@ namespace ringwatch {
 namespace {
 
 using check::Ball;
-constexpr double limit = 2;
+constexpr double stepLimit = 2;
 
 /// A tetrahedron of edge 1 cm with its top `height` edges above the middle of its base, or above a corner.
 Body sliver(double height, bool overCorner, double distance, test::Random& random) {
@@ -39,8 +39,8 @@ bool below(const Body& body, const check::Square& K, double sigma) {
 
 /// Both sides hold exactly; the eigenvalue of a step is rounded to the side that makes the test harder.
 void expectBracket(const CriticalStep& step, const Body& body, const check::Square& K, const std::string& which) {
-  const double upper = limit / step.safe * (limit / step.safe),
-               lower = limit / step.optimistic * (limit / step.optimistic);
+  const double upper = stepLimit / step.safe * (stepLimit / step.safe),
+               lower = stepLimit / step.optimistic * (stepLimit / step.optimistic);
   constexpr double ofSquare = 1e-15;
   EXPECT_TRUE(below(body, K, upper * (1 - ofSquare))) << which << ": the safe side, " << step.safe;
   EXPECT_FALSE(below(body, K, lower * (1 - ofSquare))) << which << ": the optimistic side, " << step.optimistic;
@@ -59,7 +59,7 @@ TEST(Sliver, HasABracketThatHolds) {
           const std::string which = "height " + std::to_string(height) + ", distance " + std::to_string(distance);
           check::Square K(0);
           ASSERT_TRUE(test::exactTangent(body, body.mesh().X, K));
-          const CriticalStep step = criticalStep(body, body.mesh().X, limit);
+          const CriticalStep step = criticalStep(body, body.mesh().X, stepLimit);
           expectBracket(step, body, K, which);
           // Shapes leave the safe side a little short, and no more than a part in a hundred.
           EXPECT_LT(step.optimistic / step.safe, 1.011) << which;
@@ -67,7 +67,7 @@ TEST(Sliver, HasABracketThatHolds) {
           NodeVectors x = body.mesh().X;
           for (int look = 0; look < 3; ++look) {
             ASSERT_TRUE(test::exactTangent(body, x, K));
-            const std::optional<CriticalStep>& bracket = run.evaluate(x, limit, std::nullopt, nullptr);
+            const std::optional<CriticalStep>& bracket = run.evaluate(x, stepLimit, std::nullopt, nullptr);
             ASSERT_TRUE(bracket) << which;
             expectBracket(*bracket, body, K, which + ", along a run");
             const Eigen::Vector3d centre = x.col(0);

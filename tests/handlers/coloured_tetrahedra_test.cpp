@@ -52,9 +52,7 @@ TEST(ColouredTetrahedra, DoNotDependOnTheNumberOfThreads) {
   NodeVectors first;
   for (const int threads : {1, 2, 5}) {
     const Body b = body(threads);
-    std::vector<ElementRef> all;
-    for (std::int32_t e = 0; e < b.blocks()[0]->elementCount(); ++e) all.push_back({0, e});
-    RelaxedTetrahedra tetrahedra(b, all, 2e-3, GoalShape::linear, 2);
+    RelaxedTetrahedra tetrahedra(b, test::everyElement(b), 2e-3, GoalShape::linear, 2);
     const NodeVectors v = NodeVectors::Zero(3, b.nodeCount());
     NodeVectors a = v;
     ASSERT_TRUE(tetrahedra.relax(moved(b, 0.3), v, a));

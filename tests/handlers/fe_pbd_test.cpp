@@ -15,6 +15,8 @@ namespace ringwatch {
 namespace {
 
 using test::criticalStepOf;
+using test::everyElement;
+using test::flat;
 using ::testing::HasSubstr;
 
 Mesh oneTetrahedron(const Eigen::Matrix<double, 3, 4>& corners) {
@@ -33,14 +35,6 @@ Body bodyOf(const Eigen::Matrix<double, 3, 4>& corners, double nu = test::poisso
   return Body(oneTetrahedron(corners), makeMaterial("corotational", test::young, nu, test::density),
               {{}, Lumping::rowSum, 1});
 }
-
-std::vector<ElementRef> allElements(const Body& body) {
-  std::vector<ElementRef> elements;
-  for (std::int32_t e = 0; e < body.blocks()[0]->elementCount(); ++e) elements.push_back({0, e});
-  return elements;
-}
-
-Eigen::VectorXd flat(const NodeVectors& v) { return Eigen::VectorXd::Map(v.data(), v.size()); }
 
 /// Positions that one relaxation leads to from predicted positions x.
 NodeVectors relaxed(RelaxedTetrahedra& tetrahedra, const NodeVectors& x, double h) {
@@ -102,7 +96,7 @@ TEST(Relaxation, HasTheAlphaOfTheDenseEigenvalue) {
         const Body body = bodyOf(corners, nu);
         const double lambda = test::denseHighest(body, body.mesh().X);
         for (const GoalShape goal : {GoalShape::rigid, GoalShape::linear}) {
-          const RelaxedTetrahedra one(body, allElements(body), h, goal, 1);
+          const RelaxedTetrahedra one(body, everyElement(body), h, goal, 1);
           EXPECT_NEAR(one.alpha()[0], 1 - 1 / (1 + h * h * lambda), 1e-9) << nu << " " << h;
         }
       }
@@ -116,7 +110,7 @@ TEST(Relaxation, OfAUniformStretchIsImplicitEulersAtAnyStrain) {
   for (const double e : {-0.5, 0.3, 2.0}) {
     const double h = 2e-3, left = e / (1 + h * h * (2 * lame.mu + 3 * lame.lambda) * body.volume() * eta);
     for (const int passes : {1, 2, 5}) {  // the first visit is exact for an element alone
-      RelaxedTetrahedra one(body, allElements(body), h, GoalShape::linear, passes);
+      RelaxedTetrahedra one(body, everyElement(body), h, GoalShape::linear, passes);
       const NodeVectors x = relaxed(one, (1 + e) * body.mesh().X, h);
       EXPECT_LE((x - (1 + left) * body.mesh().X).norm(), 1e-12 * body.mesh().X.norm()) << e << " " << passes;
     }
@@ -129,7 +123,7 @@ TEST(Relaxation, OfOneElementIsImplicitEulers) {
       Body body = bodyOf(corners);
       for (int n = 0; n < fixed; ++n) body.constraints().fix(n);
       const double h = 1e-3;
-      RelaxedTetrahedra one(body, allElements(body), h, GoalShape::linear, 1);
+      RelaxedTetrahedra one(body, everyElement(body), h, GoalShape::linear, 1);
       EXPECT_LE((matrixOf(body, one, h) - implicitEuler(body, h)).norm(), 1e-5) << fixed;
     }
 }
@@ -162,7 +156,7 @@ TEST_P(RelaxationMatrix, LiesBetweenImplicitEulersAndTheIdentity) {
     body.constraints().fix(test::nodeNearest(mesh, {0.06, 0, 0}), 1);
   }
   const double h = 4 * criticalStepOf(body);
-  RelaxedTetrahedra all(body, allElements(body), h, c.goal, c.passes);
+  RelaxedTetrahedra all(body, everyElement(body), h, c.goal, c.passes);
   const Eigen::MatrixXd P = matrixOf(body, all, h);
   const auto I = Eigen::MatrixXd::Identity(P.rows(), P.cols());
   EXPECT_LE((P - P.transpose()).norm(), 1e-5 * P.norm());
@@ -193,7 +187,7 @@ TEST(Relaxation, ConvergesToImplicitEulerWithItsPasses) {
   const Eigen::VectorXd exact = test::solve(A, right);
   double before = 1;
   for (const int passes : {1, 3, 9, 31}) {
-    RelaxedTetrahedra all(body, allElements(body), h, GoalShape::linear, passes);
+    RelaxedTetrahedra all(body, everyElement(body), h, GoalShape::linear, passes);
     const double error = (flat(relaxed(all, start, h) - body.mesh().X) - exact).norm() / exact.norm();
     EXPECT_LT(error, 0.8 * before) << passes;
     before = error;

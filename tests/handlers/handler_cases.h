@@ -57,6 +57,17 @@ inline double denseHighest(const Body& body, const NodeVectors& x) {
   return denseHighest(body, Eigen::MatrixXd(body.assembleTangent(x)), body.lumpedMass());
 }
 
+/// All components of all nodes, one node after the other.
+inline Eigen::VectorXd flat(const NodeVectors& v) { return Eigen::VectorXd::Map(v.data(), v.size()); }
+
+inline std::vector<ElementRef> everyElement(const Body& body) {
+  std::vector<ElementRef> all;
+  for (std::size_t b = 0; b < body.blocks().size(); ++b)
+    for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e)
+      all.push_back({static_cast<std::int32_t>(b), e});
+  return all;
+}
+
 inline double criticalStepOf(const Body& body) { return 2 / std::sqrt(denseHighest(body, body.mesh().X)); }
 
 /// Of the amplification matrix of a step about rest, column by column from the integrator's own steps; unit: m.

@@ -17,6 +17,7 @@ namespace {
 
 using test::criticalStepOf;
 using test::denseHighest;
+using test::flat;
 using ::testing::HasSubstr;
 
 std::unique_ptr<Handler> imex(Body& body, double h, const HandlerOptions& options = {},
@@ -28,8 +29,6 @@ std::unique_ptr<Handler> imex(Body& body, double h, const HandlerOptions& option
 HandlerOptions withDissipation(double alpha, ClusterSolver solver = ClusterSolver::automatic) {
   return {.own = {{"dissipation", alpha}, {"solver", clusterSolverNames.nameOf(solver)}}};
 }
-
-Eigen::VectorXd flat(const NodeVectors& v) { return Eigen::VectorXd::Map(v.data(), v.size()); }
 
 struct StepCase {
   double alpha;

@@ -24,13 +24,7 @@ Body boxOf(std::string_view element, std::string_view law, std::array<int, 3> ce
               makeMaterial(law, test::young, poisson, test::density), {{}, Lumping::rowSum, 1});
 }
 
-std::vector<ElementRef> everyElement(const Body& body) {
-  std::vector<ElementRef> all;
-  for (std::size_t b = 0; b < body.blocks().size(); ++b)
-    for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e)
-      all.push_back({static_cast<std::int32_t>(b), e});
-  return all;
-}
+using test::everyElement;
 
 ClusterOptions optionsOf(ClusterSolver solver, double tolerance = 1e-10) {
   ClusterOptions options;

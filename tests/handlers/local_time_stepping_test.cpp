@@ -16,10 +16,10 @@
 namespace ringwatch {
 namespace {
 
+using test::criticalStepOf;
 using test::denseHighest;
+using test::flat;
 using ::testing::HasSubstr;
-
-double criticalStepOf(const Body& body) { return 2 / std::sqrt(denseHighest(body, body.mesh().X)); }
 
 HandlerOptions localOptions(double dissipation, int levels = 6, bool stabilised = true) {
   return {.own = {{"dissipation", dissipation}, {"levels", levels}, {"variant", stabilised ? "stabilised" : "plain"}}};
@@ -30,8 +30,6 @@ std::unique_ptr<LocalTimeStepping> localTimeStepping(Body& body, double h, const
   handler->prepare(body.mesh().X, h);
   return handler;
 }
-Eigen::VectorXd flat(const NodeVectors& v) { return Eigen::VectorXd::Map(v.data(), v.size()); }
-
 TEST(ChebyshevFilter, IsOneAtZeroAndBelowItsCeilingInItsRange) {
   for (const int p : {2, 3, 4, 8, 64})
     for (const double ceiling : {4.0, 2.5})
@@ -157,28 +155,6 @@ TEST(LocalTimeStepping, IsLeapfrogLocalTimeSteppingWhenPlain) {
   EXPECT_GT((expected - flat(a)).norm(), 1e-3 * expected.norm());
 }
 
-// The amplification matrix of the whole linear body, column by column from the program's own steps.
-double spectralRadius(Body& body, double h, const HandlerOptions& options) {
-  const auto handler = localTimeStepping(body, h, options);
-  BodySystem system(body);
-  std::vector<Eigen::Index> free;
-  for (Eigen::Index d = 0; d < 3 * body.nodeCount(); ++d)
-    if (!body.constraints().isConstrained(static_cast<std::int32_t>(d / 3), static_cast<int>(d % 3))) free.push_back(d);
-  const auto n = static_cast<Eigen::Index>(free.size());
-  Eigen::MatrixXd G(2 * n, 2 * n);
-  for (Eigen::Index k = 0; k < 2 * n; ++k) {
-    State state{0, body.mesh().X, NodeVectors::Zero(3, body.nodeCount())};
-    (k < n ? state.x : state.v).data()[free[k % n]] += k < n ? 1 : 1 / h;
-    EXPECT_TRUE(handler->step(system, state, h).done);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const Eigen::Index d = free[i];
-      G(i, k) = state.x.data()[d] - body.mesh().X.data()[d];
-      G(n + i, k) = state.v.data()[d] * h;
-    }
-  }
-  return test::spectralRadius(G);
-}
-
 Body smallSliverBody(std::string_view law) {
   Mesh mesh = test::gridMesh("tet4", {4, 2, 2}, {0.08, 0.04, 0.04});
   const auto node = [](int i, int j, int k) { return i + 5 * (j + 3 * k); };
@@ -193,8 +169,9 @@ TEST(LocalTimeStepping, LetsNoModeGrowAtManyTimesTheCriticalStep) {
     for (const double dissipation : {0.0, 0.1, 0.5})
       for (const int levels : {1, 6}) {  // one level: the worst elements are implicit
         Body body = smallSliverBody("linear");
-        EXPECT_LE(spectralRadius(body, steps * criticalStepOf(body), localOptions(dissipation, levels)), 1 + 1e-9)
-            << steps << " " << dissipation << " " << levels;
+        const double h = steps * criticalStepOf(body);
+        const auto handler = localTimeStepping(body, h, localOptions(dissipation, levels));
+        EXPECT_LE(test::spectralRadius(body, *handler, h, 1), 1 + 1e-9) << steps << " " << dissipation << " " << levels;
       }
 }
 

@@ -17,6 +17,7 @@ namespace ringwatch {
 namespace {
 
 using test::criticalStepOf;
+using test::everyElement;
 using ::testing::HasSubstr;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
@@ -30,18 +31,12 @@ std::unique_ptr<Handler> filtered(Body& body, double h, std::string_view variant
   return handler;
 }
 
-std::vector<ElementRef> allElements(const Body& body) {
-  std::vector<ElementRef> elements;
-  for (std::int32_t e = 0; e < body.blocks()[0]->elementCount(); ++e) elements.push_back({0, e});
-  return elements;
-}
-
 // Against the definition: the generalised eigenvalues of K' are min(mu, 1), its vectors those of K.
 TEST(ModalFilter, CutsTheEigenvaluesAndNothingElse) {
   const Body body = test::sliverBody("corotational", 0.9);
   test::Random random(3);
   int modes[7] = {};
-  for (const ElementRef e : allElements(body)) {
+  for (const ElementRef e : everyElement(body)) {
     const Matrix12 K = body.elementTangent(e, body.mesh().X);
     Eigen::Vector4d allowance;
     for (int a = 0; a < 4; ++a) allowance[a] = 0.2 * K.norm() * random.uniform(0.1, 1);

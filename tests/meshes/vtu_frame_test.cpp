@@ -27,7 +27,7 @@ class VtuFrameFile : public ::testing::Test {
 
 #ifdef RINGWATCH_WITH_VTK
 /// Two tetrahedra and a wedge on six nodes more.
-Mesh mixedMesh() {
+Mesh meshOfFrame() {
   Mesh mesh;
   mesh.X.resize(3, 9);
   mesh.X << 0, 1, 0, 0, 1, 0, 1, 0, 0,  //
@@ -39,7 +39,7 @@ Mesh mixedMesh() {
 }
 
 TEST_F(VtuFrameFile, ComesBackWithItsFields) {
-  const Mesh mesh = mixedMesh();
+  const Mesh mesh = meshOfFrame();
   const std::vector<double> steps{1e-3, 2.5e-4, 7e-5};
   const std::vector<std::int32_t> handled{0, 1, 0};
   const double h = 3e-4;

@@ -14,7 +14,6 @@ using test::Hold;
 using test::Subdivision;
 
 TEST(PackedJacobi, IsEigensOwnDecomposition) {
-  constexpr int lanes = PatchLayout::lanes;
   test::Random random(21);
   for (const int n : {1, 2, 3, 12, 15, 24})
     for (int repeat = 0; repeat < 30; ++repeat) {

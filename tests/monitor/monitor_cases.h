@@ -6,12 +6,11 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/meshes/generators/generators.h>
+#include <tests/support/body_cases.h>
 #include <tests/support/random.h>
 #include <tests/support/registry_types.h>
 
 namespace ringwatch::test {
-
-constexpr double young = 30e3, poisson = 0.3, density = 1000, cellSize = 0.01;
 
 /// Positive eigenvalues lambda of M⁻¹K and everything else of the dense problem over the free degrees of freedom.
 struct DenseTangent {

@@ -16,6 +16,7 @@
 #include <tests/meshes/mesh_test_tools.h>
 #include <tests/monitor/bounds_fault.h>
 #include <tests/monitor/monitor_cases.h>
+#include <tests/monitor/register_added.h>
 #include <tests/support/meshes.h>
 #include <tests/support/scalar_reference.h>
 
@@ -31,8 +32,8 @@ constexpr double forceScale = test::young * test::cellSize * test::cellSize;
 class RegisteredElement : public ::testing::Test {
  public:
   static void SetUpTestSuite() {
-    registerElement<Wedge15>();
-    registerLaw<test::MooneyRivlin>();
+    test::registerWedge15();
+    test::registerMooneyRivlin();
   }
   static const ElementInfo& info() { return *findElementByName(Wedge15::name); }
   static Material material(std::string_view law) {
@@ -83,7 +84,7 @@ TEST_F(RegisteredElement, IsRefusedWhenItDoesNotFit) {
     wrong.change(other);
     EXPECT_THAT(test::errorOf([&] { detail::registerElement(other); }), HasSubstr(wrong.words));
   }
-  EXPECT_THAT(test::errorOf([] { registerElement<Wedge15>(); }), HasSubstr("it has the VTK cell type 26 of wedge15"));
+  EXPECT_THAT(test::errorOf([] { test::registerWedge15(); }), HasSubstr("it has the VTK cell type 26 of wedge15"));
   EXPECT_EQ(allElements().size(), Elements::size + 1);
 }
 

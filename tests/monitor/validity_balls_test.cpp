@@ -19,8 +19,6 @@ namespace {
 
 using test::Random;
 
-constexpr int lanes = PatchLayout::lanes;
-
 struct Checked final : PatchVisitor {
   explicit Checked(const Body& b) : body(b), block(*b.blocks()[0]), balls(block) {}
   std::size_t placeOf(std::int32_t e) const { return static_cast<std::size_t>(block.layout().batchOfElement[e]); }

@@ -12,7 +12,7 @@
 namespace ringwatch {
 namespace {
 
-const StudyReport& report() {
+const StudyReport& elementsReport() {
   static const StudyReport made = verifyElements(StudyEffort::quick);
   return made;
 }
@@ -21,7 +21,7 @@ TEST(ElementStudy, HoldsElementsToTheirCriteria) {
   using test::Basis;
   constexpr double rounding = 1e-14;  // of sums of some tens of terms
   test::expectCriteria(
-      report(),
+      elementsReport(),
       {{"*: shape functions sum to one", rounding, Basis::rounding},
        {"*: linear fields have their gradient", rounding, Basis::rounding},
        {"*: volume of a distorted cube", rounding, Basis::rounding},
@@ -60,18 +60,18 @@ TEST(ElementStudy, CoversEveryElementAndRule) {
       rules.insert(std::string(element.name) + " " + std::string(rule.name));
   }
   std::set<std::string> ranked;
-  for (const auto& row : test::tableOf(report(), "rank").rows)
+  for (const auto& row : test::tableOf(elementsReport(), "rank").rows)
     ranked.insert(std::get<std::string>(row[0]) + " " + std::get<std::string>(row[1]));
   EXPECT_EQ(ranked, rules);
-  EXPECT_EQ(test::textsOf(test::tableOf(report(), "shapes"), 0), elements);
-  EXPECT_EQ(test::textsOf(test::tableOf(report(), "derivatives"), 0), elements);
-  EXPECT_EQ(test::textsOf(test::tableOf(report(), "convergence"), 0), elements);
-  EXPECT_EQ(test::textsOf(test::tableOf(report(), "frequencies"), 1), elements);
+  EXPECT_EQ(test::textsOf(test::tableOf(elementsReport(), "shapes"), 0), elements);
+  EXPECT_EQ(test::textsOf(test::tableOf(elementsReport(), "derivatives"), 0), elements);
+  EXPECT_EQ(test::textsOf(test::tableOf(elementsReport(), "convergence"), 0), elements);
+  EXPECT_EQ(test::textsOf(test::tableOf(elementsReport(), "frequencies"), 1), elements);
 }
 
 TEST(ElementStudy, ShowsTheDeficientRules) {
   std::set<std::string> deficient;
-  for (const auto& row : test::tableOf(report(), "rank").rows) {
+  for (const auto& row : test::tableOf(elementsReport(), "rank").rows) {
     const std::string rule = std::get<std::string>(row[0]) + " " + std::get<std::string>(row[1]);
     const std::int64_t expected = rule == "wedge6 fierz2013" ? 1 : rule == "hex20 gauss-2x2x2" ? 6 : 0;
     EXPECT_EQ(std::get<std::int64_t>(row[4]), expected) << rule;
@@ -81,10 +81,10 @@ TEST(ElementStudy, ShowsTheDeficientRules) {
 }
 
 TEST(ElementStudy, DrawsWhatItMeasured) {
-  test::expectWellFormed(report());
-  EXPECT_EQ(test::figureNames(report()),
+  test::expectWellFormed(elementsReport());
+  EXPECT_EQ(test::figureNames(elementsReport()),
             (std::set<std::string>{"elements-error-size", "elements-tip-error-size", "elements-tip-error-time"}));
-  for (const StudyFigure& figure : report().figures)
+  for (const StudyFigure& figure : elementsReport().figures)
     for (const StudyFigure::Curve& curve : figure.curves) EXPECT_GE(curve.x.size(), 2u) << figure.name;
 }
 

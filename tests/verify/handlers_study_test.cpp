@@ -10,7 +10,7 @@
 namespace ringwatch {
 namespace {
 
-const StudyReport& report() {
+const StudyReport& handlersReport() {
   static const StudyReport made = verifyHandlers(StudyEffort::quick);
   return made;
 }
@@ -19,7 +19,7 @@ TEST(HandlersStudy, HoldsHandlersToTheirCriteria) {
   using test::Basis;
   constexpr double none = 1e-12;  // of energy gained by what loses some at every step
   test::expectCriteria(
-      report(),
+      handlersReport(),
       {// Errors of the step, three times the critical one, over the largest displacement.
        {"bar with slivers, *, imex: mean error", 3e-4, Basis::measured},
        {"bar with slivers, *, imex, no dissipation: mean error", 2.5e-4, Basis::measured},
@@ -77,14 +77,14 @@ TEST(HandlersStudy, HoldsHandlersToTheirCriteria) {
 }
 
 TEST(HandlersStudy, PutsEveryHandlerToEveryTest) {
-  test::expectWellFormed(report());
-  EXPECT_EQ(test::tableNames(report()),
+  test::expectWellFormed(handlersReport());
+  EXPECT_EQ(test::tableNames(handlersReport()),
             (std::set<std::string>{"selection", "motions", "energies", "cutting", "resonance"}));
   for (const HandlerEntry& entry : allHandlers()) {
     const std::string name(entry.info->name);
-    EXPECT_EQ(test::textsOf(test::tableOf(report(), "motions"), 2).count(name), 1u) << name;
-    EXPECT_EQ(test::textsOf(test::tableOf(report(), "energies"), 1).count(name), 1u) << name;
-    EXPECT_EQ(test::textsOf(test::tableOf(report(), "cutting"), 0).count(name), 1u) << name;
+    EXPECT_EQ(test::textsOf(test::tableOf(handlersReport(), "motions"), 2).count(name), 1u) << name;
+    EXPECT_EQ(test::textsOf(test::tableOf(handlersReport(), "energies"), 1).count(name), 1u) << name;
+    EXPECT_EQ(test::textsOf(test::tableOf(handlersReport(), "cutting"), 0).count(name), 1u) << name;
   }
 }
 

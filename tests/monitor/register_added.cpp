@@ -1,0 +1,13 @@
+#include <tests/monitor/register_added.h>
+
+#include <ringwatch/body/register_element.h>
+#include <ringwatch/body/register_law.h>
+#include <tests/added/mooney_rivlin.h>
+#include <tests/added/wedge15.h>
+
+namespace ringwatch::test {
+
+void registerWedge15() { registerElement<Wedge15>(); }
+void registerMooneyRivlin() { registerLaw<MooneyRivlin>(); }
+
+}  // namespace ringwatch::test
