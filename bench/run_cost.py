@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What `ringwatch run` costs with energies and with the monitor, over the same run without: one thread, all in.
+"""What `ringwatch run` costs with energies and with the monitor, over the same run without, all in.
 
-usage: bench/run_cost.py [--program build/release/bin/ringwatch] [--cells N] [--steps N] [--rounds N] [CASE ...]
+usage: bench/run_cost.py [--program build/release/bin/ringwatch] [--cells N] [--steps N] [--threads N] [--rounds N] [CASE ...]
 
 A bar five times as long as wide is pulled at one end, slowly (10 % of its length a second) or fast (80 %), at half of the safe step at
 rest. A run of --steps and one of twice as many are timed by their own wall_time; the difference is the time of a step without the start,
@@ -59,10 +59,10 @@ picture = false
 CELL = 0.01  # m
 
 
-def run(program, folder, scene, variant):
+def run(program, folder, scene, variant, threads):
     path = folder / "scene.toml"
     path.write_text(scene)
-    command = [program, "run", path, "--out", folder / "out", "--threads", "1", "--quiet"]
+    command = [program, "run", path, "--out", folder / "out", "--threads", str(threads), "--quiet"]
     for key, value in VARIANTS[variant].items():
         command += ["--set", f"{key}={value}"]
     status = subprocess.run(command, check=False).returncode
@@ -81,13 +81,13 @@ def measure(arguments, folder, case, pull):
     long, width = 5 * arguments.cells, arguments.cells * CELL
     keys = {"length": long * CELL, "width": width, "long": long, "cells": arguments.cells, "element": element, "split": split,
             "jitter": jitter, "speed": PULLS[pull] * long * CELL}
-    first = run(arguments.program, folder, SCENE.format(step='"auto"', end=1e-9, **keys), "default")
+    first = run(arguments.program, folder, SCENE.format(step='"auto"', end=1e-9, **keys), "default", arguments.threads)
     step = 0.5 * first["safe_seen"]["least"]
     seconds = {name: [] for name in VARIANTS}
     starts = {name: [] for name in VARIANTS}
     for _ in range(arguments.rounds):
         for name in VARIANTS:
-            short, full = (run(arguments.program, folder, SCENE.format(step=step, end=step * steps, **keys), name)["wall_time"]["total"]
+            short, full = (run(arguments.program, folder, SCENE.format(step=step, end=step * steps, **keys), name, arguments.threads)["wall_time"]["total"]
                            for steps in (arguments.steps, 2 * arguments.steps))
             seconds[name].append((full - short) / arguments.steps)
             starts[name].append(2 * short - full)
@@ -106,6 +106,7 @@ def main():
     parser.add_argument("--program", default="build/release/bin/ringwatch", type=pathlib.Path)
     parser.add_argument("--cells", default=16, type=int, help="across the bar: 16 is 20480 cells")
     parser.add_argument("--steps", default=250, type=int)
+    parser.add_argument("--threads", default=1, type=int)
     parser.add_argument("--rounds", default=3, type=int)
     parser.add_argument("case", nargs="*", help=", ".join(CASES))
     arguments = parser.parse_args()

@@ -1,7 +1,8 @@
-// How cost grows: the passes of a run from a thousand to four million tetrahedra, the order of nodes in memory, two
-// threads over one; each with its error and, where it has one, its floor.
+// How cost grows: the passes of a run from a thousand to four million tetrahedra, the order of nodes in memory, threads
+// over one; each with its error and, where it has one, its floor.
 #include <algorithm>
 #include <numeric>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include <bench/needs.h>
 #include <bench/runs.h>
 #include <bench/support.h>
+#include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/meshes/node_order.h>
@@ -319,10 +321,10 @@ std::vector<double> interleaved(int bodies, const Work& work) {
   return medians;
 }
 
-/// Two threads against one, wall time, interleaved; `ratio` is how many times as fast. Error: the largest difference of
+/// Threads against one, wall time, interleaved; `ratio` is how many times as fast. Error: the largest difference of
 /// their results, which must be zero.
 enum class Threaded { force, product, step, reassembly, ring };
-void twoThreads(benchmark::State& state, const Case& c, Threaded pass) {
+void threadsOverOne(benchmark::State& state, const Case& c, Threaded pass, int most) {
   struct Own {
     Body body;
     BodySystem system;
@@ -340,7 +342,7 @@ void twoThreads(benchmark::State& state, const Case& c, Threaded pass) {
   };
   const Setup& s = setupOf(c);
   std::vector<std::unique_ptr<Own>> own;
-  for (const int threads : {1, 2}) {
+  for (const int threads : {1, most}) {
     own.push_back(std::make_unique<Own>(c, threads));
     own.back()->at = {0, s.x, NodeVectors::Zero(3, s.x.cols())};
   }
@@ -474,14 +476,21 @@ void registerAll() {
                                                      {"tangent_product", Threaded::product},
                                                      {"reassemble_blocks", Threaded::reassembly},
                                                      {"reduced_ring", Threaded::ring}};
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  for (const Case& c : {Case{"tet4", 100000, "stvk", 1}, Case{"tet4", 1000000, "stvk", 1},
+                        Case{"tet4", 4000000, "stvk", 1}, Case{"hex8", 100000, "stvk", 1}})
+    for (const auto& [name, pass] : passes)
+      for (int threads = 2; threads <= cores; threads *= 2)
+        add(joinText("threads_over_one/", name, "/", threads), c,
+            [pass = pass, threads](benchmark::State& state, const Case& of) {
+              threadsOverOne(state, of, pass, threads);
+            })
+            ->UseManualTime()
+            ->Iterations(1)
+            ->Repetitions(1);
   for (const int elements : {100000, 1000000}) {
     const Case c{"tet4", elements, "stvk", 1};
     for (const auto& [name, pass] : passes) {
-      add(std::string("two_threads/") + name, c,
-          [pass = pass](benchmark::State& state, const Case& of) { twoThreads(state, of, pass); })
-          ->UseManualTime()
-          ->Iterations(1)
-          ->Repetitions(1);
       if (pass != Threaded::ring)
         add(std::string("order/") + name, c,
             [pass = pass](benchmark::State& state, const Case& of) { order(state, of, pass); })

@@ -371,6 +371,13 @@ struct InspectCommand {
     command->add_flag("--global", options.global, "also the exact critical step, by a global eigenvalue");
     command->add_option("--lanczos", options.lanczos,
                         "also a step that is safe but for this probability, e.g. 1e-9, within 1 %, by Lanczos");
+    command->add_flag("--exact", options.exact,
+                      "also the critical step between two proven sides, 1e-6 apart where rounding allows, by a sparse "
+                      "factorisation; says on a terminal what that takes");
+    command->add_option(
+        "--prove", options.prove,
+        "prove that this step, s, is stable, by a sparse factorisation; exit status 1 when it is proven "
+        "unstable, 3 when neither is proven");
     command->add_option("--json", json,
                         "write the numbers to this file; - for standard output, and nothing else there");
     command->add_flag("--distribution", options.distribution,
@@ -398,7 +405,7 @@ struct InspectCommand {
       if (!json.empty()) writeFileAtomically(json, text);
       printOut(result.text);
     }
-    return result.failure.empty() ? ExitStatus::done : complain(result.failure, ExitStatus::unstable);
+    return result.failure.empty() ? result.status : complain(result.failure, ExitStatus::unstable);
   }
 };
 

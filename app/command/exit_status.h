@@ -17,7 +17,8 @@ inline constexpr std::array<ExitStatusInfo, 5> exitStatuses{{
     {ExitStatus::done, "done, stable"},
     {ExitStatus::unstable, "instability found, a verification failed, or no convergence"},
     {ExitStatus::badInput, "bad usage or bad input; one line on standard error says what and where"},
-    {ExitStatus::notCertified, "done, no instability seen, but the monitor never certified the run"},
+    {ExitStatus::notCertified,
+     "done, no instability seen, but nothing certified the run or the step that was to be proven"},
     {ExitStatus::interrupted, "interrupted by a signal; results up to there are kept"},
 }};
 

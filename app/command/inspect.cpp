@@ -13,6 +13,7 @@
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/machine_memory.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/handlers/handler.h>
@@ -23,6 +24,7 @@
 #include <ringwatch/meshes/quality.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/certificate_file.h>
+#include <ringwatch/monitor/exact_step.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
@@ -307,6 +309,64 @@ void writeMetricsVtu(const std::filesystem::path& path, const Subject& subject,
   writeVtu(path, subject.body.mesh(), subject.x, points, fields, std::nullopt, frame);
 }
 
+/// Says on a terminal what a factorisation takes, and keeps it for the report. Throws InputError, naming `option`,
+/// where the machine has not the memory.
+BeforeFactorisation sayCost(std::string_view option, ProgressLine& progress, FactorisationCost& kept) {
+  return [option, &progress, &kept](const FactorisationCost& cost) {
+    kept = cost;
+    constexpr double operationsASecond = 1e9;  // of one core, measured with factors of 6 and 39 million numbers
+    const double memory = static_cast<double>(machineMemory());
+    if (cost.bytes > memory)
+      throw InputError(
+          fmt::format("{}: the factorisation takes {:.3g} GB and this machine has {:.3g} GB; leave it out, "
+                      "the bracket needs no factorisation",
+                      option, 1e-9 * cost.bytes, 1e-9 * memory));
+    progress.announce(fmt::format("factorisation: {:.3g} million numbers, {:.3g} GB, about {:.2g} s",
+                                  1e-6 * cost.numbers, 1e-9 * cost.bytes, cost.operations / operationsASecond));
+  };
+}
+Json costJson(const FactorisationCost& cost) {
+  return Json{{"factor_numbers", cost.numbers}, {"factor_bytes", cost.bytes}, {"factor_operations", cost.operations}};
+}
+
+/// Both sides of the critical step by a factorisation.
+void reportExactStep(const Subject& subject, const InspectOptions& options, InspectResult& result) {
+  ProgressLine progress(true);
+  FactorisationCost cost{};
+  const std::optional<ExactStep> exact =
+      exactCriticalStep(subject.body, subject.x, subject.rule, 1e-6, sayCost("--exact", progress, cost));
+  if (!exact) {
+    result.failure = fmt::format(
+        "{}: --exact: the top mode did not converge, or rounding leaves nothing to prove within 1 %; the bracket holds "
+        "without it",
+        options.mesh.string());
+    return;
+  }
+  Json& json = result.json["critical_step"]["exact"];
+  json = Json{{"safe", exact->safe}, {"optimistic", exact->optimistic}, {"factorisations", exact->factorisations}};
+  json.update(costJson(cost));
+  result.text += fmt::format(
+      "  exact       {:.10g} to {:.10g} s   proven stable up to the first and unstable above the second, by a "
+      "factorisation of {:.3g} million numbers\n",
+      exact->safe, exact->optimistic, 1e-6 * cost.numbers);
+}
+
+/// Whether one step is stable, by a factorisation.
+void reportProof(const Subject& subject, double h, InspectResult& result) {
+  ProgressLine progress(true);
+  FactorisationCost cost{};
+  const StepProof proof = proveStep(subject.body, subject.x, subject.rule, h, sayCost("--prove", progress, cost));
+  const Verdict verdict = proof == StepProof::stable     ? Verdict::certified
+                          : proof == StepProof::unstable ? Verdict::violated
+                                                         : Verdict::notCertified;
+  result.json["prove"] = Json{{"step", h}, {"verdict", std::string(verdictName(verdict))}};
+  result.json["prove"].update(costJson(cost));
+  result.text += fmt::format("h = {:.10g} s: {}, by a factorisation of {:.3g} million numbers\n", h,
+                             stepProofText(proof), 1e-6 * cost.numbers);
+  if (proof == StepProof::unstable) result.status = ExitStatus::unstable;
+  if (proof == StepProof::neither) result.status = ExitStatus::notCertified;
+}
+
 /// The table of metrics. A difference is (step - global) / global: negative is pessimistic.
 void reportMetrics(const std::vector<MetricResult>& metrics, const StepRule& rule, std::optional<double> globalStep,
                    Json& json, std::string& text) {
@@ -340,6 +400,8 @@ InspectResult inspectMesh(const InspectOptions& options) {
   if (options.lanczos && !(*options.lanczos > 0 && *options.lanczos <= 0.5))
     throw InputError(
         fmt::format("--lanczos: {} is out of range; must be > 0 and <= 0.5, a probability", *options.lanczos));
+  if (options.prove && !(*options.prove > 0 && std::isfinite(*options.prove)))
+    throw InputError(fmt::format("--prove: {} is out of range; must be > 0 s", *options.prove));
   if (options.picture) checkPictureName(*options.picture);
 
   const Subject subject = subjectOf(options);
@@ -399,6 +461,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
           options.mesh.string(), global.products);
     }
   }
+  if (options.exact) reportExactStep(subject, options, result);
 
   std::vector<MetricResult> metrics;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -428,6 +491,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
                                            : "proven unstable",
         counts["reduced-1-ring"].get<std::size_t>(), mesh.elementCount(), counts["single-element"].get<std::size_t>());
   }
+  if (options.prove) reportProof(subject, *options.prove, result);
   if (options.distribution || options.picture) {
     const std::vector<Distribution> distributions = distributionsOf(metrics, rule);
     json["distribution"] = distributionJson(distributions);

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/body/body.h>
 
 namespace ringwatch {
@@ -26,6 +27,8 @@ struct InspectOptions {
   std::vector<std::string> fix;      // nodes that are held, and behind a colon which components: "x < 1e-6:xy"
   bool global = false;               // also the exact critical step, by a global eigenvalue
   std::optional<double> lanczos;     // also a step that is safe but for this probability
+  bool exact = false;                // also both sides proven to within 1e-6, by a sparse factorisation
+  std::optional<double> prove;       // s: whether this step is proven stable or unstable, by a sparse factorisation
   bool distribution = false;         // histogram and cumulative share by metric, the worst elements with their shapes
   std::optional<std::filesystem::path> picture;  // of the distribution, .svg or .png
   std::optional<std::filesystem::path> vtu;
@@ -38,6 +41,7 @@ struct InspectResult {
   nlohmann::ordered_json json;  // the contract of `inspect --json`
   std::string text;             // the same, human-readable
   std::string failure;          // one line when a result could not be had, which then has no value; "" else
+  ExitStatus status = ExitStatus::done;
 };
 
 /// Reads a mesh and reports on the steps it can take at rest or in a deformed state: bracket, metrics, controlling

@@ -1,23 +1,17 @@
 #include <ringwatch/meshes/formats/file_cursor.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <limits>
 #include <system_error>
 
+#include <ringwatch/base/machine_memory.h>
+
 namespace ringwatch::detail {
 namespace {
 
 constexpr std::size_t mostPipedBytes = std::size_t{4} << 30;
-
-std::uintmax_t memorySize() {
-  const long pages = ::sysconf(_SC_PHYS_PAGES), bytes = ::sysconf(_SC_PAGESIZE);
-  return pages > 0 && bytes > 0 ? static_cast<std::uintmax_t>(pages) * static_cast<std::uintmax_t>(bytes)
-                                : std::numeric_limits<std::uintmax_t>::max();
-}
 
 }  // namespace
 
@@ -49,9 +43,9 @@ std::string readWholeFile(const std::filesystem::path& path) {
   } else {
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     if (error) throw InputError(name + ": cannot read: " + error.message());
-    if (size > memorySize())
+    if (size > machineMemory())
       throw InputError(joinText(name, ": cannot read: the file has ", size, " bytes, more than the memory of this ",
-                                "machine, ", memorySize()));
+                                "machine, ", machineMemory()));
     text.resize(size);
     file.read(text.data(), static_cast<std::streamsize>(size));
     text.resize(static_cast<std::size_t>(file.gcount()));

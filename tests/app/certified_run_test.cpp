@@ -10,6 +10,7 @@
 namespace ringwatch {
 namespace {
 
+using test::digits;
 using test::Json;
 using test::material;
 using test::Outcome;
@@ -17,13 +18,6 @@ using test::tiny;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-std::string digits(double value) {
-  std::ostringstream text;
-  text.precision(17);
-  text << value;
-  return text.str();
-}
 
 /// A bar of 10 x 2 x 2 cells with jitter, from a file that inspect and run both read, bending under its weight.
 class CertifiedRun : public test::Program {

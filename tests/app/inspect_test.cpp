@@ -68,6 +68,43 @@ TEST_F(Program, InspectsTetrahedraAndHexahedra) {
   }
 }
 
+TEST_F(Program, ProvesStepsByFactorisation) {
+  // The values of the test above, to the ten digits that they are known to.
+  for (const auto& [element, exact] : {std::pair{"tet4", 2.085284449e-3}, std::pair{"hex8", 2.973862796e-3}}) {
+    ASSERT_EQ(
+        call(std::string("mesh generate bar --size 0.2 0.04 0.04 --cells 10,2,2 --element ") + element + " -o bar.msh")
+            .status,
+        0);
+    const auto inspect = [&, name = element](const std::string& options) {
+      const Outcome outcome = call("inspect bar.msh --metric single-element --json - " + options + material);
+      EXPECT_EQ(outcome.err, "") << name;
+      return std::pair{outcome.status, parse(outcome.out)};
+    };
+    const auto [status, report] = inspect("--exact");
+    EXPECT_EQ(status, 0);
+    const Json& step = report["critical_step"]["exact"];
+    const double safe = step["safe"], optimistic = step["optimistic"];
+    EXPECT_LE(safe, exact * (1 + 3e-10));
+    EXPECT_GE(optimistic, exact * (1 - 3e-10));
+    EXPECT_LE(optimistic / safe - 1, 1e-6);
+    EXPECT_GT(step["factor_numbers"].get<double>(), 1000);
+    for (const auto& [share, wanted, verdict] : {std::tuple{0.999999, 0, "certified"},
+                                                 {1.000001, 1, "violated"},
+                                                 {0.5, 0, "certified"},
+                                                 {2.0, 1, "violated"}}) {
+      const auto [proof, proven] = inspect("--prove " + test::digits(share * exact));
+      EXPECT_EQ(proof, wanted) << element << " " << share;
+      EXPECT_EQ(proven["prove"]["verdict"], verdict) << element << " " << share;
+    }
+  }
+  const Outcome outcome = call(std::string("inspect bar.msh --exact --prove 1e-3") + material);
+  EXPECT_THAT(outcome.out,
+              HasSubstr("proven stable up to the first and unstable above the second, by a factorisation"));
+  EXPECT_THAT(outcome.out, HasSubstr("h = 0.001 s: proven stable, by a factorisation of "));
+  for (const char* bad : {"0", "-1", "inf", "nan"})
+    expectRefused(std::string("inspect bar.msh --prove ") + bad + material, "--prove: ");
+}
+
 TEST_F(Program, InspectReportsForPeopleAndFiles) {
   ASSERT_EQ(call("mesh generate cube --size 0.05 --cells 2 -o cube.vtu").status, 0);
   const Outcome outcome =

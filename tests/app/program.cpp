@@ -13,6 +13,13 @@ void PrintTo(const json& value, std::ostream* out) { *out << value; }
 
 namespace ringwatch::test {
 
+std::string digits(double value) {
+  std::ostringstream text;
+  text.precision(17);
+  text << value;
+  return text.str();
+}
+
 int statusOf(int waited) { return WIFEXITED(waited) ? WEXITSTATUS(waited) : 128 + WTERMSIG(waited); }
 
 Outcome Program::shell(const std::string& line) {

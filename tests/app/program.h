@@ -24,6 +24,9 @@ struct Outcome {
   std::string out, err;
 };
 
+/// A number with all its digits, for an argument.
+std::string digits(double value);
+
 /// As a shell has it: 128 and the signal where there was one.
 int statusOf(int waited);
 

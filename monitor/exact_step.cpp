@@ -1,0 +1,79 @@
+#include <ringwatch/monitor/exact_step.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/bounds/rayleigh.h>
+#include <ringwatch/monitor/critical_step.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr double widest = 0.02;  // of the eigenvalue, 1 % of the step: beyond, other bounds say as much for less
+/// A residual of 1e-7 leaves a Rayleigh quotient 1e-14 below its eigenvalue, relative.
+constexpr double modeTolerance = 1e-7;
+
+struct TopQuotient {
+  LowerBound lower;
+  int products;
+};
+
+/// Empty where the mode does not converge.
+std::optional<TopQuotient> topQuotient(const TangentSource& source, NodeVectorsView x) {
+  const GlobalFrequency top = globalFrequency(source, x, modeTolerance);
+  if (!top.converged) return std::nullopt;
+  NodeVectors u = top.mode;
+  for (std::int32_t i = 0; i < source.nodeCount(); ++i) u.col(i) *= std::sqrt(source.lumpedMass()[i]);
+  double seen = top.lambda;
+  return TopQuotient{rayleighLowerBound(source, x, u, 1, &seen), top.products + 1};
+}
+
+}  // namespace
+
+std::optional<ExactStep> exactCriticalStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit,
+                                           double tolerance, const BeforeFactorisation& before) {
+  requireProof(limit);
+  if (!(tolerance > 0)) throw InputError(joinText("tolerance = ", tolerance, ": must be > 0"));
+  const std::optional<TopQuotient> top = topQuotient(source, x);
+  if (!top || !(top->lower.value > 0)) return std::nullopt;
+  const double lower = top->lower.value;
+  FactoredCertificate certificate(source, x);
+  if (before) before(certificate.cost());
+  // Half of the tolerance, which is of the step, where the margin lets it: a quotient that is low by rounding fits in.
+  double gap = std::max(tolerance, 2 * certificate.margin(lower) / lower);
+  for (int factorisations = 1; gap <= widest; ++factorisations, gap *= 4) {
+    const double sigma = lower * (1 + gap);
+    if (certificate.certifies(sigma))
+      return ExactStep{safeStep(UpperBound{sigma}, limit), optimisticStep(top->lower, limit), factorisations,
+                       top->products};
+  }
+  return std::nullopt;
+}
+
+std::string_view stepProofText(StepProof proof) {
+  switch (proof) {
+    case StepProof::stable:
+      return "proven stable";
+    case StepProof::unstable:
+      return "proven unstable";
+    case StepProof::neither:
+      break;
+  }
+  return "neither proven stable nor unstable";
+}
+
+StepProof proveStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit, double h,
+                    const BeforeFactorisation& before) {
+  requireProof(limit);
+  if (!(h > 0) || !std::isfinite(h)) throw InputError(joinText("h = ", h, ": must be > 0 and finite"));
+  const double sigma = limit.lambdaFor(h);
+  FactoredCertificate certificate(source, x);
+  if (before) before(certificate.cost());
+  if (certificate.certifies(sigma)) return StepProof::stable;
+  const std::optional<TopQuotient> top = topQuotient(source, x);
+  return top && optimisticStep(top->lower, limit) < h ? StepProof::unstable : StepProof::neither;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,41 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include <ringwatch/body/tangent_source.h>
+#include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/bounds/factored_certificate.h>
+
+namespace ringwatch {
+
+/// The critical step between two proven sides that are as close as rounding allows.
+struct ExactStep {
+  double safe, optimistic;  // s
+  int factorisations;
+  int products;  // tangent products
+};
+
+/// Told what the factorisation takes before the first one. An exception that it throws ends the work.
+using BeforeFactorisation = std::function<void(const FactorisationCost&)>;
+
+/// The critical step at one state to within `tolerance`, or as far as rounding allows: above by the Rayleigh quotient
+/// of the top mode (globalFrequency), below by a sparse factorisation just above it (FactoredCertificate). x: 3×N, m.
+/// tolerance: of optimistic over safe, > 0. Empty where the top mode does not converge, where the highest eigenvalue is
+/// not positive and where no factorisation within 1 % proves a step. Throws InputError for a rule that is not proven
+/// and when x is not 3×N.
+std::optional<ExactStep> exactCriticalStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit,
+                                           double tolerance = 1e-6, const BeforeFactorisation& before = {});
+
+enum class StepProof { stable, unstable, neither };
+/// "proven stable", "proven unstable", "neither proven stable nor unstable".
+std::string_view stepProofText(StepProof proof);
+
+/// Whether a step h, s, is proven stable or unstable at one state: by a factorisation, and where that fails by the
+/// Rayleigh quotient of the top mode. `neither` only for steps as close to the critical one as rounding, or where the
+/// top mode does not converge. Throws InputError unless h is positive and finite, for a rule that is not proven and
+/// when x is not 3×N.
+StepProof proveStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit, double h,
+                    const BeforeFactorisation& before = {});
+
+}  // namespace ringwatch
