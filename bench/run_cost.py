@@ -1,12 +1,10 @@
 #!/usr/bin/env python3
 """What `ringwatch run` costs with energies and with the monitor, over the same run without, all in.
 
-usage: bench/run_cost.py [--program build/release/bin/ringwatch] [--cells N] [--steps N] [--threads N] [--rounds N] [CASE ...]
-
 A bar five times as long as wide is pulled at one end, slowly (10 % of its length a second) or fast (80 %), at half of the safe step at
 rest. A run of --steps and one of twice as many are timed by their own wall_time; the difference is the time of a step without the start,
 what remains is the start, which holds the first observation. Variants of a round follow each other; printed are the medians over rounds
-and, as the error, half the distance between their quartiles. Prints a Markdown table. CASE: names of the table below, all by default.
+and, as the error, half the distance between their quartiles. Prints a Markdown table.
 """
 import argparse
 import json
@@ -15,10 +13,10 @@ import statistics
 import subprocess
 import tempfile
 
-# element, elements a cell, jitter
+# element, elements a cell, jitter in cell sizes
 CASES = {
-    "tet4, 5 a cell, jittered": ("tet4", 5, 0.2),
-    "tet4, 6 a cell": ("tet4", 6, 0.0),
+    "tet4-5-jittered": ("tet4", 5, 0.2),
+    "tet4-6": ("tet4", 6, 0.0),
     "hex8": ("hex8", 1, 0.0),
     "wedge6": ("wedge6", 2, 0.0),
 }
@@ -108,7 +106,7 @@ def main():
     parser.add_argument("--steps", default=250, type=int)
     parser.add_argument("--threads", default=1, type=int)
     parser.add_argument("--rounds", default=3, type=int)
-    parser.add_argument("case", nargs="*", help=", ".join(CASES))
+    parser.add_argument("case", nargs="*", metavar="CASE", help=", ".join(CASES) + "; all by default")
     arguments = parser.parse_args()
     for case in arguments.case:
         if case not in CASES:
