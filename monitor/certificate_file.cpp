@@ -84,13 +84,17 @@ NodeVectors vectorOf(const Body& body, const ReducedRing& ring, const TopMode& t
 
 }  // namespace
 
-Certificate makeCertificate(const Body& body, const NodeVectors& x) {
-  body.checkNodal("x", x);
+void requireCertifiable(const Body& body) {
   for (std::size_t b = 0; b < body.blocks().size(); ++b)
     if (const ElementBlock& block = *body.blocks()[b];
         block.material().outside || !isOfLibrary(body.mesh().blocks[b].type))
       throw InputError(joinText("certificate: element ", block.element().name, " of law ", block.material().lawName(),
                                 " was registered by a program; certificates are of the library's own"));
+}
+
+Certificate makeCertificate(const Body& body, const NodeVectors& x) {
+  body.checkNodal("x", x);
+  requireCertifiable(body);
   ReducedRing ring(body);
   NodeVectors mode;
   const TopMode top = findTopMode(ring, body, x, mode, modeProducts, modeProducts, false);

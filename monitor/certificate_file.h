@@ -19,8 +19,11 @@ struct Certificate {
   std::string bytes;
 };
 
-/// That of a body at positions x (3×N, m). Throws InputError when x is not 3×N, and for elements or laws that are not
-/// the library's own; NumericalError where the tangent is not finite, or nothing in the body is stiff and free.
+/// Throws InputError for elements or laws that are not the library's own, which no certificate knows.
+void requireCertifiable(const Body& body);
+
+/// That of a body at positions x (3×N, m). Throws InputError when x is not 3×N and as requireCertifiable;
+/// NumericalError where the tangent is not finite, or nothing in the body is stiff and free.
 Certificate makeCertificate(const Body& body, const NodeVectors& x);
 
 }  // namespace ringwatch

@@ -27,17 +27,23 @@ void removeOldResults(const std::filesystem::path& folder, std::initializer_list
 }  // namespace
 
 RunOutput::RunOutput(const Scene& scene, const Body& body, StepRule rule, std::filesystem::path folder)
-    : scene_(scene), body_(body), rule_(std::move(rule)), folder_(std::move(folder)), lock_(folder_) {}
+    : scene_(scene),
+      body_(body),
+      rule_(std::move(rule)),
+      folder_(std::move(folder)),
+      lock_(folder_),
+      certificates_(scene, body, folder_ / "certificates") {}
 
 void RunOutput::open() {
   if (history_) return;
   removeOldResults(folder_, {"history.csv", "summary.json", "run.pvd", "critical_step.png", "critical_step.gp",
                              "critical_step.dat", checkpointFile});
+  certificates_.begin(0);
   history_.emplace(folder_);
   if (scene_.frameInterval) frames_.emplace(folder_, scene_, body_, rule_);
 }
 
-void RunOutput::resume(const nlohmann::ordered_json& saved) {
+void RunOutput::resume(const nlohmann::ordered_json& saved, std::int64_t step) {
   // What throws comes first: the folder stays as it was then.
   if (scene_.frameInterval) {
     frames_.emplace(folder_, scene_, body_, rule_);
@@ -46,6 +52,7 @@ void RunOutput::resume(const nlohmann::ordered_json& saved) {
     framesDue_ = saved.at("frames_due").get<std::int64_t>();
     lastFrame_ = saved.at("last_frame").get<std::int64_t>();
   }
+  certificates_.begin(step);
   history_.emplace(folder_, saved.at("history").get<std::size_t>());
   if (scene_.picture)
     for (const HistoryRow& row : readHistory(folder_)) keepForPicture(row);
@@ -90,6 +97,8 @@ void RunOutput::finish(RunResult& result, const State& state, const FrameState& 
     result.frames = frames_->count();
     result.files.push_back(fmt::format("run.pvd ({} frames)", frames_->count()));
   }
+  if (const std::int64_t count = certificates_.count(); count > 0)
+    result.files.push_back(fmt::format("certificates ({} files)", count));
   if (pictured_) drawPicture(result);
 }
 

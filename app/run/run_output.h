@@ -7,6 +7,7 @@
 #include <ringwatch/app/output/history.h>
 #include <ringwatch/app/output/picture.h>
 #include <ringwatch/app/run/folder_lock.h>
+#include <ringwatch/app/run/run_certificates.h>
 #include <ringwatch/app/run/runner.h>
 #include <ringwatch/integrators/integrator.h>
 
@@ -22,8 +23,8 @@ class RunOutput {
   /// Removes what an earlier run left and begins history and frames, once: until it is known that there is a first
   /// step, old results stay.
   void open();
-  /// Goes on behind what was there at a checkpoint; call it in place of open().
-  void resume(const nlohmann::ordered_json& saved);
+  /// Goes on behind what was there at a checkpoint before that step; call it in place of open().
+  void resume(const nlohmann::ordered_json& saved, std::int64_t step);
   /// What resume() needs; call it at a state where all rows and frames before it are written.
   nlohmann::ordered_json save();
   void writeRow(const HistoryRow& row);
@@ -35,6 +36,7 @@ class RunOutput {
   double nextFrame() const { return frames_ ? nextFrame_ : std::numeric_limits<double>::infinity(); }
   /// The frame of the state before a step; frame.time and frame.h are those of the state.
   void writeFrame(std::int64_t step, const State& state, const FrameState& frame);
+  RunCertificates& certificates() { return certificates_; }
   /// Ends history and frames, the last frame of which is `last` unless it is there or not finite, draws the picture and
   /// lists the files in the result.
   void finish(RunResult& result, const State& state, const FrameState& last);
@@ -48,6 +50,7 @@ class RunOutput {
   StepRule rule_;
   std::filesystem::path folder_;
   FolderLock lock_;
+  RunCertificates certificates_;
   std::optional<HistoryWriter> history_;
   std::optional<FrameWriter> frames_;
   Picture picture_;

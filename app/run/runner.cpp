@@ -165,12 +165,13 @@ class Run {
     beginWatch();
     loads_.begin(state_.x);
     loads_.setForces(state_.time, state_.x);
-    output_->resume(saved.parts.at("output"));
+    output_->resume(saved.parts.at("output"), result_.steps);
   }
 
   /// What is done alike behind a checkpoint, by a run that goes on and by one that is resumed.
   void goOnFromCheckpoint() {
     state_.a.resize(3, 0);
+    output_->certificates().forget();
     watch_.goOnWithEvents(result_.steps);
     recordEnergies();
   }
@@ -390,6 +391,7 @@ class Run {
     output_->open();
     keepEvents(report);
     keepGoverning(report);
+    output_->certificates().record(report, state_, result_.worst == Verdict::violated);
     if (rowDue) {
       HistoryRow row;
       row.step = report.step;

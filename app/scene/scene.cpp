@@ -178,6 +178,7 @@ void readIntegratorSection(const SceneTable& integrator, const SceneTable& monit
   if (monitor.given("budget")) scene.budget = monitor.get<double>("budget");
   scene.energyTolerance = monitor.get<double>("energy_tolerance");
   scene.requireCertified = monitor.get<bool>("require_certified");
+  if (monitor.given("certificates")) scene.certificates = monitor.get<std::int64_t>("certificates");
   scene.onViolation = monitor.named("on_violation", onViolationNames);
 
   if (scene.step && *scene.step > scene.end)
@@ -212,6 +213,10 @@ void readIntegratorSection(const SceneTable& integrator, const SceneTable& monit
   if (scene.requireCertified && !scene.proves())
     fail(monitor.at("require_certified").origin, "monitor.require_certified",
          "true needs a proof: monitor.mode = \"bracket\" or \"threshold\", and an integrator with a critical step");
+  if (scene.certificates && !scene.proves())
+    fail(monitor.at("certificates").origin, "monitor.certificates",
+         "certificates are of what is proven: monitor.mode = \"bracket\" or \"threshold\", and an integrator with a "
+         "critical step");
   if (scene.proves() && scene.damping.any() && !info.highestModeBinds)
     fail(integrator.at("method").origin, "integrator.method",
          fmt::format(
@@ -281,6 +286,10 @@ void readHandlerSection(const SceneTable& handler, const SceneTable& integrator,
   if (scene.onViolation == OnViolation::handle && !scene.proves())
     fail(monitor.at("on_violation").origin, "monitor.on_violation",
          "\"handle\" follows the proven bracket; it needs monitor.mode = \"bracket\" or \"threshold\"");
+  if (scene.certificates)
+    fail(monitor.at("certificates").origin, "monitor.certificates",
+         "certificates are of the whole body, and a handler takes its stiff elements apart; set handler.method = "
+         "\"none\"");
   if (scene.damping.any())
     fail(damping.origin, "[damping]", "handlers do not work with damping; remove it or set handler.method = \"none\"");
 }

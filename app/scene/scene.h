@@ -122,7 +122,8 @@ struct Scene {
   double budget = std::numeric_limits<double>::infinity();  // MonitorOptions::budget
   OnViolation onViolation = OnViolation::stop;
   double energyTolerance = 0;
-  bool requireCertified = false;  // a step that is not certified makes the run fail
+  bool requireCertified = false;             // a step that is not certified makes the run fail
+  std::optional<std::int64_t> certificates;  // observations between files of proofs; empty for none
 
   std::string handler;  // "" for none
   HandlerOptions handlerOptions;

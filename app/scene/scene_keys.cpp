@@ -233,6 +233,16 @@ std::vector<SceneKey> makeKeys() {
        {},
        "what evaluating elements for the safe side may take, as a share of a step's own work, counted; when it is used "
        "up the proof stays and the bracket becomes wider; without it no limit"},
+      {"monitor",
+       "certificates",
+       T::integer,
+       "observations",
+       false,
+       "",
+       atLeastOne,
+       {},
+       "write a proof of the bracket, from scratch, to certificates/ at every such observation, and before and at the "
+       "first step that is proven unstable, for ringwatch-check; none without it"},
       {"monitor", "on_violation", T::text, "", false, "\"stop\"", anything, onViolationNames.names(),
        onViolationNames.listing()},
       {"monitor",

@@ -6,6 +6,12 @@
 #include <ringwatch/base/parallel.h>
 
 namespace ringwatch {
+namespace {
+
+/// β of the scheme of a dissipation alpha. Theorem 34, docs/theory/handlers.md.
+double newmarkBeta(double alpha) { return 0.25 * (1 + alpha) * (1 + alpha); }
+
+}  // namespace
 
 std::string imexForGpu(Options& own) {
   const OptionValue* solver = own.find("solver");
@@ -64,7 +70,7 @@ Imex::Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
       cluster_(clusterOptionsOf(options_.own)) {}
 
 void Imex::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
-  const double beta = 0.25 * (1 + dissipation_) * (1 + dissipation_);
+  const double beta = newmarkBeta(dissipation_);
   clusters_.clear();
   for (auto& elements : clustersOf(body_, chosenElements(chosen)))
     clusters_.emplace_back(body_, std::move(elements), beta * h * h, x, cluster_);
@@ -72,7 +78,7 @@ void Imex::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
 }
 
 StepStatus Imex::handledStep(SecondOrderSystem& system, State& state, double h) {
-  const double alpha = dissipation_, beta = 0.25 * (1 + alpha) * (1 + alpha);
+  const double alpha = dissipation_, beta = newmarkBeta(alpha);
   // With u = a + c v, c = α/(beta h), the damping force needs no product of its own: (M + beta h² K̂) u = M (a₀ + c v).
   NodeVectors first(3, 0);
   if (handledBeginsWithAcceleration()) first.swap(state.a);

@@ -6,14 +6,10 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/sub_body.h>
+#include <ringwatch/handlers/selection/certified_selection.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 
 namespace ringwatch {
-namespace {
-
-constexpr double slack = 1e-9;  // kept free for the rounding of small eigenvalues
-
-}  // namespace
 
 ElementFlags noElements(const Mesh& mesh) {
   ElementFlags flags;
@@ -135,7 +131,7 @@ ElementFlags selectBySingleElement(const Body& body, const NodeVectors& x, doubl
       }
       const double highest =
           Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues().tail<1>()[0];
-      flags[b][e] = !(highest <= lambda * (1 - slack));
+      flags[b][e] = !(highest <= lambda * (1 - selectionSlack));
     }
   }
   return flags;

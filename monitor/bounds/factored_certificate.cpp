@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <ringwatch/base/eigen_instances.h>
-#include <ringwatch/base/error.h>
 
 namespace ringwatch {
 namespace {
@@ -151,16 +150,6 @@ bool FactoredCertificate::certifies(double sigma) {
   if (my.factor.info() != Eigen::Success) return false;
   const Eigen::VectorXd pivots = my.factor.vectorD();
   return std::all_of(pivots.begin(), pivots.end(), [](double pivot) { return pivot > 0; });
-}
-
-bool certifiesFrequency(const TangentSource& source, NodeVectorsView x, double sigma) {
-  return FactoredCertificate(source, x).certifies(sigma);
-}
-
-bool certifies(const TangentSource& source, NodeVectorsView x, double h, double limit) {
-  if (!(h > 0)) throw InputError(joinText("h = ", h, ": must be > 0"));
-  if (!(limit > 0)) throw InputError(joinText("limit = ", limit, ": must be > 0"));
-  return certifiesFrequency(source, x, limit * limit / (h * h));
 }
 
 }  // namespace ringwatch

@@ -43,11 +43,4 @@ class FactoredCertificate {
   std::unique_ptr<Impl> impl_;
 };
 
-/// FactoredCertificate of one eigenvalue.
-bool certifiesFrequency(const TangentSource& source, NodeVectorsView x, double sigma);
-
-/// Whether a step h (s) is proven stable at x for an integrator whose largest stable h·omega is `limit`.
-/// Throws InputError unless h > 0 and limit > 0.
-bool certifies(const TangentSource& source, NodeVectorsView x, double h, double limit);
-
 }  // namespace ringwatch

@@ -43,6 +43,7 @@ end = 0.5
 [monitor]
 on_violation = "warn"
 metric = "reduced-1-ring"
+certificates = 200
 [[fix]]
 where = "x < 1e-6"
 [[initial]]
@@ -238,8 +239,8 @@ TEST_F(Checkpoints, AreRefusedWhereTheyDoNotFit) {
     expectRefused("run scene.toml --out refused " + options, "output.checkpoint_every: " + what);
   };
   folder_.write("scene.toml", [&] {
-    std::string text = scene;  // without the table of time, which is refused first
-    for (const char* line : {"ramp = \"smooth\"\n", "factors = [0, 1]\n", "times = [0, 0.1]\n"})
+    std::string text = scene;  // without what is refused first
+    for (const char* line : {"ramp = \"smooth\"\n", "factors = [0, 1]\n", "times = [0, 0.1]\n", "certificates = 200\n"})
       if (const auto at = text.find(line); at != std::string::npos) text.erase(at, std::string(line).size());
     return text;
   }());

@@ -97,7 +97,7 @@ TEST_F(HandledProgram, ScalesMass) {
 TEST_F(HandledProgram, IsPlainExplicitWhereNothingIsCritical) {
   const std::string step = " --set integrator.step=" + number(critical_ / 2);
   ASSERT_EQ(call("run slivers.toml --out plain" + step).status, 0);
-  for (const char* method : {"imex", "fe-pbd", "filtered", "mass-scaling"}) {
+  for (const char* method : {"imex", "fe-pbd", "modal-filter", "local-time-stepping", "mass-scaling"}) {
     ASSERT_EQ(call("run slivers.toml --out handled --set handler.method=" + std::string(method) + step).status, 0);
     EXPECT_EQ(folder_.read("plain/history.csv"), folder_.read("handled/history.csv")) << method;
     EXPECT_EQ(json("handled/summary.json")["handler"]["handled_elements"], 0);
@@ -105,7 +105,7 @@ TEST_F(HandledProgram, IsPlainExplicitWhereNothingIsCritical) {
 }
 
 TEST_F(HandledProgram, TakesSmallerStepsWhereTheyAreNeeded) {
-  write("[handler]\nmethod = \"adaptive\"\n");
+  write("[handler]\nmethod = \"adaptive\"\n");  // an older name of local-time-stepping
   const Outcome outcome = call("run slivers.toml --out fine");
   EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
   const Json fine = json("fine/summary.json")["handler"];

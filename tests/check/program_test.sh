@@ -24,3 +24,49 @@ expect 2 "$checker" bar.certificate
 expect 2 "$checker" absent
 expect 2 "$checker"
 expect 2 "$ringwatch" inspect bar.msh --young 30e3 --poisson 0.3 --density 1000 --certificate absent/bar.certificate
+
+# Along a run: every third observation, and before and at the first violated step; what an earlier run left is gone.
+cat > run.toml <<'scene'
+[mesh]
+file = "bar.msh"
+[material]
+model = "stvk"
+young = 30e3
+poisson = 0.3
+density = 1000
+[integrator]
+step = 3.5e-3
+end = 0.4
+[monitor]
+on_violation = "stop"
+certificates = 3
+[[fix]]
+where = "x < 1e-6"
+[[move]]
+where = "x > 0.2 - 1e-6"
+velocity = [0.4, 0, 0]
+[output]
+picture = false
+scene
+mkdir -p run/certificates
+: > run/certificates/step_00099999.certificate
+expect 1 "$ringwatch" run run.toml --out run
+violated=$(tail -n 1 run/history.csv | cut -d, -f1)
+[[ $(tail -n 1 run/history.csv) == *violated* && $violated -gt 6 ]] || fail "the run ends otherwise: $(tail -n 1 run/history.csv)"
+wanted=$(for ((k = 0; k <= violated; ++k)); do
+  if ((k % 3 == 0 || k >= violated - 1)); then printf 'step_%08d.certificate\n' "$k"; fi
+done)
+[[ $(ls run/certificates) == "$wanted" ]] || fail "certificates: $(ls run/certificates), not $wanted"
+grep -q "certificates ($(wc -l <<< "$wanted") files)" run/summary.json || fail "the summary does not list them"
+for file in run/certificates/*; do expect 0 "$checker" "$file"; done
+# The last one proves that the step is too large: above 2/sqrt(lower).
+largest=$(sed -n 's/.*step .* to \(.*\) s/\1/p' <<< "$out")
+awk -v h=3.5e-3 -v most="$largest" 'BEGIN { exit !(most > 0 && h > most) }' || fail "3.5e-3 s is not above $largest s"
+# A run without them leaves none.
+expect 1 "$ringwatch" run run.toml --out run --set monitor.mode=bracket --set monitor.certificates=1000000
+[[ $(ls run/certificates | wc -l) == 3 ]] || fail "first, and before and at the violated step: $(ls run/certificates)"
+expect 2 "$ringwatch" run run.toml --out other --set monitor.certificates=0
+expect 2 "$ringwatch" run run.toml --out other --set monitor.mode=metric --set monitor.metric=single-element
+[[ $out == *"monitor.certificates: certificates are of what is proven"* && ! -e other ]] || fail "$out"
+expect 2 "$ringwatch" run run.toml --out other --set handler.method=imex
+[[ $out == *"monitor.certificates: certificates are of the whole body"* ]] || fail "$out"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/monitor/bounds/factored_certificate.h>
+#include <ringwatch/monitor/exact_step.h>
 #include <tests/monitor/monitor_cases.h>
 
 namespace ringwatch {
@@ -25,24 +25,24 @@ TEST(FactoredCertificate, SaysYesAboveTheTruthAndNeverBelow) {
               joinText(subdivision.name, ", ", law.name, ", ", test::holdName(hold), ", ", state.name);
           ++states;
           if (!dense.finite()) {
-            EXPECT_FALSE(certifiesFrequency(body, state.x, 1e30)) << what;
+            EXPECT_FALSE(FactoredCertificate(body, state.x).certifies(1e30)) << what;
             continue;
           }
           ++finite;
           const Eigen::VectorXd lambda = dense.eigenvalues();
           const double top = lambda[lambda.size() - 1], size = std::max(top, -lambda[0]);
           for (const double near : {1e-9, 1e-6, 1e-3, 1.0}) {
-            EXPECT_TRUE(certifiesFrequency(body, state.x, top + near * size)) << what << ", " << near;
-            EXPECT_FALSE(certifiesFrequency(body, state.x, top - near * size)) << what << ", " << near;
+            EXPECT_TRUE(FactoredCertificate(body, state.x).certifies(top + near * size)) << what << ", " << near;
+            EXPECT_FALSE(FactoredCertificate(body, state.x).certifies(top - near * size)) << what << ", " << near;
           }
-          EXPECT_FALSE(certifiesFrequency(body, state.x, top)) << what;
+          EXPECT_FALSE(FactoredCertificate(body, state.x).certifies(top)) << what;
           if (!(top > 0)) continue;
           ++withSteps;
           const double h = 2 / std::sqrt(top);
-          EXPECT_TRUE(certifies(body, state.x, 0.999 * h, 2)) << what;
-          EXPECT_FALSE(certifies(body, state.x, 1.001 * h, 2)) << what;
-          EXPECT_TRUE(certifies(body, state.x, 1.399 * h, 2.8)) << what;
-          EXPECT_FALSE(certifies(body, state.x, 1.401 * h, 2.8)) << what;
+          EXPECT_EQ(proveStep(body, state.x, 2, 0.999 * h), StepProof::stable) << what;
+          EXPECT_NE(proveStep(body, state.x, 2, 1.001 * h), StepProof::stable) << what;
+          EXPECT_EQ(proveStep(body, state.x, 2.8, 1.399 * h), StepProof::stable) << what;
+          EXPECT_NE(proveStep(body, state.x, 2.8, 1.401 * h), StepProof::stable) << what;
         }
       }
   EXPECT_GE(4 * finite, 3 * states);
@@ -52,18 +52,15 @@ TEST(FactoredCertificate, SaysYesAboveTheTruthAndNeverBelow) {
 TEST(FactoredCertificate, OfABodyWithNothingFree) {
   Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.constraints().fix(i);
-  EXPECT_TRUE(certifies(body, body.mesh().X, 1e6, 2));
+  EXPECT_TRUE(FactoredCertificate(body, body.mesh().X).certifies(4e-12));
 }
 
-TEST(FactoredCertificate, RefusesNoStepAtAll) {
+TEST(FactoredCertificate, KnowsNoFrequencyThatIsNone) {
   const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const double bad : {0.0, -1.0, nan}) {
-    EXPECT_THROW(certifies(body, body.mesh().X, bad, 2), InputError) << bad;
-    EXPECT_THROW(certifies(body, body.mesh().X, 1e-3, bad), InputError) << bad;
-    EXPECT_FALSE(certifiesFrequency(body, body.mesh().X, bad)) << bad;
-  }
-  EXPECT_FALSE(certifiesFrequency(body, body.mesh().X, std::numeric_limits<double>::infinity()));
+  for (const double bad : {0.0, -1.0, nan})
+    EXPECT_FALSE(FactoredCertificate(body, body.mesh().X).certifies(bad)) << bad;
+  EXPECT_FALSE(FactoredCertificate(body, body.mesh().X).certifies(std::numeric_limits<double>::infinity()));
 }
 
 }  // namespace
