@@ -274,6 +274,8 @@ class Documents:
         text = "\n".join(self.lines(readme))
         laws = re.search(r"^Laws: (.*?)`ringwatch", text, re.M)
         self.same(readme, "laws", re.findall(r"`([\w-]+)`", laws[1]) if laws else [], "laws")
+        elements = re.search(r"^Elements: (.*?), also", text, re.M)
+        self.same(readme, "elements", re.findall(r"`(\w+)`", elements[1]) if elements else [], "elements")
         formats = re.search(r"`inspect` reads (.*?), and prints", text)
         extensions = [e for name in self.names("formats") for e in name.split("/")]
         self.same(readme, "mesh formats", re.findall(r"`(\.\w+)`", formats[1]) if formats else [], "formats", extensions)
