@@ -52,28 +52,16 @@ std::optional<ExactStep> exactCriticalStep(const TangentSource& source, NodeVect
   return std::nullopt;
 }
 
-std::string_view stepProofText(StepProof proof) {
-  switch (proof) {
-    case StepProof::stable:
-      return "proven stable";
-    case StepProof::unstable:
-      return "proven unstable";
-    case StepProof::neither:
-      break;
-  }
-  return "neither proven stable nor unstable";
-}
-
-StepProof proveStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit, double h,
-                    const BeforeFactorisation& before) {
+Verdict proveStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit, double h,
+                  const BeforeFactorisation& before) {
   requireProof(limit);
   if (!(h > 0) || !std::isfinite(h)) throw InputError(joinText("h = ", h, ": must be > 0 and finite"));
   const double sigma = limit.lambdaFor(h);
   FactoredCertificate certificate(source, x);
   if (before) before(certificate.cost());
-  if (certificate.certifies(sigma)) return StepProof::stable;
+  if (certificate.certifies(sigma)) return Verdict::certified;
   const std::optional<TopQuotient> top = topQuotient(source, x);
-  return top && optimisticStep(top->lower, limit) < h ? StepProof::unstable : StepProof::neither;
+  return top && optimisticStep(top->lower, limit) < h ? Verdict::violated : Verdict::notCertified;
 }
 
 }  // namespace ringwatch

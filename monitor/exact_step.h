@@ -1,11 +1,11 @@
 #pragma once
 #include <functional>
 #include <optional>
-#include <string_view>
 
 #include <ringwatch/body/tangent_source.h>
 #include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/bounds/factored_certificate.h>
+#include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch {
 
@@ -27,15 +27,11 @@ using BeforeFactorisation = std::function<void(const FactorisationCost&)>;
 std::optional<ExactStep> exactCriticalStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit,
                                            double tolerance = 1e-6, const BeforeFactorisation& before = {});
 
-enum class StepProof { stable, unstable, neither };
-/// "proven stable", "proven unstable", "neither proven stable nor unstable".
-std::string_view stepProofText(StepProof proof);
-
-/// Whether a step h, s, is proven stable or unstable at one state: by a factorisation, and where that fails by the
-/// Rayleigh quotient of the top mode. `neither` only for steps as close to the critical one as rounding, or where the
-/// top mode does not converge. Throws InputError unless h is positive and finite, for a rule that is not proven and
-/// when x is not 3×N.
-StepProof proveStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit, double h,
-                    const BeforeFactorisation& before = {});
+/// Whether a step h, s, is proven stable (certified) or unstable (violated) at one state: by a factorisation, and where
+/// that fails by the Rayleigh quotient of the top mode. notCertified only for steps as close to the critical one as
+/// rounding, or where the top mode does not converge. Throws InputError unless h is positive and finite, for a rule
+/// that is not proven and when x is not 3×N.
+Verdict proveStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit, double h,
+                  const BeforeFactorisation& before = {});
 
 }  // namespace ringwatch

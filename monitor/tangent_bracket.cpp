@@ -33,6 +33,80 @@ std::vector<std::int32_t> ascending(std::size_t count) {
   return order;
 }
 
+/// Elements whose tangents are given as numbers.
+class GivenTangents final : public ElementTangents {
+ public:
+  /// connectivity: by reference.
+  GivenTangents(std::size_t nodeCount, int nodesPerElement, std::span<const std::int32_t> connectivity)
+      : ElementTangents(nodesPerElement,
+                        layOutPatches(nodeCount, nodesPerElement, connectivity,
+                                      ascending(connectivity.size() / static_cast<std::size_t>(nodesPerElement))),
+                        connectivity) {}
+
+  /// The tangents from now on, 3n×3n numbers an element, symmetric, rows and columns 3·node + component; by reference.
+  void setTangents(const double* tangents) { tangents_ = tangents; }
+
+  void tangentBatch(std::int32_t batch, const double* x, double* K, double* rounding) const override {
+    tangentOf(layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, x, K, rounding);
+  }
+  void tangentOf(const std::int32_t* elements, const double* /*x*/, double* K, double* rounding) const override {
+    const std::ptrdiff_t count = entries();
+    if (rounding)
+      for (int lane = 0; lane < lanes; ++lane)
+        for (int a = 0; a < nodesPerElement(); ++a)
+          rounding[a * lanes + lane] = elements[lane] < 0 ? 0.0 : roundingOf(elements[lane], a);
+    for (int lane = 0; lane < lanes; ++lane) {
+      const double* own = tangents_ + (elements[lane] < 0 ? 0 : elements[lane]) * count;
+      for (std::ptrdiff_t i = 0; i < count; ++i) K[i * lanes + lane] = elements[lane] < 0 ? 0.0 : own[i];
+    }
+  }
+  void addTangentRounding(const Patch& patch, const double* /*x*/, double* slots) const override {
+    const int n = nodesPerElement();
+    for (std::int32_t i = patch.batchBegin * lanes; i < patch.batchEnd * lanes; ++i)
+      for (int a = 0; a < n && layout().elements[i] >= 0; ++a) {
+        const auto local = static_cast<std::size_t>((i / lanes * n + a) * lanes + i % lanes);
+        slots[4 * static_cast<std::ptrdiff_t>(layout().localNodes[local])] += roundingOf(layout().elements[i], a);
+      }
+  }
+  void addTangentProduct(const Patch& patch, const double* /*x*/, const double* v, double* slots) const override {
+    const int n = nodesPerElement(), size = 3 * n;
+    for (std::int32_t i = patch.batchBegin * lanes; i < patch.batchEnd * lanes; ++i) {
+      const std::int32_t e = layout().elements[i];
+      if (e < 0) continue;
+      const double* K = tangents_ + e * entries();
+      const auto nodes = nodesOf(e);
+      double own[3 * maxElementNodes];
+      for (int k = 0; k < size; ++k) own[k] = v[3 * static_cast<std::ptrdiff_t>(nodes[k / 3]) + k % 3];
+      for (int k = 0; k < size; ++k) {
+        const auto local = static_cast<std::size_t>((i / lanes * n + k / 3) * lanes + i % lanes);
+        double sum = 0;
+        for (int j = 0; j < size; ++j) sum += K[k * size + j] * own[j];
+        slots[4 * static_cast<std::ptrdiff_t>(layout().localNodes[local]) + k % 3] += sum;
+      }
+    }
+  }
+
+ private:
+  /// The numbers are exact; what is computed with them is not: T_a = productRounding u max_b |K_ab|.
+  double roundingOf(std::int32_t e, int a) const {
+    const int n = nodesPerElement(), size = 3 * n;
+    const double* K = tangents_ + e * entries();
+    double most = 0;
+    for (int b = 0; b < n; ++b) {
+      double sum = 0;
+      for (int i = 0; i < 9; ++i) {
+        const double entry = K[(3 * a + i / 3) * size + 3 * b + i % 3];
+        sum += entry * entry;
+      }
+      most = std::max(most, sum);
+    }
+    return productRounding * unitRoundoff * std::sqrt(most);
+  }
+  std::ptrdiff_t entries() const { return 9 * static_cast<std::ptrdiff_t>(nodesPerElement()) * nodesPerElement(); }
+
+  const double* tangents_ = nullptr;
+};
+
 /// W with W M W = 1 on the free degrees of freedom and 0 elsewhere, d×d numbers, of a node's mass M. Widens `residual`
 /// to what rounding leaves of W M W - 1.
 void inverseRoot(std::size_t node, const Eigen::MatrixXd& M, const std::vector<int>& free, double* W,
@@ -107,80 +181,6 @@ void checkSize(const char* what, double size) {
 }
 
 }  // namespace
-
-/// Elements whose tangents are given as numbers.
-class TangentBracket::GivenTangents final : public ElementTangents {
- public:
-  /// connectivity: by reference.
-  GivenTangents(std::size_t nodeCount, int nodesPerElement, std::span<const std::int32_t> connectivity)
-      : ElementTangents(nodesPerElement,
-                        layOutPatches(nodeCount, nodesPerElement, connectivity,
-                                      ascending(connectivity.size() / static_cast<std::size_t>(nodesPerElement))),
-                        connectivity) {}
-
-  /// The tangents from now on, 3n×3n numbers an element, symmetric, rows and columns 3·node + component; by reference.
-  void setTangents(const double* tangents) { tangents_ = tangents; }
-
-  void tangentBatch(std::int32_t batch, const double* x, double* K, double* rounding) const override {
-    tangentOf(layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, x, K, rounding);
-  }
-  void tangentOf(const std::int32_t* elements, const double* /*x*/, double* K, double* rounding) const override {
-    const std::ptrdiff_t count = entries();
-    if (rounding)
-      for (int lane = 0; lane < lanes; ++lane)
-        for (int a = 0; a < nodesPerElement(); ++a)
-          rounding[a * lanes + lane] = elements[lane] < 0 ? 0.0 : roundingOf(elements[lane], a);
-    for (int lane = 0; lane < lanes; ++lane) {
-      const double* own = tangents_ + (elements[lane] < 0 ? 0 : elements[lane]) * count;
-      for (std::ptrdiff_t i = 0; i < count; ++i) K[i * lanes + lane] = elements[lane] < 0 ? 0.0 : own[i];
-    }
-  }
-  void addTangentRounding(const Patch& patch, const double* /*x*/, double* slots) const override {
-    const int n = nodesPerElement();
-    for (std::int32_t i = patch.batchBegin * lanes; i < patch.batchEnd * lanes; ++i)
-      for (int a = 0; a < n && layout().elements[i] >= 0; ++a) {
-        const auto local = static_cast<std::size_t>((i / lanes * n + a) * lanes + i % lanes);
-        slots[4 * static_cast<std::ptrdiff_t>(layout().localNodes[local])] += roundingOf(layout().elements[i], a);
-      }
-  }
-  void addTangentProduct(const Patch& patch, const double* /*x*/, const double* v, double* slots) const override {
-    const int n = nodesPerElement(), size = 3 * n;
-    for (std::int32_t i = patch.batchBegin * lanes; i < patch.batchEnd * lanes; ++i) {
-      const std::int32_t e = layout().elements[i];
-      if (e < 0) continue;
-      const double* K = tangents_ + e * entries();
-      const auto nodes = nodesOf(e);
-      double own[3 * maxElementNodes];
-      for (int k = 0; k < size; ++k) own[k] = v[3 * static_cast<std::ptrdiff_t>(nodes[k / 3]) + k % 3];
-      for (int k = 0; k < size; ++k) {
-        const auto local = static_cast<std::size_t>((i / lanes * n + k / 3) * lanes + i % lanes);
-        double sum = 0;
-        for (int j = 0; j < size; ++j) sum += K[k * size + j] * own[j];
-        slots[4 * static_cast<std::ptrdiff_t>(layout().localNodes[local]) + k % 3] += sum;
-      }
-    }
-  }
-
- private:
-  /// The numbers are exact; what is computed with them is not: T_a = productRounding u max_b |K_ab|.
-  double roundingOf(std::int32_t e, int a) const {
-    const int n = nodesPerElement(), size = 3 * n;
-    const double* K = tangents_ + e * entries();
-    double most = 0;
-    for (int b = 0; b < n; ++b) {
-      double sum = 0;
-      for (int i = 0; i < 9; ++i) {
-        const double entry = K[(3 * a + i / 3) * size + 3 * b + i % 3];
-        sum += entry * entry;
-      }
-      most = std::max(most, sum);
-    }
-    return productRounding * unitRoundoff * std::sqrt(most);
-  }
-  std::ptrdiff_t entries() const { return 9 * static_cast<std::ptrdiff_t>(nodesPerElement()) * nodesPerElement(); }
-
-  const double* tangents_ = nullptr;
-};
 
 struct TangentBracket::Impl {
   struct Group {

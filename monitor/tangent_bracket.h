@@ -66,7 +66,6 @@ class TangentBracket {
 
  private:
   struct Impl;
-  class GivenTangents;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -78,7 +78,10 @@ struct Variant {
 HandlerOptions withDissipation(double dissipation, Selection selection = Selection::certified) {
   return {.selection = selection, .own = {{"dissipation", dissipation}}};
 }
-constexpr double noGrowth = 1e-12;            // growth of the energy of a scheme that loses some at every step
+constexpr double noGrowth = 1e-12;  // growth of the energy of a scheme that loses some at every step
+// Conjugate gradients to 2e-3, the default, err at random: over 48 flights of 100 000 steps, whose steps differed by
+// 1e-12, the energy grew by 1e-5 to 2.4e-3.
+constexpr double loosely = 7e-3;
 constexpr Allowed solved{4e-12, 2e-11};       // momentum after solves: 2.6e-13 to 1.9e-12 by build
 constexpr Allowed exchanged{2e-14, 1.5e-13};  // momentum that nodes exchange
 constexpr Allowed turned{2e-14, 5e-12};       // the same of angular momentum
@@ -114,7 +117,13 @@ std::vector<Variant> allVariants() {
        .options = {.own = {{"solver", "cg"}}},
        .barError = 6.5e-4,
        .cubeError = 0.011,
-       .drift = AllowedDrift{3e-5, solved, {2.4e-3, 0.035}}},
+       .drift = AllowedDrift{loosely, solved, {2.4e-3, 0.033}}},
+      {.name = "imex, cg to 1e-6",
+       .handler = "imex",
+       .options = {.own = {{"solver", "cg"}, {"tolerance", 1e-6}}},
+       .barError = 3e-4,
+       .cubeError = 0.011,
+       .drift = AllowedDrift{5e-5, solved, {3e-4, 2.6e-3}}},
       {.name = "imex, fierz-ring",
        .handler = "imex",
        .options = withDissipation(0.1, Selection::fierzRing),

@@ -52,11 +52,11 @@ void RunOutput::resume(const nlohmann::ordered_json& saved, std::int64_t step) {
     framesDue_ = saved.at("frames_due").get<std::int64_t>();
     lastFrame_ = saved.at("last_frame").get<std::int64_t>();
   }
-  certificates_.begin(step);
   history_.emplace(folder_, saved.at("history").get<std::size_t>());
   if (scene_.picture)
     for (const HistoryRow& row : readHistory(folder_)) keepForPicture(row);
   removeOldResults(folder_, {"summary.json", "critical_step.png", "critical_step.gp", "critical_step.dat"});
+  certificates_.begin(step);
 }
 
 nlohmann::ordered_json RunOutput::save() {

@@ -6,8 +6,6 @@
 #include <ringwatch/monitor/small/extreme_eigenvalues.h>
 
 namespace ringwatch {
-namespace {}  // namespace
-
 const ReducedRing::Result& ReducedRing::evaluate(NodeVectorsView x, bool wantLowest) {
   source_.assembleBlocks(x, matrix_);
   Eigen::VectorXd rounding = source_.tangentRounding(x, workspace_).cwiseQuotient(source_.lumpedMass());

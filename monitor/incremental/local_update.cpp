@@ -11,13 +11,15 @@
 namespace ringwatch {
 namespace {
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
 /// Largest t with base + t part ≼ sigma I; 0 when base alone is too large.
 double largestScaling(const Eigen::Matrix3d& base, const Eigen::Matrix3d& part, double sigma) {
   const Eigen::LLT<Eigen::Matrix3d> factor(sigma * Eigen::Matrix3d::Identity() - base);
   if (factor.info() != Eigen::Success) return 0;
   const Eigen::Matrix3d half = factor.matrixL().solve(part);
   const double top = largestEigenvalue(factor.matrixL().solve(half.transpose()));
-  return top > 0 ? 1 / (top * (1 + allowanceRounding)) : std::numeric_limits<double>::infinity();
+  return top > 0 ? 1 / (top * (1 + allowanceRounding)) : infinite;
 }
 
 /// (S/σ)^-¼ of a node, for D ← R D R: half the step of a sweep from scratch, since allowances outside the neighbourhood
@@ -76,8 +78,7 @@ class Neighbourhood {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       inside_[i] = freePart(body_, nodes_[i], inside_[i] / body_.lumpedMass()[nodes_[i]]);
     findScalings();
-    return scalings_.empty() ? std::numeric_limits<double>::infinity()
-                             : *std::min_element(scalings_.begin(), scalings_.end());
+    return scalings_.empty() ? infinite : *std::min_element(scalings_.begin(), scalings_.end());
   }
 
   /// Raises the certified eigenvalue to what the neighbourhood needs.
@@ -93,7 +94,7 @@ class Neighbourhood {
   /// Gives every element the least scaling of its nodes.
   void distribute() {
     for (std::size_t k = 0; k < ring_.size(); ++k) {
-      double own = std::numeric_limits<double>::infinity();
+      double own = infinite;
       for (const std::int32_t node : nodesOf(ring_[k])) {
         const auto at = std::lower_bound(nodes_.begin(), nodes_.end(), node);
         if (at != nodes_.end() && *at == node) own = std::min(own, scalings_[at - nodes_.begin()]);

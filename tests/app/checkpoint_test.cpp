@@ -170,6 +170,7 @@ TEST_F(Checkpoints, NeedTheirHistoryAndFrames) {
   ASSERT_TRUE(exists("part/checkpoint.bin"));
   const std::string history = folder_.read("part/history.csv");
   folder_.write("part/history.csv", history.substr(0, 300));
+  folder_.write("part/certificates/step_99999999.certificate", "of a longer run");
   expectRefused("run --resume part", "part/history.csv: has 300 bytes; the checkpoint needs its first ");
   EXPECT_EQ(folder_.read("part/history.csv"), history.substr(0, 300));
   folder_.write("part/history.csv", history);
@@ -177,7 +178,9 @@ TEST_F(Checkpoints, NeedTheirHistoryAndFrames) {
   expectRefused("run --resume part", "part/frames/frame_000001.vtu: is missing; the checkpoint needs it");
   std::filesystem::rename(folder_.path() / "kept.vtu", folder_.path() / "part/frames/frame_000001.vtu");
   EXPECT_EQ(folder_.read("part/history.csv"), history);
+  EXPECT_TRUE(exists("part/certificates/step_99999999.certificate"));  // the folder stays as it was
   EXPECT_EQ(call("run --resume part").status, 0);
+  EXPECT_FALSE(exists("part/certificates/step_99999999.certificate"));
   // A new run into the folder leaves nothing of the old one.
   ASSERT_EQ(call("run scene.toml --out part --set integrator.end=0.002").status, 0);
   EXPECT_FALSE(exists("part/checkpoint.bin"));

@@ -38,8 +38,8 @@ TEST(ExactStep, HoldsTheDenseEigenvalueWithinAMillionth) {
           EXPECT_LE(exact->safe, h * (1 + rounding)) << what;
           EXPECT_GE(exact->optimistic, h * (1 - rounding)) << what;
           EXPECT_LE(exact->optimistic / exact->safe - 1, 1e-6) << what;
-          EXPECT_EQ(proveStep(body, state.x, 2, exact->safe * (1 - 1e-6)), StepProof::stable) << what;
-          EXPECT_EQ(proveStep(body, state.x, 2, exact->optimistic * (1 + 1e-6)), StepProof::unstable) << what;
+          EXPECT_EQ(proveStep(body, state.x, 2, exact->safe * (1 - 1e-6)), Verdict::certified) << what;
+          EXPECT_EQ(proveStep(body, state.x, 2, exact->optimistic * (1 + 1e-6)), Verdict::violated) << what;
         }
       }
   EXPECT_GE(positive, 300);
@@ -80,7 +80,7 @@ TEST(ExactStep, RefusesWhatIsNoStepOrNoProof) {
 TEST(ExactStep, OfABodyWithNothingFree) {
   Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.constraints().fix(i);
-  EXPECT_EQ(proveStep(body, body.mesh().X, 2, 1e6), StepProof::stable);
+  EXPECT_EQ(proveStep(body, body.mesh().X, 2, 1e6), Verdict::certified);
   EXPECT_FALSE(exactCriticalStep(body, body.mesh().X, 2));
 }
 

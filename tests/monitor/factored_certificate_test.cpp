@@ -39,10 +39,10 @@ TEST(FactoredCertificate, SaysYesAboveTheTruthAndNeverBelow) {
           if (!(top > 0)) continue;
           ++withSteps;
           const double h = 2 / std::sqrt(top);
-          EXPECT_EQ(proveStep(body, state.x, 2, 0.999 * h), StepProof::stable) << what;
-          EXPECT_NE(proveStep(body, state.x, 2, 1.001 * h), StepProof::stable) << what;
-          EXPECT_EQ(proveStep(body, state.x, 2.8, 1.399 * h), StepProof::stable) << what;
-          EXPECT_NE(proveStep(body, state.x, 2.8, 1.401 * h), StepProof::stable) << what;
+          EXPECT_EQ(proveStep(body, state.x, 2, 0.999 * h), Verdict::certified) << what;
+          EXPECT_NE(proveStep(body, state.x, 2, 1.001 * h), Verdict::certified) << what;
+          EXPECT_EQ(proveStep(body, state.x, 2.8, 1.399 * h), Verdict::certified) << what;
+          EXPECT_NE(proveStep(body, state.x, 2.8, 1.401 * h), Verdict::certified) << what;
         }
       }
   EXPECT_GE(4 * finite, 3 * states);
