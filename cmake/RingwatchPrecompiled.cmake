@@ -1,13 +1,14 @@
-# Precompiled headers: what nearly every file includes is parsed once for the libraries, once for the command line and once
-# for the tests. Every file still includes what it uses: `check_headers` and -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON build
+# Precompiled headers: what nearly every file includes is parsed once for the libraries, once for what is compiled with -O1 and
+# once for the tests. Every file still includes what it uses: `check_headers` and -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON build
 # without them.
 #
 # ringwatch_precompile(NAME LINKS … HEADERS …) makes a set of headers; ringwatch_use_precompiled(TARGET NAME) lets a
-# target use it. GCC takes a set only for the options that it was made with, so all targets of a set are compiled alike.
+# target use it. All targets of a set are compiled alike: GCC takes a set only for the options that it was made with, and of the
+# optimisation it takes, in silence, what the set was made with.
 function(ringwatch_precompile name)
   cmake_parse_arguments(ARG "PIC" "" "LINKS;HEADERS;OPTIONS" ${ARGN})
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp CONTENT "// Holds the precompiled headers ${name}.\n")
-  add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  add_library(${name} OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ${ARG_PIC})
   target_include_directories(${name} PRIVATE ${RINGWATCH_INCLUDE_DIR})
   target_link_libraries(${name} PRIVATE ringwatch_abi ringwatch_options ${ARG_LINKS})

@@ -136,17 +136,32 @@ function(ringwatch_compile_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# ringwatch_library(NAME [KERNELS] SOURCES … LINKS … PRIVATE_LINKS …): the library ringwatch::NAME, a component of the installed
-# package; an interface library when it has no sources.
+function(ringwatch_light target)
+  target_compile_options(${target} PRIVATE -O1)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  if(TARGET ringwatch_precompiled_light)
+    ringwatch_use_precompiled(${target} ringwatch_precompiled_light)
+    # GCC takes precompiled headers only where their macros are defined.
+    target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:ringwatch_precompiled_light,COMPILE_DEFINITIONS>)
+  endif()
+endfunction()
+
+# ringwatch_library(NAME [KERNELS] [LIGHT] SOURCES … LINKS … PRIVATE_LINKS …): the library ringwatch::NAME, a component of the
+# installed package; an interface library when it has no sources. LIGHT ones are compiled with -O1: they spend their time in the
+# libraries below them.
 function(ringwatch_library name)
-  cmake_parse_arguments(ARG "KERNELS" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "KERNELS;LIGHT" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   set(target ringwatch_${name})
   if(ARG_SOURCES)
     add_library(${target} STATIC ${ARG_SOURCES})
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     set(public PUBLIC)
     target_link_libraries(${target} PRIVATE ${ARG_PRIVATE_LINKS} $<BUILD_INTERFACE:ringwatch_options>)
-    ringwatch_use_precompiled(${target} ringwatch_precompiled)
+    if(ARG_LIGHT)
+      ringwatch_light(${target})
+    else()
+      ringwatch_use_precompiled(${target} ringwatch_precompiled)
+    endif()
     if(NOT ARG_KERNELS)
       ringwatch_unity(${target})
     endif()
