@@ -10,6 +10,7 @@
 #include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/verify.h>
+#include <ringwatch/app/output/output_fields.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
 #include <ringwatch/elements/registry.h>
@@ -117,6 +118,28 @@ std::string generatorsText() {
 
 std::string studiesText() { return "Studies that ringwatch verify runs:\n\n" + listing(allStudies()); }
 
+std::string fieldsText(std::span<const OutputField> fields) {
+  std::string text;
+  for (const OutputField& field : fields)
+    text += fmt::format("  {:<39} {}{}\n", field.name, field.unit.empty() ? "" : fmt::format("[{}] ", field.unit),
+                        field.help);
+  return text;
+}
+
+std::string outputsText() {
+  return "What a run leaves in its folder.\n\n"
+         "history.csv, a row every output.history_every steps; a cell is empty where nothing was computed:\n\n" +
+         fieldsText(historyColumns()) +
+         "\nsummary.json; a key is null where the run has none of it, [] stands for each entry of a list, * for any "
+         "key:\n\n" +
+         fieldsText(summaryKeys()) +
+         "\nframes/*.vtu, listed with their times in run.pvd for ParaView, every output.every seconds:\n\n" +
+         fieldsText(frameFields()) +
+         "\ncritical_step.png, drawn by gnuplot from critical_step.gp and critical_step.dat: the bracket and the step "
+         "along the run. checkpoint.bin, with output.checkpoint_every: what --resume goes on from. certificates/, with "
+         "monitor.certificates: proofs that ringwatch-check verifies.\n";
+}
+
 std::string exitStatusText() {
   std::string text = "Exit statuses of every command:\n\n";
   for (const ExitStatusInfo& info : exitStatuses)
@@ -124,7 +147,7 @@ std::string exitStatusText() {
   return text;
 }
 
-constexpr std::array<HelpTopic, 10> topics{{
+constexpr std::array<HelpTopic, 11> topics{{
     {"scene", "every key of a scene file with type, unit, range and default", sceneHelp, nullptr},
     {"elements", "elements and their quadrature rules", elementsText, [] { return namesIn(allElements()); }},
     {"laws", "constitutive laws", lawsText, [] { return namesIn(allLaws()); }},
@@ -136,6 +159,8 @@ constexpr std::array<HelpTopic, 10> topics{{
     {"formats", "mesh formats that are read and written", formatsText, formatNames},
     {"generators", "mesh generators and their parameters", generatorsText, [] { return namesIn(allGenerators()); }},
     {"studies", "studies of ringwatch verify", studiesText, [] { return namesIn(allStudies()); }},
+    {"outputs", "what a run leaves: columns of history.csv, keys of summary.json, fields of frames", outputsText,
+     nullptr},
     {"exit-status", "exit statuses", exitStatusText, nullptr},
 }};
 

@@ -7,20 +7,24 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/output/output_fields.h>
 #include <ringwatch/base/error.h>
 
 namespace ringwatch {
 namespace {
 
-constexpr const char* columns =
-    "step,time_s,h_s,safe_s,optimistic_s,controlling_element,kinetic_J,strain_J,external_work_J,balance_error_J,"
-    "elements_refreshed,handled_elements,metric_step_s,verdict,dissipated_J\n";
+/// The first line of the file.
+std::string heading() {
+  std::string line;
+  for (const OutputField& column : historyColumns()) line += joinText(line.empty() ? "" : ",", column.name);
+  return line + '\n';
+}
 
 }  // namespace
 
 HistoryWriter::HistoryWriter(const std::filesystem::path& folder)
     : file_(folder / "history.csv"), flushed_(std::chrono::steady_clock::now()) {
-  file_.write(columns);
+  file_.write(heading());
 }
 
 namespace {
@@ -91,14 +95,14 @@ std::vector<HistoryRow> readHistory(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "history.csv";
   std::ifstream file(path, std::ios::binary);
   std::string line;
-  if (!std::getline(file, line) || line + '\n' != columns)
+  if (!std::getline(file, line) || line + '\n' != heading())
     throw InputError(fmt::format("{}: is no history of this version", path.string()));
   std::vector<HistoryRow> rows;
   while (std::getline(file, line)) {
     std::vector<std::string> cells;
     std::istringstream text(line + ",");
     for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
-    constexpr std::size_t count = 15;  // columns
+    const std::size_t count = historyColumns().size();
     if (cells.size() != count)
       throw InputError(fmt::format("{}: row {} has {} cells, not {}", path.string(), rows.size(), cells.size(), count));
     const auto number = [&](std::size_t i) { return std::strtod(cells[i].c_str(), nullptr); };

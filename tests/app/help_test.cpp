@@ -14,6 +14,7 @@
 #include <ringwatch/app/command/help.h>
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/verify.h>
+#include <ringwatch/app/output/output_fields.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/elements/registry.h>
@@ -75,6 +76,8 @@ TEST_F(Words, EveryTopicListsItsRegistry) {
     for (const GeneratorParameter& p : info.parameters) EXPECT_THAT(help("generators"), HasSubstr(p.name));
   }
   for (const StudyInfo& info : allStudies()) EXPECT_THAT(help("studies"), lists(info.name));
+  for (const std::span<const OutputField> fields : {historyColumns(), summaryKeys(), frameFields()})
+    for (const OutputField& field : fields) EXPECT_THAT(help("outputs"), lists(field.name));
   for (const ExitStatusInfo& info : exitStatuses) EXPECT_THAT(help("exit-status"), HasSubstr(info.meaning));
   for (const SceneSection& section : sceneSections()) EXPECT_THAT(help("scene"), HasSubstr(section.name));
   for (const SceneKey& key : sceneKeys()) EXPECT_THAT(help("scene"), lists(key.key));
