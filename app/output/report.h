@@ -4,7 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <ringwatch/app/run/runner.h>
+#include <ringwatch/app/run/run_result.h>
+#include <ringwatch/app/scene/scene.h>
 
 namespace ringwatch {
 

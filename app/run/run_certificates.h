@@ -3,7 +3,8 @@
 #include <filesystem>
 #include <optional>
 
-#include <ringwatch/app/run/runner.h>
+#include <ringwatch/app/run/run_result.h>
+#include <ringwatch/app/scene/scene.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/monitor/stability_monitor.h>
 

@@ -3,7 +3,8 @@
 #include <cmath>
 #include <optional>
 
-#include <ringwatch/app/run/runner.h>
+#include <ringwatch/app/run/run_result.h>
+#include <ringwatch/app/scene/scene.h>
 #include <ringwatch/integrators/body_system.h>
 
 namespace ringwatch {

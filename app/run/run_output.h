@@ -8,7 +8,8 @@
 #include <ringwatch/app/output/picture.h>
 #include <ringwatch/app/run/folder_lock.h>
 #include <ringwatch/app/run/run_certificates.h>
-#include <ringwatch/app/run/runner.h>
+#include <ringwatch/app/run/run_result.h>
+#include <ringwatch/app/scene/scene.h>
 #include <ringwatch/integrators/integrator.h>
 
 namespace ringwatch {

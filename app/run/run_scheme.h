@@ -2,8 +2,9 @@
 #include <memory>
 #include <optional>
 
-#include <ringwatch/app/run/runner.h>
+#include <ringwatch/app/run/run_result.h>
 #include <ringwatch/app/run/stepper.h>
+#include <ringwatch/app/scene/scene.h>
 #include <ringwatch/meshes/modify/cut.h>
 
 namespace ringwatch {

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include <ringwatch/app/run/handled_watch.h>
-#include <ringwatch/app/run/runner.h>
+#include <ringwatch/app/run/run_result.h>
+#include <ringwatch/app/scene/scene.h>
 #include <ringwatch/integrators/integrator.h>
 
 namespace ringwatch {

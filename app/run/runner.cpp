@@ -1,4 +1,3 @@
-#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/run/runner.h>
 
 #include <algorithm>
@@ -7,11 +6,13 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/run/checkpoint.h>
 #include <ringwatch/app/run/run_energies.h>
 #include <ringwatch/app/run/run_output.h>
+#include <ringwatch/app/run/run_recorder.h>
 #include <ringwatch/app/run/run_scheme.h>
 #include <ringwatch/app/run/run_watch.h>
 #include <ringwatch/app/run/saved_result.h>
@@ -37,6 +38,7 @@ class Run {
         steps_(scene),
         loads_(scene, body),
         progress_(options.progress),
+        recorder_(scene, result_),
         watch_(scene, body, rule_, result_) {
     result_.notes = options.notes;
     result_.requireCertified = scene_.requireCertified;
@@ -45,7 +47,7 @@ class Run {
         if (block.type != elementTypeOf<Tet4>)
           throw InputError(fmt::format("{}: only tetrahedra of four nodes can be cut; the mesh has {}", cut.origin,
                                        elementInfo(block.type).name));
-    followMaterials();
+    recorder_.follow(body_.mesh());
     scheme_ = std::make_unique<RunScheme>(scene_, body_, result_);
     beginWatch();
   }
@@ -93,10 +95,10 @@ class Run {
       const bool rowDue = k % scene_.historyEvery == 0;
       MonitorReport report = handleMore(observe(k, rowDue), rowDue);
       if (!isFinite(state_, body_.threads())) {
-        keepEvents(report);
+        recorder_.recordEvents(report, body_.mesh());
         return end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", k));
       }
-      if (!chooseStep(report)) return keepEvents(report);
+      if (!chooseStep(report)) return recorder_.recordEvents(report, body_.mesh());
       if (loads_.any() && k == 0) energies_.setScale(loads_.energyScale(steps_.step()));
       energies_.check(k, state_.time);
       record(report, rowDue);
@@ -264,7 +266,7 @@ class Run {
     state_.v = carriedOver(made, state_.v);
     state_.a.resize(3, 0);
     body_ = sceneBody(scene_, made.mesh, body_.threads(), MaterialsBy::mesh);
-    followMaterials();
+    recorder_.follow(body_.mesh());
     body_.constraints().imposeVelocity(state_.v);
     energies_.beginBody();
     {
@@ -362,35 +364,10 @@ class Run {
     return true;
   }
 
-  void followMaterials() {
-    materialOfBlock_ = materialOfBlocks(body_.mesh());
-    if (materialOfBlock_.empty() || result_.governing) return;
-    RunResult::Governing governing;
-    governing.observations.resize(scene_.materials.size());
-    result_.governing = std::move(governing);
-  }
-  void keepGoverning(const MonitorReport& report) {
-    if (!result_.governing || !report.fresh || !report.bracket) return;
-    RunResult::Governing& governing = *result_.governing;
-    const int material = materialOfBlock_[report.bracket->controlling.block];
-    ++governing.observations[material];
-    if (governing.leastSafe && !(report.bracket->safe < *governing.leastSafe)) return;
-    governing.leastSafe = report.bracket->safe;
-    governing.atLeastSafe = material;
-  }
-
-  void keepEvents(const MonitorReport& report) {
-    for (const MonitorEvent& event : report.newEvents) {
-      result_.events.push_back({event, elementJson(body_.mesh(), event.element), eventText(event, body_.mesh())});
-      if (event.kind == EventKind::violated && !result_.firstViolated) result_.firstViolated = {event.step, event.time};
-    }
-  }
-
   void record(const MonitorReport& report, bool rowDue) {
     const Stopwatch output(result_.outputTime);
     output_->open();
-    keepEvents(report);
-    keepGoverning(report);
+    recorder_.record(report, body_.mesh());
     output_->certificates().record(report, state_, result_.worst == Verdict::violated);
     if (rowDue) {
       HistoryRow row;
@@ -441,29 +418,10 @@ class Run {
       end(ExitReason::stepFailed, fmt::format("step {} failed: {}", report.step, taken.fault));
       return false;
     }
-    result_.smallestStep = result_.steps == 0 ? steps_.step() : std::min(result_.smallestStep, steps_.step());
-    result_.largestStep = std::max(result_.largestStep, steps_.step());
-    result_.steps += taken.steps;
-    if (watch_.monitors()) {
-      result_.worst = std::max(result_.worst.value_or(Verdict::certified), report.verdict);
-      result_.violatedStepTaken = result_.violatedStepTaken || report.verdict == Verdict::violated;
-      if (scene_.proves()) countCertified(report, taken.steps);
-    }
+    recorder_.countSteps(taken.steps, steps_.step());
+    if (watch_.monitors()) recorder_.countVerdict(report, taken.steps, watch_.freshReports() <= 1);
     lastVerdict_ = report.verdict;
     return true;
-  }
-
-  void countCertified(const MonitorReport& report, std::int64_t taken) {
-    result_.watchedSteps += taken;
-    if (report.verdict == Verdict::certified) {
-      result_.certifiedSteps += taken;
-      if (watch_.freshReports() <= 1) result_.firstObservationSteps += taken;
-    }
-    if (!report.fresh || !report.bracket || !(report.bracket->safe > 0)) return;
-    const double safe = report.bracket->safe;
-    if (!result_.safeSeen) result_.safeSeen = {safe, safe};
-    result_.safeSeen->least = std::min(result_.safeSeen->least, safe);
-    result_.safeSeen->largest = std::max(result_.safeSeen->largest, safe);
   }
 
   void showProgress(const MonitorReport& report) {
@@ -483,7 +441,12 @@ class Run {
       end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result_.steps));
     const FrameState last = frameOf(lastReport());
     watch_.end();
-    noteWhatIsNotCertified();
+    if (result_.reason == ExitReason::interrupted && scene_.checkpointInterval)
+      result_.notes.push_back(
+          checkpointsDue_ > 0
+              ? fmt::format("ringwatch run --resume {} goes on from its last checkpoint", options_.folder.string())
+              : "there was no checkpoint yet to go on from");
+    recorder_.noteWhatIsNotCertified(body_.mesh());
     if (const Handler* handler = scheme_->handler())
       result_.handler->figures = scheme_->stepper().figures(handler->figures());
     if (std::string note = scheme_->stepper().note(); !note.empty()) result_.notes.push_back(std::move(note));
@@ -500,34 +463,6 @@ class Run {
     return report;
   }
 
-  void noteWhatIsNotCertified() {
-    if (result_.reason == ExitReason::interrupted && scene_.checkpointInterval)
-      result_.notes.push_back(
-          checkpointsDue_ > 0
-              ? fmt::format("ringwatch run --resume {} goes on from its last checkpoint", options_.folder.string())
-              : "there was no checkpoint yet to go on from");
-    if (result_.energyOff())
-      result_.notes.emplace_back("the energy balance was off (see the events), so the run is not called stable");
-    if (result_.watchedSteps == 0 || result_.certified()) return;
-    std::string note = fmt::format("certified steps: {} of {}", result_.certifiedSteps, result_.watchedSteps);
-    if (result_.safeSeen && scene_.step) {
-      const auto [least, largest] = *result_.safeSeen;
-      note += fmt::format("; the safe step was {:.4g} to {:.4g} s along the run", least, largest);
-      // A run that has gone unstable ends in states that no useful step would have led to.
-      constexpr double useful = 0.1;  // of the largest
-      if (least > useful * largest) {
-        // Rounded down, so that the number as it is printed is certified.
-        const double unit = std::pow(10, std::floor(std::log10(least)) - 3);
-        note += fmt::format(": a step of {:.4g} s would have been certified in these states",
-                            std::floor(least / unit) * unit);
-      }
-    }
-    if (static_cast<std::int64_t>(body_.mesh().elementCount()) > MonitorOptions{}.firstObservationElements)
-      note += fmt::format("; on more than {} elements inspect may prove a larger step than the run's first observation",
-                          MonitorOptions{}.firstObservationElements);
-    result_.notes.push_back(note);
-  }
-
   const Scene& scene_;
   Body& body_;
   const RunOptions& options_;
@@ -537,6 +472,7 @@ class Run {
   TimedLoads loads_;
   ProgressLine progress_;
   RunResult result_;
+  RunRecorder recorder_;
   RunWatch watch_;
   std::unique_ptr<RunScheme> scheme_;
   std::optional<RunOutput> output_;
@@ -545,31 +481,11 @@ class Run {
   Body::Workspace workspace_;
   bool stepperNeedsForce_ = false;
   std::size_t cutsMissed_ = 0;
-  std::int64_t checkpointsDue_ = 0;   // whole intervals that the last one ended
-  std::vector<int> materialOfBlock_;  // empty where there is one
+  std::int64_t checkpointsDue_ = 0;  // whole intervals that the last one ended
   Verdict lastVerdict_ = Verdict::notCertified;
 };
 
 }  // namespace
-
-bool RunResult::energyOff() const {
-  return std::any_of(events.begin(), events.end(),
-                     [](const RunEvent& told) { return told.event.kind == EventKind::energyBalance; });
-}
-
-ExitStatus RunResult::exitStatus() const {
-  const bool ended = reason == ExitReason::end || reason == ExitReason::interrupted;
-  if (!ended || violatedStepTaken || runaway || energyOff()) return ExitStatus::unstable;
-  if (requireCertified && !certified()) return ExitStatus::unstable;
-  if (reason == ExitReason::interrupted) return ExitStatus::interrupted;
-  return neverCertified() ? ExitStatus::notCertified : ExitStatus::done;
-}
-
-std::string_view RunResult::verdict() const {
-  if (reason == ExitReason::nonFinite || runaway || energyOff()) return "unstable";
-  if (violatedStepTaken || reason == ExitReason::violated) return "violated";
-  return worst ? verdictName(*worst) : "unmonitored";
-}
 
 RunResult runScene(const Scene& scene, Body& body, const RunOptions& options) { return Run(scene, body, options).go(); }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <nlohmann/json.hpp>
 
-#include <ringwatch/app/run/runner.h>
+#include <ringwatch/app/run/run_result.h>
 
 namespace ringwatch {
 

@@ -1,0 +1,88 @@
+#include <ringwatch/app/run/run_recorder.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/output/report.h>
+
+namespace ringwatch {
+
+void RunRecorder::follow(const Mesh& mesh) {
+  materialOfBlock_ = materialOfBlocks(mesh);
+  if (materialOfBlock_.empty() || result_.governing) return;
+  RunResult::Governing governing;
+  governing.observations.resize(scene_.materials.size());
+  result_.governing = std::move(governing);
+}
+
+void RunRecorder::record(const MonitorReport& report, const Mesh& mesh) {
+  recordEvents(report, mesh);
+  recordGoverning(report);
+}
+
+void RunRecorder::recordEvents(const MonitorReport& report, const Mesh& mesh) {
+  for (const MonitorEvent& event : report.newEvents) {
+    result_.events.push_back({event, elementJson(mesh, event.element), eventText(event, mesh)});
+    if (event.kind == EventKind::violated && !result_.firstViolated) result_.firstViolated = {event.step, event.time};
+  }
+}
+
+void RunRecorder::recordGoverning(const MonitorReport& report) {
+  if (!result_.governing || !report.fresh || !report.bracket) return;
+  RunResult::Governing& governing = *result_.governing;
+  const int material = materialOfBlock_[report.bracket->controlling.block];
+  ++governing.observations[material];
+  if (governing.leastSafe && !(report.bracket->safe < *governing.leastSafe)) return;
+  governing.leastSafe = report.bracket->safe;
+  governing.atLeastSafe = material;
+}
+
+void RunRecorder::countSteps(std::int64_t taken, double h) {
+  result_.smallestStep = result_.steps == 0 ? h : std::min(result_.smallestStep, h);
+  result_.largestStep = std::max(result_.largestStep, h);
+  result_.steps += taken;
+}
+
+void RunRecorder::countVerdict(const MonitorReport& report, std::int64_t taken, bool first) {
+  result_.worst = std::max(result_.worst.value_or(Verdict::certified), report.verdict);
+  result_.violatedStepTaken = result_.violatedStepTaken || report.verdict == Verdict::violated;
+  if (!scene_.proves()) return;
+  result_.watchedSteps += taken;
+  if (report.verdict == Verdict::certified) {
+    result_.certifiedSteps += taken;
+    if (first) result_.firstObservationSteps += taken;
+  }
+  if (!report.fresh || !report.bracket || !(report.bracket->safe > 0)) return;
+  const double safe = report.bracket->safe;
+  if (!result_.safeSeen) result_.safeSeen = {safe, safe};
+  result_.safeSeen->least = std::min(result_.safeSeen->least, safe);
+  result_.safeSeen->largest = std::max(result_.safeSeen->largest, safe);
+}
+
+void RunRecorder::noteWhatIsNotCertified(const Mesh& mesh) {
+  if (result_.energyOff())
+    result_.notes.emplace_back("the energy balance was off (see the events), so the run is not called stable");
+  if (result_.watchedSteps == 0 || result_.certified()) return;
+  std::string note = fmt::format("certified steps: {} of {}", result_.certifiedSteps, result_.watchedSteps);
+  if (result_.safeSeen && scene_.step) {
+    const auto [least, largest] = *result_.safeSeen;
+    note += fmt::format("; the safe step was {:.4g} to {:.4g} s along the run", least, largest);
+    // A run that has gone unstable ends in states that no useful step would have led to.
+    constexpr double useful = 0.1;  // of the largest
+    if (least > useful * largest) {
+      // Rounded down, so that the number as it is printed is certified.
+      const double unit = std::pow(10, std::floor(std::log10(least)) - 3);
+      note += fmt::format(": a step of {:.4g} s would have been certified in these states",
+                          std::floor(least / unit) * unit);
+    }
+  }
+  if (static_cast<std::int64_t>(mesh.elementCount()) > MonitorOptions{}.firstObservationElements)
+    note += fmt::format("; on more than {} elements inspect may prove a larger step than the run's first observation",
+                        MonitorOptions{}.firstObservationElements);
+  result_.notes.push_back(note);
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include <ringwatch/app/run/run_result.h>
+#include <ringwatch/app/scene/scene.h>
+
+namespace ringwatch {
+
+/// Writes what a run observes and does into its result.
+class RunRecorder {
+ public:
+  /// Scene and result must outlive the recorder.
+  RunRecorder(const Scene& scene, RunResult& result) : scene_(scene), result_(result) {}
+
+  /// The mesh from here on, whose blocks name their materials.
+  void follow(const Mesh& mesh);
+  /// A report of the monitor, before a step from its state: its events, and which material limits the bracket.
+  void record(const MonitorReport& report, const Mesh& mesh);
+  /// The events alone, where no step is taken.
+  void recordEvents(const MonitorReport& report, const Mesh& mesh);
+  /// Steps of h (s) that were taken.
+  void countSteps(std::int64_t taken, double h);
+  /// What the monitor said of the steps that were taken; first: nothing but its first observation was known.
+  void countVerdict(const MonitorReport& report, std::int64_t taken, bool first);
+  /// Why the run is called neither stable nor certified, for its notes.
+  void noteWhatIsNotCertified(const Mesh& mesh);
+
+ private:
+  void recordGoverning(const MonitorReport& report);
+
+  const Scene& scene_;
+  RunResult& result_;
+  std::vector<int> materialOfBlock_;  // empty where there is one
+};
+
+}  // namespace ringwatch

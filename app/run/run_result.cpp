@@ -1,0 +1,26 @@
+#include <ringwatch/app/run/run_result.h>
+
+#include <algorithm>
+
+namespace ringwatch {
+
+bool RunResult::energyOff() const {
+  return std::any_of(events.begin(), events.end(),
+                     [](const RunEvent& told) { return told.event.kind == EventKind::energyBalance; });
+}
+
+ExitStatus RunResult::exitStatus() const {
+  const bool ended = reason == ExitReason::end || reason == ExitReason::interrupted;
+  if (!ended || violatedStepTaken || runaway || energyOff()) return ExitStatus::unstable;
+  if (requireCertified && !certified()) return ExitStatus::unstable;
+  if (reason == ExitReason::interrupted) return ExitStatus::interrupted;
+  return neverCertified() ? ExitStatus::notCertified : ExitStatus::done;
+}
+
+std::string_view RunResult::verdict() const {
+  if (reason == ExitReason::nonFinite || runaway || energyOff()) return "unstable";
+  if (violatedStepTaken || reason == ExitReason::violated) return "violated";
+  return worst ? verdictName(*worst) : "unmonitored";
+}
+
+}  // namespace ringwatch

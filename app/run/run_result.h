@@ -1,0 +1,120 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <ringwatch/app/command/exit_status.h>
+#include <ringwatch/handlers/handler.h>
+#include <ringwatch/monitor/stability_monitor.h>
+
+namespace ringwatch {
+
+/// Why a run ended.
+enum class ExitReason {
+  end,            ///< its end time was reached
+  violated,       ///< the monitor said so and the scene says stop
+  nonFinite,      ///< positions or velocities are no longer numbers
+  stepCollapsed,  ///< reducing the step led to no step that can be certified
+  stepFailed,     ///< the integrator could not take the step
+  interrupted     ///< from outside
+};
+inline constexpr auto exitReasonNames = nameTable<ExitReason>({
+    {ExitReason::end, "end"},
+    {ExitReason::violated, "violated"},
+    {ExitReason::nonFinite, "non-finite"},
+    {ExitReason::stepCollapsed, "step-collapsed"},
+    {ExitReason::stepFailed, "step-failed"},
+    {ExitReason::interrupted, "interrupted"},
+});
+constexpr std::string_view exitReasonName(ExitReason reason) { return exitReasonNames.nameOf(reason); }
+
+/// What a handler did in a run.
+struct Handling {
+  std::int64_t elements = 0;     // handled at the end
+  std::int64_t selections = 0;   // how often they were chosen
+  std::int64_t evaluations = 0;  // of single elements or rings, all selections together
+  bool certified = false;        // the explicit part, at the last choice
+  std::vector<HandlerFigure> figures;
+};
+
+/// What a cut did to a run.
+struct CutRecord {
+  std::int64_t step = 0;
+  double time = 0;                                     // s
+  std::int64_t elementsBefore = 0, elementsAfter = 0;  // of the mesh
+  std::int64_t elementsCut = 0, nodesAdded = 0, facesOpened = 0;
+  double area = 0;    // opened, at rest, one side, m²
+  double atMost = 0;  // s, what the changed elements leave of the critical step of the whole body, by their rings
+  std::optional<CriticalStep> before, after;         // of the whole body there, whatever a handler does; where wanted
+  double kineticBefore = 0, kineticAfter = 0;        // J; lumped masses move it a little
+  std::int64_t handledBefore = 0, handledAfter = 0;  // elements
+  Handler::SelectionCost selectionCost;              // again, by the handler
+  double cutTime = 0, selectionTime = 0;             // s of wall time: of mesh and body, of the handler
+};
+
+/// An event, with what only the mesh of its time can say.
+struct RunEvent {
+  MonitorEvent event;
+  nlohmann::ordered_json element;  // elementJson
+  std::string text;                // eventText
+};
+
+/// What came of a run.
+struct RunResult {
+  struct Moment {
+    std::int64_t step;
+    double time;  // s
+  };
+  ExitReason reason = ExitReason::end;
+  std::string reasonText;                    // one line
+  std::int64_t steps = 0;                    // taken
+  double time = 0;                           // s, reached
+  double smallestStep = 0, largestStep = 0;  // s, of the steps taken
+  std::optional<Verdict> worst;              // of the steps taken; empty when nothing was monitored
+  bool violatedStepTaken = false;
+  std::int64_t watchedSteps = 0;           // taken with a monitor that proves something
+  std::int64_t certifiedSteps = 0;         // of those
+  std::int64_t firstObservationSteps = 0;  // of those, on what the monitor's first observation alone had proven
+  struct Range {
+    double least, largest;
+  };
+  std::optional<Range> safeSeen;        // s, the safe sides of the brackets of states from which a step was taken
+  bool requireCertified = false;        // the scene's monitor.require_certified
+  std::optional<Moment> firstViolated;  // the monitor first said violated
+  std::optional<Moment> runaway;        // the energy balance went off by more than runawayShare for good
+  std::vector<RunEvent> events;
+  std::optional<Handling> handler;  // empty without one
+  std::vector<CutRecord> cuts;
+  /// Which materials hold the elements that control the bracket, where the scene has several.
+  struct Governing {
+    std::vector<std::int64_t> observations;  // by material, of which the controlling element was of it
+    std::optional<double> leastSafe;         // s, of all observations
+    int atLeastSafe = 0;                     // the material of the controlling element there
+  };
+  std::optional<Governing> governing;
+  double forceTime = 0, monitorTime = 0, outputTime = 0, wallTime = 0;  // s
+  std::size_t frames = 0;
+  std::vector<std::string> files;  // written, relative to the folder
+  std::vector<std::string> notes;
+
+  /// Reached its end, took no step that was proven unstable, kept its energy in balance, and was certified unless
+  /// nothing was to prove it: exitStatus() is ExitStatus::done.
+  bool stable() const { return exitStatus() == ExitStatus::done; }
+  /// Every step that was watched was certified, and there was one.
+  bool certified() const { return watchedSteps > 0 && certifiedSteps == watchedSteps; }
+  /// Nothing beyond the monitor's first observation was certified, though there was more.
+  bool neverCertified() const { return certifiedSteps < watchedSteps && certifiedSteps <= firstObservationSteps; }
+  /// An energy-balance event happened, whether it ended or not.
+  bool energyOff() const;
+  ExitStatus exitStatus() const;
+  /// "certified", "not-certified", "violated", "unstable" or "unmonitored": what the run as a whole may be called.
+  std::string_view verdict() const;
+};
+
+/// Balance error over the largest energy so far that counts as a runaway.
+inline constexpr double runawayShare = 0.1;
+
+}  // namespace ringwatch
