@@ -396,50 +396,49 @@ void reportMetrics(const std::vector<MetricResult>& metrics, const StepRule& rul
   text += "  safe: proven, the critical step is at least this; optimistic: proven, at most this\n";
 }
 
-}  // namespace
-
-InspectResult inspectMesh(const InspectOptions& options) {
-  const std::vector<std::string> wanted = metricsWanted(options.metrics);
-  if (options.step && !(*options.step > 0 && std::isfinite(*options.step)))
-    throw InputError(fmt::format("--step: {} is out of range; must be > 0 s", *options.step));
+void checkOptions(const InspectOptions& options) {
+  const auto needsStep = [](const char* option, const std::optional<double>& h) {
+    if (h && !(*h > 0 && std::isfinite(*h)))
+      throw InputError(fmt::format("{}: {} is out of range; must be > 0 s", option, *h));
+  };
+  needsStep("--step", options.step);
   if (options.lanczos && !(*options.lanczos > 0 && *options.lanczos <= 0.5))
     throw InputError(
         fmt::format("--lanczos: {} is out of range; must be > 0 and <= 0.5, a probability", *options.lanczos));
-  if (options.prove && !(*options.prove > 0 && std::isfinite(*options.prove)))
-    throw InputError(fmt::format("--prove: {} is out of range; must be > 0 s", *options.prove));
+  needsStep("--prove", options.prove);
   if (options.picture) checkPictureName(*options.picture);
+}
 
-  const Subject subject = subjectOf(options);
+void reportMesh(const Subject& subject, const InspectOptions& options,
+                const std::vector<std::vector<ElementQuality>>& quality, InspectResult& result) {
   const Body& body = subject.body;
   const Mesh& mesh = body.mesh();
-  const NodeVectors& x = subject.x;
-  const StepRule& rule = subject.rule;
-
-  InspectResult result;
-  Json& json = result.json;
-  const auto quality = meshQuality(mesh);
   const std::vector<QualitySummary> summaries = summarizeQuality(quality);
+  Json& json = result.json;
   json["mesh"] = meshJson(mesh, body.volume());
   json["mesh"].update(setsJson(mesh));
   json["mass"] = body.totalMass();
   json["state"] = subject.stateJson;
-  std::string& text = result.text;
-  text = fmt::format("{}: {} nodes, {}\n  volume {:.10g} m3, mass {:.10g} kg\n", options.mesh.string(),
-                     mesh.nodeCount(), elementCounts(mesh), body.volume(), body.totalMass());
-  text += setsText(mesh);
-  for (const std::string& note : subject.notes) text += fmt::format("  note: {}\n", note);
+  result.text = fmt::format("{}: {} nodes, {}\n  volume {:.10g} m3, mass {:.10g} kg\n", options.mesh.string(),
+                            mesh.nodeCount(), elementCounts(mesh), body.volume(), body.totalMass());
+  result.text += setsText(mesh);
+  for (const std::string& note : subject.notes) result.text += fmt::format("  note: {}\n", note);
   json["quality"] = qualityJson(summaries);
-  text += qualityText(summaries);
+  result.text += qualityText(summaries);
+}
 
+CriticalStep reportBracket(const Subject& subject, const InspectOptions& options, InspectResult& result) {
   std::optional<LanczosOptions> lanczos;
   if (options.lanczos) lanczos.emplace().eta = *options.lanczos;
-  const CriticalStep step = criticalStep(body, x, rule, lanczos);
-  json["critical_step"] = Json{{"safe", step.safe}, {"optimistic", step.optimistic}};
+  const CriticalStep step = criticalStep(subject.body, subject.x, subject.rule, lanczos);
+  Json& json = result.json["critical_step"];
+  std::string& text = result.text;
+  json = Json{{"safe", step.safe}, {"optimistic", step.optimistic}};
   text += fmt::format("critical step {}: {}, {}, limit h omega = {:.6g}{}\n", subject.state, subject.model,
                       subject.integrator->name, subject.integrator->imaginaryLimit, subject.damped ? ", damped" : "");
   text += fmt::format("  safe        {:.10g} s   proven stable up to here, by {}\n", step.safe, step.safeBy);
   if (step.probable) {
-    json["critical_step"]["probable"] = Json{{"safe", step.probable->safe}, {"eta", step.probable->eta}};
+    json["probable"] = Json{{"safe", step.probable->safe}, {"eta", step.probable->eta}};
     text +=
         fmt::format("  probable    {:.10g} s   stable up to here with probability 1 - {:.3g}, {} tangent products\n",
                     step.probable->safe, step.probable->eta, step.probable->products);
@@ -451,85 +450,114 @@ InspectResult inspectMesh(const InspectOptions& options) {
   if (step.poorlyConditioned > 0)
     text += fmt::format(
         "  note: rounding leaves little to say of {} element{}, the worst is {}; the safe step is lower for it\n",
-        step.poorlyConditioned, step.poorlyConditioned == 1 ? "" : "s", elementText(mesh, step.worstConditioned));
-  std::optional<double> globalStep;
-  if (options.global) {
-    const GlobalFrequency global = globalFrequency(body, x);
-    if (global.converged) {
-      globalStep = rule(global.lambda);
-      json["critical_step"]["global"] = *globalStep;
-      text +=
-          fmt::format("  global      {:.10g} s   the exact value, {} tangent products\n", *globalStep, global.products);
-    } else {
-      result.failure = fmt::format(
-          "{}: the global eigenvalue did not converge after {} tangent products; the bracket holds without it",
-          options.mesh.string(), global.products);
-    }
+        step.poorlyConditioned, step.poorlyConditioned == 1 ? "" : "s",
+        elementText(subject.body.mesh(), step.worstConditioned));
+  return step;
+}
+
+/// The exact step; empty where its eigenvalue did not converge.
+std::optional<double> reportGlobalStep(const Subject& subject, const InspectOptions& options, InspectResult& result) {
+  const GlobalFrequency global = globalFrequency(subject.body, subject.x);
+  if (!global.converged) {
+    result.failure = fmt::format(
+        "{}: the global eigenvalue did not converge after {} tangent products; the bracket holds without it",
+        options.mesh.string(), global.products);
+    return std::nullopt;
   }
+  const double step = subject.rule(global.lambda);
+  result.json["critical_step"]["global"] = step;
+  result.text += fmt::format("  global      {:.10g} s   the exact value, {} tangent products\n", step, global.products);
+  return step;
+}
+
+void reportControllingElement(const Mesh& mesh, ElementRef element, const ElementQuality& q, InspectResult& result) {
+  result.json["controlling_element"] = elementJson(mesh, element);
+  result.text +=
+      fmt::format("controlling element: {}\n  volume {:.5g} m3, least height {:.5g} m, edges {:.5g} to {:.5g} m",
+                  elementText(mesh, element), q.volume, q.minHeight, q.minEdge, q.maxEdge);
+  if (!std::isnan(q.minDihedral))
+    result.text += fmt::format(", dihedral angles {:.4g} to {:.4g} degrees", q.minDihedral, q.maxDihedral);
+  result.text += "\n";
+}
+
+/// Which elements are too small for a step, and what the bracket says of it.
+void reportStep(const Subject& subject, const std::vector<MetricResult>& metrics, const CriticalStep& step, double h,
+                InspectResult& result) {
+  result.json["ill_shaped"] = illShaped(subject, metrics, h);
+  const Json& counts = result.json["ill_shaped"]["by_metric"];
+  result.text +=
+      fmt::format("at h = {:.6g} s: {}; {} of {} elements forbid it by their reduced 1-ring, {} as single elements\n",
+                  h, proofText(verdictFor(h, step)), counts["reduced-1-ring"].get<std::size_t>(),
+                  subject.body.mesh().elementCount(), counts["single-element"].get<std::size_t>());
+}
+
+void reportDistribution(const Subject& subject, const std::vector<MetricResult>& metrics, const CriticalStep& step,
+                        const InspectOptions& options, InspectResult& result) {
+  const std::vector<Distribution> distributions = distributionsOf(metrics, subject.rule);
+  result.json["distribution"] = distributionJson(distributions);
+  result.text += distributionText(distributions, options.step);
+  // Of the metrics at hand the one that tells elements apart best.
+  const auto worst = worstElements(subject.body, metricNamed("reduced-1-ring", metrics, subject), subject.rule, 10);
+  result.json["worst_elements"] = worstJson(subject.body.mesh(), worst);
+  result.text += worstText(worst);
+  if (options.picture)
+    result.text += drawDistribution(*options.picture, distributions, {step.safe, step.optimistic, options.step},
+                                    options.mesh.string());
+}
+
+void writeCertificate(const Subject& subject, const std::filesystem::path& file, InspectResult& result) {
+  const Certificate certificate = makeCertificate(subject.body, subject.x);
+  writeFileAtomically(file, std::string_view(certificate.bytes));
+  const double safe = safeStep(certificate.upper, subject.rule),
+               optimistic = optimisticStep(certificate.lower, subject.rule);
+  result.json["certificate"] =
+      Json{{"file", file.string()}, {"safe", safe}, {"optimistic", optimistic}, {"bytes", certificate.bytes.size()}};
+  result.text += fmt::format("certificate: {}, {:.3g} MB; what it proves, by nodal-bound: {:.10g} to {:.10g} s\n",
+                             file.string(), 1e-6 * static_cast<double>(certificate.bytes.size()), safe, optimistic);
+}
+
+void reportHandlerChoice(const Subject& subject, double h, const CriticalStep& step, InspectResult& result) {
+  const Json choice = handlerChoice(subject, h);
+  result.json["handler"] = choice;
+  if (choice.is_null()) return;
+  result.text += fmt::format(
+      "a handler would take {} of {} elements at h = {:.6g} s (selection {}, margin {}: room for h = {:.6g} s){}\n",
+      choice["count"].get<std::size_t>(), subject.body.mesh().elementCount(), h, choice["selection"].get<std::string>(),
+      choice["margin"].get<double>(), h / (1 - choice["margin"].get<double>()),
+      h <= step.safe ? "; the step is proven without one" : "");
+}
+
+}  // namespace
+
+InspectResult inspectMesh(const InspectOptions& options) {
+  const std::vector<std::string> wanted = metricsWanted(options.metrics);
+  checkOptions(options);
+  const Subject subject = subjectOf(options);
+  const auto quality = meshQuality(subject.body.mesh());
+
+  InspectResult result;
+  reportMesh(subject, options, quality, result);
+  const CriticalStep step = reportBracket(subject, options, result);
+  std::optional<double> globalStep;
+  if (options.global) globalStep = reportGlobalStep(subject, options, result);
   if (options.exact) reportExactStep(subject, options, result);
 
   std::vector<MetricResult> metrics;
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
+  for (const std::string& name : wanted) {
     ProgressLine progress(true);
-    metrics.push_back(evaluateMetric(wanted[i], body, x, [&](double done) {
-      if (progress.due()) progress.show(fmt::format("{}: {:.0f} %", wanted[i], 100 * done), done);
+    metrics.push_back(evaluateMetric(name, subject.body, subject.x, [&](double done) {
+      if (progress.due()) progress.show(fmt::format("{}: {:.0f} %", name, 100 * done), done);
     }));
   }
-  reportMetrics(metrics, rule, globalStep, json["critical_step"], text);
-
-  json["controlling_element"] = elementJson(mesh, step.controlling);
-  const ElementQuality& q = quality[step.controlling.block][step.controlling.element];
-  text += fmt::format("controlling element: {}\n  volume {:.5g} m3, least height {:.5g} m, edges {:.5g} to {:.5g} m",
-                      elementText(mesh, step.controlling), q.volume, q.minHeight, q.minEdge, q.maxEdge);
-  if (!std::isnan(q.minDihedral))
-    text += fmt::format(", dihedral angles {:.4g} to {:.4g} degrees", q.minDihedral, q.maxDihedral);
-  text += "\n";
-
-  if (options.step) {
-    json["ill_shaped"] = illShaped(subject, metrics, *options.step);
-    const Json& counts = json["ill_shaped"]["by_metric"];
-    text += fmt::format(
-        "at h = {:.6g} s: {}; {} of {} elements forbid it by their reduced 1-ring, {} as single elements\n",
-        *options.step, proofText(verdictFor(*options.step, step)), counts["reduced-1-ring"].get<std::size_t>(),
-        mesh.elementCount(), counts["single-element"].get<std::size_t>());
-  }
+  reportMetrics(metrics, subject.rule, globalStep, result.json["critical_step"], result.text);
+  reportControllingElement(subject.body.mesh(), step.controlling,
+                           quality[step.controlling.block][step.controlling.element], result);
+  if (options.step) reportStep(subject, metrics, step, *options.step, result);
   if (options.prove) reportProof(subject, *options.prove, result);
-  if (options.distribution || options.picture) {
-    const std::vector<Distribution> distributions = distributionsOf(metrics, rule);
-    json["distribution"] = distributionJson(distributions);
-    text += distributionText(distributions, options.step);
-    // Of the metrics at hand the one that tells elements apart best.
-    const auto worst = worstElements(body, metricNamed("reduced-1-ring", metrics, subject), rule, 10);
-    json["worst_elements"] = worstJson(mesh, worst);
-    text += worstText(worst);
-    if (options.picture)
-      text += drawDistribution(*options.picture, distributions, {step.safe, step.optimistic, options.step},
-                               options.mesh.string());
-  }
-  if (options.certificate) {
-    const Certificate certificate = makeCertificate(body, x);
-    writeFileAtomically(*options.certificate, std::string_view(certificate.bytes));
-    const double safe = safeStep(certificate.upper, rule), optimistic = optimisticStep(certificate.lower, rule);
-    json["certificate"] = Json{{"file", options.certificate->string()},
-                               {"safe", safe},
-                               {"optimistic", optimistic},
-                               {"bytes", certificate.bytes.size()}};
-    text += fmt::format("certificate: {}, {:.3g} MB; what it proves, by nodal-bound: {:.10g} to {:.10g} s\n",
-                        options.certificate->string(), 1e-6 * static_cast<double>(certificate.bytes.size()), safe,
-                        optimistic);
-  }
+  if (options.distribution || options.picture) reportDistribution(subject, metrics, step, options, result);
+  if (options.certificate) writeCertificate(subject, *options.certificate, result);
   if (options.vtu) writeMetricsVtu(*options.vtu, subject, metrics, step, options.step, quality);
-  if (options.step) {
-    const Json choice = handlerChoice(subject, *options.step);
-    json["handler"] = choice;
-    if (!choice.is_null())
-      text += fmt::format(
-          "a handler would take {} of {} elements at h = {:.6g} s (selection {}, margin {}: room for h = {:.6g} s){}\n",
-          choice["count"].get<std::size_t>(), mesh.elementCount(), *options.step,
-          choice["selection"].get<std::string>(), choice["margin"].get<double>(),
-          *options.step / (1 - choice["margin"].get<double>()),
-          *options.step <= step.safe ? "; the step is proven without one" : "");
-  }
+  if (options.step) reportHandlerChoice(subject, *options.step, step, result);
   return result;
 }
 

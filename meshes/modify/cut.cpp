@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 
 #include <Eigen/Geometry>
 
@@ -146,82 +147,124 @@ bool CutSurface::reaches(const Vector3d& x) const {
   return u >= 0 && u <= 1 && !nearest(x).beyondEnds;
 }
 
-CutMesh cutMesh(const Mesh& mesh, const CutSurface& surface, const NodeVectors& x, double snap) {
-  constexpr double leastSnap = 1e-6;  // a part of less volume than this to the third has none in floating point
-  if (!(snap >= 0 && snap <= 0.5)) throw InputError(joinText("snap of a cut: ", snap, ": must be >= 0 and <= 0.5"));
-  Crossings crossings = findCrossings(mesh, surface, x, std::max(snap, leastSnap));
-  BisectedMesh bisected = bisectEdges(mesh, crossings.points);
+namespace {
 
-  CutMesh result;
-  result.mesh = std::move(bisected.mesh);
-  result.parent = std::move(bisected.parent);
-  Mesh& cut = result.mesh;
-  for (std::int32_t n = 0; index(n) < mesh.nodeCount(); ++n) result.origin.push_back({n, n, 0});
-  result.origin.insert(result.origin.end(), bisected.newNodes.begin(), bisected.newNodes.end());
-  crossings.distance.resize(cut.nodeCount(), 0);
-  crossings.on.resize(cut.nodeCount(), true);
-  const NodeVectors at = carriedOver(result, x);
+/// A bisected mesh of tetrahedra, with the side of the surface that each element is on.
+class Sides {
+ public:
+  /// at: the positions (3×N) in which the surface lies.
+  Sides(const Mesh& mesh, const Crossings& crossings, const CutSurface& surface, const NodeVectors& at);
+  std::size_t number(std::size_t block, std::size_t element) const { return offsets_[block] + element; }
+  std::size_t number(const ElementNode& place) const { return number(index(place.block), index(place.element)); }
+  bool below(std::size_t number) const { return below_[number]; }
+  std::span<const ElementFace> others(std::size_t block, std::size_t element) const {
+    return neighbours_.rows.row(number(block, element));
+  }
+  /// The nodes of a face of the element.
+  std::array<std::int32_t, 3> nodesOf(std::size_t block, std::size_t element, std::size_t face) const;
+  /// Faces in the surface with an element on either side are opened.
+  bool opened(std::size_t block, std::size_t element, std::size_t face) const;
+  /// Whether no face joins the elements around a node that are below with those above.
+  bool parts(std::span<const ElementNode> star) const;
 
-  // The side of every element: that of its nodes off the surface, or where there are none of its middle.
-  const std::vector<std::size_t> offsets = blockOffsets(cut);
-  std::vector<bool> below(offsets.back());
-  for (std::size_t b = 0; b < cut.blocks.size(); ++b)
-    for (std::size_t e = 0; e < cut.blocks[b].elementCount(); ++e) {
-      const std::int32_t* nodes = cut.blocks[b].element(e);
+ private:
+  const Mesh& mesh_;
+  const Crossings& crossings_;
+  std::vector<std::size_t> offsets_;
+  std::vector<bool> below_;
+  FaceNeighbours neighbours_;
+};
+
+Sides::Sides(const Mesh& mesh, const Crossings& crossings, const CutSurface& surface, const NodeVectors& at)
+    : mesh_(mesh),
+      crossings_(crossings),
+      offsets_(blockOffsets(mesh)),
+      below_(offsets_.back()),
+      neighbours_(faceNeighbours(mesh)) {
+  // That of its nodes off the surface, or where there are none of its middle.
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+    for (std::size_t e = 0; e < mesh.blocks[b].elementCount(); ++e) {
+      const std::int32_t* nodes = mesh.blocks[b].element(e);
       double side = 0;
       Vector3d middle = Vector3d::Zero();
       for (int a = 0; a < 4; ++a) {
         if (!crossings.on[index(nodes[a])]) side += crossings.distance[index(nodes[a])];
         middle += at.col(nodes[a]) / 4;
       }
-      below[offsets[b] + e] = (side != 0 ? side : surface.distance(middle)) < 0;
+      below_[number(b, e)] = (side != 0 ? side : surface.distance(middle)) < 0;
     }
+}
 
-  // Faces in the surface with an element on either side are opened.
-  const FaceNeighbours neighbours = faceNeighbours(cut);
-  const auto facesOf = [&](std::size_t b) -> std::span<const std::array<int, 4>> {
-    return elementInfo(cut.blocks[b].type).faces;
-  };
-  const auto opened = [&](std::size_t b, std::size_t e, std::size_t face, const ElementFace& other) {
-    if (other.element < 0) return false;
-    const std::int32_t* nodes = cut.blocks[b].element(e);
-    for (std::size_t k = 0; k < 3; ++k)
-      if (!crossings.on[index(nodes[facesOf(b)[face][k]])]) return false;
-    return below[offsets[b] + e] != below[offsets[index(other.block)] + index(other.element)];
-  };
+std::array<std::int32_t, 3> Sides::nodesOf(std::size_t block, std::size_t element, std::size_t face) const {
+  const std::int32_t* nodes = mesh_.blocks[block].element(element);
+  const std::array<int, 4>& corners = elementInfo(mesh_.blocks[block].type).faces[face];
+  return {nodes[corners[0]], nodes[corners[1]], nodes[corners[2]]};
+}
+
+bool Sides::opened(std::size_t block, std::size_t element, std::size_t face) const {
+  const ElementFace& other = others(block, element)[face];
+  if (other.element < 0) return false;
+  for (const std::int32_t n : nodesOf(block, element, face))
+    if (!crossings_.on[index(n)]) return false;
+  return below_[number(block, element)] != below_[number(index(other.block), index(other.element))];
+}
+
+bool Sides::parts(std::span<const ElementNode> star) const {
+  Groups groups(star.size());
+  std::map<std::size_t, std::size_t> inStar;
+  std::array<std::size_t, 2> firstOfSide{star.size(), star.size()};
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    inStar[number(star[i])] = i;
+    std::size_t& first = firstOfSide[below_[number(star[i])] ? 1 : 0];
+    if (first == star.size()) first = i;
+    groups.join(first, i);
+  }
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const auto b = index(star[i].block), e = index(star[i].element);
+    const auto neighbours = others(b, e);
+    for (std::size_t face = 0; face < neighbours.size(); ++face) {
+      if (neighbours[face].element < 0 || opened(b, e, face)) continue;
+      const auto other = inStar.find(number(index(neighbours[face].block), index(neighbours[face].element)));
+      if (other != inStar.end()) groups.join(i, other->second);
+    }
+  }
+  return firstOfSide[0] != star.size() && firstOfSide[1] != star.size() &&
+         groups.find(firstOfSide[0]) != groups.find(firstOfSide[1]);
+}
+
+/// Counts the faces that open, and marks their nodes.
+std::vector<bool> openFaces(const Sides& sides, CutMesh& result) {
+  const Mesh& cut = result.mesh;
   std::vector<bool> atOpenFace(cut.nodeCount(), false);
   for (std::size_t b = 0; b < cut.blocks.size(); ++b)
-    for (std::size_t e = 0; e < cut.blocks[b].elementCount(); ++e) {
-      const auto others = neighbours.rows.row(offsets[b] + e);
-      for (std::size_t face = 0; face < others.size(); ++face) {
-        if (!opened(b, e, face, others[face])) continue;
-        const std::int32_t* nodes = cut.blocks[b].element(e);
-        const auto& corners = facesOf(b)[face];
-        for (std::size_t k = 0; k < 3; ++k) atOpenFace[index(nodes[corners[k]])] = true;
-        if (!below[offsets[b] + e]) continue;  // once for the two sides
+    for (std::size_t e = 0; e < cut.blocks[b].elementCount(); ++e)
+      for (std::size_t face = 0; face < sides.others(b, e).size(); ++face) {
+        if (!sides.opened(b, e, face)) continue;
+        const std::array<std::int32_t, 3> nodes = sides.nodesOf(b, e, face);
+        for (const std::int32_t n : nodes) atOpenFace[index(n)] = true;
+        if (!sides.below(sides.number(b, e))) continue;  // once for the two sides
         ++result.facesOpened;
-        const Vector3d p = cut.X.col(nodes[corners[0]]);
-        result.area += (cut.X.col(nodes[corners[1]]) - p).cross(Vector3d(cut.X.col(nodes[corners[2]]) - p)).norm() / 2;
+        const Vector3d p = cut.X.col(nodes[0]);
+        result.area += (cut.X.col(nodes[1]) - p).cross(Vector3d(cut.X.col(nodes[2]) - p)).norm() / 2;
       }
-    }
-  if (result.facesOpened == 0) {
-    CutMesh same;
-    same.mesh = mesh;
-    for (std::int32_t n = 0; index(n) < mesh.nodeCount(); ++n) same.origin.push_back({n, n, 0});
-    for (const MeshBlock& block : mesh.blocks) {
-      auto& parents = same.parent.emplace_back(block.elementCount());
-      for (std::size_t e = 0; e < parents.size(); ++e) parents[e] = static_cast<std::int32_t>(e);
-      same.changed.emplace_back(block.elementCount(), false);
-    }
-    return same;
-  }
+  return atOpenFace;
+}
 
-  // A node of opened faces is doubled when its elements below are joined with those above by no face around it.
-  const CompressedRows<ElementNode> around = nodeElements(cut);
-  std::map<std::int32_t, std::int32_t> copyOf;
-  std::vector<ElementNode> turned;  // the places that the copies take
-  std::vector<bool> touched(cut.nodeCount(), false);
-  for (std::size_t b = 0; b < cut.blocks.size(); ++b) {
+CutMesh uncut(const Mesh& mesh) {
+  CutMesh same;
+  same.mesh = mesh;
+  for (std::int32_t n = 0; index(n) < mesh.nodeCount(); ++n) same.origin.push_back({n, n, 0});
+  for (const MeshBlock& block : mesh.blocks) {
+    auto& parents = same.parent.emplace_back(block.elementCount());
+    for (std::size_t e = 0; e < parents.size(); ++e) parents[e] = static_cast<std::int32_t>(e);
+    same.changed.emplace_back(block.elementCount(), false);
+  }
+  return same;
+}
+
+/// Counts the elements of the mesh that became several, and marks the nodes of what became of them.
+void countElementsCut(const Mesh& mesh, CutMesh& result, std::vector<bool>& touched) {
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     const std::vector<std::int32_t>& parents = result.parent[b];
     result.elementsCut += mesh.blocks[b].elementCount();
     for (std::size_t e = 0; e < parents.size(); ++e) {
@@ -229,43 +272,27 @@ CutMesh cutMesh(const Mesh& mesh, const CutSurface& surface, const NodeVectors& 
           (e == 0 || parents[e - 1] != parents[e]) && (e + 1 == parents.size() || parents[e + 1] != parents[e]);
       result.elementsCut -= alone;
       if (alone) continue;
-      const std::int32_t* nodes = cut.blocks[b].element(e);
+      const std::int32_t* nodes = result.mesh.blocks[b].element(e);
       for (int a = 0; a < 4; ++a) touched[index(nodes[a])] = true;
     }
   }
+}
+
+/// Doubles the nodes of opened faces at which the two sides part: the elements below get the copy.
+void doubleNodes(const Sides& sides, const std::vector<bool>& atOpenFace, CutMesh& result, std::vector<bool>& touched) {
+  Mesh& cut = result.mesh;
+  const CompressedRows<ElementNode> around = nodeElements(cut);
+  std::map<std::int32_t, std::int32_t> copyOf;
+  std::vector<ElementNode> turned;  // the places that the copies take
   std::int64_t nodeId = *std::max_element(cut.nodeIds.begin(), cut.nodeIds.end()) + 1;
   for (std::size_t n = 0; n < atOpenFace.size(); ++n) {
-    if (!atOpenFace[n]) continue;
-    const auto star = around.row(n);
-    const auto number = [&](const ElementNode& place) { return offsets[index(place.block)] + index(place.element); };
-    Groups groups(star.size());
-    std::map<std::size_t, std::size_t> inStar;
-    std::array<std::size_t, 2> firstOfSide{star.size(), star.size()};
-    for (std::size_t i = 0; i < star.size(); ++i) {
-      inStar[number(star[i])] = i;
-      std::size_t& first = firstOfSide[below[number(star[i])] ? 1 : 0];
-      if (first == star.size()) first = i;
-      groups.join(first, i);
-    }
-    for (std::size_t i = 0; i < star.size(); ++i) {
-      const auto b = index(star[i].block), e = index(star[i].element);
-      const auto others = neighbours.rows.row(offsets[b] + e);
-      for (std::size_t face = 0; face < others.size(); ++face) {
-        if (others[face].element < 0 || opened(b, e, face, others[face])) continue;
-        const auto other = inStar.find(offsets[index(others[face].block)] + index(others[face].element));
-        if (other != inStar.end()) groups.join(i, other->second);
-      }
-    }
-    if (firstOfSide[0] == star.size() || firstOfSide[1] == star.size() ||
-        groups.find(firstOfSide[0]) == groups.find(firstOfSide[1]))
-      continue;
-    const auto copy = static_cast<std::int32_t>(result.origin.size());
-    copyOf[static_cast<std::int32_t>(n)] = copy;
+    if (!atOpenFace[n] || !sides.parts(around.row(n))) continue;
+    copyOf[static_cast<std::int32_t>(n)] = static_cast<std::int32_t>(result.origin.size());
     touched[n] = true;
     result.origin.push_back(result.origin[n]);
     cut.nodeIds.push_back(nodeId++);
-    for (const ElementNode& place : star)
-      if (below[number(place)]) turned.push_back(place);
+    for (const ElementNode& place : around.row(n))
+      if (sides.below(sides.number(place))) turned.push_back(place);
   }
   for (const ElementNode& place : turned) {
     MeshBlock& block = cut.blocks[index(place.block)];
@@ -281,10 +308,34 @@ CutMesh cutMesh(const Mesh& mesh, const CutSurface& surface, const NodeVectors& 
       if (const auto copy = copyOf.find(n); copy != copyOf.end()) copies.push_back(copy->second);
     nodes.insert(nodes.end(), copies.begin(), copies.end());
   }
+}
 
+}  // namespace
+
+CutMesh cutMesh(const Mesh& mesh, const CutSurface& surface, const NodeVectors& x, double snap) {
+  constexpr double leastSnap = 1e-6;  // a part of less volume than this to the third has none in floating point
+  if (!(snap >= 0 && snap <= 0.5)) throw InputError(joinText("snap of a cut: ", snap, ": must be >= 0 and <= 0.5"));
+  Crossings crossings = findCrossings(mesh, surface, x, std::max(snap, leastSnap));
+  BisectedMesh bisected = bisectEdges(mesh, crossings.points);
+
+  CutMesh result;
+  result.mesh = std::move(bisected.mesh);
+  result.parent = std::move(bisected.parent);
+  for (std::int32_t n = 0; index(n) < mesh.nodeCount(); ++n) result.origin.push_back({n, n, 0});
+  result.origin.insert(result.origin.end(), bisected.newNodes.begin(), bisected.newNodes.end());
+  crossings.distance.resize(result.mesh.nodeCount(), 0);
+  crossings.on.resize(result.mesh.nodeCount(), true);
+
+  std::vector<bool> touched(result.mesh.nodeCount(), false);
+  {
+    const Sides sides(result.mesh, crossings, surface, carriedOver(result, x));
+    const std::vector<bool> atOpenFace = openFaces(sides, result);
+    if (result.facesOpened == 0) return uncut(mesh);
+    countElementsCut(mesh, result, touched);
+    doubleNodes(sides, atOpenFace, result, touched);
+  }
   result.nodesAdded = result.origin.size() - mesh.nodeCount();
-  for (std::size_t b = 0; b < cut.blocks.size(); ++b) {
-    const MeshBlock& block = cut.blocks[b];
+  for (const MeshBlock& block : result.mesh.blocks) {
     auto& changed = result.changed.emplace_back(block.elementCount());
     for (std::size_t e = 0; e < changed.size(); ++e) {
       const std::int32_t* nodes = block.element(e);
