@@ -47,23 +47,23 @@ std::string eventText(const MonitorEvent& event, const Mesh& mesh) {
 }
 
 bool EventTracker::isNew(EventKind kind) {
-  Course& course = courseOf(kind);
-  course.clear = 0;
-  return !course.event;
+  Tracked& tracked = trackedOf(kind);
+  tracked.clear = 0;
+  return !tracked.event;
 }
 
 const MonitorEvent& EventTracker::begin(const MonitorEvent& event) {
-  courseOf(event.kind).event = events_.size();
+  trackedOf(event.kind).event = events_.size();
   return events_.emplace_back(event);
 }
 
 void EventTracker::absent(EventKind kind, std::int64_t step) {
-  Course& course = courseOf(kind);
-  if (!course.event) return;
-  if (course.clear++ == 0) course.clearSince = step;
-  if (course.clear < clearObservations_) return;
-  events_[*course.event].end = course.clearSince;
-  course.event.reset();
+  Tracked& tracked = trackedOf(kind);
+  if (!tracked.event) return;
+  if (tracked.clear++ == 0) tracked.clearSince = step;
+  if (tracked.clear < clearObservations_) return;
+  events_[*tracked.event].end = tracked.clearSince;
+  tracked.event.reset();
 }
 
 }  // namespace ringwatch

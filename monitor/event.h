@@ -63,16 +63,16 @@ class EventTracker {
   const std::vector<MonitorEvent>& events() const { return events_; }
 
  private:
-  struct Course {
+  struct Tracked {
     std::optional<std::size_t> event;  // of `events_`, that has not ended
     int clear = 0;                     // observations in a row without it
     std::int64_t clearSince = 0;       // step of the first of them
   };
-  Course& courseOf(EventKind kind) { return courses_[static_cast<std::size_t>(kind)]; }
+  Tracked& trackedOf(EventKind kind) { return tracked_[static_cast<std::size_t>(kind)]; }
 
   int clearObservations_;
   std::vector<MonitorEvent> events_;
-  Course courses_[eventNames.size()];
+  Tracked tracked_[eventNames.size()];
 };
 
 }  // namespace ringwatch

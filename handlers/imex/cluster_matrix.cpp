@@ -129,7 +129,7 @@ void ClusterMatrix::fillGroup(Group& g) {
   const NodeVectors& X = body_.mesh().X;
   const auto batches = g.elements.size() / lanes, n = static_cast<std::size_t>(g.n);
   const std::size_t between = n * (n - 1) / 2;
-  g.shape.resize(batches * 3 * n);
+  g.fittedGradient.resize(batches * 3 * n);
   g.rest.resize(batches * between * 9);
   for (auto* values : {&g.restHighest, &g.slack, &g.stretch, &g.scale, &g.gone}) values->resize(batches);
   g.turned.resize(batches);
@@ -153,7 +153,8 @@ void ClusterMatrix::fillGroup(Group& g) {
       const Eigen::MatrixXd fitted = shape * (shape.transpose() * shape).inverse();
       for (int a = 0; a < g.n; ++a)
         for (int k = 0; k < 3; ++k)
-          g.shape[(batch * n + static_cast<std::size_t>(a)) * 3 + static_cast<std::size_t>(k)].set(lane, fitted(a, k));
+          g.fittedGradient[(batch * n + static_cast<std::size_t>(a)) * 3 + static_cast<std::size_t>(k)].set(
+              lane, fitted(a, k));
       double slack = std::numeric_limits<double>::infinity();
       if (elements[lane] >= 0) {
         body_.elementLumpedMass(ref, mass.data());
@@ -181,9 +182,9 @@ Matrix3<P> ClusterMatrix::gradientOf(const Group& g, std::int32_t batch) const {
   for (std::size_t a = 0; a < n; ++a) {
     P y[3];
     loadRows(table_.data(), g.localNodes.data() + (at + a) * lanes, y);
-    const P* shape = g.shape.data() + (at + a) * 3;
+    const P* gradient = g.fittedGradient.data() + (at + a) * 3;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) F(i, j) += y[i] * shape[j];
+      for (int j = 0; j < 3; ++j) F(i, j) += y[i] * gradient[j];
   }
   return F;
 }

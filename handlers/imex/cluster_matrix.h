@@ -77,7 +77,7 @@ class ClusterMatrix {
     std::vector<std::int32_t> elements;     // [batch][lane]; -1: none
     std::vector<std::uint16_t> localNodes;  // [batch][a][lane] position in the chunk's nodes
     std::vector<std::int32_t> places;       // [batch][a <= b][lane] as `addBlocks` wants them
-    AlignedVector<P> shape;                 // [batch][a][3]: F = Σ x_a shape_a, fitted to the nodes; 1/m
+    AlignedVector<P> fittedGradient;        // [batch][a][3]: F = Σ x_a gradient_a, fitted to the nodes; 1/m
     AlignedVector<P> rest;                  // [batch][a < b][9] of K_e(X), N/m
     AlignedVector<P> restHighest;           // [batch] highest eigenvalue of K_e(X), N/m
     AlignedVector<P> slack;                 // [batch] tolerance of the rotation, squared

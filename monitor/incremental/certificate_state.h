@@ -89,7 +89,6 @@ class CertificateState {
   /// tests. Returns the largest relative excess: <= 0 when both hold, but for rounding.
   double verify(NodeVectorsView x) const;
 
- protected:
  private:
   const Body& body_;
   NodalBound weights_;
