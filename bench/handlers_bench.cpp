@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 
 #include <bench/support.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/random.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/handlers/imex/implicit_cluster.h>
@@ -95,7 +95,7 @@ void choiceAfterCut(benchmark::State& state, int n, bool kept) {
 
 void imex(benchmark::State& state, const Deformation& d, const HandlerOptions& options) {
   const NodeVectors exact = runVerlet(d, 8).x;
-  double best = std::numeric_limits<double>::infinity(), reference = best, error = 0, handled = 0;
+  double best = infinity, reference = best, error = 0, handled = 0;
   for (auto _ : state) {
     reference = std::min(reference, runVerlet(d, 4).seconds);
     Body body = d.body();
@@ -146,7 +146,7 @@ void cluster(benchmark::State& state, ClusterSolver solver, int cells, double co
     ++step;
   }
   state.counters["iterations"] = static_cast<double>(cluster.iterations()) / step;
-  double best = std::numeric_limits<double>::infinity();
+  double best = infinity;
   for (int i = 1; i <= 10; ++i) {
     const NodeVectors x = Eigen::AngleAxisd(0.5 * i, Eigen::Vector3d::UnitX()).toRotationMatrix() * X;
     const double start = threadSeconds();

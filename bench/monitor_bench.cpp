@@ -11,6 +11,7 @@
 #include <bench/support.h>
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
@@ -230,7 +231,7 @@ void registerAll() {
         if (threads != 1) continue;
         add("dense_eigenvalues", [c](benchmark::State& state) { denseEigenvalues(state, c); });
         // A pull of 80 % a second, eight times slower, and by a step that leaves less room.
-        constexpr double unlimited = std::numeric_limits<double>::infinity();
+        constexpr double unlimited = infinity;
         for (const Pull& pull : {Pull{"fast", 0.8, 0.5}, Pull{"slow", 0.1, 0.5}, Pull{"slow_close", 0.1, 0.9}})
           for (const Watch& watch :
                {Watch{"bracket", MonitorMode::bracket, unlimited}, Watch{"bracket_budget_1", MonitorMode::bracket, 1},

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/LU>
 
 #include <ringwatch/base/double_double.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/matrix3.h>
 #include <ringwatch/meshes/jacobian.h>
 
@@ -228,7 +228,7 @@ double Body::energy(NodeVectorsView x, Workspace& workspace) const {
 }
 
 Body::LeastDeterminant Body::leastDeterminant(NodeVectorsView x) const {
-  LeastDeterminant least{std::numeric_limits<double>::infinity(), {}};
+  LeastDeterminant least{infinity, {}};
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ElementBlock& block = *blocks_[b];
     std::vector<double> values(block.layout().elements.size());

@@ -127,15 +127,19 @@ Eigen::VectorXd TangentSource::tangentRounding(NodeVectorsView x, Workspace& wor
   return sums.row(0).transpose();
 }
 
+int TangentSource::mostNodesOfAnElement() const {
+  int most = 0;
+  for (const ElementTangents* block : tangents_) most = std::max(most, block->nodesPerElement());
+  return most;
+}
+
 double TangentSource::formRounding(NodeVectorsView x, const NodeVectors& v, Workspace& workspace) const {
-  int mostNodes = 0;
-  for (const ElementTangents* block : tangents_) mostNodes = std::max(mostNodes, block->nodesPerElement());
   const Eigen::VectorXd tau = tangentRounding(x, workspace);
   // A node at rest may be one of an element without a bound: 0 times infinity counts nothing.
   double sum = 0;
   for (std::int32_t i = 0; i < nodeCount(); ++i)
     if (const double size2 = v.col(i).squaredNorm(); size2 > 0) sum += tau[i] * size2;
-  return mostNodes * sum;
+  return mostNodesOfAnElement() * sum;
 }
 
 Eigen::MatrixXd TangentSource::elementTangent(ElementRef ref, NodeVectorsView x) const {

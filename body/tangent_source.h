@@ -79,8 +79,9 @@ class TangentSource {
 
   /// What the rounding of element tangents comes to at the nodes, Σ_e T_(e,a(i)), N/m (ElementTangents::tangentBatch):
   /// τ of N numbers. Blocks of the assembled K err by at most √(τ_i τ_j), and vᵀKv, from tangents or products with
-  /// them, by at most mostNodes Σ_i τ_i |v_i|². Theorem 42, docs/theory/floating_point.md.
+  /// them, by at most mostNodesOfAnElement() Σ_i τ_i |v_i|². Theorem 42, docs/theory/floating_point.md.
   Eigen::VectorXd tangentRounding(NodeVectorsView x, Workspace& workspace) const;
+  int mostNodesOfAnElement() const;
   /// That bound for a vector v, 3×N, N m or what v's squares times N/m are.
   double formRounding(NodeVectorsView x, const NodeVectors& v, Workspace& workspace) const;
 

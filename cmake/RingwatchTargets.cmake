@@ -124,8 +124,8 @@ endfunction()
 # ringwatch_unity(TARGET): compiles several files of TARGET at a time where RINGWATCH_UNITY says so. Most of the time that a file of a
 # few hundred lines takes goes into templates of the standard library and of Eigen, which its neighbours need too: eight files of
 # app/run take 32 processor-seconds one by one and 11 together. Files that take as long as several others are compiled alone:
-# ringwatch_compile_alone(FILES …), in the folder of the target. So are the libraries with KERNELS: GCC inlines less where a function
-# has more callers, and reduced 1-rings took 1.5 times as long.
+# ringwatch_compile_alone(FILES …), in the folder of the target. So are kernels, ringwatch_kernels(FILES …), where their speed
+# counts: GCC inlines less where a function has more callers, and reduced 1-rings took 1.5 times as long.
 function(ringwatch_unity target)
   if(RINGWATCH_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
@@ -134,6 +134,12 @@ endfunction()
 
 function(ringwatch_compile_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+function(ringwatch_kernels)
+  if(NOT RINGWATCH_SANITIZE AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
+    ringwatch_compile_alone(${ARGN})
+  endif()
 endfunction()
 
 function(ringwatch_light target)
@@ -146,11 +152,11 @@ function(ringwatch_light target)
   endif()
 endfunction()
 
-# ringwatch_library(NAME [KERNELS] [LIGHT] SOURCES … LINKS … PRIVATE_LINKS …): the library ringwatch::NAME, a component of the
+# ringwatch_library(NAME [LIGHT] SOURCES … LINKS … PRIVATE_LINKS …): the library ringwatch::NAME, a component of the
 # installed package; an interface library when it has no sources. LIGHT ones are compiled with -O1: they spend their time in the
 # libraries below them.
 function(ringwatch_library name)
-  cmake_parse_arguments(ARG "KERNELS;LIGHT" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "LIGHT" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   set(target ringwatch_${name})
   if(ARG_SOURCES)
     add_library(${target} STATIC ${ARG_SOURCES})
@@ -162,9 +168,7 @@ function(ringwatch_library name)
     else()
       ringwatch_use_precompiled(${target} ringwatch_precompiled)
     endif()
-    if(NOT ARG_KERNELS)
-      ringwatch_unity(${target})
-    endif()
+    ringwatch_unity(${target})
   else()
     add_library(${target} INTERFACE)
     set(public INTERFACE)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/gpu/device_certificate_impl.h>
 #include <ringwatch/gpu/device_status.h>
 #include <ringwatch/monitor/incremental/rebuild_policy.h>
@@ -106,7 +107,7 @@ double DeviceCertificate::Impl::verify() {
   for (Block& block : blocks) {
     const std::vector<double> value = block.value.download(), allowance = block.allowance.download();
     for (std::size_t place = 0; place < value.size(); ++place) {  // without an element: zero
-      if (std::isnan(value[place])) return std::numeric_limits<double>::infinity();
+      if (std::isnan(value[place])) return infinity;
       if (value[place] > 0) excess = std::max(excess, value[place] / allowance[place] - 1);
     }
   }
@@ -143,7 +144,7 @@ DeviceCertificate::~DeviceCertificate() {
 UpperBound DeviceCertificate::bound(int sweeps) {
   impl_->certified = false;
   impl_->launch(&CertificateOperations::start, 0);
-  double best = std::numeric_limits<double>::infinity(), bound = 0;
+  double best = infinity, bound = 0;
   for (int sweep = 0;; ++sweep) {
     bound = impl_->evaluate();
     impl_->started = std::isfinite(bound);
@@ -159,7 +160,7 @@ UpperBound DeviceCertificate::bound(int sweeps) {
 bool DeviceCertificate::certify(double sigma) {
   if (!(sigma > 0)) throw InputError(joinText("sigma ", sigma, " rad2/s2 must be > 0"));
   impl_->certified = false;
-  double tight = impl_->started ? impl_->evaluate() : std::numeric_limits<double>::infinity();
+  double tight = impl_->started ? impl_->evaluate() : infinity;
   if (!(tight <= sigma * (1 - policy.proofMargin))) {
     bound(policy.sweeps);
     // Allowances need the values and sums of the last weights, which the last evaluation left.

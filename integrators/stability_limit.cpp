@@ -1,9 +1,10 @@
 #include <ringwatch/integrators/stability_limit.h>
 
 #include <cmath>
-#include <limits>
 
 #include <Eigen/LU>
+
+#include <ringwatch/base/infinity.h>
 
 namespace ringwatch {
 
@@ -14,7 +15,6 @@ bool isStableAmplification(const Eigen::Matrix2d& T) {
 }
 
 std::optional<double> declaredLimit(const IntegratorInfo& info, double dampingRatio) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (dampingRatio == 0 || info.imaginaryLimit == infinity) return info.imaginaryLimit;
   if (info.dampedLimit) return info.dampedLimit(dampingRatio);
   if (!info.amplification) return std::nullopt;
@@ -36,7 +36,6 @@ std::optional<double> declaredLimit(const IntegratorInfo& info, double dampingRa
 }
 
 std::optional<double> dampedStep(double lambda, const RayleighDamping& damping, const IntegratorInfo& info) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (std::isnan(lambda)) return lambda;
   if (info.imaginaryLimit == infinity) return infinity;
   if (!damping.any()) return lambda > 0 ? info.imaginaryLimit / std::sqrt(lambda) : infinity;

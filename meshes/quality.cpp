@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/jacobian.h>
 
 namespace ringwatch {
@@ -38,7 +39,7 @@ Eigen::Matrix3d JacobianProbe::jacobian(const Point& point, const NodeVectors& x
 }
 
 JacobianRange JacobianProbe::range(const NodeVectors& x, const std::int32_t* nodes) const {
-  JacobianRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  JacobianRange range{infinity, -infinity};
   for (const Point& point : points_) {
     const double det = jacobian(point, x, nodes).determinant();
     if (std::isnan(det)) return {det, det};
@@ -56,7 +57,7 @@ double JacobianProbe::volume(const NodeVectors& x, const std::int32_t* nodes) co
 }
 
 double JacobianProbe::minScaledJacobian(const NodeVectors& x, const std::int32_t* nodes) const {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (const Point& point : points_) {
     const Eigen::Matrix3d J = jacobian(point, x, nodes);
     const double lengths = J.col(0).norm() * J.col(1).norm() * J.col(2).norm();
@@ -72,7 +73,7 @@ ElementQuality measure(const ElementInfo& info, const JacobianProbe& probe, cons
   ElementQuality q;
   const auto at = [&](int a) -> Eigen::Vector3d { return x.col(nodes[a]); };
   q.volume = probe.volume(x, nodes);
-  q.minEdge = std::numeric_limits<double>::infinity();
+  q.minEdge = infinity;
   for (const auto& edge : info.edges) {
     const double length = (at(edge[1]) - at(edge[0])).norm();
     q.minEdge = std::min(q.minEdge, length);
@@ -131,8 +132,7 @@ struct TetrahedronWidth {
   double balance;  // and their shorter length over the longer
 };
 TetrahedronWidth tetrahedronWidth(const Eigen::Vector3d (&p)[4]) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  TetrahedronWidth w{inf, inf, false, 1};
+  TetrahedronWidth w{infinity, infinity, false, 1};
   for (int a = 0; a < 4; ++a) {
     const Eigen::Vector3d &o = p[(a + 1) % 4], u = p[(a + 2) % 4] - o, v = p[(a + 3) % 4] - o;
     const Eigen::Vector3d normal = u.cross(v), to = p[a] - o;
@@ -216,7 +216,7 @@ ElementShape elementShape(const MeshBlock& block, std::size_t e, const NodeVecto
   const auto at = [&](int a) -> Eigen::Vector3d { return x.col(nodes[a]); };
   ElementShape shape;
   shape.minDihedral = 180;
-  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  double shortest = infinity, longest = 0;
   for (const auto& edge : info.edges) {
     const double length = (at(edge[1]) - at(edge[0])).norm();
     shortest = std::min(shortest, length);

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/jacobian.h>
 
 namespace ringwatch {
@@ -37,7 +37,7 @@ ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef elemen
   const ElementBlock& block = *body.blocks()[b];
   const auto nodes = block.nodesOf(element.element);
   ElementCause cause;
-  cause.leastDeterminant = std::numeric_limits<double>::infinity();
+  cause.leastDeterminant = infinity;
   double dN[maxElementNodes][3];
   for (const QuadraturePoint& point : block.rule().points) {
     block.element().shapeGradient(point.xi, dN);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/generators/generators.h>
@@ -166,8 +166,8 @@ void addCutting(StudyEffort effort, StudyReport& report) {
     if (addsMass)  // mass that comes with its velocity is energy
       checkNear(report, what + ": lost", kept ? 0 : 1, 0, 0);
     else  // Verlet's energy swings with its step: by 1.3e-3 at its own, by 3.6e-4 at that of the handlers
-      checkAtMost(report, what + ": largest energy over four cuts / start",
-                  kept ? most : std::numeric_limits<double>::infinity(), 1, handler.empty() ? 3.5e-3 : 1e-3);
+      checkAtMost(report, what + ": largest energy over four cuts / start", kept ? most : infinity, 1,
+                  handler.empty() ? 3.5e-3 : 1e-3);
     // What the handlers lose by their dissipation, and the passes by the rings that they leave out: 0.017 and 0.033, in
     // the full form 0.052 and 0.14; Verlet 0.0033 and 1.2e-4.
     const bool full = effort == StudyEffort::full, passes = !handler.empty() && findHandler(handler)->relaxes;

@@ -2,12 +2,12 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include <Eigen/Dense>
 
 #include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/verify/elements_studies.h>
@@ -222,7 +222,7 @@ double timoshenko(double ratio) {
 template <class Call>
 double secondsOf(const Call& call) {
   using Clock = std::chrono::steady_clock;
-  double best = std::numeric_limits<double>::infinity();
+  double best = infinity;
   for (int round = 0; round < 5; ++round) {
     const auto begin = Clock::now();
     int calls = 0;

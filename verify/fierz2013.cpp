@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/adjacency.h>
@@ -312,9 +313,7 @@ struct MethodRun {
   double energyOverReference = 1;
   std::string lost;
 
-  double meanPercent() const {
-    return lost.empty() ? 100 * meanError / displacement : std::numeric_limits<double>::infinity();
-  }
+  double meanPercent() const { return lost.empty() ? 100 * meanError / displacement : infinity; }
 };
 std::vector<Cell> rowOf(const MethodRun& run) {
   const bool lost = !run.lost.empty();
@@ -451,8 +450,7 @@ class Study {
     const Deformation& d = run.deformation;
     const bool named = std::find(fierzHandlers.begin(), fierzHandlers.end(), run.method) != fierzHandlers.end();
     if (!named || d.poisson != 0.3) return;
-    const double theirs = fierzError(d, run.method),
-                 ours = run.lost.empty() ? 1e3 * run.meanError : std::numeric_limits<double>::infinity();
+    const double theirs = fierzError(d, run.method), ours = run.lost.empty() ? 1e3 * run.meanError : infinity;
     const bool unsolved = std::isnan(theirs);
     besideFierz_.rows.push_back({std::string(d.mode), std::string(d.mesh), d.byForce ? "force" : "position", run.method,
                                  numberOr(theirs, "unsolvable"), numberOr(ours, "lost"),

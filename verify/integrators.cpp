@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <sstream>
 
 #include <Eigen/LU>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/random.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/stability_limit.h>
@@ -22,7 +22,6 @@ namespace ringwatch {
 namespace {
 
 using detail::nan;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-14;  // of steps at numbers of order one: 45 units in the last place
 // Limits are bisected to 1e-10 of themselves, and none is above 3.
 constexpr double bisected = 3e-10;

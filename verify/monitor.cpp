@@ -8,6 +8,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/random.h>
 #include <ringwatch/body/free_dofs.h>
 #include <ringwatch/integrators/body_system.h>
@@ -156,7 +157,7 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
       const auto count = static_cast<std::int64_t>(body.mesh().elementCount());
       const NodeVectors& X = body.mesh().X;
       std::int64_t trials = 0, violations = 0, evaluated = 0;
-      double margin = std::numeric_limits<double>::infinity();
+      double margin = infinity;
       while (trials < share) {
         IncrementalNodalBound bound(body);
         // A path: a slow turn and stretch, with noise that grows; now and then a jump.
@@ -167,7 +168,7 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
           F = (Eigen::Matrix3d::Identity() + (state % 13 == 12 ? 20 : 1) * rate) * F;
           for (Eigen::Index i = 0; i < noise.size(); ++i) noise.data()[i] += 4e-6 * random.uniform(-1, 1);
           const NodeVectors x = F * X + noise;
-          if (!(bound.update(x).value < std::numeric_limits<double>::infinity())) break;
+          if (!(bound.update(x).value < infinity)) break;
           if (state > 0) evaluated += bound.statistics().evaluated;
           const double excess = bound.verify(x);
           margin = std::min(margin, -excess);

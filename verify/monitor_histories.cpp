@@ -2,13 +2,13 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 
 #include <Eigen/Dense>
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/meshes/generators/generators.h>
@@ -112,7 +112,7 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
   };
   const int sampleEvery = std::max(1, history.steps / 200);
   std::vector<double> width;  // of the safe side against the exact step, %
-  double worstOptimistic = -std::numeric_limits<double>::infinity();
+  double worstOptimistic = -infinity;
   std::int64_t compared = 0, outside = 0, falseAlarms = 0, evaluated = 0, observations = 0;
   std::int64_t violatedAt = -1, energyAt = -1, exactAt = -1, indefiniteAt = -1;
   double largest = 0;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <numbers>
 
 #include <Eigen/QR>
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/integrators/stability_limit.h>
 #include <ringwatch/verify/matrix_eigenvalues.h>
 #include <ringwatch/verify/study_bodies.h>
@@ -18,7 +18,6 @@ namespace ringwatch {
 namespace {
 
 using detail::nan;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Two oscillators side by side in components 0 and 1, started at the unit vectors.
 State unitVectors() {

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <ctime>
-#include <limits>
 #include <map>
 #include <numbers>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/partitioned_body_system.h>
 #include <ringwatch/integrators/stability_limit.h>
@@ -180,7 +180,7 @@ WorkPrecisionRun runPrepared(const WorkPrecisionCase& c, std::string_view name, 
                              const std::function<PreparedRun(double h)>& prepare) {
   const auto steps = static_cast<std::int64_t>(std::ceil(c.end / h - 1e-9));
   WorkPrecisionRun run{std::string(name), c.end / static_cast<double>(steps), nan, 0, 0, 0, 0, {}};
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   State state;
   // The best of three, when that is quick: others share the machine.
   for (int repeat = 0; repeat < 3 && (repeat == 0 || least < 0.2); ++repeat) {

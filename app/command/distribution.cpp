@@ -9,6 +9,7 @@
 #include <ringwatch/app/output/gnuplot.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 
 namespace ringwatch {
 namespace {
@@ -41,7 +42,7 @@ double Distribution::critical(double h) const {
 
 std::vector<Distribution> distributionsOf(const std::vector<MetricResult>& metrics, const StepRule& rule) {
   std::vector<Distribution> distributions;
-  double least = INFINITY, most = 0;
+  double least = infinity, most = 0;
   for (const MetricResult& metric : metrics) {
     Distribution d;
     d.metric = std::string(metric.info->name);
@@ -172,7 +173,7 @@ std::string drawDistribution(const std::filesystem::path& file, const std::vecto
       "# outline of the histogram: step_s elements; then step_s critical_percent; a pair of indices a metric\n";
   std::string histograms, shares;
   std::size_t index = 0, mostCount = 1;
-  double least = INFINITY, most = 0;
+  double least = infinity, most = 0;
   const auto see = [&](double step) {
     if (!(std::isfinite(step) && step > 0)) return;
     least = std::min(least, step);
@@ -198,7 +199,7 @@ std::string drawDistribution(const std::filesystem::path& file, const std::vecto
     const std::size_t stride = 1 + d.steps.size() / 500;
     for (std::size_t i = 0; i < d.steps.size(); i += stride)
       data += fmt::format("{} {}\n", d.steps[i], 100 * d.critical(d.steps[i]));
-    const double end = std::nextafter(d.steps.back(), INFINITY);
+    const double end = std::nextafter(d.steps.back(), infinity);
     data += fmt::format("{} {}\n\n\n", end, 100 * d.critical(end));
     const std::string label = gnuplotQuoted(d.metric);
     // Eight colours, then the same with dashes.

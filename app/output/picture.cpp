@@ -8,6 +8,7 @@
 #include <ringwatch/app/command/subprocess.h>
 #include <ringwatch/app/output/gnuplot.h>
 #include <ringwatch/base/atomic_file.h>
+#include <ringwatch/base/infinity.h>
 
 namespace ringwatch {
 namespace {
@@ -55,7 +56,7 @@ std::string Picture::data() const {
 
 std::string Picture::script(const std::string& title) const {
   bool hasBracket = false, hasMetric = false, hasEnergy = false, handles = false, verdicts[3] = {};
-  double leastStep = INFINITY, mostStep = 0, leastEnergy = 0, mostEnergy = 0;
+  double leastStep = infinity, mostStep = 0, leastEnergy = 0, mostEnergy = 0;
   for (const HistoryRow& row : rows_) {
     hasBracket = hasBracket || row.bracket;
     hasMetric = hasMetric || row.metricStep;

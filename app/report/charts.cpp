@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 #include <Eigen/Dense>
 
 #include <ringwatch/app/report/page_data.h>
+#include <ringwatch/base/infinity.h>
 
 namespace ringwatch {
 namespace {
@@ -76,7 +76,7 @@ std::string historySvg(const RunHistory& all, const std::vector<ChartMark>& mark
   const std::vector<double>*time = history.column("time_s"), *h = history.column("h_s"),
         *safe = history.column("safe_s"), *optimistic = history.column("optimistic_s");
   if (!time || !h || history.rowCount() == 0) return {};
-  double least = std::numeric_limits<double>::infinity(), largest = 0;
+  double least = infinity, largest = 0;
   for (const std::vector<double>* column : {h, safe, optimistic})
     if (column)
       for (const double value : *column)
@@ -133,7 +133,7 @@ std::string historySvg(const RunHistory& all, const std::vector<ChartMark>& mark
 }
 
 std::string distributionSvg(const std::vector<Distribution>& distributions, const StepMarks& marks) {
-  double least = std::numeric_limits<double>::infinity(), largest = 0;
+  double least = infinity, largest = 0;
   for (const Distribution& d : distributions)
     if (!d.edges.empty()) {
       least = std::min(least, d.edges.front());

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include <ringwatch/app/report/surface_picture.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/quality.h>
@@ -29,8 +30,8 @@ bool sameElements(const Mesh& a, const Mesh& b) {
 /// Orders elements by their steps; those without one come last.
 auto bySteps(const std::vector<double>& steps) {
   return [&steps](std::int32_t a, std::int32_t b) {
-    constexpr double none = std::numeric_limits<double>::infinity();
-    const double first = std::isnan(steps[a]) ? none : steps[a], second = std::isnan(steps[b]) ? none : steps[b];
+    const double first = std::isnan(steps[a]) ? infinity : steps[a],
+                 second = std::isnan(steps[b]) ? infinity : steps[b];
     return first != second ? first < second : a < b;
   };
 }
@@ -57,7 +58,7 @@ struct Packed {
 
 Packed packed(const std::vector<float>& values, const std::vector<std::int32_t>& which, bool logarithmic) {
   Packed result;
-  double least = std::numeric_limits<double>::infinity(), largest = -least;
+  double least = infinity, largest = -least;
   const auto counts = [&](float value) { return std::isfinite(value) && (!logarithmic || value > 0); };
   for (const std::int32_t e : which)
     if (counts(values[e])) {
@@ -121,14 +122,7 @@ void MeshPack::add(const PageFrame& frame, bool keyFrame) {
     if (field.name == stepField_) steps = &field.values;
   }
 
-  KeptFrame kept{frame.number,
-                 frame.time,
-                 state.mesh.X.cast<float>(),
-                 {},
-                 {},
-                 {},
-                 state.values,
-                 std::numeric_limits<double>::infinity()};
+  KeptFrame kept{frame.number, frame.time, state.mesh.X.cast<float>(), {}, {}, {}, state.values, infinity};
   for (const FrameField& field : state.cells) {
     kept.names.push_back(field.name);
     kept.integers.push_back(field.integer);
@@ -161,7 +155,7 @@ void MeshPack::makeKeyFrame(const PageFrame& frame, const std::vector<double>* s
   const Mesh& mesh = frame.state.mesh;
   std::vector<double> share;
   if (steps) {
-    double least = std::numeric_limits<double>::infinity(), largest = 0;
+    double least = infinity, largest = 0;
     for (const double step : *steps)
       if (std::isfinite(step) && step > 0) {
         least = std::min(least, step);
@@ -293,7 +287,7 @@ void MeshPack::closeGroup() {
 
   Json frames = Json::array();
   for (const KeptFrame& frame : group_->frames) {
-    Eigen::Vector3d least = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), largest = -least;
+    Eigen::Vector3d least = Eigen::Vector3d::Constant(infinity), largest = -least;
     for (const std::int32_t n : nodes)
       if (frame.positions.col(n).allFinite()) {
         least = least.cwiseMin(frame.positions.col(n).cast<double>());

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <ringwatch/app/report/page_data.h>
+#include <ringwatch/base/infinity.h>
 
 namespace ringwatch {
 namespace {
@@ -73,7 +74,7 @@ std::array<Eigen::Vector3d, 3> pictureAxes(const Eigen::Vector3d& box) {
 
 std::string surfacePng(const Eigen::Matrix3Xf& positions, std::span<const ColouredTriangle> triangles, int width,
                        int height) {
-  Eigen::Vector3d least = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), largest = -least;
+  Eigen::Vector3d least = Eigen::Vector3d::Constant(infinity), largest = -least;
   const auto isDrawn = [&](const ColouredTriangle& t) {
     return std::all_of(t.nodes.begin(), t.nodes.end(), [&](std::int32_t n) { return positions.col(n).allFinite(); });
   };
@@ -87,7 +88,7 @@ std::string surfacePng(const Eigen::Matrix3Xf& positions, std::span<const Colour
   const auto [right, up, towards] = pictureAxes(largest - least);
   Eigen::Matrix3d axes;
   axes << right.transpose(), up.transpose(), towards.transpose();
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(infinity), high = -low;
   for (int corner = 0; corner < 8; ++corner) {
     const Eigen::Vector3d seen =
         axes * Eigen::Vector3d((corner & 1) ? largest.x() : least.x(), (corner & 2) ? largest.y() : least.y(),

@@ -11,6 +11,7 @@
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/app/scene/scene_mesh.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/materials/registry.h>
@@ -19,7 +20,6 @@
 namespace ringwatch {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr SceneRange anything{};
 constexpr SceneRange positive{0, infinity, false, true};
 constexpr SceneRange notNegative{0, infinity, true, true};

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
 
@@ -54,8 +55,7 @@ std::vector<ElementRef> elementsOf(const SceneMaterial& material, const Mesh& me
     forEachElement(mesh, [&](ElementRef e) { elements.push_back(e); });
     return elements;
   }
-  const double most = std::numeric_limits<double>::infinity();
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(most), high = -low;
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(infinity), high = -low;
   try {
     forEachElement(mesh, [&](ElementRef e) {
       const Eigen::Vector3d centre = centreOf(mesh, e);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/LU>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/materials/rotation.h>
 #include <ringwatch/monitor/small/power_iteration.h>
@@ -155,7 +155,7 @@ void ClusterMatrix::fillGroup(Group& g) {
         for (int k = 0; k < 3; ++k)
           g.fittedGradient[(batch * n + static_cast<std::size_t>(a)) * 3 + static_cast<std::size_t>(k)].set(
               lane, fitted(a, k));
-      double slack = std::numeric_limits<double>::infinity();
+      double slack = infinity;
       if (elements[lane] >= 0) {
         body_.elementLumpedMass(ref, mass.data());
         const double lambda = g.restHighest[batch][lane] / *std::min_element(mass.begin(), mass.end());
@@ -207,7 +207,7 @@ bool ClusterMatrix::follow(Group& g, Chunk& c, const NodeVectors& x, const Eigen
     fastest = math::max(fastest, gone - g.gone[at]);
     g.gone[at] = gone;
     if (allOf((off <= limit) & (stretches > P(0)) & stretched)) continue;
-    if (!allOf(size < P(std::numeric_limits<double>::infinity()))) return false;
+    if (!allOf(size < P(infinity))) return false;
     const Matrix3<P> R = closestRotation(F), change = R - g.turned[at];
     if (!allOf((innerProduct(change, change) <= g.slack[at]) & stretched))
       turns_.push_back({R, size, g.scale[at], &g, batch});
@@ -278,7 +278,7 @@ bool ClusterMatrix::make(const NodeVectors& x, const Eigen::Matrix3d& frame) {
       for (std::int32_t batch = c.batchBegin; batch < c.batchEnd; ++batch) {
         const Matrix3<P> F = gradientOf(g, batch);
         const P size = innerProduct(F, F);
-        if (!allOf(size < P(std::numeric_limits<double>::infinity()))) return false;
+        if (!allOf(size < P(infinity))) return false;
         turns_.push_back({g.objective ? closestRotation(F) : Matrix3<P>::identity(), size, P(w_), &g, batch});
         if (g.stiffens && !stiffen(turns_.back(), x)) return false;
       }

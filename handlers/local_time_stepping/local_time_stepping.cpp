@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 
@@ -80,7 +80,7 @@ std::vector<LocalTimeStepping::Level> LocalTimeStepping::plan(const std::vector<
     double ceiling;
   };
   std::vector<Step> best, steps{{1, 4}};
-  double leastCost = std::numeric_limits<double>::infinity();
+  double leastCost = infinity;
   const auto extend = [&](const auto& self, double cost, double counted) -> void {  // every ascending choice of steps
     if (cost >= leastCost) return;
     const auto [substeps, ceiling] = steps.back();
@@ -158,7 +158,7 @@ ElementFlags LocalTimeStepping::choose(const NodeVectors& x, double h, const Ele
   double count = 0;
   for (auto& block : lambdas)
     for (double& lambda : block) {
-      if (std::isnan(lambda)) lambda = std::numeric_limits<double>::infinity();
+      if (std::isnan(lambda)) lambda = infinity;
       const double steps = std::sqrt(lambda / allowedLambda(h));
       idealShare_ += std::max(1.0, steps);
       smallest_ = std::max(smallest_, steps);

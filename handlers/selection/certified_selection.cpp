@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <queue>
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 
@@ -182,7 +182,7 @@ class Greedy {
     weights_.elementValues(e.block, elements, x_, values);
     ++evaluations_;
     // A node without slack in some direction gives a weight that is not positive definite, thus NaN, or a large value.
-    return {std::isnan(values[0]) ? std::numeric_limits<double>::infinity() : values[0] / trace, values[0]};
+    return {std::isnan(values[0]) ? infinity : values[0] / trace, values[0]};
   }
 
   static constexpr int sweeps = 8;

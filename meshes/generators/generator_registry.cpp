@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/meshes/generators/generators.h>
@@ -13,21 +13,22 @@
 namespace ringwatch {
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double mostCells = 1e6;
 using K = ParameterKind;
 
-constexpr GeneratorParameter size3{"size", "m",  "lengths along x, y, z", K::number, 3, {0.2, 0.04, 0.04}, "", 0, inf,
-                                   false,  false};
+constexpr GeneratorParameter size3{
+    "size", "m", "lengths along x, y, z", K::number, 3, {0.2, 0.04, 0.04}, "", 0, infinity, false, false};
 constexpr GeneratorParameter cells3{"cells", "",  "cells along x, y, z", K::integer, 3, {20, 4, 4}, "", 1, mostCells,
                                     true,    true};
 constexpr GeneratorParameter mixedCells3{
     "cells", "", "cells along x (5 or more), y, z", K::integer, 3, {20, 4, 4}, "", 1, mostCells, true, true};
-constexpr GeneratorParameter size1{"size", "m", "length of an edge", K::number, 1, {0.05}, "", 0, inf, false, false};
+constexpr GeneratorParameter size1{"size", "m",  "length of an edge", K::number, 1, {0.05}, "", 0, infinity,
+                                   false,  false};
 constexpr GeneratorParameter cells1{"cells", "",  "cells along each edge", K::integer, 1, {5}, "", 1, mostCells,
                                     true,    true};
 constexpr GeneratorParameter origin{
-    "origin", "m", "corner with the smallest coordinates", K::number, 3, {0, 0, 0}, "", -inf, inf, false, false};
+    "origin", "m",  "corner with the smallest coordinates", K::number, 3, {0, 0, 0}, "", -infinity, infinity,
+    false,    false};
 constexpr GeneratorParameter element{
     "element", "", "element that the cells are cut into", K::text, 1, {}, "tet4", 0, 0, false, false};
 constexpr GeneratorParameter split{
@@ -40,14 +41,14 @@ constexpr GeneratorParameter seed{"seed", "", "of the jitter",    K::integer, 1,
 constexpr GeneratorParameter grading{
     "grading", "",   "last cell over first cell along x; above 1 the small ones are at x-min",
     K::number, 1,    {1},
-    "",        1,    inf,
+    "",        1,    infinity,
     true,      false};
 constexpr GeneratorParameter steepGrading{
     "grading", "",   "last cell over first cell along x; above 1 the small ones are at x-min",
     K::number, 1,    {4},
-    "",        1,    inf,
+    "",        1,    infinity,
     true,      false};
-constexpr GeneratorParameter radius{"radius", "m", "of the ball", K::number, 1, {0.05}, "", 0, inf, false, false};
+constexpr GeneratorParameter radius{"radius", "m", "of the ball", K::number, 1, {0.05}, "", 0, infinity, false, false};
 constexpr GeneratorParameter cellsAcross{
     "cells", "", "cells across the diameter", K::integer, 1, {8}, "", 1, mostCells, true, true};
 
@@ -57,12 +58,13 @@ constexpr GeneratorParameter gradedParameters[] = {size3, cells3, origin, elemen
 constexpr GeneratorParameter mixedParameters[] = {size3, mixedCells3, origin, jitter, seed, grading};
 constexpr GeneratorParameter ballParameters[] = {radius, cellsAcross, element, split};
 
-constexpr GeneratorParameter finest{"finest", "m",  "longest edge at the plane", K::number, 1, {0.005}, "", 0, inf,
+constexpr GeneratorParameter finest{"finest", "m",  "longest edge at the plane", K::number, 1, {0.005}, "", 0, infinity,
                                     false,    false};
-constexpr GeneratorParameter plane{"plane", "m",  "x of the plane, from the corner", K::number, 1, {0}, "", -inf, inf,
-                                   false,   false};
+constexpr GeneratorParameter plane{
+    "plane", "m", "x of the plane, from the corner", K::number, 1, {0}, "", -infinity, infinity, false, false};
 constexpr GeneratorParameter growth{
-    "growth", "m/m", "of the longest edge with distance from the plane", K::number, 1, {0.3}, "", 0, inf, true, false};
+    "growth", "m/m", "of the longest edge with distance from the plane", K::number, 1, {0.3}, "", 0, infinity,
+    true,     false};
 constexpr GeneratorParameter refinedParameters[] = {size3, cells3, origin, jitter, seed, finest, plane, growth};
 
 std::string valueText(const GeneratorValue& value) {
@@ -220,8 +222,8 @@ std::string parameterRange(const GeneratorParameter& p) {
     return list;
   }
   std::string text;
-  if (p.min > -inf) text = p.minAllowed ? joinText(p.min, " or more") : joinText("above ", p.min);
-  if (p.max < inf) text += joinText(text.empty() ? "" : " and ", p.maxAllowed ? "at most " : "below ", p.max);
+  if (p.min > -infinity) text = p.minAllowed ? joinText(p.min, " or more") : joinText("above ", p.min);
+  if (p.max < infinity) text += joinText(text.empty() ? "" : " and ", p.maxAllowed ? "at most " : "below ", p.max);
   return text.empty() ? "finite" : text;
 }
 

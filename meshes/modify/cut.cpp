@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <span>
 
 #include <Eigen/Geometry>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/adjacency.h>
 
 namespace ringwatch {
@@ -116,7 +116,7 @@ CutSurface CutSurface::swept(std::vector<Vector3d> line, const Vector3d& sweep) 
 CutSurface::Nearest CutSurface::nearest(const Vector3d& x) const {
   const Vector2d p = across_ * x;
   const std::size_t pieces = line_.size() - 1;
-  double best = std::numeric_limits<double>::infinity();
+  double best = infinity;
   Nearest result{};
   for (std::size_t i = 0; i < pieces; ++i) {
     const Vector2d a = line_[i], d = line_[i + 1] - a;

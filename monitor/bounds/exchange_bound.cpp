@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 #include <ringwatch/monitor/small/packed_jacobi.h>
 
@@ -123,10 +123,10 @@ class Composition {
     spread(beta);
     double most = 0;
     for (const double value : nodal) {
-      if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
+      if (!std::isfinite(value)) return infinity;
       most = std::max(most, value);
     }
-    return std::isfinite(sum) ? sigma_ + most : std::numeric_limits<double>::infinity();
+    return std::isfinite(sum) ? sigma_ + most : infinity;
   }
   std::int64_t decompositions = 0;
 
@@ -304,14 +304,14 @@ class Composition {
   std::vector<double> excess_, negative_;
   std::vector<double> norms_;            // the largest so far
   std::vector<double> tangentRounding_;  // of A_e, in its norm
-  double momentum_ = 1, lastSum_ = std::numeric_limits<double>::infinity();
+  double momentum_ = 1, lastSum_ = infinity;
 };
 
 }  // namespace
 
 ExchangeBound exchangeUpperBound(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
                                  double sigma, double accept, int maxIterations) {
-  ExchangeBound result{{std::numeric_limits<double>::infinity()}, 0, 0};
+  ExchangeBound result{{infinity}, 0, 0};
   Composition splitting(source, x, weights, sigma);
   while (result.iterations < maxIterations && !(result.upper.value <= accept)) {
     result.upper.value = std::min(result.upper.value, splitting.iterate());

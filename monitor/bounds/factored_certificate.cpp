@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/base/infinity.h>
+#include <ringwatch/base/rounding.h>
 
 namespace ringwatch {
 namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
-constexpr double unitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
 
 /// LDLᵀ that tells what it takes.
 class Factor : public Eigen::SimplicialLDLT<SparseMatrix> {
@@ -110,8 +110,7 @@ FactoredCertificate::FactoredCertificate(const TangentSource& source, NodeVector
 
   TangentSource::Workspace workspace;
   const Eigen::VectorXd tau = source.tangentRounding(x, workspace);
-  int mostNodes = 0;
-  for (const ElementTangents* block : source.tangents()) mostNodes = std::max(mostNodes, block->nodesPerElement());
+  const int mostNodes = source.mostNodesOfAnElement();
   my.margins.resize(my.n);
   for (std::size_t d = 0; d < row.size(); ++d)
     if (row[d] >= 0) {
@@ -135,7 +134,7 @@ FactorisationCost FactoredCertificate::cost() const {
 double FactoredCertificate::margin(double sigma) const {
   const Impl& my = *impl_;
   if (my.n == 0) return 0;
-  if (!my.finite) return std::numeric_limits<double>::infinity();
+  if (!my.finite) return infinity;
   return my.margins.maxCoeff() + my.rounding(sigma);
 }
 

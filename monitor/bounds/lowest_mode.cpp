@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/random.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 
@@ -60,7 +61,7 @@ ElementRef softestElement(const Body& body, NodeVectorsView x, const NodeVectors
       forms[b][e] = form;
     }
   });
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   ElementRef softest;
   for (std::size_t b = 0; b < forms.size(); ++b)
     for (std::size_t e = 0; e < forms[b].size(); ++e)

@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/monitor/bounds/nodal_weights.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
@@ -300,7 +301,7 @@ UpperBound NodalBound::evaluate(NodeVectorsView x, int sweeps, Start start, doub
   prepareSums();
   evaluateAll(x, started_ ? nullptr : &start);
   started_ = true;
-  double best = std::numeric_limits<double>::infinity(), before[2] = {best, best};
+  double best = infinity, before[2] = {best, best};
   for (int done = 0;; ++done) {
     const double bound = sumAtNodes();
     last_ = bound;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/short_floats.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 
@@ -90,7 +90,7 @@ double CertificateState<Allowance>::verify(NodeVectorsView x) const {
       double value[lanes];
       const NodalBound::ElementMatrices tangent{K.data(), T.data(), value};
       weights_.weightedLargest(element.block, elements, {&tangent, 1});
-      if (std::isnan(value[0])) return std::numeric_limits<double>::infinity();
+      if (std::isnan(value[0])) return infinity;
       if (value[0] > 0) excess = std::max(excess, value[0] / allowance(element) - 1);
     }
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/monitor/incremental/local_update.h>
 
 namespace ringwatch {
@@ -73,7 +74,7 @@ bool IncrementalNodalBound::evaluate(NodeVectorsView x, const std::vector<Elemen
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (!std::isfinite(now[i].value)) return false;
     const double allowance = state_.allowance(elements[i]), value = now[i].value;
-    const double fraction = allowance > 0 ? value / allowance : value > 0 ? std::numeric_limits<double>::infinity() : 0;
+    const double fraction = allowance > 0 ? value / allowance : value > 0 ? infinity : 0;
     if (fraction > policy_.nearLimit) nearLimit_.push_back({fraction, elements[i]});
   }
   std::sort(nearLimit_.begin(), nearLimit_.end(), [](const NearLimit& a, const NearLimit& b) {
@@ -152,7 +153,7 @@ UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* eval
   lowerings_.tick();
   if (!started_ && evaluation) body_.evaluate(x, *evaluation, workspace_);
   // A proof that is lost already has no ceiling.
-  if (started_ && certifiedEigenvalue() > ceiling) ceiling = std::numeric_limits<double>::infinity();
+  if (started_ && certifiedEigenvalue() > ceiling) ceiling = infinity;
   const Outcome outcome = started_ ? follow(x, true, ceiling, evaluation) : Outcome::tooManyViolations;
   if (outcome == Outcome::tooManyViolations) {
     rebuild(x);

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/body/nodes_of.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 
 namespace ringwatch {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Largest t with base + t part ≼ sigma I; 0 when base alone is too large.
 double largestScaling(const Eigen::Matrix3d& base, const Eigen::Matrix3d& part, double sigma) {
@@ -19,7 +17,7 @@ double largestScaling(const Eigen::Matrix3d& base, const Eigen::Matrix3d& part, 
   if (factor.info() != Eigen::Success) return 0;
   const Eigen::Matrix3d half = factor.matrixL().solve(part);
   const double top = largestEigenvalue(factor.matrixL().solve(half.transpose()));
-  return top > 0 ? 1 / (top * (1 + allowanceRounding)) : infinite;
+  return top > 0 ? 1 / (top * (1 + allowanceRounding)) : infinity;
 }
 
 /// (S/σ)^-¼ of a node, for D ← R D R: half the step of a sweep from scratch, since allowances outside the neighbourhood
@@ -78,7 +76,7 @@ class Neighbourhood {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       inside_[i] = freePart(body_, nodes_[i], inside_[i] / body_.lumpedMass()[nodes_[i]]);
     findScalings();
-    return scalings_.empty() ? infinite : *std::min_element(scalings_.begin(), scalings_.end());
+    return scalings_.empty() ? infinity : *std::min_element(scalings_.begin(), scalings_.end());
   }
 
   /// Raises the certified eigenvalue to what the neighbourhood needs.
@@ -94,7 +92,7 @@ class Neighbourhood {
   /// Gives every element the least scaling of its nodes.
   void distribute() {
     for (std::size_t k = 0; k < ring_.size(); ++k) {
-      double own = infinite;
+      double own = infinity;
       for (const std::int32_t node : nodesOf(ring_[k])) {
         const auto at = std::lower_bound(nodes_.begin(), nodes_.end(), node);
         if (at != nodes_.end() && *at == node) own = std::min(own, scalings_[at - nodes_.begin()]);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/monitor/bounds/rayleigh.h>
 #include <ringwatch/monitor/bounds/top_mode.h>
 #include <ringwatch/monitor/critical_step.h>
@@ -44,7 +45,7 @@ const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const
 const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const StepRule& limit, std::optional<double> h,
                                                       StepEvaluation* evaluation) {
   const double sigma = nodal_.certifiedEigenvalue();  // that allowances belong to
-  const double ceiling = h ? limit.lambdaFor(*h) : std::numeric_limits<double>::infinity();
+  const double ceiling = h ? limit.lambdaFor(*h) : infinity;
   UpperBound upper = nodal_.update(x, evaluation, ceiling);
   statistics_ = nodal_.statistics();
   bracketed_ = true;

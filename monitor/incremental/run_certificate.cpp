@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/body/nodes_of.h>
 #include <ringwatch/materials/rotation.h>
@@ -12,7 +13,6 @@
 namespace ringwatch {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 /// A strain norm at or below it belongs to an element without any free component.
 constexpr double nothingFree = 1e-200;
 
@@ -127,7 +127,7 @@ void RunCertificate::raiseToValues(const std::vector<ElementRef>& elements, doub
   for (const ElementRef e : elements) {
     BlockData& data = of(e);
     const std::size_t place = placeOf(e);
-    data.balls.setRadius(place, validityRadius(data.growth(place), infinite, allowance(e)),
+    data.balls.setRadius(place, validityRadius(data.growth(place), infinity, allowance(e)),
                          ValidityBalls::storageError);
   }
   statistics_.raises += elements.empty() ? 0 : 1;
@@ -202,7 +202,7 @@ void RunCertificate::distributeAllowances(NodeVectorsView x, bool newWeights) {
             const auto place = static_cast<std::size_t>(batch * lanes + lane);
             const Reference reference = store(pack, lane, newWeights);
             drifts[place] = reference.drift;
-            double scaling = infinite;
+            double scaling = infinity;
             for (const std::int32_t node : block.nodesOf(elements[lane]))
               if (nodal[node] > 0) scaling = std::min(scaling, certifiedEigenvalue() / nodal[node]);
             setAllowance(e, swept[lane] > 0 ? swept[lane] * scaling * (1 - allowanceRounding) : 0);
@@ -239,7 +239,7 @@ void RunCertificate::moveTo(double sigma) {
           allowance = static_cast<double>(allowance) * factor;
           const double radius = data.balls.radius(place);
           if (radius >= 0 && std::isfinite(radius))
-            data.balls.setRadius(place, validityRadius(data.growth(place), infinite, allowance),
+            data.balls.setRadius(place, validityRadius(data.growth(place), infinity, allowance),
                                  ValidityBalls::storageError);
         },
         1024);

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include <Eigen/Dense>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/sort_unique.h>
 
 namespace ringwatch {
 namespace {
 
 using P = NativePack;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Batches that skip checks together: enough that the test of their nodes costs little, few enough that they move
 /// alike.
 constexpr int groupBatches = 64;
@@ -75,8 +74,8 @@ double residual(const TrackedNodes& tracked, const Eigen::Matrix3d& A) {
   // Two chains of comparisons, which would wait for one another.
   Row8 most[2], least[2], sum[2]{};
   for (int half = 0; half < 2; ++half) {
-    most[half] = Row8{} - infinite;
-    least[half] = Row8{} + infinite;
+    most[half] = Row8{} - infinity;
+    least[half] = Row8{} + infinity;
   }
   for (std::size_t i = 0; i < tracked.count; i += 4)
     for (std::size_t half = 0; half < 2; ++half) {
@@ -103,7 +102,7 @@ double residual(const TrackedNodes& tracked, const Eigen::Matrix3d& A) {
     size2 += size * size;
     nanGuard += sum[0][k] + sum[0][k + 4] + sum[1][k] + sum[1][k + 4];
   }
-  return std::isfinite(nanGuard) ? 0.5 * std::sqrt(size2) : infinite;
+  return std::isfinite(nanGuard) ? 0.5 * std::sqrt(size2) : infinity;
 }
 
 }  // namespace
@@ -168,7 +167,7 @@ class ValidityBalls::BallCheck final : public GradientVisitor {
 
   const ValidityBalls& balls_;
   std::vector<std::int32_t>& outside_;
-  P leastMargin_ = P(infinite), leverArm_ = P(0.0);
+  P leastMargin_ = P(infinity), leverArm_ = P(0.0);
 };
 
 ValidityBalls::ValidityBalls(const ElementBlock& block)
@@ -185,7 +184,7 @@ ValidityBalls::ValidityBalls(const ElementBlock& block)
     for (int lane = 0; lane < lanes; ++lane) {
       const auto place = static_cast<std::size_t>(batch * lanes + lane);
       inverseGradientNorm_[place] = 1 / norms[lane];
-      if (layout.elements[place] < 0) radius_[place] = infinite;
+      if (layout.elements[place] < 0) radius_[place] = infinity;
     }
   }
   patchGroups_.push_back(0);
@@ -220,7 +219,7 @@ double ValidityBalls::setReferenceGradient(std::size_t place, const double* F0, 
     double distance2 = 0;
     for (int i = 0; i < 9; ++i) {
       const double entry = F0[(9 * q + i) * lanes + lane];
-      if (!(std::abs(entry) <= largestEntry)) return infinite;
+      if (!(std::abs(entry) <= largestEntry)) return infinity;
       const double units = std::nearbyint(entry * (1 / entryUnit)), off = units * entryUnit - entry;
       target[i * lanes] = static_cast<std::int16_t>(units);
       distance2 += off * off;
@@ -241,7 +240,7 @@ void ValidityBalls::setRadius(std::size_t place, double aroundF0, double fromSto
   radius_[place] = own >= 0 ? own : -1.0;
 }
 
-void ValidityBalls::setNeverOutside(std::size_t place) { radius_[place] = infinite; }
+void ValidityBalls::setNeverOutside(std::size_t place) { radius_[place] = infinity; }
 
 double ValidityBalls::distance(std::size_t place, const double* F, int lane) const {
   const auto points = static_cast<std::size_t>(points_);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/jacobian.h>
 
 namespace ringwatch {
@@ -17,7 +17,7 @@ double lengthOf(const ElementInfo& element, NodeVectorsView x, std::span<const s
   const auto at = [&](int a) { return Eigen::Vector3d(x.col(nodes[a])); };
   const int corners = cornerCount(element);
   if (kind == CharacteristicLength::shortestEdge) {
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (std::size_t i = 0; i < element.edges.size(); ++i) {
       const Eigen::Vector3d p = at(element.edges[i][0]), q = at(element.edges[i][1]);
       if (element.order == 1) {
@@ -29,7 +29,7 @@ double lengthOf(const ElementInfo& element, NodeVectorsView x, std::span<const s
     }
     return least;
   }
-  double most = 0, sum = 0, height = std::numeric_limits<double>::infinity();
+  double most = 0, sum = 0, height = infinity;
   for (const auto& face : element.faces) {
     // Area vector of a triangle, or of a quadrilateral by its diagonals.
     const bool triangle = face[3] < 0;

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/short_floats.h>
 #include <tests/support/random.h>
 
 namespace ringwatch {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 TEST(ShortRoot, KnowsSmallNumbersBetter) {
@@ -25,7 +25,7 @@ TEST(ShortRoot, KnowsSmallNumbersBetter) {
 }
 
 TEST(ShortRoot, KnowsItsRange) {
-  for (const double other : {notANumber, infinite, -infinite}) EXPECT_EQ(static_cast<double>(ShortRoot(other)), 0);
+  for (const double other : {notANumber, infinity, -infinity}) EXPECT_EQ(static_cast<double>(ShortRoot(other)), 0);
   EXPECT_EQ(static_cast<double>(ShortRoot(1 + 1e-12)), 1);
   EXPECT_EQ(static_cast<double>(ShortRoot(-2)), -1);
 }
@@ -55,7 +55,7 @@ TEST(Bfloat16, RoundsToTheSafeSide) {
     EXPECT_GE(up, value);
     EXPECT_LE(up - down, std::ldexp(std::abs(value), -6)) << value;
   }
-  for (const double exact : {0.0, 1.0, -1.0, 0.75, infinite, -infinite}) {
+  for (const double exact : {0.0, 1.0, -1.0, 0.75, infinity, -infinity}) {
     EXPECT_EQ(static_cast<double>(Bfloat16::down(exact)), exact);
     EXPECT_EQ(static_cast<double>(Bfloat16::up(exact)), exact);
   }
@@ -89,7 +89,7 @@ TYPED_TEST(RoundedTest, KeepsItsSideWhateverIsAssigned) {
     differ = differ || down < up;
   }
   EXPECT_TRUE(differ);
-  for (const double exact : {0.0, 1.0, -0.75, infinite, -infinite}) {
+  for (const double exact : {0.0, 1.0, -0.75, infinity, -infinity}) {
     EXPECT_EQ(static_cast<double>(RoundedDown<TypeParam>(exact)), exact);
     EXPECT_EQ(static_cast<double>(RoundedUp<TypeParam>(exact)), exact);
   }

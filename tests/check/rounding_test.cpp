@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <tests/check/exact_element.h>
 #include <tests/support/body_cases.h>
@@ -52,10 +53,9 @@ double differenceOf(const check::Square& exact, const NativePack* K, int size, i
 }
 
 struct Measured {
-  double block = std::numeric_limits<double>::infinity();  // bound of a block's error over the error, least
-  double value =
-      std::numeric_limits<double>::infinity();  // the same of an element's value; 10 where it is at least that
-  double relative = 0;                          // largest error of a block over the largest block
+  double block = infinity;  // bound of a block's error over the error, least
+  double value = infinity;  // the same of an element's value; 10 where it is at least that
+  double relative = 0;      // largest error of a block over the largest block
   int tried = 0, unbounded = 0, skipped = 0;
 };
 

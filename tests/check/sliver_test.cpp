@@ -1,11 +1,11 @@
 // The bracket of single flat tetrahedra, turned in space, against their exact critical step in ball arithmetic. Before
 // the margins of Theorem 42 (docs/theory/floating_point.md) the safe step of one of height 1e-6 lay 2.6e-11 above it,
 // and at 1e-10 either side was wrong by 1e-7.
-#include <limits>
 #include <optional>
 
 #include <gtest/gtest.h>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/incremental/run_bracket.h>
 #include <tests/check/exact_element.h>
@@ -63,7 +63,7 @@ TEST(Sliver, HasABracketThatHolds) {
           expectBracket(step, body, K, which);
           // Shapes leave the safe side a little short, and no more than a part in a hundred.
           EXPECT_LT(step.optimistic / step.safe, 1.011) << which;
-          RunBracket run(body, 0.05, std::numeric_limits<double>::infinity());
+          RunBracket run(body, 0.05, infinity);
           NodeVectors x = body.mesh().X;
           for (int look = 0; look < 3; ++look) {
             ASSERT_TRUE(test::exactTangent(body, x, K));

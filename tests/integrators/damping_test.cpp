@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/stability_limit.h>
 #include <ringwatch/meshes/generators/generators.h>
@@ -59,7 +59,7 @@ TEST(DampedStep, IsTheLeastOverAllModes) {
 TEST(DampedStep, DoesNotGrowWithTheFrequency) {
   for (const IntegratorInfo& info : allIntegrators())
     for (const RayleighDamping damping : {RayleighDamping{1, 0}, RayleighDamping{0, 0.1}, RayleighDamping{2, 0.5}}) {
-      double before = std::numeric_limits<double>::infinity();
+      double before = infinity;
       for (double lambda = 0.01; lambda < 1e3; lambda *= 1.3) {
         const double h = *dampedStep(lambda, damping, info);
         EXPECT_LE(h, before * (1 + 1e-3)) << info.name << " at " << lambda;
@@ -72,7 +72,7 @@ TEST(DampedStep, AnswersNothingWhenNothingIsDeclared) {
   IntegratorInfo info{"mine", "", 2, 1, 2.0, false};
   EXPECT_EQ(*dampedStep(4, {}, info), 1);
   EXPECT_FALSE(dampedStep(4, {1, 0}, info));
-  EXPECT_EQ(*dampedStep(0, {}, info), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(*dampedStep(0, {}, info), infinity);
 }
 
 Body bar(const char* law) {

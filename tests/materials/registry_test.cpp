@@ -8,6 +8,7 @@
 #include <string>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/materials/registry.h>
 
 namespace ringwatch {
@@ -26,7 +27,6 @@ std::string refusal(std::string_view model, double young, double poisson, double
 }
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 TEST(Materials, AreMadeByTheNameOfEveryLaw) {
   std::set<std::string_view> names;
@@ -59,21 +59,21 @@ TEST(Materials, CarryPressureWavesAtTheKnownSpeed) {
 }
 
 TEST(Materials, RefuseAYoungsModulusThatIsNotPositive) {
-  for (const double bad : {0.0, -1.0, nan, inf, -inf})
+  for (const double bad : {0.0, -1.0, nan, infinity, -infinity})
     EXPECT_THAT(refusal("stvk", bad, 0.3, 1000), AllOf(HasSubstr("young = "), HasSubstr("Pa"), HasSubstr("> 0")))
         << bad;
   EXPECT_THAT(refusal("stvk", -12.5, 0.3, 1000), HasSubstr("-12.5"));
 }
 
 TEST(Materials, RefuseAPoissonsRatioOutsideItsRange) {
-  for (const double bad : {0.5, 0.7, -1.0, -3.0, nan, inf, -inf})
+  for (const double bad : {0.5, 0.7, -1.0, -3.0, nan, infinity, -infinity})
     EXPECT_THAT(refusal("stvk", 1, bad, 1000), AllOf(HasSubstr("poisson = "), HasSubstr("> -1"), HasSubstr("< 0.5")))
         << bad;
   EXPECT_THAT(refusal("stvk", 1, 0.7, 1000), HasSubstr("0.7"));
 }
 
 TEST(Materials, RefuseADensityThatIsNotPositive) {
-  for (const double bad : {0.0, -1000.0, nan, inf, -inf})
+  for (const double bad : {0.0, -1000.0, nan, infinity, -infinity})
     EXPECT_THAT(refusal("stvk", 1, 0.3, bad), AllOf(HasSubstr("density = "), HasSubstr("kg/m3"), HasSubstr("> 0")))
         << bad;
   EXPECT_THAT(refusal("stvk", 1, 0.3, -1000), HasSubstr("-1000"));

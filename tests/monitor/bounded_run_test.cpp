@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/stormer_verlet.h>
 #include <ringwatch/integrators/symplectic_euler.h>
@@ -17,7 +18,7 @@ namespace {
 Mesh withSlivers(Mesh mesh) {
   const MeshBlock& block = mesh.blocks[0];
   const auto volumes = [&](const NodeVectors& x) {
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (std::size_t e = 0; e < block.elementCount(); ++e) least = std::min(least, elementQuality(block, e, x).volume);
     return least;
   };

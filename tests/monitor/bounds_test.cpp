@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/rounding.h>
 #include <ringwatch/monitor/bounds/rayleigh.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
@@ -156,7 +157,7 @@ TEST(Rayleigh, IsALowerBoundThatProductsTighten) {
         const NodeVectors x = body.mesh().X + random.nodeVectors(body.nodeCount(), 0.05 * test::cellSize);
         const double lambda = DenseTangent(body, x).largest();
         const NodeVectors start = random.nodeVectors(body.nodeCount(), 1);
-        double before = -std::numeric_limits<double>::infinity();
+        double before = -infinity;
         for (const int products : {1, 2, 5, 10, 20, 80}) {
           NodeVectors v = start;
           const LowerBound bound = rayleighLowerBound(body, x, v, products);
@@ -352,8 +353,8 @@ TEST(Metrics, ScaleWithSizeStiffnessAndDensity) {
 
 TEST(StepFor, IsInfiniteWithoutFrequencyAndNanForNan) {
   EXPECT_EQ(stepFor(4, 2), 1);
-  EXPECT_EQ(stepFor(0, 2), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(stepFor(-1, 2), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(stepFor(0, 2), infinity);
+  EXPECT_EQ(stepFor(-1, 2), infinity);
   EXPECT_TRUE(std::isnan(stepFor(std::numeric_limits<double>::quiet_NaN(), 2)));
   EXPECT_EQ(safeStep(UpperBound{4}, 2), 1);
   EXPECT_EQ(optimisticStep(LowerBound{4}, 2), 1);

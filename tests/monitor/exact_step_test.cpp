@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/monitor/exact_step.h>
 #include <tests/monitor/monitor_cases.h>
 
@@ -67,8 +68,7 @@ TEST(ExactStep, CountsTheFactorBeforeItIsMade) {
 TEST(ExactStep, RefusesWhatIsNoStepOrNoProof) {
   const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   const NodeVectors& X = body.mesh().X;
-  for (const double bad :
-       {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), infinity})
     EXPECT_THROW(proveStep(body, X, 2, bad), InputError) << bad;
   EXPECT_THROW(exactCriticalStep(body, X, 2, 0), InputError);
   const StepRule guess([](double lambda) { return stepFor(lambda, 2); }, false);

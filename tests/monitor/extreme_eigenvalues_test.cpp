@@ -8,6 +8,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/pack.h>
 #include <ringwatch/monitor/small/extreme_eigenvalues.h>
 #include <tests/support/dense.h>
@@ -230,7 +231,7 @@ TYPED_TEST(ExtremeEigenvaluesTest, LeavesTheLeastOutWhenNotWanted) {
 TYPED_TEST(ExtremeEigenvaluesTest, GivesNoPlausibleValueForNanOrInfinity) {
   test::Random random(4);
   for (const int n : {1, 2, 3, 5, 12, 24})
-    for (const double poison : {nan, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
+    for (const double poison : {nan, infinity, -infinity})
       for (int i = 0; i < n; ++i)
         for (int j = 0; j <= i; ++j) {
           Matrices matrices;

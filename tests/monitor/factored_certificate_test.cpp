@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/monitor/exact_step.h>
 #include <tests/monitor/monitor_cases.h>
 
@@ -60,7 +61,7 @@ TEST(FactoredCertificate, KnowsNoFrequencyThatIsNone) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {0.0, -1.0, nan})
     EXPECT_FALSE(FactoredCertificate(body, body.mesh().X).certifies(bad)) << bad;
-  EXPECT_FALSE(FactoredCertificate(body, body.mesh().X).certifies(std::numeric_limits<double>::infinity()));
+  EXPECT_FALSE(FactoredCertificate(body, body.mesh().X).certifies(infinity));
 }
 
 }  // namespace

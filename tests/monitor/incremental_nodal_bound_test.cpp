@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <ringwatch/monitor/incremental/incremental_nodal_bound.h>
@@ -74,7 +75,7 @@ TEST_P(IncrementalNodalBoundTest, HoldsWhateverItMaySpend) {
     test::Random random(12);
     const NodeVectors shake = random.nodeVectors(X.cols(), 0.08 * test::cellSize);
     std::int64_t evaluatedOfMore = std::numeric_limits<std::int64_t>::max();
-    for (const double share : {std::numeric_limits<double>::infinity(), 10.0, 0.0}) {
+    for (const double share : {infinity, 10.0, 0.0}) {
       WorkAccount account(body, share);
       IncrementalNodalBound bound(body, {}, &account);
       constexpr int steps = 60;
@@ -115,7 +116,7 @@ TEST(IncrementalNodalBound, KeepsAProofBelowItsCeilingWhateverItMaySpend) {
     for (int step = 0; step <= 200; ++step) {
       const double stretch = 1 + 0.1 * std::sin(0.1 * step);
       const NodeVectors x = Eigen::Vector3d(stretch, 1, 1).asDiagonal() * X;
-      const double most = asked ? ceiling : std::numeric_limits<double>::infinity();
+      const double most = asked ? ceiling : infinity;
       kept = kept && bound.update(x, nullptr, most).value <= ceiling;
       ASSERT_LE(bound.verify(x), 1e-9);
     }
@@ -142,7 +143,7 @@ TEST(WorkAccount, EarnsSpendsAndForgives) {
   account.spend(100 * WorkAccount::ofRebuild(body));
   EXPECT_TRUE(account.affords(-evaluation));
   EXPECT_FALSE(account.affords(-0.99 * evaluation));
-  WorkAccount unlimited(body, std::numeric_limits<double>::infinity());
+  WorkAccount unlimited(body, infinity);
   unlimited.spend(1e300);
   EXPECT_TRUE(unlimited.affords(1e300));
 }

@@ -3,6 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <tests/monitor/monitor_cases.h>
 
@@ -36,7 +37,7 @@ TEST(NodalBound, SweepsTightenIt) {
   for (const Subdivision& subdivision : test::allSubdivisions()) {
     const Body body = test::boxBody(subdivision, "linear", {3, 3, 3});
     const double lambda = DenseTangent(body, body.mesh().X).largest();
-    double before = std::numeric_limits<double>::infinity();
+    double before = infinity;
     for (const int sweeps : {0, 1, 5, 20}) {
       NodalBound bound(body);
       const double value = bound.evaluate(body.mesh().X, sweeps).value;

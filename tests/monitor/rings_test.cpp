@@ -8,6 +8,7 @@
 #include <set>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/quality.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 #include <tests/monitor/monitor_cases.h>
@@ -92,7 +93,7 @@ double literalLargest(const Body& body, const Tangents& tangents, const std::set
 double literalRing(std::string_view name, const Body& body, const Tangents& tangents, ElementRef e) {
   const std::set<std::int32_t> own(nodesOf(body, e).begin(), nodesOf(body, e).end());
   if (name.starts_with("vertex")) {
-    double most = -std::numeric_limits<double>::infinity();
+    double most = -infinity;
     for (const std::int32_t node : own) {
       std::set<ElementRef> ring = elementsAt(body, {node});
       if (name == "vertex-2-ring") ring = elementsAt(body, nodesOf(body, ring));

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
@@ -110,7 +111,6 @@ TEST(StabilityMonitor, ReportsAViolationOnceWhenItBegins) {
 }
 
 TEST(StabilityMonitor, ReportsANonFiniteState) {
-  const double infinity = std::numeric_limits<double>::infinity();
   const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity})
     for (const bool inVelocity : {false, true}) {
@@ -224,7 +224,7 @@ TEST(StabilityMonitor, RefusesWhatIsNoStateOrNoStep) {
     for (const std::string& text : {inX, inCritical, inGlobal}) EXPECT_EQ(text.find("x is " + size), 0u) << text;
     EXPECT_EQ(inV.find("v is " + size), 0u) << inV;
   }
-  for (const double h : {0.0, -1e-9, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  for (const double h : {0.0, -1e-9, std::numeric_limits<double>::quiet_NaN(), infinity})
     EXPECT_EQ(refusal([&] { monitor.observe(0, 0, X, v, h); }).find(joinText("h = ", h, " s: must be > 0 and finite")),
               0u);
   EXPECT_EQ(monitor.observe(0, 0, X, v, 1e-9).verdict, Verdict::certified) << "a refused call changes nothing";

@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/monitor/tangent_bracket.h>
 #include <tests/monitor/monitor_cases.h>
 #include <tests/support/dense.h>
@@ -260,7 +260,7 @@ TEST(TangentBracket, NamesWhatIsWrong) {
   K.pop_back();
   EXPECT_THAT(evaluate(K), HasSubstr("group 0: 71 numbers in its tangents: must be 2 x 6 x 6"));
   EXPECT_THAT(messageOf([&] { make(good).evaluate({}, 2); }), HasSubstr("0 groups of tangents: must be 1"));
-  for (const double limit : {0.0, -2.0, std::nan(""), std::numeric_limits<double>::infinity()})
+  for (const double limit : {0.0, -2.0, std::nan(""), infinity})
     EXPECT_THAT(messageOf([&] { make(good).evaluate({good.tangents}, limit); }),
                 HasSubstr(joinText("limit = ", limit, ": must be > 0 and finite")));
   for (const double factor : {1e300, 1e200, 1e-200, 1e-320}) {

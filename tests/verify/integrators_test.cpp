@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/verify/integrators.h>
 
@@ -60,7 +60,7 @@ TEST(VerifyIntegrators, WrongDeclarationsFail) {
   info = honest;
   info.imaginaryLimit = 2 + 1e-6;
   EXPECT_THAT(failures(info), ::testing::Contains(::testing::HasSubstr("limit on the imaginary axis")));
-  info.imaginaryLimit = std::numeric_limits<double>::infinity();
+  info.imaginaryLimit = infinity;
   EXPECT_THAT(failures(info), ::testing::Contains(::testing::HasSubstr("limit on the imaginary axis")));
   info = honest;
   info.order = 2;

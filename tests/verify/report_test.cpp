@@ -4,12 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/verify/report.h>
 
 namespace ringwatch {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 bool near(double measured, double expected, double tolerance) {
   StudyReport report;
@@ -45,11 +46,11 @@ TEST(StudyCheck, FailsWithoutANumber) {
     EXPECT_FALSE(check(nan, 1, 0.5));
     EXPECT_FALSE(check(1, nan, 0.5));
     EXPECT_FALSE(check(1, 1, nan));
-    EXPECT_FALSE(check(1, 1, inf));
+    EXPECT_FALSE(check(1, 1, infinity));
   }
-  EXPECT_FALSE(near(2, inf, 0.5));
-  EXPECT_FALSE(near(inf, 2, 0.5));
-  EXPECT_TRUE(near(inf, inf, 0.5));  // a limit that is none, found to be none
+  EXPECT_FALSE(near(2, infinity, 0.5));
+  EXPECT_FALSE(near(infinity, 2, 0.5));
+  EXPECT_TRUE(near(infinity, infinity, 0.5));  // a limit that is none, found to be none
 }
 
 TEST(StudyCheck, OneThatFailsFailsTheReport) {
