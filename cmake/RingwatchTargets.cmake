@@ -8,15 +8,16 @@ file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/include)
 file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/include/ringwatch SYMBOLIC)
 set(RINGWATCH_INCLUDE_DIR ${CMAKE_CURRENT_BINARY_DIR}/include)
 
-# Files that are compiled together see each other's names, which a local name may hide.
-set(shadow -Wshadow)
+# Files that are compiled together see each other's names, which a local name may hide, and GCC takes them for headers, in which a
+# type of an anonymous namespace would be an error.
+set(names -Wshadow)
 if(RINGWATCH_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  set(shadow -Wshadow=local)
+  set(names -Wshadow=local -Wno-subobject-linkage)
 endif()
 add_library(ringwatch_options INTERFACE)
 target_compile_features(ringwatch_options INTERFACE cxx_std_20)
 target_compile_options(ringwatch_options INTERFACE
-  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic ${shadow} -Wno-psabi>
+  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic ${names} -Wno-psabi>
   $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${RINGWATCH_WARNINGS_AS_ERRORS}>>:-Werror>)
 # GCC 12 finds its own AVX-512 intrinsics uninitialised (GCC bug 105593) wherever Eigen uses them, and strings that
 # overlap themselves (GCC bug 105651).
