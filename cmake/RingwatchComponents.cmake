@@ -1,17 +1,24 @@
-# What is built: the folders of cmake/layers.txt that RINGWATCH_COMPONENTS names, with all that they need.
+# What is built: the folders of cmake/layers.txt and the parts of folders that RINGWATCH_COMPONENTS names, with all that they need.
 set(RINGWATCH_COMPONENTS all CACHE STRING
-  "What to build: all, or some of body, monitor, integrators, handlers, verify, gpu, mesh_files, sundials; what they need comes with them")
-set(RINGWATCH_OPTIONAL_COMPONENTS mesh_files sundials compare)
+  "What to build: all, or some of bounds, body, monitor, integrators, handlers, verify, gpu, mesh_files, sundials; what they need comes with them")
+set(RINGWATCH_PARTS tangents bounds mesh_files sundials compare)
 
 file(STRINGS ${CMAKE_CURRENT_SOURCE_DIR}/cmake/layers.txt ringwatch_layers REGEX "^[a-z]+:")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/cmake/layers.txt)
-set(ringwatch_names ${RINGWATCH_OPTIONAL_COMPONENTS})
+set(ringwatch_names ${RINGWATCH_PARTS})
 foreach(line IN LISTS ringwatch_layers)
   string(REGEX MATCHALL "[a-z]+" words "${line}")
   list(POP_FRONT words folder)
   set(ringwatch_needs_${folder} ${words})
   list(APPEND ringwatch_names ${folder})
 endforeach()
+# Folders of which a part is built where nobody asks for the rest.
+set(ringwatch_part_of_body tangents)
+set(ringwatch_part_of_monitor bounds)
+set(ringwatch_needs_tangents meshes)
+set(ringwatch_needs_body ${ringwatch_needs_body} tangents)
+set(ringwatch_needs_bounds tangents)
+set(ringwatch_needs_monitor ${ringwatch_needs_monitor} bounds)
 set(ringwatch_needs_handlers ${ringwatch_needs_handlers} mesh_files) # a handler follows a cut
 set(ringwatch_needs_mesh_files meshes)
 set(ringwatch_needs_sundials integrators)

@@ -183,11 +183,16 @@ function(ringwatch_library name)
   set_property(GLOBAL APPEND PROPERTY RINGWATCH_LIBRARIES ${name})
 endfunction()
 
-# ringwatch_folder(NAME …): ringwatch_library for the folder NAME, with its headers.
-function(ringwatch_folder name)
-  ringwatch_library(${name} ${ARGN})
+# ringwatch_headers(NAME): installs and checks the headers of the folder NAME.
+function(ringwatch_headers name)
   set_property(GLOBAL APPEND PROPERTY RINGWATCH_FOLDERS ${name})
   if(RINGWATCH_BUILD_TESTS)
     ringwatch_check_headers(${name})
   endif()
+endfunction()
+
+# ringwatch_folder(NAME …): ringwatch_library for the folder NAME, with its headers.
+function(ringwatch_folder name)
+  ringwatch_library(${name} ${ARGN})
+  ringwatch_headers(${name})
 endfunction()
