@@ -178,7 +178,9 @@ std::string helpTopicListing() {
   std::string text;
   for (const HelpTopic& topic : topics) {
     text += fmt::format("  {:<12} {}\n", topic.name, topic.help);
-    if (topic.names != nullptr) text += fmt::format("  {:<12}   {}\n", "", topic.names());
+    // This program may not know some: the studies are a program of their own.
+    if (const std::string names = topic.names != nullptr ? topic.names() : ""; !names.empty())
+      text += fmt::format("  {:<12}   {}\n", "", names);
   }
   return text;
 }

@@ -20,7 +20,6 @@
 namespace ringwatch {
 namespace {
 
-constexpr SceneRange anything{};
 constexpr SceneRange positive{0, infinity, false, true};
 constexpr SceneRange notNegative{0, infinity, true, true};
 constexpr SceneRange atLeastOne{1, infinity, true, true};
@@ -84,18 +83,15 @@ SceneType sceneTypeOf(const OptionInfo& option) {
   return option.type == OptionType::integer ? SceneType::integer : SceneType::number;
 }
 
-/// A declared option as a key of the scene. owner: stands before its help.
-SceneKey keyOf(std::string section, const OptionInfo& option) {
+/// A declared option as a key of the scene, without help.
+SceneKey keyOf(const OptionInfo& option) {
   const bool text = option.type == OptionType::text || option.automatic;
-  SceneKey key{std::move(section),
-               std::string(option.name),
-               sceneTypeOf(option),
-               std::string(option.unit),
-               false,
-               option.fallback.empty() || !text ? std::string(option.fallback) : fmt::format("\"{}\"", option.fallback),
-               option.range,
-               {},
-               ""};
+  SceneKey key{.key = std::string(option.name),
+               .type = sceneTypeOf(option),
+               .unit = std::string(option.unit),
+               .fallback = option.fallback.empty() || !text ? std::string(option.fallback)
+                                                            : fmt::format("\"{}\"", option.fallback),
+               .range = option.range};
   if (option.automatic && option.type == OptionType::text) key.choices.emplace_back("auto");
   return key;
 }
@@ -115,12 +111,12 @@ void join(SceneKey& key, const OptionInfo& option) {
 /// The options that entries of a registry declare, by name in the order of their first declaration; the help of each
 /// says whose it is.
 template <class Infos, class Member>
-std::vector<SceneKey> keysOfOptions(const std::string& section, const Infos& infos, Member options) {
+std::vector<SceneKey> keysOfOptions(const Infos& infos, Member options) {
   std::vector<SceneKey> keys;
   for (const auto& info : infos)
     for (const OptionInfo& option : info.*options) {
       if (std::ranges::find(keys, option.name, &SceneKey::key) != keys.end()) continue;
-      SceneKey& key = keys.emplace_back(keyOf(section, option));
+      SceneKey& key = keys.emplace_back(keyOf(option));
       std::vector<std::pair<std::string, std::string>> helps;  // whose, what
       for (const auto& other : infos)
         if (const OptionInfo* same = findOption(other.*options, option.name)) {
@@ -137,283 +133,345 @@ std::vector<SceneKey> keysOfOptions(const std::string& section, const Infos& inf
   return keys;
 }
 
+using T = SceneType;
+
+/// Keys of one section, which their entries leave out.
+void add(std::vector<SceneKey>& all, std::string_view section, std::vector<SceneKey> keys) {
+  for (SceneKey& key : keys) {
+    key.section = section;
+    all.push_back(std::move(key));
+  }
+}
+
+void addMesh(std::vector<SceneKey>& all) {
+  add(all, "mesh",
+      {
+          {.key = "file", .type = T::text, .help = "mesh file, relative to the scene; or give generate"},
+          {.key = "generate",
+           .type = T::text,
+           .choices = generatorNames(),
+           .help = "kind of generated mesh, instead of file"},
+      });
+  add(all, "mesh", generatorSceneKeys());
+}
+
+void addMaterial(std::vector<SceneKey>& all) {
+  add(all, "material",
+      {
+          {.key = "model",
+           .type = T::text,
+           .required = true,
+           .choices = namesOf(allLaws()),
+           .help = "constitutive law; help laws lists its parameters"},
+      });
+  add(all, "material", keysOfOptions(allLaws(), &LawInfo::parameters));
+  add(all, "material",
+      {
+          {.key = "where",
+           .type = T::text,
+           .help = "elements that have it, by a condition on the centre of their nodes at rest, e.g. \"x < 0.1\"; each "
+                   "element has one material"},
+          {.key = "set", .type = T::text, .help = "named element set of the mesh, instead of where"},
+          {.key = "density",
+           .type = T::number,
+           .unit = "kg/m3",
+           .required = true,
+           .range = positive,
+           .help = "density at rest"},
+          {.key = "lumping",
+           .type = T::text,
+           .fallback = "\"row-sum\"",
+           .choices = lumpingNames.names(),
+           .help = "how an element's mass goes to its nodes, of the whole body; " + lumpingNames.listing()},
+          {.key = "rules",
+           .type = T::texts,
+           .help = "quadrature rules of elements, of the whole body, e.g. [\"hex8=gauss-2x2x2\"]; `ringwatch verify "
+                   "elements` compares them"},
+      });
+}
+
+void addIntegrator(std::vector<SceneKey>& all) {
+  add(all, "integrator",
+      {
+          {.key = "method",
+           .type = T::text,
+           .fallback = "\"symplectic-euler\"",
+           .choices = namesOf(integratorInfos()),
+           .help = "scheme"},
+          {.key = "step",
+           .type = T::numberOrAuto,
+           .unit = "s",
+           .required = true,
+           .range = positive,
+           .help = "step; \"auto\" follows the safe step whenever the monitor evaluates it"},
+          {.key = "end",
+           .type = T::number,
+           .unit = "s",
+           .required = true,
+           .range = positive,
+           .help = "time at which the run ends"},
+          {.key = "device",
+           .type = T::text,
+           .fallback = "\"cpu\"",
+           .choices = runDeviceNames.names(),
+           .help = "where the steps are taken; \"auto\" takes a GPU if there is one. Symplectic Euler without damping, "
+                   "alone or with imex; the state comes back at every observation of the monitor and every row of the "
+                   "history"},
+          {.key = "safety",
+           .type = T::number,
+           .fallback = "0.95",
+           .range = factor,
+           .help = "share of the safe step that \"auto\" and on_violation = \"reduce-step\" take"},
+      });
+}
+
+void addDamping(std::vector<SceneKey>& all) {
+  add(all, "damping",
+      {
+          {.key = "mass",
+           .type = T::number,
+           .unit = "1/s",
+           .fallback = "0.0",
+           .range = notNegative,
+           .help = "mass-proportional part, takes slow motion"},
+          {.key = "stiffness",
+           .type = T::number,
+           .unit = "s",
+           .fallback = "0.0",
+           .range = notNegative,
+           .help = "stiffness-proportional part, takes fast vibrations; it shortens the critical step"},
+      });
+}
+
+void addMonitor(std::vector<SceneKey>& all) {
+  add(all, "monitor",
+      {
+          {.key = "bracket",
+           .type = T::boolean,
+           .fallback = "true",
+           .help = "keep the proven bracket safe <= critical step <= optimistic; false is mode = \"metric\""},
+          {.key = "mode",
+           .type = T::text,
+           .fallback = "\"bracket\"",
+           .choices = monitorModeNames.names(),
+           .aliases = aliasesOf(monitorModeNames),
+           .help = monitorModeNames.listing()},
+          {.key = "metric",
+           .type = T::text,
+           .fallback = "\"none\"",
+           .choices = metricNames(),
+           .help = "also keep an estimate by this metric"},
+          {.key = "margin",
+           .type = T::number,
+           .fallback = "0.1",
+           .range = share,
+           .help = "taken off the step by metric"},
+          {.key = "every",
+           .type = T::integer,
+           .unit = "steps",
+           .fallback = "1",
+           .range = atLeastOne,
+           .help = "steps between evaluations"},
+          {.key = "budget",
+           .type = T::number,
+           .range = notNegative,
+           .help = "what evaluating elements for the safe side may take, as a share of a step's own work, counted; "
+                   "when it is used up the proof stays and the bracket becomes wider; without it no limit"},
+          {.key = "certificates",
+           .type = T::integer,
+           .unit = "observations",
+           .range = atLeastOne,
+           .help = "write a proof of the bracket, from scratch, to certificates/ at every such observation, and before "
+                   "and at the first step that is proven unstable, for ringwatch-check; none without it"},
+          {.key = "on_violation",
+           .type = T::text,
+           .fallback = "\"stop\"",
+           .choices = onViolationNames.names(),
+           .help = onViolationNames.listing()},
+          {.key = "energy_tolerance",
+           .type = T::number,
+           .fallback = "0.1",
+           .range = positive,
+           .help = "energy balance error, as a share of the largest energy so far, that is reported; such a run is not "
+                   "called stable"},
+          {.key = "require_certified",
+           .type = T::boolean,
+           .fallback = "false",
+           .help = "a run fails (exit status 1) unless every step is certified; as --require-certified"},
+      });
+}
+
+void addHandler(std::vector<SceneKey>& all) {
+  add(all, "handler",
+      {
+          {.key = "method",
+           .type = T::text,
+           .fallback = "\"none\"",
+           .choices = handlerNames(),
+           .aliases = aliasesOf(handlerInfos()),
+           .help = "how elements that need a smaller step are treated"},
+          {.key = "selection",
+           .type = T::text,
+           .fallback = "\"certified\"",
+           .choices = selectionNames.names(),
+           .aliases = aliasesOf(selectionNames),
+           .help = "which elements; " + selectionNames.listing()},
+          {.key = "margin",
+           .type = T::number,
+           .fallback = "0.1",
+           .range = share,
+           .help = "elements are chosen as for a step of step/(1 - margin), so that the explicit part may stiffen"},
+      });
+  add(all, "handler", keysOfOptions(handlerInfos(), &HandlerInfo::options));
+}
+
+/// Which nodes: of every section that is about some.
+void addNodes(std::vector<SceneKey>& all, std::string_view section) {
+  add(all, section,
+      {
+          {.key = "where",
+           .type = T::text,
+           .help = "condition on the reference position, e.g. \"x < 1e-6 and y > 0.01\", \"all\", or \"set:NAME\""},
+          {.key = "set", .type = T::text, .help = "named node set of the mesh, instead of where"},
+      });
+}
+
+/// what: that the table scales.
+void addTable(std::vector<SceneKey>& all, std::string_view section, std::string_view what) {
+  add(all, section,
+      {
+          {.key = "times",
+           .type = T::numbers,
+           .unit = "s",
+           .range = notNegative,
+           .help = "times of a table, increasing; before the first and after the last its factor stays. With "
+                   "integrators of one force a step, without handler, cuts and GPU"},
+          {.key = "factors", .type = T::numbers, .help = fmt::format("of the {}, at these times", what)},
+          {.key = "ramp",
+           .type = T::text,
+           .fallback = "\"linear\"",
+           .choices = rampNames.names(),
+           .help = "between two times; " + rampNames.listing()},
+      });
+}
+
+void addMotionAndLoads(std::vector<SceneKey>& all) {
+  addNodes(all, "fix");
+  add(all, "fix",
+      {
+          {.key = "components",
+           .type = T::text,
+           .fallback = "\"xyz\"",
+           .help = "components that are held, any of x, y, z"},
+      });
+  addNodes(all, "initial");
+  add(all, "initial",
+      {
+          {.key = "velocity", .type = T::vector, .unit = "m/s", .help = "of the nodes"},
+          {.key = "angular_velocity",
+           .type = T::vector,
+           .unit = "rad/s",
+           .help = "rotation about an axis of this direction"},
+          {.key = "point", .type = T::vector, .unit = "m", .fallback = "[0.0, 0.0, 0.0]", .help = "on the axis"},
+      });
+  addNodes(all, "move");
+  addTable(all, "move", "velocity");
+  add(all, "move",
+      {
+          {.key = "velocity", .type = T::vector, .unit = "m/s", .required = true, .help = "prescribed velocity"},
+          {.key = "components",
+           .type = T::text,
+           .fallback = "\"xyz\"",
+           .help = "components that are prescribed, any of x, y, z"},
+      });
+  addNodes(all, "force");
+  addTable(all, "force", "load");
+  add(all, "force",
+      {
+          {.key = "acceleration",
+           .type = T::vector,
+           .unit = "m/s2",
+           .help = "force = mass x acceleration; or give force"},
+          {.key = "force", .type = T::vector, .unit = "N", .help = "total force, spread over the nodes by mass"},
+      });
+}
+
+void addCut(std::vector<SceneKey>& all) {
+  add(all, "cut",
+      {
+          {.key = "time",
+           .type = T::number,
+           .unit = "s",
+           .required = true,
+           .range = notNegative,
+           .help = "it is made before the first step that begins then"},
+          {.key = "point", .type = T::vector, .unit = "m", .help = "of an endless plane; with normal"},
+          {.key = "normal", .type = T::vector, .help = "of the plane, of any length"},
+          {.key = "line", .type = T::vectors, .unit = "m", .help = "or two and more points, with sweep"},
+          {.key = "sweep", .type = T::vector, .unit = "m", .help = "how far the line is swept; the cut ends with it"},
+          {.key = "snap",
+           .type = T::number,
+           .unit = "edge lengths",
+           .fallback = "0.1",
+           .range = SceneRange{0, 0.5, true, true},
+           .help = "nodes nearer than this are taken as on the surface, which saves slivers; 0 cuts exactly"},
+          {.key = "positions",
+           .type = T::text,
+           .fallback = "\"deformed\"",
+           .choices = cutPositionsNames.names(),
+           .help = "where the surface lies: in space at that time, or in the body at rest"},
+          {.key = "critical_step",
+           .type = T::boolean,
+           .fallback = "false",
+           .help = "the summary also has that of the whole body before and after, which takes most of the time of a "
+                   "cut of a large mesh"},
+      });
+}
+
+void addOutput(std::vector<SceneKey>& all) {
+  add(all, "output",
+      {
+          {.key = "every",
+           .type = T::number,
+           .unit = "s",
+           .range = positive,
+           .help = "time between ParaView frames; no frames without it"},
+          {.key = "fields",
+           .type = T::texts,
+           .fallback = "[\"critical_step\"]",
+           .choices = frameFieldNames(),
+           .help = "cell data of the frames: each element's step by a metric (critical_step stands for "
+                   "reduced-1-ring), by the monitor's metric with its margin, verdict, handled elements; displacement, "
+                   "velocity, sets and the frame's bracket are always there"},
+          {.key = "checkpoint_every",
+           .type = T::number,
+           .unit = "s",
+           .range = positive,
+           .help = "time between checkpoints, from the last of which `ringwatch run --resume DIR` goes on, bit by bit "
+                   "as the run would have; with explicit integrators of fixed order, without handler, cuts and GPU"},
+          {.key = "history_every",
+           .type = T::integer,
+           .unit = "steps",
+           .fallback = "1",
+           .range = atLeastOne,
+           .help = "steps between rows of history.csv"},
+          {.key = "energy",
+           .type = T::boolean,
+           .fallback = "true",
+           .help = "energies in the history, and their balance watched"},
+          {.key = "picture",
+           .type = T::boolean,
+           .fallback = "true",
+           .help = "critical_step.png by gnuplot, when the critical step is monitored"},
+      });
+}
+
 std::vector<SceneKey> makeKeys() {
-  using T = SceneType;
-  std::vector<SceneKey> keys{
-      {"mesh", "file", T::text, "", false, "", anything, {}, "mesh file, relative to the scene; or give generate"},
-      {"mesh", "generate", T::text, "", false, "", anything, generatorNames(),
-       "kind of generated mesh, instead of file"},
-  };
-  for (SceneKey& key : generatorSceneKeys()) keys.push_back(std::move(key));
-  keys.push_back({"material", "model", T::text, "", true, "", anything, namesOf(allLaws()),
-                  "constitutive law; help laws lists its parameters"});
-  for (SceneKey& key : keysOfOptions("material", allLaws(), &LawInfo::parameters)) keys.push_back(std::move(key));
-  const std::vector<SceneKey> rest{
-      {"material",
-       "where",
-       T::text,
-       "",
-       false,
-       "",
-       anything,
-       {},
-       "elements that have it, by a condition on the centre of their nodes at rest, e.g. \"x < 0.1\"; each element "
-       "has one material"},
-      {"material", "set", T::text, "", false, "", anything, {}, "named element set of the mesh, instead of where"},
-      {"material", "density", T::number, "kg/m3", true, "", positive, {}, "density at rest"},
-      {"material", "lumping", T::text, "", false, "\"row-sum\"", anything, lumpingNames.names(),
-       "how an element's mass goes to its nodes, of the whole body; " + lumpingNames.listing()},
-      {"material",
-       "rules",
-       T::texts,
-       "",
-       false,
-       "",
-       anything,
-       {},
-       "quadrature rules of elements, of the whole body, e.g. [\"hex8=gauss-2x2x2\"]; `ringwatch verify elements` "
-       "compares them"},
-      {"integrator", "method", T::text, "", false, "\"symplectic-euler\"", anything, namesOf(integratorInfos()),
-       "scheme"},
-      {"integrator",
-       "step",
-       T::numberOrAuto,
-       "s",
-       true,
-       "",
-       positive,
-       {},
-       "step; \"auto\" follows the safe step whenever the monitor evaluates it"},
-      {"integrator", "end", T::number, "s", true, "", positive, {}, "time at which the run ends"},
-      {"integrator", "device", T::text, "", false, "\"cpu\"", anything, runDeviceNames.names(),
-       "where the steps are taken; \"auto\" takes a GPU if there is one. Symplectic Euler without damping, alone or "
-       "with imex; "
-       "the state comes back at every observation of the monitor and every row of the history"},
-      {"integrator",
-       "safety",
-       T::number,
-       "",
-       false,
-       "0.95",
-       factor,
-       {},
-       "share of the safe step that \"auto\" and on_violation = \"reduce-step\" take"},
-      {"damping", "mass", T::number, "1/s", false, "0.0", notNegative, {}, "mass-proportional part, takes slow motion"},
-      {"damping",
-       "stiffness",
-       T::number,
-       "s",
-       false,
-       "0.0",
-       notNegative,
-       {},
-       "stiffness-proportional part, takes fast vibrations; it shortens the critical step"},
-      {"monitor",
-       "bracket",
-       T::boolean,
-       "",
-       false,
-       "true",
-       anything,
-       {},
-       "keep the proven bracket safe <= critical step <= optimistic; false is mode = \"metric\""},
-      {"monitor", "mode", T::text, "", false, "\"bracket\"", anything, monitorModeNames.names(),
-       monitorModeNames.listing(), aliasesOf(monitorModeNames)},
-      {"monitor", "metric", T::text, "", false, "\"none\"", anything, metricNames(),
-       "also keep an estimate by this metric"},
-      {"monitor", "margin", T::number, "", false, "0.1", share, {}, "taken off the step by metric"},
-      {"monitor", "every", T::integer, "steps", false, "1", atLeastOne, {}, "steps between evaluations"},
-      {"monitor",
-       "budget",
-       T::number,
-       "",
-       false,
-       "",
-       notNegative,
-       {},
-       "what evaluating elements for the safe side may take, as a share of a step's own work, counted; when it is used "
-       "up the proof stays and the bracket becomes wider; without it no limit"},
-      {"monitor",
-       "certificates",
-       T::integer,
-       "observations",
-       false,
-       "",
-       atLeastOne,
-       {},
-       "write a proof of the bracket, from scratch, to certificates/ at every such observation, and before and at the "
-       "first step that is proven unstable, for ringwatch-check; none without it"},
-      {"monitor", "on_violation", T::text, "", false, "\"stop\"", anything, onViolationNames.names(),
-       onViolationNames.listing()},
-      {"monitor",
-       "energy_tolerance",
-       T::number,
-       "",
-       false,
-       "0.1",
-       positive,
-       {},
-       "energy balance error, as a share of the largest energy so far, that is reported; such a run is not called "
-       "stable"},
-      {"monitor",
-       "require_certified",
-       T::boolean,
-       "",
-       false,
-       "false",
-       anything,
-       {},
-       "a run fails (exit status 1) unless every step is certified; as --require-certified"},
-      {"handler", "method", T::text, "", false, "\"none\"", anything, handlerNames(),
-       "how elements that need a smaller step are treated", aliasesOf(handlerInfos())},
-      {"handler", "selection", T::text, "", false, "\"certified\"", anything, selectionNames.names(),
-       "which elements; " + selectionNames.listing(), aliasesOf(selectionNames)},
-      {"handler",
-       "margin",
-       T::number,
-       "",
-       false,
-       "0.1",
-       share,
-       {},
-       "elements are chosen as for a step of step/(1 - margin), so that the explicit part may stiffen"},
-  };
-  keys.insert(keys.end(), rest.begin(), rest.end());
-  for (SceneKey& key : keysOfOptions("handler", handlerInfos(), &HandlerInfo::options)) keys.push_back(std::move(key));
-  for (const char* section : {"fix", "initial", "move", "force"}) {
-    keys.push_back({section,
-                    "where",
-                    T::text,
-                    "",
-                    false,
-                    "",
-                    anything,
-                    {},
-                    "condition on the reference position, e.g. \"x < 1e-6 and y > 0.01\", \"all\", or \"set:NAME\""});
-    keys.push_back(
-        {section, "set", T::text, "", false, "", anything, {}, "named node set of the mesh, instead of where"});
-  }
-  for (const char* section : {"move", "force"}) {
-    const std::string what = section == std::string("move") ? "velocity" : "load";
-    keys.push_back({section,
-                    "times",
-                    T::numbers,
-                    "s",
-                    false,
-                    "",
-                    notNegative,
-                    {},
-                    "times of a table, increasing; before the first and after the last its factor stays. With "
-                    "integrators of one force a step, without handler, cuts and GPU"});
-    keys.push_back(
-        {section, "factors", T::numbers, "", false, "", anything, {}, "of the " + what + ", at these times"});
-    keys.push_back({section, "ramp", T::text, "", false, "\"linear\"", anything, rampNames.names(),
-                    "between two times; " + rampNames.listing()});
-  }
-  const std::vector<SceneKey> last{
-      {"initial", "velocity", T::vector, "m/s", false, "", anything, {}, "of the nodes"},
-      {"initial",
-       "angular_velocity",
-       T::vector,
-       "rad/s",
-       false,
-       "",
-       anything,
-       {},
-       "rotation about an axis of this direction"},
-      {"initial", "point", T::vector, "m", false, "[0.0, 0.0, 0.0]", anything, {}, "on the axis"},
-      {"fix", "components", T::text, "", false, "\"xyz\"", anything, {}, "components that are held, any of x, y, z"},
-      {"move", "velocity", T::vector, "m/s", true, "", anything, {}, "prescribed velocity"},
-      {"move",
-       "components",
-       T::text,
-       "",
-       false,
-       "\"xyz\"",
-       anything,
-       {},
-       "components that are prescribed, any of x, y, z"},
-      {"force",
-       "acceleration",
-       T::vector,
-       "m/s2",
-       false,
-       "",
-       anything,
-       {},
-       "force = mass x acceleration; or give force"},
-      {"force", "force", T::vector, "N", false, "", anything, {}, "total force, spread over the nodes by mass"},
-      {"cut", "time", T::number, "s", true, "", notNegative, {}, "it is made before the first step that begins then"},
-      {"cut", "point", T::vector, "m", false, "", anything, {}, "of an endless plane; with normal"},
-      {"cut", "normal", T::vector, "", false, "", anything, {}, "of the plane, of any length"},
-      {"cut", "line", T::vectors, "m", false, "", anything, {}, "or two and more points, with sweep"},
-      {"cut", "sweep", T::vector, "m", false, "", anything, {}, "how far the line is swept; the cut ends with it"},
-      {"cut",
-       "snap",
-       T::number,
-       "edge lengths",
-       false,
-       "0.1",
-       SceneRange{0, 0.5, true, true},
-       {},
-       "nodes nearer than this are taken as on the surface, which saves slivers; 0 cuts exactly"},
-      {"cut", "positions", T::text, "", false, "\"deformed\"", anything, cutPositionsNames.names(),
-       "where the surface lies: in space at that time, or in the body at rest"},
-      {"cut",
-       "critical_step",
-       T::boolean,
-       "",
-       false,
-       "false",
-       anything,
-       {},
-       "the summary also has that of the whole body before and after, which takes most of the time of a cut of a large "
-       "mesh"},
-      {"output",
-       "every",
-       T::number,
-       "s",
-       false,
-       "",
-       positive,
-       {},
-       "time between ParaView frames; no frames without it"},
-      {"output", "fields", T::texts, "", false, "[\"critical_step\"]", anything, frameFieldNames(),
-       "cell data of the frames: each element's step by a metric (critical_step stands for reduced-1-ring), by the "
-       "monitor's metric with its margin, verdict, handled elements; displacement, velocity, sets and the frame's "
-       "bracket are always there"},
-      {"output",
-       "checkpoint_every",
-       T::number,
-       "s",
-       false,
-       "",
-       positive,
-       {},
-       "time between checkpoints, from the last of which `ringwatch run --resume DIR` goes on, bit by bit as the run "
-       "would have; with explicit integrators of fixed order, without handler, cuts and GPU"},
-      {"output", "history_every", T::integer, "steps", false, "1", atLeastOne, {}, "steps between rows of history.csv"},
-      {"output",
-       "energy",
-       T::boolean,
-       "",
-       false,
-       "true",
-       anything,
-       {},
-       "energies in the history, and their balance watched"},
-      {"output",
-       "picture",
-       T::boolean,
-       "",
-       false,
-       "true",
-       anything,
-       {},
-       "critical_step.png by gnuplot, when the critical step is monitored"},
-  };
-  keys.insert(keys.end(), last.begin(), last.end());
-  return keys;
+  std::vector<SceneKey> all;
+  for (const auto addSection :
+       {addMesh, addMaterial, addIntegrator, addDamping, addMonitor, addHandler, addMotionAndLoads, addCut, addOutput})
+    addSection(all);
+  return all;
 }
 
 }  // namespace

@@ -31,16 +31,16 @@ using SceneRange = NumberRange;
 /// One key of the scene format. The table of these drives validation, defaults, messages and the human-readable
 /// listing.
 struct SceneKey {
-  std::string section;  // see SceneSection
+  std::string section = {};  // see SceneSection
   std::string key;
   SceneType type;
-  std::string unit;  // "" for none
+  std::string unit = {};  // "" for none
   bool required = false;
-  std::string fallback;  // as TOML text; "" for none
-  SceneRange range;
-  std::vector<std::string> choices;  // what a text may be; empty for anything
-  std::string help;
+  std::string fallback = {};  // as TOML text; "" for none
+  SceneRange range = {};
+  std::vector<std::string> choices = {};                          // what a text may be; empty for anything
   std::vector<std::pair<std::string, std::string>> aliases = {};  // of choices: other names that are accepted
+  std::string help = {};
 };
 
 struct SceneSection {

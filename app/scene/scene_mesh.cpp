@@ -50,9 +50,10 @@ std::vector<SceneKey> generatorSceneKeys() {
         same->help += fmt::format(", {}", generator.name);
         continue;
       }
-      SceneKey key{"mesh", std::string(p.name), SceneType::parameter, std::string(p.unit), false, "", {}, {}, ""};
-      key.help = fmt::format("of the generators {}", generator.name);
-      keys.push_back(std::move(key));
+      keys.push_back({.key = std::string(p.name),
+                      .type = SceneType::parameter,
+                      .unit = std::string(p.unit),
+                      .help = fmt::format("of the generators {}", generator.name)});
     }
   return keys;
 }

@@ -84,6 +84,12 @@ TEST_F(Words, EveryTopicListsItsRegistry) {
   EXPECT_EQ(help("scene"), call("run --help-scene").out);
 }
 
+TEST_F(Words, NoLineOfTheListOfTopicsIsBlank) {
+  std::istringstream lines(call("help --help").out);
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_TRUE(line.empty() || line.find_first_not_of(' ') != std::string::npos);
+}
+
 TEST_F(Words, HelpOfACommandIsAboutIt) {
   EXPECT_EQ(help(""), call("--help").out);
   for (const HelpTopic& topic : helpTopics()) EXPECT_THAT(help(""), lists(topic.name));
