@@ -43,7 +43,7 @@ template <class Term>
 double parallelSum(std::int64_t count, int threads, const Term& term) {
   constexpr std::int64_t length = 1024;
   const std::int64_t ranges = (count + length - 1) / length;
-  std::vector<double> sums(static_cast<std::size_t>(ranges));
+  std::vector<double> sums(ranges);
   parallelFor(
       0, ranges, threads,
       [&](std::int64_t range) { sums[range] = term(range * length, std::min(count, (range + 1) * length)); }, 2);

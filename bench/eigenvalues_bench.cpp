@@ -81,8 +81,8 @@ struct Elements {
     mesh.blocks.push_back(std::move(block));
     const Body body(std::move(mesh), makeMaterial("linear", 1, poisson, 1));
     const int size = 3 * n;
-    packed.resize(static_cast<std::size_t>(count / lanes * size * size));
-    normals.resize(static_cast<std::size_t>(count / lanes * size));
+    packed.resize(count / lanes * size * size);
+    normals.resize(count / lanes * size);
     for (int e = 0; e < count; ++e) {
       const auto nodes = body.blocks()[0]->nodesOf(e);
       Eigen::VectorXd scale(size), normal(size);
@@ -133,7 +133,7 @@ void eigenSolver(benchmark::State& state, const Elements& elements) {
 void packedSolver(benchmark::State& state, const Elements& elements) {
   const int size = 3 * elements.n;
   std::vector<double> found(count);
-  AlignedVector<NativePack> A(static_cast<std::size_t>(size * size)), work(static_cast<std::size_t>(4 * size));
+  AlignedVector<NativePack> A(size * size), work(4 * size);
   for (auto _ : state)
     for (int pack = 0; pack < count / lanes; ++pack) {
       std::copy_n(elements.packed.begin() + static_cast<std::ptrdiff_t>(pack) * size * size, size * size, A.begin());

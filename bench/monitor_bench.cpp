@@ -84,7 +84,7 @@ void denseEigenvalues(benchmark::State& state, const Case& c) {
     largest = 0;
     for (std::int32_t e = 0; e < block.elementCount(); ++e) {
       Eigen::MatrixXd K = s.body.elementTangent({0, e}, s.x);
-      std::vector<double> mass(static_cast<std::size_t>(n));
+      std::vector<double> mass(n);
       s.body.elementLumpedMass({0, e}, mass.data());
       for (int i = 0; i < 3 * n; ++i)
         for (int j = 0; j < 3 * n; ++j) K(i, j) /= std::sqrt(mass[i / 3] * mass[j / 3]);

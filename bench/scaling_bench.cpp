@@ -251,8 +251,7 @@ void conjugateGradients(benchmark::State& state, const Case& c) {
   state.counters["iterations_each"] = static_cast<double>(system.products) / static_cast<double>(state.iterations());
   state.counters["elements"] = elements * state.counters["iterations_each"];
   // Beside the product: the inverse blocks and the mass, r, u, d and K d read, r, u and d written.
-  reportFloor(state, static_cast<std::size_t>(state.counters["elements"]),
-              sum(needOf(c, s, Pass::product), nodalBytes(c, s, 72 + 8 + 5 * 24)));
+  reportFloor(state, state.counters["elements"], sum(needOf(c, s, Pass::product), nodalBytes(c, s, 72 + 8 + 5 * 24)));
 }
 #endif
 
@@ -310,7 +309,7 @@ double median(std::vector<double> values) {
 template <class Work>
 std::vector<double> interleaved(int bodies, const Work& work) {
   constexpr int rounds = 15;
-  std::vector<std::vector<double>> seconds(static_cast<std::size_t>(bodies));
+  std::vector<std::vector<double>> seconds(bodies);
   for (int round = 0; round <= rounds; ++round)
     for (int i = 0; i < bodies; ++i) {
       const double time = secondsOf([&] { work(i); });
@@ -383,7 +382,7 @@ Mesh shuffled(const Mesh& mesh) {
   Mesh result;
   result.X.resize(3, mesh.X.cols());
   for (std::size_t i = 0; i < newNode.size(); ++i) {
-    result.X.col(newNode[i]) = mesh.X.col(static_cast<Eigen::Index>(i));
+    result.X.col(newNode[i]) = mesh.X.col(i);
     result.nodeIds.push_back(0);
   }
   for (std::size_t i = 0; i < newNode.size(); ++i) result.nodeIds[newNode[i]] = static_cast<std::int64_t>(i);
@@ -391,8 +390,7 @@ Mesh shuffled(const Mesh& mesh) {
   MeshBlock block{from.type, {}, {}};
   for (const std::int32_t e : oldElement) {
     block.ids.push_back(e);
-    for (int a = 0; a < from.nodesPerElement(); ++a)
-      block.connectivity.push_back(newNode[from.element(static_cast<std::size_t>(e))[a]]);
+    for (int a = 0; a < from.nodesPerElement(); ++a) block.connectivity.push_back(newNode[from.element(e)[a]]);
   }
   result.blocks.push_back(std::move(block));
   return result;
@@ -423,7 +421,7 @@ void order(benchmark::State& state, const Case& c, Threaded pass) {
   std::vector<double> seconds;
   for (auto _ : state) {
     seconds = interleaved(static_cast<int>(bodies.size()), [&](int k) {
-      const auto i = static_cast<std::size_t>(k);
+      const std::size_t i = k;
       if (pass == Threaded::force) bodies[i]->internalForce(at[i].x, f[i], workspaces[i]);
       if (pass == Threaded::product) bodies[i]->tangentProduct(at[i].x, at[i].x, f[i], workspaces[i]);
       if (pass == Threaded::step) integrators[i].step(*systems[i], at[i], stillStep);
@@ -438,8 +436,8 @@ void order(benchmark::State& state, const Case& c, Threaded pass) {
     const std::vector<std::int64_t>&shuffledIds = bodies[1]->mesh().nodeIds, &ids = bodies[2]->mesh().nodeIds;
     NodeVectors byId[2] = {f[1], f[2]};
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      byId[0].col(shuffledIds[i]) = f[1].col(static_cast<Eigen::Index>(i));
-      byId[1].col(ids[i]) = f[2].col(static_cast<Eigen::Index>(i));
+      byId[0].col(shuffledIds[i]) = f[1].col(i);
+      byId[1].col(ids[i]) = f[2].col(i);
     }
     error = relativeDifference(byId[1], byId[0]);
   }

@@ -60,7 +60,7 @@ class FloatForce {
     const ElementBlock& block = *body.blocks()[0];
     const NodeVectors& X = body.mesh().X;
     for (const Patch& patch : layout_.patches) {
-      batchBegin_.push_back(static_cast<std::int32_t>(geometry_.size() / 10));
+      batchBegin_.push_back(geometry_.size() / 10);
       constexpr int own = lanes;
       for (std::int32_t b = patch.batchBegin; b < patch.batchEnd; b += 2) {
         F geometry[10];
@@ -82,7 +82,7 @@ class FloatForce {
         local_.insert(local_.end(), &local[0][0], &local[0][0] + 4 * lanes);
       }
     }
-    batchBegin_.push_back(static_cast<std::int32_t>(geometry_.size() / 10));
+    batchBegin_.push_back(geometry_.size() / 10);
     slots_.resize(4 * layout_.nodes.size());
     nodeCount_ = body.nodeCount();
     slotBegin_.assign(static_cast<std::size_t>(nodeCount_) + 1, 0);

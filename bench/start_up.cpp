@@ -109,14 +109,17 @@ void startUp(int wanted, const Format& format) {
     if (mode == MonitorMode::metric) options.metric = "reduced-1-ring";
     std::unique_ptr<StabilityMonitor> monitor;
     const std::string name(monitorModeName(mode));
+    // As in a run: an observation leaves the forces of the step that follows.
+    StepEvaluation evaluation;
     stage("monitor " + name + ", first observation", [&] {
       monitor = std::make_unique<StabilityMonitor>(*body, options);
-      monitor->observe(0, state.time, state.x, state.v, h);
+      monitor->observe(0, state.time, state.x, state.v, h, &evaluation);
     });
     stage("monitor " + name + ", 3 more", [&] {
       for (int k = 1; k <= 3; ++k) {
-        integrator.step(*system, state, h);
-        monitor->observe(k, state.time, state.x, state.v, h);
+        system->complete(state, evaluation);
+        integrator.advance(*system, state, h);
+        monitor->observe(k, state.time, state.x, state.v, h, &evaluation);
       }
     });
     rows.back().seconds -= 3 * step;

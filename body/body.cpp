@@ -139,14 +139,14 @@ void Body::elementLumpedMass(ElementRef ref, double* mass) const {
 }
 
 Eigen::VectorXd Body::lumpMass() {
-  Eigen::VectorXd lumped = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh_.nodeCount()));
+  Eigen::VectorXd lumped = Eigen::VectorXd::Zero(mesh_.nodeCount());
   double expected = 0, mass[maxElementNodes], volumes[lanes];
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ElementBlock& block = *blocks_[b];
     const double density = block.material().density;
     double blockMass = 0, ruleVolume = 0;
     for (std::int32_t e = 0; e < block.elementCount(); ++e) {
-      elementLumpedMass({static_cast<std::int32_t>(b), e}, mass);
+      elementLumpedMass({b, e}, mass);
       const auto nodes = block.nodesOf(e);
       for (std::size_t a = 0; a < nodes.size(); ++a) {
         lumped[nodes[a]] += mass[a];
@@ -177,11 +177,11 @@ void Body::addBodyForce(const Eigen::Vector3d& acceleration) {
 
 void Body::pass(NodeVectorsView x, PatchVisitor* visitor, NodeVectors* force, double* energy,
                 Workspace& workspace) const {
-  if (force) workspace.slots.resize(static_cast<std::size_t>(4 * slotCount()));
+  if (force) workspace.slots.resize(4 * slotCount());
   if (energy) workspace.energies.resize(patches().size());
-  parallelFor(0, static_cast<std::int64_t>(patches().size()), threads(), [&](std::int64_t p) {
+  parallelFor(0, patches().size(), threads(), [&](std::int64_t p) {
     const PatchRef& ref = patches()[p];
-    const auto blockIndex = static_cast<std::size_t>(ref.block);
+    const std::size_t blockIndex = ref.block;
     const ElementBlock& block = *blocks_[blockIndex];
     const Patch& patch = block.layout().patches[ref.patch];
     double* slots = nullptr;
@@ -233,11 +233,11 @@ Body::LeastDeterminant Body::leastDeterminant(NodeVectorsView x) const {
     const ElementBlock& block = *blocks_[b];
     std::vector<double> values(block.layout().elements.size());
     parallelFor(0, block.layout().batchCount(), threads(), [&](std::int64_t batch) {
-      block.minimumDeterminantBatch(static_cast<std::int32_t>(batch), x.data(), values.data() + batch * lanes);
+      block.minimumDeterminantBatch(batch, x.data(), values.data() + batch * lanes);
     });
     for (std::size_t i = 0; i < values.size(); ++i)
       if (block.layout().elements[i] >= 0 && !(values[i] >= least.value)) {
-        least = {values[i], {static_cast<std::int32_t>(b), block.layout().elements[i]}};
+        least = {values[i], {b, block.layout().elements[i]}};
         if (std::isnan(values[i])) return least;
       }
   }

@@ -30,7 +30,7 @@ class ChangeCount {
 class Constraints {
  public:
   explicit Constraints(std::size_t nodeCount)
-      : constrained_(3 * nodeCount, 0), velocity_(NodeVectors::Zero(3, static_cast<Eigen::Index>(nodeCount))) {}
+      : constrained_(3 * nodeCount, 0), velocity_(NodeVectors::Zero(3, nodeCount)) {}
 
   /// Fixes a component (0, 1, 2) of a node.
   void fix(std::int32_t node, int component) { move(node, component, 0.0); }
@@ -39,19 +39,23 @@ class Constraints {
   }
   /// Moves a component of a node at `velocity`, m/s.
   void move(std::int32_t node, int component, double velocity) {
-    std::uint8_t& constrained = constrained_[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(component)];
-    if (!constrained) version_.add();
-    constrained = 1;
+    const std::int64_t i = 3 * std::int64_t{node} + component;
+    if (!constrained_[i]) {
+      version_.add();
+      constrained_[i] = 1;
+      components_.push_back(i);
+    }
     velocity_(component, node) = velocity;
-    any_ = true;
     moving_ = moving_ || velocity != 0;
   }
 
-  bool any() const { return any_; }
+  bool any() const { return !components_.empty(); }
   bool moving() const { return moving_; }
   bool isConstrained(std::int32_t node, int component) const {
     return constrained_[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(component)] != 0;
   }
+  /// The constrained components, 3 * node + component, in the order in which they were constrained.
+  const std::vector<std::int64_t>& components() const { return components_; }
   /// Components of a node that follow forces, 0 to 3.
   int freeComponents(std::int32_t node) const {
     return 3 - isConstrained(node, 0) - isConstrained(node, 1) - isConstrained(node, 2);
@@ -63,22 +67,17 @@ class Constraints {
 
   /// Zeroes the constrained components of a 3×N array.
   void clearConstrained(NodeVectors& values) const {
-    if (!any_) return;
-    double* p = values.data();
-    for (std::size_t i = 0; i < constrained_.size(); ++i)
-      if (constrained_[i]) p[i] = 0;
+    for (const std::int64_t i : components_) values.data()[i] = 0;
   }
   /// Gives constrained components of a velocity field their prescribed values.
   void imposeVelocity(NodeVectors& v) const {
-    if (!any_) return;
-    for (std::size_t i = 0; i < constrained_.size(); ++i)
-      if (constrained_[i]) v.data()[i] = velocity_.data()[i];
+    for (const std::int64_t i : components_) v.data()[i] = velocity_.data()[i];
   }
 
  private:
-  std::vector<std::uint8_t> constrained_;
+  std::vector<std::uint8_t> constrained_;  // a flag for every component of every node
+  std::vector<std::int64_t> components_;   // those that are set
   NodeVectors velocity_;
-  bool any_ = false;
   bool moving_ = false;
   ChangeCount version_;
 };

@@ -12,8 +12,8 @@ template <class Element>
 void ElementGeometry<Element>::fill(const Mesh& mesh, const MeshBlock& meshBlock) {
   const ElementBlock& block = block_;
   const QuadratureRule& rule = block.rule();
-  shapeGradients_.resize(static_cast<std::size_t>(points_ * n * 3));
-  tableNorm_.resize(static_cast<std::size_t>(points_));
+  shapeGradients_.resize(points_ * n * 3);
+  tableNorm_.resize(points_);
   for (int q = 0; q < points_; ++q) {
     double* table = shapeGradients_.data() + static_cast<std::ptrdiff_t>(q) * n * 3;
     Element::shapeGradient(rule.points[q].xi, reinterpret_cast<double(*)[3]>(table));
@@ -23,7 +23,7 @@ void ElementGeometry<Element>::fill(const Mesh& mesh, const MeshBlock& meshBlock
   }
   const std::int32_t batches = block.layout().batchCount();
   geometry_.resize(static_cast<std::size_t>(batches) * static_cast<std::size_t>(points_) * stride);
-  extents_.resize(static_cast<std::size_t>(batches));
+  extents_.resize(batches);
   // In twice the precision: determinants of flat elements cancel, and what is stored here serves every step.
   using Wide = DoubleDouble<P>;
   for (std::int32_t batch = 0; batch < batches; ++batch) {
@@ -51,9 +51,8 @@ void ElementGeometry<Element>::fill(const Mesh& mesh, const MeshBlock& meshBlock
       for (int lane = 0; lane < lanes; ++lane) {
         const std::int32_t e = elementsOf(batch)[lane];
         if (e >= 0 && !(det[lane] > 0))
-          throw NumericalError(joinText(Element::name, " element ", meshBlock.id(static_cast<std::size_t>(e)),
-                                        ": Jacobian determinant ", det[lane], " at quadrature point ", q,
-                                        " must be > 0"));
+          throw NumericalError(joinText(Element::name, " element ", meshBlock.id(e), ": Jacobian determinant ",
+                                        det[lane], " at quadrature point ", q, " must be > 0"));
         point[9].set(lane, e < 0 ? 0.0 : det[lane] * rule.points[q].weight);
       }
     }

@@ -21,7 +21,7 @@ class ElementTangents {
   std::int32_t elementCount() const { return static_cast<std::int32_t>(layout_.batchOfElement.size()); }
   /// Nodes of an element.
   std::span<const std::int32_t> nodesOf(std::int32_t e) const {
-    const auto n = static_cast<std::size_t>(nodesPerElement_);
+    const std::size_t n = nodesPerElement_;
     return {connectivity_.data() + static_cast<std::size_t>(e) * n, n};
   }
 

@@ -2,7 +2,7 @@
 
 namespace ringwatch {
 
-FreeDofs::FreeDofs(const Body& body) : number_(static_cast<std::size_t>(3 * body.nodeCount()), -1) {
+FreeDofs::FreeDofs(const Body& body) : number_(3 * body.nodeCount(), -1) {
   for (std::int32_t node = 0; node < body.nodeCount(); ++node)
     for (int c = 0; c < 3; ++c)
       if (!body.constraints().isConstrained(node, c)) number_[3 * node + c] = count_++;
@@ -19,7 +19,7 @@ void FreeDofs::addTo(NodeVectors& values, const Eigen::VectorXd& change) const {
 }
 Eigen::SparseMatrix<double> FreeDofs::reduce(const Eigen::SparseMatrix<double>& K) const {
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(K.nonZeros()));
+  entries.reserve(K.nonZeros());
   for (int column = 0; column < K.outerSize(); ++column)
     for (Eigen::SparseMatrix<double>::InnerIterator it(K, column); it; ++it) {
       const int i = (*this)[it.row()], j = (*this)[column];

@@ -6,17 +6,17 @@ Body subBody(const Body& whole, std::span<const ElementRef> elements, std::span<
              Eigen::VectorXd lumpedMass, int threads) {
   const Mesh& all = whole.mesh();
   Mesh mesh;
-  mesh.X.resize(3, static_cast<Eigen::Index>(nodes.size()));
+  mesh.X.resize(3, nodes.size());
   std::vector<std::int32_t> numberOf(all.nodeCount(), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    mesh.X.col(static_cast<Eigen::Index>(i)) = all.X.col(nodes[i]);
+    mesh.X.col(i) = all.X.col(nodes[i]);
     mesh.nodeIds.push_back(all.nodeId(nodes[i]));
     numberOf[nodes[i]] = static_cast<std::int32_t>(i);
   }
   for (const MeshBlock& block : all.blocks) mesh.blocks.push_back({block.type, {}, {}});
   for (const ElementRef e : elements) {
     MeshBlock& block = mesh.blocks[e.block];
-    block.ids.push_back(all.blocks[e.block].id(static_cast<std::size_t>(e.element)));
+    block.ids.push_back(all.blocks[e.block].id(e.element));
     for (const std::int32_t node : whole.blocks()[e.block]->nodesOf(e.element))
       block.connectivity.push_back(numberOf[node]);
   }

@@ -32,7 +32,7 @@ std::size_t BlockMatrix::patternBytes() const {
 }
 
 TangentSource::TangentSource(std::vector<const ElementTangents*> tangents, Eigen::VectorXd lumpedMass, int threads)
-    : TangentSource(Constraints(static_cast<std::size_t>(lumpedMass.size())), threads) {
+    : TangentSource(Constraints(lumpedMass.size()), threads) {
   setElements(std::move(tangents), std::move(lumpedMass));
 }
 
@@ -72,7 +72,7 @@ void TangentSource::setElements(std::vector<const ElementTangents*> tangents, Ei
   }
   for (std::size_t i = 1; i < count.size(); ++i) count[i] += count[i - 1];
   nodeSlotBegin_ = count;
-  nodeSlot_.resize(static_cast<std::size_t>(slotCount_));
+  nodeSlot_.resize(slotCount_);
   std::int64_t slot = 0;
   for (const ElementTangents* block : tangents_)
     for (std::int32_t node : block->layout().nodes) nodeSlot_[count[node]++] = slot++;
@@ -98,12 +98,12 @@ void TangentSource::sumSlots(NodeVectors& result, const double* slots) const {
 void TangentSource::sumOverPatches(
     NodeVectors& result, Workspace& workspace,
     const std::function<void(std::size_t block, std::int32_t patch, double* slots)>& addPatch) const {
-  workspace.slots.resize(static_cast<std::size_t>(4 * slotCount_));
+  workspace.slots.resize(4 * slotCount_);
   double* slots = workspace.slots.data();
-  parallelFor(0, static_cast<std::int64_t>(patches_.size()), threads(), [&](std::int64_t p) {
+  parallelFor(0, patches_.size(), threads(), [&](std::int64_t p) {
     const PatchRef& ref = patches_[p];
     double* own = slots + 4 * ref.firstSlot;
-    const auto block = static_cast<std::size_t>(ref.block);
+    const std::size_t block = ref.block;
     const Patch& patch = tangents_[block]->layout().patches[ref.patch];
     std::fill(own, own + 4 * static_cast<std::ptrdiff_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
     addPatch(block, ref.patch, own);
@@ -143,10 +143,10 @@ double TangentSource::formRounding(NodeVectorsView x, const NodeVectors& v, Work
 }
 
 Eigen::MatrixXd TangentSource::elementTangent(ElementRef ref, NodeVectorsView x) const {
-  const ElementTangents& block = *tangents_.at(static_cast<std::size_t>(ref.block));
-  const std::int32_t place = block.layout().batchOfElement.at(static_cast<std::size_t>(ref.element));
+  const ElementTangents& block = *tangents_.at(ref.block);
+  const std::int32_t place = block.layout().batchOfElement.at(ref.element);
   const int size = 3 * block.nodesPerElement(), lane = place % lanes;
-  AlignedVector<NativePack> K(static_cast<std::size_t>(size * size));
+  AlignedVector<NativePack> K(size * size);
   block.tangentBatch(place / lanes, x.data(), reinterpret_cast<double*>(K.data()));
   Eigen::MatrixXd result(size, size);
   for (int i = 0; i < size; ++i)
@@ -156,7 +156,7 @@ Eigen::MatrixXd TangentSource::elementTangent(ElementRef ref, NodeVectorsView x)
 
 // Assembled tangents: the pattern and the places of all elements' blocks once, then numbers only.
 void TangentSource::makePattern(BlockMatrix& matrix) const {
-  const auto nodes = static_cast<std::size_t>(nodeCount());
+  const std::size_t nodes = nodeCount();
   // Neighbours of every node with repetitions, row after row, then sorted and thinned in place. A node without
   // elements, in a part of a body, has its diagonal all the same.
   std::vector<std::int64_t> begin(nodes + 1, 1);
@@ -165,7 +165,7 @@ void TangentSource::makePattern(BlockMatrix& matrix) const {
     for (std::int32_t e = 0; e < block->elementCount(); ++e)
       for (std::int32_t i : block->nodesOf(e)) begin[static_cast<std::size_t>(i) + 1] += block->nodesPerElement();
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::int32_t> neighbour(static_cast<std::size_t>(begin.back()));
+  std::vector<std::int32_t> neighbour(begin.back());
   {
     std::vector<std::int64_t> next(begin.begin(), begin.end() - 1);
     for (std::size_t i = 0; i < nodes; ++i) neighbour[next[i]++] = static_cast<std::int32_t>(i);
@@ -181,7 +181,7 @@ void TangentSource::makePattern(BlockMatrix& matrix) const {
   }
   std::vector<std::int64_t> count(nodes);
   parallelFor(
-      0, static_cast<std::int64_t>(nodes), threads(),
+      0, nodes, threads(),
       [&](std::int64_t i) {
         const auto first = neighbour.begin() + begin[i],
                    last = neighbour.begin() + begin[static_cast<std::size_t>(i) + 1];
@@ -191,19 +191,19 @@ void TangentSource::makePattern(BlockMatrix& matrix) const {
       256);
   matrix.rowBegin.assign(nodes + 1, 0);
   std::partial_sum(count.begin(), count.end(), matrix.rowBegin.begin() + 1);
-  matrix.column.resize(static_cast<std::size_t>(matrix.rowBegin.back()));
+  matrix.column.resize(matrix.rowBegin.back());
   for (std::size_t i = 0; i < nodes; ++i)
     std::copy_n(neighbour.begin() + begin[i], count[i], matrix.column.begin() + matrix.rowBegin[i]);
   matrix.block.assign(matrix.column.size(), Eigen::Matrix3d::Zero());
   for (const ElementTangents* block : tangents_) {
-    const auto n = static_cast<std::size_t>(block->nodesPerElement());
+    const std::size_t n = block->nodesPerElement();
     auto& positions = matrix.elementBlocks.emplace_back(static_cast<std::size_t>(block->elementCount()) * n * n);
     parallelFor(
         0, block->elementCount(), threads(),
         [&](std::int64_t e) {
-          const auto own = block->nodesOf(static_cast<std::int32_t>(e));
+          const auto own = block->nodesOf(e);
           for (std::size_t a = 0; a < n; ++a) {
-            const auto row = static_cast<std::size_t>(own[a]);
+            const std::size_t row = own[a];
             const auto first = matrix.column.begin() + matrix.rowBegin[row],
                        last = matrix.column.begin() + matrix.rowBegin[row + 1];
             for (std::size_t b = 0; b < n; ++b)
@@ -248,15 +248,14 @@ void TangentSource::placePairs(BlockMatrix& matrix) const {
               *place++ = flipped ? ~known : known;
             }
       }
-      for (auto p = static_cast<std::size_t>(own.pairBegin.back()); p < own.pairs.size(); ++p)
-        placeOf[own.pairs[p].upper] = -1;
-      own.pairBegin.push_back(static_cast<std::int64_t>(own.pairs.size()));
+      for (std::size_t p = own.pairBegin.back(); p < own.pairs.size(); ++p) placeOf[own.pairs[p].upper] = -1;
+      own.pairBegin.push_back(own.pairs.size());
     }
   }
   // Slots of a pair lie beside one another, in the order of the patches.
   std::int64_t slotCount = 0;
   for (PatchPairs::Pair& pair : own.pairs) {
-    const auto upper = static_cast<std::size_t>(pair.upper);
+    const std::size_t upper = pair.upper;
     if (patches[upper] < 2) continue;
     if (placeOf[upper] < 0) {
       own.shared.push_back({pair.upper, pair.lower, slotCount});
@@ -278,15 +277,15 @@ void TangentSource::assembleBlocks(NodeVectorsView x, BlockMatrix& matrix) const
     const ElementTangents& block = *tangents_[m];
     const int n = block.nodesPerElement(), size = 3 * n, count = pairCount(n);
     const auto& patches = block.layout().patches;
-    parallelFor(0, static_cast<std::int64_t>(patches.size()), threads(), [&](std::int64_t p) {
+    parallelFor(0, patches.size(), threads(), [&](std::int64_t p) {
       // A patch's sums stay in the second-level cache; kept from patch to patch, for fresh memory costs page faults.
       thread_local AlignedVector<double> sums;
       thread_local AlignedVector<NativePack> K;
       const Patch& patch = patches[p];
       const std::int64_t first = own.pairBegin[firstPatch + static_cast<std::size_t>(p)];
-      const auto pairs = static_cast<std::size_t>(own.pairBegin[firstPatch + static_cast<std::size_t>(p) + 1] - first);
+      const std::size_t pairs = own.pairBegin[firstPatch + static_cast<std::size_t>(p) + 1] - first;
       sums.assign(9 * pairs, 0.0);
-      K.resize(static_cast<std::size_t>(size * size));
+      K.resize(size * size);
       // The first eight entries of a block fill a cache line; the ninth ones lie apart.
       double *eight = sums.data(), *ninth = sums.data() + 8 * pairs;
       const std::int32_t* place = own.places[m].data() + static_cast<std::ptrdiff_t>(patch.batchBegin) * count * lanes;
@@ -329,7 +328,7 @@ void TangentSource::assembleTangent(NodeVectorsView x, SparseTangent& tangent) c
   const bool fresh = K.nonZeros() == 0;
   if (fresh) {
     K.resize(3 * nodeCount(), 3 * nodeCount());
-    K.resizeNonZeros(static_cast<Eigen::Index>(9 * blocks.column.size()));
+    K.resizeNonZeros(9 * blocks.column.size());
   }
   // Symmetric: row i of blocks gives columns 3i to 3i+2.
   parallelFor(

@@ -91,7 +91,7 @@ class TangentSource {
   void forEachTangentBatch(NodeVectorsView x, const Visit& visit) const {
     for (std::size_t b = 0; b < tangents_.size(); ++b) {
       const ElementTangents& block = *tangents_[b];
-      const auto size = static_cast<std::size_t>(9 * block.nodesPerElement() * block.nodesPerElement());
+      const std::size_t size = 9 * block.nodesPerElement() * block.nodesPerElement();
       const std::int32_t batches = block.layout().batchCount();
       constexpr std::int32_t chunk = 64;
       parallelFor(0, (batches + chunk - 1) / chunk, threads(), [&](std::int64_t c) {

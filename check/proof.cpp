@@ -76,7 +76,7 @@ struct Node {
 
 /// One element: that its allowance bounds its tangent. Adds to the sums at its nodes and to uᵀKu.
 void proveElement(const Kind& kind, Reader& file, std::vector<Node>& nodes, Ball& form, Verdict& verdict) {
-  const auto n = static_cast<std::size_t>(nodesOf(kind.element));
+  const std::size_t n = nodesOf(kind.element);
   std::int32_t own[20];
   std::int16_t weights[6 * 20];
   double allowance = 0, X[60], x[60], volume = 0;

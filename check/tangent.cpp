@@ -16,7 +16,7 @@ constexpr int tetEdge[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
 /// ∂N_a/∂ξ_j at a point.
 std::vector<Row> shapeGradients(const std::string& element, const double* point) {
   const Ball xi[3] = {point[0], point[1], point[2]};
-  std::vector<Row> dN(static_cast<std::size_t>(nodesOf(element)));
+  std::vector<Row> dN(nodesOf(element));
   if (element == "hex8" || element == "hex20") {
     for (std::size_t a = 0; a < dN.size(); ++a) {
       // A product of a factor for each direction, 1 + ξ ξ_a, or 1 - ξ² along the edge of a middle.
@@ -269,7 +269,7 @@ bool knowsLaw(const std::string& law) {
 
 bool elementTangent(const Kind& kind, const double* X, const double* x, Square& K, double& restVolume) {
   K = Square(3 * nodesOf(kind.element));
-  std::vector<Row> mean(static_cast<std::size_t>(nodesOf(kind.element)));
+  std::vector<Row> mean(nodesOf(kind.element));
   Ball volume;
   Square C(9);
   for (const auto& point : kind.points) {

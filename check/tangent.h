@@ -14,8 +14,8 @@ struct Square {
   int size;
   std::vector<Ball> entries;
   explicit Square(int n) : size(n), entries(static_cast<std::size_t>(n) * static_cast<std::size_t>(n)) {}
-  Ball& operator()(int i, int j) { return entries[static_cast<std::size_t>(i * size + j)]; }
-  const Ball& operator()(int i, int j) const { return entries[static_cast<std::size_t>(i * size + j)]; }
+  Ball& operator()(int i, int j) { return entries[i * size + j]; }
+  const Ball& operator()(int i, int j) const { return entries[i * size + j]; }
 };
 
 /// Elements of one kind: shape, law, Lamé's constants, and the quadrature rule with its points, in exact doubles.

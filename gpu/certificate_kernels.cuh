@@ -318,7 +318,7 @@ __global__ void __launch_bounds__(32)
   bool lost = left > listed, near = false;
   constexpr double nearlyLost = RebuildPolicy{}.nearlyLost;
   for (unsigned i = blockIdx.x * blockDim.x + threadIdx.x; i < listed; i += gridDim.x * blockDim.x) {
-    const auto place = static_cast<std::size_t>(view.outsidePlace[i]);
+    const std::size_t place = view.outsidePlace[i];
     const std::size_t patch = place / threads;
     const auto thread = static_cast<int>(place % threads);
     const std::int32_t* own = block.nodes + patch * static_cast<std::size_t>(block.nodeCapacity);

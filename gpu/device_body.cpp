@@ -18,20 +18,20 @@ std::vector<R> tabulateGeometry(const Mesh& mesh, const MeshBlock& block, const 
   const int n = element.nodes, points = element.constantGradient ? 1 : static_cast<int>(rule.points.size());
   const auto entries = static_cast<std::size_t>(element.constantGradient ? 9 : 10),
              threads = static_cast<std::size_t>(plan.threads);
-  std::vector<double> dN(static_cast<std::size_t>(3 * n * points));
+  std::vector<double> dN(3 * n * points);
   for (int q = 0; q < points; ++q)
     element.shapeGradient(rule.points[q].xi,
                           reinterpret_cast<double(*)[3]>(dN.data() + static_cast<std::ptrdiff_t>(3 * n * q)));
   std::vector<R> geometry(plan.patches.size() * static_cast<std::size_t>(points) * entries * threads, R(0));
   std::vector<std::uint8_t> bad(plan.patches.size(), 0);
-  parallelFor(0, static_cast<std::int64_t>(plan.patches.size()), 0, [&](std::int64_t p) {
-    const auto patch = static_cast<std::size_t>(p);
+  parallelFor(0, plan.patches.size(), 0, [&](std::int64_t p) {
+    const std::size_t patch = p;
     for (std::size_t t = 0; t < threads; ++t) {
       const std::int32_t e = plan.elements[patch * threads + t];
       if (e < 0) continue;
       for (int q = 0; q < points; ++q) {
         Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
-        const std::int32_t* nodes = block.element(static_cast<std::size_t>(e));
+        const std::int32_t* nodes = block.element(e);
         for (int a = 1; a < n; ++a)
           J += (mesh.X.col(nodes[a]) - mesh.X.col(nodes[0])) *
                Eigen::RowVector3d::Map(dN.data() + static_cast<std::ptrdiff_t>(3 * (n * q + a)));
@@ -79,14 +79,14 @@ DeviceBody<R>::Impl::Impl(const DeviceBodyInput& input, const DevicePlan& plan) 
   patchCount = plan.patchCount;
   deviceNode = plan.deviceNode;
   X = mesh.X;
-  const auto count = static_cast<std::size_t>(nodeCount);
+  const std::size_t count = nodeCount;
   const bool loaded = input.externalForce && !input.externalForce->isZero(0);
   const bool held = input.constraints && input.constraints->any();
 
   // First all that goes to the device, on the host: then the need is known before anything is allocated.
   inverseMass.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double mass = input.lumpedMass[static_cast<Eigen::Index>(i)];
+    const double mass = input.lumpedMass[i];
     if (!(mass > 0)) throw InputError(joinText("node ", i, ": lumped mass ", mass, " kg must be > 0 on the device"));
     inverseMass[deviceNode[i]] = static_cast<R>(1 / mass);
   }
@@ -185,12 +185,11 @@ template <class R>
 void DeviceBody<R>::Impl::uploadVectors(const NodeVectors& values, DeviceVector<R>& to) {
   if (values.cols() != nodeCount)
     throw InputError(joinText("nodal vectors of ", values.cols(), " nodes for a body of ", nodeCount));
-  const auto count = static_cast<std::size_t>(nodeCount);
+  const std::size_t count = nodeCount;
   std::vector<R> ordered(3 * count);
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t c = 0; c < 3; ++c)
-      ordered[c * count + static_cast<std::size_t>(deviceNode[i])] =
-          static_cast<R>(values(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(i)));
+      ordered[c * count + static_cast<std::size_t>(deviceNode[i])] = static_cast<R>(values(c, i));
   stream.synchronize();
   to.upload(ordered);
 }
@@ -250,9 +249,9 @@ template <class R>
 void DeviceBody<R>::setPositions(const NodeVectors& x) {
   if (x.cols() != impl_->nodeCount)
     throw InputError(joinText("positions of ", x.cols(), " nodes for a body of ", impl_->nodeCount));
-  std::vector<Row4<R>> rows(static_cast<std::size_t>(impl_->nodeCount));
+  std::vector<Row4<R>> rows(impl_->nodeCount);
   for (Eigen::Index i = 0; i < x.cols(); ++i) {
-    const auto at = static_cast<std::size_t>(impl_->deviceNode[i]);
+    const std::size_t at = impl_->deviceNode[i];
     const Eigen::Vector3d u = x.col(i) - impl_->X.col(i);
     rows[at] = {static_cast<R>(u[0]), static_cast<R>(u[1]), static_cast<R>(u[2]), impl_->inverseMass[at]};
   }
@@ -272,12 +271,11 @@ template <class R>
 NodeVectors DeviceBody<R>::velocities() const {
   impl_->stream.synchronize();
   const std::vector<R> ordered = impl_->v.download();
-  const auto count = static_cast<std::size_t>(impl_->nodeCount);
+  const std::size_t count = impl_->nodeCount;
   NodeVectors v(3, impl_->nodeCount);
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t c = 0; c < 3; ++c)
-      v(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(i)) =
-          static_cast<double>(ordered[c * count + static_cast<std::size_t>(impl_->deviceNode[i])]);
+      v(c, i) = static_cast<double>(ordered[c * count + static_cast<std::size_t>(impl_->deviceNode[i])]);
   return v;
 }
 

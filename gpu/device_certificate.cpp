@@ -16,7 +16,7 @@ constexpr RebuildPolicy policy;
 }  // namespace
 
 DeviceCertificate::Impl::Impl(DeviceBody<double>& deviceBody) : body(deviceBody.impl()) {
-  const auto count = static_cast<std::size_t>(body.nodeCount);
+  const std::size_t count = body.nodeCount;
   std::size_t need = (body.slots.size() * 6 + count * 13) * sizeof(double);
   const auto capacityOf = [](const auto& from) {
     // When more elements leave at once than this, evaluating them one by one is no longer worth it.

@@ -63,13 +63,13 @@ DeviceImex::Impl::Impl(DeviceBody<double>& deviceBody, const Mesh& mesh,
                      9 * sizeof(double) * static_cast<std::size_t>(plan.blockCount) +
                      body.u.size() * (sizeof(Row4<double>) + 3 * sizeof(double));
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
-    const auto n = static_cast<std::size_t>(body.blocks[b].elementNodes);
+    const std::size_t n = body.blocks[b].elementNodes;
     need += plan.blocks[b].count() *
             (sizeof(double) * (9 * (n * (n + 1) / 2) + 3 * n + 11) + sizeof(std::int32_t) * (n + 2));
   }
   requireDeviceMemory(need);
   bytes = need;
-  turned = DeviceVector<double>(9 * static_cast<std::size_t>(plan.blockCount));
+  rotated = DeviceVector<double>(9 * static_cast<std::size_t>(plan.blockCount));
   makeBlocks(plan);
 
   // Nodes by their device numbers, and the masses of their lanes.
@@ -122,7 +122,7 @@ DeviceImex::Impl::Impl(DeviceBody<double>& deviceBody, const Mesh& mesh,
   view.s = lanesAt(7);
   view.solution = lanesAt(8);
   view.matrix = {value.data(), preconditioner.data(), column.data(),        rowBegin.data(),
-                 slice.data(), first.data(),          contributions.data(), turned.data()};
+                 slice.data(), first.data(),          contributions.data(), rotated.data()};
   view.clusters = clusters.data();
   view.blockCount = who.blockCount;
   view.teamBlocks = who.teamBlocks;
@@ -158,7 +158,7 @@ void DeviceImex::Impl::makeBlocks(const ImexPlan& plan) {
     block.shape = DeviceVector<double>(byEntry(from.shape, count));
     block.rest = DeviceVector<double>(count * 9 * (n * (n + 1) / 2));
     block.restHighest = DeviceVector<double>(count);
-    block.turn = DeviceVector<double>(count * 10);
+    block.rotation = DeviceVector<double>(count * 10);
     block.view = {static_cast<std::int32_t>(count),
                   static_cast<std::int32_t>(n * (n + 1) / 2),
                   block.place.data(),
@@ -166,8 +166,8 @@ void DeviceImex::Impl::makeBlocks(const ImexPlan& plan) {
                   block.shape.data(),
                   block.rest.data(),
                   block.restHighest.data(),
-                  block.turn.data(),
-                  turned.data() + 9 * static_cast<std::size_t>(from.firstBlock),
+                  block.rotation.data(),
+                  rotated.data() + 9 * static_cast<std::size_t>(from.firstBlock),
                   block.cluster.data()};
   }
 }
@@ -179,8 +179,8 @@ void DeviceImex::Impl::enqueueStep() {
   checkCuda(cudaStreamWaitEvent(side.stream, side.forked, 0), "cudaStreamWaitEvent");
   for (std::size_t b = 0; b < blocks.size(); ++b)
     if (blocks[b].view.count > 0) {
-      blocks[b].operations.turnTangents(body.blocks[b].view, body.blocks[b].law, blocks[b].view, view, side.stream);
-      launchTurnBlocks(blocks[b].view, side.stream);
+      blocks[b].operations.rotateTangents(body.blocks[b].view, body.blocks[b].law, blocks[b].view, view, side.stream);
+      launchRotateBlocks(blocks[b].view, side.stream);
     }
   launchAssembleClusters(view, body.nodes, side.stream);
   checkCuda(cudaEventRecord(side.joined, side.stream), "cudaEventRecord");
@@ -227,7 +227,7 @@ DeviceImex::Status DeviceImex::status() {
   m.kept = false;
   if (status.fault == noFault) return {asked, ""};
   const std::int64_t taken = static_cast<std::int64_t>(status.fault >> 32) - m.keptStep;
-  const auto cluster = static_cast<std::size_t>(status.fault & 0x7fffffffU);
+  const std::size_t cluster = status.fault & 0x7fffffffU;
   const auto fault = static_cast<ImexFault>(status.fault >> 31 & 1U);
   m.copyState(true);
   m.body.stream.synchronize();

@@ -11,7 +11,7 @@ struct DeviceImex::Impl {
     TangentOperations operations;
     ImexElementsView view;
     DeviceVector<std::int32_t> place, node, cluster;
-    DeviceVector<double> shape, rest, restHighest, turn;
+    DeviceVector<double> shape, rest, restHighest, rotation;
   };
   /// A stream beside the body's, and the points at which they meet.
   struct Side {
@@ -42,7 +42,7 @@ struct DeviceImex::Impl {
   DeviceVector<std::int32_t> node, column, rowBegin, teamOfBlock, ofBlocks, ofWarps;
   DeviceVector<std::int32_t> slice, first;
   DeviceVector<ImexContribution> contributions;
-  DeviceVector<double> lanes, value, preconditioner, turned, partial;
+  DeviceVector<double> lanes, value, preconditioner, rotated, partial;
   DeviceVector<ImexCluster> clusters;
   DeviceVector<ImexTeam> teams;
   DeviceVector<unsigned long long> arrived;

@@ -52,9 +52,9 @@ void bisect(Centroid* first, Centroid* last, std::ptrdiff_t size) {
 std::vector<Centroid> orderedCentroids(const Mesh& mesh, const MeshBlock& block, int size) {
   const int n = block.nodesPerElement();
   std::vector<Centroid> centroids(block.elementCount());
-  parallelFor(0, static_cast<std::int64_t>(centroids.size()), 0, [&](std::int64_t e) {
+  parallelFor(0, centroids.size(), 0, [&](std::int64_t e) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (int a = 0; a < n; ++a) sum += mesh.X.col(block.element(static_cast<std::size_t>(e))[a]);
+    for (int a = 0; a < n; ++a) sum += mesh.X.col(block.element(e)[a]);
     Centroid& to = centroids[e];
     for (int k = 0; k < 3; ++k) to.c[k] = static_cast<float>(sum[k] / n);
     to.element = static_cast<std::int32_t>(e);
@@ -90,7 +90,7 @@ void cut(const Mesh& mesh, const MeshBlock& block, DeviceBlockPlan& plan, std::v
       const std::int32_t e = order[next].element;
       plan.elements.push_back(e);
       for (int a = 0; a < n; ++a) {
-        const std::int32_t node = block.element(static_cast<std::size_t>(e))[a];
+        const std::int32_t node = block.element(e)[a];
         std::int32_t& at = local[node];
         if (at < 0) {
           at = static_cast<std::int32_t>(nodes.size() - begin);
@@ -109,12 +109,12 @@ void cut(const Mesh& mesh, const MeshBlock& block, DeviceBlockPlan& plan, std::v
 /// The corners of each local node, in rows of 32 nodes.
 void listCorners(const MeshBlock& block, std::size_t p, const std::vector<std::int32_t>& local, DeviceBlockPlan& plan) {
   const int n = block.nodesPerElement(), threads = plan.threads;
-  const auto nodeCount = static_cast<std::size_t>(plan.patches[p].nodeCount);
+  const std::size_t nodeCount = plan.patches[p].nodeCount;
   std::vector<std::vector<std::uint16_t>> cornersOf(nodeCount);
   for (int a = 0; a < n; ++a)
     for (int t = 0; t < plan.patches[p].elementCount; ++t) {
       const std::size_t at = p * static_cast<std::size_t>(threads) + static_cast<std::size_t>(t);
-      const std::int32_t node = block.element(static_cast<std::size_t>(plan.elements[at]))[a];
+      const std::int32_t node = block.element(plan.elements[at])[a];
       const std::int32_t i = local[node];
       plan.corners[at * static_cast<std::size_t>(n) + static_cast<std::size_t>(a)] = static_cast<std::uint16_t>(i);
       cornersOf[i].push_back(static_cast<std::uint16_t>(a * threads + t));
@@ -123,7 +123,7 @@ void listCorners(const MeshBlock& block, std::size_t p, const std::vector<std::i
   for (std::size_t first = 0; first < static_cast<std::size_t>(plan.nodeCapacity); first += group) {
     fillRows(cornersOf, std::min(first, nodeCount), std::min(nodeCount, first + group),
              static_cast<std::uint16_t>(n * threads), plan.rows);
-    plan.groupRow.push_back(static_cast<std::int32_t>(plan.rows.size() / group));
+    plan.groupRow.push_back(plan.rows.size() / group);
   }
   plan.rowCapacity = std::max(plan.rowCapacity, static_cast<int>((plan.rows.size() - begin) / group));
 }
@@ -202,7 +202,7 @@ DevicePlan planPatches(const Mesh& mesh) {
   plan.slotBegin.assign(static_cast<std::size_t>(sharedCount) + 1, 0);
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     DeviceBlockPlan& block = plan.blocks[b];
-    const auto n = static_cast<std::size_t>(mesh.blocks[b].nodesPerElement());
+    const std::size_t n = mesh.blocks[b].nodesPerElement();
     block.corners.assign(block.elements.size() * n, 0);
     block.groupRow.push_back(0);
     block.firstSlot = plan.slotCount;
@@ -224,7 +224,7 @@ DevicePlan planPatches(const Mesh& mesh) {
     plan.slotCount += static_cast<std::int32_t>(block.nodes.size());
   }
   std::partial_sum(plan.slotBegin.begin(), plan.slotBegin.end(), plan.slotBegin.begin());
-  plan.slot.resize(static_cast<std::size_t>(plan.slotBegin.back()));
+  plan.slot.resize(plan.slotBegin.back());
   std::vector<std::int32_t> next(plan.slotBegin.begin(), plan.slotBegin.end() - 1);
   std::int32_t slot = 0;
   for (const DeviceBlockPlan& block : plan.blocks)

@@ -54,8 +54,7 @@ DeviceRings::Impl::Impl(DeviceBody<double>& deviceBody) : body(deviceBody.impl()
     block.groupRow = DeviceVector<std::int32_t>(from.groupRow);
     block.rows = DeviceVector<std::uint16_t>(from.rows);
     block.largest = DeviceVector<double>(from.patches.size() * patchThreads(4));
-    block.highest =
-        DeviceVector<HighestRing>(static_cast<std::size_t>(ringBlocks(static_cast<std::int32_t>(from.patches.size()))));
+    block.highest = DeviceVector<HighestRing>(static_cast<std::size_t>(ringBlocks(from.patches.size())));
     block.view = {from.pairCapacity,  from.rowCapacity,      block.patches.data(), block.order.data(),
                   block.pairs.data(), block.groupRow.data(), block.rows.data()};
   }
@@ -84,7 +83,7 @@ DeviceRings::Highest DeviceRings::highest() {
     for (const HighestRing& ring : m.blocks[b].highest.download()) {
       if (!(ring.value > result.value || std::isnan(ring.value)) || std::isnan(result.value)) continue;
       result.value = ring.value;
-      result.element = {static_cast<std::int32_t>(b), m.body.blocks[b].elements[ring.place]};
+      result.element = {b, m.body.blocks[b].elements[ring.place]};
     }
   return result;
 }

@@ -18,12 +18,12 @@ struct ImexElementsView {
   const double* shape = nullptr;          // [3 a + j][element] fitted gradients: F = I + Σ u_a shape_a
   double* rest = nullptr;                 // [9 pair + entry][element] K_e(X), N/m, of node pairs a >= b
   double* restHighest = nullptr;          // [element] its highest eigenvalue
-  double* turn = nullptr;                 // [10][element] R_e, row by row, and w s_e
-  double* turned = nullptr;               // [pair][element][9] w s_e R_e K_e(X) R_eᵀ
+  double* rotation = nullptr;             // [10][element] R_e, row by row, and w s_e
+  double* rotated = nullptr;              // [pair][element][9] w s_e R_e K_e(X) R_eᵀ
   const std::int32_t* cluster = nullptr;  // [element]
 };
 
-/// One element's part of a block of the matrix: a block of `turned`, or, negative, ~block transposed.
+/// One element's part of a block of the matrix: a block of `rotated`, or, negative, ~block transposed.
 using ImexContribution = std::int32_t;
 
 /// The matrices M + w K̂ of all clusters in rows of blocks. Rows of a slice are as long as its longest.
@@ -35,7 +35,7 @@ struct ImexMatrixView {
   const std::int32_t* slice = nullptr;     // [row of slice]
   const std::int32_t* first = nullptr;     // [row of slice][10] the block's contributions, one more at the end
   const ImexContribution* contributions = nullptr;
-  const double* turned = nullptr;  // of all mesh blocks
+  const double* rotated = nullptr;  // of all mesh blocks
 };
 
 struct ImexCluster {
@@ -89,8 +89,8 @@ int imexResidentBlocks();
 /// Keeps the clusters' displacements and velocities as they are.
 void launchKeepNodes(const ImexView& view, const NodeView<double>& nodes, cudaStream_t stream);
 /// w s_e R_e K_e(X) R_eᵀ of a block's elements, block by block.
-void launchTurnBlocks(const ImexElementsView& elements, cudaStream_t stream);
-/// The matrices, from turned and scaled rest tangents, with their preconditioners.
+void launchRotateBlocks(const ImexElementsView& elements, cudaStream_t stream);
+/// The matrices, from rotated and scaled rest tangents, with their preconditioners.
 void launchAssembleClusters(const ImexView& view, const NodeView<double>& nodes, cudaStream_t stream);
 /// Takes back the step of the clusters' nodes, which was explicit, and makes it implicit: all clusters in one launch.
 void launchSolveClusters(const ImexView& view, const NodeView<double>& nodes, cudaStream_t stream);

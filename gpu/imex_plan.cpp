@@ -23,8 +23,7 @@ struct Entry {
 Eigen::MatrixXd fittedGradients(const Mesh& mesh, const MeshBlock& block, std::int32_t element) {
   const int n = block.nodesPerElement();
   Eigen::MatrixXd shape(n, 3);
-  for (int a = 0; a < n; ++a)
-    shape.row(a) = mesh.X.col(block.element(static_cast<std::size_t>(element))[a]).transpose();
+  for (int a = 0; a < n; ++a) shape.row(a) = mesh.X.col(block.element(element)[a]).transpose();
   shape.rowwise() -= shape.colwise().mean().eval();
   return shape * (shape.transpose() * shape).inverse();
 }
@@ -62,10 +61,10 @@ void addMatrix(std::vector<Entry>& entries, std::int32_t firstSlice, ImexPlan& p
         if (is)
           for (std::size_t at = rowAt(k)[j], end = endOf(at); at < end; ++at)
             plan.contributions.push_back(entries[at].from);
-        plan.first.push_back(static_cast<std::int32_t>(plan.contributions.size()));
+        plan.first.push_back(plan.contributions.size());
       }
     }
-    plan.rowBegin.push_back(static_cast<std::int32_t>(plan.slice.size()));
+    plan.rowBegin.push_back(plan.slice.size());
   }
 }
 
@@ -85,25 +84,24 @@ ImexPlan planImex(const Mesh& mesh, const std::vector<std::vector<ElementRef>>& 
         throw InputError(joinText("element ", ref.block, ":", ref.element, " is not in the mesh"));
       ++counts[ref.block];
     }
-  std::int64_t turned = 0;
+  std::int64_t rotated = 0;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
-    plan.blocks[b].firstBlock = static_cast<std::int32_t>(turned);
+    plan.blocks[b].firstBlock = static_cast<std::int32_t>(rotated);
     const std::int64_t n = mesh.blocks[b].nodesPerElement();
-    turned += n * (n + 1) / 2 * counts[b];
-    if (turned > std::numeric_limits<std::int32_t>::max() / 2)
+    rotated += n * (n + 1) / 2 * counts[b];
+    if (rotated > std::numeric_limits<std::int32_t>::max() / 2)
       throw InputError("too many implicit elements for the device");
   }
-  plan.blockCount = static_cast<std::int32_t>(turned);
+  plan.blockCount = static_cast<std::int32_t>(rotated);
   std::vector<std::int32_t> placeOfNode(mesh.nodeCount(), -1);
   for (const auto& elements : clusters) {
-    const auto number = static_cast<std::int32_t>(plan.clusters.size());
+    const std::int32_t number = plan.clusters.size();
     const std::int32_t firstSlice = plan.sliceCount();
     bool anyHeld = false;
     std::vector<std::int32_t> nodes;
     for (const ElementRef ref : elements) {
       const MeshBlock& block = mesh.blocks[ref.block];
-      for (int a = 0; a < block.nodesPerElement(); ++a)
-        nodes.push_back(block.element(static_cast<std::size_t>(ref.element))[a]);
+      for (int a = 0; a < block.nodesPerElement(); ++a) nodes.push_back(block.element(ref.element)[a]);
     }
     sortUnique(nodes);
     for (const std::int32_t node : nodes) {
@@ -122,8 +120,8 @@ ImexPlan planImex(const Mesh& mesh, const std::vector<std::vector<ElementRef>>& 
       const MeshBlock& block = mesh.blocks[ref.block];
       ImexPlan::Elements& own = plan.blocks[ref.block];
       const int n = block.nodesPerElement();
-      const auto position = static_cast<std::int32_t>(own.element.size());
-      const auto placeAt = [&](int a) { return placeOfNode[block.element(static_cast<std::size_t>(ref.element))[a]]; };
+      const std::int32_t position = own.element.size();
+      const auto placeAt = [&](int a) { return placeOfNode[block.element(ref.element)[a]]; };
       const auto pairAt = [&](int a, int b) {  // a >= b
         return own.firstBlock + (a * (a + 1) / 2 + b) * counts[ref.block] + position;
       };
@@ -154,7 +152,7 @@ ImexTeams planTeams(const std::vector<ImexCluster>& clusters, std::int32_t resid
   std::int64_t warpSlices = 0;
   for (std::size_t k = 0; k < clusters.size(); ++k) {
     if (large(clusters[k])) continue;
-    (clusters[k].sliceCount <= ofWarp ? plan.ofWarps : plan.ofBlocks).push_back(static_cast<std::int32_t>(k));
+    (clusters[k].sliceCount <= ofWarp ? plan.ofWarps : plan.ofBlocks).push_back(k);
     if (clusters[k].sliceCount <= ofWarp) ++warpSlices;
   }
   const bool others = !plan.ofWarps.empty() || !plan.ofBlocks.empty();
@@ -164,8 +162,7 @@ ImexTeams planTeams(const std::vector<ImexCluster>& clusters, std::int32_t resid
     const auto count =
         static_cast<std::int32_t>(std::max<std::int64_t>(1, std::min((slices + warps - 1) / warps, share)));
     plan.teams.push_back({static_cast<std::int32_t>(k), plan.teamBlocks, count});
-    plan.teamOfBlock.insert(plan.teamOfBlock.end(), static_cast<std::size_t>(count),
-                            static_cast<std::int32_t>(plan.teams.size()) - 1);
+    plan.teamOfBlock.insert(plan.teamOfBlock.end(), count, static_cast<std::int32_t>(plan.teams.size()) - 1);
     plan.teamBlocks += count;
   }
   const auto wanted = static_cast<std::int64_t>(plan.ofBlocks.size()) + (warpSlices + warps - 1) / warps;

@@ -13,7 +13,7 @@ struct ImexPlan {
   struct Elements {  // of one mesh block
     std::vector<std::int32_t> element, node, cluster;
     std::vector<double> shape;
-    std::int32_t firstBlock = 0;  // in ImexMatrixView::turned
+    std::int32_t firstBlock = 0;  // in ImexMatrixView::rotated
     std::size_t count() const { return element.size(); }
   };
   std::vector<Elements> blocks;
@@ -21,7 +21,7 @@ struct ImexPlan {
   std::vector<ImexCluster> clusters;
   std::vector<std::int32_t> column, rowBegin, slice, first;
   std::vector<ImexContribution> contributions;
-  std::int32_t blockCount = 0;  // of `turned`
+  std::int32_t blockCount = 0;  // of `rotated`
   std::int32_t sliceCount() const { return static_cast<std::int32_t>(node.size()) / sliceNodes; }
 };
 

@@ -35,13 +35,13 @@ __global__ void __launch_bounds__(imexThreads) keepNodesKernel(const ImexView m,
   m.v[lane.at] = real ? nodes.v[static_cast<std::size_t>(lane.component) * nodes.count + lane.node] : 0;
 }
 
-constexpr int turnThreads = 128;
+constexpr int rotationThreads = 128;
 
 /// A block of an element a thread. Results go through shared memory, so that whole lines are written.
-__global__ void __launch_bounds__(turnThreads) turnBlocksKernel(const ImexElementsView elements) {
-  __shared__ double stage[turnThreads * 9];
-  const std::int32_t first = static_cast<std::int32_t>(blockIdx.x) * turnThreads;
-  const std::int32_t own = min(turnThreads, elements.count - first);
+__global__ void __launch_bounds__(rotationThreads) rotateBlocksKernel(const ImexElementsView elements) {
+  __shared__ double stage[rotationThreads * 9];
+  const std::int32_t first = static_cast<std::int32_t>(blockIdx.x) * rotationThreads;
+  const std::int32_t own = min(rotationThreads, elements.count - first);
   const std::size_t pair = blockIdx.y, count = elements.count;
   if (static_cast<std::int32_t>(threadIdx.x) < own) {
     const std::size_t e = static_cast<std::size_t>(first) + threadIdx.x;
@@ -49,15 +49,15 @@ __global__ void __launch_bounds__(turnThreads) turnBlocksKernel(const ImexElemen
 #pragma unroll
     for (int i = 0; i < 9; ++i) {
       K.m[i] = elements.rest[(9 * pair + i) * count + e];
-      R.m[i] = elements.turn[i * count + e];
+      R.m[i] = elements.rotation[i * count + e];
     }
-    const Matrix3<double> turned = elements.turn[9 * count + e] * timesTranspose(R * K, R);
+    const Matrix3<double> rotated = elements.rotation[9 * count + e] * timesTranspose(R * K, R);
 #pragma unroll
-    for (int i = 0; i < 9; ++i) stage[threadIdx.x * 9 + i] = turned.m[i];
+    for (int i = 0; i < 9; ++i) stage[threadIdx.x * 9 + i] = rotated.m[i];
   }
   __syncthreads();
-  double* const to = elements.turned + (pair * count + static_cast<std::size_t>(first)) * 9;
-  for (std::int32_t i = static_cast<std::int32_t>(threadIdx.x); i < 9 * own; i += turnThreads) to[i] = stage[i];
+  double* const to = elements.rotated + (pair * count + static_cast<std::size_t>(first)) * 9;
+  for (std::int32_t i = static_cast<std::int32_t>(threadIdx.x); i < 9 * own; i += rotationThreads) to[i] = stage[i];
 }
 
 /// A row of a slice a warp, a row of a block a lane.
@@ -75,7 +75,7 @@ __global__ void __launch_bounds__(imexThreads) assembleKernel(const ImexView m, 
 #pragma unroll 4
     for (std::int32_t k = first[0]; k < first[1]; ++k) {
       const ImexContribution from = __ldg(m.matrix.contributions + k);
-      const double* block = m.matrix.turned + static_cast<std::size_t>(from < 0 ? ~from : from) * 9;
+      const double* block = m.matrix.rotated + static_cast<std::size_t>(from < 0 ? ~from : from) * 9;
       const int begin = from < 0 ? lane.component : 3 * lane.component, stride = from < 0 ? 3 : 1;
 #pragma unroll
       for (int j = 0; j < 3; ++j) sum[j] += __ldg(block + begin + j * stride);
@@ -203,7 +203,7 @@ __device__ double rowProduct(const ImexView& m, std::int32_t slice, const Lane& 
   double sum = 0;
   if (lane.node >= 0) {
     const std::int32_t end = m.matrix.rowBegin[slice + 1];
-    const auto own = static_cast<std::size_t>(threadIdx.x % 32);
+    const std::size_t own = threadIdx.x % 32;
 #pragma unroll 4
     for (std::int32_t row = m.matrix.rowBegin[slice]; row < end; ++row) {
       const double* value = m.matrix.value + static_cast<std::size_t>(row) * 96 + own;
@@ -343,7 +343,7 @@ __device__ void solveCluster(const ImexView& m, const NodeView<double>& nodes, s
 
 __global__ void __launch_bounds__(imexThreads) solveClustersKernel(const ImexView m, const NodeView<double> nodes) {
   __shared__ double shared[2][warpsOfBlock][2];
-  const auto own = static_cast<std::int32_t>(blockIdx.x);
+  const std::int32_t own = blockIdx.x;
   if (own < m.teamBlocks) {
     const std::int32_t number = m.teamOfBlock[own];
     const ImexTeam team = m.teams[number];
@@ -375,12 +375,12 @@ void launchKeepNodes(const ImexView& view, const NodeView<double>& nodes, cudaSt
   keepNodesKernel<<<(view.sliceCount + warpsOfBlock) / warpsOfBlock, imexThreads, 0, stream>>>(view, nodes);
   checkLaunch("copy of the clusters' nodes");
 }
-void launchTurnBlocks(const ImexElementsView& elements, cudaStream_t stream) {
+void launchRotateBlocks(const ImexElementsView& elements, cudaStream_t stream) {
   if (elements.count == 0) return;
-  const dim3 grid(static_cast<unsigned>((elements.count + turnThreads - 1) / turnThreads),
+  const dim3 grid(static_cast<unsigned>((elements.count + rotationThreads - 1) / rotationThreads),
                   static_cast<unsigned>(elements.pairCount));
-  turnBlocksKernel<<<grid, turnThreads, 0, stream>>>(elements);
-  checkLaunch("turned tangents");
+  rotateBlocksKernel<<<grid, rotationThreads, 0, stream>>>(elements);
+  checkLaunch("rotated tangents");
 }
 void launchAssembleClusters(const ImexView& view, const NodeView<double>& nodes, cudaStream_t stream) {
   if (view.rowCount == 0) return;

@@ -69,8 +69,7 @@ RingPlan planRings(const std::vector<RingPatchesInput>& blocks, std::int32_t int
     plan.blocks[b].order.assign(patches * threads, 0);
     plan.blocks[b].pairs.assign(patches * threads * tetrahedronPairs, 0);
     all[b].resize(patches);
-    parallelFor(0, static_cast<std::int64_t>(patches), 0,
-                [&](std::int64_t p) { all[b][p] = pairsOf(blocks[b], static_cast<std::size_t>(p), plan.blocks[b]); });
+    parallelFor(0, patches, 0, [&](std::int64_t p) { all[b][p] = pairsOf(blocks[b], p, plan.blocks[b]); });
     // The smaller node, the key's lower half, is interior in most of them.
     for (const PatchPairs& pairs : all[b])
       for (const LocalPair& pair : pairs)
@@ -87,7 +86,7 @@ RingPlan planRings(const std::vector<RingPatchesInput>& blocks, std::int32_t int
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     RingBlockPlan& block = plan.blocks[b];
     std::size_t most = 0;
-    parallelFor(0, static_cast<std::int64_t>(all[b].size()), 0, [&](std::int64_t p) {
+    parallelFor(0, all[b].size(), 0, [&](std::int64_t p) {
       PatchPairs& pairs = all[b][p];
       for (LocalPair& pair : pairs)
         pair.shared = static_cast<std::int32_t>(pair.key & 0xffffffffU) >= interiorCount &&
@@ -110,17 +109,17 @@ RingPlan planRings(const std::vector<RingPatchesInput>& blocks, std::int32_t int
     }
     block.pairCapacity = static_cast<int>((most + 31) / 32 * 32);
   }
-  const auto ownTotal = static_cast<std::int32_t>(pairCount);
+  const std::int32_t ownTotal = pairCount;
   plan.pairCount = ownTotal + static_cast<std::int32_t>(sharedKeys.size());
 
-  plan.slotPair.resize(static_cast<std::size_t>(slots));
+  plan.slotPair.resize(slots);
   plan.sharedBegin.assign(sharedKeys.size() + 1, 0);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     RingBlockPlan& block = plan.blocks[b];
     std::vector<std::vector<std::uint16_t>> rowsOf(all[b].size());
     std::vector<std::vector<std::int32_t>> rowEnd(all[b].size());
-    parallelFor(0, static_cast<std::int64_t>(all[b].size()), 0, [&](std::int64_t at) {
-      const auto p = static_cast<std::size_t>(at);
+    parallelFor(0, all[b].size(), 0, [&](std::int64_t at) {
+      const std::size_t p = at;
       PatchPairs& pairs = all[b][p];
       const RingPatch& patch = block.patches[p];
       std::vector<std::vector<std::uint16_t>> blocksOf(pairs.size());
@@ -136,13 +135,13 @@ RingPlan planRings(const std::vector<RingPatchesInput>& blocks, std::int32_t int
       for (std::size_t first = 0; first < static_cast<std::size_t>(block.pairCapacity); first += 32) {
         fillRows(blocksOf, std::min(first, pairs.size()), std::min(first + 32, pairs.size()),
                  tetrahedronPairs * threads, rowsOf[p]);
-        rowEnd[p].push_back(static_cast<std::int32_t>(rowsOf[p].size() / 32));
+        rowEnd[p].push_back(rowsOf[p].size() / 32);
       }
       pairs = {};
     });
     block.groupRow.push_back(0);
     for (std::size_t p = 0; p < rowsOf.size(); ++p) {
-      const auto before = static_cast<std::int32_t>(block.rows.size() / 32);
+      const std::int32_t before = block.rows.size() / 32;
       for (const std::int32_t end : rowEnd[p]) block.groupRow.push_back(before + end);
       block.rows.insert(block.rows.end(), rowsOf[p].begin(), rowsOf[p].end());
       block.rowCapacity = std::max(block.rowCapacity, static_cast<int>(rowsOf[p].size() / 32));

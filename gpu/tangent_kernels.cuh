@@ -90,7 +90,7 @@ __global__ void __launch_bounds__(patchThreads(4), 2)
         for (int j = 0; j < 3; ++j) sum[j] += stage[j * plane + *at];
 #pragma unroll
       for (int j = 0; j < 3; ++j) {
-        const auto entry = static_cast<std::size_t>(3 * row + j);
+        const std::size_t entry = 3 * row + j;
         if (l < pairs.ownCount)
           view.pair[entry * view.pairCount + pairs.firstPair + l] = sum[j];
         else
@@ -125,7 +125,7 @@ __global__ void __launch_bounds__(listThreads)
   constexpr int entries = Element::constantGradient ? 9 : 10;
   const std::int32_t e = static_cast<std::int32_t>(blockIdx.x) * listThreads + static_cast<std::int32_t>(threadIdx.x);
   if (e >= elements.count) return;
-  const auto place = static_cast<std::size_t>(elements.place[e]);
+  const std::size_t place = elements.place[e];
   const int points = Element::constantGradient ? 1 : block.pointCount;
   const double* geometry =
       block.geometry + place / threads * static_cast<std::size_t>(points * entries * threads) + place % threads;
@@ -189,8 +189,8 @@ __global__ void __launch_bounds__(listThreads)
       atomicMin(&imex.status->fault, imexFaultKey(imex.status->step, ImexFault::notFinite, elements.cluster[e]));
   }
 #pragma unroll
-  for (int i = 0; i < 9; ++i) elements.turn[static_cast<std::size_t>(i) * elements.count + e] = R.m[i];
-  elements.turn[static_cast<std::size_t>(9) * elements.count + e] = imex.w * stiffening;
+  for (int i = 0; i < 9; ++i) elements.rotation[static_cast<std::size_t>(i) * elements.count + e] = R.m[i];
+  elements.rotation[static_cast<std::size_t>(9) * elements.count + e] = imex.w * stiffening;
 }
 
 /// Launches the kernels of one element and law.
@@ -230,7 +230,7 @@ void tangentOperationsOfShard(ElementType type, std::size_t law, TangentOperatio
       if constexpr (std::is_same_v<Element, Tet4>) result.assembleRings = &Launcher::assembleRings;
       if constexpr (Element::order == 1) {
         result.restTangents = &Launcher::template implicitElements<true>;
-        result.turnTangents = &Launcher::template implicitElements<false>;
+        result.rotateTangents = &Launcher::template implicitElements<false>;
       }
     });
   });

@@ -42,8 +42,8 @@ struct TangentOperations {
   void (*restTangents)(const BlockView<double>&, const LawParameters&, const ImexElementsView&, const ImexView&,
                        cudaStream_t) = nullptr;
   /// R_e and w s_e at the displacements that launchKeepNodes kept.
-  void (*turnTangents)(const BlockView<double>&, const LawParameters&, const ImexElementsView&, const ImexView&,
-                       cudaStream_t) = nullptr;
+  void (*rotateTangents)(const BlockView<double>&, const LawParameters&, const ImexElementsView&, const ImexView&,
+                         cudaStream_t) = nullptr;
 };
 TangentOperations tangentOperations(ElementType type, std::size_t law);
 

@@ -129,7 +129,7 @@ bool Handler::beginsWithAcceleration() const {
   return stepsAsBase() ? base_->beginsWithAcceleration() : handledBeginsWithAcceleration();
 }
 
-void Handler::requireTurningTetrahedra(const std::vector<ElementRef>& elements) const {
+void Handler::requireCorotationalTetrahedra(const std::vector<ElementRef>& elements) const {
   for (const ElementRef e : elements) {
     const ElementBlock& block = *body_.blocks()[e.block];
     const std::string_view name = handlerInfo().name;
@@ -166,8 +166,7 @@ std::optional<Body::LeastDeterminant> Handler::leastHandledDeterminant(const Nod
         block.minimumDeterminantBatch(batch, x.data(), values);
       }
       const double value = values[place % lanes];
-      if (!least || !(value >= least->value))
-        least = {value, {static_cast<std::int32_t>(b), block.layout().elements[place]}};
+      if (!least || !(value >= least->value)) least = {value, {b, block.layout().elements[place]}};
       if (std::isnan(value)) return least;
     }
   }

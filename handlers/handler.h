@@ -123,7 +123,7 @@ class Handler : public Integrator {
   StepStatus baseStep(SecondOrderSystem& system, State& state, double h, const std::string& fault);
   std::span<const std::int32_t> nodesOf(ElementRef e) const { return body_.blocks()[e.block]->nodesOf(e.element); }
   /// Throws InputError unless all are tet4 of a law that turns with its element.
-  void requireTurningTetrahedra(const std::vector<ElementRef>& elements) const;
+  void requireCorotationalTetrahedra(const std::vector<ElementRef>& elements) const;
   /// Which elements, those of `keep` among them: those that a limit of allowedLambda(h) asks for.
   virtual ElementFlags choose(const NodeVectors& x, double h, const ElementFlags& keep) {
     return chooseFor(x, allowedLambda(h), keep);

@@ -6,7 +6,7 @@ namespace ringwatch {
 
 /// The diagonal block of row i, N/m.
 inline const Eigen::Matrix3d& diagonalBlock(const BlockMatrix& K, std::size_t i) {
-  auto k = static_cast<std::size_t>(K.rowBegin[i]);
+  std::size_t k = K.rowBegin[i];
   while (K.column[k] != static_cast<std::int32_t>(i)) ++k;  // every row holds its diagonal
   return K.block[k];
 }

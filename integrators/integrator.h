@@ -67,7 +67,7 @@ class DifferentiableSystem : public SecondOrderSystem {
   /// The 3×3 diagonal blocks of K(x), N of them, N/m: for preconditioners.
   virtual void stiffnessDiagonal(const NodeVectors& x, std::vector<Eigen::Matrix3d>& blocks) {
     const Eigen::SparseMatrix<double> K = stiffness(x);
-    blocks.assign(static_cast<std::size_t>(x.cols()), Eigen::Matrix3d::Zero());
+    blocks.assign(x.cols(), Eigen::Matrix3d::Zero());
     for (Eigen::Index column = 0; column < K.outerSize(); ++column)
       for (Eigen::SparseMatrix<double>::InnerIterator entry(K, column); entry; ++entry)
         if (entry.row() / 3 == column / 3) blocks[column / 3](entry.row() % 3, column % 3) = entry.value();

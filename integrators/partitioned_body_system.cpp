@@ -65,15 +65,15 @@ PartitionedBodySystem::Part::Part(const Body& whole, const std::vector<std::vect
     mesh.blocks.push_back(std::move(block));
   }
   if (mesh.blocks.empty()) return;
-  mesh.X.resize(3, static_cast<Eigen::Index>(nodes_.size()));
+  mesh.X.resize(3, nodes_.size());
   gather(all.X, mesh.X);
   for (const std::int32_t node : nodes_) mesh.nodeIds.push_back(all.nodeId(node));
   body_.emplace(std::move(mesh), materials, options);
 }
 
 void PartitionedBodySystem::Part::gather(const NodeVectors& all, NodeVectors& own) const {
-  own.resize(3, static_cast<Eigen::Index>(nodes_.size()));
-  for (std::size_t i = 0; i < nodes_.size(); ++i) own.col(static_cast<Eigen::Index>(i)) = all.col(nodes_[i]);
+  own.resize(3, nodes_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) own.col(i) = all.col(nodes_[i]);
 }
 
 void PartitionedBodySystem::Part::acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) {
@@ -84,12 +84,11 @@ void PartitionedBodySystem::Part::acceleration(double, const NodeVectors& x, con
   if (body_) {
     gather(x, x_);
     body_->internalForce(x_, force_, workspace_);
-    for (std::size_t i = 0; i < nodes_.size(); ++i) a.col(nodes_[i]) -= force_.col(static_cast<Eigen::Index>(i));
+    for (std::size_t i = 0; i < nodes_.size(); ++i) a.col(nodes_[i]) -= force_.col(i);
     if (damping_.beta != 0) {
       gather(v, u_);
       body_->tangentProduct(x_, u_, force_, workspace_);
-      for (std::size_t i = 0; i < nodes_.size(); ++i)
-        a.col(nodes_[i]) -= damping_.beta * force_.col(static_cast<Eigen::Index>(i));
+      for (std::size_t i = 0; i < nodes_.size(); ++i) a.col(nodes_[i]) -= damping_.beta * force_.col(i);
     }
   }
   for (Eigen::Index i = 0; i < a.cols(); ++i) a.col(i) /= whole_.lumpedMass()[i];
@@ -106,7 +105,7 @@ void PartitionedBodySystem::Part::stiffnessProduct(const NodeVectors& x, const N
   }
   Ku.setZero(3, x.cols());
   if (!body_) return;
-  for (std::size_t i = 0; i < nodes_.size(); ++i) Ku.col(nodes_[i]) = force_.col(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < nodes_.size(); ++i) Ku.col(nodes_[i]) = force_.col(i);
 }
 
 Eigen::SparseMatrix<double> PartitionedBodySystem::Part::stiffness(const NodeVectors& x) {
@@ -115,7 +114,7 @@ Eigen::SparseMatrix<double> PartitionedBodySystem::Part::stiffness(const NodeVec
   gather(x, x_);
   const Eigen::SparseMatrix<double> own = body_->assembleTangent(x_);
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(own.nonZeros()));
+  entries.reserve(own.nonZeros());
   const auto dof = [&](Eigen::Index d) { return 3 * nodes_[d / 3] + static_cast<int>(d % 3); };
   for (Eigen::Index column = 0; column < own.outerSize(); ++column)
     for (Eigen::SparseMatrix<double>::InnerIterator entry(own, column); entry; ++entry)
@@ -125,7 +124,7 @@ Eigen::SparseMatrix<double> PartitionedBodySystem::Part::stiffness(const NodeVec
 }
 
 void PartitionedBodySystem::Part::stiffnessDiagonal(const NodeVectors& x, std::vector<Eigen::Matrix3d>& blocks) {
-  blocks.assign(static_cast<std::size_t>(x.cols()), Eigen::Matrix3d::Zero());
+  blocks.assign(x.cols(), Eigen::Matrix3d::Zero());
   if (!body_) return;
   gather(x, x_);
   body_->assembleBlocks(x_, blocks_);

@@ -35,11 +35,11 @@ CompressedRows<std::int32_t> nodeNeighbours(const Mesh& mesh) {
     own.clear();
     for (const ElementNode& at : incidence.row(n)) {
       const MeshBlock& block = mesh.blocks[at.block];
-      const std::int32_t* nodes = block.element(static_cast<std::size_t>(at.element));
+      const std::int32_t* nodes = block.element(at.element);
       own.insert(own.end(), nodes, nodes + block.nodesPerElement());
     }
     sortUnique(own);
-    std::erase(own, static_cast<std::int32_t>(n));
+    std::erase(own, n);
     rows.values.insert(rows.values.end(), own.begin(), own.end());
     rows.offsets.push_back(rows.values.size());
   }
@@ -128,7 +128,7 @@ MeshParts connectedParts(const Mesh& mesh) {
   parts.partOfNode.assign(mesh.nodeCount(), -1);
   for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
     if (!used[n]) continue;
-    const std::int32_t r = root(static_cast<std::int32_t>(n));
+    const std::int32_t r = root(n);
     parts.partOfNode[n] = r == static_cast<std::int32_t>(n) ? parts.count++ : parts.partOfNode[r];
   }
   for (const MeshBlock& block : mesh.blocks)

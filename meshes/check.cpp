@@ -88,10 +88,10 @@ bool isMirrored(const Mesh& mesh, const MeshBlock& block) {
 
 void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
   const std::vector<bool> used = usedNodes(mesh);
-  const auto kept = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+  const std::size_t kept = std::count(used.begin(), used.end(), true);
   const std::size_t dropped = used.size() - kept;
   if (dropped == 0) return;
-  const auto first = static_cast<std::int32_t>(std::find(used.begin(), used.end(), false) - used.begin());
+  const std::int32_t first = std::find(used.begin(), used.end(), false) - used.begin();
   if (notes != nullptr)
     notes->push_back(joinText(source, ": ", dropped, " nodes that no element uses are dropped, the first is node ",
                               nodeId(mesh, first)));
@@ -101,8 +101,8 @@ void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::str
   std::int32_t next = 0;
   for (std::size_t n = 0; n < used.size(); ++n) {
     if (!used[n]) continue;
-    mesh.X.col(next) = mesh.X.col(static_cast<Eigen::Index>(n)).eval();
-    ids.push_back(mesh.nodeId(static_cast<std::int32_t>(n)));
+    mesh.X.col(next) = mesh.X.col(n).eval();
+    ids.push_back(mesh.nodeId(n));
     newIndex[n] = next++;
   }
   mesh.X.conservativeResize(3, next);
@@ -136,7 +136,7 @@ CoincidentNodes coincidentNodes(const Mesh& mesh) {
   std::vector<std::int32_t> before(mesh.nodeCount(), -1);  // the node of the same cell that was entered before
   for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
     if (!used[n]) continue;
-    const auto index = static_cast<std::int32_t>(n);
+    const std::int32_t index = n;
     const Eigen::Vector3d x = mesh.X.col(index) - low;
     // A node is entered in its own cell and sought in all cells that its neighbourhood touches; cells are numbered from
     // 1 to 1e6 + 1 along each axis, 21 bits.
@@ -225,16 +225,16 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
     for (std::size_t i = 1; i < count; ++i)
       if (std::equal(key(order[i]), key(order[i]) + width, key(order[i - 1])) &&
           nodesInRange(mesh, key(order[i]), info.nodes)) {
-        const auto other = static_cast<std::size_t>(order[i - 1]);
+        const std::size_t other = order[i - 1];
         const std::int64_t otherId = block.id(other);
-        report(static_cast<std::size_t>(order[i]), MeshProblem::Kind::duplicateElement, static_cast<double>(otherId),
+        report(order[i], MeshProblem::Kind::duplicateElement, static_cast<double>(otherId),
                joinText("has the same nodes as element ", otherId));
       }
   }
   const std::vector<bool> used = usedNodes(mesh);
   for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
-    const std::int64_t id = nodeId(mesh, static_cast<std::int32_t>(n));
-    const auto index = static_cast<std::int64_t>(n);
+    const std::int64_t id = nodeId(mesh, n);
+    const std::int64_t index = n;
     for (int k = 0; k < 3; ++k)
       if (const double x = mesh.X(k, index); !std::isfinite(x)) {
         problems.push_back({MeshProblem::Kind::nonFinite,
@@ -262,7 +262,7 @@ std::vector<std::string> meshNotes(const Mesh& mesh, const std::string& source) 
   std::vector<std::string> notes;
   const MeshParts parts = connectedParts(mesh);
   if (parts.count > 1) {
-    std::vector<std::size_t> sizes(static_cast<std::size_t>(parts.count));
+    std::vector<std::size_t> sizes(parts.count);
     for (const std::int32_t part : parts.partOfElement) ++sizes[part];
     std::sort(sizes.rbegin(), sizes.rend());
     constexpr std::size_t shown = 5;

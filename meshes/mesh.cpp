@@ -16,7 +16,7 @@ bool hasNode(const Mesh& mesh, std::int32_t node) {
 
 void requireNodesOfBlock(const Mesh& mesh, std::size_t b) {
   const MeshBlock& block = mesh.blocks[b];
-  const auto n = static_cast<std::size_t>(block.nodesPerElement());
+  const std::size_t n = block.nodesPerElement();
   const std::string_view name = elementInfo(block.type).name;
   if (block.connectivity.size() % n != 0)
     throw InputError(joinText("block ", b, ": its connectivity has ", block.connectivity.size(),

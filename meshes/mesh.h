@@ -1,4 +1,5 @@
 #pragma once
+#include <concepts>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -48,6 +49,11 @@ struct MeshBlock {
 struct ElementRef {
   std::int32_t block = 0;
   std::int32_t element = 0;
+  constexpr ElementRef() = default;
+  /// Of integers of any type that 32 bits hold: no reader and no generator makes more elements.
+  template <std::integral Block, std::integral Element>
+  constexpr ElementRef(Block block, Element element)
+      : block(static_cast<std::int32_t>(block)), element(static_cast<std::int32_t>(element)) {}
   friend auto operator<=>(const ElementRef&, const ElementRef&) = default;
 };
 
@@ -63,7 +69,7 @@ struct Mesh {
   std::size_t nodeCount() const { return static_cast<std::size_t>(X.cols()); }
   /// The number of node i for messages and files: that of `nodeIds`, or i itself without them.
   std::int64_t nodeId(std::int32_t i) const {
-    const auto at = static_cast<std::size_t>(i);
+    const std::size_t at = i;
     return at < nodeIds.size() ? nodeIds[at] : i;
   }
   std::size_t elementCount() const {

@@ -33,7 +33,7 @@ void renumberNodes(Mesh& mesh) {
   const double extent = (mesh.X.rowwise().maxCoeff() - low).maxCoeff();
   std::vector<std::pair<std::uint64_t, std::int32_t>> keyed(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Eigen::Vector3d from = mesh.X.col(static_cast<Eigen::Index>(i)) - low;
+    const Eigen::Vector3d from = mesh.X.col(i) - low;
     keyed[i] = {extent > 0 ? mortonKey(from / extent) : 0, static_cast<std::int32_t>(i)};
   }
   std::sort(keyed.begin(), keyed.end());
@@ -42,10 +42,10 @@ void renumberNodes(Mesh& mesh) {
   NodeVectors X(3, mesh.X.cols());
   std::vector<std::int64_t> ids(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto old = static_cast<std::size_t>(keyed[i].second);
+    const std::size_t old = keyed[i].second;
     place[old] = static_cast<std::int32_t>(i);
-    X.col(static_cast<Eigen::Index>(i)) = mesh.X.col(static_cast<Eigen::Index>(old));
-    ids[i] = mesh.nodeId(static_cast<std::int32_t>(old));
+    X.col(i) = mesh.X.col(old);
+    ids[i] = mesh.nodeId(old);
   }
   mesh.X = std::move(X);
   mesh.nodeIds = std::move(ids);

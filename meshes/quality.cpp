@@ -263,7 +263,7 @@ std::vector<QualitySummary> summarizeQuality(const std::vector<std::vector<Eleme
       for (std::size_t e = 0; e < quality[b].size(); ++e) {
         const double value = quality[b][e].*m.member;
         if (std::isnan(value)) continue;
-        const ElementRef ref{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
+        const ElementRef ref{b, e};
         if (s.count == 0 || value < s.min) s.min = value, s.minElement = ref;
         if (s.count == 0 || value > s.max) s.max = value, s.maxElement = ref;
         s.mean += value;

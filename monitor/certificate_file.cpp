@@ -131,7 +131,7 @@ Certificate makeCertificate(const Body& body, const NodeVectors& x) {
   const double least = leastAllowance * bound * body.lumpedMass().minCoeff();
   for (std::size_t b = 0; b < body.blocks().size(); ++b)
     for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
-      const ElementRef element{static_cast<std::int32_t>(b), e};
+      const ElementRef element{b, e};
       const auto nodes = body.blocks()[b]->nodesOf(e);
       const double allowance = std::max(weights.value(element), least);
       bytes.add(nodes.data(), nodes.size());

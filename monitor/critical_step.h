@@ -3,8 +3,8 @@
 #include <optional>
 
 #include <ringwatch/body/body.h>
-#include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/bounds/lanczos_bound.h>
+#include <ringwatch/monitor/step_limit.h>
 
 namespace ringwatch {
 

@@ -33,7 +33,7 @@ bool ElementCause::badlyShaped() const {
 ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef element) {
   const Mesh& mesh = body.mesh();
   const NodeVectors& X = mesh.X;
-  const auto b = static_cast<std::size_t>(element.block);
+  const std::size_t b = element.block;
   const ElementBlock& block = *body.blocks()[b];
   const auto nodes = block.nodesOf(element.element);
   ElementCause cause;
@@ -51,7 +51,7 @@ ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef elemen
     cause.leastStretch = std::min(cause.leastStretch, stretches[2]);
   }
   const double meanVolume = body.volume() / static_cast<double>(mesh.elementCount());
-  cause.shape = elementShape(mesh.blocks[b], static_cast<std::size_t>(element.element), X, meanVolume);
+  cause.shape = elementShape(mesh.blocks[b], element.element, X, meanVolume);
   return cause;
 }
 

@@ -9,15 +9,6 @@ namespace {
 /// The columns of a range of nodes.
 auto nodes(const NodeVectors& all, Eigen::Index begin, Eigen::Index end) { return all.middleCols(begin, end - begin); }
 
-/// Copies 3×N numbers in parallel.
-void copyNodes(const NodeVectors& from, NodeVectors& to, int threads) {
-  constexpr Eigen::Index grain = 1024;  // nodes a thread
-  to.resizeLike(from);
-  parallelParts(from.cols(), threads, grain, [&](Eigen::Index begin, Eigen::Index end) {
-    to.middleCols(begin, end - begin) = nodes(from, begin, end);
-  });
-}
-
 /// Σ a·b over all nodes.
 double dot(const NodeVectors& a, const NodeVectors& b, int threads) {
   return parallelSum(a.cols(), threads, [&](Eigen::Index begin, Eigen::Index end) {
@@ -35,17 +26,21 @@ double roundingEnergy(const Body& body) {
 }
 
 void EnergyBalance::record(const NodeVectors& x, const NodeVectors& internalForce) {
+  const Constraints& constraints = body_.constraints();
   if (!started_) {
     firstX_ = x;
     started_ = true;
-  } else if (body_.constraints().moving()) {
-    const NodeVectors& moved = body_.constraints().velocity();
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-      if (moved.data()[i] != 0)
-        prescribedWork_ += 0.5 * (force_.data()[i] + internalForce.data()[i]) * (x.data()[i] - x_.data()[i]);
+  } else if (constraints.moving()) {
+    // A component that has been constrained since then counts from now on.
+    for (std::size_t k = 0; k < supported_.size(); ++k) {
+      const std::int64_t i = constraints.components()[k];
+      if (constraints.velocity().data()[i] != 0)
+        prescribedWork_ += 0.5 * (supported_[k].force + internalForce.data()[i]) * (x.data()[i] - supported_[k].x);
+    }
   }
-  copyNodes(x, x_, body_.threads());
-  if (body_.constraints().moving()) copyNodes(internalForce, force_, body_.threads());
+  if (!constraints.moving()) return;
+  supported_.clear();
+  for (const std::int64_t i : constraints.components()) supported_.push_back({x.data()[i], internalForce.data()[i]});
 }
 
 void EnergyBalance::recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce) {
@@ -59,7 +54,7 @@ void EnergyBalance::recordDamping(double time, const NodeVectors& v, const NodeV
   damping_ = now;
 }
 
-Energies EnergyBalance::energies(const NodeVectors& v, double strainEnergy) {
+Energies EnergyBalance::energies(const NodeVectors& x, const NodeVectors& v, double strainEnergy) {
   Energies e;
   e.kinetic = 0.5 * parallelSum(v.cols(), body_.threads(), [&](Eigen::Index begin, Eigen::Index end) {
                 return nodes(v, begin, end)
@@ -68,13 +63,15 @@ Energies EnergyBalance::energies(const NodeVectors& v, double strainEnergy) {
                     .dot(body_.lumpedMass().segment(begin, end - begin).transpose());
               });
   e.strain = strainEnergy;
+  const NodeVectors& load = body_.externalForce();
+  e.externalWork = prescribedWork_ + parallelSum(x.cols(), body_.threads(), [&](Eigen::Index begin, Eigen::Index end) {
+                     const auto part = nodes(load, begin, end);
+                     if (part.cwiseAbs().sum() == 0) return 0.0;  // most bodies have few loaded nodes or none
+                     return part.cwiseProduct(nodes(x, begin, end) - nodes(firstX_, begin, end)).sum();
+                   });
   // Dead forces at moved components do no work on the body that their support does not take back.
-  copyNodes(body_.externalForce(), load_, body_.threads());
-  body_.constraints().clearConstrained(load_);
-  e.externalWork =
-      prescribedWork_ + parallelSum(x_.cols(), body_.threads(), [&](Eigen::Index begin, Eigen::Index end) {
-        return nodes(load_, begin, end).cwiseProduct(nodes(x_, begin, end) - nodes(firstX_, begin, end)).sum();
-      });
+  for (const std::int64_t i : body_.constraints().components())
+    if (load.data()[i] != 0) e.externalWork -= load.data()[i] * (x.data()[i] - firstX_.data()[i]);
   e.dissipated = dissipated_;
   if (!hasReference_) {
     referenceEnergy_ = e.kinetic + e.strain + e.dissipated - e.externalWork;
@@ -89,7 +86,7 @@ Energies EnergyBalance::evaluate(const NodeVectors& x, const NodeVectors& v) {
   own_.wantsEnergy = true;
   body_.evaluate(x, own_, workspace_);
   record(x, own_.internalForce);
-  return energies(v, own_.strainEnergy);
+  return energies(x, v, own_.strainEnergy);
 }
 
 }  // namespace ringwatch

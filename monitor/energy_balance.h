@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include <ringwatch/body/body.h>
 
@@ -30,8 +31,9 @@ class EnergyBalance {
   /// Adds a time (s) with velocities v (3×N, m/s) and the damping force C v (3×N, N) there. Call it at every step of a
   /// damped run.
   void recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce);
-  /// Energies at the last recorded state, with its velocities v (3×N, m/s) and its strain energy (J).
-  Energies energies(const NodeVectors& v, double strainEnergy);
+  /// Energies at the state that was recorded last: its positions x and velocities v (3×N, m and m/s), its strain energy
+  /// (J).
+  Energies energies(const NodeVectors& x, const NodeVectors& v, double strainEnergy);
   /// Both at once for a state whose force and strain energy are not known: one pass over the elements.
   Energies evaluate(const NodeVectors& x, const NodeVectors& v);
 
@@ -43,8 +45,12 @@ class EnergyBalance {
     double time, all, atSupports;
   };
   std::optional<DampingPower> damping_;  // of the last record
-  NodeVectors firstX_, x_, force_;
-  NodeVectors load_;  // external forces of free components
+  NodeVectors firstX_;
+  /// Of the constrained components, in the order of Constraints::components(), at the last record.
+  struct Supported {
+    double x, force;
+  };
+  std::vector<Supported> supported_;
   StepEvaluation own_;
   Body::Workspace workspace_;
 };

@@ -29,7 +29,7 @@ std::string whatHappened(const MonitorEvent& event) {
 
 std::string elementText(const Mesh& mesh, ElementRef ref) {
   const MeshBlock& block = mesh.blocks[ref.block];
-  const auto e = static_cast<std::size_t>(ref.element);
+  const std::size_t e = ref.element;
   std::string text = joinText(elementInfo(block.type).name, " element ", ref.block, ":", ref.element, " (file number ",
                               block.id(e), "), nodes");
   for (int a = 0; a < block.nodesPerElement(); ++a) text += joinText(" ", mesh.nodeId(block.element(e)[a]));

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include <ringwatch/body/tangent_source.h>
-#include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/bounds/factored_certificate.h>
 #include <ringwatch/monitor/stability_monitor.h>
+#include <ringwatch/monitor/step_limit.h>
 
 namespace ringwatch {
 

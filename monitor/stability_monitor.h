@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/energy_balance.h>
 #include <ringwatch/monitor/event.h>
 #include <ringwatch/monitor/metrics/metrics.h>
+#include <ringwatch/monitor/step_limit.h>
 
 namespace ringwatch {
 

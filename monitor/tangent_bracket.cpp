@@ -64,7 +64,7 @@ class GivenTangents final : public ElementTangents {
     const int n = nodesPerElement();
     for (std::int32_t i = patch.batchBegin * lanes; i < patch.batchEnd * lanes; ++i)
       for (int a = 0; a < n && layout().elements[i] >= 0; ++a) {
-        const auto local = static_cast<std::size_t>((i / lanes * n + a) * lanes + i % lanes);
+        const std::size_t local = (i / lanes * n + a) * lanes + i % lanes;
         slots[4 * static_cast<std::ptrdiff_t>(layout().localNodes[local])] += roundingOf(layout().elements[i], a);
       }
   }
@@ -78,7 +78,7 @@ class GivenTangents final : public ElementTangents {
       double own[3 * maxElementNodes];
       for (int k = 0; k < size; ++k) own[k] = v[3 * static_cast<std::ptrdiff_t>(nodes[k / 3]) + k % 3];
       for (int k = 0; k < size; ++k) {
-        const auto local = static_cast<std::size_t>((i / lanes * n + k / 3) * lanes + i % lanes);
+        const std::size_t local = (i / lanes * n + k / 3) * lanes + i % lanes;
         double sum = 0;
         for (int j = 0; j < size; ++j) sum += K[k * size + j] * own[j];
         slots[4 * static_cast<std::ptrdiff_t>(layout().localNodes[local]) + k % 3] += sum;
@@ -218,7 +218,7 @@ struct TangentBracket::Impl {
   double take(std::size_t g, std::span<const double> tangents) {
     Group& group = groups[g];
     const int size = group.degreesOfFreedom * group.nodes;
-    const auto entries = static_cast<std::size_t>(size * size);
+    const std::size_t entries = size * size;
     if (tangents.size() != group.count * entries)
       throw InputError(joinText("group ", g, ": ", tangents.size(), " numbers in its tangents: must be ", group.count,
                                 " x ", size, " x ", size));
@@ -269,7 +269,7 @@ struct TangentBracket::Impl {
     const int size = in * group.nodes, scaledSize = out * group.nodes, triples = triplesOf(out);
     const auto rootOf = [&](int a) { return inverseRoots.data() + static_cast<std::ptrdiff_t>(nodes[a]) * d * d; };
     // W K, and the same with all signs positive.
-    halfScaled.assign(static_cast<std::size_t>(2 * scaledSize * size), 0.0);
+    halfScaled.assign(2 * scaledSize * size, 0.0);
     double *const half = halfScaled.data(), *const halfSizes = half + scaledSize * size;
     for (int i = 0; i < scaledSize; ++i)
       for (int j = 0; j < size; ++j)
@@ -322,7 +322,7 @@ TangentBracket::TangentBracket(const NodalMass& mass, const std::vector<Elements
   const int d = mass.degreesOfFreedom;
   if (d < 1 || d > mostDegreesOfFreedom)
     throw InputError(joinText(d, " degrees of freedom a node: must be 1 to ", mostDegreesOfFreedom));
-  const auto dofs = static_cast<std::size_t>(d);
+  const std::size_t dofs = d;
   const std::size_t perNode = mass.form == NodalMass::Form::scalar     ? 1
                               : mass.form == NodalMass::Form::diagonal ? dofs
                                                                        : dofs * dofs;
@@ -352,7 +352,7 @@ TangentBracket::TangentBracket(const NodalMass& mass, const std::vector<Elements
     const int own = elements[g].degreesOfFreedom == 0 ? d : elements[g].degreesOfFreedom;
     if (own < 1 || own > d)
       throw InputError(joinText("group ", g, ": ", own, " degrees of freedom at its nodes: must be 1 to ", d));
-    const auto n = static_cast<std::size_t>(elements[g].nodesPerElement);
+    const std::size_t n = elements[g].nodesPerElement;
     const int scaledDofs = mass.form == NodalMass::Form::block ? d : own;
     const int ownTriples = triplesOf(scaledDofs);
     checkNodeCount(elements[g].nodesPerElement, ownTriples);
@@ -376,7 +376,7 @@ TangentBracket::TangentBracket(const NodalMass& mass, const std::vector<Elements
     group.given = std::make_unique<GivenTangents>(tripleCount, static_cast<int>(n) * ownTriples, group.triples);
     given.push_back(group.given.get());
   }
-  Eigen::VectorXd lumped = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(tripleCount));
+  Eigen::VectorXd lumped = Eigen::VectorXd::Ones(tripleCount);
   if (!scaled) std::copy(mass.values.begin(), mass.values.end(), lumped.data());
   m.source.emplace(std::move(given), std::move(lumped), threads);
   Constraints& constraints = m.source->constraints();

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/step_limit.h>
 
 namespace ringwatch {
 

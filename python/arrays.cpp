@@ -62,13 +62,13 @@ std::vector<std::int32_t> indicesOf(const char* name, py::handle given, py::ssiz
   if ((kind != 'i' && kind != 'u') || array.ndim() != dimensions) refuse(describe(given));
   const auto wide = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(array);
   if (!wide) throw py::error_already_set();
-  const std::span<const std::int64_t> values(wide.data(), static_cast<std::size_t>(wide.size()));
+  const std::span<const std::int64_t> values(wide.data(), wide.size());
   std::vector<std::int32_t> indices;
   indices.reserve(values.size());
   for (const std::int64_t value : values) {
     if (value < 0 || value >= end)
       throw InputError(joinText(name, ": ", value, " is out of range; must be 0 to ", end - 1));
-    indices.push_back(static_cast<std::int32_t>(value));
+    indices.push_back(value);
   }
   return indices;
 }

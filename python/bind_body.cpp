@@ -77,7 +77,7 @@ std::vector<std::int32_t> nodesOf(py::handle given, Eigen::Index nodes) {
                               shapeText({nodes}), ", or an array of node numbers"));
   std::vector<std::int32_t> chosen;
   for (py::ssize_t i = 0; i < flags.size(); ++i)
-    if (flags.data()[i]) chosen.push_back(static_cast<std::int32_t>(i));
+    if (flags.data()[i]) chosen.push_back(i);
   return chosen;
 }
 
@@ -94,7 +94,7 @@ void fix(HeldBody& held, py::handle nodes, const std::string& components, const 
   changing(held, [&] {
     for (const std::int32_t node : chosen)
       for (int c = 0; c < 3; ++c)
-        if (fixed[static_cast<std::size_t>(c)]) held.body.constraints().move(node, c, v[static_cast<std::size_t>(c)]);
+        if (fixed[c]) held.body.constraints().move(node, c, v[c]);
   });
 }
 
@@ -133,15 +133,14 @@ double energy(HeldBody& held, py::handle positions) {
 py::array elementTangents(HeldBody& held, py::handle positions, std::int64_t number) {
   const Body& body = held.body;
   const NodeVectorsView x = nodalOf("x", positions, body.nodeCount());
-  const auto blocks = static_cast<std::int64_t>(body.blocks().size());
+  const std::int64_t blocks = body.blocks().size();
   if (number < 0 || number >= blocks) throw InputError(joinText("block = ", number, ": must be 0 to ", blocks - 1));
-  const MeshBlock& block = body.mesh().blocks[static_cast<std::size_t>(number)];
+  const MeshBlock& block = body.mesh().blocks[number];
   const std::size_t elements = block.elementCount(), size = 3 * static_cast<std::size_t>(block.nodesPerElement());
   std::vector<double> tangents(elements * size * size);
   reading(held, [&] {
-    parallelFor(0, static_cast<std::int64_t>(elements), body.threads(), [&](std::int64_t e) {
-      const Eigen::MatrixXd K =
-          body.elementTangent({static_cast<std::int32_t>(number), static_cast<std::int32_t>(e)}, x);
+    parallelFor(0, elements, body.threads(), [&](std::int64_t e) {
+      const Eigen::MatrixXd K = body.elementTangent({number, e}, x);
       std::copy_n(K.data(), size * size, tangents.data() + static_cast<std::size_t>(e) * size * size);
     });
   });

@@ -39,7 +39,7 @@ HeldMesh sound(Mesh mesh, const char* source) {
 HeldMesh meshOf(py::handle points, const py::object& cells, const py::dict& nodeSets) {
   Mesh mesh;
   const std::span<const double> numbers = realsOf("points", points, {-1, 3});
-  const auto nodes = static_cast<Eigen::Index>(numbers.size() / 3);
+  const Eigen::Index nodes = numbers.size() / 3;
   mesh.X = NodeVectorsView(numbers.data(), nodes);
   const auto addBlock = [&](const std::string& name, py::handle connectivity) {
     const ElementType type = elementNamed(name);

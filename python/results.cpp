@@ -41,13 +41,12 @@ py::object tupleOf(std::span<const Number> numbers) {
 // The types live as long as the interpreter: Python objects cannot be destroyed after it.
 py::object elementResult(const Mesh& mesh, ElementRef ref) {
   static const ResultType& type = *new ResultType("Element", 7);
-  const MeshBlock& block = mesh.blocks[static_cast<std::size_t>(ref.block)];
-  const std::span<const std::int32_t> nodes(block.element(static_cast<std::size_t>(ref.element)),
-                                            static_cast<std::size_t>(block.nodesPerElement()));
+  const MeshBlock& block = mesh.blocks[ref.block];
+  const std::span<const std::int32_t> nodes(block.element(ref.element), block.nodesPerElement());
   std::vector<std::int64_t> ids;
   for (const std::int32_t node : nodes) ids.push_back(mesh.nodeId(node));
   return type(integer(ref.block), integer(ref.element), text(elementInfo(block.type).name), tupleOf(nodes),
-              integer(block.id(static_cast<std::size_t>(ref.element))), tupleOf(std::span<const std::int64_t>(ids)),
+              integer(block.id(ref.element)), tupleOf(std::span<const std::int64_t>(ids)),
               text(elementText(mesh, ref)));
 }
 

@@ -7,8 +7,8 @@
 
 #include <pybind11/pybind11.h>
 
-#include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/event.h>
+#include <ringwatch/monitor/step_limit.h>
 
 namespace ringwatch::python {
 

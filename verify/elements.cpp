@@ -91,7 +91,7 @@ void studyShapes(StudyReport& report) {
   for (const ElementInfo& info : allElements()) {
     Draw draw(3);
     double unity = 0, completeness = 0;
-    std::vector<double> N(static_cast<std::size_t>(info.nodes)), dN(static_cast<std::size_t>(3 * info.nodes));
+    std::vector<double> N(info.nodes), dN(3 * info.nodes);
     for (int i = 0; i < 100; ++i) {
       Eigen::VectorXd weights = Eigen::VectorXd::NullaryExpr(info.nodes, [&] { return 1.01 + draw(); });
       weights /= weights.sum();

@@ -66,7 +66,7 @@ Errors solve(const ElementRule& c, std::string_view law, const Manufactured& exa
   const StaticSolution solution = solveStatic(body, start, {1, 30, 1e-10});
   if (!solution.converged) return {std::nan(""), std::nan("")};
   double l2 = 0, h1 = 0, size = 0, slope = 0;
-  std::vector<double> N(static_cast<std::size_t>(c.element->nodes)), dN(N.size() * 3);
+  std::vector<double> N(c.element->nodes), dN(N.size() * 3);
   const MeshBlock& block = mesh.blocks[0];
   for (std::size_t e = 0; e < block.elementCount(); ++e) {
     const std::int32_t* nodes = block.element(e);

@@ -108,13 +108,13 @@ std::vector<std::int32_t> probesOf(const Motion& motion, const Mesh& mesh) {
       const double distance = (mesh.X.colwise() - at).colwise().squaredNorm().minCoeff(&nearest);
       if (distance > 1e-16)
         throw InputError(joinText("the mesh has no node at ", at.x(), ", ", at.y(), ", ", at.z(), " m"));
-      probes.push_back(static_cast<std::int32_t>(nearest));
+      probes.push_back(nearest);
     }
   return probes;
 }
 NodeVectors atProbes(const NodeVectors& values, const std::vector<std::int32_t>& probes) {
-  NodeVectors result(3, static_cast<Eigen::Index>(probes.size()));
-  for (std::size_t p = 0; p < probes.size(); ++p) result.col(static_cast<Eigen::Index>(p)) = values.col(probes[p]);
+  NodeVectors result(3, probes.size());
+  for (std::size_t p = 0; p < probes.size(); ++p) result.col(p) = values.col(probes[p]);
   return result;
 }
 

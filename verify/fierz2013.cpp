@@ -101,7 +101,7 @@ void load(const Deformation& d, Body& body) {
   for (const ElementFace& f : boundaryFaces(mesh)) {
     const MeshBlock& block = mesh.blocks[f.block];
     const std::array<int, 4>& corners = elementInfo(block.type).faces[f.face];
-    const std::int32_t* nodes = block.element(static_cast<std::size_t>(f.element));
+    const std::int32_t* nodes = block.element(f.element);
     const std::array<std::int32_t, 3> n{nodes[corners[0]], nodes[corners[1]], nodes[corners[2]]};
     if (!std::all_of(n.begin(), n.end(), [&](std::int32_t i) { return loaded[i]; })) continue;
     const double area =
@@ -290,7 +290,7 @@ StudySurfaces::Panel surfaceOf(std::string label, const Mesh& mesh, const NodeVe
   StudySurfaces::Panel panel{std::move(label), {}, {}};
   for (const ElementFace& f : boundaryFaces(mesh)) {
     const MeshBlock& block = mesh.blocks[f.block];
-    const std::int32_t* nodes = block.element(static_cast<std::size_t>(f.element));
+    const std::int32_t* nodes = block.element(f.element);
     const std::array<int, 4>& corners = elementInfo(block.type).faces[f.face];
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3d p = 1e2 * x.col(nodes[corners[k]]);  // cm

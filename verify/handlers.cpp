@@ -275,7 +275,7 @@ void addMotion(const HandledMotion& motion, StudyReport& report, StudyTable& sel
     Body body = motion.body();
     const auto handler = makeHandler(variant.handler, body, makeIntegrator("verlet"), variant.options);
     handler->prepare(X, h);
-    const auto handled = static_cast<std::int64_t>(handler->elements().size());
+    const std::int64_t handled = handler->elements().size();
     if (variant.showsSelection) {
       const double left = highestEigenvalue(handler->explicitBody(), 1e-8) * h * h / (verletLimit * verletLimit);
       selection.rows.push_back({motion.name, motion.law, std::string(selectionNames.nameOf(variant.options.selection)),
@@ -354,7 +354,7 @@ void addEnergies(StudyEffort effort, double h, StudyReport& report) {
   for (const char* law : {"corotational", "stvk"})
     for (const Variant& variant : allVariants()) {
       std::vector<FreeFlight> flights(effort == StudyEffort::full ? static_cast<std::size_t>(variant.flights) : 1);
-      parallelFor(0, static_cast<std::int64_t>(flights.size()), 0, [&](std::int64_t k) {
+      parallelFor(0, flights.size(), 0, [&](std::int64_t k) {
         flights[k] = fly(law, variant, steps, h * (1 + static_cast<double>(k) * perturbation));
       });
       FreeFlight worst = flights.front();

@@ -33,7 +33,7 @@ void perturb(State& state, double displacement, double velocity, const Different
   for (Eigen::Index i = 0; i < state.x.cols(); ++i)
     for (int c = 0; c < 3; ++c) {
       const double dx = random.uniform(-1, 1), dv = random.uniform(-1, 1);
-      if (system.isConstrained(static_cast<std::int32_t>(i), c)) continue;
+      if (system.isConstrained(i, c)) continue;
       state.x(c, i) += displacement * dx;
       state.v(c, i) += velocity * dv;
     }

@@ -154,7 +154,7 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
       bar.jitter = 0.2;
       bar.element = info->name;
       Body body(generateBar(bar), makeMaterial(law.name, young, poisson, density));
-      const auto count = static_cast<std::int64_t>(body.mesh().elementCount());
+      const std::int64_t count = body.mesh().elementCount();
       const NodeVectors& X = body.mesh().X;
       std::int64_t trials = 0, violations = 0, evaluated = 0;
       double margin = infinity;

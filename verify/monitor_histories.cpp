@@ -15,6 +15,7 @@
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <ringwatch/monitor/stability_monitor.h>
+#include <ringwatch/monitor/step_limit.h>
 #include <ringwatch/verify/monitor_studies.h>
 #include <ringwatch/verify/study_bodies.h>
 
@@ -64,7 +65,7 @@ State gentleStart(const BodySystem& system) {
   const auto& end = system.body().mesh().nodeSets.find("x-max");
   if (end == system.body().mesh().nodeSets.end()) return state;
   // Velocities of the moved end depend on y and z linearly: a plane through three of its nodes gives them everywhere.
-  Eigen::MatrixX3d A(static_cast<Eigen::Index>(end->second.size()), 3);
+  Eigen::MatrixX3d A(end->second.size(), 3);
   Eigen::MatrixX3d b(A.rows(), 3);
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
     const std::int32_t node = end->second[i];
@@ -121,7 +122,7 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
     system.complete(state, evaluation);
     if (!evaluation.internalForce.allFinite() || !state.v.allFinite()) break;
     balance.record(state.x, evaluation.internalForce);
-    const Energies energies = balance.energies(state.v, evaluation.strainEnergy);
+    const Energies energies = balance.energies(state.x, state.v, evaluation.strainEnergy);
     const MonitorReport& seen = monitor.observeEnergies(energies);
     largest = std::max({largest, energies.kinetic + std::abs(energies.strain), std::abs(energies.externalWork)});
     if (energyAt < 0 && step >= settling && std::abs(energies.balanceError) > 0.1 * largest) {

@@ -41,7 +41,7 @@ std::unique_ptr<SecondOrderSystem> oscillatorFor(const Integrator& integrator, d
 
 /// A with A [y_k … ] = [y_(k+1) …] in the sense of least squares of least norm, from states Y[first …].
 Eigen::MatrixXd fitRecursion(const std::vector<Eigen::Matrix2d>& Y, std::size_t first, int memory) {
-  const auto m = static_cast<std::size_t>(memory);
+  const std::size_t m = memory;
   Eigen::MatrixXd past(2 * memory, 2 * memory), next(2, 2 * memory);
   for (std::size_t c = 0; c < m; ++c) {
     for (std::size_t r = 0; r < m; ++r)
@@ -52,7 +52,7 @@ Eigen::MatrixXd fitRecursion(const std::vector<Eigen::Matrix2d>& Y, std::size_t 
 }
 
 bool predicts(const Eigen::MatrixXd& A, const std::vector<Eigen::Matrix2d>& Y, std::size_t first, int memory) {
-  const auto m = static_cast<std::size_t>(memory);
+  const std::size_t m = memory;
   for (std::size_t k = first + m; k < Y.size(); ++k) {
     Eigen::Matrix2d y = Eigen::Matrix2d::Zero();
     double size = Y[k].norm();
@@ -142,8 +142,7 @@ Eigen::MatrixXd stabilityMap(const IntegratorFactory& make, const std::vector<do
   Eigen::MatrixXd map(z.size(), dampingRatios.size());
   for (std::size_t i = 0; i < z.size(); ++i)
     for (std::size_t j = 0; j < dampingRatios.size(); ++j)
-      map(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-          transitionMatrix(make, z[i], dampingRatios[j]).spectralRadius();
+      map(i, j) = transitionMatrix(make, z[i], dampingRatios[j]).spectralRadius();
   return map;
 }
 

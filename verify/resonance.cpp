@@ -26,7 +26,7 @@ Body bar(double stiff, bool graded) {
   options.cells = {4, 1, 1};
   Mesh mesh = generateBar(options);
   const MeshBlock all = mesh.blocks[0];
-  const auto n = static_cast<std::size_t>(all.nodesPerElement());
+  const std::size_t n = all.nodesPerElement();
   constexpr std::size_t first = 9, second = 10;
   std::vector<MeshBlock> blocks(graded ? 3 : 2, MeshBlock{all.type, {}, {}});
   for (std::size_t e = 0; e < all.elementCount(); ++e) {
@@ -60,14 +60,13 @@ double highestDenseEigenvalue(const Body& body) {
   Eigen::MatrixXd A(free.size(), free.size());
   for (std::size_t i = 0; i < free.size(); ++i)
     for (std::size_t j = 0; j < free.size(); ++j)
-      A(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-          K(free[i], free[j]) / std::sqrt(body.lumpedMass()[free[i] / 3] * body.lumpedMass()[free[j] / 3]);
+      A(i, j) = K(free[i], free[j]) / std::sqrt(body.lumpedMass()[free[i] / 3] * body.lumpedMass()[free[j] / 3]);
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues().tail<1>()[0];
 }
 
 double spectralRadius(const Body& body, Integrator& integrator, double h) {
   const std::vector<Eigen::Index> free = freeComponents(body);
-  const auto n = static_cast<Eigen::Index>(free.size());
+  const Eigen::Index n = free.size();
   Eigen::MatrixXd G(2 * n, 2 * n);
   BodySystem system(body);
   for (Eigen::Index k = 0; k < 2 * n; ++k) {

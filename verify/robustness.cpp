@@ -35,8 +35,8 @@ Mesh halved(Mesh mesh) {
              nodes = static_cast<std::ptrdiff_t>(first.nodesPerElement());
   second.connectivity.assign(first.connectivity.begin() + half * nodes, first.connectivity.end());
   second.ids.assign(first.ids.begin() + half, first.ids.end());
-  first.connectivity.resize(static_cast<std::size_t>(half * nodes));
-  first.ids.resize(static_cast<std::size_t>(half));
+  first.connectivity.resize(half * nodes);
+  first.ids.resize(half);
   mesh.blocks.push_back(std::move(second));
   mesh.elementSets.clear();
   return mesh;

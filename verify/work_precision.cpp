@@ -370,7 +370,7 @@ void addRefinedBar(const IntegratorFactory& implicit, int finest, StudyReport& r
     };
     const double explicitTime = timeOf(makeIntegrator("symplectic-euler"), substeps),
                  implicitTime = timeOf(implicit(), 1);
-    const auto elements = static_cast<std::int64_t>(body.mesh().elementCount());
+    const std::int64_t elements = body.mesh().elementCount();
     table.rows.push_back({elements, substeps, explicitTime, implicitTime, implicitTime / explicitTime,
                           counts.products / repeats, counts.matrices / repeats});
     explicitCurve.x.push_back(static_cast<double>(elements));

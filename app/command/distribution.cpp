@@ -121,7 +121,7 @@ std::vector<WorstElement> worstElements(const Body& body, const MetricResult& me
     for (std::size_t e = 0; e < metric.elementLambda[b].size(); ++e) {
       const double step = rule(metric.elementLambda[b][e]);
       // An element without a tangent is the worst of all.
-      all.push_back({std::isnan(step) ? 0 : step, {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)}});
+      all.push_back({std::isnan(step) ? 0 : step, {b, e}});
     }
   const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(count, all.size()));
   std::partial_sort(all.begin(), end, all.end());
@@ -130,8 +130,7 @@ std::vector<WorstElement> worstElements(const Body& body, const MetricResult& me
   std::vector<WorstElement> worst;
   for (auto entry = all.begin(); entry != end; ++entry) {
     const ElementRef ref = entry->second;
-    worst.push_back({ref, entry->first,
-                     elementShape(mesh.blocks[ref.block], static_cast<std::size_t>(ref.element), mesh.X, meanVolume)});
+    worst.push_back({ref, entry->first, elementShape(mesh.blocks[ref.block], ref.element, mesh.X, meanVolume)});
   }
   return worst;
 }
@@ -141,7 +140,7 @@ Json worstJson(const Mesh& mesh, const std::vector<WorstElement>& worst) {
   for (const WorstElement& w : worst)
     json.push_back(Json{{"block", w.element.block},
                         {"index", w.element.element},
-                        {"id", mesh.blocks[w.element.block].id(static_cast<std::size_t>(w.element.element))},
+                        {"id", mesh.blocks[w.element.block].id(w.element.element)},
                         {"step", w.step},
                         {"shape", std::string(shapeName(w.shape.shape))},
                         {"min_dihedral", w.shape.minDihedral},

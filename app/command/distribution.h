@@ -8,6 +8,7 @@
 
 #include <ringwatch/meshes/quality.h>
 #include <ringwatch/monitor/metrics/metrics.h>
+#include <ringwatch/monitor/step_limit.h>
 
 namespace ringwatch {
 

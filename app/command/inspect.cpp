@@ -268,9 +268,8 @@ Json handlerChoice(const Subject& subject, double h) {
   const std::vector<ElementRef> chosen = chosenElements(selectCertified(subject.body, subject.x, omega * omega).chosen);
   Json elements = Json::array();
   for (const ElementRef e : chosen)
-    elements.push_back(Json{{"block", e.block},
-                            {"index", e.element},
-                            {"id", subject.body.mesh().blocks[e.block].id(static_cast<std::size_t>(e.element))}});
+    elements.push_back(
+        Json{{"block", e.block}, {"index", e.element}, {"id", subject.body.mesh().blocks[e.block].id(e.element)}});
   return Json{{"count", chosen.size()},
               {"selection", std::string(selectionNames.nameOf(options.selection))},
               {"margin", options.margin},

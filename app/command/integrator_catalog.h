@@ -1,6 +1,6 @@
 #pragma once
 #include <ringwatch/integrators/integrator.h>
-#include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/step_limit.h>
 
 namespace ringwatch {
 

@@ -32,7 +32,7 @@ std::size_t stackSizeOf(std::string_view text) {
   std::size_t size = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), size);
   if (error != std::errc()) return 0;
-  text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+  text.remove_prefix(stop - text.data());
   trim();
   switch (text.empty() ? 'K' : std::toupper(static_cast<unsigned char>(text.front()))) {
     case 'B':

@@ -37,7 +37,7 @@ ProgramResult runProgram(const std::vector<std::string>& command, const std::fil
       const ssize_t count = ::read(ends[0], buffer, sizeof buffer);
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) break;
-      if (result.output.size() < kept) result.output.append(buffer, static_cast<std::size_t>(count));
+      if (result.output.size() < kept) result.output.append(buffer, count);
     }
     int status = 0;
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {

@@ -11,6 +11,7 @@
 #include <ringwatch/meshes/formats/vtu_writer.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/stability_monitor.h>
+#include <ringwatch/monitor/step_limit.h>
 
 namespace ringwatch {
 

@@ -54,7 +54,7 @@ Json materialsJson(const Scene& scene, const Body& body, const RunResult& result
       if (!ofBlocks.empty() && ofBlocks[b] != static_cast<int>(m)) continue;
       elements += body.mesh().blocks[b].elementCount();
       for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
-        body.elementLumpedMass({static_cast<std::int32_t>(b), e}, nodal);
+        body.elementLumpedMass({b, e}, nodal);
         for (int a = 0; a < body.blocks()[b]->nodesPerElement(); ++a) mass += nodal[a];
       }
     }
@@ -70,8 +70,8 @@ Json materialsJson(const Scene& scene, const Body& body, const RunResult& result
 }
 
 std::string materialText(const Scene& scene, int number) {
-  return fmt::format("material {} ({}, {})", number, scene.materials[static_cast<std::size_t>(number)].selection(),
-                     scene.materials[static_cast<std::size_t>(number)].model);
+  return fmt::format("material {} ({}, {})", number, scene.materials[number].selection(),
+                     scene.materials[number].model);
 }
 
 /// Which material governs the bracket; "" where nothing is known of it.
@@ -107,12 +107,12 @@ Json meshJson(const Mesh& mesh, double volume) {
 
 Json elementJson(const Mesh& mesh, ElementRef ref) {
   const MeshBlock& block = mesh.blocks[ref.block];
-  const std::int32_t* nodes = block.element(static_cast<std::size_t>(ref.element));
+  const std::int32_t* nodes = block.element(ref.element);
   Json result{{"block", ref.block},
               {"index", ref.element},
               {"type", std::string(elementInfo(block.type).name)},
               {"nodes", std::vector<std::int32_t>(nodes, nodes + block.nodesPerElement())},
-              {"id", block.id(static_cast<std::size_t>(ref.element))},
+              {"id", block.id(ref.element)},
               {"node_ids", Json::array()}};
   for (int a = 0; a < block.nodesPerElement(); ++a) result["node_ids"].push_back(mesh.nodeId(nodes[a]));
   if (const std::vector<int> materials = materialOfBlocks(mesh); !materials.empty())

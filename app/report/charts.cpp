@@ -195,9 +195,9 @@ std::string distributionSvg(const std::vector<Distribution>& distributions, cons
 
 std::string elementSvg(const WorstCard& card) {
   if (card.corners.empty()) return {};
-  Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(card.corners.size()));
+  Eigen::Matrix3Xd points(3, card.corners.size());
   for (std::size_t i = 0; i < card.corners.size(); ++i)
-    points.col(static_cast<Eigen::Index>(i)) = Eigen::Map<const Eigen::Vector3d>(card.corners[i].data());
+    points.col(i) = Eigen::Map<const Eigen::Vector3d>(card.corners[i].data());
   points.colwise() -= points.rowwise().mean().eval();
   // The directions of largest extent, turned a little so that a flat element shows that it is flat.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(points * points.transpose());

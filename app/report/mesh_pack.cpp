@@ -192,9 +192,8 @@ void MeshPack::makeKeyFrame(const PageFrame& frame, const std::vector<double>* s
   for (auto it = order.begin(); it != end; ++it) {
     WorstCard card;
     card.element = *it;
-    const auto block = static_cast<std::int32_t>(
-        std::upper_bound(group_->first.begin(), group_->first.end(), static_cast<std::size_t>(*it)) -
-        group_->first.begin() - 1);
+    const std::int32_t block =
+        std::upper_bound(group_->first.begin(), group_->first.end(), *it) - group_->first.begin() - 1;
     card.ref = {block, static_cast<std::int32_t>(*it - static_cast<std::int64_t>(group_->first[block]))};
     const MeshBlock& own = mesh.blocks[block];
     const ElementInfo& info = elementInfo(own.type);

@@ -58,7 +58,7 @@ std::optional<RunHistory> readRunHistory(const std::filesystem::path& folder) {
       columnOf.push_back(name == "verdict" ? -2 : -1);
       continue;
     }
-    columnOf.push_back(static_cast<std::ptrdiff_t>(history.columns.size()));
+    columnOf.push_back(history.columns.size());
     history.columns.push_back({std::string(name), {}});
   }
   std::map<std::string, std::int32_t, std::less<>> numberOf;
@@ -80,7 +80,7 @@ std::optional<RunHistory> readRunHistory(const std::filesystem::path& folder) {
     std::string verdict;
     for (std::size_t c = 0; c < cells.size(); ++c) {
       if (columnOf[c] >= 0) {
-        history.columns[static_cast<std::size_t>(columnOf[c])].values.push_back(numberIn(cells[c]));
+        history.columns[columnOf[c]].values.push_back(numberIn(cells[c]));
       } else if (columnOf[c] == -2) {
         verdict = std::string(cells[c]);
       } else if (!cells[c].empty()) {

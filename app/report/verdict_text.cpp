@@ -124,7 +124,7 @@ PageVerdict withoutSummary(const std::optional<RunHistory>& history) {
     verdict.sentence += ".";
     const auto violated = std::find(history->verdicts.begin(), history->verdicts.end(), "violated");
     if (violated != history->verdicts.end()) {
-      const auto row = static_cast<std::size_t>(violated - history->verdicts.begin());
+      const std::size_t row = violated - history->verdicts.begin();
       verdict.tone = PageVerdict::Tone::bad;
       verdict.sentence += fmt::format(" The step is proven too large at step {:.0f}, t = {:.6g} s",
                                       (*history->column("step"))[row], (*history->column("time_s"))[row]);

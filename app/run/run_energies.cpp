@@ -19,7 +19,7 @@ void RunEnergies::record(const State& state, const StepEvaluation& evaluation, B
     balance_->recordDamping(state.time, state.v, dampingForce_);
   }
   if (!rowDue) return;
-  last_ = balance_->energies(state.v, evaluation.strainEnergy);
+  last_ = balance_->energies(state.x, state.v, evaluation.strainEnergy);
   last_->externalWork += before_.externalWork + ownWork_;
   last_->dissipated += before_.dissipated;
   last_->balanceError += before_.balanceError - ownWork_;

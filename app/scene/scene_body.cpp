@@ -24,7 +24,7 @@ class PrescribedMotions {
 
   void add(const std::string& origin, const std::vector<std::int32_t>& nodes, const std::array<bool, 3>& components,
            const Eigen::Vector3d& velocity, const std::optional<TimeTable>& table = {}) {
-    const auto own = static_cast<std::int32_t>(all_.size());
+    const std::int32_t own = all_.size();
     all_.push_back({origin, velocity, table});
     std::map<std::int32_t, std::pair<std::size_t, int>> conflicts;  // of an earlier one: shared nodes, first component
     for (const std::int32_t node : nodes) {
@@ -79,7 +79,7 @@ std::vector<std::int32_t> NodeSelection::nodesOf(const Mesh& mesh) const {
   std::vector<std::int32_t> nodes;
   try {
     for (Eigen::Index i = 0; i < mesh.X.cols(); ++i)
-      if (where->holdsAt(mesh.X.col(i))) nodes.push_back(static_cast<std::int32_t>(i));
+      if (where->holdsAt(mesh.X.col(i))) nodes.push_back(i);
   } catch (const InputError& fault) {
     throw InputError(fmt::format("{}: {}", origin, fault.what()));
   }

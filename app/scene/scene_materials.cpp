@@ -21,7 +21,7 @@ std::string setOfMaterial(std::size_t number) { return fmt::format("material.{}"
 
 Eigen::Vector3d centreOf(const Mesh& mesh, ElementRef e) {
   const MeshBlock& block = mesh.blocks[e.block];
-  const std::int32_t* nodes = block.element(static_cast<std::size_t>(e.element));
+  const std::int32_t* nodes = block.element(e.element);
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (int a = 0; a < block.nodesPerElement(); ++a) centre += mesh.X.col(nodes[a]);
   return centre / block.nodesPerElement();
@@ -30,8 +30,7 @@ Eigen::Vector3d centreOf(const Mesh& mesh, ElementRef e) {
 template <class Visit>
 void forEachElement(const Mesh& mesh, const Visit& visit) {
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
-    for (std::size_t e = 0; e < mesh.blocks[b].elementCount(); ++e)
-      visit(ElementRef{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)});
+    for (std::size_t e = 0; e < mesh.blocks[b].elementCount(); ++e) visit(ElementRef{b, e});
 }
 
 std::vector<ElementRef> elementsOfSet(const SceneMaterial& material, const Mesh& mesh) {
@@ -77,8 +76,8 @@ std::vector<ElementRef> elementsOf(const SceneMaterial& material, const Mesh& me
 std::string elementName(const Mesh& mesh, ElementRef e) {
   const MeshBlock& block = mesh.blocks[e.block];
   const Eigen::Vector3d centre = centreOf(mesh, e);
-  return fmt::format("{} {} at ({:.6g}, {:.6g}, {:.6g})", elementInfo(block.type).name,
-                     block.id(static_cast<std::size_t>(e.element)), centre[0], centre[1], centre[2]);
+  return fmt::format("{} {} at ({:.6g}, {:.6g}, {:.6g})", elementInfo(block.type).name, block.id(e.element), centre[0],
+                     centre[1], centre[2]);
 }
 
 ElementNumbers numbersByScene(const std::vector<SceneMaterial>& materials, const Mesh& mesh) {
@@ -100,7 +99,7 @@ ElementNumbers numbersByScene(const std::vector<SceneMaterial>& materials, const
       throw InputError(fmt::format(
           "{}: {} element{} {} a material already, the first is {}, by {}; change a where or set so that each has one",
           materials[m].origin, taken, taken == 1 ? "" : "s", taken == 1 ? "has" : "have", elementName(mesh, *first),
-          materials[static_cast<std::size_t>(other)].origin));
+          materials[other].origin));
   }
   std::size_t without = 0;
   std::optional<ElementRef> first;
@@ -196,10 +195,9 @@ std::vector<Material> assignMaterials(const std::vector<SceneMaterial>& material
   for (std::size_t m = 0; m < materials.size(); ++m) mesh.elementSets[setOfMaterial(m)].clear();
   std::vector<Material> ofBlocks;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
-    const auto number = static_cast<std::size_t>(split.numbers[b]);
+    const std::size_t number = split.numbers[b];
     std::vector<ElementRef>& set = mesh.elementSets[setOfMaterial(number)];
-    for (std::size_t e = 0; e < mesh.blocks[b].elementCount(); ++e)
-      set.push_back({static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)});
+    for (std::size_t e = 0; e < mesh.blocks[b].elementCount(); ++e) set.push_back({b, e});
     ofBlocks.push_back(made[number]);
   }
   return ofBlocks;
@@ -209,7 +207,7 @@ std::vector<int> materialOfBlocks(const Mesh& mesh) {
   std::vector<int> numbers(mesh.blocks.size(), none);
   int count = 0;
   for (;; ++count) {
-    const auto set = mesh.elementSets.find(setOfMaterial(static_cast<std::size_t>(count)));
+    const auto set = mesh.elementSets.find(setOfMaterial(count));
     if (set == mesh.elementSets.end()) break;
     for (const ElementRef e : set->second) numbers[e.block] = count;
   }

@@ -97,7 +97,7 @@ class Reader {
     std::ifstream stream(file_, std::ios::binary);
     std::string content(mostBytes + 1, '\0');
     stream.read(content.data(), static_cast<std::streamsize>(content.size()));
-    content.resize(static_cast<std::size_t>(stream.gcount()));
+    content.resize(stream.gcount());
     if (!stream.is_open() || stream.bad())
       throw InputError(fmt::format("{}: cannot read: {}; a scene file (TOML) is needed", file_.string(),
                                    errno != 0 ? std::strerror(errno) : "input error"));

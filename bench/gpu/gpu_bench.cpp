@@ -100,8 +100,8 @@ NodeVectors referenceForce(const Mesh& mesh, const DeviceBodyInput& input, const
     const ElementInfo& element = elementInfo(block.type);
     std::visit(
         [&](const auto& law) {
-          parallelFor(0, static_cast<std::int64_t>(block.elementCount()), 0, [&](std::int64_t e) {
-            const std::int32_t* nodes = block.element(static_cast<std::size_t>(e));
+          parallelFor(0, block.elementCount(), 0, [&](std::int64_t e) {
+            const std::int32_t* nodes = block.element(e);
             for (const QuadraturePoint& point : input.rules[b]->points) {
               double dN[maxElementNodes][3];
               element.shapeGradient(point.xi, dN);
@@ -140,10 +140,10 @@ void shuffle(Mesh& mesh) {
   std::iota(order.begin(), order.end(), 0);
   std::shuffle(order.begin(), order.end(), generator);
   NodeVectors X(3, mesh.X.cols());
-  for (std::size_t i = 0; i < order.size(); ++i) X.col(order[i]) = mesh.X.col(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < order.size(); ++i) X.col(order[i]) = mesh.X.col(i);
   mesh.X = X;
   for (MeshBlock& block : mesh.blocks) {
-    const auto n = static_cast<std::size_t>(block.nodesPerElement());
+    const std::size_t n = block.nodesPerElement();
     std::vector<std::size_t> elements(block.elementCount());
     std::iota(elements.begin(), elements.end(), std::size_t{0});
     std::shuffle(elements.begin(), elements.end(), generator);

@@ -35,7 +35,7 @@ class HostImex {
       a_.col(i) = (body_.externalForce().col(i) - f_.col(i)) / body_.lumpedMass()[i];
     });
     std::vector<std::uint8_t> failed(clusters_.size(), 0);
-    parallelFor(0, static_cast<std::int64_t>(clusters_.size()), hostThreads, [&](std::int64_t k) {
+    parallelFor(0, clusters_.size(), hostThreads, [&](std::int64_t k) {
       ImplicitCluster& cluster = clusters_[k];
       failed[k] = !cluster.follow(x) || !cluster.solve(a_, v, c_);
     });

@@ -32,7 +32,7 @@ FePbd::FePbd(Body& body, std::unique_ptr<Integrator> base, HandlerOptions option
 
 void FePbd::take(const NodeVectors&, double h, const ElementFlags& chosen) {
   const auto elements = chosenElements(chosen);
-  requireTurningTetrahedra(elements);
+  requireCorotationalTetrahedra(elements);
   relaxed_ = std::make_unique<RelaxedTetrahedra>(body_, elements, h, goal_, passes_);
   inverseMass_ = body_.lumpedMass().cwiseInverse();
   detach(chosen);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include <ringwatch/base/eigen_instances.h>
-#include <ringwatch/handlers/tetrahedra/turned_tetrahedron.h>
+#include <ringwatch/handlers/tetrahedra/corotated_tetrahedron.h>
 
 namespace ringwatch {
 namespace {
@@ -25,7 +25,7 @@ RelaxedTetrahedra::RelaxedTetrahedra(const Body& body, const std::vector<Element
   Batch none{};
   Memory rest{};
   for (int i = 0; i < 3; ++i) none.gradient[i][i] = rest.R(i, i) = P(1.0);
-  batches_.assign(static_cast<std::size_t>(tetrahedra_.batchCount()), none);
+  batches_.assign(tetrahedra_.batchCount(), none);
   memory_.assign(batches_.size(), rest);
   std::vector<int> overlap(body.mesh().nodeCount(), 0);
   for (const ElementRef e : elements)
@@ -82,17 +82,17 @@ void RelaxedTetrahedra::setElement(std::size_t i, const Body& body, ElementRef r
 
 template <GoalShape goal, bool first, bool last>
 void RelaxedTetrahedra::visit(std::int32_t k) {
-  const auto at = static_cast<std::size_t>(k);
+  const std::size_t at = k;
   const Batch& batch = batches_[at];
   Memory& memory = memory_[at];
   ColouredTetrahedra::Nodes nodes;
   tetrahedra_.load(k, nodes);
   Matrix3<P> F0, F;
   tetrahedra_.gradients(nodes, batch.gradient, F0, F);
-  if constexpr (first) memory.R = turnedRotation(F, memory.R);
+  if constexpr (first) memory.R = followedRotation(F, memory.R);
   const Matrix3<P> R = memory.R;
   P strain[6];
-  turnedStrain(R, F, strain);
+  corotatedStrain(R, F, strain);
   Matrix3<P> stress, all;  // of this visit, of all so far
   if constexpr (goal == GoalShape::rigid) {
     const P(&n)[3] = batch.normal;
@@ -125,7 +125,7 @@ void RelaxedTetrahedra::visit(std::int32_t k) {
     all = symmetric(total);
   }
   Matrix3<P> piola = R * stress;  // times the volume
-  if constexpr (last) piola = piola - turnAgainst(first ? piola : R * all, F0, batch.inertia);
+  if constexpr (last) piola = piola - rotationAgainst(first ? piola : R * all, F0, batch.inertia);
   tetrahedra_.push(k, nodes, batch.gradient, piola);
 }
 

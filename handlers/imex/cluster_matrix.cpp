@@ -23,7 +23,7 @@ constexpr int longestWait = 4;
 
 /// Of each lane's matrix, to some per cent: it only scales K̂.
 P highest(const P* K, int size) {
-  AlignedVector<P> v(static_cast<std::size_t>(size)), Kv(v);
+  AlignedVector<P> v(size), Kv(v);
   return highestByPowerIteration<0>(K, size, v.data(), Kv.data());
 }
 
@@ -31,7 +31,7 @@ P highest(const P* K, int size) {
 
 Eigen::Matrix3d UpperBlocks::block(std::int32_t k) const {
   Eigen::Matrix3d B;
-  const auto at = static_cast<std::size_t>(k);
+  const std::size_t at = k;
   std::copy_n(eight.data() + 8 * at, 8, B.data());
   B(2, 2) = ninth[at];
   return B;
@@ -46,7 +46,7 @@ ClusterMatrix::ClusterMatrix(const Body& body, const std::vector<ElementRef>& el
     ofBlock[e.block].push_back(e.element);
     std::vector<std::int32_t> local;
     for (const std::int32_t node : body.blocks()[e.block]->nodesOf(e.element))
-      local.push_back(static_cast<std::int32_t>(std::lower_bound(nodes_.begin(), nodes_.end(), node) - nodes_.begin()));
+      local.push_back(std::lower_bound(nodes_.begin(), nodes_.end(), node) - nodes_.begin());
     for (const std::int32_t i : local)
       for (const std::int32_t j : local)
         if (i <= j) rows[i].push_back(j);
@@ -55,12 +55,12 @@ ClusterMatrix::ClusterMatrix(const Body& body, const std::vector<ElementRef>& el
   for (auto& row : rows) {
     sortUnique(row);
     upper_.column.insert(upper_.column.end(), row.begin(), row.end());
-    upper_.rowBegin.push_back(static_cast<std::int32_t>(upper_.column.size()));
+    upper_.rowBegin.push_back(upper_.column.size());
   }
   upper_.eight.resize(8 * (upper_.column.size() + 1));
   upper_.ninth.resize(upper_.column.size() + 1);
   for (std::size_t b = 0; b < ofBlock.size(); ++b)
-    if (!ofBlock[b].empty()) addGroup(static_cast<std::int32_t>(b), std::move(ofBlock[b]));
+    if (!ofBlock[b].empty()) addGroup(b, std::move(ofBlock[b]));
 }
 
 bool ClusterMatrix::objective() const {
@@ -81,7 +81,7 @@ void ClusterMatrix::addGroup(std::int32_t block, std::vector<std::int32_t> eleme
   std::sort(elements.begin(), elements.end(), [&](std::int32_t a, std::int32_t b) { return order[a] < order[b]; });
   elements.resize((elements.size() + lanes - 1) / lanes * lanes, -1);
   g.elements = std::move(elements);
-  const auto batches = static_cast<std::int32_t>(g.elements.size() / lanes);
+  const std::int32_t batches = g.elements.size() / lanes;
   for (std::int32_t b = 0; b < batches; b += chunkBatches) addChunk(g, b, std::min(batches, b + chunkBatches));
   fillGroup(g);
 }
@@ -92,8 +92,7 @@ void ClusterMatrix::addChunk(Group& g, std::int32_t batchBegin, std::int32_t bat
   for (std::int32_t i = batchBegin * lanes; i < batchEnd * lanes; ++i)
     if (const std::int32_t e = g.elements[i]; e >= 0)
       for (const std::int32_t node : g.block->nodesOf(e))
-        nodes.push_back(
-            static_cast<std::int32_t>(std::lower_bound(nodes_.begin(), nodes_.end(), node) - nodes_.begin()));
+        nodes.push_back(std::lower_bound(nodes_.begin(), nodes_.end(), node) - nodes_.begin());
   sortUnique(nodes);
   for (std::int32_t batch = batchBegin; batch < batchEnd; ++batch) {
     const std::int32_t* e = g.elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
@@ -114,9 +113,8 @@ void ClusterMatrix::addChunk(Group& g, std::int32_t batchBegin, std::int32_t bat
           const std::int32_t i = rowOf(lane, a), j = rowOf(lane, b);
           const auto begin = upper_.column.begin() + upper_.rowBegin[std::min(i, j)];
           const auto end = upper_.column.begin() + upper_.rowBegin[static_cast<std::size_t>(std::min(i, j)) + 1];
-          const auto place =
-              static_cast<std::int32_t>(std::lower_bound(begin, end, std::max(i, j)) - upper_.column.begin());
-          const auto nowhere = static_cast<std::int32_t>(upper_.column.size());
+          const std::int32_t place = std::lower_bound(begin, end, std::max(i, j)) - upper_.column.begin();
+          const std::int32_t nowhere = upper_.column.size();
           g.places.push_back(e[lane] < 0 ? nowhere : (i <= j ? place : ~place));
         }
   }
@@ -132,7 +130,7 @@ void ClusterMatrix::fillGroup(Group& g) {
   g.fittedGradient.resize(batches * 3 * n);
   g.rest.resize(batches * between * 9);
   for (auto* values : {&g.restHighest, &g.slack, &g.stretch, &g.scale, &g.gone}) values->resize(batches);
-  g.turned.resize(batches);
+  g.rotation.resize(batches);
   const int size = 3 * g.n;
   K_.resize(9 * n * n);
   std::vector<double> mass(n);
@@ -160,7 +158,8 @@ void ClusterMatrix::fillGroup(Group& g) {
         body_.elementLumpedMass(ref, mass.data());
         const double lambda = g.restHighest[batch][lane] / *std::min_element(mass.begin(), mass.end());
         // h² <= 4 w. |ΔR|² = 2 θ² for small angles.
-        slack = 2 * std::clamp(turnShare / (4 * w_ * lambda), leastTurn * leastTurn, mostTurn * mostTurn);
+        slack = 2 * std::clamp(rotationShare / (4 * w_ * lambda), leastRotation * leastRotation,
+                               mostRotation * mostRotation);
       }
       g.slack[batch].set(lane, slack);
     }
@@ -193,8 +192,8 @@ bool ClusterMatrix::follow(Group& g, Chunk& c, const NodeVectors& x, const Eigen
   gather(g, c, x, frame);
   P fastest(0);
   for (std::int32_t batch = c.batchBegin; batch < c.batchEnd; ++batch) {
-    const auto at = static_cast<std::size_t>(batch);
-    const Matrix3<P> F = gradientOf(g, batch), A = transposeTimes(g.turned[at], F);
+    const std::size_t at = batch;
+    const Matrix3<P> F = gradientOf(g, batch), A = transposeTimes(g.rotation[at], F);
     // With F = R U, A = Q U and Q turning by θ about n, the axial vector a of A - Aᵀ has n·a = sin θ nᵀ(tr U I - U)n,
     // so that sin θ <= |a|/stretches with the sum of the two least ones; a bound of that follows from tr A <= tr U and
     // |F|².
@@ -208,9 +207,9 @@ bool ClusterMatrix::follow(Group& g, Chunk& c, const NodeVectors& x, const Eigen
     g.gone[at] = gone;
     if (allOf((off <= limit) & (stretches > P(0)) & stretched)) continue;
     if (!allOf(size < P(infinity))) return false;
-    const Matrix3<P> R = closestRotation(F), change = R - g.turned[at];
+    const Matrix3<P> R = closestRotation(F), change = R - g.rotation[at];
     if (!allOf((innerProduct(change, change) <= g.slack[at]) & stretched))
-      turns_.push_back({R, size, g.scale[at], &g, batch});
+      rotations_.push_back({R, size, g.scale[at], &g, batch});
   }
   double speed = 0;
   for (int lane = 0; lane < lanes; ++lane) speed = std::max(speed, fastest[lane]);
@@ -220,25 +219,25 @@ bool ClusterMatrix::follow(Group& g, Chunk& c, const NodeVectors& x, const Eigen
   return true;
 }
 
-bool ClusterMatrix::stiffen(Turn& turn, const NodeVectors& x) {
-  const Group& g = *turn.group;
-  const auto at = static_cast<std::size_t>(turn.batch);
+bool ClusterMatrix::stiffen(Rotation& rotation, const NodeVectors& x) {
+  const Group& g = *rotation.group;
+  const std::size_t at = rotation.batch;
   K_.resize(9 * static_cast<std::size_t>(g.n * g.n));
   g.block->tangentOf(g.elements.data() + at * lanes, x.data(), reinterpret_cast<double*>(K_.data()));
   const P ratio = highest(K_.data(), 3 * g.n) / g.restHighest[at];
   for (int lane = 0; lane < lanes; ++lane) {
     if (g.elements[at * lanes + static_cast<std::size_t>(lane)] < 0) continue;
     if (!std::isfinite(ratio[lane])) return false;
-    turn.scale.set(lane, w_ * std::max(1.0, ratio[lane]));
+    rotation.scale.set(lane, w_ * std::max(1.0, ratio[lane]));
   }
   return true;
 }
 
-void ClusterMatrix::add(const Turn& turn, bool fromScratch) {
-  Group& g = *turn.group;
-  const auto at = static_cast<std::size_t>(turn.batch), n = static_cast<std::size_t>(g.n);
-  const auto pairs = static_cast<std::size_t>(g.pairs);
-  const Matrix3<P>&R = turn.R, &before = g.turned[at];
+void ClusterMatrix::add(const Rotation& rotation, bool fromScratch) {
+  Group& g = *rotation.group;
+  const auto at = static_cast<std::size_t>(rotation.batch), n = static_cast<std::size_t>(g.n);
+  const std::size_t pairs = g.pairs;
+  const Matrix3<P>&R = rotation.R, &before = g.rotation[at];
   sums_.assign(9 * pairs, P(0));
   const auto diagonalOf = [&](std::size_t a) { return sums_.data() + 9 * (a * n - a * (a - 1) / 2); };
   const P* rest = g.rest.data() + at * (pairs - n) * 9;
@@ -248,7 +247,7 @@ void ClusterMatrix::add(const Turn& turn, bool fromScratch) {
     for (std::size_t b = a + 1; b < n; ++b, ++pair, rest += 9) {
       Matrix3<P> K;
       for (int i = 0; i < 9; ++i) K.m[i] = rest[i];
-      Matrix3<P> D = turn.scale * timesTranspose(R * K, R);
+      Matrix3<P> D = rotation.scale * timesTranspose(R * K, R);
       if (!fromScratch) D = D - g.scale[at] * timesTranspose(before * K, before);
       P *own = sums_.data() + 9 * pair, *first = diagonalOf(a), *second = diagonalOf(b);
       for (int i = 0; i < 9; ++i) {
@@ -265,13 +264,13 @@ void ClusterMatrix::add(const Turn& turn, bool fromScratch) {
   for (std::size_t i = at * n * lanes; i < (at + 1) * n * lanes; ++i)
     changed_[g.nodes[static_cast<std::size_t>(c.nodeBegin) + g.localNodes[i]]] = 1;
   g.gone[at] = P(0);
-  g.turned[at] = R;
-  g.stretch[at] = turn.stretch;
-  g.scale[at] = turn.scale;
+  g.rotation[at] = R;
+  g.stretch[at] = rotation.stretch;
+  g.scale[at] = rotation.scale;
 }
 
 bool ClusterMatrix::make(const NodeVectors& x, const Eigen::Matrix3d& frame) {
-  turns_.clear();
+  rotations_.clear();
   for (Group& g : groups_)
     for (Chunk& c : g.chunks) {
       gather(g, c, x, frame);
@@ -279,32 +278,32 @@ bool ClusterMatrix::make(const NodeVectors& x, const Eigen::Matrix3d& frame) {
         const Matrix3<P> F = gradientOf(g, batch);
         const P size = innerProduct(F, F);
         if (!allOf(size < P(infinity))) return false;
-        turns_.push_back({g.objective ? closestRotation(F) : Matrix3<P>::identity(), size, P(w_), &g, batch});
-        if (g.stiffens && !stiffen(turns_.back(), x)) return false;
+        rotations_.push_back({g.objective ? closestRotation(F) : Matrix3<P>::identity(), size, P(w_), &g, batch});
+        if (g.stiffens && !stiffen(rotations_.back(), x)) return false;
       }
       c.wait = c.waited = 1;
     }
   std::fill(upper_.eight.begin(), upper_.eight.end(), 0.0);
   std::fill(upper_.ninth.begin(), upper_.ninth.end(), 0.0);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const auto k = static_cast<std::size_t>(upper_.rowBegin[i]);
+    const std::size_t k = upper_.rowBegin[i];
     upper_.eight[8 * k] = upper_.eight[8 * k + 4] = upper_.ninth[k] = body_.lumpedMass()[nodes_[i]];
   }
-  for (const Turn& turn : turns_) add(turn, true);
+  for (const Rotation& rotation : rotations_) add(rotation, true);
   return true;
 }
 
 ClusterMatrix::Change ClusterMatrix::follow(const NodeVectors& x, const Eigen::Matrix3d& frame, bool whole) {
-  turns_.clear();
+  rotations_.clear();
   for (Group& g : groups_)
     if (g.objective)
       for (Chunk& c : g.chunks)
         if (--c.wait <= 0 && !follow(g, c, x, frame, whole ? stretchOfAll : stretchOfEach)) return Change::notFinite;
-  if (turns_.empty()) return Change::none;
+  if (rotations_.empty()) return Change::none;
   if (whole) return make(x, frame) ? Change::some : Change::notFinite;
-  for (Turn& turn : turns_)
-    if (turn.group->stiffens && !stiffen(turn, x)) return Change::notFinite;
-  for (const Turn& turn : turns_) add(turn, false);
+  for (Rotation& rotation : rotations_)
+    if (rotation.group->stiffens && !stiffen(rotation, x)) return Change::notFinite;
+  for (const Rotation& rotation : rotations_) add(rotation, false);
   return Change::some;
 }
 

@@ -24,19 +24,19 @@ struct UpperBlocks {
 ///
 /// In directions that K̂ takes for soft, the true stiffness shows with θ² of itself, and the scheme is stable as long as
 /// h² λ θ² < 4 there. A sixth of that is allowed, since the elements at a node add up.
-inline constexpr double turnShare = 2.0 / 3;
+inline constexpr double rotationShare = 2.0 / 3;
 /// Rad. K̂ is then off by θ², a quarter of a percent, which is not worth a new factor.
-inline constexpr double leastTurn = 0.05;
+inline constexpr double leastRotation = 0.05;
 /// Rad. K̂ is then off by 4 %, and beyond, angles are no longer small, which the estimate above takes them to be.
-inline constexpr double mostTurn = 0.2;
+inline constexpr double mostRotation = 0.2;
 
 /// M + w K̂ of a cluster of elements (see ImplicitCluster) in a rotating frame, kept current batch by batch: a batch of
 /// elements is turned again when one of them has turned or stretched beyond its tolerance, the difference of its
 /// tangents added. Sums are in double precision: after 10⁵ such changes they are off by some 10⁻¹³ of themselves.
 ///
-/// An element may be off by the angle θ with h² λ θ² <= `turnShare`, λ >= K_e/M_e at rest, but by `leastTurn` at least
-/// and `mostTurn` at most. Shape enters through the rotation alone, but for laws that stiffen.
-/// Diagonal blocks are minus the sums of their rows', so that K̂ leaves translations at rest to rounding.
+/// An element may be off by the angle θ with h² λ θ² <= `rotationShare`, λ >= K_e/M_e at rest, but by `leastRotation`
+/// at least and `mostRotation` at most. Shape enters through the rotation alone, but for laws that stiffen. Diagonal
+/// blocks are minus the sums of their rows', so that K̂ leaves translations at rest to rounding.
 class ClusterMatrix {
  public:
   /// nodes: of the elements, ascending; rows are in their order. w: s². The body must outlive it.
@@ -82,11 +82,11 @@ class ClusterMatrix {
     AlignedVector<P> restHighest;           // [batch] highest eigenvalue of K_e(X), N/m
     AlignedVector<P> slack;                 // [batch] tolerance of the rotation, squared
     AlignedVector<P> gone;                  // [batch] share of the tolerance used up at the last observation
-    AlignedVector<Matrix3<P>> turned;       // [batch] R in the matrix
+    AlignedVector<Matrix3<P>> rotation;     // [batch] R in the matrix
     AlignedVector<P> stretch;               // [batch] |F|² then
     AlignedVector<P> scale;                 // [batch] w s_e in the matrix
   };
-  struct Turn {
+  struct Rotation {
     Matrix3<P> R;
     P stretch, scale;
     Group* group;
@@ -98,8 +98,8 @@ class ClusterMatrix {
   void gather(const Group& g, const Chunk& c, const NodeVectors& x, const Eigen::Matrix3d& frame);
   Matrix3<P> gradientOf(const Group& g, std::int32_t batch) const;
   bool follow(Group& g, Chunk& c, const NodeVectors& x, const Eigen::Matrix3d& frame, double stretch);
-  bool stiffen(Turn& turn, const NodeVectors& x);
-  void add(const Turn& turn, bool fromScratch);
+  bool stiffen(Rotation& rotation, const NodeVectors& x);
+  void add(const Rotation& rotation, bool fromScratch);
 
   const Body& body_;
   double w_;
@@ -109,7 +109,7 @@ class ClusterMatrix {
   std::vector<Group> groups_;
   // Scratch.
   AlignedVector<double> table_;
-  AlignedVector<Turn> turns_;
+  AlignedVector<Rotation> rotations_;
   AlignedVector<P> K_, sums_;
 };
 

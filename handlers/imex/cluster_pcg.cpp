@@ -68,13 +68,12 @@ RINGWATCH_INLINE auto total(Row r) {
 template <class S>
 ClusterPcg<S>::ClusterPcg(const UpperBlocks& A, std::vector<std::uint8_t> constrained, double mass)
     : scale_(1 / mass), constrained_(std::move(constrained)) {
-  const auto rows = static_cast<std::size_t>(A.rows());
+  const std::size_t rows = A.rows();
   std::vector<std::vector<std::int32_t>> above(rows);  // upper blocks whose transpose is in the row
   for (std::size_t i = 0; i < rows; ++i)
     for (std::int32_t k = A.rowBegin[i] + 1; k < A.rowBegin[i + 1]; ++k) above[A.column[k]].push_back(k);
   std::vector<std::int32_t> rowOf(A.column.size());
-  for (std::size_t i = 0; i < rows; ++i)
-    std::fill(rowOf.begin() + A.rowBegin[i], rowOf.begin() + A.rowBegin[i + 1], static_cast<std::int32_t>(i));
+  for (std::size_t i = 0; i < rows; ++i) std::fill(rowOf.begin() + A.rowBegin[i], rowOf.begin() + A.rowBegin[i + 1], i);
   // Rows of equal length follow one another: their ends are then foreseen.
   const auto lengthOf = [&](std::size_t i) {
     return static_cast<std::size_t>(A.rowBegin[i + 1] - A.rowBegin[i]) + above[i].size();
@@ -92,12 +91,12 @@ ClusterPcg<S>::ClusterPcg(const UpperBlocks& A, std::vector<std::uint8_t> constr
       column_.push_back(4 * rowOf[k]);
     }
     for (std::int32_t k = A.rowBegin[i]; k < A.rowBegin[i + 1]; ++k) {
-      const auto at = static_cast<std::size_t>(k);
+      const std::size_t at = k;
       ownPlace_[at] = static_cast<std::int32_t>(column_.size());
       if (k == A.rowBegin[i]) mirrored_[at] = ownPlace_[at];
       column_.push_back(4 * A.column[at]);
     }
-    rowBegin_.push_back(static_cast<std::int32_t>(column_.size()));
+    rowBegin_.push_back(column_.size());
   }
   blocks_.resize(stride * column_.size() + 4);
   inverses_.resize(stride * rows + 4);
@@ -111,7 +110,7 @@ void ClusterPcg<S>::refresh(const UpperBlocks& A, std::vector<std::uint8_t>& cha
     if (!changed[i]) continue;
     changed[i] = 0;
     for (std::int32_t k = A.rowBegin[i]; k < A.rowBegin[i + 1]; ++k) {
-      const auto at = static_cast<std::size_t>(k);
+      const std::size_t at = k;
       const Eights eight = __builtin_convertvector(scale_ * loadAs<Double8>(A.eight.data() + 8 * at), Eights);
       const Eights ninth{static_cast<S>(scale_ * A.ninth[at])};  // and zeros
       const auto store = [&](std::int32_t place, Eights firstTwo, Eights third) {
@@ -124,7 +123,7 @@ void ClusterPcg<S>::refresh(const UpperBlocks& A, std::vector<std::uint8_t>& cha
       store(ownPlace_[at], __builtin_shufflevector(eight, ninth, 0, 1, 2, 9, 3, 4, 5, 9),
             __builtin_shufflevector(eight, ninth, 6, 7, 8, 9, 9, 9, 9, 9));
     }
-    invert(A, static_cast<std::int32_t>(i));
+    invert(A, i);
   }
 }
 
@@ -182,7 +181,7 @@ typename ClusterPcg<S>::Result ClusterPcg<S>::solve(const Eigen::VectorXd& right
   if (!guessed) u.setZero();
   for (std::size_t i = 0; i < rows; ++i)
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto d = static_cast<Eigen::Index>(3 * i + c);
+      const Eigen::Index d = 3 * i + c;
       r_[4 * i + c] = static_cast<S>(right[d] / largest);
       p_[4 * i + c] = static_cast<S>(u[d] / unit);
     }
@@ -228,8 +227,7 @@ typename ClusterPcg<S>::Result ClusterPcg<S>::solve(const Eigen::VectorXd& right
   }
   if (!(gamma <= goal)) return {false, iteration};  // not a number
   for (std::size_t i = 0; i < rows; ++i)
-    for (std::size_t c = 0; c < 3; ++c)
-      u[static_cast<Eigen::Index>(3 * i + c)] += unit * static_cast<double>(u_[4 * i + c]);
+    for (std::size_t c = 0; c < 3; ++c) u[3 * i + c] += unit * static_cast<double>(u_[4 * i + c]);
   return {true, iteration};
 }
 

@@ -35,7 +35,7 @@ class Imex::Corrected final : public SecondOrderSystem {
     }
     auto& clusters = owner_.clusters_;
     owner_.failed_.assign(clusters.size(), 0);
-    parallelFor(0, static_cast<std::int64_t>(clusters.size()), owner_.body_.threads(), [&](std::int64_t k) {
+    parallelFor(0, clusters.size(), owner_.body_.threads(), [&](std::int64_t k) {
       ImplicitCluster& cluster = clusters[k];
       if (!cluster.follow(x))
         owner_.failed_[k] = 1;

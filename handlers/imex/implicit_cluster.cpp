@@ -29,7 +29,7 @@ std::vector<std::vector<ElementRef>> clustersOf(const Body& body, const std::vec
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
     return i;
   };
-  constexpr auto none = static_cast<std::size_t>(-1);
+  constexpr std::size_t none = -1;
   std::vector<std::size_t> first(static_cast<std::size_t>(body.nodeCount()), none);
   for (std::size_t i = 0; i < elements.size(); ++i)
     for (const std::int32_t node : body.blocks()[elements[i].block]->nodesOf(elements[i].element)) {
@@ -82,9 +82,9 @@ ImplicitCluster::ImplicitCluster(const Body& body, std::vector<ElementRef> eleme
   constexpr std::size_t mostForCholesky = 100;
   if (options_.solver == ClusterSolver::automatic)
     options_.solver = nodes_.size() <= mostForCholesky ? ClusterSolver::cholesky : ClusterSolver::conjugateGradients;
-  const auto size = static_cast<Eigen::Index>(3 * nodes_.size());
+  const Eigen::Index size = 3 * nodes_.size();
   mass_.resize(size);
-  constrained_.resize(static_cast<std::size_t>(size));
+  constrained_.resize(size);
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double total = 0;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -92,20 +92,19 @@ ImplicitCluster::ImplicitCluster(const Body& body, std::vector<ElementRef> eleme
     centre += m * X.col(nodes_[i]);
     total += m;
     for (int c = 0; c < 3; ++c) {
-      mass_[component(static_cast<std::int32_t>(i), c)] = m;
+      mass_[component(i, c)] = m;
       const bool held = body.constraints().isConstrained(nodes_[i], c);
       constrained_[3 * i + static_cast<std::size_t>(c)] = held;
       anyConstrained_[c] |= held;
     }
   }
-  frameShape_.resize(static_cast<Eigen::Index>(nodes_.size()), 3);
+  frameShape_.resize(nodes_.size(), 3);
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    frameShape_.row(static_cast<Eigen::Index>(i)) =
-        (body.lumpedMass()[nodes_[i]] * (X.col(nodes_[i]) - centre / total)).transpose();
+    frameShape_.row(i) = (body.lumpedMass()[nodes_[i]] * (X.col(nodes_[i]) - centre / total)).transpose();
 
   matrix_ = std::make_unique<ClusterMatrix>(body, elements_, nodes_, w_);
   // What is held is held along the world's axes, and a law that is not objective knows no other.
-  turns_ = matrix_->objective() && std::none_of(anyConstrained_.begin(), anyConstrained_.end(), std::identity{});
+  rotates_ = matrix_->objective() && std::none_of(anyConstrained_.begin(), anyConstrained_.end(), std::identity{});
   if (options_.solver == ClusterSolver::conjugateGradients) {
     const double mean = total / static_cast<double>(nodes_.size());
     constexpr double enoughForSingle = 1e-5;
@@ -120,9 +119,9 @@ ImplicitCluster::ImplicitCluster(const Body& body, std::vector<ElementRef> eleme
 }
 
 Eigen::Matrix3d ImplicitCluster::frameOf(const NodeVectors& x) const {
-  if (!turns_) return Eigen::Matrix3d::Identity();
+  if (!rotates_) return Eigen::Matrix3d::Identity();
   Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < nodes_.size(); ++i) A += x.col(nodes_[i]) * frameShape_.row(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < nodes_.size(); ++i) A += x.col(nodes_[i]) * frameShape_.row(i);
   return rotationOf(A);
 }
 
@@ -148,7 +147,7 @@ bool ImplicitCluster::factor() {
     std::visit([&](auto& gradients) { gradients.refresh(blocks, matrix_->changed()); }, iterative_->gradients);
     return true;
   }
-  const auto size = static_cast<Eigen::Index>(mass_.size());
+  const Eigen::Index size = mass_.size();
   const auto held = [&](Eigen::Index d) { return constrained_[d] != 0; };
   const auto forEachLowerEntry = [&](const auto& visit) {
     for (std::int32_t i = 0; i < blocks.rows(); ++i)
@@ -196,20 +195,20 @@ bool ImplicitCluster::solve(NodeVectors& a, const NodeVectors& v, double c) {
   const auto size = mass_.size();
   right_.resize(size);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const Eigen::Index at = component(static_cast<std::int32_t>(i), 0), node = nodes_[i];
+    const Eigen::Index at = component(i, 0), node = nodes_[i];
     for (int k = 0; k < 3; ++k) right_[at + k] = a(k, node) + c * v(k, node);
   }
-  const auto turn = [&](Eigen::VectorXd& u, const Eigen::Matrix3d& by) {
-    if (turns_) u.reshaped(3, size / 3) = (by * u.reshaped(3, size / 3)).eval();
+  const auto rotate = [&](Eigen::VectorXd& u, const Eigen::Matrix3d& by) {
+    if (rotates_) u.reshaped(3, size / 3) = (by * u.reshaped(3, size / 3)).eval();
   };
-  turn(right_, frame_.transpose());
+  rotate(right_, frame_.transpose());
   const bool anyConstrained = anyConstrained_[0] || anyConstrained_[1] || anyConstrained_[2];
   bool prescribed = false;
   if (anyConstrained) {
     prescribed_.setZero(size);
     for (std::size_t d = 0; d < constrained_.size(); ++d)
       if (constrained_[d]) {
-        const auto at = static_cast<Eigen::Index>(d);
+        const Eigen::Index at = d;
         prescribed_[at] = right_[at];
         prescribed = prescribed || right_[at] != 0;
       }
@@ -218,7 +217,7 @@ bool ImplicitCluster::solve(NodeVectors& a, const NodeVectors& v, double c) {
   if (prescribed) subtractProduct(prescribed_);
   if (anyConstrained)
     for (std::size_t d = 0; d < constrained_.size(); ++d)
-      if (constrained_[d]) right_[static_cast<Eigen::Index>(d)] = 0;
+      if (constrained_[d]) right_[d] = 0;
 
   if (options_.solver == ClusterSolver::conjugateGradients) {
     if (!solveByConjugateGradients()) return false;
@@ -227,11 +226,10 @@ bool ImplicitCluster::solve(NodeVectors& a, const NodeVectors& v, double c) {
   } else {
     u_ = sparseFactor_->solve(right_);
   }
-  turn(u_, frame_);
+  rotate(u_, frame_);
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     for (int k = 0; k < 3; ++k)
-      if (const auto d = component(static_cast<std::int32_t>(i), k); !constrained_[d])
-        a(k, nodes_[i]) = u_[d] - c * v(k, nodes_[i]);
+      if (const auto d = component(i, k); !constrained_[d]) a(k, nodes_[i]) = u_[d] - c * v(k, nodes_[i]);
   return true;
 }
 

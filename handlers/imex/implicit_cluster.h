@@ -119,7 +119,7 @@ class ImplicitCluster {
   std::vector<std::int32_t> nodes_;
   std::vector<std::uint8_t> constrained_;  // by local component
   std::array<bool, 3> anyConstrained_{};   // by component
-  bool turns_ = true;
+  bool rotates_ = true;
   Eigen::MatrixXd frameShape_;  // n×3 of all nodes, mass-weighted
   Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
   Eigen::VectorXd mass_;  // by local component

@@ -14,7 +14,7 @@ LevelFilter::LevelFilter(const Body& body, std::vector<FineLevel> levels, const 
     levels_.back().fine = std::move(fine);
   }
   number(body, implicit);
-  const auto n = static_cast<Eigen::Index>(nodes_.size());
+  const Eigen::Index n = nodes_.size();
   mass_.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::int32_t node = nodes_[i];
@@ -44,7 +44,7 @@ LevelFilter::LevelFilter(const Body& body, std::vector<FineLevel> levels, const 
 }
 
 void LevelFilter::number(const Body& body, const ElementFlags& implicit) {
-  std::vector<std::size_t> depth(static_cast<std::size_t>(body.nodeCount()), 0);
+  std::vector<std::size_t> depth(body.nodeCount(), 0);
   const auto deepen = [&](const ElementFlags& flags, std::size_t level) {
     for (const ElementRef e : chosenElements(flags))
       for (const std::int32_t node : body.blocks()[e.block]->nodesOf(e.element))
@@ -56,7 +56,7 @@ void LevelFilter::number(const Body& body, const ElementFlags& implicit) {
     if (depth[i] > 0) nodes_.push_back(i);
   std::stable_sort(nodes_.begin(), nodes_.end(), [&](std::int32_t a, std::int32_t b) { return depth[a] > depth[b]; });
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const auto node = static_cast<std::size_t>(nodes_[i]);
+    const std::size_t node = nodes_[i];
     for (std::size_t k = 0; k < depth[node]; ++k) ++levels_[k].count;
   }
 }
@@ -64,7 +64,7 @@ void LevelFilter::number(const Body& body, const ElementFlags& implicit) {
 Body LevelFilter::partOf(const Body& body, const ElementFlags& elements, Eigen::Index count) const {
   Body part = bodyOf(body, elements, std::span(nodes_).first(static_cast<std::size_t>(count)), mass_.head(count));
   for (const Eigen::Index d : held_)
-    if (d < 3 * count) part.constraints().fix(static_cast<std::int32_t>(d / 3), static_cast<int>(d % 3));
+    if (d < 3 * count) part.constraints().fix(d / 3, static_cast<int>(d % 3));
   return part;
 }
 

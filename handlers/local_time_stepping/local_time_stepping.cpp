@@ -263,7 +263,7 @@ void LocalTimeStepping::averagedAcceleration(const NodeVectors& x, const NodeVec
   a = (body_.externalForce() - force_) * inverseMass_.asDiagonal();
   body_.constraints().clearConstrained(a);
   const auto& nodes = filter_->nodes();
-  const auto n = static_cast<Eigen::Index>(nodes.size());
+  const Eigen::Index n = nodes.size();
   fineX_.resize(3, n);
   fineA_.resize(3, n);
   for (Eigen::Index i = 0; i < n; ++i) {

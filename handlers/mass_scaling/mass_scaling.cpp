@@ -35,7 +35,7 @@ void MassScaling::take(const NodeVectors& x, double h, const ElementFlags& chose
     const auto nodes = body_.blocks()[e.block]->nodesOf(e.element);
     std::vector<Eigen::Matrix3d> D;
     for (std::size_t a = 0; a < nodes.size(); ++a) {
-      const auto at = static_cast<Eigen::Index>(3 * a);
+      const Eigen::Index at = 3 * a;
       for (int c = 0; c < 3; ++c)
         if (body_.constraints().isConstrained(nodes[a], c)) {
           K.row(at + c).setZero();
@@ -46,7 +46,7 @@ void MassScaling::take(const NodeVectors& x, double h, const ElementFlags& chose
     // l_e = lambda_max(D^-½ K D^-½), from the Cholesky factors of D.
     Eigen::MatrixXd scaled = K;
     for (std::size_t a = 0; a < nodes.size(); ++a) {
-      const auto at = static_cast<Eigen::Index>(3 * a);
+      const Eigen::Index at = 3 * a;
       const Eigen::Matrix3d inverse = Eigen::LLT<Eigen::Matrix3d>(D[a]).matrixL().solve(Eigen::Matrix3d::Identity());
       scaled.middleRows<3>(at) = (inverse * scaled.middleRows<3>(at)).eval();
       scaled.middleCols<3>(at) = (scaled.middleCols<3>(at) * inverse.transpose()).eval();

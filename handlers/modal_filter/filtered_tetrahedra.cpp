@@ -7,7 +7,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/handlers/modal_filter/filtered_stiffness.h>
-#include <ringwatch/handlers/tetrahedra/turned_tetrahedron.h>
+#include <ringwatch/handlers/tetrahedra/corotated_tetrahedron.h>
 
 namespace ringwatch {
 namespace {
@@ -43,7 +43,7 @@ FilteredTetrahedra::FilteredTetrahedra(const Body& body, const std::vector<Eleme
   Batch none{};
   Memory rest{};
   for (int i = 0; i < 3; ++i) none.gradient[i][i] = rest.R(i, i) = P(1.0);
-  batches_.assign(static_cast<std::size_t>(tetrahedra_.batchCount()), none);
+  batches_.assign(tetrahedra_.batchCount(), none);
   memory_.assign(batches_.size(), rest);
   for (std::size_t i = 0; i < elements.size(); ++i) setElement(i, body, elements[i], allowance[i], h);
 }
@@ -103,9 +103,9 @@ void FilteredTetrahedra::keep(std::int32_t k) {
   tetrahedra_.load(k, nodes);
   Matrix3<P> F0, F;
   tetrahedra_.gradients(nodes, batch.gradient, F0, F);
-  const Matrix3<P> R = memory.R = turnedRotation(F0, memory.R);
+  const Matrix3<P> R = memory.R = followedRotation(F0, memory.R);
   P strain[6], s[6];
-  turnedStrain(R, F0, strain);
+  corotatedStrain(R, F0, strain);
   for (P& own : s) own = P(0.0);
   const P* entry = batch.kept;
   for (int r = 0; r < 6; ++r)
@@ -114,7 +114,7 @@ void FilteredTetrahedra::keep(std::int32_t k) {
       if (c > r) s[c] += *entry * strain[r];
     }
   const Matrix3<P> piola = R * stressOf(s);
-  tetrahedra_.push(k, nodes, batch.gradient, piola - turnAgainst(piola, F0, batch.inertia));
+  tetrahedra_.push(k, nodes, batch.gradient, piola - rotationAgainst(piola, F0, batch.inertia));
 }
 
 template <bool first, bool last>
@@ -127,7 +127,7 @@ void FilteredTetrahedra::relax(std::int32_t k) {
   tetrahedra_.gradients(nodes, batch.gradient, F0, F);
   const Matrix3<P> R = memory.R;
   P strain[6], added[6], all[6];
-  turnedStrain(R, F, strain);
+  corotatedStrain(R, F, strain);
   for (int c = 0; c < 6; ++c) added[c] = all[c] = P(0.0);
   for (int m = 0; m < 6; ++m) {
     const P(&mode)[6] = batch.mode[m];
@@ -141,7 +141,7 @@ void FilteredTetrahedra::relax(std::int32_t k) {
     }
   }
   Matrix3<P> piola = R * stressOf(added);
-  if constexpr (last) piola = piola - turnAgainst(R * stressOf(all), F0, batch.inertia);
+  if constexpr (last) piola = piola - rotationAgainst(R * stressOf(all), F0, batch.inertia);
   tetrahedra_.push(k, nodes, batch.gradient, piola);
 }
 

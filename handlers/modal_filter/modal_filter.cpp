@@ -44,7 +44,7 @@ ModalFilter::ModalFilter(Body& body, std::unique_ptr<Integrator> base, HandlerOp
 
 void ModalFilter::take(const NodeVectors&, double h, const ElementFlags& chosen) {
   const auto elements = chosenElements(chosen);
-  requireTurningTetrahedra(elements);
+  requireCorotationalTetrahedra(elements);
   const double lambda = allowedLambda(h);
   Eigen::VectorXd share = Eigen::VectorXd::Zero(body_.nodeCount());  // certified: of each handled element, N/m
   if (certificate()) {

@@ -47,7 +47,7 @@ std::vector<ShapeConstraint> shapeConstraints(const Mesh& mesh, const std::vecto
   std::set<std::pair<std::int32_t, std::int32_t>> edges;
   for (const ElementRef ref : elements) {
     const MeshBlock& block = mesh.blocks[ref.block];
-    const auto e = static_cast<std::size_t>(ref.element);
+    const std::size_t e = ref.element;
     const std::int32_t* n = block.element(e);
     const ShapeClass shape = elementShape(block, e, mesh.X, meanVolume).shape;
     Eigen::Matrix<double, 3, 4> gradient;
@@ -100,7 +100,7 @@ ConstraintProjection::ConstraintProjection(const Body& body, std::vector<ShapeCo
 }
 
 std::string ConstraintProjection::project(NodeVectors& x) {
-  const auto count = static_cast<Eigen::Index>(constraints_.size());
+  const Eigen::Index count = constraints_.size();
   Eigen::VectorXd value(count);
   std::vector<Eigen::Triplet<double>> entries;
   for (int iteration = 0;; ++iteration) {

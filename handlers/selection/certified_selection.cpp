@@ -49,7 +49,7 @@ class Greedy {
       const ElementBlock& block = *body_.blocks()[b];
       for (std::int32_t e = 0; e < block.elementCount(); ++e)
         for (int a = 0; a < block.element().nodes; ++a)
-          result.weights[b].push_back(weights_.factor(weights_.incidenceOf({static_cast<std::int32_t>(b), e}, a)));
+          result.weights[b].push_back(weights_.factor(weights_.incidenceOf({b, e}, a)));
     }
     return result;
   }
@@ -126,8 +126,7 @@ class Greedy {
   void keepWeights() {
     for (std::size_t b = 0; b < numbers_.size(); ++b)
       for (std::size_t i = 0; i < numbers_[b].size(); ++i) {
-        const ElementRef part{static_cast<std::int32_t>(b), static_cast<std::int32_t>(i)},
-            whole{part.block, numbers_[b][i]};
+        const ElementRef part{b, i}, whole{part.block, numbers_[b][i]};
         for (int a = 0; a < body_.blocks()[b]->element().nodes; ++a)
           weights_.setFactor(weights_.incidenceOf(whole, a), bound_->factor(bound_->incidenceOf(part, a)));
       }

@@ -29,8 +29,7 @@ Eigen::Matrix3d gradientAt(const double* F, std::size_t q, int lane) {
 std::vector<ElementRef> allElements(const Body& body) {
   std::vector<ElementRef> elements;
   for (std::size_t b = 0; b < body.blocks().size(); ++b)
-    for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e)
-      elements.push_back({static_cast<std::int32_t>(b), e});
+    for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) elements.push_back({b, e});
   return elements;
 }
 
@@ -59,7 +58,7 @@ class IncrementalSelection::Choice {
       const NodalBound::Factor* stored = own.last_.weights[b].data();
       for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
         // The weights of an element lie one pack of lanes apart.
-        NodalBound::Incidence at = state_.weights().incidenceOf({static_cast<std::int32_t>(b), e}, 0);
+        NodalBound::Incidence at = state_.weights().incidenceOf({b, e}, 0);
         for (int a = 0; a < n; ++a, at.place += lanes) state_.weights().setFactor(at, *stored++);
       }
     }
@@ -79,7 +78,7 @@ class IncrementalSelection::Choice {
             TangentDrift drift[lanes];
             block.deformationOf(elements, x_.data(), F.data(), drift);
             for (int lane = 0; lane < lanes; ++lane)
-              if (elements[lane] >= 0) follow({static_cast<std::int32_t>(b), elements[lane]}, F.data(), lane);
+              if (elements[lane] >= 0) follow({b, elements[lane]}, F.data(), lane);
           },
           16);
     }
@@ -112,7 +111,7 @@ class IncrementalSelection::Choice {
 
   void sumAt(const std::vector<std::int32_t>& nodes) {
     parallelFor(
-        0, static_cast<std::int64_t>(nodes.size()), body_.threads(),
+        0, nodes.size(), body_.threads(),
         [&](std::int64_t k) {
           const std::int32_t node = nodes[k];
           own_.last_.nodalSums[node] = state_.sumOfAllowances(node);
@@ -124,7 +123,7 @@ class IncrementalSelection::Choice {
   std::vector<std::int32_t> violated(const std::vector<std::int32_t>& among) const {
     std::vector<std::uint8_t> above(among.size(), 0);
     parallelFor(
-        0, static_cast<std::int64_t>(among.size()), body_.threads(),
+        0, among.size(), body_.threads(),
         [&](std::int64_t k) {
           const std::int32_t node = among[k];
           const Eigen::Matrix3d& sum = own_.last_.nodalSums[node];
@@ -188,7 +187,7 @@ class IncrementalSelection::Choice {
     const TangentGrowth growth = growthOf(value.drift.law, value.value, value.strainNorm);
     Known& known = own_.known_[e.block];
     known.growth[e.element] = {growth.value, growth.linear, growth.quadratic, growth.radius * (1 - radiusRounding)};
-    const auto count = static_cast<std::size_t>(9 * pack.points);
+    const std::size_t count = 9 * pack.points;
     for (std::size_t i = 0; i < count; ++i)
       known.reference[e.element * count + i] =
           static_cast<float>(pack.gradients[i * lanes + static_cast<std::size_t>(lane)]);
@@ -212,12 +211,12 @@ void IncrementalSelection::Choice::chooseAmong(const std::vector<ElementRef>& re
   const std::vector<std::int32_t> nodes = nodesOfElements(body_, region);
   sumAt(nodes);
   std::vector<Eigen::Matrix3d> outside;
-  NodeVectors x(3, static_cast<Eigen::Index>(nodes.size()));
-  Eigen::VectorXd mass(static_cast<Eigen::Index>(nodes.size()));
+  NodeVectors x(3, nodes.size());
+  Eigen::VectorXd mass(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     outside.push_back(own_.last_.nodalSums[nodes[i]]);
-    x.col(static_cast<Eigen::Index>(i)) = x_.col(nodes[i]);
-    mass[static_cast<Eigen::Index>(i)] = body_.lumpedMass()[nodes[i]];
+    x.col(i) = x_.col(nodes[i]);
+    mass[i] = body_.lumpedMass()[nodes[i]];
   }
   const CertifiedSelection made = selectCertified(bodyOf(body_, flags, nodes, mass), x, lambda_, {}, outside);
   own_.last_.evaluations += made.evaluations;

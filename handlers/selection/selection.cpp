@@ -8,6 +8,7 @@
 #include <ringwatch/body/sub_body.h>
 #include <ringwatch/handlers/selection/certified_selection.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
+#include <ringwatch/monitor/metrics/element_metrics.h>
 
 namespace ringwatch {
 
@@ -21,7 +22,7 @@ std::vector<ElementRef> chosenElements(const ElementFlags& flags) {
   std::vector<ElementRef> elements;
   for (std::size_t b = 0; b < flags.size(); ++b)
     for (std::size_t e = 0; e < flags[b].size(); ++e)
-      if (flags[b][e]) elements.push_back({static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)});
+      if (flags[b][e]) elements.push_back({b, e});
   return elements;
 }
 
@@ -37,7 +38,7 @@ std::vector<std::vector<std::int32_t>> elementNumbers(const ElementFlags& flags)
 }
 
 std::vector<bool> touchedNodes(const Body& body, const ElementFlags& elements) {
-  std::vector<bool> touched(static_cast<std::size_t>(body.nodeCount()), false);
+  std::vector<bool> touched(body.nodeCount(), false);
   for (const ElementRef e : chosenElements(elements))
     for (const std::int32_t node : body.blocks()[e.block]->nodesOf(e.element)) touched[node] = true;
   return touched;
@@ -74,7 +75,7 @@ void forEachReducedRing(const Body& body, const NodeVectors& x, const ElementFla
   ElementFlags around = noElements(body.mesh());
   for (std::size_t b = 0; b < around.size(); ++b)
     for (std::size_t e = 0; e < around[b].size(); ++e) {
-      const auto nodes = body.blocks()[b]->nodesOf(static_cast<std::int32_t>(e));
+      const auto nodes = body.blocks()[b]->nodesOf(e);
       around[b][e] = std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return near[n]; });
     }
   if (chosenElements(around).empty()) return;
@@ -84,7 +85,7 @@ void forEachReducedRing(const Body& body, const NodeVectors& x, const ElementFla
   const auto& largest = rings.evaluate(x).largest;
   for (std::size_t b = 0; b < largest.size(); ++b)
     for (std::size_t e = 0; e < largest[b].size(); ++e) {
-      const auto whole = static_cast<std::size_t>(numbers[b][e]);
+      const std::size_t whole = numbers[b][e];
       if (candidates[b][whole]) visit(b, whole, largest[b][e]);
     }
 }
@@ -117,23 +118,10 @@ ElementFlags carriedOver(const CutMesh& cut, const ElementFlags& before) {
 
 ElementFlags selectBySingleElement(const Body& body, const NodeVectors& x, double lambda) {
   if (!(lambda > 0)) throw InputError(joinText("lambda ", lambda, ": must be > 0"));
+  const std::vector<std::vector<double>> highest = singleElement(body, x);
   ElementFlags flags = noElements(body.mesh());
-  for (std::size_t b = 0; b < flags.size(); ++b) {
-    std::vector<double> mass(static_cast<std::size_t>(body.blocks()[b]->element().nodes));
-    for (std::size_t e = 0; e < flags[b].size(); ++e) {
-      const ElementRef ref{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
-      Eigen::MatrixXd K = body.elementTangent(ref, x);
-      body.elementLumpedMass(ref, mass.data());
-      for (Eigen::Index i = 0; i < K.rows(); ++i) {
-        const double root = std::sqrt(mass[i / 3]);
-        K.row(i) /= root;
-        K.col(i) /= root;
-      }
-      const double highest =
-          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues().tail<1>()[0];
-      flags[b][e] = !(highest <= lambda * (1 - selectionSlack));
-    }
-  }
+  for (std::size_t b = 0; b < flags.size(); ++b)
+    for (std::size_t e = 0; e < flags[b].size(); ++e) flags[b][e] = !(highest[b][e] <= lambda * (1 - selectionSlack));
   return flags;
 }
 

@@ -28,7 +28,7 @@ void ColouredTetrahedra::colour(const std::vector<ElementRef>& elements) {
   for (std::size_t i = 0; i < rowOfNode.size(); ++i)
     if (rowOfNode[i] > 0) {
       rowOfNode[i] = static_cast<std::int32_t>(nodes_.size());
-      nodes_.push_back(static_cast<std::int32_t>(i));
+      nodes_.push_back(i);
     }
   std::vector<std::vector<bool>> taken(nodes_.size());  // [row][colour]
   std::vector<std::vector<std::size_t>> ofColour;
@@ -48,7 +48,7 @@ void ColouredTetrahedra::colour(const std::vector<ElementRef>& elements) {
   place_.resize(elements.size());
   colourBegin_.assign(1, 0);
   std::int32_t batch = 0;
-  const auto missing = static_cast<std::int32_t>(nodes_.size());
+  const std::int32_t missing = nodes_.size();
   for (const std::vector<std::size_t>& own : ofColour) {
     for (std::size_t i = 0; i < own.size(); ++i) place_[own[i]] = batch * lanes + static_cast<std::int32_t>(i);
     batch += static_cast<std::int32_t>((own.size() + lanes - 1) / lanes);
@@ -56,10 +56,10 @@ void ColouredTetrahedra::colour(const std::vector<ElementRef>& elements) {
   }
   row_.resize(static_cast<std::size_t>(batch) * 4 * lanes);
   for (std::size_t i = 0; i < row_.size(); ++i) row_[i] = missing + static_cast<std::int32_t>(i / lanes % 4);
-  freeOf_.assign(static_cast<std::size_t>(batch), -1);
+  freeOf_.assign(batch, -1);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const auto nodes = nodesOf(elements[i]);
-    const auto at = static_cast<std::size_t>(place_[i] / lanes);
+    const std::size_t at = place_[i] / lanes;
     const int lane = place_[i] % lanes;
     for (std::size_t a = 0; a < 4; ++a) {
       row_[(4 * at + a) * lanes + static_cast<std::size_t>(lane)] = rowOfNode[nodes[a]];
@@ -84,7 +84,7 @@ void ColouredTetrahedra::colour(const std::vector<ElementRef>& elements) {
 void ColouredTetrahedra::start(const NodeVectors& x, const NodeVectors& v, const NodeVectors& a) {
   const double perStep = 1 / h_;
   parallelFor(
-      0, static_cast<std::int64_t>(nodes_.size()), body_.threads(),
+      0, nodes_.size(), body_.threads(),
       [&](std::int64_t n) {
         const std::ptrdiff_t from = 3 * static_cast<std::ptrdiff_t>(nodes_[n]);
         double* row = rows_.data() + rowSize * n;
@@ -101,7 +101,7 @@ bool ColouredTetrahedra::finish(const NodeVectors& v, NodeVectors& a) const {
   const double perStep = 1 / h_;
   const double* rows = (apart_.empty() ? rows_ : apart_).data();
   const auto count = static_cast<std::int64_t>(nodes_.size()), chunks = (count + nodeGrain - 1) / nodeGrain;
-  std::vector<std::uint8_t> finite(static_cast<std::size_t>(chunks), 1);
+  std::vector<std::uint8_t> finite(chunks, 1);
   parallelFor(0, chunks, body_.threads(), [&](std::int64_t chunk) {
     double all = 0;
     for (std::int64_t n = chunk * nodeGrain; n < std::min(count, (chunk + 1) * nodeGrain); ++n) {

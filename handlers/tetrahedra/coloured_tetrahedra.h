@@ -42,10 +42,9 @@ class ColouredTetrahedra {
     constexpr std::int64_t grain = 32;  // fewer are not worth a thread
     const auto colours = static_cast<std::int32_t>(colourBegin_.size()) - 1;
     for (std::int32_t i = 0; i < colours; ++i) {
-      const auto c = static_cast<std::size_t>(forward ? i : colours - 1 - i);
+      const std::size_t c = forward ? i : colours - 1 - i;
       parallelFor(
-          colourBegin_[c], colourBegin_[c + 1], body_.threads(),
-          [&](std::int64_t batch) { visit(static_cast<std::int32_t>(batch)); }, grain);
+          colourBegin_[c], colourBegin_[c + 1], body_.threads(), [&](std::int64_t batch) { visit(batch); }, grain);
     }
   }
 

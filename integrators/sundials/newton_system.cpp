@@ -29,7 +29,7 @@ int NewtonSystem::staticResidual(double time, N_Vector y, N_Vector r) {
 void NewtonSystem::clearConstrained(NodeVectors& u) const {
   for (Eigen::Index i = 0; i < u.cols(); ++i)
     for (int c = 0; c < 3; ++c)
-      if (system_->isConstrained(static_cast<std::int32_t>(i), c)) u(c, i) = 0;
+      if (system_->isConstrained(i, c)) u(c, i) = 0;
 }
 
 int NewtonSystem::solve(double gamma, N_Vector y, N_Vector b) {
@@ -97,9 +97,7 @@ bool NewtonSystem::solveFree(double mFactor, double kFactor, const NodeVectors& 
 
 bool NewtonSystem::factorise(double mFactor, double kFactor) {
   Eigen::SparseMatrix<double> A = system_->stiffness(x_);
-  const auto held = [&](Eigen::Index dof) {
-    return system_->isConstrained(static_cast<std::int32_t>(dof / 3), static_cast<int>(dof % 3));
-  };
+  const auto held = [&](Eigen::Index dof) { return system_->isConstrained(dof / 3, static_cast<int>(dof % 3)); };
   double largest = 0;
   for (Eigen::Index column = 0; column < A.outerSize(); ++column)
     for (Eigen::SparseMatrix<double>::InnerIterator entry(A, column); entry; ++entry) {
@@ -129,10 +127,10 @@ void NewtonSystem::updatePreconditioner() {
   const Eigen::VectorXd& mass = system_->mass();
   inverse_.resize(diagonal_.size());
   for (std::size_t i = 0; i < diagonal_.size(); ++i) {
-    const double inertia = mFactor_ * mass[static_cast<Eigen::Index>(i)];
+    const double inertia = mFactor_ * mass[i];
     Eigen::Matrix3d D = kFactor_ * diagonal_[i] + inertia * Eigen::Matrix3d::Identity();
     for (int c = 0; c < 3; ++c)
-      if (system_->isConstrained(static_cast<std::int32_t>(i), c)) {
+      if (system_->isConstrained(i, c)) {
         D.row(c).setZero();
         D.col(c).setZero();
         D(c, c) = 1;

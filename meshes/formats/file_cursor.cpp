@@ -48,7 +48,7 @@ std::string readWholeFile(const std::filesystem::path& path) {
                                 "machine, ", machineMemory()));
     text.resize(size);
     file.read(text.data(), static_cast<std::streamsize>(size));
-    text.resize(static_cast<std::size_t>(file.gcount()));
+    text.resize(file.gcount());
   }
   if (file.bad()) throw InputError(name + ": cannot read: input/output error");
   if (text.empty()) throw InputError(name + ": the file is empty");

@@ -322,7 +322,7 @@ class Deck {
     Element& element = elements_.back();
     for (; next < words.size(); ++next)
       element.nodes.push_back(number(words[next], joinText("a node of element ", element.id), line.position));
-    const auto wanted = static_cast<std::size_t>(type_->nodes);
+    const std::size_t wanted = type_->nodes;
     if (element.nodes.size() > wanted)
       cursor_.failAt(line.position, joinText("element ", element.id, " (", type_->name(), ") has ",
                                              element.nodes.size(), " nodes; it must have ", wanted));

@@ -96,7 +96,7 @@ void MeshBuilder::addElement(const FileElement& type, std::int64_t id, const std
     }
     if (group < 0) return;
   }
-  const auto count = static_cast<std::size_t>(type.nodes);
+  const std::size_t count = type.nodes;
   const bool turned = gmshOrder && list->info != nullptr && !list->info->gmshOrder.empty();
   for (std::size_t i = 0; i < count; ++i) list->nodes.push_back(nodes[turned ? list->info->gmshOrder[i] : i]);
   list->ids.push_back(id);
@@ -146,15 +146,15 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
     }
   NodeIndex index(nodeIds_);
   for (std::size_t n = 0; n < nodeIds_.size(); ++n)
-    if (!index.insert(nodeIds_[n], static_cast<std::int32_t>(n)))
+    if (!index.insert(nodeIds_[n], n))
       throw InputError(joinText(nodeWhere_(nodePositions_[n]), ": node ", nodeIds_[n], " is defined a second time"));
 
   for (const Elements& list : elements_) {
-    const auto width = static_cast<std::size_t>(list.type->nodes);
+    const std::size_t width = list.type->nodes;
     if (list.ids.size() > limit)
       throw InputError(joinText(source_, ": ", list.ids.size(), " elements of type ", list.type->name(), "; at most ",
                                 limit, " are possible"));
-    const auto blockNumber = static_cast<std::int32_t>(mesh.blocks.size());
+    const std::int32_t blockNumber = mesh.blocks.size();
     std::vector<std::int32_t> connectivity(list.nodes.size());
     for (std::size_t e = 0; e < list.ids.size(); ++e)
       for (std::size_t a = 0; a < width; ++a) {

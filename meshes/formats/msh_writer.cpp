@@ -92,13 +92,13 @@ Content::Content(const Mesh& of, const std::filesystem::path& to, std::int64_t l
     addPhysical(3, set->first);
     const std::int64_t tag = physicals.back().tag;
     for (const ElementRef& ref : set->second) {
-      auto& tags = elementTags.at(static_cast<std::size_t>(ref.block)).at(static_cast<std::size_t>(ref.element));
+      auto& tags = elementTags.at(ref.block).at(ref.element);
       if (tags.empty() || tags.back() != tag) tags.push_back(tag);
     }
   }
   for (const auto& [name, nodes] : mesh.nodeSets) {
     addPhysical(0, name);
-    for (const std::int32_t n : nodes) nodeTags.at(static_cast<std::size_t>(n)).push_back(physicals.back().tag);
+    for (const std::int32_t n : nodes) nodeTags.at(n).push_back(physicals.back().tag);
   }
   nodeNumbers = fileNumbers(mesh.nodeIds, mesh.nodeCount(), largestNumber);
   std::vector<std::int64_t> ids;
@@ -118,7 +118,7 @@ void Content::addPhysical(int dimension, const std::string& name) {
 std::vector<std::size_t> Content::fileOrder(const ElementInfo& info) const {
   if (info.gmshType == 0)
     throw InputError(joinText("cannot write ", path.string(), ": gmsh has no element like ", info.name));
-  std::vector<std::size_t> order(static_cast<std::size_t>(info.nodes));
+  std::vector<std::size_t> order(info.nodes);
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (!info.gmshOrder.empty())
     for (std::size_t i = 0; i < order.size(); ++i) order[info.gmshOrder[i]] = i;
@@ -144,7 +144,7 @@ void writeVersion2(Content& content, bool binary, Out& out) {
   out.text(joinText("$Nodes\n", mesh.nodeCount(), "\n"));
   for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
     out.int32(content.nodeNumbers[n]);
-    for (int k = 0; k < 3; ++k) out.real(mesh.X(k, static_cast<Eigen::Index>(n)));
+    for (int k = 0; k < 3; ++k) out.real(mesh.X(k, n));
     out.endLine();
   }
   if (binary) out.text("\n");
@@ -154,7 +154,7 @@ void writeVersion2(Content& content, bool binary, Out& out) {
   const auto begin = [&](int type, std::size_t count) {
     if (!binary || count == 0) return;
     out.int32(type);
-    out.int32(static_cast<std::int64_t>(count));
+    out.int32(count);
     out.int32(2);
   };
   const auto element = [&](std::int64_t id, int type, std::int64_t physical, std::int64_t entity) {
@@ -209,18 +209,18 @@ void Entities::write(const Mesh& mesh, bool binary, Out& out) const {
   Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = low;
   if (mesh.nodeCount() > 0) low = mesh.X.rowwise().minCoeff(), high = mesh.X.rowwise().maxCoeff();
   out.text("$Entities\n");
-  out.int64(static_cast<std::int64_t>(points.size()));
+  out.int64(points.size());
   out.int64(0);
   out.int64(0);
-  out.int64(static_cast<std::int64_t>(volumes.size()));
+  out.int64(volumes.size());
   out.endLine();
   const auto groups = [&](const std::vector<std::int64_t>& tags) {
-    out.int64(static_cast<std::int64_t>(tags.size()));
+    out.int64(tags.size());
     for (const std::int64_t t : tags) out.int32(t);
   };
   for (const auto& [tags, entity] : points) {
     out.int32(entity);
-    for (int k = 0; k < 3; ++k) out.real(mesh.X(k, static_cast<Eigen::Index>(nodesOf.at(tags)[0])));
+    for (int k = 0; k < 3; ++k) out.real(mesh.X(k, nodesOf.at(tags)[0]));
     groups(tags);
     out.endLine();
   }
@@ -247,12 +247,12 @@ void writeNodes4(const Content& content, bool binary, Out& out) {
   const Mesh& mesh = content.mesh;
   out.text("$Nodes\n");
   out.int64(1);
-  out.int64(static_cast<std::int64_t>(mesh.nodeCount()));
+  out.int64(mesh.nodeCount());
   writeRange(content.nodeNumbers, 0, out);
   out.int32(3);
   out.int32(1);
   out.int32(0);
-  out.int64(static_cast<std::int64_t>(mesh.nodeCount()));
+  out.int64(mesh.nodeCount());
   out.endLine();
   for (const std::int64_t number : content.nodeNumbers) {
     out.int64(number);
@@ -285,8 +285,8 @@ void writeElements4(Content& content, const Entities& entities, Out& out) {
   std::size_t points = 0;
   for (const auto& [tags, nodes] : entities.nodesOf) points += nodes.size();
   out.text("$Elements\n");
-  out.int64(static_cast<std::int64_t>(runs.size() + entities.points.size()));
-  out.int64(static_cast<std::int64_t>(mesh.elementCount() + points));
+  out.int64(runs.size() + entities.points.size());
+  out.int64(mesh.elementCount() + points);
   writeRange(content.elementNumbers, content.nextNumber + static_cast<std::int64_t>(points) - 1, out);
   std::size_t running = 0;
   for (const Run& run : runs) {
@@ -296,7 +296,7 @@ void writeElements4(Content& content, const Entities& entities, Out& out) {
     out.int32(3);
     out.int32(run.entity);
     out.int32(info.gmshType);
-    out.int64(static_cast<std::int64_t>(run.end - run.begin));
+    out.int64(run.end - run.begin);
     out.endLine();
     for (std::size_t e = run.begin; e < run.end; ++e) {
       out.int64(content.elementNumbers[running++]);
@@ -309,7 +309,7 @@ void writeElements4(Content& content, const Entities& entities, Out& out) {
     out.int32(0);
     out.int32(entity);
     out.int32(gmshPoint);
-    out.int64(static_cast<std::int64_t>(nodes.size()));
+    out.int64(nodes.size());
     out.endLine();
     for (const std::size_t n : nodes) {
       out.int64(content.nextNumber++);

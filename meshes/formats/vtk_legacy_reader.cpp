@@ -106,13 +106,13 @@ class LegacyReader {
     const std::size_t n = count("POINTS", 5, at);
     const Format f = format(cursor_.word("the data type"), at);
     if (!f.real) cursor_.failAt(at, "the data type of POINTS must be float or double");
-    if (binary_) cursor_.checkedCount(static_cast<std::int64_t>(n), 3 * f.bytes, "POINTS", at);
+    if (binary_) cursor_.checkedCount(n, 3 * f.bytes, "POINTS", at);
     beginData();
     for (std::size_t i = 0; i < n; ++i) {
       if (!binary_) nextWord("a point");
       const std::size_t where = cursor_.position();
       const double x = real(f, "coordinate x"), y = real(f, "coordinate y"), z = real(f, "coordinate z");
-      builder_.addNode(static_cast<std::int64_t>(i), x, y, z, where);
+      builder_.addNode(i, x, y, z, where);
     }
     endData();
   }
@@ -145,7 +145,7 @@ class LegacyReader {
           !std::is_sorted(offsets.begin(), offsets.end()))
         cursor_.failAt(at, joinText("the OFFSETS must ascend from 0 to ", second));
       for (std::size_t c = 0; c + 1 < offsets.size(); ++c) {
-        begins_.push_back(static_cast<std::size_t>(offsets[c]));
+        begins_.push_back(offsets[c]);
         positions_.push_back(at);
       }
       begins_.push_back(second);
@@ -231,7 +231,7 @@ class LegacyReader {
         cursor_.failAt(positions_[c],
                        joinText("cell ", c, " (", known->name(), ") has ", n, " nodes; it must have ", known->nodes));
       std::copy_n(nodes_.begin() + static_cast<std::ptrdiff_t>(begins_[c]), n, nodes);
-      builder_.addElement(*known, static_cast<std::int64_t>(c), nodes, -1, positions_[c], false);
+      builder_.addElement(*known, c, nodes, -1, positions_[c], false);
     }
     if (flat > 0 && notes != nullptr)
       notes->push_back(joinText(source_, ": ", flat, " cells of surfaces, lines or points are left out"));

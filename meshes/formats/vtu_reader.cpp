@@ -78,7 +78,7 @@ class VtuReader {
 
   /// After read(): the displacement of that name at all points, 3×N, and whether the points are deformed positions.
   NodeVectors displacement(const std::string& name, std::size_t nodes) const {
-    NodeVectors result(3, static_cast<Eigen::Index>(nodes));
+    NodeVectors result(3, nodes);
     std::size_t first = 0;
     for (const Piece& piece : pieces_) {
       if (piece.points == 0) continue;
@@ -376,7 +376,7 @@ class VtuReader {
       if (array.offset < 0 || static_cast<std::uint64_t>(array.offset) >= appended_.size())
         refuse(joinText("begin at offset ", array.offset, " of the appended data, which have ", appended_.size(),
                         " bytes"));
-      stored = appended_.substr(static_cast<std::size_t>(array.offset));
+      stored = appended_.substr(array.offset);
       raw = rawAppended_;
     } else if (array.format == "binary") {
       stored = text_.substr(array.begin, array.end - array.begin);
@@ -419,13 +419,13 @@ class VtuReader {
         refuse(joinText("announce a packed block of ", own, " bytes, more than the file holds"));
       packed += own;
     }
-    const std::string body = take(stored.substr(headStored), static_cast<std::size_t>(packed));
+    const std::string body = take(stored.substr(headStored), packed);
     if (body.size() != packed) refuse("end early; is the file cut short?");
     std::string result(expected, '\0');
     std::size_t in = 0, out = 0;
     for (std::size_t b = 0; b < blocks; ++b) {
-      const auto own = static_cast<std::size_t>(word(head, 3 + b, array));
-      const auto length = static_cast<std::size_t>(b + 1 == blocks && last != 0 ? last : size);
+      const std::size_t own = word(head, 3 + b, array);
+      const std::size_t length = b + 1 == blocks && last != 0 ? last : size;
       if (!unpack(source_, compressor_, body.data() + in, own, result.data() + out, length))
         refuse(joinText("cannot be unpacked by ", compressor_));
       in += own;
@@ -469,7 +469,7 @@ class VtuReader {
     if (array.format == "ascii" || array.format.empty()) {
       FileCursor cursor(text_.substr(0, array.end), source_);
       cursor.seek(array.begin);
-      cursor.checkedCount(static_cast<std::int64_t>(count), 1, "values", array.at);
+      cursor.checkedCount(count, 1, "values", array.at);
       result.reserve(count);
       for (std::size_t i = 0; i < count; ++i) {
         if (!cursor.skipSpace())
@@ -493,7 +493,7 @@ class VtuReader {
   }
 
   void readPiece(const Piece& piece) {
-    const auto firstPoint = static_cast<std::int64_t>(builder_.nodeCount());
+    const std::int64_t firstPoint = builder_.nodeCount();
     if (piece.points > 0) {
       const Array& points = need(piece, "Points", "");
       if (points.components != 3)
@@ -501,7 +501,7 @@ class VtuReader {
       const std::vector<double> x = values<double>(points, 3 * piece.points);
       for (std::size_t n = 0; n < piece.points; ++n) {
         const auto number = builder_.nodeCount();
-        builder_.addNode(static_cast<std::int64_t>(number), x[3 * n], x[3 * n + 1], x[3 * n + 2], number);
+        builder_.addNode(number, x[3 * n], x[3 * n + 1], x[3 * n + 2], number);
       }
     }
     for (const Array& a : piece.arrays) {

@@ -239,22 +239,21 @@ void addSets(vtkUnstructuredGrid* grid, const Mesh& mesh, const NameOf& nameOf) 
   };
   for (const auto& [name, nodes] : mesh.nodeSets) {
     std::vector<signed char> flags(mesh.nodeCount());
-    for (const std::int32_t n : nodes) flags.at(static_cast<std::size_t>(n)) = 1;
+    for (const std::int32_t n : nodes) flags.at(n) = 1;
     add(grid->GetPointData(), name, flags);
   }
   std::vector<std::size_t> first{0};
   for (const MeshBlock& block : mesh.blocks) first.push_back(first.back() + block.elementCount());
   for (const auto& [name, elements] : mesh.elementSets) {
     std::vector<signed char> flags(mesh.elementCount());
-    for (const ElementRef& ref : elements)
-      flags.at(first.at(static_cast<std::size_t>(ref.block)) + static_cast<std::size_t>(ref.element)) = 1;
+    for (const ElementRef& ref : elements) flags.at(first.at(ref.block) + static_cast<std::size_t>(ref.element)) = 1;
     add(grid->GetCellData(), name, flags);
   }
 }
 
 void writeGrid(vtkUnstructuredGrid* grid, const Mesh& mesh, const std::filesystem::path& path) {
   std::vector<std::int64_t> nodeIds, ids;
-  for (std::size_t i = 0; i < mesh.nodeCount(); ++i) nodeIds.push_back(mesh.nodeId(static_cast<std::int32_t>(i)));
+  for (std::size_t i = 0; i < mesh.nodeCount(); ++i) nodeIds.push_back(mesh.nodeId(i));
   for (const MeshBlock& block : mesh.blocks)
     for (std::size_t e = 0; e < block.elementCount(); ++e) ids.push_back(block.id(e));
   addArray<vtkTypeInt64Array>(grid->GetPointData(), "originalNodeId", 1, std::span<const std::int64_t>(nodeIds));

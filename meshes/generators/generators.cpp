@@ -87,8 +87,7 @@ Mesh fillElements(Grid& grid, const CellSubdivision& split) {
       for (int i = 0; i < nx; ++i, ++cell) {
         if (split.centre) grid.centres.push_back({i, j, k});
         for (const std::uint8_t corner : (i + j + k) % 2 == 0 ? split.even : split.odd)
-          block.connectivity.push_back(
-              static_cast<std::int32_t>(corner == 8 ? grid.cornerNodes + cell : grid.corner(i, j, k, corner)));
+          block.connectivity.push_back(corner == 8 ? grid.cornerNodes + cell : grid.corner(i, j, k, corner));
       }
   mesh.blocks.push_back(std::move(block));
   return mesh;
@@ -108,11 +107,11 @@ void placeCentres(Mesh& mesh, const Grid& grid) {
 void finishElements(Mesh& mesh) {
   std::unordered_map<std::uint64_t, std::int32_t> middleOfEdge;
   std::vector<std::array<std::int32_t, 2>> middles;
-  const auto corners = static_cast<std::int32_t>(mesh.nodeCount());
+  const std::int32_t corners = mesh.nodeCount();
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     MeshBlock& block = mesh.blocks[b];
     const ElementInfo& info = elementInfo(block.type);
-    const auto width = static_cast<std::size_t>(cornerCount(info));
+    const std::size_t width = cornerCount(info);
     const std::size_t count = block.connectivity.size() / width;
     if (info.order > 1) {
       std::vector<std::int32_t> whole;
@@ -133,8 +132,8 @@ void finishElements(Mesh& mesh) {
     }
     std::vector<ElementRef>& all = mesh.elementSets["all"];
     for (std::size_t e = 0; e < count; ++e) {
-      block.ids.push_back(static_cast<std::int64_t>(all.size()));
-      all.push_back({static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)});
+      block.ids.push_back(all.size());
+      all.push_back({b, e});
     }
   }
   mesh.X.conservativeResize(3, corners + static_cast<Eigen::Index>(middles.size()));
@@ -142,7 +141,7 @@ void finishElements(Mesh& mesh) {
     mesh.X.col(corners + static_cast<Eigen::Index>(m)) = (mesh.X.col(middles[m][0]) + mesh.X.col(middles[m][1])) / 2;
   if (!middles.empty())
     for (auto& [name, nodes] : mesh.nodeSets) {
-      std::vector<bool> inside(static_cast<std::size_t>(corners));
+      std::vector<bool> inside(corners);
       for (const std::int32_t node : nodes) inside[node] = true;
       for (std::size_t m = 0; m < middles.size(); ++m)
         if (inside[middles[m][0]] && inside[middles[m][1]]) nodes.push_back(corners + static_cast<std::int32_t>(m));
@@ -181,8 +180,7 @@ Mesh fillMixed(Grid& grid) {
           for (MeshBlock& block : mesh.blocks)
             if (elementInfo(block.type).name == part.element)
               for (const std::uint8_t corner : part.pattern)
-                block.connectivity.push_back(
-                    static_cast<std::int32_t>(corner == 8 ? centre : grid.corner(i, j, k, corner)));
+                block.connectivity.push_back(corner == 8 ? centre : grid.corner(i, j, k, corner));
       }
   return mesh;
 }
@@ -251,7 +249,7 @@ Mesh makeBar(const BarOptions& options, bool mixed) {
     for (int j = 0; j <= grid.cells[1]; ++j)
       for (int i = 0; i <= grid.cells[0]; ++i) {
         const int index[3] = {i, j, k};
-        const auto node = static_cast<std::int32_t>(grid.node(i, j, k));
+        const std::int32_t node = grid.node(i, j, k);
         for (int axis = 0; axis < 3; ++axis) {
           const std::vector<double>& t = line[axis];
           const int at = index[axis], last = grid.cells[axis];
@@ -338,7 +336,7 @@ Mesh generateBall(const BallOptions& options) {
       for (int i = 0; i <= n; ++i) {
         const double x = 2.0 * i / n - 1, y = 2.0 * j / n - 1, z = 2.0 * k / n - 1;
         const double xx = x * x, yy = y * y, zz = z * z;
-        const auto node = static_cast<std::int32_t>(grid.node(i, j, k));
+        const std::int32_t node = grid.node(i, j, k);
         mesh.X.col(node) = options.radius * Eigen::Vector3d(x * std::sqrt(1 - yy / 2 - zz / 2 + yy * zz / 3),
                                                             y * std::sqrt(1 - zz / 2 - xx / 2 + zz * xx / 3),
                                                             z * std::sqrt(1 - xx / 2 - yy / 2 + xx * yy / 3));

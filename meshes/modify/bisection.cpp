@@ -75,7 +75,7 @@ BisectedMesh bisectEdges(const Mesh& mesh, const std::vector<EdgePoint>& points)
   BisectedMesh result;
   result.newNodes = points;
   Mesh& out = result.mesh;
-  const auto before = static_cast<std::int32_t>(mesh.nodeCount());
+  const std::int32_t before = mesh.nodeCount();
   out.X.resize(3, before + static_cast<Eigen::Index>(points.size()));
   out.X.leftCols(before) = mesh.X;
   std::int64_t nodeId = 0;  // of the next new node
@@ -88,7 +88,7 @@ BisectedMesh bisectEdges(const Mesh& mesh, const std::vector<EdgePoint>& points)
   for (const EdgePoint& p : points) {
     if (!(p.t > 0 && p.t < 1) || p.a == p.b || std::min(p.a, p.b) < 0 || std::max(p.a, p.b) >= before)
       throw InputError(joinText("edge ", p.a, " to ", p.b, " cannot be cut at ", p.t, ": it must lie between 0 and 1"));
-    const auto node = static_cast<std::int32_t>(out.nodeIds.size());
+    const std::int32_t node = out.nodeIds.size();
     if (!nodeOfEdge.emplace(edgeKey(p.a, p.b), node).second)
       throw InputError(joinText("edge ", p.a, " to ", p.b, " is given twice"));
     out.X.col(node) = (1 - p.t) * mesh.X.col(p.a) + p.t * mesh.X.col(p.b);
@@ -109,7 +109,7 @@ BisectedMesh bisectEdges(const Mesh& mesh, const std::vector<EdgePoint>& points)
       addParts(nodesOf(block, e), mesh.X, nodeOfEdge, parts.connectivity);
       parts.ids.push_back(block.id(e));
       while (parts.ids.size() < parts.elementCount()) parts.ids.push_back(elementId++);
-      result.parent.back().resize(parts.elementCount(), static_cast<std::int32_t>(e));
+      result.parent.back().resize(parts.elementCount(), e);
     }
     firstPart[b].push_back(parts.elementCount());
     out.blocks.push_back(std::move(parts));
@@ -126,7 +126,7 @@ BisectedMesh bisectEdges(const Mesh& mesh, const std::vector<EdgePoint>& points)
     std::vector<ElementRef>& set = out.elementSets[name];
     for (const ElementRef& e : elements) {
       const std::vector<std::size_t>& first = firstPart[e.block];
-      const auto i = static_cast<std::size_t>(e.element);
+      const std::size_t i = e.element;
       for (std::size_t part = first[i]; part < first[i + 1]; ++part)
         set.push_back({e.block, static_cast<std::int32_t>(part)});
     }

@@ -39,7 +39,7 @@ Crossings findCrossings(const Mesh& mesh, const CutSurface& surface, const NodeV
   found.distance.resize(nodes);
   found.on.assign(nodes, false);
   for (std::size_t n = 0; n < nodes; ++n) {
-    const Vector3d at = x.col(static_cast<Eigen::Index>(n));
+    const Vector3d at = x.col(n);
     found.distance[n] = surface.distance(at);
     found.on[n] = found.distance[n] == 0 && surface.reaches(at);
   }
@@ -50,7 +50,7 @@ Crossings findCrossings(const Mesh& mesh, const CutSurface& surface, const NodeV
       const double here = found.distance[n], there = found.distance[index(m)];
       if (static_cast<std::int32_t>(n) > m || !(here * there < 0)) continue;
       const double t = here / (here - there);
-      const auto a = static_cast<Eigen::Index>(n);
+      const Eigen::Index a = n;
       if (!surface.reaches((1 - t) * x.col(a) + t * x.col(m))) continue;
       if (t < snap) found.on[n] = true;
       if (1 - t < snap) found.on[index(m)] = true;
@@ -287,7 +287,7 @@ void doubleNodes(const Sides& sides, const std::vector<bool>& atOpenFace, CutMes
   std::int64_t nodeId = *std::max_element(cut.nodeIds.begin(), cut.nodeIds.end()) + 1;
   for (std::size_t n = 0; n < atOpenFace.size(); ++n) {
     if (!atOpenFace[n] || !sides.parts(around.row(n))) continue;
-    copyOf[static_cast<std::int32_t>(n)] = static_cast<std::int32_t>(result.origin.size());
+    copyOf[n] = static_cast<std::int32_t>(result.origin.size());
     touched[n] = true;
     result.origin.push_back(result.origin[n]);
     cut.nodeIds.push_back(nodeId++);
@@ -299,7 +299,7 @@ void doubleNodes(const Sides& sides, const std::vector<bool>& atOpenFace, CutMes
     std::int32_t& node = block.connectivity[index(place.element) * 4 + index(place.localNode)];
     node = copyOf.at(node);
   }
-  cut.X.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(result.origin.size()));
+  cut.X.conservativeResize(Eigen::NoChange, result.origin.size());
   touched.resize(result.origin.size(), true);
   for (const auto& [node, copy] : copyOf) cut.X.col(copy) = cut.X.col(node);
   for (auto& [name, nodes] : cut.nodeSets) {
@@ -346,10 +346,10 @@ CutMesh cutMesh(const Mesh& mesh, const CutSurface& surface, const NodeVectors& 
 }
 
 NodeVectors carriedOver(const CutMesh& cut, const NodeVectors& field) {
-  NodeVectors result(3, static_cast<Eigen::Index>(cut.origin.size()));
+  NodeVectors result(3, cut.origin.size());
   for (std::size_t n = 0; n < cut.origin.size(); ++n) {
     const EdgePoint& p = cut.origin[n];
-    const auto to = static_cast<Eigen::Index>(n);
+    const Eigen::Index to = n;
     if (p.t == 0)
       result.col(to) = field.col(p.a);
     else

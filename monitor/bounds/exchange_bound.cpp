@@ -63,16 +63,16 @@ class Composition {
       const int n = source.tangents()[b]->nodesPerElement();
       firstOfGroup_.push_back(elements_.size());
       for (std::int32_t e = 0; e < source.tangents()[b]->elementCount(); ++e) {
-        elements_.push_back({{static_cast<std::int32_t>(b), e}, n, total});
+        elements_.push_back({{b, e}, n, total});
         total += 9 * n * n;
       }
     }
-    P_.resize(static_cast<std::size_t>(total));
+    P_.resize(total);
     fillTangents(x);
     indexBlocks();
     // What all P_e must sum up to: sigma I - A, with A from the very numbers that the elements start with.
-    const auto blocks = static_cast<std::int64_t>(pattern_.column.size());
-    target_.resize(static_cast<std::size_t>(blocks));
+    const std::int64_t blocks = pattern_.column.size();
+    target_.resize(blocks);
     for (std::int32_t i = 0; i < source.nodeCount(); ++i)
       for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
         const bool diagonal = pattern_.column[k] == i;
@@ -107,9 +107,9 @@ class Composition {
       ++decompositions;
     }
     parallelFor(
-        0, static_cast<std::int64_t>(groups.size()), source_.threads(),
+        0, groups.size(), source_.threads(),
         [&](std::int64_t g) { removeNegativeParts(groups[g].element, groups[g].count); }, 4);
-    std::vector<double> nodal(static_cast<std::size_t>(source_.nodeCount()), 0.0);
+    std::vector<double> nodal(source_.nodeCount(), 0.0);
     double sum = 0;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       for (std::int32_t node : nodesOf(e)) nodal[node] += excess_[e];
@@ -143,7 +143,7 @@ class Composition {
   };
   void removeNegativeParts(const std::size_t* elements, int count) {
     const int size = 3 * elements_[elements[0]].nodes;
-    const auto entries = static_cast<std::size_t>(size * size);
+    const std::size_t entries = size * size;
     thread_local AlignedVector<Pack> work;
     work.resize(3 * entries);
     Pack *P = work.data(), *A = P + entries, *VT = A + entries;
@@ -206,7 +206,7 @@ class Composition {
     for (std::size_t e = 0; e < elements_.size(); ++e) norms_[e] = normOf(e);
   }
   double normOf(std::size_t e) const {
-    const auto size = static_cast<Eigen::Index>(9 * elements_[e].nodes * elements_[e].nodes);
+    const Eigen::Index size = 9 * elements_[e].nodes * elements_[e].nodes;
     return Eigen::Map<const Eigen::VectorXd>(P_.data() + elements_[e].begin, size).norm();
   }
 
@@ -219,17 +219,16 @@ class Composition {
         const int n = element.nodes;
         for (int a = 0; a < n; ++a)
           for (int b = 0; b < n; ++b)
-            visit(static_cast<std::size_t>(
-                      positions[(static_cast<std::size_t>(element.ref.element) * static_cast<std::size_t>(n) +
-                                 static_cast<std::size_t>(a)) *
-                                    static_cast<std::size_t>(n) +
-                                static_cast<std::size_t>(b)]),
+            visit(positions[(static_cast<std::size_t>(element.ref.element) * static_cast<std::size_t>(n) +
+                             static_cast<std::size_t>(a)) *
+                                static_cast<std::size_t>(n) +
+                            static_cast<std::size_t>(b)],
                   placeOf(element, a, b));
       }
     };
     forEachPlace([&](std::size_t k, const Place&) { ++placeBegin_[k + 1]; });
     for (std::size_t k = 1; k < placeBegin_.size(); ++k) placeBegin_[k] += placeBegin_[k - 1];
-    places_.resize(static_cast<std::size_t>(placeBegin_.back()));
+    places_.resize(placeBegin_.back());
     std::vector<std::int64_t> next(placeBegin_.begin(), placeBegin_.end() - 1);
     forEachPlace([&](std::size_t k, const Place& place) { places_[next[k]++] = place; });
   }
@@ -256,15 +255,15 @@ class Composition {
 
   /// Spreads what is missing from the sum evenly, then goes on in the direction of the last step by beta.
   void spread(double beta) {
-    const auto blocks = static_cast<std::int64_t>(pattern_.column.size());
-    missing_.resize(static_cast<std::size_t>(blocks));
+    const std::int64_t blocks = pattern_.column.size();
+    missing_.resize(blocks);
     parallelFor(
         0, blocks, source_.threads(),
         [&](std::int64_t k) { missing_[k] = (target_[k] - sumOf(k)) / static_cast<double>(placesOf(k).size()); }, 256);
     parallelFor(
-        0, static_cast<std::int64_t>(elements_.size()), source_.threads(),
+        0, elements_.size(), source_.threads(),
         [&](std::int64_t index) {
-          const auto e = static_cast<std::size_t>(index);
+          const std::size_t e = index;
           const Element& element = elements_[e];
           const int n = element.nodes, size = 3 * n;
           const std::int32_t* positions = pattern_.elementBlocks[element.ref.block].data() +
@@ -275,7 +274,7 @@ class Composition {
               const Eigen::Matrix3d& add = missing_[positions[a * n + b]];
               for (int j = 0; j < 3; ++j)
                 for (int i = 0; i < 3; ++i) {
-                  const auto entry = static_cast<std::size_t>(element.begin + (3 * b + j) * size + 3 * a + i);
+                  const std::size_t entry = element.begin + (3 * b + j) * size + 3 * a + i;
                   const double was = P_[entry], now = was + add(i, j);
                   double value = now;
                   if (beta > 0) value += beta * (now - before_[entry]);

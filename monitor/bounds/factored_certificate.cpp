@@ -30,13 +30,13 @@ class Factor : public Eigen::SimplicialLDLT<SparseMatrix> {
   /// the ways from its entries up to k.
   Eigen::Index longestRow(const SparseMatrix& lower) const {
     const Eigen::Index n = lower.rows();
-    std::vector<std::vector<Eigen::Index>> entries(static_cast<std::size_t>(n));  // of the ordered matrix, by row
+    std::vector<std::vector<Eigen::Index>> entries(n);  // of the ordered matrix, by row
     for (Eigen::Index j = 0; j < n; ++j)
       for (SparseMatrix::InnerIterator at(lower, j); at; ++at) {
         const Eigen::Index a = m_P.indices()[at.row()], b = m_P.indices()[j];
         if (a != b) entries[std::max(a, b)].push_back(std::min(a, b));
       }
-    std::vector<Eigen::Index> reachedBy(static_cast<std::size_t>(n), -1);
+    std::vector<Eigen::Index> reachedBy(n, -1);
     Eigen::Index most = 1;
     for (Eigen::Index k = 0; k < n; ++k) {
       Eigen::Index count = 1;
@@ -79,7 +79,7 @@ FactoredCertificate::FactoredCertificate(const TangentSource& source, NodeVector
     : impl_(std::make_unique<Impl>()) {
   source.checkNodal("x", x);
   Impl& my = *impl_;
-  std::vector<Eigen::Index> row(static_cast<std::size_t>(3 * source.nodeCount()), -1);
+  std::vector<Eigen::Index> row(3 * source.nodeCount(), -1);
   for (std::int32_t i = 0; i < source.nodeCount(); ++i)
     for (int c = 0; c < 3; ++c)
       if (!source.constraints().isConstrained(i, c)) row[3 * i + c] = my.n++;
@@ -88,7 +88,7 @@ FactoredCertificate::FactoredCertificate(const TangentSource& source, NodeVector
   const SparseMatrix K = source.assembleTangent(x);
   const Eigen::VectorXd inverseRoot = source.lumpedMass().cwiseSqrt().cwiseInverse();
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(K.nonZeros() / 2 + my.n));
+  entries.reserve(K.nonZeros() / 2 + my.n);
   Eigen::VectorXd rowSum = Eigen::VectorXd::Zero(my.n);
   for (Eigen::Index j = 0; j < K.outerSize(); ++j) {
     const Eigen::Index to = row[j];
@@ -114,7 +114,7 @@ FactoredCertificate::FactoredCertificate(const TangentSource& source, NodeVector
   my.margins.resize(my.n);
   for (std::size_t d = 0; d < row.size(); ++d)
     if (row[d] >= 0) {
-      const auto node = static_cast<Eigen::Index>(d / 3);
+      const Eigen::Index node = d / 3;
       my.margins[row[d]] = mostNodes * tau[node] / source.lumpedMass()[node];
     }
   my.norm = rowSum.maxCoeff();

@@ -26,8 +26,8 @@ std::vector<std::int32_t> LocalMode::grow(const NodeVectors& mode) const {
     return a.first != b.first ? a.first < b.first : a.second > b.second;
   };
   std::priority_queue<Candidate, std::vector<Candidate>, decltype(later)> frontier(later);
-  std::vector<std::uint16_t> shared(static_cast<std::size_t>(body_.nodeCount()));
-  std::vector<bool> taken(static_cast<std::size_t>(body_.nodeCount()));
+  std::vector<std::uint16_t> shared(body_.nodeCount());
+  std::vector<bool> taken(body_.nodeCount());
   frontier.push({amplitude(top), top});
   while (!frontier.empty() && region.size() < size_) {
     const std::int32_t node = frontier.top().second;
@@ -96,7 +96,7 @@ void LocalMode::findHighestElement(NodeVectorsView x) {
   for (const NodalBound::Incidence at : incidences_.incidences(nodes_[top])) {
     const ElementRef e = incidences_.elementAt(at);
     const auto nodes = body_.blocks()[e.block]->nodesOf(e.element);
-    Eigen::VectorXd v(static_cast<Eigen::Index>(3 * nodes.size()));
+    Eigen::VectorXd v(3 * nodes.size());
     for (std::size_t a = 0; a < nodes.size(); ++a) {
       const auto place = std::lower_bound(nodes_.begin(), nodes_.end(), nodes[a]) - nodes_.begin();
       v.segment<3>(static_cast<Eigen::Index>(3 * a)) = vector_.col(place) / std::sqrt(body_.lumpedMass()[nodes[a]]);

@@ -23,7 +23,7 @@ NodeVectors scaleOf(const Body& body, NodeVectorsView x, Body::Workspace& worksp
     const ElementBlock& block = *body.blocks()[b];
     const PatchLayout& layout = block.layout();
     const int n = block.element().nodes, size = 3 * n;
-    AlignedVector<NativePack> K(static_cast<std::size_t>(size * size));
+    AlignedVector<NativePack> K(size * size);
     const Patch& patch = layout.patches[p];
     for (std::int32_t batch = patch.batchBegin; batch < patch.batchEnd; ++batch) {
       block.tangentBatch(batch, x.data(), reinterpret_cast<double*>(K.data()));
@@ -67,7 +67,7 @@ ElementRef softestElement(const Body& body, NodeVectorsView x, const NodeVectors
     for (std::size_t e = 0; e < forms[b].size(); ++e)
       if (forms[b][e] < least) {
         least = forms[b][e];
-        softest = {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
+        softest = {b, e};
       }
   return softest;
 }
@@ -111,7 +111,7 @@ LowestMode LowestModeSearch::find(NodeVectorsView x, int maxProducts) {
       forget();
       return result;
     }
-    const auto count = static_cast<Eigen::Index>(alpha.size());
+    const Eigen::Index count = alpha.size();
     size = std::max(size, std::abs(alpha.back()) + beta.back() + (count > 1 ? beta[alpha.size() - 2] : 0.0));
     const bool last = result.products == maxProducts || !(beta.back() > 1e-12 * size);
     if (last || count % 4 == 0) {
@@ -127,8 +127,7 @@ LowestMode LowestModeSearch::find(NodeVectorsView x, int maxProducts) {
     basis.push_back(w / beta.back());
   }
   start.setZero();
-  for (std::size_t i = 0; i < basis.size(); ++i)
-    start += solver.eigenvectors()(static_cast<Eigen::Index>(i), 0) * basis[i];
+  for (std::size_t i = 0; i < basis.size(); ++i) start += solver.eigenvectors()(i, 0) * basis[i];
   start /= start.norm();
   // The quotient itself: whatever went before, its sign is proven to rounding.
   u = start.cwiseProduct(scale_);

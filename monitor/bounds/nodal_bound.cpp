@@ -74,7 +74,7 @@ NodalBound::NodalBound(const TangentSource& source) : source_(&source) {
       const int n = block.nodesPerElement();
       for (std::int32_t e = 0; e < block.elementCount(); ++e) {
         const auto nodes = block.nodesOf(e);
-        for (int a = 0; a < n; ++a) visit(nodes[a], incidenceOf({static_cast<std::int32_t>(b), e}, a));
+        for (int a = 0; a < n; ++a) visit(nodes[a], incidenceOf({b, e}, a));
       }
     }
   };
@@ -85,14 +85,14 @@ NodalBound::NodalBound(const TangentSource& source) : source_(&source) {
   for (const ElementTangents* block : source.tangents()) {
     const auto weights =
         static_cast<std::size_t>(block->layout().batchCount()) * static_cast<std::size_t>(block->nodesPerElement());
-    firstOfBlock_.push_back(static_cast<std::int32_t>(places));
+    firstOfBlock_.push_back(places);
     places += static_cast<std::int64_t>(weights * lanes);
     if (places > std::numeric_limits<std::int32_t>::max())
       throw InputError("the nodal bound: more than 2^31 nodes of elements; use a metric for a body of this size");
     weights_.emplace_back(weights);
   }
-  firstOfBlock_.push_back(static_cast<std::int32_t>(places));
-  incidence_.resize(static_cast<std::size_t>(count.back()));
+  firstOfBlock_.push_back(places);
+  incidence_.resize(count.back());
   forEachIncidence(
       [&](std::int32_t node, Incidence i) { incidence_[count[node]++] = firstOfBlock_[i.block] + i.place; });
 }
@@ -172,7 +172,7 @@ void NodalBound::evaluateAll(NodeVectorsView x, const Start* start) {
     for (int lane = 0; lane < lanes; ++lane)
       if (const std::int32_t e = block.layout().elements[static_cast<std::ptrdiff_t>(batch) * lanes + lane];
           e >= 0 && share[lane] > 0)
-        poorlyConditioned_.push_back({share[lane], {static_cast<std::int32_t>(b), e}});
+        poorlyConditioned_.push_back({share[lane], {b, e}});
   });
   std::sort(poorlyConditioned_.begin(), poorlyConditioned_.end(), [](const RoundingShare& a, const RoundingShare& b) {
     return a.share != b.share ? a.share > b.share : a.element < b.element;
@@ -184,7 +184,7 @@ void NodalBound::evaluateAll(NodeVectorsView x, const Start* start) {
 double NodalBound::sumAtNodes() {
   const std::int32_t nodes = source_->nodeCount();
   parallelFor(
-      0, static_cast<std::int64_t>(sums_.size()), source_->threads(),
+      0, sums_.size(), source_->threads(),
       [&](std::int64_t pack) {
         const auto* changed = changed_.data() + pack * lanes;
         if (std::find(changed, changed + lanes, true) == changed + lanes) return;
@@ -198,7 +198,7 @@ double NodalBound::sumAtNodes() {
             for (int r = 0; r < 3; ++r)
               for (int c = r; c < 3; ++c) sum[Symmetric3<P>::index(r, c)] = outside_[node](r, c);
           for (const Incidence at : incidences(node)) {
-            const auto block = static_cast<std::size_t>(at.block);
+            const std::size_t block = at.block;
             const int l = at.place % lanes;
             const Symmetric3<double> D = symmetricOf(factor(at));
             const double value = values_[block][at.place / lanes / source_->tangents()[block]->nodesPerElement()][l];
@@ -230,7 +230,7 @@ double NodalBound::sumAtNodes() {
 void NodalBound::findFactors(double bound) {
   const std::int32_t nodes = source_->nodeCount();
   parallelFor(
-      0, static_cast<std::int64_t>(sums_.size()), source_->threads(),
+      0, sums_.size(), source_->threads(),
       [&](std::int64_t pack) {
         Symmetric3<P> S = P(1 / bound) * sums_[pack];
         for (int lane = 0; lane < lanes; ++lane) {
@@ -264,7 +264,7 @@ void NodalBound::sweep(NodeVectorsView x, double bound) {
     evaluations_ += static_cast<std::int64_t>(high.size());
     high.resize((high.size() + lanes - 1) / lanes * lanes, -1);
     parallelFor(
-        0, static_cast<std::int64_t>(high.size() / lanes), source_->threads(),
+        0, high.size() / lanes, source_->threads(),
         [&](std::int64_t pack) {
           const std::int32_t* elements = high.data() + pack * lanes;
           StoredFactor stored[maxElementNodes];
@@ -288,9 +288,9 @@ void NodalBound::sweep(NodeVectorsView x, double bound) {
             for (int a = 0; a < n; ++a)
               for (int c = 0; c < 6; ++c) weights_[b][place / lanes * n + a].m[c][place % lanes] = stored[a].m[c][lane];
           }
-          elementValues(static_cast<std::int32_t>(b), elements, x, value);
+          elementValues(b, elements, x, value);
           for (int lane = 0; lane < lanes; ++lane)
-            if (elements[lane] >= 0) setValue({static_cast<std::int32_t>(b), elements[lane]}, value[lane]);
+            if (elements[lane] >= 0) setValue({b, elements[lane]}, value[lane]);
         },
         8);
   }
@@ -381,7 +381,7 @@ void NodalBound::weightedLargest(std::int32_t b, const std::int32_t* elements,
   const ElementTangents& block = *source_->tangents()[b];
   const int n = block.nodesPerElement();
   StoredFactor gathered[maxElementNodes];
-  gather(static_cast<std::size_t>(b), elements, gathered);
+  gather(b, elements, gathered);
   P w[maxElementNodes][6], work[12 * maxElementNodes];
   CholeskyFactor<P> L[maxElementNodes];
   for (int a = 0; a < n; ++a) {

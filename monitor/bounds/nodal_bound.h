@@ -70,7 +70,7 @@ class NodalBound {
     const std::int32_t* firstOfBlock_;
   };
   Incidences incidences(std::int32_t node) const {
-    const auto i = static_cast<std::size_t>(node);
+    const std::size_t i = node;
     return {{incidence_.data() + incidenceBegin_[i], incidence_.data() + incidenceBegin_[i + 1]}, firstOfBlock_.data()};
   }
   ElementRef elementAt(Incidence at) const;

@@ -36,7 +36,7 @@ void NodeSubmatrix::choose(std::vector<std::int32_t> nodes) {
 
 const Eigen::MatrixXd& NodeSubmatrix::evaluate(NodeVectorsView x) {
   if (sourceVersion_ != source_.version()) choose(std::move(nodes_));
-  const auto dofs = static_cast<Eigen::Index>(3 * nodes_.size());
+  const Eigen::Index dofs = 3 * nodes_.size();
   matrix_.setZero(dofs, dofs);
   rounding_ = 0;
   NativePack K[9 * maxElementNodes * maxElementNodes], T[maxElementNodes];

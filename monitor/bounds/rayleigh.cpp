@@ -26,7 +26,7 @@ LowerBound rayleighLowerBound(const TangentSource& source, NodeVectorsView x, No
   NodeVectors w(3, start.cols());
   int size = 0;
   for (; size < steps; ++size) {
-    const auto k = static_cast<std::size_t>(size);
+    const std::size_t k = size;
     op.apply(basis[k].data(), w.data());
     diagonal[size] = w.cwiseProduct(basis[k]).sum();
     // Full orthogonalisation: a handful of vectors, and the Ritz vector stays what it claims to be.

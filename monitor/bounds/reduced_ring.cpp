@@ -20,13 +20,12 @@ const ReducedRing::Result& ReducedRing::evaluate(NodeVectorsView x, bool wantLow
     const ElementTangents& block = *source_.tangents()[b];
     const int n = block.nodesPerElement(), size = 3 * n;
     auto& largest = result_.largest[b];
-    largest.resize(static_cast<std::size_t>(block.elementCount()));
+    largest.resize(block.elementCount());
     std::vector<double> least(wantLowest ? largest.size() : 0), scale(largest.size());
     constexpr std::int32_t chunk = 64;
     const std::int32_t batches = block.layout().batchCount();
     parallelFor(0, (batches + chunk - 1) / chunk, source_.threads(), [&](std::int64_t c) {
-      AlignedVector<NativePack> A(static_cast<std::size_t>(size * size)), work(static_cast<std::size_t>(4 * size)),
-          factor(static_cast<std::size_t>(size));
+      AlignedVector<NativePack> A(size * size), work(4 * size), factor(size);
       const std::int32_t end = std::min(batches, static_cast<std::int32_t>(c + 1) * chunk);
       for (auto batch = static_cast<std::int32_t>(c) * chunk; batch < end; ++batch) {
         const std::int32_t* blocksOf[lanes];
@@ -54,7 +53,7 @@ const ReducedRing::Result& ReducedRing::evaluate(NodeVectorsView x, bool wantLow
           });
         const auto extremes = extremeEigenvalues(A.data(), size, work.data(), wantLowest);
         forEachLane(block, batch, [&](int lane, std::int32_t e) {
-          const auto place = static_cast<std::size_t>(e);
+          const std::size_t place = e;
           largest[place] = extremes.largest[lane];
           scale[place] = extremes.scale[lane];
           if (wantLowest) least[place] = extremes.least[lane];
@@ -62,9 +61,9 @@ const ReducedRing::Result& ReducedRing::evaluate(NodeVectorsView x, bool wantLow
       }
     });
     for (std::size_t e = 0; e < largest.size(); ++e) {
-      const ElementRef here{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
+      const ElementRef here{b, e};
       double margin = eigenvalueRounding * scale[e];
-      for (const std::int32_t node : block.nodesOf(static_cast<std::int32_t>(e))) margin += rounding[node];
+      for (const std::int32_t node : block.nodesOf(e)) margin += rounding[node];
       const double proven = largest[e] - margin;
       if (proven > result_.highest || std::isnan(proven)) {
         result_.highest = proven;

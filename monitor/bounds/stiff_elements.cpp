@@ -10,8 +10,7 @@ std::vector<ElementRef> stiffElements(const Body& body, NodeVectorsView x, doubl
   std::vector<ElementRef> elements;
   for (std::size_t b = 0; b < own.elementLambda.size(); ++b)
     for (std::size_t e = 0; e < own.elementLambda[b].size(); ++e)
-      if (!(own.elementLambda[b][e] <= allowed))
-        elements.push_back({static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)});
+      if (!(own.elementLambda[b][e] <= allowed)) elements.push_back({b, e});
   return elements;
 }
 

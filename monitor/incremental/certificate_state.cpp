@@ -68,9 +68,9 @@ double CertificateState<Allowance>::verify(NodeVectorsView x) const {
   for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
     const ElementBlock& block = *body_.blocks()[b];
     const int n = block.nodesPerElement(), size = 3 * n;
-    AlignedVector<NativePack> K(static_cast<std::size_t>(size * size)), T(static_cast<std::size_t>(n));
+    AlignedVector<NativePack> K(size * size), T(n);
     for (std::int32_t e = 0; e < block.elementCount(); ++e) {
-      const ElementRef element{static_cast<std::int32_t>(b), e};
+      const ElementRef element{b, e};
       if (excluded(element)) continue;
       std::int32_t elements[lanes];
       std::fill(elements, elements + lanes, -1);

@@ -115,7 +115,7 @@ void CertificateState<Allowance>::evaluatePack(NodeVectorsView x, std::int32_t b
   const auto points = static_cast<int>(block.rule().points.size());
   double value[lanes], norm[lanes] = {};
   TangentDrift drift[lanes];
-  std::vector<double> F(static_cast<std::size_t>(9 * points * lanes));
+  std::vector<double> F(9 * points * lanes);
   evaluateElements(body_, weights_, x, b, elements, known ? nullptr : value, withStrainNorm ? norm : nullptr);
   block.deformationOf(elements, x.data(), F.data(), drift);
   ElementValue values[lanes];
@@ -157,7 +157,7 @@ void CertificateState<Allowance>::forEachPack(const std::vector<ElementRef>& ele
     if (++pack.count == lanes) p = -1;
   }
   parallelFor(
-      0, static_cast<std::int64_t>(packs.size()), body_.threads(),
+      0, packs.size(), body_.threads(),
       [&](std::int64_t k) {
         const Pack& pack = packs[k];
         visit(pack.block, pack.element, pack.at);

@@ -126,7 +126,7 @@ void IncrementalNodalBound::beginCounting() {
 }
 
 void IncrementalNodalBound::refresh(NodeVectorsView x, double wanted) {
-  const bool turned = state_.turnWithBody(x, policy_);
+  const bool turned = state_.rotateWithBody(x, policy_);
   NodalBound& weights = state_.weights();
   weights.evaluate(x, 0);
   state_.statistics().evaluated += weights.evaluations();

@@ -108,7 +108,7 @@ class Neighbourhood {
   void sweep() {
     std::vector<Eigen::Matrix3d> factors;
     for (const std::int32_t node : inner_) {
-      const auto at = static_cast<std::size_t>(std::lower_bound(nodes_.begin(), nodes_.end(), node) - nodes_.begin());
+      const std::size_t at = std::lower_bound(nodes_.begin(), nodes_.end(), node) - nodes_.begin();
       Eigen::Matrix3d S = (outside_[at] + inside_[at]) / state_.certifiedEigenvalue();
       for (int c = 0; c < 3; ++c)
         if (freeFactor(body_, node, c) == 0) S(c, c) = 1;

@@ -52,7 +52,7 @@ struct RebuildPolicy {
   double raisedSlack = 0.5;
   /// Angle by which a node's surroundings must have turned, rad, before its weights are turned with them: below, the
   /// 16 bits of the weights lose as much as a turn regains.
-  float leastTurn = 0.01F;
+  float leastRotation = 0.01F;
   /// Elements whose reference gradients tell how a node's surroundings have turned: the first of its elements.
   int elementsOfFrame = 6;
   /// An element above this share of its allowance is close to the limit: the top mode may have come there, and a

@@ -10,6 +10,7 @@
 #include <ringwatch/monitor/bounds/lowest_mode.h>
 #include <ringwatch/monitor/bounds/node_submatrix.h>
 #include <ringwatch/monitor/incremental/incremental_nodal_bound.h>
+#include <ringwatch/monitor/step_limit.h>
 
 namespace ringwatch {
 

@@ -66,7 +66,7 @@ void RunCertificate::evaluate(NodeVectorsView x, const std::vector<ElementRef>& 
 std::vector<double> RunCertificate::sumsAt(const std::vector<std::int32_t>& nodes) const {
   std::vector<double> sums(nodes.size());
   parallelFor(
-      0, static_cast<std::int64_t>(nodes.size()), body().threads(),
+      0, nodes.size(), body().threads(),
       [&](std::int64_t k) {
         sums[k] =
             largestEigenvalue(sumOfAllowances(nodes[k])) * (1 + allowanceRounding) / body().lumpedMass()[nodes[k]];
@@ -175,7 +175,7 @@ std::vector<ElementRef> RunCertificate::elementsOutsideBall(NodeVectorsView x, S
   std::vector<ElementRef> outside;
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     for (const auto& list : outside_[b])
-      for (const std::int32_t e : list) outside.push_back({static_cast<std::int32_t>(b), e});
+      for (const std::int32_t e : list) outside.push_back({b, e});
   return outside;
 }
 
@@ -194,12 +194,12 @@ void RunCertificate::distributeAllowances(NodeVectorsView x, bool newWeights) {
         const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
         double swept[lanes] = {};
         for (int lane = 0; lane < lanes; ++lane)
-          if (elements[lane] >= 0) swept[lane] = weights().value({static_cast<std::int32_t>(b), elements[lane]});
-        evaluatePack(x, static_cast<std::int32_t>(b), elements, swept, newWeights, [&](const EvaluatedPack& pack) {
+          if (elements[lane] >= 0) swept[lane] = weights().value({b, elements[lane]});
+        evaluatePack(x, b, elements, swept, newWeights, [&](const EvaluatedPack& pack) {
           for (int lane = 0; lane < lanes; ++lane) {
             if (elements[lane] < 0) continue;
             const ElementRef e{pack.block, elements[lane]};
-            const auto place = static_cast<std::size_t>(batch * lanes + lane);
+            const std::size_t place = batch * lanes + lane;
             const Reference reference = store(pack, lane, newWeights);
             drifts[place] = reference.drift;
             double scaling = infinity;
@@ -215,16 +215,15 @@ void RunCertificate::distributeAllowances(NodeVectorsView x, bool newWeights) {
       }
     });
     for (std::size_t i = 0; i < drifts.size(); ++i)
-      if (block.layout().elements[i] >= 0) note({static_cast<std::int32_t>(b), block.layout().elements[i]}, drifts[i]);
+      if (block.layout().elements[i] >= 0) note({b, block.layout().elements[i]}, drifts[i]);
     statistics_.evaluated += newWeights ? block.elementCount() : 0;
     data.balls.invalidateAll();
   }
   weights().releaseSums();
   if (newWeights) statistics_.work += WorkAccount::ofEvaluation(body());
-  frames_.resize(static_cast<std::size_t>(body().nodeCount()));
+  frames_.resize(body().nodeCount());
   parallelFor(
-      0, body().nodeCount(), body().threads(),
-      [&](std::int64_t node) { frames_[node] = frameOf(static_cast<std::int32_t>(node)); }, 64);
+      0, body().nodeCount(), body().threads(), [&](std::int64_t node) { frames_[node] = frameOf(node); }, 64);
 }
 
 void RunCertificate::moveTo(double sigma) {
@@ -233,7 +232,7 @@ void RunCertificate::moveTo(double sigma) {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     BlockData& data = blocks_[b];
     parallelFor(
-        0, static_cast<std::int64_t>(data.value.size()), body().threads(),
+        0, data.value.size(), body().threads(),
         [&](std::int64_t place) {
           RoundedDown<float>& allowance = allowances(b)[place];
           allowance = static_cast<double>(allowance) * factor;
@@ -261,7 +260,7 @@ Eigen::Quaternionf RunCertificate::frameOf(std::int32_t node) const {
   return Eigen::Quaterniond(matrix).cast<float>();
 }
 
-bool RunCertificate::turnWithBody(NodeVectorsView x, const RebuildPolicy& policy) {
+bool RunCertificate::rotateWithBody(NodeVectorsView x, const RebuildPolicy& policy) {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ElementBlock& block = *body().blocks()[b];
     parallelFor(
@@ -272,12 +271,12 @@ bool RunCertificate::turnWithBody(NodeVectorsView x, const RebuildPolicy& policy
           TangentDrift drift[lanes];
           block.deformationOf(elements, x.data(), F.data(), drift);
           for (int lane = 0; lane < lanes; ++lane)
-            blocks_[b].balls.setReferenceGradient(static_cast<std::size_t>(batch * lanes + lane), F.data(),
+            blocks_[b].balls.setReferenceGradient(batch * lanes + lane, F.data(),
                                                   static_cast<int>(block.rule().points.size()), lane);
         },
         8);
   }
-  std::vector<std::int32_t> all(static_cast<std::size_t>(body().nodeCount()));
+  std::vector<std::int32_t> all(body().nodeCount());
   std::iota(all.begin(), all.end(), 0);
   return !rotateWeights(all, policy).empty();
 }
@@ -289,7 +288,7 @@ std::vector<std::int32_t> RunCertificate::rotateWeights(const std::vector<std::i
     // Where components are constrained the sum is cut along fixed axes.
     if (body().constraints().any() && body().constraints().freeComponents(node) < 3) continue;
     const Eigen::Quaternionf now = frameOf(node);
-    if (now.angularDistance(frame(node)) < policy.leastTurn) continue;
+    if (now.angularDistance(frame(node)) < policy.leastRotation) continue;
     const Eigen::Matrix3d Q = (now * frame(node).conjugate()).normalized().toRotationMatrix().cast<double>();
     for (const NodalBound::Incidence at : weights().incidences(node))
       weights().setWeight(at, Q * weights().weight(at) * Q.transpose());
@@ -320,8 +319,7 @@ std::vector<ElementRef> RunCertificate::compressedElements(double least) const {
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     for (std::size_t place = 0; place < blocks_[b].compression.size(); ++place) {
       const double compression = blocks_[b].compression[place];
-      if (compression > least)
-        found.push_back({compression, {static_cast<std::int32_t>(b), body().blocks()[b]->layout().elements[place]}});
+      if (compression > least) found.push_back({compression, {b, body().blocks()[b]->layout().elements[place]}});
     }
   std::sort(found.begin(), found.end(), [](const Ranked& a, const Ranked& other) {
     return a.key != other.key ? a.key > other.key : a.element < other.element;
@@ -335,7 +333,7 @@ std::vector<ElementRef> RunCertificate::highestElements(std::size_t count) {
   std::vector<std::span<const RoundedUp<float>>> values;
   for (const BlockData& data : blocks_) values.emplace_back(data.value);
   const std::vector<double>& nodal = weights().sumsOf(values);
-  std::vector<std::int32_t> nodes(static_cast<std::size_t>(body().nodeCount()));
+  std::vector<std::int32_t> nodes(body().nodeCount());
   std::iota(nodes.begin(), nodes.end(), 0);
   const auto end = nodes.begin() + static_cast<std::ptrdiff_t>(std::min(count, nodes.size()));
   std::partial_sort(nodes.begin(), end, nodes.end(), [&](std::int32_t a, std::int32_t b) {

@@ -67,14 +67,14 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   void distributeAllowances(NodeVectorsView x, bool newWeights = true);
   /// Turns the weights of all nodes with the body (rotateWeights); what needs them has to be evaluated again. False
   /// when none has turned enough.
-  bool turnWithBody(NodeVectorsView x, const RebuildPolicy& policy);
+  bool rotateWithBody(NodeVectorsView x, const RebuildPolicy& policy);
   /// Moves the certified eigenvalue, and all allowances and balls with it.
   void moveTo(double certifiedEigenvalue);
   /// D ← Q D Qᵀ for all elements at a node, Q the rotation of its surroundings since its weights were made: with one Q
   /// for all of them the eigenvalues of their sum stay, but for rounding, for which the allowances there are reduced.
-  /// Nodes with constrained components are left alone, as are those that have turned by less than leastTurn. Reference
-  /// gradients must be those of the positions at hand. Returns the nodes that were turned; balls and strain norms of
-  /// their elements are out of date.
+  /// Nodes with constrained components are left alone, as are those that have turned by less than leastRotation.
+  /// Reference gradients must be those of the positions at hand. Returns the nodes that were turned; balls and strain
+  /// norms of their elements are out of date.
   std::vector<std::int32_t> rotateWeights(const std::vector<std::int32_t>& nodes, const RebuildPolicy& policy);
   /// The rotation of a node's surroundings since the reference configuration, by reference gradients of its elements.
   Eigen::Quaternionf frameOf(std::int32_t node) const;

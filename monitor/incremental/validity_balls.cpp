@@ -173,8 +173,8 @@ class ValidityBalls::BallCheck final : public GradientVisitor {
 ValidityBalls::ValidityBalls(const ElementBlock& block)
     : block_(&block), points_(static_cast<int>(block.rule().points.size())) {
   const PatchLayout& layout = block.layout();
-  const auto n = static_cast<std::size_t>(block.element().nodes);
-  const auto batches = static_cast<std::size_t>(layout.batchCount());
+  const std::size_t n = block.element().nodes;
+  const std::size_t batches = layout.batchCount();
   referenceGradient_.assign(batches * static_cast<std::size_t>(points_) * 9 * lanes, 0);
   radius_.assign(batches * lanes, -1);
   inverseGradientNorm_.resize(batches * lanes);
@@ -182,7 +182,7 @@ ValidityBalls::ValidityBalls(const ElementBlock& block)
   for (std::int32_t batch = 0; batch < layout.batchCount(); ++batch) {
     block.gradientNormBatch(batch, norms);
     for (int lane = 0; lane < lanes; ++lane) {
-      const auto place = static_cast<std::size_t>(batch * lanes + lane);
+      const std::size_t place = batch * lanes + lane;
       inverseGradientNorm_[place] = 1 / norms[lane];
       if (layout.elements[place] < 0) radius_[place] = infinity;
     }
@@ -204,7 +204,7 @@ ValidityBalls::ValidityBalls(const ElementBlock& block)
       group.nodeEnd = nodes_.size();
       groups_.push_back(group);
     }
-    patchGroups_.push_back(static_cast<std::int32_t>(groups_.size()));
+    patchGroups_.push_back(groups_.size());
   }
   nodes_.shrink_to_fit();
   before_.resize(3 * nodes_.size() + 1);
@@ -230,7 +230,7 @@ double ValidityBalls::setReferenceGradient(std::size_t place, const double* F0, 
 }
 
 void ValidityBalls::addReferenceGradient(std::size_t place, double (&sum)[9]) const {
-  const auto points = static_cast<std::size_t>(points_);
+  const std::size_t points = points_;
   const std::int16_t* stored = referenceGradient_.data() + place / lanes * points * 9 * lanes + place % lanes;
   for (std::size_t i = 0; i < 9 * points; ++i) sum[i % 9] += entryUnit * stored[i * lanes];
 }
@@ -243,7 +243,7 @@ void ValidityBalls::setRadius(std::size_t place, double aroundF0, double fromSto
 void ValidityBalls::setNeverOutside(std::size_t place) { radius_[place] = infinity; }
 
 double ValidityBalls::distance(std::size_t place, const double* F, int lane) const {
-  const auto points = static_cast<std::size_t>(points_);
+  const std::size_t points = points_;
   const std::int16_t* stored = referenceGradient_.data() + place / lanes * points * 9 * lanes + place % lanes;
   double farthest2 = 0;
   for (std::size_t q = 0; q < points; ++q) {
@@ -259,7 +259,7 @@ double ValidityBalls::distance(std::size_t place, const double* F, int lane) con
 }
 
 void ValidityBalls::ballChanged(std::size_t place, double distance) {
-  const auto group = std::upper_bound(groups_.begin(), groups_.end(), static_cast<std::int32_t>(place / lanes),
+  const auto group = std::upper_bound(groups_.begin(), groups_.end(), place / lanes,
                                       [](std::int32_t batch, const Group& g) { return batch < g.batchEnd; });
   // The margin counts from the positions of the last visit: only when that was now does the ball fit in.
   const double margin =
@@ -268,7 +268,7 @@ void ValidityBalls::ballChanged(std::size_t place, double distance) {
 }
 
 void ValidityBalls::checkPatch(const PatchPass& pass, std::vector<std::int32_t>& outside) {
-  const auto patch = static_cast<std::size_t>(pass.index());
+  const std::size_t patch = pass.index();
   for (std::int32_t g = patchGroups_[patch]; g < patchGroups_[patch + 1]; ++g) {
     Group& group = groups_[g];
     if (canSkip(group, pass.rows())) {
@@ -330,7 +330,7 @@ void ValidityBalls::beginSkipping(Group& group, double margin, double leverArm, 
   float most = 0;
   for (std::size_t i = group.nodeBegin; i < group.nodeEnd; ++i)
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto from = static_cast<float>(rows[4 * nodes_[i] + c] - group.centre[static_cast<Eigen::Index>(c)]);
+      const auto from = static_cast<float>(rows[4 * nodes_[i] + c] - group.centre[c]);
       before_[3 * i + c] = from;
       most = std::max(most, std::abs(from));
     }

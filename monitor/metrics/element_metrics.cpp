@@ -32,7 +32,7 @@ Extremes elementEigenvalues(const Body& body, NodeVectorsView x, const MassOf& m
     NativePack scale[3 * maxElementNodes], work[12 * maxElementNodes];
     forEachLane(block, batch, [&](int lane, std::int32_t e) {
       double mass[maxElementNodes];
-      massOf(ElementRef{static_cast<std::int32_t>(b), e}, mass);
+      massOf(ElementRef{b, e}, mass);
       const auto nodes = block.nodesOf(e);
       for (int a = 0; a < n; ++a)
         for (int c = 0; c < 3; ++c) scale[3 * a + c].set(lane, freeFactor(body, nodes[a], c) / std::sqrt(mass[a]));
@@ -65,7 +65,7 @@ auto unitMass(const Body& body) {
 
 /// Times the largest number of elements at a node; values below 0 become 0, NaN stays.
 Values timesValence(const Body& body, Values values, double factor) {
-  std::vector<int> valence(static_cast<std::size_t>(body.nodeCount()), 0);
+  std::vector<int> valence(body.nodeCount(), 0);
   for (const auto& block : body.blocks())
     for (std::int32_t e = 0; e < block->elementCount(); ++e)
       for (std::int32_t node : block->nodesOf(e)) ++valence[node];
@@ -77,7 +77,7 @@ Values timesValence(const Body& body, Values values, double factor) {
 
 /// Largest eigenvalues less what the other elements at the same nodes can take away.
 Values lessNeighbours(const Body& body, Extremes extremes) {
-  std::vector<double> takenAt(static_cast<std::size_t>(body.nodeCount()), 0.0);
+  std::vector<double> takenAt(body.nodeCount(), 0.0);
   const auto forEachElement = [&](const auto& visit) {
     for (std::size_t b = 0; b < body.blocks().size(); ++b)
       for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e)

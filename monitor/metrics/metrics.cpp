@@ -29,7 +29,7 @@ Values nodalBound(const Body& body, NodeVectorsView x, const MetricProgress&) {
   // Nodal values of the last sweep lie about the best bound; none is shown above it.
   for (std::size_t b = 0; b < values.size(); ++b)
     for (std::size_t e = 0; e < values[b].size(); ++e)
-      for (std::int32_t node : body.blocks()[b]->nodesOf(static_cast<std::int32_t>(e)))
+      for (std::int32_t node : body.blocks()[b]->nodesOf(e))
         values[b][e] = std::max(values[b][e], std::min(best, bound.nodal()[node]));
   double top = 0;
   for (const auto& block : values)
@@ -159,7 +159,7 @@ MetricResult evaluateMetric(std::string_view name, const Body& body, NodeVectors
       // NaN, an element without a tangent, stays once it was met.
       if (first || result.elementLambda[b][e] > result.lambda || std::isnan(result.elementLambda[b][e])) {
         result.lambda = result.elementLambda[b][e];
-        result.controlling = {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
+        result.controlling = {b, e};
         first = false;
       }
   return result;

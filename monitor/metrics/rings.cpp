@@ -35,14 +35,13 @@ struct RingMatrix {
 
 /// lambda_max, solved densely and lifted by its rounding: an upper bound of the matrix's own.
 double denseLargest(const RingMatrix& matrix, std::vector<double>& dense) {
-  const auto n = static_cast<std::size_t>(matrix.size());
+  const std::size_t n = matrix.size();
   dense.assign(n * n + 4 * n, 0.0);
   for (std::size_t i = 0; i + 1 < matrix.rowBegin.size(); ++i)
     for (std::size_t s = matrix.rowBegin[i]; s < matrix.rowBegin[i + 1]; ++s)
       for (std::size_t r = 0; r < 3; ++r)
         for (std::size_t c = 0; c < 3; ++c)
-          dense[(3 * i + r) * n + 3 * static_cast<std::size_t>(matrix.column[s]) + c] =
-              matrix.block[s](static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c));
+          dense[(3 * i + r) * n + 3 * static_cast<std::size_t>(matrix.column[s]) + c] = matrix.block[s](r, c);
   const auto extremes =
       extremeEigenvalues<double>(dense.data(), static_cast<int>(n), dense.data() + n * n, /*wantLeast=*/false);
   return extremes.largest + eigenvalueRounding * extremes.scale;
@@ -131,14 +130,14 @@ class Rings {
     if (kind == RingKind::reduced2) return;
     // The rims' blocks are sums over the ring's own elements.
     for (const auto& block : body.blocks()) {
-      const auto n = static_cast<std::size_t>(block->element().nodes);
-      const auto count = static_cast<std::size_t>(block->elementCount());
+      const std::size_t n = block->element().nodes;
+      const std::size_t count = block->elementCount();
       tangent_.emplace_back(count * n * n);
       mass_.emplace_back(count * n);
     }
     body.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, const NativePack* K) {
       const ElementBlock& block = *body.blocks()[b];
-      const auto n = static_cast<std::size_t>(block.element().nodes);
+      const std::size_t n = block.element().nodes;
       forEachLane(block, batch, [&](int lane, std::int32_t e) {
         // forEachLane fills empty lanes with the first element, whose tangent is not there.
         if (block.layout().elements[batch * lanes + lane] < 0) return;
@@ -146,10 +145,8 @@ class Rings {
         for (std::size_t a = 0; a < n; ++a)
           for (std::size_t c = 0; c < n; ++c)
             for (std::size_t r = 0; r < 3; ++r)
-              for (std::size_t k = 0; k < 3; ++k)
-                target[a * n + c](static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(k)) =
-                    K[(3 * a + r) * 3 * n + 3 * c + k][lane];
-        body.elementLumpedMass({static_cast<std::int32_t>(b), e}, mass_[b].data() + static_cast<std::size_t>(e) * n);
+              for (std::size_t k = 0; k < 3; ++k) target[a * n + c](r, k) = K[(3 * a + r) * 3 * n + 3 * c + k][lane];
+        body.elementLumpedMass({b, e}, mass_[b].data() + static_cast<std::size_t>(e) * n);
       });
     });
   }
@@ -170,7 +167,7 @@ class Rings {
   /// lambda_max of the ring around the seeds: a node, or the nodes of an element.
   double evaluate(std::span<const std::int32_t> seeds, Scratch& scratch) const {
     if (scratch.place.empty()) {
-      scratch.place.assign(static_cast<std::size_t>(body_.nodeCount()), -1);
+      scratch.place.assign(body_.nodeCount(), -1);
       scratch.taken.assign(offset_.back(), 0);
       scratch.slotPlace.assign(matrix_.block.size(), -1);
     }
@@ -215,7 +212,7 @@ class Rings {
   }
 
   void addElementsAt(std::int32_t node, Scratch& scratch) const {
-    for (const ElementNode& at : elementsAt_.row(static_cast<std::size_t>(node))) {
+    for (const ElementNode& at : elementsAt_.row(node)) {
       const ElementRef e{at.block, at.element};
       if (scratch.taken[counted(e)]) continue;
       scratch.taken[counted(e)] = 1;
@@ -238,9 +235,9 @@ class Rings {
     ring.column.clear();
     ring.block.clear();
     for (std::size_t i = 0; i < count; ++i) {
-      const auto node = static_cast<std::size_t>(scratch.nodes[i]);
+      const std::size_t node = scratch.nodes[i];
       for (std::int64_t s = matrix_.rowBegin[node]; s < matrix_.rowBegin[node + 1]; ++s) {
-        const auto slot = static_cast<std::size_t>(s);
+        const std::size_t slot = s;
         const std::int32_t j = scratch.place[matrix_.column[slot]];
         if (j < 0) continue;
         const bool rim = i >= inner && static_cast<std::size_t>(j) >= inner;
@@ -258,7 +255,7 @@ class Rings {
     const bool constrained = body_.constraints().any();
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t s = ring.rowBegin[i]; s < ring.rowBegin[i + 1]; ++s) {
-        const auto j = static_cast<std::size_t>(ring.column[s]);
+        const std::size_t j = ring.column[s];
         ring.block[s] *= scratch.mass[i] * scratch.mass[j];
         if (!constrained) continue;
         for (int r = 0; r < 3; ++r)
@@ -269,7 +266,7 @@ class Rings {
 
   /// Adds what an element of the ring gives to the rim: masses, and blocks between its nodes there.
   void addRim(ElementRef e, std::size_t inner, Scratch& scratch) const {
-    const auto b = static_cast<std::size_t>(e.block);
+    const std::size_t b = e.block;
     const auto nodes = body_.blocks()[b]->nodesOf(e.element);
     const std::size_t n = nodes.size(), first = static_cast<std::size_t>(e.element) * n;
     const auto isRim = [&](std::size_t a) { return static_cast<std::size_t>(scratch.place[nodes[a]]) >= inner; };
@@ -278,7 +275,7 @@ class Rings {
       scratch.mass[scratch.place[nodes[a]]] += mass_[b][first + a];
       for (std::size_t c = 0; c < n; ++c) {
         if (!isRim(c)) continue;
-        const auto slot = static_cast<std::size_t>(matrix_.elementBlocks[b][first * n + a * n + c]);
+        const std::size_t slot = matrix_.elementBlocks[b][first * n + a * n + c];
         scratch.matrix.block[scratch.slotPlace[slot]] += tangent_[b][first * n + a * n + c];
       }
     }
@@ -300,7 +297,7 @@ std::vector<std::vector<double>> ringEigenvalues(const Body& body, NodeVectorsVi
                                                  const MetricProgress& progress) {
   const Rings rings(body, x, kind);
   const int threads = threadCount(body.threads());
-  std::vector<Rings::Scratch> scratch(static_cast<std::size_t>(threads));
+  std::vector<Rings::Scratch> scratch(threads);
   // Slice by slice, so that the caller hears of it between two.
   constexpr std::int64_t slice = 256;
   const auto forEachRing = [&](std::int64_t count, std::int64_t before, std::int64_t total, const auto& evaluate) {
@@ -313,15 +310,15 @@ std::vector<std::vector<double>> ringEigenvalues(const Body& body, NodeVectorsVi
   std::vector<std::vector<double>> values;
   for (const auto& block : body.blocks()) values.emplace_back(static_cast<std::size_t>(block->elementCount()));
   if (kind == RingKind::vertex1 || kind == RingKind::vertex2) {
-    std::vector<double> nodal(static_cast<std::size_t>(body.nodeCount()));
+    std::vector<double> nodal(body.nodeCount());
     forEachRing(body.nodeCount(), 0, body.nodeCount(), [&](std::int64_t i, Rings::Scratch& s) {
-      const auto node = static_cast<std::int32_t>(i);
+      const std::int32_t node = i;
       nodal[i] = rings.evaluate({&node, 1}, s);
     });
     for (std::size_t b = 0; b < values.size(); ++b)
       for (std::size_t e = 0; e < values[b].size(); ++e) {
         bool first = true;
-        for (const std::int32_t node : body.blocks()[b]->nodesOf(static_cast<std::int32_t>(e))) {
+        for (const std::int32_t node : body.blocks()[b]->nodesOf(e)) {
           const double value = nodal[node];
           if (first || value > values[b][e] || std::isnan(value)) values[b][e] = value;
           first = false;
@@ -330,12 +327,12 @@ std::vector<std::vector<double>> ringEigenvalues(const Body& body, NodeVectorsVi
       }
     return values;
   }
-  const auto total = static_cast<std::int64_t>(body.mesh().elementCount());
+  const std::int64_t total = body.mesh().elementCount();
   std::int64_t before = 0;
   for (std::size_t b = 0; b < values.size(); ++b) {
-    const auto count = static_cast<std::int64_t>(values[b].size());
+    const std::int64_t count = values[b].size();
     forEachRing(count, before, total, [&](std::int64_t e, Rings::Scratch& s) {
-      values[b][e] = rings.evaluate(body.blocks()[b]->nodesOf(static_cast<std::int32_t>(e)), s);
+      values[b][e] = rings.evaluate(body.blocks()[b]->nodesOf(e), s);
     });
     before += count;
   }

@@ -65,7 +65,7 @@ std::vector<std::vector<double>> pressureWave(const Body& body, NodeVectorsView 
     auto& lambda = values.emplace_back(static_cast<std::size_t>(block->elementCount()));
     const double speed = block->material().waveSpeed();
     parallelFor(0, block->elementCount(), body.threads(), [&](std::int64_t e) {
-      const auto nodes = block->nodesOf(static_cast<std::int32_t>(e));
+      const auto nodes = block->nodesOf(e);
       lambda[e] = std::pow(2 * speed / lengthOf(block->element(), x, nodes, length), 2);
     });
   }

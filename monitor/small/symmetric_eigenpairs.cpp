@@ -49,14 +49,14 @@ SymmetricEigenpairs solve(Eigen::Index size, const std::function<void(const doub
 }
 
 void sortAscending(SymmetricEigenpairs& pairs) {
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(pairs.values.size()));
+  std::vector<Eigen::Index> order(pairs.values.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](auto i, auto j) { return pairs.values[i] < pairs.values[j]; });
   const Eigen::VectorXd values = pairs.values;
   const Eigen::MatrixXd vectors = pairs.vectors;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    pairs.values[static_cast<Eigen::Index>(k)] = values[order[k]];
-    pairs.vectors.col(static_cast<Eigen::Index>(k)) = vectors.col(order[k]);
+    pairs.values[k] = values[order[k]];
+    pairs.vectors.col(k) = vectors.col(order[k]);
   }
 }
 

@@ -53,7 +53,7 @@ TEST_F(Shown, FramesNameSidesUnitsAndTheBracketOfTheBody) {
   const Table history = table("r/history.csv");
   for (const int frame : {1, 3}) {
     const std::string file = "r/frames/frame_00000" + std::to_string(frame) + ".vtu";
-    const auto row = static_cast<std::size_t>(20 * (frame - 1));
+    const std::size_t row = 20 * (frame - 1);
     const auto ring = range(file, "optimistic step by reduced-1-ring (s)"),
                nodal = range(file, "safe step by nodal-bound (s)");
     // The frame's own bracket, as the monitor had it.

@@ -118,7 +118,7 @@ TEST_F(Inspect, TakesAFrameOfARun) {
   const Json summary = json("r/summary.json");
   const int frames = summary["frames"];
   for (const int frame : {1, 3, 5}) {
-    const auto row = static_cast<std::size_t>(10 * (frame - 1));
+    const std::size_t row = 10 * (frame - 1);
     const Json json = report("r --frame " + std::to_string(frame) + " --global");
     EXPECT_EQ(json["state"]["frame"], frame);
     EXPECT_NEAR(json["state"]["time"].get<double>(), history.number(row, "time_s"), 1e-12);

@@ -83,7 +83,7 @@ TEST(Materials, SplitBlocksAndKeepNumbersAndSets) {
     EXPECT_EQ(set, mesh.elementSets.at(joinText("material.", number)));
     for (const ElementRef e : set) {
       EXPECT_EQ(e.block, number);
-      const auto old = static_cast<std::size_t>(mesh.blocks[number].id(e.element));
+      const std::size_t old = mesh.blocks[number].id(e.element);
       EXPECT_EQ(old % 2, name == "left" ? 0u : 1u);
       for (int a = 0; a < 4; ++a)
         EXPECT_EQ(mesh.blocks[number].element(e.element)[a], before.blocks[0].element(old)[a]);

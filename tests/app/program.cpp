@@ -46,7 +46,7 @@ bool Program::exists(const std::string& name) const { return std::filesystem::ex
 Json Program::parse(const std::string& text) { return Json::parse(text); }
 
 std::string Program::Table::at(std::size_t row, const std::string& column) const {
-  return rows.at(row).at(static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin()));
+  return rows.at(row).at(std::find(columns.begin(), columns.end(), column) - columns.begin());
 }
 
 Program::Table Program::table(const std::string& name) const {

@@ -114,7 +114,7 @@ TEST_F(Report, ItsHistoryIsThatOfTheRunToTheLastBit) {
   EXPECT_EQ(columns, 13);
   const auto controlling = arrayIn<std::int32_t>(html, history["controlling"]);
   for (std::size_t i = 0; i < controlling.size(); ++i)
-    EXPECT_EQ(history["elements"][static_cast<std::size_t>(controlling[i])], csv.at(i, "controlling_element"));
+    EXPECT_EQ(history["elements"][controlling[i]], csv.at(i, "controlling_element"));
 }
 
 TEST_F(Report, ItsFramesHoldPositionsAndStepsOfTheElements) {

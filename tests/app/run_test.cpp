@@ -22,6 +22,7 @@
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/step_limit.h>
 
 #include "program.h"
 

@@ -21,7 +21,7 @@ namespace {
 TEST(ParallelFor, CallsEveryIndexOnceForAnyNumberOfThreads) {
   for (const int threads : {0, 1, 2, 3, 7})
     for (const std::int64_t count : {0, 1, 2, 5, 1000}) {
-      std::vector<std::atomic<int>> calls(static_cast<std::size_t>(count));
+      std::vector<std::atomic<int>> calls(count);
       parallelFor(10, 10 + count, threads, [&](std::int64_t i) { ++calls[i - 10]; });
       for (std::int64_t i = 0; i < count; ++i)
         EXPECT_EQ(calls[i], 1) << threads << " threads, index " << i << " of " << count;
@@ -37,7 +37,7 @@ TEST(ParallelParts, CoverEveryIndexOnceWithNoShortPart) {
   for (const int threads : {0, 1, 2, 3, 7})
     for (const std::int64_t count : {0, 1, 5, 99, 1000}) {
       constexpr std::int64_t grain = 100;
-      std::vector<std::atomic<int>> calls(static_cast<std::size_t>(count));
+      std::vector<std::atomic<int>> calls(count);
       parallelParts(count, threads, grain, [&](std::int64_t begin, std::int64_t end) {
         EXPECT_GE(end - begin, std::min(count, grain));
         for (std::int64_t i = begin; i < end; ++i) ++calls[i];

@@ -162,7 +162,7 @@ TEST_P(BodyTest, PackedTangentsOfForEachTangentBatchAreThoseOfTheElements) {
   const NodeVectors x = strained(body.mesh().X);
   const ElementBlock& block = *body.blocks()[0];
   const int size = 3 * block.element().nodes;
-  std::vector<double> largest(static_cast<std::size_t>(block.elementCount()), -1);  // difference, by element
+  std::vector<double> largest(block.elementCount(), -1);  // difference, by element
   body.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, const NativePack* K) {
     EXPECT_EQ(b, 0u);
     for (int lane = 0; lane < lanes; ++lane) {
@@ -395,7 +395,7 @@ TEST(Body, AddsItsBlocksUp) {
   const Mesh hex = test::distortedBox("hex8", {3, 3, 3}), tet = test::distortedBox("tet4", {3, 2, 2});
   Mesh both = hex;
   both.nodeIds.clear();
-  const auto shift = static_cast<std::int32_t>(hex.nodeCount());
+  const std::int32_t shift = hex.nodeCount();
   both.X.conservativeResize(3, hex.X.cols() + tet.X.cols());
   both.X.rightCols(tet.X.cols()) = tet.X.colwise() + Eigen::Vector3d(1, 0, 0);
   both.blocks.push_back(tet.blocks[0]);
@@ -437,7 +437,7 @@ TEST(BlockMatrix, HoldsTheAssembledTangentAndKeepsItsPattern) {
     ASSERT_EQ(blocks.rowBegin.size(), static_cast<std::size_t>(body.nodeCount()) + 1);
     for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
       bool diagonal = false;
-      for (auto s = static_cast<std::size_t>(blocks.rowBegin[i]);
+      for (std::size_t s = blocks.rowBegin[i];
            s < static_cast<std::size_t>(blocks.rowBegin[static_cast<std::size_t>(i) + 1]); ++s) {
         const std::int32_t j = blocks.column[s];
         diagonal = diagonal || i == j;
@@ -450,7 +450,7 @@ TEST(BlockMatrix, HoldsTheAssembledTangentAndKeepsItsPattern) {
     }
     EXPECT_LE((dense - K).norm(), 1e-14 * K.norm());
     // The places of an element's blocks lead to its node pairs.
-    const auto n = static_cast<std::size_t>(body.blocks()[0]->element().nodes);
+    const std::size_t n = body.blocks()[0]->element().nodes;
     for (std::int32_t e = 0; e < body.blocks()[0]->elementCount(); ++e)
       for (std::size_t a = 0; a < n; ++a)
         for (std::size_t b = 0; b < n; ++b) {
@@ -471,7 +471,7 @@ TEST(BlockMatrix, AddsUpOverPatchesAndMeshBlocks) {
     MeshBlock half = whole;
     const auto middle = static_cast<std::ptrdiff_t>(whole.elementCount() / 2) * whole.nodesPerElement();
     half.connectivity.erase(half.connectivity.begin(), half.connectivity.begin() + middle);
-    whole.connectivity.resize(static_cast<std::size_t>(middle));
+    whole.connectivity.resize(middle);
     whole.ids.clear();
     half.ids.clear();
     mesh.elementSets.clear();
@@ -486,7 +486,7 @@ TEST(BlockMatrix, AddsUpOverPatchesAndMeshBlocks) {
       for (std::size_t b = 0; b < 2; ++b) {
         const int n = body.blocks()[b]->element().nodes;
         for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
-          const Eigen::MatrixXd K = body.elementTangent({static_cast<std::int32_t>(b), e}, x);
+          const Eigen::MatrixXd K = body.elementTangent({b, e}, x);
           for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j)
               expected[tangent.blocks.elementBlocks[b][(e * n + i) * n + j]] += K.block<3, 3>(3 * i, 3 * j);
@@ -511,7 +511,7 @@ TEST_P(MassTest, ElementsShareTheLumpedMass) {
   for (const Lumping lumping : {Lumping::rowSum, Lumping::equal}) {
     const Body body(mesh, makeMaterial("stvk", 1, 0.3, 1000), {{}, lumping, 1});
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(body.nodeCount());
-    std::vector<double> mass(static_cast<std::size_t>(body.blocks()[0]->element().nodes));
+    std::vector<double> mass(body.blocks()[0]->element().nodes);
     for (std::int32_t e = 0; e < body.blocks()[0]->elementCount(); ++e) {
       body.elementLumpedMass({0, e}, mass.data());
       const auto nodes = body.blocks()[0]->nodesOf(e);

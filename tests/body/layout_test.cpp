@@ -12,7 +12,7 @@ namespace {
 void expectSoundLayout(const Mesh& mesh) {
   const MeshBlock& block = mesh.blocks[0];
   const PatchLayout layout = layOutPatches(mesh, block);
-  const auto n = static_cast<std::size_t>(block.nodesPerElement());
+  const std::size_t n = block.nodesPerElement();
   ASSERT_EQ(layout.batchOfElement.size(), block.elementCount());
   ASSERT_EQ(layout.elements.size() % lanes, 0u);
   ASSERT_EQ(layout.localNodes.size(), layout.elements.size() * n);
@@ -25,24 +25,24 @@ void expectSoundLayout(const Mesh& mesh) {
     batch = patch.batchEnd;
     node = patch.nodeEnd;
     const std::set<std::int32_t> distinct(layout.nodes.begin() + patch.nodeBegin, layout.nodes.begin() + patch.nodeEnd);
-    EXPECT_EQ(static_cast<std::int32_t>(distinct.size()), patch.nodeEnd - patch.nodeBegin);
+    EXPECT_EQ(distinct.size(), patch.nodeEnd - patch.nodeBegin);
     for (std::int32_t b = patch.batchBegin; b < patch.batchEnd; ++b)
       for (int lane = 0; lane < lanes; ++lane) {
-        const auto place = static_cast<std::size_t>(b * lanes + lane);
+        const std::size_t place = b * lanes + lane;
         const std::int32_t e = layout.elements[place];
         EXPECT_GE(layout.elements[b * lanes], 0) << "a batch begins with an element";
         if (e < 0) continue;
-        EXPECT_EQ(layout.batchOfElement[e], static_cast<std::int32_t>(place));
+        EXPECT_EQ(layout.batchOfElement[e], place);
         for (std::size_t a = 0; a < n; ++a) {
           const std::uint16_t local =
               layout.localNodes[(static_cast<std::size_t>(b) * n + a) * lanes + static_cast<std::size_t>(lane)];
           ASSERT_LT(local, patch.nodeEnd - patch.nodeBegin);
-          EXPECT_EQ(layout.nodes[patch.nodeBegin + local], block.element(static_cast<std::size_t>(e))[a]);
+          EXPECT_EQ(layout.nodes[patch.nodeBegin + local], block.element(e)[a]);
         }
       }
   }
   EXPECT_EQ(batch, layout.batchCount());
-  EXPECT_EQ(node, static_cast<std::int32_t>(layout.nodes.size()));
+  EXPECT_EQ(node, layout.nodes.size());
   // Each element has a place of its own.
   const std::set<std::int32_t> places(layout.batchOfElement.begin(), layout.batchOfElement.end());
   EXPECT_EQ(places.size(), block.elementCount());

@@ -23,7 +23,7 @@ std::int32_t tipOf(const Body& body) { return test::nodeNearest(body.mesh(), {0.
 
 /// Free degrees of freedom, numbered 0, 1, …; -1 for the others.
 std::vector<int> freeNumbers(const Body& body, int& count) {
-  std::vector<int> number(static_cast<std::size_t>(3 * body.nodeCount()), -1);
+  std::vector<int> number(3 * body.nodeCount(), -1);
   count = 0;
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
     for (int c = 0; c < 3; ++c)
@@ -142,13 +142,13 @@ TEST_P(FrequencyTest, RingsAsInTheReferencePrograms) {
   const std::vector<int> number = freeNumbers(body, count);
   Eigen::VectorXd scale(count);
   for (std::size_t i = 0; i < number.size(); ++i)
-    if (number[i] >= 0) scale[number[i]] = 1 / std::sqrt(body.lumpedMass()[static_cast<Eigen::Index>(i / 3)]);
+    if (number[i] >= 0) scale[number[i]] = 1 / std::sqrt(body.lumpedMass()[i / 3]);
   const Eigen::MatrixXd K =
       scale.asDiagonal() * Eigen::MatrixXd(freeTangent(body, body.mesh().X, number, count)) * scale.asDiagonal();
   const Eigen::VectorXd lambda =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues();
   for (std::size_t i = 0; i < GetParam().hertz.size(); ++i) {
-    const double hertz = std::sqrt(lambda[static_cast<Eigen::Index>(i)]) / (2 * std::numbers::pi);
+    const double hertz = std::sqrt(lambda[i]) / (2 * std::numbers::pi);
     EXPECT_NEAR(hertz, GetParam().hertz[i], 6e-8 * GetParam().hertz[i]) << i;
   }
 }

@@ -43,7 +43,7 @@ struct Chains final : ElementTangents {
   }
   void addTangentRounding(const Patch&, const double*, double*) const override {}
   void addTangentProduct(const Patch& patch, const double*, const double* v, double* slots) const override {
-    std::vector<double> rows(static_cast<std::size_t>(4 * (patch.nodeEnd - patch.nodeBegin)));
+    std::vector<double> rows(4 * (patch.nodeEnd - patch.nodeBegin));
     gatherRows(patch, v, rows.data());
     const int n = nodesPerElement();
     for (std::int32_t i = patch.batchBegin * lanes; i < patch.batchEnd * lanes; ++i) {
@@ -68,7 +68,7 @@ TEST(TangentSource, AssemblesAndMultipliesElementsOfAnyNumberOfNodes) {
     std::vector<std::int32_t> connectivity;
     for (int e = 0; e < elements; ++e)
       for (int a = 0; a < n; ++a) connectivity.push_back(e * (n - 1) + a);
-    const Chains chains(static_cast<std::size_t>(nodes), n, connectivity, random);
+    const Chains chains(nodes, n, connectivity, random);
     const TangentSource source({&chains}, Eigen::VectorXd::Ones(nodes), 1);
     EXPECT_EQ(source.elementCount(), elements);
     Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes);

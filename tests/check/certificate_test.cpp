@@ -28,7 +28,7 @@ TEST_P(CertificateTest, IsProvenByTheChecker) {
     const Certificate certificate = makeCertificate(body, x);
     const Verdict verdict = check::verify(certificate.bytes);
     ASSERT_EQ(verdict.status, Status::proven) << verdict.reason;
-    EXPECT_EQ(verdict.elements, static_cast<std::int64_t>(body.mesh().elementCount()));
+    EXPECT_EQ(verdict.elements, body.mesh().elementCount());
     EXPECT_EQ(verdict.sigma, certificate.upper.value);
     EXPECT_EQ(verdict.lower, certificate.lower.value);
     EXPECT_NEAR(verdict.mass, body.totalMass(), 1e-14 * body.totalMass());

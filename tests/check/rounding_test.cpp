@@ -90,7 +90,7 @@ void tryElement(const test::BodyCase& c, test::Random& random, Measured& measure
   check::Square exact(0);
   Ball::precision = 256;
   const bool enclosed = test::exactTangent(body, x, exact);
-  AlignedVector<NativePack> K(static_cast<std::size_t>(size * size)), T(static_cast<std::size_t>(n));
+  AlignedVector<NativePack> K(size * size), T(n);
   block.tangentBatch(0, x.data(), reinterpret_cast<double*>(K.data()), reinterpret_cast<double*>(T.data()));
   bool bounded = true;
   for (int a = 0; a < n; ++a) bounded = bounded && std::isfinite(T[a][0]);
@@ -114,7 +114,7 @@ void tryElement(const test::BodyCase& c, test::Random& random, Measured& measure
   double margin = 0;
   check::Square rest(size);
   const double value = weights.value({0, 0});
-  std::vector<check::Square> D(static_cast<std::size_t>(n), check::Square(3));
+  std::vector<check::Square> D(n, check::Square(3));
   for (int a = 0; a < n; ++a) {
     const NodalBound::Factor stored = weights.factor(weights.incidenceOf({0, 0}, a));
     CholeskyFactor<double> L;

@@ -37,7 +37,7 @@ TEST(TamperedCertificate, IsRejectedWhateverBitIsChanged) {
   int rejected = 0;
   for (int i = 0; i < trials; ++i) {
     std::string other = bytes;
-    char& byte = other[static_cast<std::size_t>(random.index(static_cast<int>(bytes.size())))];
+    char& byte = other[random.index(static_cast<int>(bytes.size()))];
     byte = static_cast<char>(byte ^ 1 << random.index(8));
     rejected += check::verify(other).status == Status::proven ? 0 : 1;
   }
@@ -67,7 +67,7 @@ TEST(TamperedCertificate, IsRejectedByItsMathematicsWhereTheChecksumIsMadeToFit)
   const std::string& bytes = certificate.bytes;
   ASSERT_EQ(check::verify(sealed(bytes)).status, Status::proven) << check::verify(bytes).reason;
   const Places at(bytes, body.nodeCount());
-  const auto elements = static_cast<std::size_t>(body.mesh().elementCount());
+  const std::size_t elements = body.mesh().elementCount();
   int tried = 0;
   const auto expectRejected = [&](const std::string& other, const std::string& what) {
     ++tried;

@@ -127,7 +127,7 @@ TEST_P(RuleTest, SharesOfEachConstantAddUpToOne) {
 TEST_P(RuleTest, MassRuleIntegratesProductsOfShapesOfLinearElements) {
   // Lumped masses need ∫ N_a det J: shape times Jacobian; checked on the reference element, ∫ N_a = exact share.
   if (rule().name != element().massRule.name) GTEST_SKIP() << "no mass rule";
-  std::vector<double> N(static_cast<std::size_t>(element().nodes)), sum(N.size(), 0.0);
+  std::vector<double> N(element().nodes), sum(N.size(), 0.0);
   for (const QuadraturePoint& q : rule().points) {
     element().shape(q.xi, N.data());
     for (std::size_t a = 0; a < N.size(); ++a) sum[a] += q.weight * N[a];

@@ -45,7 +45,7 @@ inline Mesh firstElements(const Mesh& mesh, std::size_t count) {
   MeshBlock block{from.type, {}, {}};
   std::vector<std::int32_t> number(mesh.nodeCount(), -1), nodes;
   for (std::size_t e = 0; e < count; ++e) {
-    block.ids.push_back(static_cast<std::int64_t>(e));
+    block.ids.push_back(e);
     for (int a = 0; a < from.nodesPerElement(); ++a) {
       const std::int32_t node = from.element(e)[a];
       if (number[node] < 0) {
@@ -55,10 +55,10 @@ inline Mesh firstElements(const Mesh& mesh, std::size_t count) {
       block.connectivity.push_back(number[node]);
     }
   }
-  part.X.resize(3, static_cast<Eigen::Index>(nodes.size()));
+  part.X.resize(3, nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    part.X.col(static_cast<Eigen::Index>(i)) = mesh.X.col(nodes[i]);
-    part.nodeIds.push_back(static_cast<std::int64_t>(i));
+    part.X.col(i) = mesh.X.col(nodes[i]);
+    part.nodeIds.push_back(i);
   }
   part.blocks.push_back(std::move(block));
   return part;

@@ -144,7 +144,7 @@ void checkPlan() {
     const Mesh mesh = bar(element, {9, 8, 7});
     const DevicePlan plan = planPatches(mesh);
     std::vector<int> seen(mesh.elementCount(), 0), nodeSeen(mesh.nodeCount(), 0);
-    for (const std::int32_t node : plan.deviceNode) ++nodeSeen.at(static_cast<std::size_t>(node));
+    for (const std::int32_t node : plan.deviceNode) ++nodeSeen.at(node);
     expect(std::set<int>(nodeSeen.begin(), nodeSeen.end()) == std::set<int>{1}, "device nodes are a permutation");
     const DeviceBlockPlan& block = plan.blocks.front();
     const auto n = static_cast<std::size_t>(mesh.blocks.front().nodesPerElement()),
@@ -153,7 +153,7 @@ void checkPlan() {
     std::vector<std::set<std::size_t>> patchesOf(mesh.nodeCount());
     for (std::size_t p = 0; p < block.patches.size(); ++p)
       for (std::size_t t = 0; t < static_cast<std::size_t>(block.patches[p].elementCount); ++t) {
-        const auto e = static_cast<std::size_t>(block.elements[p * threads + t]);
+        const std::size_t e = block.elements[p * threads + t];
         ++seen.at(e);
         for (std::size_t a = 0; a < n; ++a) {
           const std::size_t local = block.corners[(p * threads + t) * n + a];

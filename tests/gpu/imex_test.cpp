@@ -27,7 +27,7 @@ Clusters clustersWhere(const Body& body, const Wanted& wanted) {
       Eigen::Vector3d centre = Eigen::Vector3d::Zero();
       const auto nodes = body.blocks()[b]->nodesOf(e);
       for (const std::int32_t node : nodes) centre += body.mesh().X.col(node) / static_cast<double>(nodes.size());
-      if (wanted(centre, e)) chosen.push_back({static_cast<std::int32_t>(b), e});
+      if (wanted(centre, e)) chosen.push_back({b, e});
     }
   return clustersOf(body, chosen);
 }

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <ringwatch/handlers/fe_pbd/relaxed_tetrahedra.h>
-#include <ringwatch/handlers/tetrahedra/turned_tetrahedron.h>
+#include <ringwatch/handlers/tetrahedra/corotated_tetrahedron.h>
 #include <tests/handlers/handler_cases.h>
 
 namespace ringwatch {
@@ -25,7 +25,7 @@ NodeVectors moved(const Body& b, double angle) {
   return Q * (b.mesh().X + random.nodeVectors(b.nodeCount(), 2e-3));
 }
 
-TEST(TurnedRotation, IsTheClosestOneToThirdOrder) {
+TEST(FollowedRotation, IsTheClosestOneToThirdOrder) {
   const Eigen::Vector3d axis = Eigen::Vector3d(2, -1, 0.7).normalized();
   const auto from = [](const Eigen::Matrix3d& m) {
     Matrix3<NativePack> r;
@@ -36,7 +36,7 @@ TEST(TurnedRotation, IsTheClosestOneToThirdOrder) {
   U << 1.3, 0.1, -0.05, 0.1, 0.8, 0.2, -0.05, 0.2, 1;
   const auto errorOf = [&](double angle) {
     const Matrix3<NativePack> R =
-        turnedRotation(from(Eigen::AngleAxisd(angle, axis).toRotationMatrix() * U), Matrix3<NativePack>::identity());
+        followedRotation(from(Eigen::AngleAxisd(angle, axis).toRotationMatrix() * U), Matrix3<NativePack>::identity());
     const Eigen::Matrix3d exact(Eigen::AngleAxisd(angle, axis));
     double error = 0;
     for (int i = 0; i < 9; ++i) error = std::max(error, std::abs(R.m[i][0] - exact(i / 3, i % 3)));

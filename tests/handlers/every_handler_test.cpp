@@ -203,7 +203,7 @@ TEST_P(EveryHandler, GoesOnAfterACutWithTheChoiceMadeBefore) {
   const std::vector<bool> near = touchedNodes(after, cut.changed);
   std::size_t carried = 0;
   for (std::size_t e = 0; e < cut.changed[0].size(); ++e) {
-    const auto nodes = after.blocks()[0]->nodesOf(static_cast<std::int32_t>(e));
+    const auto nodes = after.blocks()[0]->nodesOf(e);
     if (!first->chosen()[0][cut.parent[0][e]] ||
         std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return near[n]; }))
       continue;

@@ -48,7 +48,7 @@ Eigen::MatrixXd matrixOf(const Body& body, RelaxedTetrahedra& tetrahedra, double
   constexpr double unit = 1e-7;
   std::vector<Eigen::Index> free;
   for (Eigen::Index d = 0; d < 3 * body.nodeCount(); ++d)
-    if (!body.constraints().isConstrained(static_cast<std::int32_t>(d / 3), static_cast<int>(d % 3))) free.push_back(d);
+    if (!body.constraints().isConstrained(d / 3, static_cast<int>(d % 3))) free.push_back(d);
   Eigen::MatrixXd result(free.size(), free.size());
   for (std::size_t k = 0; k < free.size(); ++k) {
     NodeVectors plus = body.mesh().X, minus = plus;
@@ -56,7 +56,7 @@ Eigen::MatrixXd matrixOf(const Body& body, RelaxedTetrahedra& tetrahedra, double
     minus.data()[free[k]] -= unit;
     const NodeVectors column = (relaxed(tetrahedra, plus, h) - relaxed(tetrahedra, minus, h)) / (2 * unit);
     for (std::size_t i = 0; i < free.size(); ++i)
-      result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
+      result(i, k) =
           column.data()[free[i]] * std::sqrt(body.lumpedMass()[free[i] / 3] / body.lumpedMass()[free[k] / 3]);
   }
   return result;
@@ -66,11 +66,11 @@ Eigen::MatrixXd implicitEuler(const Body& body, double h) {
   const Eigen::MatrixXd K(body.assembleTangent(body.mesh().X));
   std::vector<Eigen::Index> free;
   for (Eigen::Index d = 0; d < 3 * body.nodeCount(); ++d)
-    if (!body.constraints().isConstrained(static_cast<std::int32_t>(d / 3), static_cast<int>(d % 3))) free.push_back(d);
+    if (!body.constraints().isConstrained(d / 3, static_cast<int>(d % 3))) free.push_back(d);
   Eigen::MatrixXd A = Eigen::MatrixXd::Identity(free.size(), free.size());
   for (std::size_t i = 0; i < free.size(); ++i)
     for (std::size_t k = 0; k < free.size(); ++k)
-      A(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) +=
+      A(i, k) +=
           h * h * K(free[i], free[k]) / std::sqrt(body.lumpedMass()[free[i] / 3] * body.lumpedMass()[free[k] / 3]);
   return test::solve(A, Eigen::MatrixXd::Identity(A.rows(), A.cols()));
 }
@@ -178,7 +178,7 @@ TEST(Relaxation, ConvergesToImplicitEulerWithItsPasses) {
   for (Eigen::Index d = 0; d < A.rows(); ++d) {
     A(d, d) += body.lumpedMass()[d / 3];
     right[d] *= body.lumpedMass()[d / 3];
-    if (body.constraints().freeComponents(static_cast<std::int32_t>(d / 3)) == 0) {
+    if (body.constraints().freeComponents(d / 3) == 0) {
       A.row(d).setZero();
       A.col(d).setZero();
       A(d, d) = 1;

@@ -49,8 +49,7 @@ inline double denseHighest(const Body& body, const Eigen::MatrixXd& K, const Eig
   Eigen::MatrixXd A(free.size(), free.size());
   for (std::size_t i = 0; i < free.size(); ++i)
     for (std::size_t j = 0; j < free.size(); ++j)
-      A(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-          K(free[i], free[j]) / std::sqrt(mass[free[i] / 3] * mass[free[j] / 3]);
+      A(i, j) = K(free[i], free[j]) / std::sqrt(mass[free[i] / 3] * mass[free[j] / 3]);
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues().tail<1>()[0];
 }
 inline double denseHighest(const Body& body, const NodeVectors& x) {
@@ -63,8 +62,7 @@ inline Eigen::VectorXd flat(const NodeVectors& v) { return Eigen::VectorXd::Map(
 inline std::vector<ElementRef> everyElement(const Body& body) {
   std::vector<ElementRef> all;
   for (std::size_t b = 0; b < body.blocks().size(); ++b)
-    for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e)
-      all.push_back({static_cast<std::int32_t>(b), e});
+    for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) all.push_back({b, e});
   return all;
 }
 
@@ -75,8 +73,8 @@ inline double spectralRadius(const Body& body, Integrator& integrator, double h,
   BodySystem system(body);
   std::vector<Eigen::Index> free;
   for (Eigen::Index d = 0; d < 3 * body.nodeCount(); ++d)
-    if (!body.constraints().isConstrained(static_cast<std::int32_t>(d / 3), static_cast<int>(d % 3))) free.push_back(d);
-  const auto n = static_cast<Eigen::Index>(free.size());
+    if (!body.constraints().isConstrained(d / 3, static_cast<int>(d % 3))) free.push_back(d);
+  const Eigen::Index n = free.size();
   Eigen::MatrixXd G(2 * n, 2 * n);
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
     State state{0, body.mesh().X, NodeVectors::Zero(3, body.nodeCount())};
@@ -97,7 +95,7 @@ inline Eigen::MatrixXd stiffnessOf(const Body& body, const NodeVectors& x, const
   for (std::size_t b = 0; b < flags.size(); ++b)
     for (std::size_t e = 0; e < flags[b].size(); ++e) {
       if (flags[b][e] != wanted) continue;
-      const ElementRef ref{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)};
+      const ElementRef ref{b, e};
       const Eigen::MatrixXd own = body.elementTangent(ref, x);
       const auto nodes = body.blocks()[b]->nodesOf(ref.element);
       for (std::size_t i = 0; i < nodes.size(); ++i)

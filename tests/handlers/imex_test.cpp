@@ -90,7 +90,7 @@ TEST_P(ImexStep, IsThatOfADenseSolve) {
   body.internalForce(x, f, workspace);
   Eigen::VectorXd right = flat(body.externalForce() - f) - c.alpha * h * K * flat(v);
   for (Eigen::Index d = 0; d < A.rows(); ++d)
-    if (body.constraints().isConstrained(static_cast<std::int32_t>(d / 3), static_cast<int>(d % 3))) {
+    if (body.constraints().isConstrained(d / 3, static_cast<int>(d % 3))) {
       A.row(d).setZero();
       A.col(d).setZero();
       A(d, d) = 1;
@@ -250,7 +250,7 @@ TEST(Clusters, ArePartsThatShareNoNode) {
       if (random.uniform(0, 1) < 0.01 * trial) elements.push_back({0, e});
     const auto clusters = clustersOf(body, elements);
     std::vector<ElementRef> all;
-    std::vector<int> owner(static_cast<std::size_t>(body.nodeCount()), -1);
+    std::vector<int> owner(body.nodeCount(), -1);
     for (std::size_t k = 0; k < clusters.size(); ++k) {
       // Connected: grows from its first element to all of it.
       std::set<std::int32_t> reached;

@@ -132,10 +132,10 @@ TEST(ClusterMatrixTolerance, IsWhatTheDocumentsSay) {
     return text;
   };
   std::ostringstream angles, both;
-  angles << leastTurn << " to " << mostTurn << " rad";
-  both << "h² λ θ² = " << std::lround(3 * turnShare) << "/3, λ the element's highest eigenvalue, between " << leastTurn
-       << " and " << mostTurn << " rad";
-  EXPECT_DOUBLE_EQ(3 * turnShare, std::round(3 * turnShare)) << "written as a third in the document";
+  angles << leastRotation << " to " << mostRotation << " rad";
+  both << "h² λ θ² = " << std::lround(3 * rotationShare) << "/3, λ the element's highest eigenvalue, between "
+       << leastRotation << " and " << mostRotation << " rad";
+  EXPECT_DOUBLE_EQ(3 * rotationShare, std::round(3 * rotationShare)) << "written as a third in the document";
   EXPECT_THAT(read("docs/handlers.md"), ::testing::HasSubstr(both.str()));
   EXPECT_THAT(read("docs/gpu.md"), ::testing::HasSubstr("turned by " + angles.str()));
   EXPECT_THAT(read("gpu/device_imex.h"), ::testing::HasSubstr("turned by " + angles.str()));
@@ -172,7 +172,7 @@ TEST_P(ImplicitClusterSolve, LeavesTheResidualThatIsAllowedAndNoMomentum) {
       Eigen::Matrix3d D = A.block<3, 3>(i, i);
       Eigen::Vector3d part = r.segment<3>(i);
       for (int k = 0; k < 3; ++k)
-        if (body.constraints().isConstrained(static_cast<std::int32_t>(i / 3), k)) {
+        if (body.constraints().isConstrained(i / 3, k)) {
           D.row(k).setZero();
           D.col(k).setZero();
           D(k, k) = 1;

@@ -108,7 +108,7 @@ TEST(IncrementalSelection, EvaluatesLittleOfALargeMeshAfterASmallCut) {
     kept.carryOver(cut);
     const NodeVectors xCut = carriedOver(cut, x);
     const CertifiedSelection& selection = kept.choose(after, xCut, lambda, carriedOver(cut, carried));
-    const auto elements = static_cast<std::int64_t>(cut.mesh.elementCount());
+    const std::int64_t elements = cut.mesh.elementCount();
     EXPECT_GT(chosenElements(selection.chosen).size(), 0u);
     EXPECT_LT(kept.evaluatedElements(), elements / 5) << law;
     EXPECT_LE(selection.explicitPart.value, lambda);
@@ -142,7 +142,7 @@ TEST(IncrementalSelection, GivesBackBesideACutAlone) {
   std::size_t freed = 0, still = 0;
   for (std::size_t e = 0; e < selection.chosen[0].size(); ++e) {
     if (cut.changed[0][e] || !ordered[0][cut.parent[0][e]]) continue;
-    const auto nodes = after.blocks()[0]->nodesOf(static_cast<std::int32_t>(e));
+    const auto nodes = after.blocks()[0]->nodesOf(e);
     const bool near = std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return beside[n]; });
     EXPECT_EQ(selection.chosen[0][e], !near) << e;
     (near ? freed : still) += 1;

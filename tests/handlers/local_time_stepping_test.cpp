@@ -346,7 +346,7 @@ TEST(LocalTimeStepping, WatchesTheCoarseElementsAgainstTheirOwnBound) {
   EXPECT_EQ(watched.mesh().elementCount() + handler->elements().size(), body.mesh().elementCount());
   const double share = handler->levels()[1].filter.coarse / 4;
   EXPECT_LT(share, 1);
-  std::vector<bool> beside(static_cast<std::size_t>(body.nodeCount()), false);
+  std::vector<bool> beside(body.nodeCount(), false);
   for (const ElementRef e : handler->elements())
     for (const std::int32_t node : body.blocks()[0]->nodesOf(e.element)) beside[node] = true;
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)

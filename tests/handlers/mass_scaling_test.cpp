@@ -51,11 +51,11 @@ TEST(MassScaling, ReportsTheShiftOfTheLowestFrequencies) {
   // Against a dense generalised eigenvalue problem.
   std::vector<Eigen::Index> free;
   for (Eigen::Index d = 0; d < 3 * body.nodeCount(); ++d)
-    if (!body.constraints().isConstrained(static_cast<std::int32_t>(d / 3), static_cast<int>(d % 3))) free.push_back(d);
+    if (!body.constraints().isConstrained(d / 3, static_cast<int>(d % 3))) free.push_back(d);
   const Eigen::MatrixXd K = Eigen::MatrixXd(body.assembleTangent(X))(free, free);
   const auto lowest = [&](const Eigen::VectorXd& mass) {
     Eigen::VectorXd m(free.size());
-    for (std::size_t i = 0; i < free.size(); ++i) m[static_cast<Eigen::Index>(i)] = mass[free[i] / 3];
+    for (std::size_t i = 0; i < free.size(); ++i) m[i] = mass[free[i] / 3];
     const Eigen::MatrixXd M = m.asDiagonal();
     return std::sqrt(test::generalizedEigen(K, M).values[0]) / (2 * std::numbers::pi);
   };

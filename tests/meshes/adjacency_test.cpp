@@ -22,9 +22,9 @@ TEST(Adjacency, NodeNeighboursAreSymmetricAndSorted) {
   for (std::size_t n = 0; n < rows.rowCount(); ++n) {
     EXPECT_TRUE(std::is_sorted(rows.row(n).begin(), rows.row(n).end()));
     for (const std::int32_t m : rows.row(n)) {
-      EXPECT_NE(m, static_cast<std::int32_t>(n));
-      const auto back = rows.row(static_cast<std::size_t>(m));
-      EXPECT_TRUE(std::binary_search(back.begin(), back.end(), static_cast<std::int32_t>(n)));
+      EXPECT_NE(m, n);
+      const auto back = rows.row(m);
+      EXPECT_TRUE(std::binary_search(back.begin(), back.end(), n));
     }
   }
   EXPECT_EQ(nodeNeighbours(generateBar({.cells = {2, 2, 2}, .element = "hex8"})).row(13).size(), 26u);
@@ -44,7 +44,7 @@ TEST(Adjacency, FaceNeighboursPointBack) {
           ++open;
           continue;
         }
-        const ElementFace back = faces.rows.row(static_cast<std::size_t>(other.element))[other.face];
+        const ElementFace back = faces.rows.row(other.element)[other.face];
         EXPECT_EQ(back, (ElementFace{0, static_cast<std::int32_t>(e), static_cast<std::int32_t>(f)}));
       }
     EXPECT_EQ(open, boundaryFaces(mesh).size());
@@ -63,7 +63,7 @@ TEST(Adjacency, PartsAreCountedThroughSharedNodes) {
   Mesh mesh = generateBar({.cells = {2, 1, 1}, .element = "hex8"});
   EXPECT_EQ(connectedParts(mesh).count, 1);
   // A second bar beside the first, and a node of no element.
-  const auto n = static_cast<std::int32_t>(mesh.nodeCount());
+  const std::int32_t n = mesh.nodeCount();
   NodeVectors X(3, 2 * n + 1);
   X << mesh.X, mesh.X, Eigen::Vector3d::Zero();
   mesh.X = X;

@@ -56,7 +56,7 @@ TEST(Bisection, AnySetOfEdgesGivesAConformingMesh) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const Eigen::Vector3d expected = (1 - edges[i].t) * mesh.X.col(edges[i].a) + edges[i].t * mesh.X.col(edges[i].b);
       // To a rounding: compilers may fuse the products here and not there.
-      EXPECT_LE((bisected.mesh.X.col(static_cast<Eigen::Index>(mesh.nodeCount() + i)) - expected).norm(),
+      EXPECT_LE((bisected.mesh.X.col(mesh.nodeCount() + i) - expected).norm(),
                 std::numeric_limits<double>::epsilon() * expected.norm());
     }
     std::vector<double> volumes(mesh.elementCount(), 0);

@@ -150,7 +150,7 @@ TEST(Check, NotesTellOfPartsAndOfNodesAtTheSamePlace) {
   // A bar and a copy of it beside, whose nodes meet at a face but are not shared.
   const Mesh one = generateBar({.size = {1, 1, 1}, .cells = {2, 1, 1}, .element = "hex8"});
   Mesh two = one;
-  const auto nodes = static_cast<Eigen::Index>(one.nodeCount());
+  const Eigen::Index nodes = one.nodeCount();
   two.X.conservativeResize(3, 2 * nodes);
   two.X.rightCols(nodes) = one.X.colwise() + Eigen::Vector3d(1 + 1e-12, -1e-12, 0);
   for (std::int32_t n = 0; n < nodes; ++n) two.nodeIds.push_back(100 + n);

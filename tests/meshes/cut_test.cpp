@@ -128,7 +128,7 @@ TEST(Cut, ASlitLeavesTheBodyInOnePieceAndEndsWhereItEnds) {
   EXPECT_GT(cut.area, 0.1 * 0.02);
   double lowest = 1;
   for (std::size_t n = 0; n < cut.origin.size(); ++n)
-    if (cut.origin[n].t != 0) lowest = std::min(lowest, cut.mesh.X(2, static_cast<Eigen::Index>(n)));
+    if (cut.origin[n].t != 0) lowest = std::min(lowest, cut.mesh.X(2, n));
   EXPECT_GE(lowest, 0.05 - 1e-12);
 }
 

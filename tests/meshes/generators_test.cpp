@@ -47,9 +47,9 @@ TEST(Generators, EverySplitFillsTheBoxExactlyAndConformingly) {
         }
         EXPECT_EQ(connectedParts(mesh).count, 1);
         if (linear) {
-          EXPECT_EQ(mesh.nodeSets.at("x-max").size(), static_cast<std::size_t>((cells[1] + 1) * (cells[2] + 1)));
+          EXPECT_EQ(mesh.nodeSets.at("x-max").size(), (cells[1] + 1) * (cells[2] + 1));
         }
-        EXPECT_EQ(static_cast<Eigen::Index>(mesh.nodeSets.at("x-max").size()), (mesh.X.row(0).array() == 0.2).count());
+        EXPECT_EQ(mesh.nodeSets.at("x-max").size(), (mesh.X.row(0).array() == 0.2).count());
         for (const std::int32_t n : mesh.nodeSets.at("x-max")) EXPECT_EQ(mesh.X(0, n), 0.2);
         for (const std::int32_t n : mesh.nodeSets.at("z-min")) EXPECT_EQ(mesh.X(2, n), 0.0);
         EXPECT_EQ(mesh.elementSets.at("all").size(), mesh.elementCount());

@@ -110,9 +110,7 @@ inline double boundaryArea(const Mesh& mesh) {
   for (const ElementFace& f : boundaryFaces(mesh)) {
     const MeshBlock& block = mesh.blocks[f.block];
     const auto& face = elementInfo(block.type).faces[f.face];
-    const auto at = [&](int k) -> Eigen::Vector3d {
-      return mesh.X.col(block.element(static_cast<std::size_t>(f.element))[face[k]]);
-    };
+    const auto at = [&](int k) -> Eigen::Vector3d { return mesh.X.col(block.element(f.element)[face[k]]); };
     const Eigen::Vector3d p = at(2) - at(0),
                           q = face[3] < 0 ? Eigen::Vector3d(at(1) - at(0)) : Eigen::Vector3d(at(3) - at(1));
     area += p.cross(q).norm() / 2;

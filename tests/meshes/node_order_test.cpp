@@ -33,7 +33,7 @@ Mesh scatteredBar() {
   for (std::size_t i = 0; i < count; ++i) place[i] = static_cast<std::int32_t>(1009 * i % count);
   Mesh result = mesh;
   for (std::size_t i = 0; i < count; ++i) {
-    result.X.col(place[i]) = mesh.X.col(static_cast<Eigen::Index>(i));
+    result.X.col(place[i]) = mesh.X.col(i);
     result.nodeIds[place[i]] = 100 + static_cast<std::int64_t>(i);
   }
   for (MeshBlock& block : result.blocks)
@@ -59,11 +59,9 @@ TEST(NodeOrder, RenumberingKeepsTheMeshAndItsNumbers) {
   renumberNodes(after);
   ASSERT_EQ(after.nodeCount(), before.nodeCount());
   std::map<std::int64_t, Eigen::Vector3d> placeOf;
-  for (std::size_t i = 0; i < before.nodeCount(); ++i)
-    placeOf[before.nodeIds[i]] = before.X.col(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < before.nodeCount(); ++i) placeOf[before.nodeIds[i]] = before.X.col(i);
   ASSERT_EQ(placeOf.size(), before.nodeCount());
-  for (std::size_t i = 0; i < after.nodeCount(); ++i)
-    EXPECT_EQ(after.X.col(static_cast<Eigen::Index>(i)), placeOf.at(after.nodeIds[i]));
+  for (std::size_t i = 0; i < after.nodeCount(); ++i) EXPECT_EQ(after.X.col(i), placeOf.at(after.nodeIds[i]));
 
   const auto idsOf = [](const Mesh& mesh, const std::vector<std::int32_t>& nodes) {
     std::vector<std::int64_t> ids;

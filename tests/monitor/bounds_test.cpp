@@ -212,8 +212,7 @@ TEST(ReducedRing, IsThePrincipalSubmatrixOfTheWhole) {
           const auto nodes = body.blocks()[b]->nodesOf(e);
           std::vector<Eigen::Index> rows;
           for (std::size_t r = 0; r < dense.components.size(); ++r)
-            if (std::find(nodes.begin(), nodes.end(), dense.components[r].first) != nodes.end())
-              rows.push_back(static_cast<Eigen::Index>(r));
+            if (std::find(nodes.begin(), nodes.end(), dense.components[r].first) != nodes.end()) rows.push_back(r);
           double top = 0, bottom = 0;
           if (!rows.empty()) {
             const Eigen::MatrixXd A = dense.matrix(rows, rows);
@@ -224,7 +223,7 @@ TEST(ReducedRing, IsThePrincipalSubmatrixOfTheWhole) {
           }
           const double found = rings.largest[b][e];
           EXPECT_NEAR(found, top, 1e-11 * std::max(top, -bottom)) << subdivision.name << ", " << b << ":" << e;
-          const ElementRef here{static_cast<std::int32_t>(b), e};
+          const ElementRef here{b, e};
           if (here == rings.highestElement) {
             EXPECT_NEAR(rings.highest, found, 1e-10 * found) << subdivision.name;
           }
@@ -235,9 +234,9 @@ TEST(ReducedRing, IsThePrincipalSubmatrixOfTheWhole) {
           lowest = std::min(lowest, bottom);
           // The ring's own vector attains its value on the whole body.
           const NodeVectors v = ring.topVector(here);
-          Eigen::VectorXd flat(static_cast<Eigen::Index>(dense.components.size()));
+          Eigen::VectorXd flat(dense.components.size());
           for (std::size_t r = 0; r < dense.components.size(); ++r)
-            flat[static_cast<Eigen::Index>(r)] = v(dense.components[r].second, dense.components[r].first);
+            flat[r] = v(dense.components[r].second, dense.components[r].first);
           if (top > 0) {
             EXPECT_NEAR(flat.dot(dense.matrix * flat) / flat.squaredNorm(), top, 1e-10 * highest) << subdivision.name;
           }
@@ -257,9 +256,9 @@ TEST(Metrics, OfAnElementAreThoseOfTheElementAlone) {
       const MetricResult result = evaluateMetric("single-element", body, x);
       for (std::size_t b = 0; b < body.blocks().size(); ++b)
         for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
-          const ElementRef here{static_cast<std::int32_t>(b), e};
+          const ElementRef here{b, e};
           Eigen::MatrixXd K = body.elementTangent(here, x);
-          std::vector<double> mass(static_cast<std::size_t>(body.blocks()[b]->element().nodes));
+          std::vector<double> mass(body.blocks()[b]->element().nodes);
           body.elementLumpedMass(here, mass.data());
           for (Eigen::Index r = 0; r < K.rows(); ++r)
             for (Eigen::Index s = 0; s < K.cols(); ++s) K(r, s) /= std::sqrt(mass[r / 3] * mass[s / 3]);

@@ -44,7 +44,7 @@ TEST(ElementCause, NamesABadShapeAtRest) {
   mesh.X.row(2) *= 0.01;
   const Body flat(mesh, makeMaterial("stvk", test::young, test::poisson, test::density), test::onThreads(1));
   for (std::int32_t e = 0; e < 4; ++e) {
-    const ElementShape shape = elementShape(flat.mesh().blocks[0], static_cast<std::size_t>(e), flat.mesh().X, 0);
+    const ElementShape shape = elementShape(flat.mesh().blocks[0], e, flat.mesh().X, 0);
     EXPECT_NE(shape.shape, ShapeClass::round);
     EXPECT_EQ(causeText(elementCause(flat, flat.mesh().X, {0, e})), shape.text());
     EXPECT_EQ(causeText(elementCause(flat, 1.6 * flat.mesh().X, {0, e})), joinText("stretched 1.6; ", shape.text()));

@@ -18,7 +18,7 @@ TEST(PackedJacobi, IsEigensOwnDecomposition) {
   for (const int n : {1, 2, 3, 12, 15, 24})
     for (int repeat = 0; repeat < 30; ++repeat) {
       std::vector<Eigen::MatrixXd> matrices;
-      const auto entries = static_cast<std::size_t>(n * n);
+      const std::size_t entries = n * n;
       AlignedVector<NativePack> A(entries), VT(entries);
       for (int lane = 0; lane < lanes; ++lane) {
         // Any, of low rank, already diagonal, zero.

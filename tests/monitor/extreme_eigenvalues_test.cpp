@@ -44,7 +44,7 @@ class ExtremeEigenvaluesTest : public ::testing::Test {
   /// One matrix a lane. The upper triangle is filled with NaN: it must not be read.
   static Values compute(const Matrices& matrices, bool wantLeast = true) {
     const auto n = static_cast<int>(matrices[0].rows());
-    std::vector<P> A(static_cast<std::size_t>(n * n)), work(static_cast<std::size_t>(4 * n));
+    std::vector<P> A(n * n), work(4 * n);
     for (int lane = 0; lane < lanes; ++lane)
       for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) Lanes<P>::set(A[i * n + j], lane, j <= i ? matrices[lane](i, j) : nan);
@@ -236,7 +236,7 @@ TYPED_TEST(ExtremeEigenvaluesTest, GivesNoPlausibleValueForNanOrInfinity) {
         for (int j = 0; j <= i; ++j) {
           Matrices matrices;
           for (int lane = 0; lane < TestFixture::lanes; ++lane) matrices.push_back(symmetric(random, n, 1));
-          const auto bad = static_cast<std::size_t>(random.index(TestFixture::lanes));
+          const std::size_t bad = random.index(TestFixture::lanes);
           matrices[bad](i, j) = matrices[bad](j, i) = poison;
           const auto found = TestFixture::compute(matrices);
           EXPECT_FALSE(std::isfinite(found[bad].largest)) << poison << " at " << i << ", " << j << " of " << n;
@@ -252,7 +252,7 @@ RC_GTEST_PROP(ExtremeEigenvaluesProperty, ShiftAndSignMoveTheSpectrum, ()) {
   const double shift = random.uniform(-10, 10);
   const Eigen::MatrixXd A = symmetric(random, n, 1);
   const auto extremes = [n](Eigen::MatrixXd a) {
-    std::vector<double> work(static_cast<std::size_t>(4 * n));
+    std::vector<double> work(4 * n);
     return extremeEigenvalues(a.data(), n, work.data(), true);
   };
   const auto plain = extremes(A), negative = extremes(-A),

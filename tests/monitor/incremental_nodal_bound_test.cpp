@@ -227,7 +227,7 @@ TEST(IncrementalNodalBound, SweepsNoMoreThanAProofNeeds) {
   const Body body = jitteredBar({6, 3, 3}, 0.2);
   const NodeVectors& X = body.mesh().X;
   const double lambda = DenseTangent(body, X).largest();
-  const auto elements = static_cast<std::int64_t>(body.mesh().elementCount());
+  const std::int64_t elements = body.mesh().elementCount();
   IncrementalNodalBound close(body);
   ASSERT_TRUE(close.certify(X, 1.3 * lambda));
   EXPECT_GT(close.statistics().evaluated, 4 * elements);

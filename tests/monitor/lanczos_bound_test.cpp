@@ -83,7 +83,7 @@ TEST(LanczosBound, IsExactWhereLittleIsFree) {
 /// Copies of a mesh side by side, each larger than the one before by `growth`.
 Mesh copies(const Mesh& mesh, int count, double growth) {
   Mesh all = mesh;
-  const auto nodes = static_cast<std::int32_t>(mesh.nodeCount());
+  const std::int32_t nodes = mesh.nodeCount();
   all.X.resize(3, mesh.X.cols() * count);
   all.nodeIds.clear();
   all.nodeSets.clear();
@@ -96,8 +96,7 @@ Mesh copies(const Mesh& mesh, int count, double growth) {
       all.nodeIds.push_back(k * nodes + i);
     }
     for (const std::int32_t node : mesh.blocks[0].connectivity) block.connectivity.push_back(k * nodes + node);
-    for (std::size_t e = 0; e < mesh.blocks[0].elementCount(); ++e)
-      block.ids.push_back(static_cast<std::int64_t>(block.ids.size()));
+    for (std::size_t e = 0; e < mesh.blocks[0].elementCount(); ++e) block.ids.push_back(block.ids.size());
   }
   all.blocks = {block};
   return all;

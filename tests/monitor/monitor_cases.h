@@ -22,7 +22,7 @@ struct DenseTangent {
       for (int c = 0; c < 3; ++c)
         if (!body.constraints().isConstrained(i, c)) components.emplace_back(i, c);
     const Eigen::MatrixXd K = body.assembleTangent(x);
-    const auto n = static_cast<Eigen::Index>(components.size());
+    const Eigen::Index n = components.size();
     matrix.resize(n, n);
     for (Eigen::Index r = 0; r < n; ++r)
       for (Eigen::Index s = 0; s < n; ++s) {

@@ -43,7 +43,7 @@ TEST(NodalBound, SweepsTightenIt) {
       const double value = bound.evaluate(body.mesh().X, sweeps).value;
       EXPECT_LE(value, before) << subdivision.name << ", " << sweeps;
       // A sweep evaluates only where it changes something.
-      const auto elements = static_cast<std::int64_t>(body.mesh().elementCount());
+      const std::int64_t elements = body.mesh().elementCount();
       EXPECT_GE(bound.evaluations(), elements) << subdivision.name;
       EXPECT_LE(bound.evaluations(), elements * (sweeps + 1)) << subdivision.name;
       before = value;

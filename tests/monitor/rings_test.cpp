@@ -31,8 +31,7 @@ std::vector<Subdivision> subdivisionsAndQuadratics() {
 std::vector<ElementRef> allElementsOf(const Body& body) {
   std::vector<ElementRef> all;
   for (std::size_t b = 0; b < body.blocks().size(); ++b)
-    for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e)
-      all.push_back({static_cast<std::int32_t>(b), e});
+    for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) all.push_back({b, e});
   return all;
 }
 std::span<const std::int32_t> nodesOf(const Body& body, ElementRef e) {
@@ -66,10 +65,9 @@ double literalLargest(const Body& body, const Tangents& tangents, const std::set
   std::map<std::pair<std::int32_t, int>, Eigen::Index> row;
   for (const std::int32_t node : kept)
     for (int c = 0; c < 3; ++c)
-      if (!body.constraints().isConstrained(node, c))
-        row.emplace(std::pair(node, c), static_cast<Eigen::Index>(row.size()));
+      if (!body.constraints().isConstrained(node, c)) row.emplace(std::pair(node, c), row.size());
   if (row.empty()) return 0;
-  const auto size = static_cast<Eigen::Index>(row.size());
+  const Eigen::Index size = row.size();
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size, size), M = Eigen::MatrixXd::Zero(size, size);
   for (const ElementRef e : elements) {
     const auto nodes = nodesOf(body, e);
@@ -159,7 +157,7 @@ TEST_P(RingsTest, KeepTheOrderOfTheirSubmatrices) {
 TEST_P(RingsTest, CheapBoundsAreTheirFormulas) {
   const Body body = test::boxBody(GetParam(), "stvk", {2, 1, 1});
   const NodeVectors& X = body.mesh().X;
-  std::vector<int> valence(static_cast<std::size_t>(body.nodeCount()));
+  std::vector<int> valence(body.nodeCount());
   double stiffness = 0, scaled = 0;
   for (const ElementRef e : allElementsOf(body)) {
     Eigen::MatrixXd K = body.elementTangent(e, X);

@@ -36,7 +36,7 @@ struct HandedOver {
     for (std::size_t b = 0; b < tangents.size(); ++b) {
       tangents[b].clear();
       for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
-        const Eigen::MatrixXd K = body.elementTangent({static_cast<std::int32_t>(b), e}, x);
+        const Eigen::MatrixXd K = body.elementTangent({b, e}, x);
         tangents[b].insert(tangents[b].end(), K.data(), K.data() + K.size());
       }
     }
@@ -68,7 +68,7 @@ struct Chain {
 
   Chain(int count, double stiffness, double m) {
     for (int i = 0; i < count; ++i) mass.push_back(m);
-    constrained.assign(static_cast<std::size_t>(3 * count), 0);
+    constrained.assign(3 * count, 0);
     for (int i = 0; i + 1 < count; ++i) {
       nodes.insert(nodes.end(), {i, i + 1});
       Eigen::Matrix<double, 6, 6> K = Eigen::Matrix<double, 6, 6>::Zero();

@@ -94,7 +94,7 @@ TEST(ValidityBalls, FindsEveryElementThatLeavesWhileMostGroupsSkip) {
                                                                       {1e-2, 2}}) {
     Random random(31);
     Checked checked(body);
-    std::vector<Eigen::Matrix3d> reference(static_cast<std::size_t>(checked.block.elementCount()));
+    std::vector<Eigen::Matrix3d> reference(checked.block.elementCount());
     std::vector<double> radius(reference.size());
     NodeVectors x = X;
     constexpr int steps = 120;
@@ -112,7 +112,7 @@ TEST(ValidityBalls, FindsEveryElementThatLeavesWhileMostGroupsSkip) {
       const bool withForce = pass == 1 || (pass == 2 && step / 3 % 2 == 1);
       const std::set<std::int32_t> gone = withForce ? checked.checkWithForce(x) : checked.check(x);
       for (std::int32_t e = 0; e < checked.block.elementCount(); ++e) {
-        const auto at = static_cast<std::size_t>(e);
+        const std::size_t at = e;
         const Eigen::Matrix3d F = checked.gradient(e, x);
         if (gone.count(e) > 0) {
           reference[at] = F;
@@ -129,7 +129,7 @@ TEST(ValidityBalls, FindsEveryElementThatLeavesWhileMostGroupsSkip) {
     if (rate > 5e-5) {
       EXPECT_GT(left, checked.block.elementCount());  // some after the first observation
     }
-    const auto groups = static_cast<std::int64_t>(checked.balls.groupCount());
+    const std::int64_t groups = checked.balls.groupCount();
     EXPECT_GT(groups, 4);
     if (rate < 5e-5) {
       EXPECT_LT(visited, groups * steps / 4);
@@ -144,7 +144,7 @@ TEST(ValidityBalls, AGroupWithoutMarginOrWithNaNIsVisited) {
   const Body body(generateBar(options), makeMaterial("stvk", 1e4, 0.3, 1000), {{}, Lumping::rowSum, 1});
   Checked checked(body);
   NodeVectors x = body.mesh().X;
-  EXPECT_EQ(checked.check(x).size(), static_cast<std::size_t>(checked.block.elementCount()));
+  EXPECT_EQ(checked.check(x).size(), checked.block.elementCount());
   for (std::int32_t e = 0; e < checked.block.elementCount(); ++e) {
     checked.setBall(e, x, 0.1);
     checked.balls.ballChanged(checked.placeOf(e));
@@ -159,7 +159,7 @@ TEST(ValidityBalls, AGroupWithoutMarginOrWithNaNIsVisited) {
   const NodeVectors huge = 1e200 * x;
   for (const bool withForce : {false, true}) {
     const std::set<std::int32_t> left = withForce ? checked.checkWithForce(huge) : checked.check(huge);
-    EXPECT_EQ(left.size(), static_cast<std::size_t>(checked.block.elementCount()));
+    EXPECT_EQ(left.size(), checked.block.elementCount());
     EXPECT_GE(*left.begin(), 0);
   }
   x(1, checked.block.nodesOf(9)[2]) = std::numeric_limits<double>::quiet_NaN();

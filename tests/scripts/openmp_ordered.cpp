@@ -5,7 +5,7 @@
 
 int main() {
   const int n = 10000;
-  std::vector<double> a(static_cast<std::size_t>(n), 1.0), b(a);
+  std::vector<double> a(n, 1.0), b(a);
   double sum = 0;
   auto at = [](std::vector<double>& v, int i) -> double& { return v[i]; };
   for (int round = 0; round < 20; ++round) {

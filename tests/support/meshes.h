@@ -44,15 +44,15 @@ inline Mesh firstElements(const Mesh& mesh, std::size_t count) {
   std::map<std::int32_t, std::int32_t> renumbered;
   std::vector<std::int32_t> used;
   for (std::size_t i = 0; i < count * static_cast<std::size_t>(from.nodesPerElement()); ++i) {
-    const auto [entry, isNew] = renumbered.try_emplace(from.connectivity[i], static_cast<std::int32_t>(used.size()));
+    const auto [entry, isNew] = renumbered.try_emplace(from.connectivity[i], used.size());
     if (isNew) used.push_back(from.connectivity[i]);
     block.connectivity.push_back(entry->second);
   }
-  for (std::size_t e = 0; e < count; ++e) block.ids.push_back(static_cast<std::int64_t>(e));
-  result.X.resize(3, static_cast<Eigen::Index>(used.size()));
+  for (std::size_t e = 0; e < count; ++e) block.ids.push_back(e);
+  result.X.resize(3, used.size());
   for (std::size_t i = 0; i < used.size(); ++i) {
-    result.X.col(static_cast<Eigen::Index>(i)) = mesh.X.col(used[i]);
-    result.nodeIds.push_back(static_cast<std::int64_t>(i));
+    result.X.col(i) = mesh.X.col(used[i]);
+    result.nodeIds.push_back(i);
   }
   return result;
 }
@@ -62,7 +62,7 @@ template <class Predicate>
 std::vector<std::int32_t> nodesWhere(const Mesh& mesh, const Predicate& predicate) {
   std::vector<std::int32_t> nodes;
   for (Eigen::Index i = 0; i < mesh.X.cols(); ++i)
-    if (predicate(Eigen::Vector3d(mesh.X.col(i)))) nodes.push_back(static_cast<std::int32_t>(i));
+    if (predicate(Eigen::Vector3d(mesh.X.col(i)))) nodes.push_back(i);
   return nodes;
 }
 

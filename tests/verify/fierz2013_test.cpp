@@ -62,8 +62,8 @@ TEST(Fierz2013Study, MovingFacesArriveWhereTheyBelong) {
     const std::vector<std::int32_t>& moving = body.mesh().nodeSets.at(d.mesh == "bar" ? "x-max" : "z-max");
     // Stretched by 40 %, compressed by 20 %, turned by 45° and the long bar by 90°: the face keeps its shape.
     const auto size = [&](const NodeVectors& y) {
-      Eigen::Matrix3Xd face(3, static_cast<Eigen::Index>(moving.size()));
-      for (std::size_t i = 0; i < moving.size(); ++i) face.col(static_cast<Eigen::Index>(i)) = y.col(moving[i]);
+      Eigen::Matrix3Xd face(3, moving.size());
+      for (std::size_t i = 0; i < moving.size(); ++i) face.col(i) = y.col(moving[i]);
       const Eigen::Vector3d centre = face.rowwise().mean();
       return std::pair((face.colwise() - centre).norm(), centre);
     };

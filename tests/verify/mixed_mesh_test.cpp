@@ -42,7 +42,7 @@ TEST(MixedMesh, SharesFacesAndHoldsEveryLinearElement) {
       Eigen::Vector3d low = Eigen::Vector3d::Constant(1), high = -low;
       for (const int corner : elementInfo(block.type).faces[face.face])
         if (corner >= 0) {
-          const Eigen::Vector3d X = mesh.X.col(block.element(static_cast<std::size_t>(face.element))[corner]);
+          const Eigen::Vector3d X = mesh.X.col(block.element(face.element)[corner]);
           low = low.cwiseMin(X);
           high = high.cwiseMax(X);
         }

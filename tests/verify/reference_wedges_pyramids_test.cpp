@@ -49,8 +49,7 @@ INSTANTIATE_TEST_SUITE_P(GetFem, ReferenceWedgeOrPyramidTest, ::testing::ValuesI
 TEST_P(ReferenceWedgeOrPyramidTest, HasTheVolumeAndTheLumpedMasses) {
   EXPECT_NEAR(body.volume(), expected().volume, 1e-12 * expected().volume);
   for (std::size_t a = 0; a < expected().lumpedMass.size(); ++a)
-    EXPECT_NEAR(body.lumpedMass()[static_cast<Eigen::Index>(a)], expected().lumpedMass[a],
-                2e-12 * expected().lumpedMass[a]);
+    EXPECT_NEAR(body.lumpedMass()[a], expected().lumpedMass[a], 2e-12 * expected().lumpedMass[a]);
 }
 
 TEST_P(ReferenceWedgeOrPyramidTest, HasTheInternalForce) {
@@ -145,7 +144,7 @@ TEST_P(ReferenceFrequencyTest, RingsAsInTheReferencePrograms) {
   const Eigen::VectorXd lambda =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues();
   for (std::size_t i = 0; i < GetParam().hertz.size(); ++i) {
-    const double hertz = std::sqrt(lambda[static_cast<Eigen::Index>(i)]) / (2 * std::numbers::pi);
+    const double hertz = std::sqrt(lambda[i]) / (2 * std::numbers::pi);
     EXPECT_NEAR(hertz, GetParam().hertz[i], 6e-8 * GetParam().hertz[i]) << i;
   }
 }

@@ -12,7 +12,7 @@ RINGWATCH_INLINE Matrix3<S> symmetric(const S (&s)[6]) {
 
 /// The strain sym(RᵀF) - I, components 00 11 22 12 20 01.
 template <class S>
-RINGWATCH_INLINE void turnedStrain(const Matrix3<S>& R, const Matrix3<S>& F, S (&strain)[6]) {
+RINGWATCH_INLINE void corotatedStrain(const Matrix3<S>& R, const Matrix3<S>& F, S (&strain)[6]) {
   const Matrix3<S> D = transposeTimes(R, F);
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -26,7 +26,7 @@ RINGWATCH_INLINE void turnedStrain(const Matrix3<S>& R, const Matrix3<S>& F, S (
 /// which leaves an angle of the order |w|³: the terms of third order of tr vanish by symmetry. At most 0.05 rad are
 /// turned so; where it is more, or the rotation hardly unique, closestRotation(F).
 template <class S>
-RINGWATCH_INLINE Matrix3<S> turnedRotation(const Matrix3<S>& F, const Matrix3<S>& R) {
+RINGWATCH_INLINE Matrix3<S> followedRotation(const Matrix3<S>& F, const Matrix3<S>& R) {
   constexpr double most = 0.05;
   const Matrix3<S> D = transposeTimes(R, F);
   const S size = D.m[0] + D.m[4] + D.m[8], half(0.5);
@@ -58,7 +58,7 @@ RINGWATCH_INLINE Matrix3<S> turnedRotation(const Matrix3<S>& F, const Matrix3<S>
 /// The turn [w]× F A, A = diag(inertia), with the torque of a stress about F: (tr(C) I - C) w = axial(stress Fᵀ), C =
 /// F A Fᵀ. Zero where the nodes lie on one line, which has no such axis.
 template <class S>
-RINGWATCH_INLINE Matrix3<S> turnAgainst(const Matrix3<S>& stress, const Matrix3<S>& F, const S (&inertia)[3]) {
+RINGWATCH_INLINE Matrix3<S> rotationAgainst(const Matrix3<S>& stress, const Matrix3<S>& F, const S (&inertia)[3]) {
   Matrix3<S> FA;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) FA(i, j) = F(i, j) * inertia[j];
