@@ -1,6 +1,10 @@
 // How to embed the monitor in an explicit code that has positions and tetrahedra: everything in `foreign` is written as
 // foreign code would be, with arrays and a loop of its own. What it needs of ringwatch is between the two
 // marks.
+//
+//   build/release/bin/ringwatch_embed_positions
+//
+// prints a row every 100 steps: step, time, the step that was taken, and both sides of the bracket; s.
 #include <cmath>
 #include <cstdio>
 #include <vector>

@@ -1,5 +1,9 @@
 // How to embed the monitor in an explicit code of any physics that has element tangents and lumped masses: everything
 // in `foreign` is written as foreign code would be. What it needs of ringwatch is between the two marks.
+//
+//   build/release/bin/ringwatch_embed_tangents
+//
+// prints a row every 60 steps: step, time, both sides of the bracket (s), and the nodes of the bar that limits them.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>

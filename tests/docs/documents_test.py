@@ -276,6 +276,8 @@ class Documents:
         self.same(readme, "laws", re.findall(r"`([\w-]+)`", laws[1]) if laws else [], "laws")
         elements = re.search(r"^Elements: (.*?), also", text, re.M)
         self.same(readme, "elements", re.findall(r"`(\w+)`", elements[1]) if elements else [], "elements")
+        integrators = re.search(r"^Integrators: (.*?);", text, re.M)
+        self.same(readme, "integrators", re.findall(r"`([\w-]+)`", integrators[1]) if integrators else [], "integrators")
         formats = re.search(r"`inspect` reads (.*?), and prints", text)
         extensions = [e for name in self.names("formats") for e in name.split("/")]
         self.same(readme, "mesh formats", re.findall(r"`(\.\w+)`", formats[1]) if formats else [], "formats", extensions)
