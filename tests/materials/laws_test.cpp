@@ -117,6 +117,8 @@ TYPED_TEST(LawTest, NodeBlocksAreTheModulusBetweenTwoGradients) {
       const double a[3] = {first[0], first[1], first[2]}, b[3] = {second[0], second[1], second[2]};
       const Eigen::Matrix3d block = test::toEigen(blocks(blocks.node(a), blocks.node(b)));
       EXPECT_LE((block - expected).norm(), 1e-12 * A.norm()) << kind << "\n" << F;
+    } else {
+      GTEST_SKIP() << "the law has no blocks of its own";
     }
   }
 }
