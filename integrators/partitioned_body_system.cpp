@@ -1,8 +1,8 @@
 #include <ringwatch/integrators/partitioned_body_system.h>
 
-#include <string>
-
 #include <ringwatch/base/error.h>
+#include <ringwatch/body/nodes_of.h>
+#include <ringwatch/body/sub_body.h>
 #include <ringwatch/integrators/body_system.h>
 
 namespace ringwatch {
@@ -36,39 +36,13 @@ PartitionedBodySystem::PartitionedBodySystem(const Body& body, const std::vector
 PartitionedBodySystem::Part::Part(const Body& whole, const std::vector<std::vector<bool>>& chosen, bool loaded,
                                   const RayleighDamping& damping)
     : whole_(whole), loaded_(loaded), damping_(damping) {
-  const Mesh& all = whole.mesh();
-  std::vector<std::int32_t> own(all.nodeCount(), -1);
-  Mesh mesh;
-  std::vector<Material> materials;
-  BodyOptions options;
-  options.threads = whole.threads();
-  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
-    const MeshBlock& from = all.blocks[b];
-    MeshBlock block{from.type, {}, {}};
-    for (std::size_t e = 0; e < from.elementCount(); ++e) {
-      if (!chosen[b][e]) continue;
-      block.ids.push_back(from.id(e));
-      for (int a = 0; a < from.nodesPerElement(); ++a) {
-        const std::int32_t node = from.element(e)[a];
-        std::int32_t& number = own[node];
-        if (number < 0) {
-          number = static_cast<std::int32_t>(nodes_.size());
-          nodes_.push_back(node);
-        }
-        block.connectivity.push_back(number);
-      }
-    }
-    if (block.ids.empty()) continue;
-    const ElementBlock& face = *whole.blocks()[b];
-    options.rules[std::string(face.element().name)] = std::string(face.rule().name);
-    materials.push_back(face.material());
-    mesh.blocks.push_back(std::move(block));
-  }
-  if (mesh.blocks.empty()) return;
-  mesh.X.resize(3, nodes_.size());
-  gather(all.X, mesh.X);
-  for (const std::int32_t node : nodes_) mesh.nodeIds.push_back(all.nodeId(node));
-  body_.emplace(std::move(mesh), materials, options);
+  std::vector<ElementRef> elements;
+  for (std::size_t b = 0; b < chosen.size(); ++b)
+    for (std::size_t e = 0; e < chosen[b].size(); ++e)
+      if (chosen[b][e]) elements.push_back({b, e});
+  if (elements.empty()) return;
+  nodes_ = nodesOfElements(whole, elements);
+  body_.emplace(subBody(whole, elements, nodes_, whole.lumpedMass()(nodes_), whole.threads()));
 }
 
 void PartitionedBodySystem::Part::gather(const NodeVectors& all, NodeVectors& own) const {
