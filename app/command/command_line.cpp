@@ -342,17 +342,19 @@ struct InspectCommand {
                         key.range.text().empty() ? "" : ", ", key.range.text()));
     command->add_option("--density", options.density,
                         "density, kg/m3; it and the parameters of the law are required with a mesh file");
-    command->add_option("--model", options.model, "constitutive law (default: stvk)");
+    command->add_option("--model", options.model,
+                        fmt::format("constitutive law (default: {})", InspectOptions::usualModel));
     command->add_option("--displacement", options.displacement,
                         "field of displacements, m, in a .vtu file: inspect that deformed state");
     command->add_option("--frame", options.frame,
                         "inspect this frame of a run, counted from 1; material, supports, integrator and damping are "
                         "those of its scene unless given");
-    command->add_option("--integrator", options.integrator,
-                        "integrator whose stability limit counts (default: symplectic-euler)");
     command->add_option(
-        "--lumping", lumping,
-        std::string("how an element's mass goes to its nodes (default: row-sum): ") + lumpingNames.listing());
+        "--integrator", options.integrator,
+        fmt::format("integrator whose stability limit counts (default: {})", InspectOptions::usualIntegrator));
+    command->add_option("--lumping", lumping,
+                        fmt::format("how an element's mass goes to its nodes (default: {}): {}",
+                                    lumpingNames.nameOf(InspectOptions::usualLumping), lumpingNames.listing()));
     command
         ->add_option("--rule", options.rules,
                      "ELEMENT=RULE, a quadrature rule, e.g. hex8=selective; may be given again")

@@ -162,15 +162,16 @@ Subject subjectOf(const InspectOptions& options) {
                     options.mesh.string()));
   if (folder) return subjectOfRun(options);
   Scene scene;
-  const LawInfo& law = lawNamed(options.model.value_or("stvk"));
+  const LawInfo& law = lawNamed(options.model.value_or(std::string(InspectOptions::usualModel)));
   const auto required = [](std::string_view name) {
     return InputError(fmt::format("--{} is required with a mesh file; see ringwatch inspect --help", name));
   };
   for (const OptionInfo& parameter : law.parameters)
     if (parameter.fallback.empty() && !options.parameters.find(parameter.name)) throw required(parameter.name);
   if (!options.density) throw required("density");
-  scene.materials.emplace_back().model = "stvk";
-  scene.method = "symplectic-euler";
+  scene.materials.emplace_back().model = InspectOptions::usualModel;
+  scene.method = InspectOptions::usualIntegrator;
+  scene.lumping = InspectOptions::usualLumping;
   scene.meshOrigin = options.mesh.string();
   override(scene, options);
   const IntegratorInfo& integrator = integratorNamed(scene.method);

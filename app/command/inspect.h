@@ -13,12 +13,14 @@ namespace ringwatch {
 
 /// What `ringwatch inspect` is asked. What is not given comes from the scene of a run, or is a default.
 struct InspectOptions {
-  std::filesystem::path mesh;               // a mesh file, or with `frame` the folder of a run
-  Options parameters;                       // of the law; must be given with a mesh file
-  std::optional<double> density;            // kg/m³; must be given with a mesh file
-  std::optional<std::string> model;         // "stvk"
-  std::optional<std::string> integrator;    // "symplectic-euler"
-  std::optional<Lumping> lumping;           // row sums
+  static constexpr std::string_view usualModel = "stvk", usualIntegrator = "symplectic-euler";
+  static constexpr Lumping usualLumping = Lumping::rowSum;
+  std::filesystem::path mesh;     // a mesh file, or with `frame` the folder of a run
+  Options parameters;             // of the law; must be given with a mesh file
+  std::optional<double> density;  // kg/m³; must be given with a mesh file
+  std::optional<std::string> model;
+  std::optional<std::string> integrator;
+  std::optional<Lumping> lumping;
   std::optional<std::string> displacement;  // a field of a .vtu file, m: inspect that state
   std::optional<std::int64_t> frame;        // of the run, counted from 1
   std::vector<std::string> rules;           // ELEMENT=RULE: quadrature rules
