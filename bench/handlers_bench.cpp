@@ -18,7 +18,7 @@
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/modify/cut.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
-#include <ringwatch/verify/fierz2013.h>
+#include <ringwatch/verify/fierz2013/fierz2013.h>
 
 namespace ringwatch::bench {
 namespace {

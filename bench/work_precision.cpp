@@ -22,7 +22,7 @@
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/base/atomic_file.h>
-#include <ringwatch/verify/error_against_time.h>
+#include <ringwatch/verify/work_precision/error_against_time.h>
 #ifdef RINGWATCH_HAS_SUNDIALS
 #include <ringwatch/integrators/sundials/implicit.h>
 #endif

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <ringwatch/verify/work_precision.h>
+#include <ringwatch/verify/work_precision/work_precision.h>
 
 namespace ringwatch {
 

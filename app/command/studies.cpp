@@ -1,12 +1,12 @@
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/base/registry.h>
-#include <ringwatch/verify/elements.h>
-#include <ringwatch/verify/fierz2013.h>
-#include <ringwatch/verify/handlers.h>
-#include <ringwatch/verify/integrators.h>
-#include <ringwatch/verify/monitor.h>
-#include <ringwatch/verify/robustness.h>
+#include <ringwatch/verify/elements/elements.h>
+#include <ringwatch/verify/fierz2013/fierz2013.h>
+#include <ringwatch/verify/handlers/handlers.h>
+#include <ringwatch/verify/integrators/integrators.h>
+#include <ringwatch/verify/monitor/monitor.h>
+#include <ringwatch/verify/robustness/robustness.h>
 
 namespace ringwatch {
 

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/gpu/device_certificate.h>
-#include <ringwatch/gpu/device_imex.h>
-#include <ringwatch/gpu/device_rings.h>
+#include <ringwatch/gpu/certificate/device_certificate.h>
 #include <ringwatch/gpu/device_status.h>
+#include <ringwatch/gpu/imex/device_imex.h>
+#include <ringwatch/gpu/rings/device_rings.h>
 #include <ringwatch/handlers/imex/imex.h>
 
 namespace ringwatch {

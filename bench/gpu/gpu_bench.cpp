@@ -18,10 +18,10 @@
 
 #include <bench/gpu/bench.h>
 #include <ringwatch/base/parallel.h>
-#include <ringwatch/gpu/device_body_impl.h>
-#include <ringwatch/gpu/device_certificate.h>
-#include <ringwatch/gpu/device_rings.h>
+#include <ringwatch/gpu/body/device_body_impl.h>
+#include <ringwatch/gpu/certificate/device_certificate.h>
 #include <ringwatch/gpu/device_status.h>
+#include <ringwatch/gpu/rings/device_rings.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/mesh_io.h>
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <bench/gpu/bench.h>
-#include <ringwatch/gpu/device_certificate.h>
-#include <ringwatch/gpu/device_imex_impl.h>
+#include <ringwatch/gpu/certificate/device_certificate.h>
+#include <ringwatch/gpu/imex/device_imex_impl.h>
 #include <ringwatch/handlers/imex/implicit_cluster.h>
 #include <ringwatch/meshes/generators/generators.h>
 

@@ -42,7 +42,7 @@ CONTEXTS = {
     ("docs/integrators.md", 0): (["memory"], None),
     ("docs/gpu.md", 0): ([], "  ringwatch::Body& body = any<ringwatch::Body>(); double h = 1e-4;\n"),
     ("docs/gpu.md", 1): (
-        ["ringwatch/gpu/device_body.h", "ringwatch/gpu/device_imex.h", "ringwatch/gpu/device_rings.h",
+        ["ringwatch/gpu/body/device_body.h", "ringwatch/gpu/imex/device_imex.h", "ringwatch/gpu/rings/device_rings.h",
          "ringwatch/handlers/imex/implicit_cluster.h"],
         "  ringwatch::Body& body = any<ringwatch::Body>(); ringwatch::DeviceBody<double> device(body); double h = 1e-4;\n"
         "  std::vector<ringwatch::ElementRef> stiff;\n",

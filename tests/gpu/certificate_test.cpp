@@ -3,7 +3,7 @@
 #include <string>
 
 #include <ringwatch/base/eigen_instances.h>
-#include <ringwatch/gpu/device_certificate_impl.h>
+#include <ringwatch/gpu/certificate/device_certificate_impl.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <tests/gpu/cases.h>
 #include <tests/gpu/checks.h>

@@ -5,7 +5,7 @@
 #include <string>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/gpu/device_body_impl.h>
+#include <ringwatch/gpu/body/device_body_impl.h>
 #include <ringwatch/gpu/device_status.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <tests/gpu/cases.h>

@@ -4,7 +4,7 @@
 #include <string>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/gpu/device_imex_impl.h>
+#include <ringwatch/gpu/imex/device_imex_impl.h>
 #include <ringwatch/handlers/imex/implicit_cluster.h>
 #include <tests/gpu/cases.h>
 #include <tests/gpu/checks.h>

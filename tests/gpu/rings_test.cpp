@@ -3,7 +3,7 @@
 #include <string>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/gpu/device_rings_impl.h>
+#include <ringwatch/gpu/rings/device_rings_impl.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <tests/gpu/cases.h>
 #include <tests/gpu/checks.h>

@@ -138,7 +138,7 @@ TEST(ClusterMatrixTolerance, IsWhatTheDocumentsSay) {
   EXPECT_DOUBLE_EQ(3 * rotationShare, std::round(3 * rotationShare)) << "written as a third in the document";
   EXPECT_THAT(read("docs/handlers.md"), ::testing::HasSubstr(both.str()));
   EXPECT_THAT(read("docs/gpu.md"), ::testing::HasSubstr("turned by " + angles.str()));
-  EXPECT_THAT(read("gpu/device_imex.h"), ::testing::HasSubstr("turned by " + angles.str()));
+  EXPECT_THAT(read("gpu/imex/device_imex.h"), ::testing::HasSubstr("turned by " + angles.str()));
 }
 
 struct SolveCase {

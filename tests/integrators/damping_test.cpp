@@ -10,7 +10,7 @@
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/stability_monitor.h>
-#include <ringwatch/verify/oscillator.h>
+#include <ringwatch/verify/integrators/oscillator.h>
 #include <tests/support/random.h>
 
 namespace ringwatch {

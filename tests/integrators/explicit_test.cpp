@@ -7,7 +7,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/integrator.h>
-#include <ringwatch/verify/oscillator.h>
+#include <ringwatch/verify/integrators/oscillator.h>
 
 namespace ringwatch {
 namespace {

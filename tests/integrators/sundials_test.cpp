@@ -22,8 +22,8 @@
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/bounds/stiff_elements.h>
-#include <ringwatch/verify/integrators.h>
-#include <ringwatch/verify/oscillator.h>
+#include <ringwatch/verify/integrators/integrators.h>
+#include <ringwatch/verify/integrators/oscillator.h>
 
 #include <tests/support/dense.h>
 #include <tests/verify/integrator_criteria.h>

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include <ringwatch/verify/integrators.h>
+#include <ringwatch/verify/integrators/integrators.h>
 
 namespace ringwatch {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include <ringwatch/elements/registry.h>
-#include <ringwatch/verify/elements.h>
+#include <ringwatch/verify/elements/elements.h>
 
 #include "criteria.h"
 #include "report_tools.h"

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include <ringwatch/verify/error_against_time.h>
+#include <ringwatch/verify/work_precision/error_against_time.h>
 
 #include "criteria.h"
 

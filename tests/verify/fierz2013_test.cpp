@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/handlers/handler.h>
-#include <ringwatch/verify/fierz2013.h>
+#include <ringwatch/verify/fierz2013/fierz2013.h>
 
 #include "criteria.h"
 #include "report_tools.h"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/handlers/handler.h>
-#include <ringwatch/verify/handlers.h>
+#include <ringwatch/verify/handlers/handlers.h>
 
 #include "criteria.h"
 #include "report_tools.h"

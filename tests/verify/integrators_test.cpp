@@ -6,7 +6,7 @@
 
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/integrators/symplectic_euler.h>
-#include <ringwatch/verify/integrators.h>
+#include <ringwatch/verify/integrators/integrators.h>
 
 #include "integrator_criteria.h"
 #include "report_tools.h"

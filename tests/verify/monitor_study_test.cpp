@@ -4,7 +4,7 @@
 #include <ringwatch/elements/registry.h>
 #include <ringwatch/materials/registry.h>
 #include <ringwatch/monitor/metrics/metrics.h>
-#include <ringwatch/verify/monitor.h>
+#include <ringwatch/verify/monitor/monitor.h>
 
 #include "criteria.h"
 #include "report_tools.h"

@@ -6,9 +6,9 @@
 
 #include <Eigen/LU>
 
+#include <ringwatch/verify/integrators/oscillator.h>
+#include <ringwatch/verify/integrators/spring_chain.h>
 #include <ringwatch/verify/matrix_eigenvalues.h>
-#include <ringwatch/verify/oscillator.h>
-#include <ringwatch/verify/spring_chain.h>
 
 namespace ringwatch {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 // [example]
-#include <ringwatch/verify/integrators.h>
+#include <ringwatch/verify/integrators/integrators.h>
 
 /// Leapfrog that starts with half a drift instead of half a kick.
 class DriftKickDrift final : public ringwatch::Integrator {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <ringwatch/verify/robustness.h>
+#include <ringwatch/verify/robustness/robustness.h>
 
 #include "criteria.h"
 #include "report_tools.h"

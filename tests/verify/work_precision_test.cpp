@@ -9,7 +9,7 @@
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
-#include <ringwatch/verify/work_precision.h>
+#include <ringwatch/verify/work_precision/work_precision.h>
 
 #include "report_tools.h"
 

@@ -1,0 +1,429 @@
+#pragma once
+#include <cuda_fp16.h>
+
+#include <ringwatch/gpu/certificate/certificate_operations.h>
+#include <ringwatch/monitor/bounds/nodal_weights.h>
+#include <ringwatch/monitor/incremental/rebuild_policy.h>
+#include <ringwatch/monitor/incremental/tangent_growth.h>
+#include <ringwatch/gpu/body/patch_kernels.cuh>
+
+/// The block nodal bound and its balls on the device: the arithmetic of monitor/bounds/nodal_weights.h, an element a
+/// thread.
+namespace ringwatch::detail {
+
+/// RoundedDown (base/short_floats.h) of the device, in half precision; infinity stays.
+class HalfRoundedDown {
+ public:
+  // Not an initialiser: the host's compiler would see it.
+  __device__ __forceinline__ explicit HalfRoundedDown(double number) {
+    stored_ = __float2half_rd(__double2float_rd(number));
+  }
+  __device__ __forceinline__ __half stored() const { return stored_; }
+
+ private:
+  __half stored_;
+};
+
+/// The ball test of the patch kernel.
+struct BallCheck {
+  static constexpr bool on = true;
+  CertificateView view;
+
+  /// F0 at a point, and, with the first point, the radius: ten numbers in half precision.
+  struct Ball {
+    __half2 pair[5];
+    __device__ __forceinline__ float radius() const { return __high2float(pair[4]); }
+    __device__ __forceinline__ bool left(const Matrix3<double>& F, float radius) const {
+      float distance2 = 0;
+#pragma unroll
+      for (int i = 0; i < 9; ++i) {
+        const float d =
+            static_cast<float>(F.m[i]) - (i % 2 == 0 ? __low2float(pair[i / 2]) : __high2float(pair[i / 2]));
+        distance2 += d * d;
+      }
+      return !(radius >= 0 && distance2 <= radius * radius);  // NaN has left
+    }
+  };
+  __device__ __forceinline__ Ball load(int q, int points, int threads) const {
+    const auto* from = reinterpret_cast<const __half2*>(view.balls) +
+                       (static_cast<std::size_t>(blockIdx.x) * points + q) * 5 * threads + threadIdx.x;
+    Ball ball;
+#pragma unroll
+    for (int i = 0; i < 5; ++i) ball.pair[i] = from[i * threads];
+    return ball;
+  }
+  /// Where the element's deformation gradients go; nullptr when the list is full.
+  __device__ double* note(int points, int threads) const {
+    const unsigned at = atomicAdd(view.outsideCount, 1U);
+    if (at >= static_cast<unsigned>(view.capacity)) return nullptr;
+    view.outsidePlace[at] = static_cast<std::int32_t>(blockIdx.x) * threads + static_cast<std::int32_t>(threadIdx.x);
+    return view.outsideF + static_cast<std::size_t>(at) * 9 * points;
+  }
+};
+
+/// Displacements of a patch's nodes in device memory.
+struct MeshDisplacements {
+  const Row4<double>* u;
+  const std::int32_t* own;
+  __device__ double operator()(int component, int local) const { return (&u[own[local]].x)[component]; }
+};
+
+/// One element's part of the bound.
+template <class Element, class Law>
+struct ElementBound {
+  static constexpr int n = Element::nodes, size = 3 * n, threads = patchThreads(n);
+  using Table = ShapeTable<Element, double>;
+
+  using Operators = ElementOperators<Element, double>;
+  /// The lower triangle of K += w g ⊗ (∂P/∂F) g.
+  static __device__ __forceinline__ void addTangent(const Law& law, const Matrix3<double>& F, double weight,
+                                                    const double (&g)[n][3], double* K) {
+    Operators::addTangent(law.linearize(F), weight, g,
+                          [K](int row, int column, double value) { K[column * size + row] += value; });
+  }
+  static __device__ __forceinline__ void clear(double* K) {
+#pragma unroll
+    for (int i = 0; i < size * size; ++i) K[i] = 0;
+  }
+  static __device__ __forceinline__ void loadWeights(const CertificateView& view, std::size_t patch, int thread,
+                                                     Symmetric3<double> (&weights)[n]) {
+    const double* from = view.weights + patch * 6 * n * threads + thread;
+#pragma unroll
+    for (int a = 0; a < n; ++a)
+#pragma unroll
+      for (int c = 0; c < 6; ++c) weights[a].m[c] = from[(6 * a + c) * threads];
+  }
+  static __device__ __forceinline__ void storeWeights(const CertificateView& view, std::size_t patch, int thread,
+                                                      const Symmetric3<double> (&weights)[n]) {
+    double* to = view.weights + patch * 6 * n * threads + thread;
+#pragma unroll
+    for (int a = 0; a < n; ++a)
+#pragma unroll
+      for (int c = 0; c < 6; ++c) to[(6 * a + c) * threads] = weights[a].m[c];
+  }
+  /// Constrained components of the element's nodes, three bits each.
+  static __device__ __forceinline__ unsigned constrainedOf(const NodeView<double>& nodes, const std::int32_t* own,
+                                                           const Corners<n>& corners) {
+    unsigned bits = 0;
+    if (nodes.constrained != nullptr)
+#pragma unroll
+      for (int a = 0; a < n; ++a) bits |= static_cast<unsigned>(nodes.constrained[own[corners.node[a]]]) << (3 * a);
+    return bits;
+  }
+  /// max(0, lambda_max(D⁻¹ K)) without constrained rows and columns, rounded up; K's lower triangle is destroyed.
+  static __device__ __forceinline__ double largest(double* K, const Symmetric3<double> (&weights)[n],
+                                                   unsigned constrained) {
+    if (constrained != 0)
+#pragma unroll
+      for (int i = 0; i < size; ++i)
+#pragma unroll
+        for (int j = 0; j <= i; ++j)
+          if ((constrained >> i & 1U) != 0 || (constrained >> j & 1U) != 0) K[i * size + j] = 0;
+    double w[n][6], work[4 * size];
+#pragma unroll
+    for (int a = 0; a < n; ++a) invertFactor(factorOf(weights[a]), w[a]);
+    scaleByFactors(w, n, K);
+    const auto extremes = extremeEigenvaluesOf < size == 12 ? 12 : 0 > (K, size, work, false);
+    const double l = extremes.largest + eigenvalueRounding * extremes.scale;
+    return l < 0 ? 0 : l;
+  }
+  /// The lower triangle of K += w L ⊗ I, L_ab = g_a·g_b.
+  static __device__ __forceinline__ void addLaplacian(double weight, const double (&g)[n][3], double* K) {
+    Operators::addLaplacian(weight, g, [K](int a, int b, double value) {
+#pragma unroll
+      for (int i = 0; i < 3; ++i) K[(3 * a + i) * size + 3 * b + i] += value;
+    });
+  }
+
+  /// Puts a ball around the gradients F(q): its radius, reference gradients and what both lose by rounding.
+  template <class Gradients>
+  static __device__ void setBall(const Law& law, const CertificateView& view, std::size_t place, int points,
+                                 const Gradients& F, double value, double allowance, double strainNorm) {
+    TangentDrift drift;
+    double rounding2 = 0, size2 = 0;
+    for (int q = 0; q < points; ++q) {
+      const Matrix3<double> own = F(q);
+      drift.addPoint(law, own);
+      double lost = 0;
+      __half* ball = ballAt(view, place, points, q);
+#pragma unroll
+      for (int i = 0; i < 9; ++i) {
+        const __half rounded = __double2half(own.m[i]);
+        ball[i / 2 * 2 * threads + i % 2] = rounded;
+        const double d = static_cast<double>(__half2float(rounded)) - own.m[i];
+        lost += d * d;
+      }
+      rounding2 = fmax(rounding2, lost);
+      size2 = fmax(size2, innerProduct(own, own));
+    }
+    double radius = validityRadius(growthOf(drift.law, value, strainNorm), drift.inversionDistance, allowance);
+    // The test is in single precision: its own rounding comes off too.
+    if (radius < 1e30) radius = (radius - sqrt(rounding2)) * (1 - 1e-5) - 1e-6 * (1 + sqrt(size2));
+    setRadius(view, place, points, HalfRoundedDown(radius >= 0 ? radius : -1.0));
+  }
+  /// The ten halves of a point: entry i at [i / 2 * 2 * threads + i % 2].
+  static __device__ __forceinline__ __half* ballAt(const CertificateView& view, std::size_t place, int points, int q) {
+    return reinterpret_cast<__half*>(view.balls) +
+           2 * ((place / threads * static_cast<std::size_t>(points) + static_cast<std::size_t>(q)) * 5 * threads +
+                place % threads);
+  }
+  static __device__ __forceinline__ void setRadius(const CertificateView& view, std::size_t place, int points,
+                                                   HalfRoundedDown radius) {
+    ballAt(view, place, points, 0)[4 * 2 * threads + 1] = radius.stored();
+  }
+};
+
+template <class Element, class Law>
+__global__ void __launch_bounds__(patchThreads(Element::nodes))
+    startWeightsKernel(const BlockView<double> block, const NodeView<double> nodes, const __grid_constant__ Law law,
+                       const __grid_constant__ ShapeTable<Element, double> table, const CertificateView view) {
+  using Bound = ElementBound<Element, Law>;
+  constexpr int n = Bound::n;
+  if (static_cast<int>(threadIdx.x) >= block.patches[blockIdx.x].elementCount) return;
+  const std::int32_t* own = block.nodes + static_cast<std::size_t>(blockIdx.x) * block.nodeCapacity;
+  const ElementView<Element, double> element(block);
+  const unsigned constrained = Bound::constrainedOf(nodes, own, element.corners);
+  Symmetric3<double> weights[n];
+#pragma unroll
+  for (int a = 0; a < n; ++a) weights[a] = Symmetric3<double>::diagonal(0);
+  forEachPoint(element, block.pointCount, [&](int q, const Matrix3<double>& J1, double weight) {
+    const Matrix3<double> F = deformationGradient<Element>(element, MeshDisplacements{nodes.u, own}, table, q, J1);
+    double g[n][3];
+    Bound::Operators::shapeGradients(J1, table.dN[q], g);
+    const auto blocks = nodeBlocksOf(law.linearize(F), weight);
+#pragma unroll
+    for (int a = 0; a < n; ++a) {
+      const auto node = blocks.node(g[a]);
+      const Matrix3<double> k = blocks(node, node);
+#pragma unroll
+      for (int i = 0; i < 3; ++i)
+#pragma unroll
+        for (int j = i; j < 3; ++j)
+          if ((constrained >> (3 * a + i) & 1U) == 0 && (constrained >> (3 * a + j) & 1U) == 0)
+            weights[a](i, j) += k(i, j);
+    }
+  });
+#pragma unroll 1
+  for (int a = 0; a < n; ++a) weights[a] = startWeight(weights[a], true);
+  normaliseWeights(weights, n);
+  Bound::storeWeights(view, blockIdx.x, static_cast<int>(threadIdx.x), weights);
+}
+
+template <class Element, class Law>
+__global__ void __launch_bounds__(patchThreads(Element::nodes))
+    evaluateKernel(const BlockView<double> block, const NodeView<double> nodes, const __grid_constant__ Law law,
+                   const __grid_constant__ ShapeTable<Element, double> table, const CertificateView view) {
+  using Bound = ElementBound<Element, Law>;
+  constexpr int n = Bound::n;
+  const std::size_t place = static_cast<std::size_t>(blockIdx.x) * Bound::threads + threadIdx.x;
+  if (static_cast<int>(threadIdx.x) >= block.patches[blockIdx.x].elementCount) {
+    view.value[place] = 0;
+    return;
+  }
+  const std::int32_t* own = block.nodes + static_cast<std::size_t>(blockIdx.x) * block.nodeCapacity;
+  const ElementView<Element, double> element(block);
+  double K[Bound::size * Bound::size];
+  Bound::clear(K);
+  forEachPoint(element, block.pointCount, [&](int q, const Matrix3<double>& J1, double weight) {
+    const Matrix3<double> F = deformationGradient<Element>(element, MeshDisplacements{nodes.u, own}, table, q, J1);
+    double g[n][3];
+    Bound::Operators::shapeGradients(J1, table.dN[q], g);
+    Bound::addTangent(law, F, weight, g, K);
+  });
+  Symmetric3<double> weights[n];
+  Bound::loadWeights(view, blockIdx.x, static_cast<int>(threadIdx.x), weights);
+  view.value[place] = Bound::largest(K, weights, Bound::constrainedOf(nodes, own, element.corners));
+}
+
+template <class Element>
+__global__ void __launch_bounds__(patchThreads(Element::nodes))
+    sweepKernel(const BlockView<double> block, const CertificateView view, const NodalSums sums) {
+  constexpr int n = Element::nodes, threads = patchThreads(n);
+  if (static_cast<int>(threadIdx.x) >= block.patches[blockIdx.x].elementCount) return;
+  const std::int32_t* own = block.nodes + static_cast<std::size_t>(blockIdx.x) * block.nodeCapacity;
+  const auto corners =
+      reinterpret_cast<const Corners<n>*>(block.corners)[static_cast<std::size_t>(blockIdx.x) * threads + threadIdx.x];
+  using Bound = ElementBound<Element, LinearElastic>;  // weights do not know the law
+  Symmetric3<double> weights[n];
+  Bound::loadWeights(view, blockIdx.x, static_cast<int>(threadIdx.x), weights);
+#pragma unroll
+  for (int a = 0; a < n; ++a) {
+    Symmetric3<double> R;
+    const double* from = sums.factors + static_cast<std::size_t>(own[corners.node[a]]) * 6;
+#pragma unroll
+    for (int c = 0; c < 6; ++c) R.m[c] = from[c];
+    weights[a] = congruence(R, weights[a]);
+  }
+  normaliseWeights(weights, n);
+  Bound::storeWeights(view, blockIdx.x, static_cast<int>(threadIdx.x), weights);
+}
+
+template <class Element, class Law>
+__global__ void __launch_bounds__(patchThreads(Element::nodes))
+    distributeKernel(const BlockView<double> block, const NodeView<double> nodes, const __grid_constant__ Law law,
+                     const __grid_constant__ ShapeTable<Element, double> table, const CertificateView view,
+                     const NodalSums sums, double sigma) {
+  using Bound = ElementBound<Element, Law>;
+  constexpr int n = Bound::n;
+  const std::size_t place = static_cast<std::size_t>(blockIdx.x) * Bound::threads + threadIdx.x;
+  if (static_cast<int>(threadIdx.x) >= block.patches[blockIdx.x].elementCount) return;
+  const std::int32_t* own = block.nodes + static_cast<std::size_t>(blockIdx.x) * block.nodeCapacity;
+  const ElementView<Element, double> element(block);
+  const unsigned constrained = Bound::constrainedOf(nodes, own, element.corners);
+  double scaling = std::numeric_limits<double>::infinity();
+#pragma unroll
+  for (int a = 0; a < n; ++a) {
+    const double nodal = sums.nodal[own[element.corners.node[a]]];
+    if (nodal > 0) scaling = fmin(scaling, sigma / nodal);
+  }
+  const double value = view.value[place];
+  const double allowance = value > 0 ? value * scaling * (1 - allowanceRounding) : 0;
+  double L[Bound::size * Bound::size];
+  Bound::clear(L);
+  forEachPoint(element, block.pointCount, [&](int q, const Matrix3<double>& J1, double weight) {
+    double g[n][3];
+    Bound::Operators::shapeGradients(J1, table.dN[q], g);
+    Bound::addLaplacian(weight, g, L);
+  });
+  Symmetric3<double> weights[n];
+  Bound::loadWeights(view, blockIdx.x, static_cast<int>(threadIdx.x), weights);
+  const double strainNorm = Bound::largest(L, weights, constrained);
+  view.allowance[place] = allowance;
+  view.strainNorm[place] = strainNorm;
+  const auto gradientAt = [&](int q) {
+    PointGeometry<Element, double> geometry;
+    geometry.load(element.geometry +
+                  static_cast<std::size_t>(q) * ElementView<Element, double>::entries * Bound::threads);
+    return deformationGradient<Element>(element, MeshDisplacements{nodes.u, own}, table, q, geometry.J1);
+  };
+  const int points = Element::constantGradient ? 1 : block.pointCount;
+  Bound::setBall(law, view, place, points, gradientAt, value, allowance, strainNorm);
+  // Nothing of a wholly constrained element is left in the problem.
+  if (constrained != 0 && value == 0 && strainNorm <= 1e-200)
+    Bound::setRadius(view, place, points, HalfRoundedDown(std::numeric_limits<double>::infinity()));
+}
+
+/// Elements that have left their balls are evaluated at the gradients that they noted, one a thread; the last block
+/// clears the list.
+template <class Element, class Law>
+__global__ void __launch_bounds__(32)
+    refreshKernel(const BlockView<double> block, const NodeView<double> nodes, const __grid_constant__ Law law,
+                  const __grid_constant__ ShapeTable<Element, double> table, const CertificateView view) {
+  using Bound = ElementBound<Element, Law>;
+  constexpr int n = Bound::n, threads = Bound::threads;
+  const int points = Element::constantGradient ? 1 : block.pointCount;
+  const unsigned left = *static_cast<volatile unsigned*>(view.outsideCount);
+  const unsigned listed = min(left, static_cast<unsigned>(view.capacity));
+  const std::int64_t step = *static_cast<volatile std::int64_t*>(&view.flags->checked);
+  bool lost = left > listed, near = false;
+  constexpr double nearlyLost = RebuildPolicy{}.nearlyLost;
+  for (unsigned i = blockIdx.x * blockDim.x + threadIdx.x; i < listed; i += gridDim.x * blockDim.x) {
+    const std::size_t place = view.outsidePlace[i];
+    const std::size_t patch = place / threads;
+    const auto thread = static_cast<int>(place % threads);
+    const std::int32_t* own = block.nodes + patch * static_cast<std::size_t>(block.nodeCapacity);
+    const Corners<n> corners = reinterpret_cast<const Corners<n>*>(block.corners)[place];
+    const double* geometry = block.geometry + patch * points * ElementView<Element, double>::entries * threads + thread;
+    const double* noted = view.outsideF + static_cast<std::size_t>(i) * 9 * points;
+    const auto gradientAt = [&](int q) {
+      Matrix3<double> F;
+#pragma unroll
+      for (int k = 0; k < 9; ++k) F.m[k] = noted[9 * q + k];
+      return F;
+    };
+    double K[Bound::size * Bound::size];
+    Bound::clear(K);
+#pragma unroll 1
+    for (int q = 0; q < points; ++q) {
+      PointGeometry<Element, double> at;
+      at.load(geometry + static_cast<std::size_t>(q) * ElementView<Element, double>::entries * threads);
+      if constexpr (Element::constantGradient) at.weight = Element::referenceVolume / determinant(at.J1);
+      double g[n][3];
+      Bound::Operators::shapeGradients(at.J1, table.dN[q], g);
+      Bound::addTangent(law, gradientAt(q), at.weight, g, K);
+    }
+    Symmetric3<double> weights[n];
+    Bound::loadWeights(view, patch, thread, weights);
+    const double value = Bound::largest(K, weights, Bound::constrainedOf(nodes, own, corners));
+    const double allowance = view.allowance[place];
+    lost = lost || !(value <= allowance);
+    near = near || !(value <= nearlyLost * allowance);
+    view.value[place] = value;
+    Bound::setBall(law, view, place, points, gradientAt, value, allowance, view.strainNorm[place]);
+  }
+  if (lost) {
+    // -1 is the largest of all as an unsigned number: the least step stays.
+    atomicMin(reinterpret_cast<unsigned long long*>(&view.flags->lostAt), static_cast<unsigned long long>(step));
+  }
+  if (near || lost) view.flags->nearlyLost = 1;
+  __syncthreads();
+  if (threadIdx.x == 0) {
+    __threadfence();
+    if (atomicAdd(view.done, 1U) == gridDim.x - 1) {
+      view.flags->evaluated += listed;
+      *view.outsideCount = 0;
+      *view.done = 0;
+      if (view.countsSteps) view.flags->checked = step + 1;
+    }
+  }
+}
+
+/// Launches the certificate's kernels of one element and law.
+template <class Element, class Law>
+struct CertificateLauncher {
+  using Patches = PatchLauncher<Element, Law, double>;
+  static constexpr int threads = patchThreads(Element::nodes), refreshBlocks = 132;
+
+#define RINGWATCH_LAUNCH(name)                                                                                         \
+  static void name(const BlockView<double>& block, const NodeView<double>& nodes, const LawParameters& law,            \
+                   const CertificateView& view, [[maybe_unused]] const NodalSums& sums, [[maybe_unused]] double sigma, \
+                   cudaStream_t stream)
+  RINGWATCH_LAUNCH(start) {
+    startWeightsKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(block, nodes, std::get<Law>(law.law),
+                                                                               Patches::tableOf(*law.rule), view);
+    checkLaunch("start of the weights");
+  }
+  RINGWATCH_LAUNCH(evaluate) {
+    evaluateKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(block, nodes, std::get<Law>(law.law),
+                                                                           Patches::tableOf(*law.rule), view);
+    checkLaunch("element values");
+  }
+  RINGWATCH_LAUNCH(sweep) {
+    (void)nodes;
+    (void)law;
+    sweepKernel<Element><<<block.patchCount, threads, 0, stream>>>(block, view, sums);
+    checkLaunch("sweep of the weights");
+  }
+  RINGWATCH_LAUNCH(distribute) {
+    distributeKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(
+        block, nodes, std::get<Law>(law.law), Patches::tableOf(*law.rule), view, sums, sigma);
+    checkLaunch("allowances and balls");
+  }
+  RINGWATCH_LAUNCH(step) {
+    Patches::template launchWith<false, Use::step>(block, nodes, law, nullptr, nullptr, BallCheck{view}, stream);
+  }
+  RINGWATCH_LAUNCH(refresh) {
+    refreshKernel<Element, Law>
+        <<<refreshBlocks, 32, 0, stream>>>(block, nodes, std::get<Law>(law.law), Patches::tableOf(*law.rule), view);
+    checkLaunch("refresh of the balls");
+  }
+#undef RINGWATCH_LAUNCH
+};
+
+/// Sets the certificate of an element type with law number `law` when the law is in this shard. Instantiated in a
+/// generated file a shard.
+template <std::size_t shard>
+void certificateOperationsOfShard(ElementType type, std::size_t law, CertificateOperations& result) {
+  visitLawOfShard<shard>(law, [&]<class LawType>(TypeTag<LawType>) {
+    visitElement(type, [&](auto tag) {
+      using Element = typename decltype(tag)::type;
+      if constexpr (Element::order == 1) {
+        using Launcher = CertificateLauncher<Element, LawType>;
+        result = {&Launcher::start,      &Launcher::evaluate, &Launcher::sweep,
+                  &Launcher::distribute, &Launcher::step,     &Launcher::refresh};
+      }
+    });
+  });
+}
+
+}  // namespace ringwatch::detail

@@ -1,0 +1,67 @@
+#pragma once
+#include <cstdint>
+
+#include <ringwatch/gpu/body/patch_operations.h>
+
+namespace ringwatch {
+
+/// What is said about the steps checked so far.
+struct CertificateFlags {
+  std::int64_t checked;          // steps
+  std::int64_t lostAt;           // the first of them that is not certified; -1: none
+  unsigned long long evaluated;  // elements evaluated again
+  unsigned nearlyLost;           // an element has come close to its allowance
+};
+
+/// The certificate of a block: frozen weights, allowances and balls of its elements; see NodalBound and
+/// IncrementalNodalBound. Elements are [patch][thread] = place.
+struct CertificateView {
+  double* weights = nullptr;     // [patch][6 node + entry][thread], Symmetric3
+  double* value = nullptr;       // [place] l_e when last evaluated
+  double* allowance = nullptr;   // [place]
+  double* strainNorm = nullptr;  // [place] lambda_max(D⁻¹ Σ w BᵀB)
+  /// F0 of every point and the radius in half precision, 20 bytes a point; what rounding takes is taken off the radius.
+  /// Pairs of numbers, [patch][point][5][thread]: F0 row by row, then, with the first point, the radius; < 0: always
+  /// left.
+  std::uint32_t* balls = nullptr;
+  // Elements that left their balls in the last step.
+  std::int32_t* outsidePlace = nullptr;  // [capacity]
+  double* outsideF = nullptr;            // [capacity][point][9]
+  unsigned* outsideCount = nullptr;      // may exceed the capacity: then some are not listed
+  unsigned* done = nullptr;              // thread blocks that have finished
+  std::int32_t capacity = 0;
+  CertificateFlags* flags = nullptr;
+  bool countsSteps = false;  // of all blocks one does
+};
+
+/// Nodal sums of the certificate, by device node.
+struct NodalSums {
+  double* slots = nullptr;              // [slot][6]
+  double* sums = nullptr;               // [node][6] S_i, Symmetric3
+  double* factors = nullptr;            // [node][6] R_i
+  double* nodal = nullptr;              // [node] lambda_max(S_i)
+  unsigned long long* bound = nullptr;  // the largest of them, as the bits of a double
+};
+
+/// The launches of the certificate, by element type and law, in double precision.
+struct CertificateOperations {
+  using Launch = void (*)(const BlockView<double>&, const NodeView<double>&, const LawParameters&,
+                          const CertificateView&, const NodalSums&, double sigma, cudaStream_t);
+  Launch start = nullptr;       // weights, from the diagonal blocks
+  Launch evaluate = nullptr;    // values, with the weights
+  Launch sweep = nullptr;       // weights ← R D R
+  Launch distribute = nullptr;  // allowances for sigma, balls around here
+  Launch step = nullptr;        // force, step and ball test in one pass
+  Launch refresh = nullptr;     // the elements that have left
+};
+CertificateOperations certificateOperations(ElementType type, std::size_t law);
+
+/// Σ_e values D_(e,a) at the patches' nodes, into slots and sums.
+void launchGatherWeights(const BlockView<double>& block, const NodeView<double>& nodes, const CertificateView& view,
+                         const NodalSums& sums, int elementNodes, const double* values, cudaStream_t stream);
+/// S_i of all nodes, their largest eigenvalues and the largest of those; then, with `factors`, R_i for a sweep at the
+/// bound found by an earlier call.
+void launchBoundNodes(const NodeView<double>& nodes, const NodalSums& sums, cudaStream_t stream);
+void launchSweepFactors(const NodeView<double>& nodes, const NodalSums& sums, double bound, cudaStream_t stream);
+
+}  // namespace ringwatch
