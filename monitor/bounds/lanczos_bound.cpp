@@ -4,27 +4,19 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/random.h>
 #include <ringwatch/monitor/bounds/mass_scaled_operator.h>
+#include <ringwatch/monitor/small/lanczos.h>
 
 namespace ringwatch {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// The Lanczos matrix so far: alpha on the diagonal, beta beside it; beta.back() belongs to the vector to come.
-struct Tridiagonal {
-  std::vector<double> alpha, beta;
-  double size = 0;  // a bound of its norm, Gershgorin's
-
-  void append(double a, double b) {
-    size = std::max(size, std::abs(a) + b + (beta.empty() ? 0.0 : beta.back()));
-    alpha.push_back(a);
-    beta.push_back(b);
-  }
+/// What the argument takes from the Lanczos matrix.
+struct Tridiagonal : LanczosMatrix {
   /// log of the product of the k ratios β_j p_j/p_(j-1), which is p_k β_k times the other betas; NaN unless t lies
   /// right of all Ritz values.
   double logProduct(double t) const {
@@ -40,9 +32,9 @@ struct Tridiagonal {
   /// t.
   template <class Condition>
   double least(double low, const Condition& holds) const {
-    double high = size + 1e-3 * size + std::numeric_limits<double>::min();
-    while (!holds(high)) high += high - low + size;
-    while (high - low > 1e-14 * size) {
+    double high = radius + 1e-3 * radius + std::numeric_limits<double>::min();
+    while (!holds(high)) high += high - low + radius;
+    while (high - low > 1e-14 * radius) {
       const double middle = 0.5 * (low + high);
       if (!(middle > low && middle < high)) break;
       (holds(middle) ? high : low) = middle;
@@ -91,10 +83,10 @@ LanczosBound lanczosUpperBound(const TangentSource& source, NodeVectorsView x, d
     }
     if (!T.beta.empty()) logBetas += std::log(T.beta.back());
     T.append(alpha, beta);
-    if (!(T.size > 0)) return result;  // K q = 0 for a random q: there is no stiffness
+    if (!(T.radius > 0)) return result;  // K q = 0 for a random q: there is no stiffness
     // The recurrence's own rounding counts as part of the next vector; that also serves when the vectors end.
-    const double rounding = 32 * epsilon * T.size, target = std::log((beta + rounding) / (0.5 * d)) + logBetas;
-    const double floor = T.alpha.size() == 1 ? -T.size : ritz - rounding;  // Ritz values only rise
+    const double rounding = 32 * epsilon * T.radius, target = std::log((beta + rounding) / (0.5 * d)) + logBetas;
+    const double floor = T.size() == 1 ? -T.radius : ritz - rounding;  // Ritz values only rise
     ritz = T.least(floor, [&](double t) { return !std::isnan(T.logProduct(t)); });
     const double upper = T.least(ritz, [&](double t) { return T.logProduct(t) >= target; }) + rounding;
     result.ritz.value = std::max(0.0, ritz);

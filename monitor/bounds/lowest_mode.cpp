@@ -9,6 +9,7 @@
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/random.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
+#include <ringwatch/monitor/small/lanczos.h>
 
 namespace ringwatch {
 namespace {
@@ -93,47 +94,37 @@ LowestMode LowestModeSearch::find(NodeVectorsView x, int maxProducts) {
   start = start.cwiseProduct(scale_.cwiseSign());
   const double norm = start.norm();
   if (!(norm > 0)) return result;  // nothing is free
-  std::vector<NodeVectors> basis{start / norm};
-  std::vector<double> alpha, beta;
   NodeVectors w, u;
+  Lanczos<NodeVectors> lanczos;
+  const LanczosMatrix& T = lanczos.matrix();  // of S K S
+  lanczos.begin(start / norm);
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  double size = 0;  // of S K S, as far as it is known
   while (true) {
-    u = basis.back().cwiseProduct(scale_);
+    u = lanczos.current().cwiseProduct(scale_);
     body_.tangentProduct(x, u, w, workspace_);
     w = w.cwiseProduct(scale_);
     ++result.products;
-    alpha.push_back(w.cwiseProduct(basis.back()).sum());
-    for (const NodeVectors& q : basis) w -= w.cwiseProduct(q).sum() * q;
-    beta.push_back(w.norm());
-    if (!std::isfinite(alpha.back() + beta.back())) {
+    lanczos.advance(w);
+    if (!std::isfinite(T.alpha.back() + T.beta.back())) {
       result.value = std::numeric_limits<double>::quiet_NaN();
       forget();
       return result;
     }
-    const Eigen::Index count = alpha.size();
-    size = std::max(size, std::abs(alpha.back()) + beta.back() + (count > 1 ? beta[alpha.size() - 2] : 0.0));
-    const bool last = result.products == maxProducts || !(beta.back() > 1e-12 * size);
-    if (last || count % 4 == 0) {
-      Eigen::MatrixXd T = Eigen::MatrixXd::Zero(count, count);
-      for (Eigen::Index i = 0; i < count; ++i) {
-        T(i, i) = alpha[i];
-        if (i + 1 < count) T(i, i + 1) = T(i + 1, i) = beta[i];
-      }
-      solver.compute(T);
+    const bool last = result.products == maxProducts || !(T.beta.back() > 1e-12 * T.radius);
+    if (last || T.size() % 4 == 0) {
+      solver.compute(T.dense());
       if (solver.info() != Eigen::Success) return result;
-      if (last || solver.eigenvalues()[0] < -clearlyBelow * size) break;
+      if (last || solver.eigenvalues()[0] < -clearlyBelow * T.radius) break;
     }
-    basis.push_back(w / beta.back());
+    lanczos.extend(w);
   }
-  start.setZero();
-  for (std::size_t i = 0; i < basis.size(); ++i) start += solver.eigenvectors()(i, 0) * basis[i];
+  start = lanczos.combine(solver.eigenvectors().col(0));
   start /= start.norm();
   // The quotient itself: whatever went before, its sign is proven to rounding.
   u = start.cwiseProduct(scale_);
   body_.tangentProduct(x, u, w, workspace_);
   ++result.products;
-  const double form = w.cwiseProduct(u).sum() + roundingOfQuotients * size + body_.formRounding(x, u, workspace_);
+  const double form = w.cwiseProduct(u).sum() + roundingOfQuotients * T.radius + body_.formRounding(x, u, workspace_);
   result.value = form / (u.cwiseAbs2() * body_.lumpedMass()).sum();
   if (result.value < 0) result.element = softestElement(body_, x, u);
   return result;

@@ -10,6 +10,7 @@
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 #include <ringwatch/monitor/small/extreme_eigenvalues.h>
+#include <ringwatch/monitor/small/lanczos.h>
 
 namespace ringwatch {
 namespace {
@@ -47,65 +48,54 @@ double denseLargest(const RingMatrix& matrix, std::vector<double>& dense) {
   return extremes.largest + eigenvalueRounding * extremes.scale;
 }
 
-/// The Lanczos iteration of Golub & Van Loan (2013, alg. 10.1.1) with full orthogonalisation.
-class Lanczos {
+/// The largest eigenvalue of the matrices of rings by Lanczos' iteration; keeps its memory.
+class TopOfRing {
  public:
   /// The top Ritz value, lowered by its rounding: never above lambda_max. v: the start, overwritten.
   double largest(const RingMatrix& matrix, Eigen::VectorXd& v) {
     const double norm = v.norm();
     if (!(norm > 0)) return 0;  // nothing is free
     const Eigen::Index size = matrix.size();
-    basis_.resize(0);
-    diagonal_.clear();
-    square_.clear();
+    const LanczosMatrix& T = lanczos_.matrix();
     product_.resize(size);
     v /= norm;
-    for (Eigen::Index k = 0; k < size; ++k) {
-      basis_.push_back(v);
-      matrix.multiply(v, product_);
-      diagonal_.push_back(product_.dot(v));
-      if (!std::isfinite(diagonal_.back())) return std::numeric_limits<double>::quiet_NaN();
-      for (const Eigen::VectorXd& q : basis_) product_ -= product_.dot(q) * q;
-      const double beta = product_.norm();
-      square_.push_back(beta * beta);
-      const bool exhausted = k + 1 == size || !(beta > 1e-13 * scale());
-      if (exhausted || k % 4 == 3) {
+    lanczos_.begin(v);
+    while (true) {
+      matrix.multiply(lanczos_.current(), product_);
+      lanczos_.advance(product_);
+      const double beta = T.beta.back();
+      if (!std::isfinite(T.alpha.back() + beta)) return std::numeric_limits<double>::quiet_NaN();
+      const bool exhausted = T.size() == size || !(beta > 1e-13 * T.radius);
+      if (exhausted || T.size() % 4 == 0) {
         const double ritz = topOfTridiagonal();
         if (exhausted || beta * lastComponent(ritz) <= residualTolerance * std::abs(ritz))
-          return ritz - eigenvalueRounding * scale();
+          return ritz - eigenvalueRounding * T.radius;
       }
-      v = product_ / beta;
+      lanczos_.extend(product_);
     }
-    return topOfTridiagonal() - eigenvalueRounding * scale();
   }
 
  private:
-  /// Gershgorin bound of the tridiagonal matrix.
-  double scale() const {
-    double most = 0;
-    for (std::size_t i = 0; i < diagonal_.size(); ++i)
-      most = std::max(most, std::abs(diagonal_[i]) + (i > 0 ? std::sqrt(square_[i - 1]) : 0.0) +
-                                (i + 1 < diagonal_.size() ? std::sqrt(square_[i]) : 0.0));
-    return most;
-  }
   double topOfTridiagonal() {
-    const double radius = scale();
-    if (!(radius > 0)) return radius;
-    scaledDiagonal_.resize(diagonal_.size());
-    scaledSquare_.resize(square_.size());
-    for (std::size_t i = 0; i < diagonal_.size(); ++i) {
-      scaledDiagonal_[i] = diagonal_[i] / radius;
-      scaledSquare_[i] = square_[i] / radius / radius;
+    const LanczosMatrix& T = lanczos_.matrix();
+    if (!(T.radius > 0)) return T.radius;
+    const std::size_t size = T.alpha.size();
+    scaledDiagonal_.resize(size);
+    scaledSquare_.resize(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      scaledDiagonal_[i] = T.alpha[i] / T.radius;
+      scaledSquare_[i] = (T.beta[i] / T.radius) * (T.beta[i] / T.radius);
     }
-    return radius * largestByLaguerre<0, double>(scaledDiagonal_.data(), scaledSquare_.data(),
-                                                 static_cast<int>(diagonal_.size()), 1 + 1e-13);
+    return T.radius * largestByLaguerre<0, double>(scaledDiagonal_.data(), scaledSquare_.data(), static_cast<int>(size),
+                                                   1 + 1e-13);
   }
   /// |last component| of the tridiagonal matrix's unit eigenvector at its top eigenvalue.
   double lastComponent(double ritz) const {
+    const LanczosMatrix& T = lanczos_.matrix();
     double u = 1, previous = 0, sum = 1;
-    for (std::size_t i = 0; i + 1 < diagonal_.size(); ++i) {
-      const double before = i > 0 ? std::sqrt(square_[i - 1]) : 0.0;
-      const double next = ((ritz - diagonal_[i]) * u - before * previous) / std::sqrt(square_[i]);
+    for (std::size_t i = 0; i + 1 < T.alpha.size(); ++i) {
+      const double before = i > 0 ? T.beta[i - 1] : 0.0;
+      const double next = ((ritz - T.alpha[i]) * u - before * previous) / T.beta[i];
       previous = u;
       u = next;
       sum += u * u;
@@ -113,8 +103,7 @@ class Lanczos {
     return std::abs(u) / std::sqrt(sum);
   }
 
-  std::vector<Eigen::VectorXd> basis_;
-  std::vector<double> diagonal_, square_;              // of T: diagonal, squares beside it
+  Lanczos<Eigen::VectorXd> lanczos_;
   std::vector<double> scaledDiagonal_, scaledSquare_;  // to a spectral radius of at most one
   Eigen::VectorXd product_;
 };
@@ -161,7 +150,7 @@ class Rings {
     std::vector<double> mass, dense;
     RingMatrix matrix;
     Eigen::VectorXd start;
-    Lanczos lanczos;
+    TopOfRing top;
   };
 
   /// lambda_max of the ring around the seeds: a node, or the nodes of an element.
@@ -192,7 +181,7 @@ class Rings {
           scratch.start[3 * static_cast<Eigen::Index>(i) + c] =
               freeFactor(body_, scratch.nodes[i], c) *
               randomEntry(0, 3 * static_cast<std::uint64_t>(scratch.nodes[i]) + static_cast<std::uint64_t>(c));
-      lambda = scratch.lanczos.largest(scratch.matrix, scratch.start);
+      lambda = scratch.top.largest(scratch.matrix, scratch.start);
       if (kind_ == RingKind::reduced2) lambda -= roundingOf(scratch);
     }
     for (const std::int32_t node : scratch.nodes) scratch.place[node] = -1;
