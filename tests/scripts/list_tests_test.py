@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""tests/list_tests.cmake writes every case of a program once, with its labels, and fails on a pattern that selects none.
+
+usage: list_tests_test.py CMAKE
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+# Stands for a GoogleTest program: lists its cases by the patterns of --gtest_filter.
+PROGRAM = """#!/usr/bin/env python3
+import fnmatch, sys
+CASES = ["Plain.First", "Plain.Second", "All/Typed.Holds/tet4", "Costly.One", "Costly.Two"]
+positive, _, negative = sys.argv[2].partition("=")[2].partition("-")
+def matches(case, patterns):
+    return any(fnmatch.fnmatchcase(case, p) for p in patterns.split(":") if p)
+suite = None
+for case in CASES:
+    if matches(case, positive or "*") and not matches(case, negative):
+        if case.split(".")[0] != suite:
+            suite = case.split(".")[0]
+            print(suite + ".")
+        print("  " + case.split(".")[1] + ("  # GetParam() = 4" if suite == "All/Typed" else ""))
+"""
+
+
+def listing(cmake, folder, slow, together=""):
+    program, output = folder / "program", folder / "cases.cmake"
+    program.write_text(PROGRAM)
+    program.chmod(0o755)
+    script = pathlib.Path(__file__).resolve().parent.parent / "list_tests.cmake"
+    run = subprocess.run([cmake, "-D", f"PROGRAM={program}", "-D", "FOLDER=plain", "-D", f"SLOW={slow}", "-D",
+                          f"TOGETHER={together}", "-D", f"OUTPUT={output}", "-P", str(script)],
+                         capture_output=True, text=True)
+    return run, output.read_text() if output.exists() else None
+
+
+def expect(condition, what):
+    if not condition:
+        sys.exit(what)
+
+
+def main():
+    cmake = sys.argv[1]
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        run, text = listing(cmake, folder, "Plain.Second:Plain.S*:All/*", "Costly")
+        expect(run.returncode == 0, run.stderr)
+        speeds = {}
+        for line in text.splitlines():
+            if line.startswith("add_test("):
+                test = line.split("[=[")[1].split("]=]")[0]
+                expect(test not in speeds, f"{test} is written twice")
+            else:
+                speeds[test] = line.split('LABELS "')[1].split('"')[0]
+        expect(speeds == {"plain.Plain.First": "plain;fast", "plain.Plain.Second": "plain;slow",
+                          "plain.All/Typed.Holds/tet4": "plain;slow", "plain.Costly": "plain;slow"}, f"lists {speeds}")
+        for slow, together, what in [("Plain.Third*", "", '"Plain.Third*"'), ("Plain.*:Typed.*", "", '"Typed.*"'),
+                                     ("", "Cheap", "suite Cheap")]:
+            run, text = listing(cmake, folder, slow, together)
+            expect(run.returncode != 0 and what in run.stderr and text is None,
+                   f"{slow} {together}: status {run.returncode}, {run.stderr}")
+    print("cases are listed once; patterns without a case are refused")
+
+
+main()
