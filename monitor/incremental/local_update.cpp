@@ -60,8 +60,8 @@ class Neighbourhood {
 
   void evaluate(bool withStrainNorm) { state_.evaluate(x_, ring_, withStrainNorm, references_); }
 
-  /// Turns the weights of the inner nodes with the body. Whether that was enough.
-  bool turn() {
+  /// Rotates the weights of the inner nodes with the body. Whether that was enough.
+  bool rotateWeights() {
     if (state_.rotateWeights(inner_, policy_).empty()) return false;
     evaluate(true);
     return std::all_of(ring_.begin(), ring_.end(),
@@ -209,7 +209,7 @@ std::vector<ElementRef> localUpdate(RunCertificate& state, NodeVectorsView x, El
   for (int growth = 0; growth <= policy.growths; ++growth) {
     near.choose(seed);
     near.evaluate(false);
-    if (growth == 0 && near.turn()) return near.elements();
+    if (growth == 0 && near.rotateWeights()) return near.elements();
     for (int sweep = 0; sweep <= policy.localSweeps; ++sweep) {
       if (sweep > 0) near.sweep();
       const bool lastSweep = sweep == policy.localSweeps, last = lastSweep && growth == policy.growths;

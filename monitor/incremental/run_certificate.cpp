@@ -283,7 +283,7 @@ bool RunCertificate::rotateWithBody(NodeVectorsView x, const RebuildPolicy& poli
 
 std::vector<std::int32_t> RunCertificate::rotateWeights(const std::vector<std::int32_t>& nodes,
                                                         const RebuildPolicy& policy) {
-  std::vector<std::int32_t> turned;
+  std::vector<std::int32_t> rotated;
   for (const std::int32_t node : nodes) {
     // Where components are constrained the sum is cut along fixed axes.
     if (body().constraints().any() && body().constraints().freeComponents(node) < 3) continue;
@@ -293,9 +293,9 @@ std::vector<std::int32_t> RunCertificate::rotateWeights(const std::vector<std::i
     for (const NodalBound::Incidence at : weights().incidences(node))
       weights().setWeight(at, Q * weights().weight(at) * Q.transpose());
     setFrame(node, now);
-    turned.push_back(node);
+    rotated.push_back(node);
   }
-  for (const std::int32_t node : turned) {
+  for (const std::int32_t node : rotated) {
     const double share = certifiedEigenvalue() * body().lumpedMass()[node] / largestEigenvalue(sumOfAllowances(node));
     if (share > 1) continue;
     for (const NodalBound::Incidence at : weights().incidences(node)) {
@@ -303,7 +303,7 @@ std::vector<std::int32_t> RunCertificate::rotateWeights(const std::vector<std::i
       setAllowance(e, allowance(e) * share * (1 - allowanceRounding));
     }
   }
-  return turned;
+  return rotated;
 }
 
 namespace {

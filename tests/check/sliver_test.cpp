@@ -65,7 +65,7 @@ TEST(Sliver, HasABracketThatHolds) {
           EXPECT_LT(step.optimistic / step.safe, 1.011) << which;
           RunBracket run(body, 0.05, infinity);
           NodeVectors x = body.mesh().X;
-          for (int look = 0; look < 3; ++look) {
+          for (int observation = 0; observation < 3; ++observation) {
             ASSERT_TRUE(test::exactTangent(body, x, K));
             const std::optional<CriticalStep>& bracket = run.evaluate(x, stepLimit, std::nullopt, nullptr);
             ASSERT_TRUE(bracket) << which;

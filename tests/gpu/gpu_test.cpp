@@ -35,17 +35,17 @@ void compare(const Body& body, const NodeVectors& x, const std::string& what) {
   body.internalForce(x, f, workspace);
   body.tangentProduct(x, p, Kp, workspace);
   const double energy = body.energy(x, workspace);
-  const auto poison = [&] {
+  const auto fillWithNan = [&] {
     device.impl().result.fill(0xff);
     device.impl().slots.fill(0xff);
     device.impl().partial.fill(0xff);
     device.impl().sum.fill(0xff);
   };
-  poison();
+  fillWithNan();
   expectAtMost(relative(device.internalForce(), f), boundOf<R>, what + " force");
-  poison();
+  fillWithNan();
   expectAtMost(relative(device.tangentProduct(p), Kp), boundOf<R>, what + " tangent product");
-  poison();
+  fillWithNan();
   expectAtMost(std::abs(device.strainEnergy() - energy) / std::abs(energy), boundOf<R>, what + " energy");
 }
 

@@ -69,9 +69,9 @@ TYPED_TEST(DriftTest, BoundsTheTangentOfEveryStateInItsBall) {
     const Eigen::Matrix3d F0 = randomState(random);
     const TangentDriftCoefficients<double> drift = law.drift(test::toMatrix3(F0));
     // Balls end before anything can invert.
-    const double reach = std::min({drift.radius, 2 * F0.determinant() / F0.squaredNorm(), 1.0});
-    if (!(reach > 0)) continue;
-    const double delta = reach * std::pow(10.0, random.uniform(-4, 0));
+    const double range = std::min({drift.radius, 2 * F0.determinant() / F0.squaredNorm(), 1.0});
+    if (!(range > 0)) continue;
+    const double delta = range * std::pow(10.0, random.uniform(-4, 0));
     const Eigen::Matrix3d F = F0 + delta * randomDirection(random, F0);
     const Matrix9 A0 = modulus(law, F0), A = modulus(law, F);
     const double size = A0.norm() + A.norm() + 1;
@@ -86,7 +86,7 @@ TYPED_TEST(DriftTest, BoundsTheTangentOfEveryStateInItsBall) {
                    most = root * root - drift.negative + rest;
       ASSERT_LE(after, most + 1e-10 * size) << "F0 = " << F0 << "\nF = " << F << "\ndelta = " << delta;
       const double grown = after - dF.dot(A0 * dF);
-      if (delta < 0.01 * reach && grown > 1e-6 * size)
+      if (delta < 0.01 * range && grown > 1e-6 * size)
         tightest = std::max(tightest, grown / (most - before + drift.negative));
     };
     check(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(A - A0)).eigenvectors().col(8));

@@ -231,16 +231,16 @@ TYPED_TEST(ExtremeEigenvaluesTest, LeavesTheLeastOutWhenNotWanted) {
 TYPED_TEST(ExtremeEigenvaluesTest, GivesNoPlausibleValueForNanOrInfinity) {
   test::Random random(4);
   for (const int n : {1, 2, 3, 5, 12, 24})
-    for (const double poison : {nan, infinity, -infinity})
+    for (const double notFinite : {nan, infinity, -infinity})
       for (int i = 0; i < n; ++i)
         for (int j = 0; j <= i; ++j) {
           Matrices matrices;
           for (int lane = 0; lane < TestFixture::lanes; ++lane) matrices.push_back(symmetric(random, n, 1));
           const std::size_t bad = random.index(TestFixture::lanes);
-          matrices[bad](i, j) = matrices[bad](j, i) = poison;
+          matrices[bad](i, j) = matrices[bad](j, i) = notFinite;
           const auto found = TestFixture::compute(matrices);
-          EXPECT_FALSE(std::isfinite(found[bad].largest)) << poison << " at " << i << ", " << j << " of " << n;
-          EXPECT_FALSE(std::isfinite(found[bad].least)) << poison << " at " << i << ", " << j << " of " << n;
+          EXPECT_FALSE(std::isfinite(found[bad].largest)) << notFinite << " at " << i << ", " << j << " of " << n;
+          EXPECT_FALSE(std::isfinite(found[bad].least)) << notFinite << " at " << i << ", " << j << " of " << n;
           for (std::size_t lane = 0; lane < matrices.size(); ++lane)
             if (lane != bad) TestFixture::expectExact(matrices[lane], found[lane], "beside a bad lane");
         }

@@ -66,13 +66,13 @@ constexpr std::array strains{Strain::none, Strain::moderate, Strain::large, Stra
 NodeVectors deformed(RandomMatrices& random, const NodeVectors& X, Strain strain) {
   if (strain == Strain::none) return X;
   // Rotation, a stretch of every direction between half and double, and noise on the nodes.
-  const double reach = strain == Strain::moderate ? 0.1 : 0.7;
+  const double largest = strain == Strain::moderate ? 0.1 : 0.7;
   Eigen::Vector3d stretch;
-  for (int k = 0; k < 3; ++k) stretch[k] = std::exp(random.uniform(-reach, reach));
+  for (int k = 0; k < 3; ++k) stretch[k] = std::exp(random.uniform(-largest, largest));
   if (strain == Strain::inverted) stretch[random.index(3)] *= -1;
   const double size = (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).minCoeff() / 4;
   NodeVectors x = random.rotation() * stretch.asDiagonal() * random.rotation() * X;
-  for (Eigen::Index i = 0; i < x.size(); ++i) x.data()[i] += reach * 0.3 * size * random.uniform(-1, 1);
+  for (Eigen::Index i = 0; i < x.size(); ++i) x.data()[i] += largest * 0.3 * size * random.uniform(-1, 1);
   return x;
 }
 
