@@ -6,6 +6,7 @@
 #include <ringwatch/base/parallel.h>
 #include <ringwatch/gpu/body/device_body_impl.h>
 #include <ringwatch/gpu/device_status.h>
+#include <ringwatch/meshes/jacobian.h>
 
 namespace ringwatch {
 namespace {
@@ -30,11 +31,8 @@ std::vector<R> tabulateGeometry(const Mesh& mesh, const MeshBlock& block, const 
       const std::int32_t e = plan.elements[patch * threads + t];
       if (e < 0) continue;
       for (int q = 0; q < points; ++q) {
-        Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
-        const std::int32_t* nodes = block.element(e);
-        for (int a = 1; a < n; ++a)
-          J += (mesh.X.col(nodes[a]) - mesh.X.col(nodes[0])) *
-               Eigen::RowVector3d::Map(dN.data() + static_cast<std::ptrdiff_t>(3 * (n * q + a)));
+        const Eigen::Matrix3d J =
+            jacobianOf(mesh.X, block.element(e), n, dN.data() + static_cast<std::ptrdiff_t>(3 * n * q));
         const double determinant = J.determinant();
         if (!(determinant > 0)) bad[patch] = 1;
         const Eigen::Matrix3d inverse = J.inverse();
@@ -54,6 +52,35 @@ std::vector<R> tabulateGeometry(const Mesh& mesh, const MeshBlock& block, const 
 template <class T>
 std::size_t bytesOf(const std::vector<T>& values) {
   return values.size() * sizeof(T);
+}
+
+bool isLoaded(const DeviceBodyInput& input) { return input.externalForce && !input.externalForce->isZero(0); }
+bool isHeld(const DeviceBodyInput& input) { return input.constraints && input.constraints->any(); }
+
+/// Throws InputError for a law or a rule that the device does not have.
+void requireForDevice(const DeviceBodyInput& input, std::size_t b) {
+  if (input.materials[b].outside)
+    throw InputError(joinText("block ", b, ": the law \"", input.materials[b].lawName(),
+                              "\" is registered for the CPU: choose another law, or device = \"cpu\""));
+  if (input.rules[b]->shares.mean())
+    throw InputError(joinText("block ", b, ": rule \"", input.rules[b]->name,
+                              "\" evaluates the element's mean, which the device does not: choose another rule, or "
+                              "device = \"cpu\""));
+}
+
+/// Bytes on the device of what belongs to nodes, and of the patches' sums.
+template <class R>
+std::size_t bytesOfNodes(const DeviceBodyInput& input, const DevicePlan& plan) {
+  const std::size_t vectors = isLoaded(input) ? 9 : 6;
+  return input.mesh->nodeCount() * (2 * sizeof(Row4<R>) + vectors * sizeof(R) + (isHeld(input) ? 1 : 0)) +
+         static_cast<std::size_t>(plan.slotCount) * sizeof(Row4<R>) + bytesOf(plan.slotBegin) + bytesOf(plan.slot) +
+         static_cast<std::size_t>(plan.patchCount) * sizeof(double);
+}
+
+/// The same of a block, but for its geometry.
+std::size_t bytesOfBlock(const DeviceBlockPlan& plan) {
+  return bytesOf(plan.patches) + bytesOf(plan.corners) + bytesOf(plan.rows) + bytesOf(plan.nodes) +
+         bytesOf(plan.groupRow);
 }
 
 }  // namespace
@@ -79,71 +106,66 @@ DeviceBody<R>::Impl::Impl(const DeviceBodyInput& input, const DevicePlan& plan) 
   patchCount = plan.patchCount;
   deviceNode = plan.deviceNode;
   X = mesh.X;
-  const std::size_t count = nodeCount;
-  const bool loaded = input.externalForce && !input.externalForce->isZero(0);
-  const bool held = input.constraints && input.constraints->any();
-
-  // First all that goes to the device, on the host: then the need is known before anything is allocated.
-  inverseMass.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
+  inverseMass.resize(mesh.nodeCount());
+  for (std::size_t i = 0; i < inverseMass.size(); ++i) {
     const double mass = input.lumpedMass[i];
     if (!(mass > 0)) throw InputError(joinText("node ", i, ": lumped mass ", mass, " kg must be > 0 on the device"));
     inverseMass[deviceNode[i]] = static_cast<R>(1 / mass);
   }
+  // First all that goes to the device, on the host: then the need is known before anything is allocated.
   std::vector<std::vector<R>> geometry;
-  std::size_t need = count * (2 * sizeof(Row4<R>) + (loaded ? 9U : 6U) * sizeof(R) + (held ? 1 : 0)) +
-                     static_cast<std::size_t>(plan.slotCount) * sizeof(Row4<R>) + bytesOf(plan.slotBegin) +
-                     bytesOf(plan.slot) + static_cast<std::size_t>(patchCount) * sizeof(double);
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
-    const QuadratureRule& rule = *input.rules[b];
-    if (input.materials[b].outside)
-      throw InputError(joinText("block ", b, ": the law \"", input.materials[b].lawName(),
-                                "\" is registered for the CPU: choose another law, or device = \"cpu\""));
-    if (rule.shares.mean())
-      throw InputError(joinText("block ", b, ": rule \"", rule.name,
-                                "\" evaluates the element's mean, which the device does not: choose another rule, or "
-                                "device = \"cpu\""));
-    const DeviceBlockPlan& from = plan.blocks[b];
-    geometry.push_back(tabulateGeometry<R>(mesh, mesh.blocks[b], rule, from, b));
-    need += bytesOf(geometry.back()) + bytesOf(from.patches) + bytesOf(from.corners) + bytesOf(from.rows) +
-            bytesOf(from.nodes) + bytesOf(from.groupRow);
+    requireForDevice(input, b);
+    geometry.push_back(tabulateGeometry<R>(mesh, mesh.blocks[b], *input.rules[b], plan.blocks[b], b));
   }
-  requireDeviceMemory(need);
-  bytes = need;
-
+  bytes = bytesOfNodes<R>(input, plan);
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b) bytes += bytesOf(geometry[b]) + bytesOfBlock(plan.blocks[b]);
+  requireDeviceMemory(bytes);
   std::int32_t firstPatch = 0;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
-    const DeviceBlockPlan& from = plan.blocks[b];
-    Block& block = blocks.emplace_back();
-    block.type = mesh.blocks[b].type;
-    block.lawIndex = input.materials[b].law.index();
-    block.elementNodes = mesh.blocks[b].nodesPerElement();
-    block.threads = from.threads;
-    block.points = elementInfo(block.type).constantGradient ? 1 : static_cast<int>(input.rules[b]->points.size());
-    block.elementCount = mesh.blocks[b].elementCount();
-    block.elements = from.elements;
-    block.operations = patchOperations<R>(block.type, block.lawIndex);
-    block.law = {input.materials[b].law, input.rules[b]};
-    block.patches = DeviceVector<DevicePatch>(from.patches);
-    block.corners = DeviceVector<std::uint16_t>(from.corners);
-    block.rows = DeviceVector<std::uint16_t>(from.rows);
-    block.nodes = DeviceVector<std::int32_t>(from.nodes);
-    block.groupRow = DeviceVector<std::int32_t>(from.groupRow);
-    block.geometry = DeviceVector<R>(geometry[b]);
-    block.view = {static_cast<std::int32_t>(from.patches.size()),
-                  firstPatch,
-                  from.firstSlot,
-                  from.nodeCapacity,
-                  from.rowCapacity,
-                  static_cast<std::int32_t>(input.rules[b]->points.size()),
-                  block.patches.data(),
-                  block.corners.data(),
-                  block.nodes.data(),
-                  block.groupRow.data(),
-                  block.rows.data(),
-                  block.geometry.data()};
-    firstPatch += block.view.patchCount;
+    addBlock(input, plan.blocks[b], b, firstPatch, geometry[b]);
+    firstPatch += blocks.back().view.patchCount;
   }
+  makeNodes(input, plan);
+}
+
+template <class R>
+void DeviceBody<R>::Impl::addBlock(const DeviceBodyInput& input, const DeviceBlockPlan& from, std::size_t b,
+                                   std::int32_t firstPatch, const std::vector<R>& geometry) {
+  const MeshBlock& meshBlock = input.mesh->blocks[b];
+  Block& block = blocks.emplace_back();
+  block.type = meshBlock.type;
+  block.lawIndex = input.materials[b].law.index();
+  block.elementNodes = meshBlock.nodesPerElement();
+  block.threads = from.threads;
+  block.points = elementInfo(block.type).constantGradient ? 1 : static_cast<int>(input.rules[b]->points.size());
+  block.elementCount = meshBlock.elementCount();
+  block.elements = from.elements;
+  block.operations = patchOperations<R>(block.type, block.lawIndex);
+  block.law = {input.materials[b].law, input.rules[b]};
+  block.patches = DeviceVector<DevicePatch>(from.patches);
+  block.corners = DeviceVector<std::uint16_t>(from.corners);
+  block.rows = DeviceVector<std::uint16_t>(from.rows);
+  block.nodes = DeviceVector<std::int32_t>(from.nodes);
+  block.groupRow = DeviceVector<std::int32_t>(from.groupRow);
+  block.geometry = DeviceVector<R>(geometry);
+  block.view = {static_cast<std::int32_t>(from.patches.size()),
+                firstPatch,
+                from.firstSlot,
+                from.nodeCapacity,
+                from.rowCapacity,
+                static_cast<std::int32_t>(input.rules[b]->points.size()),
+                block.patches.data(),
+                block.corners.data(),
+                block.nodes.data(),
+                block.groupRow.data(),
+                block.rows.data(),
+                block.geometry.data()};
+}
+
+template <class R>
+void DeviceBody<R>::Impl::makeNodes(const DeviceBodyInput& input, const DevicePlan& plan) {
+  const std::size_t count = nodeCount;
   u = DeviceVector<Row4<R>>(count);
   result = DeviceVector<Row4<R>>(count);
   slots = DeviceVector<Row4<R>>(static_cast<std::size_t>(plan.slotCount));
@@ -154,12 +176,12 @@ DeviceBody<R>::Impl::Impl(const DeviceBodyInput& input, const DevicePlan& plan) 
   partial = DeviceVector<double>(std::max<std::size_t>(static_cast<std::size_t>(patchCount), kineticParts));
   sum = DeviceVector<double>(1);
   clock = DeviceVector<DeviceClock>(std::vector<DeviceClock>{{0, 0}});
-  if (loaded) {
+  if (isLoaded(input)) {
     external = DeviceVector<R>(3 * count);
     uploadVectors(*input.externalForce, external);
   }
   NodeVectors v0 = NodeVectors::Zero(3, nodeCount);
-  if (held) {
+  if (isHeld(input)) {
     std::vector<std::uint8_t> bits(count, 0);
     for (std::int32_t i = 0; i < nodeCount; ++i)
       for (int c = 0; c < 3; ++c)

@@ -68,6 +68,10 @@ struct DeviceBody<R>::Impl {
   };
 
   Impl(const DeviceBodyInput& input, const DevicePlan& plan);
+  /// geometry: of the block's points, as tabulateGeometry makes it.
+  void addBlock(const DeviceBodyInput& input, const DeviceBlockPlan& from, std::size_t b, std::int32_t firstPatch,
+                const std::vector<R>& geometry);
+  void makeNodes(const DeviceBodyInput& input, const DevicePlan& plan);
   void uploadVectors(const NodeVectors& values, DeviceVector<R>& to);
   NodeVectors toMesh(const std::vector<Row4<R>>& rows) const;
   void enqueueForce(typename PatchOperations<R>::Launch PatchOperations<R>::*which, const R* direction, Row4<R>* to);

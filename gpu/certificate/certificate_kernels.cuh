@@ -374,40 +374,34 @@ struct CertificateLauncher {
   using Patches = PatchLauncher<Element, Law, double>;
   static constexpr int threads = patchThreads(Element::nodes), refreshBlocks = 132;
 
-#define RINGWATCH_LAUNCH(name)                                                                                         \
-  static void name(const BlockView<double>& block, const NodeView<double>& nodes, const LawParameters& law,            \
-                   const CertificateView& view, [[maybe_unused]] const NodalSums& sums, [[maybe_unused]] double sigma, \
-                   cudaStream_t stream)
-  RINGWATCH_LAUNCH(start) {
-    startWeightsKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(block, nodes, std::get<Law>(law.law),
-                                                                               Patches::tableOf(*law.rule), view);
+  static void start(const CertificateArguments& at) {
+    startWeightsKernel<Element, Law><<<at.block.patchCount, threads, 0, at.stream>>>(
+        at.block, at.nodes, std::get<Law>(at.law.law), Patches::tableOf(*at.law.rule), at.view);
     checkLaunch("start of the weights");
   }
-  RINGWATCH_LAUNCH(evaluate) {
-    evaluateKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(block, nodes, std::get<Law>(law.law),
-                                                                           Patches::tableOf(*law.rule), view);
+  static void evaluate(const CertificateArguments& at) {
+    evaluateKernel<Element, Law><<<at.block.patchCount, threads, 0, at.stream>>>(
+        at.block, at.nodes, std::get<Law>(at.law.law), Patches::tableOf(*at.law.rule), at.view);
     checkLaunch("element values");
   }
-  RINGWATCH_LAUNCH(sweep) {
-    (void)nodes;
-    (void)law;
-    sweepKernel<Element><<<block.patchCount, threads, 0, stream>>>(block, view, sums);
+  static void sweep(const CertificateArguments& at) {
+    sweepKernel<Element><<<at.block.patchCount, threads, 0, at.stream>>>(at.block, at.view, at.sums);
     checkLaunch("sweep of the weights");
   }
-  RINGWATCH_LAUNCH(distribute) {
-    distributeKernel<Element, Law><<<block.patchCount, threads, 0, stream>>>(
-        block, nodes, std::get<Law>(law.law), Patches::tableOf(*law.rule), view, sums, sigma);
+  static void distribute(const CertificateArguments& at) {
+    distributeKernel<Element, Law><<<at.block.patchCount, threads, 0, at.stream>>>(
+        at.block, at.nodes, std::get<Law>(at.law.law), Patches::tableOf(*at.law.rule), at.view, at.sums, at.sigma);
     checkLaunch("allowances and balls");
   }
-  RINGWATCH_LAUNCH(step) {
-    Patches::template launchWith<false, Use::step>(block, nodes, law, nullptr, nullptr, BallCheck{view}, stream);
+  static void step(const CertificateArguments& at) {
+    Patches::template launchWith<false, Use::step>(at.block, at.nodes, at.law, nullptr, nullptr, BallCheck{at.view},
+                                                   at.stream);
   }
-  RINGWATCH_LAUNCH(refresh) {
-    refreshKernel<Element, Law>
-        <<<refreshBlocks, 32, 0, stream>>>(block, nodes, std::get<Law>(law.law), Patches::tableOf(*law.rule), view);
+  static void refresh(const CertificateArguments& at) {
+    refreshKernel<Element, Law><<<refreshBlocks, 32, 0, at.stream>>>(at.block, at.nodes, std::get<Law>(at.law.law),
+                                                                     Patches::tableOf(*at.law.rule), at.view);
     checkLaunch("refresh of the balls");
   }
-#undef RINGWATCH_LAUNCH
 };
 
 /// Sets the certificate of an element type with law number `law` when the law is in this shard. Instantiated in a

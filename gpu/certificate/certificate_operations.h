@@ -43,10 +43,20 @@ struct NodalSums {
   unsigned long long* bound = nullptr;  // the largest of them, as the bits of a double
 };
 
+/// What a launch of the certificate works on.
+struct CertificateArguments {
+  const BlockView<double>& block;
+  const NodeView<double>& nodes;
+  const LawParameters& law;
+  const CertificateView& view;
+  const NodalSums& sums;
+  double sigma;  // rad²/s²
+  cudaStream_t stream;
+};
+
 /// The launches of the certificate, by element type and law, in double precision.
 struct CertificateOperations {
-  using Launch = void (*)(const BlockView<double>&, const NodeView<double>&, const LawParameters&,
-                          const CertificateView&, const NodalSums&, double sigma, cudaStream_t);
+  using Launch = void (*)(const CertificateArguments&);
   Launch start = nullptr;       // weights, from the diagonal blocks
   Launch evaluate = nullptr;    // values, with the weights
   Launch sweep = nullptr;       // weights ← R D R

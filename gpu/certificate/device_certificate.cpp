@@ -78,8 +78,8 @@ DeviceCertificate::Impl::Impl(DeviceBody<double>& deviceBody) : body(deviceBody.
 void DeviceCertificate::Impl::launch(CertificateOperations::Launch CertificateOperations::*which, double forSigma) {
   for (std::size_t b = 0; b < blocks.size(); ++b)
     if (body.blocks[b].view.patchCount > 0)
-      (blocks[b].operations.*which)(body.blocks[b].view, body.nodes, body.blocks[b].law, blocks[b].view, sums, forSigma,
-                                    body.stream);
+      (blocks[b].operations.*
+       which)({body.blocks[b].view, body.nodes, body.blocks[b].law, blocks[b].view, sums, forSigma, body.stream});
 }
 
 double DeviceCertificate::Impl::evaluate() {
@@ -126,8 +126,8 @@ void DeviceCertificate::Impl::enqueueStep() {
   checkCuda(cudaStreamWaitEvent(side, forked, 0), "cudaStreamWaitEvent");
   for (std::size_t b = 0; b < blocks.size(); ++b)
     if (body.blocks[b].view.patchCount > 0)
-      blocks[b].operations.refresh(body.blocks[b].view, body.nodes, body.blocks[b].law, blocks[b].view, sums, sigma,
-                                   side);
+      blocks[b].operations.refresh(
+          {body.blocks[b].view, body.nodes, body.blocks[b].law, blocks[b].view, sums, sigma, side});
   checkCuda(cudaEventRecord(joined, side), "cudaEventRecord");
   launchFinishStep<double>(body.nodes, body.stream);
   checkCuda(cudaStreamWaitEvent(body.stream, joined, 0), "cudaStreamWaitEvent");

@@ -10,7 +10,8 @@ namespace ringwatch {
 namespace {
 
 constexpr unsigned long long noFault = ~0ULL;
-constexpr int laneVectors = 9;  // mass, u, v, r, z, p, q, s, solution
+/// The vectors of ImexView with a number a lane, one after the other in Impl::lanes.
+enum LaneVector : std::size_t { laneMass, laneU, laneV, laneR, laneZ, laneP, laneQ, laneS, laneSolution, laneVectors };
 
 /// [element][entry] as [entry][element].
 template <class T>
@@ -21,6 +22,36 @@ std::vector<T> byEntry(const std::vector<T>& from, std::size_t elements) {
   for (std::size_t e = 0; e < elements; ++e)
     for (std::size_t i = 0; i < entries; ++i) to[i * elements + e] = from[e * entries + i];
   return to;
+}
+
+void check(const DeviceImexOptions& options, double h, const std::vector<std::vector<ElementRef>>& clusters) {
+  const double alpha = options.dissipation;
+  if (!(h > 0) || !std::isfinite(h)) throw InputError(joinText("step ", h, " s: must be > 0 and finite"));
+  if (!(alpha >= 0 && alpha <= 1)) throw InputError(joinText("dissipation ", alpha, ": must be >= 0 and <= 1"));
+  if (!(options.tolerance > 0 && options.tolerance < 1))
+    throw InputError(joinText("tolerance ", options.tolerance, ": must be > 0 and < 1"));
+  if (options.iterations < 1) throw InputError(joinText("iterations ", options.iterations, ": must be >= 1"));
+  for (const auto& elements : clusters)
+    if (elements.empty()) throw InputError("a cluster without elements");
+}
+
+std::size_t lanesOf(const ImexPlan& plan) { return 32 * static_cast<std::size_t>(plan.sliceCount()); }
+std::size_t valuesOf(const ImexPlan& plan) { return 96 * static_cast<std::size_t>(plan.rowBegin.back()); }
+
+/// Bytes that the plan takes on the device.
+std::size_t bytesOf(const ImexPlan& plan, const DeviceBody<double>::Impl& body) {
+  std::size_t need = sizeof(double) * (laneVectors * lanesOf(plan) + valuesOf(plan) + 3 * lanesOf(plan)) +
+                     sizeof(std::int32_t) * (plan.node.size() + plan.column.size() + plan.rowBegin.size() +
+                                             plan.slice.size() + plan.first.size() + plan.contributions.size()) +
+                     plan.clusters.size() * sizeof(ImexCluster) +
+                     9 * sizeof(double) * static_cast<std::size_t>(plan.blockCount) +
+                     body.u.size() * (sizeof(Row4<double>) + 3 * sizeof(double));
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
+    const std::size_t n = body.blocks[b].elementNodes;
+    need += plan.blocks[b].count() *
+            (sizeof(double) * (9 * (n * (n + 1) / 2) + 3 * n + 11) + sizeof(std::int32_t) * (n + 2));
+  }
+  return need;
 }
 
 }  // namespace
@@ -37,14 +68,8 @@ DeviceImex::Impl::Side::~Side() {
 DeviceImex::Impl::Impl(DeviceBody<double>& deviceBody, const Mesh& mesh,
                        const std::vector<std::vector<ElementRef>>& wanted, double h, const DeviceImexOptions& options)
     : body(deviceBody.impl()) {
-  const double alpha = options.dissipation, beta = 0.25 * (1 + alpha) * (1 + alpha);
-  if (!(h > 0) || !std::isfinite(h)) throw InputError(joinText("step ", h, " s: must be > 0 and finite"));
-  if (!(alpha >= 0 && alpha <= 1)) throw InputError(joinText("dissipation ", alpha, ": must be >= 0 and <= 1"));
-  if (!(options.tolerance > 0 && options.tolerance < 1))
-    throw InputError(joinText("tolerance ", options.tolerance, ": must be > 0 and < 1"));
-  if (options.iterations < 1) throw InputError(joinText("iterations ", options.iterations, ": must be >= 1"));
+  check(options, h, wanted);
   for (const auto& elements : wanted) {
-    if (elements.empty()) throw InputError("a cluster without elements");
     firstElement.push_back(elements.front());
     clusterSize.push_back(elements.size());
   }
@@ -53,28 +78,22 @@ DeviceImex::Impl::Impl(DeviceBody<double>& deviceBody, const Mesh& mesh,
   for (std::size_t i = 0; i < held.size() && !bits.empty(); ++i) held[i] = bits[body.deviceNode[i]] != 0;
   const ImexPlan plan = planImex(mesh, wanted, held);
   const ImexTeams who = planTeams(plan.clusters, imexResidentBlocks());
-
-  const auto slices = static_cast<std::size_t>(plan.sliceCount()), lanesCount = slices * 32,
-             values = static_cast<std::size_t>(plan.rowBegin.back()) * 96;
-  std::size_t need = sizeof(double) * (laneVectors * lanesCount + values + 3 * lanesCount) +
-                     sizeof(std::int32_t) * (plan.node.size() + plan.column.size() + plan.rowBegin.size() +
-                                             plan.slice.size() + plan.first.size() + plan.contributions.size()) +
-                     plan.clusters.size() * sizeof(ImexCluster) +
-                     9 * sizeof(double) * static_cast<std::size_t>(plan.blockCount) +
-                     body.u.size() * (sizeof(Row4<double>) + 3 * sizeof(double));
-  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
-    const std::size_t n = body.blocks[b].elementNodes;
-    need += plan.blocks[b].count() *
-            (sizeof(double) * (9 * (n * (n + 1) / 2) + 3 * n + 11) + sizeof(std::int32_t) * (n + 2));
-  }
-  requireDeviceMemory(need);
-  bytes = need;
+  bytes = bytesOf(plan, body);
+  requireDeviceMemory(bytes);
   rotated = DeviceVector<double>(9 * static_cast<std::size_t>(plan.blockCount));
   makeBlocks(plan);
+  upload(plan, who);
+  makeView(plan, who, options, h);
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    if (blocks[b].view.count > 0)
+      blocks[b].operations.restTangents(body.blocks[b].view, body.blocks[b].law, blocks[b].view, view, body.stream);
+  body.stream.synchronize();
+}
 
+void DeviceImex::Impl::upload(const ImexPlan& plan, const ImexTeams& who) {
   // Nodes by their device numbers, and the masses of their lanes.
   std::vector<std::int32_t> deviceNode(plan.node.size(), -1);
-  std::vector<double> mass(lanesCount, 0);
+  std::vector<double> mass(lanesOf(plan), 0);
   for (std::size_t i = 0; i < plan.node.size(); ++i) {
     if (plan.node[i] < 0) continue;
     deviceNode[i] = body.deviceNode[plan.node[i]];
@@ -92,18 +111,23 @@ DeviceImex::Impl::Impl(DeviceBody<double>& deviceBody, const Mesh& mesh,
   slice = DeviceVector<std::int32_t>(plan.slice);
   first = DeviceVector<std::int32_t>(plan.first);
   contributions = DeviceVector<ImexContribution>(plan.contributions);
-  lanes = DeviceVector<double>(laneVectors * lanesCount);
-  value = DeviceVector<double>(values);
-  preconditioner = DeviceVector<double>(3 * lanesCount);
+  lanes = DeviceVector<double>(laneVectors * lanesOf(plan));
+  value = DeviceVector<double>(valuesOf(plan));
+  preconditioner = DeviceVector<double>(3 * lanesOf(plan));
   partial = DeviceVector<double>(4 * static_cast<std::size_t>(who.teamBlocks));
   arrived = DeviceVector<unsigned long long>(std::vector<unsigned long long>(who.teams.size(), 0));
   status = DeviceVector<ImexStatus>(std::vector<ImexStatus>{{noFault, 0, 0}});
   keptU = DeviceVector<Row4<double>>(body.u.size());
   keptV = DeviceVector<double>(body.v.size());
   lanes.fill(0);
-  lanes.upload(mass);
+  lanes.upload(mass);      // laneMass is the first
   preconditioner.fill(0);  // idle lanes
-  const auto lanesAt = [&](std::size_t k) { return lanes.data() + k * lanesCount; };
+}
+
+void DeviceImex::Impl::makeView(const ImexPlan& plan, const ImexTeams& who, const DeviceImexOptions& options,
+                                double h) {
+  const double alpha = options.dissipation, beta = 0.25 * (1 + alpha) * (1 + alpha);
+  const auto lanesAt = [&](LaneVector k) { return lanes.data() + k * lanesOf(plan); };
   view.w = beta * h * h;
   view.h = h;
   view.c = alpha / (beta * h);
@@ -112,15 +136,15 @@ DeviceImex::Impl::Impl(DeviceBody<double>& deviceBody, const Mesh& mesh,
   view.sliceCount = plan.sliceCount();
   view.rowCount = plan.rowBegin.back();
   view.node = node.data();
-  view.mass = lanesAt(0);
-  view.u = lanesAt(1);
-  view.v = lanesAt(2);
-  view.r = lanesAt(3);
-  view.z = lanesAt(4);
-  view.p = lanesAt(5);
-  view.q = lanesAt(6);
-  view.s = lanesAt(7);
-  view.solution = lanesAt(8);
+  view.mass = lanesAt(laneMass);
+  view.u = lanesAt(laneU);
+  view.v = lanesAt(laneV);
+  view.r = lanesAt(laneR);
+  view.z = lanesAt(laneZ);
+  view.p = lanesAt(laneP);
+  view.q = lanesAt(laneQ);
+  view.s = lanesAt(laneS);
+  view.solution = lanesAt(laneSolution);
   view.matrix = {value.data(), preconditioner.data(), column.data(),        rowBegin.data(),
                  slice.data(), first.data(),          contributions.data(), rotated.data()};
   view.clusters = clusters.data();
@@ -135,10 +159,6 @@ DeviceImex::Impl::Impl(DeviceBody<double>& deviceBody, const Mesh& mesh,
   view.arrived = arrived.data();
   view.partial = partial.data();
   view.status = status.data();
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    if (blocks[b].view.count > 0)
-      blocks[b].operations.restTangents(body.blocks[b].view, body.blocks[b].law, blocks[b].view, view, body.stream);
-  body.stream.synchronize();
 }
 
 void DeviceImex::Impl::makeBlocks(const ImexPlan& plan) {

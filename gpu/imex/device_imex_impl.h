@@ -26,6 +26,9 @@ struct DeviceImex::Impl {
   Impl(DeviceBody<double>& deviceBody, const Mesh& mesh, const std::vector<std::vector<ElementRef>>& clusters, double h,
        const DeviceImexOptions& options);
   void makeBlocks(const ImexPlan& plan);
+  void upload(const ImexPlan& plan, const ImexTeams& who);
+  /// What the kernels see, of what is on the device.
+  void makeView(const ImexPlan& plan, const ImexTeams& who, const DeviceImexOptions& options, double h);
   void enqueueStep();
   /// Keeps the state, or puts it back.
   void copyState(bool back);

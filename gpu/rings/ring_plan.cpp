@@ -57,102 +57,130 @@ PatchPairs pairsOf(const RingPatchesInput& input, std::size_t p, RingBlockPlan& 
   return pairs;
 }
 
-}  // namespace
+/// Whether another patch may have a pair too: the smaller node, the key's lower half, is interior in most of them.
+bool mayBeShared(const LocalPair& pair, std::int32_t interiorCount) {
+  return static_cast<std::int32_t>(pair.key & 0xffffffffU) >= interiorCount;
+}
 
-RingPlan planRings(const std::vector<RingPatchesInput>& blocks, std::int32_t interiorCount) {
-  RingPlan plan;
-  plan.blocks.resize(blocks.size());
-  std::vector<std::vector<PatchPairs>> all(blocks.size());
-  std::vector<std::uint64_t> candidates;  // keys that another patch may have too, once for each patch
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const std::size_t patches = blocks[b].patches->size();
-    plan.blocks[b].order.assign(patches * threads, 0);
-    plan.blocks[b].pairs.assign(patches * threads * tetrahedronPairs, 0);
-    all[b].resize(patches);
-    parallelFor(0, patches, 0, [&](std::int64_t p) { all[b][p] = pairsOf(blocks[b], p, plan.blocks[b]); });
-    // The smaller node, the key's lower half, is interior in most of them.
-    for (const PatchPairs& pairs : all[b])
+/// The keys of the pairs that several patches have, ascending.
+std::vector<std::uint64_t> sharedKeysOf(const std::vector<std::vector<PatchPairs>>& all, std::int32_t interiorCount) {
+  std::vector<std::uint64_t> candidates;  // once for each patch
+  for (const auto& patches : all)
+    for (const PatchPairs& pairs : patches)
       for (const LocalPair& pair : pairs)
-        if (static_cast<std::int32_t>(pair.key & 0xffffffffU) >= interiorCount) candidates.push_back(pair.key);
-  }
+        if (mayBeShared(pair, interiorCount)) candidates.push_back(pair.key);
   std::sort(candidates.begin(), candidates.end());
-  std::vector<std::uint64_t> sharedKeys;
+  std::vector<std::uint64_t> shared;
   for (std::size_t i = 0; i + 1 < candidates.size(); ++i)
-    if (candidates[i] == candidates[i + 1] && (sharedKeys.empty() || sharedKeys.back() != candidates[i]))
-      sharedKeys.push_back(candidates[i]);
-  candidates = {};
+    if (candidates[i] == candidates[i + 1] && (shared.empty() || shared.back() != candidates[i]))
+      shared.push_back(candidates[i]);
+  return shared;
+}
 
-  std::int64_t pairCount = 0, slots = 0;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    RingBlockPlan& block = plan.blocks[b];
-    std::size_t most = 0;
-    parallelFor(0, all[b].size(), 0, [&](std::int64_t p) {
-      PatchPairs& pairs = all[b][p];
-      for (LocalPair& pair : pairs)
-        pair.shared = static_cast<std::int32_t>(pair.key & 0xffffffffU) >= interiorCount &&
-                      std::binary_search(sharedKeys.begin(), sharedKeys.end(), pair.key);
-      // Those of many blocks first, so that the threads of a warp have about the same number to sum.
-      std::stable_sort(pairs.begin(), pairs.end(), [](const LocalPair& x, const LocalPair& y) {
-        return x.shared != y.shared ? y.shared : x.blocks.size() > y.blocks.size();
-      });
-    });
-    for (const PatchPairs& pairs : all[b]) {
-      const auto own = std::count_if(pairs.begin(), pairs.end(), [](const LocalPair& pair) { return !pair.shared; });
-      block.patches.push_back({static_cast<std::int32_t>(pairs.size()), static_cast<std::int32_t>(own),
-                               static_cast<std::int32_t>(pairCount), static_cast<std::int32_t>(slots)});
-      pairCount += own;
-      slots += static_cast<std::int64_t>(pairs.size()) - own;
-      most = std::max(most, pairs.size());
-      if (std::max(pairCount, slots) >
-          std::numeric_limits<std::int32_t>::max() - static_cast<std::int64_t>(pairs.size()))
-        throw InputError("too many node pairs for reduced rings on the device");
-    }
-    block.pairCapacity = static_cast<int>((most + 31) / 32 * 32);
-  }
-  const std::int32_t ownTotal = pairCount;
-  plan.pairCount = ownTotal + static_cast<std::int32_t>(sharedKeys.size());
+/// The shared pairs of a patch come last. Those of many blocks first, so that the threads of a warp have about the same
+/// number to sum.
+void orderPairs(PatchPairs& pairs, const std::vector<std::uint64_t>& sharedKeys, std::int32_t interiorCount) {
+  for (LocalPair& pair : pairs)
+    pair.shared =
+        mayBeShared(pair, interiorCount) && std::binary_search(sharedKeys.begin(), sharedKeys.end(), pair.key);
+  std::stable_sort(pairs.begin(), pairs.end(), [](const LocalPair& x, const LocalPair& y) {
+    return x.shared != y.shared ? y.shared : x.blocks.size() > y.blocks.size();
+  });
+}
 
-  plan.slotPair.resize(slots);
-  plan.sharedBegin.assign(sharedKeys.size() + 1, 0);
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    RingBlockPlan& block = plan.blocks[b];
-    std::vector<std::vector<std::uint16_t>> rowsOf(all[b].size());
-    std::vector<std::vector<std::int32_t>> rowEnd(all[b].size());
-    parallelFor(0, all[b].size(), 0, [&](std::int64_t at) {
-      const std::size_t p = at;
-      PatchPairs& pairs = all[b][p];
-      const RingPatch& patch = block.patches[p];
-      std::vector<std::vector<std::uint16_t>> blocksOf(pairs.size());
-      for (std::size_t l = 0; l < pairs.size(); ++l) {
-        for (const std::uint16_t own : pairs[l].blocks)
-          block.pairs[p * threads * tetrahedronPairs + own] = static_cast<std::uint16_t>(l);
-        blocksOf[l] = std::move(pairs[l].blocks);
-        if (pairs[l].shared)
-          plan.slotPair[patch.firstSlot + static_cast<std::int32_t>(l) - patch.ownCount] =
-              ownTotal + static_cast<std::int32_t>(
-                             std::lower_bound(sharedKeys.begin(), sharedKeys.end(), pairs[l].key) - sharedKeys.begin());
-      }
-      for (std::size_t first = 0; first < static_cast<std::size_t>(block.pairCapacity); first += 32) {
-        fillRows(blocksOf, std::min(first, pairs.size()), std::min(first + 32, pairs.size()),
-                 tetrahedronPairs * threads, rowsOf[p]);
-        rowEnd[p].push_back(rowsOf[p].size() / 32);
-      }
-      pairs = {};
-    });
-    block.groupRow.push_back(0);
-    for (std::size_t p = 0; p < rowsOf.size(); ++p) {
-      const std::int32_t before = block.rows.size() / 32;
-      for (const std::int32_t end : rowEnd[p]) block.groupRow.push_back(before + end);
-      block.rows.insert(block.rows.end(), rowsOf[p].begin(), rowsOf[p].end());
-      block.rowCapacity = std::max(block.rowCapacity, static_cast<int>(rowsOf[p].size() / 32));
-    }
+/// Numbers of pairs and slots, over all blocks so far.
+struct Counts {
+  std::int64_t pairs = 0, slots = 0;
+};
+
+/// The patches of a block, with the numbers of their pairs and slots.
+void addPatches(const std::vector<PatchPairs>& patches, RingBlockPlan& block, Counts& counts) {
+  std::size_t most = 0;
+  for (const PatchPairs& pairs : patches) {
+    const auto own = std::count_if(pairs.begin(), pairs.end(), [](const LocalPair& pair) { return !pair.shared; });
+    block.patches.push_back({static_cast<std::int32_t>(pairs.size()), static_cast<std::int32_t>(own),
+                             static_cast<std::int32_t>(counts.pairs), static_cast<std::int32_t>(counts.slots)});
+    counts.pairs += own;
+    counts.slots += static_cast<std::int64_t>(pairs.size()) - own;
+    most = std::max(most, pairs.size());
+    if (std::max(counts.pairs, counts.slots) >
+        std::numeric_limits<std::int32_t>::max() - static_cast<std::int64_t>(pairs.size()))
+      throw InputError("too many node pairs for reduced rings on the device");
   }
+  block.pairCapacity = static_cast<int>((most + 31) / 32 * 32);
+}
+
+/// Which local pair each element's pairs are, and the rows of what they sum up; which pair each slot is a part of.
+/// Consumes the patches.
+void addRows(std::vector<PatchPairs>& patches, const std::vector<std::uint64_t>& sharedKeys, std::int32_t ownTotal,
+             RingBlockPlan& block, RingPlan& plan) {
+  std::vector<std::vector<std::uint16_t>> rowsOf(patches.size());
+  std::vector<std::vector<std::int32_t>> rowEnd(patches.size());
+  parallelFor(0, patches.size(), 0, [&](std::int64_t at) {
+    const std::size_t p = at;
+    PatchPairs& pairs = patches[p];
+    const RingPatch& patch = block.patches[p];
+    std::vector<std::vector<std::uint16_t>> blocksOf(pairs.size());
+    for (std::size_t l = 0; l < pairs.size(); ++l) {
+      for (const std::uint16_t own : pairs[l].blocks)
+        block.pairs[p * threads * tetrahedronPairs + own] = static_cast<std::uint16_t>(l);
+      blocksOf[l] = std::move(pairs[l].blocks);
+      if (pairs[l].shared)
+        plan.slotPair[patch.firstSlot + static_cast<std::int32_t>(l) - patch.ownCount] =
+            ownTotal + static_cast<std::int32_t>(std::lower_bound(sharedKeys.begin(), sharedKeys.end(), pairs[l].key) -
+                                                 sharedKeys.begin());
+    }
+    for (std::size_t first = 0; first < static_cast<std::size_t>(block.pairCapacity); first += 32) {
+      fillRows(blocksOf, std::min(first, pairs.size()), std::min(first + 32, pairs.size()), tetrahedronPairs * threads,
+               rowsOf[p]);
+      rowEnd[p].push_back(rowsOf[p].size() / 32);
+    }
+    pairs = {};
+  });
+  block.groupRow.push_back(0);
+  for (std::size_t p = 0; p < rowsOf.size(); ++p) {
+    const std::int32_t before = block.rows.size() / 32;
+    for (const std::int32_t end : rowEnd[p]) block.groupRow.push_back(before + end);
+    block.rows.insert(block.rows.end(), rowsOf[p].begin(), rowsOf[p].end());
+    block.rowCapacity = std::max(block.rowCapacity, static_cast<int>(rowsOf[p].size() / 32));
+  }
+}
+
+/// The slots of each shared pair, ascending.
+void addSharedSlots(RingPlan& plan, std::int32_t ownTotal, std::size_t sharedCount) {
+  plan.sharedBegin.assign(sharedCount + 1, 0);
   for (const std::int32_t pair : plan.slotPair) ++plan.sharedBegin[static_cast<std::size_t>(pair - ownTotal) + 1];
   std::partial_sum(plan.sharedBegin.begin(), plan.sharedBegin.end(), plan.sharedBegin.begin());
   plan.sharedSlot.resize(plan.slotPair.size());
   std::vector<std::int32_t> next(plan.sharedBegin.begin(), plan.sharedBegin.end() - 1);
   for (std::size_t slot = 0; slot < plan.slotPair.size(); ++slot)
     plan.sharedSlot[next[plan.slotPair[slot] - ownTotal]++] = static_cast<std::int32_t>(slot);
+}
+
+}  // namespace
+
+RingPlan planRings(const std::vector<RingPatchesInput>& blocks, std::int32_t interiorCount) {
+  RingPlan plan;
+  plan.blocks.resize(blocks.size());
+  std::vector<std::vector<PatchPairs>> all(blocks.size());
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const std::size_t patches = blocks[b].patches->size();
+    plan.blocks[b].order.assign(patches * threads, 0);
+    plan.blocks[b].pairs.assign(patches * threads * tetrahedronPairs, 0);
+    all[b].resize(patches);
+    parallelFor(0, patches, 0, [&](std::int64_t p) { all[b][p] = pairsOf(blocks[b], p, plan.blocks[b]); });
+  }
+  const std::vector<std::uint64_t> sharedKeys = sharedKeysOf(all, interiorCount);
+  Counts counts;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    parallelFor(0, all[b].size(), 0, [&](std::int64_t p) { orderPairs(all[b][p], sharedKeys, interiorCount); });
+    addPatches(all[b], plan.blocks[b], counts);
+  }
+  const std::int32_t ownTotal = counts.pairs;
+  plan.pairCount = ownTotal + static_cast<std::int32_t>(sharedKeys.size());
+  plan.slotPair.resize(counts.slots);
+  for (std::size_t b = 0; b < blocks.size(); ++b) addRows(all[b], sharedKeys, ownTotal, plan.blocks[b], plan);
+  addSharedSlots(plan, ownTotal, sharedKeys.size());
   return plan;
 }
 
