@@ -164,6 +164,126 @@ std::vector<double> stepsOf(const IntegratorInfo& info, double lambda, double en
   return steps;
 }
 
+using Progress = std::function<void(const std::string&)>;
+
+/// Displacements at the end of a motion less the uniform part, at the probes, by a step so small that only the mesh's
+/// error is left: a reference of cells across the bar.
+NodeVectors referenceEnd(const Motion& motion, int cells, const Progress& progress) {
+  if (progress) progress(joinText(motion.name, ": reference of ", 5 * cells, " x ", cells, " x ", cells, " hex20"));
+  const Body body = barBody(motion, "hex20", cells, false);
+  BodySystem system(body);
+  State state = startOf(motion, body);
+  // Stretching stiffens this law: half the step that is stable at rest.
+  const auto steps =
+      static_cast<std::int64_t>(std::ceil(motion.end * std::sqrt(highestEigenvalue(body, frequencyTolerance))));
+  const std::unique_ptr<Integrator> integrator = makeIntegrator("verlet");
+  for (std::int64_t k = 0; k < steps; ++k) integrator->step(system, state, motion.end / static_cast<double>(steps));
+  if (!state.x.allFinite()) throw NumericalError(joinText(motion.name, ": the reference was lost"));
+  const std::vector<std::int32_t> probes = probesOf(motion, body.mesh());
+  return atProbes(state.x, probes) - uniformAtProbes(motion, body.mesh(), probes);
+}
+
+struct Reference {
+  NodeVectors end;
+  double error;  // by which the two finest differ, relative
+};
+
+/// All runs of a motion on one mesh that end with an error below one.
+std::vector<ErrorCost> runsOn(const Choice& choice, const Motion& motion, const Reference& reference,
+                              std::span<const IntegratorEntry> integrators) {
+  constexpr std::int32_t mostImplicit = 150;  // nodes: beyond, factors cost more than any explicit run
+  // Quadrature points: beyond, only schemes of one force a step and their first step, since the mesh's error rules.
+  constexpr std::size_t mostPoints = 40000;
+  const Body body = barBody(motion, choice.element, choice.cells, choice.slivers);
+  BodySystem system(body);
+  const double lambda = highestEigenvalue(body, frequencyTolerance);
+  const std::vector<std::int32_t> probes = probesOf(motion, body.mesh());
+  const NodeVectors uniform = uniformAtProbes(motion, body.mesh(), probes);
+  WorkPrecisionCase c{motion.name,
+                      motion.title,
+                      system,
+                      startOf(motion, body),
+                      motion.end,
+                      lambda,
+                      {},
+                      reference.error,
+                      [&](const IntegratorInfo& info, double h) { return partitionForStep(body, {}, info, h); },
+                      [&](const NodeVectors& x) {
+                        return (atProbes(x, probes) - uniform - reference.end).norm() / reference.end.norm();
+                      }};
+  std::vector<ErrorCost> runs;
+  const auto keep = [&](const WorkPrecisionRun& run) {
+    if (!run.reason.empty() || !(run.error < 1)) return;  // lost
+    runs.push_back({motion.name, choice.element, choice.slivers ? "slivers" : "regular", run.integrator,
+                    static_cast<std::int64_t>(body.mesh().elementCount()), run.h, run.error, run.seconds});
+  };
+  const bool large = body.mesh().elementCount() * body.blocks()[0]->rule().points.size() > mostPoints;
+  for (const IntegratorEntry& entry : integrators) {
+    const IntegratorInfo& info = *entry.info;
+    if (!(info.imaginaryLimit > 0)) continue;
+    const bool implicit = std::isinf(info.imaginaryLimit);
+    if (info.partitioned && !choice.slivers) continue;
+    if ((implicit || info.partitioned) && body.nodeCount() > mostImplicit) continue;
+    if (large && info.forceEvaluations != 1) continue;
+    WorkPrecisionOptions options;
+    options.steps = stepsOf(info, lambda, motion.end);
+    if (large) options.steps.resize(1);
+    for (const WorkPrecisionRun& run : runWorkPrecision(c, {&entry, 1}, options)) keep(run);
+  }
+  if (!choice.slivers) return runs;
+  // Handlers at the steps that the mesh would allow without its slivers.
+  const double free =
+      2 / std::sqrt(highestEigenvalue(barBody(motion, choice.element, choice.cells, false), frequencyTolerance));
+  for (const HandlerEntry& entry : allHandlers())
+    for (const double share : {0.9, 0.6, 0.3}) {
+      const std::string name(entry.info->name);
+      if (share * free <= 0.9 * 2 / std::sqrt(lambda)) continue;  // nothing to handle
+      keep(runPrepared(c, name, share * free, [&](double step) {
+        auto own = std::make_shared<Body>(barBody(motion, choice.element, choice.cells, true));
+        auto handler = makeHandler(name, *own, makeIntegrator("verlet"));
+        handler->prepare(own->mesh().X, step);
+        return PreparedRun{std::move(handler), std::make_unique<BodySystem>(*own), own};
+      }));
+    }
+  return runs;
+}
+
+/// Runs of one motion by element and kind of mesh.
+using Groups = std::map<std::string, std::vector<ErrorCost>>;
+
+StudyFigure errorFigure(const Motion& motion, const Groups& groups) {
+  StudyFigure figure{"error_against_time_" + motion.name,
+                     motion.title + ": error of mesh and integration against computing time",
+                     "computing time, one thread (s)",
+                     "relative error of the displacement",
+                     true,
+                     true,
+                     {}};
+  for (const auto& [name, own] : groups) {
+    StudyFigure::Curve curve{name, {}, {}};
+    for (const ErrorCost& run : paretoFront(own)) {
+      curve.x.push_back(run.seconds);
+      curve.y.push_back(run.error);
+    }
+    figure.curves.push_back(std::move(curve));
+  }
+  return figure;
+}
+
+/// The row of the cheapest of some runs with at most an error; a row without one is there for all of them together.
+void addCheapest(const Motion& motion, const std::string& group, const std::string& label, double error,
+                 const std::vector<ErrorCost>& of, StudyTable& table) {
+  const ErrorCost* best = nullptr;
+  for (const ErrorCost& run : of)
+    if (run.error <= error && (!best || run.seconds < best->seconds)) best = &run;
+  if (best)
+    table.rows.push_back({motion.name, label, group, best->element, best->mesh, best->elements, best->method, best->h,
+                          best->error, best->seconds});
+  else if (group == "all")
+    table.rows.push_back(
+        {motion.name, label, group, std::string(), std::string(), std::int64_t{0}, std::string("none"), nan, nan, nan});
+}
+
 }  // namespace
 
 std::vector<ErrorCost> paretoFront(std::vector<ErrorCost> runs) {
@@ -180,9 +300,6 @@ std::vector<ErrorCost> paretoFront(std::vector<ErrorCost> runs) {
 std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> integrators, StudyEffort effort,
                                            StudyReport& report,
                                            const std::function<void(const std::string&)>& progress) {
-  constexpr std::int32_t mostImplicit = 150;  // nodes: beyond, factors cost more than any explicit run
-  // Quadrature points: beyond, only schemes of one force a step and their first step, since the mesh's error rules.
-  constexpr std::size_t mostPoints = 40000;
   const std::pair<const char*, double> wanted[] = {{"10 %", 1e-1}, {"1 %", 1e-2}, {"0.1 %", 1e-3}};
   const bool full = effort == StudyEffort::full;
   std::vector<ErrorCost> all;
@@ -192,119 +309,28 @@ std::vector<ErrorCost> addErrorAgainstTime(std::span<const IntegratorEntry> inte
       {"motion", "error", "among", "element", "mesh", "elements", "method", "h (s)", "error reached", "time (s)"},
       {}};
   for (const Motion& motion : motions) {
-    // The end by a step so small that only the mesh's error is left.
-    const auto endOf = [&](int cells) {
-      if (progress) progress(joinText(motion.name, ": reference of ", 5 * cells, " x ", cells, " x ", cells, " hex20"));
-      const Body body = barBody(motion, "hex20", cells, false);
-      BodySystem system(body);
-      State state = startOf(motion, body);
-      // Stretching stiffens this law: half the step that is stable at rest.
-      const auto steps =
-          static_cast<std::int64_t>(std::ceil(motion.end * std::sqrt(highestEigenvalue(body, frequencyTolerance))));
-      const std::unique_ptr<Integrator> integrator = makeIntegrator("verlet");
-      for (std::int64_t k = 0; k < steps; ++k) integrator->step(system, state, motion.end / static_cast<double>(steps));
-      if (!state.x.allFinite()) throw NumericalError(joinText(motion.name, ": the reference was lost"));
-      const std::vector<std::int32_t> probes = probesOf(motion, body.mesh());
-      return NodeVectors(atProbes(state.x, probes) - uniformAtProbes(motion, body.mesh(), probes));
-    };
     const int finest = full ? 8 : 4;
-    const NodeVectors reference = endOf(finest);
-    const double referenceError = (endOf(finest / 2) - reference).norm() / reference.norm();
-    checkBelow(report, motion.name + ": the two finest references differ by", referenceError,
+    Reference reference{referenceEnd(motion, finest, progress), 0};
+    reference.error = (referenceEnd(motion, finest / 2, progress) - reference.end).norm() / reference.end.norm();
+    checkBelow(report, motion.name + ": the two finest references differ by", reference.error,
                full ? motion.fullReference : motion.quickReference);
-
-    if (progress) progress(joinText(motion.name, ": the two finest references differ by ", referenceError));
+    if (progress) progress(joinText(motion.name, ": the two finest references differ by ", reference.error));
     std::vector<ErrorCost> runs;
     for (const Choice& choice : choices(effort)) {
-      const Body body = barBody(motion, choice.element, choice.cells, choice.slivers);
-      BodySystem system(body);
-      const double lambda = highestEigenvalue(body, frequencyTolerance);
-      const std::vector<std::int32_t> probes = probesOf(motion, body.mesh());
-      const NodeVectors uniform = uniformAtProbes(motion, body.mesh(), probes);
-      WorkPrecisionCase c{
-          motion.name,
-          motion.title,
-          system,
-          startOf(motion, body),
-          motion.end,
-          lambda,
-          {},
-          referenceError,
-          [&](const IntegratorInfo& info, double h) { return partitionForStep(body, {}, info, h); },
-          [&](const NodeVectors& x) { return (atProbes(x, probes) - uniform - reference).norm() / reference.norm(); }};
-      const auto keep = [&](const WorkPrecisionRun& run) {
-        if (!run.reason.empty() || !(run.error < 1)) return;  // lost
-        runs.push_back({motion.name, choice.element, choice.slivers ? "slivers" : "regular", run.integrator,
-                        static_cast<std::int64_t>(body.mesh().elementCount()), run.h, run.error, run.seconds});
-      };
       if (progress)
-        progress(joinText(motion.name, ": ", body.mesh().elementCount(), " ", choice.element,
+        progress(joinText(motion.name, ": ", choice.cells, " cells of ", choice.element,
                           choice.slivers ? " with slivers" : ""));
-      const bool large = body.mesh().elementCount() * body.blocks()[0]->rule().points.size() > mostPoints;
-      for (const IntegratorEntry& entry : integrators) {
-        const IntegratorInfo& info = *entry.info;
-        if (!(info.imaginaryLimit > 0)) continue;
-        const bool implicit = std::isinf(info.imaginaryLimit);
-        if (info.partitioned && !choice.slivers) continue;
-        if ((implicit || info.partitioned) && body.nodeCount() > mostImplicit) continue;
-        if (large && info.forceEvaluations != 1) continue;
-        WorkPrecisionOptions options;
-        options.steps = stepsOf(info, lambda, motion.end);
-        if (large) options.steps.resize(1);
-        for (const WorkPrecisionRun& run : runWorkPrecision(c, {&entry, 1}, options)) keep(run);
-      }
-      if (!choice.slivers) continue;
-      // Handlers at the steps that the mesh would allow without its slivers.
-      const double free =
-          2 / std::sqrt(highestEigenvalue(barBody(motion, choice.element, choice.cells, false), frequencyTolerance));
-      for (const HandlerEntry& entry : allHandlers())
-        for (const double share : {0.9, 0.6, 0.3}) {
-          const std::string name(entry.info->name);
-          if (share * free <= 0.9 * 2 / std::sqrt(lambda)) continue;  // nothing to handle
-          keep(runPrepared(c, name, share * free, [&](double step) {
-            auto own = std::make_shared<Body>(barBody(motion, choice.element, choice.cells, true));
-            auto handler = makeHandler(name, *own, makeIntegrator("verlet"));
-            handler->prepare(own->mesh().X, step);
-            return PreparedRun{std::move(handler), std::make_unique<BodySystem>(*own), own};
-          }));
-        }
+      const std::vector<ErrorCost> more = runsOn(choice, motion, reference, integrators);
+      runs.insert(runs.end(), more.begin(), more.end());
     }
-
-    std::map<std::string, std::vector<ErrorCost>> groups;
+    Groups groups;
     for (const ErrorCost& run : runs)
       groups[run.mesh == "regular" ? run.element : run.element + ", slivers"].push_back(run);
-    StudyFigure figure{"error_against_time_" + motion.name,
-                       motion.title + ": error of mesh and integration against computing time",
-                       "computing time, one thread (s)",
-                       "relative error of the displacement",
-                       true,
-                       true,
-                       {}};
-    for (const auto& [name, own] : groups) {
-      StudyFigure::Curve curve{name, {}, {}};
-      for (const ErrorCost& run : paretoFront(own)) {
-        curve.x.push_back(run.seconds);
-        curve.y.push_back(run.error);
-      }
-      figure.curves.push_back(std::move(curve));
-    }
-    report.figures.push_back(std::move(figure));
-    const auto addCheapest = [&](const std::string& group, const std::string& label, double error,
-                                 const std::vector<ErrorCost>& of) {
-      const ErrorCost* best = nullptr;
-      for (const ErrorCost& run : of)
-        if (run.error <= error && (!best || run.seconds < best->seconds)) best = &run;
-      if (best)
-        cheapest.rows.push_back({motion.name, label, group, best->element, best->mesh, best->elements, best->method,
-                                 best->h, best->error, best->seconds});
-      else if (group == "all")
-        cheapest.rows.push_back({motion.name, label, group, std::string(), std::string(), std::int64_t{0},
-                                 std::string("none"), nan, nan, nan});
-    };
+    report.figures.push_back(errorFigure(motion, groups));
     for (const auto& [label, error] : wanted) {
-      if (error < referenceError) continue;  // below the error of the reference
-      addCheapest("all", label, error, runs);
-      for (const auto& [name, own] : groups) addCheapest(name, label, error, own);
+      if (error < reference.error) continue;  // below the error of the reference
+      addCheapest(motion, "all", label, error, runs, cheapest);
+      for (const auto& [name, own] : groups) addCheapest(motion, name, label, error, own, cheapest);
     }
     all.insert(all.end(), runs.begin(), runs.end());
   }
