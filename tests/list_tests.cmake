@@ -1,13 +1,14 @@
 # cmake -D PROGRAM=… -D FOLDER=… -D SLOW=pattern:pattern -D TOGETHER=Suite:Suite -D OUTPUT=… -P list_tests.cmake
 # Writes the cases of a GoogleTest program for ctest, as FOLDER.Suite.Case with the labels FOLDER and fast or slow. CMake's
 # own gtest_discover_tests cannot: it puts the C++ type into the names of typed tests, and its labels are one at a time.
+# A case that says so is skipped, and so is one whose program is built without VTK (meshes/formats/vtu_writer.cpp), however it ends.
 # Suites that make a costly result once for all their cases are TOGETHER: one slow test each, FOLDER.Suite.
 cmake_minimum_required(VERSION 3.25)
 cmake_path(GET OUTPUT PARENT_PATH folder)
 function(write_test name filter speed)
   file(APPEND ${OUTPUT} "add_test([=[${FOLDER}.${name}]=] ${PROGRAM} --gtest_filter=${filter})\n"
     "set_tests_properties([=[${FOLDER}.${name}]=] PROPERTIES LABELS \"${FOLDER};${speed}\" WORKING_DIRECTORY ${folder}"
-    " SKIP_REGULAR_EXPRESSION [=[\\[  SKIPPED \\]]=])\n")
+    " SKIP_REGULAR_EXPRESSION [=[\\[  SKIPPED \\];this build is without VTK]=])\n")
 endfunction()
 
 # Writes the cases that a pattern of GoogleTest selects; found: whether there are any. Patterns may overlap.
