@@ -41,6 +41,7 @@ struct BlockMatrix {
   /// Where the blocks of each element are: [mesh block][(element * n + a) * n + b], positions in `block`.
   std::vector<std::vector<std::int32_t>> elementBlocks;
   PatchPairs patchPairs;
+  std::vector<std::int32_t> loose;  ///< positions of blocks that belong to no element, where there are discrete forces
 
   /// Memory held, bytes: values, and what is made once with the pattern.
   std::size_t valueBytes() const { return block.size() * sizeof(block[0]); }

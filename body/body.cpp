@@ -10,6 +10,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/matrix3.h>
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/meshes/jacobian.h>
 
 namespace ringwatch {
@@ -55,6 +56,8 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
     : TangentSource(whole.constraints(), whole.threads()),
       options_(whole.options_),
       externalForce_(whole.externalForce_) {
+  if (whole.discreteForces())
+    throw InputError("chosen elements: a body with springs or contact cannot be taken apart into its elements");
   const Mesh& all = whole.mesh_;
   bool fits = chosen.size() == all.blocks.size();
   for (std::size_t b = 0; fits && b < chosen.size(); ++b) fits = chosen[b].size() == all.blocks[b].elementCount();
@@ -207,6 +210,10 @@ void Body::pass(NodeVectorsView x, PatchVisitor* visitor, NodeVectors* force, do
   if (energy) {
     *energy = 0;
     for (const double part : workspace.energies) *energy += part;
+  }
+  if (const DiscreteForces* discrete = discreteForces()) {
+    if (force) discrete->addInternalForce(x, *force);
+    if (energy) *energy += discrete->energy(x);
   }
 }
 

@@ -35,7 +35,7 @@ struct StepEvaluation {
   bool wantsEnergy = false;
   PatchVisitor* visitor = nullptr;  ///< sees the deformation gradients that it wants
   NodeVectors internalForce;        ///< ∂(strain energy)/∂x, 3×N, N
-  double strainEnergy = 0;          ///< J
+  double strainEnergy = 0;          ///< J, of elements and discrete forces
   double wallTime = 0;              ///< s, of the pass
 };
 
@@ -56,7 +56,7 @@ class Body : public TangentSource {
   Body(Mesh mesh, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::VectorXd lumpedMass, int threads = 0);
   /// Some elements of another body, chosen[block][element], on all of its nodes and with its lumped mass, constraints
   /// and loads. Blocks keep their numbers and chosen elements their order; a block may end up empty. For bodies made of
-  /// a mesh and materials. Throws InputError when `chosen` does not fit the mesh.
+  /// a mesh and materials. Throws InputError when `chosen` does not fit the mesh, and for bodies with discrete forces.
   Body(const Body& whole, const std::vector<std::vector<bool>>& chosen);
 
   const Mesh& mesh() const { return mesh_; }

@@ -1,3 +1,4 @@
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/sub_body.h>
 
 namespace ringwatch {
@@ -30,6 +31,7 @@ Body subBody(const Body& whole, std::span<const ElementRef> elements, std::span<
     for (int c = 0; c < 3; ++c)
       if (whole.constraints().isConstrained(nodes[i], c))
         part.constraints().move(i, c, whole.constraints().velocity()(c, nodes[i]));
+  if (const DiscreteForces* discrete = whole.discreteForces()) part.setDiscreteForces(discrete->restrictedTo(nodes));
   return part;
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/body/discrete_forces.h>
 
 namespace ringwatch {
 namespace {
@@ -26,10 +27,17 @@ std::size_t PatchPairs::bytes() const {
 }
 
 std::size_t BlockMatrix::patternBytes() const {
-  std::size_t sum = bytesOf(rowBegin) + bytesOf(column) + patchPairs.bytes();
+  std::size_t sum = bytesOf(rowBegin) + bytesOf(column) + bytesOf(loose) + patchPairs.bytes();
   for (const auto& own : elementBlocks) sum += bytesOf(own);
   return sum;
 }
+
+TangentSource::TangentSource(TangentSource&&) noexcept = default;
+TangentSource& TangentSource::operator=(TangentSource&&) noexcept = default;
+TangentSource::~TangentSource() = default;
+
+TangentSource::TangentSource(Constraints constraints, int threads)
+    : constraints_(std::move(constraints)), threads_(threads) {}
 
 TangentSource::TangentSource(std::vector<const ElementTangents*> tangents, Eigen::VectorXd lumpedMass, int threads)
     : TangentSource(Constraints(lumpedMass.size()), threads) {
@@ -42,6 +50,13 @@ void TangentSource::addNodalMass(std::int32_t node, double mass) {
                               " and the mass >= 0 and finite"));
   if (mass == 0) return;
   lumpedMass_[node] += mass;
+  massVersion_.add();
+}
+
+void TangentSource::setDiscreteForces(DiscreteForces forces) {
+  if (forces.nodeCount() != nodeCount())
+    throw InputError(joinText("discrete forces of ", forces.nodeCount(), " nodes: the body has ", nodeCount()));
+  discrete_ = std::make_unique<DiscreteForces>(std::move(forces));
   massVersion_.add();
 }
 
@@ -111,12 +126,14 @@ void TangentSource::sumOverPatches(
   sumSlots(result, slots);
 }
 
-void TangentSource::tangentProduct(NodeVectorsView x, NodeVectorsView v, NodeVectors& Kv, Workspace& workspace) const {
+void TangentSource::tangentProduct(NodeVectorsView x, NodeVectorsView v, NodeVectors& Kv, Workspace& workspace,
+                                   std::optional<double> dampingFactor) const {
   sumOverPatches(Kv, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
     const ElementTangents& block = *tangents_[b];
     const Patch& patch = block.layout().patches[p];
     block.addTangentProduct(patch, x.data(), v.data(), slots);
   });
+  if (discrete_) discrete_->addTangentProduct(x, v, Kv, dampingFactor);
 }
 
 Eigen::VectorXd TangentSource::tangentRounding(NodeVectorsView x, Workspace& workspace) const {
@@ -164,6 +181,16 @@ void TangentSource::makePattern(BlockMatrix& matrix) const {
   for (const ElementTangents* block : tangents_)
     for (std::int32_t e = 0; e < block->elementCount(); ++e)
       for (std::int32_t i : block->nodesOf(e)) begin[static_cast<std::size_t>(i) + 1] += block->nodesPerElement();
+  // A spring couples two nodes that need not share an element.
+  const auto forEachSpring = [&](const auto& visit) {
+    if (!discrete_) return;
+    for (const Spring& spring : discrete_->springs())
+      if (spring.other >= 0) visit(spring.node, spring.other);
+  };
+  forEachSpring([&](std::size_t i, std::size_t j) {
+    ++begin[i + 1];
+    ++begin[j + 1];
+  });
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<std::int32_t> neighbour(begin.back());
   {
@@ -178,6 +205,10 @@ void TangentSource::makePattern(BlockMatrix& matrix) const {
           to += static_cast<std::int64_t>(own.size());
         }
       }
+    forEachSpring([&](std::size_t i, std::size_t j) {
+      neighbour[next[i]++] = static_cast<std::int32_t>(j);
+      neighbour[next[j]++] = static_cast<std::int32_t>(i);
+    });
   }
   std::vector<std::int64_t> count(nodes);
   parallelFor(
@@ -214,6 +245,27 @@ void TangentSource::makePattern(BlockMatrix& matrix) const {
         256);
   }
   placePairs(matrix);
+  findLooseBlocks(matrix);
+}
+
+void TangentSource::findLooseBlocks(BlockMatrix& matrix) const {
+  matrix.loose.clear();
+  if (!discrete_) return;
+  std::vector<bool> ofElements(matrix.column.size());
+  for (const auto& positions : matrix.elementBlocks)
+    for (const std::int32_t position : positions) ofElements[position] = true;
+  for (std::size_t k = 0; k < ofElements.size(); ++k)
+    if (!ofElements[k]) matrix.loose.push_back(static_cast<std::int32_t>(k));
+}
+
+void TangentSource::addDiscreteBlocks(NodeVectorsView x, BlockMatrix& matrix) const {
+  for (const std::int32_t position : matrix.loose) matrix.block[position].setZero();
+  discrete_->forEachBlock(x, [&](std::int32_t i, std::int32_t j, const Eigen::Matrix3d& block) {
+    const auto first = matrix.column.begin() + matrix.rowBegin[i],
+               last = matrix.column.begin() + matrix.rowBegin[static_cast<std::size_t>(i) + 1];
+    // Stored by columns of the transpose: the block is symmetric.
+    matrix.block[std::lower_bound(first, last, j) - matrix.column.begin()] += block;
+  });
 }
 
 void TangentSource::placePairs(BlockMatrix& matrix) const {
@@ -319,6 +371,7 @@ void TangentSource::assembleBlocks(NodeVectorsView x, BlockMatrix& matrix) const
         storeBlock(values, pair.upper, pair.lower, sum, sum[8]);
       },
       1024);
+  if (discrete_) addDiscreteBlocks(x, matrix);
 }
 
 void TangentSource::assembleTangent(NodeVectorsView x, SparseTangent& tangent) const {

@@ -1,5 +1,7 @@
 #pragma once
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -15,6 +17,8 @@
 
 namespace ringwatch {
 
+class DiscreteForces;
+
 /// An assembled tangent with what its assembly keeps from call to call.
 struct SparseTangent {
   BlockMatrix blocks;
@@ -23,7 +27,8 @@ struct SparseTangent {
 
 /// What the bounds of the highest frequency are proven from: batches of symmetric element tangents, the nodes that they
 /// couple, three degrees of freedom a node, of which constrained ones leave the problem, and a lumped mass for each
-/// node. A Body is one, at any positions; TangentBracket makes one of the tangents that another code hands over.
+/// node; and of springs and contact, where there are any. A Body is one, at any positions; TangentBracket makes one of
+/// the tangents that another code hands over.
 ///
 /// x: the state, as ElementTangents reads it. All passes are const and keep their scratch memory in a Workspace that
 /// the caller owns, so that threads can share a source. Results have the same bits for any number of threads.
@@ -37,9 +42,9 @@ class TangentSource {
   /// tangents: by reference, at most nodes below lumpedMass.size(). lumpedMass: kg, a positive number for each node.
   /// threads: 0 for all that OpenMP offers.
   TangentSource(std::vector<const ElementTangents*> tangents, Eigen::VectorXd lumpedMass, int threads);
-  TangentSource(TangentSource&&) = default;
-  TangentSource& operator=(TangentSource&&) = default;
-  ~TangentSource() = default;
+  TangentSource(TangentSource&&) noexcept;
+  TangentSource& operator=(TangentSource&&) noexcept;
+  ~TangentSource();
 
   /// Elements in groups of one number of nodes each; ElementRef::block counts them.
   const std::vector<const ElementTangents*>& tangents() const { return tangents_; }
@@ -58,6 +63,13 @@ class TangentSource {
   /// set and the elements' own mass stay. Throws InputError unless the node exists and mass >= 0 and finite.
   void addNodalMass(std::int32_t node, double mass);
 
+  /// Springs and contact that count in forces, energies and tangents from now on; they replace those that there were.
+  /// Throws InputError when they are of another number of nodes.
+  void setDiscreteForces(DiscreteForces forces);
+  /// nullptr for none.
+  DiscreteForces* discreteForces() { return discrete_.get(); }
+  const DiscreteForces* discreteForces() const { return discrete_.get(); }
+
   /// Throws InputError unless `values`, an argument called `name`, is 3×N.
   void checkNodal(std::string_view name, NodeVectorsView values) const;
 
@@ -65,11 +77,14 @@ class TangentSource {
   /// before); in parallel.
   void sumOverPatches(NodeVectors& result, Workspace& workspace,
                       const std::function<void(std::size_t block, std::int32_t patch, double* slots)>& addPatch) const;
-  /// K(x) v with the exact tangent K.
-  void tangentProduct(NodeVectorsView x, NodeVectorsView v, NodeVectors& Kv, Workspace& workspace) const;
+  /// K(x) v with the exact tangent K, and f C(x) v of discrete forces (DiscreteForces::setDampingFactor);
+  /// dampingFactor: another f.
+  void tangentProduct(NodeVectorsView x, NodeVectorsView v, NodeVectors& Kv, Workspace& workspace,
+                      std::optional<double> dampingFactor = {}) const;
   /// Exact tangent of one element, 3n×3n, N/m.
   Eigen::MatrixXd elementTangent(ElementRef element, NodeVectorsView x) const;
-  /// Exact tangent of all elements as node blocks. The pattern is made when `matrix` is empty and reused else.
+  /// Exact tangent of all elements as node blocks, and of discrete forces as tangentProduct() has it. The pattern is
+  /// made when `matrix` is empty and reused else.
   void assembleBlocks(NodeVectorsView x, BlockMatrix& matrix) const;
   /// Exact tangent as a sparse matrix; constrained degrees of freedom are kept. The pattern is made when `tangent` is
   /// empty and reused else.
@@ -114,7 +129,7 @@ class TangentSource {
 
  protected:
   /// A source without elements, for classes that make them and the masses themselves: setElements must follow.
-  TangentSource(Constraints constraints, int threads) : constraints_(std::move(constraints)), threads_(threads) {}
+  TangentSource(Constraints constraints, int threads);
   void setElements(std::vector<const ElementTangents*> tangents, Eigen::VectorXd lumpedMass);
 
   struct PatchRef {
@@ -128,11 +143,14 @@ class TangentSource {
  private:
   void makePattern(BlockMatrix& matrix) const;
   void placePairs(BlockMatrix& matrix) const;
+  void findLooseBlocks(BlockMatrix& matrix) const;
+  void addDiscreteBlocks(NodeVectorsView x, BlockMatrix& matrix) const;
 
   std::vector<const ElementTangents*> tangents_;
   Eigen::VectorXd lumpedMass_;
   ChangeCount massVersion_;
   Constraints constraints_;
+  std::unique_ptr<DiscreteForces> discrete_;
   int threads_;
   std::vector<PatchRef> patches_;
   std::int64_t slotCount_ = 0;

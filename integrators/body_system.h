@@ -1,5 +1,6 @@
 #pragma once
 #include <ringwatch/body/body.h>
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/integrators/integrator.h>
 
 namespace ringwatch {
@@ -11,9 +12,9 @@ inline const Eigen::Matrix3d& diagonalBlock(const BlockMatrix& K, std::size_t i)
   return K.block[k];
 }
 
-/// A body as a second-order system: m a = external force - internal force(x) - (alpha M + beta K(x)) v; constrained
-/// components get a = 0, so that their prescribed velocity stays what it is in every scheme. K is the exact tangent at
-/// x.
+/// A body as a second-order system: m a = external force - internal force(x) - (alpha M + beta K(x)) v - what dashpots,
+/// viscous contact and friction of its discrete forces resist with; constrained components get a = 0, so that their
+/// prescribed velocity stays what it is in every scheme. K is the exact tangent at x.
 class BodySystem final : public DifferentiableSystem {
  public:
   /// The body must outlive the system; call followMasses() where its masses change.
@@ -27,7 +28,7 @@ class BodySystem final : public DifferentiableSystem {
   /// The acceleration where the internal force at x (3×N, N) is known, as from Body::evaluate.
   void accelerationOfForce(const NodeVectors& internalForce, const NodeVectors& x, const NodeVectors& v,
                            NodeVectors& a) {
-    const bool damped = damping_.any();
+    const bool damped = velocityDependent();
     if (damped) dampingForce(x, v, dampingForce_);
     a.resizeLike(internalForce);
     updateNodes(*this, a.cols(), [&](auto slice) {
@@ -45,22 +46,25 @@ class BodySystem final : public DifferentiableSystem {
     accelerationOfForce(evaluation.internalForce, state.x, state.v, state.a);
     ringwatch::complete(*this, state);
   }
-  /// Damping force C v at x, 3×N, N.
+  /// Damping force at x, C v and friction, 3×N, N.
   void dampingForce(const NodeVectors& x, const NodeVectors& v, NodeVectors& force) {
     if (damping_.beta != 0)
-      body_.tangentProduct(x, v, force, workspace_);
+      body_.tangentProduct(x, v, force, workspace_, 0.0);
     else
       force.setZero(3, x.cols());
     force = damping_.beta * force + damping_.alpha * v * body_.lumpedMass().asDiagonal();
+    if (const DiscreteForces* discrete = body_.discreteForces()) discrete->addDampingForce(x, v, force);
   }
   /// Takes the masses of the body as they are now; an acceleration that is known of a state holds no longer.
   void followMasses() { inverseMass_ = body_.lumpedMass().cwiseInverse().transpose(); }
   int threads() const override { return body_.threads(); }
-  bool velocityDependent() const override { return damping_.any(); }
+  bool velocityDependent() const override {
+    return damping_.any() || (body_.discreteForces() && body_.discreteForces()->damped());
+  }
   const Eigen::VectorXd& mass() const override { return body_.lumpedMass(); }
   RayleighDamping damping() const override { return damping_; }
   void stiffnessProduct(const NodeVectors& x, const NodeVectors& u, NodeVectors& Ku) override {
-    body_.tangentProduct(x, u, Ku, workspace_);
+    body_.tangentProduct(x, u, Ku, workspace_, 0.0);
   }
   Eigen::SparseMatrix<double> stiffness(const NodeVectors& x) override {
     body_.assembleTangent(x, tangent_);

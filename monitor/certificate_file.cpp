@@ -85,6 +85,8 @@ NodeVectors vectorOf(const Body& body, const ReducedRing& ring, const TopMode& t
 }  // namespace
 
 void requireCertifiable(const Body& body) {
+  if (body.discreteForces())
+    throw InputError("certificate: springs and contact have none; certificates are of elements alone");
   for (std::size_t b = 0; b < body.blocks().size(); ++b)
     if (const ElementBlock& block = *body.blocks()[b];
         block.material().outside || !isOfLibrary(body.mesh().blocks[b].type))

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/monitor/bounds/exchange_bound.h>
 #include <ringwatch/monitor/bounds/lowest_mode.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
@@ -57,6 +58,10 @@ CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& l
   CriticalStep step{
       safeStep(upper, limit), optimisticStep(lower, limit), ring.last().highestElement, safeBy, top.method,
       ring.last().lowest,     ring.last().lowestElement};
+  if (body.discreteForces() && lower.value > 0 && mode.squaredNorm() > 0) {
+    const NodeVectors v = mode * body.lumpedMass().cwiseSqrt().cwiseInverse().asDiagonal();
+    step.discreteShare = body.discreteForces()->form(x, v) / (lower.value * mode.squaredNorm());
+  }
   if (!weights.poorlyConditioned().empty()) {
     step.poorlyConditioned = weights.poorlyConditioned().size();
     step.worstConditioned = weights.poorlyConditioned().front().element;

@@ -54,6 +54,15 @@ void EnergyBalance::recordDamping(double time, const NodeVectors& v, const NodeV
   damping_ = now;
 }
 
+void EnergyBalance::recordObstacles(double time, const DiscreteForces::ObstaclePower& power) {
+  if (obstacles_) {
+    const double half = 0.5 * (time - obstacles_->time), damping = obstacles_->power.damping + power.damping;
+    dissipated_ += half * damping;
+    prescribedWork_ += half * (obstacles_->power.elastic + power.elastic + damping);
+  }
+  obstacles_ = {time, power};
+}
+
 Energies EnergyBalance::energies(const NodeVectors& x, const NodeVectors& v, double strainEnergy) {
   Energies e;
   e.kinetic = 0.5 * parallelSum(v.cols(), body_.threads(), [&](Eigen::Index begin, Eigen::Index end) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <ringwatch/body/body.h>
+#include <ringwatch/body/discrete_forces.h>
 
 namespace ringwatch {
 
@@ -20,7 +21,8 @@ double roundingEnergy(const Body& body);
 
 /// The energy balance of a run. Prescribed motion does work ∫ f · dx, f the internal force at moved nodes, summed by
 /// the trapezoidal rule; dead forces do f · (x - x at the start). Damping takes ∫ v · C v dt, by the same rule; what of
-/// it acts at moved nodes their support has to bring up, as work of its own.
+/// it acts at moved nodes their support has to bring up, as work of its own. Moving obstacles do work on the nodes that
+/// they touch, of which what goes through damping and friction is dissipated by their velocity against the nodes.
 class EnergyBalance {
  public:
   explicit EnergyBalance(const Body& body) : body_(body) {}
@@ -31,6 +33,9 @@ class EnergyBalance {
   /// Adds a time (s) with velocities v (3×N, m/s) and the damping force C v (3×N, N) there. Call it at every step of a
   /// damped run.
   void recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce);
+  /// Adds a time (s) with the power of moving obstacles there. Call it at every step of a run with them, as
+  /// recordDamping.
+  void recordObstacles(double time, const DiscreteForces::ObstaclePower& power);
   /// Energies at the state that was recorded last: its positions x and velocities v (3×N, m and m/s), its strain energy
   /// (J).
   Energies energies(const NodeVectors& x, const NodeVectors& v, double strainEnergy);
@@ -45,6 +50,11 @@ class EnergyBalance {
     double time, all, atSupports;
   };
   std::optional<DampingPower> damping_;  // of the last record
+  struct ObstaclePowerAt {
+    double time;
+    DiscreteForces::ObstaclePower power;
+  };
+  std::optional<ObstaclePowerAt> obstacles_;  // of the last record
   NodeVectors firstX_;
   /// Of the constrained components, in the order of Constraints::components(), at the last record.
   struct Supported {

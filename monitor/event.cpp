@@ -11,7 +11,8 @@ std::string whatHappened(const MonitorEvent& event) {
   switch (event.kind) {
     case EventKind::violated:
       return joinText("violated: h = ", event.h, " s is above the critical step, which is at most ",
-                      event.h / event.value, " s");
+                      event.h / event.value, " s",
+                      event.discreteShare > 0.5 ? "; springs or contact govern it, most at" : "");
     case EventKind::energyBalance:
       return joinText("energy balance is off by ", 100 * event.value, " % of the largest energy so far");
     case EventKind::inverted:

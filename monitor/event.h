@@ -36,6 +36,7 @@ struct MonitorEvent {
   double value = 0;
   double h = 0;                            // s, violated: the step that was asked about
   bool tangent = false;                    // nonFinite: of the tangent, at positions that are finite
+  double discreteShare = 0;                // violated: CriticalStep::discreteShare
   bool handled = false;                    // a handler takes care of the element
   std::optional<ElementRef> element = {};  // where, when it is an element's doing
   std::optional<ElementCause> cause = {};  // why that element is in the way

@@ -44,7 +44,7 @@ struct StabilityMonitor::Impl {
     if (!tracker.isNew(event.kind)) return;
     event.step = report.step;
     event.time = report.time;
-    if (event.element) event.cause = elementCause(body, x, *event.element);
+    if (event.element && !(event.discreteShare > 0.5)) event.cause = elementCause(body, x, *event.element);
     report.newEvents.push_back(tracker.begin(event));
   }
   void absent(EventKind kind) { tracker.absent(kind, report.step); }
@@ -180,7 +180,12 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, N
                                                               : Verdict::notCertified;
   if (h && report.bracket && report.verdict == Verdict::violated) {
     const CriticalStep& b = *report.bracket;
-    m.present({.kind = EventKind::violated, .value = *h / b.optimistic, .h = *h, .element = b.controlling}, x);
+    m.present({.kind = EventKind::violated,
+               .value = *h / b.optimistic,
+               .h = *h,
+               .discreteShare = b.discreteShare,
+               .element = b.controlling},
+              x);
   } else if (m.bracket) {
     m.absent(EventKind::violated);
   }

@@ -28,8 +28,14 @@ class StepRule {
   /// whether it is exactly that, so that an upper bound of lambda gives a safe step and a lower bound an optimistic
   /// one.
   StepRule(std::function<double(double lambda)> step, bool proven) : step_(std::move(step)), proven_(proven) {}
+  /// optimistic: the step above which a system is unstable whose highest eigenvalue is lambda at least; `step` then is
+  /// the one up to which it is stable where that is lambda at most. They differ where dashpots make the matrix depend
+  /// on the step (Theorem 47, docs/theory/discrete_forces.md).
+  StepRule(std::function<double(double lambda)> step, std::function<double(double lambda)> optimistic, bool proven)
+      : step_(std::move(step)), optimistic_(std::move(optimistic)), proven_(proven) {}
 
   double operator()(double lambda) const { return step_ ? step_(lambda) : stepFor(lambda, limit_); }
+  double optimistic(double lambda) const { return optimistic_ ? optimistic_(lambda) : (*this)(lambda); }
   bool proven() const { return proven_; }
   /// The largest lambda, rad²/s², to rounding from below, at which the step h (s, > 0) is allowed: the rule turned
   /// round.
@@ -46,7 +52,7 @@ class StepRule {
 
  private:
   double limit_ = 0;
-  std::function<double(double)> step_;
+  std::function<double(double)> step_, optimistic_;
   bool proven_ = true;
 };
 
@@ -73,12 +79,16 @@ struct CriticalStep {
   std::size_t poorlyConditioned = 0;
   ElementRef worstConditioned{};
 
+  /// The share of the top mode's energy that springs and contact hold, as far as that mode is known: above one half
+  /// they set the step, and not the controlling element.
+  double discreteShare = 0;
+
   /// Whether the two sides are a bracket: numbers, with safe <= optimistic. No function hands out one for which it is
   /// false.
   bool isBracket() const { return safe <= optimistic; }
 };
 /// The side of the bracket made from a bound: the types say which.
 inline double safeStep(UpperBound lambda, const StepRule& rule) { return rule(lambda.value); }
-inline double optimisticStep(LowerBound lambda, const StepRule& rule) { return rule(lambda.value); }
+inline double optimisticStep(LowerBound lambda, const StepRule& rule) { return rule.optimistic(lambda.value); }
 
 }  // namespace ringwatch

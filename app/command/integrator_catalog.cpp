@@ -28,6 +28,25 @@ StepRule stepRule(const IntegratorInfo& info, const RayleighDamping& damping) {
           info.highestModeBinds};
 }
 
+double dampingFactor(const RayleighDamping& damping, double reference) { return 2 / (reference + 2 * damping.beta); }
+
+StepRule stepRuleWithDashpots(const IntegratorInfo& info, const RayleighDamping& damping, double reference) {
+  const StepRule own = stepRule(info, damping);
+  // Where the step differs from the reference, the dashpots count with the factor of the reference for all that is.
+  const auto other = [damping, reference](double lambda) {
+    return 4 / (lambda * (reference + 2 * damping.beta) + 2 * damping.alpha);
+  };
+  return {[own, other, reference](double lambda) {
+            const double step = own(lambda);
+            return step < reference ? other(lambda) : step;
+          },
+          [own, other, reference](double lambda) {
+            const double step = own(lambda);
+            return step > reference ? other(lambda) : step;
+          },
+          info.highestModeBinds};
+}
+
 std::vector<IntegratorInfo> integratorInfos() {
   std::vector<IntegratorInfo> infos;
   for (const IntegratorEntry& entry : integratorCatalog().entries()) infos.push_back(*entry.info);

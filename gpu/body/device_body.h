@@ -19,7 +19,8 @@ struct DeviceBodyInput {
   const Constraints* constraints = nullptr;    // nullptr: none
   const NodeVectors* externalForce = nullptr;  // 3×N, N; nullptr: none
 
-  /// The input of a body made of a mesh and materials. The body must outlive the result.
+  /// The input of a body made of a mesh and materials. The body must outlive the result. Throws InputError for a body
+  /// with discrete forces.
   static DeviceBodyInput of(const Body& body);
 };
 

@@ -70,13 +70,15 @@ class Composition {
     P_.resize(total);
     fillTangents(x);
     indexBlocks();
-    // What all P_e must sum up to: sigma I - A, with A from the very numbers that the elements start with.
+    // What all P_e must sum up to: sigma I - A, with A from the very numbers that the elements start with, less what
+    // discrete forces take of it.
     const std::int64_t blocks = pattern_.column.size();
     target_.resize(blocks);
     for (std::int32_t i = 0; i < source.nodeCount(); ++i)
       for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
         const bool diagonal = pattern_.column[k] == i;
         target_[k] = (diagonal ? sigma : 0.0) * Eigen::Matrix3d::Identity() + sumOf(k);  // P_ holds -A_e
+        if (diagonal) target_[k] -= freePart(source, i, weights.majorantAt(i) / source.lumpedMass()[i]);
       }
     startFrom(weights);
     reserve_.assign(elements_.size(), -1.0);

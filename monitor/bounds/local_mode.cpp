@@ -5,6 +5,8 @@
 #include <queue>
 #include <utility>
 
+#include <ringwatch/base/sort_unique.h>
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/nodes_of.h>
 #include <ringwatch/body/sub_body.h>
 #include <ringwatch/monitor/bounds/rayleigh.h>
@@ -50,6 +52,11 @@ std::vector<std::int32_t> LocalMode::grow(const NodeVectors& mode) const {
 void LocalMode::makePart(const std::vector<std::int32_t>& region) {
   const std::vector<ElementRef> elements = incidences_.elementsAt(region);
   nodes_ = nodesOfElements(body_, elements);
+  if (const DiscreteForces* discrete = body_.discreteForces()) {
+    const std::vector<std::int32_t> partners = discrete->partners(region);
+    nodes_.insert(nodes_.end(), partners.begin(), partners.end());
+    sortUnique(nodes_);
+  }
   part_ = std::make_unique<Body>(subBody(body_, elements, nodes_, body_.lumpedMass()(nodes_), body_.threads()));
   for (std::int32_t i = 0; i < part_->nodeCount(); ++i)
     if (!std::binary_search(region.begin(), region.end(), nodes_[i])) part_->constraints().fix(i);
@@ -84,12 +91,17 @@ LowerBound LocalMode::evaluate(NodeVectorsView x) {
   const LowerBound bound = rayleighLowerBound(*part_, x_, vector_, products, &largest_);
   if (improve) sinceImproved_ = 0;
   isNew_ = false;
-  if (++sinceSearch_ >= searchGap) findHighestElement(x);
+  if (++sinceSearch_ >= searchGap) findHighestElement(x, bound);
   return {std::max(bound.value, 0.0)};
 }
 
-void LocalMode::findHighestElement(NodeVectorsView x) {
+void LocalMode::findHighestElement(NodeVectorsView x, LowerBound bound) {
   sinceSearch_ = 0;
+  discreteShare_ = 0;
+  if (const DiscreteForces* discrete = part_->discreteForces(); discrete && bound.value > 0) {
+    const NodeVectors v = vector_ * part_->lumpedMass().cwiseSqrt().cwiseInverse().asDiagonal();
+    discreteShare_ = discrete->form(x_, v) / (bound.value * vector_.squaredNorm());
+  }
   Eigen::Index top = 0;
   vector_.colwise().squaredNorm().maxCoeff(&top);
   double most = -1;

@@ -30,12 +30,14 @@ class LocalMode {
   /// The element that holds most of the mode's energy at the node that it moves most, as of one of the last
   /// evaluations.
   ElementRef highestElement() const { return highest_; }
+  /// The share of the mode's energy that springs and contact hold, of the same evaluation.
+  double discreteShare() const { return discreteShare_; }
 
  private:
   /// Nodes of the region, grown from the largest entry.
   std::vector<std::int32_t> grow(const NodeVectors& mode) const;
   void makePart(const std::vector<std::int32_t>& region);
-  void findHighestElement(NodeVectorsView x);
+  void findHighestElement(NodeVectorsView x, LowerBound bound);
   /// Entries below this share of the largest one count as that much, so that nodes beside a mode of few entries come
   /// first.
   static constexpr double leastAmplitude = 1e-3;
@@ -51,6 +53,7 @@ class LocalMode {
   NodeVectors x_, vector_;           // positions and the mode, of the part
   double largest_ = 0;               // size of an eigenvalue that was seen in this region, for the rounding
   ElementRef highest_;
+  double discreteShare_ = 0;
   int sinceSearch_ = searchGap, sinceImproved_ = 0;
   bool isNew_ = false;
   std::int64_t bodyVersion_ = 0;  // that the part has masses and constraints of

@@ -10,6 +10,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/sort_unique.h>
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/monitor/bounds/nodal_weights.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 
@@ -197,6 +198,11 @@ double NodalBound::sumAtNodes() {
           if (!outside_.empty())
             for (int r = 0; r < 3; ++r)
               for (int c = r; c < 3; ++c) sum[Symmetric3<P>::index(r, c)] = outside_[node](r, c);
+          if (!majorants_.empty()) {
+            const Eigen::Matrix3d own = majorantAt(node);
+            for (int r = 0; r < 3; ++r)
+              for (int c = r; c < 3; ++c) sum[Symmetric3<P>::index(r, c)] += own(r, c);
+          }
           for (const Incidence at : incidences(node)) {
             const std::size_t block = at.block;
             const int l = at.place % lanes;
@@ -296,9 +302,15 @@ void NodalBound::sweep(NodeVectorsView x, double bound) {
   }
 }
 
+Eigen::Matrix3d NodalBound::majorantAt(std::int32_t node) const {
+  const std::int32_t place = majorants_.empty() ? -1 : source_->discreteForces()->placeOf(node);
+  return place < 0 ? Eigen::Matrix3d(Eigen::Matrix3d::Zero()) : majorants_[place];
+}
+
 UpperBound NodalBound::evaluate(NodeVectorsView x, int sweeps, Start start, double leastGain, UpperBound enough) {
   evaluations_ = 0;
   prepareSums();
+  if (source_->discreteForces() && !keepsMajorants_) source_->discreteForces()->majorants(x, false, majorants_);
   evaluateAll(x, started_ ? nullptr : &start);
   started_ = true;
   double best = infinity, before[2] = {best, best};

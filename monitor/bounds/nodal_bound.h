@@ -13,9 +13,10 @@ namespace ringwatch {
 /// The block nodal bound, a proven upper bound of the highest eigenvalue of M⁻¹K. For any symmetric positive definite
 /// 3×3 weights D_(e,a), one for each element and node, and l_e = max(0, lambda_max(D_e⁻¹ K_e)):
 ///   K_e ≼ l_e D_e,  so that  lambda_max(M⁻¹K) <= max_i lambda_max(S_i),  S_i = (1/m_i) Σ_(e∋i) l_e D_(e,a(i)).
-/// True for every symmetric K_e, indefinite ones included. Good weights make it tight: they start at (K_aa)^½ or K_aa
-/// and are swept, D_a ← R_i D_a R_i with R_i = (S_i/t)^-½, t the bound. Weights are kept from call to
-/// call. Theorem 1, docs/theory/eigenvalue_bounds.md.
+/// True for every symmetric K_e, indefinite ones included. Discrete forces of the source count in S_i by their
+/// majorants (DiscreteForces::majorants). Good weights make it tight: they start at (K_aa)^½ or K_aa and are swept, D_a
+/// ← R_i D_a R_i with R_i = (S_i/t)^-½, t the bound. Weights are kept from call to call. Theorem 1,
+/// docs/theory/eigenvalue_bounds.md.
 class NodalBound {
  public:
   /// Weights to start from. The root wins on irregular meshes, the stiffness itself on regular ones.
@@ -30,6 +31,16 @@ class NodalBound {
   /// Elements that are not in the source and share nodes with it, by their Σ l_e D_e at each node (N of them, N/m):
   /// they count in every sum and thus in the bound, and are not swept.
   void setOutside(std::vector<Eigen::Matrix3d> sums) { outside_ = std::move(sums); }
+  /// The majorants that discrete forces count with, in place of those at the positions of an evaluation: one for each
+  /// of their nodes(), N/m.
+  void setMajorants(std::vector<Eigen::Matrix3d> majorants) {
+    majorants_ = std::move(majorants);
+    keepsMajorants_ = true;
+  }
+  /// Those of setMajorants or of the last evaluation; empty without discrete forces.
+  const std::vector<Eigen::Matrix3d>& majorants() const { return majorants_; }
+  /// That of a node, N/m.
+  Eigen::Matrix3d majorantAt(std::int32_t node) const;
   /// Forgets the weights.
   void reset() { started_ = false; }
   /// The bound with the weights as they are now: that of the last sweep, which need not be the best.
@@ -153,6 +164,8 @@ class NodalBound {
   AlignedVector<Symmetric3<Pack>> sums_;    // S_i, one node a lane
   AlignedVector<Symmetric3<Pack>> factors_;
   std::vector<Eigen::Matrix3d> outside_;  // by node; empty for none
+  std::vector<Eigen::Matrix3d> majorants_;
+  bool keepsMajorants_ = false;
   std::vector<double> nodal_;
   std::vector<std::uint8_t> changed_;  // by node: since its sum was made
   std::int64_t evaluations_ = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 
 namespace ringwatch {
@@ -62,7 +63,27 @@ const Eigen::MatrixXd& NodeSubmatrix::evaluate(NodeVectorsView x) {
       }
     }
   }
+  if (const DiscreteForces* discrete = source_.discreteForces()) addDiscrete(*discrete, x);
   return matrix_;
+}
+
+void NodeSubmatrix::addDiscrete(const DiscreteForces& discrete, NodeVectorsView x) {
+  const auto placeOf = [&](std::int32_t node) -> Eigen::Index {
+    const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), node);
+    return found != nodes_.end() && *found == node ? found - nodes_.begin() : -1;
+  };
+  discrete.forEachBlock(
+      x,
+      [&](std::int32_t i, std::int32_t j, const Eigen::Matrix3d& block) {
+        const Eigen::Index row = placeOf(i), column = placeOf(j);
+        if (row < 0 || column < 0) return;
+        const double scale = 1 / std::sqrt(source_.lumpedMass()[i] * source_.lumpedMass()[j]);
+        for (int r = 0; r < 3; ++r)
+          for (int c = 0; c < 3; ++c)
+            matrix_(3 * row + r, 3 * column + c) +=
+                freeFactor(source_, i, r) * freeFactor(source_, j, c) * scale * block(r, c);
+      },
+      [&](std::int32_t node) { return placeOf(node) >= 0; });
 }
 
 }  // namespace ringwatch

@@ -32,6 +32,7 @@ class NodeSubmatrix {
     double scale[3 * maxElementNodes];
     double inverseMass[maxElementNodes] = {};  // of its nodes that are chosen and not held in all components
   };
+  void addDiscrete(const DiscreteForces& discrete, NodeVectorsView x);
   struct BlockParts {
     std::vector<std::int32_t> elements;
     std::vector<Part> parts;

@@ -5,6 +5,7 @@
 
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/short_floats.h>
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 
 namespace ringwatch {
@@ -14,6 +15,14 @@ double largestEigenvalue(const Eigen::Matrix3d& S) {
   double work[12];
   const auto extremes = extremeEigenvalues(A.data(), 3, work, false);
   return extremes.largest + eigenvalueRounding * extremes.scale;
+}
+
+double largestScaling(const Eigen::Matrix3d& base, const Eigen::Matrix3d& part, double sigma) {
+  const Eigen::LLT<Eigen::Matrix3d> factor(sigma * Eigen::Matrix3d::Identity() - base);
+  if (factor.info() != Eigen::Success) return 0;
+  const Eigen::Matrix3d half = factor.matrixL().solve(part);
+  const double top = largestEigenvalue(factor.matrixL().solve(half.transpose()));
+  return top > 0 ? 1 / (top * (1 + allowanceRounding)) : infinity;
 }
 
 void evaluateElements(const Body& body, const NodalBound& weights, NodeVectorsView x, std::int32_t b,
@@ -50,6 +59,11 @@ void CertificateState<Allowance>::allowRotations() {
 
 template <class Allowance>
 Eigen::Matrix3d CertificateState<Allowance>::sumOfAllowances(std::int32_t node) const {
+  return freePart(body_, node, weights_.majorantAt(node) + sumOfElements(node));
+}
+
+template <class Allowance>
+Eigen::Matrix3d CertificateState<Allowance>::sumOfElements(std::int32_t node) const {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const NodalBound::Incidence at : weights_.incidences(node)) {
     const ElementRef e = weights_.elementAt(at);
@@ -59,7 +73,7 @@ Eigen::Matrix3d CertificateState<Allowance>::sumOfAllowances(std::int32_t node) 
     else
       sum += allowance(e) * (rotation(e) * weights_.weight(at) * rotation(e).transpose());
   }
-  return freePart(body_, node, sum);
+  return sum;
 }
 
 template <class Allowance>
@@ -92,6 +106,14 @@ double CertificateState<Allowance>::verify(NodeVectorsView x) const {
       weights_.weightedLargest(element.block, elements, {&tangent, 1});
       if (std::isnan(value[0])) return infinity;
       if (value[0] > 0) excess = std::max(excess, value[0] / allowance(element) - 1);
+    }
+  }
+  if (const DiscreteForces* discrete = body_.discreteForces()) {
+    std::vector<Eigen::Matrix3d> needed;
+    discrete->majorants(x, false, needed);
+    for (std::size_t k = 0; k < needed.size(); ++k) {
+      const double lacking = largestEigenvalue(needed[k] - weights_.majorants()[k]);
+      if (lacking > 0) excess = std::max(excess, lacking / needed[k].trace());
     }
   }
   for (std::int32_t node = 0; node < body_.nodeCount(); ++node)

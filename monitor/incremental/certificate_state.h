@@ -27,9 +27,10 @@ struct EvaluatedPack {
 };
 
 /// What an incremental certificate is (Theorem 14, docs/theory/incremental_certificate.md): a weight block D_(e,a) for
-/// each node of each element, an allowance β_e for each element, N/m, and a certified eigenvalue σ, rad²/s². The two
+/// each node of each element, an allowance β_e for each element, N/m, and a certified eigenvalue σ, rad²/s²; and, of a
+/// body with discrete forces, a majorant B_i of theirs for each of their nodes (NodalBound::majorants). The two
 /// statements
-///   l_e <= β_e for all e   and   Σ_(e∋i) β_e R_e D_(e,a(i)) R_eᵀ ≼ σ m_i I for all nodes i,
+///   l_e <= β_e for all e   and   B_i + Σ_(e∋i) β_e R_e D_(e,a(i)) R_eᵀ ≼ σ m_i I for all nodes i,
 /// l_e the highest eigenvalue of (R_e D_e R_eᵀ)⁻¹ K_e, prove lambda_max(M⁻¹K) <= σ (nodal_bound.h): K_e ≼ β_e R_e D_e
 /// R_eᵀ, summed up. They say nothing of how β_e was found, so that K_e need not be computed while something else bounds
 /// l_e: a validity ball, or TangentGrowth. R_e is a rotation, 1 unless setRotation gave another; excluded elements are
@@ -83,8 +84,10 @@ class CertificateState {
   template <class Visit>
   void forEachPack(const std::vector<ElementRef>& elements, const Visit& visit) const;
 
-  /// Σ β_e R_e D_e R_eᵀ at a node, N/m, without the rows and columns of constrained components.
+  /// B_i + Σ β_e R_e D_e R_eᵀ at a node, N/m, without the rows and columns of constrained components.
   Eigen::Matrix3d sumOfAllowances(std::int32_t node) const;
+  /// Σ β_e R_e D_e R_eᵀ alone, with constrained components.
+  Eigen::Matrix3d sumOfElements(std::int32_t node) const;
   /// Checks the two statements at positions x from nothing but weights, rotations, allowances and exact tangents; for
   /// tests. Returns the largest relative excess: <= 0 when both hold, but for rounding.
   double verify(NodeVectorsView x) const;
@@ -100,6 +103,8 @@ class CertificateState {
 
 /// Largest eigenvalue, rounded up; NaN where S is not finite.
 double largestEigenvalue(const Eigen::Matrix3d& S);
+/// Largest t with base + t part ≼ sigma I; 0 when base alone is too large, infinity where part is zero.
+double largestScaling(const Eigen::Matrix3d& base, const Eigen::Matrix3d& part, double sigma);
 /// l_e at x and b_e of elements of a block, one a lane (-1: none), with weights of the body: values[lane], norms[lane].
 /// Either may be nullptr.
 void evaluateElements(const Body& body, const NodalBound& weights, NodeVectorsView x, std::int32_t block,

@@ -27,6 +27,7 @@ IncrementalNodalBound::IncrementalNodalBound(const Body& body, const RebuildPoli
 
 void IncrementalNodalBound::rebuild(NodeVectorsView x, double wanted) {
   NodalBound& weights = state_.weights();
+  state_.renewMajorants(x);
   weights.reset();  // weights that are swept along get stuck at a front that moves through the mesh
   weights.evaluate(x, policy_.sweeps, NodalBound::Start::rootOfStiffness, policy_.leastGain,
                    {policy_.enoughOfWanted * wanted});
@@ -54,9 +55,10 @@ void IncrementalNodalBound::start(NodeVectorsView x, double sigma, bool newWeigh
 IncrementalNodalBound::Outcome IncrementalNodalBound::follow(NodeVectorsView x, bool mayRaise, double ceiling,
                                                              StepEvaluation* evaluation) {
   std::vector<ElementRef> changed = state_.elementsOutsideBall(x, evaluation);
+  const std::vector<std::int32_t> exceeding = state_.followDiscreteForces(x);
   if (mayRaise && !evaluates(changed)) changed = state_.raiseFor(x, changed, policy_, ceiling);
   if (!evaluate(x, changed)) return Outcome::notFinite;
-  const Outcome outcome = mend(x, mayRaise, changed);
+  const Outcome outcome = mend(x, mayRaise, exceeding, changed);
   if (outcome != Outcome::tooManyViolations) state_.ballsChanged(changed);
   return outcome;
 }
@@ -84,27 +86,37 @@ bool IncrementalNodalBound::evaluate(NodeVectorsView x, const std::vector<Elemen
 }
 
 IncrementalNodalBound::Outcome IncrementalNodalBound::mend(NodeVectorsView x, bool mayRaise,
+                                                           const std::vector<std::int32_t>& exceeding,
                                                            std::vector<ElementRef>& changed) {
   const auto end =
       std::find_if(nearLimit_.begin(), nearLimit_.end(), [](const NearLimit& near) { return near.fraction <= 1; });
-  const bool many = static_cast<double>(end - nearLimit_.begin()) >
-                    policy_.tooManyViolations * static_cast<double>(body_.mesh().elementCount());
+  const auto violations = static_cast<std::size_t>(end - nearLimit_.begin()) + exceeding.size();
+  const bool many =
+      static_cast<double>(violations) > policy_.tooManyViolations * static_cast<double>(body_.mesh().elementCount());
   if (many && paysToRebuild()) return Outcome::tooManyViolations;
   // Raising is all that is left once an update was refused, and to the bound where means are short.
   bool updates = !many;
   std::vector<ElementRef> raised;
-  for (auto near = nearLimit_.begin(); near != end; ++near) {
-    if (state_.value(near->element) <= state_.allowance(near->element)) continue;  // a neighbour's update served it
+  const auto update = [&](ElementRef e) {
     updates = updates && (!mayRaise || affords(0));
     const std::vector<ElementRef> updated =
-        updates ? localUpdate(state_, x, near->element, policy_, mayRaise) : std::vector<ElementRef>();
+        updates ? localUpdate(state_, x, e, policy_, mayRaise) : std::vector<ElementRef>();
     changed.insert(changed.end(), updated.begin(), updated.end());
-    if (!updated.empty()) continue;
-    updates = false;
-    raised.push_back(near->element);
+    updates = !updated.empty();
+    return updates;
+  };
+  for (auto near = nearLimit_.begin(); near != end; ++near) {
+    if (state_.value(near->element) <= state_.allowance(near->element)) continue;  // a neighbour's update served it
+    if (!update(near->element)) raised.push_back(near->element);
   }
+  // Elements at a node make room for what its discrete forces have come to.
+  std::vector<std::int32_t> raisedNodes;
+  for (const std::int32_t node : exceeding)
+    if (state_.exceeds(node) && !update(state_.weights().elementsAt({&node, 1}).front())) raisedNodes.push_back(node);
   state_.raiseToValues(raised, policy_.raisedSlack * policy_.slack);
-  return mayRaise || raised.empty() ? Outcome::held : Outcome::refused;
+  std::erase_if(raisedNodes, [&](std::int32_t node) { return !state_.exceeds(node); });
+  state_.raiseForNodes(raisedNodes, policy_.raisedSlack * policy_.slack);
+  return mayRaise || (raised.empty() && raisedNodes.empty()) ? Outcome::held : Outcome::refused;
 }
 
 bool IncrementalNodalBound::paysToRefresh() const {
@@ -126,6 +138,7 @@ void IncrementalNodalBound::beginCounting() {
 }
 
 void IncrementalNodalBound::refresh(NodeVectorsView x, double wanted) {
+  state_.renewMajorants(x);
   const bool turned = state_.rotateWithBody(x, policy_);
   NodalBound& weights = state_.weights();
   weights.evaluate(x, 0);
@@ -218,8 +231,10 @@ bool IncrementalNodalBound::tightenBound(NodeVectorsView x, LowerBound lower, do
   if (!started_ || !(lower.value > 0)) return false;
   if (certifiedEigenvalue() <= above(lower, width)) return false;
   if (tightOverLower_ == 0) tightOverLower_ = state_.weights().last() / lower.value;
-  const double target = std::max(above(lower, policy_.targetOfWidth * width),
-                                 tightOverLower_ * (1 + policy_.leastSlack * policy_.slack) * lower.value);
+  state_.releaseDiscreteForces(x);
+  const double target = std::max({above(lower, policy_.targetOfWidth * width),
+                                  tightOverLower_ * (1 + policy_.leastSlack * policy_.slack) * lower.value,
+                                  (1 + policy_.leastSlack * policy_.slack) * state_.leastForDiscreteForces()});
   if (target < (1 - policy_.leastLowering) * certifiedEigenvalue() && lowerings_.due() && affords(0)) {
     lowerings_.tried(lowerings_.since() >= policy_.soon);
     state_.moveTo(target);

@@ -91,8 +91,10 @@ class IncrementalNodalBound {
   bool evaluates(const std::vector<ElementRef>& elements) const;
   /// Evaluates elements, and notes those near their limits. False where a value is not finite.
   bool evaluate(NodeVectorsView x, const std::vector<ElementRef>& elements);
-  /// Serves the elements above their allowances, and adds those with new balls to `changed`.
-  Outcome mend(NodeVectorsView x, bool mayRaise, std::vector<ElementRef>& changed);
+  /// Serves the elements above their allowances and the nodes whose sums are too large, and adds elements with new
+  /// balls to `changed`.
+  Outcome mend(NodeVectorsView x, bool mayRaise, const std::vector<std::int32_t>& exceeding,
+               std::vector<ElementRef>& changed);
 
   const Body& body_;
   RebuildPolicy policy_;

@@ -11,15 +11,6 @@
 namespace ringwatch {
 namespace {
 
-/// Largest t with base + t part ≼ sigma I; 0 when base alone is too large.
-double largestScaling(const Eigen::Matrix3d& base, const Eigen::Matrix3d& part, double sigma) {
-  const Eigen::LLT<Eigen::Matrix3d> factor(sigma * Eigen::Matrix3d::Identity() - base);
-  if (factor.info() != Eigen::Success) return 0;
-  const Eigen::Matrix3d half = factor.matrixL().solve(part);
-  const double top = largestEigenvalue(factor.matrixL().solve(half.transpose()));
-  return top > 0 ? 1 / (top * (1 + allowanceRounding)) : infinity;
-}
-
 /// (S/σ)^-¼ of a node, for D ← R D R: half the step of a sweep from scratch, since allowances outside the neighbourhood
 /// stay. Eigenvalues below the floor count as the floor: nothing is gained from weights that vanish. With this one no
 /// direction grows by more than 1e-3^-¼ = 5.6 an update.
@@ -44,8 +35,9 @@ class Neighbourhood {
     nodes_ = freeNodesOf(ring_);
     save();
     meetings_.clear();
-    outside_.assign(nodes_.size(), Eigen::Matrix3d::Zero());
+    outside_.resize(nodes_.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      outside_[i] = state_.weights().majorantAt(nodes_[i]);
       for (const NodalBound::Incidence at : state_.weights().incidences(nodes_[i])) {
         const ElementRef e = state_.weights().elementAt(at);
         const auto own = std::lower_bound(ring_.begin(), ring_.end(), e);
@@ -65,7 +57,8 @@ class Neighbourhood {
     if (state_.rotateWeights(inner_, policy_).empty()) return false;
     evaluate(true);
     return std::all_of(ring_.begin(), ring_.end(),
-                       [&](ElementRef e) { return state_.value(e) <= state_.allowance(e); });
+                       [&](ElementRef e) { return state_.value(e) <= state_.allowance(e); }) &&
+           std::none_of(nodes_.begin(), nodes_.end(), [&](std::int32_t node) { return state_.exceeds(node); });
   }
 
   /// How far the values of all elements could grow together below the certified eigenvalue: the least of the nodes.
@@ -186,8 +179,9 @@ class Neighbourhood {
   std::vector<ElementRef> ring_;             // all elements at the inner nodes
   std::vector<std::int32_t> inner_, nodes_;  // free nodes of the seed, of the ring
   std::vector<Meeting> meetings_;
-  std::vector<Eigen::Matrix3d> outside_, inside_;  // by node: Σ β_e D_e / m of all others, Σ l_e D_e / m of the ring
-  std::vector<double> scalings_;                   // by node
+  // By node: (majorant + Σ β_e D_e of all others) / m, Σ l_e D_e / m of the ring.
+  std::vector<Eigen::Matrix3d> outside_, inside_;
+  std::vector<double> scalings_;  // by node
   std::vector<RunCertificate::Reference> references_;
   std::vector<ElementRef> lastRing_;
   std::vector<std::int32_t> lastInner_;

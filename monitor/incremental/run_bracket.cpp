@@ -92,6 +92,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
                        method_,
                        lowest_.value,
                        lowest_.element};
+  step_->discreteShare = local_.discreteShare();
   if (!step_->isBracket()) step_.reset();
   return step_;
 }

@@ -6,8 +6,10 @@
 
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/sort_unique.h>
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/nodes_of.h>
 #include <ringwatch/materials/rotation.h>
+#include <ringwatch/monitor/bounds/scaled_tangent.h>
 #include <ringwatch/monitor/incremental/work_account.h>
 
 namespace ringwatch {
@@ -15,6 +17,8 @@ namespace {
 
 /// A strain norm at or below it belongs to an element without any free component.
 constexpr double nothingFree = 1e-200;
+/// Relative to its trace, of the difference of two majorants.
+constexpr double majorantRounding = 1e-12;
 
 }  // namespace
 
@@ -73,6 +77,102 @@ std::vector<double> RunCertificate::sumsAt(const std::vector<std::int32_t>& node
       },
       64);
   return sums;
+}
+
+bool RunCertificate::exceeds(std::int32_t node) const { return !(sumsAt({node}).front() <= certifiedEigenvalue()); }
+
+void RunCertificate::renewMajorants(NodeVectorsView x) {
+  const DiscreteForces* discrete = body().discreteForces();
+  if (!discrete) return;
+  std::vector<Eigen::Matrix3d> majorants;
+  discrete->majorants(x, true, majorants);
+  weights().setMajorants(std::move(majorants));
+}
+
+std::vector<std::int32_t> RunCertificate::followDiscreteForces(NodeVectorsView x) {
+  const DiscreteForces* discrete = body().discreteForces();
+  if (!discrete) return {};
+  discrete->majorants(x, false, needed_);
+  std::vector<Eigen::Matrix3d> kept = weights().majorants(), withRoom;
+  std::vector<std::int32_t> grown;
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    // Majorants are larger than what they stand for by far more than this rounding.
+    if (needed_[k] == kept[k] || largestEigenvalue(needed_[k] - kept[k]) <= majorantRounding * needed_[k].trace())
+      continue;
+    if (withRoom.empty()) discrete->majorants(x, true, withRoom);
+    kept[k] = withRoom[k];
+    grown.push_back(discrete->nodes()[k]);
+  }
+  if (grown.empty()) return {};
+  weights().setMajorants(std::move(kept));
+  std::erase_if(grown, [&](std::int32_t node) { return !exceeds(node); });
+  return grown;
+}
+
+void RunCertificate::releaseDiscreteForces(NodeVectorsView x) {
+  const DiscreteForces* discrete = body().discreteForces();
+  if (!discrete) return;
+  std::vector<Eigen::Matrix3d> withRoom;
+  discrete->majorants(x, true, withRoom);
+  const std::vector<Eigen::Matrix3d> before = weights().majorants();
+  weights().setMajorants(withRoom);
+  // One of less trace may be larger in some direction.
+  std::vector<Eigen::Matrix3d> now = std::move(withRoom);
+  for (std::size_t k = 0; k < now.size(); ++k)
+    if (!(now[k].trace() < before[k].trace()) || exceeds(discrete->nodes()[k])) now[k] = before[k];
+  weights().setMajorants(std::move(now));
+}
+
+double RunCertificate::leastForDiscreteForces() const {
+  double least = 0;
+  if (const DiscreteForces* discrete = body().discreteForces())
+    for (const std::int32_t node : discrete->nodes())
+      least = std::max(
+          least, largestEigenvalue(freePart(body(), node, weights().majorantAt(node))) / body().lumpedMass()[node]);
+  return least;
+}
+
+void RunCertificate::raiseForNodes(const std::vector<std::int32_t>& nodes, double share) {
+  for (const double sum : sumsAt(nodes)) setCertifiedEigenvalue(std::max(certifiedEigenvalue(), sum * (1 + share)));
+  statistics_.raises += nodes.empty() ? 0 : 1;
+}
+
+std::vector<double> RunCertificate::scalingsBesideDiscreteForces() const {
+  std::vector<double> scalings;
+  const DiscreteForces* discrete = body().discreteForces();
+  if (!discrete) return scalings;
+  for (const std::int32_t node : discrete->nodes()) {
+    Eigen::Matrix3d elements = Eigen::Matrix3d::Zero();
+    for (const NodalBound::Incidence at : weights().incidences(node))
+      elements += weights().value(weights().elementAt(at)) * weights().weight(at);
+    const double mass = body().lumpedMass()[node];
+    scalings.push_back(largestScaling(freePart(body(), node, weights().majorantAt(node)) / mass,
+                                      freePart(body(), node, elements) / mass, certifiedEigenvalue()));
+  }
+  return scalings;
+}
+
+void RunCertificate::reduceBesideDiscreteForces() {
+  const DiscreteForces* discrete = body().discreteForces();
+  if (!discrete) return;
+  for (const std::int32_t node : discrete->nodes()) {
+    if (!exceeds(node)) continue;
+    const double mass = body().lumpedMass()[node];
+    const double share = largestScaling(freePart(body(), node, weights().majorantAt(node)) / mass,
+                                        freePart(body(), node, sumOfElements(node)) / mass, certifiedEigenvalue()) *
+                         (1 - 4 * allowanceRounding);
+    if (!(share < 1)) continue;
+    for (const NodalBound::Incidence at : weights().incidences(node)) {
+      const ElementRef e = weights().elementAt(at);
+      setAllowance(e, allowance(e) * share);
+      BlockData& data = of(e);
+      const std::size_t place = placeOf(e);
+      const double radius = data.balls.radius(place);
+      if (radius >= 0 && std::isfinite(radius))
+        data.balls.setRadius(place, validityRadius(data.growth(place), infinity, allowance(e)),
+                             ValidityBalls::storageError);
+    }
+  }
 }
 
 std::vector<ElementRef> RunCertificate::raiseFor(NodeVectorsView x, const std::vector<ElementRef>& elements,
@@ -182,6 +282,14 @@ std::vector<ElementRef> RunCertificate::elementsOutsideBall(NodeVectorsView x, S
 void RunCertificate::distributeAllowances(NodeVectorsView x, bool newWeights) {
   mostCompression_ = 0;
   const std::vector<double>& nodal = weights().nodal();
+  const DiscreteForces* discrete = body().discreteForces();
+  const std::vector<double> besideDiscrete = scalingsBesideDiscreteForces();
+  // How far the values at a node can grow together below the certified eigenvalue.
+  const auto scalingAt = [&](std::int32_t node) {
+    const std::int32_t place = discrete ? discrete->placeOf(node) : -1;
+    if (place >= 0) return besideDiscrete[place];
+    return nodal[node] > 0 ? certifiedEigenvalue() / nodal[node] : infinity;
+  };
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ElementBlock& block = *body().blocks()[b];
     BlockData& data = blocks_[b];
@@ -203,8 +311,7 @@ void RunCertificate::distributeAllowances(NodeVectorsView x, bool newWeights) {
             const Reference reference = store(pack, lane, newWeights);
             drifts[place] = reference.drift;
             double scaling = infinity;
-            for (const std::int32_t node : block.nodesOf(elements[lane]))
-              if (nodal[node] > 0) scaling = std::min(scaling, certifiedEigenvalue() / nodal[node]);
+            for (const std::int32_t node : block.nodesOf(elements[lane])) scaling = std::min(scaling, scalingAt(node));
             setAllowance(e, swept[lane] > 0 ? swept[lane] * scaling * (1 - allowanceRounding) : 0);
             setBall(e, reference);
             // Nothing of a wholly constrained element is left in the problem.
@@ -244,6 +351,8 @@ void RunCertificate::moveTo(double sigma) {
         1024);
     data.balls.invalidateAll();
   }
+  // What discrete forces take does not shrink with the rest.
+  if (factor < 1) reduceBesideDiscreteForces();
 }
 
 Eigen::Quaternionf RunCertificate::frameOf(std::int32_t node) const {
@@ -287,6 +396,8 @@ std::vector<std::int32_t> RunCertificate::rotateWeights(const std::vector<std::i
   for (const std::int32_t node : nodes) {
     // Where components are constrained the sum is cut along fixed axes.
     if (body().constraints().any() && body().constraints().freeComponents(node) < 3) continue;
+    // Obstacles and springs do not turn with the body.
+    if (weights().majorantAt(node).trace() > 0) continue;
     const Eigen::Quaternionf now = frameOf(node);
     if (now.angularDistance(frame(node)) < policy.leastRotation) continue;
     const Eigen::Matrix3d Q = (now * frame(node).conjugate()).normalized().toRotationMatrix().cast<double>();

@@ -57,6 +57,19 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   void setBall(ElementRef e, const Reference& reference);
   /// Call it for elements that got new balls at the positions of the last elementsOutsideBall.
   void ballsChanged(const std::vector<ElementRef>& elements);
+  /// Whether the sum at a node is above what the certified eigenvalue allows there, or may be by rounding.
+  bool exceeds(std::int32_t node) const;
+  /// Takes the majorants of discrete forces at x, with room. Allowances have to be distributed after it.
+  void renewMajorants(NodeVectorsView x);
+  /// Raises the majorants of discrete forces where those at x are larger, and returns the nodes whose sums exceed the
+  /// certified eigenvalue then.
+  std::vector<std::int32_t> followDiscreteForces(NodeVectorsView x);
+  /// Lowers the majorants of discrete forces that have become smaller.
+  void releaseDiscreteForces(NodeVectorsView x);
+  /// The certified eigenvalue below that majorants alone are too large.
+  double leastForDiscreteForces() const;
+  /// Raises the certified eigenvalue to what nodes need, and a share more.
+  void raiseForNodes(const std::vector<std::int32_t>& nodes, double share);
   /// Elements that may have left their balls at x. Unless nullptr, `evaluation` is filled in by the same pass; its
   /// visitor is not used.
   std::vector<ElementRef> elementsOutsideBall(NodeVectorsView x, StepEvaluation* evaluation);
@@ -105,6 +118,11 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
       return {value[place], linear[place], quadratic[place], growthRadius[place]};
     }
   };
+  /// How far the values of the elements at nodes of discrete forces can grow together below the certified eigenvalue:
+  /// by place.
+  std::vector<double> scalingsBesideDiscreteForces() const;
+  /// Reduces the allowances of elements at nodes of discrete forces whose sums exceed the certified eigenvalue.
+  void reduceBesideDiscreteForces();
   /// The highest eigenvalue of the sum of allowances over the mass of each node, rad²/s².
   std::vector<double> sumsAt(const std::vector<std::int32_t>& nodes) const;
   BlockData& of(ElementRef e) { return blocks_[e.block]; }
@@ -118,6 +136,7 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   double mostCompression_ = 0;
   UpdateStatistics statistics_;
   Body::Workspace workspace_;
+  std::vector<Eigen::Matrix3d> needed_;                          // majorants of discrete forces
   std::vector<std::vector<std::vector<std::int32_t>>> outside_;  // elements, [block][patch]
 };
 

@@ -1,0 +1,179 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <ringwatch/body/obstacle.h>
+#include <ringwatch/meshes/mesh.h>
+
+namespace ringwatch {
+
+/// A linear spring with a dashpot, from a node to the ground or to another node.
+///
+/// To the ground: force -k (x - anchor) on the node, or -k n nᵀ(x - anchor) where a direction n is given. Between two
+/// nodes: k (l - length) along their line, l its length now; with length 0, k times the line itself. The dashpot acts
+/// along the same directions, on the velocity.
+struct Spring {
+  std::int32_t node = 0;
+  std::int32_t other = -1;                           ///< -1: the ground
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();  ///< m; of a spring to the ground
+  std::optional<Eigen::Vector3d> direction = {};     ///< a unit vector; of a spring to the ground
+  double length = 0;                                 ///< at rest, m; between two nodes
+  double stiffness = 0;                              ///< k, N/m
+  double damping = 0;                                ///< c, N s/m
+};
+
+/// Nodes that an obstacle pushes away: with g < 0 the distance from its surface and n the outward normal, the force
+/// -k g n; -c n nᵀ(v - v_o) by viscous damping, v_o the velocity of the obstacle; and by friction -μ k |g| u/max(|u|,
+/// slip), u the part of v - v_o along the surface (Coulomb's law, regularised).
+struct PenaltyContact {
+  std::size_t obstacle = 0;
+  std::vector<std::int32_t> nodes;
+  std::vector<double> penalty;  ///< k of each node, N/m
+  std::vector<double> damping;  ///< c of each node, N s/m
+  double friction = 0;          ///< μ
+  double slip = 0;              ///< m/s, > 0 where there is friction: below it the surfaces stick
+};
+
+/// Forces at nodes that are of no solid element: springs, dashpots and penalty contact with rigid obstacles. Part of a
+/// TangentSource, whose forces, energies and tangents then hold them; one that has none pays nothing for them.
+///
+/// K is the exact tangent of the elastic forces, C the symmetric damping matrix of dashpots and viscous contact. Bounds
+/// take K + f C with the factor f of setDampingFactor (Theorem 47, docs/theory/discrete_forces.md). Friction is in
+/// neither: while surfaces slide its tangent is not symmetric, and nothing is proven of it. From above, majorants()
+/// counts its damping as if all nodes stuck.
+class DiscreteForces {
+ public:
+  explicit DiscreteForces(std::int32_t nodeCount) : nodeCount_(nodeCount), shared_(std::make_shared<Shared>()) {}
+
+  std::int32_t nodeCount() const { return nodeCount_; }
+  /// Throws InputError for nodes that do not exist and constants that are negative or not finite.
+  void add(const std::vector<Spring>& springs);
+  /// An obstacle, and how to address it in a PenaltyContact.
+  std::size_t add(std::unique_ptr<Obstacle> obstacle);
+  void add(PenaltyContact contact);
+
+  /// Moves an obstacle: its displacement since time zero, m, and its velocity, m/s.
+  void place(std::size_t obstacle, const Eigen::Vector3d& displacement, const Eigen::Vector3d& velocity);
+  /// Nodes as near to an obstacle as that, m, count in majorants() as if they touched it: what can touch before the
+  /// next look.
+  void setReach(double reach) { shared_->reach = reach; }
+  /// f, 1/s, of K + f C.
+  void setDampingFactor(double factor) { shared_->dampingFactor = factor; }
+  double dampingFactor() const { return shared_->dampingFactor; }
+
+  /// The forces of some nodes alone, which get the numbers of their places: principal submatrices of K and C. A spring
+  /// whose other node is not among them is left out; partners() tells which nodes that would be. Obstacles and settings
+  /// stay those of this object, wherever they are changed.
+  DiscreteForces restrictedTo(std::span<const std::int32_t> nodes) const;
+  /// The other ends of the springs at these nodes, which are ascending, as are the results.
+  std::vector<std::int32_t> partners(std::span<const std::int32_t> nodes) const;
+
+  /// The nodes at which a force can act, ascending.
+  const std::vector<std::int32_t>& nodes() const { return nodes_; }
+  /// The position of a node in nodes(), -1: none.
+  std::int32_t placeOf(std::int32_t node) const { return place_.empty() ? -1 : place_[node]; }
+  const std::vector<Spring>& springs() const { return springs_; }
+  const std::vector<PenaltyContact>& contacts() const { return contacts_; }
+  /// Whether a force depends on velocities.
+  bool damped() const { return damped_; }
+  /// Whether there is friction, of which nothing is proven while surfaces slide.
+  bool friction() const { return friction_; }
+
+  /// Adds ∂(energy)/∂x to f, 3×N, N.
+  void addInternalForce(NodeVectorsView x, NodeVectors& f) const;
+  /// Elastic energy, J.
+  double energy(NodeVectorsView x) const;
+  /// Adds the forces that damping and friction resist with to f, 3×N, N: C (v - v_o), and those of friction.
+  void addDampingForce(NodeVectorsView x, NodeVectorsView v, NodeVectors& f) const;
+  /// Power of moving obstacles on the nodes, W: force on the nodes times velocity of the obstacle, of elastic and of
+  /// damping forces.
+  struct ObstaclePower {
+    double elastic = 0, damping = 0;
+  };
+  ObstaclePower obstaclePower(NodeVectorsView x, NodeVectorsView v) const;
+
+  /// Adds (K + f C) u to a vector, 3×N. f: of setDampingFactor unless given.
+  void addTangentProduct(NodeVectorsView x, NodeVectorsView u, NodeVectors& Ku, std::optional<double> f = {}) const;
+  /// vᵀ (K + f C) v.
+  double form(NodeVectorsView x, NodeVectorsView v) const;
+  /// Calls visit(i, j, block) for the 3×3 blocks of K + f C, both triangles, of the forces at least one of whose nodes
+  /// is wanted(node); a block may come in several parts.
+  template <class Visit, class Wanted>
+  void forEachBlock(NodeVectorsView x, const Visit& visit, const Wanted& wanted) const;
+  template <class Visit>
+  void forEachBlock(NodeVectorsView x, const Visit& visit) const {
+    forEachBlock(x, visit, [](std::int32_t) { return true; });
+  }
+
+  /// A symmetric positive semidefinite matrix for each of nodes(), N/m, with K + f C ≼ their block diagonal: at x, and
+  /// for any set of the nodes within reach that touch. room: a little more of what changes as nodes move, so that they
+  /// hold for longer. Theorem 45, docs/theory/discrete_forces.md.
+  void majorants(NodeVectorsView x, bool room, std::vector<Eigen::Matrix3d>& matrices) const;
+
+  /// The largest speed of a node of a contact against its obstacle, m/s.
+  double largestSpeed(NodeVectorsView v) const;
+
+  /// What contact is like at x.
+  struct ContactState {
+    std::int64_t touching = 0;  ///< pairs of node and obstacle
+    double deepest = 0;         ///< m
+    std::int32_t deepestNode = -1;
+    std::size_t deepestObstacle = 0;
+  };
+  ContactState contactState(NodeVectorsView x) const;
+
+ private:
+  struct MovingObstacle {
+    std::unique_ptr<Obstacle> shape;
+    Eigen::Vector3d displacement = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();
+  };
+  struct Shared {
+    std::vector<MovingObstacle> obstacles;
+    double reach = 0, dampingFactor = 0;
+  };
+  /// Stiffness and damping of a spring between two nodes: the matrix of [1 -1; -1 1] ⊗, exact or without its negative
+  /// part.
+  static Eigen::Matrix3d axial(const Spring& spring, NodeVectorsView x, double f, bool positivePart);
+  static Eigen::Matrix3d toGround(const Spring& spring, double k);
+  Obstacle::Surface surface(std::size_t obstacle, const Eigen::Vector3d& x) const;
+  void note(const std::vector<std::int32_t>& nodes);
+
+  std::int32_t nodeCount_;
+  bool damped_ = false, friction_ = false;
+  std::shared_ptr<Shared> shared_;
+  std::vector<Spring> springs_;
+  std::vector<PenaltyContact> contacts_;
+  std::vector<std::int32_t> nodes_, place_;
+};
+
+template <class Visit, class Wanted>
+void DiscreteForces::forEachBlock(NodeVectorsView x, const Visit& visit, const Wanted& wanted) const {
+  const double f = dampingFactor();
+  for (const Spring& spring : springs_) {
+    if (!wanted(spring.node) && !(spring.other >= 0 && wanted(spring.other))) continue;
+    if (spring.other < 0) {
+      visit(spring.node, spring.node, toGround(spring, spring.stiffness + f * spring.damping));
+      continue;
+    }
+    const Eigen::Matrix3d block = axial(spring, x, f, false), opposite = -block;
+    visit(spring.node, spring.node, block);
+    visit(spring.other, spring.other, block);
+    visit(spring.node, spring.other, opposite);
+    visit(spring.other, spring.node, opposite);
+  }
+  for (const PenaltyContact& contact : contacts_)
+    for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
+      const std::int32_t node = contact.nodes[k];
+      if (!wanted(node)) continue;
+      const Obstacle::Surface at = surface(contact.obstacle, x.col(node));
+      if (!(at.gap < 0)) continue;
+      const Eigen::Matrix3d block = (contact.penalty[k] + f * contact.damping[k]) * at.normal * at.normal.transpose() +
+                                    contact.penalty[k] * at.gap * at.curvature;
+      visit(node, node, block);
+    }
+}
+
+}  // namespace ringwatch

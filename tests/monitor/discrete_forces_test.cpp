@@ -1,0 +1,320 @@
+// Springs, dashpots and contact in the bracket: both sides against dense eigenvalues, from scratch and along runs with
+// contact that comes and goes, and a bar against a penalty spring in closed form.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <ringwatch/base/infinity.h>
+#include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/monitor/bounds/exchange_bound.h>
+#include <ringwatch/monitor/bounds/factored_certificate.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/bounds/reduced_ring.h>
+#include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/incremental/run_bracket.h>
+#include <tests/monitor/monitor_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::DenseTangent;
+using test::Hold;
+using test::Subdivision;
+
+constexpr double exact = 1e-9;
+
+class DiscreteBoundsTest : public ::testing::TestWithParam<Subdivision> {};
+INSTANTIATE_TEST_SUITE_P(Subdivisions, DiscreteBoundsTest, ::testing::ValuesIn(test::allSubdivisions()),
+                         [](const auto& test) { return test::testName(test.param.name); });
+
+/// Springs of all kinds between nodes and to the ground, and all nodes against a floor, a wall that leans, and a ball.
+/// stiffness: N/m, of the stiffest; the others are up to a thousand times softer.
+void addForces(Body& body, double stiffness, std::uint64_t seed) {
+  test::Random random(seed);
+  const auto constant = [&] { return stiffness * std::pow(10.0, -random.uniform(0, 3)); };
+  DiscreteForces forces(body.nodeCount());
+  std::vector<Spring> springs;
+  for (int i = 0; i < 6; ++i) {
+    Spring spring;
+    spring.node = static_cast<std::int32_t>(random.index(body.nodeCount()));
+    spring.stiffness = constant();
+    spring.damping = 1e-4 * constant();
+    spring.anchor = body.mesh().X.col(spring.node);
+    if (i == 1) spring.direction = random.vector(1).normalized();
+    if (i >= 2) spring.other = (spring.node + 1 + random.index(body.nodeCount() - 1)) % body.nodeCount();
+    if (i >= 3) spring.length = random.uniform(0.5, 1.5) * test::cellSize;
+    springs.push_back(spring);
+  }
+  forces.add(springs);
+  const Eigen::Vector3d low = body.mesh().X.rowwise().minCoeff(), high = body.mesh().X.rowwise().maxCoeff();
+  const double depth = 0.1 * test::cellSize;
+  const auto touch = [&](std::unique_ptr<Obstacle> obstacle) {
+    PenaltyContact contact;
+    contact.obstacle = forces.add(std::move(obstacle));
+    contact.nodes.resize(body.nodeCount());
+    std::iota(contact.nodes.begin(), contact.nodes.end(), 0);
+    const double penalty = constant(), damping = 1e-4 * constant();
+    contact.penalty.assign(body.nodeCount(), penalty);
+    contact.damping.assign(body.nodeCount(), damping);
+    forces.add(std::move(contact));
+  };
+  touch(planeObstacle(low + Eigen::Vector3d(0, 0, depth), {0, 0, 1}));
+  touch(planeObstacle(high - Eigen::Vector3d(depth, 0, 0), {-1, -0.3, 0.2}));
+  touch(sphereObstacle(0.5 * (low + high) + Eigen::Vector3d(0, 2, 0) * test::cellSize, test::cellSize, false));
+  if (random.index(2) == 0) forces.setDampingFactor(random.uniform(0, 3e4));
+  body.setDiscreteForces(std::move(forces));
+}
+
+/// What the stiffest spring has to be to count as much as the elements: of the order of a cell's own stiffness, and ten
+/// times that, where it governs.
+constexpr double cellStiffness = test::young * test::cellSize;
+
+TEST_P(DiscreteBoundsTest, HoldFromScratch) {
+  int brackets = 0, governed = 0;
+  for (const LawInfo& law : allLaws())
+    for (const Hold hold : {Hold::nothing, Hold::components})
+      for (const double share : {0.3, 10.0}) {
+        Body body = test::boxBody(GetParam(), law.name);
+        test::holdBody(body, hold);
+        addForces(body, share * cellStiffness, 40 + brackets);
+        for (const test::NamedState& state : test::deformedStates(body.mesh().X, 3)) {
+          const DenseTangent dense(body, state.x);
+          if (!dense.finite()) continue;
+          const Eigen::VectorXd lambda = dense.eigenvalues();
+          const double largest = lambda[lambda.size() - 1], least = lambda[0];
+          if (!(largest > 0)) continue;
+          const std::string what = joinText(law.name, ", ", test::holdName(hold), ", ", share, ", ", state.name);
+          const CriticalStep step = criticalStep(body, state.x, 2.0);
+          const double h = 2 / std::sqrt(largest);
+          ASSERT_LE(step.safe, h * (1 + exact)) << what;
+          ASSERT_GE(step.optimistic, h * (1 - exact)) << what;
+          if (step.lowestRing < 0) {
+            ASSERT_GE(step.lowestRing, least - exact * largest) << what;
+          }
+          ReducedRing ring(body);
+          ASSERT_LE(ring.evaluate(state.x).highest, largest * (1 + exact)) << what;
+          governed += step.discreteShare > 0.5;
+          ++brackets;
+        }
+      }
+  EXPECT_GT(brackets, 90);
+  EXPECT_GT(governed, 10);
+}
+
+TEST_P(DiscreteBoundsTest, HoldWithExchangeAndFactorisation) {
+  Body body = test::boxBody(GetParam(), "stvk", {3, 2, 2});
+  test::holdBody(body, Hold::face);
+  addForces(body, cellStiffness, 9);
+  const NodeVectors x = test::strained(body.mesh().X, 5, 0.05);
+  const double largest = DenseTangent(body, x).largest();
+  NodalBound weights(body);
+  ASSERT_GE(weights.evaluate(x, 8).value, largest * (1 - exact));
+  const ExchangeBound exchange = exchangeUpperBound(body, x, weights, 1.01 * largest, 1.01 * largest, 40);
+  ASSERT_GE(exchange.upper.value, largest * (1 - exact));
+  EXPECT_LT(exchange.upper.value, 1.2 * largest);
+  FactoredCertificate factored(body, x);
+  EXPECT_TRUE(factored.certifies(largest * (1 + 1e-7)));
+  EXPECT_FALSE(factored.certifies(largest * (1 - 1e-7)));
+  const GlobalFrequency global = globalFrequency(body, x);
+  ASSERT_TRUE(global.converged);
+  EXPECT_NEAR(global.lambda, largest, 1e-8 * largest);
+}
+
+/// A body that bounces, turns and strains, so that contact of single nodes comes and goes from state to state.
+NodeVectors pathState(const NodeVectors& X, int step, const NodeVectors& shake) {
+  const double at = 0.1 * step, edge = test::cellSize;
+  const Eigen::AngleAxisd turn(0.02 * step, Eigen::Vector3d(0.3, 1, 0.2).normalized());
+  const Eigen::Vector3d fall(0.3 * edge * std::sin(0.7 * at), 0.2 * edge * std::cos(at),
+                             0.5 * edge * std::abs(std::sin(0.4 * at)));
+  const Eigen::Matrix3d F =
+      turn.toRotationMatrix() * Eigen::Vector3d(1 + 0.1 * std::sin(at), 1 - 0.1 * std::sin(1.3 * at), 1).asDiagonal();
+  return (F * X + std::sin(2.1 * at) * shake).colwise() + fall;
+}
+
+TEST_P(DiscreteBoundsTest, HoldAlongRunsWithTogglingContact) {
+  std::int64_t states = 0, toggled = 0;
+  for (const LawInfo& law : allLaws())
+    for (const Hold hold : {Hold::nothing, Hold::components})
+      for (const double share : {0.3, 3.0}) {
+        Body body = test::boxBody(GetParam(), law.name);
+        test::holdBody(body, hold);
+        addForces(body, share * cellStiffness, 70 + static_cast<std::uint64_t>(10 * share));
+        const NodeVectors& X = body.mesh().X;
+        const NodeVectors shake = test::Random(12).nodeVectors(X.cols(), 0.06 * test::cellSize);
+        RunBracket bracket(body, 0.05, infinity);
+        IncrementalNodalBound threshold(body);
+        std::int64_t touching = -1;
+        for (int step = 0; step < 40; ++step) {
+          const NodeVectors x = pathState(X, step, shake);
+          body.discreteForces()->setReach(step % 3 == 0 ? 0.05 * test::cellSize : 0);
+          const DenseTangent dense(body, x);
+          ASSERT_TRUE(dense.finite());
+          const double lambda = dense.largest(), h = 2 / std::sqrt(lambda);
+          const std::string what = joinText(law.name, ", ", test::holdName(hold), ", ", share, ", step ", step);
+          const auto& found = bracket.evaluate(x, 2.0, std::nullopt, nullptr);
+          ASSERT_TRUE(found.has_value()) << what;
+          ASSERT_LE(found->safe, h * (1 + exact)) << what;
+          ASSERT_GE(found->optimistic, h * (1 - exact)) << what;
+          // Threshold mode: proofs of an eigenvalue that is just too low are refused, of higher ones they hold.
+          EXPECT_FALSE(threshold.certify(x, lambda * (1 - 1e-6))) << what;
+          if (threshold.certify(x, 1.3 * lambda)) {
+            EXPECT_LE(threshold.verify(x), exact) << what;
+          }
+          const std::int64_t now = body.discreteForces()->contactState(x).touching;
+          toggled += now != touching;
+          touching = now;
+          ++states;
+        }
+      }
+  EXPECT_EQ(states, 40 * 4 * static_cast<std::int64_t>(allLaws().size()));
+  EXPECT_GT(toggled, states / 6);
+}
+
+TEST_P(DiscreteBoundsTest, TheCertificateItselfHoldsAtEveryState) {
+  std::int64_t states = 0;
+  for (const double share : {0.3, 3.0}) {
+    Body body = test::boxBody(GetParam(), "stvk");
+    addForces(body, share * cellStiffness, 21);
+    const NodeVectors& X = body.mesh().X;
+    const NodeVectors shake = test::Random(12).nodeVectors(X.cols(), 0.06 * test::cellSize);
+    for (const double budget : {infinity, 0.0}) {
+      WorkAccount account(body, budget);
+      IncrementalNodalBound bound(body, {}, &account);
+      for (int step = 0; step < 80; ++step) {
+        account.earn();
+        const NodeVectors x = pathState(X, step, shake);
+        const double lambda = DenseTangent(body, x).largest();
+        ASSERT_GE(bound.update(x).value, lambda * (1 - exact)) << share << budget << step;
+        EXPECT_LE(bound.verify(x), exact) << share << budget << step;
+        bound.relaxBound(LowerBound{lambda}, 0.05);
+        if (bound.tightenBound(x, LowerBound{lambda}, 0.05)) {
+          ASSERT_GE(bound.update(x).value, lambda * (1 - exact)) << share << budget << step;
+          EXPECT_LE(bound.verify(x), exact) << share << budget << step;
+        }
+        ++states;
+      }
+    }
+  }
+  EXPECT_EQ(states, 320);
+}
+
+/// A bar of thin slices of hex8, held but along x, whose highest mode moves whole sections alike: a chain of masses m
+/// and springs d with half masses at its ends. With a spring k at one end its highest eigenvalue is that of a mode that
+/// decays into the bar, u_i = (-q)^i: (2d/m)(1 + √(1 + (k/d)²)).
+struct Bar {
+  static constexpr int slices = 40;
+  double thickness = 1e-3, side = 1e-2, E = 30e3, rho = 1000;
+  Body body = make();
+  double d = E * side * side / 4 / thickness, m = rho * side * side * thickness / 4;  // of a node
+
+  Body make() const {
+    Body made(test::gridMesh("hex8", {slices, 1, 1}, {slices * thickness, side, side}),
+              makeMaterial("linear", E, 0, rho));
+    for (std::int32_t i = 0; i < made.nodeCount(); ++i) {
+      made.constraints().fix(i, 1);
+      made.constraints().fix(i, 2);
+    }
+    return made;
+  }
+  std::vector<std::int32_t> end() const {
+    std::vector<std::int32_t> nodes;
+    for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+      if (body.mesh().X(0, i) > (slices - 0.5) * thickness) nodes.push_back(i);
+    return nodes;
+  }
+  double expected(double k) const { return 2 * d / m * (1 + std::sqrt(1 + k / d * (k / d))); }
+};
+
+TEST(DiscreteForcesInClosedForm, BarAgainstAPenaltySpring) {
+  for (const double ratio : {0.5, 1.0, 3.0, 10.0})
+    for (const bool contact : {false, true}) {
+      Bar bar;
+      const double k = ratio * bar.d;
+      DiscreteForces forces(bar.body.nodeCount());
+      const std::vector<std::int32_t> end = bar.end();
+      ASSERT_EQ(end.size(), 4U);
+      if (contact) {
+        // A wall that the end has run into by a hundredth of a slice, with the penalty in part as damping.
+        forces.add(planeObstacle({(Bar::slices - 0.01) * bar.thickness, 0, 0}, {-1, 0, 0}));
+        forces.add(PenaltyContact{.obstacle = 0,
+                                  .nodes = end,
+                                  .penalty = std::vector<double>(4, 0.75 * k),
+                                  .damping = std::vector<double>(4, 0.25 * k / 3e3)});
+        forces.setDampingFactor(3e3);
+      } else {
+        std::vector<Spring> springs;
+        for (const std::int32_t node : end)
+          springs.push_back({.node = node, .direction = Eigen::Vector3d(1, 0, 0), .stiffness = k});
+        forces.add(springs);
+      }
+      bar.body.setDiscreteForces(std::move(forces));
+      const NodeVectors& X = bar.body.mesh().X;
+      const GlobalFrequency global = globalFrequency(bar.body, X);
+      ASSERT_TRUE(global.converged);
+      EXPECT_NEAR(global.lambda, bar.expected(k), 1e-8 * bar.expected(k)) << ratio << contact;
+      const CriticalStep step = criticalStep(bar.body, X, 2.0);
+      const double h = 2 / std::sqrt(bar.expected(k));
+      EXPECT_LE(step.safe, h * (1 + exact));
+      EXPECT_GE(step.optimistic, h * (1 - exact));
+      EXPECT_GE(step.safe, 0.94 * h);
+      EXPECT_LE(step.optimistic, 1.01 * h);
+      // A quarter of the energy at the end, of one half mass, grows to nearly all of it.
+      if (ratio >= 3) {
+        EXPECT_GT(step.discreteShare, 0.5);
+      }
+      if (ratio <= 0.5) {
+        EXPECT_LT(step.discreteShare, 0.5);
+      }
+    }
+}
+
+TEST(DiscreteForcesInClosedForm, LocalModesHoldTheOtherEndsOfSprings) {
+  // Two far corners joined by a spring that governs: the region has one of them, and the bound must not exceed.
+  Body body = test::boxBody(test::allSubdivisions()[0], "stvk", {4, 1, 1});
+  DiscreteForces forces(body.nodeCount());
+  const std::int32_t last = body.nodeCount() - 1;
+  const double length = (body.mesh().X.col(last) - body.mesh().X.col(0)).norm();
+  forces.add(std::vector<Spring>{{.node = 0, .other = last, .length = length, .stiffness = 20 * cellStiffness}});
+  body.setDiscreteForces(std::move(forces));
+  const NodeVectors& X = body.mesh().X;
+  const double lambda = DenseTangent(body, X).largest();
+  RunBracket bracket(body, 0.05, infinity);
+  for (int step = 0; step < 5; ++step) {
+    const NodeVectors x = Eigen::Vector3d(1 + 0.001 * step, 1, 1).asDiagonal() * X;
+    const double h = 2 / std::sqrt(DenseTangent(body, x).largest());
+    const auto& found = bracket.evaluate(x, 2.0, std::nullopt, nullptr);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_LE(found->safe, h * (1 + exact));
+    EXPECT_GE(found->optimistic, h * (1 - exact));
+  }
+  EXPECT_GT(lambda, 0);
+}
+
+TEST(DiscreteForces, SameBitsForAnyNumberOfThreads) {
+  std::vector<double> safe, optimistic;
+  for (const int threads : {1, 2, 4}) {
+    Body body = test::boxBody(test::allSubdivisions()[0], "stvk", {6, 4, 4}, 0.2, 3, threads);
+    addForces(body, cellStiffness, 5);
+    const NodeVectors shake = test::Random(12).nodeVectors(body.nodeCount(), 0.06 * test::cellSize);
+    RunBracket bracket(body, 0.05, infinity);
+    std::size_t at = 0;
+    for (int step = 0; step < 12; ++step) {
+      const auto& found = bracket.evaluate(pathState(body.mesh().X, step, shake), 2.0, std::nullopt, nullptr);
+      ASSERT_TRUE(found.has_value());
+      if (threads == 1) {
+        safe.push_back(found->safe);
+        optimistic.push_back(found->optimistic);
+      } else {
+        EXPECT_EQ(found->safe, safe[at]);
+        EXPECT_EQ(found->optimistic, optimistic[at]);
+      }
+      ++at;
+    }
+  }
+  EXPECT_EQ(safe.size(), 12U);
+}
+
+}  // namespace
+}  // namespace ringwatch
