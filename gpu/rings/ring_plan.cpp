@@ -18,10 +18,10 @@ struct LocalPair {
   std::vector<std::uint16_t> blocks;
   bool shared = false;
 };
-using PatchPairs = std::vector<LocalPair>;
+using PairsOfPatch = std::vector<LocalPair>;
 
 /// The pairs of a patch by key, and which of them each element has.
-PatchPairs pairsOf(const RingPatchesInput& input, std::size_t p, RingBlockPlan& plan) {
+PairsOfPatch pairsOf(const RingPatchesInput& input, std::size_t p, RingBlockPlan& plan) {
   const std::size_t places = p * threads;
   struct Entry {
     std::uint64_t key;
@@ -49,7 +49,7 @@ PatchPairs pairsOf(const RingPatchesInput& input, std::size_t p, RingBlockPlan& 
   }
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.block < b.block; });
-  PatchPairs pairs;
+  PairsOfPatch pairs;
   for (const Entry& entry : entries) {
     if (pairs.empty() || pairs.back().key != entry.key) pairs.push_back({entry.key, {}});
     pairs.back().blocks.push_back(entry.block);
@@ -63,10 +63,10 @@ bool mayBeShared(const LocalPair& pair, std::int32_t interiorCount) {
 }
 
 /// The keys of the pairs that several patches have, ascending.
-std::vector<std::uint64_t> sharedKeysOf(const std::vector<std::vector<PatchPairs>>& all, std::int32_t interiorCount) {
+std::vector<std::uint64_t> sharedKeysOf(const std::vector<std::vector<PairsOfPatch>>& all, std::int32_t interiorCount) {
   std::vector<std::uint64_t> candidates;  // once for each patch
   for (const auto& patches : all)
-    for (const PatchPairs& pairs : patches)
+    for (const PairsOfPatch& pairs : patches)
       for (const LocalPair& pair : pairs)
         if (mayBeShared(pair, interiorCount)) candidates.push_back(pair.key);
   std::sort(candidates.begin(), candidates.end());
@@ -79,7 +79,7 @@ std::vector<std::uint64_t> sharedKeysOf(const std::vector<std::vector<PatchPairs
 
 /// The shared pairs of a patch come last. Those of many blocks first, so that the threads of a warp have about the same
 /// number to sum.
-void orderPairs(PatchPairs& pairs, const std::vector<std::uint64_t>& sharedKeys, std::int32_t interiorCount) {
+void orderPairs(PairsOfPatch& pairs, const std::vector<std::uint64_t>& sharedKeys, std::int32_t interiorCount) {
   for (LocalPair& pair : pairs)
     pair.shared =
         mayBeShared(pair, interiorCount) && std::binary_search(sharedKeys.begin(), sharedKeys.end(), pair.key);
@@ -94,9 +94,9 @@ struct Counts {
 };
 
 /// The patches of a block, with the numbers of their pairs and slots.
-void addPatches(const std::vector<PatchPairs>& patches, RingBlockPlan& block, Counts& counts) {
+void addPatches(const std::vector<PairsOfPatch>& patches, RingBlockPlan& block, Counts& counts) {
   std::size_t most = 0;
-  for (const PatchPairs& pairs : patches) {
+  for (const PairsOfPatch& pairs : patches) {
     const auto own = std::count_if(pairs.begin(), pairs.end(), [](const LocalPair& pair) { return !pair.shared; });
     block.patches.push_back({static_cast<std::int32_t>(pairs.size()), static_cast<std::int32_t>(own),
                              static_cast<std::int32_t>(counts.pairs), static_cast<std::int32_t>(counts.slots)});
@@ -112,13 +112,13 @@ void addPatches(const std::vector<PatchPairs>& patches, RingBlockPlan& block, Co
 
 /// Which local pair each element's pairs are, and the rows of what they sum up; which pair each slot is a part of.
 /// Consumes the patches.
-void addRows(std::vector<PatchPairs>& patches, const std::vector<std::uint64_t>& sharedKeys, std::int32_t ownTotal,
+void addRows(std::vector<PairsOfPatch>& patches, const std::vector<std::uint64_t>& sharedKeys, std::int32_t ownTotal,
              RingBlockPlan& block, RingPlan& plan) {
   std::vector<std::vector<std::uint16_t>> rowsOf(patches.size());
   std::vector<std::vector<std::int32_t>> rowEnd(patches.size());
   parallelFor(0, patches.size(), 0, [&](std::int64_t at) {
     const std::size_t p = at;
-    PatchPairs& pairs = patches[p];
+    PairsOfPatch& pairs = patches[p];
     const RingPatch& patch = block.patches[p];
     std::vector<std::vector<std::uint16_t>> blocksOf(pairs.size());
     for (std::size_t l = 0; l < pairs.size(); ++l) {
@@ -162,7 +162,7 @@ void addSharedSlots(RingPlan& plan, std::int32_t ownTotal, std::size_t sharedCou
 RingPlan planRings(const std::vector<RingPatchesInput>& blocks, std::int32_t interiorCount) {
   RingPlan plan;
   plan.blocks.resize(blocks.size());
-  std::vector<std::vector<PatchPairs>> all(blocks.size());
+  std::vector<std::vector<PairsOfPatch>> all(blocks.size());
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const std::size_t patches = blocks[b].patches->size();
     plan.blocks[b].order.assign(patches * threads, 0);
