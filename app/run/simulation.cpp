@@ -1,0 +1,248 @@
+#include <ringwatch/app/run/simulation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/run/stopwatch.h>
+#include <ringwatch/base/error.h>
+
+namespace ringwatch {
+
+Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
+    : scene(s),
+      body(b),
+      options(o),
+      rule(stepRule(*integratorCatalog().find(s.method), s.damping)),
+      energies(s, b),
+      steps(s),
+      loads(s, b),
+      recorder(s, result),
+      watch(s, b, rule, result) {
+  result.notes = options.notes;
+  result.requireCertified = scene.requireCertified;
+  recorder.follow(body.mesh());
+  scheme = std::make_unique<RunScheme>(scene, body, result);
+  beginWatch();
+}
+
+void Simulation::beginWatch() {
+  Stepper& stepper = scheme->stepper();
+  watch.begin(scheme->handler(), stepper.metric(), stepper.mostSteps() == 1);
+}
+
+void Simulation::handleAgain() {
+  watch.end();  // it watches what the choice replaces
+  scheme->prepare(state.x, steps.step());
+  state.a.resize(3, 0);
+  beginWatch();
+}
+
+std::int64_t Simulation::stepsToObservation(std::int64_t k) {
+  std::int64_t count = scheme->stepper().mostSteps();
+  // The work of prescribed motion is done in every step.
+  if (count == 1 || (scene.energy && body.constraints().moving())) return 1;
+  const auto until = [k](std::int64_t every) { return every - k % every; };
+  count = std::min(count, until(scene.historyEvery));
+  if (watch.monitors()) count = std::min(count, until(scene.every));
+  const auto stepsTo = [this](double time) {
+    return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil((time - state.time) / steps.step() - 1e-3)));
+  };
+  count = std::min(count, stepsTo(scene.end));
+  if (!scene.step && state.time + static_cast<double>(count) * steps.step() > scene.end * (1 + 1e-12))
+    count = std::max<std::int64_t>(1, count - 1);  // the last step of "auto" is shortened to end at the end
+  if (output->nextFrame() < scene.end) count = std::min(count, stepsTo(output->nextFrame()));
+  return count;
+}
+
+std::optional<CriticalStep> Simulation::criticalStepHere() const {
+  try {
+    return criticalStep(body, state.x, rule);
+  } catch (const NumericalError&) {
+    return std::nullopt;
+  }
+}
+
+MonitorReport Simulation::handleMore(MonitorReport report, bool rowDue) {
+  if (!scheme->handler() || !watch.monitors() || scene.onViolation != OnViolation::handle || !report.fresh ||
+      report.verdict == Verdict::certified || !(steps.step() > 0) || !state.x.allFinite())
+    return report;
+  {
+    const Stopwatch measured(result.monitorTime);
+    handleAgain();
+  }
+  MonitorReport more = observeOnce(report.step, rowDue);
+  // Those of the explicit elements are of a choice that no step was taken with.
+  for (const MonitorEvent& event : report.newEvents)
+    if (event.handled) more.newEvents.push_back(event);
+  return more;
+}
+
+MonitorReport Simulation::observeOnce(std::int64_t k, bool rowDue) {
+  const bool shared = watch.sharesPass();
+  askFor(rowDue);
+  if (!shared) evaluate();
+  // With "auto" the first step is chosen from the first bracket.
+  MonitorReport report = watch.observe(k, state, steps.asked(), shared ? &evaluation_ : nullptr);
+  takeEvaluation(rowDue);
+  watch.complete(report, state, energies.checked());
+  return report;
+}
+
+void Simulation::recordEnergies() {
+  askFor(true);
+  evaluate();
+  takeEvaluation(true);
+}
+
+void Simulation::askFor(bool rowDue) {
+  stepperNeedsForce_ = scheme->stepper().needsForce(state);
+  evaluation_.wantsForce = stepperNeedsForce_ || energies.needsForce(rowDue);
+  evaluation_.wantsEnergy = scene.energy && rowDue;
+}
+
+void Simulation::evaluate() {
+  if (!evaluation_.wantsForce && !evaluation_.wantsEnergy) return;
+  const Stopwatch force(result.forceTime);
+  body.evaluate(state.x, evaluation_, workspace_);
+}
+
+void Simulation::takeEvaluation(bool rowDue) {
+  const Stopwatch force(result.forceTime);
+  if (stepperNeedsForce_) scheme->stepper().takeForce(state, evaluation_);
+  energies.record(state, evaluation_, scheme->system(), rowDue);
+}
+
+void Simulation::setLoads() {
+  if (loads.any()) energies.addExternalWork(loads.setForces(state.time, state.x));
+}
+
+bool Simulation::acceptState(const MonitorReport& report) {
+  const bool finite = isFinite(state, body.threads());
+  if (!finite)
+    end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", report.step));
+  return finite;
+}
+
+void Simulation::checkEnergies(std::int64_t k) {
+  if (loads.any() && k == 0) energies.setScale(loads.energyScale(steps.step()));
+  energies.check(k, state.time);
+}
+
+bool Simulation::stopsAt(const MonitorReport& report) const {
+  return report.verdict == Verdict::violated && watch.monitors() &&
+         (scene.onViolation == OnViolation::stop || scene.onViolation == OnViolation::handle);
+}
+
+bool Simulation::chooseStep(MonitorReport& report) {
+  const std::string fault = steps.choose(report, state.time, [this](MonitorReport& fresh) {
+    const Stopwatch measured(result.monitorTime);
+    fresh.bracket = criticalStepHere();
+    fresh.fresh = true;
+    fresh.elementsRefreshed = static_cast<std::int64_t>(body.mesh().elementCount());
+  });
+  if (!fault.empty()) {
+    end(ExitReason::stepCollapsed, fault);
+    return false;
+  }
+  if (steps.endsTheRun()) output->leaveOut(report.step);
+  report.h = steps.step();
+  // A step that was shortened in time was not taken: the monitor's alarm at the longer one is no event of the run.
+  if (report.bracket) report.verdict = verdictFor(report.h, *report.bracket);
+  watch.checkHandled(report);
+  if (report.verdict != Verdict::violated)
+    std::erase_if(report.newEvents, [](const MonitorEvent& event) { return event.kind == EventKind::violated; });
+  return true;
+}
+
+void Simulation::record(const MonitorReport& report, bool rowDue) {
+  const Stopwatch measured(result.outputTime);
+  output->open();
+  recorder.record(report, body.mesh());
+  output->certificates().record(report, state, result.worst == Verdict::violated);
+  if (rowDue) {
+    HistoryRow row;
+    row.step = report.step;
+    row.time = state.time;
+    row.h = report.h;
+    row.bracket = report.bracket;
+    row.energies = energies.last();
+    row.elementsRefreshed = watch.monitors() && report.fresh ? report.elementsRefreshed : 0;
+    row.handledElements = scheme->treatedElements();
+    row.metricStep = report.metricStep;
+    if (watch.monitors()) row.verdict = report.verdict;
+    output->writeRow(row);
+  }
+  if (output->frameDue(state.time, report.h)) output->writeFrame(report.step, state, frameOf(report));
+}
+
+FrameState Simulation::frameOf(const MonitorReport& report) const {
+  FrameState frame;
+  frame.time = state.time;
+  frame.h = steps.step();
+  if (watch.monitors()) {
+    frame.verdict = report.verdict;
+    if (scene.proves()) {
+      frame.safe = report.bracket ? report.bracket->safe : report.certified;
+      if (report.bracket) frame.optimistic = report.bracket->optimistic;
+    }
+  }
+  if (const Handler* handler = scheme->handler()) frame.handled = handler->elements();
+  return frame;
+}
+
+bool Simulation::takeStep(const MonitorReport& report) {
+  const Stopwatch force(result.forceTime);
+  if (loads.any()) energies.addExternalWork(loads.setVelocities(state, steps.step()));
+  const auto take = [this](std::int64_t count) {
+    const double lambda = watch.monitors() && scene.proves() ? rule.lambdaFor(steps.step()) : 0;
+    return scheme->stepper().step(state, steps.step(), count, lambda);
+  };
+  Stepper::Taken taken = take(stepsToObservation(result.steps));
+  while (taken.steps == 0 && scheme->handler() && scene.reduceOnFailure && steps.halve()) {
+    result.notes.push_back(
+        fmt::format("step {}: {}; the step is halved to {:.6g} s", report.step, taken.fault, steps.step()));
+    handleAgain();
+    taken = take(1);
+  }
+  if (taken.steps == 0) {
+    end(ExitReason::stepFailed, fmt::format("step {} failed: {}", report.step, taken.fault));
+    return false;
+  }
+  recorder.countSteps(taken.steps, steps.step());
+  if (watch.monitors()) recorder.countVerdict(report, taken.steps, watch.freshReports() <= 1);
+  lastVerdict = report.verdict;
+  return true;
+}
+
+MonitorReport Simulation::observe(std::int64_t k, bool rowDue) { return handleMore(observeOnce(k, rowDue), rowDue); }
+
+void Simulation::end(ExitReason reason, std::string text) {
+  result.reason = reason;
+  result.reasonText = std::move(text);
+}
+
+void Simulation::finish() {
+  scheme->stepper().complete(state);
+  result.time = state.time;
+  if (result.reason == ExitReason::end && !isFinite(state, body.threads()))
+    end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result.steps));
+  // Nothing is known of the last state but what was known of the step that led to it.
+  MonitorReport report;
+  report.verdict = lastVerdict;
+  report.certified = std::numeric_limits<double>::quiet_NaN();
+  const FrameState last = frameOf(report);
+  watch.end();
+  recorder.noteWhatIsNotCertified(body.mesh());
+  if (const Handler* handler = scheme->handler())
+    result.handler->figures = scheme->stepper().figures(handler->figures());
+  if (std::string note = scheme->stepper().note(); !note.empty()) result.notes.push_back(std::move(note));
+  result.runaway = energies.runaway();
+  const Stopwatch measured(result.outputTime);
+  output->finish(result, state, last);
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,88 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <ringwatch/app/run/run_energies.h>
+#include <ringwatch/app/run/run_output.h>
+#include <ringwatch/app/run/run_recorder.h>
+#include <ringwatch/app/run/run_scheme.h>
+#include <ringwatch/app/run/run_watch.h>
+#include <ringwatch/app/run/runner.h>
+#include <ringwatch/app/run/step_policy.h>
+#include <ringwatch/app/run/timed_loads.h>
+
+namespace ringwatch {
+
+/// The parts of a run in progress, and what they do together at a state. The runner says when; cuts and checkpoints
+/// (run_cuts.h, run_checkpoints.h) replace parts, which are therefore open to them.
+class Simulation {
+ public:
+  /// The scheme is made and the body is watched; there are no output and no state yet. All arguments must outlive this.
+  /// Throws InputError for a device that cannot be had.
+  Simulation(const Scene& scene, Body& body, const RunOptions& options);
+
+  /// The loads of the state's time act from here on.
+  void setLoads();
+  /// Observes the state before step k, and lets a handler choose again where the explicit part is not certified: one
+  /// pass over the elements serves the scheme, the energy balance and, where it watches the whole body, the monitor.
+  /// rowDue: the energies are wanted.
+  MonitorReport observe(std::int64_t k, bool rowDue);
+  /// False when the state is not finite, which ends the run.
+  bool acceptState(const MonitorReport& report);
+  /// Chooses the step from a report of the state. False when none can be had, which ends the run.
+  bool chooseStep(MonitorReport& report);
+  /// Whether the energy ran away before step k.
+  void checkEnergies(std::int64_t k);
+  /// The scene wants no step that was proven unstable, and this one is.
+  bool stopsAt(const MonitorReport& report) const;
+  /// Writes what is due before a step: events, history, frame, certificates.
+  void record(const MonitorReport& report, bool rowDue);
+  /// The events of a report alone, where no step is taken.
+  void recordEvents(const MonitorReport& report) { recorder.recordEvents(report, body.mesh()); }
+  /// Takes steps from the state, one or as many as are not to be observed. False when the first failed, which ends the
+  /// run.
+  bool takeStep(const MonitorReport& report);
+  /// Completes the state, notes what the run has come to and ends its files.
+  void finish();
+
+  /// The run ends here; text is one line.
+  void end(ExitReason reason, std::string text);
+  /// Watches the body, or what its handler leaves explicit, from here on.
+  void beginWatch();
+  /// The energies of the state, in a pass of their own.
+  void recordEnergies();
+  /// The bracket of the whole body, from scratch; empty where the state has none.
+  std::optional<CriticalStep> criticalStepHere() const;
+
+  const Scene& scene;
+  Body& body;
+  const RunOptions& options;
+  const StepRule rule;
+  RunEnergies energies;
+  StepPolicy steps;
+  TimedLoads loads;
+  RunResult result;
+  RunRecorder recorder;
+  RunWatch watch;
+  std::unique_ptr<RunScheme> scheme;
+  std::optional<RunOutput> output;
+  State state;
+  Verdict lastVerdict = Verdict::notCertified;  // of the step that led to the state
+
+ private:
+  MonitorReport observeOnce(std::int64_t k, bool rowDue);
+  MonitorReport handleMore(MonitorReport report, bool rowDue);
+  void handleAgain();
+  void askFor(bool rowDue);
+  void evaluate();
+  void takeEvaluation(bool rowDue);
+  std::int64_t stepsToObservation(std::int64_t k);
+  FrameState frameOf(const MonitorReport& report) const;
+
+  StepEvaluation evaluation_;
+  Body::Workspace workspace_;
+  bool stepperNeedsForce_ = false;
+};
+
+}  // namespace ringwatch
