@@ -28,7 +28,6 @@ class Ball {
   friend Ball operator-(const Ball& a, const Ball& b) { return of(arb_sub, a, b); }
   friend Ball operator*(const Ball& a, const Ball& b) { return of(arb_mul, a, b); }
   friend Ball operator/(const Ball& a, const Ball& b) { return of(arb_div, a, b); }
-  Ball operator-() const { return Ball(0.0) - *this; }
   Ball& operator+=(const Ball& b) {
     arb_add(value_, value_, b.value_, precision);
     return *this;
@@ -48,14 +47,10 @@ class Ball {
     return r;
   }
   double rounded() const { return arf_get_d(arb_midref(value_), ARF_RND_NEAR); }
-  /// Its largest number.
-  Ball upper() const {
+  /// The largest size of a number in it.
+  Ball size() const {
     Ball r;
-    arf_t bound;
-    arf_init(bound);
-    arb_get_ubound_arf(bound, value_, precision);
-    arb_set_arf(r.value_, bound);
-    arf_clear(bound);
+    arb_get_abs_ubound_arf(arb_midref(r.value_), value_, precision);
     return r;
   }
   /// The ball and all that lies within `distance` of it.
@@ -66,16 +61,10 @@ class Ball {
   }
 
  private:
-  template <class Operation>
-  static Ball of(Operation operation, const Ball& a, const Ball& b) {
+  template <class Operation, class... Balls>
+  static Ball of(Operation operation, const Balls&... a) {
     Ball r;
-    operation(r.value_, a.value_, b.value_, precision);
-    return r;
-  }
-  template <class Operation>
-  static Ball of(Operation operation, const Ball& a) {
-    Ball r;
-    operation(r.value_, a.value_, precision);
+    operation(r.value_, a.value_..., precision);
     return r;
   }
   arb_t value_;

@@ -13,6 +13,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are read as they lie in the file");
 
+/// Of a factorisation of the whole body, which takes some ten minutes.
+constexpr double mostProducts = 2e10;
+
 struct Unreadable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -69,21 +72,26 @@ struct Node {
   double numbers[10];  // X, x, mass, u
   std::uint8_t held;   // a bit for each component
   Matrix sum;          // Σ allowance D
+  int row[3];          // of its free components in sigma M - K
   double mass() const { return numbers[6]; }
   bool free(int c) const { return (held >> c & 1) == 0; }
   Ball u(int c) const { return free(c) ? numbers[7 + c] : 0; }
 };
 
-/// One element: that its allowance bounds its tangent. Adds to the sums at its nodes and to uᵀKu.
-void proveElement(const Kind& kind, Reader& file, std::vector<Node>& nodes, Ball& form, Verdict& verdict) {
+/// Entry (i, j) of a row, j <= i, which begins there at the latest from now on.
+Ball& entryOf(std::vector<Ball>& row, int i, int j) {
+  const std::size_t length = i - j + 1;
+  if (row.size() < length) row.insert(row.begin(), length - row.size(), Ball());
+  return row[row.size() - length];
+}
+
+/// One element: adds it to uᵀKu, and subtracts it from the whole matrix or, without one, proves that its allowance
+/// bounds its tangent, and adds that to the sums at its nodes.
+void proveElement(const Kind& kind, Reader& file, std::vector<Node>& nodes, Rows* whole, Ball& form, Verdict& verdict) {
   const std::size_t n = nodesOf(kind.element);
   std::int32_t own[20];
-  std::int16_t weights[6 * 20];
-  double allowance = 0, X[60], x[60], volume = 0;
+  double X[60], x[60], volume = 0;
   file.take(own, n);
-  file.take(&allowance, 1);
-  file.take(weights, 6 * n);
-  if (!(allowance > 0) || !std::isfinite(allowance)) throw Unproven("its allowance is not positive");
   std::vector<int> free;
   for (std::size_t a = 0; a < n; ++a) {
     if (own[a] < 0 || own[a] >= static_cast<std::int64_t>(nodes.size())) throw Unreadable("a node is not there");
@@ -97,6 +105,19 @@ void proveElement(const Kind& kind, Reader& file, std::vector<Node>& nodes, Ball
   Square K(0);
   if (!elementTangent(kind, X, x, K, volume)) throw Unproven("its tangent cannot be enclosed");
   verdict.volume += volume;
+  for (const int r : free)
+    for (const int s : free) {
+      const Node &at = nodes[own[r / 3]], &other = nodes[own[s / 3]];
+      form += at.u(r % 3) * K(r, s) * other.u(s % 3);
+      const int i = at.row[r % 3], j = other.row[s % 3];
+      if (whole && j <= i) entryOf((*whole)[i], i, j) += Ball(0.0) - K(r, s);
+    }
+  if (whole) return;
+  double allowance = 0;
+  std::int16_t weights[6 * 20];
+  file.take(&allowance, 1);
+  file.take(weights, 6 * n);
+  if (!(allowance > 0) || !std::isfinite(allowance)) throw Unproven("its allowance is not positive");
   const int corner[6] = {0, 4, 8, 7, 6, 3};  // where the factor's six numbers stand in a 3×3 matrix
   std::vector<Matrix> D(n);
   for (std::size_t a = 0; a < n; ++a) {
@@ -111,26 +132,33 @@ void proveElement(const Kind& kind, Reader& file, std::vector<Node>& nodes, Ball
         nodes[own[a]].sum[i][j] += D[a][i][j] = Ball(allowance) * D[a][i][j];
       }
   }
-  Square rest(static_cast<int>(free.size()));
-  for (int i = 0; i < rest.size; ++i)
-    for (int j = 0; j < rest.size; ++j) {
-      const int r = free[i], s = free[j];
-      rest(i, j) = (r / 3 == s / 3 ? D[r / 3][r % 3][s % 3] : Ball(0.0)) - K(r, s);
-      form += nodes[own[r / 3]].u(r % 3) * K(r, s) * nodes[own[s / 3]].u(s % 3);
-    }
+  Rows rest;
+  for (const int r : free) {
+    rest.emplace_back();
+    for (const int s : free)
+      if (s <= r) rest.back().push_back((r / 3 == s / 3 ? D[r / 3][r % 3][s % 3] : Ball(0.0)) - K(r, s));
+  }
   if (!positiveDefinite(rest)) throw Unproven("its allowance does not bound its tangent");
 }
 
 /// One node: that the allowances of its elements add up to sigma times its mass at most.
 void proveNode(const Node& node, double sigma) {
-  std::vector<int> free;
-  for (int c = 0; c < 3; ++c)
-    if (node.free(c)) free.push_back(c);
-  Square rest(static_cast<int>(free.size()));
-  for (int r = 0; r < rest.size; ++r)
-    for (int s = 0; s < rest.size; ++s)
-      rest(r, s) = (r == s ? Ball(sigma) * Ball(node.mass()) : Ball(0.0)) - node.sum[free[r]][free[s]];
+  Rows rest;
+  for (int r = 0; r < 3; ++r) {
+    if (!node.free(r)) continue;
+    rest.emplace_back();
+    for (int s = 0; s <= r; ++s)
+      if (node.free(s)) rest.back().push_back((r == s ? Ball(sigma) * Ball(node.mass()) : Ball(0.0)) - node.sum[r][s]);
+  }
   if (!positiveDefinite(rest)) throw Unproven("the allowances of its elements exceed sigma");
+}
+
+/// That the whole matrix, sigma M - K, is positive definite.
+void proveWhole(Rows& whole) {
+  double products = 0;
+  for (const std::vector<Ball>& row : whole) products += 0.5 * static_cast<double>(row.size() * row.size());
+  if (products > mostProducts) throw Unproven("it is too large: a factorisation takes more than 2e10 products");
+  if (!positiveDefinite(whole)) throw Unproven("sigma M - K is not positive definite");
 }
 
 /// The last eight bytes are FNV-1a of all others, which finds every change of a single byte.
@@ -146,7 +174,10 @@ void testChecksum(const std::string& bytes) {
 void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
   testChecksum(bytes);
   Reader file(bytes);
-  if (file.expect("ringwatch-certificate").number() != 1) throw Unreadable("its version is not 1");
+  if (file.expect("ringwatch-certificate").number() != 2) throw Unreadable("its version is not 2");
+  const std::string proof = file.expect("proof").word();
+  const bool factored = proof == "factorisation";
+  if (!factored && proof != "nodal-bound") throw Unreadable("proof \"" + proof + "\" is not known");
   std::vector<Node> nodes(file.expect("nodes").count(81));
   verdict.nodes = static_cast<std::int64_t>(nodes.size());
   verdict.sigma = file.expect("sigma").number();
@@ -158,7 +189,7 @@ void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
     kind.law = file.word();
     if (nodesOf(kind.element) == 0) throw Unreadable("element \"" + kind.element + "\" is not known");
     if (!knowsLaw(kind.law)) throw Unreadable("law \"" + kind.law + "\" is not known");
-    elements.push_back(file.count(72));
+    elements.push_back(file.count(16));
     for (double* constant : {&kind.lambda, &kind.mu, &kind.pointLambda, &kind.pointMu, &kind.meanLambda, &kind.meanMu})
       *constant = file.number();
     kind.points.resize(file.count(10));
@@ -169,6 +200,7 @@ void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
   }
   file.expect("end");
   Ball form, mass;
+  Rows whole;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     place = "node " + std::to_string(i) + ": ";
     file.take(nodes[i].numbers, 10);
@@ -177,18 +209,24 @@ void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
       if (!std::isfinite(number)) throw Unproven("a number is not finite");
     if (!(nodes[i].mass() > 0)) throw Unproven("its mass is not positive");
     verdict.mass += nodes[i].mass();
-    for (int c = 0; c < 3; ++c) mass += Ball(nodes[i].mass()) * nodes[i].u(c) * nodes[i].u(c);
+    for (int c = 0; c < 3; ++c) {
+      mass += Ball(nodes[i].mass()) * nodes[i].u(c) * nodes[i].u(c);
+      nodes[i].row[c] = static_cast<int>(whole.size());
+      if (factored && nodes[i].free(c)) whole.push_back({Ball(verdict.sigma) * Ball(nodes[i].mass())});
+    }
   }
   for (std::size_t k = 0; k < kinds.size(); ++k)
     for (std::size_t e = 0; e < elements[k]; ++e, ++verdict.elements) {
       place = "element " + std::to_string(e) + " of kind " + std::to_string(k) + " (" + kinds[k].element + "): ";
-      proveElement(kinds[k], file, nodes, form, verdict);
+      proveElement(kinds[k], file, nodes, factored ? &whole : nullptr, form, verdict);
     }
   if (file.left() != 8) throw Unreadable("it goes on after its end");
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
+  for (std::size_t i = 0; i < nodes.size() && !factored; ++i) {
     place = "node " + std::to_string(i) + ": ";
     proveNode(nodes[i], verdict.sigma);
   }
+  place = "upper side: ";
+  if (factored && verdict.sigma != 0) proveWhole(whole);
   place = "lower side: ";
   if (verdict.lower > 0 && !(form - Ball(verdict.lower) * mass).positive())
     throw Unproven("the vector does not reach it");

@@ -9,7 +9,7 @@ struct Verdict {
   enum class Status { proven = 0, notProven = 1, unreadable = 2 } status;
   std::string reason;  ///< the first thing that fails, "" for none
   std::int64_t nodes = 0, elements = 0;
-  double sigma = 0, lower = 0;  ///< proven: lower <= lambda_max(M⁻¹K) <= sigma, rad²/s²
+  double sigma = 0, lower = 0;  ///< proven: lower <= lambda_max(M⁻¹K) <= sigma, rad²/s²; 0: nothing of that side
   double mass = 0, volume = 0;  ///< of the body that it is about, to rounding: kg, m³
 };
 

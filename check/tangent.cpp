@@ -1,5 +1,6 @@
 #include "tangent.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace check {
@@ -161,21 +162,21 @@ bool closestRotation(const Matrix& F, Matrix& R, Matrix& U, Matrix& spin) {
   for (int pass = 0; pass < 2; ++pass) {  // of the guess, and of the ball around it
     const Matrix M = product(transpose(R), F);
     Ball skew2, spin2;
-    Square sums(3);
+    Rows sums(3);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         U[i][j] = Ball(0.5) * (M[i][j] + M[j][i]);
         const Ball skew = Ball(0.5) * (M[i][j] - M[j][i]);
         skew2.addProduct(skew, skew);
         spin[i][j] = (i == j ? M[0][0] + M[1][1] + M[2][2] : Ball(0.0)) - U[i][j];
-        sums(i, j) = spin[i][j];
+        if (j <= i) sums[i].push_back(spin[i][j]);
       }
     if (!positiveDefinite(sums)) return false;
     spin = inverse(spin, determinant);
     if (pass == 1) return true;
     for (const Row& row : spin)
       for (const Ball& entry : row) spin2.addProduct(entry, entry);
-    distance = root(skew2.upper());
+    distance = root(skew2.size());
     g = Ball(1.0) / root(spin2) - Ball(1.5) * distance;
     if (!g.positive()) return false;
     for (Row& row : R)
@@ -306,16 +307,25 @@ bool elementTangent(const Kind& kind, const double* X, const double* x, Square& 
   return true;
 }
 
-bool positiveDefinite(Square& A) {
-  for (int k = 0; k < A.size; ++k) {
-    for (int j = 0; j < k; ++j) A(k, k).subtractProduct(A(k, j), A(k, j));
-    if (!A(k, k).positive()) return false;
-    A(k, k) = root(A(k, k));
-    for (int i = k + 1; i < A.size; ++i) {
-      for (int j = 0; j < k; ++j) A(i, k).subtractProduct(A(i, j), A(k, j));
-      A(i, k) = A(i, k) / A(k, k);
+bool positiveDefinite(Rows& A) {
+  std::vector<Ball> rest(A.size());  // of each row of A - L Lᵀ: its diagonal less the sizes of all others
+  for (std::size_t i = 0; i < A.size(); ++i) {
+    const std::size_t first = i + 1 - A[i].size();
+    const Ball spared = Ball(0x1p-54) * A[i].back();
+    for (std::size_t j = first; j <= i; ++j) {
+      const std::size_t other = j + 1 - A[j].size();
+      Ball& own = A[i][j - first];
+      for (std::size_t k = std::max(first, other); k < j; ++k) own.subtractProduct(A[i][k - first], A[j][k - other]);
+      const Ball left = own, factor = j < i ? left / A[j].back() : root(left - spared);
+      own = factor.middle();
+      if (j == i && !own.positive()) return false;
+      const Ball missed = left - own * A[j].back();
+      rest[i] += j < i ? Ball(0.0) - missed.size() : missed;
+      if (j < i) rest[j] += Ball(0.0) - missed.size();
     }
   }
+  for (const Ball& row : rest)
+    if (!row.positive()) return false;
   return true;
 }
 

@@ -18,6 +18,9 @@ struct Square {
   const Ball& operator()(int i, int j) const { return entries[i * size + j]; }
 };
 
+/// The lower triangle of a symmetric matrix: of each row the entries from the first that is not zero to the diagonal.
+using Rows = std::vector<std::vector<Ball>>;
+
 /// Elements of one kind: shape, law, Lamé's constants, and the quadrature rule with its points, in exact doubles.
 struct Kind {
   std::string element, law;
@@ -33,8 +36,9 @@ bool knowsLaw(const std::string& law);
 /// K of an element with reference positions X and positions x, three numbers a node, in balls. False where it cannot be
 /// enclosed: a Jacobian or a law that has no value there. volume: of the element at rest, to rounding.
 bool elementTangent(const Kind& kind, const double* X, const double* x, Square& K, double& volume);
-/// Whether a symmetric matrix is proven positive definite: the pivots of its Cholesky factorisation in balls are
-/// positive. The matrix is overwritten.
-bool positiveDefinite(Square& A);
+/// Whether a symmetric matrix A is proven positive definite. For any lower triangular L of exact numbers L Lᵀ is
+/// positive semidefinite, and so A is definite where A - L Lᵀ is: each diagonal entry exceeds the sizes of all others
+/// of its row. L is the Cholesky factor, rounded, of A less 2^-54 of its diagonal. A is overwritten.
+bool positiveDefinite(Rows& A);
 
 }  // namespace check

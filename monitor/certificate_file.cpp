@@ -5,11 +5,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <numeric>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/elements/registry.h>
+#include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <ringwatch/monitor/bounds/top_mode.h>
@@ -17,7 +20,7 @@
 namespace ringwatch {
 namespace {
 
-constexpr int formatVersion = 1;
+constexpr int formatVersion = 2;
 // As in criticalStep: tangent products for the top mode, sweeps of the nodal bound.
 constexpr int modeProducts = 20, boundSweeps = 12;
 /// Left between what is computed and what is stated, relative: sums at nodes, and allowances that stand for zero, must
@@ -73,13 +76,79 @@ void addKind(Bytes& bytes, const ElementBlock& block) {
   }
 }
 
-/// The vector of the lower side in displacements, its largest component 1.
-NodeVectors vectorOf(const Body& body, const ReducedRing& ring, const TopMode& top, const NodeVectors& mode) {
-  NodeVectors u = top.method == "reduced-1-ring" ? ring.topVector(ring.last().highestElement) : mode;
-  u = u * body.lumpedMass().cwiseSqrt().cwiseInverse().asDiagonal();
-  body.constraints().clearConstrained(u);
-  const double size = u.cwiseAbs().maxCoeff();
-  return size > 0 && std::isfinite(size) ? NodeVectors(u / size) : NodeVectors::Zero(3, body.nodeCount());
+/// A mode, M^½ times a displacement, as a displacement whose largest component is 1; zero for none.
+NodeVectors displacementOf(const Body& body, NodeVectors mode) {
+  if (mode.cols() != body.nodeCount()) return NodeVectors::Zero(3, body.nodeCount());
+  mode = mode * body.lumpedMass().cwiseSqrt().cwiseInverse().asDiagonal();
+  body.constraints().clearConstrained(mode);
+  const double size = mode.cwiseAbs().maxCoeff();
+  return size > 0 && std::isfinite(size) ? NodeVectors(mode / size) : NodeVectors::Zero(3, body.nodeCount());
+}
+
+/// Reverse Cuthill-McKee (George & Liu 1981): from a node far out through the mesh, neighbours of few neighbours first.
+/// order[new number] = node.
+std::vector<std::int32_t> bandedOrder(const Mesh& mesh) {
+  const CompressedRows<std::int32_t> neighbours = nodeNeighbours(mesh);
+  const auto fewer = [&](std::int32_t a, std::int32_t b) {
+    const std::size_t own = neighbours.row(a).size(), other = neighbours.row(b).size();
+    return own != other ? own < other : a < b;
+  };
+  std::vector<std::int32_t> order;
+  std::vector<bool> taken(mesh.nodeCount());
+  const auto walk = [&](std::int32_t start) {
+    const std::size_t begin = order.size();
+    order.push_back(start);
+    taken[start] = true;
+    for (std::size_t at = begin; at < order.size(); ++at) {
+      std::vector<std::int32_t> next;
+      for (const std::int32_t node : neighbours.row(order[at]))
+        if (!taken[node]) next.push_back(node);
+      std::sort(next.begin(), next.end(), fewer);
+      for (const std::int32_t node : next) taken[node] = true;
+      order.insert(order.end(), next.begin(), next.end());
+    }
+    return begin;
+  };
+  for (std::size_t first = 0; first < mesh.nodeCount(); ++first) {
+    if (taken[first]) continue;
+    const std::size_t begin = walk(static_cast<std::int32_t>(first));
+    // Where a walk ends is far out: the one that counts starts there.
+    const std::int32_t end = order.back();
+    for (std::size_t i = begin; i < order.size(); ++i) taken[order[i]] = false;
+    order.resize(begin);
+    walk(end);
+  }
+  std::reverse(order.begin(), order.end());
+  return order;
+}
+
+/// Everything but what belongs to elements. order[i]: the node that is node i of the file.
+Bytes beginFile(const Body& body, const NodeVectors& x, const Certificate& certificate, const char* proof,
+                const NodeVectors& u, const std::vector<std::int32_t>& order) {
+  Bytes bytes;
+  std::size_t size = 81 * static_cast<std::size_t>(body.nodeCount()) + 10000;
+  for (const auto& block : body.blocks())
+    size += static_cast<std::size_t>(block->elementCount()) * static_cast<std::size_t>(16 * block->element().nodes + 8);
+  bytes.reserve(size);
+  bytes.add(
+      joinText("ringwatch-certificate ", formatVersion, "\nproof ", proof, "\nnodes ", body.nodeCount(), "\nsigma"));
+  bytes.addNumber(certificate.upper.value);
+  bytes.add("\nlower");
+  bytes.addNumber(certificate.lower.value);
+  bytes.add(joinText("\nkinds ", body.blocks().size(), "\n"));
+  for (const auto& block : body.blocks()) addKind(bytes, *block);
+  bytes.add("end\n");
+  for (const std::int32_t i : order) {
+    bytes.add(body.mesh().X.col(i).data(), 3);
+    bytes.add(x.col(i).data(), 3);
+    bytes.add(&body.lumpedMass()[i], 1);
+    bytes.add(u.col(i).data(), 3);
+    std::uint8_t held = 0;
+    for (int c = 0; c < 3; ++c)
+      if (body.constraints().isConstrained(i, c)) held = static_cast<std::uint8_t>(held | 1 << c);
+    bytes.add(&held, 1);
+  }
+  return bytes;
 }
 
 }  // namespace
@@ -105,31 +174,12 @@ Certificate makeCertificate(const Body& body, const NodeVectors& x) {
   const double bound = weights.last();
   if (!std::isfinite(bound) || !(bound > 0))
     throw NumericalError("certificate: the tangent is not finite here, or nothing in the body is stiff and free");
-  const NodeVectors u = vectorOf(body, ring, top, mode);
+  const bool byRing = top.method == "reduced-1-ring";
   Certificate certificate{{bound * (1 + room)}, {std::max(0.0, top.lower.value * (1 - room))}, {}};
-
-  Bytes bytes;
-  std::size_t size = 81 * static_cast<std::size_t>(body.nodeCount()) + 10000;
-  for (const auto& block : body.blocks())
-    size += static_cast<std::size_t>(block->elementCount()) * static_cast<std::size_t>(16 * block->element().nodes + 8);
-  bytes.reserve(size);
-  bytes.add(joinText("ringwatch-certificate ", formatVersion, "\nnodes ", body.nodeCount(), "\nsigma"));
-  bytes.addNumber(certificate.upper.value);
-  bytes.add("\nlower");
-  bytes.addNumber(certificate.lower.value);
-  bytes.add(joinText("\nkinds ", body.blocks().size(), "\n"));
-  for (const auto& block : body.blocks()) addKind(bytes, *block);
-  bytes.add("end\n");
-  for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
-    bytes.add(body.mesh().X.col(i).data(), 3);
-    bytes.add(x.col(i).data(), 3);
-    bytes.add(&body.lumpedMass()[i], 1);
-    bytes.add(u.col(i).data(), 3);
-    std::uint8_t held = 0;
-    for (int c = 0; c < 3; ++c)
-      if (body.constraints().isConstrained(i, c)) held = static_cast<std::uint8_t>(held | 1 << c);
-    bytes.add(&held, 1);
-  }
+  std::vector<std::int32_t> order(body.nodeCount());
+  std::iota(order.begin(), order.end(), 0);
+  Bytes bytes = beginFile(body, x, certificate, "nodal-bound",
+                          displacementOf(body, byRing ? ring.topVector(ring.last().highestElement) : mode), order);
   const double least = leastAllowance * bound * body.lumpedMass().minCoeff();
   for (std::size_t b = 0; b < body.blocks().size(); ++b)
     for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
@@ -144,6 +194,22 @@ Certificate makeCertificate(const Body& body, const NodeVectors& x) {
         bytes.add(L.data(), L.size());
       }
     }
+  certificate.bytes = std::move(bytes).sealed();
+  return certificate;
+}
+
+Certificate makeFactoredCertificate(const Body& body, const NodeVectors& x, const ProvenSides& sides) {
+  body.checkNodal("x", x);
+  if (sides.mode.size() > 0) body.checkNodal("mode", sides.mode);
+  requireCertifiable(body);
+  Certificate certificate{sides.upper, {std::max(0.0, sides.lower.value)}, {}};
+  const std::vector<std::int32_t> order = bandedOrder(body.mesh());
+  std::vector<std::int32_t> numberOf(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) numberOf[order[i]] = static_cast<std::int32_t>(i);
+  Bytes bytes = beginFile(body, x, certificate, "factorisation", displacementOf(body, sides.mode), order);
+  for (const auto& block : body.blocks())
+    for (std::int32_t e = 0; e < block->elementCount(); ++e)
+      for (const std::int32_t node : block->nodesOf(e)) bytes.add(&numberOf[node], 1);
   certificate.bytes = std::move(bytes).sealed();
   return certificate;
 }

@@ -5,17 +5,18 @@
 
 #include <ringwatch/body/body.h>
 #include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/exact_step.h>
 
 namespace ringwatch {
 
-/// A proof of both sides of the bracket at one state, as bytes that another program can check: positions, masses,
-/// constants and rules as the doubles that they are, the weights and allowances of the block nodal bound (Theorem 1,
-/// docs/theory/eigenvalue_bounds.md), and a vector for the other side (Theorem 8). The format is
-/// docs/certificate_file.md; `ringwatch-check`, which shares no source with this library, recomputes every tangent in
-/// ball arithmetic.
+/// A proof of the bracket at one state, as bytes that another program can check: positions, masses, constants and rules
+/// as the doubles that they are, a vector for the lower side (Theorem 8), and for the upper one either the weights and
+/// allowances of the block nodal bound (Theorem 1, docs/theory/eigenvalue_bounds.md) or sigma alone, which a
+/// factorisation proves (Theorem 5). The format is docs/certificate_file.md; `ringwatch-check`, which shares no source
+/// with this library, recomputes every tangent in ball arithmetic.
 struct Certificate {
-  UpperBound upper;  ///< lambda_max(M⁻¹K) <= upper, rad²/s²: what the weights prove
-  LowerBound lower;  ///< and >= lower: what the vector shows
+  UpperBound upper;  ///< lambda_max(M⁻¹K) <= upper, rad²/s²; 0: nothing is said
+  LowerBound lower;  ///< and >= lower: what the vector shows; 0: nothing is said
   std::string bytes;
 };
 
@@ -25,5 +26,8 @@ void requireCertifiable(const Body& body);
 /// That of a body at positions x (3×N, m). Throws InputError when x is not 3×N and as requireCertifiable;
 /// NumericalError where the tangent is not finite, or nothing in the body is stiff and free.
 Certificate makeCertificate(const Body& body, const NodeVectors& x);
+/// That of sides that a factorisation proved at x. Nodes are numbered anew, by reverse Cuthill-McKee, so that the
+/// factor stays near the diagonal. Throws InputError when x or the mode is not 3×N and as requireCertifiable.
+Certificate makeFactoredCertificate(const Body& body, const NodeVectors& x, const ProvenSides& sides);
 
 }  // namespace ringwatch

@@ -17,6 +17,7 @@ constexpr double modeTolerance = 1e-7;
 
 struct TopQuotient {
   LowerBound lower;
+  NodeVectors mode;
   int products;
 };
 
@@ -27,7 +28,8 @@ std::optional<TopQuotient> topQuotient(const TangentSource& source, NodeVectorsV
   NodeVectors u = top.mode;
   for (std::int32_t i = 0; i < source.nodeCount(); ++i) u.col(i) *= std::sqrt(source.lumpedMass()[i]);
   double seen = top.lambda;
-  return TopQuotient{rayleighLowerBound(source, x, u, 1, &seen), top.products + 1};
+  const LowerBound lower = rayleighLowerBound(source, x, u, 1, &seen);
+  return TopQuotient{lower, std::move(u), top.products + 1};
 }
 
 }  // namespace
@@ -46,22 +48,30 @@ std::optional<ExactStep> exactCriticalStep(const TangentSource& source, NodeVect
   for (int factorisations = 1; gap <= widest; ++factorisations, gap *= 4) {
     const double sigma = lower * (1 + gap);
     if (certificate.certifies(sigma))
-      return ExactStep{safeStep(UpperBound{sigma}, limit), optimisticStep(top->lower, limit), factorisations,
-                       top->products};
+      return ExactStep{safeStep(UpperBound{sigma}, limit),
+                       optimisticStep(top->lower, limit),
+                       factorisations,
+                       top->products,
+                       {{sigma}, top->lower, top->mode}};
   }
   return std::nullopt;
 }
 
 Verdict proveStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit, double h,
-                  const BeforeFactorisation& before) {
+                  const BeforeFactorisation& before, ProvenSides* sides) {
   requireProof(limit);
   if (!(h > 0) || !std::isfinite(h)) throw InputError(joinText("h = ", h, ": must be > 0 and finite"));
   const double sigma = limit.lambdaFor(h);
   FactoredCertificate certificate(source, x);
   if (before) before(certificate.cost());
-  if (certificate.certifies(sigma)) return Verdict::certified;
+  if (certificate.certifies(sigma)) {
+    if (sides) *sides = {{sigma}, {0}, {}};
+    return Verdict::certified;
+  }
   const std::optional<TopQuotient> top = topQuotient(source, x);
-  return top && optimisticStep(top->lower, limit) < h ? Verdict::violated : Verdict::notCertified;
+  const bool violated = top && optimisticStep(top->lower, limit) < h;
+  if (sides && violated) *sides = {{0}, top->lower, top->mode};
+  return violated ? Verdict::violated : Verdict::notCertified;
 }
 
 }  // namespace ringwatch

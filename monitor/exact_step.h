@@ -9,11 +9,20 @@
 
 namespace ringwatch {
 
+/// What a factorisation has proven of the highest eigenvalue from above, and a vector from below, rad²/s²: 0 for a side
+/// of which nothing is proven.
+struct ProvenSides {
+  UpperBound upper{0};
+  LowerBound lower{0};
+  NodeVectors mode;  // of the lower side, M^½ times a displacement, 3×N; empty without one
+};
+
 /// The critical step between two proven sides that are as close as rounding allows.
 struct ExactStep {
   double safe, optimistic;  // s
   int factorisations;
-  int products;  // tangent products
+  int products;       // tangent products
+  ProvenSides sides;  // what the steps come from
 };
 
 /// Told what the factorisation takes before the first one. An exception that it throws ends the work.
@@ -29,9 +38,9 @@ std::optional<ExactStep> exactCriticalStep(const TangentSource& source, NodeVect
 
 /// Whether a step h, s, is proven stable (certified) or unstable (violated) at one state: by a factorisation, and where
 /// that fails by the Rayleigh quotient of the top mode. notCertified only for steps as close to the critical one as
-/// rounding, or where the top mode does not converge. Throws InputError unless h is positive and finite, for a rule
-/// that is not proven and when x is not 3×N.
+/// rounding, or where the top mode does not converge. sides, if any: what the verdict comes from. Throws InputError
+/// unless h is positive and finite, for a rule that is not proven and when x is not 3×N.
 Verdict proveStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit, double h,
-                  const BeforeFactorisation& before = {});
+                  const BeforeFactorisation& before = {}, ProvenSides* sides = nullptr);
 
 }  // namespace ringwatch

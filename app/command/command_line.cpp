@@ -387,7 +387,8 @@ struct InspectCommand {
     command->add_option("--picture", picture, "draw the distribution into this file, .svg or .png");
     command->add_option("--vtu", vtu, "write the mesh with the steps by each metric for ParaView");
     command->add_option("--certificate", certificate,
-                        "write a proof of the bracket, by the nodal bound, that ringwatch-check can check");
+                        "write a proof that ringwatch-check can check: of the bracket by the nodal bound, or of what "
+                        "--exact or --prove finds");
     command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
         ->check(CLI::Range(0, 4096));
     command->footer(std::string(unitsText) + "\n" + seeTopics("laws | integrators | metrics | formats") +

@@ -331,8 +331,8 @@ Json costJson(const FactorisationCost& cost) {
   return Json{{"factor_numbers", cost.numbers}, {"factor_bytes", cost.bytes}, {"factor_operations", cost.operations}};
 }
 
-/// Both sides of the critical step by a factorisation.
-void reportExactStep(const Subject& subject, const InspectOptions& options, InspectResult& result) {
+/// Both sides of the critical step by a factorisation; what it proved.
+ProvenSides reportExactStep(const Subject& subject, const InspectOptions& options, InspectResult& result) {
   ProgressLine progress(true);
   FactorisationCost cost{};
   const std::optional<ExactStep> exact =
@@ -342,7 +342,7 @@ void reportExactStep(const Subject& subject, const InspectOptions& options, Insp
         "{}: --exact: the top mode did not converge, or rounding leaves nothing to prove within 1 %; the bracket holds "
         "without it",
         options.mesh.string());
-    return;
+    return {};
   }
   Json& json = result.json["critical_step"]["exact"];
   json = Json{{"safe", exact->safe}, {"optimistic", exact->optimistic}, {"factorisations", exact->factorisations}};
@@ -351,6 +351,7 @@ void reportExactStep(const Subject& subject, const InspectOptions& options, Insp
       "  exact       {:.10g} to {:.10g} s   proven stable up to the first and unstable above the second, by a "
       "factorisation of {:.3g} million numbers\n",
       exact->safe, exact->optimistic, 1e-6 * cost.numbers);
+  return exact->sides;
 }
 
 std::string_view proofText(Verdict verdict) {
@@ -359,17 +360,20 @@ std::string_view proofText(Verdict verdict) {
                                         : "neither proven stable nor unstable";
 }
 
-/// Whether one step is stable, by a factorisation.
-void reportProof(const Subject& subject, double h, InspectResult& result) {
+/// Whether one step is stable, by a factorisation; what it proved.
+ProvenSides reportProof(const Subject& subject, double h, InspectResult& result) {
   ProgressLine progress(true);
   FactorisationCost cost{};
-  const Verdict verdict = proveStep(subject.body, subject.x, subject.rule, h, sayCost("--prove", progress, cost));
+  ProvenSides sides;
+  const Verdict verdict =
+      proveStep(subject.body, subject.x, subject.rule, h, sayCost("--prove", progress, cost), &sides);
   result.json["prove"] = Json{{"step", h}, {"verdict", std::string(verdictName(verdict))}};
   result.json["prove"].update(costJson(cost));
   result.text += fmt::format("h = {:.10g} s: {}, by a factorisation of {:.3g} million numbers\n", h, proofText(verdict),
                              1e-6 * cost.numbers);
   if (verdict == Verdict::violated) result.status = ExitStatus::unstable;
   if (verdict == Verdict::notCertified) result.status = ExitStatus::notCertified;
+  return sides;
 }
 
 /// The table of metrics. A difference is (step - global) / global: negative is pessimistic.
@@ -406,6 +410,8 @@ void checkOptions(const InspectOptions& options) {
     throw InputError(
         fmt::format("--lanczos: {} is out of range; must be > 0 and <= 0.5, a probability", *options.lanczos));
   needsStep("--prove", options.prove);
+  if (options.certificate && options.exact && options.prove)
+    throw InputError("--certificate: with --exact and --prove it could be of either; give one of them");
   if (options.picture) checkPictureName(*options.picture);
 }
 
@@ -505,15 +511,32 @@ void reportDistribution(const Subject& subject, const std::vector<MetricResult>&
                                     options.mesh.string());
 }
 
-void writeCertificate(const Subject& subject, const std::filesystem::path& file, InspectResult& result) {
-  const Certificate certificate = makeCertificate(subject.body, subject.x);
-  writeFileAtomically(file, std::string_view(certificate.bytes));
-  const double safe = safeStep(certificate.upper, subject.rule),
-               optimistic = optimisticStep(certificate.lower, subject.rule);
-  result.json["certificate"] =
-      Json{{"file", file.string()}, {"safe", safe}, {"optimistic", optimistic}, {"bytes", certificate.bytes.size()}};
-  result.text += fmt::format("certificate: {}, {:.3g} MB; what it proves, by nodal-bound: {:.10g} to {:.10g} s\n",
-                             file.string(), 1e-6 * static_cast<double>(certificate.bytes.size()), safe, optimistic);
+/// Of what a factorisation has proven, where one was asked for, else of the nodal bound.
+void writeCertificate(const Subject& subject, const InspectOptions& options, const ProvenSides& sides,
+                      InspectResult& result) {
+  const bool factored = options.exact || options.prove;
+  if (factored && sides.upper.value == 0 && sides.lower.value == 0) {
+    result.text += "certificate: not written, since nothing is proven\n";
+    return;
+  }
+  const Certificate certificate =
+      factored ? makeFactoredCertificate(subject.body, subject.x, sides) : makeCertificate(subject.body, subject.x);
+  const std::string file = options.certificate->string();
+  writeFileAtomically(*options.certificate, std::string_view(certificate.bytes));
+  Json& json = result.json["certificate"];
+  json = Json{{"file", file}, {"bytes", certificate.bytes.size()}};
+  std::string proven;
+  if (certificate.upper.value > 0) {
+    json["safe"] = safeStep(certificate.upper, subject.rule);
+    proven += fmt::format(", stable up to {:.10g} s", json["safe"].get<double>());
+  }
+  if (certificate.lower.value > 0) {
+    json["optimistic"] = optimisticStep(certificate.lower, subject.rule);
+    proven += fmt::format(", unstable above {:.10g} s", json["optimistic"].get<double>());
+  }
+  result.text += fmt::format("certificate: {}, {:.3g} MB; what it proves, by {}{}\n", file,
+                             1e-6 * static_cast<double>(certificate.bytes.size()),
+                             factored ? "factorisation" : "nodal-bound", proven);
 }
 
 void reportHandlerChoice(const Subject& subject, double h, const CriticalStep& step, InspectResult& result) {
@@ -540,7 +563,8 @@ InspectResult inspectMesh(const InspectOptions& options) {
   const CriticalStep step = reportBracket(subject, options, result);
   std::optional<double> globalStep;
   if (options.global) globalStep = reportGlobalStep(subject, options, result);
-  if (options.exact) reportExactStep(subject, options, result);
+  ProvenSides sides;
+  if (options.exact) sides = reportExactStep(subject, options, result);
 
   std::vector<MetricResult> metrics;
   for (const std::string& name : wanted) {
@@ -553,9 +577,9 @@ InspectResult inspectMesh(const InspectOptions& options) {
   reportControllingElement(subject.body.mesh(), step.controlling,
                            quality[step.controlling.block][step.controlling.element], result);
   if (options.step) reportStep(subject, metrics, step, *options.step, result);
-  if (options.prove) reportProof(subject, *options.prove, result);
+  if (options.prove) sides = reportProof(subject, *options.prove, result);
   if (options.distribution || options.picture) reportDistribution(subject, metrics, step, options, result);
-  if (options.certificate) writeCertificate(subject, *options.certificate, result);
+  if (options.certificate) writeCertificate(subject, options, sides, result);
   if (options.vtu) writeMetricsVtu(*options.vtu, subject, metrics, step, options.step, quality);
   if (options.step) reportHandlerChoice(subject, *options.step, step, result);
   return result;

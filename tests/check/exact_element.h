@@ -1,6 +1,8 @@
 #pragma once
+#include <check/proof.h>
 #include <check/tangent.h>
 #include <ringwatch/body/body.h>
+#include <ringwatch/monitor/certificate_file.h>
 
 namespace ringwatch::test {
 
@@ -28,6 +30,19 @@ inline bool exactTangent(const Body& body, NodeVectorsView x, check::Square& K) 
   double volume = 0;
   const NodeVectors& X = body.mesh().X;
   return check::elementTangent(kindOf(*body.blocks()[0]), X.data(), x.data(), K, volume);
+}
+
+/// Whether a symmetric matrix is proven positive definite.
+inline bool definite(const check::Square& A) {
+  check::Rows rows(A.size);
+  for (int i = 0; i < A.size; ++i)
+    for (int j = 0; j <= i; ++j) rows[i].push_back(A(i, j));
+  return check::positiveDefinite(rows);
+}
+
+/// What the checker says of lambda_max(M⁻¹K) < sigma, by a factorisation of the whole body in balls.
+inline check::Verdict exactlyBelow(const Body& body, const NodeVectors& x, double sigma) {
+  return check::verify(makeFactoredCertificate(body, x, {{sigma}, {0}, {}}).bytes);
 }
 
 }  // namespace ringwatch::test

@@ -25,6 +25,22 @@ expect 2 "$checker" absent
 expect 2 "$checker"
 expect 2 "$ringwatch" inspect bar.msh --young 30e3 --poisson 0.3 --density 1000 --certificate absent/bar.certificate
 
+# What a factorisation proves: both sides, as close as it says; a step that is stable, and one that is not.
+inspect=("$ringwatch" inspect bar.msh --young 30e3 --poisson 0.3 --density 1000 --fix "x < 1e-6" --certificate exact.certificate)
+"${inspect[@]}" --exact > report.txt
+expect 0 "$checker" exact.certificate
+proven=$(sed -n 's/.*stable up to the step 2\/sqrt(lambda) = \(.*\) s/\1/p' <<< "$out")
+grep -q "  exact       $proven to " report.txt || fail "the certificate proves $proven s: $(grep exact report.txt)"
+for share in 0.9 1.1; do
+  step=$(awk -v h="$proven" -v s=$share 'BEGIN { printf "%.10g", s * h }')
+  expect "$([[ $share == 0.9 ]] && echo 0 || echo 1)" "${inspect[@]}" --prove "$step"
+  expect 0 "$checker" exact.certificate
+  [[ $share == 0.9 && $out == *"stable up to the step 2/sqrt(lambda) = $step s"* && $out != *unstable* ||
+     $share == 1.1 && $out == *"unstable above"* && $out != *"<="* ]] || fail "--prove $step: $out"
+done
+expect 2 "${inspect[@]}" --exact --prove "$step"
+[[ $out == *"--certificate: with --exact and --prove it could be of either; give one of them"* ]] || fail "$out"
+
 # Along a run: every third observation, and before and at the first violated step; what an earlier run left is gone.
 cat > run.toml <<'scene'
 [mesh]
@@ -60,7 +76,7 @@ done)
 grep -q "certificates ($(wc -l <<< "$wanted") files)" run/summary.json || fail "the summary does not list them"
 for file in run/certificates/*; do expect 0 "$checker" "$file"; done
 # The last one proves that the step is too large: above 2/sqrt(lower).
-largest=$(sed -n 's/.*step .* to \(.*\) s/\1/p' <<< "$out")
+largest=$(sed -n 's/.*unstable above 2\/sqrt(lambda) = \(.*\) s/\1/p' <<< "$out")
 awk -v h=3.5e-3 -v most="$largest" 'BEGIN { exit !(most > 0 && h > most) }' || fail "3.5e-3 s is not above $largest s"
 # A run without them leaves none.
 expect 1 "$ringwatch" run run.toml --out run --set monitor.mode=bracket --set monitor.certificates=1000000

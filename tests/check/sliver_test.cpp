@@ -34,7 +34,7 @@ bool below(const Body& body, const check::Square& K, double sigma) {
   for (int i = 0; i < K.size; ++i)
     for (int j = 0; j < K.size; ++j)
       rest(i, j) = (i == j ? Ball(sigma) * Ball(body.lumpedMass()[i / 3]) : Ball(0.0)) - K(i, j);
-  return check::positiveDefinite(rest);
+  return test::definite(rest);
 }
 
 /// Both sides hold exactly; the eigenvalue of a step is rounded to the side that makes the test harder.
