@@ -2,11 +2,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <optional>
 
 #include <gtest/gtest.h>
 
 #include <check/proof.h>
 #include <ringwatch/monitor/certificate_file.h>
+#include <ringwatch/monitor/exact_step.h>
 #include <tests/support/body_cases.h>
 
 namespace ringwatch {
@@ -123,6 +125,117 @@ TEST(TamperedCertificate, IsRejectedByItsMathematicsWhereTheChecksumIsMadeToFit)
       expectRejected(other, "position of node " + std::to_string(i));
     }
   EXPECT_GT(tried, 200);
+}
+
+/// A proven certificate of a small body, of any element, law and rule, in a strained state; some by a factorisation.
+struct Genuine {
+  std::string bytes;
+  bool factored;
+  int nodesOfElement;
+  std::int32_t nodes;
+  std::size_t elements;
+};
+std::vector<Genuine> genuineCertificates(int count, test::Random& random) {
+  const std::vector<test::BodyCase> cases = test::allBodyCases();
+  std::vector<Genuine> made;
+  while (static_cast<int>(made.size()) < count) {
+    const test::BodyCase& c = cases[random.index(static_cast<int>(cases.size()))];
+    if (c.element->nodes > 10) continue;  // they take long
+    const Body body(test::distortedBox(c.element->name, {1, 1, 1}), test::materialOf(c), test::optionsOf(c));
+    const NodeVectors x = test::strained(body.mesh().X, random.index(1000));
+    Genuine next{{}, random.index(4) == 0, c.element->nodes, body.nodeCount(), body.mesh().elementCount()};
+    if (next.factored) {
+      const std::optional<ExactStep> exact = exactCriticalStep(body, x, 2);
+      if (!exact) continue;
+      next.bytes = makeFactoredCertificate(body, x, exact->sides).bytes;
+    } else {
+      next.bytes = makeCertificate(body, x).bytes;
+    }
+    made.push_back(std::move(next));
+  }
+  return made;
+}
+
+/// Changes one thing that the claim rests on; says what.
+std::string tamper(std::string& bytes, const Genuine& of, test::Random& random) {
+  const std::size_t nodes = bytes.find("\nend\n") + 5, elements = nodes + 81 * static_cast<std::size_t>(of.nodes),
+                    n = of.nodesOfElement, elementSize = of.factored ? 4 * n : 16 * n + 8,
+                    element =
+                        elements + elementSize * static_cast<std::size_t>(random.index(static_cast<int>(of.elements)));
+  // A factorisation leaves a millionth between its sides.
+  const double part = (of.factored ? 1e-5 : 1e-8) * std::pow(10, random.uniform(0, 3));
+  const auto header = [&](const std::string& key, double scale) {
+    const std::size_t from = bytes.find("\n" + key + " ") + key.size() + 2, end = bytes.find('\n', from);
+    char text[40];
+    std::snprintf(text, sizeof text, "%a", scale * std::strtod(bytes.c_str() + from, nullptr));
+    bytes.replace(from, end - from, text);
+    return key;
+  };
+  switch (random.index(of.factored ? 6 : 9)) {
+    case 0:
+      return header("sigma", 1 - part);
+    case 1:
+      return header("lower", 1 + part);
+    case 2: {  // a corner goes to the other side of its element
+      std::int32_t own[20];
+      std::memcpy(own, bytes.data() + element, 4 * n);
+      Eigen::Matrix3Xd X(3, of.nodesOfElement);
+      for (std::size_t a = 0; a < n; ++a)
+        std::memcpy(X.col(static_cast<Eigen::Index>(a)).data(),
+                    bytes.data() + nodes + 81 * static_cast<std::size_t>(own[a]), 24);
+      const Eigen::Vector3d moved = 4 * X.rowwise().mean() - 3 * X.col(0);
+      std::memcpy(bytes.data() + nodes + 81 * static_cast<std::size_t>(own[0]), moved.data(), 24);
+      return "a reference position";
+    }
+    case 3:
+      bytes.erase(element, elementSize);
+      return "a missing element";
+    case 4:
+      std::memcpy(bytes.data() + element, bytes.data() + element + 4, 4);
+      return "a node twice";
+    case 5:
+      // Of a stiffness half as large again, where the file has it, behind the name of the law and the count.
+      for (std::size_t kind = bytes.find("\nkind "); kind < nodes; kind = bytes.find("\nkind ", kind + 1)) {
+        std::size_t word = kind + 1;
+        for (int skipped = 0; skipped < 5; ++skipped) word = bytes.find(' ', word) + 1;
+        char text[40];
+        std::snprintf(text, sizeof text, "%a", 1.5 * std::strtod(bytes.c_str() + word, nullptr));
+        bytes.replace(word, bytes.find(' ', word) - word, text);
+      }
+      return "mu";
+    case 6:
+      changeNumber(bytes, element + 4 * n, 1 - 1e-9 * std::pow(10, random.uniform(0, 6)), 0);
+      return "an allowance";
+    case 7:
+      for (std::size_t w = 0; w < 6 * n; ++w) changeNumber<std::int16_t>(bytes, element + 4 * n + 8 + 2 * w, 0.98, 0);
+      return "the weights of an element";
+    default:
+      changeNumber<std::int16_t>(
+          bytes, element + 4 * n + 8 + 12 * static_cast<std::size_t>(random.index(static_cast<int>(n))), 0, 0);
+      return "a weight";
+  }
+}
+
+TEST(TamperedCertificate, IsRejectedByItsMathematicsWhateverIsChanged) {
+  const char *asked = std::getenv("RINGWATCH_TAMPERED_CERTIFICATES"), *seed = std::getenv("RINGWATCH_SEED");
+  const int trials = asked ? std::atoi(asked) : 300;
+  test::Random random(seed ? std::strtoull(seed, nullptr, 10) : 5);
+  const std::vector<Genuine> genuine = genuineCertificates(asked ? 200 : 24, random);
+  for (const Genuine& one : genuine) ASSERT_EQ(check::verify(one.bytes).status, Status::proven);
+  int rejected = 0, factored = 0;
+  for (int i = 0; i < trials; ++i) {
+    const Genuine& of = genuine[random.index(static_cast<int>(genuine.size()))];
+    std::string other = of.bytes;
+    const std::string what = tamper(other, of, random);
+    const bool accepted = check::verify(sealed(other)).status == Status::proven;
+    EXPECT_FALSE(accepted) << what << ", elements of " << of.nodesOfElement << " nodes, "
+                           << (of.factored ? "factorisation" : "nodal bound");
+    rejected += accepted ? 0 : 1;
+    factored += of.factored ? 1 : 0;
+  }
+  EXPECT_EQ(rejected, trials);
+  EXPECT_GT(factored, trials / 20);
+  if (asked) std::cout << rejected << " of " << trials << " rejected whose checksum fits\n";
 }
 
 TEST(TamperedCertificate, IsUnreadableWhereItIsCut) {

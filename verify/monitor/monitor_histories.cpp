@@ -16,20 +16,12 @@
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/monitor/step_limit.h>
+#include <ringwatch/verify/monitor/monitor_histories.h>
 #include <ringwatch/verify/monitor/monitor_studies.h>
 #include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch::detail {
 namespace {
-
-/// A run of St. Venant–Kirchhoff at a fixed step that its critical step falls below.
-struct History {
-  std::string name, title;
-  Body body;
-  double h;         // s
-  int steps;        // at most
-  bool indefinite;  // whether it ends by compression, where the tangent loses its positive definiteness
-};
 
 /// Steps until the energy is examined: velocities of symplectic Euler are half a step behind, which at step n of a run
 /// under load is 1/n of the energy.
@@ -55,27 +47,6 @@ Body movedBar(std::string_view element, int cells, const Eigen::Vector3d& veloci
     for (int c = 0; c < 3; ++c) body.constraints().move(node, c, v[c]);
   }
   return body;
-}
-
-/// At rest at x = 0, the prescribed velocity at the other end, in proportion between: no shock to begin with.
-State gentleStart(const BodySystem& system) {
-  State state = system.initialState();
-  const NodeVectors& X = system.body().mesh().X;
-  const double length = X.row(0).maxCoeff();
-  const auto& end = system.body().mesh().nodeSets.find("x-max");
-  if (end == system.body().mesh().nodeSets.end()) return state;
-  // Velocities of the moved end depend on y and z linearly: a plane through three of its nodes gives them everywhere.
-  Eigen::MatrixX3d A(end->second.size(), 3);
-  Eigen::MatrixX3d b(A.rows(), 3);
-  for (Eigen::Index i = 0; i < A.rows(); ++i) {
-    const std::int32_t node = end->second[i];
-    A.row(i) << 1, X(1, node), X(2, node);
-    b.row(i) = state.v.col(node).transpose();
-  }
-  const Eigen::Matrix3d plane = (A.transpose() * A).inverse() * (A.transpose() * b);
-  for (Eigen::Index node = 0; node < X.cols(); ++node)
-    state.v.col(node) = X(0, node) / length * (Eigen::RowVector3d(1, X(1, node), X(2, node)) * plane).transpose();
-  return state;
 }
 
 /// A ball held at a few nodes near its top, in a field of force that grows toward its bottom.
@@ -183,14 +154,28 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
 
 }  // namespace
 
-void studyHistories(StudyReport& report, StudyEffort effort) {
-  StudyTable table{
-      "histories",
-      "Nonlinear runs, symplectic Euler, St. Venant-Kirchhoff: bracket against the exact step, and the onset",
-      {"run", "elements", "h (s)", "safe side, worst (%)", "median (%)", "best (%)", "optimistic side, worst (%)",
-       "evaluations an element and step", "exact step below h at step", "first violated at step",
-       "energy off by 10 % at step", "indefinite at step"},
-      {}};
+State gentleStart(const BodySystem& system) {
+  State state = system.initialState();
+  const NodeVectors& X = system.body().mesh().X;
+  const double length = X.row(0).maxCoeff();
+  const auto& end = system.body().mesh().nodeSets.find("x-max");
+  if (end == system.body().mesh().nodeSets.end()) return state;
+  // Velocities of the moved end depend on y and z linearly: a plane through three of its nodes gives them everywhere.
+  Eigen::MatrixX3d A(end->second.size(), 3);
+  Eigen::MatrixX3d b(A.rows(), 3);
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    const std::int32_t node = end->second[i];
+    A.row(i) << 1, X(1, node), X(2, node);
+    b.row(i) = state.v.col(node).transpose();
+  }
+  const Eigen::Matrix3d plane = (A.transpose() * A).inverse() * (A.transpose() * b);
+  for (Eigen::Index node = 0; node < X.cols(); ++node)
+    state.v.col(node) = X(0, node) / length * (Eigen::RowVector3d(1, X(1, node), X(2, node)) * plane).transpose();
+  return state;
+}
+
+std::vector<History> monitorHistories(StudyEffort effort) {
+  std::vector<History> histories;
   const bool full = effort == StudyEffort::full;
   const int cells = full ? 4 : 2;
   const auto step = [](const Body& body, double share) {
@@ -198,7 +183,7 @@ void studyHistories(StudyReport& report, StudyEffort effort) {
   };
   const auto add = [&](std::string name, std::string title, Body body, double share, int steps, bool indefinite) {
     const double h = step(body, share);
-    runHistory(report, table, {std::move(name), std::move(title), std::move(body), h, steps, indefinite});
+    histories.push_back({std::move(name), std::move(title), std::move(body), h, steps, indefinite});
   };
   // The same stretch a step on coarse and fine meshes.
   const double speed = 0.1 * cells;
@@ -217,6 +202,18 @@ void studyHistories(StudyReport& report, StudyEffort effort) {
     add("pulled-tet4-fine", "Fine bar of tetrahedra, pulled at its end", movedBar("tet4", 10, pull, 0), 0.85, 4000,
         false);
   }
+  return histories;
+}
+
+void studyHistories(StudyReport& report, StudyEffort effort) {
+  StudyTable table{
+      "histories",
+      "Nonlinear runs, symplectic Euler, St. Venant-Kirchhoff: bracket against the exact step, and the onset",
+      {"run", "elements", "h (s)", "safe side, worst (%)", "median (%)", "best (%)", "optimistic side, worst (%)",
+       "evaluations an element and step", "exact step below h at step", "first violated at step",
+       "energy off by 10 % at step", "indefinite at step"},
+      {}};
+  for (const History& history : monitorHistories(effort)) runHistory(report, table, history);
   report.tables.push_back(std::move(table));
 }
 
