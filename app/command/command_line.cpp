@@ -19,6 +19,7 @@
 #include <ringwatch/app/command/help.h>
 #include <ringwatch/app/command/inspect.h>
 #include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/command/live_watch.h>
 #include <ringwatch/app/command/process.h>
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/command/provenance.h>
@@ -141,10 +142,23 @@ std::string reportText(const ReportResult& report) {
   return text;
 }
 
-/// The writer of pages; in a program without it nothing gets here, see main.cpp.
-ReportWriter neededReportWriter() {
-  if (const ReportWriter write = reportWriter()) return write;
-  throw InputError("this program has no report; call ringwatch report");
+/// The writers of pages; in a program without them nothing gets here, see main.cpp.
+const ReportWriters& neededReportWriters() {
+  if (const ReportWriters* writers = reportWriters()) return *writers;
+  throw InputError("this program writes no pages; call ringwatch");
+}
+
+constexpr const char* pageHelp = "write one HTML page about it to this file, which opens from disk in any browser";
+
+/// What was typed, for the provenance of a page.
+std::string commandTyped(int argc, char** argv) {
+  std::string text = "ringwatch";
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool plain = !word.empty() && word.find_first_of(" '\"$`\\<>|&;()*?[]#~{}!") == std::string::npos;
+    text += plain ? " " + word : fmt::format(" '{}'", word);
+  }
+  return text;
 }
 
 struct ReportCommand {
@@ -167,7 +181,7 @@ struct ReportCommand {
   ExitStatus execute() {
     options.folder = folder;
     options.output = output;
-    const ReportResult report = neededReportWriter()(options);
+    const ReportResult report = neededReportWriters().ofRun(options);
     printOut(fmt::format("{}: {}\n", report.title, report.sentence) + reportText(report));
     return ExitStatus::done;
   }
@@ -177,7 +191,7 @@ struct RunCommand {
   std::string scene, folder, resumed;
   std::vector<std::string> overrides;
   int threads = 0;
-  bool quiet = false, helpScene = false, requireCertified = false, report = false;
+  bool quiet = false, helpScene = false, requireCertified = false, report = false, live = false;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
@@ -196,6 +210,9 @@ struct RunCommand {
     command->add_flag("--require-certified", requireCertified,
                       "exit with status 1 unless every step was certified; as monitor.require_certified = true");
     command->add_flag("--report", report, "also write report.html there, as ringwatch report does");
+    command->add_flag("--live", live,
+                      "write report.html anew while the run goes on, which reloads itself, and show bracket, progress "
+                      "and the monitor's cost on a terminal");
     command->add_flag("--quiet", quiet, "print nothing but errors; the exit status tells how it went");
     command->add_flag("--help-scene", helpScene, "list every key of a scene file, as ringwatch help scene does");
     command->footer(
@@ -246,16 +263,21 @@ struct RunCommand {
     RunOptions options;
     options.folder = results;
     options.resume = from;
-    options.progress = !quiet;
+    options.progress = !quiet && !live;
     options.interrupt = &interrupted;
+    std::optional<LiveWatch> watch;
+    if (live) options.listener = &watch.emplace(results, neededReportWriters().ofRun, !quiet);
     options.provenance = provenanceOf(commandText(), scene);
     Body body = sceneBody(description, sceneMesh(description, options.notes), threads);
     const InterruptGuard guard;
     const RunResult result = runScene(description, body, options);
+    watch.reset();
     const bool cutShort = result.reason == ExitReason::interrupted;
     try {
       std::string text = summaryText(description, body, result, options.folder);
-      if (report) text += reportText(neededReportWriter()({.folder = options.folder, .output = {}, .frames = 0}));
+      if (report || live)
+        text += reportText(
+            neededReportWriters().ofRun({.folder = options.folder, .output = {}, .frames = 0, .live = nullptr}));
       if (!quiet) printOut(text);
     } catch (const InputError&) {
       if (!cutShort) throw;  // the terminal may be what is gone
@@ -280,7 +302,7 @@ void drawInto(const std::string& folder, const StudyReport& report) {
 
 struct CompareCommand {
   CompareOptions options;
-  std::string json, folder;
+  std::string json, folder, page, typed;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("compare", "run a scene with several integrators: error against cost");
@@ -306,6 +328,7 @@ struct CompareCommand {
     command->add_option("--json", json,
                         "write the results to this file; - for standard output, and nothing else there");
     command->add_option("--out", folder, "folder for pictures, made when missing");
+    command->add_option("--report", page, pageHelp);
     command->footer(
         "Against a reference that is refined until it no longer changes. Errors are those of the positions at the end, "
         "relative\nto the displacement.\n" +
@@ -322,13 +345,23 @@ struct CompareCommand {
     if (!json.empty() && json != "-") writeFileAtomically(json, text);
     makeFolderOfPictures(folder);
     if (!folder.empty()) drawInto(folder, result.report);
+    if (!page.empty()) {
+      const ReportResult written =
+          neededReportWriters().ofStudies({"Comparison on " + options.scene.filename().string(),
+                                           result.found,
+                                           {result.report},
+                                           result.json,
+                                           provenanceOf(typed, options.scene)},
+                                          page);
+      if (json != "-") printOut(reportText(written));
+    }
     return ExitStatus::done;
   }
 };
 
 struct InspectCommand {
   InspectOptions options;
-  std::string json, picture, vtu, lumping, certificate;
+  std::string json, picture, vtu, lumping, certificate, page, typed;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
@@ -389,6 +422,7 @@ struct InspectCommand {
     command->add_option("--certificate", certificate,
                         "write a proof that ringwatch-check can check: of the bracket by the nodal bound, or of what "
                         "--exact or --prove finds");
+    command->add_option("--report", page, pageHelp);
     command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
         ->check(CLI::Range(0, 4096));
     command->footer(std::string(unitsText) + "\n" + seeTopics("laws | integrators | metrics | formats") +
@@ -400,7 +434,16 @@ struct InspectCommand {
     if (!certificate.empty()) options.certificate = certificate;
     if (!picture.empty()) options.picture = picture;
     if (!lumping.empty()) options.lumping = lumpingNames.valueOf("--lumping", lumping);
-    const InspectResult result = inspectMesh(options);
+    std::string written;
+    if (!page.empty())
+      options.page = [&](const Inspection& found) {
+        Inspection whole = found;
+        whole.json["version"] = std::string(programVersion());
+        whole.json["provenance"] = provenanceOf(typed, "");
+        written = reportText(neededReportWriters().ofInspection(whole, page));
+      };
+    InspectResult result = inspectMesh(options);
+    result.text += written;
     const std::string text = result.json.dump(2) + "\n";
     if (json == "-") {
       printOut(text);
@@ -508,7 +551,7 @@ struct MeshCommand {
 
 struct VerifyCommand {
   std::vector<std::string> studies;
-  std::string json, folder;
+  std::string json, folder, page, typed;
   bool quick = false;
 
   void declare(CLI::App& app) {
@@ -517,6 +560,7 @@ struct VerifyCommand {
     command->add_option("--json", json,
                         "write the results to this file; - for standard output, and nothing else there");
     command->add_option("--out", folder, "folder for pictures, made when missing");
+    command->add_option("--report", page, pageHelp);
     command->add_flag("--quick", quick,
                       "coarser and shorter, on one thread: about a minute of processor time for all studies");
     command->footer("Exit status 1 when a check fails; ringwatch help exit-status has the table.\n\n" +
@@ -540,11 +584,17 @@ struct VerifyCommand {
     };
     const std::vector<StudyReport> reports =
         runStudies(studies, quick ? StudyEffort::quick : StudyEffort::full, progress);
-    const std::string results = studiesJson(reports).dump(2) + "\n";
+    const nlohmann::ordered_json found = studiesJson(reports);
+    const std::string results = found.dump(2) + "\n";
     if (json == "-") {
       printOut(results);
     } else if (!json.empty()) {
       writeFileAtomically(json, results);
+    }
+    if (!page.empty()) {
+      const ReportResult written =
+          neededReportWriters().ofStudies({"Verification", {}, reports, found, provenanceOf(typed, "")}, page);
+      if (json != "-") printOut(reportText(written));
     }
     return passed ? ExitStatus::done : ExitStatus::unstable;
   }
@@ -638,6 +688,7 @@ ExitStatus dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& fault) {
     return complain(usageText(app, fault), ExitStatus::badInput);
   }
+  inspect.typed = verify.typed = compare.typed = commandTyped(argc, argv);
   if (app.got_subcommand("help")) return help.execute(app);
   if (app.got_subcommand("run")) return run.execute();
   if (app.got_subcommand("inspect")) return inspect.execute();

@@ -82,6 +82,16 @@ std::string cheapestText(const std::vector<WorkPrecisionRun>& runs) {
   return text;
 }
 
+std::vector<std::string> cheapestSentences(const std::vector<WorkPrecisionRun>& runs) {
+  std::vector<std::string> sentences;
+  for (const CheapestRuns& best : cheapestRuns(runs))
+    sentences.push_back(best.byTime
+                            ? fmt::format("For an error of {} {} is cheapest: {:.3g} s at h = {:.4g} s.", best.label,
+                                          best.byTime->integrator, best.byTime->seconds, best.byTime->h)
+                            : fmt::format("None reaches an error of {}; smaller steps may.", best.label));
+  return sentences;
+}
+
 }  // namespace
 
 Json workPrecisionJson(const WorkPrecisionCase& c, const std::vector<WorkPrecisionRun>& runs) {
@@ -179,6 +189,7 @@ CompareResult compareScene(const CompareOptions& options) {
     if (!run.reason.empty())
       result.text += fmt::format("  lost: {} at h = {:.4g} s: {}\n", run.integrator, run.h, run.reason);
   result.text += cheapestText(runs);
+  result.found = cheapestSentences(runs);
   return result;
 }
 

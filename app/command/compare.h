@@ -22,8 +22,9 @@ struct CompareOptions {
 
 struct CompareResult {
   nlohmann::ordered_json json;
-  StudyReport report;  // tables and figures
-  std::string text;    // human-readable: which is cheapest
+  StudyReport report;              // tables and figures
+  std::string text;                // human-readable: which is cheapest
+  std::vector<std::string> found;  // the same, one sentence each
 };
 
 /// Runs a scene's motion with several integrators, and several handlers on verlet, over several steps against a

@@ -582,6 +582,9 @@ InspectResult inspectMesh(const InspectOptions& options) {
   if (options.certificate) writeCertificate(subject, options, sides, result);
   if (options.vtu) writeMetricsVtu(*options.vtu, subject, metrics, step, options.step, quality);
   if (options.step) reportHandlerChoice(subject, *options.step, step, result);
+  if (options.page)
+    options.page({options.mesh.filename().string(), subject.state, subject.body, subject.x, *subject.integrator,
+                  subject.rule, subject.damped, step, metrics, options.step, result.json, subject.notes});
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,8 +9,28 @@
 
 #include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/body/body.h>
+#include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 
 namespace ringwatch {
+
+struct IntegratorInfo;
+
+/// What an inspection found, for a page about it; references hold while it is made.
+struct Inspection {
+  std::string name;   // of the mesh file or the run
+  std::string state;  // "at rest"
+  const Body& body;
+  const NodeVectors& x;
+  const IntegratorInfo& integrator;
+  StepRule rule;
+  bool damped = false;
+  const CriticalStep& step;
+  const std::vector<MetricResult>& metrics;  // that were asked for
+  std::optional<double> asked;               // s, the step that was asked about
+  nlohmann::ordered_json json;               // the numbers of the inspection
+  std::vector<std::string> notes;
+};
 
 /// What `ringwatch inspect` is asked. What is not given comes from the scene of a run, or is a default.
 struct InspectOptions {
@@ -35,6 +56,7 @@ struct InspectOptions {
   std::optional<std::filesystem::path> picture;  // of the distribution, .svg or .png
   std::optional<std::filesystem::path> vtu;
   std::optional<std::filesystem::path> certificate;  // a proof that ringwatch-check can check
+  std::function<void(const Inspection&)> page;       // told of all that was found, to make a page of it
   int threads = 0;
 };
 

@@ -17,9 +17,9 @@
 namespace ringwatch {
 
 // Most users never build the studies, which take the compiler long: they are a program of their own,
-// `ringwatch-verify`. So is what writes the page of a run, `ringwatch-report`.
+// `ringwatch-verify`. So is what writes pages, `ringwatch-report`.
 std::span<const StudyInfo> allStudies() { return {}; }
-ReportWriter reportWriter() { return nullptr; }
+const ReportWriters* reportWriters() { return nullptr; }
 
 namespace {
 
@@ -28,9 +28,11 @@ std::string_view programFor(int argc, char** argv) {
   const auto word = [&](int i) { return i < argc ? std::string_view(argv[i]) : std::string_view(); };
   if (word(1) == "verify" || (word(1) == "help" && (word(2) == "verify" || word(2) == "studies")))
     return "ringwatch-verify";
-  const bool runReports =
-      word(1) == "run" && std::find(argv + 2, argv + argc, std::string_view("--report")) < argv + argc;
-  return word(1) == "report" || runReports ? "ringwatch-report" : "";
+  // Options that ask for a page, as --report FILE or --report=FILE.
+  const bool reports = std::any_of(argv + std::min(argc, 2), argv + argc, [](std::string_view argument) {
+    return argument == "--report" || argument.starts_with("--report=") || argument == "--live";
+  });
+  return word(1) == "report" || (reports && word(1) != "help") ? "ringwatch-report" : "";
 }
 
 /// Becomes a program that lies beside this one; returns only when there is none.

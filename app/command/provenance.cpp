@@ -27,7 +27,8 @@ std::string machine() {
   return fmt::format("{}, {}, {} hardware threads", name, processor(), std::thread::hardware_concurrency());
 }
 
-/// UTC, ISO 8601.
+}  // namespace
+
 std::string timeNow() {
   const std::time_t now = std::time(nullptr);
   std::tm utc{};
@@ -36,8 +37,6 @@ std::string timeNow() {
     return "unknown";
   return text;
 }
-
-}  // namespace
 
 nlohmann::ordered_json provenanceOf(const std::string& command, const std::filesystem::path& scene) {
   std::ifstream file(scene, std::ios::binary);

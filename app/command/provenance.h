@@ -11,4 +11,7 @@ namespace ringwatch {
 /// there is none or it is not UTF-8.
 nlohmann::ordered_json provenanceOf(const std::string& command, const std::filesystem::path& scene);
 
+/// The time of day, UTC, ISO 8601.
+std::string timeNow();
+
 }  // namespace ringwatch

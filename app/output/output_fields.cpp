@@ -109,6 +109,8 @@ constexpr OutputField summary[] = {
     {"provenance.started", "", "UTC, ISO 8601"},
     {"provenance.machine", "", "system and processor"},
     {"provenance.scene_text", "", "the scene file, word for word"},
+    {"provenance.mesh_hash", "",
+     "of nodes and elements at the end of the run, 16 hexadecimal digits: the same for the same mesh"},
 };
 
 constexpr OutputField frame[] = {

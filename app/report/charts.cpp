@@ -193,6 +193,72 @@ std::string distributionSvg(const std::vector<Distribution>& distributions, cons
   return svg + "</svg>";
 }
 
+std::string figureSvg(const StudyFigure& figure) {
+  const auto drawn = [&figure](double x, double y) {
+    return std::isfinite(x) && std::isfinite(y) && (!figure.logX || x > 0) && (!figure.logY || y > 0);
+  };
+  double left = infinity, right = -infinity, low = infinity, high = -infinity;
+  for (const StudyFigure::Curve& curve : figure.curves)
+    for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i)
+      if (drawn(curve.x[i], curve.y[i])) {
+        left = std::min(left, curve.x[i]);
+        right = std::max(right, curve.x[i]);
+        low = std::min(low, curve.y[i]);
+        high = std::max(high, curve.y[i]);
+      }
+  if (!(left <= right)) return {};
+  if (low == high) {
+    const double room = figure.logY ? 0 : std::max(std::abs(low), 1e-300);
+    low = figure.logY ? low / 2 : low - room;
+    high = figure.logY ? high * 2 : high + room;
+  }
+  // Below the picture a line of the legend for each two curves.
+  constexpr double width = 900, border = 84, top = 26, plot = 300, legendRow = 20;
+  const double bottom = top + plot, height = bottom + 46 + legendRow * std::ceil(0.5 * figure.curves.size());
+  const Axis x{left, right, border, width - 14, figure.logX}, y{low, high, bottom - 8, top + 8, figure.logY};
+  std::string svg = fmt::format(
+      "<svg class=\"chart\" viewBox=\"0 0 {} {:.0f}\" role=\"img\" aria-label=\"{}: {} against {}, {} curves\">", width,
+      height, htmlText(figure.title), htmlText(figure.yLabel), htmlText(figure.xLabel), figure.curves.size());
+  for (const double tick : y.ticks(6))
+    svg += fmt::format(
+        "<path class=\"grid\" d=\"M{} {:.1f}H{}\"/><text class=\"tick\" x=\"{}\" y=\"{:.1f}\" "
+        "text-anchor=\"end\">{:.3g}</text>",
+        border, y(tick), width - 14, border - 6, y(tick) + 4, tick);
+  for (const double tick : x.ticks(8))
+    svg += fmt::format(
+        "<path class=\"grid\" d=\"M{0:.1f} {1}V{2}\"/><text class=\"tick\" x=\"{0:.1f}\" y=\"{3}\" "
+        "text-anchor=\"middle\">{4:.4g}</text>",
+        x(tick), top, bottom, bottom + 16, tick);
+  svg += fmt::format("<text class=\"tick\" x=\"4\" y=\"14\">{}</text>", htmlText(figure.yLabel));
+  svg += fmt::format("<text class=\"tick\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", width - 14, bottom + 34,
+                     htmlText(figure.xLabel));
+  constexpr std::size_t styles = 12;  // of page.css
+  for (std::size_t c = 0; c < figure.curves.size(); ++c) {
+    const StudyFigure::Curve& curve = figure.curves[c];
+    std::string path, points;
+    bool drawing = false;
+    for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
+      if (!drawn(curve.x[i], curve.y[i])) {
+        drawing = false;
+        continue;
+      }
+      if (figure.lines) path += fmt::format("{}{:.1f} {:.1f}", drawing ? 'L' : 'M', x(curve.x[i]), y(curve.y[i]));
+      drawing = true;
+      // Of long curves the line alone.
+      if (!figure.lines || curve.x.size() <= 60)
+        points += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"><title>{}: {:.4g}, {:.4g}</title></circle>",
+                              x(curve.x[i]), y(curve.y[i]), htmlText(curve.label), curve.x[i], curve.y[i]);
+    }
+    svg += fmt::format("<g class=\"series s{}\">", c % styles);
+    if (!path.empty()) svg += fmt::format("<path d=\"{}\"/>", path);
+    const double at = border + (c % 2) * 0.5 * (width - border), line = bottom + 52 + legendRow * std::floor(0.5 * c);
+    svg += points +
+           fmt::format("<path d=\"M{} {}h24\"/><circle cx=\"{}\" cy=\"{}\" r=\"3\"/></g>", at, line, at + 12, line);
+    svg += fmt::format("<text class=\"tick\" x=\"{}\" y=\"{}\">{}</text>", at + 32, line + 4, htmlText(curve.label));
+  }
+  return svg + "</svg>";
+}
+
 std::string elementSvg(const WorstCard& card) {
   if (card.corners.empty()) return {};
   Eigen::Matrix3Xd points(3, card.corners.size());

@@ -9,6 +9,7 @@
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/report/bundle.h>
 #include <ringwatch/app/report/json_read.h>
+#include <ringwatch/base/atomic_file.h>
 
 namespace ringwatch {
 namespace {
@@ -20,17 +21,6 @@ using json_read::textOf;
 // Nothing may be asked for from anywhere: the browser holds the page to it.
 constexpr const char* policy =
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
-
-std::string row(const std::string& name, const std::string& value) {
-  return value.empty()
-             ? std::string()
-             : fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", htmlText(name), htmlText(value));
-}
-
-/// A picture that does not get too small to read on a telephone: it can be pushed aside instead.
-std::string wide(const char* name, const std::string& svg) {
-  return fmt::format("<div class=\"scroll wide\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">{}</div>", name, svg);
-}
 
 std::string seconds(const std::optional<double>& value) { return value ? fmt::format("{:.4g} s", *value) : "unknown"; }
 
@@ -44,22 +34,24 @@ std::string counts(const Json& summary) {
   return text;
 }
 
-std::string verdictSection(const PageContent& page) {
-  constexpr const char* tones[] = {"good", "unsure", "bad"};
-  std::string html = fmt::format(
-      "<section id=\"verdict\" aria-labelledby=\"verdict-title\" class=\"{}\">\n<h2 id=\"verdict-title\">{}</h2>\n<p "
-      "class=\"lead\">{}</p>\n",
-      tones[static_cast<int>(page.verdict.tone)], htmlText(page.verdict.title), htmlText(page.verdict.sentence));
-  html += "<h3>What to do</h3>\n<ul>\n";
-  for (const std::string& remedy : page.verdict.remedies) html += fmt::format("<li>{}</li>\n", htmlText(remedy));
-  html += "</ul>\n";
-  if (!page.notes.empty()) {
-    html += "<h3>What this page lacks</h3>\n<ul>\n";
-    for (const std::string& note : page.notes) html += fmt::format("<li>{}</li>\n", htmlText(note));
-    html += "</ul>\n";
-  }
-  if (!page.summary.is_object()) return html + "</section>\n";
+std::string eventsOfRun(const PageContent& page) {
+  std::string html;
+  if (!page.summary.is_object()) return html;
   const Json& s = page.summary;
+  if (const auto live = s.find("live"); live != s.end() && live->is_object()) {
+    const double time = numberOf(*live, "time").value_or(0), end = numberOf(*live, "end").value_or(0);
+    const auto left = numberOf(*live, "seconds_left");
+    html += fmt::format(
+        "<h3>How far it is</h3>\n<p><progress max=\"1\" value=\"{0:.4f}\" aria-label=\"Progress of the "
+        "run\"></progress> {1:.0f} % of the time, {2}; the monitor takes {3:.0f} % of the wall time. As of "
+        "{4}.</p>\n<p "
+        "class=\"js\"><button type=\"button\" id=\"stay\" aria-pressed=\"false\">Do not reload</button> <span "
+        "class=\"note\">This page is written anew while the run goes on, and loads itself again every {5:.2g} "
+        "s.</span></p>\n",
+        end > 0 ? std::clamp(time / end, 0.0, 1.0) : 0, end > 0 ? 100 * time / end : 0,
+        left ? fmt::format("about {:.0f} s left", *left) : "the time left is not known yet",
+        100 * numberOf(*live, "monitor_share").value_or(0), htmlText(textOf(*live, "written")), page.reloadAfter);
+  }
   if (const auto events = s.find("events"); events != s.end() && events->is_array() && !events->empty()) {
     // All of them are in summary.json.
     constexpr std::size_t most = 12;
@@ -75,7 +67,7 @@ std::string verdictSection(const PageContent& page) {
       if (note.is_string()) html += fmt::format("<li>{}</li>\n", htmlText(note.get<std::string>()));
     html += "</ul>\n";
   }
-  return html + "</section>\n";
+  return html;
 }
 
 /// Who controls the bracket, and for how many of the rows.
@@ -101,21 +93,17 @@ std::string controllingTable(const RunHistory& history) {
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return a.second.rows > b.second.rows; });
   constexpr std::size_t most = 8;
-  std::string html =
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Who controls the critical "
-      "step\"><table><caption>Who controls the critical step "
-      "(block:element, counted from 0)</caption>\n<thead><tr><th scope=\"col\">Element</th><th scope=\"col\">Share of "
-      "the "
-      "rows</th><th scope=\"col\">First at t (s)</th><th scope=\"col\">Last at t (s)</th><th scope=\"col\">Least safe "
-      "step then (s)</th></tr></thead>\n<tbody>\n";
+  std::string rows;
   for (std::size_t i = 0; i < std::min(most, order.size()); ++i) {
     const auto& [element, share] = order[i];
-    html += fmt::format(
+    rows += fmt::format(
         "<tr><th scope=\"row\">{}</th><td>{:.1f} %</td><td>{:.5g}</td><td>{:.5g}</td><td>{:.4g}</td></tr>\n",
         htmlText(history.elements[element]), 100 * static_cast<double>(share.rows) / static_cast<double>(known),
         share.first, share.last, share.least);
   }
-  html += "</tbody></table></div>\n";
+  std::string html =
+      tableHtml("Who controls the critical step (block:element, counted from 0)",
+                {"Element", "Share of the rows", "First at t (s)", "Last at t (s)", "Least safe step then (s)"}, rows);
   if (order.size() > most) html += fmt::format("<p class=\"note\">and {} more elements</p>\n", order.size() - most);
   return html;
 }
@@ -136,7 +124,7 @@ std::string historySection(const PageContent& page, std::size_t shown) {
         "monitor proved it, the verdict.</p>\n";
   const std::string svg = historySvg(*page.history, page.marks);
   html += fmt::format("<div id=\"history-static\">{}</div>\n<div id=\"history-live\" hidden></div>\n",
-                      svg.empty() ? "<p>No row has a step to draw.</p>" : wide("Bracket against time", svg));
+                      svg.empty() ? "<p>No row has a step to draw.</p>" : wideHtml("Bracket against time", svg));
   if (!page.marks.empty()) {
     html += "<ol class=\"marks\" aria-label=\"Events marked in the picture\">\n";
     for (const ChartMark& mark : page.marks)
@@ -159,7 +147,8 @@ std::string cardHtml(const PageContent& page, const WorstCard& card, std::size_t
       "<dt>step</dt><dd>{:.4g} s</dd>",
       place, card.ref.block, card.ref.element, elementSvg(card), card.id, htmlText(card.type), card.step);
   if (page.keyStep && card.step > 0)
-    html += fmt::format("<dt>run's step over it</dt><dd>{:.3g}</dd>", *page.keyStep / card.step);
+    html += fmt::format("<dt>{} over it</dt><dd>{:.3g}</dd>", page.ofRun ? "run's step" : "step asked about",
+                        *page.keyStep / card.step);
   if (!card.shape.empty())
     html += fmt::format(
         "<dt>shape</dt><dd>{}</dd><dt>volume</dt><dd>{:.4g} m³</dd><dt>least height</dt><dd>{:.4g} "
@@ -174,31 +163,30 @@ std::string cardHtml(const PageContent& page, const WorstCard& card, std::size_t
 std::string meshSection(const PageContent& page) {
   std::string html = "<section id=\"mesh\" aria-labelledby=\"mesh-title\">\n<h2 id=\"mesh-title\">Mesh</h2>\n";
   if (page.framesShown == 0)
-    return html +
-           "<p>The folder has no frames that can be read. A run writes them when its scene has output.every.</p>\n"
-           "</section>\n";
+    return html + (page.reloadAfter > 0 ? "<p>There is no frame yet.</p>\n</section>\n"
+                                        : "<p>The folder has no frames that can be read. A run writes them when its "
+                                          "scene has output.every.</p>\n"
+                                          "</section>\n");
   if (page.framesShown < page.frames)
     html += fmt::format("<p>{} of the run's {} frames are in this page; the others lie beside it for ParaView.</p>\n",
                         page.framesShown, page.frames);
   if (page.elements > MeshPack::allElements)
-    html += fmt::format(
-        "<p>Of {} elements the page holds those on the surface and, of each frame, the {} with the smallest "
-        "steps.</p>\n",
-        page.elements, MeshPack::leastElements);
+    html +=
+        fmt::format("<p>Of {} elements the page holds those on the surface and{} the {} with the smallest steps.</p>\n",
+                    page.elements, page.ofRun ? ", of each frame," : "", MeshPack::leastElements);
   html += "<div id=\"mesh-static\">";
   if (!page.picture.empty())
     html += fmt::format(
-        "<svg class=\"chart\" viewBox=\"0 0 720 400\" role=\"img\" aria-label=\"The surface at t = {:.6g} s, coloured "
-        "by {}\">"
+        "<svg class=\"chart\" viewBox=\"0 0 720 400\" role=\"img\" aria-label=\"The surface {}, coloured by {}\">"
         "<image width=\"720\" height=\"400\" href=\"data:image/png;base64,{}\"/></svg>",
-        page.keyTime,
+        htmlText(page.where),
         page.stepField.empty() ? "nothing: the frames have no steps of elements" : htmlText(page.stepField),
         base64(page.picture));
   if (!page.stepField.empty() && page.pictureScale.largest > 0)
     html += fmt::format(
         "<p class=\"legend\"><span>{:.3g} s</span><span class=\"scale\" aria-hidden=\"true\"></span><span>{:.3g} "
-        "s</span></p><p class=\"note\">{} at t = {:.6g} s, frame {}; logarithmic, red is small.</p>",
-        page.pictureScale.least, page.pictureScale.largest, htmlText(page.stepField), page.keyTime, page.keyFrame);
+        "s</span></p><p class=\"note\">{} {}; logarithmic, red is small.</p>",
+        page.pictureScale.least, page.pictureScale.largest, htmlText(page.stepField), htmlText(page.where));
   html += "</div>\n<div id=\"mesh-live\" hidden></div>\n";
   if (page.stepField.empty())
     return html +
@@ -206,10 +194,9 @@ std::string meshSection(const PageContent& page) {
            "output.fields = [\"critical_step\"] in the scene adds it.</p>\n</section>\n";
   if (page.worst.empty()) return html + "</section>\n";
   html += fmt::format(
-      "<h3>The {} elements with the smallest steps, frame {}, t = {:.6g} s</h3>\n<p class=\"note\">By the field {}; "
-      "shapes "
-      "as deformed there.</p>\n<ol class=\"cards\">\n",
-      page.worst.size(), page.keyFrame, page.keyTime, htmlText(page.stepField));
+      "<h3>The {} elements with the smallest steps, {}</h3>\n<p class=\"note\">By the field {}; shapes as they are "
+      "there.</p>\n<ol class=\"cards\">\n",
+      page.worst.size(), htmlText(page.where), htmlText(page.stepField));
   for (std::size_t i = 0; i < page.worst.size(); ++i) html += cardHtml(page, page.worst[i], i + 1);
   return html + "</ol>\n</section>\n";
 }
@@ -236,21 +223,21 @@ std::string distributionSection(const PageContent& page) {
   if (!page.analysis) return html + fmt::format("<p>{}</p>\n</section>\n", htmlText(page.whyNoAnalysis));
   const RunAnalysis& a = *page.analysis;
   html += fmt::format(
-      "<p>The whole body in the first frame, t = {:.6g} s: safe {}, optimistic {}, step taken {}. A metric's step of "
-      "the mesh is the "
-      "least of its elements.</p>\n",
-      a.time, seconds(a.safe), seconds(a.optimistic), seconds(a.taken));
+      "<p>The whole body {}: safe {}, optimistic {}{}. A metric's step of the mesh is the least of its elements.</p>\n",
+      a.where, seconds(a.safe), seconds(a.optimistic),
+      page.ofRun || a.taken ? fmt::format(", {} {}", page.ofRun ? "step taken" : "step asked about", seconds(a.taken))
+                            : "");
   if (!a.whyNoRules.empty()) return html + fmt::format("<p>{}</p>\n</section>\n", htmlText(a.whyNoRules));
-  html += wide("Histograms", distributionSvg(a.distributions, {a.safe.value_or(0), a.optimistic.value_or(0), a.taken}));
   html +=
-      "\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Steps of the mesh by "
-      "metric\"><table><caption>The mesh's step by metric</caption>\n"
-      "<thead><tr><th scope=\"col\">Metric</th><th scope=\"col\">Step (s)</th><th scope=\"col\">Side</th><th "
-      "scope=\"col\">As a rule for the step</th><th scope=\"col\">What it is</th></tr></thead>\n<tbody>\n";
+      wideHtml("Histograms", distributionSvg(a.distributions, {a.safe.value_or(0), a.optimistic.value_or(0), a.taken}));
+  std::string rows;
   for (const RuleStep& rule : a.rules)
-    html += fmt::format("<tr><th scope=\"row\">{}</th><td>{:.4g}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{:.4g}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                         htmlText(rule.name), rule.step, rule.side, evaluated(rule, a), htmlText(rule.help));
-  return html + "</tbody></table></div>\n</section>\n";
+  return html +
+         tableHtml("The mesh's step by metric", {"Metric", "Step (s)", "Side", "As a rule for the step", "What it is"},
+                   rows) +
+         "</section>\n";
 }
 
 std::string whatIfSection(const PageContent& page) {
@@ -260,70 +247,82 @@ std::string whatIfSection(const PageContent& page) {
   if (!page.analysis) return html + fmt::format("<p>{}</p>\n</section>\n", htmlText(page.whyNoAnalysis));
   const RunAnalysis& a = *page.analysis;
   if (!a.whyNoWhatIf.empty()) return html + fmt::format("<p>{}</p>\n</section>\n", htmlText(a.whyNoWhatIf));
-  html +=
-      "<p>Elements that a handler would take in the first frame: without them the others are proven stable at the "
-      "step, with a margin of 10 %. Later states may need more. What a handler costs, and the mass that mass scaling "
-      "would add, is not computed here.</p>\n"
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Elements in the way by "
-      "step\"><table><caption>Elements in the way</caption>\n<thead><tr><th "
-      "scope=\"col\">Step (s)</th><th scope=\"col\">Over the safe step</th><th scope=\"col\">Elements in the "
-      "way</th><th "
-      "scope=\"col\">Of all</th></tr></thead>\n<tbody>\n";
+  html += fmt::format(
+      "<p>Elements that a handler would take {}: without them the others are proven stable at the step, with a margin "
+      "of 10 %. Other states may need more. Badly shaped are needles, wedges, spindles, slivers and caps, at "
+      "rest.</p>\n",
+      a.where);
+  const bool asked = !page.ofRun;
+  std::string rows, trials;
   for (const WhatIf& what : a.whatIf) {
     const bool own = a.taken && what.h == *a.taken;
-    html += fmt::format(
-        "<tr{}><th scope=\"row\">{:.4g}{}</th><td>{:.3g}</td><td>{}</td><td>{:.3g} %</td></tr>\n",
-        own ? " class=\"own\"" : "", what.h, own ? " (the run's)" : "", what.h / *a.safe,
+    const std::string name =
+        fmt::format("<tr{}><th scope=\"row\">{:.4g}{}</th><td>{:.3g}</td>", own ? " class=\"own\"" : "", what.h,
+                    !own    ? ""
+                    : asked ? " (asked about)"
+                            : " (the run's)",
+                    what.h / *a.safe);
+    rows += fmt::format(
+        "{}<td>{}</td><td>{:.3g} %</td><td>{}</td></tr>\n", name,
         what.proven ? "none: proven as it is" : fmt::format("{}", what.elements),
-        100 * static_cast<double>(what.elements) / static_cast<double>(std::max<std::size_t>(1, a.elements)));
+        100 * static_cast<double>(what.elements) / static_cast<double>(std::max<std::size_t>(1, a.elements)),
+        what.proven ? 0 : what.badlyShaped());
+    for (const HandlerTrial& trial : what.trials) {
+      const std::string mass =
+          trial.addedMass ? fmt::format("{:.3g} kg, {:.2g} % of the body's", *trial.addedMass, 100 * trial.addedShare)
+                          : "none";
+      trials += trial.whyNot.empty() ? fmt::format("{}<td>{}</td><td>{:.3g}</td><td>{}</td></tr>\n", name,
+                                                   trial.handler, trial.gain, mass)
+                                     : fmt::format("{}<td>{}</td><td colspan=\"2\">{}</td></tr>\n", name, trial.handler,
+                                                   htmlText(trial.whyNot));
+    }
   }
-  return html + "</tbody></table></div>\n</section>\n";
+  html += tableHtml("Elements in the way",
+                    {"Step (s)", "Over the safe step", "Elements in the way", "Of all", "Of them badly shaped"}, rows);
+  if (trials.empty()) return html + "</section>\n";
+  return html +
+         tableHtml("What handlers would gain and cost",
+                   {"Step (s)", "Over the safe step", "Handler", "Gain", "Mass added"}, trials) +
+         "<p class=\"note\">Gain: how much farther the run gets in the same wall time than with the integrator alone "
+         "at "
+         "the safe step; below 1 the smaller step is cheaper. Measured in a few steps from this state, on the machine "
+         "that wrote this page. Mass that is added changes the motion.</p>\n</section>\n";
 }
 
-std::string provenanceSection(const PageContent& page) {
-  std::string html =
-      "<section id=\"provenance\" aria-labelledby=\"provenance-title\">\n<h2 id=\"provenance-title\">Where this comes "
-      "from</h2>\n<p class=\"js\"><button type=\"button\" id=\"save-history\">History (CSV)</button> <button "
-      "type=\"button\" id=\"save-elements\">Elements of the frame shown (CSV)</button> <button type=\"button\" "
-      "id=\"save-json\">All data (JSON)</button></p>\n<noscript><p>This browser runs no scripts: the numbers lie "
-      "beside "
-      "this page in history.csv, summary.json and frames/.</p></noscript>\n"
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
-      "aria-label=\"Provenance\"><table><caption>Provenance</caption>\n<tbody>\n";
-  html += row("page written by", "ringwatch " + std::string(programVersion()));
+std::string details(const char* summary, const std::string& text) {
+  return fmt::format("<details><summary>{}</summary><pre tabindex=\"0\">{}</pre></details>\n", summary, htmlText(text));
+}
+
+PageSection runProvenance(const PageContent& page) {
+  std::string buttons, rows, more;
+  if (page.ofRun) buttons += saveButton("save-history", "History (CSV)");
+  buttons += saveButton("save-elements", page.ofRun ? "Elements of the frame shown (CSV)" : "Elements (CSV)") +
+             saveButton("save-json", "All data (JSON)");
   if (page.summary.is_object()) {
     const Json& s = page.summary;
-    html += row("run by", "ringwatch " + textOf(s, "version"));
-    html += row("scene", textOf(s, "scene_file"));
-    html += row("mesh at the end", counts(s));
-    if (const auto mass = numberOf(s, "mass")) html += row("mass", fmt::format("{:.6g} kg", *mass));
-    html += row("ended", textOf(s, "exit_text"));
-    if (const auto status = numberOf(s, "exit_status")) html += row("exit status", fmt::format("{:.0f}", *status));
-    if (const auto steps = numberOf(s, "steps")) html += row("steps", fmt::format("{:.0f}", *steps));
+    rows += provenanceRow(page.ofRun ? "run by" : "inspected by", "ringwatch " + textOf(s, "version"));
+    rows += provenanceRow("scene", textOf(s, "scene_file"));
+    rows += provenanceRow(page.ofRun ? "mesh at the end" : "mesh", counts(s));
+    if (const auto mass = numberOf(s, "mass")) rows += provenanceRow("mass", fmt::format("{:.6g} kg", *mass));
+    rows += provenanceRow("ended", textOf(s, "exit_text"));
+    if (const auto status = numberOf(s, "exit_status"))
+      rows += provenanceRow("exit status", fmt::format("{:.0f}", *status));
+    if (const auto steps = numberOf(s, "steps")) rows += provenanceRow("steps", fmt::format("{:.0f}", *steps));
     if (const auto time = s.find("wall_time"); time != s.end() && time->is_object())
-      html +=
-          row("wall time", fmt::format("{:.3g} s: force {:.3g} s, monitor {:.3g} s, output {:.3g} s",
-                                       numberOf(*time, "total").value_or(0), numberOf(*time, "force").value_or(0),
-                                       numberOf(*time, "monitor").value_or(0), numberOf(*time, "output").value_or(0)));
-    if (const auto from = s.find("provenance"); from != s.end() && from->is_object())
+      rows += provenanceRow("wall time",
+                            fmt::format("{:.3g} s: force {:.3g} s, monitor {:.3g} s, output {:.3g} s",
+                                        numberOf(*time, "total").value_or(0), numberOf(*time, "force").value_or(0),
+                                        numberOf(*time, "monitor").value_or(0), numberOf(*time, "output").value_or(0)));
+    if (const auto from = s.find("provenance"); from != s.end() && from->is_object()) {
       for (const auto& [key, value] : from->items())
-        if (value.is_string() && key != "scene_text") html += row(key, value.get<std::string>());
+        if (value.is_string() && key != "scene_text") rows += provenanceRow(key, value.get<std::string>());
+      if (const std::string text = textOf(*from, "scene_text"); !text.empty()) more += details("The scene file", text);
+    }
+    if (const auto scene = s.find("scene"); scene != s.end())
+      more += details("The scene with every default", scene->dump(2, ' ', false, Json::error_handler_t::replace));
   }
-  html += "</tbody></table></div>\n";
-  if (page.summary.is_object()) {
-    if (const auto from = page.summary.find("provenance"); from != page.summary.end() && from->is_object())
-      if (const std::string text = textOf(*from, "scene_text"); !text.empty())
-        html += fmt::format("<details><summary>The scene file</summary><pre tabindex=\"0\">{}</pre></details>\n",
-                            htmlText(text));
-    if (const auto scene = page.summary.find("scene"); scene != page.summary.end())
-      html += fmt::format(
-          "<details><summary>The scene with every default</summary><pre tabindex=\"0\">{}</pre></details>\n",
-          htmlText(scene->dump(2, ' ', false, Json::error_handler_t::replace)));
-  }
-  return html + fmt::format(
-                    "<details><summary>Licences of the libraries in this page</summary><pre "
-                    "tabindex=\"0\">{}</pre></details>\n</section>\n",
-                    htmlText(reportLicences()));
+  return provenanceSection(
+      buttons, page.ofRun ? "history.csv, summary.json and frames/" : "the files of --json and --vtu", rows, more);
 }
 
 Json historyJson(const RunHistory& history, std::size_t allRows, PageData& data) {
@@ -350,15 +349,47 @@ Json analysisJson(const RunAnalysis& a) {
   Json rules = Json::array(), whatIf = Json::array();
   for (const RuleStep& rule : a.rules)
     rules.push_back({{"metric", rule.name}, {"side", rule.side}, {"step", rule.step}});
-  for (const WhatIf& what : a.whatIf)
-    whatIf.push_back({{"step", what.h}, {"elements", what.elements}, {"proven", what.proven}});
+  for (const WhatIf& what : a.whatIf) {
+    Json trials = Json::array();
+    for (const HandlerTrial& trial : what.trials)
+      trials.push_back({{"handler", trial.handler},
+                        {"gain", trial.whyNot.empty() ? Json(trial.gain) : Json(nullptr)},
+                        {"added_mass", trial.addedMass ? Json(*trial.addedMass) : Json(nullptr)},
+                        {"why_not", trial.whyNot}});
+    whatIf.push_back({{"step", what.h},
+                      {"elements", what.elements},
+                      {"badly_shaped", what.badlyShaped()},
+                      {"proven", what.proven},
+                      {"handlers", std::move(trials)}});
+  }
   return Json{
-      {"time", a.time}, {"rules", rules}, {"what_if", whatIf}, {"distribution", distributionJson(a.distributions)}};
+      {"where", a.where}, {"rules", rules}, {"what_if", whatIf}, {"distribution", distributionJson(a.distributions)}};
 }
 
 }  // namespace
 
-std::string reportPage(PageContent page) {
+void PageContent::takeMesh(MeshPack& pack) {
+  mesh = pack.finish();
+  worst = pack.worst();
+  picture = pack.picture();
+  pictureScale = pack.pictureScale();
+  stepField = pack.stepField();
+  elements = pack.elementCount();
+}
+
+ReportResult writtenPage(const std::string& html, const PageVerdict& verdict, const std::vector<std::string>& notes,
+                         const std::filesystem::path& file) {
+  ReportResult result;
+  result.file = file;
+  result.bytes = html.size();
+  result.title = verdict.title;
+  result.sentence = verdict.sentence;
+  result.notes = notes;
+  writeFileAtomically(file, html);
+  return result;
+}
+
+std::string reportPage(PageContent& page) {
   Json history = nullptr;
   std::size_t shown = 0;
   if (page.history && page.history->rowCount() > 0) {
@@ -377,49 +408,123 @@ std::string reportPage(PageContent page) {
                      {"shape", card.shape},
                      {"volume", card.volume},
                      {"min_height", card.minHeight}});
-  Json embedded{
-      {"name", page.name},
-      {"verdict",
-       {{"title", page.verdict.title}, {"sentence", page.verdict.sentence}, {"remedies", page.verdict.remedies}}},
-      {"summary", page.summary},
-      {"history", std::move(history)},
-      {"marks", std::move(marks)},
-      {"mesh", page.mesh},
-      {"keyFrame", page.keyFrame},
-      {"worst", std::move(worst)},
-      {"analysis", page.analysis ? analysisJson(*page.analysis) : Json(nullptr)}};
-
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\">\n<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}: {} (ringwatch)</title>\n<style>",
-      policy, htmlText(page.name), htmlText(page.verdict.title));
-  html += reportStyle();
-  html += "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#verdict\">Skip to the verdict</a>\n<header>\n";
-  html += fmt::format("<h1>{}</h1>\n", htmlText(page.name));
+  Page whole;
+  whole.title = fmt::format("{}: {}", page.name, page.verdict.title);
+  whole.heading = page.name;
+  whole.reloadAfter = page.reloadAfter;
   if (page.summary.is_object()) {
-    std::string line = counts(page.summary);
+    whole.subtitle = counts(page.summary);
     const auto scene = page.summary.find("scene");
     if (scene != page.summary.end() && scene->is_object())
       for (const auto& [section, key] : {std::pair{"material", "model"}, {"integrator", "method"}}) {
         const auto table = scene->find(section);
         if (table != scene->end() && table->is_object() && !textOf(*table, key).empty())
-          line += (line.empty() ? "" : " · ") + textOf(*table, key);
+          whole.subtitle += (whole.subtitle.empty() ? "" : " · ") + textOf(*table, key);
       }
-    html += fmt::format("<p class=\"sub\">{}</p>\n", htmlText(line));
   }
+  whole.sections.push_back(verdictSection(page.verdict, page.notes, eventsOfRun(page)));
+  if (page.ofRun) whole.sections.push_back({"history", "Bracket", historySection(page, shown)});
+  whole.sections.push_back({"mesh", "Mesh", meshSection(page)});
+  whole.sections.push_back({"distribution", "Distribution", distributionSection(page)});
+  whole.sections.push_back({"what-if", "What if", whatIfSection(page)});
+  whole.sections.push_back(runProvenance(page));
+  whole.embedded = {
+      {"name", page.name},
+      {"verdict",
+       {{"title", page.verdict.title}, {"sentence", page.verdict.sentence}, {"remedies", page.verdict.remedies}}},
+      {"summary", std::move(page.summary)},
+      {"history", std::move(history)},
+      {"marks", std::move(marks)},
+      {"mesh", std::move(page.mesh)},
+      {"keyFrame", page.keyFrame},
+      {"worst", std::move(worst)},
+      {"analysis", page.analysis ? analysisJson(*page.analysis) : Json(nullptr)}};
+  whole.data = std::move(page.data);
+  return pageHtml(whole);
+}
+
+PageSection verdictSection(const PageVerdict& verdict, const std::vector<std::string>& notes, const std::string& more) {
+  constexpr const char* tones[] = {"good", "unsure", "bad"};
+  std::string html = fmt::format(
+      "<section id=\"verdict\" aria-labelledby=\"verdict-title\" class=\"{}\">\n<h2 id=\"verdict-title\">{}</h2>\n<p "
+      "class=\"lead\">{}</p>\n",
+      tones[static_cast<int>(verdict.tone)], htmlText(verdict.title), htmlText(verdict.sentence));
+  const auto list = [&html](const char* heading, const std::vector<std::string>& items) {
+    if (items.empty()) return;
+    html += fmt::format("<h3>{}</h3>\n<ul>\n", heading);
+    for (const std::string& item : items) html += fmt::format("<li>{}</li>\n", htmlText(item));
+    html += "</ul>\n";
+  };
+  list("What to do", verdict.remedies);
+  list("What this page lacks", notes);
+  return {"verdict", "Verdict", html + more + "</section>\n"};
+}
+
+std::string tableHtml(const std::string& caption, const std::vector<std::string>& head, const std::string& rows,
+                      const std::string& label) {
+  std::string html = fmt::format(
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table><caption>{}</caption>\n",
+      htmlText(label.empty() ? caption : label), htmlText(caption));
+  if (!head.empty()) {
+    html += "<thead><tr>";
+    for (const std::string& name : head) html += fmt::format("<th scope=\"col\">{}</th>", htmlText(name));
+    html += "</tr></thead>\n";
+  }
+  return html + "<tbody>\n" + rows + "</tbody></table></div>\n";
+}
+
+std::string wideHtml(const std::string& name, const std::string& svg) {
+  return fmt::format("<div class=\"scroll wide\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">{}</div>",
+                     htmlText(name), svg);
+}
+
+std::string provenanceRow(const std::string& name, const std::string& value) {
+  return value.empty()
+             ? std::string()
+             : fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", htmlText(name), htmlText(value));
+}
+
+std::string saveButton(const char* id, const char* text) {
+  return fmt::format("<button type=\"button\" id=\"{}\">{}</button>\n", id, text);
+}
+
+PageSection provenanceSection(const std::string& buttons, const std::string& elsewhere, const std::string& rows,
+                              const std::string& more) {
+  std::string html = fmt::format(
+      "<section id=\"provenance\" aria-labelledby=\"provenance-title\">\n<h2 id=\"provenance-title\">Where this comes "
+      "from</h2>\n<p class=\"js\">{}</p>\n<noscript><p>This browser runs no scripts, which save the numbers of this "
+      "page: "
+      "they are also in {}.</p></noscript>\n",
+      buttons, elsewhere);
+  html += tableHtml("Provenance", {},
+                    provenanceRow("page written by", "ringwatch " + std::string(programVersion())) + rows);
+  html += more + details("Licences of the libraries in this page", std::string(reportLicences()));
+  return {"provenance", "Provenance", html + "</section>\n"};
+}
+
+std::string pageHtml(const Page& page) {
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\">\n<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n",
+      policy);
+  // With scripts the page reloads itself, so that a reader can keep it from doing so.
+  if (page.reloadAfter > 0)
+    html += fmt::format("<noscript><meta http-equiv=\"refresh\" content=\"{:.0f}\"></noscript>\n",
+                        std::ceil(page.reloadAfter));
+  html += fmt::format("<title>{} (ringwatch)</title>\n<style>", htmlText(page.title));
+  html += reportStyle();
+  html += "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#verdict\">Skip to the verdict</a>\n<header>\n";
+  html += fmt::format("<h1>{}</h1>\n", htmlText(page.heading));
+  if (!page.subtitle.empty()) html += fmt::format("<p class=\"sub\">{}</p>\n", htmlText(page.subtitle));
   html += "<nav aria-label=\"Sections\"><ul>\n";
-  for (const auto& [id, name] : {std::pair{"verdict", "Verdict"},
-                                 {"history", "Bracket"},
-                                 {"mesh", "Mesh"},
-                                 {"distribution", "Distribution"},
-                                 {"what-if", "What if"},
-                                 {"provenance", "Provenance"}})
-    html += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", id, name);
+  for (const PageSection& section : page.sections)
+    html += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, htmlText(section.link));
   html += "</ul></nav>\n</header>\n<main>\n";
-  html += verdictSection(page) + historySection(page, shown) + meshSection(page) + distributionSection(page) +
-          whatIfSection(page) + provenanceSection(page);
+  for (const PageSection& section : page.sections) html += section.html;
   html += "</main>\n<script type=\"application/json\" id=\"report\">";
+  Json embedded = page.embedded;
+  embedded["reloadAfter"] = page.reloadAfter;
   html += scriptJson(embedded);
   html += "</script>\n";
   html += page.data.html();

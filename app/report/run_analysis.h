@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -11,40 +12,73 @@
 
 namespace ringwatch {
 
+struct IntegratorInfo;
+
 /// The mesh's step by a metric, beside the bracket of the same state.
 struct RuleStep {
   std::string name, help, side;  // side: safe, optimistic or estimate
   double step = 0;               // s
 };
 
-/// What a handler would take at a step.
-struct WhatIf {
-  double h = 0;              // s
-  std::size_t elements = 0;  // that a certified selection chooses
-  bool proven = false;       // the step needs no handler
+/// A handler, tried from the analysed state at a step.
+struct HandlerTrial {
+  std::string handler;
+  std::string whyNot;  // it does not go with this body; then nothing else counts
+  /// Simulated time per wall time over that of the integrator alone at the safe step, measured in a few steps.
+  double gain = 0;
+  std::optional<double> addedMass;  // kg, of a handler that adds mass
+  double addedShare = 0;            // of the body's mass
 };
 
-/// What is computed of the first frame of a run when the page is written.
+/// What is in the way of a step, and what it would take.
+struct WhatIf {
+  double h = 0;                                                // s
+  std::size_t elements = 0;                                    // that a certified selection chooses
+  bool proven = false;                                         // the step needs no handler
+  std::vector<std::pair<std::string, std::size_t>> badShapes;  // of the chosen elements, by shape; most frequent first
+  std::vector<std::int64_t> badIds;                            // numbers in the mesh of the first of them
+  std::vector<HandlerTrial> trials;                            // empty: none was tried at this step
+
+  std::size_t badlyShaped() const;
+};
+
+/// What is computed of a state when the page is written.
 struct RunAnalysis {
-  double time = 0;                         // s, of the state
+  std::string where;                       // the state: "in frame 3, t = 0.1 s", "at rest"
   std::size_t elements = 0;                // of the mesh
   std::optional<double> safe, optimistic;  // s, of the whole body, whatever a handler did in the run
-  std::optional<double> taken;             // s, the run's step from there
+  std::optional<double> taken;             // s, the run's step from there, or the one that is asked about
   std::vector<Distribution> distributions;
   std::vector<RuleStep> rules;
   std::vector<WhatIf> whatIf;
   std::string whyNoRules, whyNoWhatIf;  // why they are empty; ""
+
+  /// The row of the step taken, where that is not proven as it is; nullptr for none.
+  const WhatIf* inTheWay() const;
 };
 
-/// Elements of the largest mesh that analyseRun takes. Its metrics take about 30 µs an element of one thread.
+/// A body in a state, and what is known of it.
+struct AnalysedState {
+  const Body& body;  // made of a mesh and materials
+  const NodeVectors& x;
+  const IntegratorInfo& integrator;
+  StepRule rule;
+  bool damped = false;
+  std::optional<double> safe, optimistic, taken;  // s
+};
+
+/// Elements of the largest mesh that is analysed. The metrics take about 30 µs an element of one thread.
 inline constexpr std::size_t analysedElements = 200000;
-/// Of the largest mesh whose bracket it computes from scratch, at 0.1 to 0.4 ms an element.
+/// Of the largest mesh whose bracket analyseRun computes from scratch, at 0.1 to 0.4 ms an element.
 inline constexpr std::size_t bracketedElements = 5000;
 
-/// Reads the first frame of a run (its file) and evaluates the usual metrics, and for a few steps the elements that a
-/// handler would take, the latter for at most 20 000 elements. safe, optimistic, taken: as the frame has them; a
-/// bracket of a part of the body, as with a handler, is replaced by one of the whole body. Throws InputError and
-/// NumericalError as sceneOfRun, loadVtuState and sceneBody do.
+/// The usual metrics, and for a few steps the elements in the way and what handlers would take, the latter for at most
+/// 20 000 elements. Throws NumericalError where the state has no finite tangent.
+RunAnalysis analyseState(const AnalysedState& state);
+
+/// analyseState() of a frame of a run (its file). safe, optimistic, taken: as the frame has them; a bracket of a part
+/// of the body, as with a handler, is replaced by one of the whole body. Throws InputError and NumericalError as
+/// sceneOfRun, loadVtuState and sceneBody do.
 RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesystem::path& frame,
                        std::optional<double> safe, std::optional<double> optimistic, std::optional<double> taken);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,7 +12,6 @@
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/report/json_read.h>
 #include <ringwatch/app/report/report_page.h>
-#include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 
 namespace ringwatch {
@@ -53,15 +54,35 @@ std::vector<ChartMark> marksOf(const Json& summary) {
   return marks;
 }
 
-/// The frame that the picture and the cards are of: the last one before the step is violated for the first time, where
-/// the elements still have their part in it, else the last one.
-std::size_t keyFrameOf(const std::vector<PvdEntry>& frames, const Json& summary) {
+/// The time of the frame that picture, cards and analysis are of, s: that of the first violation, else that of the
+/// smallest safe step; empty for neither.
+std::optional<double> keyTimeOf(const Json& summary, const std::optional<RunHistory>& history) {
   if (summary.is_object())
     if (const auto moment = summary.find("first_violated"); moment != summary.end() && moment->is_object())
-      if (const auto time = numberOf(*moment, "time"))
-        for (std::size_t i = 0; i < frames.size(); ++i)
-          if (frames[i].time >= *time) return i;
-  return frames.size() - 1;
+      if (const auto time = numberOf(*moment, "time")) return time;
+  if (history)
+    if (const auto least = smallestSafe(*history)) return least->time;
+  return std::nullopt;
+}
+
+/// The first frame from that time on: the elements in the way are in the way there. Where that state has long left what
+/// the run's step is about, the frame before it; without a time the last one.
+std::size_t keyFrameOf(const std::vector<PvdEntry>& frames, std::optional<double> time,
+                       const std::function<const VtuFrame*(std::size_t)>& read) {
+  std::size_t key = frames.size() - 1;
+  for (std::size_t i = 0; time && i < frames.size(); ++i)
+    if (frames[i].time >= *time) {
+      key = i;
+      break;
+    }
+  constexpr double useful = 0.5;  // of the step
+  if (!time || key == 0) return key;
+  const VtuFrame* frame = read(key);
+  if (!frame) return key - 1;
+  const auto safe = frame->values.find("safe step (s)"), h = frame->values.find("step (s)");
+  const bool left = h != frame->values.end() && safe != frame->values.end() && !std::isnan(safe->second) &&
+                    !(safe->second > useful * h->second);
+  return left ? key - 1 : key;
 }
 
 /// At most `count` of the frames, ascending: first, key and last one, and evenly many between.
@@ -97,7 +118,6 @@ void addFrames(PageContent& page, const ReportOptions& options, const std::vecto
   page.frames = frames.size();
   if (frames.empty()) return;
   MeshPack pack(page.data);
-  const std::size_t key = keyFrameOf(frames, page.summary);
   std::vector<std::size_t> chosen;
   std::size_t failed = 0;
   std::string firstFault;
@@ -109,14 +129,21 @@ void addFrames(PageContent& page, const ReportOptions& options, const std::vecto
       return std::nullopt;
     }
   };
-  std::optional<VtuFrame> keyState = read(key);
+  std::map<std::size_t, std::optional<VtuFrame>> known;
+  const auto cached = [&](std::size_t i) -> const VtuFrame* {
+    const auto [found, added] = known.try_emplace(i);
+    if (added) found->second = read(i);
+    return found->second ? &*found->second : nullptr;
+  };
+  const std::size_t key = keyFrameOf(frames, keyTimeOf(page.summary, page.history), cached);
+  const VtuFrame* keyState = cached(key);
   const std::size_t fit = options.frames > 0 ? options.frames : keyState ? framesThatFit(*keyState) : 3;
   for (const std::size_t i : chosenFrames(frames.size(), key, fit)) {
-    std::optional<VtuFrame> state = i == key ? std::exchange(keyState, std::nullopt) : read(i);
+    std::optional<VtuFrame> state = known.contains(i) ? std::exchange(known.at(i), std::nullopt) : read(i);
     if (!state) continue;
     if (i == key) {
       page.keyFrame = static_cast<std::int64_t>(i) + 1;
-      page.keyTime = frames[i].time;
+      page.where = fmt::format("in frame {}, t = {:.6g} s", page.keyFrame, frames[i].time);
       if (const auto h = state->values.find("step (s)"); h != state->values.end()) page.keyStep = h->second;
     }
     pack.add({static_cast<std::int64_t>(i) + 1, frames[i].time, std::move(*state)}, i == key);
@@ -124,46 +151,39 @@ void addFrames(PageContent& page, const ReportOptions& options, const std::vecto
   }
   if (failed > 0) page.notes.push_back(fmt::format("{} frames cannot be read: {}", failed, firstFault));
   if (page.framesShown == 0) return;
-  page.mesh = pack.finish();
-  page.worst = pack.worst();
-  page.picture = pack.picture();
-  page.pictureScale = pack.pictureScale();
-  page.stepField = pack.stepField();
-  page.elements = pack.elementCount();
+  page.takeMesh(pack);
 }
 
+/// Of the key frame.
 void analyse(PageContent& page, const std::filesystem::path& folder, const std::vector<PvdEntry>& frames) {
-  if (frames.empty() || !page.summary.is_object()) {
-    page.whyNoAnalysis = frames.empty() ? "Left out: it is computed from the first frame, and there are no frames."
-                                        : "Left out: it needs the scene, which is in summary.json.";
+  if (page.keyFrame == 0 || !page.summary.is_object()) {
+    page.whyNoAnalysis = page.keyFrame == 0 ? "Left out: it is computed from a frame, and there is none to be read."
+                                            : "Left out: it needs the scene, which is in summary.json.";
     return;
   }
   if (page.elements > analysedElements) {
     page.whyNoAnalysis = fmt::format(
-        "Left out for a mesh of more than {} elements. ringwatch inspect DIR --frame 1 computes it: with "
-        "--distribution "
-        "how the steps spread, with --step h what a handler would take.",
-        analysedElements);
+        "Left out for a mesh of more than {} elements. ringwatch inspect DIR --frame {} computes it: with "
+        "--distribution how the steps spread, with --step h what a handler would take.",
+        analysedElements, page.keyFrame);
     return;
   }
   try {
-    std::optional<double> safe, optimistic, taken;
-    const VtuFrame first = readVtuFrame(folder / frames.front().file);
+    const PvdEntry& frame = frames[page.keyFrame - 1];
+    const VtuFrame state = readVtuFrame(folder / frame.file);
     const auto value = [&](const char* name) -> std::optional<double> {
-      const auto found = first.values.find(name);
-      return found == first.values.end() || !std::isfinite(found->second) ? std::nullopt : std::optional(found->second);
+      const auto found = state.values.find(name);
+      return found == state.values.end() || !std::isfinite(found->second) ? std::nullopt : std::optional(found->second);
     };
-    page.analysis = analyseRun(folder, frames.front().file, value("safe step (s)"), value("optimistic step (s)"),
-                               value("step (s)"));
-    page.analysis->time = frames.front().time;
+    page.analysis =
+        analyseRun(folder, frame.file, value("safe step (s)"), value("optimistic step (s)"), value("step (s)"));
+    page.analysis->where = page.where;
   } catch (const std::runtime_error& fault) {
     page.whyNoAnalysis = fmt::format("Left out: {}", fault.what());
   }
 }
 
 }  // namespace
-
-ReportWriter reportWriter() { return writeRunReport; }
 
 ReportResult writeRunReport(const ReportOptions& options) {
   const std::filesystem::path& folder = options.folder;
@@ -176,7 +196,12 @@ ReportResult writeRunReport(const ReportOptions& options) {
         "{}: is not the folder of a run: it has neither history.csv nor summary.json nor run.pvd", folder.string()));
 
   PageContent page;
-  page.summary = readSummary(folder, page.notes);
+  if (options.live) {
+    page.summary = options.live->summary;
+    page.reloadAfter = options.live->reloadAfter;
+  } else {
+    page.summary = readSummary(folder, page.notes);
+  }
   page.history = readRunHistory(folder);
   if (page.history)
     page.notes.insert(page.notes.end(), page.history->notes.begin(), page.history->notes.end());
@@ -189,24 +214,17 @@ ReportResult writeRunReport(const ReportOptions& options) {
   std::vector<PvdEntry> frames;
   if (has("run.pvd")) frames = framesOfRun(folder);
   addFrames(page, options, frames);
-  analyse(page, folder, frames);
+  if (options.live)
+    page.whyNoAnalysis = "Left out while the run goes on: it is computed when the run has ended.";
+  else
+    analyse(page, folder, frames);
+  page.verdict = verdictOf(page.summary, page.history, page.analysis ? &*page.analysis : nullptr);
 
-  std::optional<std::size_t> inTheWay;
-  if (page.analysis && page.analysis->taken)
-    for (const WhatIf& what : page.analysis->whatIf)
-      if (what.h == *page.analysis->taken) inTheWay = what.elements;
-  page.verdict = verdictOf(page.summary, page.history, inTheWay);
-
-  ReportResult result;
-  result.file = options.output.empty() ? folder / "report.html" : options.output;
+  const std::string html = reportPage(page);
+  ReportResult result =
+      writtenPage(html, page.verdict, page.notes, options.output.empty() ? folder / "report.html" : options.output);
   result.frames = page.framesShown;
   result.framesOfRun = page.frames;
-  result.title = page.verdict.title;
-  result.sentence = page.verdict.sentence;
-  result.notes = page.notes;
-  const std::string html = reportPage(std::move(page));
-  result.bytes = html.size();
-  writeFileAtomically(result.file, html);
   return result;
 }
 

@@ -4,12 +4,25 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 namespace ringwatch {
 
+struct Inspection;
+struct StudyReport;
+
+/// A run that goes on while its page is written.
+struct LiveRun {
+  nlohmann::ordered_json summary;  // as summary.json so far, with `live`: { time, end, seconds_left, monitor_share,
+                                   // written }, the shares from 0 to 1, seconds_left null for unknown
+  double reloadAfter = 0;          // s, until the page loads itself again
+};
+
 struct ReportOptions {
-  std::filesystem::path folder;  // of a run
-  std::filesystem::path output;  // empty: report.html in the folder
-  std::size_t frames = 0;        // most that the page may hold; 0: as many as keep it small
+  std::filesystem::path folder;   // of a run
+  std::filesystem::path output;   // empty: report.html in the folder
+  std::size_t frames = 0;         // most that the page may hold; 0: as many as keep it small
+  const LiveRun* live = nullptr;  // while the run goes on
 };
 
 struct ReportResult {
@@ -25,9 +38,23 @@ struct ReportResult {
 /// cannot be written.
 ReportResult writeRunReport(const ReportOptions& options);
 
-using ReportWriter = ReportResult (*)(const ReportOptions& options);
-/// writeRunReport; nullptr in a program without it. `ringwatch` leaves it to `ringwatch-report`, which takes the same
-/// arguments.
-ReportWriter reportWriter();
+/// What the page of studies, or of a comparison of integrators, is about.
+struct StudyPage {
+  std::string name;                // its heading: "Verification", "Comparison of integrators on bar.toml"
+  std::vector<std::string> found;  // what came of it, one sentence each; empty: the checks say it
+  std::vector<StudyReport> reports;
+  nlohmann::ordered_json json;        // the results, to be saved from the page
+  nlohmann::ordered_json provenance;  // of provenanceOf
+};
+
+/// What writes the pages.
+struct ReportWriters {
+  ReportResult (*ofRun)(const ReportOptions& options);
+  ReportResult (*ofInspection)(const Inspection& inspection, const std::filesystem::path& file);
+  ReportResult (*ofStudies)(const StudyPage& page, const std::filesystem::path& file);
+};
+/// nullptr in a program without them. `ringwatch` leaves them to `ringwatch-report` and `ringwatch-verify`, which take
+/// the same arguments.
+const ReportWriters* reportWriters();
 
 }  // namespace ringwatch

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <ringwatch/app/report/run_analysis.h>
 #include <ringwatch/app/report/run_history.h>
 
 namespace ringwatch {
@@ -30,10 +31,15 @@ std::optional<SmallestSafe> smallestSafe(const RunHistory& history, std::optiona
 /// A step rounded down to four digits, so that what holds for the step holds for the text.
 std::string stepRoundedDown(double step);
 
-/// summary: of summary.json, or null without one; history: empty without one. elementsInTheWay: how many elements stand
-/// in the way of the run's step in its first frame, where that was computed.
+/// summary: of summary.json, or null without one; history: empty without one; analysis: of the frame that the page is
+/// about, nullptr without one.
 PageVerdict verdictOf(const nlohmann::ordered_json& summary, const std::optional<RunHistory>& history,
-                      std::optional<std::size_t> elementsInTheWay = {});
+                      const RunAnalysis* analysis = nullptr);
+
+/// What would make a step possible that is not proven: handlers by what they gain, mass, other elements.
+std::vector<std::string> remediesFor(const WhatIf& row, const RunAnalysis& analysis);
+/// What is to be had above the safe step, from a table of steps; empty for nothing.
+std::vector<std::string> largerSteps(const RunAnalysis& analysis);
 
 /// "element 1357 of the mesh file (tet4, 0:1357)", of an element of summary.json; "" for null.
 std::string elementName(const nlohmann::ordered_json& element);

@@ -29,6 +29,10 @@ class RunOutput {
   /// What resume() needs; call it at a state where all rows and frames before it are written.
   nlohmann::ordered_json save();
   void writeRow(const HistoryRow& row);
+  /// Writes the rows that are still held back.
+  void flush() {
+    if (history_) history_->bytes();
+  }
   /// The step from this row of the history was shortened to end with the run: the picture leaves it out.
   void leaveOut(std::int64_t step) { picture_.leaveOut(step); }
   /// A frame is due at that time (s), with steps of h (s).

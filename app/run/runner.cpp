@@ -1,11 +1,15 @@
 #include <ringwatch/app/run/runner.h>
 
+#include <functional>
+
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/run/checkpoint.h>
 #include <ringwatch/app/run/run_checkpoints.h>
 #include <ringwatch/app/run/run_cuts.h>
+#include <ringwatch/app/run/run_listener.h>
 #include <ringwatch/app/run/simulation.h>
 #include <ringwatch/app/run/stopwatch.h>
 #include <ringwatch/app/scene/scene_state.h>
@@ -30,9 +34,7 @@ class Runner {
       run_.finish();
     }
     run_.result.files.emplace_back("summary.json");
-    nlohmann::ordered_json summary = summaryJson(run_.scene, run_.body, run_.result);
-    summary["provenance"] = run_.options.provenance;
-    writeFileAtomically(run_.options.folder / "summary.json", summary.dump(2) + "\n");
+    writeFileAtomically(run_.options.folder / "summary.json", summary().dump(2) + "\n");
     std::error_code ignored;
     if (run_.result.reason == ExitReason::end) std::filesystem::remove(run_.options.folder / checkpointFile, ignored);
     return std::move(run_.result);
@@ -66,11 +68,33 @@ class Runner {
       if (!run_.acceptState(report) || !run_.chooseStep(report)) return run_.recordEvents(report);
       run_.checkEnergies(k);
       run_.record(report, rowDue);
+      tellListener(report);
       if (run_.stopsAt(report))
         return run_.end(ExitReason::violated, fmt::format("stopped before step {}, which is violated", k));
       if (!run_.takeStep(report)) return;
       showProgress(report);
     }
+  }
+
+  nlohmann::ordered_json summary() const {
+    nlohmann::ordered_json json = summaryJson(run_.scene, run_.body, run_.result);
+    json["provenance"] = run_.options.provenance;
+    if (run_.options.provenance.is_object())
+      json["provenance"]["mesh_hash"] = fmt::format("{:016x}", hashOf(run_.body.mesh()));
+    return json;
+  }
+
+  void tellListener(const MonitorReport& report) {
+    if (!run_.options.listener) return;
+    const std::function<nlohmann::ordered_json()> soFar = [this] {
+      run_.output->flush();
+      run_.result.time = run_.state.time;
+      return summary();
+    };
+    run_.options.listener->observe({report.step, run_.state.time, run_.scene.end, report.h, report.bracket,
+                                    run_.watch.monitors() ? std::optional(report.verdict) : std::nullopt,
+                                    run_.scheme->treatedElements(), run_.result.forceTime, run_.result.monitorTime,
+                                    run_.result.outputTime, soFar});
   }
 
   void showProgress(const MonitorReport& report) {

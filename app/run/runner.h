@@ -12,6 +12,7 @@
 namespace ringwatch {
 
 struct Checkpoint;
+class RunListener;
 
 struct RunOptions {
   std::filesystem::path folder;                  // made when it does not exist
@@ -20,6 +21,7 @@ struct RunOptions {
   std::vector<std::string> notes;                // of the mesh reader, for the summary
   const Checkpoint* resume = nullptr;            // the run goes on from there, in the folder of the checkpoint
   nlohmann::ordered_json provenance = nullptr;   // for the summary: where the run comes from
+  RunListener* listener = nullptr;               // told of the run before each of its steps
 };
 
 /// Runs a scene on its body, to which a handler may add mass and which cuts replace: before each step the monitor

@@ -3,16 +3,23 @@
   report_page_test.py NAME PROGRAM [AXE]
 
 NAME is one of the checks below. Exit status 77 where there is no browser, or for `accessible` no axe-core (AXE is its
-axe.min.js): the test then counts as skipped. `scripts/setup --browser` installs the browser.
+axe.min.js): the test then counts as skipped. `scripts/setup --browser` installs the browsers.
 """
 import json
+import os
 import pathlib
+import pty
+import re
+import select
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from browser import Browser, find_chromium  # noqa: E402
+from firefox import Firefox, find_firefox  # noqa: E402
 
 SKIPPED = 77
 READY = "globalThis.ringwatchReport?.ready === true"
@@ -195,28 +202,196 @@ def check_history(browser, chromium, run):
     equal(browser.said(), [], "messages")
 
 
-def check_accessible(browser, chromium, run, axe):
-    """axe-core finds nothing, light and dark."""
+MATERIAL = "--young 30e3 --poisson 0.3 --density 1000".split()
+
+
+def make_inspection(program, folder):
+    """A mesh with badly shaped elements, and its page."""
+    subprocess.run([program, *"mesh generate bar --size 0.1 0.02 0.02 --cells 10 2 2 --jitter 0.3 -o bar.msh".split()],
+                   cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([program, *"inspect bar.msh --step 3e-3 --report mesh.html --json mesh.json --distribution".split(),
+                    *MATERIAL], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    return folder / "mesh.html"
+
+
+def make_comparison(program, folder):
+    (folder / "swing.toml").write_text(SCENE.split("[monitor]")[0] + "[[fix]]\nwhere = \"x < 1e-6\"\n[[initial]]\nwhere = "
+                                       "\"x > -1\"\nvelocity = [0, 0.2, 0]\n")
+    subprocess.run([program, *"compare swing.toml --integrators verlet,rk4 --step 4e-4,2e-4 --report compare.html "
+                    "--set integrator.end=4e-3".split()], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    return folder / "compare.html"
+
+
+def check_other_pages(browser, chromium, run):
+    """Pages of an inspection and of a comparison: they open in silence, fit, and their controls work."""
     del browser
-    for dark in (False, True):
-        with Browser(chromium, dark=dark) as page:
-            page.open(run / "report.html")
+    program, folder = os.environ["RINGWATCH"], run.parent
+    inspection, comparison = make_inspection(program, folder), make_comparison(program, folder)
+    for width, dark in ((1200, False), (380, True)):
+        for file in (inspection, comparison):
+            with Browser(chromium, width, 900, dark) as page:
+                page.open(file)
+                page.wait_for(READY)
+                equal(page.said(), [], f"messages of {file.name} at width {width}")
+                equal(page.requests(), [], f"requests of {file.name} at width {width}")
+                true(page.evaluate("document.documentElement.scrollWidth <= innerWidth"), f"{file.name} is too wide")
+    numbers = json.loads((folder / "mesh.json").read_text())
+    with Browser(chromium) as page:
+        page.open(inspection)
+        page.wait_for(READY)
+        # Below the step asked about are the elements whose reduced ring forbids it, as inspect counts them.
+        page.evaluate("[...document.querySelectorAll('#mesh-live button')].find(b => b.textContent.startsWith('Below')).click()")
+        equal(page.evaluate("ringwatchReport.mesh.state().shown"), numbers["ill_shaped"]["count"], "elements below")
+        for place, worst in enumerate(numbers["worst_elements"][:3]):
+            page.evaluate(f"document.querySelectorAll('.show-me')[{place}].click()")
+            page.wait_for(f"ringwatchReport.mesh.state().selected === {worst['index']}")
+            pixel = page.evaluate(f"ringwatchReport.mesh.pixelOf({worst['index']})")
+            true(all(0.68 * c - 1 <= found <= c + 1 for found, c in zip(pixel["alone"], pixel["expected"])),
+                 f"element {worst['index']} is {pixel['alone']}, not {pixel['expected']}")
+        equal(page.said(), [], "messages")
+
+
+def check_live(browser, chromium, run):
+    """While a run goes on its page loads itself again, keeps what it showed, can be told to stay, and stays at the end."""
+    del browser
+    folder = run.parent
+    scene = SCENE.replace("end = 0.05", "end = 1e6").replace("every = 5e-3", "every = 0.5").replace(
+        "velocity = [0.5, 0, 0]", "velocity = [1e-9, 0, 0]")
+    (folder / "long.toml").write_text(scene)
+    live = folder / "live"
+    with subprocess.Popen([os.environ["RINGWATCH"], "run", "long.toml", "--out", "live", "--live", "--quiet"],
+                          cwd=folder) as process:
+        try:
+            end = time.monotonic() + 60
+            while not (live / "report.html").exists() or not (live / "run.pvd").exists():
+                true(time.monotonic() < end and process.poll() is None, "the run writes its page while it goes on")
+                time.sleep(0.1)
+            with Browser(chromium) as page:
+                page.open(live / "report.html")
+                page.wait_for(READY)
+                true(page.evaluate("document.querySelector('#verdict-title').textContent").startswith("Running: "),
+                     "the page says that the run goes on")
+                step = "JSON.parse(document.getElementById('report').textContent).summary.steps"
+                first = page.evaluate(step)
+                # What is shown stays so: the part of the time, the place on the page.
+                page.wait_for("ringwatchReport.mesh !== undefined", 60)
+                page.evaluate("[...document.querySelectorAll('#history-live button')].find(b => b.textContent == 'Closer').click()")
+                page.evaluate("scrollTo(0, 700)")
+                seen = page.evaluate("ringwatchReport.history.range()")
+                page.wait_for(f"globalThis.ringwatchReport?.ready === true && {step} > {first}", 60)
+                again = page.evaluate("ringwatchReport.history.range()")
+                true(all(abs(a - b) < 1e-6 * abs(b) + 1e-12 for a, b in zip(again, seen)), f"{again}, not {seen}")
+                true(abs(page.evaluate("scrollY") - 700) < 60, "the page is where it was")
+                # A reader may keep it.
+                page.evaluate("document.getElementById('stay').click(); globalThis.kept = true")
+                time.sleep(2.2 * page.evaluate("ringwatchReport.live.seconds"))
+                true(page.evaluate("globalThis.kept === true"), "the page stays")
+                equal(page.said(), [], "messages")
+            process.send_signal(signal.SIGINT)
+            equal(process.wait(60), 4, "the interrupted run's exit status")
+        finally:
+            process.kill()
+    text = (live / "report.html").read_text()
+    true('"reloadAfter":0' in text and "interrupted" in text, "the last page stays and says how the run ended")
+
+
+def check_terminal(browser, chromium, run):
+    """On a terminal --live shows progress, time left, the bracket and the monitor's cost, and clears it at the end."""
+    del browser, chromium
+    folder = run.parent
+    scene = SCENE.replace("end = 0.05", "end = 20").replace("every = 5e-3", "every = 5").replace(
+        "velocity = [0.5, 0, 0]", "velocity = [1e-6, 0, 0]").replace("step = 9e-4", "step = 8e-4")
+    (folder / "watched.toml").write_text(scene)
+    main, terminal = pty.openpty()
+    said = b""
+    with subprocess.Popen([os.environ["RINGWATCH"], "run", "watched.toml", "--out", "watched", "--live"], cwd=folder,
+                          stderr=terminal, stdout=subprocess.DEVNULL) as process:
+        os.close(terminal)
+        while select.select([main], [], [], 120)[0]:
+            try:
+                part = os.read(main, 1 << 16)
+            except OSError:
+                break
+            if not part:
+                break
+            said += part
+        true(process.wait(60) in (0, 1), "the run ends")
+    os.close(main)
+    pictures = said.decode().split("\x1b[J")
+    whole = [p for p in pictures if "wall time: monitor" in p]
+    true(len(whole) >= 2, f"{len(whole)} pictures on the terminal")
+    last = whole[-1]
+    shares = [int(n) for n in re.search(r"wall time: monitor (\d+) %, force (\d+) %, output (\d+) %", last).groups()]
+    true(98 <= sum(shares) <= 102, f"the shares of the wall time are {shares}")
+    done, now, end, left = re.search(r"\] (\d+) %, t = (\S+) of (\S+) s, (\d+) s left", last).groups()
+    equal(float(end), 20.0, "the end of the run")
+    true(abs(int(done) - 100 * float(now) / 20) <= 1 and int(left) >= 0, f"{done} % at t = {now} s, {left} s left")
+    true("h = 0.0008 s" in last and re.search(r"safe \S+ s, optimistic \S+ s, element 0:\d+", last), last)
+    # Rows of the picture with the step that is taken, up to now and no farther.
+    rows = [row.split("|")[1] for row in last.splitlines() if re.match(r"^.{10} \|", row)]
+    true(any("#" in row for row in rows), "the step in the picture")
+    true(all(len(row.replace("\x1b[K", "").rstrip()) <= 1 + (int(done) + 1) / 100 * 68 for row in rows), "nothing beyond now")
+    true(said.decode().rstrip().endswith("\x1b[J"), "the terminal is left clean")
+
+
+def check_firefox(browser, chromium, run):
+    """The page in another browser: no error, its mesh and its history work."""
+    del browser, chromium
+    def said(page):
+        """Messages, but for what the browser itself says of a machine without WebGL."""
+        return [text for text in page.said() if not text.startswith("Failed to create WebGL context")]
+
+    with Firefox(find_firefox()) as page:
+        page.open(run / "report.html")
+        page.wait_for(READY)
+        equal(said(page), [], "messages")
+        begin, end = page.evaluate("ringwatchReport.history.range()")
+        page.evaluate("[...document.querySelectorAll('#history-live button')].find(b => b.textContent == 'Closer').click()")
+        low, high = page.evaluate("ringwatchReport.history.range()")
+        true(abs((high - low) - 0.5 * (end - begin)) < 1e-9 * (end - begin), "Closer shows half of the time")
+        true(page.evaluate("document.documentElement.scrollWidth <= innerWidth"), "the page is too wide")
+        if page.evaluate("ringwatchReport.mesh !== undefined"):
+            report = json.loads(page.evaluate("document.getElementById('report').textContent"))
+            page.evaluate("document.querySelectorAll('.show-me')[0].click()")
+            page.wait_for(f"ringwatchReport.mesh.state().selected === {report['worst'][0]['index']}")
+            pixel = page.evaluate(f"ringwatchReport.mesh.pixelOf({report['worst'][0]['index']})")
+            true(all(0.68 * c - 1 <= found <= c + 1 for found, c in zip(pixel["alone"], pixel["expected"])),
+                 f"the element is {pixel['alone']}, not {pixel['expected']}")
+        else:  # a machine on which this browser has no WebGL
+            true("no WebGL 2" in page.evaluate("document.getElementById('mesh-static').textContent"), "the page says so")
+        equal(said(page), [], "messages")
+
+
+def check_accessible(browser, chromium, run, axe):
+    """axe-core finds nothing, light and dark, wide and narrow, on a page of each kind."""
+    del browser
+    program = os.environ["RINGWATCH"]
+    files = [run / "report.html", make_inspection(program, run.parent), make_comparison(program, run.parent)]
+    for file, width, dark in [(f, w, d) for f in files for w, d in ((1200, False), (380, True))]:
+        with Browser(chromium, width, dark=dark) as page:
+            page.open(file)
             page.wait_for(READY)
             page.evaluate("document.querySelectorAll('details').forEach(d => { d.open = true; })")
             page.evaluate(pathlib.Path(axe).read_text() + "; 0")
             faults = page.evaluate("axe.run(document, {resultTypes: ['violations']}).then(r => r.violations.map(v => "
                                    "v.id + ': ' + v.help + ' at ' + v.nodes.map(n => n.target.join(' ')).join(', ')))")
-            equal(faults, [], f"faults, {'dark' if dark else 'light'}")
+            equal(faults, [], f"faults of {file.name}, {'dark' if dark else 'light'}, {width} pixels wide")
 
 
 CHECKS = {"opens": check_opens, "still": check_still, "mesh": check_mesh, "history": check_history,
+          "other_pages": check_other_pages, "live": check_live, "terminal": check_terminal, "firefox": check_firefox,
           "accessible": check_accessible}
 
 
 def main():
     name, program = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
     chromium = find_chromium()
-    if chromium is None:
+    os.environ["RINGWATCH"] = str(program)
+    if name == "firefox":
+        if find_firefox() is None:
+            print("skipped: there is no firefox; scripts/setup --browser installs it")
+            return SKIPPED
+    elif name != "terminal" and chromium is None:
         print("skipped: there is no chromium; scripts/setup --browser installs it")
         return SKIPPED
     more = []

@@ -7,6 +7,7 @@
 #include <random>
 #include <regex>
 
+#include <ringwatch/app/command/live_watch.h>
 #include <ringwatch/app/report/page_data.h>
 #include <ringwatch/app/report/run_history.h>
 #include <ringwatch/app/report/verdict_text.h>
@@ -258,6 +259,155 @@ TEST_F(Report, OfAFolderThatLacksSomethingSaysSo) {
   folder_.write("p/summary.json", R"({"verdict": 3, "events": [1, {"kind": 2}], "mesh": [], "notes": {}, "cuts": 1,
       "scene": "x", "wall_time": null, "first_violated": true, "handler": 7, "provenance": [], "energy_runaway": {"time": "x"}})");
   EXPECT_EQ(call("report p").status, 0);
+}
+
+/// A bar of 240 tetrahedra, some of them badly shaped.
+class InspectionReport : public Report {
+ protected:
+  Json inspected(const std::string& options) {
+    if (!exists("bar.msh")) {
+      EXPECT_EQ(call("mesh generate bar --size 0.1 0.02 0.02 --cells 10 2 2 --jitter 0.3 -o bar.msh").status, 0);
+    }
+    const Outcome outcome = call("inspect bar.msh --json i.json --report p.html " + options + test::material);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("wrote p.html"));
+    return reportIn(folder_.read("p.html"));
+  }
+};
+
+TEST_F(InspectionReport, NamesTheElementAndItsCardsAreThoseOfInspect) {
+  const Json report = inspected("--distribution");
+  const Json numbers = json("i.json");
+  EXPECT_EQ(report["summary"]["critical_step"], numbers["critical_step"]);
+  const std::string sentence = report["verdict"]["sentence"];
+  EXPECT_THAT(sentence, HasSubstr(numbers["controlling_element"]["id"].dump()));
+  ASSERT_EQ(report["worst"].size(), 10u);
+  for (std::size_t i = 0; i < 10; ++i)
+    EXPECT_NEAR(report["worst"][i]["step"].get<double>() / numbers["worst_elements"][i]["step"].get<double>(), 1,
+                1e-12);
+  EXPECT_EQ(report["history"], nullptr);
+  const std::string html = folder_.read("p.html");
+  for (const char* section : {"verdict", "mesh", "distribution", "what-if", "provenance"})
+    EXPECT_THAT(html, HasSubstr("<section id=\"" + std::string(section) + "\""));
+  EXPECT_THAT(html, Not(HasSubstr("<section id=\"history\"")));
+  EXPECT_THAT(report["summary"]["provenance"]["command"].get<std::string>(), HasSubstr("ringwatch inspect bar.msh"));
+}
+
+TEST_F(InspectionReport, OfAStepSaysWhatIsInItsWayAndWhatThatWouldTake) {
+  const double safe = inspected("")["summary"]["critical_step"]["safe"], h = 1.7 * safe;
+  const Json report = inspected("--step " + test::digits(h));
+  const Json* row = nullptr;
+  for (const Json& each : report["analysis"]["what_if"])
+    if (each["step"] == h) row = &each;
+  ASSERT_NE(row, nullptr);
+  // inspect itself counts what a handler would take.
+  EXPECT_EQ((*row)["elements"], json("i.json")["handler"]["count"]);
+  EXPECT_GT((*row)["elements"].get<int>(), 0);
+  const Json* scaling = nullptr;
+  int gains = 0;
+  for (const Json& trial : (*row)["handlers"]) {
+    if (trial["handler"] == "mass-scaling") scaling = &trial;
+    if (trial["gain"].is_number()) {
+      ++gains;
+      EXPECT_GT(trial["gain"].get<double>(), 0);
+    }
+  }
+  EXPECT_GE(gains, 3);
+  ASSERT_NE(scaling, nullptr);
+  // A run at that step adds the same mass before its first step.
+  folder_.write("s.toml", R"([mesh]
+file = "bar.msh"
+[material]
+model = "stvk"
+young = 30e3
+poisson = 0.3
+density = 1000
+[integrator]
+end = 1e-2
+[handler]
+method = "mass-scaling"
+)");
+  ASSERT_LE(call("run s.toml --quiet --set output.picture=false --set integrator.step=" + test::digits(h) + " --out s")
+                .status,
+            1);
+  EXPECT_NEAR((*scaling)["added_mass"].get<double>() / json("s/summary.json")["handler"]["added_mass_kg"].get<double>(),
+              1, 1e-9);
+  const Json verdict = report["verdict"];
+  EXPECT_THAT(verdict["remedies"].dump(), AllOf(HasSubstr("smaller step"), HasSubstr("Measured when"), HasSubstr("kg"),
+                                                HasSubstr((*row)["elements"].dump() + " of 240 elements")));
+}
+
+TEST_F(Report, OfAComparisonAndOfStudiesHasTheirNumbers) {
+  folder_.write("bar.toml", std::string(tiny).substr(0, std::string(tiny).find("[[move]]")) +
+                                "[[initial]]\nwhere = \"x > -1\"\nvelocity = [0, 0.2, 0]\n");
+  Outcome outcome = call(
+      "compare bar.toml --integrators verlet,rk4 --step 4e-4,2e-4 --set integrator.end=4e-3 --json c.json --report "
+      "c.html");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string compared = folder_.read("c.html");
+  Json results = json("c.json");
+  EXPECT_EQ(reportIn(compared)["results"]["runs"], results["runs"]);
+  EXPECT_THAT(compared, AllOf(HasSubstr("<svg class=\"chart\""), HasSubstr("<circle"), HasSubstr("verlet"),
+                              HasSubstr("For an error of")));
+  outcome = call("verify elements --quick --json v.json --report=v.html");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string verified = folder_.read("v.html");
+  results = json("v.json");
+  EXPECT_EQ(reportIn(verified)["results"], results);
+  std::size_t checks = 0;
+  for (const auto& [name, study] : results["studies"].items()) checks += study["checks"].size();
+  ASSERT_GT(checks, 0u);
+  const std::string count = std::to_string(checks);
+  EXPECT_THAT(verified,
+              AllOf(HasSubstr("All checks passed"), HasSubstr(count + " of " + count + " checks of 1 study passed.")));
+}
+
+TEST_F(Report, OfARunThatGoesOnIsReplacedByThatOfItsEnd) {
+  makeRun("--live");
+  const Json report = reportIn(page());
+  EXPECT_EQ(report["reloadAfter"], 0);
+  EXPECT_EQ(report["verdict"]["title"], "Stable");
+  EXPECT_THAT(page(), AllOf(Not(HasSubstr("http-equiv=\"refresh\"")), Not(HasSubstr("The run goes on"))));
+}
+
+TEST(LivePoints, KeepTheFirstAndTheLastOneAndSpreadTheOthers) {
+  LivePoints points(10);
+  for (int i = 0; i < 1000; ++i) {
+    points.add({.time = static_cast<double>(i), .h = 1});
+    ASSERT_LE(points.points().size(), 10u);
+    ASSERT_EQ(points.points().front().time, 0);
+    ASSERT_EQ(points.points().back().time, i);
+    double largest = 0, least = 1e9;
+    for (std::size_t k = 1; k + 1 < points.points().size(); ++k) {
+      const double apart = points.points()[k].time - points.points()[k - 1].time;
+      largest = std::max(largest, apart);
+      least = std::min(least, apart);
+    }
+    if (points.points().size() > 2) {
+      ASSERT_EQ(largest, least) << i;
+    }
+  }
+  EXPECT_GE(points.points().size(), 5u);
+}
+
+TEST(LiveBracket, DrawsStepsWhereTheyAre) {
+  // Half of the time has passed, in which the safe step falls from 2 to 1 and the step taken is 1; the optimistic one
+  // is far above it.
+  std::vector<LivePoint> points;
+  for (int i = 0; i <= 50; ++i) points.push_back({0.01 * i, 1, 2 - 0.02 * i, 100});
+  const int width = 72, height = 9;
+  const std::vector<std::string> lines = bracketLines(points, 1, width, height);
+  ASSERT_EQ(lines.size(), 9u);
+  for (const std::string& line : lines) {
+    EXPECT_EQ(line.size(), 71u);
+    EXPECT_EQ(line.find('o'), std::string::npos);  // "optimistic 100" lies above the picture
+    EXPECT_EQ(line.find_first_not_of(' ', 12 + 32), std::string::npos) << line;  // nothing beyond now
+  }
+  // The largest step that is drawn is 2 at the top, 0 at the bottom: 1 is in the middle.
+  EXPECT_THAT(lines[0], HasSubstr("2 s |s"));
+  EXPECT_EQ(lines[4].find('#'), 12u);
+  EXPECT_NE(lines[4].find("##########"), std::string::npos);
+  EXPECT_EQ(bracketLines({}, 1, width, height).size(), 0u);
 }
 
 TEST_F(Report, RefusesWhatIsNoRunInOneLine) {

@@ -22,6 +22,8 @@ SUBSTITUTES = {
     # The scene is made to run unstable.
     "ringwatch run examples/stretch_bar.toml --out out/stretch_bar":
         ("ringwatch run examples/stretch_bar.toml --out out/stretch_bar", 1),
+    "ringwatch run examples/stretch_bar.toml --out out/stretch_bar --live":
+        ("ringwatch run examples/stretch_bar.toml --out out/stretch_bar --live", 1),
     "ringwatch compare examples/swinging_bar.toml --integrators all --out out/compare":
         ("ringwatch compare examples/swinging_bar.toml --integrators symplectic-euler,verlet --out out/compare "
          "--set mesh.cells=[4,1,1] --set integrator.end=0.02", 0),

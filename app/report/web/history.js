@@ -18,7 +18,8 @@ const hasNumbers = values => values !== undefined && values.some(v => Number.isF
 /// A colour for each of many elements, in an order that sets neighbours apart.
 const elementColour = index => `hsl(${(index * 137.508) % 360} 55% 55%)`;
 
-export async function startHistory(report, place) {
+/// before: what view() gave of an earlier page, or undefined.
+export async function startHistory(report, place, before) {
   const history = report.history;
   const {columns, controlling, verdicts, rows} = await historyColumns(history);
   const time = Array.from(columns.time_s);
@@ -144,7 +145,8 @@ export async function startHistory(report, place) {
     const box = make('div', {class: 'plot'}, make('h3', {}, title));
     if (keys) {
       const line = make('p', {class: 'note'});
-      for (const [, label, colour] of keys) line.append(make('span', {class: 'key', style: `color:var(${colour})`}), label);
+      for (const [, label, colour, dash] of keys)
+        line.append(make('span', {class: 'key', style: `color:var(${colour});border-top-style:${dash.length === 0 ? 'solid' : dash[0] > 3 ? 'dashed' : 'dotted'}`}), label);
       box.append(line);
     }
     area.append(box);
@@ -196,5 +198,14 @@ export async function startHistory(report, place) {
   }).observe(area);
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', rebuild);
   pointAt(0, false);
-  return {range: () => [plots[0].scales.x.min, plots[0].scales.x.max], readout: () => readout.textContent};
+  if (before) {
+    logarithmic = before.logarithmic;
+    rebuild();
+    if (before.range) setRange(Math.max(begin, before.range[0]), Math.min(end, before.range[1]));
+  }
+  return {
+    /// What a page that is loaded again shows as before: the part of the time, unless it is all.
+    view: () => ({logarithmic, range: plots[0].scales.x.min > begin || plots[0].scales.x.max < end ? [plots[0].scales.x.min, plots[0].scales.x.max] : null}),
+    range: () => [plots[0].scales.x.min, plots[0].scales.x.max], readout: () => readout.textContent,
+  };
 }

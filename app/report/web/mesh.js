@@ -37,7 +37,8 @@ async function openGroup(group) {
   return {...group, cells, ids, triangles, owners, solid, solidNodes, begin, type, solidOf};
 }
 
-export async function startMesh(report, place, stepField) {
+/// before: what view() gave of an earlier page, or undefined.
+export async function startMesh(report, place, stepField, before) {
   const frames = [];
   report.mesh.groups.forEach((group, g) => group.frames.forEach(frame => frames.push({...frame, group: g})));
   const canvas = make('canvas', {tabindex: 0, role: 'img', 'aria-label': 'The mesh. Arrow keys turn it, plus and minus bring it closer or farther.'});
@@ -74,8 +75,11 @@ export async function startMesh(report, place, stepField) {
   const home = make('button', {type: 'button', onclick: () => { look(); draw(); }}, 'Look at all of it');
   const status = make('p', {class: 'readout', role: 'status'}, 'Click an element for its numbers.');
   const legend = make('p', {class: 'legend'});
-  const controls = make('div', {class: 'controls'}, frameSlider.element, fieldSelect.element, clipAxis.element, clipSlider.element,
-                        make('div', {}, sameScale, make('label', {for: 'same-scale', style: 'display:inline'}, ' same colours in all frames')));
+  const controls = make('div', {class: 'controls'}, fieldSelect.element, clipAxis.element, clipSlider.element);
+  if (frames.length > 1) {
+    controls.prepend(frameSlider.element);
+    controls.append(make('div', {}, sameScale, make('label', {for: 'same-scale', style: 'display:inline'}, ' same colours in all frames')));
+  }
   if (stepField) controls.prepend(thresholdSlider.element);
   const view = make('div', {class: 'view'}, canvas);
   place.append(view, legend, make('div', {class: 'buttons'}, ...(stepField ? [runsStep] : []), noElements, home), controls, status);
@@ -389,10 +393,26 @@ export async function startMesh(report, place, stepField) {
   renderer.setSize(view.clientWidth, view.clientHeight, false);
   camera.aspect = view.clientWidth / view.clientHeight;
   const start = frames.findIndex(f => f.number === report.keyFrame);
-  if (frames.length === 1) frameSlider.input.disabled = true;
   await show(Math.max(0, start));
+  if (before) {
+    if (fields.includes(before.field)) fieldName = fieldSelect.input.value = before.field;
+    clipAxis.input.value = before.axis;
+    clipSlider.input.value = before.at;
+    sameScale.checked = before.same;
+    threshold = before.threshold;
+    camera.position.set(...before.camera);
+    orbit.target.set(...before.target);
+    orbit.update();
+    // A reader at the last frame goes on with the newest one.
+    const place_ = before.last ? frames.length - 1 : frames.findIndex(f => f.number === before.frame);
+    await show(Math.max(0, place_));
+  }
   return {
     showElement, setThreshold,
+    /// What a page that is loaded again shows as before.
+    view: () => ({field: fieldName, axis: clipAxis.input.value, at: clipSlider.input.value, same: sameScale.checked, threshold,
+                  camera: camera.position.toArray(), target: orbit.target.toArray(), frame: frame.number,
+                  last: frame.number === frames[frames.length - 1].number}),
     /// Of the frame shown: numbers of the elements that the page holds.
     async elements() {
       const all = [];

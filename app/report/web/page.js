@@ -1,12 +1,13 @@
-// Brings the page of a run to life. Without it the page has its texts, tables and two still pictures.
+// Brings a page to life. Without it the page has its texts, tables and still pictures.
 import {arrayOf, fieldValues} from './arrays.js';
 import {make, save} from './dom.js';
 import {historyColumns, startHistory} from './history.js';
+import {remembered, startReloading} from './live.js';
 import {startMesh} from './mesh.js';
 
 const report = JSON.parse(document.getElementById('report').textContent);
 document.documentElement.classList.add('scripted');
-const stem = report.name.replace(/^Run of /, '').replace(/\.toml$/, '').replace(/[^\w.-]+/g, '_');
+const stem = report.name.replace(/^(Run of|Mesh) /, '').replace(/\.(toml|msh)$/, '').replace(/[^\w.-]+/g, '_');
 
 function comesAlive(name) {
   const live = document.getElementById(`${name}-live`), still = document.getElementById(`${name}-static`);
@@ -79,6 +80,14 @@ async function saveAll() {
   save(`${stem}.json`, 'application/json', [JSON.stringify(all)]);
 }
 
+/// What a button of the last section does, where the page has it; null: nothing can be saved.
+function onSave(name, act) {
+  const button = document.getElementById(name);
+  if (!button) return;
+  button.disabled = act === null;
+  if (act) button.addEventListener('click', act);
+}
+
 async function start() {
   const parts = {report};
   globalThis.ringwatchReport = parts;  // for tests and for those who look into the console
@@ -86,24 +95,26 @@ async function start() {
     const reason = 'This browser is too old to unpack the data of the page (it has no DecompressionStream).';
     if (report.history) staysStill('history', reason);
     if (report.mesh) staysStill('mesh', reason);
-    for (const id of ['save-history', 'save-elements', 'save-json']) document.getElementById(id).disabled = true;
+    for (const name of ['save-history', 'save-elements', 'save-json']) onSave(name, null);
+    if (report.reloadAfter > 0) startReloading(report.reloadAfter, parts, null);
     return;
   }
-  if (report.history) parts.history = await startHistory(report, comesAlive('history'));
-  document.getElementById('save-history').disabled = !report.history;
-  document.getElementById('save-history').addEventListener('click', saveHistory);
-  document.getElementById('save-json').addEventListener('click', saveAll);
+  const before = report.reloadAfter > 0 ? remembered() : null;
+  if (report.history) parts.history = await startHistory(report, comesAlive('history'), before?.history);
+  onSave('save-history', report.history ? saveHistory : null);
+  onSave('save-json', saveAll);
   const buttons = document.querySelectorAll('.show-me');
   if (report.mesh && hasWebGl()) {
-    parts.mesh = await startMesh(report, comesAlive('mesh'), report.mesh.stepField);
+    parts.mesh = await startMesh(report, comesAlive('mesh'), report.mesh.stepField, before?.mesh);
     for (const button of buttons)
       button.addEventListener('click', () => parts.mesh.showElement(Number(button.dataset.element), Number(button.dataset.frame)));
-    document.getElementById('save-elements').addEventListener('click', () => saveElements(parts.mesh));
+    onSave('save-elements', () => saveElements(parts.mesh));
   } else {
     if (report.mesh) staysStill('mesh', 'This browser has no WebGL 2, so the mesh cannot be turned.');
     for (const button of buttons) button.hidden = true;
-    document.getElementById('save-elements').disabled = true;
+    onSave('save-elements', null);
   }
+  if (report.reloadAfter > 0) startReloading(report.reloadAfter, parts, before);
   parts.ready = true;
 }
 

@@ -1,0 +1,114 @@
+#include <ringwatch/app/report/inspection_report.h>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/output/frames.h>
+#include <ringwatch/app/report/report_page.h>
+#include <ringwatch/base/atomic_file.h>
+#include <ringwatch/base/infinity.h>
+#include <ringwatch/meshes/quality.h>
+#include <ringwatch/monitor/element_cause.h>
+#include <ringwatch/monitor/event.h>
+
+namespace ringwatch {
+namespace {
+
+FrameField stepField(const MetricResult& metric, const StepRule& rule) {
+  FrameField field{stepFieldName(*metric.info, metric.direction), false, {}};
+  for (const auto& block : metric.elementLambda)
+    for (const double lambda : block) field.values.push_back(rule(lambda));
+  return field;
+}
+
+/// The state as a frame: first the steps by the metric that tells elements apart best.
+VtuFrame frameOf(const Inspection& inspection) {
+  VtuFrame frame;
+  frame.mesh = inspection.body.mesh();
+  frame.mesh.X = inspection.x;
+  constexpr std::string_view usual = "reduced-1-ring";
+  const auto found = std::find_if(inspection.metrics.begin(), inspection.metrics.end(),
+                                  [](const MetricResult& metric) { return metric.info->name == usual; });
+  frame.cells.push_back(found != inspection.metrics.end()
+                            ? stepField(*found, inspection.rule)
+                            : stepField(evaluateMetric(usual, inspection.body, inspection.x), inspection.rule));
+  for (const MetricResult& metric : inspection.metrics)
+    if (metric.info->name != usual) frame.cells.push_back(stepField(metric, inspection.rule));
+  FrameField heights{"least height at rest (m)", false, {}};
+  for (const auto& block : meshQuality(inspection.body.mesh()))
+    for (const ElementQuality& q : block) heights.values.push_back(q.minHeight);
+  frame.cells.push_back(std::move(heights));
+  frame.values = {{"safe step (s)", inspection.step.safe}, {"optimistic step (s)", inspection.step.optimistic}};
+  if (inspection.asked) frame.values["step (s)"] = *inspection.asked;
+  return frame;
+}
+
+PageVerdict verdictOf(const Inspection& inspection, const std::optional<RunAnalysis>& analysis) {
+  using Tone = PageVerdict::Tone;
+  PageVerdict verdict;
+  const CriticalStep& step = inspection.step;
+  const ElementCause cause = elementCause(inspection.body, inspection.x, step.controlling);
+  const std::optional<double> asked = inspection.asked;
+  verdict.title = fmt::format("Stable up to {} s", stepRoundedDown(step.safe));
+  verdict.tone = Tone::good;
+  if (asked && *asked > step.optimistic)
+    verdict.title = fmt::format("{:.4g} s is too large", *asked), verdict.tone = Tone::bad;
+  else if (asked && *asked > step.safe)
+    verdict.title = fmt::format("{:.4g} s is not proven", *asked), verdict.tone = Tone::unsure;
+  else if (asked)
+    verdict.title = fmt::format("{:.4g} s is stable", *asked);
+  else if (!(step.safe > 0))
+    verdict.title = "No step is proven", verdict.tone = Tone::unsure;
+  verdict.sentence = fmt::format(
+      "The critical step of the mesh {} lies between {} s, up to which it is proven stable, and {:.4g} s, above which "
+      "it is proven unstable. In the way is {}: {}.",
+      inspection.state, stepRoundedDown(step.safe), step.optimistic,
+      elementText(inspection.body.mesh(), step.controlling), causeText(cause));
+  if (step.lowestRing < 0)
+    verdict.sentence +=
+        " The tangent has a negative eigenvalue there: no step cures that, the state itself is unstable.";
+
+  if (asked && *asked > step.safe && step.safe > 0)
+    verdict.remedies.push_back(fmt::format("Take a smaller step: {} s is proven.", stepRoundedDown(step.safe)));
+  else if (step.safe > 0)
+    verdict.remedies.push_back(fmt::format("Take steps of at most {} s.", stepRoundedDown(step.safe)));
+  std::vector<std::string> more;
+  if (analysis) {
+    const WhatIf* row = analysis->inTheWay();
+    more = row && row->elements > 0 ? remediesFor(*row, *analysis) : largerSteps(*analysis);
+  }
+  verdict.remedies.insert(verdict.remedies.end(), more.begin(), more.end());
+  if (more.empty() && cause.badlyShaped())
+    verdict.remedies.push_back(fmt::format("Remesh there: {} alone keeps the step this small by its shape.",
+                                           elementText(inspection.body.mesh(), step.controlling)));
+  return verdict;
+}
+
+}  // namespace
+
+ReportResult writeInspectionReport(const Inspection& inspection, const std::filesystem::path& file) {
+  PageContent page;
+  page.ofRun = false;
+  page.name = "Mesh " + inspection.name;
+  page.summary = inspection.json;
+  page.elements = inspection.body.mesh().elementCount();
+  page.notes = inspection.notes;
+  page.keyFrame = 1;
+  page.keyStep = inspection.asked;
+  page.where = inspection.state;
+  MeshPack pack(page.data);
+  pack.add({1, 0, frameOf(inspection)}, true);
+  page.takeMesh(pack);
+  page.frames = page.framesShown = 1;
+  if (page.elements > analysedElements) {
+    page.whyNoAnalysis = fmt::format("Left out for a mesh of more than {} elements.", analysedElements);
+  } else {
+    page.analysis =
+        analyseState({inspection.body, inspection.x, inspection.integrator, inspection.rule, inspection.damped,
+                      inspection.step.safe, inspection.step.optimistic, inspection.asked});
+    page.analysis->where = inspection.state;
+  }
+  page.verdict = verdictOf(inspection, page.analysis);
+  return writtenPage(reportPage(page), page.verdict, page.notes, file);
+}
+
+}  // namespace ringwatch
