@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <ringwatch/base/registry.h>
+#include <ringwatch/meshes/formats/deck_lines.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
 
@@ -59,8 +60,12 @@ constexpr MeshFormatEntry formatsOfLibrary[] = {
      detail::readLegacyVtk,
      startsWithLegacyVtk,
      "# vtk DataFile"},
+    {{".frd", "CalculiX results", "text; ringwatch audit reads its states as well", false},
+     detail::readFrd,
+     [](std::string_view text) { return text.starts_with("    1C") || text.starts_with("    2C"); }},
     {{".inp", "Abaqus or CalculiX deck", "nodes, elements and their sets; a note names what is skipped", false},
-     detail::readInp},
+     detail::readInp,
+     detail::startsWithDeck},
 };
 
 Registry<MeshFormatEntry>& registry() {

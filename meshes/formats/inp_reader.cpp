@@ -1,29 +1,22 @@
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cmath>
 #include <compare>
+#include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include <ringwatch/base/sort_unique.h>
-#include <ringwatch/meshes/formats/file_cursor.h>
+#include <ringwatch/meshes/formats/deck_lines.h>
 #include <ringwatch/meshes/formats/mesh_builder.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
 
 namespace ringwatch::detail {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 /// The type of a deck's element by the number of its VTK cell; nullptr for types without a mesh cell (springs, masses,
 /// …). Where the decks' node order is not VTK's it would be said here; for all of these the two agree.
@@ -78,52 +71,40 @@ const FileElement* elementOfDeck(const std::string& type) {
   return nullptr;
 }
 
-/// A keyword line and its parameters.
-struct Keyword {
-  std::string name;  // upper case, without the star
-  std::map<std::string, std::string> parameters;
-  std::size_t position;
-  bool has(const std::string& key) const { return parameters.count(key) != 0; }
-  std::string value(const std::string& key) const {
-    const auto found = parameters.find(key);
-    return found == parameters.end() ? std::string() : found->second;
-  }
-};
-
 class Deck {
  public:
   Deck(const std::filesystem::path& path, const std::string& text)
-      : text_(text),
-        cursor_(text, path.string()),
+      : lines_(path, text),
         source_(path.string()),
         builder_(
-            source_, [this](std::size_t p) { return cursor_.where(p); },
-            [this](std::size_t p) { return cursor_.where(p); }) {}
+            source_, [this](std::size_t p) { return lines_.where(p); },
+            [this](std::size_t p) { return lines_.where(p); }) {}
 
   Mesh read(Notes* notes, Problems* problems) {
-    while (const std::optional<Line> line = nextLine()) {
-      if (line->text.front() == '*')
+    while (const std::optional<DeckLine> line = lines_.next()) {
+      if (line->isKeyword())
         begin(*line);
       else
         data(*line);
     }
     finishData();
     requireEnd();
+    if (instances_.empty() && !parts_.empty() && model_.nodes.empty())
+      lines_.failAt(parts_.begin()->second.position,
+                    "the deck has parts, but no *INSTANCE of one, so that there is no mesh");
+    if (instances_.size() == 1) dropPrefix();
+    for (const Node& node : model_.nodes) builder_.addNode(node.id, node.X[0], node.X[1], node.X[2], node.position);
     buildElements();
     addNodeSets();
     Mesh mesh = builder_.finish(notes, problems);
-    if (notes != nullptr && !skipped_.empty()) {
-      std::string list;
-      for (const auto& [name, count] : skipped_)
-        list += (list.empty() ? "" : ", ") + name + (count > 1 ? joinText(" (", count, ")") : "");
-      notes->push_back(source_ + ": skipped, only nodes, elements and their sets are read: " + list);
-    }
+    if (notes != nullptr) addNotes(*notes);
     return mesh;
   }
 
  private:
-  struct Line {
-    std::string_view text;  // trimmed, not empty
+  struct Node {
+    std::int64_t id;
+    Eigen::Vector3d X;
     std::size_t position;
   };
   struct Element {
@@ -156,79 +137,31 @@ class Deck {
       distinct = ranges.size();
     }
   };
-  enum class Reading { nothing, nodes, elements, nodeSet, elementSet, mustBeEmpty };
+  using Sets = std::map<std::string, Set>;  // by the name in upper case
+  /// A part, an instance of one, or the model: nodes and elements with numbers and sets of their own.
+  struct Part {
+    std::vector<Node> nodes;
+    std::vector<Element> elements;
+    std::unordered_map<std::int64_t, std::size_t> elementOfId;
+    std::unordered_set<std::int64_t> nodeIds;
+    Sets nodeSets, elementSets;
+    std::size_t position = 0;
+  };
+  struct Instance {
+    std::string name;
+    std::int64_t offset = 0;                     // of its numbers in the model
+    std::vector<std::vector<double>> placement;  // translation; two points on an axis and an angle in degrees
+  };
+  enum class Reading { nothing, nodes, elements, nodeSet, elementSet, placement };
 
-  std::optional<Line> nextLine() {
-    while (at_ < text_.size()) {
-      const std::size_t begin = at_, end = std::min(text_.find('\n', begin), text_.size());
-      at_ = end + 1;
-      const std::string_view line = trimmed(std::string_view(text_).substr(begin, end - begin));
-      if (line.empty() || line.rfind("**", 0) == 0) continue;
-      return Line{line, begin};
-    }
-    return std::nullopt;
-  }
-  static std::vector<std::string_view> fields(std::string_view line) {
-    std::vector<std::string_view> result;
-    for (std::size_t begin = 0; begin <= line.size();) {
-      const std::size_t end = std::min(line.find(',', begin), line.size());
-      result.push_back(trimmed(line.substr(begin, end - begin)));
-      begin = end + 1;
-    }
-    if (result.size() > 1 && result.back().empty()) result.pop_back();  // the line ends with a comma
-    return result;
-  }
-  std::int64_t number(std::string_view word, std::string_view what, std::size_t position) const {
-    std::int64_t value = 0;
-    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || stop != word.data() + word.size() || value < 1)
-      cursor_.failAt(position, joinText(what, " is ", quoted(word), "; it must be a whole number of 1 or more"));
-    return value;
-  }
-  double real(std::string_view word, std::string_view what, std::size_t position) const {
-    std::string copy(word);
-    if (!copy.empty() && copy.front() == '+') copy.erase(0, 1);
-    for (char& c : copy)
-      if (c == 'd' || c == 'D') c = 'e';  // Fortran's double precision
-    double value = 0;
-    const auto [stop, error] = std::from_chars(copy.data(), copy.data() + copy.size(), value);
-    if (error != std::errc() || stop != copy.data() + copy.size())
-      cursor_.failAt(position, joinText(what, " is ", quoted(word), "; it must be a number"));
-    return value;
-  }
-
-  void begin(const Line& first) {
+  void begin(const DeckLine& first) {
     finishData();
-    std::string whole(first.text);
-    while (!whole.empty() && whole.back() == ',') {
-      const std::optional<Line> more = nextLine();
-      if (!more || more->text.front() == '*')
-        cursor_.failAt(first.position, "the keyword line ends with a comma, but no line continues it");
-      whole += std::string(more->text);
-    }
-    keyword_ = {};
-    keyword_.position = first.position;
-    bool isName = true;
-    for (const std::string_view field : fields(whole)) {
-      if (isName) {
-        keyword_.name = inUpperCase(field.substr(1));
-        keyword_.name = std::string(trimmed(keyword_.name));
-      } else {
-        const std::size_t equals = field.find('=');
-        std::string_view value =
-            equals == std::string_view::npos ? std::string_view() : trimmed(field.substr(equals + 1));
-        if (value.size() > 1 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
-        keyword_.parameters[inUpperCase(trimmed(field.substr(0, equals)))] = std::string(value);
-      }
-      isName = false;
-    }
+    keyword_ = lines_.keyword(first);
     const std::string& name = keyword_.name;
-    const auto refuse = [&](const std::string& why) { cursor_.failAt(first.position, "*" + name + " " + why); };
+    const auto refuse = [&](const std::string& why) { lines_.failAt(first.position, "*" + name + " " + why); };
     reading_ = Reading::nothing;
     hasData_ = false;
     keepOpen();
-    if (name == "NODE" || name == "ELEMENT" || name == "NSET" || name == "ELSET")
-      if (keyword_.has("INPUT")) refuse("with INPUT= takes its lines from another file; put them into this one");
     if (name == "NODE") {
       if (keyword_.has("SYSTEM") && inUpperCase(keyword_.value("SYSTEM")) != "R")
         refuse("with SYSTEM= other than R is not supported; write Cartesian coordinates");
@@ -243,18 +176,23 @@ class Deck {
     } else if (name == "NSET" || name == "ELSET") {
       if (keyword_.value(name).empty()) refuse("needs the name of the set, " + name + "=");
       reading_ = name == "NSET" ? Reading::nodeSet : Reading::elementSet;
-      setOf(name == "NSET" ? nodeSets_ : elementSets_, keyword_.value(name));
-    } else if (name == "INCLUDE") {
-      refuse("is not followed; put the lines of that file into this one");
+      setOf(name == "NSET" ? part().nodeSets : part().elementSets, keyword_.value(name));
+    } else if (name == "PART") {
+      const std::string part = inUpperCase(keyword_.value("NAME"));
+      if (part.empty()) refuse("needs a name, NAME=");
+      const auto [made, isNew] = parts_.try_emplace(part);
+      if (!isNew) refuse("has the name of a part above, " + detail::quoted(keyword_.value("NAME")));
+      made->second.position = first.position;
+      current_ = &made->second;
+    } else if (name == "INSTANCE") {
+      beginInstance();
     } else if (name == "SYSTEM" || name == "NGEN" || name == "NFILL" || name == "NCOPY" || name == "ELGEN" ||
                name == "ELCOPY" || name == "NMAP") {
       refuse("makes or moves nodes or elements and is not supported; write them out with *NODE and *ELEMENT");
-    } else if (name == "INSTANCE") {
-      if (++instances_ > 1) refuse("a second time: only decks with one instance are supported; write a flat deck");
-      reading_ = Reading::mustBeEmpty;
-    } else if (name != "HEADING") {
+    } else if (name != "HEADING" && !name.starts_with("END") && name != "ASSEMBLY") {
       ++skipped_["*" + name];
     }
+    if (reading_ != Reading::nothing && keyword_.has("INPUT")) lines_.include(keyword_);
   }
 
   /// Blocks that a line of their own ends.
@@ -265,78 +203,201 @@ class Deck {
       if (name == block) {
         open_.push_back({name, keyword_.position});
       } else if (name == joinText("END", block)) {
+        if (block == "INSTANCE" && !open_.empty() && open_.back().name == block) place();
         while (!open_.empty() && open_.back().name != block) open_.pop_back();
         if (!open_.empty()) open_.pop_back();
+        current_ = nullptr;
       }
     }
   }
 
-  Set& setOf(std::map<std::string, Set>& sets, const std::string& name) {
+  Part& part() { return current_ != nullptr ? *current_ : model_; }
+
+  void beginInstance() {
+    const auto refuse = [&](const std::string& why) { lines_.failAt(keyword_.position, "*INSTANCE " + why); };
+    const std::string name = keyword_.value("NAME");
+    if (name.empty()) refuse("needs a name, NAME=");
+    if (instances_.count(inUpperCase(name)) != 0) refuse("has the name of an instance above, " + detail::quoted(name));
+    placed_ = {};
+    if (const std::string part = keyword_.value("PART"); !part.empty()) {
+      const auto found = parts_.find(inUpperCase(part));
+      if (found == parts_.end())
+        refuse(joinText("is of the part ", detail::quoted(part), ", which is not defined above"));
+      placed_ = found->second;
+    }
+    instances_[inUpperCase(name)].name = name;
+    order_.push_back(inUpperCase(name));
+    current_ = &placed_;
+    reading_ = Reading::placement;
+  }
+
+  void placementLine(const DeckLine& line) {
+    Instance& instance = instances_[order_.back()];
+    const std::size_t wanted = instance.placement.empty() ? 3 : 7;
+    const auto words = DeckLines::fields(line.text);
+    if (words.size() != wanted || instance.placement.size() > 1)
+      lines_.failAt(line.position, joinText("the place of the instance has ", words.size(), " numbers in line ",
+                                            instance.placement.size() + 1,
+                                            "; it must have 3, its translation, and 7 in the next, two points of an "
+                                            "axis and an angle in degrees"));
+    auto& numbers = instance.placement.emplace_back();
+    for (const std::string_view word : words)
+      numbers.push_back(word.empty() ? 0 : lines_.real(word, "a number of the instance's place", line.position));
+  }
+
+  /// Puts the instance that ends into the model: moved, with numbers that are free, its sets as INSTANCE.SET.
+  void place() {
+    Instance& instance = instances_[order_.back()];
+    Eigen::Affine3d moved = Eigen::Affine3d::Identity();
+    if (!instance.placement.empty()) {
+      const auto& t = instance.placement[0];
+      moved.pretranslate(Eigen::Vector3d(t[0], t[1], t[2]));
+    }
+    if (instance.placement.size() > 1) {
+      const auto& r = instance.placement[1];
+      const Eigen::Vector3d a(r[0], r[1], r[2]), axis = Eigen::Vector3d(r[3], r[4], r[5]) - a;
+      if (!(axis.norm() > 0)) lines_.failAt(keyword_.position, "the axis of the instance's rotation has no direction");
+      constexpr double degree = 3.141592653589793 / 180;
+      const Eigen::Affine3d turned =
+          Eigen::Translation3d(a) * Eigen::AngleAxisd(degree * r[6], axis.normalized()) * Eigen::Translation3d(-a);
+      moved = turned * moved;
+    }
+    std::int64_t largest = 0;
+    for (const std::int64_t id : model_.nodeIds) largest = std::max(largest, id);
+    for (const auto& entry : model_.elementOfId) largest = std::max(largest, entry.first);
+    if (largest > 0) {
+      constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() / 20;
+      if (largest > most) lines_.failAt(keyword_.position, joinText("no numbers above ", largest, " are left"));
+      for (instance.offset = 10; instance.offset <= largest;) instance.offset *= 10;
+    }
+    const std::int64_t offset = instance.offset;
+    spend(placed_.nodes.size() + placed_.elements.size(), instance.name, keyword_.position);
+    const bool still = instance.placement.empty();
+    for (const Node& node : placed_.nodes) {
+      model_.nodes.push_back(
+          {shifted(node.id, offset), still ? node.X : Eigen::Vector3d(moved * node.X), node.position});
+      model_.nodeIds.insert(node.id + offset);
+    }
+    for (Element& element : placed_.elements) {
+      element.id = shifted(element.id, offset);
+      for (std::int64_t& node : element.nodes) node = shifted(node, offset);
+      if (!model_.elementOfId.emplace(element.id, model_.elements.size()).second)
+        lines_.failAt(element.position, joinText("element ", element.id, " is defined a second time"));
+      model_.elements.push_back(std::move(element));
+    }
+    for (const auto& [from, to] :
+         {std::pair{&placed_.nodeSets, &model_.nodeSets}, {&placed_.elementSets, &model_.elementSets}})
+      for (const auto& [key, set] : *from) {
+        spend(set.ranges.size(), set.name, set.position);
+        Set& own = to->try_emplace(order_.back() + "." + key, Set{instance.name + "." + set.name, {}, set.position})
+                       .first->second;
+        for (Range range : set.ranges) {
+          range.first = shifted(range.first, offset);
+          range.last = shifted(range.last, offset);
+          own.ranges.push_back(range);
+        }
+      }
+    placed_ = {};
+  }
+  static std::int64_t shifted(std::int64_t id, std::int64_t offset) {
+    return id > std::numeric_limits<std::int64_t>::max() - offset ? std::numeric_limits<std::int64_t>::max()
+                                                                  : id + offset;
+  }
+
+  /// The sets of the only instance have the names of its part, but where the assembly has a set of that name.
+  void dropPrefix() {
+    const std::string prefix = order_.front() + ".";
+    for (Sets* sets : {&model_.nodeSets, &model_.elementSets}) {
+      Sets renamed;
+      for (auto& [key, set] : *sets) {
+        const std::string plain = key.starts_with(prefix) ? key.substr(prefix.size()) : key;
+        if (plain != key && sets->count(plain) == 0) {
+          set.name = set.name.substr(prefix.size());
+          renamed.emplace(plain, std::move(set));
+        } else {
+          renamed.emplace(key, std::move(set));
+        }
+      }
+      *sets = std::move(renamed);
+    }
+  }
+
+  Set& setOf(Sets& sets, const std::string& name) {
     return sets.try_emplace(inUpperCase(name), Set{name, {}, keyword_.position}).first->second;
   }
 
-  void data(const Line& line) {
+  void data(const DeckLine& line) {
     hasData_ = true;
     switch (reading_) {
       case Reading::nothing:
         if (keyword_.name.empty())
-          cursor_.failAt(line.position,
-                         "a line of data before the first keyword; an .inp deck begins with *HEADING or *NODE");
+          lines_.failAt(line.position,
+                        "a line of data before the first keyword; an .inp deck begins with *HEADING or *NODE");
         return;
-      case Reading::mustBeEmpty:
-        cursor_.failAt(line.position, "the instance is moved or turned, which is not supported; write a flat deck");
+      case Reading::placement:
+        placementLine(line);
+        break;
       case Reading::nodes:
-        return node(line);
+        node(line);
+        break;
       case Reading::elements:
-        return element(line);
+        element(line);
+        break;
       case Reading::nodeSet:
-        return members(line, nodeSets_, "node");
+        members(line, part().nodeSets, "node");
+        break;
       case Reading::elementSet:
-        return members(line, elementSets_, "element");
+        members(line, part().elementSets, "element");
+        break;
     }
+    if (!line.ended)
+      lines_.failAt(line.position,
+                    joinText("the last line, of *", keyword_.name, ", has no line end; is the file cut short?"));
   }
 
-  void node(const Line& line) {
-    const auto words = fields(line.text);
+  void node(const DeckLine& line) {
+    const auto words = DeckLines::fields(line.text);
     if (words.size() < 2 || words.size() > 7)
-      cursor_.failAt(line.position,
-                     joinText("a node has ", words.size(), " entries; it must have a number and x, y, z"));
-    const std::int64_t id = number(words[0], "the number of a node", line.position);
-    double X[3] = {0, 0, 0};  // coordinates left out are zero
+      lines_.failAt(line.position,
+                    joinText("a node has ", words.size(), " entries; it must have a number and x, y, z"));
+    const std::int64_t id = lines_.number(words[0], "the number of a node", line.position);
+    Eigen::Vector3d X = Eigen::Vector3d::Zero();  // coordinates left out are zero
     for (std::size_t k = 0; k < 3 && k + 1 < words.size(); ++k)
       if (!words[k + 1].empty())
-        X[k] = real(words[k + 1], joinText("coordinate ", "xyz"[k], " of node ", id), line.position);
-    builder_.addNode(id, X[0], X[1], X[2], line.position);
-    nodeIds_.insert(id);
-    if (keyword_.has("NSET")) setOf(nodeSets_, keyword_.value("NSET")).add(id);
+        X[k] = lines_.real(words[k + 1], joinText("coordinate ", "xyz"[k], " of node ", id), line.position);
+    part().nodes.push_back({id, X, line.position});
+    part().nodeIds.insert(id);
+    if (keyword_.has("NSET")) setOf(part().nodeSets, keyword_.value("NSET")).add(id);
   }
 
-  void element(const Line& line) {
-    const auto words = fields(line.text);
+  void element(const DeckLine& line) {
+    std::vector<Element>& elements = part().elements;
+    const auto words = DeckLines::fields(line.text);
     std::size_t next = 0;
     if (!unfinished_) {
       unfinished_ = true;
-      elements_.push_back({type_, number(words[0], "the number of an element", line.position), {}, {}, line.position});
+      elements.push_back(
+          {type_, lines_.number(words[0], "the number of an element", line.position), {}, {}, line.position});
       next = 1;
     }
-    Element& element = elements_.back();
+    Element& element = elements.back();
     for (; next < words.size(); ++next)
-      element.nodes.push_back(number(words[next], joinText("a node of element ", element.id), line.position));
+      element.nodes.push_back(lines_.number(words[next], joinText("a node of element ", element.id), line.position));
     const std::size_t wanted = type_->nodes;
     if (element.nodes.size() > wanted)
-      cursor_.failAt(line.position, joinText("element ", element.id, " (", type_->name(), ") has ",
-                                             element.nodes.size(), " nodes; it must have ", wanted));
+      lines_.failAt(line.position, joinText("element ", element.id, " (", type_->name(), ") has ", element.nodes.size(),
+                                            " nodes; it must have ", wanted));
     if (element.nodes.size() < wanted) return;  // goes on in the next line
     unfinished_ = false;
-    if (!elementOfId_.emplace(element.id, elements_.size() - 1).second)
-      cursor_.failAt(element.position, joinText("element ", element.id, " is defined a second time"));
-    if (keyword_.has("ELSET")) setOf(elementSets_, keyword_.value("ELSET")).add(element.id);
+    if (!part().elementOfId.emplace(element.id, elements.size() - 1).second)
+      lines_.failAt(element.position, joinText("element ", element.id, " is defined a second time"));
+    if (keyword_.has("ELSET")) setOf(part().elementSets, keyword_.value("ELSET")).add(element.id);
   }
   void finishData() {
     if (unfinished_) {
-      const Element& element = elements_.back();
-      cursor_.failAt(element.position, joinText("element ", element.id, " (", element.type->name(), ") has ",
-                                                element.nodes.size(), " nodes; it must have ", element.type->nodes));
+      const Element& element = part().elements.back();
+      lines_.failAt(element.position, joinText("element ", element.id, " (", element.type->name(), ") has ",
+                                               element.nodes.size(), " nodes; it must have ", element.type->nodes));
     }
   }
 
@@ -344,63 +405,71 @@ class Deck {
   /// no trace: the file says nowhere how many there are.
   void requireEnd() const {
     if (!open_.empty())
-      cursor_.failAt(open_.back().position, joinText("*", open_.back().name, " is never ended by *END ",
-                                                     open_.back().name, "; is the file cut short?"));
+      lines_.failAt(open_.back().position, joinText("*", open_.back().name, " is never ended by *END ",
+                                                    open_.back().name, "; is the file cut short?"));
     const std::string& name = keyword_.name;
     if (name != "NODE" && name != "ELEMENT" && name != "NSET" && name != "ELSET") return;
     const bool fromElements = name == "NSET" && keyword_.has("ELSET");  // has no lines of its own
     if (!hasData_ && !fromElements)
-      cursor_.failAt(keyword_.position, joinText("the file ends after the line of *", name, "; is it cut short?"));
-    if (text_.back() != '\n')
-      cursor_.failAt(text_.size(), joinText("the last line, of *", name, ", has no line end; is the file cut short?"));
+      lines_.failAt(keyword_.position, joinText("the file ends after the line of *", name, "; is it cut short?"));
   }
 
-  void members(const Line& line, std::map<std::string, Set>& sets, std::string_view what) {
+  void members(const DeckLine& line, Sets& sets, std::string_view what) {
     Set& set = setOf(sets, keyword_.value(keyword_.name));
-    const auto words = fields(line.text);
+    std::int64_t offset = 0;
+    std::string prefix;
+    if (const std::string name = keyword_.value("INSTANCE"); !name.empty()) {
+      const auto instance = instances_.find(inUpperCase(name));
+      if (instance == instances_.end())
+        lines_.failAt(keyword_.position, joinText("set ", set.name, " is of the instance ", detail::quoted(name),
+                                                  ", which is not defined above"));
+      offset = instance->second.offset;
+      prefix = instance->first + ".";
+    }
+    const auto words = DeckLines::fields(line.text);
     if (keyword_.has("GENERATE")) {
       if (words.size() < 2 || words.size() > 3)
-        cursor_.failAt(line.position,
-                       joinText("GENERATE has ", words.size(), " entries; it must have first, last and step"));
-      const std::int64_t first = number(words[0], "the first number", line.position),
-                         last = number(words[1], "the last number", line.position);
-      const std::int64_t step = words.size() == 3 ? number(words[2], "the step", line.position) : 1;
+        lines_.failAt(line.position,
+                      joinText("GENERATE has ", words.size(), " entries; it must have first, last and step"));
+      const std::int64_t first = lines_.number(words[0], "the first number", line.position),
+                         last = lines_.number(words[1], "the last number", line.position);
+      const std::int64_t step = words.size() == 3 ? lines_.number(words[2], "the step", line.position) : 1;
       if (last < first)
-        cursor_.failAt(line.position, joinText("GENERATE goes from ", first, " to ", last,
-                                               "; the last number must not be below the first"));
-      set.ranges.push_back({first, last, step});
+        lines_.failAt(line.position, joinText("GENERATE goes from ", first, " to ", last,
+                                              "; the last number must not be below the first"));
+      set.ranges.push_back({shifted(first, offset), shifted(last, offset), step});
       return;
     }
     for (const std::string_view word : words) {
       if (word.empty()) continue;
       if (std::isdigit(static_cast<unsigned char>(word.front()))) {
-        const std::int64_t id = number(word, joinText("the number of a ", what), line.position);
-        const bool known = what == "node" ? nodeIds_.count(id) != 0 : elementOfId_.count(id) != 0;
+        const std::int64_t id = shifted(lines_.number(word, joinText("the number of a ", what), line.position), offset);
+        const bool known = what == "node" ? part().nodeIds.count(id) != 0 : part().elementOfId.count(id) != 0;
         if (!known && what == "node")
-          cursor_.failAt(line.position,
-                         joinText("set ", set.name, " holds node ", id, ", which no *NODE above defines"));
+          lines_.failAt(line.position,
+                        joinText("set ", set.name, " holds node ", id, ", which no *NODE above defines"));
         set.add(id);
       } else {
-        const auto other = sets.find(inUpperCase(word));
+        const auto other = sets.find(prefix + inUpperCase(word));
         if (other == sets.end() || &other->second == &set)
-          cursor_.failAt(line.position, joinText("set ", set.name, " refers to the set ", quoted(word),
-                                                 ", which is not defined above"));
+          lines_.failAt(line.position, joinText("set ", set.name, " refers to the set ", detail::quoted(word),
+                                                ", which is not defined above"));
         // A set that comes a second time adds nothing.
         const std::vector<Range>& ranges = other->second.ranges;
-        spend(ranges.size(), set);
+        spend(ranges.size(), set.name, set.position);
         set.ranges.insert(set.ranges.end(), ranges.begin(), ranges.end());
         if (set.ranges.size() > 2 * set.distinct + 1000) set.removeRepeated();
       }
     }
   }
 
-  /// Counts entries of sets that the file does not spell out one by one, so that a few lines cannot fill the memory.
-  void spend(std::uint64_t entries, const Set& set) {
-    const std::uint64_t most = 10'000'000 + 4 * static_cast<std::uint64_t>(text_.size());
+  /// Counts entries that the file does not spell out one by one, so that a few lines cannot fill the memory.
+  void spend(std::uint64_t entries, const std::string& name, std::size_t position) {
+    const std::uint64_t most = 10'000'000 + 4 * static_cast<std::uint64_t>(lines_.bytes());
     if (entries > most - spent_)
-      cursor_.failAt(set.position, joinText("set ", set.name, ": the sets of this file hold more than ", most,
-                                            " members in all, 10 million and 4 for each byte of the file; does a set "
-                                            "hold others again and again?"));
+      lines_.failAt(position, joinText("set ", name, ": the sets of this file hold more than ", most,
+                                       " members in all, 10 million and 4 for each byte of the file; does a set "
+                                       "hold others again and again?"));
     spent_ += entries;
   }
   /// Calls found(id) for the members of a set that exist; numbers of skipped elements and gaps of GENERATE stand for
@@ -413,7 +482,7 @@ class Deck {
                  end = std::upper_bound(begin, known.end(), range.last);
       const auto inside = static_cast<std::uint64_t>(end - begin);
       const std::uint64_t count = static_cast<std::uint64_t>((range.last - range.first) / range.step) + 1;
-      spend(std::min(inside, count), set);
+      spend(std::min(inside, count), set.name, set.position);
       if (inside <= count) {
         for (auto id = begin; id != end; ++id)
           if ((*id - range.first) % range.step == 0) found(*id);
@@ -427,21 +496,22 @@ class Deck {
   }
 
   void buildElements() {
+    std::vector<Element>& elements = model_.elements;
     std::vector<std::int64_t> known;
-    known.reserve(elements_.size());
-    for (const Element& element : elements_) known.push_back(element.id);
+    known.reserve(elements.size());
+    for (const Element& element : elements) known.push_back(element.id);
     std::sort(known.begin(), known.end());
     std::vector<const std::string*> names;
-    for (auto& [key, set] : elementSets_) {
+    for (auto& [key, set] : model_.elementSets) {
       const auto number = static_cast<std::uint32_t>(names.size());
       names.push_back(&set.name);
       forEachMember(set, known, [&](std::int64_t id) {
-        auto& own = elements_[elementOfId_.at(id)].sets;
+        auto& own = elements[model_.elementOfId.at(id)].sets;
         if (own.empty() || own.back() != number) own.push_back(number);
       });
     }
     std::map<std::vector<std::uint32_t>, int> groups;
-    for (const Element& element : elements_) {
+    for (const Element& element : elements) {
       int group = -1;
       if (!element.sets.empty()) {
         const auto [entry, isNew] = groups.try_emplace(element.sets, 0);
@@ -456,37 +526,49 @@ class Deck {
     }
   }
   void addNodeSets() {
-    const std::vector<std::int64_t> known = [&] {
-      std::vector<std::int64_t> ids(nodeIds_.begin(), nodeIds_.end());
-      std::sort(ids.begin(), ids.end());
-      return ids;
-    }();
-    for (auto& entry : nodeSets_) {
+    std::vector<std::int64_t> known(model_.nodeIds.begin(), model_.nodeIds.end());
+    std::sort(known.begin(), known.end());
+    for (auto& entry : model_.nodeSets) {
       auto& set = entry.second;
       forEachMember(set, known, [&](std::int64_t id) { builder_.addToNodeSet(set.name, id); });
     }
   }
 
-  const std::string& text_;
-  FileCursor cursor_;
+  void addNotes(Notes& notes) const {
+    std::string list;
+    for (const auto& [name, count] : skipped_)
+      list += (list.empty() ? "" : ", ") + name + (count > 1 ? joinText(" (", count, ")") : "");
+    if (!list.empty()) notes.push_back(joinText(source_, deckSkippedNote, list));
+    if (order_.size() < 2) return;
+    list.clear();
+    for (const std::string& key : order_) {
+      const Instance& instance = instances_.at(key);
+      list += joinText(list.empty() ? "" : ", ", instance.name, instance.offset == 0 ? "" : " + ",
+                       instance.offset == 0 ? "" : std::to_string(instance.offset));
+    }
+    notes.push_back(
+        joinText(source_, ": ", order_.size(),
+                 " instances, their sets are INSTANCE.SET and their numbers those of the file plus: ", list));
+  }
+
+  DeckLines lines_;
   std::string source_;
   MeshBuilder builder_;
-  std::size_t at_ = 0;
-  Keyword keyword_{};
+  DeckKeyword keyword_{};
   Reading reading_ = Reading::nothing;
   const FileElement* type_ = nullptr;
   bool unfinished_ = false;
-  int instances_ = 0;
   bool hasData_ = false;  // lines of data since the last keyword
   struct Open {
     std::string name;
     std::size_t position;
   };
   std::vector<Open> open_;  // the innermost last
-  std::vector<Element> elements_;
-  std::unordered_map<std::int64_t, std::size_t> elementOfId_;
-  std::unordered_set<std::int64_t> nodeIds_;
-  std::map<std::string, Set> nodeSets_, elementSets_;
+  Part model_, placed_;     // placed_: of the instance that is being read
+  std::map<std::string, Part> parts_;
+  Part* current_ = nullptr;  // what is read now belongs to it; nullptr: to the model
+  std::map<std::string, Instance> instances_;
+  std::vector<std::string> order_;  // of the instances
   std::uint64_t spent_ = 0;
   std::map<std::string, int> skipped_;
 };

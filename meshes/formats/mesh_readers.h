@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,8 @@ using Problems = std::vector<MeshProblem>;
 
 Mesh readMsh(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
 Mesh readInp(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
+/// How the note of a deck begins, behind its name, that lists the keywords that are not of the mesh.
+inline constexpr std::string_view deckSkippedNote = ": skipped, only nodes, elements and their sets are read: ";
 Mesh readTetgen(const std::filesystem::path& nodeFile, const std::filesystem::path& elementFile, Notes* notes,
                 Problems* problems);
 Mesh readLegacyVtk(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
@@ -20,6 +24,34 @@ Mesh readVtu(const std::filesystem::path& path, const std::string& text, Notes* 
 /// The mesh at rest, not yet checked, with the positions.
 MeshState readVtuState(const std::filesystem::path& path, const std::string& text, const std::string& displacement,
                        Notes* notes);
+/// A state of a results file as it stands there; numbers may be not finite.
+struct ResultFrame {
+  Mesh mesh;                     // X: the points of the file
+  std::string displacement;      // the name of the field that `u` is; "" for none
+  std::optional<NodeVectors> u;  // 3×N, m
+  std::string vectors;           // names of the fields of three components at the points, for a message
+  bool deformedPoints = false;   // the file says that its points are deformed positions
+  std::optional<double> time;    // s
+  std::optional<std::int64_t> increment;
+};
+/// names: of the displacement; the first that there is. notes: of the mesh, or nullptr.
+ResultFrame readVtuResult(const std::filesystem::path& path, const std::string& text,
+                          const std::vector<std::string>& names, Notes* notes);
+ResultFrame readLegacyVtkResult(const std::filesystem::path& path, const std::string& text,
+                                const std::vector<std::string>& names, Notes* notes);
+/// A CalculiX results file: its mesh, and where in the text its states are.
+Mesh readFrd(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
+struct FrdState {
+  double time;             // s
+  std::int64_t increment;  // of its step
+  std::int64_t step;
+  std::size_t position;  // of the first value of the field
+  int idWidth;           // characters of a node's number
+};
+std::vector<FrdState> frdStates(const std::filesystem::path& path, const std::string& text, const std::string& field);
+/// The vectors of a state by the numbers of their nodes.
+std::vector<std::pair<std::int64_t, Eigen::Vector3d>> frdVectors(const std::filesystem::path& path,
+                                                                 const std::string& text, const FrdState& state);
 /// Unpacks a block of a .vtu file with VTK's compressor of that class name into exactly `outSize` bytes; false when it
 /// does not come out so. Throws InputError for an unknown compressor, and for any in a build without VTK.
 bool unpack(const std::string& source, const std::string& compressor, const char* in, std::size_t inSize, char* out,

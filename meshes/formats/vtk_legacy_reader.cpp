@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
+#include <map>
 #include <optional>
 
 #include <ringwatch/meshes/formats/file_cursor.h>
@@ -44,7 +46,7 @@ class LegacyReader {
       else if (key == "METADATA")
         skipMetadata();
       else if (key == "FIELD")
-        skipFields(at);
+        readFields(at);
       else
         cursor_.failAt(at, joinText("found ", detail::quoted(key), " where POINTS, CELLS or CELL_TYPES is expected"));
     }
@@ -57,7 +59,62 @@ class LegacyReader {
     return build(notes, problems);
   }
 
+  /// After read(): the fields of three components at the points, 3×N each, and the single numbers of the file.
+  struct Vectors {
+    std::string name;
+    std::vector<double> values;
+  };
+  std::vector<Vectors> pointVectors() {
+    std::vector<Vectors> found;
+    std::size_t tuples = 0;
+    bool atPoints = false;
+    while (cursor_.skipSpace()) {
+      const std::size_t at = cursor_.position();
+      const std::string key = inUpperCase(cursor_.word("a section"));
+      if (key == "POINT_DATA" || key == "CELL_DATA") {
+        atPoints = key == "POINT_DATA";
+        tuples = count(key, 1, at);
+        cursor_.endRecord();
+      } else if (key == "VECTORS" || key == "NORMALS") {
+        const std::string name(cursor_.word("the name of the field"));
+        const Format f = format(cursor_.word("the data type"), at);
+        keep(found, atPoints, name, numbersOf(f, 3, tuples, at));
+      } else if (key == "SCALARS") {
+        cursor_.word("the name of the field");
+        const Format f = format(cursor_.word("the data type"), at);
+        const std::size_t components = cursor_.atLineEnd() ? 1 : count("components", 1, at);
+        if (!cursor_.startsWith("LOOKUP_TABLE")) cursor_.failAt(at, "LOOKUP_TABLE is expected behind SCALARS");
+        cursor_.word("LOOKUP_TABLE");
+        cursor_.word("the name of the table");
+        numbersOf(f, components, tuples, at);
+      } else if (key == "TENSORS") {
+        cursor_.word("the name of the field");
+        numbersOf(format(cursor_.word("the data type"), at), 9, tuples, at);
+      } else if (key == "FIELD") {
+        for (Field& field : readFields(at))
+          if (field.components == 3 && field.values.size() == 3 * tuples)
+            keep(found, atPoints, field.name, std::move(field.values));
+      } else if (key == "METADATA") {
+        skipMetadata();
+      } else {
+        cursor_.failAt(at, joinText("found ", detail::quoted(key),
+                                    " where VECTORS, SCALARS, FIELD, POINT_DATA or "
+                                    "CELL_DATA is expected"));
+      }
+    }
+    return found;
+  }
+  const std::map<std::string, double>& numbers() const { return numbers_; }
+
  private:
+  struct Field {
+    std::string name;
+    std::size_t components;
+    std::vector<double> values;
+  };
+  static void keep(std::vector<Vectors>& found, bool atPoints, const std::string& name, std::vector<double> values) {
+    if (atPoints) found.push_back({name, std::move(values)});
+  }
   struct Format {
     std::size_t bytes;
     bool real, isSigned;
@@ -184,28 +241,50 @@ class LegacyReader {
     while (cursor_.remaining() > 0 && !cursor_.atLineEnd()) cursor_.skipLine();  // it ends with an empty line
   }
 
-  void skipFields(std::size_t at) {
+  /// The numbers of a field, behind its header line; words such as nan and inf are numbers here.
+  std::vector<double> numbersOf(const Format& f, std::size_t components, std::size_t tuples, std::size_t at) {
+    const std::size_t bytes = binary_ ? f.bytes : 2;
+    if (components > 0 && tuples > cursor_.remaining() / bytes / components)
+      cursor_.failAt(at,
+                     joinText("the field announces ", components, " x ", tuples, " values, more than the file holds"));
+    std::vector<double> values(components * tuples);
+    if (values.empty()) return values;
+    beginData();
+    for (double& value : values) {
+      if (binary_) {
+        value = f.bytes >= 4 ? real(f, "a field value") : smallInteger(f);
+        continue;
+      }
+      nextWord("a field value");
+      const std::string word(cursor_.word("a field value"));
+      char* end = nullptr;
+      value = std::strtod(word.c_str(), &end);
+      if (end == word.c_str() || *end != '\0')
+        cursor_.fail(joinText("a field value is ", detail::quoted(word), "; it must be a number"));
+    }
+    endData();
+    return values;
+  }
+  double smallInteger(const Format& f) {
+    return f.bytes == 2 ? static_cast<double>(cursor_.raw<std::int16_t>("a field value"))
+                        : static_cast<double>(cursor_.raw<std::int8_t>("a field value"));
+  }
+
+  std::vector<Field> readFields(std::size_t at) {
     cursor_.word("the name of the fields");
     const std::size_t n = count("fields", 8, at);
     cursor_.endRecord();
+    std::vector<Field> fields;
     for (std::size_t i = 0; i < n; ++i) {
       if (!cursor_.skipSpace()) cursor_.fail("the file ends within a FIELD; is it cut short?");
       const std::size_t where = cursor_.position();
-      cursor_.word("the name of a field");
+      const std::string name(cursor_.word("the name of a field"));
       const std::size_t components = count("components", 1, where), tuples = count("tuples", 1, where);
       const Format f = format(cursor_.word("the data type"), where);
-      const std::size_t bytes = binary_ ? f.bytes : 2;
-      if (components > 0 && tuples > cursor_.remaining() / bytes / components)
-        cursor_.failAt(
-            where, joinText("the field announces ", components, " x ", tuples, " values, more than the file holds"));
-      cursor_.endRecord();
-      if (binary_) {
-        cursor_.skipLine();
-        cursor_.seek(cursor_.position() + components * tuples * f.bytes);
-      } else {
-        for (std::size_t k = 0; k < components * tuples; ++k) nextWord("a field value"), cursor_.word("a field value");
-      }
+      Field& field = fields.emplace_back(Field{name, components, numbersOf(f, components, tuples, where)});
+      if (field.values.size() == 1) numbers_[name] = field.values[0];
     }
+    return fields;
   }
 
   Mesh build(Notes* notes, Problems* problems) {
@@ -242,6 +321,7 @@ class LegacyReader {
   std::string source_;
   MeshBuilder builder_;
   bool binary_ = false, points_ = false, cells_ = false;
+  std::map<std::string, double> numbers_;
   std::vector<std::int64_t> nodes_, types_;
   std::vector<std::size_t> begins_, positions_;
   std::size_t typesAt_ = 0;
@@ -258,6 +338,31 @@ bool isVtkVolumeCell(int type) {
 
 Mesh readLegacyVtk(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems) {
   return LegacyReader(path.string(), text).read(notes, problems);
+}
+
+ResultFrame readLegacyVtkResult(const std::filesystem::path& path, const std::string& text,
+                                const std::vector<std::string>& names, Notes* notes) {
+  LegacyReader reader(path.string(), text);
+  ResultFrame frame;
+  Problems problems;
+  frame.mesh = reader.read(notes, &problems);
+  const std::vector<LegacyReader::Vectors> fields = reader.pointVectors();
+  for (const LegacyReader::Vectors& field : fields)
+    frame.vectors += (frame.vectors.empty() ? "" : ", ") + detail::quoted(field.name);
+  for (const std::string& name : names) {
+    const auto found =
+        std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == name; });
+    if (found == fields.end()) continue;
+    frame.displacement = name;
+    frame.u = Eigen::Map<const NodeVectors>(found->values.data(), 3, static_cast<Eigen::Index>(frame.mesh.nodeCount()));
+    break;
+  }
+  const std::map<std::string, double>& numbers = reader.numbers();
+  for (const char* name : {"TIME", "TimeValue", "time"})
+    if (const auto known = numbers.find(name); known != numbers.end()) frame.time = known->second;
+  if (const auto known = numbers.find("CYCLE"); known != numbers.end())
+    frame.increment = static_cast<std::int64_t>(known->second);
+  return frame;
 }
 
 }  // namespace ringwatch::detail

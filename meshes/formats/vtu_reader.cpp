@@ -108,6 +108,36 @@ class VtuReader {
   }
   bool deformedPoints() const { return deformedPoints_; }
 
+  /// After read(): whether every piece has a field of three components of that name at its points.
+  bool hasVectors(const std::string& name) const {
+    return std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
+      return std::any_of(piece.arrays.begin(), piece.arrays.end(), [&](const Array& a) {
+        return a.section == "PointData" && a.components == 3 && a.type->real && a.name == name;
+      });
+    });
+  }
+  std::string vectorNames() const {
+    std::string names;
+    for (const Array& a : pieces_.front().arrays)
+      if (a.section == "PointData" && a.components == 3 && a.type->real)
+        names += (names.empty() ? "" : ", ") + detail::quoted(a.name);
+    return names;
+  }
+  /// One that hasVectors, 3×N; it may be not finite.
+  NodeVectors vectors(const std::string& name, std::size_t nodes) const {
+    NodeVectors result(3, nodes);
+    std::size_t first = 0;
+    for (const Piece& piece : pieces_)
+      for (const Array& a : piece.arrays) {
+        if (a.section != "PointData" || a.name != name || piece.points == 0) continue;
+        const std::vector<double> u = values<double>(a, 3 * piece.points);
+        std::copy(u.begin(), u.end(), result.data() + 3 * first);
+        first += piece.points;
+        break;
+      }
+    return result;
+  }
+
   /// After read(): the numbers at cells. Their order is the mesh's only where no type comes again behind another one.
   std::vector<FrameField> cellFields() const {
     if (flat_ > 0 || mixed_)
@@ -611,6 +641,26 @@ MeshState readVtuState(const std::filesystem::path& path, const std::string& tex
   state.x = reader.deformedPoints() ? state.mesh.X : NodeVectors(state.mesh.X + u);
   if (reader.deformedPoints()) state.mesh.X -= u;
   return state;
+}
+
+ResultFrame readVtuResult(const std::filesystem::path& path, const std::string& text,
+                          const std::vector<std::string>& names, Notes* notes) {
+  VtuReader reader(path.string(), text);
+  ResultFrame frame;
+  Problems problems;  // points that are not finite are the audit's business
+  frame.mesh = reader.read(notes, &problems);
+  frame.vectors = reader.vectorNames();
+  frame.deformedPoints = reader.deformedPoints();
+  for (const std::string& name : names)
+    if (reader.hasVectors(name)) {
+      frame.displacement = name;
+      frame.u = reader.vectors(name, frame.mesh.nodeCount());
+      break;
+    }
+  const std::map<std::string, double> numbers = reader.numbers();
+  for (const char* name : {"TimeValue", "TIME", "time"})
+    if (const auto known = numbers.find(name); known != numbers.end()) frame.time = known->second;
+  return frame;
 }
 
 }  // namespace ringwatch::detail

@@ -159,7 +159,8 @@ TEST_F(InpTest, NamesFileAndLineOfWhatIsWrong) {
   expectError(deck("*NSET, NSET=a\n1, nowhere\n"), "30", "not defined above");
   expectError(deck("*NSET, NSET=a\n99\n"), "30", "node 99");
   expectError(deck("*NSET, NSET=a, GENERATE\n9, 1\n"), "30", "must not be below");
-  expectError(deck("*INCLUDE, INPUT=more.inp\n"), "29", "not followed");
+  expectError(deck("*INCLUDE, INPUT=nowhere.inp\n"), "29", "there is no such file");
+  expectError(deck("*INCLUDE\n"), "29", "INPUT=");
   expectError(deck("*NGEN\n1, 2, 1\n"), "29", "not supported");
   expectError(deck("*ELEMENT, TYPE=C3D15\n60, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 1, 2, 3\n"), "30", "wedge15");
 }
@@ -190,6 +191,146 @@ TEST_F(InpTest, RefusesWhatIsCutShort) {
   read(stepped + "\n");
   read(whole + "*STEP\n*STATIC\n*ENDSTEP\n*STEP\n*END  STEP\n");
   read(whole + "*NSET, NSET=fromElements, ELSET=Bricks\n");
+}
+
+/// Writes files beside each other; the first name is the deck's.
+class InpFilesTest : public ::testing::Test {
+ public:
+  std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) /
+      (std::string("decks-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  std::vector<std::string> notes;
+  void SetUp() override { std::filesystem::create_directories(folder / "parts"); }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
+  Mesh read(const std::string& name = "deck.inp") { return loadMesh(folder / name, &notes); }
+  std::string error(const std::string& name = "deck.inp") {
+    try {
+      read(name);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "no error";
+  }
+  std::string at(const std::string& name, int line) const {
+    return (folder / name).string() + ":" + std::to_string(line) + ": ";
+  }
+  static constexpr const char* tetrahedron = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n";
+};
+
+TEST_F(InpFilesTest, FollowsIncludes) {
+  write("deck.inp", "*HEADING\n*INCLUDE, INPUT=parts/all.inp\n*NSET, NSET=tip\n*INCLUDE, INPUT=tip.txt\n3\n");
+  write("parts/all.inp", joinText("** nodes\n", tetrahedron, "*include, input = \"more.inp\"\n"));  // beside it
+  write("parts/more.inp", "*ELEMENT, TYPE=C3D4, ELSET=all\n7, 1, 2, 3, 4\n");
+  write("tip.txt", "4,\n");
+  const Mesh mesh = read();
+  EXPECT_NEAR(meshVolume(mesh), 1.0 / 6, 1e-15);
+  EXPECT_THAT(mesh.nodeSets.at("tip"), ElementsAre(2, 3));
+  EXPECT_THAT(mesh.blocks[0].ids, ElementsAre(7));
+
+  write("input.inp", "*NODE, INPUT=nodes.txt\n*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n");
+  write("nodes.txt", std::string(tetrahedron).substr(6));
+  EXPECT_NEAR(meshVolume(read("input.inp")), 1.0 / 6, 1e-15);
+}
+
+TEST_F(InpFilesTest, NamesTheIncludedFileAndItsLine) {
+  write("deck.inp", "*INCLUDE, INPUT=nodes.inp\n*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 9\n");
+  write("nodes.inp", tetrahedron);
+  EXPECT_THAT(error(), HasSubstr(at("deck.inp", 3)));  // behind the file that was taken in, the deck's own lines
+  write("nodes.inp", joinText(tetrahedron, "5, 0, x, 0\n"));
+  EXPECT_THAT(error(), HasSubstr(at("nodes.inp", 6) + "coordinate y of node 5"));
+  write("nodes.inp", joinText(tetrahedron, "5, 0, 0, 0"));
+  EXPECT_THAT(error(), HasSubstr(at("nodes.inp", 6) + "the last line, of *NODE, has no line end"));
+  write("nodes.inp", joinText(tetrahedron, "*INCLUDE, INPUT=nowhere.inp\n"));
+  EXPECT_THAT(error(), HasSubstr(at("nodes.inp", 6) + "*INCLUDE takes in "));
+}
+
+TEST_F(InpFilesTest, RefusesIncludesWithoutEnd) {
+  write("deck.inp", "*INCLUDE, INPUT=one.inp\n");
+  write("one.inp", "*INCLUDE, INPUT=./parts/../two.inp\n");
+  write("two.inp", "*NODE\n*INCLUDE, INPUT=one.inp\n");
+  EXPECT_THAT(error(), HasSubstr("two.inp:2: "));
+  EXPECT_THAT(error(), HasSubstr("must not include itself"));
+  write("self.inp", "*INCLUDE, INPUT=self.inp\n");
+  EXPECT_THAT(error("self.inp"), HasSubstr(at("self.inp", 1)));
+
+  for (int i = 0; i < 30; ++i) write(joinText("deep", i, ".inp"), joinText("*INCLUDE, INPUT=deep", i + 1, ".inp\n"));
+  write("deep30.inp", tetrahedron);
+  EXPECT_THAT(error("deep0.inp"), HasSubstr("at most 20 are followed"));
+  EXPECT_EQ(error("deep12.inp").find("at most"), std::string::npos);
+
+  // Two files that each include the next one twice: 2^18 of them.
+  for (int i = 0; i < 18; ++i)
+    write(joinText("twice", i, ".inp"),
+          joinText("*INCLUDE, INPUT=twice", i + 1, ".inp\n*INCLUDE, INPUT=twice", i + 1, ".inp\n"));
+  write("twice18.inp", "** nothing\n");
+  EXPECT_THAT(error("twice0.inp"), HasSubstr("at most 10000 are followed"));
+}
+
+TEST_F(InpFilesTest, TellsADeckByItsContent) {
+  write("all.msh",
+        joinText("** as cgx writes it\n\n", tetrahedron, "*ELEMENT, TYPE=C3D4, ELSET=Eall\n1, 1, 2, 3, 4\n"));
+  EXPECT_NEAR(meshVolume(read("all.msh")), 1.0 / 6, 1e-15);
+  write("other.msh", "* not a keyword\n");
+  EXPECT_NE(error("other.msh"), "no error");
+}
+
+TEST_F(InpFilesTest, PlacesInstances) {
+  const std::string part = joinText("*PART, NAME=corner\n", tetrahedron,
+                                    "*ELEMENT, TYPE=C3D4, ELSET=body\n1, 1, 2, 3, 4\n*NSET, NSET=foot\n1\n*END PART\n");
+  write("deck.inp", part + R"(*ASSEMBLY, NAME=a
+*INSTANCE, NAME=first-1, PART=corner
+*END INSTANCE
+*INSTANCE, NAME=second-1, PART=CORNER
+10., 0., 0.
+10., 0., 0., 10., 0., 1., 90.
+*END INSTANCE
+*NSET, NSET=tips, INSTANCE=second-1
+4, foot
+*NSET, NSET=tips, INSTANCE=first-1
+2
+*ELSET, ELSET=both, INSTANCE=first-1
+body
+*ELSET, ELSET=both, INSTANCE=second-1
+1
+*END ASSEMBLY
+)");
+  const Mesh mesh = read();
+  ASSERT_EQ(mesh.nodeCount(), 8u);
+  EXPECT_NEAR(meshVolume(mesh), 2.0 / 6, 1e-15);
+  EXPECT_THAT(mesh.blocks[0].ids, ElementsAre(1, 11));
+  EXPECT_EQ(mesh.X.col(1), Eigen::Vector3d(1, 0, 0));
+  // Moved by 10 along x, then turned by 90 degrees about z through (10, 0, 0).
+  EXPECT_LT((mesh.X.col(5) - Eigen::Vector3d(10, 1, 0)).norm(), 1e-15);
+  EXPECT_LT((mesh.X.col(6) - Eigen::Vector3d(9, 0, 0)).norm(), 4e-15);
+  EXPECT_THAT(mesh.nodeSets.at("first-1.foot"), ElementsAre(0));
+  EXPECT_THAT(mesh.nodeSets.at("second-1.foot"), ElementsAre(4));
+  EXPECT_THAT(mesh.nodeSets.at("tips"), ElementsAre(1, 4, 7));
+  EXPECT_EQ(mesh.elementSets.at("both").size(), 2u);
+  EXPECT_THAT(notes,
+              ::testing::Contains(HasSubstr("2 instances, their sets are INSTANCE.SET and their numbers those of "
+                                            "the file plus: first-1, second-1 + 10")));
+
+  // The sets of an only instance keep the names of its part, unless the assembly has one of that name.
+  write("one.inp", part +
+                       "*ASSEMBLY, NAME=a\n*INSTANCE, NAME=i, PART=corner\n*END INSTANCE\n*NSET, NSET=foot, "
+                       "INSTANCE=i\n3\n*END ASSEMBLY\n");
+  const Mesh one = read("one.inp");
+  EXPECT_THAT(one.nodeSets.at("i.foot"), ElementsAre(0));
+  EXPECT_THAT(one.nodeSets.at("foot"), ElementsAre(2));
+  EXPECT_EQ(one.elementSets.at("body").size(), 1u);
+
+  const auto expectError = [&](const std::string& rest, const std::string& what) {
+    write("bad.inp", part + "*ASSEMBLY, NAME=a\n" + rest + "*END ASSEMBLY\n");
+    EXPECT_THAT(error("bad.inp"), HasSubstr(what));
+  };
+  expectError("*INSTANCE, NAME=i, PART=edge\n*END INSTANCE\n", "is of the part \"edge\", which is not defined above");
+  expectError("*INSTANCE, NAME=i, PART=corner\n1, 2\n*END INSTANCE\n", "it must have 3, its translation");
+  expectError("*INSTANCE, NAME=i, PART=corner\n*END INSTANCE\n*INSTANCE, NAME=I, PART=corner\n*END INSTANCE\n",
+              "has the name of an instance above");
+  expectError("*INSTANCE, NAME=i, PART=corner\n*END INSTANCE\n*NSET, NSET=s, INSTANCE=j\n1\n",
+              "is of the instance \"j\", which is not defined above");
+  expectError("", "no *INSTANCE of one");
 }
 
 TEST_F(InpTest, KeepsRangesOfSets) {

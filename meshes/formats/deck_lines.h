@@ -1,0 +1,93 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <ringwatch/meshes/formats/file_cursor.h>
+
+namespace ringwatch::detail {
+
+/// A line of a deck.
+struct DeckLine {
+  std::string_view text;  // trimmed, not empty
+  std::size_t position;
+  bool ended;  // by a line end; false for the last line of a file that has none
+
+  bool isKeyword() const { return text.front() == '*'; }
+};
+
+/// A keyword line with its parameters, "*ELEMENT, TYPE=C3D8, ELSET=bar".
+struct DeckKeyword {
+  std::string name;                               // upper case, without the star, one blank between two words
+  std::map<std::string, std::string> parameters;  // upper case -> as written, without quotes
+  std::size_t position = 0;
+
+  bool has(const std::string& key) const { return parameters.count(key) != 0; }
+  /// "" for one that is not there.
+  std::string value(const std::string& key) const {
+    const auto found = parameters.find(key);
+    return found == parameters.end() ? std::string() : found->second;
+  }
+};
+
+/// Whether a text is a deck: behind comments and empty lines it begins with a keyword.
+bool startsWithDeck(std::string_view text);
+
+/// The lines of an Abaqus or CalculiX deck and of the files that it includes, in the order in which the program that
+/// the deck is for reads them. A position stands for a place in one of the files.
+class DeckLines {
+ public:
+  /// text: of the file; it must outlive this.
+  DeckLines(const std::filesystem::path& path, const std::string& text);
+
+  /// The next line that is neither empty nor a comment. *INCLUDE is followed: its file is looked for beside the deck,
+  /// then beside the file that includes it. Throws InputError "FILE:LINE: …" for a file that cannot be read, that
+  /// includes itself, or that is included too deep or too often.
+  std::optional<DeckLine> next();
+  /// The keyword of a line, which goes on in the next one where it ends with a comma.
+  DeckKeyword keyword(const DeckLine& first);
+  /// Reads another file next, whose name a keyword's parameter INPUT gives; then the lines go on where they are.
+  void include(const DeckKeyword& keyword);
+
+  /// The words between commas, trimmed; a comma at the end of the line adds none.
+  static std::vector<std::string_view> fields(std::string_view line);
+  /// Throw InputError where the word is no whole number of 1 and more, or no number. what: its name in the message.
+  std::int64_t number(std::string_view word, std::string_view what, std::size_t position) const;
+  double real(std::string_view word, std::string_view what, std::size_t position) const;
+
+  /// "file:line" of a position.
+  std::string where(std::size_t position) const;
+  [[noreturn]] void failAt(std::size_t position, const std::string& what) const {
+    throw InputError(where(position) + ": " + what);
+  }
+  /// Bytes of all files so far, each as often as it was included.
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  /// A file, or one more time the same.
+  struct Source {
+    std::filesystem::path path, canonical;
+    const std::string* text;
+    std::size_t base;  // position of its first byte
+    std::unique_ptr<FileCursor> cursor;
+  };
+  struct Open {
+    std::size_t source;
+    std::size_t at;  // the byte to go on with
+  };
+  void open(const std::filesystem::path& path, const std::string* text);
+  std::optional<DeckLine> nextOfFiles();
+
+  std::filesystem::path folder_;                                         // of the deck
+  std::map<std::filesystem::path, std::unique_ptr<std::string>> texts_;  // of included files
+  std::vector<Source> sources_;                                          // by base
+  std::vector<Open> open_;                                               // the innermost last
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace ringwatch::detail

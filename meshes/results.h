@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <ringwatch/meshes/formats/vtu_writer.h>
+#include <ringwatch/meshes/mesh.h>
+
+namespace ringwatch {
+
+/// A state in the results of another program.
+struct ResultEntry {
+  std::optional<double> time;             // s
+  std::optional<std::int64_t> increment;  // steps taken up to it
+  std::string where;                      // "bar.frd:297", for messages
+};
+
+/// States that a program has left in files: a .pvd with its .vtu files, .vtu or legacy .vtk files in the order given,
+/// or an .frd file of CalculiX (text).
+class ResultSeries {
+ public:
+  /// displacement: the name of the field, m; "" takes the first of the usual names that there is, and without any the
+  /// points themselves, which then are the deformed positions, with those of the first state at rest. notes: what a
+  /// user may want to know. Throws InputError, "FILE:LINE: …", for files that cannot be read, results without states,
+  /// and states whose nodes or elements are not those of the first.
+  ResultSeries(const std::vector<std::filesystem::path>& files, const std::string& displacement,
+               std::vector<std::string>* notes);
+
+  /// At rest.
+  const Mesh& mesh() const { return mesh_; }
+  const std::vector<ResultEntry>& entries() const { return entries_; }
+  /// Positions of state i, 3×N, m. They may be not finite, where the program went on after it had lost the run.
+  NodeVectors positions(std::size_t i) const { return positions_(i); }
+  /// How the positions come about: the name of the field, or "" for deformed points.
+  const std::string& displacement() const { return displacement_; }
+
+ private:
+  void openFrd(const std::filesystem::path& file, const std::string& displacement, std::vector<std::string>* notes);
+  void openVtk(const std::vector<std::filesystem::path>& files, const std::string& displacement,
+               std::vector<std::string>* notes);
+
+  Mesh mesh_;
+  std::vector<ResultEntry> entries_;
+  std::function<NodeVectors(std::size_t)> positions_;
+  std::string displacement_;
+};
+
+/// The files of a .pvd collection with their times. Throws InputError when it cannot be read.
+std::vector<PvdEntry> readPvd(const std::filesystem::path& file);
+
+}  // namespace ringwatch
