@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <ringwatch/base/error.h>
@@ -59,6 +60,10 @@ std::string valueFault(const OptionInfo& option, const OptionValue& value) {
   if (option.type == OptionType::text) return "is a number where a text is needed";
   if (!std::isfinite(number)) return "must be a finite number" + (range.empty() ? range : " " + range);
   if (option.type == OptionType::integer && number != std::floor(number)) return "must be an integer";
+  constexpr std::numeric_limits<int> integers;
+  if (option.type == OptionType::integer && option.range.holds(number) &&
+      (number < integers.min() || number > integers.max()))
+    return joinText("must be an integer from ", integers.min(), " to ", integers.max());
   return option.range.holds(number) ? std::string() : "must be " + range;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/options.h>
 #include <ringwatch/body/body.h>
 
@@ -51,7 +52,7 @@ inline constexpr OptionInfo solverToleranceOption{.name = "tolerance",
                                                   .onlyWith = {"solver", iterativeSolvers}};
 inline constexpr OptionInfo solverIterationsOption{.name = "iterations",
                                                    .type = OptionType::integer,
-                                                   .range = {1, 2147483647, true, true},
+                                                   .range = {1, infinity, true, true},
                                                    .fallback = "200",
                                                    .help = "of cg, at most",
                                                    .onlyWith = {"solver", iterativeSolvers}};

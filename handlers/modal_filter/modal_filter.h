@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/handlers/modal_filter/filtered_tetrahedra.h>
 #include <ringwatch/handlers/modal_filter/shape_constraints.h>
@@ -36,7 +37,7 @@ class ModalFilter final : public Handler {
       variantOption(variants, "compliant constraints, or by projection as in Fierz 2013"),
       OptionInfo{.name = "passes",
                  .type = OptionType::integer,
-                 .range = {0, 2147483647, true, true},
+                 .range = {0, infinity, true, true},
                  .fallback = "0",
                  .help = "over the handled elements in a step; more make crowded ones less soft; 0: 1",
                  .onlyWith = {"variant", compliantAlone}},
@@ -48,7 +49,7 @@ class ModalFilter final : public Handler {
                  .onlyWith = {"variant", projectionAlone}},
       OptionInfo{.name = "iterations",
                  .type = OptionType::integer,
-                 .range = {1, 2147483647, true, true},
+                 .range = {1, infinity, true, true},
                  .fallback = "200",
                  .help = "of the projection, at most",
                  .onlyWith = {"variant", projectionAlone}}};

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/options.h>
 
 namespace ringwatch {
@@ -15,6 +16,7 @@ constexpr std::array<std::string_view, 1> squareAlone{"square"};
 constexpr std::array table{
     OptionInfo{.name = "width", .unit = "m", .range = NumberRange::positive(), .help = "how wide"},
     OptionInfo{.name = "count", .type = OptionType::integer, .range = {1, 12, true, true}, .fallback = "6"},
+    OptionInfo{.name = "passes", .type = OptionType::integer, .range = {1, infinity, true, true}, .fallback = "1"},
     OptionInfo{.name = "shape", .type = OptionType::text, .choices = shapes, .automatic = true, .fallback = "auto"},
     OptionInfo{.name = "tolerance", .range = {0, 1, false, true}, .automatic = true, .fallback = "auto"},
     OptionInfo{.name = "corner", .fallback = "0.5", .onlyWith = {"shape", squareAlone}},
@@ -47,6 +49,9 @@ TEST(Options, AreRefusedWithWhatWouldBeRight) {
   EXPECT_EQ(refusal({{"width", "wide"}}), "wall: width \"wide\": is a text where a number is needed");
   EXPECT_EQ(refusal({{"width", 1}, {"count", 13}}), "wall: count 13: must be >= 1 and <= 12");
   EXPECT_EQ(refusal({{"width", 1}, {"count", 1.5}}), "wall: count 1.5: must be an integer");
+  EXPECT_EQ(findOption(table, "passes")->range.text(), ">= 1");
+  EXPECT_EQ(refusal({{"width", 1}, {"passes", 2147483648.0}}),
+            "wall: passes 2.14748365e+09: must be an integer from -2147483648 to 2147483647");
   EXPECT_EQ(refusal({{"width", 1}, {"shape", "oval"}}), "wall: shape \"oval\": must be one of round, square");
   EXPECT_EQ(refusal({{"width", 1}, {"shape", 1}}), "wall: shape 1: is a number where a text is needed");
   EXPECT_EQ(refusal({{"width", 1}, {"corner", 1}}), "wall: corner 1: goes with shape square, not with \"round\"");
