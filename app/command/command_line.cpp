@@ -23,6 +23,8 @@
 #include <ringwatch/app/command/process.h>
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/command/provenance.h>
+#include <ringwatch/app/command/reference.h>
+#include <ringwatch/app/command/schema.h>
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/report/run_report.h>
@@ -168,8 +170,8 @@ struct ReportCommand {
   void declare(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("report", "write one page that says which element of a run is in the way, when and why");
-    command->add_option("DIR", folder, "folder of a run")->required();
-    command->add_option("--out", output, "file to write (default: report.html in DIR)");
+    command->add_option("DIR", folder, "folder of a run")->required()->type_name("DIR");
+    command->add_option("--out", output, "file to write (default: report.html in DIR)")->type_name("FILE");
     command->add_option("--frames", options.frames, "most frames in the page (default: as many as keep it small)")
         ->check(CLI::Range(1, 100000));
     command->footer(
@@ -195,24 +197,28 @@ struct RunCommand {
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
-    command->add_option("SCENE", scene, "scene file (TOML); see ringwatch help scene");
-    command->add_option("--out", folder,
-                        "folder for the results, made when missing (default: out/ and the scene's name)");
-    command->add_option(
-        "--resume", resumed,
-        "folder of a run with output.checkpoint_every that was stopped: go on from its last checkpoint");
+    command->add_option("SCENE", scene, "scene file (TOML); see ringwatch help scene")->type_name("SCENE");
+    command
+        ->add_option("--out", folder, "folder for the results, made when missing (default: out/ and the scene's name)")
+        ->type_name("DIR");
+    command
+        ->add_option("--resume", resumed,
+                     "folder of a run with output.checkpoint_every that was stopped: go on from its last checkpoint")
+        ->type_name("DIR");
     command->add_option("--set", overrides, "section.key=value, replaces the value of the scene; may be given again")
+        ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     command
         ->add_option("--threads", threads,
-                     "threads (default: as many as the mesh keeps busy); results do not depend on it")
+                     "threads (default: as many as the mesh has work for); results do not depend on it")
         ->check(CLI::Range(0, 4096));
     command->add_flag("--require-certified", requireCertified,
                       "exit with status 1 unless every step was certified; as monitor.require_certified = true");
     command->add_flag("--report", report, "also write report.html there, as ringwatch report does");
-    command->add_flag("--live", live,
-                      "write report.html anew while the run goes on, which reloads itself, and show bracket, progress "
-                      "and the monitor's cost on a terminal");
+    command->add_flag(
+        "--live", live,
+        "write report.html again and again while the run goes on, which reloads itself, and show bracket, progress "
+        "and the monitor's cost on a terminal");
     command->add_flag("--quiet", quiet, "print nothing but errors; the exit status tells how it went");
     command->add_flag("--help-scene", helpScene, "list every key of a scene file, as ringwatch help scene does");
     command->footer(
@@ -307,13 +313,16 @@ struct CompareCommand {
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("compare", "run a scene with several integrators: error against cost");
     command->add_option("SCENE", options.scene, "scene file (TOML); its motion is what is computed, to its end")
-        ->required();
+        ->required()
+        ->type_name("SCENE");
     command->add_option("--integrators", options.integrators, "names, separated by commas, or all (default: all)")
+        ->type_name("INTEGRATORS")
         ->delimiter(',')
         ->allow_extra_args(false);
     command
         ->add_option("--handlers", options.handlers,
                      "handlers on verlet, separated by commas, or all (default: none); options from the scene")
+        ->type_name("HANDLERS")
         ->delimiter(',')
         ->allow_extra_args(false);
     command
@@ -322,13 +331,14 @@ struct CompareCommand {
         ->delimiter(',')
         ->allow_extra_args(false);
     command->add_option("--set", options.overrides, "section.key=value, replaces the value of the scene")
+        ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     command->add_option("--threads", options.threads, "threads (default: 1, so that times compare)")
         ->check(CLI::Range(0, 4096));
-    command->add_option("--json", json,
-                        "write the results to this file; - for standard output, and nothing else there");
-    command->add_option("--out", folder, "folder for pictures, made when missing");
-    command->add_option("--report", page, pageHelp);
+    command->add_option("--json", json, "write the results to this file; - for standard output, and nothing else there")
+        ->type_name("FILE");
+    command->add_option("--out", folder, "folder for pictures, made when missing")->type_name("DIR");
+    command->add_option("--report", page, pageHelp)->type_name("FILE");
     command->footer(
         "Against a reference that is refined until it no longer changes. Errors are those of the positions at the end, "
         "relative\nto the displacement.\n" +
@@ -366,7 +376,8 @@ struct InspectCommand {
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
     command->add_option("MESH", options.mesh, "mesh file: " + readableExtensions() + "; or the folder of a run")
-        ->required();
+        ->required()
+        ->type_name("MESH");
     for (const SceneKey& key : sceneKeys())
       if (key.section == "material" && isLawParameter(key.key))
         command->add_option_function<double>(
@@ -375,26 +386,36 @@ struct InspectCommand {
                         key.range.text().empty() ? "" : ", ", key.range.text()));
     command->add_option("--density", options.density,
                         "density, kg/m3; it and the parameters of the law are required with a mesh file");
-    command->add_option("--model", options.model,
-                        fmt::format("constitutive law (default: {})", InspectOptions::usualModel));
-    command->add_option("--displacement", options.displacement,
-                        "field of displacements, m, in a .vtu file: inspect that deformed state");
+    command
+        ->add_option("--model", options.model,
+                     fmt::format("constitutive law (default: {})", InspectOptions::usualModel))
+        ->type_name("LAW");
+    command
+        ->add_option("--displacement", options.displacement,
+                     "field of displacements, m, in a .vtu file: inspect that deformed state")
+        ->type_name("FIELD");
     command->add_option("--frame", options.frame,
                         "inspect this frame of a run, counted from 1; material, supports, integrator and damping are "
                         "those of its scene unless given");
-    command->add_option(
-        "--integrator", options.integrator,
-        fmt::format("integrator whose stability limit counts (default: {})", InspectOptions::usualIntegrator));
-    command->add_option("--lumping", lumping,
-                        fmt::format("how an element's mass goes to its nodes (default: {}): {}",
-                                    lumpingNames.nameOf(InspectOptions::usualLumping), lumpingNames.listing()));
+    command
+        ->add_option(
+            "--integrator", options.integrator,
+            fmt::format("integrator whose stability limit counts (default: {})", InspectOptions::usualIntegrator))
+        ->type_name("INTEGRATOR");
+    command
+        ->add_option("--lumping", lumping,
+                     fmt::format("how an element's mass goes to its nodes (default: {}): {}",
+                                 lumpingNames.nameOf(InspectOptions::usualLumping), lumpingNames.listing()))
+        ->type_name("LUMPING");
     command
         ->add_option("--rule", options.rules,
                      "ELEMENT=RULE, a quadrature rule, e.g. hex8=selective; may be given again")
+        ->type_name("ELEMENT=RULE")
         ->allow_extra_args(false);
     command->add_option("--step", options.step,
                         "list the elements that need a smaller step than this, s, and count what a handler would take");
     command->add_option("--metric", options.metrics, "metrics, separated by commas, or all")
+        ->type_name("METRICS")
         ->delimiter(',')
         ->allow_extra_args(false);
     command
@@ -402,6 +423,7 @@ struct InspectCommand {
             "--fix", options.fix,
             "nodes that are held, by a condition or set:NAME, and behind a colon the components: \"x < 1e-6\", "
             "\"set:left:x\"; may be given again")
+        ->type_name("CONDITION")
         ->allow_extra_args(false);
     command->add_flag("--global", options.global, "also the exact critical step, by a global eigenvalue");
     command->add_option("--lanczos", options.lanczos,
@@ -413,17 +435,19 @@ struct InspectCommand {
         "--prove", options.prove,
         "prove that this step, s, is stable, by a sparse factorisation; exit status 1 when it is proven "
         "unstable, 3 when neither is proven");
-    command->add_option("--json", json,
-                        "write the numbers to this file; - for standard output, and nothing else there");
+    command->add_option("--json", json, "write the numbers to this file; - for standard output, and nothing else there")
+        ->type_name("FILE");
     command->add_flag("--distribution", options.distribution,
                       "histogram and cumulative share of the elements' steps by metric; the ten worst elements");
-    command->add_option("--picture", picture, "draw the distribution into this file, .svg or .png");
-    command->add_option("--vtu", vtu, "write the mesh with the steps by each metric for ParaView");
-    command->add_option("--certificate", certificate,
-                        "write a proof that ringwatch-check can check: of the bracket by the nodal bound, or of what "
-                        "--exact or --prove finds");
-    command->add_option("--report", page, pageHelp);
-    command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
+    command->add_option("--picture", picture, "draw the distribution into this file, .svg or .png")->type_name("FILE");
+    command->add_option("--vtu", vtu, "write the mesh with the steps by each metric for ParaView")->type_name("FILE");
+    command
+        ->add_option("--certificate", certificate,
+                     "write a proof that ringwatch-check can check: of the bracket by the nodal bound, or of what "
+                     "--exact or --prove finds")
+        ->type_name("FILE");
+    command->add_option("--report", page, pageHelp)->type_name("FILE");
+    command->add_option("--threads", options.threads, "threads (default: as many as the mesh has work for)")
         ->check(CLI::Range(0, 4096));
     command->footer(std::string(unitsText) + "\n" + seeTopics("laws | integrators | metrics | formats") +
                     exitStatusHint);
@@ -466,8 +490,10 @@ struct MeshCommand {
     command->require_subcommand(1);
     command->footer(exitStatusHint);
     generate = command->add_subcommand("generate", "make a mesh");
-    generate->add_option("KIND", kind, "kind of mesh")->required();
-    generate->add_option("-o,--output", output, "mesh file to write: " + writableExtensions())->required();
+    generate->add_option("KIND", kind, "kind of mesh")->required()->type_name("KIND");
+    generate->add_option("-o,--output", output, "mesh file to write: " + writableExtensions())
+        ->required()
+        ->type_name("FILE");
     for (const SceneKey& key : generatorSceneKeys())
       generate->add_option("--" + key.key, parameters[key.key], key.help)->expected(1, 3)->delimiter(',');
     generate->footer(
@@ -476,10 +502,10 @@ struct MeshCommand {
         "Example: ringwatch mesh generate bar --size 0.2 0.04 0.04 --cells 20 4 4 --element hex8 -o bar.msh\n" +
         "\nUnits, ranges and defaults of the parameters: ringwatch help generators");
     convert = command->add_subcommand("convert", "read a mesh and write it in another format");
-    convert->add_option("IN", input, "mesh file: " + readableExtensions())->required();
-    convert->add_option("OUT", target, "mesh file to write: " + writableExtensions())->required();
+    convert->add_option("IN", input, "mesh file: " + readableExtensions())->required()->type_name("MESH");
+    convert->add_option("OUT", target, "mesh file to write: " + writableExtensions())->required()->type_name("FILE");
     check = command->add_subcommand("check", "list what is wrong with a mesh; exit status 1 when there is something");
-    check->add_option("MESH", checked, "mesh file: " + readableExtensions())->required();
+    check->add_option("MESH", checked, "mesh file: " + readableExtensions())->required()->type_name("MESH");
     check->add_flag("--all", allProblems, "list every problem, not the first ten");
   }
 
@@ -556,11 +582,11 @@ struct VerifyCommand {
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("verify", "hold elements and integrators to analytic answers");
-    command->add_option("STUDY", studies, "studies to run, or all (default: all)");
-    command->add_option("--json", json,
-                        "write the results to this file; - for standard output, and nothing else there");
-    command->add_option("--out", folder, "folder for pictures, made when missing");
-    command->add_option("--report", page, pageHelp);
+    command->add_option("STUDY", studies, "studies to run, or all (default: all)")->type_name("STUDY");
+    command->add_option("--json", json, "write the results to this file; - for standard output, and nothing else there")
+        ->type_name("FILE");
+    command->add_option("--out", folder, "folder for pictures, made when missing")->type_name("DIR");
+    command->add_option("--report", page, pageHelp)->type_name("FILE");
     command->add_flag("--quick", quick,
                       "coarser and shorter, on one thread: about a minute of processor time for all studies");
     command->footer("Exit status 1 when a check fails; ringwatch help exit-status has the table.\n\n" +
@@ -605,7 +631,8 @@ struct HelpCommand {
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("help", "explain a topic or a command");
-    command->add_option("TOPIC", words, "one of the topics below, or a command such as run or mesh generate");
+    command->add_option("TOPIC", words, "one of the topics below, or a command such as run or mesh generate")
+        ->type_name("TOPIC");
     command->footer("Topics:\n" + helpTopicListing());
   }
 
@@ -635,6 +662,52 @@ struct HelpCommand {
       name += " " + word;
     }
     printOut(app.get_formatter()->make_help(command, name, CLI::AppFormatMode::Normal));
+    return ExitStatus::done;
+  }
+};
+
+struct SchemaCommand {
+  std::string name;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("schema", "print the JSON Schema of a scene or of a JSON file");
+    command->add_option("SCHEMA", name, "one of those below; without it they are listed")->type_name("SCHEMA");
+    command->footer("Schemas:\n" + listing());
+  }
+
+  ExitStatus execute() const {
+    printOut(name.empty() ? listing() : schemaOf(name).dump(2) + "\n");
+    return ExitStatus::done;
+  }
+
+ private:
+  static std::string listing() {
+    std::string text;
+    for (const SchemaInfo& schema : allSchemas()) text += fmt::format("  {:<12} {}\n", schema.name, schema.help);
+    return text;
+  }
+};
+
+struct ReferenceCommand {
+  std::string folder;
+
+  void declare(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("reference", "write reference pages, schemas, manual page and shell completion");
+    command->add_option("DIR", folder, "folder to write them to, made when missing; laid out as share/ of a system")
+        ->required()
+        ->type_name("DIR");
+    command->footer(std::string("All are made from what this program has.\n") + exitStatusHint);
+  }
+
+  ExitStatus execute(const CLI::App& app) const {
+    for (const ReferenceFile& file : referenceFiles(app)) {
+      const std::filesystem::path path = folder / file.path;
+      std::error_code error;
+      std::filesystem::create_directories(path.parent_path(), error);
+      if (error) throw InputError(fmt::format("DIR: cannot write {}: {}", path.string(), error.message()));
+      writeFileAtomically(path, file.text);
+    }
     return ExitStatus::done;
   }
 };
@@ -672,6 +745,8 @@ ExitStatus dispatch(int argc, char** argv) {
   VerifyCommand verify;
   CompareCommand compare;
   ReportCommand report;
+  SchemaCommand schema;
+  ReferenceCommand reference;
   HelpCommand help;
   help.declare(app);
   run.declare(app);
@@ -680,6 +755,8 @@ ExitStatus dispatch(int argc, char** argv) {
   verify.declare(app);
   compare.declare(app);
   report.declare(app);
+  schema.declare(app);
+  reference.declare(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help and --version
@@ -694,6 +771,8 @@ ExitStatus dispatch(int argc, char** argv) {
   if (app.got_subcommand("inspect")) return inspect.execute();
   if (app.got_subcommand("verify")) return verify.execute();
   if (app.got_subcommand("report")) return report.execute();
+  if (app.got_subcommand("schema")) return schema.execute();
+  if (app.got_subcommand("reference")) return reference.execute(app);
   if (app.got_subcommand("compare")) return compare.execute();
   return mesh.execute();
 }

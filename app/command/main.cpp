@@ -26,7 +26,8 @@ namespace {
 /// The program that does what the arguments ask for, "" for this one.
 std::string_view programFor(int argc, char** argv) {
   const auto word = [&](int i) { return i < argc ? std::string_view(argv[i]) : std::string_view(); };
-  if (word(1) == "verify" || (word(1) == "help" && (word(2) == "verify" || word(2) == "studies")))
+  if (word(1) == "verify" || word(1) == "reference" ||
+      (word(1) == "help" && (word(2) == "verify" || word(2) == "studies")))
     return "ringwatch-verify";
   // Options that ask for a page, as --report FILE or --report=FILE.
   const bool reports = std::any_of(argv + std::min(argc, 2), argv + argc, [](std::string_view argument) {

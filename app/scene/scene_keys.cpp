@@ -44,6 +44,18 @@ constexpr std::array<SceneSection, 12> sections{{
     {"output", false, false, "what is written besides history.csv and summary.json"},
 }};
 
+constexpr std::array<SceneAlternative, 9> alternatives{{
+    {"mesh", "file", "generate"},
+    {"material", "where", "set", SceneAlternative::Need::oneOfMany},
+    {"fix", "where", "set"},
+    {"initial", "where", "set"},
+    {"initial", "velocity", "angular_velocity", SceneAlternative::Need::any},
+    {"move", "where", "set"},
+    {"force", "where", "set"},
+    {"force", "acceleration", "force"},
+    {"cut", "point", "line"},
+}};
+
 template <class Table>
 std::vector<std::string> namesOf(const Table& table) {
   std::vector<std::string> names;
@@ -493,6 +505,7 @@ std::string_view sceneTypeName(SceneType type) {
 }
 
 std::span<const SceneSection> sceneSections() { return sections; }
+std::span<const SceneAlternative> sceneAlternatives() { return alternatives; }
 
 std::span<const SceneKey> sceneKeys() {
   static const std::vector<SceneKey> keys = makeKeys();

@@ -51,7 +51,20 @@ struct SceneSection {
   bool alsoList = false;  // [[name]] may stand in place of [name]
 };
 
+/// Two keys of a section that stand for each other.
+struct SceneAlternative {
+  enum class Need {
+    one,        ///< exactly one must be given
+    any,        ///< one or both
+    oneOfMany,  ///< at most one, and exactly one where the section is a list of two and more
+  };
+  std::string_view section, first, second;
+  Need need = Need::one;
+};
+
 std::span<const SceneSection> sceneSections();
+/// What schemas and the reference say beyond single keys; the reader of each section has its own message.
+std::span<const SceneAlternative> sceneAlternatives();
 /// Every key, in the order of the listing. The generator's parameters come from their registry.
 std::span<const SceneKey> sceneKeys();
 /// Whether a key of [handler] is one of those that all handlers share; the others are declared by handlers.

@@ -215,6 +215,10 @@ const GeneratorInfo* findGenerator(std::string_view name) {
   return nullptr;
 }
 
+std::vector<std::string> parameterChoices(const GeneratorParameter& p) {
+  return p.kind == ParameterKind::text ? elementChoices() : std::vector<std::string>{};
+}
+
 std::string parameterRange(const GeneratorParameter& p) {
   if (p.kind == ParameterKind::text) {
     std::string list = "one of ";

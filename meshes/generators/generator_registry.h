@@ -42,6 +42,8 @@ using GeneratorArguments = std::map<std::string, GeneratorValue, std::less<>>;
 
 /// Range of a parameter in words: "above 0", "0 or more and below 0.5", "one of tet4, hex8".
 std::string parameterRange(const GeneratorParameter& parameter);
+/// What a parameter that is a text may be; empty for numbers.
+std::vector<std::string> parameterChoices(const GeneratorParameter& parameter);
 
 /// Checks the arguments against the table and generates the mesh; what is not given takes its default. Throws
 /// InputError naming the parameter, its value and its range; an unknown kind or name is answered with the nearest known

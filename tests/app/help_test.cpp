@@ -82,6 +82,7 @@ TEST_F(Words, EveryTopicListsItsRegistry) {
   for (const SceneSection& section : sceneSections()) EXPECT_THAT(help("scene"), HasSubstr(section.name));
   for (const SceneKey& key : sceneKeys()) EXPECT_THAT(help("scene"), lists(key.key));
   EXPECT_EQ(help("scene"), call("run --help-scene").out);
+  EXPECT_THAT(help("scene"), Not(HasSubstr("e+09")));
 }
 
 TEST_F(Words, NoLineOfTheListOfTopicsIsBlank) {
@@ -93,8 +94,8 @@ TEST_F(Words, NoLineOfTheListOfTopicsIsBlank) {
 TEST_F(Words, HelpOfACommandIsAboutIt) {
   EXPECT_EQ(help(""), call("--help").out);
   for (const HelpTopic& topic : helpTopics()) EXPECT_THAT(help(""), lists(topic.name));
-  for (const std::string command :
-       {"run", "inspect", "compare", "verify", "mesh", "mesh generate", "mesh convert", "mesh check"}) {
+  for (const std::string command : {"run", "inspect", "compare", "verify", "schema", "reference", "mesh",
+                                    "mesh generate", "mesh convert", "mesh check"}) {
     const std::string text = call(command + " --help").out;
     EXPECT_EQ(help(command), text) << command;
     EXPECT_LE(lineCount(text), 45u) << command << "\n" << text;

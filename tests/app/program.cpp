@@ -6,7 +6,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <map>
+#include <regex>
 #include <sstream>
+
+#include "schema_check.h"
 
 namespace nlohmann {
 void PrintTo(const json& value, std::ostream* out) { *out << value; }
@@ -33,8 +37,55 @@ Outcome Program::shell(const std::string& line) {
 }
 
 Outcome Program::call(const std::string& arguments, const std::string& environment) {
-  return shell(environment + " '" + executable() + "' " + arguments);
+  const Outcome outcome = shell(environment + " '" + executable() + "' " + arguments);
+  expectValid(arguments, outcome);
+  return outcome;
 }
+
+void Program::expectValid(const std::string& arguments, const Outcome& outcome) const {
+  if (outcome.status >= 128) return;  // ended by a signal
+  std::smatch found;
+  const auto document = [&](const std::string& name, const std::string& text, const std::string& schema) {
+    const Json value = Json::parse(text, nullptr, false);
+    ASSERT_FALSE(value.is_discarded()) << arguments << ": " << name;
+    EXPECT_EQ(schemaFault(schema, value), "") << arguments << ": " << name;
+  };
+  static const std::regex json("^(\\w+) .*--json[ =]([\\w./-]+)"), run("^run .*--out[ =]([\\w./-]+)"),
+      scene("^run ([\\w./-]+\\.toml)(?!.*--set)");
+  if (outcome.status != 2 && std::regex_search(arguments, found, json)) {
+    const std::filesystem::path path = folder_.path() / found[2].str();
+    if (found[2] == "-")
+      document("standard output", outcome.out, found[1]);
+    else if (std::filesystem::is_regular_file(path))
+      document(path.string(), folder_.read(path), found[1]);
+  }
+  if (outcome.status != 2 && std::regex_search(arguments, found, run)) {
+    const std::filesystem::path path = folder_.path() / found[1].str() / "summary.json";
+    if (std::filesystem::is_regular_file(path)) document(path.string(), folder_.read(path), "summary");
+  }
+  if (std::regex_search(arguments, found, scene)) {
+    const Json value = jsonOfToml(folder_.read(folder_.path() / found[1].str()));
+    if (outcome.status != 2 && value.is_object()) {
+      EXPECT_EQ(schemaFault("scene", value), "") << arguments;
+    } else if (outcome.status == 2 && isAboutTypeRangeOrKey(outcome.err)) {
+      EXPECT_NE(schemaFault("scene", value), "") << outcome.err;
+    }
+  }
+}
+
+std::string Program::schemaFault(const std::string& schema, const Json& document) const {
+  static std::map<std::string, SchemaCheck> known;  // of each program
+  const std::string command = "'" + executable() + "' schema " + schema;
+  auto found = known.find(command);
+  if (found == known.end()) {
+    const std::filesystem::path file = folder_.path() / "the.schema.json";
+    if (std::system((command + " > '" + file.string() + "'").c_str()) != 0) return "there is no schema " + schema;
+    found = known.emplace(command, SchemaCheck(parse(folder_.read(file)))).first;
+    std::filesystem::remove(file);
+  }
+  return found->second.faultOf(document);
+}
+
 std::string Program::executable() const { return RINGWATCH_PROGRAM; }
 
 void Program::expectRefused(const Outcome& outcome, const std::string& what) {

@@ -34,7 +34,8 @@ class Program : public ::testing::Test {
  protected:
   /// A line for the shell, in the test's folder.
   Outcome shell(const std::string& line);
-  /// Calls the program in the test's folder; arguments as a shell reads them.
+  /// Calls the program in the test's folder; arguments as a shell reads them. Expects that what it writes as JSON and
+  /// the scene that it runs are valid against its schemas, and that a scene which it refuses for a key is not.
   Outcome call(const std::string& arguments, const std::string& environment = "");
   /// The executable that is called.
   virtual std::string executable() const;
@@ -58,6 +59,10 @@ class Program : public ::testing::Test {
   void expectNothingHalfWritten(const std::string& name) const;
 
   TemporaryFolder folder_;
+
+ private:
+  void expectValid(const std::string& arguments, const Outcome& outcome) const;
+  std::string schemaFault(const std::string& schema, const Json& document) const;
 };
 
 inline constexpr const char* tiny = R"([mesh]

@@ -7,9 +7,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <ringwatch/app/command/schema.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/base/error.h>
 
+#include "schema_check.h"
 #include "temporary_folder.h"
 
 namespace ringwatch {
@@ -53,6 +55,17 @@ std::string with(const std::string& what, const std::string& by) {
   return text.replace(at, what.size(), by);
 }
 
+/// What is valid against the schema must have no fault of type, range, choice or key, and the other way round.
+void expectSchemaAgrees(const std::string& text, const std::string& message) {
+  static const test::SchemaCheck schema(nlohmann::json::parse(schemaOf("scene").dump()));
+  const nlohmann::json scene = test::jsonOfToml(text);
+  if (message == "no fault") {
+    EXPECT_EQ(schema.faultOf(scene), "") << text;
+  } else if (test::isAboutTypeRangeOrKey(message)) {
+    EXPECT_NE(schema.faultOf(scene), "") << message << "\n" << text;
+  }
+}
+
 /// Reads a scene and builds its body; returns the message of the InputError, its file name cut to "scene.toml".
 std::string faultOf(const std::string& text, const std::vector<std::string>& overrides = {}) {
   const TemporaryFolder folder;
@@ -66,8 +79,10 @@ std::string faultOf(const std::string& text, const std::vector<std::string>& ove
     const std::string prefix = folder.path().string() + "/";
     while (message.find(prefix) != std::string::npos) message.erase(message.find(prefix), prefix.size());
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    if (overrides.empty()) expectSchemaAgrees(text, message);
     return message;
   }
+  if (overrides.empty()) expectSchemaAgrees(text, "no fault");
   return "no fault";
 }
 
