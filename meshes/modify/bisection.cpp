@@ -152,7 +152,7 @@ Mesh refineTetrahedra(Mesh mesh, const std::function<double(const Eigen::Vector3
         Eigen::Vector3d middle = Eigen::Vector3d::Zero();
         for (const std::int32_t n : nodes) middle += mesh.X.col(n) / 4;
         const double wanted = longest(middle);
-        if (!(wanted > 0)) throw InputError(joinText("longest edge wanted: ", wanted, " m; it must be above 0"));
+        if (!(wanted > 0)) throw InputError(joinText("longest edge asked for: ", wanted, " m; it must be above 0"));
         if ((mesh.X.col(nodes[edge[0]]) - mesh.X.col(nodes[edge[1]])).norm() > wanted) mark(nodes, edge);
       }
     if (points.empty()) return mesh;

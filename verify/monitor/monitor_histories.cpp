@@ -220,7 +220,7 @@ void studyHistories(StudyReport& report, StudyEffort effort) {
 void studyCost(StudyReport& report) {
   StudyTable table{"cost",
                    "Monitor over a plain step of symplectic Euler, one thread (bench/ has the same with more care)",
-                   {"run", "mode", "elements", "step (ns an element)", "monitor over step (%)", "wanted (%)"},
+                   {"run", "mode", "elements", "step (ns an element)", "monitor over step (%)", "goal (%)"},
                    {}};
   using Clock = std::chrono::steady_clock;
   const auto seconds = [](Clock::time_point begin) {
