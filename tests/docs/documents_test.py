@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Holds README.md, all of docs/ and bench/, and the files that CONTRIBUTING.md names, to the program and to the repository.
 
-usage: documents_test.py links|lists|commands SOURCE_DIR PROGRAM
+usage: documents_test.py links|lists|words|commands SOURCE_DIR PROGRAM
 
 links     every relative link, its heading included, and every file that is named in code leads somewhere
 lists     commands, options, topics, scene keys and lists of names in the documents are those of `ringwatch help TOPIC`
+words     documents, help texts and messages have none of the words that only a diary or a former name needs
 commands  every command in a fenced block runs, or is listed below with the reason why it does not
 """
 import pathlib
@@ -24,6 +25,7 @@ SUBSTITUTES = {
         ("ringwatch run examples/stretch_bar.toml --out out/stretch_bar", 1),
     "ringwatch run examples/stretch_bar.toml --out out/stretch_bar --live":
         ("ringwatch run examples/stretch_bar.toml --out out/stretch_bar --live", 1),
+    "ringwatch run start.toml --out start": ("ringwatch run start.toml --out start", 1),
     "ringwatch compare examples/swinging_bar.toml --integrators all --out out/compare":
         ("ringwatch compare examples/swinging_bar.toml --integrators symplectic-euler,verlet --out out/compare "
          "--set mesh.cells=[4,1,1] --set integrator.end=0.02", 0),
@@ -43,6 +45,7 @@ STUDY_TESTS = {
 NOT_RUN = {
     "scripts/demo": "installs packages and builds; its run is the README's second command",
     "scripts/test": "builds, and runs this test among all others",
+    "scripts/setup": "installs packages",
     "scripts/gpu": "needs a GPU machine",
     "compute-sanitizer": "needs a GPU machine",
     "RINGWATCH_ROUNDING_TRIALS=200": "measures for minutes",
@@ -59,6 +62,19 @@ NOT_RUN = {
     "build/release/bin/ringwatch_bench_eigenvalues": "bench",
     "build/release/bin/ringwatch_start_up": "bench",
     "build/release/bin/ringwatch_work_precision": "bench",
+}
+
+
+# Words of laboratory diaries, former private names, and words that the field does not use: no text for users has them. A name that is
+# still accepted may stand behind "Older name".
+WORDS = {
+    "wanted": "say what is required", "missed": "say what happens", "busy": "give the load with the figures, in bench/results",
+    "anew": "again", "afresh": "again", "hence": "so", "lest": "so that … not", "whoever": "who", "nobody": "no one", "somebody": "someone",
+    "spoilt": "damaged", "hottest": "highest", "trough": "minimum", "for people": "human-readable", "peers": "other programs",
+    "retarget": "rebuild", "flooded": "too many violations", "poison": "NaN guard",
+    "lazy bound": "incremental certificate", "kept selection": "incremental selection", "leave their balls": "leave their validity balls",
+    "left their balls": "left their validity balls", "leave its ball": "leaves its validity ball", "left its ball": "left its validity ball",
+    "hot spot": "local mode", "looked at": "examined", "looks at": "examines",
 }
 
 
@@ -273,19 +289,27 @@ class Documents:
             for line, command in self.commands(path):
                 if command.startswith("ringwatch "):
                     self.check_invocation(path, line, command)
-            self.check_keys(path, keys)
+            if path != self.source / "docs/reference/json.md":  # has keys of other files; reference_test.py compares them
+                self.check_keys(path, keys)
 
-        readme = self.source / "README.md"
-        text = "\n".join(self.lines(readme))
-        laws = re.search(r"^Laws: (.*?)`ringwatch", text, re.M)
-        self.same(readme, "laws", re.findall(r"`([\w-]+)`", laws[1]) if laws else [], "laws")
-        elements = re.search(r"^Elements: (.*?), also", text, re.M)
-        self.same(readme, "elements", re.findall(r"`(\w+)`", elements[1]) if elements else [], "elements")
-        integrators = re.search(r"^Integrators: (.*?);", text, re.M)
-        self.same(readme, "integrators", re.findall(r"`([\w-]+)`", integrators[1]) if integrators else [], "integrators")
-        formats = re.search(r"`inspect` reads (.*?), and prints", text)
-        extensions = [e for name in self.names("formats") for e in name.split("/")]
-        self.same(readme, "mesh formats", re.findall(r"`(\.\w+)`", formats[1]) if formats else [], "formats", extensions)
+        readme, told = self.source / "README.md", set()
+        for line in self.lines(readme):
+            match = re.match(r"\| (elements|laws|integrators|metrics|handlers|mesh formats|mesh generators) \| ([^(;]*)", line)
+            if not match:
+                continue
+            topic = match[1].removeprefix("mesh ")
+            names = self.names(topic)
+            if topic == "formats":
+                names = [e for name in names for e in name.split("/")]
+            found = re.findall(r"`([\w.:-]+)`", match[2])
+            # A program without SUNDIALS has the explicit integrators only.
+            if topic == "integrators" and "implicit-euler" not in names:
+                found = [name for name in found if name in names]
+            self.same(readme, match[1], found, topic, names)
+            told.add(topic)
+        for topic in ("elements", "laws", "integrators", "metrics", "handlers", "formats", "generators"):
+            if topic not in told:
+                self.fault(readme, 1, f"the table of what it knows has no row of {topic}")
         self.same(*self.column("docs/elements.md", "| element | nodes", "elements"))
         path, _ = self.first_column("docs/elements.md", "| element | nodes")
         for match in re.finditer(r"^\| `(\w+)` \| (\d+) \| [^|]* \| (.*) \|$", "\n".join(self.lines(path)), re.M):
@@ -314,6 +338,43 @@ class Documents:
         path, found = self.first_column(name, header)
         return path, topic, found, topic
 
+    # ---- words
+
+    def check_words(self):
+        pattern = re.compile(r"\b(" + "|".join(WORDS) + r")\b", re.I)
+
+        results = self.source / "bench/results"
+        for path in [*self.paths, self.source / "CONTRIBUTING.md"]:
+            if results in path.parents:  # records of their day
+                continue
+            text = "\n".join(self.lines(path))
+            for match in pattern.finditer(re.sub(r"Older names?:?[^|\n]*", lambda m: " " * len(m[0]), text)):
+                word = match[1].lower()
+                self.fault(path, text.count("\n", 0, match.start()) + 1, f'"{match[1]}": {WORDS[word]}')
+        help_texts = {"--help": self.ringwatch("--help").stdout}
+        for name in self.names_of_topics_and_commands():
+            help_texts[" ".join(name)] = self.help(*name) or ""
+        for name, text in help_texts.items():
+            for match in pattern.finditer(text):
+                self.faults.append(f'ringwatch help {name}: "{match[1]}": {WORDS[match[1].lower()]}')
+        # Messages: the texts in the sources of what users call.
+        for folder in (self.source / "cmake/layers.txt").read_text(encoding="utf-8").splitlines():
+            folder = folder.split(":")[0].strip()
+            for path in sorted((self.source / folder).rglob("*.cpp")) if folder and (self.source / folder).is_dir() else []:
+                if folder in ("tests", "bench") or "node_modules" in path.parts:
+                    continue
+                for number, line in enumerate(self.lines(path), 1):
+                    code = line.split("//")[0]
+                    for text in re.findall(r'"((?:[^"\\]|\\.)*)"', code):
+                        for match in pattern.finditer(text):
+                            self.fault(path, number, f'"{match[1]}": {WORDS[match[1].lower()]}')
+
+    def names_of_topics_and_commands(self):
+        topics = re.findall(r"^  ([a-z-]+) ", self.ringwatch("help", "help").stdout, re.M)
+        commands = [c for c in re.findall(r"^  ([a-z]+) ", self.ringwatch("--help").stdout.split("Subcommands:")[-1], re.M)
+                    if self.help(c) is not None]
+        return [(name,) for name in dict.fromkeys([*topics, *commands])] + [("mesh", k) for k in ("generate", "convert", "check")]
+
     # ---- commands
 
     def check_commands(self):
@@ -329,6 +390,7 @@ class Documents:
             if checker.exists():
                 (work / "bin/ringwatch-check").symlink_to(checker)
             for path in self.paths:
+                self.write_scenes(path, work)
                 listed = list(self.commands(path))
                 # Commands in the running text count when they name a scene of the examples.
                 listed += [(n, s) for n, s in self.spans(path) if re.match(r"ringwatch (run|compare) examples/\S+\.toml", s)]
@@ -357,6 +419,13 @@ class Documents:
         for name in sorted(unused):
             self.faults.append(f"{pathlib.Path(__file__).name}: no document has the command `{name}` any more")
 
+    def write_scenes(self, path, work):
+        """The scenes that a page has its readers write."""
+        lines = self.lines(path)
+        for language, first, block in self.fences(path):
+            if language == "toml" and first > 2 and (match := re.search(r"Write this as `([\w.]+)`:$", lines[first - 3])):
+                (work / match[1]).write_text("\n".join(block) + "\n", encoding="utf-8")
+
     def check_not_run(self, path, line, first, bench):
         if NOT_RUN[first] == "bench":
             target = first.rsplit("/", 1)[1]
@@ -376,7 +445,7 @@ class Documents:
 def main():
     check, source, program = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
     documents = Documents(source, program)
-    {"links": documents.check_links, "lists": documents.check_lists, "commands": documents.check_commands}[check]()
+    {"links": documents.check_links, "lists": documents.check_lists, "words": documents.check_words, "commands": documents.check_commands}[check]()
     print("\n".join(documents.faults) or f"{check}: no fault in {len(documents.paths)} documents")
     return 1 if documents.faults else 0
 

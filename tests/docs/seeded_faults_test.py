@@ -46,7 +46,7 @@ class SeededFaults(unittest.TestCase):
                     "docs/images/none.png")
         self.expect("links", "the link integrators.md#theorem-27 leads nowhere", "docs/theory/notation.md",
                     "](integrators.md)", "](integrators.md#theorem-27)")
-        self.expect("links", "there is no docs/none.md", "README.md", "`docs/gpu.md`", "`docs/none.md`")
+        self.expect("links", "there is no docs/none.md", "docs/python.md", "`docs/gpu.md`", "`docs/none.md`")
 
         self.expect("links", "there is no folder nowhere/", "CONTRIBUTING.md", "`docs/`", "`docs/`, `nowhere/`")
         self.expect("links", "there is no handlers/registry.h", "CONTRIBUTING.md", "`handlers/registry.cpp`",
@@ -60,15 +60,20 @@ class SeededFaults(unittest.TestCase):
         self.expect("lists", "there is no study element", "README.md", "ringwatch verify elements", "ringwatch verify element")
 
     def test_scene_keys(self):
-        self.expect("lists", "a scene has no key handler.methods", "README.md", 'method = "imex"', 'methods = "imex"')
-        self.expect("lists", "a scene has no key monitor.modus", "README.md", "`[monitor] mode =", "`[monitor] modus =")
+        self.expect("lists", "a scene has no key handler.methods", "docs/handlers.md", 'method = "imex"', 'methods = "imex"')
+        self.expect("lists", "a scene has no key handler.methods", "README.md", "`[handler] method =", "`[handler] methods =")
         self.expect("lists", "a scene has no key monitor.evry", "docs/gpu.md", "`monitor.every`", "`monitor.evry`")
         self.expect("lists", "handler.selection cannot be single", "docs/handlers.md", '"element-frequency"', '"single"')
 
+    def test_words(self):
+        self.expect("words", '"busy": give the load', "docs/monitor.md", "## Modes", "The machine was busy.\n\n## Modes")
+
     def test_names(self):
-        self.expect("lists", "the handlers are", "README.md", ', "modal-filter"', "")
-        self.expect("lists", "laws: the document has", "README.md", "`corotational`", "")
-        self.expect("lists", "mesh formats: the document has", "README.md", "`.inp`", "")
+        self.expect("lists", "handlers: the document has", "README.md", ", `modal-filter`", "")
+        self.expect("lists", "the handlers are", "docs/handlers.md", ', "modal-filter"', "")
+        self.expect("lists", "has no row of metrics", "README.md", "| metrics |", "| estimates |")
+        self.expect("lists", "laws: the document has", "README.md", "`corotational`, ", "")
+        self.expect("lists", "mesh formats: the document has", "README.md", ", `.inp`", "")
         self.expect("lists", "elements: the document has", "docs/elements.md", "| `hex20` | 20", "| `hex27` | 20")
         self.expect("lists", "the rules of wedge6 are", "docs/elements.md", "`gauss-3x2`, `fierz2013`", "`fierz2013`")
         self.expect("lists", "monitor.mode: the document has", "docs/monitor.md", "| `threshold` |", "| `certify` |")
@@ -77,6 +82,7 @@ class SeededFaults(unittest.TestCase):
     def test_snippets(self):
         self.expect("snippets", "has no context", "docs/monitor.md", "## Modes", "```cpp\nint i;\n```\n## Modes")
         self.expect("snippets", "there is no snippet 0 any more", "README.md", "```cpp", "```text")
+        self.expect("snippets", "is not examples/embed_minimal.cpp", "README.md", "h = 2e-3;", "h = 3e-3;")
 
 
 if __name__ == "__main__":

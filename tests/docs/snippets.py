@@ -10,11 +10,12 @@ import pathlib
 import re
 import sys
 
-# (document, number of the snippet in it): (includes, code before), in a loop that `break` may leave. None for a snippet that stands outside of functions.
+# (document, number of the snippet in it): (includes, code before), in a loop that `break` may leave. None for a snippet that stands outside of functions. A file
+# for a snippet that is that file, which is built with the examples.
 STATE = "  std::int64_t step = 0; double time = 0; ringwatch::NodeVectors x, v;\n"
 STEP = STATE + "  double h = 1e-4;\n"
 CONTEXTS = {
-    ("README.md", 0): ([], STEP),
+    ("README.md", 0): "examples/embed_minimal.cpp",
     ("docs/embedding.md", 0): (
         ["ringwatch/monitor/stability_monitor.h"],
         "  struct { std::vector<double> X; std::vector<std::int32_t> tets; } solver; std::int32_t nodes = 0;\n",
@@ -71,6 +72,10 @@ def main():
             faults.append(f"{document}:{line}: snippet {number} has no context in {pathlib.Path(__file__).name}")
             continue
         unused.discard((document, number))
+        if isinstance(CONTEXTS[document, number], str):
+            if (source / CONTEXTS[document, number]).read_text(encoding="utf-8") != "\n".join(text) + "\n":
+                faults.append(f"{document}:{line}: snippet {number} is not {CONTEXTS[document, number]}")
+            continue
         own, before = CONTEXTS[document, number]
         includes += own + [m[1] for m in (re.match(r"#include <(.*)>", t) for t in text) if m]
         code = "\n".join("" if t.startswith("#include") else t for t in text)
