@@ -269,7 +269,7 @@ std::string whatIfSection(const PageContent& page) {
         what.proven ? 0 : what.badlyShaped());
     for (const HandlerTrial& trial : what.trials) {
       const std::string mass =
-          trial.addedMass ? fmt::format("{:.3g} kg, {:.2g} % of the body's", *trial.addedMass, 100 * trial.addedShare)
+          trial.addedMass ? fmt::format("{:.3g} kg, {:.3g} % of the body's", *trial.addedMass, 100 * trial.addedShare)
                           : "none";
       trials += trial.whyNot.empty() ? fmt::format("{}<td>{}</td><td>{:.3g}</td><td>{}</td></tr>\n", name,
                                                    trial.handler, trial.gain, mass)
@@ -430,6 +430,7 @@ std::string reportPage(PageContent& page) {
   whole.sections.push_back(runProvenance(page));
   whole.embedded = {
       {"name", page.name},
+      {"stepName", page.ofRun ? "run’s step" : "step asked about"},
       {"verdict",
        {{"title", page.verdict.title}, {"sentence", page.verdict.sentence}, {"remedies", page.verdict.remedies}}},
       {"summary", std::move(page.summary)},

@@ -189,7 +189,7 @@ std::vector<std::string> remediesFor(const WhatIf& row, const RunAnalysis& analy
   for (const HandlerTrial& trial : row.trials)
     if (trial.whyNot.empty() && trial.addedMass)
       remedies.push_back(
-          fmt::format("Add {:.3g} kg at their nodes, {:.2g} % of the body's mass, which changes the motion: "
+          fmt::format("Add {:.3g} kg at their nodes, {:.3g} % of the body's mass, which changes the motion: "
                       "[handler] method = \"{}\".",
                       *trial.addedMass, 100 * trial.addedShare, trial.handler));
   if (const std::size_t bad = row.badlyShaped(); bad > 0) {

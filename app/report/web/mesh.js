@@ -70,7 +70,7 @@ export async function startMesh(report, place, stepField, before) {
   const fields = [...new Set(frames.flatMap(f => f.fields.map(field => field.name)))];
   const fieldSelect = select('Colour', fields.length ? fields.map(f => [f, f]) : [['', 'none']], () => { fieldName = fieldSelect.input.value; show(Number(frameSlider.input.value)); });
   const sameScale = make('input', {type: 'checkbox', id: 'same-scale', onchange: () => draw()});
-  const runsStep = make('button', {type: 'button', onclick: () => setThreshold(frame.h)}, 'Below the run’s step');
+  const runsStep = make('button', {type: 'button', onclick: () => setThreshold(frame.h)}, `Below the ${report.stepName}`);
   const noElements = make('button', {type: 'button', onclick: () => { selected = -1; setThreshold(0); }}, 'Whole surface');
   const home = make('button', {type: 'button', onclick: () => { look(); draw(); }}, 'Look at all of it');
   const status = make('p', {class: 'readout', role: 'status'}, 'Click an element for its numbers.');
@@ -82,7 +82,7 @@ export async function startMesh(report, place, stepField, before) {
   }
   if (stepField) controls.prepend(thresholdSlider.element);
   const view = make('div', {class: 'view'}, canvas);
-  place.append(view, legend, make('div', {class: 'buttons'}, ...(stepField ? [runsStep] : []), noElements, home), controls, status);
+  place.append(view, legend, make('div', {class: 'buttons'}, ...(stepField && frames.some(f => f.h > 0) ? [runsStep] : []), noElements, home), controls, status);
   fieldName = stepField && fields.includes(stepField) ? stepField : fields[0] || '';
   fieldSelect.input.value = fieldName;
 
