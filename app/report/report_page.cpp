@@ -46,7 +46,8 @@ std::string eventsOfRun(const PageContent& page) {
         "run\"></progress> {1:.0f} % of the time, {2}; the monitor takes {3:.0f} % of the wall time. As of "
         "{4}.</p>\n<p "
         "class=\"js\"><button type=\"button\" id=\"stay\" aria-pressed=\"false\">Do not reload</button> <span "
-        "class=\"note\">This page is written anew while the run goes on, and loads itself again every {5:.2g} "
+        "class=\"note\">This page is written again and again while the run goes on, and loads itself again every "
+        "{5:.2g} "
         "s.</span></p>\n",
         end > 0 ? std::clamp(time / end, 0.0, 1.0) : 0, end > 0 ? 100 * time / end : 0,
         left ? fmt::format("about {:.0f} s left", *left) : "the time left is not known yet",
