@@ -65,13 +65,13 @@ void LivePoints::add(const LivePoint& point) {
 std::vector<std::string> bracketLines(const std::vector<LivePoint>& points, double end, int width, int height) {
   double largest = 0, taken = 0;
   for (const LivePoint& point : points) taken = std::max(taken, point.h);
-  // An optimistic side far above the step says no more than that it is.
+  // An optimistic side far above the step says no more than that it is, and is left out.
   constexpr double far = 3;
   for (const LivePoint& point : points)
     for (const double step : {point.h, point.safe, point.optimistic})
-      if (std::isfinite(step)) largest = std::max(largest, std::min(step, far * taken));
+      if (std::isfinite(step) && step <= far * taken) largest = std::max(largest, step);
   if (!(largest > 0) || points.empty() || width < 30 || height < 2) return {};
-  constexpr int labels = 11;
+  constexpr int labels = 12;
   const int columns = width - labels - 1;
   std::vector<std::string> picture(height, std::string(columns, ' '));
   const double begin = points.front().time, range = std::max(end - begin, 1e-300);
