@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <ringwatch/app/command/audit.h>
 #include <ringwatch/app/command/compare.h>
 #include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/app/command/help.h>
@@ -197,7 +198,7 @@ struct RunCommand {
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
-    command->add_option("SCENE", scene, "scene file (TOML); see ringwatch help scene")->type_name("SCENE");
+    command->add_option("SCENE", scene, "scene file (TOML), or an Abaqus or CalculiX deck; see ringwatch help scene | decks")->type_name("SCENE");
     command
         ->add_option("--out", folder, "folder for the results, made when missing (default: out/ and the scene's name)")
         ->type_name("DIR");
@@ -479,6 +480,61 @@ struct InspectCommand {
   }
 };
 
+struct AuditCommand {
+  AuditOptions options;
+  std::string json;
+
+  void declare(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("audit", "say where a run of another program left proven ground, from its results");
+    command
+        ->add_option("RESULTS", options.results,
+                     "results: CalculiX .frd (text), a .pvd, or .vtu or legacy .vtk files in their order")
+        ->required();
+    command->add_option("--scene", options.scene, "scene or deck with the mesh, the materials and what is held");
+    for (const SceneKey& key : sceneKeys())
+      if (key.section == "material" && isLawParameter(key.key))
+        command->add_option_function<double>(
+            "--" + key.key, [this, name = key.key](double value) { options.parameters.set(name, value); },
+            key.help + (key.unit.empty() ? "" : ", " + key.unit));
+    command->add_option("--density", options.density, "density, kg/m3");
+    command->add_option("--model", options.model, "constitutive law (default: the scene's, else stvk)");
+    command->add_option("--displacement", options.displacement,
+                        "field of the displacement, m (default: the usual names; without any, the points are taken "
+                        "for positions)");
+    command->add_option("--step", options.step,
+                        "step that the run took, s (default: by the times and increments of the results)");
+    command->add_option("--integrator", options.integrator,
+                        "integrator whose limit counts (default: symplectic-euler)");
+    command->add_option("--limit", options.limit, "largest stable h omega of theirs, instead of --integrator");
+    command->add_option("--fix", options.fix, "nodes that are held, as with ringwatch inspect; may be given again")
+        ->allow_extra_args(false);
+    command->add_option("--every", options.every, "every so many states (default: 1)")->check(CLI::Range(1, 1000000));
+    command->add_flag("--all", options.all, "a line of the table for every state; --json always has them");
+    command->add_option("--json", json,
+                        "write the numbers to this file; - for standard output, and nothing else there");
+    command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
+        ->check(CLI::Range(0, 4096));
+    command->footer(
+        "Exit status 1 where a step was proven unstable, an element inverted or a state was lost; 3 where some step "
+        "was "
+        "not proven.\n" +
+        seeTopics("laws | integrators | decks") + exitStatusHint);
+  }
+
+  ExitStatus execute() {
+    const AuditResult result = auditResults(options);
+    const std::string text = result.json.dump(2) + "\n";
+    if (json == "-") {
+      printOut(text);
+    } else {
+      if (!json.empty()) writeFileAtomically(json, text);
+      printOut(result.text);
+    }
+    return result.status;
+  }
+};
+
 struct MeshCommand {
   std::string kind, output, input, target, checked;
   std::map<std::string, std::vector<std::string>> parameters;  // of generators, as given
@@ -741,6 +797,7 @@ ExitStatus dispatch(int argc, char** argv) {
   app.footer(mainFooter());
   RunCommand run;
   InspectCommand inspect;
+  AuditCommand audit;
   MeshCommand mesh;
   VerifyCommand verify;
   CompareCommand compare;
@@ -751,6 +808,7 @@ ExitStatus dispatch(int argc, char** argv) {
   help.declare(app);
   run.declare(app);
   inspect.declare(app);
+  audit.declare(app);
   mesh.declare(app);
   verify.declare(app);
   compare.declare(app);
@@ -769,6 +827,7 @@ ExitStatus dispatch(int argc, char** argv) {
   if (app.got_subcommand("help")) return help.execute(app);
   if (app.got_subcommand("run")) return run.execute();
   if (app.got_subcommand("inspect")) return inspect.execute();
+  if (app.got_subcommand("audit")) return audit.execute();
   if (app.got_subcommand("verify")) return verify.execute();
   if (app.got_subcommand("report")) return report.execute();
   if (app.got_subcommand("schema")) return schema.execute();

@@ -11,6 +11,7 @@
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/output_fields.h>
+#include <ringwatch/app/scene/deck_scene.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
 #include <ringwatch/elements/registry.h>
@@ -147,7 +148,7 @@ std::string exitStatusText() {
   return text;
 }
 
-constexpr std::array<HelpTopic, 11> topics{{
+constexpr std::array<HelpTopic, 12> topics{{
     {"scene", "every key of a scene file with type, unit, range and default", sceneHelp, nullptr},
     {"elements", "elements and their quadrature rules", elementsText, [] { return namesIn(allElements()); }},
     {"laws", "constitutive laws", lawsText, [] { return namesIn(allLaws()); }},
@@ -156,6 +157,7 @@ constexpr std::array<HelpTopic, 11> topics{{
     {"metrics", "metrics of the highest frequency, with the direction that each errs in", metricsText, nullptr},
     {"handlers", "ways to keep a step that is too large for some elements", handlersText,
      [] { return namesIn(handlerInfos()); }},
+    {"decks", "keywords of Abaqus and CalculiX decks that run and inspect take", deckHelp, nullptr},
     {"formats", "mesh formats that are read and written", formatsText, formatNames},
     {"generators", "mesh generators and their parameters", generatorsText, [] { return namesIn(allGenerators()); }},
     {"studies", "studies of ringwatch verify", studiesText, [] { return namesIn(allStudies()); }},

@@ -101,7 +101,7 @@ void override(Scene& scene, const InspectOptions& options) {
     return options.parameters.begin() == options.parameters.end() ? "" : "--" + options.parameters.begin()->first;
   }();
   if (scene.materials.size() > 1 && !given.empty())
-    throw InputError(fmt::format("{}: the run has {} materials; leave it out, all are those of its scene", given,
+    throw InputError(fmt::format("{}: there are {} materials; leave it out, all are those of the scene", given,
                                  scene.materials.size()));
   SceneMaterial& material = scene.materials.front();
   if (options.model && *options.model != material.model) {
@@ -147,6 +147,29 @@ Subject subjectOfRun(const InspectOptions& options) {
           std::move(notes)};
 }
 
+/// With the materials, sections and supports of a deck.
+Subject subjectOfDeck(const InspectOptions& options) {
+  std::vector<std::string> overrides;
+  if (options.density) overrides.push_back(fmt::format("material.density={}", *options.density));
+  Scene scene = sceneOfDeck(options.mesh, DeckUse::model, overrides);
+  scene.meshOrigin = options.mesh.string();
+  override(scene, options);
+  const IntegratorInfo& integrator = integratorNamed(scene.method);
+  std::vector<std::string> notes;
+  Mesh mesh = sceneMesh(scene, notes);
+  for (std::string& note : meshNotes(mesh, options.mesh.string())) notes.push_back(std::move(note));
+  NodeVectors x = mesh.X;
+  return {makeBody(scene, std::move(mesh), options, MaterialsBy::scene),
+          std::move(x),
+          stepRule(integrator, scene.damping),
+          &integrator,
+          modelsText(scene.materials),
+          scene.damping.any(),
+          "at rest",
+          "rest",
+          std::move(notes)};
+}
+
 Subject subjectOf(const InspectOptions& options) {
   std::error_code error;
   const bool folder = std::filesystem::is_directory(options.mesh, error);
@@ -161,6 +184,8 @@ Subject subjectOf(const InspectOptions& options) {
                     "takes --displacement FIELD",
                     options.mesh.string()));
   if (folder) return subjectOfRun(options);
+  const bool ownLaw = options.parameters.begin() != options.parameters.end();
+  if (!ownLaw && !options.displacement && isDeckFile(options.mesh)) return subjectOfDeck(options);
   Scene scene;
   const LawInfo& law = lawNamed(options.model.value_or(std::string(InspectOptions::usualModel)));
   const auto required = [](std::string_view name) {

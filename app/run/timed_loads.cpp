@@ -20,10 +20,9 @@ TimedLoads::TimedLoads(const Scene& scene, Body& body) : body_(body) {
     const std::vector<std::int32_t>& loaded = nodesOf[next++];
     Force& made = forces_.emplace_back(
         Force{std::vector<Eigen::Vector3d>(nodes_.size(), Eigen::Vector3d::Zero()), &*force.table});
-    const Eigen::Vector3d acceleration = accelerationOfLoad(force, loaded, body);
-    for (const std::int32_t node : loaded)
-      made.values[std::lower_bound(nodes_.begin(), nodes_.end(), node) - nodes_.begin()] +=
-          body.lumpedMass()[node] * acceleration;
+    const std::vector<Eigen::Vector3d> values = nodalForces(force, loaded, body);
+    for (std::size_t i = 0; i < loaded.size(); ++i)
+      made.values[std::lower_bound(nodes_.begin(), nodes_.end(), loaded[i]) - nodes_.begin()] += values[i];
   }
   for (const Scene::Move& move : scene.moves)
     if (move.table) motions_.push_back({move.nodes.nodesOf(body.mesh()), &move});

@@ -393,15 +393,16 @@ void readLoadSection(const SceneTable& section, Scene& scene) {
     scene.moves.push_back(
         {std::move(nodes), componentsOf(section), vectorOf(section.at("velocity").value), tableOf(section, scene)});
   } else {
-    if (section.given("acceleration") == section.given("force"))
-      fail(section.given("force") ? section.at("force").origin : section.origin, "force.acceleration",
-           section.given("force") ? "both acceleration and force are given; give one of them"
-                                  : "missing; give acceleration (m/s2) or force (N)");
-    Scene::Force force{std::move(nodes), std::nullopt, std::nullopt, tableOf(section, scene)};
-    if (section.given("force"))
-      force.total = vectorOf(section.at("force").value);
-    else
-      force.acceleration = vectorOf(section.at("acceleration").value);
+    std::vector<std::string> given;
+    for (const char* key : {"acceleration", "force", "each"})
+      if (section.given(key)) given.emplace_back(key);
+    if (given.size() != 1)
+      fail(given.empty() ? section.origin : section.at(given.back()).origin, "force.acceleration",
+           given.empty() ? "missing; give acceleration (m/s2), force (N) or each (N)"
+                         : fmt::format("both {} and {} are given; give one of them", given[0], given[1]));
+    Scene::Force force{std::move(nodes), std::nullopt, std::nullopt, std::nullopt, tableOf(section, scene)};
+    const Eigen::Vector3d value = vectorOf(section.at(given[0]).value);
+    (given[0] == "force" ? force.total : given[0] == "each" ? force.each : force.acceleration) = value;
     scene.forces.push_back(std::move(force));
   }
 }
@@ -529,7 +530,16 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
 }  // namespace
 
 Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  if (isDeckFile(file)) return sceneOfDeck(file, DeckUse::run, overrides);
   return makeScene(file, readSceneTables(file, overrides));
+}
+
+Scene sceneOfDeck(const std::filesystem::path& file, DeckUse use, const std::vector<std::string>& overrides) {
+  DeckScene deck = readDeckScene(file, use);
+  Scene scene = makeScene(file, sceneTablesOfDeck(file, deck, overrides));
+  scene.ofDeck = true;
+  scene.notes = std::move(deck.notes);
+  return scene;
 }
 
 Scene sceneOfRun(const std::filesystem::path& folder) {
@@ -545,21 +555,7 @@ Scene sceneOfRun(const std::filesystem::path& folder) {
 }
 
 Scene sceneOfEcho(const std::filesystem::path& file, const Json& echo) {
-  // JSON's texts, numbers and lists are TOML's.
-  std::string text;
-  const auto add = [&](const std::string& head, const Json& section) {
-    text += head + "\n";
-    for (const auto& [key, value] : section.items())
-      if (!value.is_null()) text += fmt::format("{} = {}\n", key, value.dump());
-  };
-  for (const auto& [name, section] : echo.items()) {
-    if (!section.is_array()) {
-      add(fmt::format("[{}]", name), section);
-    } else {
-      for (const Json& entry : section) add(fmt::format("[[{}]]", name), entry);
-    }
-  }
-  return makeScene(file, sceneTablesOfEcho(file, text));
+  return makeScene(file, sceneTablesOfEcho(file, tomlOfSections(echo)));
 }
 
 std::optional<std::array<bool, 3>> parseComponents(std::string_view text) {

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
+#include <ringwatch/app/scene/deck_scene.h>
 #include <ringwatch/app/scene/scene_materials.h>
 #include <ringwatch/app/scene/time_table.h>
 #include <ringwatch/app/scene/where_expression.h>
@@ -25,7 +26,7 @@ namespace ringwatch {
 /// Nodes that a scene or a command line names: by a condition on their position or by a named set of the mesh.
 struct NodeSelection {
   std::optional<WhereExpression> where;
-  std::string set;     // used when there is no condition
+  std::string set;     // used when there is no condition; "#3,7" are the nodes with these numbers in the mesh file
   std::string origin;  // "scene.toml:12: fix.where", for messages
 
   /// The condition, or `set:NAME`.
@@ -33,6 +34,9 @@ struct NodeSelection {
   /// Positions of the selected nodes, ascending. Throws InputError for an unknown set and for a selection without
   /// nodes.
   std::vector<std::int32_t> nodesOf(const Mesh& mesh) const;
+
+ private:
+  std::vector<std::int32_t> numberedNodes(const Mesh& mesh) const;
 };
 
 /// What a run does when the monitor no longer certifies its step.
@@ -82,6 +86,7 @@ struct Scene {
     NodeSelection nodes;
     std::optional<Eigen::Vector3d> acceleration;  // m/s²
     std::optional<Eigen::Vector3d> total;         // N, spread over the nodes by mass
+    std::optional<Eigen::Vector3d> each;          // N, on each of the nodes
     std::optional<TimeTable> table;               // its factor; empty: 1
   };
 
@@ -95,7 +100,9 @@ struct Scene {
   };
 
   std::filesystem::path file;
-  nlohmann::ordered_json echo;  // every section and key with defaults filled in
+  bool ofDeck = false;             // the file is an Abaqus or CalculiX deck
+  std::vector<std::string> notes;  // what a user may want to know of how the file was read, one line each
+  nlohmann::ordered_json echo;     // every section and key with defaults filled in
 
   std::filesystem::path meshFile;  // empty when generated
   std::string generator;
@@ -148,9 +155,13 @@ struct Scene {
   bool monitored() const { return proves() || !metric.empty(); }
 };
 
-/// Reads and checks a scene file. overrides: `section.key=value` each, value as TOML (a bare word is taken for a
-/// string); they win over the file. Throws InputError "FILE:LINE: section.key: what is wrong; what would be right".
+/// Reads and checks a scene file, or an Abaqus or CalculiX deck. overrides: `section.key=value` each, value as TOML (a
+/// bare word is taken for a string); they win over the file. Throws InputError "FILE:LINE: section.key: what is wrong;
+/// what would be right".
 Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// The scene that a deck stands for; see readDeckScene.
+Scene sceneOfDeck(const std::filesystem::path& file, DeckUse use, const std::vector<std::string>& overrides = {});
 
 /// The scene of an echo (Scene::echo). file: of the scene, for messages and what is relative to it.
 Scene sceneOfEcho(const std::filesystem::path& file, const nlohmann::ordered_json& echo);
@@ -169,8 +180,9 @@ inline constexpr double mostSteps = 1e12;
 /// "" unless steps of h (s) to the end (s) are more than that; then how many, for a message.
 std::string tooManySteps(double h, double end);
 
-/// What a force of a scene gives each of its nodes on a body, m/s²: force = mass × this.
-Eigen::Vector3d accelerationOfLoad(const Scene::Force& force, const std::vector<std::int32_t>& nodes, const Body& body);
+/// What a force of a scene puts on each of its nodes, N.
+std::vector<Eigen::Vector3d> nodalForces(const Scene::Force& force, const std::vector<std::int32_t>& nodes,
+                                         const Body& body);
 
 /// Threads for a request; 0 asks for as many as the mesh can keep busy: on a small one, waiting for each other would
 /// cost more than they share, above all on a machine that has other work too.

@@ -1,7 +1,9 @@
 #include <ringwatch/app/scene/scene.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -9,7 +11,9 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/parallel.h>
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/base/user_text.h>
+#include <ringwatch/meshes/formats/mesh_readers.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/node_order.h>
 
@@ -63,7 +67,28 @@ class PrescribedMotions {
 
 }  // namespace
 
+std::vector<std::int32_t> NodeSelection::numberedNodes(const Mesh& mesh) const {
+  std::unordered_map<std::int64_t, std::int32_t> nodeOf;
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(mesh.nodeCount()); ++i) nodeOf.emplace(mesh.nodeId(i), i);
+  std::vector<std::int32_t> nodes;
+  for (std::size_t begin = 1; begin <= set.size();) {
+    const std::size_t end = std::min(set.find(',', begin), set.size());
+    std::int64_t number = 0;
+    const auto [stop, error] = std::from_chars(set.data() + begin, set.data() + end, number);
+    if (error != std::errc() || stop != set.data() + end)
+      throw InputError(
+          fmt::format("{}: {} names no nodes; write # and their numbers, e.g. \"#3,7\"", origin, inQuotes(set)));
+    const auto found = nodeOf.find(number);
+    if (found == nodeOf.end()) throw InputError(fmt::format("{}: the mesh has no node {}", origin, number));
+    nodes.push_back(found->second);
+    begin = end + 1;
+  }
+  sortUnique(nodes);
+  return nodes;
+}
+
 std::vector<std::int32_t> NodeSelection::nodesOf(const Mesh& mesh) const {
+  if (!where && set.starts_with("#")) return numberedNodes(mesh);
   if (!where) {
     const auto found = mesh.nodeSets.find(set);
     if (found != mesh.nodeSets.end() && !found->second.empty()) return found->second;
@@ -101,7 +126,13 @@ int threadsThatPay(int requested, const Mesh& mesh) {
 Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes) {
   if (scene.generator.empty()) {
     try {
-      Mesh mesh = loadMesh(scene.meshFile, &notes);
+      std::vector<std::string> read;
+      Mesh mesh = loadMesh(scene.meshFile, &read);
+      // What a deck holds beside its mesh has become the scene.
+      if (scene.ofDeck)
+        std::erase_if(read, [](const std::string& note) { return note.find(detail::deckSkippedNote) != note.npos; });
+      notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
+      notes.insert(notes.end(), read.begin(), read.end());
       renumberNodes(mesh);  // a mesher's order may cost a fifth of every step
       return mesh;
     } catch (const InputError& fault) {
@@ -115,12 +146,16 @@ Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes) {
   }
 }
 
-Eigen::Vector3d accelerationOfLoad(const Scene::Force& force, const std::vector<std::int32_t>& nodes,
-                                   const Body& body) {
-  if (force.acceleration) return *force.acceleration;
+std::vector<Eigen::Vector3d> nodalForces(const Scene::Force& force, const std::vector<std::int32_t>& nodes,
+                                         const Body& body) {
+  if (force.each) return std::vector<Eigen::Vector3d>(nodes.size(), *force.each);
   double mass = 0;
   for (std::int32_t node : nodes) mass += body.lumpedMass()[node];
-  return *force.total / mass;
+  const Eigen::Vector3d acceleration = force.acceleration ? *force.acceleration : Eigen::Vector3d(*force.total / mass);
+  std::vector<Eigen::Vector3d> forces;
+  forces.reserve(nodes.size());
+  for (std::int32_t node : nodes) forces.emplace_back(body.lumpedMass()[node] * acceleration);
+  return forces;
 }
 
 Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
@@ -156,8 +191,8 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
   for (const Scene::Force& force : scene.forces) {
     const std::vector<std::int32_t> nodes = force.nodes.nodesOf(body->mesh());
     if (force.table) continue;  // a run sets them at each of its times
-    const Eigen::Vector3d acceleration = accelerationOfLoad(force, nodes, *body);
-    for (std::int32_t node : nodes) body->externalForce().col(node) += body->lumpedMass()[node] * acceleration;
+    const std::vector<Eigen::Vector3d> forces = nodalForces(force, nodes, *body);
+    for (std::size_t i = 0; i < nodes.size(); ++i) body->externalForce().col(nodes[i]) += forces[i];
   }
   for (const Scene::Initial& initial : scene.initials)
     initial.nodes.nodesOf(body->mesh());  // throws before a run begins

@@ -344,7 +344,10 @@ void addNodes(std::vector<SceneKey>& all, std::string_view section) {
           {.key = "where",
            .type = T::text,
            .help = "condition on the reference position, e.g. \"x < 1e-6 and y > 0.01\", \"all\", or \"set:NAME\""},
-          {.key = "set", .type = T::text, .help = "named node set of the mesh, instead of where"},
+          {.key = "set",
+           .type = T::text,
+           .help = "named node set of the mesh, instead of where; \"#3,7\" are the nodes with these numbers in the "
+                   "mesh file"},
       });
 }
 
@@ -403,8 +406,9 @@ void addMotionAndLoads(std::vector<SceneKey>& all) {
           {.key = "acceleration",
            .type = T::vector,
            .unit = "m/s2",
-           .help = "force = mass x acceleration; or give force"},
+           .help = "force = mass x acceleration; or give force or each"},
           {.key = "force", .type = T::vector, .unit = "N", .help = "total force, spread over the nodes by mass"},
+          {.key = "each", .type = T::vector, .unit = "N", .help = "force on each of the nodes"},
       });
 }
 

@@ -52,6 +52,13 @@ class Reader {
   Reader(std::filesystem::path file, toml::table echo)
       : file_(std::move(file)), root_(std::move(echo)), isEcho_(true) {}
 
+  /// Of a deck. origins: of its sections.
+  Reader(std::filesystem::path file, toml::table sections, std::map<std::string, std::string> origins,
+         const std::vector<std::string>& overrides)
+      : file_(std::move(file)), root_(std::move(sections)), origins_(std::move(origins)) {
+    for (const std::string& text : overrides) applyOverride(text);
+  }
+
   /// All sections with their values checked and defaults filled in; lists in the order of the file.
   std::vector<SceneTable> sections() {
     checkSectionNames();
@@ -207,6 +214,12 @@ class Reader {
       if (key == path || (key.size() > path.size() && key.compare(0, path.size() + 1, path + ".") == 0 &&
                           node.source().begin.line == 0))
         return origin;
+    if (!origins_.empty()) {
+      for (std::string part = path;; part.erase(part.rfind('.'))) {
+        if (const auto known = origins_.find(part); known != origins_.end()) return known->second;
+        if (part.find('.') == std::string::npos) return file_.string();
+      }
+    }
     if (isEcho_ || node.source().begin.line == 0) return file_.string();
     return fmt::format("{}:{}", file_.string(), node.source().begin.line);
   }
@@ -338,6 +351,7 @@ class Reader {
   std::filesystem::path file_;
   toml::table root_;
   bool isEcho_ = false;
+  std::map<std::string, std::string> origins_;    // of a deck's sections
   std::map<std::string, std::string> overrides_;  // "section.key" -> origin
 };
 
@@ -354,6 +368,28 @@ std::string missingText(SceneType type, std::string_view unit, const SceneRange&
 
 std::vector<SceneTable> readSceneTables(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   return Reader(file, overrides).sections();
+}
+
+std::vector<SceneTable> sceneTablesOfDeck(const std::filesystem::path& file, const DeckScene& deck,
+                                          const std::vector<std::string>& overrides) {
+  return Reader(file, toml::parse(tomlOfSections(deck.sections)), deck.origins, overrides).sections();
+}
+
+std::string tomlOfSections(const Json& sections) {
+  std::string text;
+  const auto add = [&](const std::string& head, const Json& section) {
+    text += head + "\n";
+    for (const auto& [key, value] : section.items())
+      if (!value.is_null()) text += fmt::format("{} = {}\n", key, value.dump());
+  };
+  for (const auto& [name, section] : sections.items()) {
+    if (!section.is_array()) {
+      add(fmt::format("[{}]", name), section);
+    } else {
+      for (const Json& entry : section) add(fmt::format("[[{}]]", name), entry);
+    }
+  }
+  return text;
 }
 
 std::vector<SceneTable> sceneTablesOfEcho(const std::filesystem::path& file, const std::string& toml) {

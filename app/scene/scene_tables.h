@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <ringwatch/app/scene/deck_scene.h>
 #include <ringwatch/app/scene/scene_keys.h>
 
 namespace ringwatch {
@@ -47,6 +48,11 @@ std::string missingText(SceneType type, std::string_view unit, const SceneRange&
 /// All sections of a scene file (TOML) with their values checked against the table of keys and defaults filled in, in
 /// the order of that table; lists in the order of the file. overrides: see readScene.
 std::vector<SceneTable> readSceneTables(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+/// Likewise of a deck. file: for messages that are about no place in it.
+std::vector<SceneTable> sceneTablesOfDeck(const std::filesystem::path& file, const DeckScene& deck,
+                                          const std::vector<std::string>& overrides);
+/// Sections as TOML. JSON's texts, numbers and lists are TOML's.
+std::string tomlOfSections(const nlohmann::ordered_json& sections);
 /// The sections of an echo, TOML in which all defaults are filled in. file: for messages.
 std::vector<SceneTable> sceneTablesOfEcho(const std::filesystem::path& file, const std::string& toml);
 

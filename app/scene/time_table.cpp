@@ -12,8 +12,10 @@ namespace ringwatch {
 namespace {
 
 /// How far a ramp has come at the share s of its time, and the integral of that over the share.
-double shape(Ramp ramp, double s) { return ramp == Ramp::linear ? s : s * s * (3 - 2 * s); }
-double shapeIntegral(Ramp ramp, double s) { return ramp == Ramp::linear ? 0.5 * s * s : s * s * s * (1 - 0.5 * s); }
+double shape(Ramp ramp, double s) { return ramp == Ramp::linear ? s : ramp == Ramp::smooth ? s * s * (3 - 2 * s) : 0; }
+double shapeIntegral(Ramp ramp, double s) {
+  return ramp == Ramp::linear ? 0.5 * s * s : ramp == Ramp::smooth ? s * s * s * (1 - 0.5 * s) : 0;
+}
 
 }  // namespace
 
@@ -26,7 +28,8 @@ TimeTable::TimeTable(std::vector<double> times, std::vector<double> factors, Ram
     const double length = times_[i] - times_[i - 1];
     if (!(length > 0))
       throw InputError(fmt::format("the times must increase, but {} s follows {} s", times_[i], times_[i - 1]));
-    integrals_.push_back(integrals_.back() + 0.5 * length * (factors_[i - 1] + factors_[i]));
+    const double mean = ramp == Ramp::hold ? factors_[i - 1] : 0.5 * (factors_[i - 1] + factors_[i]);
+    integrals_.push_back(integrals_.back() + length * mean);
   }
 }
 

@@ -7,10 +7,11 @@
 namespace ringwatch {
 
 /// How a table goes from one of its points to the next.
-enum class Ramp { linear, smooth };
+enum class Ramp { linear, smooth, hold };
 inline constexpr auto rampNames = nameTable<Ramp>({
     {Ramp::linear, "linear", "straight lines"},
     {Ramp::smooth, "smooth", "s²(3 - 2s), whose slope is zero at the points"},
+    {Ramp::hold, "hold", "the factor stays until the next time"},
 });
 
 /// A factor of a load or a motion as a function of time: a table of points, constant before the first and after the

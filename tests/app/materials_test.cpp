@@ -306,7 +306,7 @@ TEST_F(Program, TellsWhichMaterialGovernsAndKeepsMaterialsThroughACut) {
   const Mesh cut = readMesh(folder_.path() / "r/frames/frame_000003.vtu");
   EXPECT_THAT(folder_.read("r/frames/frame_000003.vtu"), HasSubstr("Name=\"material\""));
   EXPECT_EQ(cut.elementCount(), summary["mesh"]["elements"]["tet4"].get<std::size_t>());
-  expectRefused("inspect r --frame 1 --young 3e3", "--young: the run has 2 materials");
+  expectRefused("inspect r --frame 1 --young 3e3", "--young: there are 2 materials");
 }
 
 TEST_F(Program, HandlesTheStiffPartOfATwoMaterialBody) {

@@ -1,0 +1,370 @@
+#include <ringwatch/app/command/audit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/command/progress.h>
+#include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/scene.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
+#include <ringwatch/base/user_text.h>
+#include <ringwatch/meshes/check.h>
+#include <ringwatch/meshes/results.h>
+#include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/event.h>
+#include <ringwatch/monitor/stability_monitor.h>
+
+namespace ringwatch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What is said of the results with every audit.
+constexpr std::string_view honestLimit =
+    "Each bracket is proven for the tangent of this law, with lumped masses, at that state alone. Contact, plasticity, "
+    "damping, mass scaling and whatever else the other program added are not in it: such a model hands its element "
+    "tangents over (docs/embedding.md). Between two states nothing is proven.";
+
+struct AuditedState {
+  std::size_t index;
+  std::optional<double> time, step;  // s; step: the mean of those taken from here to the next state
+  std::optional<std::int64_t> increment;
+  std::string where;
+  std::size_t notFinite = 0;              // nodes
+  std::optional<CriticalStep> bracket{};  // empty where the state has none
+  std::string why = {};                   // it has none
+  std::optional<Body::LeastDeterminant> least{};
+  double strainEnergy = 0;  // J
+
+  bool inverted() const { return least && !(least->value > 0); }
+  std::optional<Verdict> verdict() const {
+    if (!bracket || !step) return std::nullopt;
+    return verdictFor(*step, *bracket);
+  }
+  bool violated() const { return verdict() == Verdict::violated; }
+  /// Neither finite nor with a tangent.
+  bool lost() const { return !bracket; }
+};
+
+Scene sceneOfAudit(const AuditOptions& options) {
+  if (!options.scene.empty()) {
+    std::vector<std::string> overrides;
+    if (options.density) overrides.push_back(fmt::format("material.density={}", *options.density));
+    return isDeckFile(options.scene) ? sceneOfDeck(options.scene, DeckUse::model, overrides)
+                                     : readScene(options.scene, overrides);
+  }
+  Scene scene;
+  SceneMaterial& material = scene.materials.emplace_back();
+  material.model = options.model.empty() ? "stvk" : options.model;
+  for (const OptionInfo& parameter : lawNamed(material.model).parameters)
+    if (parameter.fallback.empty() && !options.parameters.find(parameter.name))
+      throw InputError(
+          fmt::format("--{} is required, or --scene with the materials; see ringwatch audit --help", parameter.name));
+  if (!options.density)
+    throw InputError("--density is required, or --scene with the materials; see ringwatch audit --help");
+  material.density = *options.density;
+  scene.method = "symplectic-euler";
+  scene.meshOrigin = options.results.front().string();
+  return scene;
+}
+
+void applyLaw(Scene& scene, const AuditOptions& options) {
+  const bool own = options.parameters.begin() != options.parameters.end();
+  if (scene.materials.size() > 1 && (own || !options.model.empty()))
+    throw InputError(fmt::format("--{}: {} has {} materials; leave it out, all are those of the scene",
+                                 options.model.empty() ? options.parameters.begin()->first : "model",
+                                 options.scene.string(), scene.materials.size()));
+  SceneMaterial& material = scene.materials.front();
+  if (!options.model.empty() && options.model != material.model) {
+    const LawInfo& law = lawNamed(options.model);
+    Options kept;
+    for (const auto& [name, value] : material.parameters)
+      if (findOption(law.parameters, name)) kept.set(name, value);
+    material.model = options.model;
+    material.parameters = std::move(kept);
+  }
+  for (const auto& [name, value] : options.parameters) material.parameters.set(name, value);
+  for (const std::string& text : options.fix) scene.fixes.push_back(parseFix(text, "--fix"));
+}
+
+StepRule ruleOf(const Scene& scene, const AuditOptions& options, double& limit) {
+  if (options.limit) {
+    if (!(*options.limit > 0 && std::isfinite(*options.limit)))
+      throw InputError(fmt::format("--limit: {} is out of range; must be > 0", *options.limit));
+    if (!options.integrator.empty()) throw InputError("--limit: goes without --integrator, whose limit is known");
+    return StepRule(limit = *options.limit);
+  }
+  const std::string name = options.integrator.empty() ? "symplectic-euler" : options.integrator;
+  const IntegratorInfo* info = integratorCatalog().find(name);
+  if (info == nullptr || !(info->imaginaryLimit > 0) || std::isinf(info->imaginaryLimit) || info->partitioned)
+    throw InputError(
+        fmt::format("--integrator: {} is no integrator with a critical step; ringwatch help integrators "
+                    "has those, and --limit takes a number",
+                    inQuotes(name)));
+  limit = info->imaginaryLimit;
+  return stepRule(*info, scene.damping);
+}
+
+/// Which node of the results each node of the body is; -1 for one that they lack, which is at rest.
+std::vector<std::int32_t> sameNodes(const Mesh& body, const Mesh& results, const std::string& where) {
+  std::vector<std::int32_t> same(body.nodeCount(), -1);
+  std::size_t found = 0;
+  if (!results.nodeIds.empty() && !body.nodeIds.empty()) {
+    std::unordered_map<std::int64_t, std::int32_t> nodeOf;
+    for (std::size_t i = 0; i < results.nodeCount(); ++i)
+      nodeOf.emplace(results.nodeIds[i], static_cast<std::int32_t>(i));
+    for (std::size_t i = 0; i < same.size(); ++i)
+      if (const auto node = nodeOf.find(body.nodeIds[i]); node != nodeOf.end()) same[i] = node->second, ++found;
+  } else if (body.nodeCount() == results.nodeCount()) {
+    for (std::size_t i = 0; i < same.size(); ++i) same[i] = static_cast<std::int32_t>(i);
+    found = same.size();
+  }
+  if (found == 0)
+    throw InputError(fmt::format("{}: {} nodes, none of which is one of the {} of the scene's mesh", where,
+                                 results.nodeCount(), body.nodeCount()));
+  const double size = (body.X.rowwise().maxCoeff() - body.X.rowwise().minCoeff()).norm();
+  for (std::size_t i = 0; i < same.size(); ++i) {
+    if (same[i] < 0) continue;
+    const auto own = static_cast<Eigen::Index>(i);
+    const double apart = (body.X.col(own) - results.X.col(same[i])).norm();
+    if (!(apart <= 1e-4 * size))
+      throw InputError(
+          fmt::format("{}: node {} lies {:.3g} m from where the scene's mesh has it at rest; they must be "
+                      "of the same mesh",
+                      where, body.nodeId(static_cast<std::int32_t>(i)), apart));
+  }
+  return same;
+}
+
+/// Steps by the times and increments of neighbouring states.
+std::optional<double> meanStep(const ResultEntry& a, const ResultEntry& b) {
+  if (!a.time || !b.time || !a.increment || !b.increment) return std::nullopt;
+  const double time = *b.time - *a.time;
+  const auto steps = static_cast<double>(*b.increment - *a.increment);
+  if (!(time > 0) || !(steps > 0)) return std::nullopt;
+  return time / steps;
+}
+
+std::vector<std::optional<double>> stepsTaken(const std::vector<ResultEntry>& entries, const AuditOptions& options,
+                                              const Scene& scene) {
+  std::vector<std::optional<double>> steps(entries.size());
+  if (options.step) {
+    std::fill(steps.begin(), steps.end(), options.step);
+    return steps;
+  }
+  for (std::size_t i = 0; i + 1 < entries.size(); ++i) steps[i] = meanStep(entries[i], entries[i + 1]);
+  if (entries.size() > 1) steps.back() = steps[entries.size() - 2];
+  // The first increments begin at rest.
+  const ResultEntry rest{0.0, 0, ""};
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (!steps[i] && i == 0 && entries.size() == 1) steps[i] = meanStep(rest, entries[i]);
+  for (std::optional<double>& step : steps)
+    if (!step && scene.step && !options.scene.empty()) step = scene.step;
+  return steps;
+}
+
+AuditedState audited(const Body& body, const NodeVectors& x, const StepRule& rule, AuditedState state) {
+  for (Eigen::Index i = 0; i < x.cols(); ++i) state.notFinite += x.col(i).allFinite() ? 0 : 1;
+  if (state.notFinite > 0) {
+    state.why = fmt::format("{} of {} nodes are not finite", state.notFinite, x.cols());
+    return state;
+  }
+  state.least = body.leastDeterminant(x);
+  Body::Workspace workspace;
+  state.strainEnergy = body.energy(x, workspace);
+  try {
+    state.bracket = criticalStep(body, x, rule);
+  } catch (const NumericalError& fault) {
+    state.why = fault.what();
+  }
+  return state;
+}
+
+std::string numberText(std::optional<double> value) {
+  return value && std::isfinite(*value) ? fmt::format("{:.6g}", *value) : "-";
+}
+
+std::string verdictText(const AuditedState& state) {
+  if (state.lost()) return "lost";
+  const auto verdict = state.verdict();
+  return verdict ? std::string(verdictName(*verdict)) : "-";
+}
+
+Json stateJson(const Mesh& mesh, const AuditedState& state) {
+  const auto orNull = [](const auto& value) { return value ? Json(*value) : Json(); };
+  Json json{
+      {"state", state.index + 1},
+      {"where", state.where},
+      {"time", orNull(state.time)},
+      {"increment", orNull(state.increment)},
+      {"step", orNull(state.step)},
+      {"safe", state.bracket ? Json(state.bracket->safe) : Json()},
+      {"optimistic", state.bracket ? Json(state.bracket->optimistic) : Json()},
+      {"verdict", verdictText(state)},
+      {"controlling_element", state.bracket ? elementJson(mesh, state.bracket->controlling) : Json()},
+      {"strain_energy", std::isfinite(state.strainEnergy) && state.notFinite == 0 ? Json(state.strainEnergy) : Json()},
+      {"least_determinant", state.least && std::isfinite(state.least->value) ? Json(state.least->value) : Json()},
+      {"inverted", state.inverted()},
+      {"indefinite", state.bracket && state.bracket->lowestRing < 0},
+      {"not_finite_nodes", state.notFinite}};
+  if (!state.why.empty()) json["why"] = state.why;
+  return json;
+}
+
+/// "state 4 at t = 0.1 s"
+std::string nameOf(const AuditedState& state) {
+  return fmt::format("state {}{}", state.index + 1, state.time ? fmt::format(" at t = {:.6g} s", *state.time) : "");
+}
+
+class AuditReport {
+ public:
+  AuditReport(const Body& body, const std::vector<AuditedState>& states) : body_(body), states_(states) {}
+
+  void write(AuditResult& result, bool all) const {
+    table(result.text, all);
+    Json& first = result.json["first"] = Json::object();
+    const auto event = [&](const char* key, const char* what, const auto& holds, const auto& detail) {
+      const auto found = std::find_if(states_.begin(), states_.end(), holds);
+      first[key] = found == states_.end()
+                       ? Json()
+                       : Json{{"state", found->index + 1}, {"time", found->time ? Json(*found->time) : Json()}};
+      if (found != states_.end()) result.text += fmt::format("{}: {}{}\n", what, nameOf(*found), detail(*found));
+      return found != states_.end();
+    };
+    const auto element = [&](ElementRef e) { return elementText(body_.mesh(), e); };
+    event(
+        "not_certified", "first step that is not proven stable",
+        [](const AuditedState& s) { return s.verdict() && s.verdict() != Verdict::certified; },
+        [](const AuditedState& s) { return fmt::format(": h = {:.6g} s, safe {:.6g} s", *s.step, s.bracket->safe); });
+    const bool violated = event(
+        "violated", "first step that is proven unstable", [](const AuditedState& s) { return s.violated(); },
+        [&](const AuditedState& s) {
+          return fmt::format(": h = {:.6g} s, above {:.6g} s; controlling {}", *s.step, s.bracket->optimistic,
+                             element(s.bracket->controlling));
+        });
+    event(
+        "indefinite", "first indefinite tangent, which no step cures",
+        [](const AuditedState& s) { return s.bracket && s.bracket->lowestRing < 0; },
+        [&](const AuditedState& s) { return fmt::format(": {}", element(s.bracket->lowestRingElement)); });
+    const bool inverted = event(
+        "inverted", "first inverted element", [](const AuditedState& s) { return s.inverted(); },
+        [&](const AuditedState& s) {
+          return fmt::format(": det F = {:.4g} in {}", s.least->value, element(s.least->element));
+        });
+    const bool lost = event(
+        "lost", "first state that is lost", [](const AuditedState& s) { return s.lost(); },
+        [](const AuditedState& s) { return ": " + s.why; });
+    const bool known = std::ranges::any_of(states_, [](const AuditedState& s) { return s.step.has_value(); });
+    const bool open =
+        std::ranges::any_of(states_, [](const AuditedState& s) { return s.verdict() == Verdict::notCertified; });
+    if (violated || inverted || lost)
+      result.status = ExitStatus::unstable;
+    else if (open)
+      result.status = ExitStatus::notCertified;
+    if (!known)
+      result.text += "the results do not tell which step was taken; --step h holds one against the brackets\n";
+    result.text += fmt::format("note: {}\n", honestLimit);
+    result.json["note"] = honestLimit;
+  }
+
+ private:
+  void table(std::string& text, bool all) const {
+    text += fmt::format("  {:>6} {:>12} {:>12} {:>12} {:>12}  {:<13} {:>12}  {}\n", "state", "time (s)", "step (s)",
+                        "safe (s)", "optim. (s)", "verdict", "strain (J)", "controlling element");
+    constexpr std::size_t usual = 30;
+    const std::size_t stride = all ? 1 : std::max<std::size_t>(1, (states_.size() + usual - 1) / usual);
+    std::string before;
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      const AuditedState& s = states_[i];
+      const std::string verdict = verdictText(s);
+      // Where the verdict changes there is always a line.
+      if (i % stride == 0 || i + 1 == states_.size() || verdict != before) {
+        text += fmt::format("  {:>6} {:>12} {:>12} {:>12} {:>12}  {:<13} {:>12}  {}\n", s.index + 1, numberText(s.time),
+                            numberText(s.step), s.bracket ? numberText(s.bracket->safe) : "-",
+                            s.bracket ? numberText(s.bracket->optimistic) : "-",
+                            s.inverted() && !s.lost() ? verdict + ", inv." : verdict,
+                            s.notFinite > 0 ? "-" : numberText(s.strainEnergy),
+                            s.bracket ? shortElement(s.bracket->controlling) : shortened(s.why));
+      }
+      before = verdict;
+    }
+  }
+  std::string shortElement(ElementRef e) const {
+    const MeshBlock& block = body_.mesh().blocks[e.block];
+    return fmt::format("{} {}", elementInfo(block.type).name, block.id(e.element));
+  }
+
+  const Body& body_;
+  const std::vector<AuditedState>& states_;
+};
+
+}  // namespace
+
+AuditResult auditResults(const AuditOptions& options) {
+  if (options.step && !(*options.step > 0 && std::isfinite(*options.step)))
+    throw InputError(fmt::format("--step: {} is out of range; must be > 0 s", *options.step));
+  Scene scene = sceneOfAudit(options);
+  applyLaw(scene, options);
+  double limit = 0;
+  const StepRule rule = ruleOf(scene, options, limit);
+  std::vector<std::string> notes;
+  const ResultSeries series(options.results, options.displacement, &notes);
+  const std::string name = options.results.front().string();
+
+  Mesh mesh = options.scene.empty() ? series.mesh() : sceneMesh(scene, notes);
+  if (options.scene.empty()) requireSound(mesh, name, &notes);
+  // Loads and motions do not change the tangent; nodes that move as prescribed are no unknowns.
+  for (const Scene::Move& move : scene.moves) scene.fixes.push_back({move.nodes, move.components});
+  scene.moves.clear();
+  scene.forces.clear();
+  scene.initials.clear();
+  const Body body = sceneBody(scene, std::move(mesh), options.threads);
+  const std::vector<std::int32_t> same =
+      options.scene.empty() ? std::vector<std::int32_t>() : sameNodes(body.mesh(), series.mesh(), name);
+
+  const std::vector<ResultEntry>& entries = series.entries();
+  const std::vector<std::optional<double>> steps = stepsTaken(entries, options, scene);
+  std::vector<AuditedState> states;
+  ProgressLine progress(true);
+  for (std::size_t i = 0; i < entries.size(); i += static_cast<std::size_t>(options.every)) {
+    NodeVectors x = body.mesh().X;
+    NodeVectors theirs = series.positions(i);
+    if (same.empty())
+      x = std::move(theirs);
+    else
+      for (Eigen::Index k = 0; k < x.cols(); ++k)
+        if (const std::int32_t node = same[static_cast<std::size_t>(k)]; node >= 0)
+          x.col(k) += theirs.col(node) - series.mesh().X.col(node);
+    states.push_back(audited(body, x, rule, {i, entries[i].time, steps[i], entries[i].increment, entries[i].where}));
+    const double done = static_cast<double>(i + 1) / static_cast<double>(entries.size());
+    if (progress.due()) progress.show(fmt::format("state {} of {}", i + 1, entries.size()), done);
+  }
+  progress.clear();
+  const CriticalStep rest = criticalStep(body, body.mesh().X, rule);
+
+  AuditResult result;
+  result.json = Json{{"results", name},
+                     {"states", entries.size()},
+                     {"law", modelsText(scene.materials)},
+                     {"limit", limit},
+                     {"displacement", series.displacement()},
+                     {"mesh", meshJson(body.mesh(), body.volume())},
+                     {"mass", body.totalMass()},
+                     {"at_rest", {{"safe", rest.safe}, {"optimistic", rest.optimistic}}}};
+  Json list = Json::array();
+  for (const AuditedState& state : states) list.push_back(stateJson(body.mesh(), state));
+  result.text = fmt::format("{}: {} states, {} nodes, {}; {}, limit h omega = {:.6g}\n", name, entries.size(),
+                            body.mesh().nodeCount(), elementCounts(body.mesh()), modelsText(scene.materials), limit);
+  for (const std::string& note : notes) result.text += fmt::format("  note: {}\n", note);
+  result.text += fmt::format("  at rest: safe {:.6g} s, optimistic {:.6g} s\n", rest.safe, rest.optimistic);
+  AuditReport(body, states).write(result, options.all);
+  result.json["history"] = std::move(list);
+  return result;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace ringwatch {
+
+/// What of a deck is wanted.
+enum class DeckUse {
+  run,   ///< all of it: one *DYNAMIC step with what loads and moves the body
+  model  ///< the body: mesh, materials, sections and what is held; procedures and loads do not matter to it
+};
+
+/// The sections of a scene that an Abaqus or CalculiX deck stands for.
+struct DeckScene {
+  nlohmann::ordered_json sections;             // as in Scene::echo, but only what the deck says
+  std::map<std::string, std::string> origins;  // "force.0" -> "deck.inp:31", of sections
+  std::vector<std::string> notes;              // what is left out and what is taken otherwise, with file and line
+};
+
+/// Whether a file is a deck, by its content. False for one that cannot be read.
+bool isDeckFile(const std::filesystem::path& file);
+
+/// The materials, sections, supports, loads, initial velocities and the *DYNAMIC step of a deck, as CalculiX reads them
+/// (CalculiX CrunchiX user's manual, "Input deck format"). Output requests are left out with a note. Throws InputError
+/// "FILE:LINE: …" with every keyword that changes the motion and that ringwatch has not.
+DeckScene readDeckScene(const std::filesystem::path& file, DeckUse use);
+
+/// Every keyword with what is done with it, for the help.
+std::string deckHelp();
+
+}  // namespace ringwatch

@@ -1,0 +1,181 @@
+// Results of other programs: the bracket of their states, and where their run left it.
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include <fmt/format.h>
+#include <Eigen/Core>
+
+#include "program.h"
+
+namespace ringwatch {
+namespace {
+
+using test::Json;
+using test::Outcome;
+using test::Program;
+using ::testing::HasSubstr;
+
+class Audits : public Program {
+ protected:
+  Json audit(const std::string& arguments, int status) {
+    const Outcome outcome = call("audit " + arguments + " --json -");
+    EXPECT_EQ(outcome.status, status) << outcome.out << outcome.err;
+    return parse(outcome.out);
+  }
+  using Motion = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
+  static constexpr double corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+  /// A tetrahedron in a legacy file: points at rest with the field U, or moved points without it.
+  void writeVtk(const std::string& name, double time, int cycle, const Motion& motion, bool field = true) {
+    std::string points, u;
+    for (const auto& corner : corners) {
+      const Eigen::Vector3d X(corner[0], corner[1], corner[2]), x = motion(X);
+      const Eigen::Vector3d written = field ? X : x, moved = x - X;
+      points += fmt::format("{} {} {}\n", written[0], written[1], written[2]);
+      u += fmt::format("{} {} {}\n", moved[0], moved[1], moved[2]);
+    }
+    folder_.write(
+        name, fmt::format("# vtk DataFile Version 3.0\nvtk output\nASCII\nDATASET UNSTRUCTURED_GRID\nFIELD FieldData "
+                          "2\nTIME 1 1 double\n{}\nCYCLE 1 1 int\n{}\nPOINTS 4 double\n{}CELLS 1 5\n4 0 1 2 "
+                          "3\nCELL_TYPES 1\n10\nPOINT_DATA 4\nSCALARS id int\nLOOKUP_TABLE "
+                          "default\n1\n2\n3\n4\n{}",
+                          time, cycle, points, field ? "VECTORS U double\n" + u : ""));
+  }
+  static Eigen::Vector3d turned(const Eigen::Vector3d& X) { return {-X[1] + 3, X[0], X[2]}; }
+
+  /// A CalculiX results file of the tetrahedron: its states (time, increment, motion).
+  void writeFrd(const std::vector<std::tuple<double, int, Motion>>& states) {
+    std::string text = "    1C\n    2C" + std::string(28, ' ') + "4" + std::string(37, ' ') + "1\n";
+    for (int i = 0; i < 4; ++i)
+      text += fmt::format(" -1{:>10}{:>12.5E}{:>12.5E}{:>12.5E}\n", 10 * (i + 1), corners[i][0], corners[i][1],
+                          corners[i][2]);
+    text += " -3\n    3C" + std::string(28, ' ') + "1" + std::string(37, ' ') +
+            "1\n -1         7    3    0    1\n -2        10        20        30        40\n -3\n";
+    for (const auto& [time, increment, motion] : states) {
+      text += fmt::format("    1PSTEP{:>26}{:>12}{:>12}\n", 1, increment, 1);
+      text += fmt::format("  100CL  101{:>12.5E}{:>12}{:>21}{:>5}{:>12}\n", time, 4, 1, 1, 1);
+      text += " -4  DISP        4    1\n -5  D1          1    2    1    0\n";
+      for (int i = 0; i < 4; ++i) {
+        const Eigen::Vector3d X(corners[i][0], corners[i][1], corners[i][2]), u = motion(X) - X;
+        text += fmt::format(" -1{:>10}", 10 * (i + 1));
+        for (int c = 0; c < 3; ++c) text += std::isnan(u[c]) ? "        -NAN" : fmt::format("{:>12.5E}", u[c]);
+        text += "\n";
+      }
+      text += " -3\n";
+    }
+    folder_.write("bar.frd", text + " 9999\n");
+  }
+};
+
+// A StVK tetrahedron that is stretched to λ in all directions has the tangent of rest times about (3 λ² - 1)/2 and
+// more: its critical step falls. Turned, it has that of rest.
+TEST_F(Audits, ReadLegacyFiles) {
+  writeVtk("a0.vtk", 0, 0, [](const Eigen::Vector3d& X) { return X; });
+  writeVtk("a1.vtk", 0.1, 100, turned);
+  writeVtk("a2.vtk", 0.2, 200, [](const Eigen::Vector3d& X) { return Eigen::Vector3d(2 * X); });
+  const Json json = audit("a0.vtk a1.vtk a2.vtk" + std::string(test::material), 0);
+  const Json& history = json["history"];
+  ASSERT_EQ(history.size(), 3u);
+  const double rest = json["at_rest"]["safe"].get<double>();
+  EXPECT_DOUBLE_EQ(history[0]["safe"].get<double>(), rest);
+  EXPECT_NEAR(history[1]["safe"].get<double>() / rest, 1, 1e-12);
+  EXPECT_EQ(history[2]["time"], 0.2);
+  EXPECT_NEAR(history[0]["step"].get<double>(), 1e-3, 1e-15);  // 0.1 s in 100 cycles
+  // W = λ/2 (tr E)² + μ E:E with E = 3/2 I, on a sixth of a cubic metre.
+  const double mu = 30e3 / 2.6, lambda = 30e3 * 0.3 / (1.3 * 0.4);
+  EXPECT_NEAR(history[2]["strain_energy"].get<double>() / ((0.5 * lambda * 4.5 * 4.5 + mu * 3 * 2.25) / 6), 1, 1e-14);
+  EXPECT_LT(history[2]["optimistic"].get<double>(), 0.5 * rest);
+
+  // inspect agrees about the mesh at rest.
+  const Json inspected = parse(call("inspect a0.vtk --json -" + std::string(test::material)).out);
+  EXPECT_DOUBLE_EQ(inspected["critical_step"]["safe"].get<double>(), rest);
+
+  // Between the two steps: proven at rest, proven unstable when stretched.
+  const Json left = audit(fmt::format("a0.vtk a1.vtk a2.vtk --step {} {}", 0.9 * rest, test::material), 1);
+  EXPECT_EQ(left["first"]["violated"]["state"], 3);
+  EXPECT_EQ(left["first"]["inverted"], nullptr);
+  EXPECT_EQ(left["history"][1]["verdict"], "certified");
+  const Outcome text = call(fmt::format("audit a0.vtk a1.vtk a2.vtk --step {} {}", 0.9 * rest, test::material));
+  EXPECT_THAT(text.out, HasSubstr("first step that is proven unstable: state 3 at t = 0.2 s: h = "));
+  EXPECT_THAT(text.out, HasSubstr("proven for the tangent of this law"));
+}
+
+TEST_F(Audits, TakeMovedPointsForPositions) {
+  writeVtk(
+      "a0.vtk", 0, 0, [](const Eigen::Vector3d& X) { return X; }, false);
+  writeVtk("a1.vtk", 0.1, 100, turned, false);
+  const Outcome outcome = call("audit a0.vtk a1.vtk" + std::string(test::material));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("the points are taken for positions"));
+  const Json json = audit("a0.vtk a1.vtk" + std::string(test::material), 0);
+  EXPECT_NEAR(json["history"][1]["safe"].get<double>() / json["at_rest"]["safe"].get<double>(), 1, 1e-12);
+  expectRefused("audit a0.vtk a0.vtk" + std::string(test::material), "the points of all states are the same");
+}
+
+TEST_F(Audits, NameWhatIsInvertedAndLost) {
+  const auto flat = [](const Eigen::Vector3d& X) { return Eigen::Vector3d(X[0], X[1], -0.5 * X[2]); };
+  const auto lost = [](const Eigen::Vector3d& X) { return Eigen::Vector3d(X[0] > 0 ? std::nan("") : 0, X[1], X[2]); };
+  writeFrd({{0.01, 10, [](const Eigen::Vector3d& X) { return Eigen::Vector3d(1.01 * X); }},
+            {0.03, 20, flat},
+            {0.05, 40, lost}});
+  const Json json = audit("bar.frd" + std::string(test::material), 1);
+  EXPECT_EQ(json["displacement"], "DISP");
+  EXPECT_NEAR(json["history"][0]["step"].get<double>(), 2e-3, 1e-15);
+  EXPECT_NEAR(json["history"][1]["step"].get<double>(), 1e-3, 1e-15);
+  EXPECT_EQ(json["first"]["inverted"]["state"], 2);
+  EXPECT_NEAR(json["history"][1]["least_determinant"].get<double>(), -0.5, 1e-12);
+  EXPECT_EQ(json["first"]["lost"]["state"], 3);
+  EXPECT_EQ(json["history"][2]["safe"], nullptr);
+  EXPECT_EQ(json["history"][2]["not_finite_nodes"], 1);
+  EXPECT_EQ(json["history"][0]["controlling_element"]["id"], 7);
+
+  // With the deck that the results are of: its law, its supports; matched by the numbers of the nodes.
+  folder_.write(
+      "bar.inp",
+      "*NODE, NSET=all\n40, 0, 0, 1\n10, 0, 0, 0\n20, 1, 0, 0\n30, 0, 1, 0\n*ELEMENT, TYPE=C3D4, ELSET=E\n7, 10, "
+      "20, 30, 40\n*MATERIAL, NAME=m\n*ELASTIC\n30e3, 0.3\n*DENSITY\n1000.\n*SOLID SECTION, ELSET=E, "
+      "MATERIAL=m\n*STEP, NLGEOM\n*DYNAMIC, EXPLICIT\n1e-3, 1.\n*END STEP\n");
+  const Json deck = audit("bar.frd --scene bar.inp", 1);
+  EXPECT_NEAR(deck["history"][0]["safe"].get<double>() / json["history"][0]["safe"].get<double>(), 1, 1e-12);
+  EXPECT_EQ(deck["law"], "stvk");
+}
+
+// Of a run of our own: the brackets of its frames are those that inspect tells.
+TEST_F(Audits, AgreeWithInspectAboutFrames) {
+  folder_.write("scene.toml", test::tiny);
+  ASSERT_EQ(call("run scene.toml --out r --set output.picture=false").status, 0);
+  const Json json = audit("r/run.pvd --scene scene.toml", 0);
+  ASSERT_GE(json["history"].size(), 3u);
+  for (const int frame : {1, 3}) {
+    const Json inspected = parse(call(fmt::format("inspect r --frame {} --json -", frame)).out);
+    for (const char* side : {"safe", "optimistic"})
+      EXPECT_NEAR(json["history"][frame - 1][side].get<double>() / inspected["critical_step"][side].get<double>(), 1,
+                  1e-9)
+          << frame << side;
+  }
+}
+
+TEST_F(Audits, RefuseBadInput) {
+  writeVtk("a0.vtk", 0, 0, [](const Eigen::Vector3d& X) { return X; });
+  const std::string material = test::material;
+  expectRefused("audit a0.vtk", "--young is required, or --scene with the materials");
+  expectRefused("audit nowhere.frd" + material, "nowhere.frd: cannot read: there is no such file");
+  expectRefused("audit a0.vtk --displacement V" + material, "no field \"V\" of three components; there are \"U\"");
+  expectRefused("audit a0.vtk --step -1" + material, "--step: -1 is out of range");
+  expectRefused("audit a0.vtk --limit 0" + material, "--limit: 0 is out of range");
+  expectRefused("audit a0.vtk --integrator implicit-euler" + material, "is no integrator with a critical step");
+  folder_.write("other.vtk", folder_.read("a0.vtk").replace(folder_.read("a0.vtk").find("4 0 1 2 3"), 9, "4 0 2 1 3"));
+  expectRefused("audit a0.vtk other.vtk" + material, "every state must have the same");
+  writeFrd({});
+  expectRefused("audit bar.frd" + material, "bar.frd: has no DISP");
+  std::string cut = folder_.read("bar.frd");
+  folder_.write("bar.frd", cut.substr(0, cut.find(" -3")));
+  expectRefused("audit bar.frd" + material, "is it cut short?");
+  writeFrd({{0.1, 1, turned}});
+  folder_.write("bar.frd", folder_.read("bar.frd").replace(folder_.read("bar.frd").find("E+00"), 4, "E+0x"));
+  expectRefused("audit bar.frd" + material, "bar.frd:3: coordinate x is");
+}
+
+}  // namespace
+}  // namespace ringwatch

@@ -1,0 +1,248 @@
+// Abaqus and CalculiX decks as scenes: what is taken, left out and refused, and motions against analytic answers.
+#include <cmath>
+#include <string>
+
+#include <ringwatch/app/scene/time_table.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/meshes/mesh_io.h>
+
+#include "program.h"
+
+namespace ringwatch {
+namespace {
+
+using test::Json;
+using test::Outcome;
+using test::Program;
+using ::testing::HasSubstr;
+
+/// Two cubes of 0.1 m side by side along x.
+constexpr const char* cubes = R"(*HEADING
+two cubes
+*NODE, NSET=Nall
+1, 0, 0, 0
+2, 0.1, 0, 0
+3, 0.1, 0.1, 0
+4, 0, 0.1, 0
+5, 0, 0, 0.1
+6, 0.1, 0, 0.1
+7, 0.1, 0.1, 0.1
+8, 0, 0.1, 0.1
+9, 0.2, 0, 0
+10, 0.2, 0.1, 0
+11, 0.2, 0, 0.1
+12, 0.2, 0.1, 0.1
+*ELEMENT, TYPE=C3D8, ELSET=Eall
+1, 1, 2, 3, 4, 5, 6, 7, 8
+2, 2, 9, 10, 3, 6, 11, 12, 7
+*NSET, NSET=Left
+1, 4, 5, 8
+*NSET, NSET=right
+9, 10, 11, 12
+)";
+constexpr const char* soft = R"(*MATERIAL, NAME=Soft
+*ELASTIC
+30e3, 0.3
+*DENSITY
+1000.
+*SOLID SECTION, ELSET=EALL, MATERIAL=soft
+)";
+
+class Decks : public Program {
+ protected:
+  void write(const std::string& more) { folder_.write("deck.inp", cubes + more); }
+  static std::string step(const std::string& inside, const std::string& first =
+                                                         "*STEP, NLGEOM\n*DYNAMIC, EXPLICIT, "
+                                                         "DIRECT\n1e-3, 0.05\n") {
+    return first + inside + "*END STEP\n";
+  }
+  /// Displacements at the end, 3×N, m, in the order of the file's numbers.
+  NodeVectors run(const std::string& deck) {
+    write(deck);
+    const Outcome outcome = call("run deck.inp --out r --set output.every=0.05 --set output.picture=false");
+    EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+    out_ = outcome.out;
+    const auto frames = json("r/summary.json")["frames"].get<int>();
+    const auto state =
+        loadVtuState(folder_.path() / joinText("r/frames/frame_00000", frames, ".vtu"), "displacement", nullptr);
+    NodeVectors u(3, state.mesh.X.cols());
+    for (std::int32_t i = 0; i < u.cols(); ++i) u.col(state.mesh.nodeId(i) - 1) = state.x.col(i) - state.mesh.X.col(i);
+    return u;
+  }
+  void refuse(const std::string& deck, const std::string& what, const std::string& command = "run deck.inp --out x") {
+    write(deck);
+    expectRefused(command, what);
+  }
+  std::string out_;
+};
+
+// u_n = v t + a (t² + h t)/2 with symplectic Euler, exact for a body that flies freely.
+TEST_F(Decks, LetABodyFly) {
+  const NodeVectors u = run(std::string(soft) + "*INITIAL CONDITIONS, TYPE=VELOCITY\nNall, 1, 1.5\nNALL, 2, -0.5\n" +
+                            step("*DLOAD\nEall, GRAV, 9.81, 0., 0., -1.\n"));
+  const double t = 0.05, h = 1e-3;
+  const Eigen::Vector3d expected(1.5 * t, -0.5 * t, -9.81 * 0.5 * (t * t + h * t));
+  EXPECT_LT((u.colwise() - expected).cwiseAbs().maxCoeff(), 3e-16);
+}
+
+// A force on each node, whatever its mass: 12 nodes of 2 kg in all.
+TEST_F(Decks, LoadEachNode) {
+  const double t = 0.05, h = 1e-3;
+  write("");
+  // Nodes in the middle have twice the mass of the others, which their forces have too, so that nothing deforms.
+  const std::string loads = "*CLOAD\nNall, 1, 0.5\n2, 1, 0.5\n3, 1, 0.5\n6, 1, 0.5\n7, 1, 0.5\n";
+  const NodeVectors u = run(std::string(soft) + step(loads));
+  const double acceleration = 16 * 0.5 / 2.0;
+  EXPECT_LT((u.row(0).array() - acceleration * 0.5 * (t * t + h * t)).abs().maxCoeff(), 3e-16);
+  EXPECT_LT(u.bottomRows(2).cwiseAbs().maxCoeff(), 3e-16);
+}
+
+// A displacement of straight lines in time, whose velocity jumps.
+TEST_F(Decks, MoveNodesByATable) {
+  const NodeVectors u = run(std::string(soft) +
+                            "*AMPLITUDE, NAME=Zig\n0., 0., 0.02, 1., 0.03, -0.5\n0.04, 0.25\n"
+                            "*BOUNDARY\nleft, 1, 3\n" +
+                            step("*BOUNDARY, AMPLITUDE=ZIG\nright, 1, 1, 2e-3\nright, 2\nright, 3\n"));
+  for (const int node : {9, 10, 11, 12}) {
+    EXPECT_NEAR(u(0, node - 1), 0.25 * 2e-3, 1e-15) << node;
+    EXPECT_EQ(u(1, node - 1), 0) << node;
+  }
+  for (const int node : {1, 4, 5, 8}) EXPECT_EQ(u.col(node - 1).norm(), 0) << node;
+}
+
+// The same scene written as TOML, on the deck's mesh, takes the same bits.
+TEST_F(Decks, RunAsTheSceneThatTheyStandFor) {
+  run(std::string(soft) + "*AMPLITUDE, NAME=A\n0., 0., 1., 1.\n*BOUNDARY\nleft, ENCASTRE\n" +
+      step("*BOUNDARY, AMPLITUDE=A\nright, 1, 1, 0.05\n*CLOAD\n2, 3, -0.1\n6, 3, -0.1\n"));
+  EXPECT_THAT(out_, HasSubstr("deck.inp:33: *STEP with NLGEOM: linear elasticity is stvk"));
+  folder_.write("scene.toml", R"([mesh]
+file = "deck.inp"
+[material]
+model = "stvk"
+young = 30e3
+poisson = 0.3
+density = 1000
+[integrator]
+step = 1e-3
+end = 0.05
+[[fix]]
+set = "Left"
+[[move]]
+set = "right"
+components = "x"
+velocity = [0.05, 0, 0]
+[[force]]
+set = "#2,6"
+each = [0, 0, -0.1]
+)");
+  ASSERT_EQ(call("run scene.toml --out s --set output.every=0.05 --set output.picture=false").status, 0);
+  EXPECT_EQ(folder_.read("r/history.csv"), folder_.read("s/history.csv"));
+}
+
+TEST_F(Decks, TellWhatIsLeftOut) {
+  run(std::string(soft) +
+      step("*NODE FILE, FREQUENCY=10\nU\n*EL PRINT, ELSET=Eall\nS\n", "*STEP\n*DYNAMIC\n1e-3, 0.05\n"));
+  EXPECT_THAT(
+      out_, HasSubstr("left out, they change no motion: *HEADING (line 1), *NODE FILE (line 32), *EL PRINT (line 34)"));
+  EXPECT_THAT(out_, HasSubstr("*DYNAMIC is implicit there, and is run explicitly here"));
+  EXPECT_THAT(out_, HasSubstr("*STEP without NLGEOM: linear elasticity is linear"));
+  EXPECT_EQ(out_.find("skipped, only nodes"), std::string::npos) << out_;
+}
+
+TEST_F(Decks, RefuseWhatWouldChangeTheMotion) {
+  const std::string whole = std::string(soft) + step("");
+  refuse(whole + "*CONTACT PAIR, INTERACTION=i\n*TIE, NAME=t\n",
+         "deck.inp:33: *CONTACT PAIR: contact adds stiffness that the bracket would have to know; and 1 more: "
+         "deck.inp:34: *TIE: ties degrees of freedom to each other");
+  refuse(whole + "*NEW THING\n", "deck.inp:33: *NEW THING is not known");
+  refuse("*MATERIAL, NAME=m\n*ELASTIC, TYPE=ORTHO\n1,1,1\n", "deck.inp:24: *ELASTIC, TYPE=ORTHO: there is no such law");
+  refuse("*MATERIAL, NAME=m\n*ELASTIC\n1e3, 0.3, 20.\n2e3, 0.3, 100.\n",
+         "deck.inp:26: *ELASTIC: values that depend on temperature");
+  refuse("*ELEMENT, TYPE=S4\n7, 1, 2, 3, 4\n" + whole, "*ELEMENT, TYPE=S4: there are solid elements only");
+  refuse("*ELEMENT, TYPE=C3D8R\n7, 1, 2, 3, 4, 5, 6, 7, 8\n" + whole, "TYPE=C3D8R: its hourglass control is not ours");
+  refuse(std::string(soft) + step("", "*STEP\n*STATIC\n"), "deck.inp:30: *STATIC: is no *DYNAMIC step");
+  refuse(soft, "deck.inp: has no *DYNAMIC step");
+  refuse(std::string(soft) + step("") + step(""), "deck.inp:33: *STEP: a second step; a run has one");
+  refuse(std::string(soft) + step("*DLOAD\nEall, P1, 1e3\n"),
+         "deck.inp:33: *DLOAD, \"P1\": of distributed loads GRAV is taken");
+  refuse("*ELSET, ELSET=one\n1\n" + std::string(soft) + step("*DLOAD\none, GRAV, 9.81, 0, 0, -1\n"),
+         "it is taken for all elements together only");
+  refuse(std::string(soft) + step("*BOUNDARY\nright, 1, 1, 1e-3\n"),
+         "deck.inp:33: *BOUNDARY: the nodes would jump to their place at once");
+  refuse(std::string(soft) + step("*BOUNDARY, AMPLITUDE=none\nright, 1, 1, 1e-3\n"), "there is no *AMPLITUDE \"NONE\"");
+  refuse(std::string(soft) + step("*BOUNDARY\nright, 11\n"), "degrees of freedom 11 to 11; a solid has 1 to 3");
+  refuse(std::string(soft) + step("*CLOAD\n99, 1, 1.\n"), "deck.inp:33: force.set: the mesh has no node 99");
+  refuse(std::string(soft) + step("*CLOAD\nnowhere, 1, 1.\n"), "deck.inp:33: force.set: unknown node set \"nowhere\"");
+  refuse(std::string(soft) + step("*CLOAD\nNall, 4, 1.\n"), "*CLOAD: a moment");
+  refuse("*MATERIAL, NAME=m\n*ELASTIC\n1e3, 0.3\n*SOLID SECTION, ELSET=Eall, MATERIAL=m\n" + step(""),
+         "deck.inp:23: material.density: missing");
+  refuse("*MATERIAL, NAME=m\n*ELASTIC\n1e3, 0.6\n*DENSITY\n1.\n*SOLID SECTION, ELSET=Eall, MATERIAL=m\n" + step(""),
+         "deck.inp:23: material.poisson: 0.6");
+  refuse("*MATERIAL, NAME=m\n*HYPERELASTIC, NEO HOOKE\n1., 1.\n*DENSITY\n1.\n*SOLID SECTION, ELSET=Eall, MATERIAL=m\n" +
+             step(""),
+         "deck.inp:24: *HYPERELASTIC, the energy of CalculiX");
+  refuse(std::string(soft) + "*SOLID SECTION, ELSET=Eall, MATERIAL=hard\n" + step(""),
+         "there is no *MATERIAL \"HARD\"");
+
+  folder_.write("material.inp", "*MATERIAL, NAME=soft\n*ELASTIC\n30e3\n");
+  refuse("*INCLUDE, INPUT=material.inp\n" + step(""), "material.inp:3: *ELASTIC has one number");
+}
+
+TEST_F(Decks, TellTheStepOfTheirBody) {
+  write(std::string(soft) + "*BOUNDARY\nleft, 1, 3\n" +
+        step("*CONTROLS\n", "*STEP\n*STATIC\n1., 1.\n*CLOAD\nNall, 1, 1.\n"));
+  const Outcome outcome = call("inspect deck.inp --json - --global");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json deck = parse(outcome.out);
+  // The mesh alone, its numbers on the command line; the deck's *STATIC is of no matter.
+  const Json mesh =
+      parse(call("inspect deck.inp --model linear --young 30e3 --poisson 0.3 --density 1000 --fix set:Left "
+                 "--rule hex8=gauss-2x2x2 --json - --global")
+                .out);
+  for (const char* side : {"safe", "optimistic", "global"})
+    EXPECT_NEAR(deck["critical_step"][side].get<double>() / mesh["critical_step"][side].get<double>(), 1, 1e-9) << side;
+  EXPECT_NEAR(deck["mass"].get<double>(), 2, 1e-14);
+
+  // Of a hyperelastic law its moduli at rest: μ = 2 (C10 + C01), K = 2/D1.
+  const double mu = 30e3 / 2.6, bulk = 30e3 / (3 * 0.4);
+  write("*MATERIAL, NAME=m\n*HYPERELASTIC, MOONEY-RIVLIN\n" + test::digits(0.4 * mu) + ", " + test::digits(0.1 * mu) +
+        ", " + test::digits(2 / bulk) +
+        "\n*DENSITY\n1000.\n*SOLID SECTION, ELSET=Eall, MATERIAL=m\n*BOUNDARY\nleft, 1, 3\n");
+  const Json rubber = parse(call("inspect deck.inp --json -").out);
+  EXPECT_NEAR(rubber["critical_step"]["safe"].get<double>() / mesh["critical_step"]["safe"].get<double>(), 1, 1e-9);
+
+  write("*MATERIAL, NAME=m\n*ELASTIC\n30e3, 0.3\n*SOLID SECTION, ELSET=Eall, MATERIAL=m\n");
+  expectRefused("inspect deck.inp", "deck.inp:23: material.density: missing");
+  EXPECT_EQ(call("inspect deck.inp --density 1000").status, 0);
+}
+
+TEST_F(Decks, GiveEachInstanceItsMaterial) {
+  const auto part = [](const std::string& name) {
+    return "*PART, NAME=" + name + "\n" + std::string(cubes).substr(std::string(cubes).find("*NODE")) +
+           "*SOLID SECTION, ELSET=Eall, MATERIAL=" + name + "\n*END PART\n";
+  };
+  folder_.write("deck.inp", part("soft") + part("hard") +
+                                "*ASSEMBLY, NAME=a\n*INSTANCE, NAME=s, PART=soft\n*END INSTANCE\n*INSTANCE, NAME=h, "
+                                "PART=hard\n1., 0., 0.\n*END INSTANCE\n*END ASSEMBLY\n"
+                                "*MATERIAL, NAME=soft\n*ELASTIC\n30e3, 0.3\n*DENSITY\n1000.\n"
+                                "*MATERIAL, NAME=hard\n*ELASTIC\n120e3, 0.3\n*DENSITY\n2000.\n");
+  const Outcome outcome = call("inspect deck.inp --json -");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NEAR(parse(outcome.out)["mass"].get<double>(), 2 + 4, 1e-13);
+}
+
+// ∫ of a table whose factor stays until the next time.
+TEST(TimeTable, HoldsItsFactor) {
+  const TimeTable table({1, 2, 4}, {3, -1, 0}, Ramp::hold);
+  EXPECT_EQ(table.at(0.5), 3);
+  EXPECT_EQ(table.at(1.5), 3);
+  EXPECT_EQ(table.at(2), -1);
+  EXPECT_EQ(table.at(3.9), -1);
+  EXPECT_EQ(table.at(5), 0);
+  EXPECT_DOUBLE_EQ(table.mean(1, 1), 3);
+  EXPECT_DOUBLE_EQ(table.mean(1.5, 1), 0.5 * 3 - 0.5 * 1);
+  EXPECT_DOUBLE_EQ(table.mean(0, 5), (3 + 3 - 2 + 0) / 5.0);
+}
+
+}  // namespace
+}  // namespace ringwatch
