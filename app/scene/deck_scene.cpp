@@ -858,6 +858,7 @@ class DeckReader {
 bool isDeckFile(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return false;
+  if (file.extension() == ".inp") return true;  // what is wrong with it its reader says
   std::ifstream stream(file, std::ios::binary);
   std::string begin(std::size_t{64} << 10, '\0');
   stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));

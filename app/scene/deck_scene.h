@@ -21,7 +21,7 @@ struct DeckScene {
   std::vector<std::string> notes;              // what is left out and what is taken otherwise, with file and line
 };
 
-/// Whether a file is a deck, by its content. False for one that cannot be read.
+/// Whether a file is a deck, by its content or its extension .inp. False for one that cannot be read.
 bool isDeckFile(const std::filesystem::path& file);
 
 /// The materials, sections, supports, loads, initial velocities and the *DYNAMIC step of a deck, as CalculiX reads them
