@@ -198,7 +198,10 @@ struct RunCommand {
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
-    command->add_option("SCENE", scene, "scene file (TOML), or an Abaqus or CalculiX deck; see ringwatch help scene | decks")->type_name("SCENE");
+    command
+        ->add_option("SCENE", scene,
+                     "scene file (TOML), or an Abaqus or CalculiX deck; see ringwatch help scene | decks")
+        ->type_name("SCENE");
     command
         ->add_option("--out", folder, "folder for the results, made when missing (default: out/ and the scene's name)")
         ->type_name("DIR");
@@ -513,7 +516,7 @@ struct AuditCommand {
     command->add_flag("--all", options.all, "a line of the table for every state; --json always has them");
     command->add_option("--json", json,
                         "write the numbers to this file; - for standard output, and nothing else there");
-    command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
+    command->add_option("--threads", options.threads, "threads (default: as many as the mesh can use)")
         ->check(CLI::Range(0, 4096));
     command->footer(
         "Exit status 1 where a step was proven unstable, an element inverted or a state was lost; 3 where some step "

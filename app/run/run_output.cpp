@@ -18,7 +18,7 @@ void removeOldResults(const std::filesystem::path& folder, std::initializer_list
   std::error_code error;
   for (const char* name : names) std::filesystem::remove(folder / name, error);
   std::vector<std::filesystem::path> halfWritten;
-  for (const std::filesystem::path& place : {folder, folder / "frames"})
+  for (const std::filesystem::path& place : {folder, folder / "frames", folder / "certificates"})
     for (const auto& entry : std::filesystem::directory_iterator(place, error))
       if (entry.path().extension().string().starts_with(".part")) halfWritten.push_back(entry.path());
   for (const std::filesystem::path& file : halfWritten) std::filesystem::remove(file, error);

@@ -75,7 +75,12 @@ TEST_F(Outputs, SummariesHaveTheKeysThatHelpExplains) {
         return key.starts_with(field.name.substr(0, field.name.size() - 1));
       })) << field.name;
     } else {
-      EXPECT_TRUE(seen.contains(std::string(field.name))) << field.name;
+      // An object that is null nowhere is seen by its keys.
+      const std::string name(field.name);
+      EXPECT_TRUE(seen.contains(name) ||
+                  (field.type == FieldType::object &&
+                   std::ranges::any_of(seen, [&](const std::string& key) { return key.starts_with(name + "."); })))
+          << name;
     }
 }
 
