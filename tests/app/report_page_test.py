@@ -297,15 +297,22 @@ def check_live(browser, chromium, run):
     true('"reloadAfter":0' in text and "interrupted" in text, "the last page stays and says how the run ended")
 
 
+def drawn_rows(picture):
+    """The terminal picture's rows without their frame."""
+    return [row.split("|")[1].replace("\x1b[K", "") for row in picture.splitlines() if re.match(r"^.{10} \|", row)]
+
+
 def check_terminal(browser, chromium, run):
     """On a terminal --live shows progress, time left, the bracket and the monitor's cost, and clears it at the end."""
     del browser, chromium
     folder = run.parent
-    scene = SCENE.replace("end = 0.05", "end = 20").replace("every = 5e-3", "every = 5").replace(
-        "velocity = [0.5, 0, 0]", "velocity = [1e-6, 0, 0]").replace("step = 9e-4", "step = 8e-4")
+    # Longer than any machine needs to say how long it will take; the run is interrupted then.
+    end = 400
+    scene = SCENE.replace("end = 0.05", f"end = {end}").replace("every = 5e-3", "every = 100").replace(
+        "velocity = [0.5, 0, 0]", "velocity = [1e-7, 0, 0]").replace("step = 9e-4", "step = 8e-4")
     (folder / "watched.toml").write_text(scene)
     main, terminal = pty.openpty()
-    said = b""
+    said, last, interrupted = b"", None, False
     with subprocess.Popen([os.environ["RINGWATCH"], "run", "watched.toml", "--out", "watched", "--live"], cwd=folder,
                           stderr=terminal, stdout=subprocess.DEVNULL) as process:
         os.close(terminal)
@@ -317,22 +324,20 @@ def check_terminal(browser, chromium, run):
             if not part:
                 break
             said += part
-        true(process.wait(60) in (0, 1), "the run ends")
+            whole = [p for p in said.decode(errors="replace").split("\x1b[J")[:-1] if "wall time: monitor" in p]
+            if not interrupted and len(whole) >= 2 and " left" in whole[-1] and any("#" in r for r in drawn_rows(whole[-1])):
+                last, interrupted = whole[-1], True
+                process.send_signal(signal.SIGINT)
+        true(interrupted, "the run says how long it will take before it ends")
+        equal(process.wait(60), 4, "the interrupted run's exit status")
     os.close(main)
-    pictures = said.decode().split("\x1b[J")
-    whole = [p for p in pictures if "wall time: monitor" in p]
-    true(len(whole) >= 2, f"{len(whole)} pictures on the terminal")
-    last = whole[-1]
     shares = [int(n) for n in re.search(r"wall time: monitor (\d+) %, force (\d+) %, output (\d+) %", last).groups()]
     true(98 <= sum(shares) <= 102, f"the shares of the wall time are {shares}")
-    done, now, end, left = re.search(r"\] (\d+) %, t = (\S+) of (\S+) s, (\d+) s left", last).groups()
-    equal(float(end), 20.0, "the end of the run")
-    true(abs(int(done) - 100 * float(now) / 20) <= 1 and int(left) >= 0, f"{done} % at t = {now} s, {left} s left")
+    done, now, to, left = re.search(r"\] (\d+) %, t = (\S+) of (\S+) s, ([\d.]+) (?:s|min|h) left", last).groups()
+    equal(float(to), float(end), "the end of the run")
+    true(abs(int(done) - 100 * float(now) / end) <= 1 and float(left) >= 0, f"{done} % at t = {now} s, {left} left")
     true("h = 0.0008 s" in last and re.search(r"safe \S+ s, optimistic \S+ s, element 0:\d+", last), last)
-    # Rows of the picture with the step that is taken, up to now and no farther.
-    rows = [row.split("|")[1] for row in last.splitlines() if re.match(r"^.{10} \|", row)]
-    true(any("#" in row for row in rows), "the step in the picture")
-    true(all(len(row.replace("\x1b[K", "").rstrip()) <= 1 + (int(done) + 1) / 100 * 68 for row in rows), "nothing beyond now")
+    true(all(len(row.rstrip()) <= 1 + (int(done) + 1) / 100 * 68 for row in drawn_rows(last)), "nothing is drawn beyond now")
     true(said.decode().rstrip().endswith("\x1b[J"), "the terminal is left clean")
 
 
