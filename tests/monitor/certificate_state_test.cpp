@@ -201,6 +201,29 @@ TEST(LocalUpdate, ThatIsRefusedLeavesWeightsAndAllowances) {
   EXPECT_LE(state.verify(X), rounding);  // the proof of before is whole
 }
 
+TEST(CertificateState, SumsTheAllowancesOfAllElementsAtANode) {
+  const Body body = bar("stvk");
+  RunCertificate state(body);
+  start(state, body.mesh().X, 0.06);
+  std::vector<Eigen::Matrix3d> sums(body.nodeCount(), Eigen::Matrix3d::Zero());
+  for (std::int32_t e = 0; e < body.blocks()[0]->elementCount(); ++e) {
+    const ElementRef element{0, e};
+    const auto nodes = body.blocks()[0]->nodesOf(e);
+    for (int a = 0; a < 4; ++a)
+      sums[nodes[a]] += state.allowance(element) * state.weights().weight(state.weights().incidenceOf(element, a));
+  }
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+    EXPECT_TRUE(state.sumOfAllowances(i).isApprox(sums[i], 1e-13)) << "node " << i;
+}
+
+TEST(TangentGrowth, IsThatOfTheoremSixteen) {
+  const TangentGrowth growth = growthOf({2, 3, 5, 7, 11}, 13, 0.5);
+  EXPECT_EQ(growth.value, 13);
+  EXPECT_DOUBLE_EQ(growth.linear, 2 * std::sqrt((13 + 0.5 * 7) * 2 * 0.5) + 0.5 * 3);
+  EXPECT_DOUBLE_EQ(growth.quadratic, 0.5 * (2 + 5));
+  EXPECT_EQ(growth.radius, 11);
+}
+
 TEST(TangentGrowth, GivesTheRadiusThatAnAllowanceHas) {
   const TangentGrowth growth{3, 2, 5, 10};
   EXPECT_EQ(growth.at(0), 3);

@@ -41,6 +41,7 @@ TEST(ExactStep, HoldsTheDenseEigenvalueWithinAMillionth) {
           EXPECT_LE(exact->optimistic / exact->safe - 1, 1e-6) << what;
           EXPECT_EQ(proveStep(body, state.x, 2, exact->safe * (1 - 1e-6)), Verdict::certified) << what;
           EXPECT_EQ(proveStep(body, state.x, 2, exact->optimistic * (1 + 1e-6)), Verdict::violated) << what;
+          EXPECT_NE(proveStep(body, state.x, 2, exact->optimistic * (1 - 4e-16)), Verdict::violated) << what;
         }
       }
   EXPECT_GE(positive, 300);

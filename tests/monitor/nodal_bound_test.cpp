@@ -5,7 +5,9 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
+#include <ringwatch/monitor/bounds/nodal_weights.h>
 #include <tests/monitor/monitor_cases.h>
+#include <tests/support/random.h>
 
 namespace ringwatch {
 namespace {
@@ -49,6 +51,22 @@ TEST(NodalBound, SweepsTightenIt) {
       before = value;
     }
     EXPECT_LE(before, 1.35 * lambda) << subdivision.name;
+  }
+}
+
+TEST(NodalBound, RoundsByTheNormOfTheInverseFactor) {
+  test::Random random(1);
+  for (int i = 0; i < 100; ++i) {
+    CholeskyFactor<double> L;
+    for (double& entry : L.m) entry = random.uniform(0.1, 1);
+    Eigen::Matrix3d full;
+    full << L.m[0], 0, 0, L.m[5], L.m[1], 0, L.m[4], L.m[3], L.m[2];
+    double w[6];
+    invertFactor(L, w);
+    const double free[3] = {1, 1, 1}, held[3] = {1, 1, 0}, T = 3;
+    const Eigen::Matrix3d inverse = full.inverse();
+    EXPECT_GE(scaledRounding(L, w, T, free), T * inverse.squaredNorm() * (1 - 1e-13));
+    EXPECT_GE(scaledRounding(L, w, T, held), T * inverse.topRows(2).squaredNorm() * (1 - 1e-13));
   }
 }
 

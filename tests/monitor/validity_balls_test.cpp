@@ -167,5 +167,32 @@ TEST(ValidityBalls, AGroupWithoutMarginOrWithNaNIsVisited) {
   EXPECT_EQ(checked.checkWithForce(x).count(9), 1U);
 }
 
+TEST(ValidityBalls, AGroupThatSkipsIsVisitedWhenOneCoordinateIsNotANumber) {
+  BarOptions options;
+  options.element = "tet4";
+  options.cells = {4, 4, 4};
+  const Body body(generateBar(options), makeMaterial("stvk", 1e4, 0.3, 1000), {{}, Lumping::rowSum, 1});
+  Checked checked(body);
+  NodeVectors x = body.mesh().X;
+  for (std::int32_t e = 0; e < checked.block.elementCount(); ++e) {
+    checked.setBall(e, x, 0.1);
+    checked.balls.ballChanged(checked.placeOf(e));
+  }
+  for (int waiting = 0; waiting < 40; ++waiting) EXPECT_TRUE(checked.check(x).empty());
+  ASSERT_EQ(checked.balls.visitedGroups(), 0U);
+  x(1, checked.block.nodesOf(9)[2]) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(checked.check(x).count(9), 1U);
+}
+
+TEST(ValidityBalls, LoseWhatStoringTheirCentreCosts) {
+  const Body body(generateBar({}), makeMaterial("stvk", 1e4, 0.3, 1000), {{}, Lumping::rowSum, 1});
+  ValidityBalls balls(*body.blocks()[0]);
+  balls.setRadius(0, 0.5, 0.25);
+  EXPECT_LE(balls.radius(0), 0.25);
+  EXPECT_GE(balls.radius(0), 0.25 * (1 - 1.0 / 64));
+  balls.setRadius(0, 0.125, 0.25);
+  EXPECT_LT(balls.radius(0), 0);
+}
+
 }  // namespace
 }  // namespace ringwatch
