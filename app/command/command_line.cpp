@@ -21,11 +21,13 @@
 #include <ringwatch/app/command/inspect.h>
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/live_watch.h>
+#include <ringwatch/app/command/number_text.h>
 #include <ringwatch/app/command/process.h>
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/command/provenance.h>
 #include <ringwatch/app/command/reference.h>
 #include <ringwatch/app/command/schema.h>
+#include <ringwatch/app/command/suggest.h>
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/report/run_report.h>
@@ -375,7 +377,7 @@ struct CompareCommand {
 
 struct InspectCommand {
   InspectOptions options;
-  std::string json, picture, vtu, lumping, certificate, page, typed;
+  std::string json, picture, vtu, lumping, certificate, page, typed, stretch;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
@@ -435,6 +437,9 @@ struct InspectCommand {
     command->add_flag("--exact", options.exact,
                       "also the critical step between two proven sides, 1e-6 apart where rounding allows, by a sparse "
                       "factorisation; says on a terminal what that takes");
+    command->add_option("--stretch", stretch,
+                        "a:b, also a step that is proven stable in every state whose stretches stay between these two, "
+                        "e.g. 0.7:1.5");
     command->add_option(
         "--prove", options.prove,
         "prove that this step, s, is stable, by a sparse factorisation; exit status 1 when it is proven "
@@ -460,6 +465,7 @@ struct InspectCommand {
   ExitStatus execute() {
     if (!vtu.empty()) options.vtu = vtu;
     if (!certificate.empty()) options.certificate = certificate;
+    if (!stretch.empty()) options.stretch = parseStretchRange(stretch, "--stretch");
     if (!picture.empty()) options.picture = picture;
     if (!lumping.empty()) options.lumping = lumpingNames.valueOf("--lumping", lumping);
     std::string written;
@@ -535,6 +541,37 @@ struct AuditCommand {
       printOut(result.text);
     }
     return result.status;
+  }
+};
+
+struct SuggestCommand {
+  SuggestOptions options;
+  std::string frame, stretch, json;
+
+  void declare(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("suggest", "say how many steps a scene needs in a time, such as that of a picture");
+    command->add_option("SCENE", options.scene, "scene file (TOML); see ringwatch help scene")->required();
+    command->add_option("--frame", frame, "the time, s: a number or a fraction, such as 1/60")->required();
+    command->add_option("--stretch", stretch,
+                        "a:b, also for every state whose stretches stay between these two, e.g. 0.7:1.5");
+    command->add_option("--set", options.overrides, "section.key=value, replaces the value of the scene")
+        ->allow_extra_args(false);
+    command->add_option("--json", json,
+                        "write the numbers to this file; - for standard output, and nothing else there");
+    command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
+        ->check(CLI::Range(0, 4096));
+    command->footer(std::string(unitsText) + "\n" + seeTopics("scene | integrators") + exitStatusHint);
+  }
+
+  ExitStatus execute() {
+    options.frame = parsePositiveNumber(frame, "--frame");
+    if (!stretch.empty()) options.stretch = parseStretchRange(stretch, "--stretch");
+    const SuggestResult result = suggestSteps(options);
+    const std::string text = result.json.dump(2) + "\n";
+    if (!json.empty() && json != "-") writeFileAtomically(json, text);
+    printOut(json == "-" ? text : result.text);
+    return ExitStatus::done;
   }
 };
 
@@ -801,6 +838,7 @@ ExitStatus dispatch(int argc, char** argv) {
   RunCommand run;
   InspectCommand inspect;
   AuditCommand audit;
+  SuggestCommand suggest;
   MeshCommand mesh;
   VerifyCommand verify;
   CompareCommand compare;
@@ -812,6 +850,7 @@ ExitStatus dispatch(int argc, char** argv) {
   run.declare(app);
   inspect.declare(app);
   audit.declare(app);
+  suggest.declare(app);
   mesh.declare(app);
   verify.declare(app);
   compare.declare(app);
@@ -831,6 +870,7 @@ ExitStatus dispatch(int argc, char** argv) {
   if (app.got_subcommand("run")) return run.execute();
   if (app.got_subcommand("inspect")) return inspect.execute();
   if (app.got_subcommand("audit")) return audit.execute();
+  if (app.got_subcommand("suggest")) return suggest.execute();
   if (app.got_subcommand("verify")) return verify.execute();
   if (app.got_subcommand("report")) return report.execute();
   if (app.got_subcommand("schema")) return schema.execute();

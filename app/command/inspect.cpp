@@ -379,6 +379,18 @@ ProvenSides reportExactStep(const Subject& subject, const InspectOptions& option
   return exact->sides;
 }
 
+/// A step for all states whose stretches lie in a range.
+void reportRange(const Subject& subject, StretchRange stretch, InspectResult& result) {
+  const RangeStep range = rangeStep(subject.body, stretch, subject.rule);
+  Json& json = result.json["stretch"];
+  json = Json{{"low", stretch.low}, {"high", stretch.high}, {"safe", range.safe}, {"modulus", Json::array()}};
+  for (const ModulusRange& modulus : range.modulus) json["modulus"].push_back(modulus.bound);
+  result.text +=
+      fmt::format("stretches {:.4g} to {:.4g}: {:.10g} s   {} in every state whose stretches stay between these\n",
+                  stretch.low, stretch.high, range.safe,
+                  subject.rule.proven() ? "proven stable" : "stable, by a searched limit of the damped integrator,");
+}
+
 std::string_view proofText(Verdict verdict) {
   return verdict == Verdict::certified  ? "proven stable"
          : verdict == Verdict::violated ? "proven unstable"
@@ -590,6 +602,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
   if (options.global) globalStep = reportGlobalStep(subject, options, result);
   ProvenSides sides;
   if (options.exact) sides = reportExactStep(subject, options, result);
+  if (options.stretch) reportRange(subject, *options.stretch, result);
 
   std::vector<MetricResult> metrics;
   for (const std::string& name : wanted) {

@@ -11,6 +11,7 @@
 #include <ringwatch/body/body.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/metrics/metrics.h>
+#include <ringwatch/monitor/bounds/range_bound.h>
 
 namespace ringwatch {
 
@@ -45,14 +46,15 @@ struct InspectOptions {
   std::optional<std::string> displacement;  // a field of a .vtu file, m: inspect that state
   std::optional<std::int64_t> frame;        // of the run, counted from 1
   std::vector<std::string> rules;           // ELEMENT=RULE: quadrature rules
-  std::optional<double> step;        // s: list the elements that need a smaller one, and what a handler would take
-  std::vector<std::string> metrics;  // names; "all" for every one; empty for the usual ones
-  std::vector<std::string> fix;      // nodes that are held, and behind a colon which components: "x < 1e-6:xy"
-  bool global = false;               // also the exact critical step, by a global eigenvalue
-  std::optional<double> lanczos;     // also a step that is safe but for this probability
-  bool exact = false;                // also both sides proven to within 1e-6, by a sparse factorisation
-  std::optional<double> prove;       // s: whether this step is proven stable or unstable, by a sparse factorisation
-  bool distribution = false;         // histogram and cumulative share by metric, the worst elements with their shapes
+  std::optional<double> step;           // s: list the elements that need a smaller one, and what a handler would take
+  std::vector<std::string> metrics;     // names; "all" for every one; empty for the usual ones
+  std::vector<std::string> fix;         // nodes that are held, and behind a colon which components: "x < 1e-6:xy"
+  bool global = false;                  // also the exact critical step, by a global eigenvalue
+  std::optional<double> lanczos;        // also a step that is safe but for this probability
+  bool exact = false;                   // also both sides proven to within 1e-6, by a sparse factorisation
+  std::optional<double> prove;          // s: whether this step is proven stable or unstable, by a sparse factorisation
+  std::optional<StretchRange> stretch;  // also a step that is safe for all stretches in a range
+  bool distribution = false;  // histogram and cumulative share by metric, the worst elements with their shapes
   std::optional<std::filesystem::path> picture;  // of the distribution, .svg or .png
   std::optional<std::filesystem::path> vtu;
   std::optional<std::filesystem::path> certificate;  // a proof that ringwatch-check can check

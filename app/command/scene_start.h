@@ -1,0 +1,25 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <ringwatch/app/scene/scene.h>
+#include <ringwatch/integrators/integrator.h>
+#include <ringwatch/monitor/step_limit.h>
+
+namespace ringwatch {
+
+/// A scene as it starts: what is asked of it before it runs.
+struct SceneStart {
+  Scene scene;
+  const IntegratorInfo* integrator;
+  StepRule rule;
+  Body body;
+  State state;
+  std::vector<std::string> notes;  // of the mesh reader
+};
+
+/// Throws InputError for bad input, and for an integrator without a critical step.
+SceneStart startOf(const std::filesystem::path& scene, const std::vector<std::string>& overrides, int threads);
+
+}  // namespace ringwatch

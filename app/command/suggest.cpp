@@ -1,0 +1,92 @@
+#include <ringwatch/app/command/suggest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/command/scene_start.h>
+#include <ringwatch/app/output/report.h>
+#include <ringwatch/monitor/critical_step.h>
+
+namespace ringwatch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Equal steps in `frame` seconds of which none is longer than h; 0 for none that is finite.
+double stepsOf(double frame, double h) {
+  if (!(h > 0)) return 0;
+  const double count = std::max(1.0, std::ceil(frame / h));
+  return frame / count <= h ? count : count + 1;  // a quotient that was rounded down
+}
+
+/// Adds to json the steps that a safe step h asks for, and returns them as text.
+std::string tellSteps(double frame, double h, Json& json) {
+  json["safe"] = h;
+  const double count = stepsOf(frame, h);
+  if (count == 0 || !(count <= mostSteps)) {
+    json["steps"] = nullptr;
+    return "no number of steps is known to be stable";
+  }
+  json["steps"] = static_cast<std::int64_t>(count);
+  json["step"] = frame / count;
+  return fmt::format("{} step{} of {:.6g} s, proven stable up to {:.6g} s", static_cast<std::int64_t>(count),
+                     count == 1 ? "" : "s", frame / count, h);
+}
+
+}  // namespace
+
+SuggestResult suggestSteps(const SuggestOptions& options) {
+  const SceneStart start = startOf(options.scene, options.overrides, options.threads);
+  const Scene& scene = start.scene;
+  const Body& body = start.body;
+  const StepRule& rule = start.rule;
+  std::vector<std::string> notes = start.notes;
+  const CriticalStep bracket = criticalStep(body, start.state.x, rule);
+
+  SuggestResult result;
+  Json& json = result.json;
+  json = Json{{"scene", scene.file.string()},
+              {"integrator", std::string(start.integrator->name)},
+              {"damped", scene.damping.any()},
+              {"frame", options.frame}};
+  result.text = fmt::format("{}: {}, {}, {}{}\nin {:.6g} s:\n", scene.file.string(), elementCounts(body.mesh()),
+                            modelsText(scene.materials), start.integrator->name, scene.damping.any() ? ", damped" : "",
+                            options.frame);
+  const std::string atStart = tellSteps(options.frame, bracket.safe, json["start"]);
+  json["start"]["optimistic"] = bracket.optimistic;
+  std::string fewer;
+  if (const double least = stepsOf(options.frame, bracket.optimistic); least > 1) {
+    json["start"]["unstable_steps"] = static_cast<std::int64_t>(least) - 1;
+    fewer = fmt::format("; {} or fewer are proven unstable", static_cast<std::int64_t>(least) - 1);
+  }
+  result.text += fmt::format("  as the scene starts       {}{}\n", atStart, fewer);
+  if (options.stretch) {
+    const RangeStep range = rangeStep(body, *options.stretch, rule);
+    Json& own = json["range"];
+    own = Json{{"low", options.stretch->low}, {"high", options.stretch->high}, {"modulus", Json::array()}};
+    for (const ModulusRange& modulus : range.modulus) own["modulus"].push_back(modulus.bound);
+    result.text += fmt::format("  {:<25} {}\n",
+                               fmt::format("stretches {:.4g} to {:.4g}", options.stretch->low, options.stretch->high),
+                               tellSteps(options.frame, range.safe, own));
+  }
+  if (scene.step) {
+    const double own = stepsOf(options.frame, *scene.step);
+    json["scene_step"] = *scene.step;
+    result.text +=
+        fmt::format("  the step of the scene     {:.6g} s, {:.0f} steps: {} at its start\n", *scene.step, own,
+                    *scene.step <= bracket.safe        ? "proven stable"
+                    : *scene.step > bracket.optimistic ? "proven unstable"
+                                                       : "neither proven stable nor unstable");
+  }
+  if (!scene.handler.empty())
+    notes.push_back(fmt::format("without the handler {}: with it larger steps are possible", scene.handler));
+  if (!rule.proven())
+    notes.push_back(fmt::format("with damping the limit of {} is searched for, not proven", start.integrator->name));
+  json["notes"] = notes;
+  for (const std::string& note : notes) result.text += fmt::format("  note: {}\n", note);
+  return result;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,90 @@
+// `ringwatch suggest` and `ringwatch inspect --stretch`: steps for a time, and what they refuse.
+#include <cmath>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace ringwatch {
+namespace {
+
+using test::Json;
+using test::material;
+using test::Outcome;
+using test::Program;
+using test::tiny;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+TEST_F(Program, SuggestsStepsThatTheScenesBracketAllows) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome outcome = call("suggest tiny.toml --frame 1/60 --stretch 0.7:1.5 --json a.json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("in 0.0166667 s:"), HasSubstr("as the scene starts"), HasSubstr("proven unstable"),
+                    HasSubstr("stretches 0.7 to 1.5"), HasSubstr("the step of the scene     0.001 s, 17 steps")));
+  const Json report = json("a.json");
+  // The bracket is that of inspect on the same mesh with the same supports.
+  ASSERT_EQ(call("mesh generate bar --size 0.1 0.02 0.02 --cells 5 1 1 -o bar.msh").status, 0);
+  const Outcome inspected = call(
+      "inspect bar.msh --fix \"x < 1e-6\" --fix \"x > 0.1 - 1e-6\" --stretch 0.7:1.5 --json -" + std::string(material));
+  ASSERT_EQ(inspected.status, 0) << inspected.err;
+  const Json same = parse(inspected.out);
+  EXPECT_EQ(report["start"]["safe"], same["critical_step"]["safe"]);
+  EXPECT_EQ(report["start"]["optimistic"], same["critical_step"]["optimistic"]);
+  EXPECT_EQ(report["range"]["safe"], same["stretch"]["safe"]);
+  for (const char* part : {"start", "range"}) {
+    const double safe = report[part]["safe"], step = report[part]["step"];
+    const std::int64_t count = report[part]["steps"];
+    EXPECT_NEAR(step * static_cast<double>(count), 1.0 / 60, 1e-15);
+    EXPECT_LE(step, safe);
+    EXPECT_GT(1.0 / 60 / static_cast<double>(count - 1), safe);  // one step fewer is not proven
+  }
+  EXPECT_GE(report["range"]["steps"], report["start"]["steps"]);
+  const std::int64_t unstable = report["start"]["unstable_steps"];
+  EXPECT_GT(1.0 / 60 / static_cast<double>(unstable), report["start"]["optimistic"].get<double>());
+
+  // The steps keep: a run with them is certified, and one with the last that is proven unstable is named.
+  const std::string step = test::digits(report["start"]["step"]);
+  EXPECT_EQ(call("run tiny.toml --out good --set integrator.end=0.002 --set move.0.velocity=\"[0, 0, 0]\" --set "
+                 "integrator.step=" +
+                 step)
+                .status,
+            0);
+  EXPECT_EQ(call("run tiny.toml --out bad --set integrator.end=0.002 --set move.0.velocity=\"[0, 0, 0]\" --set "
+                 "integrator.step=" +
+                 test::digits(1.0 / 60 / static_cast<double>(unstable)))
+                .status,
+            1);
+}
+
+TEST_F(Program, SuggestsWithDampingAndSaysWhatAHandlerWouldDo) {
+  folder_.write("tiny.toml", tiny);
+  const Json plain = parse(call("suggest tiny.toml --frame 0.02 --json -").out);
+  const Json damped =
+      parse(call("suggest tiny.toml --frame 0.02 --stretch 0.9:1.1 --set damping.stiffness=1e-4 --json -").out);
+  EXPECT_LT(damped["start"]["safe"], plain["start"]["safe"]);
+  EXPECT_EQ(damped["damped"], true);
+  EXPECT_LE(damped["range"]["safe"], damped["start"]["safe"]);
+  EXPECT_THAT(call("suggest tiny.toml --frame 0.02 --set handler.method=imex").out,
+              HasSubstr("without the handler imex"));
+}
+
+TEST_F(Program, RefusesTimesStretchesAndIntegratorsThatSaySomethingElse) {
+  folder_.write("tiny.toml", tiny);
+  for (const std::string bad : {"0", "-1", "1/0", "x", "1/60x", "inf"})
+    expectRefused("suggest tiny.toml --frame=" + bad,
+                  "--frame: \"" + bad + "\" is no time; must be a number > 0 or a fraction");
+  for (const std::string bad : {"1", "0:1", "1.5:0.7", "0.7:", "a:b", "0.7:1.5:2"})
+    expectRefused("suggest tiny.toml --frame 1/60 --stretch=" + bad,
+                  "--stretch: \"" + bad + "\" is no range of stretches; must be a:b with 0 < a <= b");
+  expectRefused("suggest tiny.toml", "--frame");
+  expectRefused("suggest tiny.toml --frame 1/60 --set integrator.method=explicit-euler", "has no critical step");
+  expectRefused("suggest tiny.toml --frame 1/60 --set integrator.method=implicit-euler", "has no critical step");
+}
+
+}  // namespace
+}  // namespace ringwatch
