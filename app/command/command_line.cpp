@@ -26,6 +26,7 @@
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/command/provenance.h>
 #include <ringwatch/app/command/reference.h>
+#include <ringwatch/app/command/scale_mass.h>
 #include <ringwatch/app/command/schema.h>
 #include <ringwatch/app/command/suggest.h>
 #include <ringwatch/app/command/verify.h>
@@ -575,6 +576,34 @@ struct SuggestCommand {
   }
 };
 
+struct ScaleMassCommand {
+  ScaleMassOptions options;
+  std::string step, json;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("scale-mass", "say how little added mass a scene needs for a step");
+    command->add_option("SCENE", options.scene, "scene file (TOML); see ringwatch help scene")->required();
+    command->add_option("--step", step, "the step that is wanted, s: a number or a fraction")->required();
+    command->add_option("--set", options.overrides, "section.key=value, replaces the value of the scene")
+        ->allow_extra_args(false);
+    command->add_option("--json", json,
+                        "write the numbers to this file; - for standard output, and nothing else there");
+    command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
+        ->check(CLI::Range(0, 4096));
+    command->footer("A run adds mass with handler.method = \"mass-scaling\", at the nodes that the handler chooses.\n" +
+                    std::string(unitsText) + "\n" + seeTopics("scene | handlers") + exitStatusHint);
+  }
+
+  ExitStatus execute() {
+    options.step = parsePositiveNumber(step, "--step");
+    const ScaleMassResult result = planMass(options);
+    const std::string text = result.json.dump(2) + "\n";
+    if (!json.empty() && json != "-") writeFileAtomically(json, text);
+    printOut(json == "-" ? text : result.text);
+    return ExitStatus::done;
+  }
+};
+
 struct MeshCommand {
   std::string kind, output, input, target, checked;
   std::map<std::string, std::vector<std::string>> parameters;  // of generators, as given
@@ -839,6 +868,7 @@ ExitStatus dispatch(int argc, char** argv) {
   InspectCommand inspect;
   AuditCommand audit;
   SuggestCommand suggest;
+  ScaleMassCommand scaleMass;
   MeshCommand mesh;
   VerifyCommand verify;
   CompareCommand compare;
@@ -851,6 +881,7 @@ ExitStatus dispatch(int argc, char** argv) {
   inspect.declare(app);
   audit.declare(app);
   suggest.declare(app);
+  scaleMass.declare(app);
   mesh.declare(app);
   verify.declare(app);
   compare.declare(app);
@@ -871,6 +902,7 @@ ExitStatus dispatch(int argc, char** argv) {
   if (app.got_subcommand("inspect")) return inspect.execute();
   if (app.got_subcommand("audit")) return audit.execute();
   if (app.got_subcommand("suggest")) return suggest.execute();
+  if (app.got_subcommand("scale-mass")) return scaleMass.execute();
   if (app.got_subcommand("verify")) return verify.execute();
   if (app.got_subcommand("report")) return report.execute();
   if (app.got_subcommand("schema")) return schema.execute();

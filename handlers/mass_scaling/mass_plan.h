@@ -1,0 +1,27 @@
+#pragma once
+#include <Eigen/Core>
+
+#include <ringwatch/body/body.h>
+
+namespace ringwatch {
+
+/// Added nodal masses, kg, N numbers >= 0, with which the highest eigenvalue of (M + added)⁻¹K(x) is proven to be at
+/// most some lambda.
+struct MassPlan {
+  Eigen::VectorXd added;
+  double total() const { return added.sum(); }
+};
+
+/// Little added mass for a limit of lambda (rad²/s², > 0) at positions x (3×N, m): from what the handler mass-scaling
+/// adds, the weights of the block nodal bound are swept again and again on the masses so far, and each node gets no
+/// more than m_i + added_i >= lambda_max(Σ l_e D_e,i)/lambda asks for. Any weights prove it: Theorem 40,
+/// docs/theory/handlers.md. The least of `rounds` rounds; not the least that there is. The body stays as it is. Throws
+/// NumericalError where the tangent is not finite.
+MassPlan planAddedMass(const Body& body, const NodeVectors& x, double lambda, int rounds = 12);
+
+/// What the usual formula of commercial codes adds for the same limit, by each element's own highest frequency ω_e on
+/// its own lumped mass: m_e (ω_e²/lambda - 1) where that is positive, shared as the element's mass is. Proven by
+/// Theorem 32, docs/theory/handlers.md.
+MassPlan addedMassByElement(const Body& body, const NodeVectors& x, double lambda);
+
+}  // namespace ringwatch
