@@ -9,9 +9,9 @@
 
 #include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/body/body.h>
+#include <ringwatch/monitor/bounds/range_bound.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/metrics/metrics.h>
-#include <ringwatch/monitor/bounds/range_bound.h>
 
 namespace ringwatch {
 

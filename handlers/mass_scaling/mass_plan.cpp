@@ -14,6 +14,9 @@
 namespace ringwatch {
 namespace {
 
+/// As the handler's: for what separates the computed sums and eigenvalues from their use.
+constexpr double room = 1e-9;
+
 /// A body with all elements of another and more mass.
 Body withMass(const Body& body, const Eigen::VectorXd& added) {
   std::vector<std::vector<bool>> all;
@@ -28,8 +31,6 @@ Body withMass(const Body& body, const Eigen::VectorXd& added) {
 
 MassPlan planAddedMass(const Body& body, const NodeVectors& x, double lambda, int rounds) {
   constexpr int sweeps = 12;
-  // As the handler's: for what separates the computed sums from their use.
-  constexpr double room = 1e-9;
   if (!(lambda > 0) || !std::isfinite(lambda))
     throw InputError(joinText("lambda = ", lambda, " rad2/s2: must be a finite number > 0"));
   const Eigen::VectorXd own = body.lumpedMass();
@@ -63,7 +64,7 @@ MassPlan addedMassByElement(const Body& body, const NodeVectors& x, double lambd
   std::vector<double> mass;
   for (std::size_t b = 0; b < body.blocks().size(); ++b)
     for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
-      const double more = own.elementLambda[b][static_cast<std::size_t>(e)] / lambda - 1;
+      const double more = own.elementLambda[b][static_cast<std::size_t>(e)] / lambda * (1 + room) - 1;
       if (!(more > 0)) continue;
       const auto nodes = body.blocks()[b]->nodesOf(e);
       mass.resize(nodes.size());

@@ -52,7 +52,7 @@ void Program::expectValid(const std::string& arguments, const Outcome& outcome) 
     ASSERT_FALSE(value.is_discarded()) << arguments << ": " << name;
     EXPECT_EQ(schemaFault(schema, value), "") << arguments << ": " << name;
   };
-  static const std::regex json("^(\\w+) .*--json[ =]([\\w./-]+)"), run("^run .*--out[ =]([\\w./-]+)"),
+  static const std::regex json("^([\\w-]+) .*--json[ =]([\\w./-]+)"), run("^run .*--out[ =]([\\w./-]+)"),
       scene("^run ([\\w./-]+\\.toml)(?!.*--set)");
   if (outcome.status != 2 && std::regex_search(arguments, found, json)) {
     const std::filesystem::path path = folder_.path() / found[2].str();
