@@ -174,12 +174,11 @@ Certificate makeCertificate(const Body& body, const NodeVectors& x) {
   const double bound = weights.last();
   if (!std::isfinite(bound) || !(bound > 0))
     throw NumericalError("certificate: the tangent is not finite here, or nothing in the body is stiff and free");
-  const bool byRing = top.method == "reduced-1-ring";
   Certificate certificate{{bound * (1 + room)}, {std::max(0.0, top.lower.value * (1 - room))}, {}};
   std::vector<std::int32_t> order(body.nodeCount());
   std::iota(order.begin(), order.end(), 0);
   Bytes bytes = beginFile(body, x, certificate, "nodal-bound",
-                          displacementOf(body, byRing ? ring.topVector(ring.last().highestElement) : mode), order);
+                          displacementOf(body, top.byRing ? ring.topVector(ring.last().highestElement) : mode), order);
   const double least = leastAllowance * bound * body.lumpedMass().minCoeff();
   for (std::size_t b = 0; b < body.blocks().size(); ++b)
     for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from ._errors import InputError, NumericalError
 from ._locations import PROGRAM
 
-_FAILED, _BAD_INPUT = 1, 2  # exit statuses, docs/exit_status.md
+_FAILED, _BAD_INPUT = 1, 2  # exit statuses, docs/reference/exit_status.md
 _TEXTS = ("controlling_element", "verdict")  # columns of history.csv that are no numbers
 
 

@@ -168,7 +168,7 @@ TEST_F(CertifiedRun, WithAHandlerThatLosesTheEnergyIsNotCalledStable) {
 
 TEST_F(CertifiedRun, HasOneTableOfExitStatuses) {
   const std::string help = call("--help").out;
-  std::ifstream file(RINGWATCH_SOURCE_DIR "/docs/exit_status.md");
+  std::ifstream file(RINGWATCH_SOURCE_DIR "/docs/reference/exit_status.md");
   const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   int number = 0;
   for (const ExitStatusInfo& info : exitStatuses) {

@@ -51,4 +51,4 @@ def test_the_packages_own_snippets(name):
 def test_the_page_names_all_that_is_public():
     text = PAGE.read_text(encoding="utf-8")
     assert {name for name in rw.__all__ if not name.startswith("__")} <= set(re.findall(r"rw\.(\w+)", text))
-    assert os.path.exists(SOURCE / "docs/exit_status.md")
+    assert os.path.exists(SOURCE / "docs/reference/exit_status.md")
