@@ -139,6 +139,25 @@ void printOut(const std::string& text) {
     throw InputError("cannot write to standard output");
 }
 
+/// --json FILE, which every command that finds numbers has.
+struct JsonOption {
+  std::string path;
+
+  void declare(CLI::App& command, const char* what) {
+    command
+        .add_option("--json", path,
+                    fmt::format("write the {} to this file; - for standard output, and nothing else there", what))
+        ->type_name("FILE");
+  }
+  bool takesStandardOutput() const { return path == "-"; }
+  /// Writes the file, if one is wanted, and prints the text or the JSON.
+  void write(const nlohmann::ordered_json& json, const std::string& text) const {
+    const std::string whole = json.dump(2) + "\n";
+    if (!path.empty() && !takesStandardOutput()) writeFileAtomically(path, whole);
+    printOut(takesStandardOutput() ? whole : text);
+  }
+};
+
 /// What the program says of a page that it wrote.
 std::string reportText(const ReportResult& report) {
   std::string text = fmt::format("wrote {}: {:.2f} MB", report.file.string(), 1e-6 * static_cast<double>(report.bytes));
@@ -315,7 +334,8 @@ void drawInto(const std::string& folder, const StudyReport& report) {
 
 struct CompareCommand {
   CompareOptions options;
-  std::string json, folder, page, typed;
+  JsonOption json;
+  std::string folder, page, typed;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("compare", "run a scene with several integrators: error against cost");
@@ -342,8 +362,7 @@ struct CompareCommand {
         ->allow_extra_args(false);
     command->add_option("--threads", options.threads, "threads (default: 1, so that times compare)")
         ->check(CLI::Range(0, 4096));
-    command->add_option("--json", json, "write the results to this file; - for standard output, and nothing else there")
-        ->type_name("FILE");
+    json.declare(*command, "results");
     command->add_option("--out", folder, "folder for pictures, made when missing")->type_name("DIR");
     command->add_option("--report", page, pageHelp)->type_name("FILE");
     command->footer(
@@ -354,12 +373,7 @@ struct CompareCommand {
 
   ExitStatus execute() const {
     const CompareResult result = compareScene(options);
-    const std::string text = result.json.dump(2) + "\n";
-    if (json == "-")
-      printOut(text);
-    else
-      printOut(studyText(result.report) + result.text);
-    if (!json.empty() && json != "-") writeFileAtomically(json, text);
+    json.write(result.json, studyText(result.report) + result.text);
     makeFolderOfPictures(folder);
     if (!folder.empty()) drawInto(folder, result.report);
     if (!page.empty()) {
@@ -370,7 +384,7 @@ struct CompareCommand {
                                            result.json,
                                            provenanceOf(typed, options.scene)},
                                           page);
-      if (json != "-") printOut(reportText(written));
+      if (!json.takesStandardOutput()) printOut(reportText(written));
     }
     return ExitStatus::done;
   }
@@ -378,7 +392,8 @@ struct CompareCommand {
 
 struct InspectCommand {
   InspectOptions options;
-  std::string json, picture, vtu, lumping, certificate, page, typed, stretch;
+  JsonOption json;
+  std::string picture, vtu, lumping, certificate, page, typed, stretch;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
@@ -445,8 +460,7 @@ struct InspectCommand {
         "--prove", options.prove,
         "prove that this step, s, is stable, by a sparse factorisation; exit status 1 when it is proven "
         "unstable, 3 when neither is proven");
-    command->add_option("--json", json, "write the numbers to this file; - for standard output, and nothing else there")
-        ->type_name("FILE");
+    json.declare(*command, "numbers");
     command->add_flag("--distribution", options.distribution,
                       "histogram and cumulative share of the elements' steps by metric; the ten worst elements");
     command->add_option("--picture", picture, "draw the distribution into this file, .svg or .png")->type_name("FILE");
@@ -479,20 +493,14 @@ struct InspectCommand {
       };
     InspectResult result = inspectMesh(options);
     result.text += written;
-    const std::string text = result.json.dump(2) + "\n";
-    if (json == "-") {
-      printOut(text);
-    } else {
-      if (!json.empty()) writeFileAtomically(json, text);
-      printOut(result.text);
-    }
+    json.write(result.json, result.text);
     return result.failure.empty() ? result.status : complain(result.failure, ExitStatus::unstable);
   }
 };
 
 struct AuditCommand {
   AuditOptions options;
-  std::string json;
+  JsonOption json;
 
   void declare(CLI::App& app) {
     CLI::App* command =
@@ -521,8 +529,7 @@ struct AuditCommand {
         ->allow_extra_args(false);
     command->add_option("--every", options.every, "every so many states (default: 1)")->check(CLI::Range(1, 1000000));
     command->add_flag("--all", options.all, "a line of the table for every state; --json always has them");
-    command->add_option("--json", json,
-                        "write the numbers to this file; - for standard output, and nothing else there");
+    json.declare(*command, "numbers");
     command->add_option("--threads", options.threads, "threads (default: as many as the mesh can use)")
         ->check(CLI::Range(0, 4096));
     command->footer(
@@ -534,20 +541,15 @@ struct AuditCommand {
 
   ExitStatus execute() {
     const AuditResult result = auditResults(options);
-    const std::string text = result.json.dump(2) + "\n";
-    if (json == "-") {
-      printOut(text);
-    } else {
-      if (!json.empty()) writeFileAtomically(json, text);
-      printOut(result.text);
-    }
+    json.write(result.json, result.text);
     return result.status;
   }
 };
 
 struct SuggestCommand {
   SuggestOptions options;
-  std::string frame, stretch, json;
+  JsonOption json;
+  std::string frame, stretch;
 
   void declare(CLI::App& app) {
     CLI::App* command =
@@ -558,8 +560,7 @@ struct SuggestCommand {
                         "a:b, also for every state whose stretches stay between these two, e.g. 0.7:1.5");
     command->add_option("--set", options.overrides, "section.key=value, replaces the value of the scene")
         ->allow_extra_args(false);
-    command->add_option("--json", json,
-                        "write the numbers to this file; - for standard output, and nothing else there");
+    json.declare(*command, "numbers");
     command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
         ->check(CLI::Range(0, 4096));
     command->footer(std::string(unitsText) + "\n" + seeTopics("scene | integrators") + exitStatusHint);
@@ -569,16 +570,15 @@ struct SuggestCommand {
     options.frame = parsePositiveNumber(frame, "--frame");
     if (!stretch.empty()) options.stretch = parseStretchRange(stretch, "--stretch");
     const SuggestResult result = suggestSteps(options);
-    const std::string text = result.json.dump(2) + "\n";
-    if (!json.empty() && json != "-") writeFileAtomically(json, text);
-    printOut(json == "-" ? text : result.text);
+    json.write(result.json, result.text);
     return ExitStatus::done;
   }
 };
 
 struct ScaleMassCommand {
   ScaleMassOptions options;
-  std::string step, json;
+  JsonOption json;
+  std::string step;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("scale-mass", "say how little added mass a scene needs for a step");
@@ -586,8 +586,7 @@ struct ScaleMassCommand {
     command->add_option("--step", step, "the step that is wanted, s: a number or a fraction")->required();
     command->add_option("--set", options.overrides, "section.key=value, replaces the value of the scene")
         ->allow_extra_args(false);
-    command->add_option("--json", json,
-                        "write the numbers to this file; - for standard output, and nothing else there");
+    json.declare(*command, "numbers");
     command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
         ->check(CLI::Range(0, 4096));
     command->footer("A run adds mass with handler.method = \"mass-scaling\", at the nodes that the handler chooses.\n" +
@@ -597,9 +596,7 @@ struct ScaleMassCommand {
   ExitStatus execute() {
     options.step = parsePositiveNumber(step, "--step");
     const ScaleMassResult result = planMass(options);
-    const std::string text = result.json.dump(2) + "\n";
-    if (!json.empty() && json != "-") writeFileAtomically(json, text);
-    printOut(json == "-" ? text : result.text);
+    json.write(result.json, result.text);
     return ExitStatus::done;
   }
 };
@@ -702,14 +699,14 @@ struct MeshCommand {
 
 struct VerifyCommand {
   std::vector<std::string> studies;
-  std::string json, folder, page, typed;
+  JsonOption json;
+  std::string folder, page, typed;
   bool quick = false;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("verify", "hold elements and integrators to analytic answers");
     command->add_option("STUDY", studies, "studies to run, or all (default: all)")->type_name("STUDY");
-    command->add_option("--json", json, "write the results to this file; - for standard output, and nothing else there")
-        ->type_name("FILE");
+    json.declare(*command, "results");
     command->add_option("--out", folder, "folder for pictures, made when missing")->type_name("DIR");
     command->add_option("--report", page, pageHelp)->type_name("FILE");
     command->add_flag("--quick", quick,
@@ -730,22 +727,17 @@ struct VerifyCommand {
     progress.ended = [&](const StudyReport& report) {
       line.clear();
       passed = passed && report.passed();
-      if (json != "-") printOut(studyText(report) + "\n");
+      if (!json.takesStandardOutput()) printOut(studyText(report) + "\n");
       if (!folder.empty()) drawInto(folder, report);
     };
     const std::vector<StudyReport> reports =
         runStudies(studies, quick ? StudyEffort::quick : StudyEffort::full, progress);
     const nlohmann::ordered_json found = studiesJson(reports);
-    const std::string results = found.dump(2) + "\n";
-    if (json == "-") {
-      printOut(results);
-    } else if (!json.empty()) {
-      writeFileAtomically(json, results);
-    }
+    json.write(found, "");
     if (!page.empty()) {
       const ReportResult written =
           neededReportWriters().ofStudies({"Verification", {}, reports, found, provenanceOf(typed, "")}, page);
-      if (json != "-") printOut(reportText(written));
+      if (!json.takesStandardOutput()) printOut(reportText(written));
     }
     return passed ? ExitStatus::done : ExitStatus::unstable;
   }
