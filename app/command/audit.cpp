@@ -30,27 +30,6 @@ constexpr std::string_view honestLimit =
     "damping, mass scaling and whatever else the other program added are not in it: such a model hands its element "
     "tangents over (docs/embedding.md). Between two states nothing is proven.";
 
-struct AuditedState {
-  std::size_t index;
-  std::optional<double> time, step;  // s; step: the mean of those taken from here to the next state
-  std::optional<std::int64_t> increment;
-  std::string where;
-  std::size_t notFinite = 0;              // nodes
-  std::optional<CriticalStep> bracket{};  // empty where the state has none
-  std::string why = {};                   // it has none
-  std::optional<Body::LeastDeterminant> least{};
-  double strainEnergy = 0;  // J
-
-  bool inverted() const { return least && !(least->value > 0); }
-  std::optional<Verdict> verdict() const {
-    if (!bracket || !step) return std::nullopt;
-    return verdictFor(*step, *bracket);
-  }
-  bool violated() const { return verdict() == Verdict::violated; }
-  /// Neither finite nor with a tangent.
-  bool lost() const { return !bracket; }
-};
-
 Scene sceneOfAudit(const AuditOptions& options) {
   if (!options.scene.empty()) {
     std::vector<std::string> overrides;
@@ -92,7 +71,9 @@ void applyLaw(Scene& scene, const AuditOptions& options) {
   for (const std::string& text : options.fix) scene.fixes.push_back(parseFix(text, "--fix"));
 }
 
-StepRule ruleOf(const Scene& scene, const AuditOptions& options, double& limit) {
+/// The rule of the run's steps, its limit h omega, and the integrator, where that is known.
+StepRule ruleOf(const Scene& scene, const AuditOptions& options, double& limit, const IntegratorInfo*& integrator) {
+  integrator = nullptr;
   if (options.limit) {
     if (!(*options.limit > 0 && std::isfinite(*options.limit)))
       throw InputError(fmt::format("--limit: {} is out of range; must be > 0", *options.limit));
@@ -106,6 +87,7 @@ StepRule ruleOf(const Scene& scene, const AuditOptions& options, double& limit) 
         fmt::format("--integrator: {} is no integrator with a critical step; ringwatch help integrators "
                     "has those, and --limit takes a number",
                     inQuotes(name)));
+  integrator = info;
   limit = info->imaginaryLimit;
   return stepRule(*info, scene.damping);
 }
@@ -210,7 +192,7 @@ Json stateJson(const Mesh& mesh, const AuditedState& state) {
       {"strain_energy", std::isfinite(state.strainEnergy) && state.notFinite == 0 ? Json(state.strainEnergy) : Json()},
       {"least_determinant", state.least && std::isfinite(state.least->value) ? Json(state.least->value) : Json()},
       {"inverted", state.inverted()},
-      {"indefinite", state.bracket && state.bracket->lowestRing < 0},
+      {"indefinite", state.indefinite()},
       {"not_finite_nodes", state.notFinite}};
   if (!state.why.empty()) json["why"] = state.why;
   return json;
@@ -225,7 +207,7 @@ class AuditReport {
  public:
   AuditReport(const Body& body, const std::vector<AuditedState>& states) : body_(body), states_(states) {}
 
-  void write(AuditResult& result, bool all) const {
+  void write(AuditResult& result, std::vector<AuditEvent>& events, bool all) const {
     table(result.text, all);
     Json& first = result.json["first"] = Json::object();
     const auto event = [&](const char* key, const char* what, const auto& holds, const auto& detail) {
@@ -233,8 +215,11 @@ class AuditReport {
       first[key] = found == states_.end()
                        ? Json()
                        : Json{{"state", found->index + 1}, {"time", found->time ? Json(*found->time) : Json()}};
-      if (found != states_.end()) result.text += fmt::format("{}: {}{}\n", what, nameOf(*found), detail(*found));
-      return found != states_.end();
+      if (found == states_.end()) return false;
+      const std::string text = fmt::format("{}: {}{}", what, nameOf(*found), detail(*found));
+      result.text += text + "\n";
+      events.push_back({key, text, static_cast<std::size_t>(found - states_.begin())});
+      return true;
     };
     const auto element = [&](ElementRef e) { return elementText(body_.mesh(), e); };
     event(
@@ -249,7 +234,7 @@ class AuditReport {
         });
     event(
         "indefinite", "first indefinite tangent, which no step cures",
-        [](const AuditedState& s) { return s.bracket && s.bracket->lowestRing < 0; },
+        [](const AuditedState& s) { return s.indefinite(); },
         [&](const AuditedState& s) { return fmt::format(": {}", element(s.bracket->lowestRingElement)); });
     const bool inverted = event(
         "inverted", "first inverted element", [](const AuditedState& s) { return s.inverted(); },
@@ -311,7 +296,8 @@ AuditResult auditResults(const AuditOptions& options) {
   Scene scene = sceneOfAudit(options);
   applyLaw(scene, options);
   double limit = 0;
-  const StepRule rule = ruleOf(scene, options, limit);
+  const IntegratorInfo* integrator = nullptr;
+  const StepRule rule = ruleOf(scene, options, limit, integrator);
   std::vector<std::string> notes;
   const ResultSeries series(options.results, options.displacement, &notes);
   const std::string name = options.results.front().string();
@@ -329,18 +315,20 @@ AuditResult auditResults(const AuditOptions& options) {
 
   const std::vector<ResultEntry>& entries = series.entries();
   const std::vector<std::optional<double>> steps = stepsTaken(entries, options, scene);
+  const auto positions = [&](std::size_t i) {
+    NodeVectors theirs = series.positions(i);
+    if (same.empty()) return theirs;
+    NodeVectors x = body.mesh().X;
+    for (Eigen::Index k = 0; k < x.cols(); ++k)
+      if (const std::int32_t node = same[static_cast<std::size_t>(k)]; node >= 0)
+        x.col(k) += theirs.col(node) - series.mesh().X.col(node);
+    return x;
+  };
   std::vector<AuditedState> states;
   ProgressLine progress(true);
   for (std::size_t i = 0; i < entries.size(); i += static_cast<std::size_t>(options.every)) {
-    NodeVectors x = body.mesh().X;
-    NodeVectors theirs = series.positions(i);
-    if (same.empty())
-      x = std::move(theirs);
-    else
-      for (Eigen::Index k = 0; k < x.cols(); ++k)
-        if (const std::int32_t node = same[static_cast<std::size_t>(k)]; node >= 0)
-          x.col(k) += theirs.col(node) - series.mesh().X.col(node);
-    states.push_back(audited(body, x, rule, {i, entries[i].time, steps[i], entries[i].increment, entries[i].where}));
+    states.push_back(
+        audited(body, positions(i), rule, {i, entries[i].time, steps[i], entries[i].increment, entries[i].where}));
     const double done = static_cast<double>(i + 1) / static_cast<double>(entries.size());
     if (progress.due()) progress.show(fmt::format("state {} of {}", i + 1, entries.size()), done);
   }
@@ -362,8 +350,12 @@ AuditResult auditResults(const AuditOptions& options) {
                             body.mesh().nodeCount(), elementCounts(body.mesh()), modelsText(scene.materials), limit);
   for (const std::string& note : notes) result.text += fmt::format("  note: {}\n", note);
   result.text += fmt::format("  at rest: safe {:.6g} s, optimistic {:.6g} s\n", rest.safe, rest.optimistic);
-  AuditReport(body, states).write(result, options.all);
+  std::vector<AuditEvent> events;
+  AuditReport(body, states).write(result, events, options.all);
   result.json["history"] = std::move(list);
+  if (options.page)
+    options.page({name, body, integrator, rule, scene.damping.any(), states, events,
+                  [&](const AuditedState& state) { return positions(state.index); }, result.json, notes});
   return result;
 }
 

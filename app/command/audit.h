@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,8 +10,56 @@
 
 #include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/base/options.h>
+#include <ringwatch/body/body.h>
+#include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch {
+
+struct IntegratorInfo;
+
+/// A state of another program's results, and what is proven of it.
+struct AuditedState {
+  std::size_t index;                 // in the results, from 0
+  std::optional<double> time, step;  // s; step: the mean of those taken from here to the next state
+  std::optional<std::int64_t> increment;
+  std::string where;                      // file or step of the results
+  std::size_t notFinite = 0;              // nodes
+  std::optional<CriticalStep> bracket{};  // empty where the state has none
+  std::string why = {};                   // it has none
+  std::optional<Body::LeastDeterminant> least{};
+  double strainEnergy = 0;  // J
+
+  bool inverted() const { return least && !(least->value > 0); }
+  bool indefinite() const { return bracket && bracket->lowestRing < 0; }
+  std::optional<Verdict> verdict() const {
+    if (!bracket || !step) return std::nullopt;
+    return verdictFor(*step, *bracket);
+  }
+  bool violated() const { return verdict() == Verdict::violated; }
+  /// Neither finite nor with a tangent.
+  bool lost() const { return !bracket; }
+};
+
+/// What was found first at a state: its key in the JSON, and a sentence.
+struct AuditEvent {
+  std::string key, text;
+  std::size_t state;  // place in the audited states
+};
+
+/// An audit as a page takes it.
+struct Audit {
+  std::string name;  // of the results
+  const Body& body;
+  const IntegratorInfo* integrator;  // nullptr where only its limit is known
+  StepRule rule;
+  bool damped = false;
+  const std::vector<AuditedState>& states;
+  const std::vector<AuditEvent>& events;
+  std::function<NodeVectors(const AuditedState&)> positions;  // 3×N, m
+  nlohmann::ordered_json json;                                // the numbers of the audit
+  std::vector<std::string> notes;
+};
 
 /// What `ringwatch audit` is asked.
 struct AuditOptions {
@@ -26,6 +76,7 @@ struct AuditOptions {
   int every = 1;                               // every so many states
   bool all = false;                            // a line of the table for every state
   int threads = 0;
+  std::function<void(const Audit&)> page;  // is called with what was found; empty for none
 };
 
 struct AuditResult {

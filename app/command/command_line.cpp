@@ -501,6 +501,7 @@ struct InspectCommand {
 struct AuditCommand {
   AuditOptions options;
   JsonOption json;
+  std::string page, typed;
 
   void declare(CLI::App& app) {
     CLI::App* command =
@@ -530,6 +531,7 @@ struct AuditCommand {
     command->add_option("--every", options.every, "every so many states (default: 1)")->check(CLI::Range(1, 1000000));
     command->add_flag("--all", options.all, "a line of the table for every state; --json always has them");
     json.declare(*command, "numbers");
+    command->add_option("--report", page, pageHelp)->type_name("FILE");
     command->add_option("--threads", options.threads, "threads (default: as many as the mesh can use)")
         ->check(CLI::Range(0, 4096));
     command->footer(
@@ -540,8 +542,16 @@ struct AuditCommand {
   }
 
   ExitStatus execute() {
+    std::string written;
+    if (!page.empty())
+      options.page = [&](const Audit& found) {
+        Audit whole = found;
+        whole.json["version"] = std::string(programVersion());
+        whole.json["provenance"] = provenanceOf(typed, options.scene);
+        written = reportText(neededReportWriters().ofAudit(whole, page));
+      };
     const AuditResult result = auditResults(options);
-    json.write(result.json, result.text);
+    json.write(result.json, result.text + written);
     return result.status;
   }
 };
@@ -888,7 +898,7 @@ ExitStatus dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& fault) {
     return complain(usageText(app, fault), ExitStatus::badInput);
   }
-  inspect.typed = verify.typed = compare.typed = commandTyped(argc, argv);
+  inspect.typed = audit.typed = verify.typed = compare.typed = commandTyped(argc, argv);
   if (app.got_subcommand("help")) return help.execute(app);
   if (app.got_subcommand("run")) return run.execute();
   if (app.got_subcommand("inspect")) return inspect.execute();

@@ -88,6 +88,8 @@ PageVerdict verdictOf(const Inspection& inspection, const std::optional<RunAnaly
 ReportResult writeInspectionReport(const Inspection& inspection, const std::filesystem::path& file) {
   PageContent page;
   page.ofRun = false;
+  page.words.writtenBy = "inspected by";
+  page.words.elsewhere = "the files of --json and --vtu";
   page.name = "Mesh " + inspection.name;
   page.summary = inspection.json;
   page.elements = inspection.body.mesh().elementCount();

@@ -114,15 +114,13 @@ std::string historySection(const PageContent& page, std::size_t shown) {
       "<section id=\"history\" aria-labelledby=\"history-title\">\n<h2 id=\"history-title\">Bracket and "
       "energies</h2>\n";
   if (!page.history || page.history->rowCount() == 0)
-    return html + "<p>The folder has no history.csv with a row in it.</p>\n</section>\n";
+    return html + "<p>There is no row of a history.</p>\n</section>\n";
   html +=
       "<p>Below the safe step a step is proven stable for the state of that moment, above the optimistic step it is "
       "proven unstable, between them nothing is proven.</p>\n";
   const std::vector<double>* safe = page.history->column("safe_s");
   if (!safe || std::none_of(safe->begin(), safe->end(), [](double step) { return std::isfinite(step); }))
-    html +=
-        "<p>This run kept no bracket (monitor.mode is threshold or metric): its history has the step and, where the "
-        "monitor proved it, the verdict.</p>\n";
+    html += fmt::format("<p>{}</p>\n", page.words.noBracket);
   const std::string svg = historySvg(*page.history, page.marks);
   html += fmt::format("<div id=\"history-static\">{}</div>\n<div id=\"history-live\" hidden></div>\n",
                       svg.empty() ? "<p>No row has a step to draw.</p>" : wideHtml("Bracket against time", svg));
@@ -164,13 +162,11 @@ std::string cardHtml(const PageContent& page, const WorstCard& card, std::size_t
 std::string meshSection(const PageContent& page) {
   std::string html = "<section id=\"mesh\" aria-labelledby=\"mesh-title\">\n<h2 id=\"mesh-title\">Mesh</h2>\n";
   if (page.framesShown == 0)
-    return html + (page.reloadAfter > 0 ? "<p>There is no frame yet.</p>\n</section>\n"
-                                        : "<p>The folder has no frames that can be read. A run writes them when its "
-                                          "scene has output.every.</p>\n"
-                                          "</section>\n");
+    return html + fmt::format("<p>{}</p>\n</section>\n",
+                              page.reloadAfter > 0 ? "There is no frame yet." : page.words.noFrames);
   if (page.framesShown < page.frames)
-    html += fmt::format("<p>{} of the run's {} frames are in this page; the others lie beside it for ParaView.</p>\n",
-                        page.framesShown, page.frames);
+    html += fmt::format("<p>{} of the run's {} frames are in this page; the others {}.</p>\n", page.framesShown,
+                        page.frames, page.words.otherFrames);
   if (page.elements > MeshPack::allElements)
     html +=
         fmt::format("<p>Of {} elements the page holds those on the surface and{} the {} with the smallest steps.</p>\n",
@@ -301,7 +297,7 @@ PageSection runProvenance(const PageContent& page) {
              saveButton("save-json", "All data (JSON)");
   if (page.summary.is_object()) {
     const Json& s = page.summary;
-    rows += provenanceRow(page.ofRun ? "run by" : "inspected by", "ringwatch " + textOf(s, "version"));
+    rows += provenanceRow(std::string(page.words.writtenBy), "ringwatch " + textOf(s, "version"));
     rows += provenanceRow("scene", textOf(s, "scene_file"));
     rows += provenanceRow(page.ofRun ? "mesh at the end" : "mesh", counts(s));
     if (const auto mass = numberOf(s, "mass")) rows += provenanceRow("mass", fmt::format("{:.6g} kg", *mass));
@@ -322,8 +318,7 @@ PageSection runProvenance(const PageContent& page) {
     if (const auto scene = s.find("scene"); scene != s.end())
       more += details("The scene with every default", scene->dump(2, ' ', false, Json::error_handler_t::replace));
   }
-  return provenanceSection(
-      buttons, page.ofRun ? "history.csv, summary.json and frames/" : "the files of --json and --vtu", rows, more);
+  return provenanceSection(buttons, std::string(page.words.elsewhere), rows, more);
 }
 
 Json historyJson(const RunHistory& history, std::size_t allRows, PageData& data) {

@@ -47,10 +47,23 @@ std::string provenanceRow(const std::string& name, const std::string& value);
 PageSection provenanceSection(const std::string& buttons, const std::string& elsewhere, const std::string& rows,
                               const std::string& more);
 
-/// All that the page of a run or of an inspection is made of. What is empty is said to be missing.
+/// What pages of a run, of a mesh and of results say differently.
+struct PageWords {
+  std::string_view writtenBy = "run by";
+  std::string_view elsewhere = "history.csv, summary.json and frames/";  // the numbers are there too
+  std::string_view noFrames =
+      "The folder has no frames that can be read. A run writes them when its scene has output.every.";
+  std::string_view otherFrames = "lie beside it for ParaView";
+  std::string_view noBracket =
+      "This run kept no bracket (monitor.mode is threshold or metric): its history has the step and, where the monitor "
+      "proved it, the verdict.";
+};
+
+/// All that the page of a run, of an inspection or of an audit is made of. What is empty is said to be missing.
 struct PageContent {
-  std::string name;                   // of the page: "Run of stretch_bar.toml"
-  bool ofRun = true;                  // else of a mesh in one state, without history and frames
+  std::string name;   // of the page: "Run of stretch_bar.toml"
+  bool ofRun = true;  // else of a mesh in one state, without history and frames
+  PageWords words;
   double reloadAfter = 0;             // s, while a run goes on
   nlohmann::ordered_json summary;     // null without one
   std::optional<RunHistory> history;  // all rows

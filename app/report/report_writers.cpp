@@ -1,3 +1,4 @@
+#include <ringwatch/app/report/audit_report.h>
 #include <ringwatch/app/report/inspection_report.h>
 #include <ringwatch/app/report/run_report.h>
 #include <ringwatch/app/report/study_report.h>
@@ -5,7 +6,7 @@
 namespace ringwatch {
 
 const ReportWriters* reportWriters() {
-  static constexpr ReportWriters writers{writeRunReport, writeInspectionReport, writeStudyReport};
+  static constexpr ReportWriters writers{writeRunReport, writeInspectionReport, writeAuditReport, writeStudyReport};
   return &writers;
 }
 

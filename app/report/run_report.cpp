@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/frames.h>
+#include <ringwatch/app/report/frame_choice.h>
 #include <ringwatch/app/report/json_read.h>
 #include <ringwatch/app/report/report_page.h>
 #include <ringwatch/base/error.h>
@@ -85,35 +86,6 @@ std::size_t keyFrameOf(const std::vector<PvdEntry>& frames, std::optional<double
   return left ? key - 1 : key;
 }
 
-/// At most `count` of the frames, ascending: first, key and last one, and evenly many between.
-std::vector<std::size_t> chosenFrames(std::size_t frames, std::size_t key, std::size_t count) {
-  count = std::min(count, frames);
-  std::vector<std::size_t> wanted{key, 0, frames - 1};
-  for (std::size_t k = 1; k + 1 < count; ++k) wanted.push_back(k * (frames - 1) / (count - 1));
-  std::vector<std::size_t> chosen;
-  for (const std::size_t i : wanted)
-    if (chosen.size() < count && std::find(chosen.begin(), chosen.end(), i) == chosen.end()) chosen.push_back(i);
-  std::sort(chosen.begin(), chosen.end());
-  return chosen;
-}
-
-/// How many frames keep page and time within bounds: for meshes of n elements and their nodes.
-std::size_t framesThatFit(const VtuFrame& frame) {
-  // Two numbers of 16 bits a node and element go into the page where all elements do.
-  constexpr std::size_t bytesOfPage = 6'000'000, most = 60;
-  const std::size_t elements = frame.mesh.elementCount(), fields = std::max<std::size_t>(1, frame.cells.size());
-  // Of larger meshes those with the least steps, and the surface, which grows more slowly than the body.
-  const double surface = 12 * std::pow(static_cast<double>(elements), 2.0 / 3.0);
-  const double shown = elements <= MeshPack::allElements
-                           ? static_cast<double>(elements)
-                           : std::min(static_cast<double>(elements), surface + 2 * MeshPack::leastElements);
-  const double bytes = shown * (6 + 2 * static_cast<double>(fields));
-  // Reading and packing take about 0.4 µs an element and frame.
-  constexpr double elementsRead = 2e6;
-  const double fit = std::min(static_cast<double>(bytesOfPage) / bytes, elementsRead / static_cast<double>(elements));
-  return std::clamp<std::size_t>(static_cast<std::size_t>(fit), 2, most);
-}
-
 void addFrames(PageContent& page, const ReportOptions& options, const std::vector<PvdEntry>& frames) {
   page.frames = frames.size();
   if (frames.empty()) return;
@@ -137,7 +109,9 @@ void addFrames(PageContent& page, const ReportOptions& options, const std::vecto
   };
   const std::size_t key = keyFrameOf(frames, keyTimeOf(page.summary, page.history), cached);
   const VtuFrame* keyState = cached(key);
-  const std::size_t fit = options.frames > 0 ? options.frames : keyState ? framesThatFit(*keyState) : 3;
+  const std::size_t fit = options.frames > 0 ? options.frames
+                          : keyState         ? framesThatFit(keyState->mesh.elementCount(), keyState->cells.size())
+                                             : 3;
   for (const std::size_t i : chosenFrames(frames.size(), key, fit)) {
     std::optional<VtuFrame> state = known.contains(i) ? std::exchange(known.at(i), std::nullopt) : read(i);
     if (!state) continue;

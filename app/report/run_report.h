@@ -8,6 +8,7 @@
 
 namespace ringwatch {
 
+struct Audit;
 struct Inspection;
 struct StudyReport;
 
@@ -51,6 +52,7 @@ struct StudyPage {
 struct ReportWriters {
   ReportResult (*ofRun)(const ReportOptions& options);
   ReportResult (*ofInspection)(const Inspection& inspection, const std::filesystem::path& file);
+  ReportResult (*ofAudit)(const Audit& audit, const std::filesystem::path& file);
   ReportResult (*ofStudies)(const StudyPage& page, const std::filesystem::path& file);
 };
 /// nullptr in a program without them. `ringwatch` leaves them to `ringwatch-report` and `ringwatch-verify`, which take

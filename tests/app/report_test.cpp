@@ -339,6 +339,35 @@ method = "mass-scaling"
                     HasSubstr((*row)["elements"].dump() + " of 240 elements")));
 }
 
+TEST_F(Report, OfAnAuditNamesWhereTheRunLeftProvenGround) {
+  folder_.write("scene.toml", test::tiny);
+  ASSERT_EQ(call("run scene.toml --out r --set output.picture=false").status, 0);
+  const Json states = parse(call("audit r/run.pvd --scene scene.toml --json -").out)["history"];
+  // Proven in the first state, too large in the last, which is stretched.
+  const double safe = states.front()["safe"], optimistic = states.back()["optimistic"];
+  ASSERT_LT(optimistic, safe);
+  const std::string step = test::digits(0.5 * (safe + optimistic));
+  const Outcome outcome = call("audit r/run.pvd --scene scene.toml --json a.json --report a.html --step " + step);
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("wrote a.html"));
+  const Json report = reportIn(folder_.read("a.html")), audit = json("a.json");
+  EXPECT_EQ(report["verdict"]["title"], "Step too large");
+  EXPECT_EQ(report["summary"]["first"], audit["first"]);
+  EXPECT_EQ(report["history"]["rows"], states.size());
+  EXPECT_EQ(report["keyFrame"], audit["first"]["violated"]["state"]);
+  EXPECT_EQ(report["worst"].size(), 10u);
+  std::vector<double> marked;
+  for (const Json& mark : report["marks"]) marked.push_back(mark["time"]);
+  EXPECT_THAT(marked, ::testing::Contains(audit["first"]["violated"]["time"].get<double>()));
+  EXPECT_THAT(report["verdict"]["sentence"].get<std::string>(),
+              HasSubstr("state " + audit["first"]["violated"]["state"].dump()));
+  EXPECT_THAT(report["verdict"]["remedies"].dump(), HasSubstr("smaller step"));
+  EXPECT_THAT(report["summary"]["provenance"]["command"].get<std::string>(), HasSubstr("ringwatch audit"));
+  const std::string html = folder_.read("a.html");
+  for (const char* section : {"verdict", "history", "mesh", "distribution", "what-if", "provenance"})
+    EXPECT_THAT(html, HasSubstr("<section id=\"" + std::string(section) + "\""));
+}
+
 TEST_F(Report, OfAComparisonAndOfStudiesHasTheirNumbers) {
   folder_.write("bar.toml", std::string(tiny).substr(0, std::string(tiny).find("[[move]]")) +
                                 "[[initial]]\nwhere = \"x > -1\"\nvelocity = [0, 0.2, 0]\n");
