@@ -11,8 +11,7 @@ std::string whatHappened(const MonitorEvent& event) {
   switch (event.kind) {
     case EventKind::violated:
       return joinText("violated: h = ", event.h, " s is above the critical step, which is at most ",
-                      event.h / event.value, " s",
-                      event.discreteShare > 0.5 ? "; springs or contact govern it, most at" : "");
+                      event.h / event.value, " s", event.discreteShare > 0.5 ? "; springs or contact govern it" : "");
     case EventKind::energyBalance:
       return joinText("energy balance is off by ", 100 * event.value, " % of the largest energy so far");
     case EventKind::inverted:
@@ -42,7 +41,10 @@ std::string eventText(const MonitorEvent& event, const Mesh& mesh) {
   const std::string what = whatHappened(event);
   text += what;
   if (event.element)
-    text += joinText(what.empty() ? "" : ", ", event.handled ? "handled " : "", elementText(mesh, *event.element));
+    text += joinText(what.empty()                ? ""
+                     : event.discreteShare > 0.5 ? ", most at "
+                                                 : ", ",
+                     event.handled ? "handled " : "", elementText(mesh, *event.element));
   if (event.cause) text += ": " + causeText(*event.cause);
   return text;
 }

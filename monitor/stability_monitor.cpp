@@ -179,7 +179,14 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, N
                    : m.bracket && h && *h <= report.certified ? Verdict::certified
                                                               : Verdict::notCertified;
   if (h && report.bracket && report.verdict == Verdict::violated) {
-    const CriticalStep& b = *report.bracket;
+    CriticalStep& b = *report.bracket;
+    // What governs is searched now and then, and the optimistic side may have been sharpened since: an event that
+    // begins names what governs at its own state.
+    if (report.fresh && m.bracket && m.tracker.isNew(EventKind::violated)) {
+      m.bracket->nameGoverning(x);
+      b.controlling = m.bracket->last()->controlling;
+      b.discreteShare = m.bracket->last()->discreteShare;
+    }
     m.present({.kind = EventKind::violated,
                .value = *h / b.optimistic,
                .h = *h,

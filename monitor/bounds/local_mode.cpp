@@ -91,17 +91,23 @@ LowerBound LocalMode::evaluate(NodeVectorsView x) {
   const LowerBound bound = rayleighLowerBound(*part_, x_, vector_, products, &largest_);
   if (improve) sinceImproved_ = 0;
   isNew_ = false;
-  if (++sinceSearch_ >= searchGap) findHighestElement(x, bound);
+  measureShare(bound);
+  if (++sinceSearch_ >= searchGap) searchHighest(x);
   return {std::max(bound.value, 0.0)};
 }
 
-void LocalMode::findHighestElement(NodeVectorsView x, LowerBound bound) {
-  sinceSearch_ = 0;
+// At each evaluation, as contact can come and govern within one: it takes the forces of the region alone.
+void LocalMode::measureShare(LowerBound bound) {
   discreteShare_ = 0;
   if (const DiscreteForces* discrete = part_->discreteForces(); discrete && bound.value > 0) {
     const NodeVectors v = vector_ * part_->lumpedMass().cwiseSqrt().cwiseInverse().asDiagonal();
     discreteShare_ = discrete->form(x_, v) / (bound.value * vector_.squaredNorm());
   }
+}
+
+void LocalMode::searchHighest(NodeVectorsView x) {
+  if (!part_) return;
+  sinceSearch_ = 0;
   Eigen::Index top = 0;
   vector_.colwise().squaredNorm().maxCoeff(&top);
   double most = -1;

@@ -30,14 +30,16 @@ class LocalMode {
   /// The element that holds most of the mode's energy at the node that it moves most, as of one of the last
   /// evaluations.
   ElementRef highestElement() const { return highest_; }
-  /// The share of the mode's energy that springs and contact hold, of the same evaluation.
+  /// The share of the mode's energy that springs and contact hold, of the last evaluation.
   double discreteShare() const { return discreteShare_; }
+  /// Searches highestElement() in the mode as it is now, at the positions of the last evaluation (3×N, m).
+  void searchHighest(NodeVectorsView x);
 
  private:
   /// Nodes of the region, grown from the largest entry.
   std::vector<std::int32_t> grow(const NodeVectors& mode) const;
   void makePart(const std::vector<std::int32_t>& region);
-  void findHighestElement(NodeVectorsView x, LowerBound bound);
+  void measureShare(LowerBound bound);
   /// Entries below this share of the largest one count as that much, so that nodes beside a mode of few entries come
   /// first.
   static constexpr double leastAmplitude = 1e-3;

@@ -5,6 +5,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/monitor/bounds/rayleigh.h>
 #include <ringwatch/monitor/bounds/top_mode.h>
 #include <ringwatch/monitor/critical_step.h>
@@ -66,7 +67,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
       wholeMode_.tried(regionBound_.value > (1 + policy_.leastGain) * lower.value);
       lower = {std::max(lower.value, whole.value)};
     }
-    lower = boundWhereItRose(x, sigma, lower);
+    lower = boundWhereItTouches(x, boundWhereItRose(x, sigma, lower));
   }
   const double allowed = (1 + width_) * (1 + width_);
   // A bracket that is too wide is either side's fault: bound it from below again before moving the upper side.
@@ -166,6 +167,14 @@ void RunBracket::sharpen(NodeVectorsView x, const StepRule& limit, double h) {
   if (!step_->isBracket()) step_.reset();
 }
 
+void RunBracket::nameGoverning(NodeVectorsView x) {
+  if (!step_) return;
+  local_.evaluate(x);  // of a region that has just been chosen nothing is known
+  local_.searchHighest(x);
+  step_->controlling = local_.highestElement();
+  step_->discreteShare = local_.discreteShare();
+}
+
 void RunBracket::forget() {
   step_.reset();
   mode_.resize(3, 0);
@@ -220,17 +229,47 @@ LowerBound RunBracket::boundWhereItRose(NodeVectorsView x, double sigma, LowerBo
         near.fraction * sigma < (1 + policy_.leastGain) * lower.value)
       break;
     ++observations;
-    if (!decomposeRing(x, near.element)) continue;
-    const double value = topOfRing();
-    if (!(value > lower.value)) continue;
-    lower = {value};
-    method_ = "reduced-1-ring";
-    jumped = true;
-    mode_.normalize();
-    addTopOfRing(mode_);
+    jumped = examineRing(x, near.element, lower) || jumped;
   }
   if (jumped) local_.choose(mode_, localNodes_);
   return lower;
+}
+
+LowerBound RunBracket::boundWhereItTouches(NodeVectorsView x, LowerBound lower) {
+  const DiscreteForces* discrete = body_.discreteForces();
+  if (!discrete) return lower;
+  ownBefore_.swap(own_);
+  own_.assign(discrete->nodes().size(), 0);
+  ownBefore_.resize(own_.size());
+  discrete->forEachBlock(x, [&](std::int32_t i, std::int32_t j, const Eigen::Matrix3d& block) {
+    if (i == j && body_.constraints().freeComponents(i) > 0)
+      own_[discrete->placeOf(i)] += block.trace() / body_.lumpedMass()[i];
+  });
+  double highest = 0;
+  std::int32_t node = -1;
+  for (std::size_t k = 0; k < own_.size(); ++k) {
+    const bool risen = own_[k] > (1 + policy_.leastGain) * std::max(ownBefore_[k], 0.0);
+    if (!(own_[k] > highest) || !(risen || own_[k] > (1 + policy_.leastGain) * lower.value)) continue;
+    highest = own_[k];
+    node = discrete->nodes()[k];
+  }
+  if (node < 0) return lower;
+  // One ring is enough: the others at the node have the same contact.
+  const std::vector<ElementRef> elements = nodal_.weights().elementsAt(std::span<const std::int32_t>(&node, 1));
+  if (elements.empty() || !examineRing(x, elements.front(), lower)) return lower;
+  local_.choose(mode_, localNodes_);
+  return {std::max(lower.value, local_.evaluate(x).value)};
+}
+
+bool RunBracket::examineRing(NodeVectorsView x, ElementRef e, LowerBound& lower) {
+  if (!decomposeRing(x, e)) return false;
+  const double value = topOfRing();
+  if (!(value > lower.value)) return false;
+  lower = {value};
+  method_ = "reduced-1-ring";
+  mode_.normalize();
+  addTopOfRing(mode_);
+  return true;
 }
 
 bool RunBracket::decomposeRing(NodeVectorsView x, ElementRef e) {

@@ -93,6 +93,8 @@ class RunBracket {
   void takeBest(NodeVectorsView x);
   /// Sharpens the optimistic side, now and then, for a step h (s) that is not certified: oftener when h is close to it.
   void sharpen(NodeVectorsView x, const StepRule& limit, double h);
+  /// Names in last(), which is of x, what governs there as far as it is known now: for an event.
+  void nameGoverning(NodeVectorsView x);
   /// What the last evaluate() or certify() took, and what was evaluated after it.
   const UpdateStatistics& statistics() const { return statistics_; }
   /// The bracket of the last evaluate().
@@ -115,6 +117,11 @@ class RunBracket {
   void searchUnderCompression(NodeVectorsView x);
   /// The top mode jumps to where an element has become stiffer than it had been: rings there are examined at once.
   LowerBound boundWhereItRose(NodeVectorsView x, double sigma, LowerBound lower);
+  /// And to where contact has begun, or a spring has become stiffer.
+  LowerBound boundWhereItTouches(NodeVectorsView x, LowerBound lower);
+  /// Examines the reduced ring of an element: whether its bound is above what is known, `lower`, which it then becomes.
+  /// The tracked mode then has its top.
+  bool examineRing(NodeVectorsView x, ElementRef e, LowerBound& lower);
   /// The reduced ring of one element into solver_; false when it fails.
   bool decomposeRing(NodeVectorsView x, ElementRef e);
   /// Starts the mode again from the highest of all rings.
@@ -136,6 +143,8 @@ class RunBracket {
   LocalMode local_;
   std::size_t localNodes_;
   LowerBound regionBound_{0};  // when the region was chosen last
+  // Of each node of the discrete forces, what these give it alone, rad²/s²: now and at the evaluation before.
+  std::vector<double> own_, ownBefore_;
   NodeSubmatrix ringNodes_;
   LowestModeSearch softest_;
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver_;

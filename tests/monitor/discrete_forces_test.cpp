@@ -14,6 +14,7 @@
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/incremental/run_bracket.h>
+#include <ringwatch/monitor/stability_monitor.h>
 #include <tests/monitor/monitor_cases.h>
 
 namespace ringwatch {
@@ -290,6 +291,48 @@ TEST(DiscreteForcesInClosedForm, LocalModesHoldTheOtherEndsOfSprings) {
     EXPECT_GE(found->optimistic, h * (1 - exact));
   }
   EXPECT_GT(lambda, 0);
+}
+
+// A body that falls, whose highest mode is elsewhere until its lower nodes touch: at the first state at which they do
+// the step is known to be violated, and contact named, though the tracked mode was another one and no search was due.
+TEST(DiscreteForces, ContactThatBeginsIsNamedAtOnce) {
+  constexpr int touches = 7;
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
+    Body body = test::boxBody(subdivision, "stvk", {6, 2, 2});
+    const NodeVectors& X = body.mesh().X;
+    DiscreteForces forces(body.nodeCount());
+    const double fall = 0.1 * test::cellSize, low = X.row(2).minCoeff();
+    PenaltyContact contact;
+    contact.obstacle = forces.add(planeObstacle({0, 0, low - (touches - 0.5) * fall}, {0, 0, 1}));
+    contact.nodes.resize(body.nodeCount());
+    std::iota(contact.nodes.begin(), contact.nodes.end(), 0);
+    contact.penalty.assign(body.nodeCount(), 30 * cellStiffness);
+    contact.damping.assign(body.nodeCount(), 0);
+    forces.add(std::move(contact));
+    body.setDiscreteForces(std::move(forces));
+    MonitorOptions options;
+    options.limit = 2.0;
+    StabilityMonitor monitor(body, options);
+    const double h = 0.9 * 2 / std::sqrt(DenseTangent(body, X).largest());
+    const NodeVectors v = NodeVectors::Zero(3, X.cols());
+    for (int step = 0; step <= touches; ++step) {
+      const NodeVectors x = X.colwise() - Eigen::Vector3d(0, 0, step * fall);
+      const MonitorReport& report = monitor.observe(step, step, x, v, h);
+      if (step < touches) {
+        EXPECT_EQ(report.verdict, Verdict::certified) << subdivision.name << step;
+        continue;
+      }
+      const double critical = 2 / std::sqrt(DenseTangent(body, x).largest());
+      ASSERT_LT(critical, 0.8 * h) << subdivision.name;
+      EXPECT_EQ(report.verdict, Verdict::violated) << subdivision.name;
+      ASSERT_TRUE(report.bracket.has_value());
+      EXPECT_GE(report.bracket->optimistic, critical * (1 - exact)) << subdivision.name;
+      EXPECT_LE(report.bracket->optimistic, 1.1 * critical) << subdivision.name;
+      ASSERT_EQ(report.newEvents.size(), 1U) << subdivision.name;
+      EXPECT_EQ(report.newEvents[0].kind, EventKind::violated);
+      EXPECT_GT(report.newEvents[0].discreteShare, 0.5) << subdivision.name;
+    }
+  }
 }
 
 TEST(DiscreteForces, SameBitsForAnyNumberOfThreads) {
