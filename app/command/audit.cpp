@@ -295,6 +295,8 @@ AuditResult auditResults(const AuditOptions& options) {
     throw InputError(fmt::format("--step: {} is out of range; must be > 0 s", *options.step));
   Scene scene = sceneOfAudit(options);
   applyLaw(scene, options);
+  if (scene.hasDiscreteForces())
+    throw InputError(fmt::format("{}: audit takes no springs and contact", scene.discreteOrigin()));
   double limit = 0;
   const IntegratorInfo* integrator = nullptr;
   const StepRule rule = ruleOf(scene, options, limit, integrator);
@@ -309,6 +311,7 @@ AuditResult auditResults(const AuditOptions& options) {
   scene.moves.clear();
   scene.forces.clear();
   scene.initials.clear();
+  scene.pressures.clear();
   const Body body = sceneBody(scene, std::move(mesh), options.threads);
   const std::vector<std::int32_t> same =
       options.scene.empty() ? std::vector<std::int32_t>() : sameNodes(body.mesh(), series.mesh(), name);

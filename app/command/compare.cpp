@@ -130,7 +130,9 @@ CompareResult compareScene(const CompareOptions& options) {
   if (!handlers.empty() && scene.damping.any())
     throw InputError(
         fmt::format("{}: handlers do not work with [damping]; remove it or --handlers", scene.file.string()));
-  if (!scene.timed.empty()) throw InputError(fmt::format("{}: compare takes no tables of time", scene.timed));
+  if (scene.hasDiscreteForces())
+    throw InputError(fmt::format("{}: compare takes no springs and contact", scene.discreteOrigin()));
+  if (!scene.timed.empty()) throw InputError(fmt::format("{}: compare takes no {}", scene.timed, scene.timedBy));
   for (const double h : options.steps)
     if (h > scene.end) throw InputError(fmt::format("--step: {} s is beyond the end of the scene, {} s", h, scene.end));
   for (const double h : options.steps)

@@ -11,6 +11,7 @@
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/scene/scene.h>
+#include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/machine_memory.h>
@@ -136,9 +137,12 @@ Subject subjectOfRun(const InspectOptions& options) {
     notes.push_back(findHandler(scene.handler)->addsMass
                         ? "the run scaled masses; this is the body without added mass"
                         : fmt::format("the run handled elements apart ({}); here all elements count", scene.handler));
-  return {makeBody(scene, std::move(state.mesh), options, MaterialsBy::mesh),
+  Body body = makeBody(scene, std::move(state.mesh), options, MaterialsBy::mesh);
+  if (body.discreteForces()) placeObstacles(scene, frame.time, *body.discreteForces());
+  const StepRule rule = sceneStepRule(scene, body);
+  return {std::move(body),
           std::move(state.x),
-          stepRule(integrator, scene.damping),
+          rule,
           &integrator,
           modelsText(scene.materials),
           scene.damping.any(),

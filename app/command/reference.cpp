@@ -212,9 +212,10 @@ std::string scenePage(const Commands&) {
                  fmt::format("{}{}.", cell(section.help), section.required ? "; required" : ""));
     for (const SceneAlternative& one : sceneAlternatives())
       if (one.section == section.name)
-        page.paragraph(fmt::format(fmt::runtime(one.need == SceneAlternative::Need::one ? "Give either {} or {}."
-                                                : one.need == SceneAlternative::Need::any
-                                                    ? "Give {} or {}, or both."
+        page.paragraph(fmt::format(fmt::runtime(one.need == SceneAlternative::Need::one   ? "Give either {} or {}."
+                                                : one.need == SceneAlternative::Need::any ? "Give {} or {}, or both."
+                                                : one.need == SceneAlternative::Need::atMostOne
+                                                    ? "Give {} or {}, or neither."
                                                     : "Where there are several, give each either {} or {}."),
                                    code(one.first), code(one.second)));
     page.table({"key", "type", "range, unit", "default", "meaning"});

@@ -13,6 +13,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
+#include <ringwatch/body/obstacle.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/materials/registry.h>
 
@@ -189,11 +190,27 @@ Json handlerRules() {
   return rules;
 }
 
+/// What depends on the kind of an obstacle: its parameters, and that it has no others.
+Json obstacleRules() {
+  Json rules = Json::array(), none = Json::object();
+  for (const ObstacleKind& kind : allObstacleKinds())
+    for (const auto* names : {&kind.needs, &kind.takes})
+      for (const std::string_view name : *names) none[std::string(name)] = false;
+  for (const ObstacleKind& kind : allObstacleKinds()) {
+    Json properties = none;
+    for (const auto* names : {&kind.needs, &kind.takes})
+      for (const std::string_view name : *names) properties.erase(std::string(name));
+    rules.push_back(whereKeyIs("kind", {kind.name}, {{"properties", std::move(properties)}, {"required", kind.needs}}));
+  }
+  return rules;
+}
+
 /// count: how many of the section there are at least.
 Json alternativeRule(const SceneAlternative& alternative, int count) {
   using Need = SceneAlternative::Need;
   const std::string first(alternative.first), second(alternative.second);
-  if (alternative.need == Need::oneOfMany && count == 1) return {{"not", {{"required", {first, second}}}}};
+  if (alternative.need == Need::atMostOne || (alternative.need == Need::oneOfMany && count == 1))
+    return {{"not", {{"required", {first, second}}}}};
   return {{alternative.need == Need::any ? "anyOf" : "oneOf",
            Json::array({Json{{"required", Json::array({first})}}, Json{{"required", Json::array({second})}}})}};
 }
@@ -208,7 +225,7 @@ Json sectionSchema(const SceneSection& section) {
   for (const SceneAlternative& alternative : sceneAlternatives())
     if (alternative.section == section.name) rules.push_back(alternativeRule(alternative, 1));
   static const std::map<std::string_view, Json (*)()> ofRegistries{
-      {"mesh", meshRules}, {"material", materialRules}, {"handler", handlerRules}};
+      {"mesh", meshRules}, {"material", materialRules}, {"handler", handlerRules}, {"obstacle", obstacleRules}};
   if (const auto found = ofRegistries.find(section.name); found != ofRegistries.end())
     for (Json& rule : found->second()) rules.push_back(std::move(rule));
   Json schema{{"type", "object"}, {"description", section.help}, {"properties", std::move(properties)}};

@@ -1,6 +1,11 @@
 #include <ringwatch/app/output/report.h>
 
+#include <algorithm>
+
 #include <fmt/format.h>
+
+#include <ringwatch/base/infinity.h>
+#include <ringwatch/body/discrete_forces.h>
 
 namespace ringwatch {
 namespace {
@@ -87,6 +92,59 @@ std::string governingText(const Scene& scene, const RunResult& result) {
   return text + "\n";
 }
 
+/// Springs and contact: what they came to, and how far penalties could grow.
+Json discreteJson(const Scene& scene, const Body& body, const RunResult& result) {
+  if (!result.discrete) return nullptr;
+  const RunResult::Discrete& discrete = *result.discrete;
+  std::size_t nodes = 0;
+  double least = infinity, largest = 0;
+  for (const PenaltyContact& contact : body.discreteForces()->contacts()) {
+    nodes += contact.nodes.size();
+    for (const double penalty : contact.penalty) {
+      least = std::min(least, penalty);
+      largest = std::max(largest, penalty);
+    }
+  }
+  Json json{{"springs", body.discreteForces()->springs().size()},
+            {"contact_nodes", nodes},
+            {"penalty", nodes > 0 ? Json{{"least", least}, {"largest", largest}} : Json(nullptr)},
+            {"most_touching", discrete.mostTouching},
+            {"deepest", nullptr},
+            {"governed_observations", discrete.governed},
+            {"least_safe", discrete.leastSafe ? Json(*discrete.leastSafe) : Json(nullptr)},
+            {"room", nullptr}};
+  if (discrete.deepestNode >= 0)
+    json["deepest"] = {{"depth", discrete.deepest},
+                       {"time", discrete.deepestTime},
+                       {"node_id", body.mesh().nodeId(discrete.deepestNode)},
+                       {"obstacle", scene.obstacles[discrete.deepestObstacle].name}};
+  if (discrete.room)
+    json["room"] = {{"elements_alone", discrete.room->elementsAlone},
+                    {"share", discrete.room->share},
+                    {"penalty", discrete.room->penalty}};
+  return json;
+}
+
+std::string discreteText(const Scene& scene, const Body& body, const RunResult& result) {
+  if (!result.discrete) return "";
+  const RunResult::Discrete& discrete = *result.discrete;
+  std::string text;
+  if (!scene.contacts.empty())
+    text += discrete.deepestNode < 0
+                ? "contact: no node touched an obstacle\n"
+                : fmt::format("contact: at most {} nodes touched, node {} came {:.4g} m deep into {} at t = {:.4g} s\n",
+                              discrete.mostTouching, body.mesh().nodeId(discrete.deepestNode), discrete.deepest,
+                              scene.obstacles[discrete.deepestObstacle].name, discrete.deepestTime);
+  if (discrete.governed == 0) return text;
+  text += fmt::format("springs or contact govern at {} observations, where the least safe step is {:.4g} s",
+                      discrete.governed, *discrete.leastSafe);
+  if (discrete.room)
+    text +=
+        fmt::format("; a penalty of {:.4g} N/m leaves {:.4g} % of the {:.4g} s that the elements at rest prove alone",
+                    discrete.room->penalty, 100 * discrete.room->share, discrete.room->elementsAlone);
+  return text + "\n";
+}
+
 Json momentJson(const std::optional<RunResult::Moment>& moment) {
   if (!moment) return nullptr;
   return Json{{"step", moment->step}, {"time", moment->time}};
@@ -170,6 +228,7 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
       {"end_time", result.time},
       {"handler", handlerJson(scene, result)},
       {"cuts", cutsJson(result)},
+      {"discrete_forces", discreteJson(scene, body, result)},
       {"smallest_step", result.smallestStep},
       {"largest_step", result.largestStep},
       {"first_violated", momentJson(result.firstViolated)},
@@ -200,7 +259,7 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
   text += fmt::format("verdict {}", result.verdict());
   if (result.watchedSteps > 0)
     text += fmt::format(", certified at {} of {} steps", result.certifiedSteps, result.watchedSteps);
-  text += "\n" + governingText(scene, result);
+  text += "\n" + governingText(scene, result) + discreteText(scene, body, result);
   if (result.handler) {
     text += fmt::format("handler {}: {} of {} elements", scene.handler, result.handler->elements,
                         body.mesh().elementCount());

@@ -9,6 +9,7 @@
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/scene/scene.h>
+#include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/handlers/handler.h>
@@ -187,7 +188,7 @@ RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesyste
                        std::optional<double> safe, std::optional<double> optimistic, std::optional<double> taken) {
   Scene scene = sceneOfRun(folder);
   MeshState state = loadVtuState(folder / frame, "displacement");
-  const Body body = sceneBody(scene, std::move(state.mesh), 0);
+  Body body = sceneBody(scene, std::move(state.mesh), 0);
   const IntegratorInfo* integrator = integratorCatalog().find(scene.method);
   if (!integrator || !(integrator->imaginaryLimit > 0) || std::isinf(integrator->imaginaryLimit)) {
     RunAnalysis analysis;
@@ -195,7 +196,10 @@ RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesyste
     analysis.whyNoRules = analysis.whyNoWhatIf = "Left out: the integrator " + scene.method + " has no critical step.";
     return analysis;
   }
-  const StepRule rule = stepRule(*integrator, scene.damping);
+  if (body.discreteForces())
+    for (const PvdEntry& entry : framesOfRun(folder))
+      if (entry.file == frame) placeObstacles(scene, entry.time, *body.discreteForces());
+  const StepRule rule = sceneStepRule(scene, body);
   // With a handler the run's bracket is that of the elements that it left explicit; in other modes there is half of
   // one.
   if (!scene.handler.empty() || !safe || !optimistic) {

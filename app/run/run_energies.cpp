@@ -14,10 +14,12 @@ void RunEnergies::record(const State& state, const StepEvaluation& evaluation, B
   last_.reset();
   if (!needs(rowDue)) return;
   balance_->record(state.x, evaluation.internalForce);
-  if (scene_.damping.any()) {
+  if (damped()) {
     system.dampingForce(state.x, state.v, dampingForce_);
     balance_->recordDamping(state.time, state.v, dampingForce_);
   }
+  if (scene_.movesObstacles())
+    balance_->recordObstacles(state.time, body_.discreteForces()->obstaclePower(state.x, state.v));
   if (!rowDue) return;
   last_ = balance_->energies(state.x, state.v, evaluation.strainEnergy);
   last_->externalWork += before_.externalWork + ownWork_;

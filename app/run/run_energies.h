@@ -15,9 +15,10 @@ class RunEnergies {
   /// Scene and body must outlive this.
   RunEnergies(const Scene& scene, const Body& body);
 
-  /// Whether a state must be recorded. Prescribed motion and damping do work in every step, so theirs need every step.
+  /// Whether a state must be recorded. Prescribed motion, damping and moving obstacles do work in every step, so theirs
+  /// need every step.
   bool needs(bool rowDue) const {
-    return scene_.energy && (rowDue || body_.constraints().moving() || scene_.damping.any());
+    return scene_.energy && (rowDue || body_.constraints().moving() || damped() || scene_.movesObstacles());
   }
   /// The internal force of the state is needed too.
   bool needsForce(bool rowDue) const { return needs(rowDue) && body_.constraints().moving(); }
@@ -54,6 +55,8 @@ class RunEnergies {
   const std::optional<RunResult::Moment>& runaway() const { return runaway_; }
 
  private:
+  bool damped() const { return scene_.damping.any() || (body_.discreteForces() && body_.discreteForces()->damped()); }
+
   const Scene& scene_;
   const Body& body_;
   std::optional<EnergyBalance> balance_;

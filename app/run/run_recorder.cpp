@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/body/discrete_forces.h>
 
 namespace ringwatch {
 
@@ -38,6 +39,24 @@ void RunRecorder::recordGoverning(const MonitorReport& report) {
   if (governing.leastSafe && !(report.bracket->safe < *governing.leastSafe)) return;
   governing.leastSafe = report.bracket->safe;
   governing.atLeastSafe = material;
+}
+
+void RunRecorder::recordDiscrete(const MonitorReport& report, const Body& body, NodeVectorsView x) {
+  if (!result_.discrete) return;
+  RunResult::Discrete& discrete = *result_.discrete;
+  if (!body.discreteForces()->contacts().empty()) {
+    const DiscreteForces::ContactState state = body.discreteForces()->contactState(x);
+    discrete.mostTouching = std::max(discrete.mostTouching, state.touching);
+    if (state.deepest > discrete.deepest) {
+      discrete.deepest = state.deepest;
+      discrete.deepestTime = report.time;
+      discrete.deepestNode = state.deepestNode;
+      discrete.deepestObstacle = state.deepestObstacle;
+    }
+  }
+  if (!report.fresh || !report.bracket || !(report.bracket->discreteShare > 0.5)) return;
+  ++discrete.governed;
+  if (!discrete.leastSafe || report.bracket->safe < *discrete.leastSafe) discrete.leastSafe = report.bracket->safe;
 }
 
 void RunRecorder::countSteps(std::int64_t taken, double h) {

@@ -17,6 +17,8 @@ class RunRecorder {
   void follow(const Mesh& mesh);
   /// A report of the monitor, before a step from its state: its events, and which material limits the bracket.
   void record(const MonitorReport& report, const Mesh& mesh);
+  /// What springs and contact are like at the state x of a report, where there are any.
+  void recordDiscrete(const MonitorReport& report, const Body& body, NodeVectorsView x);
   /// The events alone, where no step is taken.
   void recordEvents(const MonitorReport& report, const Mesh& mesh);
   /// Steps of h (s) that were taken.

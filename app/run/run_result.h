@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <ringwatch/app/command/exit_status.h>
+#include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
@@ -95,6 +96,17 @@ struct RunResult {
     int atLeastSafe = 0;                     // the material of the controlling element there
   };
   std::optional<Governing> governing;
+  /// What springs and contact came to, where the scene has them.
+  struct Discrete {
+    std::int64_t governed = 0;            // observations of which they set the step
+    std::optional<double> leastSafe;      // s, of these
+    std::int64_t mostTouching = 0;        // nodes and obstacles
+    double deepest = 0, deepestTime = 0;  // m, s
+    std::int32_t deepestNode = -1;
+    std::size_t deepestObstacle = 0;
+    std::optional<PenaltyRoom> room;
+  };
+  std::optional<Discrete> discrete;
   double forceTime = 0, monitorTime = 0, outputTime = 0, wallTime = 0;  // s
   std::size_t frames = 0;
   std::vector<std::string> files;  // written, relative to the folder

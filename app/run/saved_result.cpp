@@ -68,6 +68,30 @@ Json momentJson(const std::optional<RunResult::Moment>& moment) {
   return moment ? Json{moment->step, moment->time} : Json(nullptr);
 }
 
+Json discreteJson(const std::optional<RunResult::Discrete>& discrete) {
+  if (!discrete) return nullptr;
+  return {{"governed", discrete->governed},
+          {"least_safe", optionalJson(discrete->leastSafe)},
+          {"most_touching", discrete->mostTouching},
+          {"deepest", discrete->deepest},
+          {"deepest_time", discrete->deepestTime},
+          {"deepest_node", discrete->deepestNode},
+          {"deepest_obstacle", discrete->deepestObstacle}};
+}
+
+std::optional<RunResult::Discrete> discreteOf(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  RunResult::Discrete discrete;
+  discrete.governed = json.at("governed").get<std::int64_t>();
+  discrete.leastSafe = optionalOf<double>(json.at("least_safe"));
+  discrete.mostTouching = json.at("most_touching").get<std::int64_t>();
+  discrete.deepest = json.at("deepest").get<double>();
+  discrete.deepestTime = json.at("deepest_time").get<double>();
+  discrete.deepestNode = json.at("deepest_node").get<std::int32_t>();
+  discrete.deepestObstacle = json.at("deepest_obstacle").get<std::size_t>();
+  return discrete;
+}
+
 }  // namespace
 
 Json savedResult(const RunResult& result) {
@@ -90,6 +114,7 @@ Json savedResult(const RunResult& result) {
           {"first_violated", momentJson(result.firstViolated)},
           {"events", std::move(events)},
           {"governing", std::move(governing)},
+          {"discrete", discreteJson(result.discrete)},
           {"times", {result.forceTime, result.monitorTime, result.outputTime, result.wallTime}},
           {"notes", result.notes}};
 }
@@ -113,6 +138,7 @@ void resumeResult(const Json& saved, RunResult& result) {
   if (const Json& governing = saved.at("governing"); !governing.is_null())
     result.governing = {governing.at("observations").get<std::vector<std::int64_t>>(),
                         optionalOf<double>(governing.at("least_safe")), governing.at("at_least_safe").get<int>()};
+  result.discrete = discreteOf(saved.at("discrete"));
   const Json& times = saved.at("times");
   result.forceTime += times.at(0).get<double>();
   result.monitorTime += times.at(1).get<double>();

@@ -75,6 +75,7 @@ class Simulation {
   MonitorReport handleMore(MonitorReport report, bool rowDue);
   void handleAgain();
   void askFor(bool rowDue);
+  void lookAhead();
   void evaluate();
   void takeEvaluation(bool rowDue);
   std::int64_t stepsToObservation(std::int64_t k);

@@ -2,14 +2,23 @@
 
 #include <algorithm>
 
+#include <ringwatch/app/scene/scene_discrete.h>
+#include <ringwatch/body/discrete_forces.h>
+
 namespace ringwatch {
 
-TimedLoads::TimedLoads(const Scene& scene, Body& body) : body_(body) {
+TimedLoads::TimedLoads(const Scene& scene, Body& body) : scene_(scene), body_(body) {
   std::vector<std::vector<std::int32_t>> nodesOf;
   for (const Scene::Force& force : scene.forces) {
     if (!force.table) continue;
     nodesOf.push_back(force.nodes.nodesOf(body.mesh()));
     nodes_.insert(nodes_.end(), nodesOf.back().begin(), nodesOf.back().end());
+  }
+  for (const Scene::Pressure& pressure : scene.pressures) {
+    pressures_.push_back({pressedFaces(pressure, body.mesh()), &pressure});
+    for (const FaceNodes& face : pressures_.back().faces)
+      for (const std::int32_t node : face)
+        if (node >= 0) nodes_.push_back(node);
   }
   std::sort(nodes_.begin(), nodes_.end());
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
@@ -24,21 +33,44 @@ TimedLoads::TimedLoads(const Scene& scene, Body& body) : body_(body) {
     for (std::size_t i = 0; i < loaded.size(); ++i)
       made.values[std::lower_bound(nodes_.begin(), nodes_.end(), loaded[i]) - nodes_.begin()] += values[i];
   }
+  if (!pressures_.empty()) {
+    placeOf_.resize(body.nodeCount(), -1);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) placeOf_[nodes_[i]] = static_cast<std::int32_t>(i);
+  }
   for (const Scene::Move& move : scene.moves)
-    if (move.table) motions_.push_back({move.nodes.nodesOf(body.mesh()), &move});
+    if (move.table || move.rotates()) motions_.push_back({move.nodes.nodesOf(body.mesh()), &move});
 }
 
 double TimedLoads::energyScale(double h) const {
   double energy = 0;
+  std::vector<double> pressing(pressures_.empty() ? 0 : nodes_.size(), 0.0);  // N, at rest
+  for (const Pressure& pressure : pressures_) {
+    const double most = pressure.load->pressure * (pressure.load->table ? pressure.load->table->largest() : 1);
+    for (const FaceNodes& face : pressure.faces)
+      addPressure(face, most, body_.mesh().X,
+                  [&](std::int32_t node, const Eigen::Vector3d& force) { pressing[placeOf_[node]] += force.norm(); });
+  }
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     double force = constant_[i].norm();
     for (const Force& timed : forces_) force += timed.table->largest() * timed.values[i].norm();
+    if (!pressing.empty()) force += pressing[i];
     energy += 0.5 * h * h * force * force / body_.lumpedMass()[nodes_[i]];
   }
   for (const Motion& motion : motions_) {
-    const double speed = motion.move->table->largest() * motion.move->velocity.norm();
-    for (const std::int32_t node : motion.nodes) energy += 0.5 * body_.lumpedMass()[node] * speed * speed;
+    const Scene::Move& move = *motion.move;
+    for (const std::int32_t node : motion.nodes) {
+      const Eigen::Vector3d arm = body_.mesh().X.col(node) - move.point;
+      const double speed =
+          (move.table ? move.table->largest() : 1) * (move.velocity.norm() + move.angularVelocity.cross(arm).norm());
+      energy += 0.5 * body_.lumpedMass()[node] * speed * speed;
+    }
   }
+  if (const DiscreteForces* discrete = body_.discreteForces(); discrete && scene_.movesObstacles())
+    for (const PenaltyContact& contact : discrete->contacts()) {
+      const Scene::MovingObstacle& obstacle = scene_.obstacles[contact.obstacle];
+      const double speed = (obstacle.table ? obstacle.table->largest() : 1) * obstacle.velocity.norm();
+      for (const std::int32_t node : contact.nodes) energy += 0.5 * body_.lumpedMass()[node] * speed * speed;
+    }
   return energy;
 }
 
@@ -49,9 +81,19 @@ void TimedLoads::begin(const NodeVectors& x) {
 }
 
 double TimedLoads::setForces(double time, const NodeVectors& x) {
+  if (scene_.movesObstacles()) placeObstacles(scene_, time, *body_.discreteForces());
+  // Of the pressures, which follow the faces.
+  std::vector<Eigen::Vector3d> pressing(pressures_.empty() ? 0 : nodes_.size(), Eigen::Vector3d::Zero());
+  for (const Pressure& pressure : pressures_) {
+    const double now = pressure.load->pressure * (pressure.load->table ? pressure.load->table->at(time) : 1);
+    for (const FaceNodes& face : pressure.faces)
+      addPressure(face, now, x,
+                  [&](std::int32_t node, const Eigen::Vector3d& force) { pressing[placeOf_[node]] += force; });
+  }
   double gain = 0;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     Eigen::Vector3d force = constant_[i];
+    if (!pressing.empty()) force += pressing[i];
     for (const Force& timed : forces_) force += timed.table->at(time) * timed.values[i];
     const std::int32_t node = nodes_[i];
     auto now = body_.externalForce().col(node);
@@ -68,8 +110,14 @@ double TimedLoads::setForces(double time, const NodeVectors& x) {
 double TimedLoads::setVelocities(State& state, double h) {
   double given = 0;
   for (const Motion& motion : motions_) {
-    const Eigen::Vector3d velocity = motion.move->table->mean(state.time, h) * motion.move->velocity;
-    for (const std::int32_t node : motion.nodes)
+    for (const std::int32_t node : motion.nodes) {
+      const Eigen::Vector3d X = body_.mesh().X.col(node);
+      // Exact without a rotation, where positions would cancel.
+      const Eigen::Vector3d velocity =
+          motion.move->rotates()
+              ? Eigen::Vector3d(
+                    (motion.move->displacement(X, state.time + h) - motion.move->displacement(X, state.time)) / h)
+              : Eigen::Vector3d(motion.move->table->mean(state.time, h) * motion.move->velocity);
       for (int c = 0; c < 3; ++c) {
         if (!motion.move->components[c]) continue;
         double& v = state.v(c, node);
@@ -77,6 +125,7 @@ double TimedLoads::setVelocities(State& state, double h) {
         v = velocity[c];
         body_.constraints().move(node, c, velocity[c]);
       }
+    }
   }
   return given;
 }

@@ -3,27 +3,30 @@
 #include <vector>
 
 #include <ringwatch/app/scene/scene.h>
+#include <ringwatch/app/scene/scene_pressure.h>
 #include <ringwatch/integrators/integrator.h>
 
 namespace ringwatch {
 
-/// The forces and motions of a scene that follow tables of time, on its body. Forces have the value of the time of a
-/// state; a prescribed velocity has its mean over the step to come, so that positions at the ends of steps are exact.
+/// The forces and motions of a scene that follow tables of time, its rotations, pressures and moving obstacles, on its
+/// body. Forces have the
+/// value of the time of a state; a prescribed velocity has its mean over the step to come, so that positions at the
+/// ends of steps are exact.
 class TimedLoads {
  public:
   /// The body of the scene, with its constant loads. Both must outlive this.
   TimedLoads(const Scene& scene, Body& body);
 
-  bool any() const { return !forces_.empty() || !motions_.empty(); }
+  bool any() const { return !forces_.empty() || !motions_.empty() || !pressures_.empty() || scene_.movesObstacles(); }
   /// Kinetic energy, J, that the forces at their largest give the loaded nodes in a step of h seconds, and that of the
   /// moved nodes at their largest velocity: where a load begins with nothing, energies below that are no measure of a
   /// balance whose work is summed from state to state.
   double energyScale(double h) const;
   /// The work of the forces counts from a state on.
   void begin(const NodeVectors& x);
-  /// Sets the body's forces to those of a time (s) at positions x (3×N, m). Returns what the work of the forces, by the
-  /// trapezoidal rule from state to state, has gained on `force now · displacement since begin()`, J: the work that an
-  /// EnergyBalance knows.
+  /// Puts obstacles where they are at a time (s), and sets the body's forces to those of that time at positions x (3×N,
+  /// m). Returns what the work of the forces, by the trapezoidal rule from state to state, has gained on `force now ·
+  /// displacement since begin()`, J: the work that an EnergyBalance knows.
   double setForces(double time, const NodeVectors& x);
   /// Sets the prescribed velocities, of body and state, for the step from its time of h seconds. Returns the kinetic
   /// energy that the supports give, J.
@@ -34,14 +37,21 @@ class TimedLoads {
     std::vector<Eigen::Vector3d> values;  // N, at the nodes of `nodes_` with the same place; zero elsewhere
     const TimeTable* table;
   };
+  struct Pressure {
+    std::vector<FaceNodes> faces;
+    const Scene::Pressure* load;
+  };
   struct Motion {
     std::vector<std::int32_t> nodes;
     const Scene::Move* move;
   };
+  const Scene& scene_;
   Body& body_;
   std::vector<std::int32_t> nodes_;        // loaded, ascending
+  std::vector<std::int32_t> placeOf_;      // of a node in nodes_; empty without pressures
   std::vector<Eigen::Vector3d> constant_;  // N, that is always there
   std::vector<Force> forces_;
+  std::vector<Pressure> pressures_;
   std::vector<Motion> motions_;
   std::vector<Eigen::Vector3d> first_, last_;  // positions of the loaded nodes, m
 };

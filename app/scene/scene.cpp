@@ -7,9 +7,10 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
-#include <ringwatch/app/scene/scene_tables.h>
+#include <ringwatch/app/scene/scene_sections.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
@@ -21,10 +22,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Eigen::Vector3d vectorOf(const Json& value) {
-  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
-}
-
 std::array<bool, 3> componentsOf(const SceneTable& section) {
   const auto text = section.get<std::string>("components");
   const auto components = parseComponents(text);
@@ -32,15 +29,6 @@ std::array<bool, 3> componentsOf(const SceneTable& section) {
     fail(section.at("components").origin, section.name + ".components",
          inQuotes(text) + " names no components; must be some of x, y, z, each once");
   return *components;
-}
-
-NodeSelection selectionOf(const SceneTable& section) {
-  if (section.given("where") == section.given("set"))
-    fail(section.given("set") ? section.at("set").origin : section.origin, section.name + ".where",
-         section.given("set") ? "both where and set are given; give one of them"
-                              : "missing; give a condition, e.g. where = \"x < 1e-6\", or set = \"NAME\"");
-  if (section.given("set")) return {std::nullopt, section.get<std::string>("set"), section.where("set")};
-  return NodeSelection::parse(section.get<std::string>("where"), section.where("where"));
 }
 
 /// [mesh]: a file, or a generator with parameters that it takes.
@@ -142,15 +130,6 @@ void readMaterials(const std::vector<SceneTable>& sections, Scene& scene) {
   }
   scene.lumping = lumping->named("lumping", lumpingNames);
   if (rules) scene.rules = parseRules(rules->get<std::vector<std::string>>("rules"), rules->where("rules"));
-}
-
-/// "verlet and symplectic-euler": the names of the entries that have a trait.
-template <class Infos, class Trait>
-std::string namesWhere(const Infos& infos, const Trait& trait) {
-  std::vector<std::string_view> names;
-  for (const auto& info : infos)
-    if (trait(info)) names.push_back(info.name);
-  return fmt::format("{}", fmt::join(names, " and "));
 }
 
 void readIntegratorSection(const SceneTable& integrator, const SceneTable& monitor, const SceneTable& damping,
@@ -315,25 +294,6 @@ void readDevice(const SceneTable& integrator, Scene& scene) {
     fail(integrator.at("device").origin, "integrator.device", scene.noDevice + "; change that, or set it to \"cpu\"");
 }
 
-/// The table of time of a [[move]] or [[force]], where it has one.
-std::optional<TimeTable> tableOf(const SceneTable& section, Scene& scene) {
-  if (!section.given("times") && !section.given("factors")) {
-    if (section.given("ramp"))
-      fail(section.at("ramp").origin, section.name + ".ramp", "there is no table; give times and factors");
-    return std::nullopt;
-  }
-  for (const auto& [one, other] : {std::pair{"times", "factors"}, std::pair{"factors", "times"}})
-    if (!section.given(one))
-      fail(section.at(other).origin, section.name + "." + one, fmt::format("missing; it goes with {}", other));
-  if (scene.timed.empty()) scene.timed = section.where("times");
-  try {
-    return TimeTable(section.get<std::vector<double>>("times"), section.get<std::vector<double>>("factors"),
-                     section.named("ramp", rampNames));
-  } catch (const InputError& fault) {
-    fail(section.at("times").origin, section.name + ".times", fault.what());
-  }
-}
-
 /// Where loads follow tables of time, their forces are those of the states of a run: schemes must ask for no others.
 void checkTimedLoads(Scene& scene) {
   if (scene.timed.empty()) return;
@@ -341,14 +301,15 @@ void checkTimedLoads(Scene& scene) {
     return info.forceEvaluations == 1 && !info.partitioned && !info.adaptive && !std::isinf(info.imaginaryLimit);
   };
   if (!takes(*integratorCatalog().find(scene.method)))
-    throw InputError(fmt::format("{}: \"{}\" takes no tables of time; {} do", scene.timed, scene.method,
+    throw InputError(fmt::format("{}: \"{}\" takes no {}; {} do", scene.timed, scene.method, scene.timedBy,
                                  namesWhere(integratorInfos(), takes)));
   if (!scene.handler.empty())
-    throw InputError(fmt::format("{}: handlers take no tables of time; set handler.method = \"none\"", scene.timed));
-  if (!scene.cuts.empty()) throw InputError(fmt::format("{}: tables of time do not go with [[cut]]", scene.timed));
+    throw InputError(fmt::format("{}: handlers take no {}; set handler.method = \"none\"", scene.timed, scene.timedBy));
+  if (!scene.cuts.empty()) throw InputError(fmt::format("{}: {} do not go with [[cut]]", scene.timed, scene.timedBy));
   if (scene.device == RunDevice::cuda)
-    throw InputError(fmt::format("{}: \"cuda\": a GPU takes no tables of time; set it to \"cpu\"", scene.deviceOrigin));
-  if (scene.device == RunDevice::automatic) scene.noDevice = "a GPU takes no tables of time";
+    throw InputError(
+        fmt::format("{}: \"cuda\": a GPU takes no {}; set it to \"cpu\"", scene.deviceOrigin, scene.timedBy));
+  if (scene.device == RunDevice::automatic) scene.noDevice = fmt::format("a GPU takes no {}", scene.timedBy);
 }
 
 /// output.checkpoint_every: for what a state of positions and velocities tells all of.
@@ -385,13 +346,37 @@ void readInitialSection(const SceneTable& section, Scene& scene) {
       {selectionOf(section), given("velocity"), given("angular_velocity"), vectorOf(section.at("point").value)});
 }
 
+Scene::Move moveOf(const SceneTable& section, NodeSelection nodes, Scene& scene) {
+  if (!section.given("velocity") && !section.given("angular_velocity"))
+    fail(section.origin, "move.velocity", "missing; give velocity (m/s) or angular_velocity (rad/s)");
+  if (section.given("point") && !section.given("angular_velocity"))
+    fail(section.at("point").origin, "move.point", "there is no angular_velocity for it");
+  const auto given = [&](const char* key) {
+    return section.given(key) ? vectorOf(section.at(key).value) : Eigen::Vector3d(0, 0, 0);
+  };
+  Scene::Move move{std::move(nodes),        componentsOf(section),     given("velocity"),
+                   tableOf(section, scene), given("angular_velocity"), vectorOf(section.at("point").value)};
+  // Its direction changes with time, as with a table.
+  if (move.rotates() && scene.timed.empty()) {
+    scene.timed = section.where("angular_velocity");
+    scene.timedBy = "rotations";
+  }
+  return move;
+}
+
 void readLoadSection(const SceneTable& section, Scene& scene) {
   NodeSelection nodes = selectionOf(section);
   if (section.name == "fix") {
     scene.fixes.push_back({std::move(nodes), componentsOf(section)});
   } else if (section.name == "move") {
-    scene.moves.push_back(
-        {std::move(nodes), componentsOf(section), vectorOf(section.at("velocity").value), tableOf(section, scene)});
+    scene.moves.push_back(moveOf(section, std::move(nodes), scene));
+  } else if (section.name == "pressure") {
+    scene.pressures.push_back({std::move(nodes), section.get<double>("pressure"), tableOf(section, scene),
+                               section.origin + ": [[pressure]]"});
+    if (scene.timed.empty()) {
+      scene.timed = section.origin + ": [[pressure]]";
+      scene.timedBy = "pressures";
+    }
   } else {
     std::vector<std::string> given;
     for (const char* key : {"acceleration", "force", "each"})
@@ -459,6 +444,39 @@ Json echoOf(const std::vector<SceneTable>& sections) {
 
 }  // namespace
 
+Eigen::Vector3d vectorOf(const Json& value) {
+  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+NodeSelection selectionOf(const SceneTable& section, const std::string& prefix) {
+  const std::string where = prefix + "where", set = prefix + "set";
+  if (section.given(where) == section.given(set))
+    fail(section.given(set) ? section.at(set).origin : section.origin, section.name + "." + where,
+         section.given(set)
+             ? fmt::format("both {} and {} are given; give one of them", where, set)
+             : fmt::format("missing; give a condition, e.g. {} = \"x < 1e-6\", or {} = \"NAME\"", where, set));
+  if (section.given(set)) return {std::nullopt, section.get<std::string>(set), section.where(set)};
+  return NodeSelection::parse(section.get<std::string>(where), section.where(where));
+}
+
+std::optional<TimeTable> tableOf(const SceneTable& section, Scene& scene) {
+  if (!section.given("times") && !section.given("factors")) {
+    if (section.given("ramp"))
+      fail(section.at("ramp").origin, section.name + ".ramp", "there is no table; give times and factors");
+    return std::nullopt;
+  }
+  for (const auto& [one, other] : {std::pair{"times", "factors"}, std::pair{"factors", "times"}})
+    if (!section.given(one))
+      fail(section.at(other).origin, section.name + "." + one, fmt::format("missing; it goes with {}", other));
+  if (scene.timed.empty()) scene.timed = section.where("times");
+  try {
+    return TimeTable(section.get<std::vector<double>>("times"), section.get<std::vector<double>>("factors"),
+                     section.named("ramp", rampNames));
+  } catch (const InputError& fault) {
+    fail(section.at("times").origin, section.name + ".times", fault.what());
+  }
+}
+
 NodeSelection NodeSelection::parse(const std::string& text, const std::string& origin) {
   if (text.rfind("set:", 0) == 0) return {std::nullopt, text.substr(4), origin};
   try {
@@ -489,7 +507,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
   readHandlerSection(section("handler"), section("integrator"), section("monitor"), section("damping"), scene);
   readDevice(section("integrator"), scene);
   for (const SceneTable& s : sections)
-    if (s.name == "fix" || s.name == "move" || s.name == "force") readLoadSection(s, scene);
+    if (s.name == "fix" || s.name == "move" || s.name == "force" || s.name == "pressure") readLoadSection(s, scene);
 
   for (const SceneTable& s : sections)
     if (s.name == "initial") readInitialSection(s, scene);
@@ -502,6 +520,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
     throw InputError(fmt::format("{}: \"cuda\": a GPU runs no cuts; set it to \"cpu\"", scene.deviceOrigin));
   if (!scene.cuts.empty() && scene.device == RunDevice::automatic) scene.noDevice = "a GPU runs no cuts";
   checkTimedLoads(scene);
+  readDiscreteSections(sections, scene);
 
   const SceneTable& output = section("output");
   if (output.given("every")) {

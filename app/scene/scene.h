@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <limits>
@@ -15,6 +16,7 @@
 #include <ringwatch/app/scene/time_table.h>
 #include <ringwatch/app/scene/where_expression.h>
 #include <ringwatch/body/body.h>
+#include <ringwatch/body/obstacle.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh.h>
@@ -74,6 +76,14 @@ struct Scene {
     std::array<bool, 3> components;
     Eigen::Vector3d velocity;        // m/s
     std::optional<TimeTable> table;  // its factor; empty: 1
+    /// rad/s, about an axis through `point` (m) that stays; the table is its factor too
+    Eigen::Vector3d angularVelocity = Eigen::Vector3d::Zero(), point = Eigen::Vector3d::Zero();
+
+    bool rotates() const { return !angularVelocity.isZero(0); }
+    /// Displacement of a node from where it was at rest, X (m), at a time (s), m.
+    Eigen::Vector3d displacement(const Eigen::Vector3d& X, double time) const;
+    /// Its velocity at time zero, m/s.
+    Eigen::Vector3d velocityAtStart(const Eigen::Vector3d& X) const;
   };
   /// Velocities at the start, on top of those of others.
   struct Initial {
@@ -88,6 +98,46 @@ struct Scene {
     std::optional<Eigen::Vector3d> total;         // N, spread over the nodes by mass
     std::optional<Eigen::Vector3d> each;          // N, on each of the nodes
     std::optional<TimeTable> table;               // its factor; empty: 1
+  };
+
+  /// Mass at nodes that no element has.
+  struct PointMass {
+    NodeSelection nodes;
+    double mass;  // kg, of all nodes together
+  };
+  /// A spring and a dashpot at each of some nodes.
+  struct SpringSet {
+    NodeSelection nodes;
+    std::optional<NodeSelection> to;           // each to the nearest of these; empty: to the ground
+    double stiffness, damping;                 // N/m, N s/m, of each
+    std::optional<Eigen::Vector3d> direction;  // to the ground
+    std::optional<double> length;              // m, at rest; empty: as it is at the start
+    std::string origin;                        // "scene.toml:31: [[spring]]", for messages
+  };
+  struct MovingObstacle {
+    std::string name;
+    const ObstacleKind* kind;
+    ObstacleParameters parameters;
+    Eigen::Vector3d velocity;        // m/s
+    std::optional<TimeTable> table;  // its factor; empty: 1
+    std::string origin;
+  };
+  struct Contact {
+    std::optional<NodeSelection> nodes;  // empty: the surface
+    std::vector<std::size_t> obstacles;  // of the scene's
+    std::optional<double> penalty;       // N/m; empty for "auto"
+    double step = 0;                     // s, that "auto" leaves
+    double damping = 0;                  // share of the critical damping of a node on its penalty
+    double friction = 0, slip = 0;       // slip: m/s
+    std::string origin, penaltyOrigin;
+  };
+
+  /// Pressure on the faces of the surface all of whose corners are selected, along their normals as they are.
+  struct Pressure {
+    NodeSelection nodes;
+    double pressure;                 // Pa
+    std::optional<TimeTable> table;  // its factor; empty: 1
+    std::string origin;
   };
 
   struct Cut {
@@ -140,8 +190,14 @@ struct Scene {
   std::vector<Move> moves;
   std::vector<Force> forces;
   std::vector<Initial> initials;
-  std::string timed;      // "scene.toml:12: move.times", of the first load or motion with a table; "" for none
-  std::vector<Cut> cuts;  // by time
+  std::vector<PointMass> pointMasses;
+  std::vector<SpringSet> springs;
+  std::vector<MovingObstacle> obstacles;
+  std::vector<Contact> contacts;
+  std::vector<Pressure> pressures;
+  std::string timed;  // "scene.toml:12: move.times", of the first load or motion that changes in time; "" for none
+  std::string timedBy = "tables of time";  // or what else changes it
+  std::vector<Cut> cuts;                   // by time
 
   std::optional<double> checkpointInterval;  // s; empty for no checkpoints
   std::optional<double> frameInterval;       // s; empty for no frames
@@ -150,6 +206,15 @@ struct Scene {
   bool energy = true;
   bool picture = true;
 
+  /// Whether there are springs or contact.
+  bool hasDiscreteForces() const { return !springs.empty() || !contacts.empty(); }
+  /// Where the first of them is, for messages: "scene.toml:31: [[spring]]".
+  std::string discreteOrigin() const { return springs.empty() ? contacts.front().origin : springs.front().origin; }
+  /// Whether there is contact with obstacles that move.
+  bool movesObstacles() const {
+    return !contacts.empty() && std::any_of(obstacles.begin(), obstacles.end(),
+                                            [](const MovingObstacle& one) { return !one.velocity.isZero(0); });
+  }
   /// Whether the monitor proves anything; a metric does not.
   bool proves() const { return mode != MonitorMode::metric; }
   bool monitored() const { return proves() || !metric.empty(); }
@@ -189,8 +254,9 @@ std::vector<Eigen::Vector3d> nodalForces(const Scene::Force& force, const std::v
 int threadsThatPay(int requested, const Mesh& mesh);
 /// The mesh of a scene, read or generated. notes: what a reader has to tell.
 Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes);
-/// The body of a scene with its materials, constraints and forces. materials: by the mesh where it is one of an earlier
-/// body of the scene. Throws InputError for selections without nodes or elements, and as assignMaterials.
+/// The body of a scene with its materials, point masses, constraints, forces, springs and contact. materials: by the
+/// mesh where it is one of an earlier body of the scene. Throws InputError for selections without nodes or elements,
+/// and as assignMaterials.
 Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy materials = MaterialsBy::scene);
 
 }  // namespace ringwatch

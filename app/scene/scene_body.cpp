@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/app/scene/scene_mesh.h>
+#include <ringwatch/app/scene/scene_pressure.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/parallel.h>
@@ -27,9 +29,9 @@ class PrescribedMotions {
   explicit PrescribedMotions(std::int32_t nodes) : by_(3 * static_cast<std::size_t>(nodes), -1) {}
 
   void add(const std::string& origin, const std::vector<std::int32_t>& nodes, const std::array<bool, 3>& components,
-           const Eigen::Vector3d& velocity, const std::optional<TimeTable>& table = {}) {
+           const Eigen::Vector3d& velocity, const std::optional<TimeTable>& table = {}, bool rotates = false) {
     const std::int32_t own = all_.size();
-    all_.push_back({origin, velocity, table});
+    all_.push_back({origin, velocity, table, rotates});
     std::map<std::int32_t, std::pair<std::size_t, int>> conflicts;  // of an earlier one: shared nodes, first component
     for (const std::int32_t node : nodes) {
       std::int32_t counted = -1;
@@ -38,7 +40,8 @@ class PrescribedMotions {
         std::int32_t& by = by_[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(c)];
         if (by < 0) {
           by = own;
-        } else if ((all_[by].velocity[c] != velocity[c] || (velocity[c] != 0 && all_[by].table != table)) &&
+        } else if ((rotates || all_[by].rotates || all_[by].velocity[c] != velocity[c] ||
+                    (velocity[c] != 0 && all_[by].table != table)) &&
                    by != counted) {
           conflicts.try_emplace(by, 0, c).first->second.first += 1;
           counted = by;
@@ -48,6 +51,11 @@ class PrescribedMotions {
     if (conflicts.empty()) return;
     const auto& [other, shared] = *conflicts.begin();
     const auto& [count, c] = shared;
+    if (rotates || all_[other].rotates)
+      throw InputError(fmt::format(
+          "{}: {} and {} prescribe the motion of {} node{} of both along {}; change a condition "
+          "or components so that no node has two",
+          origin, rotates ? "a rotation" : "it", all_[other].origin, count, count == 1 ? "" : "s", "xyz"[c]));
     throw InputError(fmt::format(
         "{}: it prescribes another velocity than {} at {} node{} of both ({} and {} m/s along {}); change "
         "a condition or "
@@ -60,6 +68,7 @@ class PrescribedMotions {
     std::string origin;
     Eigen::Vector3d velocity;  // m/s
     std::optional<TimeTable> table;
+    bool rotates;
   };
   std::vector<Motion> all_;
   std::vector<std::int32_t> by_;  // [node][component]: which of all_; -1: none
@@ -170,6 +179,7 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
   } catch (const NumericalError& fault) {
     throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));  // the mesh is what the user can mend
   }
+  addPointMasses(scene, *body);
   PrescribedMotions prescribed(body->nodeCount());
   for (const Scene::Fix& fix : scene.fixes) {
     const std::vector<std::int32_t> nodes = fix.nodes.nodesOf(body->mesh());
@@ -180,13 +190,16 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
   }
   for (const Scene::Move& move : scene.moves) {
     const std::vector<std::int32_t> nodes = move.nodes.nodesOf(body->mesh());
-    prescribed.add(move.nodes.origin, nodes, move.components, move.velocity, move.table);
-    for (std::int32_t node : nodes)
+    prescribed.add(move.nodes.origin, nodes, move.components, move.velocity, move.table, move.rotates());
+    for (std::int32_t node : nodes) {
+      const Eigen::Vector3d start = move.velocityAtStart(body->mesh().X.col(node));
       for (int c = 0; c < 3; ++c) {
         if (!move.components[c]) continue;
-        body->constraints().move(node, c, move.velocity[c]);  // whose factor may be 0 at the start: it is a motion
-        if (move.table) body->constraints().move(node, c, move.table->at(0) * move.velocity[c]);
+        // Its factor may be 0 at the start: it is a motion.
+        body->constraints().move(node, c, move.rotates() ? 1 : move.velocity[c]);
+        body->constraints().move(node, c, start[c]);
       }
+    }
   }
   for (const Scene::Force& force : scene.forces) {
     const std::vector<std::int32_t> nodes = force.nodes.nodesOf(body->mesh());
@@ -196,6 +209,8 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
   }
   for (const Scene::Initial& initial : scene.initials)
     initial.nodes.nodesOf(body->mesh());  // throws before a run begins
+  for (const Scene::Pressure& pressure : scene.pressures) pressedFaces(pressure, body->mesh());  // likewise
+  addDiscreteForces(scene, *body);
   return std::move(*body);
 }
 

@@ -12,6 +12,7 @@
 #include <ringwatch/app/scene/scene_mesh.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/body/obstacle.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/materials/registry.h>
@@ -26,7 +27,7 @@ constexpr SceneRange atLeastOne{1, infinity, true, true};
 constexpr SceneRange share{0, 1, true, false};   // 0 <= s < 1
 constexpr SceneRange factor{0, 1, false, true};  // 0 < s <= 1
 
-constexpr std::array<SceneSection, 12> sections{{
+constexpr std::array<SceneSection, 17> sections{{
     {"mesh", false, true, "a file or a generator with its parameters"},
     {"material", false, true,
      "one material for the whole body, or several [[material]], each for the elements that it selects", true},
@@ -37,22 +38,37 @@ constexpr std::array<SceneSection, 12> sections{{
     {"fix", true, false, "nodes that stay; each [[fix]] adds to the others"},
     {"initial", true, false,
      "velocities at the start, where motion is not prescribed; each [[initial]] adds to the others"},
-    {"move", true, false, "nodes that move at a constant velocity, or one that follows a table of time"},
+    {"move", true, false,
+     "nodes that move at a constant velocity, or one that follows a table of time, and turn about an axis"},
     {"force", true, false, "dead loads, constant or following a table of time"},
+    {"pressure", true, false,
+     "pressure on the surface, which follows its normals; its load stiffness is outside the proof"},
+    {"mass", true, false, "point masses: parts that are not meshed; each [[mass]] adds to the others"},
+    {"spring", true, false, "springs and dashpots, from nodes to the ground or to other nodes"},
+    {"obstacle", true, false, "rigid bodies in closed form that nodes of a [[contact]] cannot enter, fixed or moving"},
+    {"contact", true, false,
+     "penalty contact of nodes with obstacles, with viscous damping and Coulomb friction; sliding friction is outside "
+     "the proof"},
     {"cut", true, false,
      "cuts through a mesh of tetrahedra along a plane or a swept line; lips may pass through each other"},
     {"output", false, false, "what is written besides history.csv and summary.json"},
 }};
 
-constexpr std::array<SceneAlternative, 9> alternatives{{
+constexpr std::array<SceneAlternative, 15> alternatives{{
     {"mesh", "file", "generate"},
     {"material", "where", "set", SceneAlternative::Need::oneOfMany},
     {"fix", "where", "set"},
     {"initial", "where", "set"},
     {"initial", "velocity", "angular_velocity", SceneAlternative::Need::any},
     {"move", "where", "set"},
+    {"move", "velocity", "angular_velocity", SceneAlternative::Need::any},
     {"force", "where", "set"},
     {"force", "acceleration", "force"},
+    {"pressure", "where", "set"},
+    {"mass", "where", "set"},
+    {"spring", "where", "set"},
+    {"spring", "to_where", "to_set", SceneAlternative::Need::atMostOne},
+    {"contact", "where", "set", SceneAlternative::Need::atMostOne},
     {"cut", "point", "line"},
 }};
 
@@ -393,7 +409,16 @@ void addMotionAndLoads(std::vector<SceneKey>& all) {
   addTable(all, "move", "velocity");
   add(all, "move",
       {
-          {.key = "velocity", .type = T::vector, .unit = "m/s", .required = true, .help = "prescribed velocity"},
+          {.key = "velocity",
+           .type = T::vector,
+           .unit = "m/s",
+           .help = "prescribed velocity; or give angular_velocity, or both"},
+          {.key = "angular_velocity",
+           .type = T::vector,
+           .unit = "rad/s",
+           .help = "rotation about an axis of this direction that stays, exact at the ends of steps; the table is its "
+                   "factor too. With integrators of one force a step, without handler, cuts and GPU"},
+          {.key = "point", .type = T::vector, .unit = "m", .fallback = "[0.0, 0.0, 0.0]", .help = "on the axis"},
           {.key = "components",
            .type = T::text,
            .fallback = "\"xyz\"",
@@ -409,6 +434,116 @@ void addMotionAndLoads(std::vector<SceneKey>& all) {
            .help = "force = mass x acceleration; or give force or each"},
           {.key = "force", .type = T::vector, .unit = "N", .help = "total force, spread over the nodes by mass"},
           {.key = "each", .type = T::vector, .unit = "N", .help = "force on each of the nodes"},
+      });
+  addNodes(all, "pressure");
+  addTable(all, "pressure", "pressure");
+  add(all, "pressure",
+      {{.key = "pressure",
+        .type = T::number,
+        .unit = "Pa",
+        .required = true,
+        .help = "on the faces all of whose corners are selected, inwards where > 0. With integrators of one force a "
+                "step, without handler, cuts and GPU"}});
+}
+
+void addDiscrete(std::vector<SceneKey>& all) {
+  addNodes(all, "mass");
+  add(all, "mass",
+      {{.key = "mass",
+        .type = T::number,
+        .unit = "kg",
+        .required = true,
+        .range = positive,
+        .help = "of all the nodes together, which share it equally"}});
+  addNodes(all, "spring");
+  add(all, "spring",
+      {
+          {.key = "to_where",
+           .type = T::text,
+           .help = "the other ends: each node's spring leads to the nearest of these; without, to the ground"},
+          {.key = "to_set", .type = T::text, .help = "named node set of the mesh, instead of to_where"},
+          {.key = "stiffness",
+           .type = T::number,
+           .unit = "N/m",
+           .required = true,
+           .range = notNegative,
+           .help = "of the spring of each node"},
+          {.key = "damping",
+           .type = T::number,
+           .unit = "N s/m",
+           .fallback = "0.0",
+           .range = notNegative,
+           .help = "of the dashpot beside it; with symplectic-euler and verlet"},
+          {.key = "direction",
+           .type = T::vector,
+           .help = "in which alone a spring to the ground acts; without, it acts in all"},
+          {.key = "length",
+           .type = T::number,
+           .unit = "m",
+           .range = notNegative,
+           .help = "at rest, between two nodes; without, their distance at the start"},
+      });
+  std::vector<std::string> kinds;
+  std::string listing;
+  for (const ObstacleKind& kind : allObstacleKinds()) {
+    kinds.emplace_back(kind.name);
+    listing += fmt::format("{}{}: {}", listing.empty() ? "" : "; ", kind.name, kind.help);
+  }
+  add(all, "obstacle",
+      {
+          {.key = "kind", .type = T::text, .required = true, .choices = kinds, .help = listing},
+          {.key = "name", .type = T::text, .help = "for [[contact]]; without, \"obstacle N\", N counted from 0"},
+          {.key = "point",
+           .type = T::vector,
+           .unit = "m",
+           .fallback = "[0.0, 0.0, 0.0]",
+           .help = "on the plane, on the cylinder's axis at half its length, or the centre"},
+          {.key = "normal", .type = T::vector, .help = "of a plane, out of the obstacle"},
+          {.key = "axis", .type = T::vector, .help = "direction of a cylinder"},
+          {.key = "radius", .type = T::number, .unit = "m", .range = positive, .help = "of a sphere or cylinder"},
+          {.key = "length", .type = T::number, .unit = "m", .range = positive, .help = "of a cylinder with flat ends"},
+          {.key = "size", .type = T::vector, .unit = "m", .range = positive, .help = "edge lengths of a box"},
+          {.key = "hollow", .type = T::boolean, .fallback = "false", .help = "the body is inside a sphere or cylinder"},
+          {.key = "velocity",
+           .type = T::vector,
+           .unit = "m/s",
+           .fallback = "[0.0, 0.0, 0.0]",
+           .help = "at which it moves from the start"},
+      });
+  addTable(all, "obstacle", "velocity");
+  addNodes(all, "contact");
+  add(all, "contact",
+      {
+          {.key = "obstacle", .type = T::text, .help = "name of the obstacle; without, all of them"},
+          {.key = "penalty",
+           .type = T::numberOrAuto,
+           .unit = "N/m",
+           .fallback = "\"auto\"",
+           .range = positive,
+           .help = "stiffness at each node; \"auto\": so soft that a node alone stays in contact for 20 steps, and "
+                   "that the step "
+                   "has room for it beside the elements at rest"},
+          {.key = "step",
+           .type = T::number,
+           .unit = "s",
+           .range = positive,
+           .help = "that penalty = \"auto\" is made for; without, integrator.step"},
+          {.key = "damping",
+           .type = T::number,
+           .fallback = "0.0",
+           .range = notNegative,
+           .help = "share of the critical damping of a node on its penalty; with symplectic-euler and verlet"},
+          {.key = "friction",
+           .type = T::number,
+           .fallback = "0.0",
+           .range = notNegative,
+           .help = "Coulomb's coefficient; with symplectic-euler and verlet"},
+          {.key = "slip",
+           .type = T::number,
+           .unit = "m/s",
+           .fallback = "0.01",
+           .range = positive,
+           .help = "speed below that friction is viscous, so that surfaces that stick creep"},
       });
 }
 
@@ -484,8 +619,8 @@ void addOutput(std::vector<SceneKey>& all) {
 
 std::vector<SceneKey> makeKeys() {
   std::vector<SceneKey> all;
-  for (const auto addSection :
-       {addMesh, addMaterial, addIntegrator, addDamping, addMonitor, addHandler, addMotionAndLoads, addCut, addOutput})
+  for (const auto addSection : {addMesh, addMaterial, addIntegrator, addDamping, addMonitor, addHandler,
+                                addMotionAndLoads, addDiscrete, addCut, addOutput})
     addSection(all);
   return all;
 }

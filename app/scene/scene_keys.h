@@ -56,6 +56,7 @@ struct SceneAlternative {
   enum class Need {
     one,        ///< exactly one must be given
     any,        ///< one or both
+    atMostOne,  ///< neither or one
     oneOfMany,  ///< at most one, and exactly one where the section is a list of two and more
   };
   std::string_view section, first, second;

@@ -4,6 +4,29 @@
 
 namespace ringwatch {
 
+namespace {
+
+/// The integral of the factor from time zero, s.
+double integral(const std::optional<TimeTable>& table, double time) {
+  if (!(time > 0)) return 0;
+  return table ? table->mean(0, time) * time : time;
+}
+
+}  // namespace
+
+Eigen::Vector3d Scene::Move::displacement(const Eigen::Vector3d& X, double time) const {
+  const double way = integral(table, time);
+  Eigen::Vector3d u = way * velocity;
+  if (!rotates()) return u;
+  const double speed = angularVelocity.norm();
+  const Eigen::AngleAxisd turn(way * speed, angularVelocity / speed);
+  return u + turn * (X - point) - (X - point);
+}
+
+Eigen::Vector3d Scene::Move::velocityAtStart(const Eigen::Vector3d& X) const {
+  return (table ? table->at(0) : 1) * (velocity + angularVelocity.cross(X - point));
+}
+
 State sceneInitialState(const Scene& scene, const BodySystem& system) {
   State state = system.initialState();
   for (const Scene::Initial& initial : scene.initials)

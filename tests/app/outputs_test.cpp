@@ -68,6 +68,7 @@ TEST_F(Outputs, SummariesHaveTheKeysThatHelpExplains) {
   addKeys(
       summaryOf("'" RINGWATCH_EXAMPLES "/four_cuts.toml' --set integrator.end=0.22 --set cut.0.critical_step=true", 0),
       "", seen);
+  addKeys(summaryOf("'" RINGWATCH_EXAMPLES "/rubber_block.toml' --set contact.0.penalty=3e6", 1), "", seen);
   for (const std::string& key : seen) EXPECT_TRUE(isExplained(key)) << key;
   for (const OutputField& field : summaryKeys())
     if (field.name.ends_with(".*")) {

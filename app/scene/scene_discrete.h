@@ -1,0 +1,34 @@
+#pragma once
+#include <ringwatch/app/scene/scene.h>
+#include <ringwatch/app/scene/scene_tables.h>
+
+namespace ringwatch {
+
+/// Reads the [[mass]], [[spring]], [[obstacle]] and [[contact]] of a scene whose other sections have been read, and
+/// checks that they go with these. Throws InputError.
+void readDiscreteSections(const std::vector<SceneTable>& sections, Scene& scene);
+
+/// Adds the point masses of a scene to its body. Throws InputError for selections without nodes.
+void addPointMasses(const Scene& scene, Body& body);
+/// Gives the body the springs and contact of its scene, if there are any; obstacles are where they are at the start.
+/// Throws InputError for selections without nodes, obstacles that start inside the body, and a penalty "auto" that
+/// cannot be had.
+void addDiscreteForces(const Scene& scene, Body& body);
+
+/// The rule of the steps of a scene on its body. With dashpots it is exact at the scene's step; the body's discrete
+/// forces then count their damping for that step (DiscreteForces::setDampingFactor).
+StepRule sceneStepRule(const Scene& scene, Body& body);
+
+/// How far the penalties of contact could grow.
+struct PenaltyRoom {
+  double elementsAlone = 0;  ///< s, that the elements at rest prove without springs and contact
+  double penalty = 0;        ///< N/m at each contact node, with which `share` of that step is proven
+  double share = 0.95;
+};
+/// Of a scene's body at rest; empty where the elements prove nothing. Theorem 46, docs/theory/discrete_forces.md.
+std::optional<PenaltyRoom> penaltyRoom(const Scene& scene, const Body& body);
+
+/// Puts the obstacles of a scene where they are at a time, s.
+void placeObstacles(const Scene& scene, double time, DiscreteForces& forces);
+
+}  // namespace ringwatch
