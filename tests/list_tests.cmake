@@ -1,8 +1,10 @@
-# cmake -D PROGRAM=… -D FOLDER=… -D SLOW=pattern:pattern -D TOGETHER=Suite:Suite -D OUTPUT=… -P list_tests.cmake
+# cmake -D PROGRAM=… -D FOLDER=… -D SLOW=pattern:pattern -D TOGETHER=Suite:Suite -D SHARDS=N -D OUTPUT=… -P list_tests.cmake
 # Writes the cases of a GoogleTest program for ctest, as FOLDER.Suite.Case with the labels FOLDER and fast or slow. CMake's
 # own gtest_discover_tests cannot: it puts the C++ type into the names of typed tests, and its labels are one at a time.
 # A case that says so is skipped, and so is one whose program is built without VTK (meshes/formats/vtu_writer.cpp), however it ends.
 # Suites that make a costly result once for all their cases are TOGETHER: one slow test each, FOLDER.Suite.
+# With N > 0 there are N slow tests instead, FOLDER.shard_K, of an N-th of the cases each: under a sanitizer a process
+# takes longer to start than most cases take.
 cmake_minimum_required(VERSION 3.25)
 cmake_path(GET OUTPUT PARENT_PATH folder)
 function(write_test name filter speed)
@@ -36,6 +38,15 @@ function(write_cases filter speed found)
 endfunction()
 
 file(WRITE ${OUTPUT} "")
+if(SHARDS GREATER 0)
+  math(EXPR last "${SHARDS} - 1")
+  foreach(shard RANGE ${last})
+    file(APPEND ${OUTPUT} "add_test([=[${FOLDER}.shard_${shard}]=] ${PROGRAM} --gtest_brief=1)\n"
+      "set_tests_properties([=[${FOLDER}.shard_${shard}]=] PROPERTIES LABELS \"${FOLDER};slow\" WORKING_DIRECTORY ${folder}"
+      " ENVIRONMENT \"GTEST_TOTAL_SHARDS=${SHARDS};GTEST_SHARD_INDEX=${shard}\")\n")
+  endforeach()
+  return()
+endif()
 string(REPLACE ":" ";" TOGETHER "${TOGETHER}")
 string(REPLACE ":" ";" patterns "${SLOW}")
 foreach(pattern IN LISTS patterns)

@@ -11,8 +11,10 @@ import tempfile
 
 # Stands for a GoogleTest program: lists its cases by the patterns of --gtest_filter.
 PROGRAM = """#!/usr/bin/env python3
-import fnmatch, sys
+import fnmatch, os, sys
 CASES = ["Plain.First", "Plain.Second", "All/Typed.Holds/tet4", "Costly.One", "Costly.Two"]
+if "--gtest_brief=1" in sys.argv:  # runs a share of all
+    sys.exit(os.environ["GTEST_TOTAL_SHARDS"] != "3" or os.environ["GTEST_SHARD_INDEX"] == "1")
 if "--gtest_list_tests" not in sys.argv:  # runs a case
     print({"Plain.First": "fine", "Plain.Second": "wrong", "All/Typed.Holds/tet4": "[  SKIPPED ] All/Typed.Holds/tet4"}.get(
         sys.argv[1].partition("=")[2], "ringwatch: frames: this build is without VTK; install it"))
@@ -30,13 +32,13 @@ for case in CASES:
 """
 
 
-def listing(cmake, folder, slow, together=""):
+def listing(cmake, folder, slow, together="", shards=0):
     program, output = folder / "program", folder / "cases.cmake"
     program.write_text(PROGRAM)
     program.chmod(0o755)
     script = pathlib.Path(__file__).resolve().parent.parent / "list_tests.cmake"
     run = subprocess.run([cmake, "-D", f"PROGRAM={program}", "-D", "FOLDER=plain", "-D", f"SLOW={slow}", "-D",
-                          f"TOGETHER={together}", "-D", f"OUTPUT={output}", "-P", str(script)],
+                          f"TOGETHER={together}", "-D", f"SHARDS={shards}", "-D", f"OUTPUT={output}", "-P", str(script)],
                          capture_output=True, text=True)
     return run, output.read_text() if output.exists() else None
 
@@ -73,6 +75,11 @@ def main():
             run, text = listing(cmake, folder, slow, together)
             expect(run.returncode != 0 and what in run.stderr and text is None,
                    f"{slow} {together}: status {run.returncode}, {run.stderr}")
+        run, text = listing(cmake, folder, "Plain.*", "Costly", 3)
+        expect(run.returncode == 0 and text.count("add_test(") == 3, f"{run.stderr}{text}")
+        ran = subprocess.run([sys.argv[2], "--test-dir", str(folder)], capture_output=True, text=True).stdout
+        results = [(line.split()[3], "Passed" in line) for line in ran.splitlines() if " Test #" in line]
+        expect(results == [("plain.shard_0", True), ("plain.shard_1", False), ("plain.shard_2", True)], ran)
     print("cases are listed once; patterns without a case are refused")
 
 
