@@ -14,6 +14,11 @@ namespace ringwatch {
 
 SceneStart startOf(const std::filesystem::path& file, const std::vector<std::string>& overrides, int threads) {
   Scene scene = readScene(file, overrides);
+  if (scene.hasDiscreteForces())
+    throw InputError(
+        fmt::format("{}: a plan at the start of a run takes no springs and contact, whose stiffness comes and goes "
+                    "later; ringwatch run watches them",
+                    scene.discreteOrigin()));
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
   if (!(info.imaginaryLimit > 0) || std::isinf(info.imaginaryLimit) || info.partitioned)
     throw InputError(
