@@ -1,6 +1,6 @@
-"""CalculiX: its own test decks as scenes, and its results audited.
+"""CalculiX: its own test decks as scenes, its assembled matrices in our bracket, its results audited.
 
-usage: calculix_test.py decks|audit RINGWATCH DECKS_OF_OURS
+usage: calculix_test.py decks|matrices|audit RINGWATCH DECKS_OF_OURS
 """
 
 import collections
@@ -102,6 +102,58 @@ def check_counts(name, text, read):
     assert sum(read["mesh"]["elements"].values()) == elements, (name, read["mesh"]["elements"], elements)
 
 
+def bar(kind):
+    """A distorted bar of one element type: nodes, elements."""
+    result = call("mesh", "generate", "bar", "--size", "0.16,0.04,0.04", "--cells", "3,2,2", "--element", kind, "--jitter",
+                  "0.15", "-o", "bar.msh")
+    assert result.returncode == 0, result.stderr
+    import meshio
+
+    mesh = meshio.read(work / "bar.msh")
+    return mesh.points, mesh.cells[0].data
+
+
+def matrices():
+    """The stiffness that CalculiX assembles, with our lumped masses, lies in the bracket of inspect."""
+    import numpy as np
+    import support
+
+    support.need("meshio")
+    kinds = {"C3D4": "tet4", "C3D6": "wedge6", "C3D8": "hex8", "C3D10": "tet10", "C3D20": "hex20", "C3D20R": "hex20"}
+    for type_, kind in kinds.items():
+        points, cells = bar(kind)
+        lines = ["*NODE, NSET=Nall"] + [f"{i + 1}, {x:.12g}, {y:.12g}, {z:.12g}" for i, (x, y, z) in enumerate(points)]
+        lines.append(f"*ELEMENT, TYPE={type_}, ELSET=Eall")
+        for e, cell in enumerate(cells):
+            words = [str(e + 1)] + [str(n + 1) for n in cell]
+            lines += [", ".join(words[i : i + 16]) + ("," if i + 16 < len(words) else "") for i in range(0, len(words), 16)]
+        held = [str(i + 1) for i in np.flatnonzero(points[:, 0] < 1e-9)]
+        lines += ["*NSET, NSET=held"] + [", ".join(held[i : i + 16]) for i in range(0, len(held), 16)]
+        lines += ["*MATERIAL, NAME=m", "*ELASTIC", "1e6, 0.3", "*DENSITY", "1000.", "*SOLID SECTION, ELSET=Eall, MATERIAL=m"]
+        lines += ["*BOUNDARY", "held, 1, 3", "*STEP", "*FREQUENCY, SOLVER=MATRIXSTORAGE", "1", "*END STEP"]
+        (work / "m.inp").write_text("\n".join(lines) + "\n")
+        result = run_ccx("m")
+        assert (work / "m.sti").exists(), result.stdout[-500:]
+        dofs = [line.split(".") for line in (work / "m.dof").read_text().split()]
+        rows = np.loadtxt(work / "m.sti")
+        K = np.zeros((len(dofs), len(dofs)))
+        i, j = rows[:, 0].astype(int) - 1, rows[:, 1].astype(int) - 1
+        K[i, j] = rows[:, 2]
+        K[j, i] = rows[:, 2]
+        read = call("inspect", "m.inp", "--json", "-", "--global", "--metric", "pressure-wave")
+        assert read.returncode == 0, read.stderr
+        step = json.loads(read.stdout)["critical_step"]
+        # Their stiffness with the masses of our body, row sums: those that a bracket is about.
+        import ringwatch as rw
+
+        body = rw.Body(rw.load_mesh(str(work / "m.inp")), rw.Material("linear", young=1e6, poisson=0.3, density=1000))
+        mass = np.array([body.lumped_mass[int(node) - 1] for node, _ in dofs])
+        exact = support.exact_step(K, mass, np.arange(len(dofs)))
+        print(f"{type_}: safe {step['safe']:.6e} exact {exact:.6e} ours {step['global']:.6e} optimistic {step['optimistic']:.6e}")
+        assert step["safe"] <= exact * (1 + 1e-6) and exact * (1 - 1e-6) <= step["optimistic"], type_
+        assert abs(step["global"] / exact - 1) < 3e-6, type_
+
+
 def audit():
     """A bar that CalculiX pulls with the step that it chose at the start: it ends in NaN with exit status 0."""
     shutil.copy(here / "pulled_bar.inp", work)
@@ -124,5 +176,5 @@ def audit():
     assert first + 2 <= seen <= lost
 
 
-{"decks": decks, "audit": audit}[what]()
+{"decks": decks, "matrices": matrices, "audit": audit}[what]()
 shutil.rmtree(work)

@@ -1,0 +1,27 @@
+"""Element tangents of a dolfinx energy for ringwatch.TangentBracket: assembled on the discontinuous twin of the
+displacement's space, so that each element keeps a block of its own."""
+
+import numpy as np
+import ufl
+from dolfinx import fem
+from dolfinx.fem import petsc
+
+
+class ElementTangents:
+    """energy: of a displacement, as a UFL density, J/m3. V: the space of the displacement, linear or quadratic."""
+
+    def __init__(self, V, energy):
+        twin = fem.VectorFunctionSpace(V.mesh, ("DG", V.ufl_element().degree()))
+        self.moved = fem.Function(twin)
+        self.form = fem.form(ufl.derivative(ufl.derivative(energy(self.moved) * ufl.dx, self.moved), self.moved))
+        cells = range(V.mesh.topology.index_map(V.mesh.topology.dim).size_local)
+        self.nodes = np.array([V.dofmap.cell_dofs(c) for c in cells])  # (elements, n)
+        self.own = np.array([twin.dofmap.cell_dofs(c) for c in cells])
+
+    def __call__(self, u):
+        """(elements, 3 n, 3 n), N/m, at the displacement u."""
+        self.moved.x.array.reshape(-1, 3)[self.own] = u.x.array.reshape(-1, 3)[self.nodes]
+        K = petsc.assemble_matrix(self.form)
+        K.assemble()
+        rows = [(3 * o[:, None] + np.arange(3)).ravel().astype(np.int32) for o in self.own]
+        return np.array([K.getValues(r, r) for r in rows])
