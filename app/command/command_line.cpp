@@ -571,7 +571,7 @@ struct SuggestCommand {
     command->add_option("--set", options.overrides, "section.key=value, replaces the value of the scene")
         ->allow_extra_args(false);
     json.declare(*command, "numbers");
-    command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
+    command->add_option("--threads", options.threads, "threads (default: as many as the mesh can use)")
         ->check(CLI::Range(0, 4096));
     command->footer(std::string(unitsText) + "\n" + seeTopics("scene | integrators") + exitStatusHint);
   }
@@ -593,11 +593,11 @@ struct ScaleMassCommand {
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("scale-mass", "say how little added mass a scene needs for a step");
     command->add_option("SCENE", options.scene, "scene file (TOML); see ringwatch help scene")->required();
-    command->add_option("--step", step, "the step that is wanted, s: a number or a fraction")->required();
+    command->add_option("--step", step, "the step to be proven, s: a number or a fraction")->required();
     command->add_option("--set", options.overrides, "section.key=value, replaces the value of the scene")
         ->allow_extra_args(false);
     json.declare(*command, "numbers");
-    command->add_option("--threads", options.threads, "threads (default: as many as the mesh keeps busy)")
+    command->add_option("--threads", options.threads, "threads (default: as many as the mesh can use)")
         ->check(CLI::Range(0, 4096));
     command->footer("A run adds mass with handler.method = \"mass-scaling\", at the nodes that the handler chooses.\n" +
                     std::string(unitsText) + "\n" + seeTopics("scene | handlers") + exitStatusHint);

@@ -348,7 +348,7 @@ constexpr OutputField suggestion[] = {
 
 constexpr OutputField massPlan[] = {
     {"scene", "", "file of the scene", F::text},
-    {"step", "s", "that is wanted"},
+    {"step", "s", "that was asked for"},
     {"mass", "kg", "of the body, without added mass"},
     {"safe", "s", "proven: every step up to it is stable without added mass", F::number, P::orNull},
     {"optimistic", "s", "proven: every larger step is unstable without added mass", F::number, P::orNull},

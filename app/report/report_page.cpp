@@ -114,7 +114,7 @@ std::string historySection(const PageContent& page, std::size_t shown) {
       "<section id=\"history\" aria-labelledby=\"history-title\">\n<h2 id=\"history-title\">Bracket and "
       "energies</h2>\n";
   if (!page.history || page.history->rowCount() == 0)
-    return html + "<p>There is no row of a history.</p>\n</section>\n";
+    return html + "<p>There is no history.csv with a row in it.</p>\n</section>\n";
   html +=
       "<p>Below the safe step a step is proven stable for the state of that moment, above the optimistic step it is "
       "proven unstable, between them nothing is proven.</p>\n";

@@ -87,7 +87,7 @@ TEST_F(Program, RefusesTimesStretchesAndIntegratorsThatSaySomethingElse) {
   expectRefused("suggest tiny.toml --frame 1/60 --set integrator.method=implicit-euler", "has no critical step");
   folder_.write("held.toml", std::string(tiny) + "[[spring]]\nwhere = \"x > 0.1 - 1e-6\"\nstiffness = 10\n");
   for (const std::string command : {"suggest held.toml --frame 1/60", "scale-mass held.toml --step 1e-3"})
-    expectRefused(command, "held.toml:22: a plan at the start of a run takes no springs and contact");
+    expectRefused(command, "held.toml:21: [[spring]]: a plan at the start of a run takes no springs and contact");
 }
 
 }  // namespace
