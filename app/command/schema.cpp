@@ -211,8 +211,10 @@ Json alternativeRule(const SceneAlternative& alternative, int count) {
   const std::string first(alternative.first), second(alternative.second);
   if (alternative.need == Need::atMostOne || (alternative.need == Need::oneOfMany && count == 1))
     return {{"not", {{"required", {first, second}}}}};
-  return {{alternative.need == Need::any ? "anyOf" : "oneOf",
-           Json::array({Json{{"required", Json::array({first})}}, Json{{"required", Json::array({second})}}})}};
+  Json choices = Json::array();
+  for (const std::string_view key : {alternative.first, alternative.second, alternative.third})
+    if (!key.empty()) choices.push_back({{"required", Json::array({key})}});
+  return {{alternative.need == Need::any ? "anyOf" : "oneOf", std::move(choices)}};
 }
 
 Json sectionSchema(const SceneSection& section) {

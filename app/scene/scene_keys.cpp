@@ -63,7 +63,7 @@ constexpr std::array<SceneAlternative, 15> alternatives{{
     {"move", "where", "set"},
     {"move", "velocity", "angular_velocity", SceneAlternative::Need::any},
     {"force", "where", "set"},
-    {"force", "acceleration", "force"},
+    {"force", "acceleration", "force", SceneAlternative::Need::one, "each"},
     {"pressure", "where", "set"},
     {"mass", "where", "set"},
     {"spring", "where", "set"},

@@ -51,7 +51,7 @@ struct SceneSection {
   bool alsoList = false;  // [[name]] may stand in place of [name]
 };
 
-/// Two keys of a section that stand for each other.
+/// Keys of a section that stand for each other: two, or three.
 struct SceneAlternative {
   enum class Need {
     one,        ///< exactly one must be given
@@ -61,6 +61,7 @@ struct SceneAlternative {
   };
   std::string_view section, first, second;
   Need need = Need::one;
+  std::string_view third = {};  // "" for none; goes with `one`
 };
 
 std::span<const SceneSection> sceneSections();

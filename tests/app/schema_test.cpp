@@ -56,9 +56,10 @@ Json tinyWith(const std::string& lines) { return jsonOfToml(test::tiny + lines);
 
 TEST_F(Schemas, HoldScenesToTheLawTheHandlerAndTheGenerator) {
   const SchemaCheck scene(schemaNamed("scene"));
-  for (const char* lines : {"", "[handler]\nmethod = \"imex\"\nmargin = 0.2\n", "[handler]\nmethod = \"filtered\"\n",
-                            "[handler]\nmethod = \"imex\"\nsolver = \"cg\"\niterations = 5\n", "[handler]\n",
-                            "[monitor]\nmode = \"certify\"\n", "[[force]]\nset = \"x-max\"\nforce = [1, 2, 3]\n"})
+  for (const char* lines :
+       {"", "[[force]]\nwhere = \"x > 0\"\neach = [0, 0, 1]\n", "[handler]\nmethod = \"imex\"\nmargin = 0.2\n",
+        "[handler]\nmethod = \"filtered\"\n", "[handler]\nmethod = \"imex\"\nsolver = \"cg\"\niterations = 5\n",
+        "[handler]\n", "[monitor]\nmode = \"certify\"\n", "[[force]]\nset = \"x-max\"\nforce = [1, 2, 3]\n"})
     EXPECT_EQ(scene.faultOf(tinyWith(lines)), "") << lines;
   for (const char* lines :
        {"[handler]\nmargin = 0.2\n", "[handler]\nmethod = \"none\"\nmargin = 0.2\n",
