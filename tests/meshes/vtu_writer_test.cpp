@@ -44,6 +44,12 @@ TEST(VtuWriter, FramesHoldPositionsFieldsTimeAndNumbers) {
   EXPECT_EQ(folder.fileCount(), 1u);
 }
 
+TEST(VtuWriter, MeshesArePackedSoThatEveryReaderKnowsIt) {
+  const TemporaryFolder folder;
+  writeMesh(mixedMesh(), folder / "mesh.vtu");
+  EXPECT_THAT(readBytes(folder / "mesh.vtu"), HasSubstr("vtkZLibDataCompressor"));
+}
+
 TEST(VtuWriter, NumbersAMeshWithoutNumbers) {
   const TemporaryFolder folder;
   Mesh mesh = mixedMesh();
