@@ -26,7 +26,7 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
   result.notes = options.notes;
   result.requireCertified = scene.requireCertified;
   if (body.discreteForces()) {
-    result.discrete.emplace();
+    result.discrete = RunResult::Discrete{};
     if (body.discreteForces()->friction())
       result.notes.emplace_back(
           "friction: while surfaces slide its tangent is not symmetric, and what is called certified is that of the "

@@ -33,7 +33,7 @@ MassPlan planAddedMass(const Body& body, const NodeVectors& x, double lambda, in
   constexpr int sweeps = 12;
   if (!(lambda > 0) || !std::isfinite(lambda))
     throw InputError(joinText("lambda = ", lambda, " rad2/s2: must be a finite number > 0"));
-  const Eigen::VectorXd own = body.lumpedMass();
+  const Eigen::VectorXd& own = body.lumpedMass();
   MassPlan best{Eigen::VectorXd::Zero(body.nodeCount())};
   {
     Body heavier = withMass(body, best.added);
