@@ -174,7 +174,8 @@ TEST_F(Contact, FrictionFollowsCoulombsLaw) {
   const double expected = speed * t - mu * (moved[2] + 0.5 * g * t * t);
   EXPECT_NEAR(moved[0], expected, 6e-8 * mu * g * t * t);
   EXPECT_LE(largest("balance_error_J"), 0.01);
-  const Json summary = json("r/summary.json"), notes = summary["notes"];
+  const Json summary = json("r/summary.json");
+  const Json& notes = summary["notes"];
   EXPECT_GT(summary["discrete_forces"]["deepest"]["depth"].get<double>(), 1e-3);
   bool told = false;
   for (const Json& note : notes) told = told || note.get<std::string>().find("friction: while surfaces slide") == 0;
@@ -283,7 +284,8 @@ TEST_F(Contact, SaysWhenContactGovernsAndWhichPenaltyWouldNot) {
   const Outcome outcome = call("run scene.toml --out r");
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("springs or contact govern"));
-  const Json summary = json("r/summary.json"), found = summary["discrete_forces"];
+  const Json summary = json("r/summary.json");
+  const Json& found = summary["discrete_forces"];
   EXPECT_GT(found["governed_observations"].get<int>(), 0);
   ASSERT_FALSE(summary["first_violated"].is_null());
   bool named = false;
@@ -402,7 +404,7 @@ TEST_F(Contact, ExamplesThatBlowUpAreNamedBeforeTheirEnergies) {
     EXPECT_GT(violated, 0);
     ASSERT_FALSE(bad["energy_runaway"].is_null());
     EXPECT_LT(violated, bad["energy_runaway"]["step"].get<int>());
-    const Json events = bad["events"];
+    const Json& events = bad["events"];
     EXPECT_EQ(events[0]["kind"], "violated");
     EXPECT_THAT(events[0]["text"].get<std::string>(), HasSubstr("springs or contact govern it, most at "));
     int off = 0;
