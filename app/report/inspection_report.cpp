@@ -25,7 +25,7 @@ VtuFrame frameOf(const Inspection& inspection) {
   VtuFrame frame;
   frame.mesh = inspection.body.mesh();
   frame.mesh.X = inspection.x;
-  constexpr std::string_view usual = "reduced-1-ring";
+  static constexpr std::string_view usual = "reduced-1-ring";
   const auto found = std::find_if(inspection.metrics.begin(), inspection.metrics.end(),
                                   [](const MetricResult& metric) { return metric.info->name == usual; });
   frame.cells.push_back(found != inspection.metrics.end()
