@@ -55,9 +55,8 @@ CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& l
       safeBy = "exchange-bound";
     }
   }
-  CriticalStep step{
-      safeStep(upper, limit), optimisticStep(lower, limit), ring.last().highestElement, safeBy, top.method,
-      ring.last().lowest,     ring.last().lowestElement};
+  CriticalStep step{safeStep(upper, limit), optimisticStep(lower, limit), ring.last().highestElement, safeBy,
+                    top.method(),           ring.last().lowest,           ring.last().lowestElement};
   if (body.discreteForces() && lower.value > 0 && mode.squaredNorm() > 0) {
     const NodeVectors v = mode * body.lumpedMass().cwiseSqrt().cwiseInverse().asDiagonal();
     step.discreteShare = body.discreteForces()->form(x, v) / (lower.value * mode.squaredNorm());

@@ -431,12 +431,9 @@ CriticalStep TangentBracket::evaluate(const std::vector<std::span<const double>>
   const ReducedRing::Result& rings = m.ring->last();
   UpperBound upper = m.upperBound(lower);
   if (!m.inverseRoots.empty()) upper.value = (upper.value + roundingOfScaling * size) / (1 - massRounding);
-  const CriticalStep step{safeStep(upper, limit),
-                          optimisticStep(lower, limit),
-                          rings.highestElement,
-                          "nodal-bound",
-                          top.method,
-                          rings.lowest < -roundingOfProducts * size ? rings.lowest : 0,
+  const CriticalStep step{safeStep(upper, limit), optimisticStep(lower, limit),
+                          rings.highestElement,   "nodal-bound",
+                          top.method(),           rings.lowest < -roundingOfProducts * size ? rings.lowest : 0,
                           rings.lowestElement};
   if (!step.isBracket())
     throw NumericalError(joinText("the sides of the bracket cross: safe ", step.safe, " s, optimistic ",

@@ -82,7 +82,7 @@ StepRule ruleOf(const Scene& scene, const AuditOptions& options, double& limit, 
   }
   const std::string name = options.integrator.empty() ? "symplectic-euler" : options.integrator;
   const IntegratorInfo* info = integratorCatalog().find(name);
-  if (info == nullptr || !(info->imaginaryLimit > 0) || std::isinf(info->imaginaryLimit) || info->partitioned)
+  if (info == nullptr || !hasCriticalStep(*info))
     throw InputError(
         fmt::format("--integrator: {} is no integrator with a critical step; ringwatch help integrators "
                     "has those, and --limit takes a number",

@@ -167,6 +167,14 @@ std::string reportText(const ReportResult& report) {
   return text;
 }
 
+/// Numbers of a command with what its page says of where they come from.
+nlohmann::ordered_json withProvenance(nlohmann::ordered_json json, const std::string& typed,
+                                      const std::filesystem::path& scene) {
+  json["version"] = std::string(programVersion());
+  json["provenance"] = provenanceOf(typed, scene);
+  return json;
+}
+
 /// The writers of pages; in a program without them nothing gets here, see main.cpp.
 const ReportWriters& neededReportWriters() {
   if (const ReportWriters* writers = reportWriters()) return *writers;
@@ -487,8 +495,7 @@ struct InspectCommand {
     if (!page.empty())
       options.page = [&](const Inspection& found) {
         Inspection whole = found;
-        whole.json["version"] = std::string(programVersion());
-        whole.json["provenance"] = provenanceOf(typed, "");
+        whole.json = withProvenance(std::move(whole.json), typed, "");
         written = reportText(neededReportWriters().ofInspection(whole, page));
       };
     InspectResult result = inspectMesh(options);
@@ -546,8 +553,7 @@ struct AuditCommand {
     if (!page.empty())
       options.page = [&](const Audit& found) {
         Audit whole = found;
-        whole.json["version"] = std::string(programVersion());
-        whole.json["provenance"] = provenanceOf(typed, options.scene);
+        whole.json = withProvenance(std::move(whole.json), typed, options.scene);
         written = reportText(neededReportWriters().ofAudit(whole, page));
       };
     const AuditResult result = auditResults(options);

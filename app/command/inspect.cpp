@@ -317,10 +317,8 @@ void writeMetricsVtu(const std::filesystem::path& path, const Subject& subject,
     fields.push_back({std::move(name), 1, std::span<const double>(arrays.back())});
   };
   for (const MetricResult& metric : metrics) {
-    std::vector<double> steps;
-    for (const auto& block : metric.elementLambda)
-      for (double lambda : block) steps.push_back(subject.rule(lambda));
-    add(stepFieldName(*metric.info, metric.direction), std::move(steps));
+    FrameField steps = stepField(metric, subject.rule);
+    add(std::move(steps.name), std::move(steps.values));
   }
   std::vector<double> heights;
   for (const auto& block : quality)

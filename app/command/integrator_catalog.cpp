@@ -1,5 +1,6 @@
 #include <ringwatch/app/command/integrator_catalog.h>
 
+#include <cmath>
 #include <limits>
 
 #include <ringwatch/integrators/stability_limit.h>
@@ -17,6 +18,10 @@ const IntegratorCatalog& integratorCatalog() {
   static const IntegratorCatalog catalog({coreIntegrators()});
 #endif
   return catalog;
+}
+
+bool hasCriticalStep(const IntegratorInfo& info) {
+  return info.imaginaryLimit > 0 && !std::isinf(info.imaginaryLimit) && !info.partitioned;
 }
 
 StepRule stepRule(const IntegratorInfo& info, const RayleighDamping& damping) {

@@ -9,6 +9,8 @@ const IntegratorCatalog& integratorCatalog();
 /// Their declarations, for lists and help texts.
 std::vector<IntegratorInfo> integratorInfos();
 
+/// Whether an integrator of one system has a largest stable step, of which there can be a bracket.
+bool hasCriticalStep(const IntegratorInfo& info);
 /// How the highest eigenvalue sets this integrator's step, with damping too. With damping it is proven for those whose
 /// highest mode binds.
 StepRule stepRule(const IntegratorInfo& info, const RayleighDamping& damping);

@@ -1,7 +1,5 @@
 #include <ringwatch/app/command/scene_start.h>
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/integrator_catalog.h>
@@ -20,7 +18,7 @@ SceneStart startOf(const std::filesystem::path& file, const std::vector<std::str
                     "later; ringwatch run watches them",
                     scene.discreteOrigin()));
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
-  if (!(info.imaginaryLimit > 0) || std::isinf(info.imaginaryLimit) || info.partitioned)
+  if (!hasCriticalStep(info))
     throw InputError(
         fmt::format("{}: integrator.method = {}: has no critical step that a step could keep to; choose "
                     "another with --set integrator.method=…, e.g. symplectic-euler",

@@ -61,6 +61,13 @@ std::string stepFieldName(const MetricInfo& metric, Direction direction) {
                                           : fmt::format("{} step by {} (s)", stepSide(direction), metric.name);
 }
 
+FrameField stepField(const MetricResult& metric, const StepRule& rule) {
+  FrameField field{stepFieldName(*metric.info, metric.direction), false, {}};
+  for (const auto& block : metric.elementLambda)
+    for (const double lambda : block) field.values.push_back(rule(lambda));
+  return field;
+}
+
 FrameWriter::FrameWriter(std::filesystem::path folder, const Scene& scene, const Body& body, StepRule rule)
     : folder_(std::move(folder)), scene_(scene), body_(body), rule_(std::move(rule)) {
   std::error_code error;

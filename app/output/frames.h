@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <ringwatch/app/scene/scene.h>
+#include <ringwatch/meshes/formats/vtu_frame.h>
 #include <ringwatch/meshes/formats/vtu_writer.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/stability_monitor.h>
@@ -21,6 +22,8 @@ std::vector<std::string> frameFieldNames();
 /// step is a statement about the whole body: safe, the body's critical step is at least the least of these; optimistic,
 /// it is at most the least of these; an estimate may lie on either side.
 std::string stepFieldName(const MetricInfo& metric, Direction direction);
+/// The step of each element by a metric, s, in the order of blocks and elements, under that name.
+FrameField stepField(const MetricResult& metric, const StepRule& rule);
 /// "safe", "optimistic" or "estimate": the side of the critical step on which a metric's step lies, the opposite of
 /// that of its frequency.
 std::string_view stepSide(Direction direction);

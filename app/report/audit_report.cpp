@@ -10,8 +10,8 @@
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/report/frame_choice.h>
 #include <ringwatch/app/report/report_page.h>
+#include <ringwatch/app/report/state_frame.h>
 #include <ringwatch/monitor/event.h>
-#include <ringwatch/monitor/metrics/metrics.h>
 
 namespace ringwatch {
 namespace {
@@ -68,18 +68,10 @@ std::size_t keyStateOf(const std::vector<AuditedState>& states) {
 }
 
 /// The state with the steps of its elements.
-VtuFrame frameOf(const Audit& audit, const AuditedState& state, const NodeVectors& x) {
-  VtuFrame frame;
-  frame.mesh = audit.body.mesh();
-  frame.mesh.X = x;
-  const MetricResult metric = evaluateMetric("reduced-1-ring", audit.body, x);
-  FrameField field{stepFieldName(*metric.info, metric.direction), false, {}};
-  for (const auto& block : metric.elementLambda)
-    for (const double lambda : block) field.values.push_back(audit.rule(lambda));
-  frame.cells.push_back(std::move(field));
-  if (state.bracket)
-    frame.values = {{"safe step (s)", state.bracket->safe}, {"optimistic step (s)", state.bracket->optimistic}};
-  if (state.step) frame.values["step (s)"] = *state.step;
+VtuFrame frameOf(const Audit& audit, const AuditedState& state) {
+  const NodeVectors x = audit.positions(state);
+  VtuFrame frame = stateFrame(audit.body, x, state.bracket ? &*state.bracket : nullptr, state.step);
+  frame.cells.push_back(stepField(evaluateMetric("reduced-1-ring", audit.body, x), audit.rule));
   return frame;
 }
 
@@ -98,8 +90,7 @@ void addFrames(PageContent& page, const Audit& audit, std::size_t key) {
   const std::size_t fit = framesThatFit(audit.body.mesh().elementCount(), fields);
   for (const std::size_t place : chosenFrames(shown.size(), keyPlace, fit)) {
     const AuditedState& state = audit.states[shown[place]];
-    pack.add({static_cast<std::int64_t>(state.index) + 1, timeOf(state), frameOf(audit, state, audit.positions(state))},
-             shown[place] == key);
+    pack.add({static_cast<std::int64_t>(state.index) + 1, timeOf(state), frameOf(audit, state)}, shown[place] == key);
     ++page.framesShown;
   }
   page.takeMesh(pack);

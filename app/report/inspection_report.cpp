@@ -4,6 +4,7 @@
 
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/report/report_page.h>
+#include <ringwatch/app/report/state_frame.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/quality.h>
@@ -13,18 +14,9 @@
 namespace ringwatch {
 namespace {
 
-FrameField stepField(const MetricResult& metric, const StepRule& rule) {
-  FrameField field{stepFieldName(*metric.info, metric.direction), false, {}};
-  for (const auto& block : metric.elementLambda)
-    for (const double lambda : block) field.values.push_back(rule(lambda));
-  return field;
-}
-
 /// The state as a frame: first the steps by the metric that tells elements apart best.
 VtuFrame frameOf(const Inspection& inspection) {
-  VtuFrame frame;
-  frame.mesh = inspection.body.mesh();
-  frame.mesh.X = inspection.x;
+  VtuFrame frame = stateFrame(inspection.body, inspection.x, &inspection.step, inspection.asked);
   static constexpr std::string_view usual = "reduced-1-ring";
   const auto found = std::find_if(inspection.metrics.begin(), inspection.metrics.end(),
                                   [](const MetricResult& metric) { return metric.info->name == usual; });
@@ -37,8 +29,6 @@ VtuFrame frameOf(const Inspection& inspection) {
   for (const auto& block : meshQuality(inspection.body.mesh()))
     for (const ElementQuality& q : block) heights.values.push_back(q.minHeight);
   frame.cells.push_back(std::move(heights));
-  frame.values = {{"safe step (s)", inspection.step.safe}, {"optimistic step (s)", inspection.step.optimistic}};
-  if (inspection.asked) frame.values["step (s)"] = *inspection.asked;
   return frame;
 }
 

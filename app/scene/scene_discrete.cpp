@@ -27,8 +27,7 @@ constexpr int penaltySweeps = 12;
 /// Steps N that a node alone is in contact, half a period on the penalty "auto". Two would be stable, but contact
 /// begins anywhere within a step, which makes or takes up to (π/2N)² of the node's energy while it touches: 0.27 for N
 /// = 3, 0.1 for 5, 0.025 for 10, 0.006 for 20. Measured on examples/rubber_block.toml with the step 1e-4 s, largest
-/// balance error over the energy of the fall: 3.7 % for N = 3, 2.4 % for 5, 1.9 % for 10, 1.45 % for 20, of which 1.4 %
-/// are of the scheme, whose velocities are half a step behind.
+/// balance error over the energy of the fall: 3.7 % for N = 3, 2.4 % for 5, 1.9 % for 10, 1.45 % for 20.
 constexpr double contactSteps = 20;
 /// What "auto" takes at most of the largest penalty that the wanted step has room for at rest: elements stiffen as they
 /// deform. It decides only where the step is within about 1 % of what the elements alone prove, or damping is strong.

@@ -14,8 +14,8 @@ TopMode findTopMode(ReducedRing& ring, const TangentSource& source, NodeVectorsV
   if (!cold) start += (start.cwiseProduct(mode).sum() < 0 ? -1.0 : 1.0) * mode;
   mode = std::move(start);
   const LowerBound quotient = rayleighLowerBound(source, x, mode, cold ? coldProducts : warmProducts);
-  if (quotient.value > rings.highest) return {quotient, "rayleigh-quotient", false};
-  return {{rings.highest}, "reduced-1-ring", true};
+  if (quotient.value > rings.highest) return {quotient, false};
+  return {{rings.highest}, true};
 }
 
 }  // namespace ringwatch

@@ -10,8 +10,8 @@ namespace ringwatch {
 /// docs/theory/rings_and_rayleigh.md.
 struct TopMode {
   LowerBound lower;
-  std::string_view method;  // "reduced-1-ring" or "rayleigh-quotient"
-  bool byRing;              // the former
+  bool byRing;  // else a Rayleigh quotient
+  std::string_view method() const { return byRing ? "reduced-1-ring" : "rayleigh-quotient"; }
 };
 /// Finds the top mode at positions x (3×N, m): evaluates all reduced rings, and sharpens the highest one's vector,
 /// added to the mode tracked so far, by Lanczos. A tracked vector alone can miss a jump of the top mode; the ring's

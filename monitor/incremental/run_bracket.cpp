@@ -282,7 +282,7 @@ bool RunBracket::decomposeRing(NodeVectorsView x, ElementRef e) {
 LowerBound RunBracket::restartMode(NodeVectorsView x) {
   ReducedRing ring(body_);  // restarts are rare, and its pattern is as large as all the rest
   const TopMode top = findTopMode(ring, body_, x, mode_, policy_.firstProducts, policy_.restartProducts, false);
-  method_ = top.method;
+  method_ = top.method();
   statistics_.evaluated += body_.mesh().elementCount();
   return followMode(x, top.lower);
 }
