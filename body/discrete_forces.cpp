@@ -12,7 +12,7 @@ namespace {
 // Of majorants with room: the sine of the angle by which a direction may turn, and the share by which the depth that
 // friction grows with may grow.
 constexpr double turning = 0.02, deepening = 0.5;
-/// Of majorants, relative: more than a direction that is computed from positions can err.
+/// Of majorants and forms, relative: more than a direction that is computed from positions can err.
 constexpr double directionRounding = 1e-9;
 
 void requireConstant(const char* name, double value) {
@@ -274,6 +274,29 @@ double DiscreteForces::form(NodeVectorsView x, NodeVectorsView v) const {
   forEachBlock(
       x, [&](std::int32_t i, std::int32_t j, const Eigen::Matrix3d& block) { sum += v.col(i).dot(block * v.col(j)); });
   return sum;
+}
+
+DiscreteForces::DampingForm DiscreteForces::dampingForm(NodeVectorsView x, NodeVectorsView v) const {
+  DampingForm form;
+  const double f = dampingFactor();
+  const auto add = [&](double damping, const Eigen::Vector3d& velocity, const std::optional<Eigen::Vector3d>& along) {
+    const double most = f * damping * velocity.squaredNorm(), part = along ? along->dot(velocity) : 0;
+    form.value += along ? f * damping * part * part : most;
+    form.rounding += directionRounding * most;
+  };
+  for (const Spring& spring : springs_) {
+    if (spring.other < 0)
+      add(spring.damping, v.col(spring.node), spring.direction);
+    else
+      add(spring.damping, v.col(spring.node) - v.col(spring.other),
+          spring.length == 0 ? std::nullopt : std::optional(lineOf(spring, x).direction));
+  }
+  for (const PenaltyContact& contact : contacts_)
+    for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
+      const Obstacle::Surface at = surface(contact.obstacle, x.col(contact.nodes[k]));
+      if (at.gap < 0) add(contact.damping[k], v.col(contact.nodes[k]), at.normal);
+    }
+  return form;
 }
 
 void DiscreteForces::majorants(NodeVectorsView x, bool room, std::vector<Eigen::Matrix3d>& matrices) const {

@@ -99,6 +99,11 @@ class DiscreteForces {
   void addTangentProduct(NodeVectorsView x, NodeVectorsView u, NodeVectors& Ku, std::optional<double> f = {}) const;
   /// vᵀ (K + f C) v.
   double form(NodeVectorsView x, NodeVectorsView v) const;
+  /// vᵀ f C v alone, and what rounding of directions and sums can make of it at most.
+  struct DampingForm {
+    double value = 0, rounding = 0;
+  };
+  DampingForm dampingForm(NodeVectorsView x, NodeVectorsView v) const;
   /// Calls visit(i, j, block) for the 3×3 blocks of K + f C, both triangles, of the forces at least one of whose nodes
   /// is wanted(node); a block may come in several parts.
   template <class Visit, class Wanted>

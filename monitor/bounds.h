@@ -1,6 +1,7 @@
 #pragma once
 #include <string_view>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/name_table.h>
 
 namespace ringwatch {
@@ -24,10 +25,14 @@ struct ProbableUpperBound {
   double value;
   double eta;
 };
-/// It lies at or above `value`: proven.
+/// It lies at or above `value`: proven. Of a quotient it is known how much of that dashpots give: between dampingFrom
+/// and dampingTo (DiscreteForces::dampingForm). Where that is not known it may be none or all.
 struct LowerBound {
   double value;
+  double dampingFrom = 0, dampingTo = infinity;
 };
+/// The higher one.
+inline LowerBound higher(LowerBound a, LowerBound b) { return b.value > a.value ? b : a; }
 /// It may lie on either side.
 struct Estimate {
   double value;

@@ -25,7 +25,7 @@ constexpr int formatVersion = 2;
 constexpr int modeProducts = 20, boundSweeps = 12;
 /// Left between what is computed and what is stated, relative: sums at nodes, and allowances that stand for zero, must
 /// be proven with strict inequalities. It is 5e-10 of the step.
-constexpr double room = 1e-9;
+constexpr double margin = 1e-9;
 /// The least allowance, over the bound times the least mass: elements whose tangent has no positive eigenvalue.
 constexpr double leastAllowance = 1e-13;
 
@@ -174,11 +174,12 @@ Certificate makeCertificate(const Body& body, const NodeVectors& x) {
   const double bound = weights.last();
   if (!std::isfinite(bound) || !(bound > 0))
     throw NumericalError("certificate: the tangent is not finite here, or nothing in the body is stiff and free");
-  Certificate certificate{{bound * (1 + room)}, {std::max(0.0, top.lower.value * (1 - room))}, {}};
+  Certificate certificate{{bound * (1 + margin)}, {std::max(0.0, top.lower().value * (1 - margin))}, {}};
   std::vector<std::int32_t> order(body.nodeCount());
   std::iota(order.begin(), order.end(), 0);
-  Bytes bytes = beginFile(body, x, certificate, "nodal-bound",
-                          displacementOf(body, top.byRing ? ring.topVector(ring.last().highestElement) : mode), order);
+  Bytes bytes =
+      beginFile(body, x, certificate, "nodal-bound",
+                displacementOf(body, top.byRing() ? ring.topVector(ring.last().highestElement) : mode), order);
   const double least = leastAllowance * bound * body.lumpedMass().minCoeff();
   for (std::size_t b = 0; b < body.blocks().size(); ++b)
     for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {

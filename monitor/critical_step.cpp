@@ -1,5 +1,6 @@
 #include <ringwatch/monitor/critical_step.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <ringwatch/base/error.h>
@@ -36,7 +37,7 @@ CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& l
   ReducedRing ring(body);
   NodeVectors mode;
   const TopMode top = findTopMode(ring, body, x, mode, products, products, true);
-  const LowerBound lower = top.lower;
+  const LowerBound lower = top.lower();
   NodalBound weights(body);
   UpperBound upper = weights.evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);
   if (!std::isfinite(upper.value))
@@ -55,8 +56,10 @@ CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& l
       safeBy = "exchange-bound";
     }
   }
-  CriticalStep step{safeStep(upper, limit), optimisticStep(lower, limit), ring.last().highestElement, safeBy,
-                    top.method(),           ring.last().lowest,           ring.last().lowestElement};
+  // Of the quotient it is known what dashpots give, which can say more of the step than a higher eigenvalue.
+  const double optimistic = std::min(optimisticStep(lower, limit), optimisticStep(top.quotient, limit));
+  CriticalStep step{safeStep(upper, limit), optimistic,         ring.last().highestElement, safeBy,
+                    top.method(),           ring.last().lowest, ring.last().lowestElement};
   if (body.discreteForces() && lower.value > 0 && mode.squaredNorm() > 0) {
     const NodeVectors v = mode * body.lumpedMass().cwiseSqrt().cwiseInverse().asDiagonal();
     step.discreteShare = body.discreteForces()->form(x, v) / (lower.value * mode.squaredNorm());

@@ -28,14 +28,14 @@ class StepRule {
   /// whether it is exactly that, so that an upper bound of lambda gives a safe step and a lower bound an optimistic
   /// one.
   StepRule(std::function<double(double lambda)> step, bool proven) : step_(std::move(step)), proven_(proven) {}
-  /// optimistic: the step above which a system is unstable whose highest eigenvalue is lambda at least; `step` then is
-  /// the one up to which it is stable where that is lambda at most. They differ where dashpots make the matrix depend
-  /// on the step (Theorem 47, docs/theory/discrete_forces.md).
-  StepRule(std::function<double(double lambda)> step, std::function<double(double lambda)> optimistic, bool proven)
+  /// optimistic: the step above which a system is unstable of whose highest eigenvalue that is known; `step` then is
+  /// the one up to which it is stable where that eigenvalue is lambda at most. They differ where dashpots make the
+  /// matrix depend on the step (Theorem 47, docs/theory/discrete_forces.md).
+  StepRule(std::function<double(double lambda)> step, std::function<double(LowerBound lambda)> optimistic, bool proven)
       : step_(std::move(step)), optimistic_(std::move(optimistic)), proven_(proven) {}
 
   double operator()(double lambda) const { return step_ ? step_(lambda) : stepFor(lambda, limit_); }
-  double optimistic(double lambda) const { return optimistic_ ? optimistic_(lambda) : (*this)(lambda); }
+  double optimistic(LowerBound lambda) const { return optimistic_ ? optimistic_(lambda) : (*this)(lambda.value); }
   bool proven() const { return proven_; }
   /// The largest lambda, rad²/s², to rounding from below, at which the step h (s, > 0) is allowed: the rule turned
   /// round.
@@ -52,7 +52,8 @@ class StepRule {
 
  private:
   double limit_ = 0;
-  std::function<double(double)> step_, optimistic_;
+  std::function<double(double)> step_;
+  std::function<double(LowerBound)> optimistic_;
   bool proven_ = true;
 };
 
@@ -89,6 +90,6 @@ struct CriticalStep {
 };
 /// The side of the bracket made from a bound: the types say which.
 inline double safeStep(UpperBound lambda, const StepRule& rule) { return rule(lambda.value); }
-inline double optimisticStep(LowerBound lambda, const StepRule& rule) { return rule.optimistic(lambda.value); }
+inline double optimisticStep(LowerBound lambda, const StepRule& rule) { return rule.optimistic(lambda); }
 
 }  // namespace ringwatch

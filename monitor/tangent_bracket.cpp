@@ -427,7 +427,7 @@ CriticalStep TangentBracket::evaluate(const std::vector<std::span<const double>>
   const TopMode top = findTopMode(*m.ring, *m.source, m.noPositions, m.mode, Impl::coldProducts, Impl::products, true);
   // The scaled problem W K W y = lambda y is that of a mass within massResidual of the given one.
   const double massRounding = m.inverseRoots.empty() ? 0 : m.massResidual + roundingOfScaling;
-  const LowerBound lower{std::max(0.0, top.lower.value - roundingOfProducts * size) / (1 + massRounding)};
+  const LowerBound lower{std::max(0.0, top.lower().value - roundingOfProducts * size) / (1 + massRounding)};
   const ReducedRing::Result& rings = m.ring->last();
   UpperBound upper = m.upperBound(lower);
   if (!m.inverseRoots.empty()) upper.value = (upper.value + roundingOfScaling * size) / (1 - massRounding);

@@ -1,8 +1,10 @@
 #include <ringwatch/app/command/integrator_catalog.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/integrators/stability_limit.h>
 
 #ifdef RINGWATCH_WITH_SUNDIALS
@@ -36,18 +38,21 @@ StepRule stepRule(const IntegratorInfo& info, const RayleighDamping& damping) {
 double dampingFactor(const RayleighDamping& damping, double reference) { return 2 / (reference + 2 * damping.beta); }
 
 StepRule stepRuleWithDashpots(const IntegratorInfo& info, const RayleighDamping& damping, double reference) {
-  const StepRule own = stepRule(info, damping);
-  // Where the step differs from the reference, the dashpots count with the factor of the reference for all that is.
-  const auto other = [damping, reference](double lambda) {
-    return 4 / (lambda * (reference + 2 * damping.beta) + 2 * damping.alpha);
+  // The step at which a vector becomes unstable that has the quotient lambda of K + f C, `part` of it of f C: the root
+  // of (lambda - part) h² + b h = 4.
+  const auto stepOf = [damping, reference](double lambda, double part) {
+    if (std::isnan(lambda)) return std::numeric_limits<double>::quiet_NaN();
+    const double all = std::max(lambda, 0.0), dashpots = std::min(part, all), stiffness = all - dashpots;
+    const double b = 2 * (damping.beta * stiffness + damping.alpha) + dashpots * (reference + 2 * damping.beta);
+    return 8 / (b + std::sqrt(b * b + 16 * stiffness));
   };
-  return {[own, other, reference](double lambda) {
-            const double step = own(lambda);
-            return step < reference ? other(lambda) : step;
+  return {[stepOf, reference](double lambda) {
+            const double step = stepOf(lambda, 0);
+            return step < reference ? stepOf(lambda, infinity) : step;
           },
-          [own, other, reference](double lambda) {
-            const double step = own(lambda);
-            return step > reference ? other(lambda) : step;
+          [stepOf, reference](LowerBound lambda) {
+            const double step = stepOf(lambda.value, lambda.dampingFrom);
+            return step > reference ? stepOf(lambda.value, lambda.dampingTo) : step;
           },
           info.highestModeBinds};
 }

@@ -15,8 +15,8 @@ bool hasCriticalStep(const IntegratorInfo& info);
 /// highest mode binds.
 StepRule stepRule(const IntegratorInfo& info, const RayleighDamping& damping);
 /// The same for a system with dashpots C besides, whose eigenvalues are those of M⁻¹(K + f C), f = dampingFactor(): the
-/// rule is exact for steps of `reference` seconds, and safe and optimistic for others. For integrators whose highest
-/// mode binds. Theorem 47, docs/theory/discrete_forces.md.
+/// rule is exact for steps of `reference` seconds, safe for others, and optimistic for others: exactly so for bounds
+/// that know what dashpots give. For integrators whose highest mode binds. Theorem 47, docs/theory/discrete_forces.md.
 StepRule stepRuleWithDashpots(const IntegratorInfo& info, const RayleighDamping& damping, double reference);
 /// f, 1/s.
 double dampingFactor(const RayleighDamping& damping, double reference);

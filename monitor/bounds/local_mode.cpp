@@ -65,6 +65,7 @@ void LocalMode::makePart(const std::vector<std::int32_t>& region) {
 
 void LocalMode::choose(const NodeVectors& mode, std::size_t nodes) {
   size_ = nodes;
+  last_ = {0};
   part_.reset();
   nodes_.clear();
   vector_.resize(3, 0);
@@ -93,7 +94,9 @@ LowerBound LocalMode::evaluate(NodeVectorsView x) {
   isNew_ = false;
   measureShare(bound);
   if (++sinceSearch_ >= searchGap) searchHighest(x);
-  return {std::max(bound.value, 0.0)};
+  last_ = bound;
+  last_.value = std::max(bound.value, 0.0);
+  return last_;
 }
 
 // At each evaluation, as contact can come and govern within one: it takes the forces of the region alone.

@@ -27,6 +27,8 @@ class LocalMode {
   /// The bound at positions x (3×N, m); 0 without a region, NaN where the tangent is not finite, after which a mode has
   /// to be chosen again. Masses and constraints are those of now.
   LowerBound evaluate(NodeVectorsView x);
+  /// The last evaluation's; 0 after a choice.
+  const LowerBound& last() const { return last_; }
   /// The element that holds most of the mode's energy at the node that it moves most, as of one of the last
   /// evaluations.
   ElementRef highestElement() const { return highest_; }
@@ -54,6 +56,7 @@ class LocalMode {
   std::vector<std::int32_t> nodes_;  // of the part: the region and its rim, which is held; ascending
   NodeVectors x_, vector_;           // positions and the mode, of the part
   double largest_ = 0;               // size of an eigenvalue that was seen in this region, for the rounding
+  LowerBound last_{0};
   ElementRef highest_;
   double discreteShare_ = 0;
   int sinceSearch_ = searchGap, sinceImproved_ = 0;

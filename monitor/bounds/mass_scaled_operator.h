@@ -1,4 +1,5 @@
 #pragma once
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/tangent_source.h>
 
 namespace ringwatch {
@@ -27,6 +28,14 @@ class MassScaledOperator {
     scaled_ = v * inverseRootMass_.asDiagonal();
     source_.constraints().clearConstrained(scaled_);
     return source_.formRounding(x_, scaled_, workspace_);
+  }
+  /// What dashpots give of vᵀ M^-½ (K + f C) M^-½ v; zero without any.
+  DiscreteForces::DampingForm dampingForm(const NodeVectors& v) const {
+    const DiscreteForces* discrete = source_.discreteForces();
+    if (!discrete || !discrete->damped()) return {};
+    scaled_ = v * inverseRootMass_.asDiagonal();
+    source_.constraints().clearConstrained(scaled_);
+    return discrete->dampingForm(x_, scaled_);
   }
   int products() const { return products_; }
   const Eigen::VectorXd& inverseRootMass() const { return inverseRootMass_; }

@@ -44,7 +44,9 @@ LowerBound rayleighLowerBound(const TangentSource& source, NodeVectorsView x, No
   double largest = std::max(w.norm(), T.radius);
   if (seen) *seen = largest = std::max(largest, *seen);
   const double ofSums = quotientRounding + unitRoundoff * static_cast<double>(start.size());
-  return {quotient - ofSums * largest - op.formRounding(start)};
+  const DiscreteForces::DampingForm damping = op.dampingForm(start);
+  return {quotient - ofSums * largest - op.formRounding(start), std::max(0.0, damping.value - damping.rounding),
+          damping.value + damping.rounding};
 }
 
 }  // namespace ringwatch

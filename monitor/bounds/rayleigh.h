@@ -11,7 +11,7 @@ namespace ringwatch {
 /// products >= 1 tangent products are spent. start = 0 gives a bound of 0; so does one that is not finite, which
 /// becomes 0. Unless nullptr, `seen` is the largest size of an eigenvalue that earlier calls have seen, for calls of
 /// few products, which see little themselves; it is raised. Theorem 8, docs/theory/rings_and_rayleigh.md, and Theorem
-/// 44, docs/theory/floating_point.md.
+/// 44, docs/theory/floating_point.md. The part of dashpots is known (LowerBound::dampingFrom).
 LowerBound rayleighLowerBound(const TangentSource& source, NodeVectorsView x, NodeVectors& start, int products,
                               double* seen = nullptr);
 

@@ -13,9 +13,7 @@ TopMode findTopMode(ReducedRing& ring, const TangentSource& source, NodeVectorsV
   const bool cold = mode.size() == 0;
   if (!cold) start += (start.cwiseProduct(mode).sum() < 0 ? -1.0 : 1.0) * mode;
   mode = std::move(start);
-  const LowerBound quotient = rayleighLowerBound(source, x, mode, cold ? coldProducts : warmProducts);
-  if (quotient.value > rings.highest) return {quotient, false};
-  return {{rings.highest}, true};
+  return {{rings.highest}, rayleighLowerBound(source, x, mode, cold ? coldProducts : warmProducts)};
 }
 
 }  // namespace ringwatch

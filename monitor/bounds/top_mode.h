@@ -6,12 +6,13 @@
 
 namespace ringwatch {
 
-/// A lower bound of the highest eigenvalue and the method that it is by. Theorems 8 and 9,
-/// docs/theory/rings_and_rayleigh.md.
+/// Lower bounds of the highest eigenvalue: the highest reduced ring's, and the Rayleigh quotient of the mode. Theorems
+/// 8 and 9, docs/theory/rings_and_rayleigh.md.
 struct TopMode {
-  LowerBound lower;
-  bool byRing;  // else a Rayleigh quotient
-  std::string_view method() const { return byRing ? "reduced-1-ring" : "rayleigh-quotient"; }
+  LowerBound ring, quotient;
+  bool byRing() const { return !(quotient.value > ring.value); }
+  LowerBound lower() const { return higher(ring, quotient); }
+  std::string_view method() const { return byRing() ? "reduced-1-ring" : "rayleigh-quotient"; }
 };
 /// Finds the top mode at positions x (3×N, m): evaluates all reduced rings, and sharpens the highest one's vector,
 /// added to the mode tracked so far, by Lanczos. A tracked vector alone can miss a jump of the top mode; the ring's

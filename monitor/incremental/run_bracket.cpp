@@ -65,7 +65,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
       const LowerBound whole = refreshMode(x, policy_.productsOfFollowing);
       // It helps when the region is better for it: the whole mode's own bound is of this observation alone.
       wholeMode_.tried(regionBound_.value > (1 + policy_.leastGain) * lower.value);
-      lower = {std::max(lower.value, whole.value)};
+      lower = higher(lower, whole);
     }
     lower = boundWhereItTouches(x, boundWhereItRose(x, sigma, lower));
   }
@@ -87,7 +87,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     statistics_.evaluated += nodal_.statistics().evaluated;
   }
   step_ = CriticalStep{safeStep(upper, limit),
-                       optimisticStep(lower, limit),
+                       optimisticOf(lower, limit),
                        local_.highestElement(),
                        "incremental-nodal-bound",
                        method_,
@@ -163,8 +163,12 @@ void RunBracket::sharpen(NodeVectorsView x, const StepRule& limit, double h) {
   if (fromRings) sharpeningRestart_.tried(true);
   sharpeningRestart_.tick();
   const LowerBound lower = fromRings ? restartMode(x) : refreshMode(x, policy_.restartProducts);
-  step_->optimistic = std::min(step_->optimistic, optimisticStep(lower, limit));
+  step_->optimistic = std::min(step_->optimistic, optimisticOf(lower, limit));
   if (!step_->isBracket()) step_.reset();
+}
+
+double RunBracket::optimisticOf(LowerBound lower, const StepRule& limit) const {
+  return std::min(optimisticStep(lower, limit), optimisticStep(local_.last(), limit));
 }
 
 void RunBracket::nameGoverning(NodeVectorsView x) {
@@ -258,7 +262,7 @@ LowerBound RunBracket::boundWhereItTouches(NodeVectorsView x, LowerBound lower) 
   const std::vector<ElementRef> elements = nodal_.weights().elementsAt(std::span<const std::int32_t>(&node, 1));
   if (elements.empty() || !examineRing(x, elements.front(), lower)) return lower;
   local_.choose(mode_, localNodes_);
-  return {std::max(lower.value, local_.evaluate(x).value)};
+  return higher(lower, local_.evaluate(x));
 }
 
 bool RunBracket::examineRing(NodeVectorsView x, ElementRef e, LowerBound& lower) {
@@ -284,7 +288,7 @@ LowerBound RunBracket::restartMode(NodeVectorsView x) {
   const TopMode top = findTopMode(ring, body_, x, mode_, policy_.firstProducts, policy_.restartProducts, false);
   method_ = top.method();
   statistics_.evaluated += body_.mesh().elementCount();
-  return followMode(x, top.lower);
+  return followMode(x, top.lower());
 }
 
 LowerBound RunBracket::startMode(NodeVectorsView x) {
@@ -302,7 +306,7 @@ LowerBound RunBracket::startMode(NodeVectorsView x) {
   statistics_.evaluated += static_cast<std::int64_t>(elements.size());
   const LowerBound quotient = rayleighLowerBound(body_, x, mode_, policy_.firstProducts);
   method_ = quotient.value > highest ? "rayleigh-quotient" : "reduced-1-ring";
-  return followMode(x, {std::max(quotient.value, highest)});
+  return followMode(x, higher({highest}, quotient));
 }
 
 double RunBracket::topOfRing() const {
@@ -331,7 +335,7 @@ LowerBound RunBracket::followMode(NodeVectorsView x, LowerBound whole) {
   }
   if (regionBound_.value >= (1 - 0.25 * policy_.lostInRegion) * whole.value)
     localNodes_ = std::max(localNodes_ / 2, policy_.leastLocalNodes);
-  return {std::max(whole.value, regionBound_.value)};
+  return higher(whole, regionBound_);
 }
 
 }  // namespace ringwatch

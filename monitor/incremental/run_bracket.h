@@ -124,6 +124,8 @@ class RunBracket {
   bool examineRing(NodeVectorsView x, ElementRef e, LowerBound& lower);
   /// The reduced ring of one element into solver_; false when it fails.
   bool decomposeRing(NodeVectorsView x, ElementRef e);
+  /// The step of a bound and of the region's, of which it is known what dashpots give: the smaller one.
+  double optimisticOf(LowerBound lower, const StepRule& limit) const;
   /// Starts the mode again from the highest of all rings.
   LowerBound restartMode(NodeVectorsView x);
   /// Starts the mode at the first evaluation, when the nodal bound is of these positions: from the highest of the rings

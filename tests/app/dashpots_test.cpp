@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/body/body.h>
@@ -35,7 +36,7 @@ MatrixXd semidefinite(test::Random& random, int n, int rank, double size) {
 }
 
 TEST(Dashpots, RulesAreExactAtTheirReferenceAndOnTheirSideElsewhere) {
-  int tight = 0, below = 0, above = 0;
+  int tight = 0, below = 0, above = 0, sharper = 0;
   for (int trial = 0; trial < 400; ++trial) {
     test::Random random(100 + trial);
     const int n = 2 + static_cast<int>(random.index(5));
@@ -47,25 +48,33 @@ TEST(Dashpots, RulesAreExactAtTheirReferenceAndOnTheirSideElsewhere) {
     const MatrixXd C = rayleigh.alpha * M + rayleigh.beta * K + Cx;
     const IntegratorInfo& info = *integratorCatalog().find(trial % 2 ? "verlet" : "symplectic-euler");
     const auto ruled = [&](double reference) {
-      const MatrixXd effective = K + dampingFactor(rayleigh, reference) * Cx;
-      const Eigen::VectorXd values = test::generalizedEigen(effective, M).values;
+      const MatrixXd dashpots = dampingFactor(rayleigh, reference) * Cx;
+      const auto modes = test::generalizedEigen(K + dashpots, M);
+      const double highest = modes.values[n - 1];
+      const Eigen::VectorXd top = modes.vectors.col(n - 1);
+      const double part = top.dot(dashpots * top) / top.dot(M * top);
       const StepRule rule = stepRuleWithDashpots(info, rayleigh, reference);
       EXPECT_TRUE(rule.proven());
-      return std::pair{rule(values[n - 1]), rule.optimistic(values[n - 1])};
+      return std::tuple{rule(highest), rule.optimistic({highest}), rule.optimistic({highest, part, part})};
     };
     // The reference that the rule gives back is the limit itself.
-    double h = ruled(0.5).first;
-    for (int i = 0; i < 200; ++i) h = std::sqrt(h * ruled(h).first);
+    double h = std::get<0>(ruled(0.5));
+    for (int i = 0; i < 200; ++i) h = std::sqrt(h * std::get<0>(ruled(h)));
     EXPECT_LE(largestRoot(M, C, K, h * (1 - 1e-7)), 1 + 1e-9) << trial;
     EXPECT_GT(largestRoot(M, C, K, h * (1 + 1e-6)), 1) << trial;
-    const auto [safe, optimistic] = ruled(h);
+    const auto [safe, optimistic, known] = ruled(h);
     EXPECT_NEAR(safe, h, 1e-8 * h) << trial;
     EXPECT_NEAR(optimistic, h, 1e-8 * h) << trial;
+    EXPECT_NEAR(known, h, 1e-8 * h) << trial;
     ++tight;
     for (const double reference : {0.3 * h, 0.9 * h, 1.2 * h, 4 * h}) {
-      const auto [low, high] = ruled(reference);
+      const auto [low, high, vectors] = ruled(reference);
       EXPECT_LE(low, h * (1 + 1e-9)) << trial << " " << reference / h;
       EXPECT_GE(high, h * (1 - 1e-9)) << trial << " " << reference / h;
+      // The vector's own damping says more, and no more than is true.
+      EXPECT_GE(vectors, h * (1 - 1e-9)) << trial << " " << reference / h;
+      EXPECT_LE(vectors, high * (1 + 1e-12)) << trial << " " << reference / h;
+      sharper += vectors < 0.99 * high;
       // What counts for a run at the reference is right: it is certified or refused as it should be.
       EXPECT_EQ(reference <= low, reference < h) << trial << " " << reference / h;
       EXPECT_EQ(reference > high, reference > h) << trial << " " << reference / h;
@@ -76,6 +85,7 @@ TEST(Dashpots, RulesAreExactAtTheirReferenceAndOnTheirSideElsewhere) {
   EXPECT_EQ(tight, 400);
   EXPECT_GT(below, 50);
   EXPECT_GT(above, 50);
+  EXPECT_GT(sharper, 50);
 }
 
 // One free component of a cube: m h⁻² ≥ … has the limit h = (√(c² + 4 k m) - c)/k.
@@ -90,16 +100,25 @@ TEST(Dashpots, OscillatorsHaveTheirClosedFormInTheBracket) {
     const double k = own + 500, c = ratio * 2 * std::sqrt(k * m);
     const double h = (std::sqrt(c * c + 4 * k * m) - c) / k;
     DiscreteForces forces(body.nodeCount());
-    forces.add(std::vector<Spring>{{.node = 0, .direction = Eigen::Vector3d(1, 0, 0), .stiffness = 500, .damping = c}});
-    forces.setDampingFactor(dampingFactor({}, h));
+    // Across the free component in part: 0.36 of spring and dashpot act along it.
+    forces.add(std::vector<Spring>{
+        {.node = 0, .direction = Eigen::Vector3d(0.6, 0.8, 0), .stiffness = 500 / 0.36, .damping = c / 0.36}});
     body.setDiscreteForces(std::move(forces));
-    const CriticalStep step =
-        criticalStep(body, body.mesh().X, stepRuleWithDashpots(*integratorCatalog().find("verlet"), {}, h));
-    EXPECT_NEAR(step.safe, h, 1e-8 * h) << ratio;
-    EXPECT_NEAR(step.optimistic, h, 1e-8 * h) << ratio;
-    ++compared;
+    // The optimistic side knows what the dashpot gives, and is exact for all reference steps.
+    for (const double reference : {1.0, 0.1, 10.0}) {
+      body.discreteForces()->setDampingFactor(dampingFactor({}, reference * h));
+      const StepRule rule = stepRuleWithDashpots(*integratorCatalog().find("verlet"), {}, reference * h);
+      const CriticalStep step = criticalStep(body, body.mesh().X, rule);
+      if (reference == 1) {
+        EXPECT_NEAR(step.safe, h, 1e-8 * h) << ratio;
+      }
+      EXPECT_LE(step.safe, h) << ratio << " " << reference;
+      EXPECT_GE(step.optimistic, h * (1 - 1e-12)) << ratio << " " << reference;
+      EXPECT_NEAR(step.optimistic, h, 5e-8 * h) << ratio << " " << reference;
+      ++compared;
+    }
   }
-  EXPECT_EQ(compared, 5);
+  EXPECT_EQ(compared, 15);
 }
 
 }  // namespace
