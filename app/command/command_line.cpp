@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <ringwatch/app/command/advise.h>
 #include <ringwatch/app/command/audit.h>
 #include <ringwatch/app/command/compare.h>
 #include <ringwatch/app/command/exit_status.h>
@@ -562,6 +563,17 @@ struct AuditCommand {
   }
 };
 
+/// SCENE and the options of every question that is asked of a scene before it runs.
+template <class Question>
+void declareQuestion(CLI::App& command, Question& options, JsonOption& json) {
+  command.add_option("SCENE", options.scene, "scene file (TOML); see ringwatch help scene")->required();
+  command.add_option("--set", options.overrides, "section.key=value, replaces the value of the scene")
+      ->allow_extra_args(false);
+  json.declare(command, "numbers");
+  command.add_option("--threads", options.threads, "threads (default: as many as the mesh can use)")
+      ->check(CLI::Range(0, 4096));
+}
+
 struct SuggestCommand {
   SuggestOptions options;
   JsonOption json;
@@ -570,15 +582,10 @@ struct SuggestCommand {
   void declare(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("suggest", "say how many steps a scene needs in a time, such as that of a picture");
-    command->add_option("SCENE", options.scene, "scene file (TOML); see ringwatch help scene")->required();
+    declareQuestion(*command, options, json);
     command->add_option("--frame", frame, "the time, s: a number or a fraction, such as 1/60")->required();
     command->add_option("--stretch", stretch,
                         "a:b, also for every state whose stretches stay between these two, e.g. 0.7:1.5");
-    command->add_option("--set", options.overrides, "section.key=value, replaces the value of the scene")
-        ->allow_extra_args(false);
-    json.declare(*command, "numbers");
-    command->add_option("--threads", options.threads, "threads (default: as many as the mesh can use)")
-        ->check(CLI::Range(0, 4096));
     command->footer(std::string(unitsText) + "\n" + seeTopics("scene | integrators") + exitStatusHint);
   }
 
@@ -598,13 +605,8 @@ struct ScaleMassCommand {
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("scale-mass", "say how little added mass a scene needs for a step");
-    command->add_option("SCENE", options.scene, "scene file (TOML); see ringwatch help scene")->required();
+    declareQuestion(*command, options, json);
     command->add_option("--step", step, "the step to be proven, s: a number or a fraction")->required();
-    command->add_option("--set", options.overrides, "section.key=value, replaces the value of the scene")
-        ->allow_extra_args(false);
-    json.declare(*command, "numbers");
-    command->add_option("--threads", options.threads, "threads (default: as many as the mesh can use)")
-        ->check(CLI::Range(0, 4096));
     command->footer("A run adds mass with handler.method = \"mass-scaling\", at the nodes that the handler chooses.\n" +
                     std::string(unitsText) + "\n" + seeTopics("scene | handlers") + exitStatusHint);
   }
@@ -612,6 +614,36 @@ struct ScaleMassCommand {
   ExitStatus execute() {
     options.step = parsePositiveNumber(step, "--step");
     const ScaleMassResult result = planMass(options);
+    json.write(result.json, result.text);
+    return ExitStatus::done;
+  }
+};
+
+struct AdviseCommand {
+  AdviseOptions options;
+  JsonOption json;
+  std::string step, time;
+
+  void declare(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("advise", "say how a scene can take a step that is too large for it, by short trials");
+    declareQuestion(*command, options, json);
+    command->add_option("--step", step, "the step to be taken, s: a number or a fraction (default: the scene's)");
+    command->add_option("--time", time,
+                        fmt::format("time of each trial, s (default: {} steps, or the scene's end)", adviseSteps));
+    command
+        ->add_option("--error", options.error,
+                     "error that is allowed at the end of a trial, of the displacement (default: 0.01)")
+        ->check(CLI::Range(1e-6, 1.0));
+    command->footer(
+        "It tries the scene's integrator at its safe step, every handler and every implicit integrator at the step.\n" +
+        std::string(unitsText) + "\n" + seeTopics("scene | handlers | integrators") + exitStatusHint);
+  }
+
+  ExitStatus execute() {
+    if (!step.empty()) options.step = parsePositiveNumber(step, "--step");
+    if (!time.empty()) options.time = parsePositiveNumber(time, "--time");
+    const AdviseResult result = adviseScene(options);
     json.write(result.json, result.text);
     return ExitStatus::done;
   }
@@ -877,6 +909,7 @@ ExitStatus dispatch(int argc, char** argv) {
   AuditCommand audit;
   SuggestCommand suggest;
   ScaleMassCommand scaleMass;
+  AdviseCommand advise;
   MeshCommand mesh;
   VerifyCommand verify;
   CompareCommand compare;
@@ -890,6 +923,7 @@ ExitStatus dispatch(int argc, char** argv) {
   audit.declare(app);
   suggest.declare(app);
   scaleMass.declare(app);
+  advise.declare(app);
   mesh.declare(app);
   verify.declare(app);
   compare.declare(app);
@@ -911,6 +945,7 @@ ExitStatus dispatch(int argc, char** argv) {
   if (app.got_subcommand("audit")) return audit.execute();
   if (app.got_subcommand("suggest")) return suggest.execute();
   if (app.got_subcommand("scale-mass")) return scaleMass.execute();
+  if (app.got_subcommand("advise")) return advise.execute();
   if (app.got_subcommand("verify")) return verify.execute();
   if (app.got_subcommand("report")) return report.execute();
   if (app.got_subcommand("schema")) return schema.execute();

@@ -151,7 +151,7 @@ PageVerdict verdictOf(const Audit& audit, const RunHistory& history, const std::
     if (least && least->safe < orNaN(audit.states[first->state].step))
       verdict.remedies.push_back(fmt::format("Take a smaller step: {} s is proven in every audited state{}.",
                                              stepRoundedDown(least->safe), before ? " before that" : ""));
-    if (const WhatIf* row = analysis ? analysis->inTheWay() : nullptr; row && row->elements > 0)
+    if (const WhatIf* row = analysis ? analysis->inTheWay() : nullptr; row && !row->way.all.empty())
       for (const std::string& remedy : remediesFor(*row, *analysis)) verdict.remedies.push_back(remedy);
   } else if (compared > 0 && verdict.tone == Tone::good) {
     verdict.remedies.emplace_back("Nothing has to be done about the step in these states.");

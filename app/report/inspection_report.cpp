@@ -64,7 +64,7 @@ PageVerdict verdictOf(const Inspection& inspection, const std::optional<RunAnaly
   std::vector<std::string> more;
   if (analysis) {
     const WhatIf* row = analysis->inTheWay();
-    more = row && row->elements > 0 ? remediesFor(*row, *analysis) : largerSteps(*analysis);
+    more = row && !row->way.all.empty() ? remediesFor(*row, *analysis) : largerSteps(*analysis);
   }
   verdict.remedies.insert(verdict.remedies.end(), more.begin(), more.end());
   if (more.empty() && cause.badlyShaped())

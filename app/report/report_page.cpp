@@ -261,9 +261,9 @@ std::string whatIfSection(const PageContent& page) {
                     what.h / *a.safe);
     rows += fmt::format(
         "{}<td>{}</td><td>{:.3g} %</td><td>{}</td></tr>\n", name,
-        what.proven ? "none: proven as it is" : fmt::format("{}", what.elements),
-        100 * static_cast<double>(what.elements) / static_cast<double>(std::max<std::size_t>(1, a.elements)),
-        what.proven ? 0 : what.badlyShaped());
+        what.proven ? "none: proven as it is" : fmt::format("{}", what.way.all.size()),
+        100 * static_cast<double>(what.way.all.size()) / static_cast<double>(std::max<std::size_t>(1, a.elements)),
+        what.proven ? 0 : what.way.badlyShaped.size());
     for (const HandlerTrial& trial : what.trials) {
       const std::string mass =
           trial.addedMass ? fmt::format("{:.3g} kg, {:.3g} % of the body's", *trial.addedMass, 100 * trial.addedShare)
@@ -353,8 +353,8 @@ Json analysisJson(const RunAnalysis& a) {
                         {"added_mass", trial.addedMass ? Json(*trial.addedMass) : Json(nullptr)},
                         {"why_not", trial.whyNot}});
     whatIf.push_back({{"step", what.h},
-                      {"elements", what.elements},
-                      {"badly_shaped", what.badlyShaped()},
+                      {"elements", what.way.all.size()},
+                      {"badly_shaped", what.way.badlyShaped.size()},
                       {"proven", what.proven},
                       {"handlers", std::move(trials)}});
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
 #include <memory>
 
 #include <ringwatch/app/command/integrator_catalog.h>
@@ -13,11 +12,9 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/handlers/handler.h>
-#include <ringwatch/handlers/selection/certified_selection.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh_io.h>
-#include <ringwatch/meshes/quality.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 
@@ -93,22 +90,6 @@ std::vector<HandlerTrial> tryHandlers(const AnalysedState& state, double h, doub
   return trials;
 }
 
-void countShapes(const AnalysedState& state, const std::vector<ElementRef>& chosen, double meanVolume, WhatIf& row) {
-  constexpr std::size_t mostIds = 12;
-  std::map<ShapeClass, std::size_t> counts;
-  const Mesh& mesh = state.body.mesh();
-  for (const ElementRef e : chosen) {
-    const MeshBlock& block = mesh.blocks[e.block];
-    const ShapeClass shape = elementShape(block, e.element, mesh.X, meanVolume).shape;
-    if (shape == ShapeClass::round || shape == ShapeClass::small || shape == ShapeClass::other) continue;
-    ++counts[shape];
-    if (row.badIds.size() < mostIds) row.badIds.push_back(block.id(e.element));
-  }
-  for (const auto& [shape, count] : counts) row.badShapes.emplace_back(shapeName(shape), count);
-  std::stable_sort(row.badShapes.begin(), row.badShapes.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-}
-
 void addWhatIf(const AnalysedState& state, RunAnalysis& analysis) {
   const double safe = *analysis.safe;
   const bool small = analysis.elements <= manyTrialsUpTo;
@@ -123,17 +104,13 @@ void addWhatIf(const AnalysedState& state, RunAnalysis& analysis) {
 
   const auto explicitly = makeIntegrator(state.integrator.name);
   const double explicitCost = secondsOfStep(*explicitly, state.body, state.x, safe) / safe;
-  const double meanVolume = std::abs(meshVolume(state.body.mesh())) / static_cast<double>(analysis.elements);
-  const HandlerOptions options;
   for (const double h : steps) {
     WhatIf row;
     row.h = h;
     row.proven = h <= safe;
     if (!row.proven) {
-      const double omega = (1 - options.margin) * state.integrator.imaginaryLimit / h;
-      const auto chosen = chosenElements(selectCertified(state.body, state.x, omega * omega).chosen);
-      row.elements = chosen.size();
-      countShapes(state, chosen, meanVolume, row);
+      row.way = elementsInTheWay(state.body, state.x, state.integrator, h);
+      if (!row.way.badlyShaped.empty()) row.badNumbers = row.way.badNumbersText(state.body.mesh());
       if (small ? h >= 1.5 * safe || h == state.taken : takenIsLarger ? h == *state.taken : h == 2 * safe)
         row.trials = tryHandlers(state, h, explicitCost);
     }
@@ -142,12 +119,6 @@ void addWhatIf(const AnalysedState& state, RunAnalysis& analysis) {
 }
 
 }  // namespace
-
-std::size_t WhatIf::badlyShaped() const {
-  std::size_t sum = 0;
-  for (const auto& [shape, count] : badShapes) sum += count;
-  return sum;
-}
 
 const WhatIf* RunAnalysis::inTheWay() const {
   for (const WhatIf& row : whatIf)

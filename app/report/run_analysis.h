@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <ringwatch/app/command/distribution.h>
+#include <ringwatch/app/command/elements_in_the_way.h>
 
 namespace ringwatch {
 
@@ -32,14 +33,11 @@ struct HandlerTrial {
 
 /// What is in the way of a step, and what it would take.
 struct WhatIf {
-  double h = 0;                                                // s
-  std::size_t elements = 0;                                    // that a certified selection chooses
-  bool proven = false;                                         // the step needs no handler
-  std::vector<std::pair<std::string, std::size_t>> badShapes;  // of the chosen elements, by shape; most frequent first
-  std::vector<std::int64_t> badIds;                            // numbers in the mesh of the first of them
-  std::vector<HandlerTrial> trials;                            // empty: none was tried at this step
-
-  std::size_t badlyShaped() const;
+  double h = 0;         // s
+  bool proven = false;  // the step needs no handler, and no element is in its way
+  ElementsInTheWay way;
+  std::string badNumbers;            // ElementsInTheWay::badNumbersText
+  std::vector<HandlerTrial> trials;  // empty: none was tried at this step
 };
 
 /// What is computed of a state when the page is written.

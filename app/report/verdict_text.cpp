@@ -55,13 +55,19 @@ std::string stepsText(const Json& summary) {
                           : fmt::format("steps between {:.6g} and {:.6g} s", least, largest);
 }
 
+bool hasHandler(const Json& summary) {
+  const auto handler = summary.find("handler");
+  return handler != summary.end() && handler->is_object();
+}
+
 /// The elements in the way, the least safe step, the room that is left.
 std::string roomText(const Json& summary, const std::optional<RunHistory>& history) {
   if (!history) return {};
   const auto least = smallestSafe(*history);
   if (!least) return {};
-  std::string text = fmt::format(" The smallest safe step on record is {:.4g} s, at step {:.0f}, t = {:.6g} s",
-                                 least->safe, least->step, least->time);
+  std::string text = fmt::format(" The smallest safe step on record{} is {:.4g} s, at step {:.0f}, t = {:.6g} s",
+                                 hasHandler(summary) ? ", of the elements that stay explicit," : "", least->safe,
+                                 least->step, least->time);
   if (!least->element.empty()) text += fmt::format(", where element {} controls it", least->element);
   const double largest = numberOf(summary, "largest_step").value_or(0);
   if (largest > 0 && largest <= least->safe)
@@ -70,15 +76,10 @@ std::string roomText(const Json& summary, const std::optional<RunHistory>& histo
 }
 
 std::string handlerText(const Json& summary) {
-  const auto handler = summary.find("handler");
-  if (handler == summary.end() || !handler->is_object()) return {};
+  if (!hasHandler(summary)) return {};
+  const Json& handler = summary["handler"];
   return fmt::format(" The handler {} holds {:.0f} elements at the end; the bracket is that of the others.",
-                     textOf(*handler, "method"), numberOf(*handler, "handled_elements").value_or(0));
-}
-
-bool hasHandler(const Json& summary) {
-  const auto handler = summary.find("handler");
-  return handler != summary.end() && handler->is_object();
+                     textOf(handler, "method"), numberOf(handler, "handled_elements").value_or(0));
 }
 
 void adviseSmallerStep(PageVerdict& verdict, const Json& summary, const std::optional<RunHistory>& history,
@@ -103,7 +104,7 @@ void advise(PageVerdict& verdict, const std::vector<std::string>& remedies) {
 
 void adviseHandler(PageVerdict& verdict, const Json& summary, const RunAnalysis* analysis) {
   const WhatIf* row = analysis ? analysis->inTheWay() : nullptr;
-  if (row && row->elements > 0) return advise(verdict, remediesFor(*row, *analysis));
+  if (row && !row->way.all.empty()) return advise(verdict, remediesFor(*row, *analysis));
   if (hasHandler(summary)) return;
   verdict.remedies.emplace_back(
       "Keep the step and let a handler take the elements that come into the way: [handler] method = \"imex\" with "
@@ -163,8 +164,8 @@ std::string stepRoundedDown(double step) {
 
 std::vector<std::string> remediesFor(const WhatIf& row, const RunAnalysis& analysis) {
   std::vector<std::string> remedies;
-  const std::string inTheWay = fmt::format("the {} of {} elements that are in the way of {:.4g} s {}", row.elements,
-                                           analysis.elements, row.h, analysis.where);
+  const std::string inTheWay = fmt::format("the {} of {} elements that are in the way of {:.4g} s {}",
+                                           row.way.all.size(), analysis.elements, row.h, analysis.where);
   std::string gains, best;
   double most = 0;
   for (const HandlerTrial& trial : row.trials) {
@@ -192,15 +193,10 @@ std::vector<std::string> remediesFor(const WhatIf& row, const RunAnalysis& analy
           fmt::format("Add {:.3g} kg at their nodes, {:.3g} % of the body's mass, which changes the motion: "
                       "[handler] method = \"{}\".",
                       *trial.addedMass, 100 * trial.addedShare, trial.handler));
-  if (const std::size_t bad = row.badlyShaped(); bad > 0) {
-    std::string shapes, ids;
-    for (const auto& [shape, count] : row.badShapes)
-      shapes += fmt::format("{}{} {}{}", shapes.empty() ? "" : ", ", count, shape, count == 1 ? "" : "s");
-    for (const std::int64_t id : row.badIds) ids += fmt::format("{}{}", ids.empty() ? "" : ", ", id);
-    remedies.push_back(fmt::format("Remesh: {} of them {} badly shaped at rest ({}), number{} {}{} in the mesh.", bad,
-                                   bad == 1 ? "is" : "are", shapes, bad == 1 ? "" : "s", ids,
-                                   bad > row.badIds.size() ? " and more" : ""));
-  } else if (row.elements > 0) {
+  if (const std::size_t bad = row.way.badlyShaped.size(); bad > 0) {
+    remedies.push_back(fmt::format("Remesh: {} of them {} badly shaped at rest ({}), {} in the mesh.", bad,
+                                   bad == 1 ? "is" : "are", row.way.shapesText(), row.badNumbers));
+  } else if (!row.way.all.empty()) {
     remedies.emplace_back(
         "None of them is badly shaped at rest: remeshing helps only if larger elements will do there.");
   }
@@ -213,7 +209,7 @@ std::vector<std::string> largerSteps(const RunAnalysis& analysis) {
   const WhatIf* found = nullptr;
   for (const WhatIf& row : analysis.whatIf)
     if (!row.proven && !row.trials.empty() && analysis.safe && row.h >= 1.5 * *analysis.safe &&
-        static_cast<double>(row.elements) <= few * static_cast<double>(analysis.elements))
+        static_cast<double>(row.way.all.size()) <= few * static_cast<double>(analysis.elements))
       found = &row;
   if (!found) return {};
   std::vector<std::string> remedies{

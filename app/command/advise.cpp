@@ -1,0 +1,252 @@
+#include <ringwatch/app/command/advise.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/command/elements_in_the_way.h>
+#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/command/progress.h>
+#include <ringwatch/app/command/scene_start.h>
+#include <ringwatch/app/output/report.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/user_text.h>
+#include <ringwatch/handlers/handler.h>
+#include <ringwatch/integrators/body_system.h>
+#include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/verify/work_precision/work_precision.h>
+
+namespace ringwatch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+enum class Kind { explicitly, handler, implicitly };
+constexpr std::string_view kindNames[] = {"explicit", "handler", "implicit"};
+
+/// Displacements over the positions that are rounding.
+constexpr double motionless = 1e-12;
+/// Gain of the step from which remeshing is worth a word.
+constexpr double worthRemeshing = 1.05;
+
+/// A way to take the step, and how its trial went.
+struct Way {
+  std::string name;
+  Kind kind;
+  std::string why;  // it cannot be taken, or was lost; then only the name counts
+  double step = 0, error = 0, seconds = 0;
+  std::size_t elements = 0;              // handled
+  std::optional<double> addedMass = {};  // kg
+  double gain = 0;                       // over the explicit one
+};
+
+class Trials {
+ public:
+  Trials(const AdviseOptions& options, const SceneStart& start, double h, double time, const CriticalStep& bracket)
+      : start_(start), system_(start.body), h_(h), end_(time), progress_(options.progress) {
+    const double lambda = start.rule.lambdaFor(bracket.safe);
+    progress_.announce("converging a motion to compare with");
+    // A hundredth of what is allowed: the comparison is not its error.
+    const ConvergedMotion motion = convergedMotion(system_, start.state, end_, lambda, 0.01 * options.error);
+    if (!((motion.x - start.state.x).norm() > motionless * start.state.x.norm()))
+      throw InputError(
+          fmt::format("{}: nothing moves in {:.6g} s; give a force, a velocity at the start or a prescribed motion",
+                      start.scene.file.string(), end_));
+    case_.emplace(WorkPrecisionCase{
+        start.scene.file.stem().string(), "", system_, start.state, end_, lambda, motion.x, motion.change, {}, {}});
+  }
+
+  std::vector<Way> all(double safe) {
+    std::vector<Way> ways;
+    ways.push_back(plain(start_.scene.method, Kind::explicitly, start_.scene.safety * safe));
+    for (const HandlerEntry& entry : allHandlers()) ways.push_back(handled(*entry.info));
+    for (const IntegratorEntry& entry : integratorCatalog().entries())
+      if (std::isinf(entry.info->imaginaryLimit) && !entry.info->partitioned)
+        ways.push_back(plain(std::string(entry.info->name), Kind::implicitly, h_));
+    for (Way& way : ways)
+      if (way.why.empty()) way.gain = ways.front().seconds / way.seconds;
+    progress_.clear();
+    return ways;
+  }
+
+ private:
+  Way plain(const std::string& name, Kind kind, double h) {
+    progress_.announce("trying " + name);
+    return from(
+        runPrepared(*case_, name, h,
+                    [&](double) {
+                      return PreparedRun{integratorCatalog().make(name), std::make_unique<BodySystem>(start_.body)};
+                    }),
+        kind);
+  }
+
+  /// With a body of its own, which the handler may change.
+  Way handled(const HandlerInfo& info) {
+    progress_.announce(fmt::format("trying {}", info.name));
+    Way way;
+    const double mass = start_.body.totalMass();
+    std::size_t elements = 0;
+    double heavier = mass;
+    try {
+      way = from(runPrepared(*case_, info.name, h_,
+                             [&](double step) {
+                               auto body = std::make_shared<Body>(start_.body, everyElement(start_.body.mesh()));
+                               auto handler =
+                                   makeHandler(std::string(info.name), *body, makeIntegrator(start_.scene.method),
+                                               optionsFor(info, start_.scene.handlerOptions));
+                               handler->prepare(start_.state.x, step);
+                               elements = handler->elements().size();
+                               heavier = body->totalMass();
+                               return PreparedRun{std::move(handler), std::make_unique<BodySystem>(*body), body};
+                             }),
+                 Kind::handler);
+    } catch (const std::runtime_error& fault) {
+      way = {std::string(info.name), Kind::handler, fault.what()};
+    }
+    way.elements = elements;
+    if (info.addsMass) way.addedMass = heavier - mass;
+    return way;
+  }
+
+  static Way from(const WorkPrecisionRun& run, Kind kind) {
+    Way way{run.integrator, kind, run.reason};
+    way.step = run.h;
+    way.error = run.error;
+    way.seconds = run.seconds;
+    if (way.why.empty() && !std::isfinite(way.error)) way.why = "its positions are not finite at the end";
+    return way;
+  }
+
+  static std::vector<std::vector<bool>> everyElement(const Mesh& mesh) {
+    std::vector<std::vector<bool>> all;
+    for (const MeshBlock& block : mesh.blocks) all.emplace_back(block.elementCount(), true);
+    return all;
+  }
+
+  const SceneStart& start_;
+  BodySystem system_;
+  double h_, end_;
+  ProgressLine progress_;
+  std::optional<WorkPrecisionCase> case_;
+};
+
+/// The step of the mesh without some elements, on the whole mass: what a mesh without them would allow at least.
+double safeWithout(const SceneStart& start, const std::vector<ElementRef>& left) {
+  std::vector<std::vector<bool>> kept;
+  for (const MeshBlock& block : start.body.mesh().blocks) kept.emplace_back(block.elementCount(), true);
+  for (const ElementRef e : left) kept[e.block][e.element] = false;
+  return criticalStep(Body(start.body, kept), start.state.x, start.rule).safe;
+}
+
+std::string verdictOf(const std::vector<Way>& ways, double allowed, Json& json) {
+  const Way* best = nullptr;
+  for (const Way& way : ways)
+    if (way.why.empty() && way.error <= allowed && (!best || way.seconds < best->seconds)) best = &way;
+  json["best"] = best ? Json(best->name) : Json(nullptr);
+  if (!best) return fmt::format("none of them keeps the error within {:.3g} %: take smaller steps", 100 * allowed);
+  if (best->kind == Kind::explicitly)
+    return fmt::format("stay with {} at {:.6g} s: within an error of {:.3g} % nothing else is faster", best->name,
+                       best->step, 100 * allowed);
+  return fmt::format("take {}{}: within an error of {:.3g} % it is the fastest, {:.3g} times as fast as {}",
+                     best->kind == Kind::handler ? "the handler " : "", best->name, 100 * allowed, best->gain,
+                     ways.front().name);
+}
+
+}  // namespace
+
+AdviseResult adviseScene(const AdviseOptions& options) {
+  const SceneStart start = startOf(options.scene, options.overrides, options.threads);
+  const Scene& scene = start.scene;
+  const std::string file = scene.file.string();
+  if (scene.damping.any())
+    throw InputError(fmt::format("{}: handlers do not work with [damping]; remove it to be advised", file));
+  if (!scene.timed.empty()) throw InputError(fmt::format("{}: advise takes no {}", scene.timed, scene.timedBy));
+  if (!takesHandler(*start.integrator))
+    throw InputError(
+        fmt::format("{}: integrator.method = {}: takes no handler; choose another with --set "
+                    "integrator.method=verlet",
+                    file, inQuotes(scene.method)));
+  if (!options.step && !scene.step)
+    throw InputError(
+        fmt::format("{}: integrator.step = \"auto\" keeps below the critical step by itself; give the step "
+                    "that you want with --step",
+                    file));
+  const double h = options.step.value_or(scene.step.value_or(0));
+  const double time = options.time.value_or(std::min(scene.end, adviseSteps * h));
+  if (time < h)
+    throw InputError(fmt::format("{}: {} s is less than one step of {} s",
+                                 options.time ? std::string("--time") : file + ": integrator.end", time, h));
+
+  const Body& body = start.body;
+  const CriticalStep bracket = criticalStep(body, start.state.x, start.rule);
+  AdviseResult result;
+  Json& json = result.json;
+  json = Json{{"scene", file},        {"integrator", scene.method},       {"step", h},
+              {"safe", bracket.safe}, {"optimistic", bracket.optimistic}, {"needed", h > bracket.safe},
+              {"notes", start.notes}};
+  result.text = fmt::format(
+      "{}: {}, {}, {}\n  critical step between {:.6g} and {:.6g} s; {:.6g} s is {:.3g} times the "
+      "safe one\n",
+      file, elementCounts(body.mesh()), modelsText(scene.materials), scene.method, bracket.safe, bracket.optimistic, h,
+      h / bracket.safe);
+  for (const std::string& note : start.notes) result.text += fmt::format("  note: {}\n", note);
+  if (h <= bracket.safe) {
+    result.text +=
+        fmt::format("a step of {:.6g} s is proven stable as the scene starts: {} alone will do\n", h, scene.method);
+    return result;
+  }
+
+  const ElementsInTheWay way = elementsInTheWay(body, start.state.x, *start.integrator, h);
+  const std::size_t count = way.all.size(), bad = way.badlyShaped.size();
+  json["in_the_way"] = Json{{"elements", count}, {"badly_shaped", bad}, {"shapes", Json::object()}};
+  for (const auto& [shape, number] : way.badShapes) json["in_the_way"]["shapes"][shape] = number;
+  result.text +=
+      fmt::format("  {} of {} elements are in the way; {}\n", count, body.mesh().elementCount(),
+                  bad == 0 ? std::string("none of them is badly shaped")
+                           : fmt::format("{} of them {} badly shaped ({}): {} in the mesh", bad,
+                                         bad == 1 ? "is" : "are", way.shapesText(), way.badNumbersText(body.mesh())));
+
+  const std::vector<Way> ways = Trials(options, start, h, time, bracket).all(bracket.safe);
+  json["time"] = time;
+  json["allowed_error"] = options.error;
+  result.text += fmt::format(
+      "trials over {:.6g} s; error of the displacement against a converged motion:\n"
+      "  {:<18} {:>11} {:>9} {:>13} {:>11} {:>9} {:>9}\n",
+      time, "", "step, s", "handled", "added mass, %", "computing, s", "gain", "error");
+  for (const Way& one : ways) {
+    Json row{{"name", one.name}, {"kind", std::string(kindNames[static_cast<std::size_t>(one.kind)])}};
+    if (!one.why.empty()) {
+      row["why_not"] = one.why;
+      result.text += fmt::format("  {:<18} not: {}\n", one.name, one.why);
+    } else {
+      row.update(Json{{"step", one.step},
+                      {"elements", one.elements},
+                      {"seconds", one.seconds},
+                      {"gain", numberOrNull(one.gain)},
+                      {"error", one.error}});
+      if (one.addedMass) row["added_mass"] = *one.addedMass;
+      result.text += fmt::format("  {:<18} {:>11.5g} {:>9} {:>13} {:>11.3g} {:>9.3g} {:>9.2g}\n", one.name, one.step,
+                                 one.kind == Kind::handler ? fmt::format("{}", one.elements) : "-",
+                                 one.addedMass ? fmt::format("{:.3g}", 100 * *one.addedMass / body.totalMass()) : "-",
+                                 one.seconds, one.gain, one.error);
+    }
+    json["ways"].push_back(std::move(row));
+  }
+  result.text += verdictOf(ways, options.error, json) + "\n";
+  if (bad > 0) {
+    const double without = safeWithout(start, way.badlyShaped);
+    json["remeshed"] = without;
+    const double times = without / bracket.safe;
+    result.text += fmt::format("remeshing: without the {} badly shaped element{} {:.6g} s would be proven, {}\n", bad,
+                               bad == 1 ? "" : "s", without,
+                               times < worthRemeshing ? "hardly more than now: others are in the way too"
+                                                      : fmt::format("{:.3g} times the safe step now", times));
+  }
+  return result;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace ringwatch {
+
+/// What `ringwatch advise` is asked.
+struct AdviseOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;  // section.key=value
+  std::optional<double> step;          // s; empty: the scene's
+  std::optional<double> time;          // s of each trial; empty: adviseSteps steps
+  double error = 0.01;                 // allowed at the end of a trial, of the displacement
+  int threads = 0;
+  bool progress = true;  // a progress line on a terminal
+};
+/// Steps of a trial unless its time is given.
+inline constexpr int adviseSteps = 40;
+
+struct AdviseResult {
+  nlohmann::ordered_json json;  // the contract of `advise --json`
+  std::string text;             // the same, human-readable
+};
+
+/// What a scene can do to take a step that is larger than its safe one: the elements in the way, what each handler and
+/// implicit integrator costs and errs by in a short trial against a converged motion, the mass that would be added, and
+/// the step that the mesh would allow without its badly shaped elements. Throws InputError for bad input and for scenes
+/// that no handler takes: damped ones, those with springs, contact, motions or loads in time.
+AdviseResult adviseScene(const AdviseOptions& options);
+
+}  // namespace ringwatch

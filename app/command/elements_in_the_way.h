@@ -1,0 +1,29 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <ringwatch/body/body.h>
+
+namespace ringwatch {
+
+struct IntegratorInfo;
+
+/// The elements that keep a step from being stable, as a certified selection chooses them, and those of them that only
+/// their shape puts there.
+struct ElementsInTheWay {
+  std::vector<ElementRef> all, badlyShaped;
+  std::vector<std::pair<std::string, std::size_t>> badShapes;  // of badlyShaped, by shape; most frequent first
+
+  /// "3 slivers, 1 cap"; "" where none is badly shaped.
+  std::string shapesText() const;
+  /// Numbers in the mesh of the first badly shaped ones: "number 7", "numbers 7, 12 and more".
+  std::string badNumbersText(const Mesh& mesh) const;
+};
+
+/// Of a step h (s) at positions x (3×N, m), with the room that handlers leave by default. For integrators that take a
+/// handler. Throws NumericalError where the state has no finite tangent.
+ElementsInTheWay elementsInTheWay(const Body& body, const NodeVectors& x, const IntegratorInfo& integrator, double h);
+
+}  // namespace ringwatch

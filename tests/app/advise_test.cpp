@@ -1,0 +1,104 @@
+// `ringwatch advise`: what it finds in the way, what its trials measure, and what it refuses.
+#include <cmath>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace ringwatch {
+namespace {
+
+using test::Json;
+using test::Outcome;
+using test::Program;
+using test::tiny;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const Json* wayOf(const Json& advice, const std::string& name) {
+  for (const Json& way : advice["ways"])
+    if (way["name"] == name) return &way;
+  return nullptr;
+}
+
+TEST_F(Program, AdvisesByTrialsThatCompareAndRunsConfirm) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome outcome = call("advise tiny.toml --set integrator.method=verlet --step 4e-3 --time 0.04 --json a.json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json advice = json("a.json");
+  EXPECT_EQ(advice["needed"], true);
+  EXPECT_LT(advice["safe"], 4e-3);
+  const Json& plain = advice["ways"][0];
+  EXPECT_EQ(plain["kind"], "explicit");
+  EXPECT_EQ(plain["gain"], 1);
+  EXPECT_LT(plain["step"], advice["safe"]);
+
+  // The best is the fastest of those within the error, and the last lines say so.
+  int within = 0, handlers = 0, implicit = 0;
+  const Json& best = *wayOf(advice, advice["best"]);
+  for (const Json& way : advice["ways"]) {
+    handlers += way["kind"] == "handler";
+    implicit += way["kind"] == "implicit";
+    if (way.contains("why_not") || way["error"] > advice["allowed_error"]) continue;
+    ++within;
+    EXPECT_GE(way["seconds"], best["seconds"]) << way;
+    EXPECT_NEAR(way["gain"].get<double>() * way["seconds"].get<double>(), plain["seconds"], 1e-9);
+  }
+  EXPECT_GE(within, 2);
+  EXPECT_GE(handlers, 5);
+  EXPECT_GE(implicit, 1);
+  EXPECT_LE(best["error"], 0.01);
+  EXPECT_THAT(outcome.out, HasSubstr("within an error of 1 %"));
+
+  // `compare` over the same time finds the same errors, but for that of the motion compared with: 1e-4 at most here.
+  const Outcome compared = call(
+      "compare tiny.toml --integrators verlet --handlers imex,mass-scaling --step 4e-3 --set integrator.end=0.04 "
+      "--json c.json --out c");
+  ASSERT_EQ(compared.status, 0) << compared.err;
+  const Json comparison = json("c.json");
+  int same = 0;
+  for (const Json& run : comparison["runs"])
+    if (const Json* way = wayOf(advice, run["integrator"]); way && (*way)["kind"] == "handler") {
+      EXPECT_NEAR((*way)["error"].get<double>(), run["error"].get<double>(), 1e-4) << run;
+      ++same;
+    }
+  EXPECT_EQ(same, 2);
+
+  // A run with the handler handles as many elements and adds the same mass.
+  for (const std::string handler : {"imex", "mass-scaling"}) {
+    const Outcome run = call("run tiny.toml --out " + handler + " --set handler.method=" + handler +
+                             " --set integrator.method=verlet --set integrator.step=4e-3 --set integrator.end=4e-3");
+    ASSERT_LE(run.status, 3) << run.err;
+    const Json summary = json(handler + "/summary.json");
+    EXPECT_EQ(summary["handler"]["handled_elements"], (*wayOf(advice, handler))["elements"]) << handler;
+    if (handler == "mass-scaling") {
+      EXPECT_NEAR(summary["handler"]["added_mass_kg"].get<double>(),
+                  (*wayOf(advice, handler))["added_mass"].get<double>(), 1e-12);
+    }
+  }
+}
+
+TEST_F(Program, AdvisesNothingWhereTheStepIsProven) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome outcome = call("advise tiny.toml --json a.json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(json("a.json")["needed"], false);
+  EXPECT_FALSE(json("a.json").contains("ways"));
+  EXPECT_THAT(outcome.out, HasSubstr("is proven stable as the scene starts"));
+}
+
+TEST_F(Program, RefusesToAdviseWhatNoHandlerTakes) {
+  folder_.write("tiny.toml", tiny);
+  expectRefused("advise tiny.toml --step 0", "--step: \"0\"");
+  expectRefused("advise tiny.toml --step 4e-3 --time 1e-3", "--time: 0.001 s is less than one step of 0.004 s");
+  expectRefused("advise tiny.toml --step 0.1", "integrator.end: 0.05 s is less than one step of 0.1 s");
+  expectRefused("advise tiny.toml --step 4e-3 --set damping.mass=1", "handlers do not work with [damping]");
+  expectRefused("advise tiny.toml --step 4e-3 --set integrator.method=rk4", "takes no handler");
+  expectRefused("advise tiny.toml --set integrator.step=\"auto\"", "give the step that you want with --step");
+  expectRefused("advise tiny.toml --step 4e-3 --set move.0.velocity=\"[0, 0, 0]\"", "nothing moves in");
+}
+
+}  // namespace
+}  // namespace ringwatch
