@@ -14,6 +14,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/handlers/handler.h>
+#include <ringwatch/handlers/selection/selection.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/verify/work_precision/work_precision.h>
@@ -22,8 +23,6 @@ namespace ringwatch {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 enum class Kind { explicitly, handler, implicitly };
 constexpr std::string_view kindNames[] = {"explicit", "handler", "implicit"};
@@ -46,9 +45,10 @@ struct Way {
 
 class Trials {
  public:
-  Trials(const AdviseOptions& options, const SceneStart& start, double h, double time, const CriticalStep& bracket)
-      : start_(start), system_(start.body), h_(h), end_(time), progress_(options.progress) {
-    const double lambda = start.rule.lambdaFor(bracket.safe);
+  /// safe: the step that is proven at the start, s.
+  Trials(const AdviseOptions& options, const SceneStart& start, double h, double time, double safe)
+      : start_(start), system_(start.body), h_(h), safe_(safe), end_(time), progress_(options.progress) {
+    const double lambda = start.rule.lambdaFor(safe);
     progress_.announce("converging a motion to compare with");
     // A hundredth of what is allowed: the comparison is not its error.
     const ConvergedMotion motion = convergedMotion(system_, start.state, end_, lambda, 0.01 * options.error);
@@ -60,9 +60,9 @@ class Trials {
         start.scene.file.stem().string(), "", system_, start.state, end_, lambda, motion.x, motion.change, {}, {}});
   }
 
-  std::vector<Way> all(double safe) {
+  std::vector<Way> all() {
     std::vector<Way> ways;
-    ways.push_back(plain(start_.scene.method, Kind::explicitly, start_.scene.safety * safe));
+    ways.push_back(plain(start_.scene.method, Kind::explicitly, start_.scene.safety * safe_));
     for (const HandlerEntry& entry : allHandlers()) ways.push_back(handled(*entry.info));
     for (const IntegratorEntry& entry : integratorCatalog().entries())
       if (std::isinf(entry.info->imaginaryLimit) && !entry.info->partitioned)
@@ -94,7 +94,7 @@ class Trials {
     try {
       way = from(runPrepared(*case_, info.name, h_,
                              [&](double step) {
-                               auto body = std::make_shared<Body>(start_.body, everyElement(start_.body.mesh()));
+                               auto body = std::make_shared<Body>(copyOf(start_.body));
                                auto handler =
                                    makeHandler(std::string(info.name), *body, makeIntegrator(start_.scene.method),
                                                optionsFor(info, start_.scene.handlerOptions));
@@ -117,29 +117,21 @@ class Trials {
     way.step = run.h;
     way.error = run.error;
     way.seconds = run.seconds;
-    if (way.why.empty() && !std::isfinite(way.error)) way.why = "its positions are not finite at the end";
     return way;
-  }
-
-  static std::vector<std::vector<bool>> everyElement(const Mesh& mesh) {
-    std::vector<std::vector<bool>> all;
-    for (const MeshBlock& block : mesh.blocks) all.emplace_back(block.elementCount(), true);
-    return all;
   }
 
   const SceneStart& start_;
   BodySystem system_;
-  double h_, end_;
+  double h_, safe_, end_;
   ProgressLine progress_;
   std::optional<WorkPrecisionCase> case_;
 };
 
 /// The step of the mesh without some elements, on the whole mass: what a mesh without them would allow at least.
 double safeWithout(const SceneStart& start, const std::vector<ElementRef>& left) {
-  std::vector<std::vector<bool>> kept;
-  for (const MeshBlock& block : start.body.mesh().blocks) kept.emplace_back(block.elementCount(), true);
-  for (const ElementRef e : left) kept[e.block][e.element] = false;
-  return criticalStep(Body(start.body, kept), start.state.x, start.rule).safe;
+  ElementFlags flags = noElements(start.body.mesh());
+  for (const ElementRef e : left) flags[e.block][e.element] = true;
+  return criticalStep(Body(start.body, complement(std::move(flags))), start.state.x, start.rule).safe;
 }
 
 std::string verdictOf(const std::vector<Way>& ways, double allowed, Json& json) {
@@ -175,7 +167,7 @@ AdviseResult adviseScene(const AdviseOptions& options) {
         fmt::format("{}: integrator.step = \"auto\" keeps below the critical step by itself; give the step "
                     "that you want with --step",
                     file));
-  const double h = options.step.value_or(scene.step.value_or(0));
+  const double h = options.step ? *options.step : *scene.step;
   const double time = options.time.value_or(std::min(scene.end, adviseSteps * h));
   if (time < h)
     throw InputError(fmt::format("{}: {} s is less than one step of {} s",
@@ -210,7 +202,7 @@ AdviseResult adviseScene(const AdviseOptions& options) {
                            : fmt::format("{} of them {} badly shaped ({}): {} in the mesh", bad,
                                          bad == 1 ? "is" : "are", way.shapesText(), way.badNumbersText(body.mesh())));
 
-  const std::vector<Way> ways = Trials(options, start, h, time, bracket).all(bracket.safe);
+  const std::vector<Way> ways = Trials(options, start, h, time, bracket.safe).all();
   json["time"] = time;
   json["allowed_error"] = options.error;
   result.text += fmt::format(

@@ -21,8 +21,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 std::vector<IntegratorEntry> chosenIntegrators(const std::vector<std::string>& names) {
   const auto entries = integratorCatalog().entries();
   std::vector<IntegratorEntry> chosen;
@@ -99,7 +97,7 @@ Json workPrecisionJson(const WorkPrecisionCase& c, const std::vector<WorkPrecisi
   for (const WorkPrecisionRun& run : runs)
     rows.push_back({{"integrator", run.integrator},
                     {"h", run.h},
-                    {"error", number(run.error)},
+                    {"error", numberOrNull(run.error)},
                     {"seconds", run.seconds},
                     {"forces", run.forces},
                     {"products", run.products},

@@ -60,15 +60,8 @@ Told tell(const SceneStart& start, double wanted, const char* what, const MassPl
   const Body& body = start.body;
   const double mass = body.totalMass();
   Told told;
-  std::vector<std::vector<bool>> all;
-  for (const auto& block : body.blocks()) all.emplace_back(static_cast<std::size_t>(block->elementCount()), true);
-  Body heavier(body, all);
-  std::size_t nodes = 0;
-  for (std::int32_t i = 0; i < body.nodeCount(); ++i)
-    if (plan.added[i] > 0) {
-      heavier.addNodalMass(i, plan.added[i]);
-      ++nodes;
-    }
+  const Body heavier = withAddedMass(body, plan.added);
+  const auto nodes = static_cast<std::size_t>((plan.added.array() > 0).count());
   const CriticalStep step = criticalStep(heavier, start.state.x, start.rule);
   const std::vector<double> after = lowestFrequencies(body, start.state.x, heavier.lumpedMass());
   told.json = Json{{"added_mass", plan.total()},

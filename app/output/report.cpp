@@ -1,6 +1,7 @@
 #include <ringwatch/app/output/report.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -153,6 +154,8 @@ Json momentJson(const std::optional<RunResult::Moment>& moment) {
 }  // namespace
 
 std::string_view programVersion() { return RINGWATCH_VERSION; }
+
+Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json meshJson(const Mesh& mesh, double volume) {
   Json elements = Json::object();

@@ -9,6 +9,8 @@
 
 namespace ringwatch {
 
+/// JSON has no number that is not finite: null instead.
+nlohmann::ordered_json numberOrNull(double value);
 /// Numbers of nodes, of elements by type, and volume (m³).
 nlohmann::ordered_json meshJson(const Mesh& mesh, double volume);
 /// An element by block, index, id and nodes: positions counted from 0, and the numbers of the mesh's file.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include <ringwatch/app/output/report.h>
 #include <ringwatch/app/report/surface_picture.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/sort_unique.h>
@@ -82,8 +83,6 @@ Packed packed(const std::vector<float>& values, const std::vector<std::int32_t>&
   }
   return result;
 }
-
-Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 }  // namespace
 

@@ -12,6 +12,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/handlers/handler.h>
+#include <ringwatch/handlers/selection/selection.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/mesh_io.h>
@@ -30,13 +31,6 @@ constexpr std::size_t manyTrialsUpTo = 3000;
 constexpr const char* rulesOfThumb[] = {"pressure-wave:min-height", "pressure-wave:volume-over-area",
                                         "pressure-wave:in-radius",  "pressure-wave:shortest-edge",
                                         "single-element",           "reduced-1-ring"};
-
-/// A body that a handler may change.
-Body copyOf(const Body& body) {
-  std::vector<std::vector<bool>> all;
-  for (const MeshBlock& block : body.mesh().blocks) all.emplace_back(block.elementCount(), true);
-  return {body, all};
-}
 
 /// Wall time of a step, s: the least mean of a few batches, as other programs disturb the rest. Infinite where a step
 /// fails.

@@ -8,6 +8,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/handlers/mass_scaling/mass_scaling.h>
+#include <ringwatch/handlers/selection/selection.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 
@@ -17,17 +18,14 @@ namespace {
 /// As the handler's: for what separates the computed sums and eigenvalues from their use.
 constexpr double room = 1e-9;
 
-/// A body with all elements of another and more mass.
-Body withMass(const Body& body, const Eigen::VectorXd& added) {
-  std::vector<std::vector<bool>> all;
-  for (const auto& block : body.blocks()) all.emplace_back(static_cast<std::size_t>(block->elementCount()), true);
-  Body heavier(body, all);
+}  // namespace
+
+Body withAddedMass(const Body& body, const Eigen::VectorXd& added) {
+  Body heavier = copyOf(body);
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
     if (added[i] > 0) heavier.addNodalMass(i, added[i]);
   return heavier;
 }
-
-}  // namespace
 
 MassPlan planAddedMass(const Body& body, const NodeVectors& x, double lambda, int rounds) {
   constexpr int sweeps = 12;
@@ -36,7 +34,7 @@ MassPlan planAddedMass(const Body& body, const NodeVectors& x, double lambda, in
   const Eigen::VectorXd& own = body.lumpedMass();
   MassPlan best{Eigen::VectorXd::Zero(body.nodeCount())};
   {
-    Body heavier = withMass(body, best.added);
+    Body heavier = withAddedMass(body, best.added);
     HandlerOptions options;
     options.margin = 0;
     MassScaling handler(heavier, makeIntegrator("symplectic-euler"), std::move(options));
@@ -45,7 +43,7 @@ MassPlan planAddedMass(const Body& body, const NodeVectors& x, double lambda, in
   }
   Eigen::VectorXd added = best.added;
   for (int round = 0; round < rounds && best.total() > 0; ++round) {
-    const Body heavier = withMass(body, added);
+    const Body heavier = withAddedMass(body, added);
     NodalBound bound(heavier);
     if (!std::isfinite(bound.evaluate(x, sweeps).value))
       throw NumericalError("added mass: the tangent is not finite here, and no mass helps");

@@ -12,6 +12,9 @@ struct MassPlan {
   double total() const { return added.sum(); }
 };
 
+/// All of a body with such masses on its nodes.
+Body withAddedMass(const Body& body, const Eigen::VectorXd& added);
+
 /// Little added mass for a limit of lambda (rad²/s², > 0) at positions x (3×N, m): from what the handler mass-scaling
 /// adds, the weights of the block nodal bound are swept again and again on the masses so far, and each node gets no
 /// more than m_i + added_i >= lambda_max(Σ l_e D_e,i)/lambda asks for. Any weights prove it: Theorem 40,

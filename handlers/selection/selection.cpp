@@ -31,6 +31,8 @@ ElementFlags complement(ElementFlags flags) {
   return flags;
 }
 
+Body copyOf(const Body& body) { return {body, complement(noElements(body.mesh()))}; }
+
 std::vector<std::vector<std::int32_t>> elementNumbers(const ElementFlags& flags) {
   std::vector<std::vector<std::int32_t>> numbers(flags.size());
   for (const ElementRef e : chosenElements(flags)) numbers[e.block].push_back(e.element);

@@ -31,6 +31,8 @@ std::vector<ElementRef> chosenElements(const ElementFlags& flags);
 
 /// The elements that are not flagged.
 ElementFlags complement(ElementFlags flags);
+/// All of a body, as one that may be changed. For bodies made of a mesh and materials, without discrete forces.
+Body copyOf(const Body& body);
 /// The flagged elements of each block, ascending: in a body made of them alone, element i of a block is the i-th.
 std::vector<std::vector<std::int32_t>> elementNumbers(const ElementFlags& flags);
 
