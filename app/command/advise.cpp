@@ -27,8 +27,6 @@ using Json = nlohmann::ordered_json;
 enum class Kind { explicitly, handler, implicitly };
 constexpr std::string_view kindNames[] = {"explicit", "handler", "implicit"};
 
-/// Displacements over the positions that are rounding.
-constexpr double motionless = 1e-12;
 /// Gain of the step from which remeshing is worth a word.
 constexpr double worthRemeshing = 1.05;
 
@@ -52,7 +50,7 @@ class Trials {
     progress_.announce("converging a motion to compare with");
     // A hundredth of what is allowed: the comparison is not its error.
     const ConvergedMotion motion = convergedMotion(system_, start.state, end_, lambda, 0.01 * options.error);
-    if (!((motion.x - start.state.x).norm() > motionless * start.state.x.norm()))
+    if (!motion.moves)
       throw InputError(
           fmt::format("{}: nothing moves in {:.6g} s; give a force, a velocity at the start or a prescribed motion",
                       start.scene.file.string(), end_));

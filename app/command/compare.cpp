@@ -145,7 +145,7 @@ CompareResult compareScene(const CompareOptions& options) {
   const State start = sceneInitialState(scene, system);
   ProgressLine progress(options.progress);
   const ConvergedMotion reference = convergedMotion(system, start, scene.end, top.lambda);
-  if (!((reference.x - start.x).norm() > 0))
+  if (!reference.moves)
     throw InputError(fmt::format("{}: nothing moves; give a force, a velocity at the start or a prescribed motion",
                                  scene.file.string()));
   const WorkPrecisionCase c{

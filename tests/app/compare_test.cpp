@@ -56,6 +56,7 @@ TEST_F(Program, ComparesIntegratorsOnAScene) {
   expectRefused("compare tiny.toml --step 0", "--step: 0 s must be > 0");
   expectRefused("compare tiny.toml --step 1", "beyond the end");
   expectRefused("compare absent.toml", "absent.toml");
+  expectRefused("compare tiny.toml --integrators verlet --set move.0.velocity=\"[0, 0, 0]\"", "nothing moves;");
 }
 
 TEST_F(HandledProgram, ComparesHandlersWithIntegrators) {

@@ -52,6 +52,30 @@ TEST(WorkPrecision, SaysSoWhenThereIsNoReference) {
   EXPECT_THROW(convergedMotion(system, unit, 20, 1), NumericalError);
 }
 
+/// Accelerates by what rounding of forces in balance leaves.
+class Balanced final : public SecondOrderSystem {
+ public:
+  explicit Balanced(double left) : left_(left) {}
+  void acceleration(double, const NodeVectors& x, const NodeVectors&, NodeVectors& a) override {
+    a = NodeVectors::Constant(x.rows(), x.cols(), left_);
+  }
+
+ private:
+  double left_;
+};
+TEST(WorkPrecision, SaysSoWhenNothingMoves) {
+  State start = unit;
+  start.v.setZero();
+  for (const double left : {0.0, 1e-17}) {
+    Balanced system(left);
+    const ConvergedMotion motion = convergedMotion(system, start, 20, 1);
+    EXPECT_FALSE(motion.moves) << left;
+    EXPECT_EQ(motion.change, 0) << left;
+  }
+  Balanced pushed(1e-6);
+  EXPECT_TRUE(convergedMotion(pushed, start, 20, 1).moves);
+}
+
 TEST(WorkPrecision, ErrorsFallByTheOrderAndCostIsCounted) {
   Oscillator oscillator;
   const WorkPrecisionCase c = swing(oscillator, 20);

@@ -201,7 +201,8 @@ ConvergedMotion convergedMotion(SecondOrderSystem& system, const State& start, d
   const char* const name = system.velocityDependent() ? "rk4" : "pefrl";
   constexpr double firstStep = 0.4;  // times omega
   constexpr int halvings = 7;
-  ConvergedMotion motion{{}, nan, 0};
+  constexpr double rounding = 1e-12;  // of displacements, over the positions
+  ConvergedMotion motion{{}, nan, 0, true};
   NodeVectors before;
   auto steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(end * std::sqrt(lambda) / firstStep)));
   for (int k = 0; k <= halvings; ++k, steps *= 2) {
@@ -213,7 +214,9 @@ ConvergedMotion convergedMotion(SecondOrderSystem& system, const State& start, d
       continue;
     }
     motion.h = end / static_cast<double>(steps);
-    if (before.size() > 0) motion.change = (state.x - before).norm() / (state.x - start.x).norm();
+    const double displacement = (state.x - start.x).norm();
+    motion.moves = displacement > rounding * start.x.norm();
+    if (before.size() > 0) motion.change = motion.moves ? (state.x - before).norm() / displacement : 0;
     before = motion.x = state.x;
     if (motion.change <= tolerance) return motion;
   }

@@ -66,11 +66,13 @@ struct WorkPrecisionOptions {
 
 /// The end of a motion by ever smaller steps of a fourth-order scheme (PEFRL; classical Runge-Kutta with damping),
 /// until halving the step changes it by less than `tolerance` of the displacement. Throws NumericalError when it does
-/// not converge: then there is nothing to compare with.
+/// not converge: then there is nothing to compare with. Displacements of less than 1e-12 of the positions are rounding:
+/// where no step gives more, nothing moves.
 struct ConvergedMotion {
   NodeVectors x;
   double change;  // at the last halving, relative
   double h;       // s
+  bool moves;     // else change is 0
 };
 ConvergedMotion convergedMotion(SecondOrderSystem& system, const State& start, double end, double lambda,
                                 double tolerance = 1e-9);
