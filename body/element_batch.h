@@ -200,12 +200,12 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  /// Forces are the same to the last bit whatever else is asked for: energies and visitors read the deformation
-  /// gradients from memory, so that nothing but the force is compiled into its loop.
+  /// Forces are the same to the last bit whatever else is asked for: beside them, energies and visitors read the
+  /// deformation gradients from memory, so that nothing but the force is compiled into its loop.
   template <bool wantsForce, class By>
   void evaluate(std::int32_t first, std::int32_t last, const double* rows, const BatchEvaluation& evaluation) const {
     const LawType law = law_;
-    const bool stores = evaluation.visitor || evaluation.energy;
+    const bool stores = evaluation.visitor || (wantsForce && evaluation.energy);
     alignas(64) double gradients[9 * Geometry::maxPoints * lanes];
     for (std::int32_t batch = first; batch < last; ++batch) {
       P position[n][3], force[n][3];
@@ -213,11 +213,14 @@ class ElementBatch final : public ElementBlock {
       const typename By::Field x(geometry_, position);
       [[maybe_unused]] typename By::Forces forces(geometry_, force);
       const P* point = geometry_.pointsOf(batch);
+      [[maybe_unused]] P energy(0.0);
       for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
         const Matrix3<P> J1 = Geometry::inverseJacobian(point);
         const Matrix3<P> F = x(q) * J1;
         if (stores)
           for (int i = 0; i < 9; ++i) F.m[i].store(gradients + (9 * q + i) * lanes);
+        if constexpr (!wantsForce)
+          if (evaluation.energy) energy += Geometry::weight(point) * law.energy(F);
         if constexpr (wantsForce) forces.add(q, timesTranspose(Geometry::weight(point) * law.stress(F), J1));
       }
       if constexpr (wantsForce) forces.finish();
@@ -227,20 +230,27 @@ class ElementBatch final : public ElementBlock {
           Geometry::addMeanForces(g[3 * n] * meanLaw_.stress(Geometry::meanGradient(position, g)), g, force);
         }
       if constexpr (wantsForce) geometry_.addToSlots(evaluation.slots, batch, force);
-      if (evaluation.energy) addEnergy(batch, gradients, position, evaluation.energy);
+      if (evaluation.energy) {
+        if constexpr (wantsForce) energy = energyOf(batch, gradients);
+        addEnergy(batch, energy, position, evaluation.energy);
+      }
       if (evaluation.visitor) evaluation.visitor->visit(batch, gradients);
     }
   }
 
-  [[gnu::noinline]] void addEnergy(std::int32_t batch, const double* gradients, const P (&position)[n][3],
-                                   double* energy) const {
+  /// Energy at the points of a batch, from deformation gradients in memory.
+  [[gnu::noinline]] P energyOf(std::int32_t batch, const double* gradients) const {
     const P* point = geometry_.pointsOf(batch);
-    P sum = P::load(energy);
+    P sum(0.0);
     for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
       Matrix3<P> F;
       for (int i = 0; i < 9; ++i) F.m[i] = P::load(gradients + (9 * q + i) * lanes);
       sum += Geometry::weight(point) * law_.energy(F);
     }
+    return sum;
+  }
+  void addEnergy(std::int32_t batch, P points, const P (&position)[n][3], double* energy) const {
+    P sum = P::load(energy) + points;
     if constexpr (Geometry::offersMean)
       if (geometry_.hasMean()) {
         const P* g = geometry_.meanGradientsOf(batch);
