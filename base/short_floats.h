@@ -30,6 +30,13 @@ RINGWATCH_INLINE NativePack packOf(NativeFloats values) {
   return NativePack(__builtin_convertvector(values, NativePack::Values));
 }
 
+/// Single precision at or below numbers that are not negative, by up to 2⁻²¹ of themselves; zero for what is not a
+/// number or too small for all the bits of single precision.
+RINGWATCH_INLINE NativeFloats belowInSingle(NativePack values) {
+  const NativePack below = select(values >= NativePack(1e-37), values * NativePack(1 - 0x1p-22), NativePack(0.0));
+  return __builtin_convertvector(below.v, NativeFloats);
+}
+
 /// Single precision at or below a number; NaN stays.
 inline float singleAtOrBelow(double number) {
   const auto near = static_cast<float>(number);
@@ -103,10 +110,29 @@ struct RoundingDown;
 template <>
 struct RoundingDown<float> {
   static float of(double number) { return detail::singleAtOrBelow(number); }
+  static NativePack load(const float* from) {
+    detail::NativeFloats values;
+    std::memcpy(&values, from, sizeof values);
+    return detail::packOf(values);
+  }
+  /// Of numbers that are not negative.
+  static void store(NativePack values, float* to) {
+    const detail::NativeFloats below = detail::belowInSingle(values);
+    std::memcpy(to, &below, sizeof below);
+  }
 };
 template <>
 struct RoundingDown<Bfloat16> {
   static Bfloat16 of(double number) { return Bfloat16::down(number); }
+  static NativePack load(const Bfloat16* from) { return Bfloat16::load(from); }
+  /// Of numbers that are not negative.
+  static void store(NativePack values, Bfloat16* to) {
+    typedef std::uint16_t Halves __attribute__((vector_size(nativeWidth * sizeof(std::uint16_t))));
+    typedef std::uint32_t Bits __attribute__((vector_size(nativeWidth * sizeof(std::uint32_t))));
+    const auto upper = __builtin_convertvector(detail::bitCast<Bits>(detail::belowInSingle(values)) >> 16, Halves);
+    static_assert(sizeof upper == nativeWidth * sizeof(Bfloat16));
+    std::memcpy(static_cast<void*>(to), &upper, sizeof upper);
+  }
 };
 
 /// A number in memory as a T at or below the number that it is made of: for what a proof may underestimate, as an
@@ -120,7 +146,12 @@ class RoundedDown {
   /// A pack of numbers that lie one beside another.
   static NativePack load(const RoundedDown* from) {
     static_assert(sizeof(RoundedDown) == sizeof(T));
-    return T::load(reinterpret_cast<const T*>(from));
+    return RoundingDown<T>::load(reinterpret_cast<const T*>(from));
+  }
+  /// Stores such a pack, none of them negative.
+  static void store(NativePack numbers, RoundedDown* to) {
+    static_assert(sizeof(RoundedDown) == sizeof(T));
+    RoundingDown<T>::store(numbers, reinterpret_cast<T*>(to));
   }
 
  private:
@@ -135,6 +166,8 @@ class RoundedUp {
   RoundedUp() = default;
   RoundedUp(double number) : negative_(-number) {}
   operator double() const { return -static_cast<double>(negative_); }
+  /// A pack of numbers that lie one beside another.
+  static NativePack load(const RoundedUp* from) { return -RoundedDown<T>::load(&from->negative_); }
 
  private:
   RoundedDown<T> negative_;

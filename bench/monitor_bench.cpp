@@ -166,12 +166,14 @@ void watchedRun(benchmark::State& state, const Case& c, int split, const Watch& 
   const int steps = watch.mode == MonitorMode::metric ? 20 : 1000;
   double stepTime = 0, watchTime = 0, startTime = 0, refreshed = 0, certified = 0;
   std::vector<double> width;
+  Work spent;
   for (auto _ : state) {
     StabilityMonitor monitor(body, options);
     State at = system.initialState(), plain = at;
     StepEvaluation evaluation;
     stepTime = watchTime = refreshed = certified = 0;
     width.clear();
+    spent = {};
     constexpr int turn = 20;  // steps
     for (int step = 0; step <= steps; ++step) {
       const double before = cpuSeconds();
@@ -184,6 +186,7 @@ void watchedRun(benchmark::State& state, const Case& c, int split, const Watch& 
       } else {
         watchTime += cpuSeconds() - before;
         refreshed += static_cast<double>(now.elementsRefreshed);
+        spent += now.spent;
         certified += now.verdict == Verdict::certified;
         if (now.bracket) width.push_back(now.bracket->safe / now.bracket->optimistic - 1);
       }
@@ -203,15 +206,41 @@ void watchedRun(benchmark::State& state, const Case& c, int split, const Watch& 
   state.counters["start_in_steps"] = startTime / (stepTime / steps);
   state.counters["refreshed"] = refreshed / steps / elements;
   state.counters["certified"] = certified / steps;
+  // Counted, in steps a step: what of over_step went where.
+  for (std::size_t i = 0; i < worksOn; ++i) state.counters[joinText("on_", workNames[i])] = spent.of[i] / steps;
+  state.counters["counted"] = spent.total() / steps;
   if (!width.empty()) {
-    std::nth_element(width.begin(), width.begin() + static_cast<std::ptrdiff_t>(width.size() / 2), width.end());
+    std::sort(width.begin(), width.end());  // the widest first
     state.counters["median_width"] = width[width.size() / 2];
+    state.counters["worst_width"] = width.front();
   }
+}
+
+/// A pull of 80 % a second, eight times slower, and by a step that leaves less room, for every budget.
+void addWatchedRuns(const Case& c) {
+  constexpr double unlimited = infinity;
+  for (const Pull& pull : {Pull{"fast", 0.8, 0.5}, Pull{"slow", 0.1, 0.5}, Pull{"slow_close", 0.1, 0.9}})
+    for (const Watch& watch :
+         {Watch{"bracket_no_limit", MonitorMode::bracket, unlimited}, Watch{"bracket_1", MonitorMode::bracket, 1},
+          Watch{"bracket_0.3", MonitorMode::bracket, 0.3}, Watch{"bracket_0.1", MonitorMode::bracket, 0.1},
+          Watch{"threshold", MonitorMode::threshold, unlimited}, Watch{"metric", MonitorMode::metric, unlimited}})
+      for (const CellSubdivision& split : allCellSubdivisions()) {
+        if (split.element != c.element || split.centre) continue;
+        if (watch.mode == MonitorMode::metric && pull.name != "fast") continue;
+        benchmark::RegisterBenchmark(
+            joinText("watched/", watch.name, "/", pull.name, "/", split.elementsPerCell, "_a_cell/", c.name()).c_str(),
+            [c, watch, pull, cut = split.elementsPerCell](benchmark::State& state) {
+              watchedRun(state, c, cut, watch, pull);
+            })
+            ->UseManualTime()
+            ->Iterations(1)
+            ->Unit(benchmark::kMillisecond);
+      }
 }
 
 void registerAll() {
   for (const ElementInfo& element : allElements())
-    for (const int elements : {5000, 100000})
+    for (const int elements : {5000, 20000, 100000})
       for (const int threads : {1, 2}) {
         const Case c{std::string(element.name), elements, "stvk", threads};
         const auto add = [&](std::string_view what, const auto& run) {
@@ -219,6 +248,10 @@ void registerAll() {
               ->UseRealTime()
               ->Unit(benchmark::kMicrosecond);
         };
+        if (elements == 20000) {  // watched runs alone have this size
+          if (threads == 1) addWatchedRuns(c);
+          continue;
+        }
         for (const MetricInfo& info : allMetrics())
           // The larger rings cost a hundred times as much an element, whatever the size of the mesh.
           if (elements <= 5000 || info.name.find("-ring") == std::string_view::npos || info.name == "reduced-1-ring")
@@ -230,26 +263,7 @@ void registerAll() {
         add("spectra", [c](benchmark::State& state) { spectra(state, c); });
         if (threads != 1) continue;
         add("dense_eigenvalues", [c](benchmark::State& state) { denseEigenvalues(state, c); });
-        // A pull of 80 % a second, eight times slower, and by a step that leaves less room.
-        constexpr double unlimited = infinity;
-        for (const Pull& pull : {Pull{"fast", 0.8, 0.5}, Pull{"slow", 0.1, 0.5}, Pull{"slow_close", 0.1, 0.9}})
-          for (const Watch& watch :
-               {Watch{"bracket", MonitorMode::bracket, unlimited}, Watch{"bracket_budget_1", MonitorMode::bracket, 1},
-                Watch{"bracket_budget_0.1", MonitorMode::bracket, 0.1},
-                Watch{"threshold", MonitorMode::threshold, unlimited}, Watch{"metric", MonitorMode::metric, unlimited}})
-            for (const CellSubdivision& split : allCellSubdivisions()) {
-              if (split.element != c.element || split.centre) continue;
-              if (watch.mode == MonitorMode::metric && pull.name != "fast") continue;
-              benchmark::RegisterBenchmark(
-                  joinText("watched/", watch.name, "/", pull.name, "/", split.elementsPerCell, "_a_cell/", c.name())
-                      .c_str(),
-                  [c, watch, pull, cut = split.elementsPerCell](benchmark::State& state) {
-                    watchedRun(state, c, cut, watch, pull);
-                  })
-                  ->UseManualTime()
-                  ->Iterations(1)
-                  ->Unit(benchmark::kMillisecond);
-            }
+        addWatchedRuns(c);
       }
 }
 

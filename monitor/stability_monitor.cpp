@@ -69,6 +69,7 @@ struct StabilityMonitor::Impl {
     unknown = false;
     if (bracket) {
       bool certified = false, bracketed = true;
+      const Work before = bracket->spent();
       if (options.mode == MonitorMode::threshold && h) {
         certified = bracket->certify(x, options.limit, *h, evaluation);
         bracketed = bracket->bracketed();
@@ -86,6 +87,9 @@ struct StabilityMonitor::Impl {
       }
       // Where the step is not certified, the optimistic side decides between "not certified" and "violated".
       if (!certified && h) bracket->sharpen(x, options.limit, *h);
+      const Work after = bracket->spent();
+      for (std::size_t i = 0; i < worksOn; ++i)
+        report.spent.of[i] = (after.of[i] - before.of[i]) / bracket->workOfStep();
       report.bracket.reset();
       if (bracketed) report.bracket = bracket->last();
       report.certified = !bracketed ? *h : report.bracket ? report.bracket->safe : 0;
@@ -153,6 +157,7 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, N
   report.newEvents.clear();
   report.fresh = false;
   report.elementsRefreshed = 0;
+  report.spent = {};
 
   const bool finite = allFinite(x, m.body.threads()) && allFinite(v, m.body.threads());
   const bool due =

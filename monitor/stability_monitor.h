@@ -8,6 +8,7 @@
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/energy_balance.h>
 #include <ringwatch/monitor/event.h>
+#include <ringwatch/monitor/incremental/work_account.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/step_limit.h>
 
@@ -37,9 +38,9 @@ struct MonitorOptions {
   double margin = 0.1;  ///< of the metric's step: h_metric (1 - margin)
   int every = 1;        ///< steps between evaluations
   double width = 0.05;  ///< of the bracket, relative to the step, that the proven side is steered to
-  /// Of evaluating elements for the proven side, as a share of a step's own work, counted (WorkAccount); infinity for
-  /// no limit. When it is used up the proof stays and the bracket becomes wider. The proof that h is stable goes before
-  /// it.
+  /// What the bracket may take after the first observation, for both sides and for searches, as a share of a step's own
+  /// work, counted (WorkAccount); 0: the tests of balls and one bound from below; from 100 on: no limit. When it is
+  /// used up the proof stays and the bracket becomes wider. As much again may go to the proof that h is stable.
   double budget = std::numeric_limits<double>::infinity();
   double energyTolerance = 0.1;  ///< balance error over the largest energy so far that is reported
   int clearObservations = 20;    ///< observations in a row without it that end an event; see EventTracker
@@ -77,6 +78,7 @@ struct MonitorReport {
                                         // whose positions, velocities or tangent are not finite
   double certified = 0;                 // s, the largest step proven at that state; 0 for none
   std::int64_t elementsRefreshed = 0;   // element evaluations spent at this observation
+  Work spent;                           // at this observation, over a step's own work, counted; nothing at the first
   std::optional<double> metricStep;     // s, an estimate, margin applied
   Verdict verdict = Verdict::notCertified;
   std::vector<MonitorEvent> newEvents;  // begun at this step

@@ -303,8 +303,10 @@ void addMonitor(std::vector<SceneKey>& all) {
           {.key = "budget",
            .type = T::number,
            .range = notNegative,
-           .help = "what evaluating elements for the safe side may take, as a share of a step's own work, counted; "
-                   "when it is used up the proof stays and the bracket becomes wider; without it no limit"},
+           .help =
+               "what the bracket may take after its first observation, as a share of a step's own work, counted; as "
+               "much again for the proof that the step is stable; when it is used up the proof stays and the bracket "
+               "becomes wider; without it, and from 100 on, no limit"},
           {.key = "certificates",
            .type = T::integer,
            .unit = "observations",

@@ -78,7 +78,8 @@ void LocalMode::choose(const NodeVectors& mode, std::size_t nodes) {
   isNew_ = true;
 }
 
-LowerBound LocalMode::evaluate(NodeVectorsView x) {
+LowerBound LocalMode::evaluate(NodeVectorsView x, bool mayImprove) {
+  spentProducts_ = 0;
   if (!part_) return {0};
   if (bodyVersion_ != body_.version()) {
     NodeVectors mode = NodeVectors::Zero(3, body_.nodeCount());
@@ -87,9 +88,10 @@ LowerBound LocalMode::evaluate(NodeVectorsView x) {
     if (!part_) return {0};
   }
   x_ = x(Eigen::all, nodes_);
-  const bool improve = isNew_ || ++sinceImproved_ >= gap_;
+  const bool improve = isNew_ || (++sinceImproved_ >= gap_ && mayImprove);
   const int products = isNew_ ? 3 * products_ : improve ? products_ : 1;
   const LowerBound bound = rayleighLowerBound(*part_, x_, vector_, products, &largest_);
+  spentProducts_ = products + 1;
   if (improve) sinceImproved_ = 0;
   isNew_ = false;
   measureShare(bound);

@@ -26,9 +26,16 @@ class LocalMode {
   void choose(const NodeVectors& mode, std::size_t nodes);
   /// The bound at positions x (3×N, m); 0 without a region, NaN where the tangent is not finite, after which a mode has
   /// to be chosen again. Masses and constraints are those of now.
-  LowerBound evaluate(NodeVectorsView x);
+  /// mayImprove: whether the mode may be improved now.
+  LowerBound evaluate(NodeVectorsView x, bool mayImprove = true);
   /// The last evaluation's; 0 after a choice.
   const LowerBound& last() const { return last_; }
+  /// Tangent products of the last evaluation, one of them for rounding, and the body of the region that they were of;
+  /// nullptr for none.
+  int products() const { return spentProducts_; }
+  const Body* part() const { return part_.get(); }
+  /// Products that an evaluation takes which improves the mode.
+  int productsOfImproving() const { return products_ + 1; }
   /// The element that holds most of the mode's energy at the node that it moves most, as of one of the last
   /// evaluations.
   ElementRef highestElement() const { return highest_; }
@@ -51,7 +58,7 @@ class LocalMode {
   const Body& body_;
   const NodalBound& incidences_;
   std::size_t size_ = 0;  // nodes of the region, at most
-  int products_, gap_;
+  int products_, gap_, spentProducts_ = 0;
   std::unique_ptr<Body> part_;
   std::vector<std::int32_t> nodes_;  // of the part: the region and its rim, which is held; ascending
   NodeVectors x_, vector_;           // positions and the mode, of the part

@@ -33,10 +33,11 @@ void IncrementalNodalBound::rebuild(NodeVectorsView x, double wanted) {
                    {policy_.enoughOfWanted * wanted});
   endedEarly_ = weights.last() <= policy_.enoughOfWanted * wanted;
   state_.statistics().evaluated += weights.evaluations();
-  state_.statistics().work += WorkAccount::ofEvaluation(body_) * static_cast<double>(weights.evaluations()) /
-                              static_cast<double>(body_.mesh().elementCount());
+  state_.statistics().work[WorkOn::sweeps] += WorkAccount::ofEvaluation(body_) *
+                                              static_cast<double>(weights.evaluations()) /
+                                              static_cast<double>(body_.mesh().elementCount());
   ++state_.statistics().rebuilds;
-  sinceRebuild_ = -state_.statistics().work;
+  sinceRebuild_ = -state_.statistics().work.total();
   rebuilds_.restart();
   tightOverLower_ = 0;
 }
@@ -47,26 +48,51 @@ void IncrementalNodalBound::start(NodeVectorsView x, double sigma, bool newWeigh
   started_ = std::isfinite(sigma);
   if (started_) state_.distributeAllowances(x, newWeights);
   // Before there is a proof nothing can be earned for it.
-  if (first) state_.statistics().work = 0;
+  if (first) state_.statistics().work = {};
   // What this took itself is not counted for the next one.
-  sinceRefresh_ = -state_.statistics().work;
+  sinceRefresh_ = -state_.statistics().work.total();
 }
 
 IncrementalNodalBound::Outcome IncrementalNodalBound::follow(NodeVectorsView x, bool mayRaise, double ceiling,
                                                              StepEvaluation* evaluation) {
   std::vector<ElementRef> changed = state_.elementsOutsideBall(x, evaluation);
   const std::vector<std::int32_t> exceeding = state_.followDiscreteForces(x);
-  if (mayRaise && !evaluates(changed)) changed = state_.raiseFor(x, changed, policy_, ceiling);
+  if (limited() && mayRaise) changed = raiseForMost(x, changed, ceiling);
   if (!evaluate(x, changed)) return Outcome::notFinite;
+  const Work before = state_.statistics().work;
   const Outcome outcome = mend(x, mayRaise, exceeding, changed);
+  Work& work = state_.statistics().work;
+  const double evaluations = work[WorkOn::evaluations] - before[WorkOn::evaluations];
+  work[WorkOn::evaluations] -= evaluations;
+  work[WorkOn::repairs] += evaluations;
   if (outcome != Outcome::tooManyViolations) state_.ballsChanged(changed);
   return outcome;
 }
 
-bool IncrementalNodalBound::evaluates(const std::vector<ElementRef>& elements) const {
-  // A raise for few elements costs more than they do, and makes the bound wider everywhere.
-  const double needed = WorkAccount::ofEvaluation(body_, elements), all = WorkAccount::ofEvaluation(body_);
-  return elements.empty() || affords(needed <= policy_.fewElements * all ? needed - all : needed);
+std::vector<ElementRef> IncrementalNodalBound::raiseForMost(NodeVectorsView x, const std::vector<ElementRef>& outside,
+                                                            double ceiling) {
+  const std::vector<RunCertificate::Leaver> leavers = state_.growBalls(x, outside);
+  const double top = ceiling / certifiedEigenvalue();
+  std::vector<ElementRef> evaluated;
+  double needed = 0;
+  auto leaver = leavers.begin();
+  for (; leaver != leavers.end(); ++leaver) {
+    const double own = WorkAccount::ofEvaluation(body_, {&leaver->element, 1});
+    const bool far = leaver->need > policy_.mostRaise, forProof = leaver->need > top;
+    const double credit = far ? account_->credit() : 0;
+    if (leaver->need == infinity || affords(needed + own - credit))
+      needed += own;
+    else if (forProof && account_->affordsForProof(ofProof_ + own))
+      ofProof_ += own;
+    else
+      break;
+    evaluated.push_back(leaver->element);
+  }
+  if (leaver == leavers.end()) return evaluated;
+  state_.moveTo(std::max(leaver->need, policy_.raise) * certifiedEigenvalue());
+  ++state_.statistics().raises;
+  state_.growBalls({leaver, leavers.end()});
+  return evaluated;
 }
 
 bool IncrementalNodalBound::evaluate(NodeVectorsView x, const std::vector<ElementRef>& elements) {
@@ -120,18 +146,26 @@ IncrementalNodalBound::Outcome IncrementalNodalBound::mend(NodeVectorsView x, bo
 }
 
 bool IncrementalNodalBound::paysToRefresh() const {
-  const double work = WorkAccount::ofEvaluation(body_);
-  return affords(work) || sinceRefresh_ >= 2 * work;
+  // Where means are short: on credit, once what was owed for the last one is paid.
+  return affords(limited() ? 0 : WorkAccount::ofEvaluation(body_)) ||
+         (!limited() && sinceRefresh_ >= 2 * WorkAccount::ofEvaluation(body_));
 }
 
 bool IncrementalNodalBound::paysToRebuild() const {
   const double work = WorkAccount::ofRebuild(body_);
-  return affords(work) || sinceRebuild_ >= work;
+  return affords(work) || (!limited() && sinceRebuild_ >= work);
 }
 
 void IncrementalNodalBound::beginCounting() {
-  const double work = state_.statistics().work;
-  if (account_) account_->spend(work);
+  const double work = state_.statistics().work.total();
+  if (account_) {
+    Work others = state_.statistics().work;
+    others[WorkOn::sweeps] -= ofProof_;
+    account_->spend(others);
+    account_->spendOnProof(ofProof_);
+  }
+  ofProof_ = 0;
+  spent_ += state_.statistics().work;
   sinceRefresh_ += work;
   sinceRebuild_ += work;
   state_.statistics() = {};
@@ -143,7 +177,7 @@ void IncrementalNodalBound::refresh(NodeVectorsView x, double wanted) {
   NodalBound& weights = state_.weights();
   weights.evaluate(x, 0);
   state_.statistics().evaluated += weights.evaluations();
-  state_.statistics().work += WorkAccount::ofEvaluation(body_);
+  state_.statistics().work[WorkOn::sweeps] += WorkAccount::ofEvaluation(body_);
   ++state_.statistics().refreshes;
   const double tight = weights.last();
   const double sigma = std::min(tight * (1 + policy_.slack), certifiedEigenvalue());
@@ -165,7 +199,8 @@ UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* eval
   refreshes_.tick();
   lowerings_.tick();
   if (!started_ && evaluation) body_.evaluate(x, *evaluation, workspace_);
-  // A proof that is lost already has no ceiling.
+  // A proof that is lost already has no ceiling; where means are short it is won again when there are some for it.
+  const double wanted = ceiling;
   if (started_ && certifiedEigenvalue() > ceiling) ceiling = infinity;
   const Outcome outcome = started_ ? follow(x, true, ceiling, evaluation) : Outcome::tooManyViolations;
   if (outcome == Outcome::tooManyViolations) {
@@ -174,12 +209,23 @@ UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* eval
   } else if (outcome == Outcome::notFinite) {
     start(x, std::numeric_limits<double>::quiet_NaN());
   }
+  if (outcome != Outcome::held) return {certifiedEigenvalue()};
+  if (limited()) {
+    const double work = WorkAccount::ofEvaluation(body_) + WorkAccount::ofDistribution(body_, false);
+    if (certifiedEigenvalue() > wanted && refreshes_.due() && account_->affordsForProof(work)) {
+      const double before = state_.statistics().work.total();
+      refresh(x, wanted);
+      refreshes_.tried(certifiedEigenvalue() <= wanted);
+      ofProof_ = state_.statistics().work.total() - before;
+    }
+    return {certifiedEigenvalue()};
+  }
   // What had been proven of the step is worth more than the account has.
-  if (outcome == Outcome::held && certifiedEigenvalue() > ceiling && refreshes_.due()) {
+  if (certifiedEigenvalue() > ceiling && refreshes_.due()) {
     refresh(x, ceiling);
     refreshes_.tried(certifiedEigenvalue() <= ceiling);
   }
-  if (outcome == Outcome::held && certifiedEigenvalue() > ceiling && rebuilds_.due()) {
+  if (certifiedEigenvalue() > ceiling && rebuilds_.due()) {
     rebuild(x);
     start(x, state_.weights().last() * (1 + policy_.slack));
     rebuilds_.tried(certifiedEigenvalue() <= ceiling);
@@ -235,7 +281,8 @@ bool IncrementalNodalBound::tightenBound(NodeVectorsView x, LowerBound lower, do
   const double target = std::max({above(lower, policy_.targetOfWidth * width),
                                   tightOverLower_ * (1 + policy_.leastSlack * policy_.slack) * lower.value,
                                   (1 + policy_.leastSlack * policy_.slack) * state_.leastForDiscreteForces()});
-  if (target < (1 - policy_.leastLowering) * certifiedEigenvalue() && lowerings_.due() && affords(0)) {
+  if (target < (1 - policy_.leastLowering) * certifiedEigenvalue() && lowerings_.due() &&
+      affords(limited() ? WorkAccount::ofLowering(body_) : 0)) {
     lowerings_.tried(lowerings_.since() >= policy_.soon);
     state_.moveTo(target);
     return true;
@@ -243,7 +290,10 @@ bool IncrementalNodalBound::tightenBound(NodeVectorsView x, LowerBound lower, do
   const double risen = certifiedEigenvalue() / (tightOverLower_ * (1 + policy_.slack) * lower.value);
   const bool drifted = risen > policy_.drifted;
   const bool rebuilding = rebuilds_.due(drifted ? 0 : policy_.updatesOfChange) && paysToRebuild();
-  if (!rebuilding && !(drifted && refreshes_.due() && (risen > policy_.tooHigh || paysToRefresh()))) return false;
+  if (!rebuilding &&
+      !(drifted && refreshes_.due() &&
+        (limited() ? risen > policy_.tooHigh && paysToRefresh() : risen > policy_.tooHigh || paysToRefresh())))
+    return false;
   beginCounting();
   const double before = certifiedEigenvalue();
   if (!rebuilding) {

@@ -61,12 +61,20 @@ class IncrementalNodalBound {
   /// The elements that hold most of the bound at the `count` nodes where it is highest, by their values when last
   /// evaluated: where the top mode may live. Empty while nothing is proven.
   std::vector<ElementRef> highestElements(std::size_t count);
+  /// All work since the first proof.
+  Work spent() const {
+    Work all = spent_;
+    return all += state_.statistics().work;
+  }
   /// CertificateState::verify, for tests.
   double verify(NodeVectorsView x) const { return state_.verify(x); }
 
  private:
   /// Whether the account, less what the statistics count, has so much.
-  bool affords(double work) const { return !account_ || account_->affords(state_.statistics().work + work); }
+  bool affords(double work) const {
+    return !account_ || account_->affords(state_.statistics().work.total() - ofProof_ + work);
+  }
+  bool limited() const { return account_ && account_->limited(); }
   /// Whether all elements are to be evaluated again: when the account has what that takes, or as much was spent since
   /// the last time all the same, on single elements and on raises, since the proof needed it.
   bool paysToRefresh() const;
@@ -87,8 +95,9 @@ class IncrementalNodalBound {
   /// Brings a certificate from the positions of the last call to x. Unless mayRaise, the certified eigenvalue stays,
   /// and `refused` tells that it had to rise nevertheless.
   Outcome follow(NodeVectorsView x, bool mayRaise, double ceiling, StepEvaluation* evaluation);
-  /// Whether elements that have left their balls are evaluated: as far as means go, and few of them on credit.
-  bool evaluates(const std::vector<ElementRef>& elements) const;
+  /// Of elements that have left their balls, those that are evaluated: as far as means go, and on credit where the
+  /// certified eigenvalue would have to rise far or above the ceiling. For the others it is raised.
+  std::vector<ElementRef> raiseForMost(NodeVectorsView x, const std::vector<ElementRef>& outside, double ceiling);
   /// Evaluates elements, and notes those near their limits. False where a value is not finite.
   bool evaluate(NodeVectorsView x, const std::vector<ElementRef>& elements);
   /// Serves the elements above their allowances and the nodes whose sums are too large, and adds elements with new
@@ -99,7 +108,9 @@ class IncrementalNodalBound {
   const Body& body_;
   RebuildPolicy policy_;
   WorkAccount* account_;
+  Work spent_;
   double sinceRefresh_ = 0, sinceRebuild_ = 0;  // work
+  double ofProof_ = 0;                          // of what the statistics count, for the step that is taken alone
   RunCertificate state_;
   Body::Workspace workspace_;
   bool started_ = false, endedEarly_ = false;  // endedEarly_: the last rebuild, since its weights were good enough

@@ -27,11 +27,11 @@ struct RebuildPolicy {
   double proofMargin = 1e-3;
 
   // While means are short.
-  /// Share by which the certified eigenvalue is raised at once when elements leave their balls: each raise visits every
-  /// element.
-  double raise = 0.03;
-  /// Share of the elements that are evaluated nevertheless, on credit.
-  double fewElements = 0.02;
+  /// The most by which the certified eigenvalue rises at once for elements that have left their balls; those that need
+  /// more are evaluated on credit.
+  double mostRaise = 1.1;
+  /// The least: a raise visits the allowance of every element.
+  double raise = 1.02;
   /// Updates between evaluations of all elements that may not help, and the share of the certified eigenvalue by which
   /// one that helps lowers it.
   Backoff::Gaps refreshes{.first = 4, .last = 640, .factor = 2};

@@ -43,6 +43,14 @@ const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const
   return follow(x, limit, h, evaluation);
 }
 
+void RunBracket::charge(WorkOn what, double work) {
+  if (mode_.size() == 0) return;  // the first proof is free
+  account_.spendOnMode(work);
+  spent_[what] += work;
+}
+
+bool RunBracket::affords(double work) const { return mode_.size() == 0 || account_.affordsForMode(work); }
+
 const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const StepRule& limit, std::optional<double> h,
                                                       StepEvaluation* evaluation) {
   const double sigma = nodal_.certifiedEigenvalue();  // that allowances belong to
@@ -59,9 +67,9 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   LowerBound lower{0};
   const bool first = mode_.size() == 0, rebuilt = statistics_.rebuilds > 0;
   if (!first) {
-    lower = local_.evaluate(x);
+    lower = boundOfRegion(x);
     wholeMode_.tick();
-    if (wholeMode_.due()) {
+    if (wholeMode_.due() && affords(WorkAccount::ofProducts(body_, policy_.productsOfFollowing + 1))) {
       const LowerBound whole = refreshMode(x, policy_.productsOfFollowing);
       // It helps when the region is better for it: the whole mode's own bound is of this observation alone.
       wholeMode_.tried(regionBound_.value > (1 + policy_.leastGain) * lower.value);
@@ -73,7 +81,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   // A bracket that is too wide is either side's fault: bound it from below again before moving the upper side.
   const bool wide = upper.value > allowed * lower.value;
   if (wide) restart_.tick();
-  if (first || rebuilt || (wide && restart_.due())) {
+  if (first || ((rebuilt || (wide && restart_.due())) && affords(workOfRestart()))) {
     const double before = lower.value;
     lower = first ? startMode(x) : restartMode(x);
     restart_.tried(regionBound_.value > (1 + policy_.helpfulRestart) * before);
@@ -158,8 +166,9 @@ void RunBracket::sharpen(NodeVectorsView x, const StepRule& limit, double h) {
   const bool close = h > (1 - policy_.close) * step_->optimistic;
   sharpening_.tick();
   if (!sharpening_.due() && !close) return;
+  if (!affords(WorkAccount::ofProducts(body_, policy_.restartProducts + 1))) return;
   sharpening_.tried(true);
-  const bool fromRings = sharpeningRestart_.due();
+  const bool fromRings = sharpeningRestart_.due() && affords(workOfRestart());
   if (fromRings) sharpeningRestart_.tried(true);
   sharpeningRestart_.tick();
   const LowerBound lower = fromRings ? restartMode(x) : refreshMode(x, policy_.restartProducts);
@@ -194,9 +203,15 @@ void RunBracket::searchUnderCompression(NodeVectorsView x) {
   const double compression = nodal_.mostCompression();
   search_.tick();
   const bool grown = compression > policy_.growthOfCompression * searchedAt_ && search_.since() >= policy_.searchGap;
-  const bool search = compression > policy_.slightlyCompressed && (grown || search_.due());
+  // What may be an event soon is searched whatever the account has.
+  const bool may =
+      (grown && compression > policy_.compressed) || affords(WorkAccount::ofProducts(body_, policy_.laterSearch + 1));
+  const bool search = compression > policy_.slightlyCompressed && (grown || search_.due()) && may;
   if (search) {
-    least_ = softest_.find(x, softest_.found() ? policy_.laterSearch : policy_.firstSearch);
+    const bool wide = !softest_.found() && affords(WorkAccount::ofProducts(body_, policy_.firstSearch + 1));
+    const int products = wide ? policy_.firstSearch : policy_.laterSearch;
+    charge(WorkOn::searches, WorkAccount::ofProducts(body_, products + 1));
+    least_ = softest_.find(x, products);
     search_.tried(grown);
     searchedAt_ = grown ? compression : std::max(searchedAt_, compression);
   } else if (!(compression > policy_.slightlyCompressed)) {
@@ -216,7 +231,7 @@ void RunBracket::searchUnderCompression(NodeVectorsView x) {
   lowest_ = {0, {}};
   if (least_.value < 0) lowest_ = {least_.value, least_.element};
   for (const ElementRef e : chosen) {
-    if (!decomposeRing(x, e)) continue;
+    if (!decomposeRing(x, e, WorkOn::searches)) continue;
     // Constrained components have eigenvalues of zero, to rounding.
     const double least =
         solver_.eigenvalues()[0] + zeroRounding * solver_.eigenvalues().cwiseAbs().maxCoeff() + ringNodes_.rounding();
@@ -232,6 +247,7 @@ LowerBound RunBracket::boundWhereItRose(NodeVectorsView x, double sigma, LowerBo
     if (observations >= (near.fraction > 1 ? policy_.risenRings : 1) ||
         near.fraction * sigma < (1 + policy_.leastGain) * lower.value)
       break;
+    if (!affords(WorkAccount::ofRing(*body_.blocks()[near.element.block]))) break;
     ++observations;
     jumped = examineRing(x, near.element, lower) || jumped;
   }
@@ -260,9 +276,11 @@ LowerBound RunBracket::boundWhereItTouches(NodeVectorsView x, LowerBound lower) 
   if (node < 0) return lower;
   // One ring is enough: the others at the node have the same contact.
   const std::vector<ElementRef> elements = nodal_.weights().elementsAt(std::span<const std::int32_t>(&node, 1));
-  if (elements.empty() || !examineRing(x, elements.front(), lower)) return lower;
+  if (elements.empty() || !affords(WorkAccount::ofRing(*body_.blocks()[elements.front().block])) ||
+      !examineRing(x, elements.front(), lower))
+    return lower;
   local_.choose(mode_, localNodes_);
-  return higher(lower, local_.evaluate(x));
+  return higher(lower, boundOfRegion(x));
 }
 
 bool RunBracket::examineRing(NodeVectorsView x, ElementRef e, LowerBound& lower) {
@@ -276,14 +294,34 @@ bool RunBracket::examineRing(NodeVectorsView x, ElementRef e, LowerBound& lower)
   return true;
 }
 
-bool RunBracket::decomposeRing(NodeVectorsView x, ElementRef e) {
+bool RunBracket::decomposeRing(NodeVectorsView x, ElementRef e, WorkOn what) {
+  charge(what, WorkAccount::ofRing(*body_.blocks()[e.block]));
   const auto nodes = body_.blocks()[e.block]->nodesOf(e.element);
   ringNodes_.choose({nodes.begin(), nodes.end()});
   solver_.compute(ringNodes_.evaluate(x));
   return solver_.info() == Eigen::Success;
 }
 
+double RunBracket::workOfRestart() const {
+  return WorkAccount::ofAllRings(body_) + WorkAccount::ofProducts(body_, policy_.restartProducts + 1);
+}
+
+LowerBound RunBracket::boundOfRegion(NodeVectorsView x) {
+  const Body* part = local_.part();
+  const LowerBound lower =
+      local_.evaluate(x, !part || affords(WorkAccount::ofProducts(*part, local_.productsOfImproving())));
+  if (local_.part()) charge(WorkOn::mode, WorkAccount::ofProducts(*local_.part(), local_.products()));
+  return lower;
+}
+
+bool RunBracket::regionIsDear() const {
+  const Body* part = local_.part();
+  return part && account_.limited() &&
+         WorkAccount::ofProducts(*part, 2) > policy_.shareOfRegion * account_.incomeForMode();
+}
+
 LowerBound RunBracket::restartMode(NodeVectorsView x) {
+  charge(WorkOn::mode, workOfRestart());
   ReducedRing ring(body_);  // restarts are rare, and its pattern is as large as all the rest
   const TopMode top = findTopMode(ring, body_, x, mode_, policy_.firstProducts, policy_.restartProducts, false);
   method_ = top.method();
@@ -321,20 +359,26 @@ void RunBracket::addTopOfRing(NodeVectors& mode) const {
 }
 
 LowerBound RunBracket::refreshMode(NodeVectorsView x, int products) {
+  charge(WorkOn::mode, WorkAccount::ofProducts(body_, products + 1));
   return followMode(x, rayleighLowerBound(body_, x, mode_, products));
 }
 
 LowerBound RunBracket::followMode(NodeVectorsView x, LowerBound whole) {
   wholeMode_.restart();
+  std::size_t most = policy_.mostLocalNodes;
   while (true) {
     local_.choose(mode_, localNodes_);
-    regionBound_ = local_.evaluate(x);
+    if (localNodes_ > policy_.fewestLocalNodes && regionIsDear()) {
+      most = localNodes_ = std::max(localNodes_ / 2, policy_.fewestLocalNodes);
+      continue;
+    }
+    regionBound_ = boundOfRegion(x);
     const bool lost = regionBound_.value < (1 - policy_.lostInRegion) * whole.value;
-    if (!lost || localNodes_ >= policy_.mostLocalNodes) break;
-    localNodes_ = std::min(2 * localNodes_, policy_.mostLocalNodes);
+    if (!lost || localNodes_ >= most) break;
+    localNodes_ = std::min(2 * localNodes_, most);
   }
   if (regionBound_.value >= (1 - 0.25 * policy_.lostInRegion) * whole.value)
-    localNodes_ = std::max(localNodes_ / 2, policy_.leastLocalNodes);
+    localNodes_ = std::min(std::max(localNodes_ / 2, policy_.leastLocalNodes), most);
   return higher(whole, regionBound_);
 }
 

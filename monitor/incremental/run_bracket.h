@@ -31,6 +31,9 @@ struct BracketPolicy {
   std::size_t leastLocalNodes = 24, mostLocalNodes = 512;
   double lostInRegion = 0.02;
   int localProducts = 3, localGap = 4;
+  /// Where means are short no region is chosen whose bound takes more than this share of them, but one of so few nodes.
+  double shareOfRegion = 0.7;
+  std::size_t fewestLocalNodes = 8;
   /// The whole mode is refreshed that seldom while it does not help: while the region's bound gains less than leastGain
   /// of the eigenvalue.
   Backoff::Gaps wholeMode{.first = 64, .last = 512, .factor = 2};
@@ -71,8 +74,8 @@ struct BracketPolicy {
 /// tracked top mode, of all of it seldom and of a region at every observation, from below.
 class RunBracket {
  public:
-  /// budget: what evaluating elements for the safe side may take at an evaluation, as a share of a step's work
-  /// (WorkAccount). The proof comes first, then the width.
+  /// budget: what an evaluation may take, as a share of a step's work (WorkAccount). The proof comes first, then the
+  /// width.
   RunBracket(const Body& body, double width, double budget, const BracketPolicy& policy = {});
 
   /// Unless nullptr, `evaluation` is filled in at x. Empty where the tangent is not finite, or where rounding
@@ -95,6 +98,12 @@ class RunBracket {
   void sharpen(NodeVectorsView x, const StepRule& limit, double h);
   /// Names in last(), which is of x, what governs there as far as it is known now: for an event.
   void nameGoverning(NodeVectorsView x);
+  /// All work after the first proof, and a step's own.
+  Work spent() const {
+    Work all = nodal_.spent();
+    return all += spent_;
+  }
+  double workOfStep() const { return account_.force(); }
   /// What the last evaluate() or certify() took, and what was evaluated after it.
   const UpdateStatistics& statistics() const { return statistics_; }
   /// The bracket of the last evaluate().
@@ -123,7 +132,7 @@ class RunBracket {
   /// The tracked mode then has its top.
   bool examineRing(NodeVectorsView x, ElementRef e, LowerBound& lower);
   /// The reduced ring of one element into solver_; false when it fails.
-  bool decomposeRing(NodeVectorsView x, ElementRef e);
+  bool decomposeRing(NodeVectorsView x, ElementRef e, WorkOn what = WorkOn::mode);
   /// The step of a bound and of the region's, of which it is known what dashpots give: the smaller one.
   double optimisticOf(LowerBound lower, const StepRule& limit) const;
   /// Starts the mode again from the highest of all rings.
@@ -135,12 +144,20 @@ class RunBracket {
   double topOfRing() const;
   void addTopOfRing(NodeVectors& mode) const;
   LowerBound refreshMode(NodeVectorsView x, int products);
+  /// The region's bound. The mode there is improved while that can be afforded.
+  LowerBound boundOfRegion(NodeVectorsView x);
+  /// Whether the region's bound at every observation takes most of what the mode may take.
+  bool regionIsDear() const;
+  double workOfRestart() const;
+  void charge(WorkOn what, double work);
+  bool affords(double work) const;
   LowerBound followMode(NodeVectorsView x, LowerBound whole);
 
   const Body& body_;
   BracketPolicy policy_;
   double width_;
   WorkAccount account_;
+  Work spent_;  // on the lower side and on searches
   IncrementalNodalBound nodal_;
   LocalMode local_;
   std::size_t localNodes_;

@@ -64,7 +64,7 @@ void RunCertificate::evaluate(NodeVectorsView x, const std::vector<ElementRef>& 
   });
   for (std::size_t i = 0; i < elements.size(); ++i) note(elements[i], results[i].drift);
   statistics_.evaluated += static_cast<std::int64_t>(elements.size());
-  statistics_.work += WorkAccount::ofEvaluation(body(), elements);
+  statistics_.work[WorkOn::evaluations] += WorkAccount::ofEvaluation(body(), elements);
 }
 
 std::vector<double> RunCertificate::sumsAt(const std::vector<std::int32_t>& nodes) const {
@@ -175,8 +175,8 @@ void RunCertificate::reduceBesideDiscreteForces() {
   }
 }
 
-std::vector<ElementRef> RunCertificate::raiseFor(NodeVectorsView x, const std::vector<ElementRef>& elements,
-                                                 const RebuildPolicy& policy, double ceiling) {
+std::vector<RunCertificate::Leaver> RunCertificate::growBalls(NodeVectorsView x,
+                                                              const std::vector<ElementRef>& elements) {
   struct Need {
     double distance, allowance;
     TangentDrift drift;
@@ -195,29 +195,32 @@ std::vector<ElementRef> RunCertificate::raiseFor(NodeVectorsView x, const std::v
       needs[index[lane]] = {distance, blocks_[b].growth(place).at(radius), drift[lane]};
     }
   });
-  const double most = std::min(1 + 2 * policy.raise, ceiling / certifiedEigenvalue());
-  double factor = std::min(1 + policy.raise, most);
-  for (std::size_t i = 0; i < elements.size(); ++i)
-    if (needs[i].allowance <= most * allowance(elements[i]))
-      factor = std::max(factor, needs[i].allowance / allowance(elements[i]) * (1 + radiusRounding));
-  // Where many elements need more than that they have to be evaluated anyway.
-  std::size_t beyond = 0;
-  for (std::size_t i = 0; i < elements.size(); ++i) beyond += !(needs[i].allowance <= factor * allowance(elements[i]));
-  const bool few =
-      static_cast<double>(beyond) <= policy.fewElements * static_cast<double>(body().mesh().elementCount());
-  if (!(few && factor > 1 && certifiedEigenvalue() > 0)) return elements;
-  moveTo(factor * certifiedEigenvalue());
-  ++statistics_.raises;
-  statistics_.work += WorkAccount::ofRaise(body());
-  std::vector<ElementRef> outside;
+  std::vector<Leaver> grown, others;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     note(elements[i], needs[i].drift);
-    const ValidityBalls& balls = of(elements[i]).balls;
-    // Not for what is not a number either.
-    const double radius = balls.radius(placeOf(elements[i]));
-    if (!(needs[i].distance < (1 - ValidityBalls::edgeFraction) * radius)) outside.push_back(elements[i]);
+    const double own = allowance(elements[i]), need = needs[i].allowance * (1 + radiusRounding);
+    const Leaver leaver{elements[i], needs[i].distance,
+                        need <= own                  ? 1
+                        : own > 0 && need < infinity ? need / own
+                                                     : infinity};
+    (leaver.need <= 1 ? grown : others).push_back(leaver);
   }
-  return outside;
+  statistics_.work[WorkOn::tests] += WorkAccount::ofGrowth(body(), elements);
+  growBalls(grown);
+  std::sort(others.begin(), others.end(), [](const Leaver& a, const Leaver& other) {
+    return a.need != other.need ? a.need > other.need : a.element < other.element;
+  });
+  return others;
+}
+
+void RunCertificate::growBalls(std::span<const Leaver> leavers) {
+  for (const Leaver& leaver : leavers) {
+    BlockData& data = of(leaver.element);
+    const std::size_t place = placeOf(leaver.element);
+    data.balls.setRadius(place, validityRadius(data.growth(place), infinity, allowance(leaver.element)),
+                         ValidityBalls::storageError);
+    data.balls.ballChanged(place, leaver.distance);
+  }
 }
 
 void RunCertificate::raiseToValues(const std::vector<ElementRef>& elements, double share) {
@@ -272,6 +275,7 @@ std::vector<ElementRef> RunCertificate::elementsOutsideBall(NodeVectorsView x, S
   asked.visitor = &check;
   body().evaluate(x, asked, workspace_);
   asked.visitor = nullptr;
+  for (const BlockData& data : blocks_) statistics_.work[WorkOn::tests] += data.balls.workOfCheck();
   std::vector<ElementRef> outside;
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     for (const auto& list : outside_[b])
@@ -327,29 +331,31 @@ void RunCertificate::distributeAllowances(NodeVectorsView x, bool newWeights) {
     data.balls.invalidateAll();
   }
   weights().releaseSums();
-  if (newWeights) statistics_.work += WorkAccount::ofEvaluation(body());
+  statistics_.work[WorkOn::sweeps] += WorkAccount::ofDistribution(body(), newWeights);
   frames_.resize(body().nodeCount());
   parallelFor(
       0, body().nodeCount(), body().threads(), [&](std::int64_t node) { frames_[node] = frameOf(node); }, 64);
 }
 
 void RunCertificate::moveTo(double sigma) {
+  statistics_.work[WorkOn::sweeps] += WorkAccount::ofMove(body());
   const double factor = sigma / certifiedEigenvalue() * (1 - allowanceRounding);
   setCertifiedEigenvalue(sigma);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     BlockData& data = blocks_[b];
     parallelFor(
-        0, data.value.size(), body().threads(),
-        [&](std::int64_t place) {
-          RoundedDown<float>& allowance = allowances(b)[place];
-          allowance = static_cast<double>(allowance) * factor;
-          const double radius = data.balls.radius(place);
-          if (radius >= 0 && std::isfinite(radius))
-            data.balls.setRadius(place, validityRadius(data.growth(place), infinity, allowance),
-                                 ValidityBalls::storageError);
+        0, body().blocks()[b]->layout().batchCount(), body().threads(),
+        [&](std::int64_t batch) {
+          const auto first = static_cast<std::size_t>(batch) * lanes;
+          RoundedDown<float>* const own = allowances(b).data() + first;
+          RoundedDown<float>::store(RoundedDown<float>::load(own) * NativePack(factor), own);
+          data.balls.setRadii(
+              static_cast<std::int32_t>(batch),
+              validityRadius(data.growthOfPack(first), NativePack(infinity), RoundedDown<float>::load(own)));
         },
-        1024);
-    data.balls.invalidateAll();
+        256);
+    // Balls that have grown let groups skip as long as the smaller ones did.
+    if (factor < 1) data.balls.invalidateAll();
   }
   // What discrete forces take does not shrink with the rest.
   if (factor < 1) reduceBesideDiscreteForces();

@@ -8,6 +8,7 @@
 #include <ringwatch/monitor/incremental/certificate_state.h>
 #include <ringwatch/monitor/incremental/rebuild_policy.h>
 #include <ringwatch/monitor/incremental/validity_balls.h>
+#include <ringwatch/monitor/incremental/work_account.h>
 
 namespace ringwatch {
 
@@ -15,7 +16,7 @@ namespace ringwatch {
 struct UpdateStatistics {
   std::int64_t evaluated = 0;  ///< elements
   int localUpdates = 0, raises = 0, refreshes = 0, rebuilds = 0;
-  double work = 0;  ///< WorkAccount's units
+  Work work;  ///< WorkAccount's units
   double leastDeterminant =
       std::numeric_limits<double>::infinity();  ///< det F of the elements evaluated; no other can be <= 0
   ElementRef leastDeterminantElement;
@@ -40,12 +41,18 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
     TangentDrift drift;
     double fromStored;
   };
-  /// Raises the certified eigenvalue, and all allowances with it, for elements that have left their balls: as far as
-  /// Theorem 16 needs around their reference gradients, by RebuildPolicy::raise at least and twice that at most, but
-  /// not above `ceiling`. Evaluates no element. x: the positions of the last elementsOutsideBall. Returns the elements
-  /// that still are outside their balls.
-  std::vector<ElementRef> raiseFor(NodeVectorsView x, const std::vector<ElementRef>& elements,
-                                   const RebuildPolicy& policy, double ceiling);
+  /// An element that has left its ball, and the allowance over its own that a larger ball around its reference gradient
+  /// needs by Theorem 16: infinity where only an evaluation helps.
+  struct Leaver {
+    ElementRef element;
+    double distance, need;
+  };
+  /// Gives elements that have left their balls the balls that their allowances have room for, and
+  /// returns those for which that is not enough, the neediest first. Evaluates no element. x: the positions of the last
+  /// elementsOutsideBall.
+  std::vector<Leaver> growBalls(NodeVectorsView x, const std::vector<ElementRef>& elements);
+  /// The same for leavers once their needs are served by a raise.
+  void growBalls(std::span<const Leaver> leavers);
   /// Raises the allowances of elements that were evaluated at the positions of the last elementsOutsideBall to their
   /// values and a share of them, and the certified eigenvalue to what their nodes then need.
   void raiseToValues(const std::vector<ElementRef>& elements, double share);
@@ -116,6 +123,11 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
     std::vector<RoundedDown<Bfloat16>> growthRadius;
     TangentGrowth growth(std::size_t place) const {
       return {value[place], linear[place], quadratic[place], growthRadius[place]};
+    }
+    TangentGrowthOf<NativePack> growthOfPack(std::size_t first) const {
+      return {RoundedUp<float>::load(value.data() + first), RoundedUp<Bfloat16>::load(linear.data() + first),
+              RoundedUp<Bfloat16>::load(quadratic.data() + first),
+              RoundedDown<Bfloat16>::load(growthRadius.data() + first)};
     }
   };
   /// How far the values of the elements at nodes of discrete forces can grow together below the certified eigenvalue:

@@ -19,6 +19,9 @@ constexpr int groupBatches = 64;
 /// A group whose elements leave their balls at every check waits for up to this many before it tries to skip again:
 /// trying costs as much as a visit.
 constexpr int longestPause = 15;
+/// Work of a check, in WorkAccount's units: of a node that is asked, of fitting a motion, and of a visit, an element's
+/// quadrature point.
+constexpr double workOfNode = 0.5, workOfFit = 300, workOfVisit = 2;
 
 /// Nodes by their rows in a patch, and where they were, from a centre of their own.
 struct TrackedNodes {
@@ -240,6 +243,16 @@ void ValidityBalls::setRadius(std::size_t place, double aroundF0, double fromSto
   radius_[place] = own >= 0 ? own : -1.0;
 }
 
+void ValidityBalls::setRadii(std::int32_t batch, NativePack aroundF0) {
+  RoundedDown<Bfloat16>* const at = radius_.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
+  const P before = RoundedDown<Bfloat16>::load(at), own = math::min(aroundF0, P(1e30)) - P(storageError);
+  const auto moves = (before >= P(0.0)) & (before < P(infinity)), has = own >= P(0.0);
+  RoundedDown<Bfloat16> rounded[lanes];
+  RoundedDown<Bfloat16>::store(select(has, own, P(0.0)), rounded);
+  const P now = select(moves, select(has, RoundedDown<Bfloat16>::load(rounded), P(-1.0)), before);
+  for (int lane = 0; lane < lanes; ++lane) at[lane] = now[lane];
+}
+
 void ValidityBalls::setNeverOutside(std::size_t place) { radius_[place] = infinity; }
 
 double ValidityBalls::distance(std::size_t place, const double* F, int lane) const {
@@ -281,12 +294,25 @@ void ValidityBalls::checkPatch(const PatchPass& pass, std::vector<std::int32_t>&
   }
 }
 
+double ValidityBalls::workOfCheck() const {
+  double work = 0;
+  for (const Group& group : groups_) {
+    if (group.tried) work += workOfNode * static_cast<double>(group.nodeEnd - group.nodeBegin);
+    if (group.fitted) work += workOfFit;
+    if (group.visitedAt == checks_)
+      work += workOfVisit * static_cast<double>((group.batchEnd - group.batchBegin) * lanes * points_);
+  }
+  return work;
+}
+
 std::size_t ValidityBalls::visitedGroups() const {
   return static_cast<std::size_t>(
       std::count_if(groups_.begin(), groups_.end(), [&](const Group& group) { return group.visitedAt == checks_; }));
 }
 
 bool ValidityBalls::canSkip(Group& group, const double* rows) {
+  group.tried = !(group.marginAtCheck < 0);
+  group.fitted = false;
   if (group.marginAtCheck < 0 || !(remainingMargin(group, rows) >= 0)) return false;  // NaN among them
   group.skipped = true;
   group.pause = 0;
@@ -307,6 +333,7 @@ double ValidityBalls::remainingMargin(Group& group, const double* rows) {
   const double left = leftBy(group.motion);
   if (left >= 0) return left;
   group.motion = fittedMotion(tracked);
+  group.fitted = true;
   return leftBy(group.motion);
 }
 

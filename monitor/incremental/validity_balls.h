@@ -42,6 +42,9 @@ class ValidityBalls {
   /// Sets the radius of the ball around F0; fromStored is the distance that setReferenceGradient returned. A negative
   /// radius puts the element outside at every check.
   void setRadius(std::size_t place, double aroundF0, double fromStored);
+  /// The same for the elements of a batch, about stored gradients as far from F0 as can be. Those that are always or
+  /// never outside stay so.
+  void setRadii(std::int32_t batch, NativePack aroundF0);
   /// The element can never matter: it is inside at every check.
   void setNeverOutside(std::size_t place);
   /// The radius about the stored gradient: < 0 always outside, infinity never.
@@ -61,6 +64,8 @@ class ValidityBalls {
   void invalidateAll() {
     for (Group& group : groups_) group.marginAtCheck = -1;
   }
+  /// What the last check took, in WorkAccount's units: it depends on how the groups moved, not on threads.
+  double workOfCheck() const;
   /// Groups, and how many of them the last check visited.
   std::size_t groupCount() const { return groups_.size(); }
   std::size_t visitedGroups() const;
@@ -77,6 +82,7 @@ class ValidityBalls {
     Eigen::Matrix3d motion = Eigen::Matrix3d::Zero();  // A of the common motion since then, as last fitted
     std::int64_t visitedAt = 0;                        // number of the check that visited it last
     bool skipped = true;                               // a check since it last began to skip
+    bool tried = false, fitted = false;                // at the last check: its nodes were asked, a motion was fitted
     std::int16_t pause = 0, waits = 0;  // checks without trying to skip after a try in vain; those still to come
   };
   bool canSkip(Group& group, const double* rows);

@@ -98,5 +98,32 @@ TYPED_TEST(RoundedTest, KeepsItsSideWhateverIsAssigned) {
   EXPECT_EQ(sizeof(RoundedDown<TypeParam>), sizeof(TypeParam));
 }
 
+TYPED_TEST(RoundedTest, PacksKeepTheirSide) {
+  test::Random random(7);
+  RoundedDown<TypeParam> down[NativePack::width];
+  RoundedUp<TypeParam> up[NativePack::width];
+  for (int trial = 0; trial < 10000; ++trial) {
+    NativePack values;
+    for (int lane = 0; lane < NativePack::width; ++lane) {
+      values.set(lane, random.uniform(0, 1) * std::pow(10.0, random.uniform(-44, 30)));
+      up[lane] = values[lane];
+    }
+    RoundedDown<TypeParam>::store(values, down);
+    const NativePack below = RoundedDown<TypeParam>::load(down), above = RoundedUp<TypeParam>::load(up);
+    for (int lane = 0; lane < NativePack::width; ++lane) {
+      EXPECT_EQ(below[lane], static_cast<double>(down[lane]));
+      EXPECT_EQ(above[lane], static_cast<double>(up[lane]));
+      EXPECT_LE(below[lane], values[lane]);
+      EXPECT_GE(below[lane], values[lane] < 1e-37 ? 0 : values[lane] * (1 - 0x1p-6)) << values[lane];
+    }
+  }
+  for (const double exact : {0.0, infinity}) {
+    RoundedDown<TypeParam>::store(NativePack(exact), down);
+    EXPECT_EQ(static_cast<double>(down[0]), exact);
+  }
+  RoundedDown<TypeParam>::store(NativePack(notANumber), down);
+  EXPECT_EQ(static_cast<double>(down[0]), 0);
+}
+
 }  // namespace
 }  // namespace ringwatch

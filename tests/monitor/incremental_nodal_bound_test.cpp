@@ -104,48 +104,79 @@ TEST_P(IncrementalNodalBoundTest, HoldsWhateverItMaySpend) {
   EXPECT_GT(raises, 0);
 }
 
-TEST(IncrementalNodalBound, KeepsAProofBelowItsCeilingWhateverItMaySpend) {
+TEST(IncrementalNodalBound, KeepsAProofBelowItsCeilingWhenItMaySpendSomething) {
   const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   const NodeVectors& X = body.mesh().X;
-  for (const bool asked : {false, true}) {
-    WorkAccount account(body, 0);
-    IncrementalNodalBound bound(body, {}, &account);
-    const double ceiling = 1.5 * bound.update(X).value;
-    bool kept = true;
-    // To and fro, so that hardly anything of the debt is needed at the end.
-    for (int step = 0; step <= 200; ++step) {
-      const double stretch = 1 + 0.1 * std::sin(0.1 * step);
-      const NodeVectors x = Eigen::Vector3d(stretch, 1, 1).asDiagonal() * X;
-      const double most = asked ? ceiling : infinity;
-      kept = kept && bound.update(x, nullptr, most).value <= ceiling;
-      ASSERT_LE(bound.verify(x), 1e-9);
+  for (const double share : {0.0, 0.1})
+    for (const bool asked : {false, true}) {
+      WorkAccount account(body, share);
+      IncrementalNodalBound bound(body, {}, &account);
+      const double ceiling = 1.5 * bound.update(X).value;
+      bool kept = true;
+      // To and fro, so that hardly anything of the debt is needed at the end.
+      for (int step = 0; step <= 200; ++step) {
+        account.earn();
+        const double stretch = 1 + 0.1 * std::sin(0.1 * step);
+        const NodeVectors x = Eigen::Vector3d(stretch, 1, 1).asDiagonal() * X;
+        const double most = asked ? ceiling : infinity;
+        kept = bound.update(x, nullptr, most).value <= ceiling && kept;
+        ASSERT_LE(bound.verify(x), 1e-9);
+      }
+      if (asked || share == 0) {
+        EXPECT_EQ(kept, asked && share > 0);
+      }
+      if (share == 0) {
+        EXPECT_EQ(bound.spent()[WorkOn::evaluations] + bound.spent()[WorkOn::repairs], 0);
+      }
     }
-    EXPECT_EQ(kept, asked);
-  }
 }
 
 TEST(WorkAccount, EarnsSpendsAndForgives) {
-  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
+  const Body body(test::box({"", "tet4", 5, "", 0}, {10, 10, 10}),
+                  makeMaterial("stvk", test::young, 0.3, test::density), test::onThreads(1));
   const auto elements = static_cast<double>(body.mesh().elementCount());
   ASSERT_EQ(body.blocks()[0]->nodesPerElement(), 4);
-  const double evaluation = 216 * elements, force = 4 * elements;
-  EXPECT_EQ(WorkAccount::ofEvaluation(body), evaluation);
+  const double evaluation = 1728.0 / 14 * elements, force = 4 * elements;
+  EXPECT_NEAR(WorkAccount::ofEvaluation(body), evaluation, 1e-12 * evaluation);
   EXPECT_EQ(WorkAccount::ofForce(body), force);
-  EXPECT_EQ(WorkAccount::ofEvaluation(body, std::vector<ElementRef>{{0, 0}, {0, 1}}), 432);
+  EXPECT_NEAR(WorkAccount::ofEvaluation(body, std::vector<ElementRef>{{0, 0}, {0, 1}}), 2 * 1728.0 / 14, 1e-10);
   WorkAccount account(body, 0.5);
-  EXPECT_TRUE(account.affords(evaluation));
-  EXPECT_FALSE(account.affords(evaluation + 1));
+  EXPECT_TRUE(account.limited());
+  EXPECT_FALSE(account.affords(1));
+  EXPECT_FALSE(account.affordsForMode(1));
+  EXPECT_FALSE(account.affordsForProof(1));
   account.earn();
-  EXPECT_TRUE(account.affords(evaluation + 0.5 * force));
+  // An income is divided between the sides, and the proof has its own.
+  EXPECT_TRUE(account.affords(0.34 * force));
+  EXPECT_FALSE(account.affords(0.36 * force));
+  EXPECT_TRUE(account.affordsForMode(0.14 * force));
+  EXPECT_FALSE(account.affordsForMode(0.16 * force));
+  EXPECT_TRUE(account.affordsForProof(0.49 * force));
+  EXPECT_FALSE(account.affordsForProof(0.51 * force));
+  // Of tests no more than half of an income counts.
+  Work tests;
+  tests[WorkOn::tests] = force;
+  account.spend(tests);
+  EXPECT_TRUE(account.affords(0.09 * force));
+  EXPECT_FALSE(account.affords(0.11 * force));
   for (int step = 0; step < 100000; ++step) account.earn();
   EXPECT_TRUE(account.affords(WorkAccount::ofRebuild(body)));
   EXPECT_FALSE(account.affords(2 * WorkAccount::ofRebuild(body)));
-  account.spend(100 * WorkAccount::ofRebuild(body));
-  EXPECT_TRUE(account.affords(-evaluation));
-  EXPECT_FALSE(account.affords(-0.99 * evaluation));
-  WorkAccount unlimited(body, infinity);
-  unlimited.spend(1e300);
-  EXPECT_TRUE(unlimited.affords(1e300));
+  Work much;
+  much[WorkOn::sweeps] = 100 * WorkAccount::ofRebuild(body);
+  account.spend(much);
+  EXPECT_TRUE(account.affords(-2.01 * evaluation));
+  EXPECT_FALSE(account.affords(-1.99 * evaluation));
+  WorkAccount nothing(body, 0);
+  nothing.earn();
+  EXPECT_TRUE(nothing.limited());
+  EXPECT_FALSE(nothing.affords(1));
+  for (const double share : {100.0, infinity}) {
+    WorkAccount unlimited(body, share);
+    unlimited.spend(much);
+    EXPECT_FALSE(unlimited.limited());
+    EXPECT_TRUE(unlimited.affords(1e300));
+  }
 }
 
 TEST(IncrementalNodalBound, HoldsForEveryRuleOfTheHexahedron) {
