@@ -78,7 +78,9 @@ struct StabilityMonitor::Impl {
       }
       if (!provenFromScratch && bracketed) {
         provenFromScratch = true;
-        if (static_cast<std::int64_t>(body.mesh().elementCount()) <= options.firstObservationElements)
+        // A step that is certified without it needs no better proof.
+        certified = h && bracket->last() && *h <= bracket->last()->safe;
+        if (!certified && static_cast<std::int64_t>(body.mesh().elementCount()) <= options.firstObservationElements)
           bracket->proveFromScratch(x, options.limit);
       }
       if (bracketed) {

@@ -90,7 +90,7 @@ void bindMonitor(py::module_& module) {
       "evaluations.\nwidth: "
       "of the bracket, relative, that is aimed at. first_observation_elements: bodies of up to this many elements\nget "
       "the "
-      "best proof there is at the first observation. Raises InputError.")
+      "best proof there is at the first observation, where h is None or not certified without it. Raises InputError.")
       .def(py::init(&monitorOf), py::arg("body"), py::arg("limit") = 2.0, py::kw_only(), py::arg("mode") = "bracket",
            py::arg("metric") = "", py::arg("margin") = usual.margin, py::arg("every") = usual.every,
            py::arg("width") = usual.width, py::arg("first_observation_elements") = usual.firstObservationElements)

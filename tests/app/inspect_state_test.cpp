@@ -128,9 +128,6 @@ TEST_F(Inspect, TakesAFrameOfARun) {
     // Both brackets are those of one state: each holds the exact step.
     EXPECT_LE(history.number(row, "safe_s"), step["global"].get<double>() * (1 + 1e-9));
     EXPECT_GE(history.number(row, "optimistic_s"), step["global"].get<double>() * (1 - 1e-9));
-    if (frame == 1) {
-      EXPECT_NEAR(history.number(row, "safe_s") / step["safe"].get<double>(), 1, 1e-9);
-    }
   }
   EXPECT_GT(std::abs(report("r --frame 5 --global")["critical_step"]["global"].get<double>() /
                          report("r --frame 1 --global")["critical_step"]["global"].get<double>() -
@@ -164,7 +161,7 @@ TEST_F(Inspect, TakesAFrameOfARun) {
 
 TEST_F(Inspect, TakesAFrameOfADampedRun) {
   folder_.write("tiny.toml", tiny);
-  ASSERT_EQ(call("run tiny.toml --out r --set integrator.step=5e-4 --set damping.stiffness=1e-3").status, 0);
+  ASSERT_EQ(call("run tiny.toml --out r --set integrator.step=auto --set damping.stiffness=1e-3").status, 0);
   EXPECT_NEAR(table("r/history.csv").number(0, "safe_s") / report("r --frame 1")["critical_step"]["safe"].get<double>(),
               1, 1e-9);
 }
@@ -196,8 +193,9 @@ TEST_F(Inspect, TakesQuadratureRules) {
   std::string scene(tiny);
   scene.replace(scene.find("density = 1000"), 14, "density = 1000\nrules = [\"hex8=selective\"]");
   folder_.write("rules.toml", scene);
-  ASSERT_EQ(call("run rules.toml --out r --set mesh.element=hex8").status, 0);
-  ASSERT_EQ(call("run rules.toml --out plain --set mesh.element=hex8 --set material.rules=[]").status, 0);
+  const std::string hexahedra = " --set mesh.element=hex8 --set integrator.step=auto";
+  ASSERT_EQ(call("run rules.toml --out r" + hexahedra).status, 0);
+  ASSERT_EQ(call("run rules.toml --out plain --set material.rules=[]" + hexahedra).status, 0);
   EXPECT_GT(std::abs(table("r/history.csv").number(0, "safe_s") / table("plain/history.csv").number(0, "safe_s") - 1),
             1e-4);
   EXPECT_NEAR(report("r --frame 1")["critical_step"]["safe"].get<double>() / table("r/history.csv").number(0, "safe_s"),

@@ -50,7 +50,7 @@ TEST(StabilityMonitor, ChecksAStepByTheBracket) {
     const Body body = test::boxBody(subdivision, "stvk");
     const NodeVectors& X = body.mesh().X;
     StabilityMonitor first(body, {});
-    const CriticalStep step = *first.observe(0, 0, X, noVelocity(body), 1e-9).bracket;
+    const CriticalStep step = *first.observe(0, 0, X, noVelocity(body), std::nullopt).bracket;
     const double exact = 2 / std::sqrt(globalFrequency(body, X).lambda);
     EXPECT_LE(step.safe, exact) << subdivision.name;
     EXPECT_GE(step.optimistic, exact * (1 - 1e-9)) << subdivision.name;
@@ -69,13 +69,40 @@ TEST(StabilityMonitor, ChecksAStepByTheBracket) {
       EXPECT_EQ(report.h, c.h);
       EXPECT_TRUE(report.fresh);
       ASSERT_TRUE(report.bracket);
-      EXPECT_EQ(report.bracket->safe, step.safe);
+      EXPECT_GE(report.bracket->safe, std::min(c.h, step.safe));
+      EXPECT_LE(report.bracket->safe, step.safe);
       EXPECT_LE(report.bracket->optimistic, step.optimistic);  // examined closer when h comes near it
       EXPECT_EQ(report.verdict, c.verdict) << subdivision.name << ", h = " << c.h;
       EXPECT_EQ(countEvents(monitor, EventKind::violated), c.verdict == Verdict::violated);
       EXPECT_EQ(report.newEvents.size(), monitor.events().size());
     }
   }
+}
+
+TEST(StabilityMonitor, TakesTheBestProofWhereItDecides) {
+  BarOptions options;
+  options.element = "hex8";
+  const Body body(generateCube(0.05, 5, options), makeMaterial("stvk", 30e3, 0.3, 1000), test::onThreads(1));
+  const NodeVectors& X = body.mesh().X;
+  const auto observed = [&](std::int64_t elements, std::optional<double> h) {
+    MonitorOptions wanted;
+    wanted.firstObservationElements = elements;
+    return StabilityMonitor(body, wanted).observe(0, 0, X, noVelocity(body), h);
+  };
+  const CriticalStep best = criticalStep(body, X, 2);
+  const double kept = observed(0, std::nullopt).bracket->safe, between = 0.5 * (kept + best.safe);
+  ASSERT_GT(best.safe, 1.1 * kept) << "a mesh on which the bound that is kept along a run is as good";
+  // Certified without it.
+  const MonitorReport cheap = observed(10000, 0.9 * kept);
+  EXPECT_EQ(cheap.verdict, Verdict::certified);
+  EXPECT_EQ(cheap.bracket->safe, kept);
+  // It certifies.
+  EXPECT_EQ(observed(0, between).verdict, Verdict::notCertified);
+  const MonitorReport decided = observed(10000, between);
+  EXPECT_EQ(decided.verdict, Verdict::certified);
+  EXPECT_EQ(decided.bracket->safe, best.safe);
+  EXPECT_GT(decided.elementsRefreshed, 2 * cheap.elementsRefreshed);
+  EXPECT_EQ(observed(10000, std::nullopt).bracket->safe, best.safe);
 }
 
 TEST(StabilityMonitor, ReportsAViolationOnceWhenItBegins) {

@@ -33,8 +33,7 @@ int main() {
   if (first.verdict != Verdict::certified || !first.bracket || !(first.metricStep > 0)) return 1;
   const double safe = first.bracket->safe, optimistic = first.bracket->optimistic;
   std::printf("critical step between %.6e s and %.6e s\n", safe, optimistic);
-  // The first observation has the best proof; on regular meshes the bound that is kept along a run is up to a fifth
-  // lower.
+  // The safe side of the bound that is kept along a run may sink before it is rebuilt.
   const double h = 0.8 * safe;
   for (int step = 1; step <= 10; ++step) {
     if (!integrator->step(system, state, h).done) return 1;
