@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/base/sort_unique.h>
 
 namespace ringwatch {
@@ -12,8 +13,6 @@ namespace {
 // Of majorants with room: the sine of the angle by which a direction may turn, and the share by which the depth that
 // friction grows with may grow.
 constexpr double turning = 0.02, deepening = 0.5;
-/// Of majorants and forms, relative: more than a direction that is computed from positions can err.
-constexpr double directionRounding = 1e-9;
 
 void requireConstant(const char* name, double value) {
   if (!(value >= 0) || !std::isfinite(value)) throw InputError(joinText(name, " = ", value, ": must be >= 0"));

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include <ringwatch/base/matrix3.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/materials/lame.h>
 #include <ringwatch/materials/modulus_rounding.h>
 #include <ringwatch/materials/rotation.h>
@@ -150,7 +151,7 @@ struct Corotational {
     constexpr double share = 0.1, q = 1 - root2 * share;  // of g, that the radius spends
     const S zero(0.0), s = innerProduct(closestRotation(F), F), size2 = innerProduct(F, F);
     const S spread = math::sqrt(math::max(zero, size2 - s * s * S(1.0 / 3.0)) * S(2.0 / 3.0));
-    const S least = S(2.0 / 3.0) * s - spread - S(1e-7) * math::sqrt(size2);
+    const S least = S(2.0 / 3.0) * s - spread - S(leastGapRounding) * math::sqrt(size2);
     const auto bounded = least > zero;
     const S g = select(bounded, least, S(1.0)), twoOverG = S(2.0) / g;
     const double lambda = math::abs(constants.lambda);

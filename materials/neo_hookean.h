@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include <ringwatch/base/matrix3.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/materials/lame.h>
 #include <ringwatch/materials/modulus_rounding.h>
 #include <ringwatch/materials/tangent_drift.h>
@@ -114,7 +115,8 @@ struct NeoHookean {
     const Linearization<S> l = linearize(own);
     const Matrix3<S> C = transposeTimes(l.inverseTranspose, l.inverseTranspose);
     const S trace2 = trace(C), spread2 = math::max(zero, innerProduct(C, C) - trace2 * trace2 * S(1.0 / 3.0));
-    const S w2 = (trace2 * S(1.0 / 3.0) + math::sqrt(S(2.0 / 3.0) * spread2)) * S(1 + 1e-7), w = math::sqrt(w2);
+    const S w2 = (trace2 * S(1.0 / 3.0) + math::sqrt(S(2.0 / 3.0) * spread2)) * S(1 + largestInverseRounding),
+            w = math::sqrt(w2);
     const S G = math::sqrt(trace2), a = math::abs(l.a), lambda(math::abs(constants.lambda));
     const S linear = S(2 * k) * a * w * w2 + lambda * G * w2 * S(1 + 2 * k);
     const S quadratic = w2 * w2 * (S(k * k) * (a + lambda) + S(0.5 * k) * lambda) +

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/elements/registry.h>
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
@@ -23,9 +24,6 @@ namespace {
 constexpr int formatVersion = 2;
 // As in criticalStep: tangent products for the top mode, sweeps of the nodal bound.
 constexpr int modeProducts = 20, boundSweeps = 12;
-/// Left between what is computed and what is stated, relative: sums at nodes, and allowances that stand for zero, must
-/// be proven with strict inequalities. It is 5e-10 of the step.
-constexpr double margin = 1e-9;
 /// The least allowance, over the bound times the least mass: elements whose tangent has no positive eigenvalue.
 constexpr double leastAllowance = 1e-13;
 
@@ -174,7 +172,8 @@ Certificate makeCertificate(const Body& body, const NodeVectors& x) {
   const double bound = weights.last();
   if (!std::isfinite(bound) || !(bound > 0))
     throw NumericalError("certificate: the tangent is not finite here, or nothing in the body is stiff and free");
-  Certificate certificate{{bound * (1 + margin)}, {std::max(0.0, top.lower().value * (1 - margin))}, {}};
+  Certificate certificate{
+      {bound * (1 + statedRounding)}, {std::max(0.0, top.lower().value * (1 - statedRounding))}, {}};
   std::vector<std::int32_t> order(body.nodeCount());
   std::iota(order.begin(), order.end(), 0);
   Bytes bytes =

@@ -9,6 +9,7 @@
 #include <ringwatch/base/backoff.h>
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/body/tangent_source.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/bounds/top_mode.h>
@@ -169,10 +170,6 @@ TangentCheck checkTangent(std::size_t group, std::size_t e, const double* K, int
   return {largest, symmetric};
 }
 
-/// Of mass-scaled entries, relative to the sums of the sizes of what they are summed from: 2 · 6 products and a factor.
-constexpr double roundingOfScaling = 4e-15;
-/// Of quotients and assembled entries, relative to the sums of the sizes of what they are summed from.
-constexpr double roundingOfProducts = 1e-12;
 /// Sixth powers, as in determinants of squares, stay inside the range of a double.
 constexpr double leastSize = 1e-40, mostSize = 1e40;
 void checkSize(const char* what, double size) {
@@ -426,14 +423,14 @@ CriticalStep TangentBracket::evaluate(const std::vector<std::span<const double>>
 
   const TopMode top = findTopMode(*m.ring, *m.source, m.noPositions, m.mode, Impl::coldProducts, Impl::products, true);
   // The scaled problem W K W y = lambda y is that of a mass within massResidual of the given one.
-  const double massRounding = m.inverseRoots.empty() ? 0 : m.massResidual + roundingOfScaling;
-  const LowerBound lower{std::max(0.0, top.lower().value - roundingOfProducts * size) / (1 + massRounding)};
+  const double massRounding = m.inverseRoots.empty() ? 0 : m.massResidual + givenScalingRounding;
+  const LowerBound lower{std::max(0.0, top.lower().value - givenSumRounding * size) / (1 + massRounding)};
   const ReducedRing::Result& rings = m.ring->last();
   UpperBound upper = m.upperBound(lower);
-  if (!m.inverseRoots.empty()) upper.value = (upper.value + roundingOfScaling * size) / (1 - massRounding);
+  if (!m.inverseRoots.empty()) upper.value = (upper.value + givenScalingRounding * size) / (1 - massRounding);
   const CriticalStep step{safeStep(upper, limit), optimisticStep(lower, limit),
                           rings.highestElement,   "nodal-bound",
-                          top.method(),           rings.lowest < -roundingOfProducts * size ? rings.lowest : 0,
+                          top.method(),           rings.lowest < -givenSumRounding * size ? rings.lowest : 0,
                           rings.lowestElement};
   if (!step.isBracket())
     throw NumericalError(joinText("the sides of the bracket cross: safe ", step.safe, " s, optimistic ",

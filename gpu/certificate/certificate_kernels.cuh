@@ -1,6 +1,7 @@
 #pragma once
 #include <cuda_fp16.h>
 
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/gpu/certificate/certificate_operations.h>
 #include <ringwatch/monitor/bounds/nodal_weights.h>
 #include <ringwatch/monitor/incremental/rebuild_policy.h>
@@ -158,7 +159,8 @@ struct ElementBound {
     }
     double radius = validityRadius(growthOf(drift.law, value, strainNorm), drift.inversionDistance, allowance);
     // The test is in single precision: its own rounding comes off too.
-    if (radius < 1e30) radius = (radius - sqrt(rounding2)) * (1 - 1e-5) - 1e-6 * (1 + sqrt(size2));
+    if (radius < 1e30)
+      radius = (radius - sqrt(rounding2)) * (1 - deviceBallRounding) - deviceGradientRounding * (1 + sqrt(size2));
     setRadius(view, place, points, HalfRoundedDown(radius >= 0 ? radius : -1.0));
   }
   /// The ten halves of a point: entry i at [i / 2 * 2 * threads + i % 2].

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/handlers/mass_scaling/mass_scaling.h>
 #include <ringwatch/handlers/selection/selection.h>
@@ -13,12 +14,7 @@
 #include <ringwatch/monitor/metrics/metrics.h>
 
 namespace ringwatch {
-namespace {
-
-/// As the handler's: for what separates the computed sums and eigenvalues from their use.
-constexpr double room = 1e-9;
-
-}  // namespace
+namespace {}  // namespace
 
 Body withAddedMass(const Body& body, const Eigen::VectorXd& added) {
   Body heavier = copyOf(body);
@@ -48,7 +44,8 @@ MassPlan planAddedMass(const Body& body, const NodeVectors& x, double lambda, in
     if (!std::isfinite(bound.evaluate(x, sweeps).value))
       throw NumericalError("added mass: the tangent is not finite here, and no mass helps");
     for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
-      const double needed = heavier.lumpedMass()[i] * bound.nodal()[static_cast<std::size_t>(i)] / lambda * (1 + room);
+      const double needed =
+          heavier.lumpedMass()[i] * bound.nodal()[static_cast<std::size_t>(i)] / lambda * (1 + scaledValueRounding);
       added[i] = std::max(0.0, needed - own[i]);
     }
     if (added.sum() < best.total()) best.added = added;
@@ -62,7 +59,7 @@ MassPlan addedMassByElement(const Body& body, const NodeVectors& x, double lambd
   std::vector<double> mass;
   for (std::size_t b = 0; b < body.blocks().size(); ++b)
     for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
-      const double more = own.elementLambda[b][static_cast<std::size_t>(e)] / lambda * (1 + room) - 1;
+      const double more = own.elementLambda[b][static_cast<std::size_t>(e)] / lambda * (1 + scaledValueRounding) - 1;
       if (!(more > 0)) continue;
       const auto nodes = body.blocks()[b]->nodesOf(e);
       mass.resize(nodes.size());

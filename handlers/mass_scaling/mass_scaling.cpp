@@ -5,6 +5,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/handlers/mass_scaling/lowest_frequencies.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 
@@ -53,14 +54,14 @@ void MassScaling::take(const NodeVectors& x, double h, const ElementFlags& chose
     }
     const double l = std::max(
         0.0, Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues().tail<1>()[0]);
-    for (std::size_t a = 0; a < nodes.size(); ++a) sums[nodes[a]] += l * (1 + 1e-9) * D[a];
+    for (std::size_t a = 0; a < nodes.size(); ++a) sums[nodes[a]] += l * (1 + scaledValueRounding) * D[a];
   }
   const double lambda = allowedLambda(h);
   for (std::int32_t i = 0; i < body_.nodeCount(); ++i) {
     const Eigen::Matrix3d sum = freePart(body_, i, sums[i]);
     const double needed =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum, Eigen::EigenvaluesOnly).eigenvalues()[2] / lambda;
-    const double more = needed * (1 + 1e-12) - body_.lumpedMass()[i];
+    const double more = needed * (1 + addedMassRounding) - body_.lumpedMass()[i];
     if (!(more > 0)) continue;
     body_.addNodalMass(i, more);
     added_[i] += more;

@@ -72,7 +72,7 @@ class Greedy {
     // Where nothing need leave, any weights do.
     double value = bound_->evaluate(x_, 0).value;
     evaluations_ += bound_->evaluations();
-    if (!(value <= lambda_ * (1 - selectionSlack)) || !chosenElements(chosen_).empty()) {
+    if (!(value <= lambda_ * (1 - selectionRounding)) || !chosenElements(chosen_).empty()) {
       if (!std::isnan(value)) value = bound_->evaluate(x_, sweeps).value;
       evaluations_ += bound_->evaluations();
     }
@@ -97,11 +97,11 @@ class Greedy {
       const auto [value, i] = queue.top();
       queue.pop();
       const auto [now, direction] = nodal(i);
-      if (now < value * (1 - selectionSlack)) {  // a neighbour has left since
+      if (now < value * (1 - selectionRounding)) {  // a neighbour has left since
         queue.push({now, i});
         continue;
       }
-      if (now <= allowed * (1 - selectionSlack)) return;
+      if (now <= allowed * (1 - selectionRounding)) return;
       double most = -1;
       ElementRef worst;
       for (const auto place : bound_->incidences(i)) {
@@ -150,7 +150,7 @@ class Greedy {
         sums.push_back(sums_[nodes[a]] + use.value * freePart(body_, nodes[a], weights_.weight(place)));
         const double largest =
             Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums[a], Eigen::EigenvaluesOnly).eigenvalues()[2];
-        if (!(largest <= lambda_ * (1 - selectionSlack) * body_.lumpedMass()[nodes[a]])) break;
+        if (!(largest <= lambda_ * (1 - selectionRounding) * body_.lumpedMass()[nodes[a]])) break;
         if (a + 1 < nodes.size()) continue;
         for (std::size_t k = 0; k <= a; ++k) sums_[nodes[k]] = sums[k];
         chosen_[e.block][e.element] = false;
@@ -170,7 +170,7 @@ class Greedy {
     for (const std::int32_t node : nodes) {
       slack.push_back(freePart(
           body_, node,
-          lambda_ * (1 - selectionSlack) * body_.lumpedMass()[node] * Eigen::Matrix3d::Identity() - sums_[node]));
+          lambda_ * (1 - selectionRounding) * body_.lumpedMass()[node] * Eigen::Matrix3d::Identity() - sums_[node]));
       trace += slack.back().trace();
     }
     weights_.setWeights(e, slack);

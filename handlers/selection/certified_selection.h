@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/handlers/selection/selection.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 
@@ -20,9 +21,6 @@ struct CertifiedSelection {
   NodalWeights weights;          // D_e of the elements not chosen
   std::int64_t evaluations = 0;  // tangents and eigenvalues of single elements that it took
 };
-
-/// Kept free of lambda for the rounding of sums and small eigenvalues, relative.
-inline constexpr double selectionSlack = 1e-9;
 
 /// The smallest set found whose removal brings the block nodal bound of the explicit part, on the whole lumped mass, to
 /// lambda or below: with K_e ≼ l_e D_e for each remaining element and lambda_max(Σ l_e D_e) <= lambda m_i at every node

@@ -6,17 +6,13 @@
 #include <span>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/body/nodes_of.h>
 #include <ringwatch/handlers/selection/rotation_of.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 
 namespace ringwatch {
 namespace {
-
-/// Reference gradients are stored in single precision: a stored one is off by less, relative.
-constexpr double referenceRounding = 1e-7;
-/// Kept free of lambda when sums are checked: less than a new choice leaves, whose sums are the same but for rounding.
-constexpr double checkSlack = 0.5 * selectionSlack;
 
 /// F_q of a lane.
 Eigen::Matrix3d gradientAt(const double* F, std::size_t q, int lane) {
@@ -127,8 +123,8 @@ class IncrementalSelection::Choice {
         [&](std::int64_t k) {
           const std::int32_t node = among[k];
           const Eigen::Matrix3d& sum = own_.last_.nodalSums[node];
-          above[k] =
-              !sum.allFinite() || !(largestEigenvalue(sum) <= lambda_ * (1 - checkSlack) * body_.lumpedMass()[node]);
+          above[k] = !sum.allFinite() ||
+                     !(largestEigenvalue(sum) <= lambda_ * (1 - checkedSelectionRounding) * body_.lumpedMass()[node]);
         },
         256);
     std::vector<std::int32_t> result;
@@ -174,7 +170,8 @@ class IncrementalSelection::Choice {
       }
       for (std::size_t q = 0; q < points; ++q) {
         const Eigen::Matrix3d before = reference(e, q);
-        const double here = (gradientAt(gradients, q, lane) - R * before).norm() + referenceRounding * before.norm();
+        const double here =
+            (gradientAt(gradients, q, lane) - R * before).norm() + storedGradientRounding * before.norm();
         distance = here <= distance ? distance : here;  // NaN is kept
       }
     }

@@ -123,7 +123,8 @@ ElementFlags selectBySingleElement(const Body& body, const NodeVectors& x, doubl
   const std::vector<std::vector<double>> highest = singleElement(body, x);
   ElementFlags flags = noElements(body.mesh());
   for (std::size_t b = 0; b < flags.size(); ++b)
-    for (std::size_t e = 0; e < flags[b].size(); ++e) flags[b][e] = !(highest[b][e] <= lambda * (1 - selectionSlack));
+    for (std::size_t e = 0; e < flags[b].size(); ++e)
+      flags[b][e] = !(highest[b][e] <= lambda * (1 - selectionRounding));
   return flags;
 }
 

@@ -5,13 +5,12 @@
 #include <vector>
 
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 #include <ringwatch/monitor/small/packed_jacobi.h>
 
 namespace ringwatch {
 namespace {
-
-constexpr double roundingOfForms = 1e-12;  // relative to the norms of an element's matrices
 
 using Pack = NativePack;
 
@@ -98,7 +97,7 @@ class Composition {
     std::vector<Group> groups;
     int open = -1;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      excess_[e] = roundingOfForms * norms_[e] + tangentRounding_[e];
+      excess_[e] = exchangeRounding * norms_[e] + tangentRounding_[e];
       negative_[e] = 0;
       if (reserve_[e] > 0) continue;
       if (open < 0 || groups.back().count == lanes || open != elements_[e].nodes) {

@@ -67,7 +67,8 @@ struct FactoredCertificate::Impl {
   /// Of rounding in the factorisation and in the scaled matrix, at every row alike.
   double rounding(double sigma) const {
     const double units = (static_cast<double>(longestRow) + 2) * unitRoundoff, gamma = units / (1 - units);
-    return 4 * gamma / (1 - gamma) * (static_cast<double>(n) * sigma + absoluteTrace) + 1e-12 * (norm + sigma);
+    return pivotBounds * gamma / (1 - gamma) * (static_cast<double>(n) * sigma + absoluteTrace) +
+           assemblyRounding * (norm + sigma);
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/random.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/monitor/bounds/mass_scaled_operator.h>
 #include <ringwatch/monitor/small/lanczos.h>
 
@@ -85,7 +86,7 @@ LanczosBound lanczosUpperBound(const TangentSource& source, NodeVectorsView x, d
     T.append(alpha, beta);
     if (!(T.radius > 0)) return result;  // K q = 0 for a random q: there is no stiffness
     // The recurrence's own rounding counts as part of the next vector; that also serves when the vectors end.
-    const double rounding = 32 * epsilon * T.radius, target = std::log((beta + rounding) / (0.5 * d)) + logBetas;
+    const double rounding = lanczosRounding * T.radius, target = std::log((beta + rounding) / (0.5 * d)) + logBetas;
     const double floor = T.size() == 1 ? -T.radius : ritz - rounding;  // Ritz values only rise
     ritz = T.least(floor, [&](double t) { return !std::isnan(T.logProduct(t)); });
     const double upper = T.least(ritz, [&](double t) { return T.logProduct(t) >= target; }) + rounding;

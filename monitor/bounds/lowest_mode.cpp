@@ -8,14 +8,14 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/random.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 #include <ringwatch/monitor/small/lanczos.h>
 
 namespace ringwatch {
 namespace {
 
-constexpr double roundingOfQuotients = 1e-10;  // of a quotient, relative to the norm of S K S
-constexpr double clearlyBelow = 1e-4;          // zero, relative to that norm: the search can end
+constexpr double clearlyBelow = 1e-4;  // zero, relative to the norm of S K S: the search can end
 
 /// 1/√(Σ_e tr|K_e,aa|) of every node, zero in constrained components.
 NodeVectors scaleOf(const Body& body, NodeVectorsView x, Body::Workspace& workspace) {
@@ -124,7 +124,8 @@ LowestMode LowestModeSearch::find(NodeVectorsView x, int maxProducts) {
   u = start.cwiseProduct(scale_);
   body_.tangentProduct(x, u, w, workspace_);
   ++result.products;
-  const double form = w.cwiseProduct(u).sum() + roundingOfQuotients * T.radius + body_.formRounding(x, u, workspace_);
+  const double form =
+      w.cwiseProduct(u).sum() + negativeQuotientRounding * T.radius + body_.formRounding(x, u, workspace_);
   result.value = form / (u.cwiseAbs2() * body_.lumpedMass()).sum();
   if (result.value < 0) result.element = softestElement(body_, x, u);
   return result;

@@ -1,15 +1,13 @@
 #pragma once
 #include <limits>
 
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/monitor/small/extreme_eigenvalues.h>
 #include <ringwatch/monitor/small/symmetric3.h>
 
 /// The arithmetic of the block nodal bound (nodal_bound.h) for one element, or a pack of them: one source for CPU and
 /// CUDA threads.
 namespace ringwatch {
-
-/// Kept free of every allowance for the rounding of the sums that it was computed from, relative.
-inline constexpr double allowanceRounding = 1e-12;
 
 /// L of D = L Lᵀ, lower triangle: 00, 11, 22, 21, 20, 10. NaN where D is not positive definite.
 template <class P>

@@ -9,14 +9,12 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/body/law_of_packs.h>
 #include <ringwatch/monitor/tangent_bracket.h>
 
 namespace ringwatch {
 namespace {
-
-/// Of an eigenvalue of a modulus, and of what is summed to the bound, relative to the modulus' largest entry.
-constexpr double modulusRounding = 1e-12;
 
 /// The largest eigenvalue of ∂P/∂F at F = diag(s) of an isotropic law: of the 3×3 matrix of stretches, and of a 2×2
 /// matrix for each pair of them. From above, to rounding.

@@ -5,19 +5,14 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/monitor/bounds/rayleigh.h>
 #include <ringwatch/monitor/bounds/top_mode.h>
 #include <ringwatch/monitor/critical_step.h>
 
 namespace ringwatch {
-namespace {
-
-// Of the largest size of an eigenvalue: rounding of the highest one of a ring, and of zero eigenvalues of constrained
-// components (docs/theory/floating_point.md).
-constexpr double ringRounding = 1e-12, zeroRounding = 1e-10;
-
-}  // namespace
+namespace {}  // namespace
 
 RunBracket::RunBracket(const Body& body, double width, double budget, const BracketPolicy& policy)
     : body_(body),
@@ -233,8 +228,8 @@ void RunBracket::searchUnderCompression(NodeVectorsView x) {
   for (const ElementRef e : chosen) {
     if (!decomposeRing(x, e, WorkOn::searches)) continue;
     // Constrained components have eigenvalues of zero, to rounding.
-    const double least =
-        solver_.eigenvalues()[0] + zeroRounding * solver_.eigenvalues().cwiseAbs().maxCoeff() + ringNodes_.rounding();
+    const double least = solver_.eigenvalues()[0] + constrainedRounding * solver_.eigenvalues().cwiseAbs().maxCoeff() +
+                         ringNodes_.rounding();
     if (least < lowest_.value) lowest_ = {least, e};
   }
 }

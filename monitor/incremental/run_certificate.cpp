@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/nodes_of.h>
@@ -17,8 +18,6 @@ namespace {
 
 /// A strain norm at or below it belongs to an element without any free component.
 constexpr double nothingFree = 1e-200;
-/// Relative to its trace, of the difference of two majorants.
-constexpr double majorantRounding = 1e-12;
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include <ringwatch/base/math.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/materials/tangent_drift.h>
 
 /// The arithmetic of validity balls: one source for CPU and CUDA threads.
@@ -32,9 +33,6 @@ RINGWATCH_INLINE TangentGrowth growthOf(const TangentDriftCoefficients<double>& 
           2 * math::sqrt((value + strainNorm * drift.negative) * drift.kappa * strainNorm) + strainNorm * drift.linear,
           strainNorm * (drift.kappa + drift.quadratic), drift.radius};
 }
-
-/// Kept free of a radius for the rounding of its own computation, relative.
-inline constexpr double radiusRounding = 1e-6;
 
 /// Radius of the validity ball |F_q - F0_q| <= r within which l_e stays within an allowance and no F_q inverts; -1
 /// where the value itself exceeds the allowance. inversionDistance: TangentDriftOf's.

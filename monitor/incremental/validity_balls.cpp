@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/base/sort_unique.h>
 
 namespace ringwatch {
@@ -132,7 +133,8 @@ class ValidityBalls::BallCheck final : public GradientVisitor {
       distance2 = select(d2 <= distance2, distance2, d2);
     }
     // Roots in single precision, rounded up, cost a third.
-    const P distance = P(1 + 1e-6) * singlePrecisionRoot(distance2), size = P(1 + 1e-6) * singlePrecisionRoot(size2);
+    const P up(1 + singleRootRounding);
+    const P distance = up * singlePrecisionRoot(distance2), size = up * singlePrecisionRoot(size2);
     const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(batch) * lanes;
     const P inverseNorm = RoundedDown<Bfloat16>::load(balls_.inverseGradientNorm_.data() + place);
     const P radius = RoundedDown<Bfloat16>::load(balls_.radius_.data() + place), margin = radius - distance;
@@ -229,7 +231,7 @@ double ValidityBalls::setReferenceGradient(std::size_t place, const double* F0, 
     }
     farthest2 = std::max(farthest2, distance2);
   }
-  return std::sqrt(farthest2) * (1 + 1e-15);
+  return std::sqrt(farthest2) * (1 + distanceRounding);
 }
 
 void ValidityBalls::addReferenceGradient(std::size_t place, double (&sum)[9]) const {
@@ -268,7 +270,7 @@ double ValidityBalls::distance(std::size_t place, const double* F, int lane) con
     }
     if (!(distance2 <= farthest2)) farthest2 = distance2;  // a NaN stays
   }
-  return std::sqrt(farthest2) * (1 + 1e-15) + storageError;
+  return std::sqrt(farthest2) * (1 + distanceRounding) + storageError;
 }
 
 void ValidityBalls::ballChanged(std::size_t place, double distance) {
@@ -326,8 +328,8 @@ double ValidityBalls::remainingMargin(Group& group, const double* rows) {
   const auto leftBy = [&](const Eigen::Matrix3d& A) {
     const double size = A.norm();
     // Rounding of positions and of their differences.
-    const double rounding = group.rounding * (1 + size) + 1e-15 * (group.centre.lpNorm<1>() + moved);
-    return group.marginAtCheck * (1 - 1e-9) - size * group.leverArm - residual(tracked, A) - rounding;
+    const double rounding = group.rounding * (1 + size) + positionRounding * (group.centre.lpNorm<1>() + moved);
+    return group.marginAtCheck * (1 - groupMarginRounding) - size * group.leverArm - residual(tracked, A) - rounding;
   };
   // Any motion will do, and the last one fitted is mostly good enough.
   const double left = leftBy(group.motion);
@@ -361,7 +363,7 @@ void ValidityBalls::beginSkipping(Group& group, double margin, double leverArm, 
       before_[3 * i + c] = from;
       most = std::max(most, std::abs(from));
     }
-  group.rounding = 1.1e-7 * static_cast<double>(most);
+  group.rounding = storedPositionRounding * static_cast<double>(most);
 }
 
 }  // namespace ringwatch
