@@ -2,12 +2,15 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ringwatch)
 set(CPACK_PACKAGE_VENDOR "The ringwatch authors")
-set(CPACK_PACKAGE_CONTACT "The ringwatch authors <ringwatch@localhost>")
+# Who distributes the package names himself: cmake -DRINGWATCH_PACKAGE_CONTACT=…
+set(RINGWATCH_PACKAGE_CONTACT "The ringwatch authors <ringwatch@example.org>" CACHE STRING "Maintainer of the Debian package")
+mark_as_advanced(RINGWATCH_PACKAGE_CONTACT)
+set(CPACK_PACKAGE_CONTACT "${RINGWATCH_PACKAGE_CONTACT}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "stability monitor for explicit finite element runs")
-set(CPACK_PACKAGE_DESCRIPTION "ringwatch says at every step of an explicit nonlinear finite element run how large
-a step it can take, between two bounds that are proven, which element stands in
-the way, and when the run has left safe ground. The package has the programs,
-the C++ libraries with their headers, and the CMake package.")
+set(CPACK_PACKAGE_DESCRIPTION "ringwatch says at every step of an explicit nonlinear finite element run how
+large a step it can take, between two bounds that are proven, which element
+stands in the way, and when the run has left safe ground. The package has the
+programs, the C++ libraries with their headers, and the CMake package.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
