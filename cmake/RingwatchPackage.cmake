@@ -18,6 +18,13 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+if(RINGWATCH_PYTHON)
+  # The module is for one minor version of Python.
+  string(REGEX MATCH "python([0-9]+)\\.([0-9]+)" found "${RINGWATCH_PYTHON_DIR}")
+  math(EXPR next "${CMAKE_MATCH_2} + 1")
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS
+    "python3 (>= ${CMAKE_MATCH_1}.${CMAKE_MATCH_2}), python3 (<< ${CMAKE_MATCH_1}.${next}), python3-numpy")
+endif()
 # What those need who build against the libraries, and gnuplot for the pictures of a run.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, libeigen3-dev, libspectra-dev")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libvtk9-dev, libsundials-dev, paraview")
