@@ -21,8 +21,10 @@ std::uint64_t spreadBits(std::uint64_t v) {
 
 std::uint64_t mortonKey(const Eigen::Vector3d& unit) {
   std::uint64_t key = 0;
-  for (int c = 0; c < 3; ++c)
-    key |= spreadBits(static_cast<std::uint64_t>(std::clamp(unit[c], 0.0, 1.0) * 2097151.0)) << c;
+  for (int c = 0; c < 3; ++c) {
+    const double within = unit[c] > 0 ? std::min(unit[c], 1.0) : 0.0;  // 0 for a NaN, which has no integer
+    key |= spreadBits(static_cast<std::uint64_t>(within * 2097151.0)) << c;
+  }
   return key;
 }
 
