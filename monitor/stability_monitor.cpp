@@ -36,8 +36,8 @@ struct StabilityMonitor::Impl {
   EventTracker tracker;
   double largestEnergy = 0;
   std::int64_t observations = 0, energyObservations = 0, bodyVersion = 0;
-  bool unknown = false;            // the last state had no tangent
-  bool provenFromScratch = false;  // the first bracket was
+  bool unknown = false;      // the last state had no tangent
+  bool hadABracket = false;  // the best proof is for the first one alone
 
   /// Reports an event when it begins; step, time and cause are filled in.
   void present(MonitorEvent event, NodeVectorsView x) {
@@ -76,8 +76,8 @@ struct StabilityMonitor::Impl {
       } else {
         bracket->evaluate(x, options.limit, h, evaluation);
       }
-      if (!provenFromScratch && bracketed) {
-        provenFromScratch = true;
+      if (!hadABracket && bracketed) {
+        hadABracket = true;
         // A step that is certified without it needs no better proof.
         certified = h && bracket->last() && *h <= bracket->last()->safe;
         if (!certified && static_cast<std::int64_t>(body.mesh().elementCount()) <= options.firstObservationElements)

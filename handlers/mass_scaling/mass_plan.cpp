@@ -14,7 +14,6 @@
 #include <ringwatch/monitor/metrics/metrics.h>
 
 namespace ringwatch {
-namespace {}  // namespace
 
 Body withAddedMass(const Body& body, const Eigen::VectorXd& added) {
   Body heavier = copyOf(body);

@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <ringwatch/base/rounding.h>
 #include <ringwatch/handlers/selection/selection.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 

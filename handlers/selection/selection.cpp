@@ -5,6 +5,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/rounding.h>
 #include <ringwatch/body/sub_body.h>
 #include <ringwatch/handlers/selection/certified_selection.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>

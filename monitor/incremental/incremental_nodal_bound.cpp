@@ -49,8 +49,6 @@ void IncrementalNodalBound::start(NodeVectorsView x, double sigma, bool newWeigh
   if (started_) state_.distributeAllowances(x, newWeights);
   // Before there is a proof nothing can be earned for it.
   if (first) state_.statistics().work = {};
-  // What this took itself is not counted for the next one.
-  sinceRefresh_ = -state_.statistics().work.total();
 }
 
 IncrementalNodalBound::Outcome IncrementalNodalBound::follow(NodeVectorsView x, bool mayRaise, double ceiling,
@@ -119,7 +117,7 @@ IncrementalNodalBound::Outcome IncrementalNodalBound::mend(NodeVectorsView x, bo
   const auto violations = static_cast<std::size_t>(end - nearLimit_.begin()) + exceeding.size();
   const bool many =
       static_cast<double>(violations) > policy_.tooManyViolations * static_cast<double>(body_.mesh().elementCount());
-  if (many && paysToRebuild()) return Outcome::tooManyViolations;
+  if (many && affords(WorkAccount::ofRebuild(body_))) return Outcome::tooManyViolations;
   // Raising is all that is left once an update was refused, and to the bound where means are short.
   bool updates = !many;
   std::vector<ElementRef> raised;
@@ -145,17 +143,6 @@ IncrementalNodalBound::Outcome IncrementalNodalBound::mend(NodeVectorsView x, bo
   return mayRaise || (raised.empty() && raisedNodes.empty()) ? Outcome::held : Outcome::refused;
 }
 
-bool IncrementalNodalBound::paysToRefresh() const {
-  // Where means are short: on credit, once what was owed for the last one is paid.
-  return affords(limited() ? 0 : WorkAccount::ofEvaluation(body_)) ||
-         (!limited() && sinceRefresh_ >= 2 * WorkAccount::ofEvaluation(body_));
-}
-
-bool IncrementalNodalBound::paysToRebuild() const {
-  const double work = WorkAccount::ofRebuild(body_);
-  return affords(work) || (!limited() && sinceRebuild_ >= work);
-}
-
 void IncrementalNodalBound::beginCounting() {
   const double work = state_.statistics().work.total();
   if (account_) {
@@ -166,7 +153,6 @@ void IncrementalNodalBound::beginCounting() {
   }
   ofProof_ = 0;
   spent_ += state_.statistics().work;
-  sinceRefresh_ += work;
   sinceRebuild_ += work;
   state_.statistics() = {};
 }
@@ -282,18 +268,18 @@ bool IncrementalNodalBound::tightenBound(NodeVectorsView x, LowerBound lower, do
                                   tightOverLower_ * (1 + policy_.leastSlack * policy_.slack) * lower.value,
                                   (1 + policy_.leastSlack * policy_.slack) * state_.leastForDiscreteForces()});
   if (target < (1 - policy_.leastLowering) * certifiedEigenvalue() && lowerings_.due() &&
-      affords(limited() ? WorkAccount::ofLowering(body_) : 0)) {
+      affords(WorkAccount::ofLowering(body_))) {
     lowerings_.tried(lowerings_.since() >= policy_.soon);
     state_.moveTo(target);
     return true;
   }
   const double risen = certifiedEigenvalue() / (tightOverLower_ * (1 + policy_.slack) * lower.value);
   const bool drifted = risen > policy_.drifted;
-  const bool rebuilding = rebuilds_.due(drifted ? 0 : policy_.updatesOfChange) && paysToRebuild();
-  if (!rebuilding &&
-      !(drifted && refreshes_.due() &&
-        (limited() ? risen > policy_.tooHigh && paysToRefresh() : risen > policy_.tooHigh || paysToRefresh())))
-    return false;
+  const bool rebuilding =
+      rebuilds_.due(drifted ? 0 : policy_.updatesOfChange) && affords(WorkAccount::ofRebuild(body_));
+  // Where means are short: on credit, once what was owed for the last one is paid.
+  const bool refreshing = drifted && refreshes_.due() && (!limited() || (risen > policy_.tooHigh && affords(0)));
+  if (!rebuilding && !refreshing) return false;
   beginCounting();
   const double before = certifiedEigenvalue();
   if (!rebuilding) {

@@ -75,10 +75,6 @@ class IncrementalNodalBound {
     return !account_ || account_->affords(state_.statistics().work.total() - ofProof_ + work);
   }
   bool limited() const { return account_ && account_->limited(); }
-  /// Whether all elements are to be evaluated again: when the account has what that takes, or as much was spent since
-  /// the last time all the same, on single elements and on raises, since the proof needed it.
-  bool paysToRefresh() const;
-  bool paysToRebuild() const;
   /// Takes from the account what the statistics count, and begins to count again.
   void beginCounting();
   /// Builds the certificate again at x with the weights that there are, turned with the body: for the wanted eigenvalue
@@ -109,8 +105,8 @@ class IncrementalNodalBound {
   RebuildPolicy policy_;
   WorkAccount* account_;
   Work spent_;
-  double sinceRefresh_ = 0, sinceRebuild_ = 0;  // work
-  double ofProof_ = 0;                          // of what the statistics count, for the step that is taken alone
+  double sinceRebuild_ = 0;  // work
+  double ofProof_ = 0;       // of what the statistics count, for the step that is taken alone
   RunCertificate state_;
   Body::Workspace workspace_;
   bool started_ = false, endedEarly_ = false;  // endedEarly_: the last rebuild, since its weights were good enough

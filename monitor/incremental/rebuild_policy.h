@@ -37,7 +37,7 @@ struct RebuildPolicy {
   Backoff::Gaps refreshes{.first = 4, .last = 640, .factor = 2};
   double helpfulRefresh = 0.01;
   /// The certified eigenvalue above what the last rebuild gave, at today's lower bound, from which all elements are
-  /// evaluated whatever the account has: 12 % of the step.
+  /// evaluated on credit: 12 % of the step.
   double tooHigh = 1.25;
 
   // Local updates.

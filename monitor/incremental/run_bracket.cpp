@@ -12,7 +12,6 @@
 #include <ringwatch/monitor/critical_step.h>
 
 namespace ringwatch {
-namespace {}  // namespace
 
 RunBracket::RunBracket(const Body& body, double width, double budget, const BracketPolicy& policy)
     : body_(body),

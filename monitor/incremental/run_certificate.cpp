@@ -52,6 +52,12 @@ void RunCertificate::setBall(ElementRef e, const Reference& reference) {
                        reference.fromStored);
 }
 
+void RunCertificate::fitBall(ElementRef e) {
+  BlockData& data = of(e);
+  const std::size_t place = placeOf(e);
+  data.balls.setRadius(place, validityRadius(data.growth(place), infinity, allowance(e)), ValidityBalls::storageError);
+}
+
 void RunCertificate::evaluate(NodeVectorsView x, const std::vector<ElementRef>& elements, bool withStrainNorm,
                               std::vector<Reference>& results) {
   results.resize(elements.size());
@@ -164,12 +170,8 @@ void RunCertificate::reduceBesideDiscreteForces() {
     for (const NodalBound::Incidence at : weights().incidences(node)) {
       const ElementRef e = weights().elementAt(at);
       setAllowance(e, allowance(e) * share);
-      BlockData& data = of(e);
-      const std::size_t place = placeOf(e);
-      const double radius = data.balls.radius(place);
-      if (radius >= 0 && std::isfinite(radius))
-        data.balls.setRadius(place, validityRadius(data.growth(place), infinity, allowance(e)),
-                             ValidityBalls::storageError);
+      const double radius = of(e).balls.radius(placeOf(e));
+      if (radius >= 0 && std::isfinite(radius)) fitBall(e);
     }
   }
 }
@@ -214,11 +216,8 @@ std::vector<RunCertificate::Leaver> RunCertificate::growBalls(NodeVectorsView x,
 
 void RunCertificate::growBalls(std::span<const Leaver> leavers) {
   for (const Leaver& leaver : leavers) {
-    BlockData& data = of(leaver.element);
-    const std::size_t place = placeOf(leaver.element);
-    data.balls.setRadius(place, validityRadius(data.growth(place), infinity, allowance(leaver.element)),
-                         ValidityBalls::storageError);
-    data.balls.ballChanged(place, leaver.distance);
+    fitBall(leaver.element);
+    of(leaver.element).balls.ballChanged(placeOf(leaver.element), leaver.distance);
   }
 }
 
@@ -226,12 +225,7 @@ void RunCertificate::raiseToValues(const std::vector<ElementRef>& elements, doub
   for (const ElementRef e : elements) setAllowance(e, std::max(allowance(e), value(e) * (1 + share)));
   const std::vector<double> sums = sumsAt(nodesOfElements(body(), elements));
   for (const double sum : sums) setCertifiedEigenvalue(std::max(certifiedEigenvalue(), sum));
-  for (const ElementRef e : elements) {
-    BlockData& data = of(e);
-    const std::size_t place = placeOf(e);
-    data.balls.setRadius(place, validityRadius(data.growth(place), infinity, allowance(e)),
-                         ValidityBalls::storageError);
-  }
+  for (const ElementRef e : elements) fitBall(e);
   statistics_.raises += elements.empty() ? 0 : 1;
 }
 

@@ -60,8 +60,10 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   /// changed strain norms.
   void evaluate(NodeVectorsView x, const std::vector<ElementRef>& elements, bool withStrainNorm,
                 std::vector<Reference>& results);
-  /// The ball of an element for the allowance that it has.
+  /// The ball of an element that has just been evaluated, for the allowance that it has.
   void setBall(ElementRef e, const Reference& reference);
+  /// The ball around the reference gradients that there are, for an allowance that has changed.
+  void fitBall(ElementRef e);
   /// Call it for elements that got new balls at the positions of the last elementsOutsideBall.
   void ballsChanged(const std::vector<ElementRef>& elements);
   /// Whether the sum at a node is above what the certified eigenvalue allows there, or may be by rounding.

@@ -48,8 +48,5 @@ RINGWATCH_INLINE S validityRadius(const TangentGrowthOf<S>& growth, const std::t
   return select(gap >= S(0.0), math::min(radius, math::min(growth.radius, inversionDistance)) * S(1 - radiusRounding),
                 S(-1.0));
 }
-RINGWATCH_INLINE double validityRadius(const TangentGrowth& growth, double inversionDistance, double allowance) {
-  return validityRadius<double>(growth, inversionDistance, allowance);
-}
 
 }  // namespace ringwatch

@@ -17,6 +17,8 @@ using P = NativePack;
 /// Batches that skip checks together: enough that the test of their nodes costs little, few enough that they move
 /// alike.
 constexpr int groupBatches = 64;
+/// A radius that is not limited is stored as this one: infinity means that an element is never outside.
+constexpr double largestRadius = 1e30;
 /// A group whose elements leave their balls at every check waits for up to this many before it tries to skip again:
 /// trying costs as much as a visit.
 constexpr int longestPause = 15;
@@ -241,13 +243,13 @@ void ValidityBalls::addReferenceGradient(std::size_t place, double (&sum)[9]) co
 }
 
 void ValidityBalls::setRadius(std::size_t place, double aroundF0, double fromStored) {
-  const double own = std::min(aroundF0, 1e30) - fromStored;
+  const double own = std::min(aroundF0, largestRadius) - fromStored;
   radius_[place] = own >= 0 ? own : -1.0;
 }
 
 void ValidityBalls::setRadii(std::int32_t batch, NativePack aroundF0) {
   RoundedDown<Bfloat16>* const at = radius_.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
-  const P before = RoundedDown<Bfloat16>::load(at), own = math::min(aroundF0, P(1e30)) - P(storageError);
+  const P before = RoundedDown<Bfloat16>::load(at), own = math::min(aroundF0, P(largestRadius)) - P(storageError);
   const auto moves = (before >= P(0.0)) & (before < P(infinity)), has = own >= P(0.0);
   RoundedDown<Bfloat16> rounded[lanes];
   RoundedDown<Bfloat16>::store(select(has, own, P(0.0)), rounded);

@@ -232,8 +232,8 @@ TEST(TangentGrowth, GivesTheRadiusThatAnAllowanceHas) {
   EXPECT_LE(growth.at(radius), 27);
   EXPECT_EQ(validityRadius(growth, 100, 2.9), -1);
   EXPECT_LT(validityRadius(growth, 0.5, 27), 0.5);
-  EXPECT_LT(validityRadius({3, 0, 0, 10}, 100, 4), 10);
-  EXPECT_GT(validityRadius({3, 0, 0, 10}, 100, 4), 9.9);
+  EXPECT_LT(validityRadius(TangentGrowth{3, 0, 0, 10}, 100, 4), 10);
+  EXPECT_GT(validityRadius(TangentGrowth{3, 0, 0, 10}, 100, 4), 9.9);
 }
 
 }  // namespace
