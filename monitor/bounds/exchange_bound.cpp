@@ -14,41 +14,18 @@ namespace {
 
 using Pack = NativePack;
 
-/// P ← P without its negative part, one matrix a lane; least: lambda_min before, rounded down; negative: the squared
-/// norm of the negative part; error: what either is uncertain by.
-template <int N>
-void removeNegativePart(Pack* A, Pack* VT, Pack* P, int anyN, Pack& least, Pack& negative, Pack& error) {
-  const int n = N > 0 ? N : anyN;
-  // Steps need no more digits than that; the bound counts the error in full.
-  constexpr double tolerance = 1e-6;
-  constexpr int maxSweeps = 12;
-  error = diagonalize<N>(A, VT, n, tolerance, maxSweeps);
-  least = A[0];
-  negative = Pack(0.0);
-  for (int k = 0; k < n; ++k) {
-    const Pack value = A[k * n + k];
-    least = select(value < least, value, least);
-    const Pack below = select(value < Pack(0.0), value, Pack(0.0));
-    negative += below * below;
-    if (!anyOf(below < Pack(0.0))) continue;
-    const Pack* v = VT + k * n;
-    for (int i = 0; i < n; ++i) {
-      const Pack weight = below * v[i];
-      for (int j = 0; j < n; ++j) P[i * n + j] -= weight * v[j];
-    }
-  }
-  // NaN passes comparisons unseen.
-  negative += Pack(0.0) * error;
-  least = least - error;
-}
-void removeNegativePart(Pack* A, Pack* VT, Pack* P, int n, Pack& least, Pack& negative, Pack& error) {
+// Steps need no more digits than that; the bound counts the error in full.
+constexpr double decompositionTolerance = 1e-6;
+constexpr int decompositionSweeps = 12;
+
+NegativePart<Pack> removeNegativePart(Pack* A, Pack* VT, Pack* P, int n) {
   switch (n) {
     case 12:
-      return removeNegativePart<12>(A, VT, P, n, least, negative, error);
+      return removeNegativePart<12>(A, VT, P, n, decompositionTolerance, decompositionSweeps);
     case 24:
-      return removeNegativePart<24>(A, VT, P, n, least, negative, error);
+      return removeNegativePart<24>(A, VT, P, n, decompositionTolerance, decompositionSweeps);
     default:
-      return removeNegativePart<0>(A, VT, P, n, least, negative, error);
+      return removeNegativePart<0>(A, VT, P, n, decompositionTolerance, decompositionSweeps);
   }
 }
 
@@ -153,15 +130,14 @@ class Composition {
       for (std::size_t i = 0; i < entries; ++i) P[i].set(lane, from[i]);
     }
     std::copy_n(P, entries, A);
-    Pack least, negative, error;
-    removeNegativePart(A, VT, P, size, least, negative, error);
+    const NegativePart<Pack> part = removeNegativePart(A, VT, P, size);
     for (int lane = 0; lane < count; ++lane) {
       const std::size_t e = elements[lane];
       // A NaN must not pass for zero.
-      excess_[e] += least[lane] >= 0 ? 0.0 : -least[lane];
-      negative_[e] = negative[lane];
-      reserve_[e] = std::max(-error[lane], least[lane]);
-      if (!(negative[lane] > 0)) continue;
+      excess_[e] += part.least[lane] >= 0 ? 0.0 : -part.least[lane];
+      negative_[e] = part.square[lane];
+      reserve_[e] = std::max(-part.error[lane], part.least[lane]);
+      if (!(part.square[lane] > 0)) continue;
       double* to = P_.data() + elements_[e].begin;
       for (std::size_t i = 0; i < entries; ++i) to[i] = P[i][lane];
     }

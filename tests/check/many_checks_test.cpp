@@ -31,7 +31,7 @@ void checkOne(const test::BodyCase& c, test::Random& random, Tally& tally) {
   const std::size_t points = c.rule->points.size(), nodes = c.element->nodes;
   const int most = std::clamp(static_cast<int>(std::cbrt(12000.0 / static_cast<double>(points * nodes * nodes))), 1, 8);
   const test::Cells cells{1 + random.index(most), 1 + random.index(most), 1 + random.index(most)};
-  Body body(test::distortedBox(c.element->name, cells, random.uniform(0, 0.25)),
+  Body body(test::distortedBox(c.element->name, cells, random.uniform(0, 0.2)),
             makeMaterial(c.law, std::pow(10, random.uniform(3, 11)), poissons[random.index(5)], 1000),
             test::optionsOf(c));
   for (int held = random.index(4); held > 0; --held)

@@ -1,6 +1,8 @@
 // The bracket of single flat tetrahedra, turned in space, against their exact critical step in ball arithmetic. Before
 // the margins of Theorem 42 (docs/theory/floating_point.md) the safe step of one of height 1e-6 lay 2.6e-11 above it,
 // and at 1e-10 either side was wrong by 1e-7.
+#include <algorithm>
+#include <array>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -76,6 +78,51 @@ TEST(Sliver, HasABracketThatHolds) {
           ++tried;
         }
   EXPECT_GT(tried, 70);
+}
+
+/// Edges from the first node of a tetrahedron, one a column.
+using Matrix = std::array<std::array<Ball, 3>, 3>;
+Matrix edgesOf(const NodeVectors& x) {
+  Matrix edges;
+  for (int i = 0; i < 3; ++i)
+    for (int a = 0; a < 3; ++a) edges[i][a] = Ball(x(i, a + 1)) - Ball(x(i, 0));
+  return edges;
+}
+Ball cofactor(const Matrix& A, int i, int j) {
+  const int r = (i + 1) % 3, s = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
+  return A[r][c] * A[s][d] - A[r][d] * A[s][c];
+}
+
+TEST(Sliver, HasADeformationGradientAsExactAsIsSaid) {
+  test::Random random(12);
+  Ball::precision = 256;
+  double least = infinity;
+  for (const double height : {1.0, 1e-2, 1e-4, 1e-6, 1e-8})
+    for (int turn = 0; turn < 16; ++turn) {
+      const Body body = sliver(height, turn % 2 == 0, 0, random);
+      const NodeVectors x = random.rotation() * (Eigen::Matrix3d::Identity() + random.matrix(0.3)) * body.mesh().X;
+      std::int32_t elements[lanes];
+      std::fill(elements, elements + lanes, -1);
+      elements[0] = 0;
+      double F[9 * lanes];
+      TangentDrift drift[lanes];
+      body.blocks()[0]->deformationOf(elements, x.data(), F, drift);
+      const Matrix present = edgesOf(x), J = edgesOf(body.mesh().X);
+      const Ball det = J[0][0] * cofactor(J, 0, 0) + J[0][1] * cofactor(J, 0, 1) + J[0][2] * cofactor(J, 0, 2);
+      Ball sum;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          Ball exact;
+          for (int k = 0; k < 3; ++k) exact.addProduct(present[i][k], cofactor(J, j, k) / det);
+          const Ball off = exact - Ball(F[(3 * i + j) * lanes]);
+          sum.addProduct(off, off);
+        }
+      // It is said of two gradients, twice each.
+      const double error = std::sqrt(sum.size().rounded()), said = drift[0].gradientRounding / 4;
+      least = std::min(least, said / error);
+      EXPECT_GE(said, 10 * error) << "height " << height;
+    }
+  EXPECT_LT(least, 1e4);
 }
 
 }  // namespace

@@ -75,6 +75,40 @@ TYPED_TEST(LawTest, HasNoEnergyAndNoStressAtRest) {
   }
 }
 
+// ModulusRounding: blocks g_a C g_b at a gradient within an error, for errors far above rounding.
+TYPED_TEST(LawTest, KnowsWhatAnErrorOfItsGradientDoes) {
+  const auto linearizationAt = [&](const Eigen::Matrix3d& F) { return this->law.linearize(test::toMatrix3(F)); };
+  if constexpr (requires { linearizationAt(Eigen::Matrix3d()).rounding(Matrix3<double>(), 0.0); }) {
+    test::Random random(8);
+    int tried = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [kind, F] : this->domain())
+      for (const double error : {1e-4, 1e-7}) {
+        const auto here = linearizationAt(F);
+        const double bound = here.rounding(test::toMatrix3(F), error).error;
+        if (!std::isfinite(bound)) continue;
+        ++tried;
+        for (int direction = 0; direction < 20; ++direction) {
+          const Eigen::Matrix3d off = random.matrix(1);
+          const auto there = linearizationAt(F + error / off.norm() * off);
+          const Eigen::Vector3d a = random.vector(1).normalized(), b = random.vector(1).normalized();
+          Eigen::Matrix3d change;
+          for (int j = 0; j < 3; ++j) {
+            const Matrix3<double> unit = test::toMatrix3(Eigen::Matrix3d(Eigen::Vector3d::Unit(j) * b.transpose()));
+            change.col(j) = (test::toEigen(there(unit)) - test::toEigen(here(unit))) * a;
+          }
+          EXPECT_LE(change.norm(), bound) << kind << ", error " << error << "\n" << F;
+          least = std::min(least, bound / change.norm());
+        }
+      }
+    EXPECT_GT(tried, 20);
+    // A bound that is far from what happens would hide one that is wrong.
+    if (!TypeParam::tangentIsConstant) {
+      EXPECT_LT(least, 30);
+    }
+  }
+}
+
 TYPED_TEST(LawTest, StressIsTheDerivativeOfEnergy) {
   for (const auto& [kind, F] : this->domain())
     EXPECT_LE((this->stress(F) - this->stressByDual(F)).norm(), 1e-12 * stressScale(F)) << kind << "\n" << F;

@@ -65,6 +65,32 @@ TEST(PackedJacobi, SaysHowFarItGot) {
   EXPECT_LE(std::abs(found - least), left);
 }
 
+TEST(PackedJacobi, BoundsTheLeastEigenvalueAndTakesTheNegativePartAfterAnySweep) {
+  constexpr int n = 12;
+  test::Random random(23);
+  for (const int sweeps : {0, 1, 2, 3, 12})
+    for (int repeat = 0; repeat < 10; ++repeat) {
+      AlignedVector<NativePack> A(n * n), VT(n * n), M(n * n);
+      Eigen::MatrixXd before(n, n);
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j <= i; ++j) {
+          before(i, j) = before(j, i) = random.uniform(-1, 1);
+          M[i * n + j] = M[j * n + i] = A[i * n + j] = A[j * n + i] = NativePack(before(i, j));
+        }
+      const NegativePart<NativePack> part = removeNegativePart<n>(A.data(), VT.data(), M.data(), n, 0.0, sweeps);
+      const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(before).eigenvalues();
+      EXPECT_LE(part.least[0], values[0] + 1e-13) << sweeps;
+      Eigen::MatrixXd after(n, n);
+      for (int i = 0; i < n * n; ++i) after(i / n, i % n) = M[i][0];
+      // Theorem 13 (c): what is left is no lower than the error.
+      EXPECT_GE(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(after).eigenvalues()[0], -part.error[0] - 1e-13)
+          << sweeps;
+      if (sweeps < 12) continue;
+      EXPECT_NEAR(part.least[0], values[0], 1e-13);
+      EXPECT_NEAR(part.square[0], values.cwiseMin(0).squaredNorm(), 1e-12);
+    }
+}
+
 TEST(ExchangeBound, HoldsForAnyTargetAfterAnyIteration) {
   int states = 0, tried = 0;
   for (const Subdivision& subdivision : test::allSubdivisions())
@@ -106,6 +132,25 @@ TEST(ExchangeBound, IsWithinOnePercentOnRegularGrids) {
       EXPECT_LE(bound.upper.value, 1.02 * lambda) << subdivision.name << ", jitter " << jitter;
       EXPECT_LT(bound.iterations, 60) << subdivision.name;
     }
+}
+
+// Just below the truth the bound has nowhere to go but to it. Elements whose matrices were definite at first lose that
+// on the way: they are seen again.
+TEST(ExchangeBound, HoldsForTargetsBelowTheTruthAfterManyIterations) {
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
+    const Body body = test::boxBody(subdivision, "stvk", {4, 2, 2}, 0.2);
+    const NodeVectors& X = body.mesh().X;
+    const double lambda = DenseTangent(body, X).largest();
+    NodalBound weights(body);
+    weights.evaluate(X, 2);
+    for (const double share : {0.5, 0.9, 0.99}) {
+      const ExchangeBound bound = exchangeUpperBound(body, X, weights, share * lambda, 0, 60);
+      EXPECT_GE(bound.upper.value, lambda) << subdivision.name << ", " << share;
+      if (share > 0.9) {
+        EXPECT_LE(bound.upper.value, 1.1 * lambda) << subdivision.name;
+      }
+    }
+  }
 }
 
 TEST(ExchangeBound, StopsWhereItIsAccepted) {

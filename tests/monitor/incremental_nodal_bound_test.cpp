@@ -6,6 +6,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/body/law_of_packs.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <ringwatch/monitor/incremental/incremental_nodal_bound.h>
@@ -179,6 +180,30 @@ TEST(WorkAccount, EarnsSpendsAndForgives) {
   }
 }
 
+// Theorem 22 (b): the shares of points and of the mean gradient add up.
+TEST(TangentDrift, OfAMeanAddsToThatOfThePoints) {
+  test::Random random(18);
+  const auto whole = StVenantKirchhoff(lameConstants(test::young, 0.4));
+  const auto point = withShares(whole, 0.2, 1.0), mean = withShares(whole, 0.8, 0.3);
+  ASSERT_TRUE(point && mean);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Matrix3<double> F = test::toMatrix3(Eigen::Matrix3d::Identity() + random.matrix(0.3)),
+                          F2 = test::toMatrix3(Eigen::Matrix3d::Identity() + random.matrix(0.3)),
+                          average = 0.5 * (F + F2);
+    TangentDrift all;
+    all.addPoint(*point, F);
+    all.addPoint(*point, F2);
+    all.addMean(*mean, average);
+    const auto first = point->drift(F), second = point->drift(F2), own = mean->drift(average);
+    constexpr double rounding = 1e-14;
+    EXPECT_GE(all.law.kappa * (1 + rounding), std::max(first.kappa, second.kappa) + own.kappa);
+    EXPECT_GE(all.law.linear * (1 + rounding), std::max(first.linear, second.linear) + own.linear);
+    EXPECT_GE(all.law.quadratic * (1 + rounding), std::max(first.quadratic, second.quadratic) + own.quadratic);
+    EXPECT_GE(all.law.negative * (1 + rounding), std::max(first.negative, second.negative) + own.negative);
+    EXPECT_LE(all.law.radius, std::min({first.radius, second.radius, own.radius}));
+  }
+}
+
 TEST(IncrementalNodalBound, HoldsForEveryRuleOfTheHexahedron) {
   // Rules with a share at the mean deformation gradient too.
   for (const QuadratureRule& rule : findElementByName("hex8")->rules)
@@ -326,6 +351,8 @@ TEST_P(IncrementalNodalBoundTest, CertifiesOnlyWhatIsTrue) {
         const bool yes = bound.certify(x, sigma);
         if (yes) {
           ASSERT_GE(sigma, lambda * (1 - 1e-9)) << law.name << ", " << share << ", step " << step;
+          ASSERT_LE(bound.certifiedEigenvalue(), sigma) << law.name << ", " << share << ", step " << step;
+          EXPECT_LE(bound.verify(x), 1e-9) << law.name << ", " << share << ", step " << step;
         }
         certified += yes;
         possible += sigma >= 1.5 * lambda;
@@ -336,6 +363,30 @@ TEST_P(IncrementalNodalBoundTest, CertifiesOnlyWhatIsTrue) {
       }
     }
   }
+}
+
+// Where one element of many becomes stiffer than its surroundings can serve.
+TEST(IncrementalNodalBound, RefusesAStepThatItsEigenvalueWasRaisedAbove) {
+  const Body body = jitteredBar({10, 4, 4}, 0.2);
+  const NodeVectors& X = body.mesh().X;
+  test::Random random(19);
+  int refused = 0;
+  for (int repeat = 0; repeat < 8; ++repeat) {
+    IncrementalNodalBound bound(body);
+    const double sigma = 1.05 * bound.update(X).value;
+    const std::int32_t node = random.index(body.nodeCount());
+    const Eigen::Vector3d across = random.vector(1).normalized() * (0.06 * X.row(0).maxCoeff());
+    NodeVectors x = X;
+    for (int step = 0; step <= 40; ++step) {
+      x.col(node) = X.col(node) + step / 40.0 * across;
+      const bool yes = bound.certify(x, sigma);
+      refused += !yes && std::isfinite(bound.certifiedEigenvalue());
+      if (!yes) continue;
+      ASSERT_LE(bound.certifiedEigenvalue(), sigma) << repeat << ", step " << step;
+      EXPECT_LE(bound.verify(x), 1e-9) << repeat << ", step " << step;
+    }
+  }
+  EXPECT_GT(refused, 0);
 }
 
 TEST_P(IncrementalNodalBoundTest, SeesEveryInversion) {
