@@ -178,8 +178,8 @@ void Body::addBodyForce(const Eigen::Vector3d& acceleration) {
   externalForce_ += acceleration * lumpedMass().transpose();
 }
 
-void Body::pass(NodeVectorsView x, PatchVisitor* visitor, NodeVectors* force, double* energy,
-                Workspace& workspace) const {
+void Body::pass(NodeVectorsView x, PatchVisitor* visitor, NodeVectors* force, double* energy, Workspace& workspace,
+                const NodeRangeVisitor& visit) const {
   if (force) workspace.slots.resize(4 * slotCount());
   if (energy) workspace.energies.resize(patches().size());
   parallelFor(0, patches().size(), threads(), [&](std::int64_t p) {
@@ -206,31 +206,33 @@ void Body::pass(NodeVectorsView x, PatchVisitor* visitor, NodeVectors* force, do
       workspace.energies[p] = sum;
     }
   });
-  if (force) sumSlots(*force, workspace.slots.data());
+  const DiscreteForces* discrete = discreteForces();
+  if (force) sumSlots(*force, workspace.slots.data(), discrete ? nullptr : visit);
   if (energy) {
     *energy = 0;
     for (const double part : workspace.energies) *energy += part;
   }
-  if (const DiscreteForces* discrete = discreteForces()) {
-    if (force) discrete->addInternalForce(x, *force);
-    if (energy) *energy += discrete->energy(x);
-  }
+  if (!discrete) return;
+  if (energy) *energy += discrete->energy(x);
+  if (!force) return;
+  discrete->addInternalForce(x, *force);
+  if (visit) visit(0, nodeCount());
 }
 
 void Body::evaluate(NodeVectorsView x, StepEvaluation& evaluation, Workspace& workspace) const {
   const auto begin = std::chrono::steady_clock::now();
   pass(x, evaluation.visitor, evaluation.wantsForce ? &evaluation.internalForce : nullptr,
-       evaluation.wantsEnergy ? &evaluation.strainEnergy : nullptr, workspace);
+       evaluation.wantsEnergy ? &evaluation.strainEnergy : nullptr, workspace, nullptr);
   evaluation.wallTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-void Body::internalForce(NodeVectorsView x, NodeVectors& f, Workspace& workspace) const {
-  pass(x, nullptr, &f, nullptr, workspace);
+void Body::internalForce(NodeVectorsView x, NodeVectors& f, Workspace& workspace, const NodeRangeVisitor& visit) const {
+  pass(x, nullptr, &f, nullptr, workspace, visit);
 }
 
 double Body::energy(NodeVectorsView x, Workspace& workspace) const {
   double energy = 0;
-  pass(x, nullptr, nullptr, &energy, workspace);
+  pass(x, nullptr, nullptr, &energy, workspace, nullptr);
   return energy;
 }
 

@@ -75,8 +75,10 @@ class Body : public TangentSource {
   /// one pass over the elements. In parallel, with the same bits for any number of threads. The equation of motion is
   /// m a = externalForce - internalForce.
   void evaluate(NodeVectorsView x, StepEvaluation& evaluation, Workspace& workspace) const;
-  /// The internal force alone, 3×N, N.
-  void internalForce(NodeVectorsView x, NodeVectors& f, Workspace& workspace) const;
+  /// The internal force alone, 3×N, N. visit(begin, end) is called for ranges of nodes that are all of them, side by
+  /// side, as soon as the force there is final: while it is in the thread's cache.
+  void internalForce(NodeVectorsView x, NodeVectors& f, Workspace& workspace,
+                     const NodeRangeVisitor& visit = nullptr) const;
   /// The strain energy alone, J.
   double energy(NodeVectorsView x, Workspace& workspace) const;
   /// Lumped mass that an element gives to its nodes, kg: mass[n].
@@ -93,7 +95,8 @@ class Body : public TangentSource {
   Eigen::VectorXd lumpMass();
   /// det J of an element at a point with the shape gradients dN, in twice the precision.
   double wideDeterminant(std::span<const std::int32_t> nodes, const double (*dN)[3]) const;
-  void pass(NodeVectorsView x, PatchVisitor* visitor, NodeVectors* force, double* energy, Workspace& workspace) const;
+  void pass(NodeVectorsView x, PatchVisitor* visitor, NodeVectors* force, double* energy, Workspace& workspace,
+            const NodeRangeVisitor& visit) const;
   Mesh mesh_;
   BodyOptions options_;
   std::vector<std::unique_ptr<ElementBlock>> blocks_;

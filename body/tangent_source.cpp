@@ -93,13 +93,11 @@ void TangentSource::setElements(std::vector<const ElementTangents*> tangents, Ei
     for (std::int32_t node : block->layout().nodes) nodeSlot_[count[node]++] = slot++;
 }
 
-void TangentSource::sumSlots(NodeVectors& result, const double* slots) const {
+void TangentSource::sumSlots(NodeVectors& result, const double* slots, const NodeRangeVisitor& visit) const {
   result.resize(3, nodeCount());
-  constexpr std::int64_t chunk = 2048;
-  const std::int64_t nodes = nodeCount();
-  parallelFor(0, (nodes + chunk - 1) / chunk, threads(), [&](std::int64_t c) {
-    const std::int64_t end = std::min(nodes, (c + 1) * chunk);
-    for (std::int64_t i = c * chunk; i < end; ++i) {
+  constexpr std::int64_t grain = 256;  // nodes a thread: some 20 kB of slots, below which waking it costs more
+  parallelParts(nodeCount(), threads(), grain, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t i = begin; i < end; ++i) {
       double sum[3] = {0, 0, 0};
       for (std::int64_t s = nodeSlotBegin_[i]; s < nodeSlotBegin_[static_cast<std::size_t>(i) + 1]; ++s) {
         const double* row = slots + 4 * nodeSlot_[s];
@@ -107,6 +105,7 @@ void TangentSource::sumSlots(NodeVectors& result, const double* slots) const {
       }
       for (int k = 0; k < 3; ++k) result(k, i) = sum[k];
     }
+    if (visit) visit(begin, end);
   });
 }
 

@@ -18,6 +18,8 @@
 namespace ringwatch {
 
 class DiscreteForces;
+/// A range of nodes, the end not among them.
+using NodeRangeVisitor = std::function<void(std::int64_t begin, std::int64_t end)>;
 
 /// An assembled tangent with what its assembly keeps from call to call.
 struct SparseTangent {
@@ -138,7 +140,8 @@ class TangentSource {
   };
   const std::vector<PatchRef>& patches() const { return patches_; }
   std::int64_t slotCount() const { return slotCount_; }
-  void sumSlots(NodeVectors& result, const double* slots) const;
+  /// The sums of each node's slots; visit: see Body::internalForce.
+  void sumSlots(NodeVectors& result, const double* slots, const NodeRangeVisitor& visit = nullptr) const;
 
  private:
   void makePattern(BlockMatrix& matrix) const;

@@ -22,22 +22,17 @@ class BodySystem final : public DifferentiableSystem {
       : body_(body), damping_(damping), inverseMass_(body.lumpedMass().cwiseInverse().transpose()) {}
 
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
-    body_.internalForce(x, internalForce_, workspace_);
-    accelerationOfForce(internalForce_, x, v, a);
+    prepare(x, v, a);
+    body_.internalForce(x, internalForce_, workspace_,
+                        [&](std::int64_t begin, std::int64_t end) { accelerate(internalForce_, a, begin, end); });
+    body_.constraints().clearConstrained(a);
   }
   /// The acceleration where the internal force at x (3×N, N) is known, as from Body::evaluate.
   void accelerationOfForce(const NodeVectors& internalForce, const NodeVectors& x, const NodeVectors& v,
                            NodeVectors& a) {
-    const bool damped = velocityDependent();
-    if (damped) dampingForce(x, v, dampingForce_);
-    a.resizeLike(internalForce);
-    updateNodes(*this, a.cols(), [&](auto slice) {
-      const auto force = slice(body_.externalForce()) - slice(internalForce);
-      if (damped)
-        slice(a) = (force - slice(dampingForce_)) * slice(inverseMass_).asDiagonal();
-      else
-        slice(a) = force * slice(inverseMass_).asDiagonal();
-    });
+    prepare(x, v, a);
+    parallelParts(a.cols(), threads(), nodesOfAThread,
+                  [&](std::int64_t begin, std::int64_t end) { accelerate(internalForce, a, begin, end); });
     body_.constraints().clearConstrained(a);
   }
   /// Gives a state its acceleration from an evaluation of the body at its positions, and ends a step of
@@ -90,6 +85,20 @@ class BodySystem final : public DifferentiableSystem {
   }
 
  private:
+  void prepare(const NodeVectors& x, const NodeVectors& v, NodeVectors& a) {
+    if (velocityDependent()) dampingForce(x, v, dampingForce_);
+    a.resize(3, x.cols());
+  }
+  /// The accelerations of some nodes, constraints aside.
+  void accelerate(const NodeVectors& internalForce, NodeVectors& a, std::int64_t begin, std::int64_t end) const {
+    const auto slice = [=](auto& vectors) { return vectors.middleCols(begin, end - begin); };
+    const auto force = slice(body_.externalForce()) - slice(internalForce);
+    if (velocityDependent())
+      slice(a) = (force - slice(dampingForce_)) * slice(inverseMass_).asDiagonal();
+    else
+      slice(a) = force * slice(inverseMass_).asDiagonal();
+  }
+
   const Body& body_;
   RayleighDamping damping_;
   Eigen::RowVectorXd inverseMass_;

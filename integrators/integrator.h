@@ -129,12 +129,13 @@ class Integrator {
   virtual void reset() {}
 };
 
+/// Nodes a thread updates at least: some 50 kB of state, below which waking it costs more.
+inline constexpr Eigen::Index nodesOfAThread = 512;
 /// Updates vectors of nodes, in parallel: update(slice), where slice(v) are the same columns of any 3×N vector. Each
 /// column may depend on its own columns alone, so that results do not depend on the number of threads.
 template <class Update>
 void updateNodes(const SecondOrderSystem& system, Eigen::Index nodes, const Update& update) {
-  constexpr Eigen::Index grain = 512;  // nodes a thread: some 50 kB of state, below which waking it costs more
-  parallelParts(nodes, system.threads(), grain, [&](Eigen::Index begin, Eigen::Index end) {
+  parallelParts(nodes, system.threads(), nodesOfAThread, [&](Eigen::Index begin, Eigen::Index end) {
     update([=](auto& vectors) { return vectors.middleCols(begin, end - begin); });
   });
 }
