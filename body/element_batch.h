@@ -119,6 +119,7 @@ class ElementBatch final : public ElementBlock {
     geometry_.minimumDeterminantBatch(batch, x, determinants);
   }
   void volumeBatch(std::int32_t batch, double* volumes) const override { geometry_.volumeBatch(batch, volumes); }
+  bool goesByDirections() const override { return geometry_.hasDirections(); }
 
  private:
   /// The material's law with a share of each of Lamé's constants; the law itself where it has none (hasShares).

@@ -60,6 +60,8 @@ class ElementBlock : public ElementTangents {
 
   /// Volume at rest of each element of a batch, m³: volumes[lane].
   virtual void volumeBatch(std::int32_t batch, double* volumes) const = 0;
+  /// Whether forces are computed one direction after the other (elements/directions.h), in far fewer operations.
+  virtual bool goesByDirections() const = 0;
 
  protected:
   ElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material, const QuadratureRule& rule)

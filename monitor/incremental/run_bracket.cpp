@@ -39,15 +39,21 @@ const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const
 
 void RunBracket::charge(WorkOn what, double work) {
   if (mode_.size() == 0) return;  // the first proof is free
-  account_.spendOnMode(work);
+  if (uncertified_ && account_.affordsForVerdict(work))
+    account_.spendOnVerdict(work);
+  else
+    account_.spendOnMode(work);
   spent_[what] += work;
 }
 
-bool RunBracket::affords(double work) const { return mode_.size() == 0 || account_.affordsForMode(work); }
+bool RunBracket::affords(double work) const {
+  return mode_.size() == 0 || account_.affordsForMode(work) || (uncertified_ && account_.affordsForVerdict(work));
+}
 
 const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const StepRule& limit, std::optional<double> h,
                                                       StepEvaluation* evaluation) {
   const double sigma = nodal_.certifiedEigenvalue();  // that allowances belong to
+  uncertified_ = h && step_ && *h > step_->safe;
   const double ceiling = h ? limit.lambdaFor(*h) : infinity;
   UpperBound upper = nodal_.update(x, evaluation, ceiling);
   statistics_ = nodal_.statistics();
@@ -157,15 +163,20 @@ void RunBracket::takeBest(NodeVectorsView x) {
 
 void RunBracket::sharpen(NodeVectorsView x, const StepRule& limit, double h) {
   if (!step_ || h > step_->optimistic) return;
-  const bool close = h > (1 - policy_.close) * step_->optimistic;
+  uncertified_ = true;
+  const bool limited = account_.limited();
+  const auto within = [&](double share) { return h > (1 - share) * step_->optimistic; };
   sharpening_.tick();
-  if (!sharpening_.due() && !close) return;
-  if (!affords(WorkAccount::ofProducts(body_, policy_.restartProducts + 1))) return;
+  const int products = limited ? policy_.productsOfFollowing : policy_.restartProducts;
+  const bool urgent =
+      limited ? within(policy_.closeInShortage) && sharpening_.due(policy_.gapInShortage) : within(policy_.close);
+  if (!urgent && !(sharpening_.due() && account_.affordsForVerdict(WorkAccount::ofProducts(body_, products + 1))))
+    return;
   sharpening_.tried(true);
-  const bool fromRings = sharpeningRestart_.due() && affords(workOfRestart());
+  const bool fromRings = sharpeningRestart_.due() && account_.affordsForVerdict(workOfRestart());
   if (fromRings) sharpeningRestart_.tried(true);
   sharpeningRestart_.tick();
-  const LowerBound lower = fromRings ? restartMode(x) : refreshMode(x, policy_.restartProducts);
+  const LowerBound lower = fromRings ? restartMode(x) : refreshMode(x, products);
   step_->optimistic = std::min(step_->optimistic, optimisticOf(lower, limit));
   if (!step_->isBracket()) step_.reset();
 }
@@ -311,7 +322,8 @@ LowerBound RunBracket::boundOfRegion(NodeVectorsView x) {
 bool RunBracket::regionIsDear() const {
   const Body* part = local_.part();
   return part && account_.limited() &&
-         WorkAccount::ofProducts(*part, 2) > policy_.shareOfRegion * account_.incomeForMode();
+         WorkAccount::ofProducts(*part, 2) >
+             policy_.shareOfRegion * (account_.incomeForMode() + (uncertified_ ? account_.incomeForVerdict() : 0));
 }
 
 LowerBound RunBracket::restartMode(NodeVectorsView x) {

@@ -64,6 +64,10 @@ struct BracketPolicy {
   /// within `close` of the optimistic side has one at every observation: the verdict hangs on it.
   int sharpenGap = 3;
   double close = 0.02;
+  /// Where means are short: within this of the optimistic side the mode is followed after so many observations,
+  /// whatever there is for it.
+  double closeInShortage = 0.15;
+  int gapInShortage = 3;
 
   /// Evaluations between two examinations of compressed rings, and of a step that is certified before it is tested in
   /// the cheapest way again; refreshes for a step that is not certified between two restarts from all reduced rings.
@@ -157,7 +161,8 @@ class RunBracket {
   BracketPolicy policy_;
   double width_;
   WorkAccount account_;
-  Work spent_;  // on the lower side and on searches
+  Work spent_;                // on the lower side and on searches
+  bool uncertified_ = false;  // the step, when observed last: the lower side may take what there is for the verdict
   IncrementalNodalBound nodal_;
   LocalMode local_;
   std::size_t localNodes_;

@@ -42,11 +42,13 @@ struct Work {
 
 /// What a monitor may spend along a run: a share of the work of the steps themselves, earned step by step. Work is
 /// counted, not timed, so that runs repeat bit by bit, in units of a table that holds within a half for every element:
-/// an element of n nodes and q quadrature points takes n q units for its force and (3n)³/14 for an evaluation, which is
-/// the highest eigenvalue of a 3n×3n matrix: a tet4 31 forces, a hex8 15, a hex20 29.
+/// an element of n nodes and q quadrature points takes n q units for its force, 0.4 n q where that goes one direction
+/// after the other, and (3n)³/14 for an evaluation, which is the highest eigenvalue of a 3n×3n matrix: a tet4 31
+/// forces, a hex8 39, a hex20 29.
 ///
 /// There are two purses, one for each side of the bracket, so that neither starves the other; what one cannot keep the
-/// other gets. A third one, as much again, is for nothing but the proof that the step which is taken is stable.
+/// other gets. Two more, as much again each, are for nothing but the proof that the step which is taken is stable, and,
+/// while there is none, for telling whether it is proven unstable.
 class WorkAccount {
  public:
   /// share: of a step's work; from `noLimit` on there is no limit.
@@ -58,7 +60,9 @@ class WorkAccount {
                 : share > 0      ? std::max(share * force_, leastIncome)
                                  : 0),
         evaluation_(ofEvaluation(body)),
-        rebuild_(ofRebuild(body)) {}
+        rebuild_(ofRebuild(body)),
+        mostForVerdict_(income_ > 0 ? ofAllRings(body) + ofProducts(body, productsKept) : 0),
+        verdict_(mostForVerdict_) {}
 
   static constexpr double noLimit = 100;
   bool limited() const { return share_ < noLimit; }
@@ -66,9 +70,12 @@ class WorkAccount {
   double force() const { return force_; }
   /// What a step earns for the lower side.
   double incomeForMode() const { return shareOfMode * income_; }
+  /// And for telling whether a step that is not certified is proven unstable.
+  double incomeForVerdict() const { return income_ > 0 ? std::max(income_, leastForVerdict * force_) : 0; }
 
   static double ofForce(const ElementBlock& block) {
-    return block.nodesPerElement() * static_cast<double>(block.rule().points.size());
+    const double all = block.nodesPerElement() * static_cast<double>(block.rule().points.size());
+    return block.goesByDirections() ? shareByDirections * all : all;
   }
   static double ofEvaluation(const ElementBlock& block) {
     const double size = 3.0 * block.nodesPerElement();
@@ -119,6 +126,7 @@ class WorkAccount {
     mode_ = std::min(mode_, mostOfMode);
     balance_ = std::min(balance_, rebuild_ + evaluation_);
     proof_ = std::min(proof_ + income_, 3 * evaluation_);
+    verdict_ = std::min(verdict_ + incomeForVerdict(), mostForVerdict_);
   }
   /// Tests of balls count for no more than a part of an income: what is left keeps the bracket narrow.
   void spend(const Work& work) {
@@ -127,9 +135,11 @@ class WorkAccount {
   }
   void spendOnProof(double work) { proof_ = std::max(proof_ - work, -mostOwed()); }
   void spendOnMode(double work) { mode_ = std::max(mode_ - work, -mostOwed()); }
+  void spendOnVerdict(double work) { verdict_ = std::max(verdict_ - work, -mostOwed()); }
   bool affords(double work) const { return has(balance_, work); }
   bool affordsForProof(double work) const { return has(proof_, work); }
   bool affordsForMode(double work) const { return has(mode_, work); }
+  bool affordsForVerdict(double work) const { return has(verdict_, work); }
   /// What single elements may take on credit where the certified eigenvalue would have to rise far.
   double credit() const { return income_ > 0 ? forcesOfCredit * force_ + leastIncome : 0; }
 
@@ -148,11 +158,13 @@ class WorkAccount {
 
   // As measured on an EPYC of AVX-512. evaluationsOfRebuild: 6 to 14 of them, with their strain norms.
   static constexpr double evaluationsOfRebuild = 12, forcesOfGrowth = 3, forcesOfProduct = 1.6;
-  static constexpr double unitsOfMove = 2.2;
+  static constexpr double unitsOfMove = 2.2, shareByDirections = 0.4;
   static constexpr double productsKept = 12;
   static constexpr double leastIncome = 2000, shareOfMode = 0.3, forcesOfCredit = 0.5, mostOfTests = 0.5;
-  double share_, force_, income_, evaluation_, rebuild_;
-  double balance_ = 0, mode_ = 0, proof_ = 0;
+  /// Forces a step: the mode is followed once in six steps then.
+  static constexpr double leastForVerdict = 1;
+  double share_, force_, income_, evaluation_, rebuild_, mostForVerdict_;
+  double balance_ = 0, mode_ = 0, proof_ = 0, verdict_;
 };
 
 }  // namespace ringwatch
