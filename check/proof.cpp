@@ -1,10 +1,14 @@
 #include "proof.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "tangent.h"
 
@@ -71,7 +75,7 @@ class Reader {
 struct Node {
   double numbers[10];  // X, x, mass, u
   std::uint8_t held;   // a bit for each component
-  Matrix sum;          // Σ allowance D
+  Matrix sum;          // Σ allowance D; of exchanged matrices Σ G
   int row[3];          // of its free components in sigma M - K
   double mass() const { return numbers[6]; }
   bool free(int c) const { return (held >> c & 1) == 0; }
@@ -85,9 +89,49 @@ Ball& entryOf(std::vector<Ball>& row, int i, int j) {
   return row[row.size() - length];
 }
 
-/// One element: adds it to uᵀKu, and subtracts it from the whole matrix or, without one, proves that its allowance
-/// bounds its tangent, and adds that to the sums at its nodes.
-void proveElement(const Kind& kind, Reader& file, std::vector<Node>& nodes, Rows* whole, Ball& form, Verdict& verdict) {
+/// The matrices G_e of elements that exchange stiffness: numbers of unit / 2^30 sqrt(m_a m_b).
+struct Exchange {
+  double unit;  // rad²/s²
+  /// What elements have in common of the nine numbers of two different nodes; it must be nothing.
+  std::map<std::pair<std::int32_t, std::int32_t>, std::array<std::int64_t, 9>> between;
+};
+
+/// What proves the upper side, beside the file's own numbers of elements; neither: weights and allowances.
+struct UpperSide {
+  Rows* whole = nullptr;
+  Exchange* exchange = nullptr;
+};
+
+/// Takes an element's G_e, and adds it to what its nodes and pairs of nodes have. Returns G_e - K over free components.
+Rows takeExchanged(Reader& file, std::vector<Node>& nodes, const std::int32_t* own, const std::vector<int>& free,
+                   const Square& K, Exchange& exchange) {
+  std::vector<std::int32_t> numbers(static_cast<std::size_t>(K.size) * (static_cast<std::size_t>(K.size) + 1) / 2);
+  file.take(numbers.data(), numbers.size());
+  const Ball unit = Ball(exchange.unit) / Ball(1073741824.0);
+  Rows rest;
+  for (const int r : free) {
+    rest.emplace_back();
+    for (const int s : free) {
+      if (s > r) continue;
+      const std::int32_t number = numbers[r * (r + 1) / 2 + s], i = own[r / 3], j = own[s / 3];
+      Node &at = nodes[i], &other = nodes[j];
+      if (i == j) {
+        at.sum[r % 3][s % 3] += unit * Ball(number) * Ball(at.mass());
+      } else {
+        // By the node of the smaller number first.
+        const int place = i < j ? 3 * (r % 3) + s % 3 : 3 * (s % 3) + r % 3;
+        exchange.between[std::minmax(i, j)][place] += number;
+      }
+      rest.back().push_back(unit * Ball(number) * root(Ball(at.mass()) * Ball(other.mass())) - K(r, s));
+    }
+  }
+  return rest;
+}
+
+/// One element: adds it to uᵀKu, and subtracts it from the whole matrix or, without one, proves that its allowance or
+/// its exchanged matrix bounds its tangent, and adds that to the sums at its nodes.
+void proveElement(const Kind& kind, Reader& file, std::vector<Node>& nodes, const UpperSide& upper, Ball& form,
+                  Verdict& verdict) {
   const std::size_t n = nodesOf(kind.element);
   std::int32_t own[20];
   double X[60], x[60], volume = 0;
@@ -110,9 +154,14 @@ void proveElement(const Kind& kind, Reader& file, std::vector<Node>& nodes, Rows
       const Node &at = nodes[own[r / 3]], &other = nodes[own[s / 3]];
       form += at.u(r % 3) * K(r, s) * other.u(s % 3);
       const int i = at.row[r % 3], j = other.row[s % 3];
-      if (whole && j <= i) entryOf((*whole)[i], i, j) += Ball(0.0) - K(r, s);
+      if (upper.whole && j <= i) entryOf((*upper.whole)[i], i, j) += Ball(0.0) - K(r, s);
     }
-  if (whole) return;
+  if (upper.whole) return;
+  if (upper.exchange) {
+    Rows rest = takeExchanged(file, nodes, own, free, K, *upper.exchange);
+    if (!positiveDefinite(rest)) throw Unproven("its exchanged matrix does not bound its tangent");
+    return;
+  }
   double allowance = 0;
   std::int16_t weights[6 * 20];
   file.take(&allowance, 1);
@@ -153,6 +202,15 @@ void proveNode(const Node& node, double sigma) {
   if (!positiveDefinite(rest)) throw Unproven("the allowances of its elements exceed sigma");
 }
 
+/// That what elements have of two different nodes adds up to nothing.
+void proveExchange(const Exchange& exchange) {
+  for (const auto& [pair, sums] : exchange.between)
+    for (const std::int64_t sum : sums)
+      if (sum != 0)
+        throw Unproven("nodes " + std::to_string(pair.first) + " and " + std::to_string(pair.second) +
+                       ": what their elements exchange does not add up to nothing");
+}
+
 /// That the whole matrix, sigma M - K, is positive definite.
 void proveWhole(Rows& whole) {
   double products = 0;
@@ -176,8 +234,9 @@ void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
   Reader file(bytes);
   if (file.expect("ringwatch-certificate").number() != 2) throw Unreadable("its version is not 2");
   const std::string proof = file.expect("proof").word();
-  const bool factored = proof == "factorisation";
-  if (!factored && proof != "nodal-bound") throw Unreadable("proof \"" + proof + "\" is not known");
+  const bool factored = proof == "factorisation", exchanged = proof == "exchange-bound";
+  if (!factored && !exchanged && proof != "nodal-bound") throw Unreadable("proof \"" + proof + "\" is not known");
+  Exchange exchange{exchanged ? file.number() : 0, {}};
   std::vector<Node> nodes(file.expect("nodes").count(81));
   verdict.nodes = static_cast<std::int64_t>(nodes.size());
   verdict.sigma = file.expect("sigma").number();
@@ -218,7 +277,8 @@ void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
   for (std::size_t k = 0; k < kinds.size(); ++k)
     for (std::size_t e = 0; e < elements[k]; ++e, ++verdict.elements) {
       place = "element " + std::to_string(e) + " of kind " + std::to_string(k) + " (" + kinds[k].element + "): ";
-      proveElement(kinds[k], file, nodes, factored ? &whole : nullptr, form, verdict);
+      proveElement(kinds[k], file, nodes, {factored ? &whole : nullptr, exchanged ? &exchange : nullptr}, form,
+                   verdict);
     }
   if (file.left() != 8) throw Unreadable("it goes on after its end");
   for (std::size_t i = 0; i < nodes.size() && !factored; ++i) {
@@ -226,6 +286,7 @@ void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
     proveNode(nodes[i], verdict.sigma);
   }
   place = "upper side: ";
+  proveExchange(exchange);
   if (factored && verdict.sigma != 0) proveWhole(whole);
   place = "lower side: ";
   if (verdict.lower > 0 && !(form - Ball(verdict.lower) * mass).positive())

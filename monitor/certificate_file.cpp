@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <numeric>
+#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -14,6 +15,7 @@
 #include <ringwatch/base/rounding.h>
 #include <ringwatch/elements/registry.h>
 #include <ringwatch/meshes/adjacency.h>
+#include <ringwatch/monitor/bounds/exchange_bound.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <ringwatch/monitor/bounds/top_mode.h>
@@ -120,16 +122,17 @@ std::vector<std::int32_t> bandedOrder(const Mesh& mesh) {
   return order;
 }
 
-/// Everything but what belongs to elements. order[i]: the node that is node i of the file.
-Bytes beginFile(const Body& body, const NodeVectors& x, const Certificate& certificate, const char* proof,
-                const NodeVectors& u, const std::vector<std::int32_t>& order) {
+/// Everything but what belongs to elements. order[i]: the node that is node i of the file; unit: ExchangeShares' own.
+Bytes beginFile(const Body& body, const NodeVectors& x, const Certificate& certificate, const NodeVectors& u,
+                const std::vector<std::int32_t>& order, std::optional<double> unit = {}) {
   Bytes bytes;
   std::size_t size = 81 * static_cast<std::size_t>(body.nodeCount()) + 10000;
   for (const auto& block : body.blocks())
     size += static_cast<std::size_t>(block->elementCount()) * static_cast<std::size_t>(16 * block->element().nodes + 8);
   bytes.reserve(size);
-  bytes.add(
-      joinText("ringwatch-certificate ", formatVersion, "\nproof ", proof, "\nnodes ", body.nodeCount(), "\nsigma"));
+  bytes.add(joinText("ringwatch-certificate ", formatVersion, "\nproof ", certificate.proof));
+  if (unit) bytes.addNumber(*unit);
+  bytes.add(joinText("\nnodes ", body.nodeCount(), "\nsigma"));
   bytes.addNumber(certificate.upper.value);
   bytes.add("\nlower");
   bytes.addNumber(certificate.lower.value);
@@ -161,24 +164,41 @@ void requireCertifiable(const Body& body) {
                                 " was registered by a program; certificates are of the library's own"));
 }
 
-Certificate makeCertificate(const Body& body, const NodeVectors& x) {
+Certificate makeCertificate(const Body& body, const NodeVectors& x, UpperSideBy by) {
   body.checkNodal("x", x);
   requireCertifiable(body);
   ReducedRing ring(body);
   NodeVectors mode;
-  const TopMode top = findTopMode(ring, body, x, mode, modeProducts, modeProducts, false);
+  const TopMode top = findTopMode(ring, body, x, mode, modeProducts, modeProducts, by == UpperSideBy::tighterOfBoth);
   NodalBound weights(body);
   weights.evaluate(x, boundSweeps);
   const double bound = weights.last();
   if (!std::isfinite(bound) || !(bound > 0))
     throw NumericalError("certificate: the tangent is not finite here, or nothing in the body is stiff and free");
   Certificate certificate{
-      {bound * (1 + statedRounding)}, {std::max(0.0, top.lower().value * (1 - statedRounding))}, {}};
+      {bound * (1 + statedRounding)}, {std::max(0.0, top.lower().value * (1 - statedRounding))}, {}, "nodal-bound"};
+  const NodeVectors u = displacementOf(body, top.byRing() ? ring.topVector(ring.last().highestElement) : mode);
   std::vector<std::int32_t> order(body.nodeCount());
   std::iota(order.begin(), order.end(), 0);
-  Bytes bytes =
-      beginFile(body, x, certificate, "nodal-bound",
-                displacementOf(body, top.byRing() ? ring.topVector(ring.last().highestElement) : mode), order);
+  if (by == UpperSideBy::tighterOfBoth && ExchangePolicy::worth(body, certificate.upper, certificate.lower)) {
+    const ExchangeShares shares = exchangeShares(body, x, weights, certificate.lower);
+    if (shares.upper.value < certificate.upper.value) {
+      certificate.upper = shares.upper;
+      certificate.proof = "exchange-bound";
+      Bytes bytes = beginFile(body, x, certificate, u, order, shares.unit);
+      const std::int32_t* entries = shares.entries.data();
+      for (const auto& block : body.blocks()) {
+        const std::size_t size = 3 * static_cast<std::size_t>(block->element().nodes);
+        for (std::int32_t e = 0; e < block->elementCount(); ++e, entries += size * (size + 1) / 2) {
+          bytes.add(block->nodesOf(e).data(), block->nodesOf(e).size());
+          bytes.add(entries, size * (size + 1) / 2);
+        }
+      }
+      certificate.bytes = std::move(bytes).sealed();
+      return certificate;
+    }
+  }
+  Bytes bytes = beginFile(body, x, certificate, u, order);
   const double least = leastAllowance * bound * body.lumpedMass().minCoeff();
   for (std::size_t b = 0; b < body.blocks().size(); ++b)
     for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
@@ -201,11 +221,11 @@ Certificate makeFactoredCertificate(const Body& body, const NodeVectors& x, cons
   body.checkNodal("x", x);
   if (sides.mode.size() > 0) body.checkNodal("mode", sides.mode);
   requireCertifiable(body);
-  Certificate certificate{sides.upper, {std::max(0.0, sides.lower.value)}, {}};
+  Certificate certificate{sides.upper, {std::max(0.0, sides.lower.value)}, {}, "factorisation"};
   const std::vector<std::int32_t> order = bandedOrder(body.mesh());
   std::vector<std::int32_t> numberOf(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) numberOf[order[i]] = static_cast<std::int32_t>(i);
-  Bytes bytes = beginFile(body, x, certificate, "factorisation", displacementOf(body, sides.mode), order);
+  Bytes bytes = beginFile(body, x, certificate, displacementOf(body, sides.mode), order);
   for (const auto& block : body.blocks())
     for (std::int32_t e = 0; e < block->elementCount(); ++e)
       for (const std::int32_t node : block->nodesOf(e)) bytes.add(&numberOf[node], 1);

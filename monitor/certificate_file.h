@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include <ringwatch/body/body.h>
 #include <ringwatch/monitor/bounds.h>
@@ -10,22 +11,28 @@
 namespace ringwatch {
 
 /// A proof of the bracket at one state, as bytes that another program can check: positions, masses, constants and rules
-/// as the doubles that they are, a vector for the lower side (Theorem 8), and for the upper one either the weights and
-/// allowances of the block nodal bound (Theorem 1, docs/theory/eigenvalue_bounds.md) or sigma alone, which a
-/// factorisation proves (Theorem 5). The format is docs/certificate_file.md; `ringwatch-check`, which shares no source
-/// with this library, recomputes every tangent in ball arithmetic.
+/// as the doubles that they are, a vector for the lower side (Theorem 8), and for the upper one the weights and
+/// allowances of the block nodal bound (Theorem 1, docs/theory/eigenvalue_bounds.md), or the elements' matrices of the
+/// exchange bound (Theorem 12), or sigma alone, which a factorisation proves (Theorem 5). The format is
+/// docs/certificate_file.md; `ringwatch-check`, which shares no source with this library, recomputes every tangent in
+/// ball arithmetic.
 struct Certificate {
   UpperBound upper;  ///< lambda_max(M⁻¹K) <= upper, rad²/s²; 0: nothing is said
   LowerBound lower;  ///< and >= lower: what the vector shows; 0: nothing is said
   std::string bytes;
+  std::string_view proof;  ///< of the upper side: nodal-bound, exchange-bound or factorisation
 };
+
+/// Which bounds may prove the upper side: the exchange bound takes ten times as long and four times as many bytes, and
+/// is tried where the nodal bound is off by more than 1 % of the step (ExchangePolicy).
+enum class UpperSideBy { nodalBound, tighterOfBoth };
 
 /// Throws InputError for elements or laws that are not the library's own, which no certificate knows.
 void requireCertifiable(const Body& body);
 
 /// That of a body at positions x (3×N, m). Throws InputError when x is not 3×N and as requireCertifiable;
 /// NumericalError where the tangent is not finite, or nothing in the body is stiff and free.
-Certificate makeCertificate(const Body& body, const NodeVectors& x);
+Certificate makeCertificate(const Body& body, const NodeVectors& x, UpperSideBy by = UpperSideBy::nodalBound);
 /// That of sides that a factorisation proved at x. Nodes are numbered anew, by reverse Cuthill-McKee, so that the
 /// factor stays near the diagonal. Throws InputError when x or the mode is not 3×N and as requireCertifiable.
 Certificate makeFactoredCertificate(const Body& body, const NodeVectors& x, const ProvenSides& sides);

@@ -14,12 +14,8 @@ namespace ringwatch {
 namespace {
 
 // Tangent products for the top mode and for a direction of negative stiffness; sweeps of the nodal bound, which gain
-// little after; iterations of the exchange bound, at most.
-constexpr int products = 20, searchProducts = 48, sweeps = 12, iterations = 60;
-// Upper over lower eigenvalue that the exchange aims for, and from which it is worth its cost: 0.5 % and 1 % of the
-// step.
-constexpr double aim = 1.01, narrow = 1.02;
-constexpr std::int64_t mostBytes = 4LL << 30;  // of the exchange bound; beyond, the nodal bound has to do
+// little after.
+constexpr int products = 20, searchProducts = 48, sweeps = 12;
 
 }  // namespace
 
@@ -47,9 +43,8 @@ CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& l
     if (evaluations) *evaluations += spent;
   };
   count(static_cast<std::int64_t>(body.mesh().elementCount()) + weights.evaluations());
-  if (upper.value > narrow * lower.value && exchangeBoundBytes(body) <= mostBytes) {
-    const ExchangeBound exchange =
-        exchangeUpperBound(body, x, weights, aim * lower.value, narrow * lower.value, iterations);
+  if (ExchangePolicy::worth(body, upper, lower)) {
+    const ExchangeBound exchange = exchangeUpperBound(body, x, weights, lower);
     count(exchange.decompositions);
     if (exchange.upper.value < upper.value) {
       upper = exchange.upper;

@@ -550,7 +550,7 @@ void reportDistribution(const Subject& subject, const std::vector<MetricResult>&
                                     options.mesh.string());
 }
 
-/// Of what a factorisation has proven, where one was asked for, else of the nodal bound.
+/// Of what a factorisation has proven, where one was asked for, else of the bracket.
 void writeCertificate(const Subject& subject, const InspectOptions& options, const ProvenSides& sides,
                       InspectResult& result) {
   const bool factored = options.exact || options.prove;
@@ -558,8 +558,8 @@ void writeCertificate(const Subject& subject, const InspectOptions& options, con
     result.text += "certificate: not written, since nothing is proven\n";
     return;
   }
-  const Certificate certificate =
-      factored ? makeFactoredCertificate(subject.body, subject.x, sides) : makeCertificate(subject.body, subject.x);
+  const Certificate certificate = factored ? makeFactoredCertificate(subject.body, subject.x, sides)
+                                           : makeCertificate(subject.body, subject.x, UpperSideBy::tighterOfBoth);
   const std::string file = options.certificate->string();
   writeFileAtomically(*options.certificate, std::string_view(certificate.bytes));
   Json& json = result.json["certificate"];
@@ -574,8 +574,7 @@ void writeCertificate(const Subject& subject, const InspectOptions& options, con
     proven += fmt::format(", unstable above {:.10g} s", json["optimistic"].get<double>());
   }
   result.text += fmt::format("certificate: {}, {:.3g} MB; what it proves, by {}{}\n", file,
-                             1e-6 * static_cast<double>(certificate.bytes.size()),
-                             factored ? "factorisation" : "nodal-bound", proven);
+                             1e-6 * static_cast<double>(certificate.bytes.size()), certificate.proof, proven);
 }
 
 void reportHandlerChoice(const Subject& subject, double h, const CriticalStep& step, InspectResult& result) {

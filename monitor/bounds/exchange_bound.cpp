@@ -44,7 +44,9 @@ class Composition {
       }
     }
     P_.resize(total);
-    fillTangents(x);
+    fillTangents(x, P_);
+    norms_.resize(elements_.size());
+    for (std::size_t e = 0; e < elements_.size(); ++e) norms_[e] = normOf(e);
     indexBlocks();
     // What all P_e must sum up to: sigma I - A, with A from the very numbers that the elements start with, less what
     // discrete forces take of it.
@@ -82,7 +84,7 @@ class Composition {
         open = elements_[e].nodes;
       }
       groups.back().element[groups.back().count++] = e;
-      ++decompositions;
+      ++decompositions_;
     }
     parallelFor(
         0, groups.size(), source_.threads(),
@@ -106,7 +108,41 @@ class Composition {
     }
     return std::isfinite(sum) ? sigma_ + most : infinity;
   }
-  std::int64_t decompositions = 0;
+
+  /// Until the bound is at or below `accept`.
+  ExchangeBound lowerUntil(double accept, int maxIterations) {
+    ExchangeBound result{{infinity}, 0, 0};
+    while (result.iterations < maxIterations && !(result.upper.value <= accept)) {
+      const double value = iterate();
+      result.upper.value = std::min(result.upper.value, value);
+      ++result.iterations;
+      if (!std::isfinite(value)) break;
+    }
+    result.decompositions = decompositions_;
+    return result;
+  }
+
+  /// The present iterate in whole numbers; no iteration can follow.
+  ExchangeShares shares(NodeVectorsView x) {
+    fillTangents(x, before_);
+    ExchangeShares result{{infinity}, 0, {}};
+    const double largest = makePositive();
+    if (!std::isfinite(largest) || !(largest > 0)) return result;
+    // Twice what the largest number needs, so that none overflows when it takes what others have.
+    result.unit = std::exp2(1 + std::ceil(std::log2(largest)));
+    makeWhole(result.unit);
+    // What a node's elements have of its own block.
+    double highest = 0;
+    for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
+      for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k)
+        if (pattern_.column[k] == i) highest = std::max(highest, highestEigenvalue(sumOf(k)));
+    result.upper.value = std::ldexp(highest, -ExchangeShares::shareBits) * result.unit * (1 + statedRounding);
+    for (std::size_t e = 0; e < elements_.size(); ++e)
+      for (int i = 0; i < 3 * elements_[e].nodes; ++i)
+        for (int j = 0; j <= i; ++j)
+          result.entries.push_back(static_cast<std::int32_t>(P_[elements_[e].begin + i * 3 * elements_[e].nodes + j]));
+    return result;
+  }
 
  private:
   struct Element {
@@ -154,8 +190,8 @@ class Composition {
     return {element.begin + static_cast<std::int64_t>(3 * b) * size + 3 * a, size};
   }
 
-  /// P_e = -A_e, constrained components zero.
-  void fillTangents(NodeVectorsView x) {
+  /// -A_e, constrained components zero.
+  void fillTangents(NodeVectorsView x, AlignedVector<double>& to) {
     tangentRounding_.resize(elements_.size());
     source_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, NativePack* K, const NativePack* T) {
       const ElementTangents& block = *source_.tangents()[b];
@@ -174,13 +210,62 @@ class Composition {
         // |Σ_ab ΔA_ab v_a v_b| <= Σ_a T_a/m_a for a unit vector.
         tangentRounding_[element] = 0;
         for (int a = 0; a < n; ++a) tangentRounding_[element] += T[a][lane] / source_.lumpedMass()[nodes[a]];
-        double* P = P_.data() + elements_[element].begin;
+        double* P = to.data() + elements_[element].begin;
         for (int i = 0; i < size; ++i)
           for (int j = 0; j <= i; ++j) P[i * size + j] = P[j * size + i] = -K[i * size + j][lane] * scale[i] * scale[j];
       }
     });
-    norms_.resize(elements_.size());
-    for (std::size_t e = 0; e < elements_.size(); ++e) norms_[e] = normOf(e);
+  }
+  /// P_e := A_e + P_e + eps_e I, which is at least A_e, of free components. before_: -A_e. Returns the size of its
+  /// largest number.
+  double makePositive() {
+    std::vector<double> most(elements_.size());
+    parallelFor(
+        0, elements_.size(), source_.threads(),
+        [&](std::int64_t index) {
+          const std::size_t e = index;
+          const int size = 3 * elements_[e].nodes;
+          Eigen::Map<Eigen::MatrixXd> P(P_.data() + elements_[e].begin, size, size);
+          const Eigen::Map<const Eigen::MatrixXd> minusA(before_.data() + elements_[e].begin, size, size);
+          P = (0.5 * (P + P.transpose())).eval();
+          const double norm = std::max(P.norm(), minusA.norm());
+          const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(P, Eigen::EigenvaluesOnly);
+          P -= minusA;
+          P.diagonal().array() +=
+              std::max(0.0, -solver.eigenvalues()[0]) + exchangeRounding * norm + tangentRounding_[e];
+          for (int i = 0; i < size; ++i)
+            if (freeFactor(source_, nodesOf(e)[i / 3], i % 3) == 0) {
+              P.row(i).setZero();
+              P.col(i).setZero();
+            }
+          // A NaN must not be lost.
+          most[e] = std::isfinite(P.sum()) ? P.cwiseAbs().maxCoeff() : infinity;
+        },
+        16);
+    return most.empty() ? 0.0 : *std::max_element(most.begin(), most.end());
+  }
+  /// Rounds to whole numbers of unit / 2^shareBits. A number moves by a half, and one of a pair of nodes takes what all
+  /// others of that pair have moved by: a shift makes up for it.
+  void makeWhole(double unit) {
+    const double scale = std::ldexp(1 / unit, ExchangeShares::shareBits);
+    std::int64_t mostPlaces = 1;
+    for (std::size_t k = 0; k + 1 < placeBegin_.size(); ++k)
+      mostPlaces = std::max(mostPlaces, placeBegin_[k + 1] - placeBegin_[k]);
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      const int size = 3 * elements_[e].nodes;
+      for (int i = 0; i < size; ++i)
+        for (int j = 0; j < size; ++j) {
+          double& value = P_[elements_[e].begin + i * size + j];
+          const bool shifts = i == j && freeFactor(source_, nodesOf(e)[i / 3], i % 3) != 0;
+          value = std::nearbyint(value * scale + (shifts ? 0.5 * size * static_cast<double>(mostPlaces) : 0));
+        }
+    }
+    for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
+      for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k)
+        if (pattern_.column[k] != i && !placesOf(k).empty()) at(P_, placesOf(k).back()) -= sumOf(k);
+  }
+  static double highestEigenvalue(const Eigen::Matrix3d& S) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly).eigenvalues()[2];
   }
   double normOf(std::size_t e) const {
     const Eigen::Index size = 9 * elements_[e].nodes * elements_[e].nodes;
@@ -280,6 +365,7 @@ class Composition {
   std::vector<double> excess_, negative_;
   std::vector<double> norms_;            // the largest so far
   std::vector<double> tangentRounding_;  // of A_e, in its norm
+  std::int64_t decompositions_ = 0;
   double momentum_ = 1, lastSum_ = infinity;
 };
 
@@ -287,15 +373,24 @@ class Composition {
 
 ExchangeBound exchangeUpperBound(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
                                  double sigma, double accept, int maxIterations) {
-  ExchangeBound result{{infinity}, 0, 0};
   Composition splitting(source, x, weights, sigma);
-  while (result.iterations < maxIterations && !(result.upper.value <= accept)) {
-    result.upper.value = std::min(result.upper.value, splitting.iterate());
-    ++result.iterations;
-    if (!std::isfinite(result.upper.value)) break;
-  }
-  result.decompositions = splitting.decompositions;
-  return result;
+  return splitting.lowerUntil(accept, maxIterations);
+}
+
+ExchangeBound exchangeUpperBound(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
+                                 LowerBound lower) {
+  using Policy = ExchangePolicy;
+  return exchangeUpperBound(source, x, weights, Policy::aim * lower.value, Policy::narrow * lower.value,
+                            Policy::iterations);
+}
+
+ExchangeShares exchangeShares(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
+                              LowerBound lower) {
+  using Policy = ExchangePolicy;
+  Composition splitting(source, x, weights, Policy::aim * lower.value);
+  if (!std::isfinite(splitting.lowerUntil(Policy::narrow * lower.value, Policy::iterations).upper.value))
+    return {{infinity}, 0, {}};
+  return splitting.shares(x);
 }
 
 std::int64_t exchangeBoundBytes(const TangentSource& source) {

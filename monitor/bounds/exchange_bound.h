@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include <ringwatch/body/tangent_source.h>
 #include <ringwatch/monitor/bounds.h>
@@ -33,5 +34,32 @@ ExchangeBound exchangeUpperBound(const TangentSource& source, NodeVectorsView x,
                                  double sigma, double accept, int maxIterations);
 /// Memory that it needs, bytes.
 std::int64_t exchangeBoundBytes(const TangentSource& source);
+
+/// When it is worth its cost, and what it is asked for: upper over lower eigenvalue from which it is tried, which is
+/// 1 % of the step, and that its sigma aims for, iterations, bytes.
+struct ExchangePolicy {
+  static constexpr double narrow = 1.02, aim = 1.01;
+  static constexpr int iterations = 60;
+  static constexpr std::int64_t mostBytes = 4LL << 30;
+  static bool worth(const TangentSource& source, UpperBound upper, LowerBound lower) {
+    return upper.value > narrow * lower.value && exchangeBoundBytes(source) <= mostBytes;
+  }
+};
+ExchangeBound exchangeUpperBound(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
+                                 LowerBound lower);
+
+/// The bound as matrices that anybody can add up: G_e = P_e + A_e + a margin, in whole numbers g of
+/// unit / 2^shareBits sqrt(m_a m_b), of constrained components zero. Those that elements hold of the block between two
+/// different nodes add up to zero exactly; upper is what those of a node's own block add up to.
+struct ExchangeShares {
+  static constexpr int shareBits = 30;
+  UpperBound upper;  ///< infinite: the tangent is not finite
+  double unit = 0;   ///< rad²/s², a power of two
+  /// Mesh block by mesh block, element by element: the lower triangle of g, row by row.
+  std::vector<std::int32_t> entries;
+};
+/// As exchangeUpperBound, with its policy; of the last iterate.
+ExchangeShares exchangeShares(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
+                              LowerBound lower);
 
 }  // namespace ringwatch

@@ -9,6 +9,7 @@
 #include <check/proof.h>
 #include <ringwatch/monitor/certificate_file.h>
 #include <ringwatch/monitor/exact_step.h>
+#include <tests/check/seal.h>
 #include <tests/support/body_cases.h>
 
 namespace ringwatch {
@@ -16,14 +17,7 @@ namespace {
 
 using Status = check::Verdict::Status;
 
-/// The last eight bytes made right again.
-std::string sealed(std::string bytes) {
-  std::uint64_t sum = 0xcbf29ce484222325ULL;
-  for (std::size_t i = 0; i + 8 < bytes.size(); ++i)
-    sum = (sum ^ static_cast<unsigned char>(bytes[i])) * 0x100000001b3ULL;
-  std::memcpy(bytes.data() + bytes.size() - 8, &sum, 8);
-  return bytes;
-}
+using test::sealed;
 
 Body smallBody() {
   return Body(test::distortedBox("tet4", {2, 1, 1}), makeMaterial("stvk", test::young, test::poisson, test::density));
