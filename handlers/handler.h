@@ -95,7 +95,8 @@ class Handler : public Integrator {
   const Body& explicitBody() const { return explicitPart_ ? *explicitPart_ : body_; }
   /// The element of the body that has a number in explicitBody().
   ElementRef toParentElement(ElementRef part) const;
-  /// Whether the explicit part is proven stable for the tangent at the positions it was prepared for.
+  /// Whether the explicit part is proven stable for the tangent at the positions it was prepared for; by the theorem
+  /// of its selection or handler (Theorems 31 to 40, docs/theory/handlers.md).
   bool certified() const { return certified_; }
   virtual std::vector<HandlerFigure> figures() const { return {}; }
   /// Least det F over the handled elements and their quadrature points at positions x (3×N, m), with its element; for

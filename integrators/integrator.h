@@ -91,8 +91,8 @@ struct IntegratorInfo {
   Eigen::Matrix2d (*amplification)(double z, double dampingRatio) = nullptr;
   /// Largest stable z for a damping ratio in closed form, where there is one; else nullptr.
   double (*dampedLimit)(double dampingRatio) = nullptr;
-  /// With Rayleigh damping the highest mode binds, whatever the damping: proven (stability_limit.h). A step made of an
-  /// upper bound of the highest eigenvalue is safe then, one made of a lower bound optimistic.
+  /// With Rayleigh damping the highest mode binds, whatever the damping: Theorem 30, docs/theory/integrators.md. A step
+  /// made of an upper bound of the highest eigenvalue is safe then, one made of a lower bound optimistic.
   bool highestModeBinds = false;
   /// Chooses steps of its own within h, to a tolerance.
   bool adaptive = false;

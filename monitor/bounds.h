@@ -6,7 +6,8 @@
 
 namespace ringwatch {
 
-/// Which way a value for the highest frequency errs. Only an upper bound of the frequency may set a step called safe.
+/// Which way a value for the highest frequency errs. Only an upper bound of the frequency may set a step called safe
+/// (Theorem 27, docs/theory/integrators.md).
 enum class Direction { upperBound, lowerBound, estimate };
 inline constexpr auto directionNames = nameTable<Direction>({
     {Direction::upperBound, "upper-bound"},

@@ -15,8 +15,11 @@ struct LanczosOptions {
   std::uint64_t seed = 1;
 };
 
-/// The best proven bracket at one state, from scratch, both sides as tight as the methods give without a run's history;
-/// with `lanczos` also CriticalStep::probable, which is far tighter than the proven side on regular grids.
+/// The best proven bracket at one state, from scratch, both sides as tight as the methods give without a run's history.
+/// Safe side: the smaller of the block nodal bound (Theorem 1, docs/theory/eigenvalue_bounds.md) and the exchange bound
+/// (Theorem 12, docs/theory/exchange.md). Optimistic side: reduced 1-rings and Rayleigh quotients (Theorems 9 and 8,
+/// docs/theory/rings_and_rayleigh.md). From eigenvalue to step: Theorem 27, docs/theory/integrators.md. With `lanczos`
+/// also CriticalStep::probable (Theorem 6), which is far tighter than the proven side on regular grids.
 /// x: 3×N, m. limit: the integrator's largest stable h·omega, or a proven rule. Unless nullptr, the element evaluations
 /// that it took are added to `evaluations`. Throws InputError for a rule that is not proven and when x is not 3×N;
 /// NumericalError where the tangent is not finite.

@@ -10,7 +10,8 @@
 namespace ringwatch {
 
 /// What can happen. Every event has a beginning, which is reported once, and an end.
-/// indefinite: the tangent has a negative eigenvalue, which only compressed elements can give it. Where some element is
+/// indefinite: the tangent has a negative eigenvalue, which only compressed elements can give it; proven by a direction
+/// of negative stiffness (Theorem 11, docs/theory/rings_and_rayleigh.md). Where some element is
 /// compressed by more than 1e-3 of λ+2μ, the monitor searches for a direction of negative stiffness in the whole body:
 /// 48 tangent products at the first evaluation; 12, from the direction found last, when compression has grown by half
 /// since the last search; and else after 80, 160, … 2560 evaluations. With a compression above 0.05 it also evaluates

@@ -29,17 +29,18 @@ struct ExactStep {
 using BeforeFactorisation = std::function<void(const FactorisationCost&)>;
 
 /// The critical step at one state to within `tolerance`, or as far as rounding allows: above by the Rayleigh quotient
-/// of the top mode (globalFrequency), below by a sparse factorisation just above it (FactoredCertificate). x: 3×N, m.
-/// tolerance: of optimistic over safe, > 0. Empty where the top mode does not converge, where the highest eigenvalue is
-/// not positive and where no factorisation within 1 % proves a step. Throws InputError for a rule that is not proven
-/// and when x is not 3×N.
+/// of the top mode (globalFrequency; Theorem 8, docs/theory/rings_and_rayleigh.md), below by a sparse factorisation
+/// just above it (FactoredCertificate; Theorem 5, docs/theory/eigenvalue_bounds.md). x: 3×N, m. tolerance: of
+/// optimistic over safe, > 0. Empty where the top mode does not converge, where the highest eigenvalue is not positive
+/// and where no factorisation within 1 % proves a step. Throws InputError for a rule that is not proven and when x is
+/// not 3×N.
 std::optional<ExactStep> exactCriticalStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit,
                                            double tolerance = 1e-6, const BeforeFactorisation& before = {});
 
-/// Whether a step h, s, is proven stable (certified) or unstable (violated) at one state: by a factorisation, and where
-/// that fails by the Rayleigh quotient of the top mode. notCertified only for steps as close to the critical one as
-/// rounding, or where the top mode does not converge. sides, if any: what the verdict comes from. Throws InputError
-/// unless h is positive and finite, for a rule that is not proven and when x is not 3×N.
+/// Whether a step h, s, is proven stable (certified) or unstable (violated) at one state: by a factorisation (Theorem
+/// 5), and where that fails by the Rayleigh quotient of the top mode (Theorem 8). notCertified only for steps as close
+/// to the critical one as rounding, or where the top mode does not converge. sides, if any: what the verdict comes
+/// from. Throws InputError unless h is positive and finite, for a rule that is not proven and when x is not 3×N.
 Verdict proveStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit, double h,
                   const BeforeFactorisation& before = {}, ProvenSides* sides = nullptr);
 

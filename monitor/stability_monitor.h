@@ -85,7 +85,10 @@ struct MonitorReport {
   std::vector<MonitorEvent> newEvents;  // begun at this step
 };
 
-/// Keeps the bracket of the critical step current along a run. Reports; never stops a run itself.
+/// Keeps the bracket of the critical step current along a run. Reports; never stops a run itself. The safe side is the
+/// block nodal bound, kept by an incremental certificate (Theorem 14, docs/theory/incremental_certificate.md), the
+/// optimistic one a Rayleigh quotient or a reduced ring (Theorems 8 and 9, docs/theory/rings_and_rayleigh.md). Both are
+/// for the tangent at the state observed, and stable means what Theorem 27, docs/theory/integrators.md, says.
 ///
 ///   Body body(loadMesh("bar.msh"), makeMaterial("stvk", 30e3, 0.3, 1000));
 ///   StabilityMonitor monitor(body, {.limit = 2.0});  // of symplectic Euler

@@ -9,9 +9,10 @@
 
 namespace ringwatch {
 
-/// The block nodal bound kept along a run at little cost. Its certificate (CertificateState) stays as it is while every
-/// element is inside its validity ball. An element that leaves is evaluated exactly; when it exceeds its allowance, the
-/// certificate is mended around it (localUpdate), and rebuilt from scratch where that fails or pays (RebuildPolicy).
+/// The block nodal bound kept along a run at little cost. Its certificate (CertificateState, Theorem 14) stays as it is
+/// while every element is inside its validity ball (Theorem 17). An element that leaves is evaluated exactly; when it
+/// exceeds its allowance, the certificate is mended around it (localUpdate, Theorem 20), and rebuilt from scratch where
+/// that fails or pays (RebuildPolicy). All are in docs/theory/incremental_certificate.md.
 /// The proof is for the masses and the free components at that time: when the body's version has changed, the next
 /// update or certify starts from scratch.
 class IncrementalNodalBound {
@@ -32,7 +33,7 @@ class IncrementalNodalBound {
   /// returns true, the certified eigenvalue has changed and holds only after the next update.
   bool tightenBound(NodeVectorsView x, LowerBound lower, double width);
   /// Follows a lower bound upwards: raises the certified eigenvalue and all allowances when it lies so little above the
-  /// one at x that elements would soon exceed their allowances everywhere. Needs no evaluation.
+  /// one at x that elements would soon exceed their allowances everywhere. Needs no evaluation (Theorem 21).
   void relaxBound(LowerBound lower, double width);
 
   /// Threshold mode: proves that the highest eigenvalue at x is at most `sigma`, rad²/s², or returns false. Where

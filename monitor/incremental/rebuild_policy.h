@@ -4,8 +4,9 @@
 namespace ringwatch {
 
 /// When an incremental certificate is mended around single elements, when it is rebuilt from scratch, and how much room
-/// it leaves. No constant here bears on what is proven: each trades evaluations against the width of the bound. Shares
-/// are relative to the eigenvalue, rad²/s², unless said otherwise; twice those of the step.
+/// it leaves. No constant here bears on what is proven (Theorems 14 to 21, docs/theory/incremental_certificate.md):
+/// each trades evaluations against the width of the bound. Shares are relative to the eigenvalue, rad²/s², unless said
+/// otherwise; twice those of the step.
 struct RebuildPolicy {
   // Rebuilds.
   /// Room of the certified eigenvalue above the tight bound of a rebuild; allowances share it. 3 % of the step: with

@@ -14,8 +14,8 @@
 
 namespace ringwatch {
 
-/// How both sides of the bracket are followed along a run. No constant here bears on what is proven: each trades
-/// evaluations against the width.
+/// How both sides of the bracket are followed along a run. No constant here bears on what is proven (Theorems 8, 14 and
+/// 21): each trades evaluations against the width.
 struct BracketPolicy {
   /// Slack of the certified eigenvalue (RebuildPolicy::slack, in the eigenvalue) over the width that is wanted of the
   /// bracket (in the step): 2 would use all of the width; the rest is for the lower side.

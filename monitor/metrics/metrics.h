@@ -59,8 +59,8 @@ const MetricInfo* findMetric(std::string_view name);
 /// freedom are left out. Throws InputError for an unknown name.
 MetricResult evaluateMetric(std::string_view name, const Body& body, NodeVectorsView x,
                             const MetricProgress& progress = {});
-/// The direction in which a metric errs on this body: MetricInfo's, or a proven side where its elements allow it.
-/// Throws InputError for an unknown name.
+/// The direction in which a metric errs on this body: MetricInfo's, or a proven side where its elements allow it, as of
+/// vertex 1-rings (Theorem 4, docs/theory/eigenvalue_bounds.md). Throws InputError for an unknown name.
 Direction metricDirection(std::string_view name, const Body& body);
 /// A metric along a run; the body outlives it. Throws InputError for an unknown name.
 std::unique_ptr<MetricEvaluator> makeMetricEvaluator(std::string_view name, const Body& body);

@@ -15,13 +15,15 @@ PROGRAM = sys.argv.pop()
 
 
 def tree(folder, document, old, new):
-    """The repository in a folder, by links, with one text of one document replaced."""
+    """The repository in a folder, by links, with one text of one file replaced."""
+    copied = {"README.md", "CONTRIBUTING.md", "docs", document.split("/")[0]}
     for entry in SOURCE.iterdir():
-        if entry.name not in ("README.md", "CONTRIBUTING.md", "docs"):
+        if entry.name not in copied:
             (folder / entry.name).symlink_to(entry)
-    for name in ("README.md", "CONTRIBUTING.md"):
-        shutil.copy(SOURCE / name, folder)
-    shutil.copytree(SOURCE / "docs", folder / "docs")
+        elif entry.is_dir():
+            shutil.copytree(entry, folder / entry.name)
+        else:
+            shutil.copy(entry, folder)
     path = folder / document
     text = path.read_text(encoding="utf-8")
     assert old in text, f"{document} has no {old}"
@@ -35,6 +37,8 @@ class SeededFaults(unittest.TestCase):
             tree(folder, document, old, new)
             if check == "snippets":
                 command = [sys.executable, HERE / "snippets.py", folder, folder / "out.cpp"]
+            elif check == "theorems":
+                command = [sys.executable, HERE / "theorems_test.py", folder]
             else:
                 command = [sys.executable, HERE / "documents_test.py", check, folder, PROGRAM]
             done = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -67,6 +71,14 @@ class SeededFaults(unittest.TestCase):
 
     def test_words(self):
         self.expect("words", '"busy": give the load', "docs/monitor.md", "## Modes", "The machine was busy.\n\n## Modes")
+
+    def test_theorems(self):
+        self.expect("theorems", "there is no Theorem 99", "monitor/exact_step.h", "Theorem 8,", "Theorem 99,")
+        self.expect("theorems", "Theorem 8 is in docs/theory/rings_and_rayleigh.md, not in docs/theory/exchange.md",
+                    "monitor/exact_step.h", "docs/theory/rings_and_rayleigh.md", "docs/theory/exchange.md")
+        self.expect("theorems", "monitor/bounds.h:9: states a bound and names no theorem", "monitor/bounds.h",
+                    "(Theorem 27, docs/theory/integrators.md)", "(docs/theory/integrators.md)")
+        self.expect("theorems", "theorems are not numbered 1 to 47", "docs/theory/exchange.md", "## Theorem 12:", "## Claim:")
 
     def test_names(self):
         self.expect("lists", "handlers: the document has", "README.md", ", `modal-filter`", "")
