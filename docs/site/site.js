@@ -1,3 +1,4 @@
+if (location.protocol === "file:") document.documentElement.classList.add("from-disk");
 document.addEventListener("DOMContentLoaded", () => renderMathInElement(document.body, {
   delimiters: [{left: "\\[", right: "\\]", display: true}, {left: "\\(", right: "\\)", display: false}],
   throwOnError: true,
