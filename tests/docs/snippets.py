@@ -10,8 +10,9 @@ import pathlib
 import re
 import sys
 
-# (document, number of the snippet in it): (includes, code before), in a loop that `break` may leave. None for a snippet that stands outside of functions. A file
-# for a snippet that is that file, which is built with the examples.
+# (document, number of the snippet in it): (includes, code before), in a loop that `break` may leave. None as code before for a
+# snippet that stands outside of functions; a third text is what stands before that one. A file for a snippet that is that file,
+# which is built with the examples.
 STATE = "  std::int64_t step = 0; double time = 0; ringwatch::NodeVectors x, v;\n"
 STEP = STATE + "  double h = 1e-4;\n"
 CONTEXTS = {
@@ -40,7 +41,9 @@ CONTEXTS = {
         "  std::vector<double> blocks; std::vector<std::int32_t> beams, solids; std::vector<std::uint8_t> held;\n",
     ),
     ("docs/elements.md", 0): (["ringwatch/body/register_element.h"], "  using MyElement = ringwatch::Tet4;\n"),
-    ("docs/integrators.md", 0): (["memory"], None),
+    ("docs/verify_your_own.md", 0): (["memory"], None),
+    ("docs/verify_your_own.md", 1): (["tests/added/wedge15.h"], None, "using MyElement = ringwatch::test::Wedge15;\n"),
+    ("docs/verify_your_own.md", 2): (["tests/added/mooney_rivlin.h"], None, "using MyLaw = ringwatch::test::MooneyRivlin;\n"),
     ("docs/gpu.md", 0): ([], "  ringwatch::Body& body = any<ringwatch::Body>(); double h = 1e-4;\n"),
     ("docs/gpu.md", 1): (
         ["ringwatch/gpu/body/device_body.h", "ringwatch/gpu/imex/device_imex.h", "ringwatch/gpu/rings/device_rings.h",
@@ -76,12 +79,12 @@ def main():
             if (source / CONTEXTS[document, number]).read_text(encoding="utf-8") != "\n".join(text) + "\n":
                 faults.append(f"{document}:{line}: snippet {number} is not {CONTEXTS[document, number]}")
             continue
-        own, before = CONTEXTS[document, number]
+        own, before, *outside = CONTEXTS[document, number]
         includes += own + [m[1] for m in (re.match(r"#include <(.*)>", t) for t in text) if m]
         code = "\n".join("" if t.startswith("#include") else t for t in text)
         code = f'#line {line} "{source / document}"\n{code}\n'
         name = re.sub(r"\W", "_", document) + f"_{number}"
-        bodies.append(f"namespace {name} {{\n{code}}}\n" if before is None else f"void {name}() {{\n{before}  do {{\n{code}  }} while (false);\n}}\n")
+        bodies.append(f"namespace {name} {{\n{''.join(outside)}{code}}}\n" if before is None else f"void {name}() {{\n{before}  do {{\n{code}  }} while (false);\n}}\n")
     faults += [f"{document}: there is no snippet {number} any more" for document, number in sorted(unused)]
     if faults:
         sys.exit("\n".join(faults))

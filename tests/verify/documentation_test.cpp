@@ -1,5 +1,5 @@
-// docs/integrators.md holds what the code says: the table of declarations and the example that own_integrator_test.cpp
-// compiles.
+// The documents hold what the code says: docs/integrators.md the table of declarations, docs/verify_your_own.md the
+// example that own_integrator_test.cpp compiles.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TEST(Documentation, HoldsTheTableOfDeclarations) {
 TEST(Documentation, HoldsTheExampleThatIsCompiled) {
   const std::string source = read("tests/verify/own_integrator_test.cpp"), mark = "// [example]\n";
   const auto begin = source.find(mark) + mark.size();
-  EXPECT_THAT(read("docs/integrators.md"), ::testing::HasSubstr(source.substr(begin, source.rfind(mark) - begin)));
+  EXPECT_THAT(read("docs/verify_your_own.md"), ::testing::HasSubstr(source.substr(begin, source.rfind(mark) - begin)));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The example of docs/integrators.md, word for word, as a test.
+// The example of docs/verify_your_own.md, word for word, as a test.
 #include <gtest/gtest.h>
 
 // [example]
