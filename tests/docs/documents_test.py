@@ -1,19 +1,27 @@
 #!/usr/bin/env python3
-"""Holds README.md, all of docs/ and bench/, and the files that CONTRIBUTING.md names, to the program and to the repository.
+"""Holds README.md, CHANGELOG.md, all of docs/ and bench/, and the files that CONTRIBUTING.md names, to the program and to the repository.
 
-usage: documents_test.py links|lists|words|commands SOURCE_DIR PROGRAM
+usage: documents_test.py links|lists|words|commands SOURCE_DIR PROGRAM [PAGE ...]    PAGE: only this one, of a check of single pages
 
 links     every relative link, its heading included, and every file that is named in code leads somewhere
-lists     commands, options, topics, scene keys and lists of names in the documents are those of `ringwatch help TOPIC`
-words     documents, help texts and messages have none of the words that only a diary or a former name needs
-commands  every command in a fenced block runs, or is listed below with the reason why it does not
+lists     commands, options, topics, scene keys and lists of names in the documents are those of `ringwatch help TOPIC`, and
+          what stands in TOML is valid by the schema of scenes
+words     documents, help texts, messages and docstrings of Python have none of the words that only a diary or a former name needs
+commands  every command in a fenced block runs, or is listed below with the reason why it does not, and a text block behind it is
+          what it prints
 """
+import ast
+import json
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import tomllib
+
+sys.path.append("/usr/lib/python3/dist-packages")  # where Debian has jsonschema, whichever python3 comes first
+import jsonschema  # noqa: E402
 
 # A command that takes long or needs something, and what is run in its place: (shell command, exit status).
 SUBSTITUTES = {
@@ -26,6 +34,10 @@ SUBSTITUTES = {
     "ringwatch run examples/stretch_bar.toml --out out/stretch_bar --live":
         ("ringwatch run examples/stretch_bar.toml --out out/stretch_bar --live", 1),
     "ringwatch run start.toml --out start": ("ringwatch run start.toml --out start", 1),
+    # Stopped once it can be resumed.
+    "ringwatch run pull.toml --out pull_stopped":
+        ("ringwatch run pull.toml --out pull_stopped --set integrator.end=2 & "
+         "until [ -e pull_stopped/checkpoint.bin ]; do sleep 0.05; done; kill -TERM $!; wait $!", 4),
     "ringwatch compare examples/swinging_bar.toml --integrators all --out out/compare":
         ("ringwatch compare examples/swinging_bar.toml --integrators symplectic-euler,verlet --out out/compare "
          "--set mesh.cells=[4,1,1] --set integrator.end=0.02", 0),
@@ -74,17 +86,38 @@ WORDS = {
     "retarget": "rebuild", "flooded": "too many violations", "poison": "NaN guard",
     "lazy bound": "incremental certificate", "kept selection": "incremental selection", "leave their balls": "leave their validity balls",
     "left their balls": "left their validity balls", "leave its ball": "leaves its validity ball", "left its ball": "left its validity ball",
-    "hot spot": "local mode", "looked at": "examined", "looks at": "examines",
+    "hot spot": "local mode", "looked at": "examined", "looks at": "examines", "books": "energy balance, or textbooks",
+    "keepbooks": "energyBalance.update", "steer": "aim at", "steers": "aims at", "steered": "aimed at", "ease": "relaxBound", "eases": "relaxes",
 }
+
+
+# Pages whose text blocks are drawings.
+DRAWINGS = {"docs/architecture.md"}
+
+
+def alike(documented, printed):
+    """Whether two lines are the same; numbers to 1e-6, since the last digits are the machine's, and … stands for anything."""
+    number = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?"
+    pattern = "".join(
+        ".*" if part == "…" else f"({number})" if re.fullmatch(number, part) else re.escape(part)
+        for part in re.split(rf"(…|{number})", documented.strip()) if part)
+    match = re.fullmatch(pattern, printed.strip())
+    if not match:
+        return False
+    numbers = [part for part in re.findall(rf"…|{number}", documented) if part != "…"]
+    return all(abs(float(a) - float(b)) <= 1e-6 * abs(float(a)) for a, b in zip(numbers, match.groups()))
 
 
 class Documents:
     def __init__(self, source, program):
         self.source = source
         self.program = program
-        self.paths = [source / "README.md", *sorted((source / "docs").rglob("*.md")), *sorted((source / "bench").rglob("*.md"))]
+        self.paths = [source / "README.md", source / "check/README.md", source / "examples/README.md",
+                      *sorted((source / "docs").rglob("*.md")), *sorted((source / "bench").rglob("*.md"))]
+        self.project = [source / "CONTRIBUTING.md", source / "CHANGELOG.md"]
         self.faults = []
         self.helps = {}
+        self.schema = None
 
     def fault(self, path, line, text):
         self.faults.append(f"{path.relative_to(self.source)}:{line}: {text}")
@@ -157,7 +190,7 @@ class Documents:
     # ---- links
 
     def check_links(self):
-        for path in [*self.paths, self.source / "CONTRIBUTING.md"]:
+        for path in [*self.paths, *self.project]:
             text = "\n".join(self.lines(path))
             for match in re.finditer(r"\]\(([^)\s]+)\)", text):
                 target, _, anchor = match[1].partition("#")
@@ -236,6 +269,7 @@ class Documents:
         for language, first, block in self.fences(path):
             if language != "toml":
                 continue
+            self.check_scene(path, first, block)
             section = None
             for number, line in enumerate(block, first):
                 if match := re.match(r"\s*\[+(\w+)\]+", line):
@@ -253,6 +287,26 @@ class Documents:
                     self.check_key(path, line, keys, section, key, "")
             for section, key, value in re.findall(r"\[+(\w+)\]+ (\w+) = (\S+)", span):
                 self.check_key(path, line, keys, section, key, value)
+
+    def check_scene(self, path, first, block):
+        """A scene, or the part of one that a page is about, against the schema: names, types and ranges of what is there."""
+        try:
+            scene = tomllib.loads("\n".join(block).replace("…", "0"))
+        except tomllib.TOMLDecodeError as error:
+            self.fault(path, first, f"is no TOML: {error}")
+            return
+        whole = {"mesh", "material", "integrator"} <= set(scene)
+        if self.schema is None:
+            self.schema = json.loads(self.ringwatch("schema", "scene").stdout)
+        for error in jsonschema.Draft7Validator(self.schema).iter_errors(scene):
+            if not whole:
+                # What is left out would make a section incomplete, and a list of one point is short for a longer one.
+                error = next((e for e in [error, *(error.context or [])] if e.validator in ("type", "enum", "minimum", "maximum",
+                              "exclusiveMinimum", "exclusiveMaximum", "additionalProperties") and len(e.absolute_path) > 1), None)
+                if error is None:
+                    continue
+            where = ".".join(str(part) for part in error.absolute_path)
+            self.fault(path, first, f"{where or 'the scene'} is not valid: {error.message}")
 
     def check_key(self, path, line, keys, section, key, values):
         if section not in keys or key not in keys[section]:
@@ -326,6 +380,8 @@ class Documents:
             self.same(path, "integrators", integrators, "integrators")
         elif not set(self.names("integrators")) <= set(integrators):
             self.fault(path, 1, "integrators are missing")
+        path, schemas = self.first_column("docs/machines.md", "| schema | of")
+        self.same(path, "schemas", schemas, "schema", re.findall(r"^  ([\w-]+) ", self.ringwatch("schema").stdout, re.M))
         path, modes = self.first_column("docs/monitor.md", "| `[monitor] mode`")
         self.same(path, "monitor.mode", modes, "scene", keys["monitor"]["mode"])
         path = self.source / "docs/handlers.md"
@@ -344,7 +400,7 @@ class Documents:
         pattern = re.compile(r"\b(" + "|".join(WORDS) + r")\b", re.I)
 
         results = self.source / "bench/results"
-        for path in [*self.paths, self.source / "CONTRIBUTING.md"]:
+        for path in [*self.paths, *self.project]:
             if results in path.parents:  # records of their day
                 continue
             text = "\n".join(self.lines(path))
@@ -357,6 +413,13 @@ class Documents:
         for name, text in help_texts.items():
             for match in pattern.finditer(text):
                 self.faults.append(f'ringwatch help {name}: "{match[1]}": {WORDS[match[1].lower()]}')
+        for path in sorted((self.source / "python").rglob("*.py*")):
+            if path.suffix not in (".py", ".pyi"):
+                continue
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                    for match in pattern.finditer(node.value):
+                        self.fault(path, node.lineno, f'"{match[1]}": {WORDS[match[1].lower()]}')
         # Messages: the texts in the sources of what users call.
         for folder in (self.source / "cmake/layers.txt").read_text(encoding="utf-8").splitlines():
             folder = folder.split(":")[0].strip()
@@ -380,7 +443,7 @@ class Documents:
     def check_commands(self):
         unused = set(SUBSTITUTES) | set(NOT_RUN)
         bench = "".join(p.read_text(encoding="utf-8") for p in (self.source / "bench").rglob("CMakeLists.txt"))
-        ran = set()
+        ran, outputs = set(), {}
         with tempfile.TemporaryDirectory() as folder:
             work = pathlib.Path(folder)
             shutil.copytree(self.source / "examples", work / "examples")
@@ -410,14 +473,49 @@ class Documents:
                     result = subprocess.run(
                         ["bash", "-c", f'export PATH="{work}/bin:$PATH"; {run}'], cwd=work, capture_output=True,
                         text=True, check=False, timeout=600)
+                    outputs[command] = result.stdout
                     if result.returncode != status:
                         self.fault(path, line, f"`{run}` ends with {result.returncode}, not {status}: {result.stderr.strip()}")
                     for study in re.findall(r"^ringwatch verify (\w+)", command):
                         test = self.source / STUDY_TESTS.get(study, "-")
                         if run == "true" and (not test.exists() or "StudyEffort::quick" not in test.read_text(encoding="utf-8")):
                             self.fault(path, line, f"no test runs the study {study}")
-        for name in sorted(unused):
+        for path in self.paths:
+            if path.parent != self.source / "docs/reference":  # made from the program; reference_test.py compares them
+                self.check_texts(path, outputs)
+        for name in sorted(unused) if len(sys.argv) == 4 else ():
             self.faults.append(f"{pathlib.Path(__file__).name}: no document has the command `{name}` any more")
+
+    def check_texts(self, path, outputs):
+        """A text block has commands, or what the commands of the block before it print, or lines of a file that the paragraph before it names."""
+        commands = None
+        for language, first, block in self.fences(path):
+            if language in ("", "sh", "bash"):
+                commands = [command for number, command in self.commands(path) if first <= number < first + len(block)]
+            if language != "text" or path.relative_to(self.source).as_posix() in DRAWINGS:
+                continue
+            if all(line.startswith("ringwatch ") for line in block):
+                for number, line in enumerate(block, first):
+                    self.check_invocation(path, number, line)
+                continue
+            paragraph = next(line for line in reversed(self.lines(path)[:first - 2]) if line)
+            files = [self.source / s for s in re.findall(r"`([\w./]+)`", paragraph) if (self.source / s).is_file()]
+            if files:
+                text, what = files[0].read_text(encoding="utf-8"), files[0].name
+            elif commands is not None:
+                text, what = "\n".join(outputs.get(command, "") for command in commands), "the output"
+            else:
+                self.fault(path, first, "nothing tells what this text is of")
+                continue
+            there = text.split("\n")
+            for number, line in enumerate(block, first):
+                if line in ("...", "…"):
+                    continue
+                place = next((i for i, one in enumerate(there) if alike(line, one)), None)
+                if place is None:
+                    self.fault(path, number, f"{what} does not go on with this line: {line}")
+                    break
+                there = there[place + 1:]
 
     def write_scenes(self, path, work):
         """The scenes that a page has its readers write."""
@@ -445,6 +543,8 @@ class Documents:
 def main():
     check, source, program = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
     documents = Documents(source, program)
+    if sys.argv[4:]:
+        documents.paths = [source / page for page in sys.argv[4:]]
     {"links": documents.check_links, "lists": documents.check_lists, "words": documents.check_words, "commands": documents.check_commands}[check]()
     print("\n".join(documents.faults) or f"{check}: no fault in {len(documents.paths)} documents")
     return 1 if documents.faults else 0

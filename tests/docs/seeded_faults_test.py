@@ -31,16 +31,16 @@ def tree(folder, document, old, new):
 
 
 class SeededFaults(unittest.TestCase):
-    def expect(self, check, message, document, old, new):
+    def expect(self, check, message, document, old, new, *pages):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             tree(folder, document, old, new)
             if check == "snippets":
                 command = [sys.executable, HERE / "snippets.py", folder, folder / "out.cpp"]
-            elif check == "theorems":
-                command = [sys.executable, HERE / "theorems_test.py", folder]
+            elif check in ("theorems", "spelling"):
+                command = [sys.executable, HERE / f"{check}_test.py", folder]
             else:
-                command = [sys.executable, HERE / "documents_test.py", check, folder, PROGRAM]
+                command = [sys.executable, HERE / "documents_test.py", check, folder, PROGRAM, *pages]
             done = subprocess.run(command, capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
             self.assertIn(message, done.stdout + done.stderr)
@@ -69,8 +69,24 @@ class SeededFaults(unittest.TestCase):
         self.expect("lists", "a scene has no key monitor.evry", "docs/gpu.md", "`monitor.every`", "`monitor.evry`")
         self.expect("lists", "handler.selection cannot be single", "docs/handlers.md", '"element-frequency"', '"single"')
 
+        self.expect("lists", "handler.margin is not valid: 1.5", "docs/handlers.md", "margin = 0.1", "margin = 1.5")
+        self.expect("lists", "'fast' is not", "docs/handlers.md", "step = 1.2e-4", 'step = "fast"')
+        self.expect("lists", "is no TOML", "docs/run.md", "young = 30e3", "young = 30 e3")
+        self.expect("lists", "integrator is not valid: Additional properties are not allowed ('methods'", "docs/run.md", "method = ", "methods = ")
+
+    def test_outputs(self):
+        self.expect("commands", "the output does not go on with this line:   optimistic", "docs/inspect.md", "0.0006436527321 s",
+                    "0.0006446527321 s", "docs/inspect.md")
+        self.expect("commands", "dolfinx_adapter.py does not go on with this line", "docs/foreign_solvers.md", "self.form =", "self.forms =",
+                    "docs/foreign_solvers.md")
+
     def test_words(self):
         self.expect("words", '"busy": give the load', "docs/monitor.md", "## Modes", "The machine was busy.\n\n## Modes")
+
+    def test_spelling(self):
+        if not shutil.which("hunspell"):
+            self.skipTest("hunspell is missing")
+        self.expect("spelling", "docs/monitor.md:20: obervation", "docs/monitor.md", "at every observation |", "at every obervation |")
 
     def test_theorems(self):
         self.expect("theorems", "there is no Theorem 99", "monitor/exact_step.h", "Theorem 8,", "Theorem 99,")
