@@ -279,7 +279,7 @@ class Documents:
                 elif match := re.match(r"\s*(\w+)\s*=\s*([^#]*)(#.*)?", line):
                     self.check_key(path, number, keys, section, match[1], match[2] + (match[3] or ""))
                     proposed = re.findall(r'"([\w-]+)"', match[2] + (match[3] or ""))
-                    if (section, match[1]) == ("handler", "method") and set(proposed) != set(self.names("handlers")):
+                    if (section, match[1]) == ("handler", "method") and len(proposed) > 1 and set(proposed) != set(self.names("handlers")):
                         self.fault(path, number, f"the handlers are {self.names('handlers')}, not {proposed}")
         for line, span in self.spans(path):
             for section, key in re.findall(r"(?<![\w/.])(" + "|".join(keys) + r")\.([a-z]\w*)(?![\w/(.])", span):
