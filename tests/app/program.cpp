@@ -53,7 +53,8 @@ void Program::expectValid(const std::string& arguments, const Outcome& outcome) 
     EXPECT_EQ(schemaFault(schema, value), "") << arguments << ": " << name;
   };
   static const std::regex json("^([\\w-]+) .*--json[ =]([\\w./-]+)"), run("^run .*--out[ =]([\\w./-]+)"),
-      scene("^run ([\\w./-]+\\.toml)(?!.*--set)");
+      scene("^run ([\\w./-]+\\.toml)"),
+      assignment("--set[ =](?:'([^']*)'|\"([^\"\\\\]*)\"|([^\\s'\"\\\\$]+))(?=\\s|$)");
   if (outcome.status != 2 && std::regex_search(arguments, found, json)) {
     const std::filesystem::path path = folder_.path() / found[2].str();
     if (found[2] == "-")
@@ -66,7 +67,16 @@ void Program::expectValid(const std::string& arguments, const Outcome& outcome) 
     if (std::filesystem::is_regular_file(path)) document(path.string(), folder_.read(path), "summary");
   }
   if (std::regex_search(arguments, found, scene)) {
-    const Json value = jsonOfToml(folder_.read(folder_.path() / found[1].str()));
+    const std::string name = found[1];
+    std::vector<std::string> overrides;
+    for (std::sregex_iterator set(arguments.begin(), arguments.end(), assignment), end; set != end; ++set)
+      overrides.push_back((*set)[1].str() + (*set)[2].str() + (*set)[3].str());
+    const std::string option = "--set";
+    std::size_t options = 0;
+    for (std::size_t at = arguments.find(option); at != std::string::npos; at = arguments.find(option, at + 1))
+      ++options;
+    if (options != overrides.size()) return;  // in quotes that only a shell understands
+    const Json value = withOverrides(jsonOfToml(folder_.read(folder_.path() / name)), overrides);
     if (outcome.status != 2 && value.is_object()) {
       EXPECT_EQ(schemaFault("scene", value), "") << arguments;
     } else if (outcome.status == 2 && isAboutTypeRangeOrKey(outcome.err)) {

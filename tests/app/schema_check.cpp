@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <toml++/toml.h>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -67,11 +70,37 @@ Json jsonOfToml(const std::string& text) {
   }
 }
 
+Json withOverrides(Json scene, const std::vector<std::string>& overrides) {
+  for (const std::string& text : overrides) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) return {};
+    std::vector<std::string> parts;
+    std::istringstream path(text.substr(0, equals));
+    for (std::string part; std::getline(path, part, '.');) parts.push_back(part);
+    if (parts.size() != 2 && parts.size() != 3) return {};
+    const std::string value = text.substr(equals + 1);
+    Json assignment = jsonOfToml("value = " + value);
+    if (assignment.is_null()) assignment = jsonOfToml("value = \"" + value + "\"");
+    if (!assignment.is_object() || assignment.size() != 1) return {};
+    Json* section = &scene[parts[0]];
+    if (parts.size() == 3) {
+      if (!section->is_array() || parts[1].size() != 1 || parts[1] < "0" || parts[1] > "9") return {};
+      const std::size_t index = parts[1][0] - '0';
+      if (index >= section->size()) return {};
+      section = &(*section)[index];
+    }
+    if (!section->is_object() && !section->is_null()) return {};
+    (*section)[parts.back()] = assignment["value"];
+  }
+  return scene;
+}
+
 bool isAboutTypeRangeOrKey(const std::string& message) {
   static constexpr std::array parts{"is out of range",
                                     "is not a finite number",
                                     " is needed",
                                     " are needed",
+                                    ": unknown \"",  // choice, behind its key
                                     "unknown key",
                                     "unknown section",
                                     "outside of a section",

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,10 @@ class SchemaCheck {
 
 /// TOML as the JSON that a schema is about: numbers that are not finite are null. Null for what is not TOML.
 nlohmann::json jsonOfToml(const std::string& text);
+
+/// A scene with `section.key=value` or `section.index.key=value` for each override, as `--set` has it; null where one
+/// is no such assignment, or names what is not there.
+nlohmann::json withOverrides(nlohmann::json scene, const std::vector<std::string>& overrides);
 
 /// Whether a message about a scene is about a type, a range, a choice, a key or a section, which a schema tells too.
 bool isAboutTypeRangeOrKey(const std::string& message);

@@ -390,6 +390,17 @@ class Documents:
             if name not in headings:
                 self.fault(path, 1, f"the handler {name} has no section")
 
+        results = self.source / "bench/results"
+        listed = "\n".join(self.lines(results / "README.md"))
+        for folder in sorted(p for p in results.iterdir() if p.is_dir()):
+            path = folder / "README.md"
+            if f"]({folder.name}/README.md)" not in listed:
+                self.fault(results / "README.md", 1, f"does not list {folder.name}")
+            table = dict(re.findall(r"^\| ([\w ]+) \| (.+) \|$", "\n".join(self.lines(path)[:12]), re.M))
+            for row in ("machine", "processor", "system", "compiler", "commit", "load", "made by"):
+                if row not in table:
+                    self.fault(path, 1, f"its first table has no row {row}")
+
     def column(self, name, header, topic):
         path, found = self.first_column(name, header)
         return path, topic, found, topic

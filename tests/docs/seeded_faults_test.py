@@ -107,6 +107,10 @@ class SeededFaults(unittest.TestCase):
         self.expect("lists", "monitor.mode: the document has", "docs/monitor.md", "| `threshold` |", "| `certify` |")
         self.expect("lists", "the handler modal-filter has no section", "docs/handlers.md", "## modal-filter", "## filters")
 
+    def test_results(self):
+        self.expect("lists", "its first table has no row compiler", "bench/results/2026-11-24-amd-epyc-2-cores/README.md", "| compiler |", "| language |")
+        self.expect("lists", "does not list 2026-11-24-nvidia-h100", "bench/results/README.md", "](2026-11-24-nvidia-h100/README.md)", "](README.md)")
+
     def test_snippets(self):
         self.expect("snippets", "has no context", "docs/monitor.md", "## Modes", "```cpp\nint i;\n```\n## Modes")
         self.expect("snippets", "there is no snippet 0 any more", "README.md", "```cpp", "```text")

@@ -30,6 +30,7 @@ def prose(lines):
         return "\n" * match[0].count("\n") or " "
 
     for pattern in (r"\$\$.*?\$\$", r"\$[^$\n]*(?:\n[^$\n]+)?\$", r"`[^`]*`", r"<!--.*?-->", r"(?<=\])\([^)\s]*\)", r"https?://\S+", r"<[^<>\n]+>",
+                    r"\b\d{4}-\d\d-\d\d-[\w-]+",
                     r"\b[\w-]+\.(?:md|csv|json|toml|png|svg|js|cpp|h|py|inp|txt|cff)\b"):
         joined = re.sub(pattern, blank, joined, flags=re.S)
     return joined.split("\n")
