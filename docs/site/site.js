@@ -1,4 +1,3 @@
-if (location.protocol === "file:") document.documentElement.classList.add("from-disk");
 document.addEventListener("DOMContentLoaded", () => renderMathInElement(document.body, {
   delimiters: [{left: "\\[", right: "\\]", display: true}, {left: "\\(", right: "\\)", display: false}],
   throwOnError: true,

@@ -172,6 +172,19 @@ TEST_F(Registration, AnElementIsHeldToWhatTheElementsOfTheLibraryAre) {
   EXPECT_GE(checks["wedge15 gauss-6x3 stvk"], 3);
 }
 
+TEST_F(Registration, ALawIsHeldToWhatItsDriftPromises) {
+  const Outcome outcome = call("verify monitor --quick --json m.json");
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  int rows = 0;
+  for (const Json& row : json("m.json")["studies"]["monitor"]["tables"]["drift"])
+    if (row["law"] == "mooney-rivlin") {
+      ++rows;
+      EXPECT_GT(row["element and state trials"].get<int>(), 1000) << row;
+      EXPECT_EQ(row["violations"], 0) << row;
+    }
+  EXPECT_GE(rows, 4);
+}
+
 TEST_F(Registration, AStudyRuns) {
   EXPECT_THAT(call("help studies").out, HasSubstr("the volume of a bar"));
   const Outcome outcome = call("verify bar-volume");
