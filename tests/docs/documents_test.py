@@ -390,6 +390,15 @@ class Documents:
             if name not in headings:
                 self.fault(path, 1, f"the handler {name} has no section")
 
+        version = re.search(r"^  VERSION ([\d.]+)$", (self.source / "CMakeLists.txt").read_text(encoding="utf-8"), re.M)[1]
+        cited = dict(re.findall(r"^([\w-]+): ([\w.-]+)$", (self.source / "CITATION.cff").read_text(encoding="utf-8"), re.M))
+        if cited.get("version") != version:
+            self.fault(self.source / "CITATION.cff", 1, f"the version is not {version}")
+        if f"\n## {version} ({cited.get('date-released')})\n" not in "\n".join(self.lines(self.source / "CHANGELOG.md")):
+            self.fault(self.source / "CHANGELOG.md", 1, f"has no section {version} of the day in CITATION.cff")
+        if f"Version {version.rpartition('.')[0]}:" not in "\n".join(self.lines(readme)):
+            self.fault(readme, 1, f"does not say that this is version {version.rpartition('.')[0]}")
+
         results = self.source / "bench/results"
         listed = "\n".join(self.lines(results / "README.md"))
         for folder in sorted(p for p in results.iterdir() if p.is_dir()):

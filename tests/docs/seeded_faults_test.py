@@ -107,6 +107,10 @@ class SeededFaults(unittest.TestCase):
         self.expect("lists", "monitor.mode: the document has", "docs/monitor.md", "| `threshold` |", "| `certify` |")
         self.expect("lists", "the handler modal-filter has no section", "docs/handlers.md", "## modal-filter", "## filters")
 
+    def test_versions(self):
+        self.expect("lists", "the version is not 0.2.0", "CITATION.cff", "version: 0.2.0", "version: 0.1.0")
+        self.expect("lists", "does not say that this is version 0.2", "README.md", "Version 0.2:", "Version 0.1:")
+
     def test_results(self):
         self.expect("lists", "its first table has no row compiler", "bench/results/2026-11-24-amd-epyc-2-cores/README.md", "| compiler |", "| language |")
         self.expect("lists", "does not list 2026-11-24-nvidia-h100", "bench/results/README.md", "](2026-11-24-nvidia-h100/README.md)", "](README.md)")
