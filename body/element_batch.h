@@ -1,4 +1,7 @@
 #pragma once
+#include <limits>
+#include <utility>
+
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/element_geometry.h>
 #include <ringwatch/body/law_of_packs.h>
@@ -120,6 +123,36 @@ class ElementBatch final : public ElementBlock {
   }
   void volumeBatch(std::int32_t batch, double* volumes) const override { geometry_.volumeBatch(batch, volumes); }
   bool goesByDirections() const override { return geometry_.hasDirections(); }
+
+  void stressBatch(std::int32_t batch, const double* x, double* stress, double* F) const override {
+    const bool smallStrain = !material().info().objective;
+    P position[n][3];
+    geometry_.loadEdgesFromMesh(x, layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, position);
+    Matrix3<P> sum = Matrix3<P>::zero();
+    P volume(0.0);
+    const auto addStress = [&](const LawType& law, const P& weight, const Matrix3<P>& own) {
+      const Matrix3<P> stressHere = law.stress(own);
+      sum = sum + weight * (smallStrain ? stressHere : timesTranspose(stressHere, own));
+    };
+    const P* point = geometry_.pointsOf(batch);
+    for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
+      const Matrix3<P> own = geometry_.gradient(position, q, Geometry::inverseJacobian(point));
+      const P weight = Geometry::weight(point);
+      for (int i = 0; i < 9; ++i) own.m[i].store(F + (9 * q + i) * lanes);
+      volume += smallStrain ? weight : weight * determinant(own);
+      addStress(law_, weight, own);
+    }
+    if constexpr (Geometry::offersMean)
+      if (geometry_.hasMean()) {
+        const P* g = geometry_.meanGradientsOf(batch);
+        addStress(meanLaw_, g[3 * n], Geometry::meanGradient(position, g));
+      }
+    const P half = select(volume > P(0.0), P(0.5) / volume, P(std::numeric_limits<double>::quiet_NaN()));
+    for (const auto& [row, column] : {std::pair{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}) {
+      (half * (sum(row, column) + sum(column, row))).store(stress);
+      stress += lanes;
+    }
+  }
 
  private:
   /// The material's law with a share of each of Lamé's constants; the law itself where it has none (hasShares).

@@ -58,6 +58,11 @@ class ElementBlock : public ElementTangents {
   /// Least determinant of F over the quadrature points of each element of a batch: determinants[lane].
   virtual void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const = 0;
 
+  /// Cauchy stress of each element of a batch at positions x, Pa, averaged over the element as it is there, and the
+  /// deformation gradients at its points, F[(q * 9 + i) * lanes + lane]: stress[i * lanes + lane], i one of xx, yy, zz,
+  /// yz, xz, xy. With σ = P Fᵀ / det F it is Σ_q w_q P_q F_qᵀ / Σ_q w_q det F_q, of a law of small strain, which is not
+  /// objective, the mean of P. Not a number where that volume is not positive.
+  virtual void stressBatch(std::int32_t batch, const double* x, double* stress, double* F) const = 0;
   /// Volume at rest of each element of a batch, m³: volumes[lane].
   virtual void volumeBatch(std::int32_t batch, double* volumes) const = 0;
   /// Whether forces are computed one direction after the other (elements/directions.h), in far fewer operations.

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/body/element_stress.h>
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 
@@ -24,6 +25,7 @@ std::vector<std::string> frameFieldNames() {
   std::vector<std::string> names;
   for (const MetricInfo& info : allMetrics()) names.emplace_back(info.name);
   for (const char* name : {"metric", "verdict", "handler", "critical_step"}) names.emplace_back(name);
+  for (const StressMeasure& measure : allStressMeasures()) names.emplace_back(measure.name);
   return names;
 }
 
@@ -108,6 +110,12 @@ void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameS
   std::vector<Steps> steps;
   steps.reserve(metrics.size() + 2);  // the fields point into it
   std::vector<std::int32_t> verdicts, handled, materials;
+  std::vector<const StressMeasure*> measures;
+  for (const std::string& field : scene_.fields)
+    if (const StressMeasure* measure = findStressMeasure(field); measure && !std::ranges::count(measures, measure))
+      measures.push_back(measure);
+  std::vector<std::vector<double>> stresses;
+  if (!measures.empty()) stresses = stressOfElements(body_, x, measures);
   std::vector<VtuField> cells;
   const auto add = [&](Steps own) {
     steps.push_back(std::move(own));
@@ -132,6 +140,8 @@ void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameS
     for (const ElementRef e : state.handled) handled[first[e.block] + static_cast<std::size_t>(e.element)] = 1;
     cells.push_back({"handler", 1, std::span<const std::int32_t>(handled)});
   }
+  for (std::size_t m = 0; m < measures.size(); ++m)
+    cells.push_back({std::string(measures[m]->title), 1, std::span<const double>(stresses[m])});
 
   if (const std::vector<int> ofBlocks = materialOfBlocks(body_.mesh()); !ofBlocks.empty()) {
     for (std::size_t b = 0; b < ofBlocks.size(); ++b)

@@ -46,8 +46,8 @@ struct FrameState {
 /// and verdict (0 certified, 1 not certified, 2 violated, -1 unmonitored); what is not known is NaN. At elements it has
 /// what the scene asks for: the step by a metric, named as stepFieldName says; metric, the same by the scene's metric
 /// with its margin; verdict, 0 where the whole body is certified, 2 where the element's own reduced 1-ring forbids the
-/// step, 1 else; handler, 1 where a handler holds the element; and where there are several materials their number,
-/// counted from 0, as material. Points are deformed positions.
+/// step, 1 else; handler, 1 where a handler holds the element; stresses and stretch, named as allStressMeasures() says;
+/// and where there are several materials their number, counted from 0, as material. Points are deformed positions.
 class FrameWriter {
  public:
   /// rule: makes a step of an eigenvalue for the integrator and the damping of the scene.

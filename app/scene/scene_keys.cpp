@@ -595,8 +595,10 @@ void addOutput(std::vector<SceneKey>& all) {
            .fallback = "[\"critical_step\"]",
            .choices = frameFieldNames(),
            .help = "cell data of the frames: each element's step by a metric (critical_step stands for "
-                   "reduced-1-ring), by the monitor's metric with its margin, verdict, handled elements; displacement, "
-                   "velocity, sets and the frame's bracket are always there"},
+                   "reduced-1-ring), by the monitor's metric with its margin, verdict, handled elements, and of the "
+                   "element's mean Cauchy stress von_mises, pressure (positive where it is pressed together) and "
+                   "max_principal_stress, Pa, and max_stretch, its largest principal stretch; displacement, velocity, "
+                   "sets and the frame's bracket are always there"},
           {.key = "checkpoint_every",
            .type = T::number,
            .unit = "s",

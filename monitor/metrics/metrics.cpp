@@ -90,6 +90,8 @@ const MetricEntry entriesOfLibrary[] = {
      wave<CharacteristicLength::inRadius>},
     {{"pressure-wave:shortest-edge", "crossing the shortest edge (Debunne)", estimate},
      wave<CharacteristicLength::shortestEdge>},
+    {{"pressure-wave:cell-diameter", "crossing the largest distance of two corners (FEniCS)", estimate},
+     wave<CharacteristicLength::cellDiameter>},
     {{"fried", "largest element stiffness over least nodal mass, times the largest valence", upperBound}, plain<fried>},
     {{"fried-lower", "largest element stiffness over largest nodal mass", lowerBound}, plain<friedLower>},
     {{"shewchuk", "element with the mesh's nodal masses, times the largest valence", upperBound}, plain<shewchuk>},

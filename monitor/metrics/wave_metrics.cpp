@@ -10,10 +10,9 @@
 #include <ringwatch/meshes/jacobian.h>
 
 namespace ringwatch {
-namespace {
 
-double lengthOf(const ElementInfo& element, NodeVectorsView x, std::span<const std::int32_t> nodes,
-                CharacteristicLength kind) {
+double characteristicLength(const ElementInfo& element, NodeVectorsView x, std::span<const std::int32_t> nodes,
+                            CharacteristicLength kind) {
   const auto at = [&](int a) { return Eigen::Vector3d(x.col(nodes[a])); };
   const int corners = cornerCount(element);
   if (kind == CharacteristicLength::shortestEdge) {
@@ -28,6 +27,12 @@ double lengthOf(const ElementInfo& element, NodeVectorsView x, std::span<const s
       }
     }
     return least;
+  }
+  if (kind == CharacteristicLength::cellDiameter) {
+    double largest = 0;
+    for (int a = 1; a < corners; ++a)
+      for (int b = 0; b < a; ++b) largest = std::max(largest, (at(a) - at(b)).norm());
+    return largest;
   }
   double most = 0, sum = 0, height = infinity;
   for (const auto& face : element.faces) {
@@ -57,8 +62,6 @@ double lengthOf(const ElementInfo& element, NodeVectorsView x, std::span<const s
   return (tetrahedron ? 3 : 1) * volume / most;
 }
 
-}  // namespace
-
 std::vector<std::vector<double>> pressureWave(const Body& body, NodeVectorsView x, CharacteristicLength length) {
   std::vector<std::vector<double>> values;
   for (const auto& block : body.blocks()) {
@@ -66,7 +69,7 @@ std::vector<std::vector<double>> pressureWave(const Body& body, NodeVectorsView 
     const double speed = block->material().waveSpeed();
     parallelFor(0, block->elementCount(), body.threads(), [&](std::int64_t e) {
       const auto nodes = block->nodesOf(e);
-      lambda[e] = std::pow(2 * speed / lengthOf(block->element(), x, nodes, length), 2);
+      lambda[e] = std::pow(2 * speed / characteristicLength(block->element(), x, nodes, length), 2);
     });
   }
   return values;

@@ -174,7 +174,7 @@ TEST_F(Program, InspectRefusesBadInput) {
                 "--metric: unknown \"reduced-2-rings\"");
   expectRefused(std::string("inspect cube.msh --metric pressure-wave:height") + material,
                 "known are all, pressure-wave:min-height, pressure-wave:volume-over-area, pressure-wave:in-radius, "
-                "pressure-wave:shortest-edge");
+                "pressure-wave:shortest-edge, pressure-wave:cell-diameter");
   expectRefused(std::string("inspect cube.msh --picture spread.pdf") + material, "must end in .svg or .png");
   expectRefused(std::string("inspect cube.msh --picture nowhere/a.svg") + material, "nowhere");
   expectRefused(std::string("inspect cube.msh --integrator explicit-euler") + material, "unstable at every step");

@@ -212,6 +212,7 @@ TEST(PressureWave, LengthsOfABrick) {
     EXPECT_NEAR(lengthBy("pressure-wave:in-radius", mesh), 3 * 0.3 / (2 * (15 + 10 + 6)), 1e-14) << element;
     // Middle nodes halve the distance between neighbours.
     EXPECT_NEAR(lengthBy("pressure-wave:shortest-edge", mesh), element == std::string("hex8") ? 0.02 : 0.01, 1e-14);
+    EXPECT_NEAR(lengthBy("pressure-wave:cell-diameter", mesh), std::sqrt(0.0025 + 0.0009 + 0.0004), 1e-14) << element;
   }
 }
 
@@ -234,6 +235,7 @@ TEST(PressureWave, LengthsOfARegularTetrahedron) {
   EXPECT_NEAR(lengthBy("pressure-wave:volume-over-area", mesh), height / 3, 1e-13);
   EXPECT_NEAR(lengthBy("pressure-wave:in-radius", mesh), height / 4, 1e-13);
   EXPECT_NEAR(lengthBy("pressure-wave:shortest-edge", mesh), 2, 1e-13);
+  EXPECT_NEAR(lengthBy("pressure-wave:cell-diameter", mesh), 2, 1e-13);
 }
 
 TEST(PressureWave, NamesItsKnownOptions) {
@@ -243,7 +245,7 @@ TEST(PressureWave, NamesItsKnownOptions) {
     FAIL() << "an unknown option was accepted";
   } catch (const InputError& error) {
     const std::string text = error.what();
-    for (const char* option : {"min-height", "volume-over-area", "in-radius", "shortest-edge"})
+    for (const char* option : {"min-height", "volume-over-area", "in-radius", "shortest-edge", "cell-diameter"})
       EXPECT_NE(text.find(option), std::string::npos) << text;
     EXPECT_EQ(text.find("nodal-bound"), std::string::npos) << text;
   }

@@ -1,0 +1,127 @@
+// Stress and stretch of elements against states that are known in closed form and against the forces at their nodes,
+// for every registered element, law and quadrature rule.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include <ringwatch/body/element_stress.h>
+#include <ringwatch/meshes/jacobian.h>
+#include <tests/support/body_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::BodyCase;
+
+constexpr double lambda = test::young * test::poisson / ((1 + test::poisson) * (1 - 2 * test::poisson)),
+                 mu = test::young / (2 * (1 + test::poisson));
+
+/// A bar that is stretched to s times its length and free at its sides.
+struct Uniaxial {
+  double lateral;  // stretch
+  double stress;   // Pa, Cauchy
+};
+Uniaxial uniaxial(const std::string& law, double s) {
+  constexpr double E = test::young, nu = test::poisson;
+  if (law == "linear") return {1 - nu * (s - 1), E * (s - 1)};
+  if (law == "corotational") {
+    const double t = 1 - nu * (s - 1);
+    return {t, E * (s - 1) / (t * t)};
+  }
+  if (law == "stvk") {
+    const double t = std::sqrt(1 - nu * (s * s - 1));
+    return {t, s * E * (s * s - 1) / 2 / (t * t)};
+  }
+  // Neo-Hookean: μ (t² - 1) + λ ln(s t²) = 0, by Newton's method for t².
+  double t2 = 1;
+  for (int i = 0; i < 50; ++i) t2 -= (mu * (t2 - 1) + lambda * std::log(s * t2)) / (mu + lambda / t2);
+  return {std::sqrt(t2), mu * (s * s - t2) / (s * t2)};
+}
+
+class ElementStressTest : public ::testing::TestWithParam<BodyCase> {
+ public:
+  static const BodyCase& param() { return GetParam(); }
+  static Body makeBody(const Mesh& mesh, int threads = 1) {
+    return Body(mesh, test::materialOf(param()), test::optionsOf(param(), threads));
+  }
+  static std::map<std::string, std::vector<double>> measured(const Body& body, const NodeVectors& x) {
+    std::vector<const StressMeasure*> all;
+    for (const StressMeasure& measure : allStressMeasures()) all.push_back(&measure);
+    const auto values = stressOfElements(body, x, all);
+    std::map<std::string, std::vector<double>> named;
+    for (std::size_t m = 0; m < all.size(); ++m) named[std::string(all[m]->name)] = values[m];
+    return named;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(All, ElementStressTest, ::testing::ValuesIn(test::allBodyCases()),
+                         [](const auto& test) { return test::bodyCaseName(test.param); });
+
+TEST_P(ElementStressTest, IsThatOfABarStretchedOrPressedInOneDirection) {
+  ASSERT_TRUE(param().law == "linear" || param().law == "corotational" || param().law == "stvk" ||
+              param().law == "neo-hookean")
+      << "a new law needs its uniaxial state here";
+  const Body body = makeBody(test::distortedBox(param().element->name, {3, 2, 2}));
+  test::Random random(11);
+  for (const double s : {1.4, 1.02, 0.8}) {
+    const Uniaxial state = uniaxial(param().law, s);
+    const Eigen::Matrix3d Q = param().objective ? random.rotation() : Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d F = Q * Eigen::Vector3d(state.lateral, s, state.lateral).asDiagonal();
+    const auto found = measured(body, (F * body.mesh().X).colwise() + random.vector(0.01));
+    const double tolerance = 1e-12 * test::young;
+    for (std::size_t e = 0; e < body.mesh().elementCount(); ++e) {
+      EXPECT_NEAR(found.at("von_mises")[e], std::abs(state.stress), tolerance);
+      EXPECT_NEAR(found.at("pressure")[e], -state.stress / 3, tolerance);
+      EXPECT_NEAR(found.at("max_principal_stress")[e], std::max(0.0, state.stress), tolerance);
+      EXPECT_NEAR(found.at("max_stretch")[e], std::max(s, state.lateral), 1e-12);
+    }
+  }
+}
+
+TEST_P(ElementStressTest, TimesTheVolumeIsTheMomentOfTheForcesAtTheNodes) {
+  // ∫ σ dv = Σ_a f_a ⊗ x_a; of a law of small strain ∫ P dV = Σ_a f_a ⊗ X_a.
+  for (int number = 0; number < 3; ++number) {
+    const Mesh mesh = test::firstElements(test::distortedBox(param().element->name, {3, 2, 2}, 0.1 * (number + 1)), 1);
+    const Body body = makeBody(mesh);
+    const NodeVectors x = test::strained(mesh.X, 20 + number), &place = param().objective ? x : mesh.X;
+    Body::Workspace workspace;
+    NodeVectors f;
+    body.internalForce(x, f, workspace);
+    const ElementBlock& block = *body.blocks()[0];
+    double volume = 0, dN[maxElementNodes][3];
+    for (const QuadraturePoint& point : param().rule->points) {
+      param().element->shapeGradient(point.xi, dN);
+      volume += point.weight * jacobianOf(place, block.nodesOf(0).data(), param().element->nodes, dN[0]).determinant();
+    }
+    std::vector<double> stress(6 * lanes), F(9 * lanes * param().rule->points.size());
+    block.stressBatch(0, x.data(), stress.data(), F.data());
+    const Eigen::Matrix3d moment = f * place.transpose() / volume;
+    const std::pair<int, int> entries[] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+    for (int i = 0; i < 6; ++i)
+      EXPECT_NEAR(stress[i * lanes], moment(entries[i].first, entries[i].second), 1e-11 * test::young) << i;
+  }
+}
+
+TEST_P(ElementStressTest, IsNotANumberWhereAnElementIsTurnedInsideOut) {
+  if (!param().objective) GTEST_SKIP() << "its stress is that of the shape at rest";
+  const Body body = makeBody(test::distortedBox(param().element->name, {2, 2, 2}));
+  const auto found = measured(body, Eigen::Vector3d(1, 1, -0.5).asDiagonal() * body.mesh().X);
+  for (const double value : found.at("von_mises")) EXPECT_TRUE(std::isnan(value));
+  for (const double value : found.at("max_stretch")) EXPECT_NEAR(value, 1, 1e-12);
+}
+
+TEST_P(ElementStressTest, HasTheSameBitsForAnyNumberOfThreads) {
+  const Mesh mesh = test::distortedBox(param().element->name, {7, 6, 5});
+  const NodeVectors x = test::strained(mesh.X);
+  const auto one = measured(makeBody(mesh, 1), x);
+  for (const int threads : {2, 3}) EXPECT_EQ(measured(makeBody(mesh, threads), x), one) << threads;
+}
+
+TEST(StressMeasures, AreFoundByName) {
+  for (const StressMeasure& measure : allStressMeasures()) EXPECT_EQ(findStressMeasure(measure.name), &measure);
+  EXPECT_EQ(findStressMeasure("tresca"), nullptr);
+}
+
+}  // namespace
+}  // namespace ringwatch
