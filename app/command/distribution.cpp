@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -36,28 +37,27 @@ std::string ticsFor(double least, double most) {
 }  // namespace
 
 double Distribution::critical(double h) const {
-  const auto below = std::lower_bound(steps.begin(), steps.end(), h) - steps.begin();
+  const auto below = std::ranges::count_if(steps, [h](double step) { return step < h; });
   return static_cast<double>(below) / static_cast<double>(steps.size() + without);
 }
 
-std::vector<Distribution> distributionsOf(const std::vector<MetricResult>& metrics, const StepRule& rule) {
+double Distribution::criticalAtEdge(std::size_t i) const {
+  std::size_t below = std::accumulate(counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(i), std::size_t{0});
+  if (i == counts.size()) below -= atEnd;
+  return static_cast<double>(below) / static_cast<double>(steps.size() + without);
+}
+
+std::vector<Distribution> distributionsOf(std::vector<ElementSteps> metrics) {
   std::vector<Distribution> distributions;
   double least = infinity, most = 0;
-  for (const MetricResult& metric : metrics) {
+  for (ElementSteps& metric : metrics) {
     Distribution d;
-    d.metric = std::string(metric.info->name);
-    for (const auto& block : metric.elementLambda)
-      for (const double lambda : block) {
-        const double step = rule(lambda);
-        if (std::isfinite(step) && step > 0)
-          d.steps.push_back(step);
-        else
-          ++d.without;
-      }
-    std::sort(d.steps.begin(), d.steps.end());
-    if (!d.steps.empty()) {
-      least = std::min(least, d.steps.front());
-      most = std::max(most, d.steps.back());
+    d.metric = std::move(metric.metric);
+    d.without = std::erase_if(metric.steps, [](double step) { return !(std::isfinite(step) && step > 0); });
+    d.steps = std::move(metric.steps);
+    for (const double step : d.steps) {
+      least = std::min(least, step);
+      most = std::max(most, step);
     }
     distributions.push_back(std::move(d));
   }
@@ -72,20 +72,31 @@ std::vector<Distribution> distributionsOf(const std::vector<MetricResult>& metri
   for (Distribution& d : distributions) {
     d.edges = edges;
     d.counts.assign(count, 0);
-    std::size_t bin = 0;
     for (const double step : d.steps) {
-      while (bin + 1 < count && step >= edges[bin + 1]) ++bin;
-      ++d.counts[bin];
+      const auto above = std::upper_bound(edges.begin() + 1, edges.end() - 1, step);
+      ++d.counts[static_cast<std::size_t>(above - edges.begin()) - 1];
+      if (step == edges.back()) ++d.atEnd;
     }
   }
   return distributions;
+}
+
+std::vector<Distribution> distributionsOf(const std::vector<MetricResult>& metrics, const StepRule& rule) {
+  std::vector<ElementSteps> steps;
+  for (const MetricResult& metric : metrics) {
+    ElementSteps own{std::string(metric.info->name), {}};
+    for (const auto& block : metric.elementLambda)
+      for (const double lambda : block) own.steps.push_back(rule(lambda));
+    steps.push_back(std::move(own));
+  }
+  return distributionsOf(std::move(steps));
 }
 
 Json distributionJson(const std::vector<Distribution>& distributions) {
   Json json = Json::object();
   for (const Distribution& d : distributions) {
     Json cumulative = Json::array();
-    for (const double edge : d.edges) cumulative.push_back(d.critical(edge));
+    for (std::size_t i = 0; i < d.edges.size(); ++i) cumulative.push_back(d.criticalAtEdge(i));
     json[d.metric] = Json{{"edges", d.edges},
                           {"counts", d.counts},
                           {"critical_share", std::move(cumulative)},
@@ -108,7 +119,7 @@ std::string distributionText(const std::vector<Distribution>& distributions, std
     while (d.counts[end - 1] == 0) --end;
     for (std::size_t i = first; i < end; ++i)
       text += fmt::format("  {:>11.4g}   {:>11.4g} {:>9} {:>22.2f}  {}\n", d.edges[i], d.edges[i + 1], d.counts[i],
-                          100 * d.critical(d.edges[i + 1]), std::string((30 * d.counts[i] + most - 1) / most, '#'));
+                          100 * d.criticalAtEdge(i + 1), std::string((30 * d.counts[i] + most - 1) / most, '#'));
     if (h) text += fmt::format("  {:.2f} % critical at h = {:.6g} s\n", 100 * d.critical(*h), *h);
   }
   return text;
@@ -195,11 +206,16 @@ std::string drawDistribution(const std::filesystem::path& file, const std::vecto
     }
     data += fmt::format("{} {}\n\n\n", d.edges.back() * aside, nothing);
     // At most a few hundred points of the share: a picture has no more columns.
-    const std::size_t stride = 1 + d.steps.size() / 500;
-    for (std::size_t i = 0; i < d.steps.size(); i += stride)
-      data += fmt::format("{} {}\n", d.steps[i], 100 * d.critical(d.steps[i]));
-    const double end = std::nextafter(d.steps.back(), infinity);
-    data += fmt::format("{} {}\n\n\n", end, 100 * d.critical(end));
+    std::vector<double> steps = d.steps;
+    std::sort(steps.begin(), steps.end());
+    const auto share = [&](std::size_t below) {
+      return 100 * static_cast<double>(below) / static_cast<double>(steps.size() + d.without);
+    };
+    const std::size_t stride = 1 + steps.size() / 500;
+    for (std::size_t i = 0; i < steps.size(); i += stride)
+      data += fmt::format("{} {}\n", steps[i],
+                          share(std::lower_bound(steps.begin(), steps.end(), steps[i]) - steps.begin()));
+    data += fmt::format("{} {}\n\n\n", std::nextafter(steps.back(), infinity), share(steps.size()));
     const std::string label = gnuplotQuoted(d.metric);
     // Eight colours, then the same with dashes.
     const std::size_t metric = index / 2;

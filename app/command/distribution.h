@@ -18,13 +18,23 @@ struct Distribution {
   std::vector<double> edges;        // s, of the histogram's bins, equal on a logarithmic scale; one more than counts;
                                     // the same for all metrics of a report
   std::vector<std::size_t> counts;  // elements with edges[i] <= step < edges[i + 1], in the last bin <=
+  std::size_t atEnd = 0;            // elements in the last bin whose step is its upper edge
   std::size_t without = 0;          // elements without a finite positive step, in no bin
-  std::vector<double> steps;        // s, finite ones, ascending
+  std::vector<double> steps;        // s, finite ones
 
   /// Share of all elements that forbid a step h (s) by this metric, 0 to 1: their own step is below h.
   double critical(double h) const;
+  /// The same at edges[i], from the counts.
+  double criticalAtEdge(std::size_t i) const;
 };
-/// The distributions of several metrics on common bins. rule: makes a step of an eigenvalue.
+/// The steps of all elements by a metric, s, in any order.
+struct ElementSteps {
+  std::string metric;
+  std::vector<double> steps;
+};
+/// The distributions of several metrics on common bins.
+std::vector<Distribution> distributionsOf(std::vector<ElementSteps> metrics);
+/// rule: makes a step of an eigenvalue.
 std::vector<Distribution> distributionsOf(const std::vector<MetricResult>& metrics, const StepRule& rule);
 nlohmann::ordered_json distributionJson(const std::vector<Distribution>& distributions);
 /// A table of the share of critical elements at a few steps, and at h when one is given; bars for the histograms.

@@ -28,22 +28,25 @@ std::string ElementsInTheWay::badNumbersText(const Mesh& mesh) const {
                      badlyShaped.size() > most ? " and more" : "");
 }
 
-ElementsInTheWay elementsInTheWay(const Body& body, const NodeVectors& x, const IntegratorInfo& integrator, double h) {
-  const double omega = (1 - HandlerOptions{}.margin) * integrator.imaginaryLimit / h;
-  const Mesh& mesh = body.mesh();
-  const double meanVolume = std::abs(meshVolume(mesh)) / static_cast<double>(mesh.elementCount());
-  ElementsInTheWay found;
-  found.all = chosenElements(selectCertified(body, x, omega * omega).chosen);
+void ElementsInTheWay::addShapes(const Mesh& mesh) {
   std::map<ShapeClass, std::size_t> counts;
-  for (const ElementRef e : found.all) {
-    const ShapeClass shape = elementShape(mesh.blocks[e.block], e.element, mesh.X, meanVolume).shape;
+  for (const ElementRef e : all) {
+    // Without a mean volume none is called small, which is no bad shape.
+    const ShapeClass shape = elementShape(mesh.blocks[e.block], e.element, mesh.X, 0).shape;
     if (shape == ShapeClass::round || shape == ShapeClass::small || shape == ShapeClass::other) continue;
     ++counts[shape];
-    found.badlyShaped.push_back(e);
+    badlyShaped.push_back(e);
   }
-  for (const auto& [shape, count] : counts) found.badShapes.emplace_back(shapeName(shape), count);
-  std::stable_sort(found.badShapes.begin(), found.badShapes.end(),
+  for (const auto& [shape, count] : counts) badShapes.emplace_back(shapeName(shape), count);
+  std::stable_sort(badShapes.begin(), badShapes.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
+}
+
+ElementsInTheWay elementsInTheWay(const Body& body, const NodeVectors& x, const IntegratorInfo& integrator, double h) {
+  const double omega = (1 - HandlerOptions{}.margin) * integrator.imaginaryLimit / h;
+  ElementsInTheWay found;
+  found.all = chosenElements(selectCertified(body, x, omega * omega).chosen);
+  found.addShapes(body.mesh());
   return found;
 }
 

@@ -16,6 +16,8 @@ struct ElementsInTheWay {
   std::vector<ElementRef> all, badlyShaped;
   std::vector<std::pair<std::string, std::size_t>> badShapes;  // of badlyShaped, by shape; most frequent first
 
+  /// Fills badlyShaped and badShapes from `all`, by the shapes of the mesh as it is.
+  void addShapes(const Mesh& mesh);
   /// "3 slivers, 1 cap"; "" where none is badly shaped.
   std::string shapesText() const;
   /// Numbers in the mesh of the first badly shaped ones: "number 7", "numbers 7, 12 and more".

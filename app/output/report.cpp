@@ -120,9 +120,11 @@ Json discreteJson(const Scene& scene, const Body& body, const RunResult& result)
                        {"node_id", body.mesh().nodeId(discrete.deepestNode)},
                        {"obstacle", scene.obstacles[discrete.deepestObstacle].name}};
   if (discrete.room)
-    json["room"] = {{"elements_alone", discrete.room->elementsAlone},
-                    {"share", discrete.room->share},
-                    {"penalty", discrete.room->penalty}};
+    json["room"] = {
+        {"elements_alone", discrete.room->elementsAlone},
+        {"share", discrete.room->share},
+        {"penalty", discrete.room->penalty},
+        {"penalty_at_step", discrete.room->penaltyAtStep ? Json(*discrete.room->penaltyAtStep) : Json(nullptr)}};
   return json;
 }
 
@@ -205,6 +207,7 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
                           {"handled", event.handled},
                           {"cause", event.cause ? Json(causeText(*event.cause)) : Json(nullptr)},
                           {"value", event.value},
+                          {"discrete_share", event.discreteShare},
                           {"text", found.text}});
   }
   return Json{

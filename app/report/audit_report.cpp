@@ -11,6 +11,7 @@
 #include <ringwatch/app/report/frame_choice.h>
 #include <ringwatch/app/report/report_page.h>
 #include <ringwatch/app/report/state_frame.h>
+#include <ringwatch/body/element_stress.h>
 #include <ringwatch/monitor/event.h>
 
 namespace ringwatch {
@@ -72,6 +73,10 @@ VtuFrame frameOf(const Audit& audit, const AuditedState& state) {
   const NodeVectors x = audit.positions(state);
   VtuFrame frame = stateFrame(audit.body, x, state.bracket ? &*state.bracket : nullptr, state.step);
   frame.cells.push_back(stepField(evaluateMetric("reduced-1-ring", audit.body, x), audit.rule));
+  const StressMeasure* const measures[] = {findStressMeasure("von_mises"), findStressMeasure("max_stretch")};
+  auto stresses = stressOfElements(audit.body, x, measures);
+  for (std::size_t m = 0; m < std::size(measures); ++m)
+    frame.cells.push_back({std::string(measures[m]->title), false, std::move(stresses[m])});
   return frame;
 }
 
@@ -86,7 +91,7 @@ void addFrames(PageContent& page, const Audit& audit, std::size_t key) {
   page.frames = audit.states.size();
   if (shown.empty()) return;
   MeshPack pack(page.data);
-  constexpr std::size_t fields = 1;
+  constexpr std::size_t fields = 3;  // of frameOf
   const std::size_t fit = framesThatFit(audit.body.mesh().elementCount(), fields);
   for (const std::size_t place : chosenFrames(shown.size(), keyPlace, fit)) {
     const AuditedState& state = audit.states[shown[place]];
@@ -101,7 +106,10 @@ void analyse(PageContent& page, const Audit& audit, const AuditedState& state) {
     page.whyNoAnalysis =
         "Left out: only the limit of the integrator is known; --integrator with one of the same limit adds it.";
   } else if (audit.body.mesh().elementCount() > analysedElements) {
-    page.whyNoAnalysis = fmt::format("Left out for a mesh of more than {} elements.", analysedElements);
+    const VtuFrame frame = frameOf(audit, state);
+    page.analysis = analyseFrame({frame, waveSpeedsOf(audit.body), blockOfElements(audit.body), audit.rule,
+                                  state.bracket->safe, state.bracket->optimistic, state.step});
+    page.analysis->where = page.where;
   } else {
     page.analysis = analyseState({audit.body, audit.positions(state), *audit.integrator, audit.rule, audit.damped,
                                   state.bracket->safe, state.bracket->optimistic, state.step});
@@ -170,8 +178,14 @@ PageVerdict verdictOf(const Audit& audit, const RunHistory& history, const std::
 ReportResult writeAuditReport(const Audit& audit, const std::filesystem::path& file) {
   PageContent page;
   page.name = "Audit of " + std::filesystem::path(audit.name).filename().string();
-  page.words = {"audited by", "the file of --json", "No state of the results can be drawn.", "are in the results",
-                "No state has a bracket."};
+  page.words = {"audited by",
+                "the file of --json",
+                "No state of the results can be drawn.",
+                "are in the results",
+                "No state has a bracket.",
+                "history in the file of --json",
+                "the results that were audited",
+                "the file of --json"};
   page.summary = audit.json;
   page.elements = audit.body.mesh().elementCount();
   page.notes = audit.notes;

@@ -80,6 +80,8 @@ ReportResult writeInspectionReport(const Inspection& inspection, const std::file
   page.ofRun = false;
   page.words.writtenBy = "inspected by";
   page.words.elsewhere = "the files of --json and --vtu";
+  page.words.frameFiles = "the mesh file, and the file of --vtu for ParaView";
+  page.words.summaryFile = "the file of --json";
   page.name = "Mesh " + inspection.name;
   page.summary = inspection.json;
   page.elements = inspection.body.mesh().elementCount();
@@ -88,17 +90,19 @@ ReportResult writeInspectionReport(const Inspection& inspection, const std::file
   page.keyStep = inspection.asked;
   page.where = inspection.state;
   MeshPack pack(page.data);
-  pack.add({1, 0, frameOf(inspection)}, true);
+  const PageFrame shown{1, 0, frameOf(inspection)};
+  pack.add(shown, true);
   page.takeMesh(pack);
   page.frames = page.framesShown = 1;
   if (page.elements > analysedElements) {
-    page.whyNoAnalysis = fmt::format("Left out for a mesh of more than {} elements.", analysedElements);
+    page.analysis = analyseFrame({shown.state, waveSpeedsOf(inspection.body), blockOfElements(inspection.body),
+                                  inspection.rule, inspection.step.safe, inspection.step.optimistic, inspection.asked});
   } else {
     page.analysis =
         analyseState({inspection.body, inspection.x, inspection.integrator, inspection.rule, inspection.damped,
                       inspection.step.safe, inspection.step.optimistic, inspection.asked});
-    page.analysis->where = inspection.state;
   }
+  page.analysis->where = inspection.state;
   page.verdict = verdictOf(inspection, page.analysis);
   return writtenPage(reportPage(page), page.verdict, page.notes, file);
 }

@@ -237,6 +237,25 @@ std::string distributionSection(const PageContent& page) {
          "</section>\n";
 }
 
+/// How springs and contact are part of the table, and what they leave of the step where they ever set it.
+std::string contactRoom(const PageContent& page) {
+  if (!page.summary.is_object()) return {};
+  const auto discrete = page.summary.find("discrete_forces");
+  if (discrete == page.summary.end() || !discrete->is_object()) return {};
+  std::string html =
+      "<p>An element’s own step counts the stiffness of springs and contact at its nodes: where these set the step, "
+      "the "
+      "elements in the way are those that they act on.</p>\n";
+  const auto room = discrete->find("room");
+  if (room != discrete->end() && room->is_object())
+    html += fmt::format(
+        "<p>The elements at rest prove {:.4g} s alone; a penalty of at most {:.4g} N/m at each node leaves {:.0f} % of "
+        "it.</p>\n",
+        numberOf(*room, "elements_alone").value_or(0), numberOf(*room, "penalty").value_or(0),
+        100 * numberOf(*room, "share").value_or(0));
+  return html;
+}
+
 std::string whatIfSection(const PageContent& page) {
   std::string html =
       "<section id=\"what-if\" aria-labelledby=\"what-if-title\">\n<h2 id=\"what-if-title\">What if the step were "
@@ -244,26 +263,36 @@ std::string whatIfSection(const PageContent& page) {
   if (!page.analysis) return html + fmt::format("<p>{}</p>\n</section>\n", htmlText(page.whyNoAnalysis));
   const RunAnalysis& a = *page.analysis;
   if (!a.whyNoWhatIf.empty()) return html + fmt::format("<p>{}</p>\n</section>\n", htmlText(a.whyNoWhatIf));
-  html += fmt::format(
-      "<p>Elements that a handler would take {}: without them the others are proven stable at the step, with a margin "
-      "of 10 %. Other states may need more. Badly shaped are needles, wedges, spindles, slivers and caps, at "
-      "rest.</p>\n",
-      a.where);
+  if (a.countedBy.empty())
+    html += fmt::format(
+        "<p>Elements that a handler would take {}: without them the others are proven stable at the step, with a "
+        "margin of 10 %. Other states may need more. ",
+        a.where);
+  else
+    html += fmt::format(
+        "<p>Elements whose own step, the {}, is below the step {}. What handlers would take and gain is left out: "
+        "{}. ",
+        htmlText(a.countedBy), a.where, htmlText(a.whyNoHandlers));
+  html += fmt::format("Badly shaped are needles, wedges, spindles, slivers and caps, {}.</p>\n", a.shapesAt);
+  html += contactRoom(page);
   const bool asked = !page.ofRun;
+  const auto overSafe = [&](double h) {
+    return a.safe && *a.safe > 0 ? fmt::format("{:.3g}", h / *a.safe) : std::string("unknown");
+  };
   std::string rows, trials;
   for (const WhatIf& what : a.whatIf) {
     const bool own = a.taken && what.h == *a.taken;
     const std::string name =
-        fmt::format("<tr{}><th scope=\"row\">{:.4g}{}</th><td>{:.3g}</td>", own ? " class=\"own\"" : "", what.h,
+        fmt::format("<tr{}><th scope=\"row\">{:.4g}{}</th><td>{}</td>", own ? " class=\"own\"" : "", what.h,
                     !own    ? ""
                     : asked ? " (asked about)"
                             : " (the run's)",
-                    what.h / *a.safe);
+                    overSafe(what.h));
     rows += fmt::format(
         "{}<td>{}</td><td>{:.3g} %</td><td>{}</td></tr>\n", name,
         what.proven ? "none: proven as it is" : fmt::format("{}", what.way.all.size()),
         100 * static_cast<double>(what.way.all.size()) / static_cast<double>(std::max<std::size_t>(1, a.elements)),
-        what.proven ? 0 : what.way.badlyShaped.size());
+        !what.shapesKnown ? "not looked at" : fmt::format("{}", what.way.badlyShaped.size()));
     for (const HandlerTrial& trial : what.trials) {
       const std::string mass =
           trial.addedMass ? fmt::format("{:.3g} kg, {:.3g} % of the body's", *trial.addedMass, 100 * trial.addedShare)
@@ -290,11 +319,31 @@ std::string details(const char* summary, const std::string& text) {
   return fmt::format("<details><summary>{}</summary><pre tabindex=\"0\">{}</pre></details>\n", summary, htmlText(text));
 }
 
-PageSection runProvenance(const PageContent& page) {
+/// What the page holds of a run's files, and what only they have.
+std::string wholeData(const PageContent& page, std::size_t shownRows) {
+  std::string items;
+  if (page.history)
+    items +=
+        fmt::format("<li>{}: {} rows, {}</li>\n", page.words.historyFile, page.history->rowCount(),
+                    shownRows < page.history->rowCount() ? fmt::format("of which this page holds {}", shownRows)
+                                                         : std::string("all of them in this page to the last bit"));
+  if (page.frames > 0)
+    items += fmt::format(
+        "<li>{}: {} {} with every element, {} of them in this page, where positions and fields are rounded to 16 bits "
+        "of their range{}</li>\n",
+        page.words.frameFiles, page.frames, page.frames == 1 ? "state" : "states", page.framesShown,
+        page.elements > MeshPack::allElements ? " and elements inside the body with large steps are left out" : "");
+  if (page.summary.is_object()) items += fmt::format("<li>{}: whole in this page</li>\n", page.words.summaryFile);
+  return items.empty() ? items : "<p>Where the whole data is:</p>\n<ul>\n" + items + "</ul>\n";
+}
+
+PageSection runProvenance(const PageContent& page, std::size_t shownRows) {
   std::string buttons, rows, more;
-  if (page.ofRun) buttons += saveButton("save-history", "History (CSV)");
+  const bool thinned = page.history && shownRows < page.history->rowCount();
+  if (page.ofRun)
+    buttons += saveButton("save-history", thinned ? "The history’s rows in this page (CSV)" : "History (CSV)");
   buttons += saveButton("save-elements", page.ofRun ? "Elements of the frame shown (CSV)" : "Elements (CSV)") +
-             saveButton("save-json", "All data (JSON)");
+             saveButton("save-json", "All data of this page (JSON)");
   if (page.summary.is_object()) {
     const Json& s = page.summary;
     rows += provenanceRow(std::string(page.words.writtenBy), "ringwatch " + textOf(s, "version"));
@@ -318,7 +367,7 @@ PageSection runProvenance(const PageContent& page) {
     if (const auto scene = s.find("scene"); scene != s.end())
       more += details("The scene with every default", scene->dump(2, ' ', false, Json::error_handler_t::replace));
   }
-  return provenanceSection(buttons, std::string(page.words.elsewhere), rows, more);
+  return provenanceSection(buttons, std::string(page.words.elsewhere), rows, wholeData(page, shownRows) + more);
 }
 
 Json historyJson(const RunHistory& history, std::size_t allRows, PageData& data) {
@@ -356,10 +405,14 @@ Json analysisJson(const RunAnalysis& a) {
                       {"elements", what.way.all.size()},
                       {"badly_shaped", what.way.badlyShaped.size()},
                       {"proven", what.proven},
+                      {"shapes_known", what.shapesKnown},
                       {"handlers", std::move(trials)}});
   }
-  return Json{
-      {"where", a.where}, {"rules", rules}, {"what_if", whatIf}, {"distribution", distributionJson(a.distributions)}};
+  return Json{{"where", a.where},
+              {"rules", rules},
+              {"what_if", whatIf},
+              {"what_if_counted_by", a.countedBy.empty() ? Json(nullptr) : Json(a.countedBy)},
+              {"distribution", distributionJson(a.distributions)}};
 }
 
 }  // namespace
@@ -389,7 +442,10 @@ std::string reportPage(PageContent& page) {
   Json history = nullptr;
   std::size_t shown = 0;
   if (page.history && page.history->rowCount() > 0) {
-    const RunHistory kept = selected(*page.history, rowsForPicture(*page.history, rowsOfPage));
+    const std::size_t most = page.history->rowCount() <= rowsOfPage
+                                 ? rowsOfPage
+                                 : std::min(rowsOfPage, numbersOfPage / page.history->columns.size());
+    const RunHistory kept = selected(*page.history, rowsForPicture(*page.history, most));
     shown = kept.rowCount();
     history = historyJson(kept, page.history->rowCount(), page.data);
   }
@@ -423,7 +479,7 @@ std::string reportPage(PageContent& page) {
   whole.sections.push_back({"mesh", "Mesh", meshSection(page)});
   whole.sections.push_back({"distribution", "Distribution", distributionSection(page)});
   whole.sections.push_back({"what-if", "What if", whatIfSection(page)});
-  whole.sections.push_back(runProvenance(page));
+  whole.sections.push_back(runProvenance(page, shown));
   whole.embedded = {
       {"name", page.name},
       {"stepName", page.ofRun ? "run’s step" : "step asked about"},
@@ -445,7 +501,10 @@ PageSection verdictSection(const PageVerdict& verdict, const std::vector<std::st
   std::string html = fmt::format(
       "<section id=\"verdict\" aria-labelledby=\"verdict-title\" class=\"{}\">\n<h2 id=\"verdict-title\">{}</h2>\n<p "
       "class=\"lead\">{}</p>\n",
-      tones[static_cast<int>(verdict.tone)], htmlText(verdict.title), htmlText(verdict.sentence));
+      tones[static_cast<int>(verdict.tone)], htmlText(verdict.title),
+      htmlText(verdict.lead > 0 ? verdict.sentence.substr(0, verdict.lead) : verdict.sentence));
+  if (verdict.lead > 0 && verdict.lead < verdict.sentence.size())
+    html += fmt::format("<p>{}</p>\n", htmlText(verdict.sentence.substr(verdict.lead)));
   const auto list = [&html](const char* heading, const std::vector<std::string>& items) {
     if (items.empty()) return;
     html += fmt::format("<h3>{}</h3>\n<ul>\n", heading);

@@ -57,6 +57,10 @@ struct PageWords {
   std::string_view noBracket =
       "This run kept no bracket (monitor.mode is threshold or metric): its history has the step and, where the monitor "
       "proved it, the verdict.";
+  // What they are called where the whole data is.
+  std::string_view historyFile = "history.csv beside this page";
+  std::string_view frameFiles = "run.pvd and frames/ beside this page, for ParaView";
+  std::string_view summaryFile = "summary.json beside this page";
 };
 
 /// All that the page of a run, of an inspection or of an audit is made of. What is empty is said to be missing.
@@ -88,8 +92,9 @@ struct PageContent {
   void takeMesh(MeshPack& pack);
 };
 
-/// Rows of a history that the page holds at most, or hardly more; a longer one is thinned by rowsForPicture.
-inline constexpr std::size_t rowsOfPage = 20000;
+/// Rows of the longest history that the page holds whole. A longer one is thinned by rowsForPicture, to hardly more
+/// rows than these and numbers, which keep the page below 2 MB.
+inline constexpr std::size_t rowsOfPage = 20000, numbersOfPage = 150000;
 
 /// The page of a run or an inspection; takes mesh, summary and arrays out of its content.
 std::string reportPage(PageContent& content);

@@ -11,13 +11,17 @@
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/parallel.h>
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/handlers/selection/selection.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/integrator.h>
+#include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/metrics/metrics.h>
+#include <ringwatch/monitor/metrics/wave_metrics.h>
 
 namespace ringwatch {
 namespace {
@@ -27,10 +31,18 @@ constexpr std::size_t whatIfUpTo = 20000;
 /// Up to here handlers are tried at every step of the table, else at one.
 constexpr std::size_t manyTrialsUpTo = 3000;
 
-/// The rules of thumb of explicit codes, and the two proven sides beside them.
-constexpr const char* rulesOfThumb[] = {"pressure-wave:min-height", "pressure-wave:volume-over-area",
-                                        "pressure-wave:in-radius",  "pressure-wave:shortest-edge",
-                                        "single-element",           "reduced-1-ring"};
+/// The rules of thumb of explicit codes, length over wave speed, and the two proven sides beside them.
+struct WaveRule {
+  const char* metric;
+  CharacteristicLength length;
+};
+constexpr WaveRule waveRules[] = {{"pressure-wave:min-height", CharacteristicLength::minHeight},
+                                  {"pressure-wave:volume-over-area", CharacteristicLength::volumeOverArea},
+                                  {"pressure-wave:in-radius", CharacteristicLength::inRadius},
+                                  {"pressure-wave:shortest-edge", CharacteristicLength::shortestEdge},
+                                  {"pressure-wave:cell-diameter", CharacteristicLength::cellDiameter}};
+constexpr const char* ringMetric = "reduced-1-ring";
+constexpr const char* provenSides[] = {"single-element", ringMetric};
 
 /// Wall time of a step, s: the least mean of a few batches, as other programs disturb the rest. Infinite where a step
 /// fails.
@@ -112,6 +124,48 @@ void addWhatIf(const AnalysedState& state, RunAnalysis& analysis) {
   }
 }
 
+/// Of a few steps the elements whose own step is smaller. steps: s, of the field `name`, of all elements of the mesh,
+/// whose shapes are as it is.
+void countInTheWay(RunAnalysis& analysis, const Mesh& mesh, std::string name, const std::vector<double>& steps) {
+  analysis.countedBy = std::move(name);
+  const double least = std::ranges::min(steps, {}, [](double step) { return step > 0 ? step : infinity; });
+  // Springs and contact may leave less than the elements; multiples of that say nothing of these.
+  const double base = analysis.safe && *analysis.safe > 0.5 * least ? *analysis.safe : least;
+  if (!(base > 0) || !std::isfinite(base)) {
+    analysis.whyNoWhatIf = "Left out: no element has a step in this state.";
+    return;
+  }
+  std::vector<double> table;
+  for (const double factor : {1.0, 1.1, 1.25, 1.5, 2.0, 3.0}) table.push_back(factor * base);
+  if (analysis.taken && *analysis.taken > 0) table.push_back(*analysis.taken);
+  sortUnique(table);
+  // Of more than these the shapes are not told: they take a microsecond each.
+  constexpr std::size_t shapesUpTo = 50000;
+  const std::vector<std::size_t> first = blockOffsets(mesh);
+  for (const double h : table) {
+    WhatIf row;
+    row.h = h;
+    row.proven = analysis.safe && h <= *analysis.safe;
+    for (std::size_t b = 0; !row.proven && b < mesh.blocks.size(); ++b)
+      for (std::size_t e = 0; e < mesh.blocks[b].elementCount(); ++e)
+        if (!(steps[first[b] + e] >= h))
+          row.way.all.push_back({static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)});
+    row.shapesKnown = row.way.all.size() <= shapesUpTo;
+    if (row.shapesKnown) row.way.addShapes(mesh);
+    if (!row.way.badlyShaped.empty()) row.badNumbers = row.way.badNumbersText(mesh);
+    analysis.whatIf.push_back(std::move(row));
+  }
+}
+
+/// "" where handlers are chosen for this body, else why not.
+std::string whyNoHandlers(const AnalysedState& state) {
+  if (!takesHandler(state.integrator))
+    return "no handler goes with the integrator " + std::string(state.integrator.name);
+  if (state.body.discreteForces()) return "handlers do not go with springs, dashpots and contact";
+  if (state.damped) return "handlers do not go with damping";
+  return {};
+}
+
 }  // namespace
 
 const WhatIf* RunAnalysis::inTheWay() const {
@@ -127,27 +181,93 @@ RunAnalysis analyseState(const AnalysedState& state) {
   analysis.taken = state.taken;
   analysis.elements = state.body.mesh().elementCount();
   std::vector<MetricResult> metrics;
-  for (const char* name : rulesOfThumb) metrics.push_back(evaluateMetric(name, state.body, state.x));
+  for (const WaveRule& wave : waveRules) metrics.push_back(evaluateMetric(wave.metric, state.body, state.x));
+  for (const char* name : provenSides) metrics.push_back(evaluateMetric(name, state.body, state.x));
   analysis.distributions = distributionsOf(metrics, state.rule);
   for (const MetricResult& metric : metrics)
     analysis.rules.push_back({std::string(metric.info->name), std::string(metric.info->help),
                               std::string(stepSide(metric.direction)), state.rule(metric.lambda)});
 
-  if (analysis.elements > whatIfUpTo)
-    analysis.whyNoWhatIf =
-        "Left out for a mesh of more than 20 000 elements: ringwatch inspect with --step h computes it for a step.";
-  else if (!takesHandler(state.integrator))
-    analysis.whyNoWhatIf = "Left out: no handler goes with the integrator " + std::string(state.integrator.name) + ".";
-  else if (state.body.discreteForces())
-    analysis.whyNoWhatIf = "Left out: handlers are chosen for bodies without springs, dashpots and contact.";
-  else if (state.damped)
-    analysis.whyNoWhatIf = "Left out: handlers are chosen for undamped bodies, and this run is damped.";
-  else if (!analysis.safe || !(*analysis.safe > 0))
-    analysis.whyNoWhatIf = "Left out: there is no bracket of the whole body at this state to start from.";
-  else
+  analysis.whyNoHandlers = whyNoHandlers(state);
+  analysis.couldTakeHandler = analysis.whyNoHandlers.empty();
+  const bool bracketed = analysis.safe && *analysis.safe > 0;
+  if (analysis.couldTakeHandler && !bracketed) {
+    analysis.whyNoHandlers = "there is no bracket of the whole body at this state to start from";
+  } else if (analysis.couldTakeHandler && analysis.elements > whatIfUpTo) {
+    analysis.whyNoHandlers = "it takes too long for a mesh of more than 20 000 elements";
+  }
+  if (analysis.whyNoHandlers.empty()) {
     addWhatIf(state, analysis);
+  } else {
+    const FrameField field = stepField(metrics.back(), state.rule);
+    countInTheWay(analysis, state.body.mesh(), field.name, field.values);
+  }
   return analysis;
 }
+
+RunAnalysis analyseFrame(const AnalysedFrame& state) {
+  const Mesh& mesh = state.frame.mesh;
+  RunAnalysis analysis;
+  analysis.safe = state.safe;
+  analysis.optimistic = state.optimistic;
+  analysis.taken = state.taken;
+  analysis.elements = mesh.elementCount();
+  analysis.shapesAt = "in that state";
+  analysis.whyNoHandlers = "it takes too long for a mesh of more than 20 000 elements";
+  std::vector<ElementSteps> steps;
+  const std::vector<std::size_t> first = blockOffsets(mesh);
+  const auto addRule = [&](const MetricInfo& info, Direction side, std::vector<double> values) {
+    const double least = std::ranges::min(values, {}, [](double step) { return step > 0 ? step : infinity; });
+    analysis.rules.push_back({std::string(info.name), std::string(info.help), std::string(stepSide(side)), least});
+    steps.push_back({std::string(info.name), std::move(values)});
+  };
+  for (const WaveRule& wave : waveRules) {
+    std::vector<double> values(analysis.elements);
+    for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+      const MeshBlock& block = mesh.blocks[b];
+      const ElementInfo& info = elementInfo(block.type);
+      const auto count = static_cast<std::size_t>(info.nodes);
+      parallelFor(0, static_cast<std::int64_t>(block.elementCount()), 0, [&](std::int64_t e) {
+        const std::size_t i = first[b] + static_cast<std::size_t>(e);
+        const double length = characteristicLength(info, mesh.X, {block.element(e), count}, wave.length);
+        const double speed = state.waveSpeeds[state.materialOfElement.empty() ? 0 : state.materialOfElement[i]];
+        values[i] = state.rule(std::pow(2 * speed / length, 2));
+      });
+    }
+    addRule(*findMetric(wave.metric), Direction::estimate, std::move(values));
+  }
+  // The frame's own steps: a metric's, each with the side on which it errs in its name.
+  std::string ring;
+  const std::vector<double>* ringSteps = nullptr;
+  for (const FrameField& field : state.frame.cells)
+    for (const MetricInfo& info : allMetrics())
+      for (const Direction side : {Direction::upperBound, Direction::lowerBound, Direction::estimate})
+        if (field.name == stepFieldName(info, side)) {
+          addRule(info, side, field.values);
+          if (!ringSteps || info.name == ringMetric) ring = field.name, ringSteps = &field.values;
+        }
+  analysis.distributions = distributionsOf(std::move(steps));
+  if (ringSteps)
+    countInTheWay(analysis, mesh, ring, *ringSteps);
+  else
+    analysis.whyNoWhatIf = "Left out: the frame has no step of elements; output.fields = [\"critical_step\"] adds it.";
+  return analysis;
+}
+
+namespace {
+
+/// Whether an integrator has a step that stability limits.
+bool hasLimit(const IntegratorInfo* info) {
+  return info && info->imaginaryLimit > 0 && !std::isinf(info->imaginaryLimit);
+}
+RunAnalysis withoutLimit(const Scene& scene, std::size_t elements) {
+  RunAnalysis analysis;
+  analysis.elements = elements;
+  analysis.whyNoRules = analysis.whyNoWhatIf = "Left out: the integrator " + scene.method + " has no critical step.";
+  return analysis;
+}
+
+}  // namespace
 
 RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesystem::path& frame,
                        std::optional<double> safe, std::optional<double> optimistic, std::optional<double> taken) {
@@ -155,12 +275,7 @@ RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesyste
   MeshState state = loadVtuState(folder / frame, "displacement");
   Body body = sceneBody(scene, std::move(state.mesh), 0);
   const IntegratorInfo* integrator = integratorCatalog().find(scene.method);
-  if (!integrator || !(integrator->imaginaryLimit > 0) || std::isinf(integrator->imaginaryLimit)) {
-    RunAnalysis analysis;
-    analysis.elements = body.mesh().elementCount();
-    analysis.whyNoRules = analysis.whyNoWhatIf = "Left out: the integrator " + scene.method + " has no critical step.";
-    return analysis;
-  }
+  if (!hasLimit(integrator)) return withoutLimit(scene, body.mesh().elementCount());
   if (body.discreteForces())
     for (const PvdEntry& entry : framesOfRun(folder))
       if (entry.file == frame) placeObstacles(scene, entry.time, *body.discreteForces());
@@ -176,6 +291,27 @@ RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesyste
     }
   }
   return analyseState({body, state.x, *integrator, rule, scene.damping.any(), safe, optimistic, taken});
+}
+
+RunAnalysis analyseLargeRun(const std::filesystem::path& folder, const VtuFrame& frame) {
+  const Scene scene = sceneOfRun(folder);
+  const IntegratorInfo* integrator = integratorCatalog().find(scene.method);
+  if (!hasLimit(integrator)) return withoutLimit(scene, frame.mesh.elementCount());
+  const auto value = [&](const char* name) -> std::optional<double> {
+    const auto found = frame.values.find(name);
+    return found == frame.values.end() || !std::isfinite(found->second) ? std::nullopt : std::optional(found->second);
+  };
+  AnalysedFrame state{frame, {}, {}, stepRule(*integrator, scene.damping), {}, {}, value("step (s)")};
+  // With a handler the run's bracket is that of the elements that it left explicit.
+  if (scene.handler.empty()) {
+    state.safe = value("safe step (s)");
+    state.optimistic = value("optimistic step (s)");
+  }
+  for (const SceneMaterial& material : scene.materials)
+    state.waveSpeeds.push_back(makeMaterial(material.model, material.parameters, material.density).waveSpeed());
+  for (const FrameField& field : frame.cells)
+    if (field.name == "material") state.materialOfElement.assign(field.values.begin(), field.values.end());
+  return analyseFrame(state);
 }
 
 }  // namespace ringwatch

@@ -10,6 +10,7 @@
 
 #include <ringwatch/app/command/distribution.h>
 #include <ringwatch/app/command/elements_in_the_way.h>
+#include <ringwatch/meshes/formats/vtu_frame.h>
 
 namespace ringwatch {
 
@@ -36,6 +37,7 @@ struct WhatIf {
   double h = 0;         // s
   bool proven = false;  // the step needs no handler, and no element is in its way
   ElementsInTheWay way;
+  bool shapesKnown = true;           // else there were too many elements to look at their shapes
   std::string badNumbers;            // ElementsInTheWay::badNumbersText
   std::vector<HandlerTrial> trials;  // empty: none was tried at this step
 };
@@ -50,6 +52,11 @@ struct RunAnalysis {
   std::vector<RuleStep> rules;
   std::vector<WhatIf> whatIf;
   std::string whyNoRules, whyNoWhatIf;  // why they are empty; ""
+  /// The field of steps that the elements in the way are counted by, where no handler's selection was made; "" for one.
+  std::string countedBy;
+  std::string whyNoHandlers;  // then: why none was made
+  bool couldTakeHandler = true;
+  std::string shapesAt = "at rest";  // the state whose shapes are called bad
 
   /// The row of the step taken, where that is not proven as it is; nullptr for none.
   const WhatIf* inTheWay() const;
@@ -65,19 +72,33 @@ struct AnalysedState {
   std::optional<double> safe, optimistic, taken;  // s
 };
 
-/// Elements of the largest mesh that is analysed. The metrics take about 30 µs an element of one thread.
+/// Elements of the largest mesh whose metrics are evaluated. They take about 30 µs an element of one thread.
 inline constexpr std::size_t analysedElements = 200000;
 /// Of the largest mesh whose bracket analyseRun computes from scratch, at 0.1 to 0.4 ms an element.
 inline constexpr std::size_t bracketedElements = 5000;
 
 /// The usual metrics, and for a few steps the elements in the way and what handlers would take, the latter for at most
-/// 20 000 elements. Throws NumericalError where the state has no finite tangent.
+/// 20 000 elements of a body that takes handlers; else elements are counted by the reduced 1-ring. Throws
+/// NumericalError where the state has no finite tangent.
 RunAnalysis analyseState(const AnalysedState& state);
+
+/// A frame of a mesh that is too large for that.
+struct AnalysedFrame {
+  const VtuFrame& frame;
+  std::vector<double> waveSpeeds;      // m/s, of the materials
+  std::vector<int> materialOfElement;  // in the order of blocks and elements; empty: all have the first
+  StepRule rule;
+  std::optional<double> safe, optimistic, taken;  // s
+};
+/// What lengths of elements and the frame's own fields of steps tell, at about 1 µs an element.
+RunAnalysis analyseFrame(const AnalysedFrame& state);
 
 /// analyseState() of a frame of a run (its file). safe, optimistic, taken: as the frame has them; a bracket of a part
 /// of the body, as with a handler, is replaced by one of the whole body. Throws InputError and NumericalError as
 /// sceneOfRun, loadVtuState and sceneBody do.
 RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesystem::path& frame,
                        std::optional<double> safe, std::optional<double> optimistic, std::optional<double> taken);
+/// analyseFrame() of a frame of a run that has been read. Throws InputError as sceneOfRun does.
+RunAnalysis analyseLargeRun(const std::filesystem::path& folder, const VtuFrame& frame);
 
 }  // namespace ringwatch

@@ -35,6 +35,18 @@ Json readSummary(const std::filesystem::path& folder, std::vector<std::string>& 
   return nullptr;
 }
 
+/// What the pictures call an event of this kind.
+std::string labelOf(const std::string& kind) {
+  static const std::map<std::string, std::string, std::less<>> labels{
+      {"violated", "the step is above the critical step"},
+      {"energy-balance", "the energy balance is off"},
+      {"inverted", "an element is inverted"},
+      {"non-finite", "the state is no longer finite"},
+      {"indefinite", "the tangent has a negative eigenvalue"}};
+  const auto found = labels.find(kind);
+  return found == labels.end() ? kind : found->second;
+}
+
 /// The moments that the pictures mark.
 std::vector<ChartMark> marksOf(const Json& summary) {
   std::vector<ChartMark> marks;
@@ -47,7 +59,7 @@ std::vector<ChartMark> marksOf(const Json& summary) {
   if (!summary.is_object()) return marks;
   if (const auto events = summary.find("events"); events != summary.end() && events->is_array())
     for (const Json& event : *events)
-      if (event.is_object()) add(event, textOf(event, "kind"));
+      if (event.is_object()) add(event, labelOf(textOf(event, "kind")));
   if (const auto cuts = summary.find("cuts"); cuts != summary.end() && cuts->is_array())
     for (const Json& cut : *cuts) add(cut, "cut");
   if (const auto runaway = summary.find("energy_runaway"); runaway != summary.end()) add(*runaway, "energy runs away");
@@ -66,9 +78,21 @@ std::optional<double> keyTimeOf(const Json& summary, const std::optional<RunHist
   return std::nullopt;
 }
 
+/// Whether springs or contact, not the elements, made the first step too large.
+bool contactGoverns(const Json& summary) {
+  if (!summary.is_object()) return false;
+  const auto events = summary.find("events");
+  if (events == summary.end() || !events->is_array()) return false;
+  for (const Json& event : *events)
+    if (event.is_object() && textOf(event, "kind") == "violated")
+      return numberOf(event, "discrete_share").value_or(0) > 0.5;
+  return false;
+}
+
 /// The first frame from that time on: the elements in the way are in the way there. Where that state has long left what
-/// the run's step is about, the frame before it; without a time the last one.
-std::size_t keyFrameOf(const std::vector<PvdEntry>& frames, std::optional<double> time,
+/// the run's step is about, the frame before it, unless contact leaves the elements where they were; without a time the
+/// last one.
+std::size_t keyFrameOf(const std::vector<PvdEntry>& frames, std::optional<double> time, bool ofContact,
                        const std::function<const VtuFrame*(std::size_t)>& read) {
   std::size_t key = frames.size() - 1;
   for (std::size_t i = 0; time && i < frames.size(); ++i)
@@ -77,7 +101,7 @@ std::size_t keyFrameOf(const std::vector<PvdEntry>& frames, std::optional<double
       break;
     }
   constexpr double useful = 0.5;  // of the step
-  if (!time || key == 0) return key;
+  if (!time || key == 0 || ofContact) return key;
   const VtuFrame* frame = read(key);
   if (!frame) return key - 1;
   const auto safe = frame->values.find("safe step (s)"), h = frame->values.find("step (s)");
@@ -86,9 +110,12 @@ std::size_t keyFrameOf(const std::vector<PvdEntry>& frames, std::optional<double
   return left ? key - 1 : key;
 }
 
-void addFrames(PageContent& page, const ReportOptions& options, const std::vector<PvdEntry>& frames) {
+/// Returns the key frame of a mesh that is too large to be read again for its analysis; empty for none.
+std::optional<VtuFrame> addFrames(PageContent& page, const ReportOptions& options,
+                                  const std::vector<PvdEntry>& frames) {
   page.frames = frames.size();
-  if (frames.empty()) return;
+  std::optional<VtuFrame> large;
+  if (frames.empty()) return large;
   MeshPack pack(page.data);
   std::vector<std::size_t> chosen;
   std::size_t failed = 0;
@@ -107,7 +134,8 @@ void addFrames(PageContent& page, const ReportOptions& options, const std::vecto
     if (added) found->second = read(i);
     return found->second ? &*found->second : nullptr;
   };
-  const std::size_t key = keyFrameOf(frames, keyTimeOf(page.summary, page.history), cached);
+  const std::size_t key =
+      keyFrameOf(frames, keyTimeOf(page.summary, page.history), contactGoverns(page.summary), cached);
   const VtuFrame* keyState = cached(key);
   const std::size_t fit = options.frames > 0 ? options.frames
                           : keyState         ? framesThatFit(keyState->mesh.elementCount(), keyState->cells.size())
@@ -120,29 +148,30 @@ void addFrames(PageContent& page, const ReportOptions& options, const std::vecto
       page.where = fmt::format("in frame {}, t = {:.6g} s", page.keyFrame, frames[i].time);
       if (const auto h = state->values.find("step (s)"); h != state->values.end()) page.keyStep = h->second;
     }
-    pack.add({static_cast<std::int64_t>(i) + 1, frames[i].time, std::move(*state)}, i == key);
+    PageFrame shown{static_cast<std::int64_t>(i) + 1, frames[i].time, std::move(*state)};
+    pack.add(shown, i == key);
+    if (i == key && shown.state.mesh.elementCount() > analysedElements) large = std::move(shown.state);
     ++page.framesShown;
   }
   if (failed > 0) page.notes.push_back(fmt::format("{} frames cannot be read: {}", failed, firstFault));
-  if (page.framesShown == 0) return;
-  page.takeMesh(pack);
+  if (page.framesShown > 0) page.takeMesh(pack);
+  return large;
 }
 
-/// Of the key frame.
-void analyse(PageContent& page, const std::filesystem::path& folder, const std::vector<PvdEntry>& frames) {
+/// Of the key frame; large: that of a mesh that is too large to be read again.
+void analyse(PageContent& page, const std::filesystem::path& folder, const std::vector<PvdEntry>& frames,
+             const std::optional<VtuFrame>& large) {
   if (page.keyFrame == 0 || !page.summary.is_object()) {
     page.whyNoAnalysis = page.keyFrame == 0 ? "Left out: it is computed from a frame, and there is none to be read."
                                             : "Left out: it needs the scene, which is in summary.json.";
     return;
   }
-  if (page.elements > analysedElements) {
-    page.whyNoAnalysis = fmt::format(
-        "Left out for a mesh of more than {} elements. ringwatch inspect DIR --frame {} computes it: with "
-        "--distribution how the steps spread, with --step h what a handler would take.",
-        analysedElements, page.keyFrame);
-    return;
-  }
   try {
+    if (large) {
+      page.analysis = analyseLargeRun(folder, *large);
+      page.analysis->where = page.where;
+      return;
+    }
     const PvdEntry& frame = frames[page.keyFrame - 1];
     const VtuFrame state = readVtuFrame(folder / frame.file);
     const auto value = [&](const char* name) -> std::optional<double> {
@@ -187,11 +216,11 @@ ReportResult writeRunReport(const ReportOptions& options) {
   page.marks = marksOf(page.summary);
   std::vector<PvdEntry> frames;
   if (has("run.pvd")) frames = framesOfRun(folder);
-  addFrames(page, options, frames);
+  const std::optional<VtuFrame> large = addFrames(page, options, frames);
   if (options.live)
     page.whyNoAnalysis = "Left out while the run goes on: it is computed when the run has ended.";
   else
-    analyse(page, folder, frames);
+    analyse(page, folder, frames, large);
   page.verdict = verdictOf(page.summary, page.history, page.analysis ? &*page.analysis : nullptr);
 
   const std::string html = reportPage(page);

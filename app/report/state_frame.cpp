@@ -11,4 +11,17 @@ VtuFrame stateFrame(const Body& body, const NodeVectors& x, const CriticalStep* 
   return frame;
 }
 
+std::vector<double> waveSpeedsOf(const Body& body) {
+  std::vector<double> speeds;
+  for (const auto& block : body.blocks()) speeds.push_back(block->material().waveSpeed());
+  return speeds;
+}
+
+std::vector<int> blockOfElements(const Body& body) {
+  std::vector<int> numbers;
+  for (std::size_t b = 0; b < body.blocks().size(); ++b)
+    numbers.insert(numbers.end(), static_cast<std::size_t>(body.blocks()[b]->elementCount()), static_cast<int>(b));
+  return numbers;
+}
+
 }  // namespace ringwatch

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/report/json_read.h>
+#include <ringwatch/base/infinity.h>
+#include <ringwatch/handlers/handler.h>
 #include <ringwatch/meshes/quality.h>
 
 namespace ringwatch {
@@ -60,6 +62,100 @@ bool hasHandler(const Json& summary) {
   return handler != summary.end() && handler->is_object();
 }
 
+/// Springs and contact of a run, of summary.json; null for a run without any.
+const Json& discreteForces(const Json& summary) {
+  static const Json none = nullptr;
+  const auto found = summary.find("discrete_forces");
+  return found != summary.end() && found->is_object() ? *found : none;
+}
+
+const Json* objectIn(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_object() ? &*found : nullptr;
+}
+
+/// "contact", "springs" or "springs or contact": what a run has of them.
+std::string discreteName(const Json& discrete) {
+  const bool springs = numberOf(discrete, "springs").value_or(0) > 0,
+             contact = numberOf(discrete, "contact_nodes").value_or(0) > 0;
+  return springs && contact ? "springs or contact" : springs ? "springs" : "contact";
+}
+
+/// Whether springs or contact, not the elements, hold most of the mode that an event proves unstable.
+bool governedByDiscrete(const Json& event) { return numberOf(event, "discrete_share").value_or(0) > 0.5; }
+
+/// "; contact governs the step, not the elements: it holds 93 % of the energy of the unstable mode, …".
+std::string discreteCause(const Json& event, const Json& discrete) {
+  const std::string name = discreteName(discrete);
+  std::string text =
+      fmt::format("; {} {} the step, not the elements: {:.0f} % of the energy of the unstable mode {}", name,
+                  name == "springs" ? "govern" : "governs", 100 * numberOf(event, "discrete_share").value_or(0),
+                  name == "contact" ? "is in the penalty at the nodes that touch" : "is in them");
+  const auto element = event.find("element");
+  if (const std::string who = element == event.end() ? std::string() : elementName(*element); !who.empty())
+    text += ", most of it at " + who;
+  return text;
+}
+
+std::string penaltyText(const Json& penalty) {
+  const double least = numberOf(penalty, "least").value_or(0), largest = numberOf(penalty, "largest").value_or(0);
+  return least == largest ? fmt::format("{:.4g} N/m", least) : fmt::format("{:.4g} to {:.4g} N/m", least, largest);
+}
+
+/// Which obstacle, and how deep. until: s, when the run was beyond doubt no longer what it should be.
+std::string contactText(const Json& discrete, double until) {
+  const Json* deepest = objectIn(discrete, "deepest");
+  if (!deepest) return {};
+  const double time = numberOf(*deepest, "time").value_or(0);
+  // Depths of a run that has blown up say nothing of contact.
+  if (time > until) return {};
+  return fmt::format(" Node {:.0f} came deepest, {:.3g} m into {}, at t = {:.6g} s.",
+                     numberOf(*deepest, "node_id").value_or(0), numberOf(*deepest, "depth").value_or(0),
+                     textOf(*deepest, "obstacle"), time);
+}
+
+/// How often springs or contact set the step of a run whose steps are not proven too large.
+std::string governedText(const Json& discrete) {
+  const auto least = numberOf(discrete, "least_safe");
+  if (!least) return {};
+  return fmt::format(
+      " At {:.0f} observations {} set the step, not the elements; the least safe step there is {:.4g} s.",
+      numberOf(discrete, "governed_observations").value_or(0), discreteName(discrete), *least);
+}
+
+/// The penalty, or the stiffness of springs, that leaves the step to the elements. taken: the run's step, s.
+std::vector<std::string> softerContact(const Json& discrete, double taken) {
+  std::vector<std::string> remedies;
+  const Json *room = objectIn(discrete, "room"), *penalty = objectIn(discrete, "penalty");
+  const std::string name = discreteName(discrete);
+  if (room && penalty) {
+    const double share = numberOf(*room, "share").value_or(0), alone = numberOf(*room, "elements_alone").value_or(0),
+                 limit = numberOf(*room, "penalty").value_or(0);
+    const auto atStep = numberOf(*room, "penalty_at_step");
+    std::string text = "A softer contact: ";
+    if (atStep)
+      text += fmt::format(
+          "with a penalty of at most {} N/m at each node the step of this run, {:.4g} s, is proven on the body at "
+          "rest; "
+          "this run has {}, and a body that deforms leaves a little less. Contact ",
+          stepRoundedDown(*atStep), taken, penaltyText(*penalty));
+    else
+      text += fmt::format(
+          "this run has a penalty of {}. Its step, {:.4g} s, is more than the elements at rest prove alone, {:.4g} s, "
+          "so that a smaller step is needed besides. Contact ",
+          penaltyText(*penalty), taken, alone);
+    text += fmt::format(
+        "does not govern with at most {} N/m, which leaves {:.0f} % of the {:.4g} s that the elements prove. "
+        "contact.penalty = \"auto\" makes one for the step; nodes come deeper then.",
+        stepRoundedDown(limit), 100 * share, alone);
+    remedies.push_back(std::move(text));
+  }
+  if (name != "contact")
+    remedies.emplace_back(
+        "Softer springs and dashpots, or more mass at their nodes ([[mass]]): stiffness over mass sets the step.");
+  return remedies;
+}
+
 /// The elements in the way, the least safe step, the room that is left.
 std::string roomText(const Json& summary, const std::optional<RunHistory>& history) {
   if (!history) return {};
@@ -83,7 +179,7 @@ std::string handlerText(const Json& summary) {
 }
 
 void adviseSmallerStep(PageVerdict& verdict, const Json& summary, const std::optional<RunHistory>& history,
-                       std::optional<double> before) {
+                       std::optional<double> before, const RunAnalysis* analysis) {
   const auto least = history ? smallestSafe(*history, before) : std::nullopt;
   const double taken = numberOf(summary, "largest_step").value_or(0);
   if (least && least->safe < taken)
@@ -92,6 +188,11 @@ void adviseSmallerStep(PageVerdict& verdict, const Json& summary, const std::opt
                     "\"auto\" keeps below the "
                     "critical step by itself; monitor.on_violation = \"reduce-step\" shortens the step when it must.",
                     stepRoundedDown(least->safe), before ? " before that" : ""));
+  else if (analysis && analysis->safe && *analysis->safe > 0 && *analysis->safe < taken)
+    verdict.remedies.push_back(
+        fmt::format("A smaller step: {} s is proven {}. integrator.step = \"auto\" keeps below the critical step by "
+                    "itself; monitor.on_violation = \"reduce-step\" shortens the step when it must.",
+                    stepRoundedDown(*analysis->safe), analysis->where));
   else
     verdict.remedies.emplace_back(
         "A smaller step: integrator.step = \"auto\" keeps below the critical step by itself; monitor.on_violation = "
@@ -102,10 +203,23 @@ void advise(PageVerdict& verdict, const std::vector<std::string>& remedies) {
   verdict.remedies.insert(verdict.remedies.end(), remedies.begin(), remedies.end());
 }
 
+/// Whether scenes like this one take a handler: readHandlerSection in app/scene/scene.cpp refuses the others.
+bool couldTakeHandler(const Json& summary) {
+  if (!discreteForces(summary).is_null()) return false;
+  const Json* scene = objectIn(summary, "scene");
+  if (!scene) return true;
+  const Json *damping = objectIn(*scene, "damping"), *integrator = objectIn(*scene, "integrator");
+  if (damping && (numberOf(*damping, "mass").value_or(0) != 0 || numberOf(*damping, "stiffness").value_or(0) != 0))
+    return false;
+  if (!integrator) return true;
+  const IntegratorInfo* info = integratorCatalog().find(textOf(*integrator, "method"));
+  return (!info || takesHandler(*info)) && textOf(*integrator, "step") != "auto";
+}
+
 void adviseHandler(PageVerdict& verdict, const Json& summary, const RunAnalysis* analysis) {
   const WhatIf* row = analysis ? analysis->inTheWay() : nullptr;
   if (row && !row->way.all.empty()) return advise(verdict, remediesFor(*row, *analysis));
-  if (hasHandler(summary)) return;
+  if (hasHandler(summary) || !couldTakeHandler(summary)) return;
   verdict.remedies.emplace_back(
       "Keep the step and let a handler take the elements that come into the way: [handler] method = \"imex\" with "
       "monitor.on_violation = \"handle\".");
@@ -148,6 +262,7 @@ PageVerdict whileRunning(const Json& summary, const Json& live, const std::optio
   verdict.title[0] = static_cast<char>(std::tolower(verdict.title[0]));
   verdict.title = "Running: " + verdict.title + " so far";
   const double time = numberOf(live, "time").value_or(0), end = numberOf(live, "end").value_or(0);
+  verdict.lead = 0;
   verdict.sentence = fmt::format("The run goes on: t = {:.6g} of {:.6g} s, step {:.0f}. ", time, end,
                                  numberOf(summary, "steps").value_or(0)) +
                      verdict.sentence;
@@ -185,8 +300,13 @@ std::vector<std::string> remediesFor(const WhatIf& row, const RunAnalysis& analy
                     "handlers take the run less far in the same wall time than the integrator alone at the safe step "
                     "({}).",
                     inTheWay, gains));
-  else
+  else if (analysis.countedBy.empty())
     remedies.push_back(fmt::format("Let a handler take {}: [handler] method = \"imex\".", inTheWay));
+  else if (analysis.couldTakeHandler)
+    remedies.push_back(
+        fmt::format("Let a handler take {}, and some around them: [handler] method = \"imex\". These are the elements "
+                    "whose own step is too small; ringwatch inspect with --step {:.4g} tells which a handler takes.",
+                    inTheWay, row.h));
   for (const HandlerTrial& trial : row.trials)
     if (trial.whyNot.empty() && trial.addedMass)
       remedies.push_back(
@@ -194,11 +314,13 @@ std::vector<std::string> remediesFor(const WhatIf& row, const RunAnalysis& analy
                       "[handler] method = \"{}\".",
                       *trial.addedMass, 100 * trial.addedShare, trial.handler));
   if (const std::size_t bad = row.way.badlyShaped.size(); bad > 0) {
-    remedies.push_back(fmt::format("Remesh: {} of them {} badly shaped at rest ({}), {} in the mesh.", bad,
-                                   bad == 1 ? "is" : "are", row.way.shapesText(), row.badNumbers));
-  } else if (!row.way.all.empty()) {
-    remedies.emplace_back(
-        "None of them is badly shaped at rest: remeshing helps only if larger elements will do there.");
+    remedies.push_back(fmt::format("Remesh: {} of {} {} badly shaped {} ({}), {} in the mesh.", bad,
+                                   remedies.empty() ? inTheWay : "them", bad == 1 ? "is" : "are", analysis.shapesAt,
+                                   row.way.shapesText(), row.badNumbers));
+  } else if (!row.way.all.empty() && row.shapesKnown) {
+    remedies.push_back(
+        fmt::format("None of {} is badly shaped {}: remeshing helps only if larger elements will do there.",
+                    remedies.empty() ? inTheWay : "them", analysis.shapesAt));
   }
   return remedies;
 }
@@ -208,7 +330,8 @@ std::vector<std::string> largerSteps(const RunAnalysis& analysis) {
   constexpr double few = 0.1;  // of all
   const WhatIf* found = nullptr;
   for (const WhatIf& row : analysis.whatIf)
-    if (!row.proven && !row.trials.empty() && analysis.safe && row.h >= 1.5 * *analysis.safe &&
+    if (!row.proven && (!row.trials.empty() || (!analysis.countedBy.empty() && analysis.couldTakeHandler)) &&
+        analysis.safe && row.h >= 1.5 * *analysis.safe &&
         static_cast<double>(row.way.all.size()) <= few * static_cast<double>(analysis.elements))
       found = &row;
   if (!found) return {};
@@ -254,6 +377,7 @@ PageVerdict verdictOf(const Json& summary, const std::optional<RunHistory>& hist
              *energy = firstEvent(summary, "energy-balance"), *indefinite = firstEvent(summary, "indefinite"),
              *nonFinite = firstEvent(summary, "non-finite");
   std::string& text = verdict.sentence;
+  const bool notProven = word == "not-certified" && watched > 0;
 
   if (word == "certified") {
     verdict.tone = Tone::good;
@@ -261,7 +385,7 @@ PageVerdict verdictOf(const Json& summary, const std::optional<RunHistory>& hist
     text = fmt::format(
         "Each of the {:.0f} steps to t = {:.6g} s was proven to be below the critical step of {}, with {}.", watched,
         time, hasHandler(summary) ? "what the handler left explicit" : "its state", stepsText(summary));
-  } else if (word == "not-certified") {
+  } else if (notProven) {
     verdict.title = "Not proven";
     text = fmt::format(
         "No step to t = {:.6g} s was seen to be unstable, but only {:.0f} of {:.0f} steps were proven stable, with {}.",
@@ -282,40 +406,56 @@ PageVerdict verdictOf(const Json& summary, const std::optional<RunHistory>& hist
   if (verdict.tone == Tone::good && reason != "end") verdict.tone = Tone::unsure;
 
   const auto say = [&text](const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence; };
+  const Json& discrete = discreteForces(summary);
+  const bool contactGoverns = violated && discrete.is_object() && governedByDiscrete(*violated);
   if (violated) {
     const std::string who = elementAndCause(*violated);
     say(fmt::format("From {} on, {} is above the critical step{}.", when(*violated), stepsText(summary),
-                    who.empty() ? "" : "; in the way is " + who));
+                    contactGoverns ? discreteCause(*violated, discrete)
+                    : who.empty()  ? ""
+                                   : "; in the way is " + who));
     if (reason == "violated") say("The run was stopped before it took that step.");
+    if (contactGoverns) text += contactText(discrete, energy ? numberOf(*energy, "time").value_or(infinity) : infinity);
   }
-  if (inverted) say(fmt::format("At {}, {}.", when(*inverted), elementAndCause(*inverted)));
+  if (violated) verdict.lead = text.size();
+  // What followed, in the order of time.
+  std::vector<std::pair<double, std::string>> followed;
+  const auto follows = [&followed](const Json& event, std::string sentence) {
+    followed.emplace_back(numberOf(event, "step").value_or(0), std::move(sentence));
+  };
   if (energy)
-    say(fmt::format("At {} the energy balance is off by {:.0f} % of the largest energy so far.", when(*energy),
-                    100 * numberOf(*energy, "value").value_or(0)));
-  if (nonFinite || reason == "non-finite")
-    say(nonFinite ? fmt::format("At {} the state is no longer finite.", when(*nonFinite))
-                  : fmt::format("After step {:.0f} positions or velocities are not finite.", steps));
+    follows(*energy, fmt::format("At {} the energy balance is off by {:.0f} % of the largest energy so far.",
+                                 when(*energy), 100 * numberOf(*energy, "value").value_or(0)));
   if (indefinite) {
-    text += fmt::format(" The tangent has a negative eigenvalue at {}", when(*indefinite));
     const std::string who = elementAndCause(*indefinite);
-    text += who.empty() ? "." : fmt::format(", most at {}.", who);
+    follows(*indefinite, fmt::format("The tangent has a negative eigenvalue at {}{}.", when(*indefinite),
+                                     who.empty() ? "" : ", most at " + who));
   }
+  if (inverted) follows(*inverted, fmt::format("At {}, {}.", when(*inverted), elementAndCause(*inverted)));
+  if (nonFinite) follows(*nonFinite, fmt::format("At {} the state is no longer finite.", when(*nonFinite)));
+  std::ranges::stable_sort(followed, {}, &std::pair<double, std::string>::first);
+  for (const auto& [step, sentence] : followed) say(sentence);
+  if (!nonFinite && reason == "non-finite")
+    say(fmt::format("After step {:.0f} positions or velocities are not finite.", steps));
   if (verdict.tone != Tone::bad) text += roomText(summary, history);
+  if (discrete.is_object() && !contactGoverns) text += governedText(discrete);
   text += handlerText(summary);
 
   const std::optional<double> before = violated ? numberOf(*violated, "time") : std::nullopt;
+  const double taken = numberOf(summary, "largest_step").value_or(0);
+  const bool discreteSetsStep = discrete.is_object() && numberOf(discrete, "governed_observations").value_or(0) > 0;
   if (verdict.tone == Tone::bad) {
-    adviseSmallerStep(verdict, summary, history, before);
-    adviseHandler(verdict, summary, analysis);
+    if (contactGoverns) advise(verdict, softerContact(discrete, taken));
+    adviseSmallerStep(verdict, summary, history, before, analysis);
+    if (!contactGoverns) adviseHandler(verdict, summary, analysis);
     // What is to be remeshed is named with what is in the way, where that is known.
-    if (violated && isBadShape(textOf(*violated, "cause")) && !(analysis && analysis->inTheWay()))
+    if (violated && !contactGoverns && isBadShape(textOf(*violated, "cause")) && !(analysis && analysis->inTheWay()))
       verdict.remedies.push_back(fmt::format("Mend the mesh there: {}.", elementAndCause(*violated)));
     if (inverted)
       verdict.remedies.emplace_back(
           "An inverted element is a state that no smaller step mends from there on: look at what happened before it.");
   } else if (word == "certified") {
     const auto least = history ? smallestSafe(*history) : std::nullopt;
-    const double taken = numberOf(summary, "largest_step").value_or(0);
     if (least && least->safe > taken && taken > 0 && !hasHandler(summary))
       verdict.remedies.push_back(
           fmt::format("Nothing has to be done about the step. A step of {} s was proven in every state on record.",
@@ -323,15 +463,27 @@ PageVerdict verdictOf(const Json& summary, const std::optional<RunHistory>& hist
     else
       verdict.remedies.emplace_back("Nothing has to be done about the step.");
     if (analysis && !hasHandler(summary)) advise(verdict, largerSteps(*analysis));
-  } else if (word == "not-certified") {
-    adviseSmallerStep(verdict, summary, history, {});
+    if (discreteSetsStep) {
+      verdict.remedies.push_back(
+          fmt::format("To go faster: {} set the step at times, not the elements.", discreteName(discrete)));
+      advise(verdict, softerContact(discrete, taken));
+    }
+  } else if (notProven) {
+    if (discreteSetsStep) advise(verdict, softerContact(discrete, taken));
+    adviseSmallerStep(verdict, summary, history, {}, analysis);
     adviseHandler(verdict, summary, analysis);
   } else {
     verdict.remedies.emplace_back("Let the monitor prove the steps: [monitor] mode = \"bracket\" or \"threshold\".");
   }
+  if (energy && !violated && discrete.is_object() && numberOf(discrete, "contact_nodes").value_or(0) > 0)
+    verdict.remedies.emplace_back(
+        "Where every step is proven and the energy is off all the same, contact that begins within a step may be what "
+        "feeds it: a softer penalty or a smaller step lets it last more steps.");
   if (indefinite)
     verdict.remedies.emplace_back(
-        "No step cures a negative eigenvalue: it is the state that is unstable there, as when something buckles.");
+        "The negative eigenvalue is not about the step, and no step cures it: the state itself is unstable there, as "
+        "when "
+        "something buckles.");
   return verdict;
 }
 

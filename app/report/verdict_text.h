@@ -16,6 +16,7 @@ struct PageVerdict {
   Tone tone = Tone::unsure;
   std::string title;                  // "Unstable"
   std::string sentence;               // which element, what is wrong with it, when
+  std::size_t lead = 0;               // the part of it that says so; the rest is what followed. 0: all of it
   std::vector<std::string> remedies;  // what to do, one sentence each
 };
 

@@ -39,6 +39,7 @@ Json eventJson(const RunEvent& told) {
           {"value", event.value},
           {"h", event.h},
           {"tangent", event.tangent},
+          {"discrete_share", event.discreteShare},
           {"element_ref", event.element ? Json{event.element->block, event.element->element} : Json(nullptr)},
           {"cause", causeJson(event.cause)},
           {"end", optionalJson(event.end)},
@@ -55,6 +56,7 @@ RunEvent eventOf(const Json& json) {
   event.value = json.at("value").get<double>();
   event.h = json.at("h").get<double>();
   event.tangent = json.at("tangent").get<bool>();
+  event.discreteShare = json.at("discrete_share").get<double>();
   if (const Json& ref = json.at("element_ref"); !ref.is_null())
     event.element = ElementRef{ref.at(0).get<std::int32_t>(), ref.at(1).get<std::int32_t>()};
   event.cause = causeOf(json.at("cause"));

@@ -260,7 +260,7 @@ void Simulation::finish() {
   watch.end();
   recorder.noteWhatIsNotCertified(body.mesh());
   if (result.discrete && result.discrete->governed > 0 && !scene.contacts.empty())
-    result.discrete->room = penaltyRoom(scene, body);
+    result.discrete->room = penaltyRoom(scene, body, result.largestStep);
   if (const Handler* handler = scheme->handler())
     result.handler->figures = scheme->stepper().figures(handler->figures());
   if (std::string note = scheme->stepper().note(); !note.empty()) result.notes.push_back(std::move(note));

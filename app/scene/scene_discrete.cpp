@@ -368,24 +368,29 @@ StepRule sceneStepRule(const Scene& scene, Body& body) {
   return stepRuleWithDashpots(info, scene.damping, reference);
 }
 
-std::optional<PenaltyRoom> penaltyRoom(const Scene& scene, const Body& body) {
+std::optional<PenaltyRoom> penaltyRoom(const Scene& scene, const Body& body, double step) {
   const StepRule rule = stepRule(*integratorCatalog().find(scene.method), scene.damping);
   const ElementsAlone alone = elementsAlone(body);
+  // The largest penalty of all contact nodes with which a step is proven; infinite without contact.
+  const auto penaltyAt = [&](double h) {
+    double most = infinity;
+    for (const PenaltyContact& contact : body.discreteForces()->contacts())
+      for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
+        const double mass = body.lumpedMass()[contact.nodes[k]];
+        // The damping grows with the root of the penalty, as a share of the critical one.
+        const double damping =
+            contact.penalty[k] > 0 ? contact.damping[k] / (2 * std::sqrt(contact.penalty[k] * mass)) : 0;
+        most = std::min(most, penaltyFor(mass * (rule.lambdaFor(h) - alone.nodal[contact.nodes[k]]), mass, damping,
+                                         dampingFactor(scene.damping, h)));
+      }
+    return most;
+  };
   PenaltyRoom room;
   room.elementsAlone = rule(alone.bound);
   if (!(room.elementsAlone > 0) || !std::isfinite(room.elementsAlone)) return std::nullopt;
-  const double step = room.share * room.elementsAlone, allowed = rule.lambdaFor(step);
-  room.penalty = infinity;
-  for (const PenaltyContact& contact : body.discreteForces()->contacts())
-    for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
-      const double mass = body.lumpedMass()[contact.nodes[k]];
-      // The damping grows with the root of the penalty, as a share of the critical one.
-      const double damping =
-          contact.penalty[k] > 0 ? contact.damping[k] / (2 * std::sqrt(contact.penalty[k] * mass)) : 0;
-      room.penalty = std::min(room.penalty, penaltyFor(mass * (allowed - alone.nodal[contact.nodes[k]]), mass, damping,
-                                                       dampingFactor(scene.damping, step)));
-    }
+  room.penalty = penaltyAt(room.share * room.elementsAlone);
   if (!std::isfinite(room.penalty)) return std::nullopt;
+  if (step > 0 && step < room.elementsAlone) room.penaltyAtStep = penaltyAt(step);
   return room;
 }
 

@@ -24,9 +24,11 @@ struct PenaltyRoom {
   double elementsAlone = 0;  ///< s, that the elements at rest prove without springs and contact
   double penalty = 0;        ///< N/m at each contact node, with which `share` of that step is proven
   double share = 0.95;
+  std::optional<double> penaltyAtStep;  ///< N/m at each contact node, with which the run's step is proven
 };
-/// Of a scene's body at rest; empty where the elements prove nothing. Theorem 46, docs/theory/discrete_forces.md.
-std::optional<PenaltyRoom> penaltyRoom(const Scene& scene, const Body& body);
+/// Of a scene's body at rest and a run of steps of at most `step` seconds; empty where the elements prove nothing.
+/// Theorem 46, docs/theory/discrete_forces.md.
+std::optional<PenaltyRoom> penaltyRoom(const Scene& scene, const Body& body, double step);
 
 /// Puts the obstacles of a scene where they are at a time, s.
 void placeObstacles(const Scene& scene, double time, DiscreteForces& forces);

@@ -156,8 +156,18 @@ class Browser:
         image = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=True, **clip)
         pathlib.Path(file).write_bytes(base64.b64decode(image["data"]))
 
+    def media(self, name, dark=False):
+        """Shows the page as on "screen" or in "print"."""
+        self.call("Emulation.setEmulatedMedia", media=name,
+                  features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
+
+    def printed(self):
+        """The page as PDF."""
+        return base64.b64decode(self.call("Page.printToPDF", printBackground=False, preferCSSPageSize=False)["data"])
+
     def key(self, name, text=""):
-        codes = {"Tab": 9, "ArrowLeft": 37, "ArrowRight": 39, "End": 35, "Enter": 13, "Home": 36}
+        codes = {"Tab": 9, "ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40, "End": 35, "Enter": 13,
+                 "Home": 36}
         for kind in ("keyDown", "keyUp"):
             self.call("Input.dispatchKeyEvent", type=kind, key=name, code=name, text=text if kind == "keyDown" else "",
                       windowsVirtualKeyCode=codes.get(name, 0))

@@ -3,7 +3,7 @@
   report_page_test.py NAME PROGRAM [AXE]
 
 NAME is one of the checks below. Exit status 77 where there is no browser, or for `accessible` no axe-core (AXE is its
-axe.min.js): the test then counts as skipped. `scripts/setup --browser` installs the browsers.
+axe.min.js): the test then counts as skipped. `scripts/setup --browser` installs them.
 """
 import json
 import os
@@ -11,6 +11,7 @@ import pathlib
 import pty
 import re
 import select
+import shutil
 import signal
 import subprocess
 import sys
@@ -46,7 +47,7 @@ where = "x > 0.1 - 1e-6"
 velocity = [0.5, 0, 0]
 [output]
 every = 5e-3
-fields = ["critical_step", "verdict", "handler"]
+fields = ["critical_step", "verdict", "handler", "von_mises", "max_stretch"]
 picture = false
 """
 
@@ -142,6 +143,24 @@ def check_mesh(browser, chromium, run):
         true(f"number {report['worst'][place]['id']} in the mesh" in browser.evaluate(
             "document.querySelector('#mesh-live [role=status]').textContent"), f"the numbers of element {element}")
 
+    # The same elements by every other field of the frames: red is the largest stress.
+    wanted = ["verdict", "handler", "von Mises stress (Pa)", "largest stretch"]
+    for name in wanted:
+        browser.evaluate("(() => { const s = [...document.querySelectorAll('#mesh-live label')].find(l => "
+                         "l.textContent.startsWith('Colour')).parentElement.querySelector('select'); s.value = %s; "
+                         "s.dispatchEvent(new Event('change')); })()" % json.dumps(name))
+        browser.wait_for(f"{state}.field === {json.dumps(name)}")
+        element = browser.evaluate(f"{state}.selected")
+        browser.wait_for(f"ringwatchReport.mesh.pixelOf({element}).expected !== undefined")
+        pixel = browser.evaluate(f"ringwatchReport.mesh.pixelOf({element})")
+        true(all(0.68 * c - 1 <= found <= c + 1 for found, c in zip(pixel["alone"], pixel["expected"])),
+             f"by {name} element {element} is {pixel['alone']}, not {pixel['expected']}")
+    values = browser.evaluate("ringwatchReport.mesh.elements().then(e => [...e.fields.find(f => f[0] == 'largest stretch')[1]])")
+    cells = browser.evaluate("ringwatchReport.mesh.elements().then(e => [...e.group.cells])")
+    most, least = cells[values.index(max(values))], cells[values.index(min(values))]
+    equal(browser.evaluate(f"ringwatchReport.mesh.pixelOf({most}).expected"), [165, 0, 38], "the most stretched element's colour")
+    equal(browser.evaluate(f"ringwatchReport.mesh.pixelOf({least}).expected"), [49, 54, 149], "the least stretched one's")
+
     # Frames by keyboard, to the last one.
     frames = sum(len(group["frames"]) for group in report["mesh"]["groups"])
     browser.evaluate("[...document.querySelectorAll('#mesh-live label')].find(l => l.textContent.startsWith('Frame'))"
@@ -182,6 +201,21 @@ def check_history(browser, chromium, run):
     last = lines[-1].split(",")
     readout = browser.evaluate("ringwatchReport.history.readout()")
     true(readout.startswith(f"step {last[0]} ·") and f"controlled by element {last[5]}" in readout, readout)
+    # The band of who controls when: in each run of rows the colour of its element, another one for the next element.
+    rows = [line.split(",") for line in lines[1:]]
+    changes = [i for i in range(1, len(rows) - 1) if rows[i][5] != rows[i - 1][5]]
+    true(changes, "the controlling element changes along the run")
+    colour_of, wide = {}, 0
+    for row in [0, *changes]:
+        end = next((i for i in changes if i > row), len(rows) - 1)
+        if end - row < 3 or not rows[row][5]:  # too thin to hit a pixel of it
+            continue
+        wide += 1
+        at = browser.evaluate(f"ringwatchReport.history.bandAt({(row + end) // 2})")
+        equal(at["colour"], at["expected"], f"the band at row {row}")
+        equal(colour_of.setdefault(rows[row][5], at["colour"]), at["colour"], f"the colour of element {rows[row][5]}")
+    true(wide > 1, "several elements hold the bracket for some rows")
+    equal(len({tuple(c) for c in colour_of.values()}), len(colour_of), "colours of the elements")
     # What a click on the button would save.
     browser.evaluate("""(() => { globalThis.saved = null; const make = URL.createObjectURL;
       URL.createObjectURL = blob => { blob.text().then(t => { globalThis.saved = t; }); return make(blob); };
@@ -373,25 +407,227 @@ def check_firefox(browser, chromium, run):
         equal(said(page), [], "messages")
 
 
+def make_live_page(folder):
+    """The page of a run that goes on, taken away from the run."""
+    scene = SCENE.replace("end = 0.05", "end = 1e6").replace("every = 5e-3", "every = 0.5").replace(
+        "velocity = [0.5, 0, 0]", "velocity = [1e-9, 0, 0]")
+    (folder / "long.toml").write_text(scene)
+    page = folder / "going_on" / "report.html"
+    with subprocess.Popen([os.environ["RINGWATCH"], "run", "long.toml", "--out", "going_on", "--live", "--quiet"],
+                          cwd=folder) as process:
+        try:
+            end = time.monotonic() + 60
+            while not page.exists() or '"reloadAfter":0' in page.read_text():
+                true(time.monotonic() < end and process.poll() is None, "the run writes its page while it goes on")
+                time.sleep(0.1)
+            copy = folder / "going_on.html"
+            copy.write_text(page.read_text())
+        finally:
+            process.kill()
+    return copy
+
+
+def make_other_pages(program, folder):
+    """A page of each kind but that of a run that has ended."""
+    quiet = {"cwd": folder, "stdout": subprocess.DEVNULL}
+    subprocess.run([program, "audit", "run/run.pvd", "--scene", "bar.toml", "--report", "audit.html"], check=False, **quiet)
+    subprocess.run([program, "verify", "elements", "--quick", "--report", "verify.html"], check=True, **quiet)
+    return [make_inspection(program, folder), make_comparison(program, folder), folder / "audit.html",
+            folder / "verify.html", make_live_page(folder)]
+
+
 def check_accessible(browser, chromium, run, axe):
     """axe-core finds nothing, light and dark, wide and narrow, on a page of each kind."""
     del browser
-    program = os.environ["RINGWATCH"]
-    files = [run / "report.html", make_inspection(program, run.parent), make_comparison(program, run.parent)]
+    files = [run / "report.html", *make_other_pages(os.environ["RINGWATCH"], run.parent)]
     for file, width, dark in [(f, w, d) for f in files for w, d in ((1200, False), (380, True))]:
         with Browser(chromium, width, dark=dark) as page:
             page.open(file)
             page.wait_for(READY)
+            page.evaluate("document.getElementById('stay')?.click()")
             page.evaluate("document.querySelectorAll('details').forEach(d => { d.open = true; })")
             page.evaluate(pathlib.Path(axe).read_text() + "; 0")
             faults = page.evaluate("axe.run(document, {resultTypes: ['violations']}).then(r => r.violations.map(v => "
                                    "v.id + ': ' + v.help + ' at ' + v.nodes.map(n => n.target.join(' ')).join(', ')))")
             equal(faults, [], f"faults of {file.name}, {'dark' if dark else 'light'}, {width} pixels wide")
+            equal(page.said(), [], f"messages of {file.name}")
+
+
+def check_keyboard(browser, chromium, run):
+    """Tab reaches every control in turn, shows where it is and leaves the picture again; its keys turn the picture."""
+    del chromium
+    browser.open(run / "report.html")
+    browser.wait_for(READY)
+    stops = browser.evaluate("""(() => {
+      const all = [...document.querySelectorAll('a[href], button, select, input, summary, [tabindex="0"]')]
+        .filter(e => !e.disabled && e.checkVisibility({visibilityProperty: true}));
+      all.forEach((e, i) => { e.dataset.stop = i; });
+      return all.map(e => e.tagName + ' ' + (e.getAttribute('aria-label') || e.textContent || e.id).slice(0, 40));
+    })()""")
+    true(len(stops) > 30, f"only {len(stops)} controls")
+    seen, canvas = [], None
+    for _ in range(len(stops) + 20):
+        browser.key("Tab")
+        stop = browser.evaluate("document.activeElement.dataset.stop ?? null")
+        if stop is None:
+            continue
+        seen.append(int(stop))
+        width = browser.evaluate("(s => s.outlineStyle === 'none' ? 0 : parseFloat(s.outlineWidth))(getComputedStyle(document.activeElement))")
+        true(width >= 1, f"{stops[int(stop)]} does not show that it has the focus")
+        if canvas is None and browser.evaluate("document.activeElement.tagName === 'CANVAS'"):
+            canvas = int(stop)
+            camera = "ringwatchReport.mesh.view().camera"
+            for key, text in (("ArrowRight", ""), ("ArrowUp", ""), ("+", "+"), ("-", "-")):
+                before, scroll = browser.evaluate(camera), browser.evaluate("scrollY")
+                browser.key(key, text)
+                after = browser.evaluate(camera)
+                true(max(abs(a - b) for a, b in zip(after, before)) > 1e-4 * max(map(abs, before)), f"{key} turns nothing")
+                equal(browser.evaluate("scrollY"), scroll, f"the page after {key}")
+        if len(seen) > 1 and seen[-1] == seen[0]:
+            break
+    missing = [stops[i] for i in range(len(stops)) if i not in seen]
+    equal(missing, [], "controls that Tab does not reach")
+    order = seen[:len(stops)]
+    equal(order, sorted(order), "the order of the controls")
+    true(canvas is not None, "Tab reaches the picture")
+    # A card's button by Enter: its element is shown and the picture has the focus.
+    browser.evaluate("document.querySelectorAll('.show-me')[1].focus()")
+    browser.key("Enter", "\r")
+    browser.wait_for("document.activeElement.tagName === 'CANVAS'")
+    element = browser.evaluate("Number(document.querySelectorAll('.show-me')[1].dataset.element)")
+    equal(browser.evaluate("ringwatchReport.mesh.state().selected"), element, "the element of the second card")
+    equal(browser.said(), [], "messages")
+
+
+def check_prints(browser, chromium, run):
+    """On paper: verdict, pictures, tables and cards in dark on white, without controls, no wider than a page."""
+    del browser
+    for dark in (False, True):
+        with Browser(chromium, 794, 1123, dark) as page:  # A4 at 96 dots an inch
+            page.open(run / "report.html")
+            page.wait_for(READY)
+            page.media("print", dark)
+            for selector in ("#verdict .lead", "#verdict li", "#history-static svg", "#mesh-static image", "#distribution svg",
+                             "#what-if table", ".card svg", "#provenance table"):
+                box = page.evaluate(f"(b => [b.width, b.height])(document.querySelector('{selector}').getBoundingClientRect())")
+                true(box[0] > 20 and box[1] > 8, f"{selector} is {box} on paper")
+            for selector in ("nav", "#history-live", "#mesh-live", "#provenance button", ".show-me"):
+                true(not page.evaluate(f"document.querySelector('{selector}').checkVisibility()"), f"{selector} is on paper")
+            true(page.evaluate("document.documentElement.scrollWidth <= innerWidth"), "the page is wider than paper")
+            equal(page.evaluate("getComputedStyle(document.querySelector('#verdict .lead')).color"), "rgb(0, 0, 0)", "ink")
+            page.media("screen", dark)
+            pdf = page.printed()
+            true(pdf.startswith(b"%PDF") and len(re.findall(rb"/Type\s*/Page\b", pdf)) >= 2, "a document of some pages")
+            true(b"/Image" in pdf, "the picture of the mesh is in it")
+            equal(page.said(), [], "messages")
+
+
+def report_of(folder):
+    """Writes the page of a run's folder, which must not fail, and returns it."""
+    result = subprocess.run([os.environ["RINGWATCH"], "report", folder], capture_output=True, text=True, check=False)
+    equal((result.returncode, result.stderr), (0, ""), f"ringwatch report {folder.name}")
+    return folder / "report.html"
+
+
+def check_damaged(browser, chromium, run):
+    """Folders that lack something or are damaged, and one of a run that was killed: a page without a message."""
+    del chromium
+    folder = run.parent
+    csv = (run / "history.csv").read_text()
+    lines = csv.splitlines(keepends=True)
+    frame = sorted((run / "frames").iterdir())[1].relative_to(run)
+    wrong = json.dumps({"verdict": 3, "events": [1, {"kind": 2}], "mesh": [], "notes": {}, "scene": "x", "provenance": [],
+                        "discrete_forces": [], "first_violated": True})
+    cases = {
+        "half a row": {"history.csv": csv[:-9]},
+        "no row": {"history.csv": lines[0]},
+        "one row": {"history.csv": "".join(lines[:2])},
+        "two rows of one time": {"history.csv": lines[0] + lines[1] + lines[1]},
+        "rows of nothing": {"history.csv": lines[0] + "x,y\n" * 3 + lines[1].replace(lines[1].split(",")[2], "nan")},
+        "numbers out of range": {"history.csv": lines[0] + lines[1].replace(lines[1].split(",")[3], "1e400") + lines[2]},
+        "half a frame": {frame: (run / frame).read_bytes()[:900]},
+        "no frames": {"run.pvd": None},
+        "half a list of frames": {"run.pvd": (run / "run.pvd").read_text()[:200]},
+        "half a summary": {"summary.json": '{"verdict": '},
+        "a summary of other types": {"summary.json": wrong},
+        "no summary": {"summary.json": None},
+        "a summary alone": {"history.csv": None, "run.pvd": None},
+        "no history": {"history.csv": None},
+    }
+    for name, changes in cases.items():
+        copy = folder / name.replace(" ", "_")
+        shutil.copytree(run, copy)
+        for file, content in changes.items():
+            if content is None:
+                (copy / file).unlink()
+            elif isinstance(content, bytes):
+                (copy / file).write_bytes(content)
+            else:
+                (copy / file).write_text(content)
+        browser.open(report_of(copy))
+        browser.wait_for(READY)
+        equal((browser.said(), browser.requests()), ([], []), f"messages and requests with {name}")
+        true(browser.evaluate("document.querySelector('#verdict .lead').textContent.length > 20"), f"no verdict with {name}")
+        true(browser.evaluate("document.documentElement.scrollWidth <= innerWidth"), f"too wide with {name}")
+
+    # Killed while it writes.
+    (folder / "long.toml").write_text(SCENE.replace("end = 0.05", "end = 1e6").replace("every = 5e-3", "every = 0.05").replace(
+        "velocity = [0.5, 0, 0]", "velocity = [1e-9, 0, 0]"))
+    with subprocess.Popen([os.environ["RINGWATCH"], "run", "long.toml", "--out", "killed", "--quiet"], cwd=folder) as process:
+        try:
+            history, end = folder / "killed" / "history.csv", time.monotonic() + 60
+            while not history.exists() or history.stat().st_size < 50000 or not (folder / "killed" / "run.pvd").exists():
+                true(time.monotonic() < end and process.poll() is None, "the run writes its history while it goes on")
+                time.sleep(0.05)
+        finally:
+            process.kill()
+    equal(process.returncode, -signal.SIGKILL, "how the run ended")
+    true(not (folder / "killed" / "summary.json").exists(), "a killed run has no summary")
+    browser.open(report_of(folder / "killed"))
+    browser.wait_for(READY)
+    equal(browser.said(), [], "messages of the killed run")
+    equal(browser.evaluate("document.querySelector('#verdict-title').textContent"), "No end on record", "the title")
+    true(browser.evaluate("ringwatchReport.history.range()[1] > 0 && ringwatchReport.mesh.frames.length > 0"),
+         "the killed run's history and frames are shown")
+
+
+def check_long_history(browser, chromium, run):
+    """A million rows: the page holds some of them, every spike among them, says so, and shows them."""
+    del chromium
+    rows, spike = 1_000_000, 654_321
+    head = (run / "history.csv").read_text().split("\n", 1)[0]
+    count = len(head.split(","))
+    folder = run.parent / "long_history"
+    folder.mkdir()
+    with open(folder / "history.csv", "w", encoding="ascii") as file:
+        file.write(head + "\n")
+        for i in range(rows):
+            safe = 1e-5 if i == spike else 1e-3 + 1e-6 * (i * 7919 % 101)
+            cells = [str(i), repr(i * 1e-3), "0.0009", repr(safe), repr(2 * safe), "0:7", "1", "2", "3", "0", "5", "0"]
+            file.write(",".join((cells + [""] * count)[:count]) + "\n")
+    browser.open(report_of(folder))
+    browser.wait_for(READY)
+    equal(browser.said(), [], "messages")
+    text = browser.evaluate("document.getElementById('history').textContent")
+    true(f"{rows} rows" in text, "the page says how many rows there are")
+    true("history.csv" in browser.evaluate("document.getElementById('provenance').textContent"), "and where all of them are")
+    report = json.loads(browser.evaluate("document.getElementById('report').textContent"))
+    equal(report["history"]["allRows"], rows, "rows of the file")
+    true(1000 < report["history"]["rows"] < 25000, f"rows of the page: {report['history']['rows']}")
+    low, high = browser.evaluate("ringwatchReport.history.range()")
+    true(low == 0 and abs(high - (rows - 1) * 1e-3) < 1e-6, f"the picture shows {low} to {high} s")
+    # The slider at the row of the spike tells it.
+    at = browser.evaluate("ringwatchReport.history.rowOf(%d)" % spike)
+    true(at >= 0, "the row of the spike is in the page")
+    browser.evaluate("(() => { const s = document.querySelector('#history-live input[type=range]'); s.value = %d;"
+                     " s.dispatchEvent(new Event('input')); })()" % at)
+    true("safe 1e-5 s" in browser.evaluate("ringwatchReport.history.readout()"), "the spike's numbers")
 
 
 CHECKS = {"opens": check_opens, "still": check_still, "mesh": check_mesh, "history": check_history,
           "other_pages": check_other_pages, "live": check_live, "terminal": check_terminal, "firefox": check_firefox,
-          "accessible": check_accessible}
+          "accessible": check_accessible, "keyboard": check_keyboard, "prints": check_prints, "damaged": check_damaged,
+          "long_history": check_long_history}
 
 
 def main():
@@ -408,12 +644,12 @@ def main():
     more = []
     if name == "accessible":
         if len(sys.argv) < 4 or not pathlib.Path(sys.argv[3]).is_file():
-            print("skipped: there is no axe-core; npm ci in app/report/web installs it")
+            print("skipped: there is no axe-core; scripts/setup --browser installs it")
             return SKIPPED
         more = [sys.argv[3]]
     with tempfile.TemporaryDirectory() as folder:
         run = make_run(program, pathlib.Path(folder))
-        if name in ("mesh", "history"):
+        if name in ("mesh", "history", "keyboard", "damaged", "long_history"):
             with Browser(chromium) as browser:
                 CHECKS[name](browser, chromium, run, *more)
         else:

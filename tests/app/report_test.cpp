@@ -262,6 +262,117 @@ TEST_F(Report, OfAFolderThatLacksSomethingSaysSo) {
   EXPECT_EQ(call("report p").status, 0);
 }
 
+constexpr const char* dropped = R"([mesh]
+generate = "bar"
+size = [0.06, 0.06, 0.06]
+cells = [3, 3, 3]
+jitter = 0.1
+[material]
+model = "neo-hookean"
+young = 1e6
+poisson = 0.3
+density = 1000
+[integrator]
+step = 5e-5
+end = 6e-3
+[monitor]
+on_violation = "warn"
+[[initial]]
+where = "all"
+velocity = [0, 0, -1]
+[[obstacle]]
+name = "anvil"
+kind = "plane"
+point = [0, 0, -0.001]
+normal = [0, 0, 1]
+[[contact]]
+damping = 0.05
+[output]
+every = 1e-3
+fields = ["critical_step", "von_mises"]
+picture = false
+)";
+
+TEST_F(Report, OfContactThatGovernsNamesItAndAPenaltyThatWouldNot) {
+  folder_.write("dropped.toml", dropped);
+  ASSERT_EQ(
+      call("run dropped.toml --quiet --set contact.0.penalty=1e6 --set monitor.on_violation=stop --out r --report")
+          .status,
+      1);
+  const Json summary = json("r/summary.json"), verdict = reportIn(page())["verdict"];
+  const Json& discrete = summary["discrete_forces"];
+  const Json* violated = nullptr;
+  for (const Json& event : summary["events"])
+    if (event["kind"] == "violated" && !violated) violated = &event;
+  ASSERT_NE(violated, nullptr);
+  ASSERT_GT((*violated)["discrete_share"].get<double>(), 0.5);
+  EXPECT_LE((*violated)["discrete_share"].get<double>(), 1 + 1e-9);
+  const std::string sentence = verdict["sentence"], remedies = verdict["remedies"].dump();
+  EXPECT_THAT(sentence,
+              AllOf(HasSubstr("contact governs the step, not the elements"), HasSubstr("into anvil"),
+                    HasSubstr("step " + (*violated)["step"].dump() + ", t = "), Not(HasSubstr("in the way is"))));
+  // The penalty that the sentence names is the run's room, rounded down; the next run takes it and is proven.
+  const std::string limit = stepRoundedDown(discrete["room"]["penalty"]);
+  EXPECT_THAT(remedies,
+              AllOf(HasSubstr("does not govern with at most " + limit + " N/m"), HasSubstr("this run has 1e+06"),
+                    HasSubstr("a penalty of at most " + stepRoundedDown(discrete["room"]["penalty_at_step"]) + " N/m"),
+                    HasSubstr("smaller step"), Not(HasSubstr("handler"))));
+  EXPECT_EQ(verdict["remedies"][0].get<std::string>().find("A softer contact"), 0u);
+  EXPECT_THAT(page(), HasSubstr("handlers do not go with springs, dashpots and contact"));
+  ASSERT_EQ(call("run dropped.toml --quiet --set contact.0.penalty=" + limit + " --set integrator.step=" +
+                 test::digits(0.5 * discrete["room"]["elements_alone"].get<double>()) + " --out s --report")
+                .status,
+            0);
+  const Json softer = reportIn(folder_.read("s/report.html"))["verdict"];
+  EXPECT_EQ(softer["title"], "Stable");
+  EXPECT_THAT(softer["remedies"].dump(), AllOf(Not(HasSubstr("A softer contact")), Not(HasSubstr("handler"))));
+}
+
+TEST_F(Report, OfSpringsThatGovernSaysSo) {
+  folder_.write("spring.toml", std::string(tiny) + "[[spring]]\nwhere = \"x > 0.05\"\nstiffness = 1e5\n");
+  ASSERT_EQ(call("run spring.toml --quiet --set integrator.step=5e-4 --out r --report").status, 1);
+  const Json verdict = reportIn(page())["verdict"];
+  EXPECT_THAT(verdict["sentence"].get<std::string>(), HasSubstr("springs govern the step, not the elements"));
+  EXPECT_THAT(verdict["remedies"].dump(),
+              AllOf(HasSubstr("Softer springs"), Not(HasSubstr("contact")), Not(HasSubstr("handler"))));
+}
+
+TEST_F(Report, OfADampedRunAdvisesNoHandlerAndCountsElementsInTheWay) {
+  folder_.write("tiny.toml", tiny);
+  ASSERT_EQ(call("run tiny.toml --set damping.mass=5 --set integrator.step=4e-3 --set integrator.end=0.2 "
+                 "--set output.every=4e-3 --out r --report")
+                .status,
+            1);
+  const Json report = reportIn(page());
+  EXPECT_THAT(report["verdict"]["remedies"].dump(), Not(HasSubstr("handler")));
+  EXPECT_THAT(page(), HasSubstr("handlers do not go with damping"));
+  const Json& rows = report["analysis"]["what_if"];
+  ASSERT_GT(rows.size(), 3u);
+  EXPECT_EQ(report["analysis"]["what_if_counted_by"], "optimistic step by reduced-1-ring (s)");
+  // As many elements as inspect finds with a smaller step in that frame.
+  ASSERT_EQ(call("inspect r --frame " + report["keyFrame"].dump() + " --step " + test::digits(rows.back()["step"]) +
+                 " --json i.json")
+                .status,
+            0);
+  EXPECT_EQ(rows.back()["elements"], json("i.json")["ill_shaped"]["count"]);
+  EXPECT_GT(rows.back()["elements"].get<int>(), 0);
+}
+
+TEST_F(Report, ItsDistributionHasTheRulesOfThumb) {
+  makeRun("--report");
+  const Json report = reportIn(page());
+  const auto key = report["keyFrame"].dump();
+  ASSERT_EQ(call("inspect r --frame " + key + " --metric all --json i.json").status, 0);
+  const Json metrics = json("i.json")["critical_step"]["metrics"];
+  std::size_t compared = 0;
+  for (const Json& rule : report["analysis"]["rules"]) {
+    EXPECT_NEAR(rule["step"].get<double>() / metrics[rule["metric"].get<std::string>()].get<double>(), 1, 1e-9);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 7u);
+  EXPECT_GT(metrics["pressure-wave:cell-diameter"].get<double>(), metrics["pressure-wave:shortest-edge"].get<double>());
+}
+
 /// A bar of 240 tetrahedra, some of them badly shaped.
 class InspectionReport : public Report {
  protected:

@@ -18,6 +18,13 @@ const hasNumbers = values => values !== undefined && values.some(v => Number.isF
 /// A colour for each of many elements, in an order that sets neighbours apart.
 const elementColour = index => `hsl(${(index * 137.508) % 360} 55% 55%)`;
 
+/// The colour [r, g, b] that draw(context) gives a pixel.
+function pixelOf(draw) {
+  const context = make('canvas', {width: 1, height: 1}).getContext('2d', {willReadFrequently: true});
+  draw(context);
+  return [...context.getImageData(0, 0, 1, 1).data].slice(0, 3);
+}
+
 /// before: what view() gave of an earlier page, or undefined.
 export async function startHistory(report, place, before) {
   const history = report.history;
@@ -25,6 +32,7 @@ export async function startHistory(report, place, before) {
   const time = Array.from(columns.time_s);
   const begin = time[0], end = time[time.length - 1];
   const plots = [];
+  let bandPlot = -1;  // of `plots`: who controls when
   let logarithmic = null;  // null: as the numbers ask for
 
   const steps = [['safe_s', 'safe', '--safe', []], ['optimistic_s', 'optimistic', '--optimistic', [6, 3]],
@@ -54,6 +62,23 @@ export async function startHistory(report, place, before) {
   const area = make('div');
   place.append(controls, make('p', {class: 'note'}, 'Drag across a picture to see a part of it, click twice for all.'),
                area, cursorAt.element, readout);
+
+  // Of a run that blows up the energies before would lie on the axis: from a hundred times the usual one on they are
+  // compressed. That unit, J; null where none is so large.
+  const energyUnit = (() => {
+    const all = energies.flatMap(([name]) => Array.from(columns[name], Math.abs)).filter(v => v > 0 && Number.isFinite(v));
+    all.sort((a, b) => a - b);
+    const usual = all[Math.floor(0.75 * all.length)];
+    return all.length && all[all.length - 1] > 100 * usual ? usual : null;
+  })();
+
+  /// 0 and powers of ten from the usual energy on, of either sign, few enough for the axis.
+  function decades(low, high) {
+    const first = Math.ceil(Math.log10(energyUnit)), last = Math.floor(Math.log10(Math.max(high, -low)));
+    const stride = Math.max(1, Math.ceil((last - first + 1) / 5)), splits = [0];
+    for (let power = first; power <= last; power += stride) splits.push(10 ** power, -(10 ** power));
+    return splits.filter(v => v >= low && v <= high).sort((a, b) => a - b);
+  }
 
   function isLogarithmic() {
     if (logarithmic !== null) return logarithmic;
@@ -177,17 +202,23 @@ export async function startHistory(report, place, before) {
       data: [time, ...steps.map(([name]) => gaps(columns[name], log))],
       scales: {y: log ? {distr: 3} : {range: (u, low, high) => [0, 1.06 * high || 1]}},
     }, steps);
-    if (controlling.some(e => e >= 0))
+    if (controlling.some(e => e >= 0)) {
+      bandPlot = plots.length;
       plot('Who controls when', 96, [{show: false}], {
         data: [time, time.map(() => null)], scales: {y: {range: [0, 1]}}, yAxis: {values: () => [], grid: {show: false}, ticks: {show: false}},
         draws: [drawControlling],
       });
+    }
     if (columns.handled_elements && columns.handled_elements.some(v => v > 0))
       plot('Handled elements', 130, [line(['', '', '--mark', []])], {data: [time, gaps(columns.handled_elements, false)], scales: {y: {range: (u, low, high) => [0, 1.1 * high || 1]}}});
-    if (energies.length)
-      plot('Energies (J)', 230, energies.map(line), {
-        data: [time, ...energies.map(([name]) => gaps(columns[name], logarithmic === true))], scales: {y: logarithmic === true ? {distr: 3} : {}},
+    if (energies.length) {
+      const log = logarithmic === true, compressed = !log && energyUnit !== null;
+      plot(compressed ? 'Energies (J), large ones compressed' : 'Energies (J)', 230, energies.map(line), {
+        data: [time, ...energies.map(([name]) => gaps(columns[name], log))],
+        scales: {y: log ? {distr: 3} : compressed ? {distr: 4, asinh: energyUnit, range: (u, low, high) => [low, high]} : {}},
+        yAxis: compressed ? {splits: (u, axis, low, high) => decades(low, high)} : {},
       }, energies);
+    }
     if (range) setRange(...range);
   }
 
@@ -206,6 +237,21 @@ export async function startHistory(report, place, before) {
   return {
     /// What a page that is loaded again shows as before: the part of the time, unless it is all.
     view: () => ({logarithmic, range: plots[0].scales.x.min > begin || plots[0].scales.x.max < end ? [plots[0].scales.x.min, plots[0].scales.x.max] : null}),
+    /// In the band of who controls when, halfway from a row to the next: the colour [r, g, b] drawn there, and that of
+    /// the element that controls the row.
+    bandAt(row) {
+      const plot = plots[bandPlot], x = plot.valToPos((time[row] + time[row + 1]) / 2, 'x', true);
+      const y = plot.bbox.top + plot.bbox.height - 3;
+      return {
+        colour: pixelOf(context => context.drawImage(plot.ctx.canvas, Math.round(x), Math.round(y), 1, 1, 0, 0, 1, 1)),
+        expected: pixelOf(context => {
+          context.fillStyle = elementColour(controlling[row]);
+          context.fillRect(0, 0, 1, 1);
+        }),
+      };
+    },
+    /// The row of the page that is that step; -1 where the page has left it out.
+    rowOf: step => Array.from(columns.step).indexOf(step),
     range: () => [plots[0].scales.x.min, plots[0].scales.x.max], readout: () => readout.textContent,
   };
 }

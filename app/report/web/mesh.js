@@ -178,7 +178,11 @@ export async function startMesh(report, place, stepField, before) {
     const low = Math.min(...own.map(f => f.min)), high = Math.max(...own.map(f => f.max));
     const map = field.kind === 'logarithmic' ? Math.log : v => v;
     const range = map(high) - map(low);
-    return {low, high, of: e => scaleColour(Number.isFinite(values[e]) ? (range > 0 ? (map(values[e]) - map(low)) / range : 0.5) : values[e] > 0 ? 1 : NaN)};
+    // Red is what to look at: small steps, large stresses.
+    const largeIsRed = field.kind === 'linear';
+    const share = v => range > 0 ? (map(v) - map(low)) / range : 0.5;
+    const shareOf = v => Number.isFinite(v) ? (largeIsRed ? 1 - share(v) : share(v)) : v > 0 ? 1 : NaN;
+    return {low, high, largeIsRed, of: e => scaleColour(shareOf(values[e]))};
   }
   function showLegend(colours) {
     if (colours.classes) {
@@ -186,7 +190,7 @@ export async function startMesh(report, place, stepField, before) {
       legend.replaceChildren(...names.map((name, i) => make('span', {}, make('span', {class: 'key', style: `color:rgb(${classes[i]})`}), name)));
     } else if (colours.low === undefined) legend.replaceChildren();
     else {
-      legend.replaceChildren(make('span', {}, fieldName), make('span', {}, number(colours.low, 3)), make('span', {class: 'scale', 'aria-hidden': 'true'}), make('span', {}, number(colours.high, 3)));
+      legend.replaceChildren(make('span', {}, fieldName), make('span', {}, number(colours.low, 3)), make('span', {class: colours.largeIsRed ? 'scale large-is-red' : 'scale', 'aria-hidden': 'true'}), make('span', {}, number(colours.high, 3)));
     }
   }
 

@@ -116,6 +116,7 @@ async function start() {
   }
   if (report.reloadAfter > 0) startReloading(report.reloadAfter, parts, before);
   parts.ready = true;
+  parts.readyAfter = performance.now();  // ms since the page was asked for
 }
 
 start();
