@@ -57,36 +57,49 @@ FaceNeighbours faceNeighbours(const Mesh& mesh) {
     std::array<std::int32_t, 4> key;  // corner nodes, sorted; a triangle begins with -1
     ElementFace face;
   };
-  std::vector<Entry> entries;
-  FaceNeighbours result;
-  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
-    const MeshBlock& block = mesh.blocks[b];
-    const auto faces = elementInfo(block.type).faces;
-    for (std::size_t e = 0; e < block.elementCount(); ++e) {
-      for (std::size_t f = 0; f < faces.size(); ++f) {
-        Entry entry{{}, {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e), static_cast<std::int32_t>(f)}};
-        for (std::size_t k = 0; k < 4; ++k) entry.key[k] = faces[f][k] < 0 ? -1 : block.element(e)[faces[f][k]];
-        std::sort(entry.key.begin(), entry.key.end());
-        entries.push_back(entry);
-      }
-      result.rows.offsets.push_back(result.rows.offsets.back() + faces.size());
+  // Equal faces have the same least node: sorted by that, in one pass, few are left to be compared with each other.
+  const auto forEachFace = [&mesh](const auto& visit) {
+    for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+      const MeshBlock& block = mesh.blocks[b];
+      const auto faces = elementInfo(block.type).faces;
+      for (std::size_t e = 0; e < block.elementCount(); ++e)
+        for (std::size_t f = 0; f < faces.size(); ++f) {
+          Entry entry{{}, {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e), static_cast<std::int32_t>(f)}};
+          for (std::size_t k = 0; k < 4; ++k) entry.key[k] = faces[f][k] < 0 ? -1 : block.element(e)[faces[f][k]];
+          std::sort(entry.key.begin(), entry.key.end());
+          visit(entry, static_cast<std::size_t>(entry.key[0] < 0 ? entry.key[1] : entry.key[0]));
+        }
     }
-  }
+  };
+  std::vector<std::size_t> end(mesh.nodeCount() + 1, 0);  // of the faces of each least node, once they are in place
+  forEachFace([&](const Entry&, std::size_t least) { ++end[least + 1]; });
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Entry> entries(end.back());
+  forEachFace([&](const Entry& entry, std::size_t least) { entries[end[least]++] = entry; });
+
+  FaceNeighbours result;
+  for (const MeshBlock& block : mesh.blocks)
+    for (std::size_t e = 0; e < block.elementCount(); ++e)
+      result.rows.offsets.push_back(result.rows.offsets.back() + elementInfo(block.type).faces.size());
   result.rows.values.resize(entries.size());
-  std::sort(entries.begin(), entries.end(),
-            [](const Entry& p, const Entry& q) { return p.key != q.key ? p.key < q.key : p.face < q.face; });
   const std::vector<std::size_t> first = blockOffsets(mesh);
   const auto slot = [&](const ElementFace& f) -> ElementFace& {
     const std::size_t row = first[f.block] + static_cast<std::size_t>(f.element);
     return result.rows.values[result.rows.offsets[row] + static_cast<std::size_t>(f.face)];
   };
-  for (std::size_t i = 0, j; i < entries.size(); i = j) {
-    for (j = i + 1; j < entries.size() && entries[j].key == entries[i].key;) ++j;
-    if (j - i == 2) {
-      slot(entries[i].face) = entries[i + 1].face;
-      slot(entries[i + 1].face) = entries[i].face;
-    } else if (j - i > 2) {
-      for (std::size_t k = i; k < j; ++k) result.overfull.push_back(entries[k].face);
+  std::size_t begin = 0;
+  for (std::size_t node = 0; node < mesh.nodeCount(); begin = end[node++]) {
+    std::sort(entries.begin() + static_cast<std::ptrdiff_t>(begin),
+              entries.begin() + static_cast<std::ptrdiff_t>(end[node]),
+              [](const Entry& p, const Entry& q) { return p.key != q.key ? p.key < q.key : p.face < q.face; });
+    for (std::size_t i = begin, j; i < end[node]; i = j) {
+      for (j = i + 1; j < end[node] && entries[j].key == entries[i].key;) ++j;
+      if (j - i == 2) {
+        slot(entries[i].face) = entries[i + 1].face;
+        slot(entries[i + 1].face) = entries[i].face;
+      } else if (j - i > 2) {
+        for (std::size_t k = i; k < j; ++k) result.overfull.push_back(entries[k].face);
+      }
     }
   }
   std::sort(result.overfull.begin(), result.overfull.end());
