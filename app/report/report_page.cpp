@@ -292,7 +292,7 @@ std::string whatIfSection(const PageContent& page) {
         "{}<td>{}</td><td>{:.3g} %</td><td>{}</td></tr>\n", name,
         what.proven ? "none: proven as it is" : fmt::format("{}", what.way.all.size()),
         100 * static_cast<double>(what.way.all.size()) / static_cast<double>(std::max<std::size_t>(1, a.elements)),
-        !what.shapesKnown ? "not looked at" : fmt::format("{}", what.way.badlyShaped.size()));
+        !what.shapesKnown ? "not examined" : fmt::format("{}", what.way.badlyShaped.size()));
     for (const HandlerTrial& trial : what.trials) {
       const std::string mass =
           trial.addedMass ? fmt::format("{:.3g} kg, {:.3g} % of the body's", *trial.addedMass, 100 * trial.addedShare)
