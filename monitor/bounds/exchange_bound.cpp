@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/rounding.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
