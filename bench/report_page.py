@@ -4,7 +4,7 @@
   bench/report_page.py build/release/bin/ringwatch [--sizes] [--elements N ...]
 
 Pages of a folder that holds next to nothing, of 100 000 and a million rows of random numbers, the worst there can be, and of runs of
-tetrahedra, three frames each with steps, von Mises stress and stretch of the elements. Prints a Markdown table: bytes; wall time of
+tetrahedra, four frames each with steps, von Mises stress and stretch of the elements. Prints a Markdown table: bytes; wall time of
 `ringwatch report`, the least of three; milliseconds from asking for the page until it is read and until history and mesh are drawn, in a
 headless Chromium that draws by software, the median of three. Ends with status 1 where a page is larger than its limit.
 --sizes leaves browser and times out, and takes the steps of elements by their heights, which are quicker to compute and as large.
