@@ -17,6 +17,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are read as they lie in the file");
 
+/// Whole numbers of exchanged matrices are of this part of their unit.
+constexpr double numbersOfUnit = 1 << 30;
 /// Of a factorisation of the whole body, which takes some ten minutes.
 constexpr double mostProducts = 2e10;
 
@@ -107,7 +109,7 @@ Rows takeExchanged(Reader& file, std::vector<Node>& nodes, const std::int32_t* o
                    const Square& K, Exchange& exchange) {
   std::vector<std::int32_t> numbers(static_cast<std::size_t>(K.size) * (static_cast<std::size_t>(K.size) + 1) / 2);
   file.take(numbers.data(), numbers.size());
-  const Ball unit = Ball(exchange.unit) / Ball(1073741824.0);
+  const Ball unit = Ball(exchange.unit) / Ball(numbersOfUnit);
   Rows rest;
   for (const int r : free) {
     rest.emplace_back();

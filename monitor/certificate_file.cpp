@@ -152,6 +152,36 @@ Bytes beginFile(const Body& body, const NodeVectors& x, const Certificate& certi
   return bytes;
 }
 
+/// Of each element its nodes, allowance and weights.
+void addWeights(Bytes& bytes, const Body& body, const NodalBound& weights) {
+  const double least = leastAllowance * weights.last() * body.lumpedMass().minCoeff();
+  for (std::size_t b = 0; b < body.blocks().size(); ++b)
+    for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
+      const ElementRef element{b, e};
+      const auto nodes = body.blocks()[b]->nodesOf(e);
+      const double allowance = std::max(weights.value(element), least);
+      bytes.add(nodes.data(), nodes.size());
+      bytes.add(&allowance, 1);
+      for (std::size_t a = 0; a < nodes.size(); ++a) {
+        const NodalBound::Factor L = weights.factor(weights.incidenceOf(element, static_cast<int>(a)));
+        static_assert(sizeof L == 6 * sizeof(std::int16_t));
+        bytes.add(L.data(), L.size());
+      }
+    }
+}
+
+/// Of each element its nodes and its matrix.
+void addExchanged(Bytes& bytes, const Body& body, const ExchangeShares& shares) {
+  const std::int32_t* entries = shares.entries.data();
+  for (const auto& block : body.blocks()) {
+    const std::size_t size = 3 * static_cast<std::size_t>(block->element().nodes);
+    for (std::int32_t e = 0; e < block->elementCount(); ++e, entries += size * (size + 1) / 2) {
+      bytes.add(block->nodesOf(e).data(), block->nodesOf(e).size());
+      bytes.add(entries, size * (size + 1) / 2);
+    }
+  }
+}
+
 }  // namespace
 
 void requireCertifiable(const Body& body) {
@@ -186,33 +216,13 @@ Certificate makeCertificate(const Body& body, const NodeVectors& x, UpperSideBy 
       certificate.upper = shares.upper;
       certificate.proof = "exchange-bound";
       Bytes bytes = beginFile(body, x, certificate, u, order, shares.unit);
-      const std::int32_t* entries = shares.entries.data();
-      for (const auto& block : body.blocks()) {
-        const std::size_t size = 3 * static_cast<std::size_t>(block->element().nodes);
-        for (std::int32_t e = 0; e < block->elementCount(); ++e, entries += size * (size + 1) / 2) {
-          bytes.add(block->nodesOf(e).data(), block->nodesOf(e).size());
-          bytes.add(entries, size * (size + 1) / 2);
-        }
-      }
+      addExchanged(bytes, body, shares);
       certificate.bytes = std::move(bytes).sealed();
       return certificate;
     }
   }
   Bytes bytes = beginFile(body, x, certificate, u, order);
-  const double least = leastAllowance * bound * body.lumpedMass().minCoeff();
-  for (std::size_t b = 0; b < body.blocks().size(); ++b)
-    for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
-      const ElementRef element{b, e};
-      const auto nodes = body.blocks()[b]->nodesOf(e);
-      const double allowance = std::max(weights.value(element), least);
-      bytes.add(nodes.data(), nodes.size());
-      bytes.add(&allowance, 1);
-      for (std::size_t a = 0; a < nodes.size(); ++a) {
-        const NodalBound::Factor L = weights.factor(weights.incidenceOf(element, static_cast<int>(a)));
-        static_assert(sizeof L == 6 * sizeof(std::int16_t));
-        bytes.add(L.data(), L.size());
-      }
-    }
+  addWeights(bytes, body, weights);
   certificate.bytes = std::move(bytes).sealed();
   return certificate;
 }

@@ -47,9 +47,9 @@ struct Work {
 /// forces, a hex8 39, a hex20 29.
 ///
 /// There are two purses, one for each side of the bracket, so that neither starves the other; what one cannot keep the
-/// other gets. Two more, as much again each, are for nothing but the proof that the step which is taken is stable
-/// (Theorem 14, docs/theory/incremental_certificate.md), and, while there is none, for telling whether it is proven
-/// unstable (Theorem 8, docs/theory/rings_and_rayleigh.md).
+/// other gets. A third one, as much again, is for nothing but the proof that the step which is taken is stable
+/// (Theorem 14, docs/theory/incremental_certificate.md); a fourth one, of a step's own force at least, for telling,
+/// while there is no such proof, whether it is proven unstable (Theorem 8, docs/theory/rings_and_rayleigh.md).
 class WorkAccount {
  public:
   /// share: of a step's work; from `noLimit` on there is no limit.

@@ -69,13 +69,7 @@ TEST(TamperedCertificate, IsRejectedByItsMathematicsWhereTheChecksumIsMadeToFit)
     ++tried;
     EXPECT_NE(check::verify(sealed(other)).status, Status::proven) << what;
   };
-  const auto header = [&](const std::string& key, double value) {
-    std::string other = bytes;
-    const std::size_t from = other.find("\n" + key + " ") + key.size() + 2, end = other.find('\n', from);
-    char text[40];
-    std::snprintf(text, sizeof text, "%a", value);
-    return other.replace(from, end - from, text);
-  };
+  const auto header = [&](const std::string& key, double value) { return test::withHeader(bytes, key, value); };
   expectRejected(header("sigma", certificate.upper.value * (1 - 1e-8)), "sigma");
   expectRejected(header("lower", certificate.lower.value * (1 + 1e-8)), "lower side");
   expectRejected(header("lower", certificate.upper.value), "lower side at sigma");
@@ -159,10 +153,7 @@ std::string tamper(std::string& bytes, const Genuine& of, test::Random& random) 
   // A factorisation leaves a millionth between its sides.
   const double part = (of.factored ? 1e-5 : 1e-8) * std::pow(10, random.uniform(0, 3));
   const auto header = [&](const std::string& key, double scale) {
-    const std::size_t from = bytes.find("\n" + key + " ") + key.size() + 2, end = bytes.find('\n', from);
-    char text[40];
-    std::snprintf(text, sizeof text, "%a", scale * std::strtod(bytes.c_str() + from, nullptr));
-    bytes.replace(from, end - from, text);
+    bytes = test::withHeader(bytes, key, scale * test::headerNumber(bytes, key));
     return key;
   };
   switch (random.index(of.factored ? 6 : 9)) {
