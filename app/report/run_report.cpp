@@ -78,17 +78,6 @@ std::optional<double> keyTimeOf(const Json& summary, const std::optional<RunHist
   return std::nullopt;
 }
 
-/// Whether springs or contact, not the elements, made the first step too large.
-bool contactGoverns(const Json& summary) {
-  if (!summary.is_object()) return false;
-  const auto events = summary.find("events");
-  if (events == summary.end() || !events->is_array()) return false;
-  for (const Json& event : *events)
-    if (event.is_object() && textOf(event, "kind") == "violated")
-      return numberOf(event, "discrete_share").value_or(0) > 0.5;
-  return false;
-}
-
 /// The first frame from that time on: the elements in the way are in the way there. Where that state has long left what
 /// the run's step is about, the frame before it, unless contact leaves the elements where they were; without a time the
 /// last one.
@@ -135,7 +124,7 @@ std::optional<VtuFrame> addFrames(PageContent& page, const ReportOptions& option
     return found->second ? &*found->second : nullptr;
   };
   const std::size_t key =
-      keyFrameOf(frames, keyTimeOf(page.summary, page.history), contactGoverns(page.summary), cached);
+      keyFrameOf(frames, keyTimeOf(page.summary, page.history), discreteGoverns(page.summary), cached);
   const VtuFrame* keyState = cached(key);
   const std::size_t fit = options.frames > 0 ? options.frames
                           : keyState         ? framesThatFit(keyState->mesh.elementCount(), keyState->cells.size())

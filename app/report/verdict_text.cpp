@@ -81,9 +81,6 @@ std::string discreteName(const Json& discrete) {
   return springs && contact ? "springs or contact" : springs ? "springs" : "contact";
 }
 
-/// Whether springs or contact, not the elements, hold most of the mode that an event proves unstable.
-bool governedByDiscrete(const Json& event) { return numberOf(event, "discrete_share").value_or(0) > 0.5; }
-
 /// "; contact governs the step, not the elements: it holds 93 % of the energy of the unstable mode, …".
 std::string discreteCause(const Json& event, const Json& discrete) {
   const std::string name = discreteName(discrete);
@@ -271,6 +268,11 @@ PageVerdict whileRunning(const Json& summary, const Json& live, const std::optio
 
 }  // namespace
 
+bool discreteGoverns(const Json& summary) {
+  const Json* violated = summary.is_object() ? firstEvent(summary, "violated") : nullptr;
+  return violated && numberOf(*violated, "discrete_share").value_or(0) > 0.5;
+}
+
 std::string stepRoundedDown(double step) {
   if (!(step > 0) || !std::isfinite(step)) return fmt::format("{:.4g}", step);
   const double unit = std::pow(10, std::floor(std::log10(step)) - 3);
@@ -407,7 +409,7 @@ PageVerdict verdictOf(const Json& summary, const std::optional<RunHistory>& hist
 
   const auto say = [&text](const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence; };
   const Json& discrete = discreteForces(summary);
-  const bool contactGoverns = violated && discrete.is_object() && governedByDiscrete(*violated);
+  const bool contactGoverns = discrete.is_object() && discreteGoverns(summary);
   if (violated) {
     const std::string who = elementAndCause(*violated);
     say(fmt::format("From {} on, {} is above the critical step{}.", when(*violated), stepsText(summary),

@@ -32,6 +32,10 @@ std::optional<SmallestSafe> smallestSafe(const RunHistory& history, std::optiona
 /// A step rounded down to four digits, so that what holds for the step holds for the text.
 std::string stepRoundedDown(double step);
 
+/// Whether springs or contact, not the elements, hold most of the mode that proves the first step too large. summary:
+/// of summary.json, or null without one.
+bool discreteGoverns(const nlohmann::ordered_json& summary);
+
 /// summary: of summary.json, or null without one; history: empty without one; analysis: of the frame that the page is
 /// about, nullptr without one.
 PageVerdict verdictOf(const nlohmann::ordered_json& summary, const std::optional<RunHistory>& history,
