@@ -35,6 +35,10 @@ inline Dual sqrt(Dual a) {
   return {r, a.derivative / (2 * r)};
 }
 inline Dual log(Dual a) { return {::log(a.value), a.derivative / a.value}; }
+inline Dual cbrt(Dual a) {
+  const double r = ::cbrt(a.value);
+  return {r, a.derivative / (3 * r * r)};
+}
 inline Dual abs(Dual a) { return a.value < 0 ? -a : a; }
 inline Dual max(Dual a, Dual b) { return a.value > b.value ? a : b; }
 inline Dual min(Dual a, Dual b) { return a.value < b.value ? a : b; }

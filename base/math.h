@@ -18,6 +18,8 @@ RINGWATCH_INLINE double sqrt(double a) { return ::sqrt(a); }
 RINGWATCH_INLINE float sqrt(float a) { return ::sqrtf(a); }
 RINGWATCH_INLINE double log(double a) { return ::log(a); }
 RINGWATCH_INLINE float log(float a) { return ::logf(a); }
+RINGWATCH_INLINE double cbrt(double a) { return ::cbrt(a); }
+RINGWATCH_INLINE float cbrt(float a) { return ::cbrtf(a); }
 RINGWATCH_INLINE double abs(double a) { return ::fabs(a); }
 RINGWATCH_INLINE float abs(float a) { return ::fabsf(a); }
 RINGWATCH_INLINE double max(double a, double b) { return a > b ? a : b; }

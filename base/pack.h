@@ -118,6 +118,12 @@ RINGWATCH_INLINE Pack<T, W> log(Pack<T, W> a) {
   return r;
 }
 template <class T, int W>
+RINGWATCH_INLINE Pack<T, W> cbrt(Pack<T, W> a) {
+  Pack<T, W> r;
+  for (int i = 0; i < W; ++i) r.v[i] = cbrt(a.v[i]);
+  return r;
+}
+template <class T, int W>
 RINGWATCH_INLINE Pack<T, W> abs(Pack<T, W> a) {
   return Pack<T, W>(a.v < 0 ? -a.v : a.v);
 }

@@ -60,6 +60,10 @@ bench::CountedAs<T> log(bench::CountedAs<T> a) {
   return bench::CountedAs<T>::counted(std::log(a.value));
 }
 template <class T>
+bench::CountedAs<T> cbrt(bench::CountedAs<T> a) {
+  return bench::CountedAs<T>::counted(std::cbrt(a.value));
+}
+template <class T>
 bench::CountedAs<T> abs(bench::CountedAs<T> a) {
   return std::fabs(a.value);
 }

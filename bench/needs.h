@@ -28,9 +28,10 @@ inline Need needOf(const Case& c, const Setup& s, Pass pass) {
           flops = 2 * (gradient + product) + operationsOf([&] { law.linearize(F)(dF); }) + 9 + product + scatter;
         else {
           const Counted g[3] = {1.0, 0.5, 0.25};
-          const auto blocks = linearization.nodeBlocks(1.0);
+          const auto blocks = nodeBlocksOf<Counted>(linearization, Counted(1.0));
           const auto node = blocks.node(g);
-          flops = gradient + product + 15 * n + operationsOf([&] { law.linearize(F).nodeBlocks(1.0); }) +
+          flops = gradient + product + 15 * n +
+                  operationsOf([&] { nodeBlocksOf<Counted>(law.linearize(F), Counted(1.0)); }) +
                   n * operationsOf([&] { blocks.node(g); }) +
                   n * (n + 1) / 2 * (operationsOf([&] { blocks(node, node); }) + (points > 1 ? 9 : 0));
         }

@@ -236,10 +236,11 @@ double Body::energy(NodeVectorsView x, Workspace& workspace) const {
   return energy;
 }
 
-Body::LeastDeterminant Body::leastDeterminant(NodeVectorsView x) const {
+Body::LeastDeterminant Body::leastDeterminant(NodeVectorsView x, Among among) const {
   LeastDeterminant least{infinity, {}};
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ElementBlock& block = *blocks_[b];
+    if (among == Among::whereInversionIsAnError && block.material().info().allowsInversion) continue;
     std::vector<double> values(block.layout().elements.size());
     parallelFor(0, block.layout().batchCount(), threads(), [&](std::int64_t batch) {
       block.minimumDeterminantBatch(batch, x.data(), values.data() + batch * lanes);

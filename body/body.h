@@ -88,7 +88,8 @@ class Body : public TangentSource {
     double value;
     ElementRef element;
   };
-  LeastDeterminant leastDeterminant(NodeVectorsView x) const;
+  enum class Among { allElements, whereInversionIsAnError };  ///< the second leaves out laws that allow it
+  LeastDeterminant leastDeterminant(NodeVectorsView x, Among among = Among::allElements) const;
 
  private:
   std::vector<const ElementTangents*> tangentsOfBlocks() const;

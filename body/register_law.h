@@ -14,10 +14,10 @@ void registerLaw() {
   detail::registerLaw(
       {lawInfo<L>(), [](const Options& parameters, Material& material) {
          auto law = std::make_shared<const L>(L::of(parameters));
-         const Lame rest = law->restModuli();
          material.outside =
              OutsideLaw{lawInfo<L>(),
-                        rest,
+                        law->restModuli(),
+                        restModulusOf(*law),
                         std::move(law),
                         [](const void* own, const Matrix3<double>& F) { return static_cast<const L*>(own)->energy(F); },
                         [](const void* own, const Matrix3<double>& F) { return static_cast<const L*>(own)->stress(F); },

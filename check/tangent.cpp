@@ -85,14 +85,18 @@ Matrix transpose(const Matrix& A) {
     for (int j = 0; j < 3; ++j) T[i][j] = A[j][i];
   return T;
 }
-Matrix inverse(const Matrix& A, Ball& determinant) {
-  Matrix adjugate;
+Matrix cofactor(const Matrix& A, Ball& determinant) {
+  Matrix cof;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
-      const int r = (j + 1) % 3, s = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
-      adjugate[i][j] = A[r][c] * A[s][d] - A[r][d] * A[s][c];
+      const int r = (i + 1) % 3, s = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
+      cof[i][j] = A[r][c] * A[s][d] - A[r][d] * A[s][c];
     }
-  determinant = A[0][0] * adjugate[0][0] + A[0][1] * adjugate[1][0] + A[0][2] * adjugate[2][0];
+  determinant = A[0][0] * cof[0][0] + A[0][1] * cof[0][1] + A[0][2] * cof[0][2];
+  return cof;
+}
+Matrix inverse(const Matrix& A, Ball& determinant) {
+  Matrix adjugate = transpose(cofactor(A, determinant));
   for (Row& row : adjugate)
     for (Ball& entry : row) entry = entry / determinant;
   return adjugate;
@@ -189,7 +193,8 @@ bool closestRotation(const Matrix& F, Matrix& R, Matrix& U, Matrix& spin) {
 bool modulus(const std::string& law, const Ball& lambda, const Ball& mu, const Matrix& F, Square& C) {
   Matrix A, S, U, spin;  // C = x δ_ik δ_JL + λ A_iJ A_kL + y A_iL A_kJ + …
   Ball x = mu, y = mu, t;
-  const bool stvk = law == "stvk";
+  Ball volume, soften, stiff = lambda;
+  const bool stvk = law == "stvk", stable = law == "stable-neo-hookean";
   if (stvk) {
     A = F;
     S = product(transpose(F), F);
@@ -206,6 +211,17 @@ bool modulus(const std::string& law, const Ball& lambda, const Ball& mu, const M
     A = transpose(inverse(F, J));
     if (!J.positive()) return false;
     y = mu - lambda * logarithm(J);
+  } else if (stable) {
+    Ball norm2;
+    A = cofactor(F, volume);
+    for (const Row& row : F)
+      for (const Ball& entry : row) norm2.addProduct(entry, entry);
+    const Ball m = Ball(4.0) * mu / Ball(3.0), q = norm2 + Ball(1.0);
+    x = m * norm2 / q;
+    soften = Ball(2.0) * m / q / q;
+    stiff = lambda + Ball(5.0) * mu / Ball(6.0);
+    t = stiff * (volume - Ball(1.0)) - mu;
+    y = 0.0;
   } else {  // corotational
     if (!closestRotation(F, A, U, spin)) return false;
     t = lambda * (U[0][0] + U[1][1] + U[2][2] - Ball(3.0)) - Ball(2.0) * mu;
@@ -216,10 +232,15 @@ bool modulus(const std::string& law, const Ball& lambda, const Ball& mu, const M
     for (int J = 0; J < 3; ++J)
       for (int k = 0; k < 3; ++k)
         for (int L = 0; L < 3; ++L) {
-          Ball& c = C(3 * i + J, 3 * k + L) = lambda * A[i][J] * A[k][L] + y * A[i][L] * A[k][J];
+          Ball& c = C(3 * i + J, 3 * k + L) = stiff * A[i][J] * A[k][L] + y * A[i][L] * A[k][J];
           if (i == k && J == L) c += x;
           if (stvk && i == k) c += S[J][L];
           if (stvk && J == L) c.addProduct(mu, U[i][k]);
+          if (!stable) continue;
+          c.addProduct(soften * F[i][J], F[k][L]);
+          if (i != k && J != L)  // ∂cof_iJ/∂F_kL = ε_ikn ε_JLQ F_nQ
+            c.addProduct(t * Ball(permutation(i, k, 3 - i - k) * permutation(J, L, 3 - J - L)),
+                         F[3 - i - k][3 - J - L]);
         }
   if (law != "corotational") return true;
   // t ∂R/∂F: dR = R [w]×, w = (tr(U) I - U)⁻¹ axial(RᵀdF - dFᵀR).
@@ -265,7 +286,8 @@ int nodesOf(const std::string& element) {
 }
 
 bool knowsLaw(const std::string& law) {
-  return law == "stvk" || law == "linear" || law == "neo-hookean" || law == "corotational";
+  return law == "stvk" || law == "linear" || law == "neo-hookean" || law == "corotational" ||
+         law == "stable-neo-hookean";
 }
 
 bool elementTangent(const Kind& kind, const double* X, const double* x, Square& K, double& restVolume) {

@@ -108,7 +108,7 @@ endfunction()
 
 # ringwatch_law_files(FILES TEMPLATE): configures TEMPLATE, a .in file, once for each shard of the laws (lawShards of
 # materials/registry.h) and appends the results to the list FILES. @SHARD@ is the shard's number.
-set(RINGWATCH_LAW_SHARDS 4)
+set(RINGWATCH_LAW_SHARDS 8)
 function(ringwatch_law_files files template)
   math(EXPR last "${RINGWATCH_LAW_SHARDS} - 1")
   foreach(SHARD RANGE ${last})

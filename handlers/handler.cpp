@@ -138,6 +138,8 @@ void Handler::requireCorotationalTetrahedra(const std::vector<ElementRef>& eleme
                                 block.element().name, "; take imex"));
     if (const LawInfo law = block.material().info(); !law.objective)
       throw InputError(joinText(name, " turns with its elements, and the law \"", law.name, "\" does not; take imex"));
+    else if (!law.isotropic)
+      throw InputError(joinText(name, " handles isotropic laws, and \"", law.name, "\" is none; take imex"));
   }
 }
 

@@ -19,12 +19,12 @@ struct Corotational {
   static constexpr std::string_view name = "corotational";
   static constexpr std::string_view help = "linear elasticity in a frame that turns with the element";
   static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
-  static constexpr bool objective = true, tangentIsConstant = false;
+  static constexpr bool objective = true, isotropic = true, tangentIsConstant = false;
   /// ∂P/∂F exceeds the turned tangent at rest by its part on spins alone, 2μ + 2 (λ (tr U - 3) - 2μ)/(sum of two
   /// stretches), where the turned tangent has nothing that could be scaled, and its highest eigenvalue stays 3λ + 2μ
   /// while three times that sum exceeds 2 (tr U - 3).
   static constexpr bool tangentStiffens = false;
-  static constexpr bool definedInverted = true;
+  static constexpr bool definedInverted = true, allowsInversion = false;
   Lame constants;
 
   static Corotational of(const Options& parameters) { return {lameConstants(parameters)}; }

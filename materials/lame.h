@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <cmath>
 
 #include <ringwatch/base/options.h>
 
@@ -24,11 +23,6 @@ inline constexpr std::array youngAndPoisson{
 inline Options youngAndPoissonOf(double young, double poisson) { return {{"young", young}, {"poisson", poisson}}; }
 inline Lame lameConstants(const Options& parameters) {
   return lameConstants(parameters.number("young"), parameters.number("poisson"));
-}
-
-/// Speed of a pressure wave in the undeformed material, √((λ+2μ)/ρ), m/s, by the moduli of a law at rest.
-inline double pressureWaveSpeed(Lame constants, double density) {
-  return std::sqrt((constants.lambda + 2 * constants.mu) / density);
 }
 
 }  // namespace ringwatch

@@ -16,9 +16,9 @@ struct LinearElastic {
   static constexpr std::string_view name = "linear";
   static constexpr std::string_view help = "linear elasticity at small strain";
   static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
-  static constexpr bool objective = false, tangentIsConstant = true;
+  static constexpr bool objective = false, isotropic = true, tangentIsConstant = true;
   static constexpr bool tangentStiffens = false;
-  static constexpr bool definedInverted = true;
+  static constexpr bool definedInverted = true, allowsInversion = false;
   Lame constants;
 
   static LinearElastic of(const Options& parameters) { return {lameConstants(parameters)}; }

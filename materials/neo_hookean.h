@@ -4,6 +4,7 @@
 
 #include <ringwatch/base/matrix3.h>
 #include <ringwatch/base/rounding.h>
+#include <ringwatch/materials/inverse_norm.h>
 #include <ringwatch/materials/lame.h>
 #include <ringwatch/materials/modulus_rounding.h>
 #include <ringwatch/materials/tangent_drift.h>
@@ -17,9 +18,9 @@ struct NeoHookean {
   static constexpr std::string_view name = "neo-hookean";
   static constexpr std::string_view help = "compressible neo-Hookean: stiffens without bound under compression";
   static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
-  static constexpr bool objective = true, tangentIsConstant = false;
+  static constexpr bool objective = true, isotropic = true, tangentIsConstant = false;
   static constexpr bool tangentStiffens = true;
-  static constexpr bool definedInverted = false;
+  static constexpr bool definedInverted = false, allowsInversion = false;
   Lame constants;
 
   static NeoHookean of(const Options& parameters) { return {lameConstants(parameters)}; }
@@ -110,13 +111,9 @@ struct NeoHookean {
     constexpr double share = 0.1, k = 1 / (1 - share);  // θ
     const S zero(0.0);
     const auto upright = determinant(F) > zero;
-    Matrix3<S> own = Matrix3<S>::identity();
-    for (int i = 0; i < 9; ++i) own.m[i] = select(upright, F.m[i], own.m[i]);
-    const Linearization<S> l = linearize(own);
-    const Matrix3<S> C = transposeTimes(l.inverseTranspose, l.inverseTranspose);
-    const S trace2 = trace(C), spread2 = math::max(zero, innerProduct(C, C) - trace2 * trace2 * S(1.0 / 3.0));
-    const S w2 = (trace2 * S(1.0 / 3.0) + math::sqrt(S(2.0 / 3.0) * spread2)) * S(1 + largestInverseRounding),
-            w = math::sqrt(w2);
+    const Linearization<S> l = linearize(detail::knownOrIdentity(upright, F));
+    const S trace2 = innerProduct(l.inverseTranspose, l.inverseTranspose);
+    const S w2 = detail::spectralNorm2(l.inverseTranspose), w = math::sqrt(w2);
     const S G = math::sqrt(trace2), a = math::abs(l.a), lambda(math::abs(constants.lambda));
     const S linear = S(2 * k) * a * w * w2 + lambda * G * w2 * S(1 + 2 * k);
     const S quadratic = w2 * w2 * (S(k * k) * (a + lambda) + S(0.5 * k) * lambda) +

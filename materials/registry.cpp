@@ -44,6 +44,10 @@ LawInfo Material::info() const {
 Lame Material::restModuli() const {
   return outside ? outside->rest : std::visit([](const auto& l) { return l.restModuli(); }, law);
 }
+double Material::restModulus() const {
+  return outside ? outside->restModulus : std::visit([](const auto& l) { return restModulusOf(l); }, law);
+}
+double Material::waveSpeed() const { return std::sqrt(restModulus() / density); }
 double Material::energy(const Matrix3<double>& F) const {
   return outside ? outside->energy(outside->law.get(), F) : std::visit([&](const auto& l) { return l.energy(F); }, law);
 }

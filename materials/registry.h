@@ -11,14 +11,19 @@
 #include <ringwatch/base/type_list.h>
 #include <ringwatch/materials/corotational.h>
 #include <ringwatch/materials/linear_elastic.h>
+#include <ringwatch/materials/mooney_rivlin.h>
 #include <ringwatch/materials/neo_hookean.h>
 #include <ringwatch/materials/st_venant_kirchhoff.h>
+#include <ringwatch/materials/stable_neo_hookean.h>
+#include <ringwatch/materials/transversely_isotropic.h>
+#include <ringwatch/materials/yeoh.h>
 
 namespace ringwatch {
 
 /// Every constitutive law of the library, one line each. Blocks, `--help`, scene validation and generic tests iterate
 /// it.
-using Laws = TypeList<StVenantKirchhoff, LinearElastic, Corotational, NeoHookean>;
+using Laws = TypeList<StVenantKirchhoff, LinearElastic, Corotational, NeoHookean, StableNeoHookean, MooneyRivlin, Yeoh,
+                      TransverselyIsotropic>;
 
 namespace detail {
 template <class... Ls>
@@ -33,7 +38,7 @@ using Law = decltype(detail::lawVariant(Laws{}));
 
 /// Code for all laws is compiled side by side in this many files: file s holds the laws with number % lawShards == s.
 /// cmake/RingwatchTargets.cmake has the same number, and each file checks that.
-inline constexpr std::size_t lawShards = 4;
+inline constexpr std::size_t lawShards = 8;
 
 /// Calls visit(TypeTag<L>{}) when law number `law` of `Laws` is in that file.
 template <std::size_t shard, class Visit>
@@ -64,9 +69,11 @@ struct LawInfo {
   std::string_view help;
   std::span<const OptionInfo> parameters;  ///< numbers that it is made from
   bool objective;                          ///< energy and stress turn with the body
+  bool isotropic;                          ///< has no direction of its own
   bool tangentStiffens;                    ///< ∂P/∂F grows with stretch beyond what rotation and scaling make of it
   bool tangentIsConstant;                  ///< ∂P/∂F is the same at every F
   bool definedInverted;                    ///< energy and stress are numbers where det F <= 0 too
+  bool allowsInversion;                    ///< made for states with det F <= 0, which the monitor does not report then
   /// Parameters for which the law has Young's modulus (Pa) and Poisson's ratio at rest.
   Options (*parametersFor)(double young, double poisson);
 };
@@ -77,21 +84,33 @@ constexpr LawInfo lawInfo() {
           L::help,
           L::parameters,
           L::objective,
+          L::isotropic,
           L::tangentStiffens,
           L::tangentIsConstant,
           L::definedInverted,
+          L::allowsInversion,
           L::parametersFor};
 }
 
 /// A law that a program has registered (body/register_law.h), with its constants.
 struct OutsideLaw {
   LawInfo info;
-  Lame rest;  // see Material::restModuli
+  Lame rest;           // see Material::restModuli
+  double restModulus;  // see Material::restModulus
   std::shared_ptr<const void> law;
   double (*energy)(const void* law, const Matrix3<double>& F);
   Matrix3<double> (*stress)(const void* law, const Matrix3<double>& F);
   Matrix3<double> (*stressDifferential)(const void* law, const Matrix3<double>& F, const Matrix3<double>& dF);
 };
+
+/// See Material::restModulus.
+template <class L>
+double restModulusOf(const L& law) {
+  if constexpr (requires { law.stiffestModulus(); })
+    return law.stiffestModulus();
+  else
+    return law.restModuli().lambda + 2 * law.restModuli().mu;
+}
 
 /// A law and a density, kg/m³.
 struct Material {
@@ -101,12 +120,13 @@ struct Material {
 
   LawInfo info() const;
   std::string_view lawName() const { return info().name; }
-  /// λ and μ of the law's linearisation at rest, Pa: all laws are isotropic there.
+  /// λ and μ of the law's linearisation at rest, Pa; of a law that is not isotropic, across its axis.
   Lame restModuli() const;
-  /// λ + 2μ of these: what stiffness is measured by, Pa.
-  double restModulus() const { return restModuli().lambda + 2 * restModuli().mu; }
-  /// Speed of a pressure wave at rest, m/s.
-  double waveSpeed() const { return pressureWaveSpeed(restModuli(), density); }
+  /// What stiffness is measured by, Pa: λ + 2μ of these, or what a law that is not isotropic declares, at least ρ c² of
+  /// its fastest wave at rest.
+  double restModulus() const;
+  /// Speed of a pressure wave at rest, m/s: √(restModulus/ρ).
+  double waveSpeed() const;
   /// The law itself, whose type must be known.
   template <class L>
   const L& as() const {

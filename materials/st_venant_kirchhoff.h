@@ -16,9 +16,9 @@ struct StVenantKirchhoff {
   static constexpr std::string_view help =
       "St. Venant-Kirchhoff: linear in the Green strain; softens and collapses under strong compression";
   static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
-  static constexpr bool objective = true, tangentIsConstant = false;
+  static constexpr bool objective = true, isotropic = true, tangentIsConstant = false;
   static constexpr bool tangentStiffens = true;
-  static constexpr bool definedInverted = true;
+  static constexpr bool definedInverted = true, allowsInversion = false;
   Lame constants;
 
   static StVenantKirchhoff of(const Options& parameters) { return {lameConstants(parameters)}; }

@@ -57,13 +57,21 @@ class Bytes {
   std::string bytes_;
 };
 
-Lame constantsOf(const Material& material) {
-  return std::visit([](const auto& law) { return law.constants; }, material.law);
+/// Those of a law that is made of them; nothing for others, of which there are no certificates.
+std::optional<Lame> constantsOf(const Material& material) {
+  return std::visit(
+      [](const auto& law) -> std::optional<Lame> {
+        if constexpr (requires { law.constants.lambda; })
+          return law.constants;
+        else
+          return std::nullopt;
+      },
+      material.law);
 }
 
 void addKind(Bytes& bytes, const ElementBlock& block) {
   const QuadratureRule& rule = block.rule();
-  const Lame constants = constantsOf(block.material());
+  const Lame constants = constantsOf(block.material()).value();
   bytes.add(joinText("kind ", block.element().name, " ", block.material().lawName(), " ", block.elementCount()));
   for (const double number : {constants.lambda, constants.mu, rule.shares.pointLambda, rule.shares.pointMu,
                               rule.shares.meanLambda, rule.shares.meanMu})
@@ -184,6 +192,8 @@ void addExchanged(Bytes& bytes, const Body& body, const ExchangeShares& shares) 
 
 }  // namespace
 
+bool lawHasCertificates(const Material& material) { return !material.outside && constantsOf(material); }
+
 void requireCertifiable(const Body& body) {
   if (body.discreteForces())
     throw InputError("certificate: springs and contact have none; certificates are of elements alone");
@@ -192,6 +202,9 @@ void requireCertifiable(const Body& body) {
         block.material().outside || !isOfLibrary(body.mesh().blocks[b].type))
       throw InputError(joinText("certificate: element ", block.element().name, " of law ", block.material().lawName(),
                                 " was registered by a program; certificates are of the library's own"));
+    else if (!lawHasCertificates(block.material()))
+      throw InputError(joinText("certificate: of the law ", block.material().lawName(),
+                                " there is none; certificates are of laws of Young's modulus and Poisson's ratio"));
 }
 
 Certificate makeCertificate(const Body& body, const NodeVectors& x, UpperSideBy by) {

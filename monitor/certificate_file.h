@@ -29,6 +29,8 @@ enum class UpperSideBy { nodalBound, tighterOfBoth };
 
 /// Throws InputError for elements or laws that are not the library's own, which no certificate knows.
 void requireCertifiable(const Body& body);
+/// Whether the checker knows the law of a material: one of the library that is made of Lamé's constants.
+bool lawHasCertificates(const Material& material);
 
 /// That of a body at positions x (3×N, m). Throws InputError when x is not 3×N and as requireCertifiable;
 /// NumericalError where the tangent is not finite, or nothing in the body is stiff and free.

@@ -101,7 +101,7 @@ struct StabilityMonitor::Impl {
       // An element that inverts leaves its ball first, so the elements evaluated are all that can have inverted. Where
       // the tangent is not finite the evaluation has ended early.
       const Body::LeastDeterminant least =
-          unknown ? body.leastDeterminant(x)
+          unknown ? body.leastDeterminant(x, Body::Among::whereInversionIsAnError)
                   : Body::LeastDeterminant{statistics.leastDeterminant, statistics.leastDeterminantElement};
       tellInverted(least, x);
       const RunBracket::LowestRing& lowest = bracket->lowestRing();
@@ -113,7 +113,7 @@ struct StabilityMonitor::Impl {
     if (!options.metric.empty()) {
       report.metricStep = (1 - options.margin) * options.limit(metricLambda(x));
       report.elementsRefreshed += static_cast<std::int64_t>(body.mesh().elementCount());
-      tellInverted(body.leastDeterminant(x), x);
+      tellInverted(body.leastDeterminant(x, Body::Among::whereInversionIsAnError), x);
     }
   }
 };

@@ -156,7 +156,7 @@ AuditedState audited(const Body& body, const NodeVectors& x, const StepRule& rul
     state.why = fmt::format("{} of {} nodes are not finite", state.notFinite, x.cols());
     return state;
   }
-  state.least = body.leastDeterminant(x);
+  state.least = body.leastDeterminant(x, Body::Among::whereInversionIsAnError);
   Body::Workspace workspace;
   state.strainEnergy = body.energy(x, workspace);
   try {

@@ -288,10 +288,11 @@ void addOptions(Page& page, std::span<const OptionInfo> options) {
 std::string lawsPage(const Commands&) {
   Page page("Laws", "Constitutive laws: `material.model` in a scene and `--model`.");
   const auto yes = [](bool value) { return value ? "yes" : "no"; };
-  page.table({"law", "what it is", "objective", "constant tangent", "defined for inverted elements"});
+  page.table({"law", "what it is", "objective", "isotropic", "constant tangent", "defined for inverted elements",
+              "allows inversion"});
   for (const LawInfo& law : allLaws())
-    page.row(
-        {code(law.name), cell(law.help), yes(law.objective), yes(law.tangentIsConstant), yes(law.definedInverted)});
+    page.row({code(law.name), cell(law.help), yes(law.objective), yes(law.isotropic), yes(law.tangentIsConstant),
+              yes(law.definedInverted), yes(law.allowsInversion)});
   for (const LawInfo& law : allLaws()) {
     page.heading(law.name, "Its parameters:");
     addOptions(page, law.parameters);

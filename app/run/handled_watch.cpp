@@ -6,7 +6,7 @@ std::optional<MonitorEvent> HandledWatch::observe(Handler& handler, const Body& 
                                                   const NodeVectors& x) {
   uncertifiedPart_ = handler.uncertifiedPart(x);
   const auto least = handler.leastHandledDeterminant(x);
-  if (!least || least->value > 0) {
+  if (!least || least->value > 0 || body.blocks()[least->element.block]->material().info().allowsInversion) {
     tracker_.absent(EventKind::inverted, step);
     return std::nullopt;
   }

@@ -56,6 +56,22 @@ constexpr GeneratorParameter barParameters[] = {size3, cells3, origin, element, 
 constexpr GeneratorParameter cubeParameters[] = {size1, cells1, origin, element, split, jitter, seed, grading};
 constexpr GeneratorParameter gradedParameters[] = {size3, cells3, origin, element, split, jitter, seed, steepGrading};
 constexpr GeneratorParameter mixedParameters[] = {size3, mixedCells3, origin, jitter, seed, grading};
+constexpr GeneratorParameter ringRadius{"radius", "m", "outer radius", K::number, 1,    {0.1},
+                                        "",       0,   infinity,       false,     false};
+constexpr GeneratorParameter inner{"inner", "m",  "inner radius, below radius", K::number, 1, {0.06}, "", 0, infinity,
+                                   false,   false};
+constexpr GeneratorParameter width{"width", "m",  "along the axis, y", K::number, 1, {0.04}, "", 0, infinity,
+                                   false,   false};
+constexpr GeneratorParameter ringCells{
+    "cells", "",  "cells around, between the radii, along the axis", K::integer, 3, {32, 3, 3}, "", 1, mostCells,
+    true,    true};
+constexpr GeneratorParameter teeth{
+    "teeth", "",  "of a gear, four cells around or a multiple each; 0 is round", K::integer, 1, {0}, "", 0, mostCells,
+    true,    true};
+constexpr GeneratorParameter toothDepth{
+    "tooth_depth", "m", "of the teeth, from the radius inwards", K::number, 1, {0}, "", 0, infinity, true, false};
+constexpr GeneratorParameter ringParameters[] = {ringRadius, inner, width, ringCells,
+                                                 element,    split, teeth, toothDepth};
 constexpr GeneratorParameter ballParameters[] = {radius, cellsAcross, element, split};
 
 constexpr GeneratorParameter finest{"finest", "m",  "longest edge at the plane", K::number, 1, {0.005}, "", 0, infinity,
@@ -184,6 +200,19 @@ Mesh ball(const Values& values) {
                        static_cast<int>(values.number("split"))});
 }
 
+Mesh ring(const Values& values) {
+  RingOptions options{values.number("radius"),
+                      values.number("inner"),
+                      values.number("width"),
+                      {},
+                      values.text("element"),
+                      static_cast<int>(values.number("split")),
+                      static_cast<int>(values.number("teeth")),
+                      values.number("tooth_depth")};
+  for (std::size_t k = 0; k < 3; ++k) options.cells[k] = static_cast<int>(values.number("cells", k));
+  return generateRing(options);
+}
+
 struct Generator {
   GeneratorInfo info;
   Mesh (*generate)(const Values& values);
@@ -196,6 +225,7 @@ constexpr Generator generators[] = {
     {{"refined", "a box of tetrahedra bisected until they are small at a plane across x", refinedParameters}, refined},
     {{"mixed", "a bar of wedges, hexahedra, pyramids and tetrahedra that share faces", mixedParameters}, mixed},
     {{"ball", "a ball, a cube of cells mapped onto it", ballParameters}, ball},
+    {{"ring", "a hollow cylinder around y, or a gear", ringParameters}, ring},
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <unordered_map>
 #include <vector>
@@ -52,10 +53,11 @@ struct Grid {
   std::int64_t cornerNodes = 0;
   std::vector<std::array<int, 3>> centres;  // cells with a node in their middle, in the order of these nodes
 
-  explicit Grid(const std::array<int, 3>& count, const CellSubdivision& split) : cells(count) {
+  /// closed: the last cells along x meet the first.
+  Grid(const std::array<int, 3>& count, const CellSubdivision& split, bool closed = false) : cells(count) {
     double total = 1, cellTotal = 1;
     for (int k = 0; k < 3; ++k) {
-      nodes[k] = std::int64_t{count[k]} + 1;
+      nodes[k] = std::int64_t{count[k]} + (closed && k == 0 ? 0 : 1);
       total *= static_cast<double>(nodes[k]);
       cellTotal *= count[k];
     }
@@ -67,7 +69,9 @@ struct Grid {
                                 " are possible"));
     cornerNodes = nodes[0] * nodes[1] * nodes[2];
   }
-  std::int64_t node(std::int64_t i, std::int64_t j, std::int64_t k) const { return i + nodes[0] * (j + nodes[1] * k); }
+  std::int64_t node(std::int64_t i, std::int64_t j, std::int64_t k) const {
+    return i % nodes[0] + nodes[0] * (j + nodes[1] * k);
+  }
   /// Corner c = x + 2y + 4z of a cell.
   std::int64_t corner(int i, int j, int k, int c) const { return node(i + (c & 1), j + ((c >> 1) & 1), k + (c >> 2)); }
 };
@@ -353,6 +357,52 @@ Mesh generateBall(const BallOptions& options) {
   sortUnique(surface);
   mesh.nodeSets = {{"surface", std::move(surface)}};
   requirePositiveElements(mesh, joinText("cells = ", options.cells));
+  return mesh;
+}
+
+Mesh generateRing(const RingOptions& options) {
+  requirePositive("inner", options.inner);
+  requirePositive("width", options.width);
+  for (const int count : options.cells) requirePositive("cells", count);
+  const auto [around, across, along] = options.cells;
+  if (!(options.radius > options.inner) || !std::isfinite(options.radius))
+    throw InputError(joinText("radius = ", options.radius, ": it must be above the inner one, ", options.inner));
+  constexpr int leastAround = 3;
+  if (around < leastAround)
+    throw InputError(joinText("cells = [", around, ", …]: it must be at least ", leastAround, " around"));
+  const CellSubdivision& split = findSplit(options.element, options.split);
+  if (around % 2 != 0 && !std::equal(split.even.begin(), split.even.end(), split.odd.begin(), split.odd.end()))
+    throw InputError(joinText("cells = [", around, ", …]: it must be even around, since neighbours are cut by turns"));
+  constexpr int partsOfTooth = 4;
+  if (options.teeth < 0 || (options.teeth > 0 && around % (partsOfTooth * options.teeth) != 0))
+    throw InputError(joinText("teeth = ", options.teeth, ": it must be 0, or ", partsOfTooth,
+                              " cells or a multiple of them must fall to each tooth; there are ", around, " around"));
+  if (!(options.toothDepth >= 0 && options.toothDepth < options.radius - options.inner))
+    throw InputError(joinText("tooth_depth = ", options.toothDepth, ": it must be 0 or more and below radius - inner, ",
+                              options.radius - options.inner));
+  Grid grid(options.cells, split, true);
+  Mesh mesh = fillElements(grid, split);
+  for (int i = 0; i < around; ++i) {
+    // Of a pitch: out for a quarter, a flank, in for a quarter, a flank.
+    const double part =
+        options.teeth == 0 ? 0 : std::fmod(double(partsOfTooth) * options.teeth * i / around, partsOfTooth);
+    const double depth = options.toothDepth * std::clamp(std::min(part - 1, partsOfTooth - part), 0.0, 1.0);
+    const double angle = 2 * std::numbers::pi * i / around, outer = options.radius - depth;
+    for (int k = 0; k <= along; ++k)
+      for (int j = 0; j <= across; ++j) {
+        const double r = options.inner + (outer - options.inner) * j / across;
+        const std::int32_t node = grid.node(i, j, k);
+        mesh.X.col(node) = Eigen::Vector3d(r * std::cos(angle), options.width * k / along, r * std::sin(angle));
+        if (j == 0) mesh.nodeSets["inside"].push_back(node);
+        if (j == across) mesh.nodeSets["outside"].push_back(node);
+        if (k == 0) mesh.nodeSets["y-min"].push_back(node);
+        if (k == along) mesh.nodeSets["y-max"].push_back(node);
+      }
+  }
+  for (auto& [name, nodes] : mesh.nodeSets) sortUnique(nodes);
+  placeCentres(mesh, grid);
+  finishElements(mesh);
+  requirePositiveElements(mesh, joinText("cells = ", around));
   return mesh;
 }
 

@@ -49,6 +49,22 @@ struct BallOptions {
 /// would be flat along their common edge. Throws InputError like `generateBar`.
 Mesh generateBall(const BallOptions& options);
 
+/// A hollow cylinder around the axis y, or a gear.
+struct RingOptions {
+  double radius = 1, inner = 0.5;      // m, 0 < inner < radius
+  double width = 0.5;                  // along y, from 0, m, > 0
+  std::array<int, 3> cells{16, 2, 2};  // around, between inner and outer radius, along y; at least 3 around
+  std::string element = "tet4";
+  int split = 0;
+  int teeth = 0;          // 0: round. Trapezoids: a quarter of each pitch outside, inside and on each flank
+  double toothDepth = 0;  // m, from the radius inwards, >= 0, < radius - inner
+};
+
+/// Cells in polar coordinates, closed around. Node sets "inside", "outside", "y-min" and "y-max", element set "all".
+/// Throws InputError like `generateBar`; where the cells around do not fit the teeth (a multiple of four cells each) or
+/// a split that alternates from cell to cell (an even number).
+Mesh generateRing(const RingOptions& options);
+
 /// A box of tetrahedra that are small at a plane.
 struct RefinedBarOptions {
   BarOptions coarse;    // cells to begin with; element and split are tet4's

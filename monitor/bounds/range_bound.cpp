@@ -95,6 +95,9 @@ ModulusRange largestModulus(const Material& material, StretchRange range, double
   if (material.outside)
     throw InputError(joinText("stretch: the law ", material.lawName(),
                               " was registered by a program; a range of stretches is proven for the library's own"));
+  if (!material.info().isotropic)
+    throw InputError(joinText("stretch: the law ", material.lawName(),
+                              " is not isotropic; a range of stretches is proven for laws without a direction"));
   ModulusRange result{-infinity, -infinity, 0};
   std::priority_queue<Cell> cells;
   double done = -infinity;  // the largest bound of what need not be split

@@ -230,11 +230,12 @@ void RunCertificate::raiseToValues(const std::vector<ElementRef>& elements, doub
 }
 
 void RunCertificate::note(ElementRef e, const TangentDrift& drift) {
-  if (drift.determinant < statistics_.leastDeterminant) {
+  const Material& material = body().blocks()[e.block]->material();
+  if (drift.determinant < statistics_.leastDeterminant && !material.info().allowsInversion) {
     statistics_.leastDeterminant = drift.determinant;
     statistics_.leastDeterminantElement = e;
   }
-  const double modulus = body().blocks()[e.block]->material().restModulus();
+  const double modulus = material.restModulus();
   RoundedUp<Bfloat16>& compression = of(e).compression[placeOf(e)];
   compression = drift.law.negative / modulus;
   mostCompression_ = std::max(mostCompression_, static_cast<double>(compression));

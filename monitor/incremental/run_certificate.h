@@ -18,7 +18,8 @@ struct UpdateStatistics {
   int localUpdates = 0, raises = 0, refreshes = 0, rebuilds = 0;
   Work work;  ///< WorkAccount's units
   double leastDeterminant =
-      std::numeric_limits<double>::infinity();  ///< det F of the elements evaluated; no other can be <= 0
+      std::numeric_limits<double>::infinity();  ///< det F of the elements evaluated whose law does not allow inversion;
+                                                ///< no other of them can be <= 0
   ElementRef leastDeterminantElement;
 };
 

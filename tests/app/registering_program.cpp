@@ -3,7 +3,7 @@
 #include <ringwatch/body/register_element.h>
 #include <ringwatch/body/register_law.h>
 #include <tests/added/doubled_metric.h>
-#include <tests/added/mooney_rivlin.h>
+#include <tests/added/log_mooney_rivlin.h>
 #include <tests/added/plain_format.h>
 #include <tests/added/substeps.h>
 #include <tests/added/two_halves.h>
@@ -12,7 +12,7 @@
 
 int main(int argc, char** argv) {
   using namespace ringwatch;
-  registerLaw<test::MooneyRivlin>();
+  registerLaw<test::LogMooneyRivlin>();
   registerElement<test::Wedge15>();
   registerIntegrator(integratorEntry<test::TwoHalves>());
   registerMetric(test::doubledMetric);

@@ -74,7 +74,7 @@ std::vector<NodeVectors> statesOf(const NodeVectors& X, test::Random& random) {
 }
 
 class Adversarial : public ::testing::TestWithParam<test::BodyCase> {};
-INSTANTIATE_TEST_SUITE_P(All, Adversarial, ::testing::ValuesIn(test::allBodyCases()),
+INSTANTIATE_TEST_SUITE_P(All, Adversarial, ::testing::ValuesIn(test::certifiableBodyCases()),
                          [](const auto& test) { return test::bodyCaseName(test.param); });
 
 /// The sides of a bracket as eigenvalues, rounded to the side that makes the test harder: the upper one is proven, the

@@ -6,6 +6,7 @@
 #include <ringwatch/monitor/certificate_file.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/exact_step.h>
+#include <tests/check/exact_element.h>
 #include <tests/support/body_cases.h>
 
 namespace ringwatch {
@@ -17,7 +18,7 @@ using Status = check::Verdict::Status;
 constexpr double limit = 2;
 
 class CertificateTest : public ::testing::TestWithParam<test::BodyCase> {};
-INSTANTIATE_TEST_SUITE_P(All, CertificateTest, ::testing::ValuesIn(test::allBodyCases()),
+INSTANTIATE_TEST_SUITE_P(All, CertificateTest, ::testing::ValuesIn(test::certifiableBodyCases()),
                          [](const auto& test) { return test::bodyCaseName(test.param); });
 
 TEST_P(CertificateTest, IsProvenByTheChecker) {

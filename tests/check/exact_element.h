@@ -3,12 +3,20 @@
 #include <check/tangent.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/monitor/certificate_file.h>
+#include <tests/support/body_cases.h>
 
 namespace ringwatch::test {
 
+/// Those of allBodyCases whose law the checker knows.
+inline std::vector<BodyCase> certifiableBodyCases() {
+  std::vector<BodyCase> cases = allBodyCases();
+  std::erase_if(cases, [](const BodyCase& c) { return !lawHasCertificates(materialOf(c)); });
+  return cases;
+}
+
 /// What check/ knows of the elements of a block.
 inline check::Kind kindOf(const ElementBlock& block) {
-  const Lame constants = std::visit([](const auto& law) { return law.constants; }, block.material().law);
+  const Lame constants = block.material().restModuli();
   const LameShares& shares = block.rule().shares;
   check::Kind kind;
   kind.element = block.element().name;

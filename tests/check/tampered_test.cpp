@@ -9,6 +9,7 @@
 #include <check/proof.h>
 #include <ringwatch/monitor/certificate_file.h>
 #include <ringwatch/monitor/exact_step.h>
+#include <tests/check/exact_element.h>
 #include <tests/check/seal.h>
 #include <tests/support/body_cases.h>
 
@@ -124,7 +125,7 @@ struct Genuine {
   std::size_t elements;
 };
 std::vector<Genuine> genuineCertificates(int count, test::Random& random) {
-  const std::vector<test::BodyCase> cases = test::allBodyCases();
+  const std::vector<test::BodyCase> cases = test::certifiableBodyCases();
   std::vector<Genuine> made;
   while (static_cast<int>(made.size()) < count) {
     const test::BodyCase& c = cases[random.index(static_cast<int>(cases.size()))];

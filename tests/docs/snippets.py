@@ -43,7 +43,7 @@ CONTEXTS = {
     ("docs/elements.md", 0): (["ringwatch/body/register_element.h"], "  using MyElement = ringwatch::Tet4;\n"),
     ("docs/verify_your_own.md", 0): (["memory"], None),
     ("docs/verify_your_own.md", 1): (["tests/added/wedge15.h"], None, "using MyElement = ringwatch::test::Wedge15;\n"),
-    ("docs/verify_your_own.md", 2): (["tests/added/mooney_rivlin.h"], None, "using MyLaw = ringwatch::test::MooneyRivlin;\n"),
+    ("docs/verify_your_own.md", 2): (["tests/added/log_mooney_rivlin.h"], None, "using MyLaw = ringwatch::test::LogMooneyRivlin;\n"),
     ("docs/gpu.md", 0): ([], "  ringwatch::Body& body = any<ringwatch::Body>(); double h = 1e-4;\n"),
     ("docs/gpu.md", 1): (
         ["ringwatch/gpu/body/device_body.h", "ringwatch/gpu/imex/device_imex.h", "ringwatch/gpu/rings/device_rings.h",

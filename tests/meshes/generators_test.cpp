@@ -109,6 +109,37 @@ TEST(Generators, BallsArePositiveAndConvergeToTheBall) {
   }
 }
 
+TEST(Generators, RingsAndGearsAreClosedAndHaveTheirVolume) {
+  for (const CellSubdivision& split : allCellSubdivisions()) {
+    RingOptions options{.radius = 0.1, .inner = 0.06, .width = 0.03, .cells = {24, 2, 2}};
+    options.element = split.element;
+    options.split = split.elementsPerCell;
+    const Mesh round = generateRing(options);
+    EXPECT_TRUE(checkMesh(round).empty()) << split.element;
+    // Two regular polygons of 24 corners.
+    const double polygon = 12 * std::sin(2 * std::numbers::pi / 24);
+    EXPECT_NEAR(meshVolume(round), polygon * (0.01 - 0.0036) * 0.03, 1e-17) << split.element;
+    options.teeth = 3;
+    options.toothDepth = 0.01;
+    const Mesh gear = generateRing(options);
+    EXPECT_TRUE(checkMesh(gear).empty()) << split.element;
+    // Triangles of neighbouring radii; half of the 24 lie on flanks of two cells.
+    const double low = 0.09, middle = 0.095, high = 0.1;
+    const double products = 3 * (2 * high * high + 2 * high * middle + 2 * middle * low + 2 * low * low);
+    EXPECT_NEAR(meshVolume(gear), 0.5 * std::sin(2 * std::numbers::pi / 24) * (products - 24 * 0.0036) * 0.03, 1e-17)
+        << split.element;
+    EXPECT_EQ(gear.nodeSets.at("inside").size(), gear.nodeSets.at("outside").size());
+  }
+  EXPECT_THAT(errorOf([] {
+                generateRing({.cells = {20, 2, 2}, .teeth = 3, .toothDepth = 0.1});
+              }),
+              HasSubstr("teeth = 3: it must be 0, or 4 cells"));
+  EXPECT_THAT(errorOf([] { generateRing({.inner = 2}); }), HasSubstr("radius = 1: it must be above the inner one, 2"));
+  EXPECT_THAT(errorOf([] { generateRing({.cells = {5, 1, 1}, .split = 5}); }), HasSubstr("even around"));
+  EXPECT_THAT(errorOf([] { generateRing({.cells = {2, 1, 1}}); }), HasSubstr("at least 3"));
+  EXPECT_THAT(errorOf([] { generateRing({.teeth = 4, .toothDepth = 0.5}); }), HasSubstr("tooth_depth = 0.5"));
+}
+
 TEST(Generators, BadOptionsAreNamed) {
   const auto bar = [](BarOptions o) { return errorOf([&] { generateBar(o); }); };
   EXPECT_THAT(bar({.size = {0, 1, 1}}), HasSubstr("size = 0"));

@@ -2,12 +2,12 @@
 
 #include <ringwatch/body/register_element.h>
 #include <ringwatch/body/register_law.h>
-#include <tests/added/mooney_rivlin.h>
+#include <tests/added/log_mooney_rivlin.h>
 #include <tests/added/wedge15.h>
 
 namespace ringwatch::test {
 
 void registerWedge15() { registerElement<Wedge15>(); }
-void registerMooneyRivlin() { registerLaw<MooneyRivlin>(); }
+void registerLogMooneyRivlin() { registerLaw<LogMooneyRivlin>(); }
 
 }  // namespace ringwatch::test

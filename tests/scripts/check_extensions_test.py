@@ -45,7 +45,7 @@ class CheckExtensions(unittest.TestCase):
         self.expect("elements/registry.h:2: names Wedge15", {"elements/registry.h": "#pragma once\nstruct Wedge15;\n"})
 
     def test_library_that_asks_for_a_name(self):
-        self.expect('handlers/a.cpp:1: names "mooney-rivlin"', {"handlers/a.cpp": 'if (law == "mooney-rivlin") f();\n'})
+        self.expect('handlers/a.cpp:1: names "log-mooney-rivlin"', {"handlers/a.cpp": 'if (law == "log-mooney-rivlin") f();\n'})
 
     def test_a_second_line(self):
         line = "  registerElement<test::Wedge15>();\n"

@@ -14,9 +14,9 @@ namespace ringwatch::test {
 /// I2 = (I1² - C:C)/2 and d = 2 (c10 + 2 c01),
 ///   W = c10 (I1 - 3) + c01 (I2 - 3) - d ln J + λ/2 ln²J,   P = 2 c10 F + 2 c01 (I1 F - F C) - (d - λ ln J) F⁻ᵀ.
 /// At rest μ = 2 (c10 + c01), and Lamé's first constant is λ + 4 c01.
-struct MooneyRivlin {
-  static constexpr std::string_view name = "mooney-rivlin";
-  static constexpr std::string_view help = "compressible Mooney-Rivlin, for rubber";
+struct LogMooneyRivlin {
+  static constexpr std::string_view name = "log-mooney-rivlin";
+  static constexpr std::string_view help = "compressible Mooney-Rivlin with a logarithmic energy of volume";
   static constexpr std::array parameterTable{
       OptionInfo{.name = "c10", .unit = "Pa", .range = NumberRange::positive(), .help = "coefficient of I1 - 3"},
       OptionInfo{.name = "c01",
@@ -25,10 +25,11 @@ struct MooneyRivlin {
                  .help = "coefficient of I2 - 3"},
       OptionInfo{.name = "bulk", .unit = "Pa", .range = NumberRange::positive(), .help = "bulk modulus at rest"}};
   static constexpr std::span<const OptionInfo> parameters = parameterTable;
-  static constexpr bool objective = true, tangentIsConstant = false, tangentStiffens = true, definedInverted = false;
+  static constexpr bool objective = true, isotropic = true, tangentIsConstant = false;
+  static constexpr bool tangentStiffens = true, definedInverted = false, allowsInversion = false;
   double c10, c01, lambda;  // Pa
 
-  static MooneyRivlin of(const Options& parameters) {
+  static LogMooneyRivlin of(const Options& parameters) {
     const double c10 = parameters.number("c10"), c01 = parameters.number("c01");
     return {c10, c01, parameters.number("bulk") - 4.0 / 3.0 * (c10 + c01) - 4 * c01};
   }
@@ -53,7 +54,7 @@ struct MooneyRivlin {
   /// dF ↦ dP = 2 c10 dF + 2 c01 (dI1 F + I1 dF - dF C - F dC) + (d - λ ln J) F⁻ᵀ dFᵀ F⁻ᵀ + λ (F⁻ᵀ : dF) F⁻ᵀ.
   template <class S>
   struct Linearization {
-    const MooneyRivlin& law;
+    const LogMooneyRivlin& law;
     Matrix3<S> F, C, inverseTranspose;
     S a;  // d - λ ln J
     RINGWATCH_INLINE Matrix3<S> operator()(const Matrix3<S>& dF) const {
