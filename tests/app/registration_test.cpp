@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include <ringwatch/base/error.h>
+#include <ringwatch/materials/registry.h>
 #include <tests/app/program.h>
 
 namespace ringwatch {
@@ -60,7 +62,7 @@ TEST_F(Registration, ALawOfThreeConstantsRuns) {
   EXPECT_FALSE(summary["scene"]["material"].contains("young"));
   expectRefused("run rubber.toml --set material.young=1",
                 "is no parameter of the law \"log-mooney-rivlin\"; it takes c10");
-  expectRefused("run rubber.toml --set material.c01=-1", "material.c01: -1 is out of range; must be >= 0 Pa");
+  expectRefused("run rubber.toml --set material.c01=-1", "material.c01: -1.0; must be >= 0 Pa");
   expectRefused("run rubber.toml --set material.model=stvk",
                 "is no parameter of the law \"stvk\"; it takes young, poisson");
 }
@@ -192,7 +194,8 @@ TEST_F(Registration, AStudyRuns) {
   EXPECT_THAT(call("help studies").out, HasSubstr("the volume of a bar"));
   const Outcome outcome = call("verify bar-volume");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, ::testing::AllOf(HasSubstr("== bar-volume"), HasSubstr("5 checks, 0 failed")));
+  EXPECT_THAT(outcome.out, ::testing::AllOf(HasSubstr("== bar-volume"),
+                                            HasSubstr(joinText(allLaws().size() + 1, " checks, 0 failed"))));
 }
 
 TEST_F(Registration, StudiesTakeWhatIsRegistered) {

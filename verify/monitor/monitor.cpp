@@ -139,7 +139,7 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
       "observation",
       {"element", "law", "element and state trials", "evaluated (%)", "violations", "least margin (relative)"},
       {}};
-  const std::int64_t wanted = effort == StudyEffort::full ? 10'400'000 : 40'000;
+  const std::int64_t wanted = effort == StudyEffort::full ? 10'400'000 : 80'000;
   std::vector<const ElementInfo*> elements;
   for (const ElementInfo& info : allElements())
     if (info.order == 1) elements.push_back(&info);
