@@ -388,16 +388,20 @@ TEST_F(Contact, TheBracketHoldsWhileNodesTouchAndLeave) {
 
 // Each example is certified, and with a penalty that is too stiff it is violated, by contact, before its energies tell.
 TEST_F(Contact, ExamplesThatBlowUpAreNamedBeforeTheirEnergies) {
-  for (const auto& [name, key] :
-       {std::pair{"rubber_block", "contact.0.penalty=3e6"}, std::pair{"pressed_block", "contact.1.penalty=2e5"},
-        std::pair{"hammered_bar", "contact.0.penalty=1e6"}, std::pair{"rolling_ring", "contact.0.penalty=4e6"},
-        std::pair{"pressed_gear", "contact.1.penalty=2e6"}}) {
+  struct Example {
+    const char *name, *stiff;
+    int touching;  // nodes, more at the most; a ring touches the floor with two rows
+  };
+  for (const auto& [name, key, touching] :
+       {Example{"rubber_block", "contact.0.penalty=3e6", 20}, Example{"pressed_block", "contact.1.penalty=2e5", 20},
+        Example{"hammered_bar", "contact.0.penalty=1e6", 20}, Example{"rolling_ring", "contact.0.penalty=4e6", 5},
+        Example{"pressed_gear", "contact.1.penalty=2e6", 15}}) {
     SCOPED_TRACE(name);
     const std::string run = "run '" RINGWATCH_EXAMPLES "/" + std::string(name) + ".toml' --quiet --out ";
     ASSERT_EQ(call(run + name).status, 0);
     const Json good = json(std::string(name) + "/summary.json");
     EXPECT_EQ(good["verdict"], "certified");
-    EXPECT_GT(good["discrete_forces"]["most_touching"].get<int>(), 5);
+    EXPECT_GT(good["discrete_forces"]["most_touching"].get<int>(), touching);
     ASSERT_EQ(call(run + "stiff --set " + key).status, 1);
     const Json bad = json("stiff/summary.json");
     ASSERT_FALSE(bad["first_violated"].is_null());
