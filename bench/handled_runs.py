@@ -316,6 +316,8 @@ def main():
             for law in options.laws:
                 critical = critical_step(options.program, file, law)
                 for load, handler in itertools.product(options.loads, options.handlers):
+                    if cuts and load == "pulled":
+                        continue  # what is cut off does not move: no energy to measure by
                     for factor in [0.5] if HANDLERS[handler] is None else options.factors:
                         # The same time for all, so many steps of the largest factor.
                         step = factor * critical

@@ -55,6 +55,7 @@ NewtonCluster::NewtonCluster(const Body& body, std::vector<ElementRef> elements,
   for (NodeVectors* vectors : {&x_, &moved_, &target_, &u_, &gradient_, &direction_, &residual_, &z_, &p_, &product_})
     vectors->setZero(3, n);
   evaluation_.wantsEnergy = true;
+  moving_ = part_.constraints().moving();
   for (const auto& block : part_.blocks()) {
     double volumes[lanes];
     for (std::int32_t batch = 0; batch < block->layout().batchCount(); ++batch) {
@@ -82,11 +83,16 @@ bool NewtonCluster::evaluate() {
   return std::isfinite(potential_) && gradient_.allFinite();
 }
 
-void NewtonCluster::clearConstrained(NodeVectors& vectors) const {
+template <class Visit>
+void NewtonCluster::forEachConstrained(const Visit& visit) const {
   if (!anyConstrained_[0] && !anyConstrained_[1] && !anyConstrained_[2]) return;
   for (std::int32_t i = 0; i < part_.nodeCount(); ++i)
     for (int c = 0; c < 3; ++c)
-      if (part_.constraints().isConstrained(i, c)) vectors(c, i) = 0;
+      if (part_.constraints().isConstrained(i, c)) visit(i, c);
+}
+
+void NewtonCluster::clearConstrained(NodeVectors& vectors) const {
+  forEachConstrained([&](std::int32_t i, int c) { vectors(c, i) = 0; });
 }
 
 void NewtonCluster::removeTranslation(NodeVectors& direction) const {
@@ -177,6 +183,7 @@ NewtonCluster::Progress NewtonCluster::searchAlong() {
 
 NewtonCluster::Outcome NewtonCluster::solve(NodeVectorsView x, NodeVectors& a, const NodeVectors& v, double c) {
   const auto n = static_cast<Eigen::Index>(nodes_.size());
+  const NodeVectors before = x_;
   for (Eigen::Index i = 0; i < n; ++i) {
     x_.col(i) = x.col(nodes_[i]);
     target_.col(i) = a.col(nodes_[i]) + c * v.col(nodes_[i]);
@@ -186,16 +193,20 @@ NewtonCluster::Outcome NewtonCluster::solve(NodeVectorsView x, NodeVectors& a, c
   // The force at x; it is part of a already.
   part_.evaluate(x_, evaluation_, workspace_);
   energyAtStep_ = evaluation_.strainEnergy;
+  // Supports move with the forces at the ends of the step, as the energy balance has it.
+  if (halfway_.cols() > 0 && moving_) {
+    const NodeVectors mean = 0.5 * (forceAtStep_ + evaluation_.internalForce);
+    forEachConstrained([&](std::int32_t i, int k) { workAgainst_ += mean(k, i) * (x_(k, i) - before(k, i)); });
+  }
+  if (moving_) forceAtStep_ = evaluation_.internalForce;
   for (Eigen::Index i = 0; i < n; ++i) target_.col(i) += evaluation_.internalForce.col(i) / part_.lumpedMass()[i];
   if (!target_.allFinite()) return Outcome::noEnergy;
 
   // Where the centre of mass goes is known.
   const auto begin = [&](const NodeVectors& guess) {
     u_ = guess;
-    for (std::int32_t i = 0; i < part_.nodeCount(); ++i)
-      for (int k = 0; k < 3; ++k)
-        if (part_.constraints().isConstrained(i, k)) u_(k, i) = wanted(k, i);
-    NodeVectors missing = wanted - u_;
+    forEachConstrained([&](std::int32_t i, int k) { u_(k, i) = wanted(k, i); });
+    const NodeVectors missing = wanted - u_;
     const double mass = part_.lumpedMass().sum();
     for (int k = 0; k < 3; ++k)
       if (!anyConstrained_[k]) u_.row(k).array() += missing.row(k).dot(part_.lumpedMass()) / mass;
@@ -204,9 +215,7 @@ NewtonCluster::Outcome NewtonCluster::solve(NodeVectorsView x, NodeVectors& a, c
   // What the tolerance is a share of: the gradient at u = 0, where nodes that are moved have moved already.
   const NodeVectors rest = NodeVectors::Zero(3, n);
   bool moves = false;
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (int k = 0; k < 3; ++k)
-      moves = moves || (part_.constraints().isConstrained(static_cast<std::int32_t>(i), k) && wanted(k, i) != 0);
+  forEachConstrained([&](std::int32_t i, int k) { moves = moves || wanted(k, i) != 0; });
   NodeVectors right(3, n);
   if (moves) {
     if (!begin(rest)) return Outcome::noEnergy;
@@ -254,10 +263,14 @@ NewtonCluster::Outcome NewtonCluster::solve(NodeVectorsView x, NodeVectors& a, c
     const std::int32_t node = nodes_[i];
     for (int k = 0; k < 3; ++k)
       if (!part_.constraints().isConstrained(static_cast<std::int32_t>(i), k)) a(k, node) = u_(k, i) - c * v(k, node);
-    const Eigen::Vector3d before = v.col(node), after = before + h_ * a.col(node);
-    workAgainst_ += evaluation_.internalForce.col(i).dot(0.5 * h_ * (before + after));
-    halfway_.col(i) = x_.col(i) + 0.5 * h_ * after;
+    const Eigen::Vector3d old = v.col(node), now = old + h_ * a.col(node);
+    workAgainst_ += evaluation_.internalForce.col(i).dot(0.5 * h_ * (old + now));
+    halfway_.col(i) = x_.col(i) + 0.5 * h_ * now;
   }
+  if (moving_)
+    forEachConstrained([&](std::int32_t i, int k) {
+      workAgainst_ -= evaluation_.internalForce(k, i) * h_ * (v(k, nodes_[i]) + 0.5 * h_ * a(k, nodes_[i]));
+    });
   return Outcome::solved;
 }
 

@@ -44,7 +44,8 @@ class NewtonCluster {
   std::int64_t stalls() const { return stalls_; }
   /// What the scheme has taken from the energy of the elements so far, J. With f_n the elements' force of the step that
   /// leads from v_(n-½) to v_(n+½), the kinetic energy changes by -f_n · (x_(n+½) - x_(n-½)), x_(n+½) half way between
-  /// x_n and x_(n+1): Σ f_n · (x_(n+½) - x_(n-½)) - W_I at the last of these + W_I at the first.
+  /// x_n and x_(n+1): Σ f_n · (x_(n+½) - x_(n-½)) - W_I at the last of these + W_I at the first. Constrained
+  /// components count with the elements' forces at the ends of steps, as EnergyBalance has what supports do.
   double dissipated() const;
 
  private:
@@ -56,6 +57,8 @@ class NewtonCluster {
   double energyNear(const NodeVectors& halfway) const;
   void refreshPreconditioner();
   void precondition(const NodeVectors& r, NodeVectors& z) const;
+  template <class Visit>
+  void forEachConstrained(const Visit& visit) const;
   void clearConstrained(NodeVectors& vectors) const;
   void removeTranslation(NodeVectors& direction) const;
   /// A direction of descent: (M + w K) p = -gradient to a share of its norm, or to where its curvature is negative.
@@ -78,7 +81,9 @@ class NewtonCluster {
   NodeVectors x_, moved_, target_, u_, gradient_, direction_, residual_, z_, p_, product_, before_;
   std::array<NodeVectors, 2> last_;  // solutions of the last two steps
   StepEvaluation evaluation_;
-  double stiffness_ = 0;  // modulus × volume of the elements, J
+  bool moving_ = false;                          // whether constrained nodes move
+  NodeVectors forceAtStep_ = NodeVectors(3, 0);  // f_I at x of the last step, where they do
+  double stiffness_ = 0;                         // modulus × volume of the elements, J
   double potential_ = 0;
   double workAgainst_ = 0;                   // Σ f_n · (x_(n+½) - x_(n-½)), J
   double firstEnergy_ = 0;                   // W_I at the first half step, J
