@@ -211,7 +211,8 @@ const MonitorReport& StabilityMonitor::observeEnergies(const Energies& energies)
   Impl& m = *impl_;
   m.largestEnergy =
       std::max({m.largestEnergy, energies.kinetic + std::abs(energies.strain), std::abs(energies.externalWork)});
-  const double share = m.largestEnergy > 0 ? std::abs(energies.balanceError) / m.largestEnergy : 0;
+  double share = m.largestEnergy > 0 ? std::abs(energies.balanceError) / m.largestEnergy : 0;
+  if (!std::isfinite(share)) share = std::numeric_limits<double>::infinity();  // a law without energy at this state
   // Schemes whose velocities are half a step behind, symplectic Euler for one, are off by 1/n of the energy at step n
   // of a run that starts under load.
   if (!m.firstEnergyStep) m.firstEnergyStep = m.report.step;
