@@ -99,6 +99,9 @@ class Handler : public Integrator {
   /// of its selection or handler (Theorems 31 to 40, docs/theory/handlers.md).
   bool certified() const { return certified_; }
   virtual std::vector<HandlerFigure> figures() const { return {}; }
+  /// What the time integration of the handled elements has taken from their energy since the handler was made, J; 0 of
+  /// handlers that do not keep count of it.
+  virtual double dissipated() const { return 0; }
   /// Least det F over the handled elements and their quadrature points at positions x (3×N, m), with its element; for
   /// those that are not in explicitBody(), where a monitor observes. Nothing where there are none.
   std::optional<Body::LeastDeterminant> leastHandledDeterminant(const NodeVectors& x) const;

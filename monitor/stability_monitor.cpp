@@ -11,7 +11,7 @@
 namespace ringwatch {
 namespace {
 
-constexpr int energySettling = 20;  // observations before the energy balance is checked
+constexpr int energySettling = 20;  // steps before the energy balance is checked
 
 }  // namespace
 
@@ -35,7 +35,8 @@ struct StabilityMonitor::Impl {
   MonitorReport report;
   EventTracker tracker;
   double largestEnergy = 0;
-  std::int64_t observations = 0, energyObservations = 0, bodyVersion = 0;
+  std::int64_t observations = 0, bodyVersion = 0;
+  std::optional<std::int64_t> firstEnergyStep;
   bool unknown = false;      // the last state had no tangent
   bool hadABracket = false;  // the best proof is for the first one alone
 
@@ -210,11 +211,12 @@ const MonitorReport& StabilityMonitor::observeEnergies(const Energies& energies)
   Impl& m = *impl_;
   m.largestEnergy =
       std::max({m.largestEnergy, energies.kinetic + std::abs(energies.strain), std::abs(energies.externalWork)});
-  const double share = m.largestEnergy > 0 ? std::abs(energies.balanceError) / m.largestEnergy : 0;
+  double share = m.largestEnergy > 0 ? std::abs(energies.balanceError) / m.largestEnergy : 0;
+  if (!std::isfinite(share)) share = std::numeric_limits<double>::infinity();  // a law without energy at this state
   // Schemes whose velocities are half a step behind, symplectic Euler for one, are off by 1/n of the energy at step n
   // of a run that starts under load.
-  const bool settled = m.energyObservations++ >= energySettling;
-  if (settled && share > m.options.energyTolerance)
+  if (!m.firstEnergyStep) m.firstEnergyStep = m.report.step;
+  if (m.report.step - *m.firstEnergyStep >= energySettling && share > m.options.energyTolerance)
     m.present({.kind = EventKind::energyBalance, .value = share}, m.body.mesh().X);
   else
     m.absent(EventKind::energyBalance);

@@ -23,14 +23,14 @@ void RunEnergies::record(const State& state, const StepEvaluation& evaluation, B
   if (!rowDue) return;
   last_ = balance_->energies(state.x, state.v, evaluation.strainEnergy);
   last_->externalWork += before_.externalWork + ownWork_;
-  last_->dissipated += before_.dissipated;
-  last_->balanceError += before_.balanceError - ownWork_;
+  last_->dissipated += before_.dissipated + byHandler_;
+  last_->balanceError += before_.balanceError - ownWork_ + byHandler_;
 }
 
 void RunEnergies::beginBody() {
   if (last_) before_ = *last_;
   last_.reset();
-  ownWork_ = 0;
+  ownWork_ = byHandler_ = 0;
   balance_.emplace(body_);
 }
 

@@ -26,6 +26,8 @@ class RunEnergies {
   void record(const State& state, const StepEvaluation& evaluation, BodySystem& system, bool rowDue);
   /// Work, J, that the body's balance does not know of, from the last record on.
   void addExternalWork(double work) { ownWork_ += work; }
+  /// What the handler of the body has dissipated, J (Handler::dissipated), as of the next record.
+  void setDissipatedByHandler(double energy) { byHandler_ = energy; }
   /// The body is another one from here on. What the one before has come to is kept.
   void beginBody();
   /// What resume() needs; call it after beginBody().
@@ -60,8 +62,8 @@ class RunEnergies {
   const Scene& scene_;
   const Body& body_;
   std::optional<EnergyBalance> balance_;
-  Energies before_;     // what the bodies before have come to
-  double ownWork_ = 0;  // J, of the body now
+  Energies before_;                     // what the bodies before have come to
+  double ownWork_ = 0, byHandler_ = 0;  // J, of the body now
   std::optional<Energies> last_;
   NodeVectors dampingForce_;
   double largest_;    // J, so far

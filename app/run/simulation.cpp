@@ -134,6 +134,8 @@ void Simulation::evaluate() {
 void Simulation::takeEvaluation(bool rowDue) {
   const Stopwatch force(result.forceTime);
   if (stepperNeedsForce_) scheme->stepper().takeForce(state, evaluation_);
+  if (const Handler* handler = scheme->handler(); handler && scene.energy && rowDue)
+    energies.setDissipatedByHandler(handler->dissipated());
   energies.record(state, evaluation_, scheme->system(), rowDue);
 }
 

@@ -17,6 +17,8 @@ std::string imexForGpu(Options& own) {
   const OptionValue* solver = own.find("solver");
   if (solver && *solver == OptionValue(clusterSolverNames.nameOf(ClusterSolver::cholesky)))
     return "a GPU solves implicit clusters by conjugate gradients, not by \"cholesky\"";
+  if (solver && *solver == OptionValue(Imex::newton))
+    return "a GPU solves implicit clusters by conjugate gradients, not by \"newton\"";
   if (!own.find("tolerance") || own.automatic("tolerance")) own.set("tolerance", 1e-8);
   return {};
 }
@@ -33,24 +35,23 @@ class Imex::Corrected final : public SecondOrderSystem {
     } else {
       inner_.acceleration(time, x, v, a);
     }
-    auto& clusters = owner_.clusters_;
-    owner_.failed_.assign(clusters.size(), 0);
-    parallelFor(0, clusters.size(), owner_.body_.threads(), [&](std::int64_t k) {
-      ImplicitCluster& cluster = clusters[k];
-      if (!cluster.follow(x))
-        owner_.failed_[k] = 1;
-      else if (!cluster.solve(a, v, c_))
-        owner_.failed_[k] = 2;
-    });
-    const auto worst = std::max_element(owner_.failed_.begin(), owner_.failed_.end());
-    if (*worst != 0 && fault.empty()) {
-      const ImplicitCluster& cluster = clusters[worst - owner_.failed_.begin()];
-      const ElementRef first = cluster.elements().front();
-      fault = joinText(*worst == 1 ? "the implicit matrix is not positive definite or not finite"
-                                   : "conjugate gradients did not converge",
-                       " in the cluster of ", cluster.elements().size(), " elements at element ", first.block, ":",
-                       first.element);
-    }
+    if (owner_.nonlinear_)
+      forEachCluster(owner_.newtonClusters_, [&](NewtonCluster& cluster) -> std::string_view {
+        switch (cluster.solve(x, a, v, c_)) {
+          case NewtonCluster::Outcome::solved:
+            return {};
+          case NewtonCluster::Outcome::noEnergy:
+            return "the implicit elements have no finite energy";
+          case NewtonCluster::Outcome::notConverged:
+            break;
+        }
+        return "Newton's method did not converge";
+      });
+    else
+      forEachCluster(owner_.clusters_, [&](ImplicitCluster& cluster) -> std::string_view {
+        if (!cluster.follow(x)) return "the implicit matrix is not positive definite or not finite";
+        return cluster.solve(a, v, c_) ? "" : "conjugate gradients did not converge";
+      });
   }
   int threads() const override { return owner_.body_.threads(); }
   bool velocityDependent() const override { return c_ != 0 || inner_.velocityDependent(); }
@@ -58,6 +59,20 @@ class Imex::Corrected final : public SecondOrderSystem {
   std::string fault;
 
  private:
+  /// Has all clusters solved, side by side; solve tells what went wrong, "" for nothing.
+  template <class Cluster, class Solve>
+  void forEachCluster(std::vector<Cluster>& clusters, const Solve& solve) {
+    auto& failed = owner_.failed_;
+    failed.assign(clusters.size(), {});
+    parallelFor(0, clusters.size(), owner_.body_.threads(), [&](std::int64_t k) { failed[k] = solve(clusters[k]); });
+    for (std::size_t k = 0; k < clusters.size() && fault.empty(); ++k)
+      if (!failed[k].empty()) {
+        const ElementRef first = clusters[k].elements().front();
+        fault = joinText(failed[k], " in the cluster of ", clusters[k].elements().size(), " elements at element ",
+                         first.block, ":", first.element);
+      }
+  }
+
   Imex& owner_;
   SecondOrderSystem& inner_;
   double c_;
@@ -67,13 +82,20 @@ class Imex::Corrected final : public SecondOrderSystem {
 Imex::Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
     : Handler(description, body, std::move(base), std::move(options)),
       dissipation_(options_.own.number("dissipation")),
-      cluster_(clusterOptionsOf(options_.own)) {}
+      nonlinear_(options_.own.text("solver") == newton),
+      cluster_(clusterOptionsOf(nonlinear_ ? Options(options_.own).set("solver", "auto") : options_.own)) {}
 
 void Imex::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
   const double beta = newmarkBeta(dissipation_);
+  dissipatedBefore_ = dissipated();
   clusters_.clear();
+  newtonClusters_.clear();
   for (auto& elements : clustersOf(body_, chosenElements(chosen)))
-    clusters_.emplace_back(body_, std::move(elements), beta * h * h, x, cluster_);
+    if (nonlinear_)
+      newtonClusters_.emplace_back(body_, std::move(elements), h, beta * h * h, cluster_.tolerance,
+                                   cluster_.iterations);
+    else
+      clusters_.emplace_back(body_, std::move(elements), beta * h * h, x, cluster_);
   detach(chosen);
 }
 
@@ -86,17 +108,30 @@ StepStatus Imex::handledStep(SecondOrderSystem& system, State& state, double h) 
   return baseStep(corrected, state, h, corrected.fault);
 }
 
+double Imex::dissipated() const {
+  double sum = dissipatedBefore_;
+  for (const NewtonCluster& cluster : newtonClusters_) sum += cluster.dissipated();
+  return sum;
+}
+
 std::vector<HandlerFigure> Imex::figures() const {
-  std::size_t largest = 0;
-  std::int64_t factorisations = 0, iterations = 0;
+  const auto largestOf = [](const auto& clusters) {
+    std::size_t largest = 0;
+    for (const auto& cluster : clusters) largest = std::max(largest, cluster.nodes().size());
+    return static_cast<double>(largest);
+  };
+  std::int64_t rounds = 0, iterations = 0;
   for (const ImplicitCluster& cluster : clusters_) {
-    largest = std::max(largest, cluster.nodes().size());
-    factorisations += cluster.factorisations();
+    rounds += cluster.factorisations();
     iterations += cluster.iterations();
   }
-  return {{"clusters", static_cast<double>(clusters_.size())},
-          {"largest_cluster_nodes", static_cast<double>(largest)},
-          {"factorisations", static_cast<double>(factorisations), true},
+  for (const NewtonCluster& cluster : newtonClusters_) {
+    rounds += cluster.iterations();
+    iterations += cluster.products();
+  }
+  return {{"clusters", static_cast<double>(clusters_.size() + newtonClusters_.size())},
+          {"largest_cluster_nodes", std::max(largestOf(clusters_), largestOf(newtonClusters_))},
+          {nonlinear_ ? "newton_iterations" : "factorisations", static_cast<double>(rounds), true},
           {"iterations", static_cast<double>(iterations), true}};
 }
 

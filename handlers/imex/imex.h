@@ -1,6 +1,7 @@
 #pragma once
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/handlers/imex/implicit_cluster.h>
+#include <ringwatch/handlers/imex/newton_cluster.h>
 
 namespace ringwatch {
 
@@ -13,27 +14,42 @@ std::string imexForGpu(Options& own);
 /// dissipation. α = 0 is the trapezoidal rule, of second order; α = 1 is implicit Euler, Fierz 2013's. Linearly
 /// implicit: in the two-step form, with the internal force f(x) of all elements and K̂ of the handled ones,
 ///   (M + beta h² K̂) a_n = f_ext - f(x_n) - α h K̂ v_(n-½),   v_(n+½) = v_(n-½) + h a_n,   x_(n+1) = x_n + h v_(n+½).
-/// One force a step, and a linear solve on the nodes of the handled elements alone, cluster by cluster.
+/// One force a step, and a linear solve on the nodes of the handled elements alone, cluster by cluster. With the solver
+/// `newton` the handled elements' force is that at x_n + alpha h v_(n-½) + beta h² a_n instead (NewtonCluster), of
+/// which the above is the first step of Newton's method with K̂ for their tangent.
 ///
 /// Stable, for a frozen tangent K(x) = K_E + K_I, when K_E + K_I ≼ (4/h²) M + (1 + α²) K̂: with the quotients a of
 /// h² K(x) and b of h² K̂ over M at an eigenvector of the recursion,
 ///   (1 + beta b) z² - (2 - a + (2 beta - α) b) z + 1 + (beta - α) b = 0,
 /// whose roots have |z| <= 1 for 0 <= a <= 4 + (1 + α²) b. With K_E ≼ (4/h²) M, which the certified selection proves,
-/// it holds whenever K_I ≼ (1 + α²) K̂, which is assumed. Theorem 34, docs/theory/handlers.md.
+/// it holds whenever K_I ≼ (1 + α²) K̂, which is assumed, and with `newton`, where K̂ is K_I, is so. Theorems 34 and 64,
+/// docs/theory/handlers.md.
 class Imex final : public Handler {
  public:
+  static constexpr std::string_view newton = "newton";
+  static constexpr std::array<std::string_view, 4> solvers{"auto", "cholesky", "cg", newton};
+  static constexpr std::array<std::string_view, 3> solversWithTolerance{"auto", "cg", newton};
   static constexpr std::array table{
       OptionInfo{.name = "dissipation",
                  .range = {0, 1, true, true},
                  .fallback = "0.1",
                  .help = "of the handled elements: 0 none and second order, 1 implicit Euler"},
-      solverOption, solverToleranceOption, solverIterationsOption, onFailureOption};
+      OptionInfo{.name = "solver",
+                 .type = OptionType::text,
+                 .choices = solvers,
+                 .fallback = "auto",
+                 .help =
+                     "of the implicit equations: linear ones factored and turned with the elements, or by conjugate "
+                     "gradients (auto: by the size of each cluster), or nonlinear ones by Newton's method"},
+      withSolvers(solverToleranceOption, solversWithTolerance),
+      withSolvers(solverIterationsOption, solversWithTolerance), onFailureOption};
   static constexpr HandlerInfo description{.name = "imex",
                                            .help = "implicit where the step is too large, explicit elsewhere",
                                            .options = table,
                                            .forGpu = imexForGpu};
   Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
+  double dissipated() const override;
   const std::vector<ImplicitCluster>& clusters() const { return clusters_; }
 
  protected:
@@ -48,9 +64,12 @@ class Imex final : public Handler {
   class Corrected;
 
   double dissipation_;
+  bool nonlinear_;
   ClusterOptions cluster_;
-  std::vector<ImplicitCluster> clusters_;
-  std::vector<std::uint8_t> failed_;
+  std::vector<ImplicitCluster> clusters_;  // one of the two is empty
+  std::vector<NewtonCluster> newtonClusters_;
+  double dissipatedBefore_ = 0;           // J, with the choices before
+  std::vector<std::string_view> failed_;  // by cluster
 };
 
 }  // namespace ringwatch

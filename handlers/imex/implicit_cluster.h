@@ -56,6 +56,11 @@ inline constexpr OptionInfo solverIterationsOption{.name = "iterations",
                                                    .fallback = "200",
                                                    .help = "of cg, at most",
                                                    .onlyWith = {"solver", iterativeSolvers}};
+/// An option of conjugate gradients of a handler that has other solvers which it is for.
+constexpr OptionInfo withSolvers(OptionInfo option, std::span<const std::string_view> solvers) {
+  option.onlyWith.values = solvers;
+  return option;
+}
 inline constexpr std::array<std::string_view, 2> onFailureChoices{"stop", "reduce-step"};
 /// What a run does when a step fails: it stops, or halves the step. Its runner reads it.
 inline constexpr OptionInfo onFailureOption{.name = "on_failure",

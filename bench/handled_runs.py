@@ -1,0 +1,352 @@
+#!/usr/bin/env python3
+"""Long runs with every handler on bodies with bad elements: which are lost, and what they do to the energy.
+
+    bench/handled_runs.py PROGRAM [--out DIR] [--jobs N] [--steps 10000] [--bodies NAME …] [--laws NAME …]
+
+PROGRAM is `ringwatch`. Every body is run with every law and load, in steps of so many times its critical step at rest,
+by every handler, with on_violation = "handle"; and by the plain scheme at a half of its critical step, which is what
+they are compared with. A run is *lost* when it does not come to its end, or its energy balance is off by more than a
+tenth; *wrongly told* when it is lost and its exit status is 0. Bodies are made here; those named tetgen-… by the
+program tetgen, and they are left out, by name, where there is none. DIR gets the rows (runs.csv) and tables.md.
+"""
+import argparse
+import concurrent.futures
+import csv
+import itertools
+import json
+import math
+import os
+import pathlib
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+YOUNG, POISSON, DENSITY = 30e3, 0.3, 1000.0
+LAWS = ["stvk", "corotational", "neo-hookean", "stable-neo-hookean"]
+FACTORS = [2, 5]
+SIZE = 0.2  # m, of a body along x
+# Of the wave speed √(E/ρ) = 5.5 m/s: fast enough to strain a body by tens of percent.
+SPEED = 1.0
+PULL = 0.4  # of its length, in the run
+LOADS = {
+    "held": {"fix": [{"where": "x < LOW"}], "force": [{"where": "all", "acceleration": [0, 0, -3.0]}]},
+    "dropped": {"initial": [{"where": "x < MIDDLE", "velocity": [SPEED / 2, 0, 0]}],
+                "force": [{"where": "all", "acceleration": [0, 0, -9.81]}]},
+    "spinning": {"initial": [{"where": "all", "angular_velocity": [0, 10.0, 20.0], "point": [SIZE / 2, 0, 0]}]},
+    "pulled": {"fix": [{"where": "x < LOW"}],
+               "move": [{"where": "x > HIGH", "velocity": ["PULL", 0, 0]}]},
+}
+HANDLERS = {
+    "plain, half": None,
+    "imex": {"method": "imex"},
+    "imex, newton": {"method": "imex", "solver": "newton"},
+    "imex, newton, implicit Euler": {"method": "imex", "solver": "newton", "dissipation": 1},
+    "local-time-stepping": {"method": "local-time-stepping"},
+    "fe-pbd": {"method": "fe-pbd"},
+    "modal-filter": {"method": "modal-filter"},
+    "mass-scaling": {"method": "mass-scaling"},
+}
+LOST = 0.1  # of the largest energy
+
+# Kuhn's six tetrahedra of a cube, by its corners as bits x y z.
+KUHN = [(0, a, a | b, 7) if sign > 0 else (0, a | b, a, 7)
+        for (a, b), sign in {(1, 2): 1, (2, 1): -1, (2, 4): 1, (4, 2): -1, (4, 1): 1, (1, 4): -1}.items()]
+
+
+def bar(cells, jitter, seed, size=(SIZE, 0.04, 0.04), grading=1.0):
+    """Nodes and tetrahedra of a bar; inner nodes moved by a share of a cell."""
+    chance = random.Random(seed)
+    nodes, number = [], {}
+    for k, j, i in itertools.product(*(range(c + 1) for c in reversed(cells))):
+        at = [i / cells[0], j / cells[1], k / cells[2]]
+        at[0] **= grading
+        inner = all(0 < n < c for n, c in zip((i, j, k), cells))
+        number[i, j, k] = len(nodes)
+        nodes.append([s * (a + (jitter * (chance.random() * 2 - 1) / c if inner else 0))
+                      for s, a, c in zip(size, at, cells)])
+    tetrahedra = []
+    for i, j, k in itertools.product(*map(range, cells)):
+        corner = [number[i + (b & 1), j + (b >> 1 & 1), k + (b >> 2)] for b in range(8)]
+        tetrahedra += [[corner[b] for b in t] for t in KUHN]
+    return nodes, tetrahedra, number
+
+
+def bar_with_slivers(flatness, every):
+    """Some inner nodes are pulled nearly into a face beside them."""
+    nodes, tetrahedra, number = bar((10, 2, 2), 0, 0)
+    for i in range(2, 9, every):
+        one, other = nodes[number[i, 1, 1]], nodes[number[i + 1, 1, 1]]
+        one[0] += flatness * (other[0] - one[0])
+    return nodes, tetrahedra
+
+
+def ball(cells, jitter, seed):
+    """A cube of cells, blown up to a ball that is as long as a bar."""
+    nodes, tetrahedra, _ = bar((cells,) * 3, jitter, seed, (2.0,) * 3)
+    for node in nodes:
+        x = [v - 1 for v in node]
+        largest, norm = max(map(abs, x)), math.hypot(*x)
+        scale = largest / norm if norm else 0
+        node[:] = [SIZE / 2 * (v * scale + 1) for v in x]
+    return nodes, tetrahedra
+
+
+def bumpy_surface(rings):
+    """Triangles of a ball with bumps, thin at its poles, as decimated scans are in places."""
+    points = [[0.0, 0.0, 1.0]]
+    segments = 2 * rings
+    for r in range(1, rings):
+        for s in range(segments):
+            theta, phi = math.pi * r / rings, 2 * math.pi * s / segments
+            radius = 1 + 0.25 * math.sin(3 * theta) * math.cos(4 * phi)
+            points.append([radius * math.sin(theta) * math.cos(phi), radius * math.sin(theta) * math.sin(phi),
+                           radius * math.cos(theta)])
+    points.append([0.0, 0.0, -1.0])
+    at = lambda r, s: 1 + (r - 1) * segments + s % segments
+    faces = [[0, at(1, s), at(1, s + 1)] for s in range(segments)]
+    for r in range(1, rings - 1):
+        for s in range(segments):
+            faces += [[at(r, s), at(r + 1, s), at(r + 1, s + 1)], [at(r, s), at(r + 1, s + 1), at(r, s + 1)]]
+    last = len(points) - 1
+    faces += [[last, at(rings - 1, s + 1), at(rings - 1, s)] for s in range(segments)]
+    return [[SIZE / 2 * (v + 1.25) / 1.25 for v in p] for p in points], faces
+
+
+def tetgen(switches, folder):
+    """The mesh that tetgen makes of the bumpy ball; None where there is no tetgen."""
+    if not shutil.which("tetgen"):
+        return None
+    points, faces = bumpy_surface(9)
+    name = folder / ("surface" + switches)
+    lines = [f"{len(points)} 3 0 0"] + [f"{i} {x} {y} {z}" for i, (x, y, z) in enumerate(points)]
+    lines += [f"{len(faces)} 0"] + [f"1 0\n3 {a} {b} {c}" for a, b, c in faces] + ["0", "0"]
+    name.with_suffix(".poly").write_text("\n".join(lines) + "\n")
+    subprocess.run(["tetgen", switches, str(name.with_suffix(".poly"))], check=True, stdout=subprocess.DEVNULL)
+    rows = lambda suffix: [line.split() for line in name.with_suffix(suffix).read_text().splitlines()
+                           if line.strip() and not line.startswith("#")][1:]
+    nodes = [[float(v) for v in row[1:4]] for row in rows(".1.node")]
+    return nodes, [[int(v) for v in row[1:5]] for row in rows(".1.ele")]
+
+
+def write_msh(file, nodes, tetrahedra):
+    """MSH 2.2. Tetrahedra of the other handedness are turned round."""
+    def turned(t):
+        a, b, c, d = (nodes[n] for n in t)
+        u, v, w = ([p - q for p, q in zip(x, a)] for x in (b, c, d))
+        volume = (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
+                  u[2] * (v[0] * w[1] - v[1] * w[0]))
+        return t if volume > 0 else [t[0], t[2], t[1], t[3]]
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(nodes))]
+    lines += [f"{i + 1} {x!r} {y!r} {z!r}" for i, (x, y, z) in enumerate(nodes)]
+    lines += ["$EndNodes", "$Elements", str(len(tetrahedra))]
+    lines += [f"{i + 1} 4 2 1 1 " + " ".join(str(n + 1) for n in turned(t)) for i, t in enumerate(tetrahedra)]
+    file.write_text("\n".join(lines + ["$EndElements", ""]))
+
+
+def bodies(folder):
+    """By name: the mesh and the cuts of its run."""
+    cut = lambda x, slope: {"time": 0.02, "point": [x, 0, 0.025], "normal": [1, slope, 0.1], "snap": 0.1}
+    plain = lambda mesh: (mesh, [])
+    return {
+        "bar, jitter": plain(bar((10, 2, 2), 0.3, 3)[:2]),
+        "bar, more jitter": plain(bar((12, 3, 3), 0.4, 5)[:2]),
+        "bar, graded": plain(bar((10, 2, 2), 0, 0, grading=2.0)[:2]),
+        "bar, one sliver": plain(bar_with_slivers(0.98, 9)),
+        "bar, slivers": plain(bar_with_slivers(0.95, 3)),
+        "bar, flat slivers": plain(bar_with_slivers(0.995, 2)),
+        "ball": plain(ball(4, 0.2, 1)),
+        "ball, jitter": plain(ball(4, 0.45, 2)),
+        "tetgen -p": plain(tetgen("-p", folder)),
+        "tetgen -pY": plain(tetgen("-pY", folder)),
+        "tetgen -pq": plain(tetgen("-pq", folder)),
+        "bar, cut": (bar((10, 2, 2), 0.15, 7)[:2], [cut(0.09, 0.2), cut(0.13, -0.3)]),
+    }
+
+
+def toml(value):
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{k} = {toml(v)}" for k, v in value.items()) + " }"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(toml, value)) + "]"
+    return json.dumps(value)
+
+
+def scene(mesh, cuts, law, load, handler, step, end, extent):
+    """The text of a scene. extent: of the body along x."""
+    low, high = extent
+    place = {"LOW": f"{low + 0.08 * (high - low):g}", "HIGH": f"{high - 0.08 * (high - low):g}",
+             "MIDDLE": f"{(low + high) / 2:g}", '"PULL"': f"{PULL * (high - low) / end:.17g}"}
+    sections = {
+        "mesh": {"file": str(mesh)},
+        "material": {"model": law, "young": YOUNG, "poisson": POISSON, "density": DENSITY},
+        "integrator": {"method": "symplectic-euler", "step": step, "end": end},
+        "monitor": {"mode": "threshold", "on_violation": "handle" if handler else "warn"},
+        "output": {"picture": False, "history_every": 20},
+    }
+    if handler:
+        sections["handler"] = handler
+    lines = [f"[{name}]\n" + "\n".join(f"{k} = {toml(v)}" for k, v in keys.items()) for name, keys in sections.items()]
+    for name, tables in list(LOADS[load].items()) + [("cut", cuts)]:
+        for table in tables:
+            lines.append(f"[[{name}]]\n" + "\n".join(f"{k} = {toml(v)}" for k, v in table.items()))
+    text = "\n".join(lines) + "\n"
+    for word, value in place.items():
+        text = text.replace(word, value)
+    return text
+
+
+def energies(file):
+    """Largest rise and fall of the balance over the largest energy, and what was dissipated."""
+    rise = fall = largest = dissipated = 0.0
+    for row in csv.DictReader(file.open()):
+        try:
+            error = float(row["balance_error_J"])
+            largest = max(largest, float(row["kinetic_J"]) + float(row["strain_J"]))
+            dissipated = float(row["dissipated_J"] or 0)
+        except ValueError:
+            continue
+        if not math.isfinite(error):
+            return math.inf, 0.0, 0.0
+        rise, fall = max(rise, error), max(fall, -error)
+    return (rise / largest, fall / largest, dissipated / largest) if largest else (0.0, 0.0, 0.0)
+
+
+def run(program, folder, case):
+    path = folder / case["id"]
+    path.mkdir()
+    (path / "scene.toml").write_text(case["text"])
+    begin = time.monotonic()
+    done = subprocess.run([program, "run", str(path / "scene.toml"), "--out", str(path / "out"), "--quiet", "--threads", "1"],
+                          capture_output=True, text=True)
+    row = {k: case[k] for k in ("body", "law", "load", "factor", "handler", "step")}
+    row |= {"exit": done.returncode, "seconds": round(time.monotonic() - begin, 2)}
+    if done.returncode == 2:
+        row |= {"verdict": "refused", "reason": done.stderr.strip().splitlines()[-1][-300:] if done.stderr else ""}
+    else:
+        try:
+            summary = json.loads((path / "out/summary.json").read_text())
+            rise, fall, dissipated = energies(path / "out/history.csv")
+            done_whole = summary["end_time"] >= case["end"] * (1 - 1e-9)
+            lost = not done_whole or summary["energy_runaway"] is not None or rise > LOST
+            kinds = [event["kind"] for event in summary["events"]]
+            row |= {"verdict": summary["verdict"], "steps": summary["steps"], "whole": done_whole, "lost": lost,
+                    "wrongly_told": lost and done.returncode == 0, "rise": rise, "fall": fall,
+                    "dissipated": dissipated, "certified": summary["certified_steps"],
+                    "handled": summary["handler"]["handled_elements"] if summary["handler"] else 0,
+                    "inverted": "inverted" in kinds, "indefinite": "indefinite" in kinds,
+                    "reason": "" if done_whole else str(summary.get("exit_text") or "")[:300]}
+        except (OSError, KeyError, ValueError) as error:
+            row |= {"verdict": "no result", "lost": True, "wrongly_told": done.returncode == 0,
+                    "reason": f"{error}; {done.stderr.strip()[-200:]}"}
+    shutil.rmtree(path)
+    return row
+
+
+def critical_step(program, mesh, law):
+    done = subprocess.run([program, "inspect", str(mesh), "--young", str(YOUNG), "--poisson", str(POISSON), "--density",
+                           str(DENSITY), "--model", law, "--json", "-", "--threads", "1"],
+                          capture_output=True, text=True, check=True)
+    return json.loads(done.stdout)["critical_step"]["safe"]
+
+
+def table(rows, of, title):
+    """Share of runs lost, by `of` and handler."""
+    names = [h for h in HANDLERS if any(r["handler"] == h for r in rows)]
+    keys = list(dict.fromkeys(r[of] for r in rows))
+    lines = [f"## {title}", "", f"| {of} | " + " | ".join(names) + " |", "|---" * (len(names) + 1) + "|"]
+    for key in keys + ["all"]:
+        cells = []
+        for name in names:
+            some = [r for r in rows if r["handler"] == name and key in (r[of], "all") and "lost" in r]
+            cells.append(f"{sum(r['lost'] for r in some)} of {len(some)}" if some else "refused")
+        lines.append(f"| {key} | " + " | ".join(cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def summary_table(rows):
+    lines = ["## Of the runs that were not lost", "",
+             "| handler | lost | wrongly told | median, largest rise of the energy balance (%) | largest fall (%) | median time over plain's |",
+             "|---|---|---|---|---|---|"]
+    plain = {(r["body"], r["law"], r["load"]): r for r in rows if r["handler"] == "plain, half"}
+    middle = lambda values: sorted(values)[len(values) // 2] if values else math.nan
+    for name in HANDLERS:
+        some = [r for r in rows if r["handler"] == name and "lost" in r]
+        if not some:
+            continue
+        kept = [r for r in some if not r["lost"]]
+        shares = [r["seconds"] / r["steps"] * (0.5 / r["factor"] if name != "plain, half" else 1) /
+                  (p["seconds"] / p["steps"])
+                  for r in kept if (p := plain.get((r["body"], r["law"], r["load"]))) and "steps" in p and not p["lost"]]
+        lines.append(f"| {name} | {sum(r['lost'] for r in some)} of {len(some)} | {sum(r['wrongly_told'] for r in some)} | "
+                     f"{100 * middle([r['rise'] for r in kept]):.2g}, {100 * max([r['rise'] for r in kept], default=math.nan):.2g} | "
+                     f"{100 * max([r['fall'] for r in kept], default=math.nan):.2g} | {middle(shares):.2g} |")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/handled_runs"))
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--steps", type=int, default=10000)
+    parser.add_argument("--seconds", type=float, help="begin no run after so long; tables are of those that were made")
+    parser.add_argument("--bodies", nargs="+")
+    parser.add_argument("--laws", nargs="+", default=LAWS)
+    parser.add_argument("--loads", nargs="+", default=list(LOADS), choices=list(LOADS))
+    parser.add_argument("--factors", nargs="+", type=float, default=FACTORS)
+    parser.add_argument("--handlers", nargs="+", default=list(HANDLERS), choices=list(HANDLERS))
+    options = parser.parse_args()
+    begin = time.monotonic()
+    options.out.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as scratch:
+        scratch = pathlib.Path(scratch)
+        cases = []
+        for number, (body, (mesh, cuts)) in enumerate(bodies(scratch).items()):
+            if options.bodies and body not in options.bodies:
+                continue
+            if mesh is None:
+                print(f"{body}: left out, there is no tetgen")
+                continue
+            file = scratch / f"body_{number}.msh"
+            write_msh(file, *mesh)
+            extent = min(n[0] for n in mesh[0]), max(n[0] for n in mesh[0])
+            for law in options.laws:
+                critical = critical_step(options.program, file, law)
+                for load, handler in itertools.product(options.loads, options.handlers):
+                    if cuts and load == "pulled":
+                        continue  # what is cut off does not move: no energy to measure by
+                    for factor in [0.5] if HANDLERS[handler] is None else options.factors:
+                        # The same time for all, so many steps of the largest factor.
+                        step = factor * critical
+                        end = options.steps * step
+                        cases.append({"id": str(len(cases)), "body": body, "law": law, "load": load, "factor": factor,
+                                      "handler": handler, "step": step, "end": end,
+                                      "text": scene(file, cuts, law, load, HANDLERS[handler], step, end, extent)})
+        random.Random(1).shuffle(cases)
+        rows = []
+        with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+            late = lambda: options.seconds and time.monotonic() - begin > options.seconds
+            work = lambda case: None if late() else run(options.program, scratch, case)
+            for count, row in enumerate(pool.map(work, cases), 1):
+                if row:
+                    rows.append(row)
+                if sys.stderr.isatty() and count % 10 == 0:
+                    print(f"\r{count} of {len(cases)} runs", end="", file=sys.stderr)
+    columns = ["body", "law", "load", "factor", "handler", "step", "exit", "verdict", "steps", "whole", "lost", "wrongly_told",
+               "rise", "fall", "dissipated", "certified", "handled", "inverted", "indefinite", "seconds", "reason"]
+    with (options.out / "runs.csv").open("w", newline="") as file:
+        writer = csv.DictWriter(file, columns)
+        writer.writeheader()
+        writer.writerows(rows)
+    text = f"{len(rows)} of {len(cases)} runs, {options.steps} steps each.\n\n" + summary_table(rows)
+    for of in ("law", "load", "factor", "body"):
+        text += "\n" + table(rows, of, f"Lost, by {of}")
+    (options.out / "tables.md").write_text(text)
+    print(text)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,187 @@
+// The nonlinear implicit step: its equation, its energy, laws that have none beyond inversion, and runs that linear
+// steps lose.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/handlers/imex/imex.h>
+#include <ringwatch/handlers/imex/newton_cluster.h>
+#include <ringwatch/materials/registry.h>
+#include <tests/handlers/handler_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::criticalStepOf;
+using test::everyElement;
+using test::flat;
+
+/// What a solve starts from, by beta and the dissipation of the scheme.
+struct Coefficients {
+  double h, alpha;
+  double beta() const { return 0.25 * (1 + alpha) * (1 + alpha); }
+  double w() const { return beta() * h * h; }
+  double c() const { return alpha / (beta() * h); }
+};
+
+NodeVectors accelerationAt(const Body& body, const NodeVectors& x) {
+  Body::Workspace workspace;
+  NodeVectors f;
+  body.internalForce(x, f, workspace);
+  NodeVectors a = body.externalForce() - f;
+  for (Eigen::Index i = 0; i < a.cols(); ++i) a.col(i) /= body.lumpedMass()[i];
+  return a;
+}
+
+class NewtonOfLaw : public ::testing::TestWithParam<std::string_view> {};
+INSTANTIATE_TEST_SUITE_P(All, NewtonOfLaw,
+                         ::testing::Values("linear", "stvk", "corotational", "neo-hookean", "stable-neo-hookean"),
+                         [](const auto& test) { return test::testName(test.param); });
+
+// M a = M a0 + f(x) - f(x + alpha h v + beta h² a), computed anew from forces of the whole body.
+TEST_P(NewtonOfLaw, SolvesItsEquation) {
+  Body body = test::sliverBody(GetParam());
+  const std::int32_t moved = test::nodeNearest(body.mesh(), {0.118, 0.02, 0.02});
+  body.constraints().move(moved, 1, 0.3);
+  const double critical = criticalStepOf(body);
+  Body::Workspace workspace;
+  int tried = 0;
+  for (const double alpha : {0.0, 0.1, 1.0})
+    for (const double steps : {2.0, 20.0}) {
+      const Coefficients k{steps * critical, alpha};
+      test::Random random(3);
+      const NodeVectors x = body.mesh().X + random.nodeVectors(body.nodeCount(), 1e-5);
+      NodeVectors v = random.nodeVectors(body.nodeCount(), 0.01);
+      body.constraints().imposeVelocity(v);
+      NodeVectors a = accelerationAt(body, x), start = a;
+      for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+        for (int component = 0; component < 3; ++component)
+          if (body.constraints().isConstrained(i, component)) a(component, i) = start(component, i) = 0;
+      NewtonCluster cluster(body, everyElement(body), k.h, k.w(), 1e-10, 2000);
+      ASSERT_EQ(cluster.solve(x, a, v, k.c()), NewtonCluster::Outcome::solved);
+      NodeVectors before, after;
+      body.internalForce(x, before, workspace);
+      body.internalForce(x + alpha * k.h * v + k.w() * a, after, workspace);
+      NodeVectors residual = before - after, scale = before;
+      for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
+        residual.col(i) += body.lumpedMass()[i] * (start.col(i) - a.col(i));
+        scale.col(i) = body.lumpedMass()[i] * start.col(i);
+        for (int component = 0; component < 3; ++component)
+          if (body.constraints().isConstrained(i, component)) {
+            residual(component, i) = 0;
+            EXPECT_EQ(a(component, i), 0);
+          }
+      }
+      EXPECT_LE(residual.norm(), 1e-7 * scale.norm()) << alpha << ' ' << steps;
+      ++tried;
+    }
+  EXPECT_EQ(tried, 6);
+}
+
+// Of a body all of whose elements are implicit: kinetic and strain energy half way between steps and what was
+// dissipated add up to a constant, by construction of the scheme.
+TEST_P(NewtonOfLaw, CountsWhatItDissipates) {
+  const std::string_view law = GetParam();
+  for (const double alpha : {0.0, 1.0}) {
+    Body body = test::sliverBody(law, 0.95, false);
+    const Coefficients k{5 * criticalStepOf(body), alpha};
+    NewtonCluster cluster(body, everyElement(body), k.h, k.w(), 1e-11, 2000);
+    test::Random random(5);
+    NodeVectors x = body.mesh().X, v = random.nodeVectors(body.nodeCount(), 0.02);
+    Body::Workspace workspace;
+    const auto energy = [&](const NodeVectors& at, const NodeVectors& velocity) {
+      return 0.5 * (velocity * body.lumpedMass().asDiagonal()).cwiseProduct(velocity).sum() +
+             body.energy(at, workspace);
+    };
+    const double first = energy(x - 0.5 * k.h * v, v);
+    double last = 0;
+    for (int step = 0; step < 50; ++step) {
+      NodeVectors a = accelerationAt(body, x);
+      ASSERT_EQ(cluster.solve(x, a, v, k.c()), NewtonCluster::Outcome::solved);
+      v += k.h * a;
+      last = energy(x + 0.5 * k.h * v, v);
+      x += k.h * v;
+    }
+    EXPECT_NEAR((last + cluster.dissipated()) / first, 1, 1e-9) << law << ' ' << alpha;
+    // The trapezoidal rule dissipates nothing of a linear law; implicit Euler always does.
+    if (alpha == 0 && law == "linear") {
+      EXPECT_LE(std::abs(cluster.dissipated()), 1e-9 * first);
+    }
+    if (alpha == 1) {
+      EXPECT_GT(cluster.dissipated(), 0.01 * first);
+    }
+  }
+}
+
+// With implicit Euler the end of the step is where the law was asked for its energy.
+TEST(NewtonCluster, NeverInvertsALawThatHasNoEnergyThere) {
+  Body body = test::sliverBody("neo-hookean", 0.98, false);
+  const Coefficients k{20 * criticalStepOf(body), 1};
+  NewtonCluster cluster(body, everyElement(body), k.h, k.w(), 1e-6, 2000);
+  // Both ends of the bar fly through each other.
+  NodeVectors x = body.mesh().X, v = NodeVectors::Zero(3, body.nodeCount());
+  for (Eigen::Index i = 0; i < v.cols(); ++i) v(0, i) = x(0, i) < 0.1 ? 8 : -8;
+  double least = 1, ballisticLeast = 1;
+  for (int step = 0; step < 400; ++step) {
+    ballisticLeast = std::min(ballisticLeast, body.leastDeterminant(x + k.h * v).value);
+    NodeVectors a = accelerationAt(body, x);
+    ASSERT_EQ(cluster.solve(x, a, v, k.c()), NewtonCluster::Outcome::solved) << step;
+    v += k.h * a;
+    x += k.h * v;
+    least = std::min(least, body.leastDeterminant(x).value);
+  }
+  EXPECT_GT(least, 0);
+  EXPECT_LT(least, 0.5);           // it was compressed,
+  EXPECT_LT(ballisticLeast, 0.0);  // and a step without forces inverts elements: the test can fail
+}
+
+TEST(NewtonCluster, SaysWhereALawHasNoEnergy) {
+  Body body = test::sliverBody("neo-hookean");
+  NodeVectors x = body.mesh().X;
+  x.row(0) *= -1;
+  NodeVectors a = NodeVectors::Ones(3, body.nodeCount());
+  const NodeVectors v = NodeVectors::Zero(3, body.nodeCount()), before = a;
+  NewtonCluster cluster(body, everyElement(body), 1e-3, 1e-6, 1e-6, 200);
+  EXPECT_EQ(cluster.solve(x, a, v, 0), NewtonCluster::Outcome::noEnergy);
+  EXPECT_EQ(a, before);
+}
+
+TEST(NewtonCluster, KeepsLinearMomentum) {
+  Body body = test::sliverBody("stvk", 0.98, false);
+  auto handler = makeHandler("imex", body, makeIntegrator("symplectic-euler"),
+                             {.own = {{"solver", Imex::newton}, {"dissipation", 0.1}}});
+  const double h = 5 * criticalStepOf(body);
+  handler->prepare(body.mesh().X, h);
+  ASSERT_FALSE(handler->elements().empty());
+  BodySystem system(body);
+  State state = system.initialState();
+  state.v = test::Random(7).nodeVectors(body.nodeCount(), 0.02);
+  const Eigen::Vector3d first = state.v * body.lumpedMass();
+  const double scale = state.v.cwiseAbs().rowwise().sum().norm() * body.lumpedMass().mean();
+  for (int step = 0; step < 200; ++step) ASSERT_TRUE(handler->step(system, state, h).done);
+  EXPECT_LE((state.v * body.lumpedMass() - first).norm(), 1e-12 * scale);
+}
+
+// K̂ of the linear solvers is K itself for the linear law, so that all solvers take the same steps.
+TEST(NewtonCluster, TakesTheStepsOfTheLinearSolversForTheLinearLaw) {
+  const auto end = [](std::string_view solver) {
+    Body body = test::sliverBody("linear", 0.98);
+    Options own{{"solver", solver}, {"dissipation", 0.3}};
+    if (solver == Imex::newton) own.set("tolerance", 1e-12).set("iterations", 2000);
+    auto handler = makeHandler("imex", body, makeIntegrator("verlet"), {.own = own});
+    const double h = 4 * criticalStepOf(body);
+    handler->prepare(body.mesh().X, h);
+    BodySystem system(body);
+    State state = system.initialState();
+    state.v = test::Random(9).nodeVectors(body.nodeCount(), 0.02);
+    body.constraints().imposeVelocity(state.v);
+    for (int step = 0; step < 100; ++step) EXPECT_TRUE(handler->step(system, state, h).done);
+    return NodeVectors(state.x - body.mesh().X);
+  };
+  const NodeVectors factored = end("cholesky"), newton = end(Imex::newton);
+  EXPECT_LE((newton - factored).norm(), 1e-8 * factored.norm());
+}
+
+}  // namespace
+}  // namespace ringwatch
