@@ -167,6 +167,9 @@ class MonitorReport:
     """The step whose state the bracket is of."""
     elements_refreshed: int
     """Element evaluations spent."""
+    spent: dict[str, float]
+    """Work of this observation over that of a step's own force, counted, by what it went to: tests (of validity balls),
+    evaluations, repairs, sweeps, mode (the optimistic side), searches (for negative stiffness)."""
     new_events: tuple[MonitorEvent, ...]
     """Begun at this step."""
     internal_force: NDArray[np.float64] | None

@@ -83,22 +83,41 @@ def test_a_run_by_hand_is_the_programs(tmp_path):
         assert report.verdict == result.history["verdict"][step]
 
 
+@pytest.mark.parametrize("budget", [[], [0.1]])
 @pytest.mark.parametrize("law", LAWS)
-def test_monitor_is_that_of_cpp(tmp_path, law):
+def test_monitor_is_that_of_cpp(tmp_path, law, budget):
     bar(element="hex8" if law == "corotational" else "tet4").save(tmp_path / "bar.msh")
-    lines = call(REFERENCE, "observe", tmp_path / "bar.msh", law, 400).stdout.splitlines()
+    lines = call(REFERENCE, "observe", tmp_path / "bar.msh", law, 400, *budget).stdout.splitlines()
     assert len(lines) == 400
     body = body_of(rw.load_mesh(tmp_path / "bar.msh"), law, threads=1)
-    monitor = rw.Monitor(body, limit=2.0)
+    monitor = rw.Monitor(body, limit=2.0, **({"budget": budget[0]} if budget else {}))
     v = np.zeros_like(body.points)
     widths = set()
     for k, line in enumerate(lines):
-        safe, optimistic, refreshed = line.split()
+        safe, optimistic, refreshed, *spent = line.split()
         report = monitor.observe(k, 1e-3 * k, stretched(body.points, k), v, 1e-4)
         assert (report.bracket.safe, report.bracket.optimistic) == (float.fromhex(safe), float.fromhex(optimistic))
         assert report.elements_refreshed == int(refreshed)
+        assert list(report.spent.values()) == [float.fromhex(part) for part in spent]
         widths.add(report.bracket.optimistic - report.bracket.safe)
     assert len(widths) > 1 or law == "linear"  # the states do differ
+
+
+def test_a_budget_is_kept_and_told():
+    """Of a bar that is stretched ever on: as much as it likes, and a tenth of the steps' own work for each side."""
+    body = body_of(bar(cells=[16, 4, 4]), threads=1)
+    v = np.zeros_like(body.points)
+    shares, widths = {}, {}
+    for budget in (np.inf, 0.1, 0.0):
+        monitor = rw.Monitor(body, limit=2.0, budget=budget)
+        reports = [monitor.observe(k, 1e-3 * k, stretched(body.points, 8 * k), v, 1e-4) for k in range(200)]
+        assert list(reports[0].spent) == ["tests", "evaluations", "repairs", "sweeps", "mode", "searches"]
+        shares[budget] = np.mean([sum(report.spent.values()) - report.spent["tests"] for report in reports[1:]])
+        widths[budget] = np.mean([report.optimistic / report.safe - 1 for report in reports])
+    assert shares[0.0] < shares[0.1] < shares[np.inf]
+    assert widths[np.inf] < widths[0.1]
+    with pytest.raises(rw.InputError, match="budget = -1: must be >= 0"):
+        rw.Monitor(body, budget=-1)
 
 
 @pytest.mark.parametrize("kind", MESHES)
