@@ -13,6 +13,7 @@ from ._errors import InputError, NumericalError
 from ._results import (
     Check,
     CriticalStep,
+    DeviceReport,
     Element,
     ElementCause,
     Inspection,
@@ -34,6 +35,7 @@ from ._ringwatch import (
     metric_names,
 )
 from ._convert import mesh_from
+from ._device_monitor import DeviceMonitor
 from ._run import Comparison, RunResult, compare, report, run
 from ._verification import verify
 
@@ -42,6 +44,8 @@ __all__ = [
     "Check",
     "Comparison",
     "CriticalStep",
+    "DeviceMonitor",
+    "DeviceReport",
     "Element",
     "ElementCause",
     "InputError",

@@ -203,6 +203,22 @@ class MonitorReport:
 
 
 @dataclass(frozen=True, slots=True)
+class DeviceReport:
+    """What a DeviceMonitor knows of a state."""
+
+    h: float | None
+    """s, the step that was asked about."""
+    certified: bool
+    """h is proven stable for the tangent at this state."""
+    safe: float
+    """s, the largest step proven there; 0 for none, also of a state that is not finite."""
+    renewed: bool
+    """The certificate was made again, or it was tried: at the first observation, where it was lost, for a larger step."""
+    elements_refreshed: int
+    """Elements that had left their validity balls and were evaluated one by one."""
+
+
+@dataclass(frozen=True, slots=True)
 class Check:
     """A measured number and the limit that it is held to."""
 
