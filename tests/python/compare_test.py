@@ -1,5 +1,6 @@
 """Comparisons and report pages: those of the command line."""
 import json
+import pathlib
 
 import numpy as np
 import pytest
@@ -8,7 +9,7 @@ import ringwatch as rw
 from run_test import SECTIONS
 from support import PROGRAM, SOURCE, call
 
-def test_a_comparison_is_the_command_lines(tmp_path):
+def test_a_comparison_is_the_command_lines(tmp_path: pathlib.Path) -> None:
     scene = SOURCE / "examples/swinging_bar.toml"
     words = ["--set", "mesh.cells=[4,1,1]", "--set", "integrator.end=0.05"]
     call(PROGRAM, "compare", scene, "--integrators", "verlet,rk4", "--step", "1e-3,2e-3", "--json", tmp_path / "c.json", *words)
@@ -24,7 +25,7 @@ def test_a_comparison_is_the_command_lines(tmp_path):
     assert {path.suffix for path in (tmp_path / "out").iterdir()} >= {".dat"}
 
 
-def test_lost_runs_and_handlers():
+def test_lost_runs_and_handlers() -> None:
     found = rw.compare(SOURCE / "examples/swinging_bar.toml", integrators=["verlet"], handlers=["imex"], steps=[2e-3, 5e-3],
                        overrides=["mesh.cells=[4,1,1]", "integrator.end=0.5"])
     assert found.runs["integrator"].tolist() == ["verlet", "verlet", "imex", "imex"]
@@ -32,7 +33,7 @@ def test_lost_runs_and_handlers():
     assert np.isfinite(found.runs["error"][0]) and found.runs["lost"][0] == ""
 
 
-def test_bad_comparisons_are_told_as_the_program_tells(tmp_path):
+def test_bad_comparisons_are_told_as_the_program_tells(tmp_path: pathlib.Path) -> None:
     with pytest.raises(rw.InputError, match="--integrators: unknown \"verlt\"; did you mean"):
         rw.compare(SOURCE / "examples/swinging_bar.toml", integrators=["verlt"])
     with pytest.raises(rw.InputError, match="integrators: 'verlet'; must be a list of names"):
@@ -41,7 +42,7 @@ def test_bad_comparisons_are_told_as_the_program_tells(tmp_path):
         rw.compare({**SECTIONS, "move": []}, integrators=["verlet"])
 
 
-def test_a_report_is_the_command_lines(tmp_path):
+def test_a_report_is_the_command_lines(tmp_path: pathlib.Path) -> None:
     result = rw.run(SECTIONS, out=tmp_path / "run", overrides=["output.every=0.01"])
     page = rw.report(result.folder)
     assert page == tmp_path / "run/report.html" and "<html" in page.read_text(encoding="utf-8")

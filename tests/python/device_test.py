@@ -2,6 +2,8 @@
 comes to the host. Without a GPU the tests are skipped, but that which says what is missing."""
 import importlib.util
 import json
+import pathlib
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,7 +16,7 @@ needs_cuda = pytest.mark.skipif(not CUDA, reason="ringwatch was built without CU
 
 
 @pytest.mark.skipif(CUDA, reason="ringwatch was built with CUDA")
-def test_a_build_without_cuda_says_so():
+def test_a_build_without_cuda_says_so() -> None:
     with pytest.raises(rw.InputError, match="DeviceMonitor: this ringwatch was built without CUDA; docs/gpu.md"):
         rw.DeviceMonitor(body_of(bar()))
 
@@ -22,12 +24,12 @@ def test_a_build_without_cuda_says_so():
 class Interface:
     """Nothing but __cuda_array_interface__, as numba's arrays have it."""
 
-    def __init__(self, array, **other):
+    def __init__(self, array: Any, **other: Any) -> None:
         self.held = array
         self.__cuda_array_interface__ = {**array.__cuda_array_interface__, **other}
 
 
-def makers():
+def makers() -> Any:
     """Ways to have a numpy array on the GPU, by name."""
     cupy = pytest.importorskip("cupy")
     if not cupy.cuda.is_available():
@@ -41,7 +43,7 @@ def makers():
     }
 
 
-def pulled(body, k):
+def pulled(body: Any, k: float) -> Any:
     x = body.points.copy()
     x[:, 0] *= 1 + k / 100
     return x
@@ -49,7 +51,7 @@ def pulled(body, k):
 
 @needs_cuda
 @pytest.mark.parametrize("element", ["tet4", "hex8"])
-def test_certified_steps_are_stable(element):
+def test_certified_steps_are_stable(element: str) -> None:
     """Against the exact critical step, of the CPU; and every package's arrays say the same, bit by bit."""
     told = {}
     for name, on_gpu in makers().items():
@@ -58,7 +60,7 @@ def test_certified_steps_are_stable(element):
         monitor = rw.DeviceMonitor(body, limit=2.0)
         first = monitor.observe(on_gpu(body.points))
         exact = rw.inspect(body, exact=True).exact
-        assert first.h is None and first.renewed and first.safe <= exact <= 1.3 * first.safe
+        assert exact is not None and first.h is None and first.renewed and first.safe <= exact <= 1.3 * first.safe
         h = 0.9 * first.safe
         told[name] = [first, monitor.observe(on_gpu(body.points), h)]
         assert told[name][1].renewed and told[name][1].certified
@@ -67,17 +69,18 @@ def test_certified_steps_are_stable(element):
             report = monitor.observe(on_gpu(x), h)
             told[name].append(report)
             if report.certified:
-                assert report.safe >= h and h <= rw.inspect(body, x, exact=True).exact
+                exact = rw.inspect(body, x, exact=True).exact
+                assert exact is not None and report.safe >= h and h <= exact
         certified = [report.certified for report in told[name]]
         assert certified[2] and not certified[-1]  # stretched by 0.4 the step is too large
         assert any(not report.renewed for report in told[name])
         assert all(certified[i] for i, report in enumerate(told[name]) if not report.renewed)
-    first, *others = told.values()
-    assert len(others) == 3 and all(other == first for other in others)
+    all_told = list(told.values())
+    assert len(all_told) == 4 and all(other == all_told[0] for other in all_told[1:])
 
 
 @needs_cuda
-def test_what_is_not_finite():
+def test_what_is_not_finite() -> None:
     on_gpu = makers()["cupy"]
     body = body_of(bar())
     monitor = rw.DeviceMonitor(body)
@@ -91,7 +94,7 @@ def test_what_is_not_finite():
 
 
 @needs_cuda
-def test_work_under_way_comes_first():
+def test_work_under_way_comes_first() -> None:
     """A state that is still being computed, in a stream that waits for no other."""
     makers()
     cupy, torch = pytest.importorskip("cupy"), pytest.importorskip("torch")
@@ -100,6 +103,7 @@ def test_work_under_way_comes_first():
     h = 0.9 * monitor.observe(cupy.asarray(body.points)).safe
     good = cupy.asarray(body.points)
     matrix = cupy.ones((6000, 6000))
+    wrap: Any
     for wrap in (lambda x: x, Interface):
         stream = cupy.cuda.Stream(non_blocking=True)
         x = cupy.full_like(good, np.nan)
@@ -118,7 +122,7 @@ def test_work_under_way_comes_first():
 
 
 @needs_cuda
-def test_no_state_comes_to_the_host(tmp_path):
+def test_no_state_comes_to_the_host(tmp_path: pathlib.Path) -> None:
     """All copies between GPU and host that CUDA's own profiler sees."""
     makers()
     torch = pytest.importorskip("torch")
@@ -142,7 +146,7 @@ def test_no_state_comes_to_the_host(tmp_path):
 
 
 @needs_cuda
-def test_what_is_refused():
+def test_what_is_refused() -> None:
     on_gpu = makers()
     cupy, torch = pytest.importorskip("cupy"), pytest.importorskip("torch")
     body = body_of(bar())

@@ -1,5 +1,6 @@
 """The installed module: found below the prefix, works where the prefix is moved to, with its program and its hints."""
 import os
+import pathlib
 import shutil
 import subprocess
 import sys
@@ -19,7 +20,7 @@ print(step.safe.hex(), step.optimistic.hex(), result.history["safe_s"][0].hex())
 """
 
 
-def test_installed_and_moved(tmp_path):
+def test_installed_and_moved(tmp_path: pathlib.Path) -> None:
     call("cmake", "--install", BUILD, "--prefix", tmp_path / "here")
     shutil.move(tmp_path / "here", tmp_path / "there")
     packages = list((tmp_path / "there").glob("lib/python3.*/*-packages"))
@@ -34,7 +35,7 @@ def test_installed_and_moved(tmp_path):
     assert told[0] == told[1]
 
 
-def test_debians_python_looks_where_it_is_installed(tmp_path):
+def test_debians_python_looks_where_it_is_installed(tmp_path: pathlib.Path) -> None:
     """Below /usr/local, the usual prefix: `python3 -c "import ringwatch"` works as pasted. Staged, so that no root is needed."""
     if "deb_system" not in sysconfig.get_scheme_names():
         pytest.skip("the module is for an interpreter that is not Debian's")
@@ -51,7 +52,7 @@ def test_debians_python_looks_where_it_is_installed(tmp_path):
     assert ended.stdout.startswith(staged)
 
 
-def test_a_module_without_its_program_says_so(tmp_path):
+def test_a_module_without_its_program_says_so(tmp_path: pathlib.Path) -> None:
     shutil.copytree(BUILD / "python/ringwatch", tmp_path / "lib/ringwatch")
     ended = subprocess.run([sys.executable, "-c", "import ringwatch as rw\nrw.run({})"], capture_output=True, text=True,
                            check=False, env={**os.environ, "PYTHONPATH": str(tmp_path / "lib")})

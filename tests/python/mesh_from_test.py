@@ -1,5 +1,8 @@
 """Meshes of meshio, to and fro; of VTK and gmsh, against the files that these write."""
-import meshio
+import pathlib
+from typing import Any
+
+import meshio  # type: ignore[import]
 import numpy as np
 import pytest
 
@@ -11,7 +14,7 @@ ELEMENTS = {"tet4": "tetra", "tet10": "tetra10", "hex8": "hexahedron", "hex20": 
 
 
 @pytest.mark.parametrize("element", ELEMENTS)
-def test_a_mesh_read_by_meshio_is_ours(tmp_path, element):
+def test_a_mesh_read_by_meshio_is_ours(tmp_path: pathlib.Path, element: str) -> None:
     mesh = bar(element=element, jitter=0)
     mesh.save(tmp_path / "bar.msh")
     theirs = meshio.read(tmp_path / "bar.msh")
@@ -22,7 +25,7 @@ def test_a_mesh_read_by_meshio_is_ours(tmp_path, element):
         assert name == again and np.array_equal(cells, same)
 
 
-def test_steps_go_back_into_the_mesh(tmp_path):
+def test_steps_go_back_into_the_mesh(tmp_path: pathlib.Path) -> None:
     points = bar(cells=[3, 1, 1]).points
     mesh = bar(cells=[3, 1, 1])
     triangles = np.array([[0, 1, 2]])
@@ -34,7 +37,7 @@ def test_steps_go_back_into_the_mesh(tmp_path):
     assert np.array_equal(meshio.read(tmp_path / "steps.vtu").cell_data["step"][0], steps[0])
 
 
-def same(ours, theirs):
+def same(ours: Any, theirs: Any) -> None:
     """Points, cells, node sets, and the numbers that messages give."""
     assert np.array_equal(ours.points, theirs.points)
     assert len(ours.blocks) == len(theirs.blocks)
@@ -47,7 +50,7 @@ def same(ours, theirs):
     assert steps[0] == steps[1]  # also the controlling element, with its number and those of its nodes
 
 
-def grid_of(path):
+def grid_of(path: pathlib.Path) -> Any:
     """What VTK's own reader makes of a file."""
     reader = pytest.importorskip("vtkmodules.vtkIOXML").vtkXMLUnstructuredGridReader()
     reader.SetFileName(str(path))
@@ -56,18 +59,17 @@ def grid_of(path):
 
 
 @pytest.mark.parametrize("element", ELEMENTS)
-def test_a_grid_of_vtk_is_its_file(tmp_path, element):
+def test_a_grid_of_vtk_is_its_file(tmp_path: pathlib.Path, element: str) -> None:
     bar(element=element, jitter=0, cells=[3, 2, 1]).save(tmp_path / "bar.vtu")
     same(rw.mesh_from(grid_of(tmp_path / "bar.vtu")), rw.load_mesh(tmp_path / "bar.vtu"))
 
 
-def test_a_grid_of_several_kinds_and_single_precision():
+def test_a_grid_of_several_kinds_and_single_precision() -> None:
     """Triangles are left out, cells keep their numbers, and points of other types are widened."""
     model = pytest.importorskip("vtkmodules.vtkCommonDataModel")
     core = pytest.importorskip("vtkmodules.vtkCommonCore")
 
-    class Grid(model.vtkUnstructuredGrid):
-        """PyVista's grids are such."""
+    Grid: Any = type("Grid", (model.vtkUnstructuredGrid,), {})  # as PyVista's are
 
     coordinates = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (0.1, 0.2, -0.7), (7, 7, 7)]
     points = core.vtkPoints()
@@ -106,7 +108,7 @@ def test_a_grid_of_several_kinds_and_single_precision():
 
 
 @pytest.fixture
-def gmsh():
+def gmsh() -> Any:
     module = pytest.importorskip("gmsh")
     module.initialize(interruptible=False) if "interruptible" in module.initialize.__code__.co_varnames else module.initialize()
     module.option.setNumber("General.Terminal", 0)
@@ -116,7 +118,7 @@ def gmsh():
 
 @pytest.mark.parametrize("order", [1, 2])
 @pytest.mark.parametrize("kind", ["tet", "hex"])
-def test_gmshs_model_is_its_file(tmp_path, gmsh, kind, order):
+def test_gmshs_model_is_its_file(tmp_path: pathlib.Path, gmsh: Any, kind: str, order: int) -> None:
     gmsh.model.occ.addBox(0, 0, 0, 0.2, 0.04, 0.04)
     gmsh.model.occ.synchronize()
     if kind == "hex":
@@ -139,7 +141,7 @@ def test_gmshs_model_is_its_file(tmp_path, gmsh, kind, order):
     assert np.abs(ours.points[ours.node_sets["left"], 0]).max() < 1e-12
 
 
-def test_gmshs_models_that_are_refused(gmsh):
+def test_gmshs_models_that_are_refused(gmsh: Any) -> None:
     gmsh.model.occ.addBox(0, 0, 0, 1, 1, 1)
     gmsh.model.occ.synchronize()
     with pytest.raises(rw.InputError, match="no elements with volume; gmsh.model.mesh.generate"):
@@ -150,13 +152,14 @@ def test_gmshs_models_that_are_refused(gmsh):
         rw.mesh_from(gmsh)
 
 
-def test_numbers_of_another_program(tmp_path):
+def test_numbers_of_another_program(tmp_path: pathlib.Path) -> None:
     mesh = bar(cells=[2, 1, 1])
     (name, cells), count = mesh.blocks[0], len(mesh.points)
     ours = rw.Mesh(mesh.points, [(name, cells)], node_ids=np.arange(count) + 100, cell_ids=[np.arange(len(cells)) * 10])
     controlling = rw.inspect(body_of(ours)).controlling
     assert controlling.id == 10 * controlling.index
     assert controlling.node_ids == tuple(node + 100 for node in controlling.nodes)
+    wrong: Any
     for wrong, said in (({"node_ids": np.arange(3)}, f"node_ids: 3 numbers; must be {count}, one each"),
                         ({"node_ids": np.zeros(count)}, "node_ids: an array of float64"),
                         ({"cell_ids": [np.arange(1)]}, rf"cell_ids\[0\]: 1 numbers; must be {len(cells)}"),

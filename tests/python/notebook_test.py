@@ -1,8 +1,10 @@
 """The notebook runs as Jupyter runs it, shows what it says, and holds no results, numbers of runs or names of a machine."""
 import json
 import os
+import pathlib
 import re
 import sys
+from typing import Any
 
 import pytest
 
@@ -11,7 +13,7 @@ from support import SOURCE
 NOTEBOOK = SOURCE / "examples/bar_run.ipynb"
 
 
-def test_it_holds_sources_only():
+def test_it_holds_sources_only() -> None:
     notebook = json.loads(NOTEBOOK.read_text(encoding="utf-8"))
     assert notebook["nbformat"] == 4 and set(notebook["metadata"]) == {"kernelspec", "language_info"}
     assert notebook["metadata"]["kernelspec"]["name"] == "python3"
@@ -21,7 +23,7 @@ def test_it_holds_sources_only():
     assert not re.search(r"/(?:home|root|work|tmp|usr)/", NOTEBOOK.read_text(encoding="utf-8"))
 
 
-def test_it_runs(tmp_path, monkeypatch):
+def test_it_runs(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
     nbformat, nbclient = pytest.importorskip("nbformat"), pytest.importorskip("nbclient")
     pytest.importorskip("ipykernel")
     pytest.importorskip("matplotlib")
@@ -43,7 +45,7 @@ def test_it_runs(tmp_path, monkeypatch):
     assert {path.name for path in tmp_path.iterdir()} <= {"ipython", "jupyter", "matplotlib"}  # nothing is left behind
 
 
-def this_interpreter(folder):
+def this_interpreter(folder: Any) -> Any:
     """A kernel of the interpreter that runs the tests, whichever others the machine has."""
     place = folder / "jupyter/kernels/this"
     os.makedirs(place)

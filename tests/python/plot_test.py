@@ -1,6 +1,8 @@
 """What the pictures show is in the results; without matplotlib one line says what is missing."""
+import pathlib
 import subprocess
 import sys
+from typing import Any
 
 import numpy as np
 import pytest
@@ -21,29 +23,29 @@ except ImportError as fault:
 """
 
 
-def test_without_matplotlib_one_line_says_so():
+def test_without_matplotlib_one_line_says_so() -> None:
     told = subprocess.run([sys.executable, "-c", WITHOUT], capture_output=True, text=True, check=True).stdout
     assert told.startswith("plot: needs matplotlib (Debian: python3-matplotlib): ") and told.count("\n") == 1
 
 
-def test_matplotlib_is_imported_late():
+def test_matplotlib_is_imported_late() -> None:
     code = "import sys, ringwatch; assert 'matplotlib' not in sys.modules and 'meshio' not in sys.modules"
     subprocess.run([sys.executable, "-c", code], check=True)
 
 
 @pytest.fixture
-def pyplot(monkeypatch):
+def pyplot(monkeypatch: pytest.MonkeyPatch) -> Any:
     monkeypatch.setenv("MPLBACKEND", "Agg")
     module = pytest.importorskip("matplotlib.pyplot")
     yield module
     module.close("all")
 
 
-def texts(ax):
+def texts(ax: Any) -> Any:
     return [text.get_text() for text in ax.get_legend().get_texts()]
 
 
-def test_a_run(pyplot, tmp_path):
+def test_a_run(pyplot: Any, tmp_path: pathlib.Path) -> None:
     result = rw.run(SOURCE / "examples/stretch_bar.toml", out=tmp_path / "run",
                     overrides=["output.picture=false", "mesh.cells=[6,2,2]", "integrator.step=3e-3", "monitor.metric=none"])
     ax = result.plot()
@@ -59,7 +61,7 @@ def test_a_run(pyplot, tmp_path):
     assert (tmp_path / "run.png").stat().st_size > 5000
 
 
-def test_runs_without_bracket(pyplot, tmp_path):
+def test_runs_without_bracket(pyplot: Any, tmp_path: pathlib.Path) -> None:
     result = rw.run({**SECTIONS, "monitor": {"bracket": False, "metric": "reduced-1-ring"}}, out=tmp_path / "metric")
     ax = result.plot()
     assert texts(ax) == ["by the metric: an estimate", "step taken"]
@@ -70,7 +72,7 @@ def test_runs_without_bracket(pyplot, tmp_path):
 
 
 @pytest.mark.parametrize("jitter", [0, 0.2])
-def test_an_inspection(pyplot, jitter):
+def test_an_inspection(pyplot: Any, jitter: float) -> None:
     step = rw.inspect(body_of(bar(cells=[8, 2, 2], jitter=jitter)), metrics=["single-element", "reduced-1-ring"])
     _, mine = pyplot.subplots()
     for ax, metric in ((step.plot(), "single-element"), (step.plot(mine, metric="reduced-1-ring"), "reduced-1-ring")):
@@ -83,7 +85,7 @@ def test_an_inspection(pyplot, jitter):
         step.plot(metric="fried")
 
 
-def test_a_comparison(pyplot):
+def test_a_comparison(pyplot: Any) -> None:
     found = rw.compare(SOURCE / "examples/swinging_bar.toml", integrators=["verlet", "rk4"], steps=[1e-3, 2e-3],
                        overrides=["mesh.cells=[4,1,1]", "integrator.end=0.05"])
     for against in ("seconds", "forces"):

@@ -5,6 +5,7 @@ import os
 import pathlib
 import subprocess
 import sys
+from typing import Any
 
 import pytest
 
@@ -57,13 +58,13 @@ for found in (rw.verify(euler, limit=2, order=1), rw.verify(Euler, limit=2, orde
 """
 
 
-def mypy(tmp_path, *arguments):
+def mypy(tmp_path: pathlib.Path, *arguments: Any) -> Any:
     return subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), *arguments],
                           capture_output=True, text=True, check=False, cwd=tmp_path,
-                          env={**os.environ, "MYPYPATH": str(BUILD / "python")})
+                          env={**os.environ, "MYPYPATH": f"{BUILD / 'python'}:{pathlib.Path(__file__).parent}"})
 
 
-def test_package_and_users_are_strictly_typed(tmp_path):
+def test_package_and_users_are_strictly_typed(tmp_path: pathlib.Path) -> None:
     (tmp_path / "program.py").write_text(PROGRAM)
     told = mypy(tmp_path, "-p", "ringwatch")
     assert told.returncode == 0, told.stdout
@@ -74,12 +75,18 @@ def test_package_and_users_are_strictly_typed(tmp_path):
     assert told.returncode == 1 and "limt" in told.stdout
 
 
-def test_the_program_runs(tmp_path):
+def test_the_tests_are_strictly_typed(tmp_path: pathlib.Path) -> None:
+    """They use all of the interface, so its hints are held to what it does."""
+    told = mypy(tmp_path, *sorted(str(path) for path in pathlib.Path(__file__).parent.glob("*.py")))
+    assert told.returncode == 0, told.stdout
+
+
+def test_the_program_runs(tmp_path: pathlib.Path) -> None:
     subprocess.run([sys.executable, "-c", PROGRAM], check=True)
 
 
 @pytest.mark.parametrize("name", ["_ringwatch", "_verify"])
-def test_hints_are_those_of_the_extensions(name):
+def test_hints_are_those_of_the_extensions(name: str) -> None:
     """Names of an extension against its hints, and the other way round; its signatures cannot be asked."""
     import ast
 
@@ -99,7 +106,7 @@ def test_hints_are_those_of_the_extensions(name):
 
 
 @pytest.mark.parametrize("name", rw.__all__)
-def test_everything_public_is_documented(name):
+def test_everything_public_is_documented(name: str) -> None:
     thing = getattr(rw, name)
     assert name == "__version__" or thing.__doc__ and not thing.__doc__.startswith(f"{name}(")
     if isinstance(thing, type) and thing.__module__ == "ringwatch._ringwatch":

@@ -1,6 +1,7 @@
 """An integrator that is written in Python is measured as its twin in C++ is, and one with a fault is caught."""
 import json
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -8,16 +9,16 @@ import pytest
 import ringwatch as rw
 from support import PROGRAM, call
 
-KIND = {"limit": 2, "order": 2, "forces": 1, "symplectic": True, "reversible": True}
+KIND: dict[str, Any] = {"limit": 2, "order": 2, "forces": 1, "symplectic": True, "reversible": True}
 
 
 class Verlet:
     """Velocity Verlet that keeps its last acceleration."""
 
-    def __init__(self):
-        self.a = None
+    def __init__(self) -> None:
+        self.a: Any = None
 
-    def __call__(self, acceleration, t, x, v, h):
+    def __call__(self, acceleration: Any, t: Any, x: Any, v: Any, h: Any) -> Any:
         if self.a is None:
             self.a = acceleration(t, x, v)
         v += h / 2 * self.a
@@ -26,13 +27,13 @@ class Verlet:
         return t + h, x, v + h / 2 * self.a
 
 
-def symplectic_euler(acceleration, t, x, v, h):
+def symplectic_euler(acceleration: Any, t: Any, x: Any, v: Any, h: Any) -> Any:
     v = v + h * acceleration(t, x, v)
     return t + h, x + h * v, v
 
 
-def rk4(acceleration, t, x, v, h):
-    def slope(dt, dx, dv):
+def rk4(acceleration: Any, t: Any, x: Any, v: Any, h: Any) -> Any:
+    def slope(dt: Any, dx: Any, dv: Any) -> Any:
         return v + dt * dv, acceleration(t + dt, x + dt * dx, v + dt * dv)
 
     none = np.zeros_like(x)
@@ -44,14 +45,14 @@ def rk4(acceleration, t, x, v, h):
 
 
 @pytest.fixture(scope="module")
-def of_program(tmp_path_factory):
+def of_program(tmp_path_factory: pytest.TempPathFactory) -> Any:
     """What `ringwatch verify integrators` measures of the integrators of the library."""
     path = tmp_path_factory.mktemp("verify") / "verify.json"
     call(PROGRAM, "verify", "integrators", "--quick", "--json", path)
     return json.loads(path.read_text())["studies"]["integrators"]["tables"]
 
 
-def rows_of(tables, table, name):
+def rows_of(tables: Any, table: Any, name: str) -> Any:
     return [row for row in tables[table] if row["integrator"] == name]
 
 
@@ -60,7 +61,7 @@ def rows_of(tables, table, name):
     ("verlet", Verlet, {"limit": 2, "order": 2, "symplectic": True, "reversible": True}),
     ("rk4", rk4, {"limit": math.sqrt(8), "order": 4, "damped_order": 4, "forces": 4}),
 ])
-def test_twins_in_both_languages(of_program, twin, integrator, declared):
+def test_twins_in_both_languages(of_program: Any, twin: Any, integrator: Any, declared: Any) -> None:
     found = rw.verify(integrator, **declared)
     assert found.passed and all(check.passed for check in found.checks), str(found)
     assert found.name == integrator.__name__ and len(found.checks) >= 9
@@ -84,17 +85,17 @@ def test_twins_in_both_languages(of_program, twin, integrator, declared):
             assert one["observed (s)"] == pytest.approx(other["observed (s)"], rel=1e-4)
 
 
-def drifting(acceleration, t, x, v, h):
+def drifting(acceleration: Any, t: Any, x: Any, v: Any, h: Any) -> Any:
     t, x, v = symplectic_euler(acceleration, t, x, v, h)
     return t, x, v * (1 + 1e-9 * h)
 
 
-def failed(integrator, **declared):
+def failed(integrator: Any, **declared: Any) -> Any:
     return [check.name.split(": ", 1)[1] for check in rw.verify(integrator, **declared).checks if not check.passed]
 
 
-def test_faults_are_caught():
-    kind = {"limit": 2, "order": 1, "forces": 1, "symplectic": True}
+def test_faults_are_caught() -> None:
+    kind: dict[str, Any] = {"limit": 2, "order": 1, "forces": 1, "symplectic": True}
     assert failed(symplectic_euler, **kind) == []
     assert failed(symplectic_euler, **{**kind, "limit": 2.001})[0] == "limit on the imaginary axis"
     assert failed(symplectic_euler, **{**kind, "order": 2}) == ["order"]
@@ -109,10 +110,12 @@ def test_faults_are_caught():
         "steps a linear oscillator by a linear recursion"]
 
 
-def test_what_is_no_integrator_is_refused():
-    def wrong(made):
+def test_what_is_no_integrator_is_refused() -> None:
+    def wrong(made: Any) -> Any:
         return lambda acceleration, t, x, v, h: made(acceleration, t, x, v, h)
 
+    integrator: Any
+    declared: Any
     for integrator, said in (
             (wrong(lambda a, t, x, v, h: x), "integrator: returned an array of float64 .*; must return a tuple"),
             (wrong(lambda a, t, x, v, h: ("now", x, v)), "an object of type str as the time; must be a number"),
@@ -129,18 +132,18 @@ def test_what_is_no_integrator_is_refused():
             rw.verify(symplectic_euler, **{**KIND, **declared})
 
 
-def test_what_the_integrator_raises_comes_through():
-    def careless(acceleration, t, x, v, h):
+def test_what_the_integrator_raises_comes_through() -> None:
+    def careless(acceleration: Any, t: Any, x: Any, v: Any, h: Any) -> Any:
         raise KeyError("mine")
 
     with pytest.raises(KeyError, match="mine"):
         rw.verify(careless, **KIND)
 
 
-def test_an_acceleration_ends_with_its_step():
-    kept = []
+def test_an_acceleration_ends_with_its_step() -> None:
+    kept: list[Any] = []
 
-    def keeping(acceleration, t, x, v, h):
+    def keeping(acceleration: Any, t: Any, x: Any, v: Any, h: Any) -> Any:
         if kept:
             kept[0](t, x, v)
         kept.append(acceleration)
