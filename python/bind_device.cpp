@@ -118,7 +118,7 @@ PYBIND11_MODULE(_device, module) {
   translateErrors();
   py::module_::import("ringwatch._ringwatch");  // has the type Body
   py::class_<HeldDeviceMonitor>(module, "Monitor")
-      .def(py::init(&monitorOf))
+      .def(py::init(&monitorOf), py::keep_alive<1, 2>())
       .def_property_readonly("node_count", [](HeldDeviceMonitor& self) { return self.monitor.nodeCount(); })
       .def_property_readonly("stream", [](HeldDeviceMonitor& self) { return self.monitor.stream(); })
       .def("observe_tensor",

@@ -14,8 +14,8 @@ namespace ringwatch {
 /// that a certified step is stable for the tangent is Theorem 27, docs/theory/integrators.md.
 class DeviceMonitor {
  public:
-  /// limit: the integrator's largest stable h·omega. Mass, constraints and rules are those that the body has now; it is
-  /// not needed afterwards. Throws InputError for a limit that is not > 0 and finite, and as DeviceBody and
+  /// limit: the integrator's largest stable h·omega. Mass, constraints and rules are those that the body has now; it
+  /// must outlive the monitor. Throws InputError for a limit that is not > 0 and finite, and as DeviceBody and
   /// DeviceCertificate.
   DeviceMonitor(const Body& body, double limit);
   ~DeviceMonitor();
