@@ -46,9 +46,9 @@ class DeviceMonitor:
         wanted = (self._monitor.node_count, 3)
         shape, strides = tuple(given["shape"]), given.get("strides")
         if given["typestr"] != "<f8" or shape != wanted or strides not in (None, (24, 8)):
-            order = "in C order" if strides in (None, (8 * shape[-1], 8)) else "not in C order"
-            raise InputError(f"x: an array of {given['typestr']} of shape {shape} {order}; must be of <f8, float64, of "
-                             f"shape {wanted} in C order")
+            order = " not in C order" if shape == wanted and strides not in (None, (24, 8)) else ""
+            raise InputError(f"x: an array of {given['typestr']} of shape {shape}{order}; must be of <f8, float64, of shape "
+                             f"{wanted} in C order")
         stream = given.get("stream", _ALL_WORK)  # None: nothing is under way
         report = self._monitor.observe_pointer(given["data"][0], h, stream)
         return report

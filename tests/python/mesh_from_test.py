@@ -5,6 +5,8 @@ from typing import Any
 import meshio  # type: ignore[import]
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import ringwatch as rw
 from support import bar, body_of
@@ -105,6 +107,40 @@ def test_a_grid_of_several_kinds_and_single_precision() -> None:
         rw.mesh_from(model.vtkUnstructuredGrid())
     with pytest.raises(rw.InputError, match="an object of type vtkPolyData; must be a vtkUnstructuredGrid"):
         rw.mesh_from(model.vtkPolyData())
+
+
+@settings(max_examples=40, deadline=None, database=None, derandomize=True)
+@given(st.lists(st.tuples(st.sampled_from([10, 12, 13, 14, 5, 3]), st.integers(0, 10)), min_size=1, max_size=12))
+def test_any_grid_of_vtk_is_sorted_by_kind(cells: Any) -> None:
+    """Cells of all kinds in any order, each a unit cell of its own: blocks in the order in which kinds appear, numbers kept."""
+    model = pytest.importorskip("vtkmodules.vtkCommonDataModel")
+    core = pytest.importorskip("vtkmodules.vtkCommonCore")
+    cube = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+    corners = {10: (0, 1, 3, 4), 12: range(8), 13: (0, 3, 1, 4, 7, 5), 14: (0, 1, 2, 3, 4), 5: (0, 1, 2), 3: (0, 1)}
+    names = {10: "tet4", 12: "hex8", 13: "wedge6", 14: "pyramid5"}
+    grid, points = model.vtkUnstructuredGrid(), core.vtkPoints()
+    points.SetDataTypeToDouble()
+    grid.SetPoints(points)
+    expected: dict[str, list[int]] = {}
+    for number, (kind, shift) in enumerate(cells):
+        ids = core.vtkIdList()
+        for corner in corners[kind]:
+            x, y, z = cube[corner]
+            ids.InsertNextId(points.InsertNextPoint(x + 2 * number, y + shift, z))
+        grid.InsertNextCell(kind, ids)
+        if kind in names:
+            expected.setdefault(names[kind], []).append(number)
+    if not expected:
+        with pytest.raises(rw.InputError, match="no elements"):
+            rw.mesh_from(grid)
+        return
+    mesh = rw.mesh_from(grid)
+    assert [name for name, _ in mesh.blocks] == list(expected)
+    for (name, nodes), numbers in zip(mesh.blocks, expected.values()):
+        assert len(nodes) == len(numbers)
+        assert np.array_equal(np.floor(mesh.points[nodes, 0].min(axis=1) / 2), numbers)  # cell by cell where it was put
+        mean = mesh.points[nodes, 1].mean(axis=1) - [cells[number][1] for number in numbers]
+        assert np.all((0 < mean) & (mean < 1))
 
 
 @pytest.fixture
