@@ -51,7 +51,7 @@ NodeVectorsView nodalOf(const char* name, py::handle given, Eigen::Index nodes) 
   return {realsOf(name, given, {nodes, 3}).data(), nodes};
 }
 
-std::vector<std::int32_t> indicesOf(const char* name, py::handle given, py::ssize_t dimensions, std::int64_t end) {
+std::vector<std::int64_t> integersOf(const char* name, py::handle given, py::ssize_t dimensions) {
   const auto refuse = [&](const std::string& what) {
     throw InputError(joinText(name, ": ", what, "; must be an array of whole numbers, int32 or int64, of ", dimensions,
                               " dimension", dimensions == 1 ? "" : "s"));
@@ -62,13 +62,17 @@ std::vector<std::int32_t> indicesOf(const char* name, py::handle given, py::ssiz
   if ((kind != 'i' && kind != 'u') || array.ndim() != dimensions) refuse(describe(given));
   const auto wide = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(array);
   if (!wide) throw py::error_already_set();
-  const std::span<const std::int64_t> values(wide.data(), wide.size());
+  return {wide.data(), wide.data() + wide.size()};
+}
+
+std::vector<std::int32_t> indicesOf(const char* name, py::handle given, py::ssize_t dimensions, std::int64_t end) {
+  const std::vector<std::int64_t> values = integersOf(name, given, dimensions);
   std::vector<std::int32_t> indices;
   indices.reserve(values.size());
   for (const std::int64_t value : values) {
     if (value < 0 || value >= end)
       throw InputError(joinText(name, ": ", value, " is out of range; must be 0 to ", end - 1));
-    indices.push_back(value);
+    indices.push_back(static_cast<std::int32_t>(value));
   }
   return indices;
 }

@@ -36,7 +36,16 @@ HeldMesh sound(Mesh mesh, const char* source) {
   return made;
 }
 
-HeldMesh meshOf(py::handle points, const py::object& cells, const py::dict& nodeSets) {
+/// Numbers of the file, one each of `count` things.
+std::vector<std::int64_t> idsOf(const std::string& name, py::handle given, std::size_t count) {
+  std::vector<std::int64_t> ids = integersOf(name.c_str(), given, 1);
+  if (ids.size() != count)
+    throw InputError(joinText(name, ": ", ids.size(), " numbers; must be ", count, ", one each"));
+  return ids;
+}
+
+HeldMesh meshOf(py::handle points, const py::object& cells, const py::dict& nodeSets, const py::object& nodeIds,
+                const py::object& cellIds) {
   Mesh mesh;
   const std::span<const double> numbers = realsOf("points", points, {-1, 3});
   const Eigen::Index nodes = numbers.size() / 3;
@@ -64,6 +73,14 @@ HeldMesh meshOf(py::handle points, const py::object& cells, const py::dict& node
   for (const auto& [name, set] : nodeSets) {
     const auto key = name.cast<std::string>();
     mesh.nodeSets[key] = indicesOf(joinText("node_sets[", inQuotes(key), "]").c_str(), set, 1, nodes);
+  }
+  if (!nodeIds.is_none()) mesh.nodeIds = idsOf("node_ids", nodeIds, mesh.nodeCount());
+  if (!cellIds.is_none()) {
+    if (!py::isinstance<py::sequence>(cellIds) || py::len(cellIds) != mesh.blocks.size())
+      throw InputError(joinText("cell_ids: ", describe(cellIds), "; must be a list of an array for each of the ",
+                                mesh.blocks.size(), " blocks"));
+    for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+      mesh.blocks[b].ids = idsOf(joinText("cell_ids[", b, "]"), cellIds[py::int_(b)], mesh.blocks[b].elementCount());
   }
   return sound(std::move(mesh), "mesh");
 }
@@ -107,6 +124,18 @@ py::list blocksOf(const py::object& self) {
   return blocks;
 }
 
+/// (name, nodes, number of VTK, number of gmsh, node i in gmsh's element) of every element, for readers of other
+/// packages' meshes.
+py::tuple elements() {
+  py::list all;
+  for (const ElementInfo& info : allElements()) {
+    py::list order;
+    for (int i = 0; i < info.nodes; ++i) order.append(info.gmshOrder.empty() ? i : int{info.gmshOrder[i]});
+    all.append(py::make_tuple(std::string(info.name), info.nodes, info.vtkCellType, info.gmshType, py::tuple(order)));
+  }
+  return py::tuple(all);
+}
+
 }  // namespace
 
 void bindMesh(py::module_& module) {
@@ -115,14 +144,17 @@ void bindMesh(py::module_& module) {
                        "changes.\n\npoints: (N, 3) float64 in "
                        "C order, m. cells: by element name, (n, nodes of the element) of whole numbers in VTK's "
                        "node\norder; or a list of "
-                       "(name, cells). node_sets: node numbers by name. All of them are copied. Raises InputError for "
+                       "(name, cells). node_sets: node numbers by name. node_ids, cell_ids: the numbers of another "
+                       "program, for messages:\n(N,), and a list of an array for each block. All of them are copied. "
+                       "Raises InputError for "
                        "arrays\nof another "
                        "shape or type, and for a mesh that is not sound: inverted or degenerate elements, nodes that "
                        "do not exist.\nA mesh "
                        "whose elements are all of the other handedness is turned round, and nodes that no element uses "
                        "are dropped:\n`notes` "
                        "says so.")
-      .def(py::init(&meshOf), py::arg("points"), py::arg("cells"), py::kw_only(), py::arg("node_sets") = py::dict())
+      .def(py::init(&meshOf), py::arg("points"), py::arg("cells"), py::kw_only(), py::arg("node_sets") = py::dict(),
+           py::arg("node_ids") = py::none(), py::arg("cell_ids") = py::none())
       .def_property_readonly(
           "points",
           [](const py::object& self) {
@@ -167,6 +199,7 @@ void bindMesh(py::module_& module) {
             writeMesh(*self.mesh, path);
           },
           py::arg("path"), "Writes the mesh, as .msh or .vtu.");
+  module.def("_elements", &elements);
   module.def(
       "load_mesh", &load, py::arg("path"),
       "Reads a mesh to compute with, in the formats of `ringwatch help formats`. Coordinates are taken as m. Raises "

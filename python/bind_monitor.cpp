@@ -1,3 +1,5 @@
+#include <array>
+
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -21,7 +23,7 @@ struct HeldMonitor {
 };
 
 std::unique_ptr<HeldMonitor> monitorOf(std::shared_ptr<HeldBody> body, double limit, const std::string& mode,
-                                       const std::string& metric, double margin, int every, double width,
+                                       const std::string& metric, double margin, int every, double width, double budget,
                                        std::int64_t firstObservationElements) {
   MonitorOptions options;
   options.limit = limit;
@@ -30,13 +32,27 @@ std::unique_ptr<HeldMonitor> monitorOf(std::shared_ptr<HeldBody> body, double li
   options.margin = margin;
   options.every = every;
   options.width = width;
+  options.budget = budget;
   options.firstObservationElements = firstObservationElements;
   HeldBody& held = *body;
   return reading(held, [&] { return std::make_unique<HeldMonitor>(std::move(body), options); });
 }
 
+/// What an observation has spent, by what it went to.
+py::object spentOf(const Work& work) {
+  static const auto& names = *[] {
+    auto* made = new std::array<py::object, worksOn>;
+    for (std::size_t i = 0; i < worksOn; ++i) (*made)[i] = text(workNames[i]);
+    return made;
+  }();
+  py::dict spent;
+  for (std::size_t i = 0; i < worksOn; ++i)
+    if (PyDict_SetItem(spent.ptr(), names[i].ptr(), real(work.of[i]).ptr()) != 0) throw py::error_already_set();
+  return spent;
+}
+
 py::object reportOf(const MonitorReport& report, const Mesh& mesh, py::object force, py::object energy) {
-  static const ResultType& type = *new ResultType("MonitorReport", 13);
+  static const ResultType& type = *new ResultType("MonitorReport", 14);
   static PyObject* const noEvents = PyTuple_New(0);
   static const py::handle verdicts[] = {text(verdictName(Verdict::certified)).release(),
                                         text(verdictName(Verdict::notCertified)).release(),
@@ -50,8 +66,8 @@ py::object reportOf(const MonitorReport& report, const Mesh& mesh, py::object fo
   return type(integer(report.step), real(report.time), report.h > 0 ? real(report.h) : py::object(py::none()),
               py::reinterpret_borrow<py::object>(verdicts[static_cast<std::size_t>(report.verdict)]),
               orNone(report.bracket, criticalStepResult), real(report.certified), orNone(report.metricStep, real),
-              flag(report.fresh), integer(report.evaluatedAt), integer(report.elementsRefreshed), std::move(events),
-              std::move(force), std::move(energy));
+              flag(report.fresh), integer(report.evaluatedAt), integer(report.elementsRefreshed), spentOf(report.spent),
+              std::move(events), std::move(force), std::move(energy));
 }
 
 py::object observe(HeldMonitor& self, std::int64_t step, double time, py::handle positions, py::handle velocities,
@@ -88,12 +104,16 @@ void bindMonitor(py::module_& module) {
       "largest stable h omega. mode: \"bracket\", \"threshold\" (only whether the step is certified,\ncheapest) or "
       "\"metric\". metric: one to evaluate too, or \"\". margin: of its step. every: steps between "
       "evaluations.\nwidth: "
-      "of the bracket, relative, that is aimed at. first_observation_elements: bodies of up to this many elements\nget "
+      "of the bracket, relative, that is aimed at. budget: what the bracket may take after the first observation, as a "
+      "share of a "
+      "step's own\nwork, counted; when it is used up the proof stays and the bracket becomes wider. "
+      "first_observation_elements: bodies of up to this many elements\nget "
       "the "
       "best proof there is at the first observation, where h is None or not certified without it. Raises InputError.")
       .def(py::init(&monitorOf), py::arg("body"), py::arg("limit") = 2.0, py::kw_only(), py::arg("mode") = "bracket",
            py::arg("metric") = "", py::arg("margin") = usual.margin, py::arg("every") = usual.every,
-           py::arg("width") = usual.width, py::arg("first_observation_elements") = usual.firstObservationElements)
+           py::arg("width") = usual.width, py::arg("budget") = usual.budget,
+           py::arg("first_observation_elements") = usual.firstObservationElements)
       .def("observe", &observe, py::arg("step"), py::arg("time"), py::arg("x"), py::arg("v"), py::arg("h") = py::none(),
            py::kw_only(), py::arg("force") = false, py::arg("energy") = false,
            "Observes positions x and velocities v ((N, 3), m and m/s, read where they lie) before step number `step` "

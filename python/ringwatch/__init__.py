@@ -10,7 +10,18 @@ True
 Arrays of nodes are (N, 3), float64, in C order, and are read where they lie. SI units. docs/python.md tells more.
 """
 from ._errors import InputError, NumericalError
-from ._results import CriticalStep, Element, ElementCause, Inspection, Metric, MonitorEvent, MonitorReport
+from ._results import (
+    Check,
+    CriticalStep,
+    DeviceReport,
+    Element,
+    ElementCause,
+    Inspection,
+    Metric,
+    MonitorEvent,
+    MonitorReport,
+    Verification,
+)
 from ._ringwatch import (
     Body,
     Material,
@@ -24,11 +35,17 @@ from ._ringwatch import (
     metric_names,
 )
 from ._convert import mesh_from
-from ._run import RunResult, run
+from ._device_monitor import DeviceMonitor
+from ._run import Comparison, RunResult, compare, report, run
+from ._verification import verify
 
 __all__ = [
     "Body",
+    "Check",
+    "Comparison",
     "CriticalStep",
+    "DeviceMonitor",
+    "DeviceReport",
     "Element",
     "ElementCause",
     "InputError",
@@ -42,11 +59,15 @@ __all__ = [
     "NumericalError",
     "RunResult",
     "TangentBracket",
+    "Verification",
     "__version__",
+    "compare",
     "generate_mesh",
     "inspect",
     "load_mesh",
     "mesh_from",
     "metric_names",
+    "report",
     "run",
+    "verify",
 ]

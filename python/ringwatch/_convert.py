@@ -4,9 +4,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._errors import InputError
-from ._ringwatch import Mesh
+from ._ringwatch import Mesh, _elements
 
 # meshio's names of cells with volume. Its order of nodes is VTK's, as ours is.
 _ELEMENT_OF_MESHIO = {
@@ -22,17 +23,26 @@ _BELOW_VOLUME = ("vertex", "line", "triangle", "quad", "polygon")
 
 
 def mesh_from(source: Any) -> Mesh:
-    """The mesh of a meshio.Mesh, or of any object with `points` (N, 3) and `cells`, each with a `type` and `data`.
+    """The mesh of an object of another package.
 
-    Cells with volume become blocks, in their order; surfaces, lines and points are left out. Coordinates are taken as m.
+    source: a vtkUnstructuredGrid, which PyVista's are too, with the sets that ringwatch writes into .vtu files; gmsh, the module, for its current model, with its numbers of
+    nodes and elements and its physical groups of surfaces, lines and points as node sets; a meshio.Mesh, or any object
+    with `points` (N, 3) and `cells`, each with a `type` and `data`. Cells with volume become a block for each of their
+    types, or of meshio's blocks, in their order; surfaces, lines and points are left out. Coordinates are taken as m.
     Raises InputError for another object and for cells that ringwatch does not have.
     """
+    if hasattr(source, "GetCellTypesArray"):
+        return _from_vtk(source)
+    model = getattr(source, "model", source)
+    if hasattr(getattr(model, "mesh", None), "getElementTypes"):
+        return _from_gmsh(model)
     try:
         points, cells = source.points, list(source.cells)
         named = [(str(block.type), np.asarray(block.data)) for block in cells]
     except (AttributeError, TypeError):
         raise InputError(
-            f"mesh_from: an object of type {type(source).__name__}; must have points and cells as a meshio.Mesh has"
+            f"mesh_from: an object of type {type(source).__name__}; must be a vtkUnstructuredGrid, the module gmsh, or "
+            "have points and cells as a meshio.Mesh has"
         ) from None
     blocks = []
     for name, data in named:
@@ -42,3 +52,83 @@ def mesh_from(source: Any) -> Mesh:
             known = ", ".join(_ELEMENT_OF_MESHIO)
             raise InputError(f"mesh_from: unknown cells '{name}'; known are {known}, and those without volume")
     return Mesh(np.ascontiguousarray(points, dtype=np.float64), blocks)
+
+
+def _from_vtk(grid: Any) -> Mesh:
+    if grid.GetPoints() is None or grid.GetNumberOfCells() == 0:
+        raise InputError(f"mesh_from: a {grid.GetClassName()} without points or cells; a mesh of at least one is needed")
+    points = np.array(grid.GetPoints().GetData(), dtype=np.float64).reshape(-1, 3)
+    types = np.array(grid.GetCellTypesArray()).ravel()
+    offsets = np.array(grid.GetCells().GetOffsetsArray(), dtype=np.int64).ravel()
+    nodes = np.array(grid.GetCells().GetConnectivityArray(), dtype=np.int64).ravel()
+    element_of_type = {vtk: (name, count) for name, count, vtk, _, _ in _elements()}
+    blocks: list[tuple[str, NDArray[np.int64]]] = []
+    ids: list[NDArray[np.int64]] = []
+    for kind in _in_order(types):
+        cells = np.flatnonzero(types == kind)
+        if grid.GetCell(int(cells[0])).GetCellDimension() < 3:
+            continue
+        if kind not in element_of_type:
+            known = ", ".join(f"{number} ({name})" for number, (name, _) in element_of_type.items() if number)
+            raise InputError(
+                f"mesh_from: cell {cells[0]} is of VTK's type {kind}; known are {known}, and those without volume"
+            )
+        name, count = element_of_type[kind]
+        begin = offsets[cells]
+        if np.any(offsets[cells + 1] - begin != count):
+            raise InputError(f"mesh_from: cells of VTK's type {kind} without {count} points each; {name} has {count}")
+        blocks.append((name, nodes[begin[:, None] + np.arange(count)]))
+        ids.append(cells.astype(np.int64))
+    sets: dict[str, NDArray[np.int64]] = {}
+    node_ids = None
+    for i in range(grid.GetPointData().GetNumberOfArrays()):  # as ringwatch writes them into .vtu
+        array = grid.GetPointData().GetArray(i)
+        if array is not None and str(array.GetName()).startswith("set:"):
+            sets[array.GetName().removeprefix("set:")] = np.flatnonzero(np.array(array).ravel())
+        elif array is not None and array.GetName() == "originalNodeId":
+            node_ids = np.array(array, dtype=np.int64).ravel()
+    original = grid.GetCellData().GetArray("originalElementId")
+    if original is not None:
+        numbers = np.array(original, dtype=np.int64).ravel()
+        ids = [numbers[cells] for cells in ids]
+    return Mesh(points, blocks, node_sets=sets, node_ids=node_ids, cell_ids=ids)
+
+
+def _from_gmsh(model: Any) -> Mesh:
+    tags, coordinates, _ = model.mesh.getNodes()
+    tags = np.asarray(tags, dtype=np.int64)
+    order = np.argsort(tags, kind="stable")
+
+    def rows(numbers: Any) -> NDArray[np.int64]:
+        wanted = np.asarray(numbers, dtype=np.int64)
+        at = np.searchsorted(tags, wanted, sorter=order)
+        return np.asarray(order[at], dtype=np.int64)
+
+    element_of_type = {gmsh: (name, gmsh_order) for name, _, _, gmsh, gmsh_order in _elements()}
+    blocks: list[tuple[str, NDArray[np.int64]]] = []
+    ids: list[NDArray[np.int64]] = []
+    for kind in model.mesh.getElementTypes(3):
+        named, _, _, count, *_ = model.mesh.getElementProperties(kind)
+        if kind not in element_of_type:
+            known = ", ".join(f"{number} ({name})" for number, (name, _) in element_of_type.items() if number)
+            raise InputError(f"mesh_from: elements of gmsh's type {kind}, {named}; known are {known}")
+        name, gmsh_order = element_of_type[kind]
+        elements, nodes = model.mesh.getElementsByType(kind)
+        blocks.append((name, rows(nodes).reshape(-1, count)[:, list(gmsh_order)]))
+        ids.append(np.asarray(elements, dtype=np.int64))
+    if not blocks:
+        raise InputError("mesh_from: gmsh's current model has no elements with volume; gmsh.model.mesh.generate(3) makes them")
+    sets: dict[str, NDArray[np.int64]] = {}
+    for dimension, tag in model.getPhysicalGroups():
+        if dimension < 3:
+            name = model.getPhysicalName(dimension, tag) or f"{('point', 'curve', 'surface')[dimension]}-{tag}"
+            members, _ = model.mesh.getNodesForPhysicalGroup(dimension, tag)
+            sets[name] = np.unique(np.concatenate([sets.get(name, np.empty(0, np.int64)), rows(members)]))
+    points = np.ascontiguousarray(np.asarray(coordinates, dtype=np.float64).reshape(-1, 3))
+    return Mesh(points, blocks, node_sets=sets, node_ids=tags, cell_ids=ids)
+
+
+def _in_order(values: NDArray[Any]) -> list[int]:
+    """Each value once, in the order of their first places."""
+    found, first = np.unique(values, return_index=True)
+    return [int(value) for value in found[np.argsort(first)]]

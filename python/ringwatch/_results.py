@@ -2,10 +2,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _plot
 from ._errors import InputError
 
 
@@ -118,6 +120,18 @@ class Inspection:
             raise InputError("element_steps: no metric was asked for; name one in inspect(metrics=...)")
         return next(iter(self.metrics.values())).element_steps
 
+    def plot(self, ax: Any = None, *, metric: str = "") -> Any:
+        """Draws how the steps of the elements spread, s, by a metric that was asked for, the first one unless named, with
+        both sides of the bracket.
+
+        ax: matplotlib's Axes to draw into; None makes some. Returns the Axes. Raises InputError for a metric that was
+        not asked for, ImportError without matplotlib.
+        """
+        if metric and metric not in self.metrics:
+            raise InputError(f"plot: metric: {metric!r} was not asked for; name it in inspect(metrics=...)")
+        steps = self.metrics[metric].element_steps if metric else self.element_steps
+        return _plot.inspection(steps, self.safe, self.optimistic, metric or next(iter(self.metrics)), ax)
+
 
 @dataclass(frozen=True, slots=True)
 class MonitorEvent:
@@ -167,6 +181,9 @@ class MonitorReport:
     """The step whose state the bracket is of."""
     elements_refreshed: int
     """Element evaluations spent."""
+    spent: dict[str, float]
+    """Work of this observation over that of a step's own force, counted, by what it went to: tests (of validity balls),
+    evaluations, repairs, sweeps, mode (the optimistic side), searches (for negative stiffness)."""
     new_events: tuple[MonitorEvent, ...]
     """Begun at this step."""
     internal_force: NDArray[np.float64] | None
@@ -183,3 +200,56 @@ class MonitorReport:
     def optimistic(self) -> float | None:
         """s, of the bracket; None where there is none."""
         return self.bracket.optimistic if self.bracket else None
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceReport:
+    """What a DeviceMonitor knows of a state."""
+
+    h: float | None
+    """s, the step that was asked about."""
+    certified: bool
+    """h is proven stable for the tangent at this state."""
+    safe: float
+    """s, the largest step proven there; 0 for none, also of a state that is not finite."""
+    renewed: bool
+    """The certificate was made again, or it was tried: at the first observation, where it was lost, for a larger step."""
+    elements_refreshed: int
+    """Elements that had left their validity balls and were evaluated one by one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """A measured number and the limit that it is held to."""
+
+    name: str
+    """What was measured, with its unit where it has one."""
+    measured: float
+    expected: float
+    tolerance: float
+    """How far measured may be from expected: on both sides, above or below."""
+    sense: str
+    """near, at-most or at-least."""
+    passed: bool
+
+    def __str__(self) -> str:
+        return (f"{'passed' if self.passed else 'FAILED'} {self.name}: measured {self.measured:.9g}, "
+                f"expected {self.expected:.9g}, tolerance {self.tolerance:.3g}")
+
+
+@dataclass(frozen=True, slots=True)
+class Verification:
+    """What a study of an integrator found: see `verify`."""
+
+    name: str
+    """Of the integrator."""
+    passed: bool
+    """Whether all checks did."""
+    checks: tuple[Check, ...]
+    tables: dict[str, tuple[dict[str, Any], ...]]
+    """What was measured: limits, damped_limits, orders, periods, drift, observed, stiff; each a tuple of rows, a dict by
+    column. A table that says nothing of this integrator is left out."""
+
+    def __str__(self) -> str:
+        failed = [str(check) for check in self.checks if not check.passed]
+        return "\n".join([f"{self.name}: {len(self.checks)} checks, {len(failed)} failed", *failed])

@@ -1,3 +1,4 @@
+import math
 import os
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -19,6 +20,8 @@ class Mesh:
         cells: Mapping[str, Integers] | Sequence[tuple[str, Integers]],
         *,
         node_sets: Mapping[str, Integers] = ...,
+        node_ids: Integers | None = None,
+        cell_ids: Sequence[Integers] | None = None,
     ) -> None: ...
     @property
     def points(self) -> Reals: ...
@@ -91,6 +94,7 @@ class Monitor:
         margin: float = 0.1,
         every: int = 1,
         width: float = 0.05,
+        budget: float = math.inf,
         first_observation_elements: int = 10000,
     ) -> None: ...
     def observe(
@@ -120,6 +124,7 @@ class TangentBracket:
     ) -> None: ...
     def evaluate(self, tangents: Reals | Sequence[Reals], limit: float = 2.0) -> CriticalStep: ...
 
+def _elements() -> tuple[tuple[str, int, int, int, tuple[int, ...]], ...]: ...
 def load_mesh(path: str | os.PathLike[str]) -> Mesh: ...
 def generate_mesh(kind: str, /, **parameters: float | Sequence[float] | str) -> Mesh: ...
 def inspect(

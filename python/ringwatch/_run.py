@@ -1,6 +1,7 @@
-"""Scenes, run by the program `ringwatch` of this installation: its results are those of the command line."""
+"""Scenes and reports, by the program `ringwatch` of this installation: its results are those of the command line."""
 from __future__ import annotations
 
+import contextlib
 import csv
 import json
 import math
@@ -8,13 +9,14 @@ import os
 import pathlib
 import subprocess
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _plot
 from ._errors import InputError, NumericalError
 from ._locations import PROGRAM
 
@@ -39,6 +41,39 @@ class RunResult:
     """The columns of history.csv by name: float64, NaN where a field is empty; controlling_element and verdict are
     texts."""
 
+    def plot(self, ax: Any = None) -> Any:
+        """Draws both sides of the bracket, the step by the monitor's metric, where there is one, and the step that was
+        taken, s, over time, s, with the beginnings of events.
+
+        ax: matplotlib's Axes to draw into; None makes some. Returns the Axes. Raises InputError for a run that was not
+        monitored, ImportError without matplotlib.
+        """
+        return _plot.run(self.history, self.summary.get("events", []), self.verdict, ax)
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """Error against cost of integrators on the motion of a scene: see `compare`."""
+
+    title: str
+    end: float
+    """s, where the positions are compared."""
+    reference_error: float
+    """By how much the reference still changed as it was refined, relative to the displacement."""
+    runs: dict[str, NDArray[Any]]
+    """Columns with a row a run: integrator (or handler), h (s), error (of the positions over the displacement; NaN for a
+    run that was lost), seconds, forces, products (tangent products), matrices, lost (why)."""
+    cheapest: dict[str, dict[str, Any]]
+    """By error, "1 %", "0.1 %" and "1e-6": by_time, seconds, h, by_forces, forces; empty where none reaches it."""
+
+    def plot(self, ax: Any = None, *, against: str = "seconds") -> Any:
+        """Draws the error over "seconds", or over "forces", which counts tangent products too; a curve an integrator.
+
+        ax: matplotlib's Axes to draw into; None makes some. Returns the Axes. Raises InputError for another cost,
+        ImportError without matplotlib.
+        """
+        return _plot.comparison(self.runs, self.title, against, ax)
+
 
 def run(
     scene: str | os.PathLike[str] | Mapping[str, Any],
@@ -54,41 +89,108 @@ def run(
     "section.key=value" each. Raises InputError with the line that the program prints; a run that becomes unstable is a
     result, not an error.
     """
-    program = pathlib.Path(__file__).parent / PROGRAM
-    if not program.is_file():
-        raise InputError(f"{program.resolve()}: there is no program; scenes need it: build and install ringwatch_app")
-    with tempfile.TemporaryDirectory() as folder:
-        if isinstance(scene, Mapping):
-            path = pathlib.Path(folder) / "scene.toml"
-            path.write_text(_toml(_with_absolute_mesh(scene)), encoding="utf-8")
-        else:
-            path = pathlib.Path(scene)
+    with _file_of(scene) as path:
         results = pathlib.Path(out) if out is not None else pathlib.Path("out") / path.stem
-        command = [str(program), "run", str(path), "--quiet", "--out", str(results), "--threads", str(threads)]
-        for setting in overrides:
-            command += ["--set", setting]
-        status, complaint = _call(command)
-    if status < 0:
-        raise RuntimeError(f"ringwatch run was ended by signal {-status}")
-    if complaint and status in (_BAD_INPUT, _FAILED):
-        line = complaint.split("\n")[-1].removeprefix("ringwatch: ").replace(f"{folder}{os.sep}scene.toml", "scene")
-        raise InputError(line) if status == _BAD_INPUT else NumericalError(line)
+        status, _, complaint = _call(["run", str(path), "--quiet", "--out", str(results), "--threads", str(threads),
+                                      *_settings(overrides)])
+        if complaint and status in (_BAD_INPUT, _FAILED):
+            _refuse(status, complaint, scene, path)
     summary = json.loads((results / "summary.json").read_text(encoding="utf-8"))
     return RunResult(status, bool(summary["stable"]), str(summary["verdict"]), results, summary,
                      _history(results / "history.csv"))
 
 
-def _call(command: list[str]) -> tuple[int, str]:
-    """Exit status and standard error. Ctrl-C ends the run after its step, with its results written."""
-    with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                          text=True) as process:
+def compare(
+    scene: str | os.PathLike[str] | Mapping[str, Any],
+    *,
+    integrators: Sequence[str] = ("all",),
+    handlers: Sequence[str] = (),
+    steps: Sequence[float] = (),
+    out: str | os.PathLike[str] | None = None,
+    overrides: Sequence[str] = (),
+    threads: int = 1,
+) -> Comparison:
+    """Runs the motion of a scene with several integrators: error against cost, as `ringwatch compare` does.
+
+    scene, overrides: as in `run`. integrators: names, or "all". handlers: also with these, on verlet. steps: s; else a
+    range for each integrator, from its largest. out: folder for pictures; None for none. Raises InputError with the line
+    that the program prints, NumericalError where there is no reference: the motion is chaotic or unstable.
+    """
+    for name, given in (("integrators", integrators), ("handlers", handlers)):
+        if isinstance(given, str):
+            raise InputError(f"{name}: {given!r}; must be a list of names")
+    with _file_of(scene) as path:
+        command = ["compare", str(path), "--json", "-", "--threads", str(threads), "--integrators", ",".join(integrators)]
+        command += ["--handlers", ",".join(handlers)] if handlers else []
+        command += ["--step", ",".join(repr(float(step)) for step in steps)] if len(steps) else []
+        command += ["--out", str(out)] if out is not None else []
+        status, told, complaint = _call([*command, *_settings(overrides)])
+        if status:
+            _refuse(status, complaint, scene, path)
+    found = json.loads(told)
+    runs = {}
+    for name in ("integrator", "h", "error", "seconds", "forces", "products", "matrices", "lost"):
+        values = [row[name] for row in found["runs"]]
+        runs[name] = np.array([math.nan if value is None else value for value in values])
+    return Comparison(found["title"], float(found["end"]), float(found["reference_error"]), runs,
+                      {error: best or {} for error, best in found["cheapest"].items()})
+
+
+def report(folder: str | os.PathLike[str], *, out: str | os.PathLike[str] | None = None, frames: int | None = None) -> pathlib.Path:
+    """Writes the page about a run from what it left in its folder, as `ringwatch report` does. Returns its path.
+
+    out: the file; else report.html in the folder. frames: the most frames in it. Raises InputError.
+    """
+    command = ["report", str(folder)]
+    command += ["--out", str(out)] if out is not None else []
+    command += ["--frames", str(frames)] if frames is not None else []
+    status, _, complaint = _call(command)
+    if status:
+        _refuse(status, complaint)
+    return pathlib.Path(out) if out is not None else pathlib.Path(folder) / "report.html"
+
+
+@contextlib.contextmanager
+def _file_of(scene: str | os.PathLike[str] | Mapping[str, Any]) -> Iterator[pathlib.Path]:
+    """The scene's file; one that is removed again for a dict."""
+    if not isinstance(scene, Mapping):
+        yield pathlib.Path(scene)
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "scene.toml"
+        path.write_text(_toml(_with_absolute_mesh(scene)), encoding="utf-8")
+        yield path
+
+
+def _settings(overrides: Sequence[str]) -> list[str]:
+    return [word for setting in overrides for word in ("--set", setting)]
+
+
+def _refuse(status: int, complaint: str, scene: object = None, path: pathlib.Path | None = None) -> None:
+    """Raises what the program printed last; a dict's file has no name that its writer would know."""
+    line = complaint.split("\n")[-1].removeprefix("ringwatch: ")
+    if isinstance(scene, Mapping):
+        line = line.replace(str(path), "scene")
+    raise InputError(line) if status == _BAD_INPUT else NumericalError(line)
+
+
+def _call(arguments: list[str]) -> tuple[int, str, str]:
+    """Exit status, standard output and standard error of the program. Ctrl-C ends a run after its step, with its results
+    written."""
+    program = pathlib.Path(__file__).parent / PROGRAM
+    if not program.is_file():
+        raise InputError(f"{program.resolve()}: there is no program; scenes and reports need it: build and install ringwatch_app")
+    with subprocess.Popen([str(program), *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True, encoding="utf-8") as process:
         try:
-            complaint = process.communicate()[1]
+            told, complaint = process.communicate()
         except KeyboardInterrupt:
             process.terminate()  # the second signal of one kind would end it at once, and Ctrl-C has reached it too
             process.wait()
             raise
-    return process.returncode, complaint.strip()
+    if process.returncode < 0:
+        raise RuntimeError(f"ringwatch {arguments[0]} was ended by signal {-process.returncode}")
+    return process.returncode, told, complaint.strip()
 
 
 def _history(path: pathlib.Path) -> dict[str, NDArray[Any]]:

@@ -4,6 +4,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/gpu/certificate/device_certificate_impl.h>
+#include <ringwatch/gpu/certificate/device_monitor.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <tests/gpu/cases.h>
 #include <tests/gpu/checks.h>
@@ -167,6 +168,42 @@ void losesWhatItMust() {
   checks::expectThrows<InputError>([&] { certificate.certify(0); }, "must be > 0");
 }
 
+/// A DeviceMonitor at positions that lie on the device in the order of the mesh.
+void statesOfOthers() {
+  for (const char* element : elementNames) {
+    const Drawn drawn(element, "stvk", {4, 2, 2}, 0.1);
+    const Body& body = drawn.body;
+    const std::string what = std::string(element) + ", a state of another program: ";
+    DeviceMonitor monitor(body, 2);
+    const auto observe = [&](const NodeVectors& x, std::optional<double> h) {
+      const DeviceVector<double> lies(std::span<const double>(x.data(), static_cast<std::size_t>(x.size())));
+      return monitor.observe(lies.data(), h);
+    };
+    const double exact = 2 / std::sqrt(exactHighest(body, body.mesh().X)), safe = observe(body.mesh().X, {}).safe;
+    expectAtMost(safe, exact, what + "what is proven lies below the critical step");
+    expectAtMost(exact, 1.3 * safe, what + "it is of use");
+    const double h = 0.9 * safe;
+    expect(observe(body.mesh().X, h).renewed, what + "the first certificate is made");
+    int kept = 0, certified = 0;
+    for (int k = 0; k <= 40; ++k) {
+      NodeVectors x = body.mesh().X;
+      x.row(0) *= 1 + 0.01 * k;
+      const DeviceMonitor::Report report = observe(x, h);
+      kept += !report.renewed;
+      certified += report.certified;
+      if (report.certified) expectAtMost(h, 2 / std::sqrt(exactHighest(body, x)), what + "a certified step is stable");
+    }
+    expect(kept > 0 && certified > kept && certified <= 40, what + "some keep it, some renew it, the last are refused");
+    NodeVectors x = body.mesh().X;
+    x(0, 0) = std::numeric_limits<double>::quiet_NaN();
+    const DeviceMonitor::Report none = observe(x, h);
+    expect(!none.certified && none.safe == 0, what + "what is not a number is not certified");
+    expect(observe(body.mesh().X, h).certified, what + "a good state is, after it");
+    checks::expectThrows<InputError>([&] { monitor.observe(x.data(), h); }, "not in the memory of GPU");
+    checks::expectThrows<InputError>([&] { observe(x, 0); }, "must be > 0");
+  }
+}
+
 const Test tests[] = {
     {"certificate-bound", true, boundAgrees},
     {"certificate-balls-tet4", true,
@@ -186,6 +223,7 @@ const Test tests[] = {
     {"certificate-few", true, fewAreEvaluated},
     {"certificate-mixed", true, mixedBlocks},
     {"certificate-loses", true, losesWhatItMust},
+    {"certificate-others", true, statesOfOthers},
 };
 
 }  // namespace

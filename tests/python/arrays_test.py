@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,13 +19,14 @@ import ringwatch as rw
 from support import bar, body_of, stretched, two_elements
 
 
-def address(array):
+def address(array: Any) -> Any:
     return array.__array_interface__["data"][0]
 
 
-def test_views_share_memory_and_cannot_be_written():
+def test_views_share_memory_and_cannot_be_written() -> None:
     mesh = bar()
     body = body_of(mesh)
+    view: Any
     for view in (lambda: mesh.points, lambda: mesh.cells["tet4"], lambda: body.points, lambda: body.lumped_mass):
         first, second = view(), view()
         assert np.shares_memory(first, second) and address(first) == address(second)
@@ -34,7 +36,7 @@ def test_views_share_memory_and_cannot_be_written():
     assert mesh.points.dtype == np.float64 and mesh.cells["tet4"].dtype == np.int32
 
 
-def test_views_outlive_their_owner():
+def test_views_outlive_their_owner() -> None:
     points = bar().points
     mass = body_of(bar()).lumped_mass
     gc.collect()
@@ -42,7 +44,7 @@ def test_views_outlive_their_owner():
     assert np.array_equal(points, again.points) and np.array_equal(mass, body_of(again).lumped_mass)
 
 
-def test_results_own_their_memory():
+def test_results_own_their_memory() -> None:
     body = body_of(bar())
     x = stretched(body.points, 100)
     first = body.internal_force(x)
@@ -52,7 +54,7 @@ def test_results_own_their_memory():
     assert np.array_equal(first, kept) and not np.array_equal(first, second)
 
 
-def test_states_are_read_where_they_lie():
+def test_states_are_read_where_they_lie() -> None:
     """Counted by a library that stands in for malloc: see allocations.cpp."""
     told = subprocess.run([sys.executable, "-c", COUNTED], capture_output=True, text=True, check=False,
                           env={**os.environ, "LD_PRELOAD": os.environ["RINGWATCH_ALLOCATIONS"]})
@@ -87,12 +89,12 @@ print(json.dumps(counts))
 """
 
 
-def resident():
+def resident() -> Any:
     """Bytes of this process that lie in memory."""
     return int(pathlib.Path("/proc/self/statm").read_text().split()[1]) * resource.getpagesize()
 
 
-def test_nothing_is_left_behind():
+def test_nothing_is_left_behind() -> None:
     body = body_of(bar(cells=[12, 6, 6]), threads=1)
     x, v = stretched(body.points, 1), np.zeros_like(body.points)
     monitor = rw.Monitor(body, limit=2.0)
@@ -110,7 +112,7 @@ def test_nothing_is_left_behind():
     assert min(late) - min(early) < 100 * x.nbytes, sizes
 
 
-STATES = {
+STATES: dict[str, Any] = {
     "x: an array of float32 of shape (20, 3) in C order": lambda x: x.astype(np.float32),
     "x: an array of float64 of shape (20, 3) not in C order": np.asfortranarray,
     "x: an array of float64 of shape (3, 20) not in C order": lambda x: x.T,
@@ -126,13 +128,13 @@ STATES = {
 
 
 @pytest.mark.parametrize("what", STATES)
-def test_other_arrays_are_refused_with_what_would_be_right(what):
+def test_other_arrays_are_refused_with_what_would_be_right(what: Any) -> None:
     body = body_of(bar())
     x = body.points.copy()
     assert len(x) == 20
     wrong = STATES[what](x)
     monitor = rw.Monitor(body)
-    calls = [body.internal_force, body.energy, lambda a: body.tangent_product(a, x), body.element_tangents,
+    calls: list[Any] = [body.internal_force, body.energy, lambda a: body.tangent_product(a, x), body.element_tangents,
              lambda a: monitor.observe(0, 0.0, a, x)]
     if wrong is not None:
         calls.append(lambda a: rw.inspect(body, a))
@@ -144,22 +146,21 @@ def test_other_arrays_are_refused_with_what_would_be_right(what):
     assert isinstance(raised.value, ValueError)
 
 
-def test_unaligned_numbers_are_refused():
+def test_unaligned_numbers_are_refused() -> None:
     body = body_of(bar())
     memory = np.zeros(body.points.nbytes + 8, dtype=np.uint8)
     x = memory[1 : 1 + body.points.nbytes].view(np.float64).reshape(-1, 3)
     with pytest.raises(rw.InputError, match=r"^x: float64 numbers that are not aligned in memory; pass x\.copy\(\)$"):
         body.energy(x)
     # Aligned as a double and no further is fine, to the same bits.
-    memory = np.zeros(body.points.size + 1)
-    x = memory[1:].reshape(-1, 3)
-    x[:] = stretched(body.points, 300)
-    assert np.array_equal(body.internal_force(x), body.internal_force(stretched(body.points, 300)))
+    aligned = np.zeros(body.points.size + 1)[1:].reshape(-1, 3)
+    aligned[:] = stretched(body.points, 300)
+    assert np.array_equal(body.internal_force(aligned), body.internal_force(stretched(body.points, 300)))
 
 
 @settings(max_examples=24, deadline=None, database=None, derandomize=True)
 @given(st.integers(0, 7), st.integers(1, 5000))
-def test_where_a_state_lies_does_not_matter(offset, k):
+def test_where_a_state_lies_does_not_matter(offset: Any, k: float) -> None:
     body = body_of(bar(element="hex8"), threads=1)
     here = stretched(body.points, k)
     memory = np.zeros(here.size + 8)
@@ -170,10 +171,11 @@ def test_where_a_state_lies_does_not_matter(offset, k):
     v = np.zeros_like(here)
     first, second = (rw.Monitor(body).observe(0, 0.0, x, v, 1e-4, force=True, energy=True) for x in (here, there))
     assert (first.bracket, first.strain_energy) == (second.bracket, second.strain_energy)
+    assert first.internal_force is not None and second.internal_force is not None
     assert np.array_equal(first.internal_force, second.internal_force)
 
 
-def test_meshes_are_checked():
+def test_meshes_are_checked() -> None:
     points, cells = two_elements()
     mesh = rw.Mesh(points, {"tet4": cells}, node_sets={"base": np.array([0, 1, 2])})
     assert np.array_equal(mesh.points, points) and not np.shares_memory(mesh.points, points)
@@ -197,7 +199,7 @@ def test_meshes_are_checked():
     assert turned.cells["tet4"].tolist() != [[1, 0, 2, 3]] and len(turned.points) == 4 and len(turned.notes) == 2
 
 
-def test_two_blocks_of_one_element():
+def test_two_blocks_of_one_element() -> None:
     points, cells = two_elements()
     mesh = rw.Mesh(points, [("tet4", cells[:1]), ("tet4", cells[1:])])
     assert [name for name, _ in mesh.blocks] == ["tet4", "tet4"]
@@ -208,12 +210,12 @@ def test_two_blocks_of_one_element():
     assert [s.shape for s in steps] == [(1,), (1,)] and steps[1][0] > 10 * steps[0][0]
 
 
-def test_other_threads_go_on():
+def test_other_threads_go_on() -> None:
     """Python's lock is given up: another thread runs while a body is inspected."""
     body = body_of(bar(cells=[14, 6, 6]), threads=1)
     done = threading.Event()
 
-    def inspect():
+    def inspect() -> None:
         rw.inspect(body)
         done.set()
 
@@ -231,14 +233,14 @@ def test_other_threads_go_on():
     assert used > 10 * interval
 
 
-def test_threads_share_a_body_and_a_monitor():
+def test_threads_share_a_body_and_a_monitor() -> None:
     body = body_of(bar(cells=[6, 2, 2]), threads=1)
     x = stretched(body.points, 500)
     expected = body.internal_force(x)
     monitor = rw.Monitor(body)
-    faults = []
+    faults: list[Any] = []
 
-    def work(number):
+    def work(number: Any) -> None:
         try:
             for k in range(40):
                 if not np.array_equal(body.internal_force(x), expected):
@@ -258,7 +260,7 @@ def test_threads_share_a_body_and_a_monitor():
 
 
 @pytest.mark.parametrize("order", ["import numpy, ringwatch", "import ringwatch, numpy"])
-def test_import_order_does_not_matter(order):
+def test_import_order_does_not_matter(order: int) -> None:
     code = (f"{order}\nimport numpy as np, ringwatch as rw\nnp.linalg.svd(np.random.rand(100, 100))\n"
             "b = rw.Body(rw.generate_mesh('bar', cells=[8, 2, 2]), rw.Material('stvk', young=3e4, poisson=.3, density=1e3))\n"
             "s = rw.inspect(b)\nnp.linalg.svd(np.random.rand(100, 100))\nprint(s.safe.hex())")
@@ -266,7 +268,7 @@ def test_import_order_does_not_matter(order):
     assert float.fromhex(told.stdout) == rw.inspect(body_of(rw.generate_mesh("bar", cells=[8, 2, 2]))).safe
 
 
-def test_results_are_frozen():
+def test_results_are_frozen() -> None:
     import dataclasses
 
     body = body_of(bar())

@@ -1,4 +1,7 @@
 """The bracket is that of C++ and of the command line to the last bit, and holds for an assembled eigenvalue of numpy."""
+import pathlib
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -7,7 +10,7 @@ from hypothesis import strategies as st
 import ringwatch as rw
 from support import LAWS, MATERIAL, PROGRAM, REFERENCE, bar, body_of, call, inspect_json, stretched
 
-MESHES = {
+MESHES: dict[str, dict[str, Any]] = {
     "tet4": {"element": "tet4"},
     "hex8": {"element": "hex8"},
     "wedge6": {"element": "wedge6"},
@@ -15,7 +18,7 @@ MESHES = {
 }
 
 
-def assembled_step(body, x, mesh, free):
+def assembled_step(body: Any, x: Any, mesh: Any, free: Any) -> Any:
     """The critical step by a dense eigenvalue of numpy, from the element tangents."""
     count = 3 * len(x)
     K = np.zeros((count, count))
@@ -30,14 +33,14 @@ def assembled_step(body, x, mesh, free):
 
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("kind", MESHES)
-def test_inspect_is_the_command_line(tmp_path, kind, law):
+def test_inspect_is_the_command_line(tmp_path: pathlib.Path, kind: str, law: str) -> None:
     bar(**MESHES[kind]).save(tmp_path / "bar.msh")
     mesh = rw.load_mesh(tmp_path / "bar.msh")
     told = inspect_json(tmp_path / "bar.msh", "--model", law, "--global", "--metric", "single-element,reduced-1-ring")
     step = rw.inspect(body_of(mesh, law), exact=True, metrics=["single-element", "reduced-1-ring"])
     critical = told["critical_step"]
     assert (step.safe, step.optimistic, step.exact) == (critical["safe"], critical["optimistic"], critical["global"])
-    assert step.safe <= step.exact <= step.optimistic
+    assert step.exact is not None and step.safe <= step.exact <= step.optimistic
     assert list(step.metrics) == ["single-element", "reduced-1-ring"]
     for name, metric in step.metrics.items():
         assert metric.step == critical["metrics"][name] and metric.side == critical["directions"][name]
@@ -49,7 +52,7 @@ def test_inspect_is_the_command_line(tmp_path, kind, law):
     assert step.controlling.nodes == tuple(controlling["nodes"]) and step.controlling.id == controlling["id"]
 
 
-def test_a_run_by_hand_is_the_programs(tmp_path):
+def test_a_run_by_hand_is_the_programs(tmp_path: pathlib.Path) -> None:
     """The same motion in numpy: every bracket and verdict of the history. numpy rounds h a before it adds, the program once."""
     scene = {
         "mesh": {"generate": "bar", "cells": [4, 1, 1]},
@@ -72,6 +75,7 @@ def test_a_run_by_hand_is_the_programs(tmp_path):
     v[right] = (0.4, 0, 0)
     for step in range(20):
         report = monitor.observe(step, 1e-3 * step, x, v, 1e-3, force=True)
+        assert report.internal_force is not None
         a = -report.internal_force / body.lumped_mass[:, None]
         a[left | right] = 0
         v += 1e-3 * a
@@ -83,26 +87,46 @@ def test_a_run_by_hand_is_the_programs(tmp_path):
         assert report.verdict == result.history["verdict"][step]
 
 
+@pytest.mark.parametrize("budget", [[], [0.1]])
 @pytest.mark.parametrize("law", LAWS)
-def test_monitor_is_that_of_cpp(tmp_path, law):
+def test_monitor_is_that_of_cpp(tmp_path: pathlib.Path, law: str, budget: Any) -> None:
     bar(element="hex8" if law == "corotational" else "tet4").save(tmp_path / "bar.msh")
-    lines = call(REFERENCE, "observe", tmp_path / "bar.msh", law, 400).stdout.splitlines()
+    lines = call(REFERENCE, "observe", tmp_path / "bar.msh", law, 400, *budget).stdout.splitlines()
     assert len(lines) == 400
     body = body_of(rw.load_mesh(tmp_path / "bar.msh"), law, threads=1)
-    monitor = rw.Monitor(body, limit=2.0)
+    monitor = rw.Monitor(body, limit=2.0, **({"budget": budget[0]} if budget else {}))
     v = np.zeros_like(body.points)
     widths = set()
     for k, line in enumerate(lines):
-        safe, optimistic, refreshed = line.split()
+        safe, optimistic, refreshed, *spent = line.split()
         report = monitor.observe(k, 1e-3 * k, stretched(body.points, k), v, 1e-4)
+        assert report.bracket is not None
         assert (report.bracket.safe, report.bracket.optimistic) == (float.fromhex(safe), float.fromhex(optimistic))
         assert report.elements_refreshed == int(refreshed)
+        assert list(report.spent.values()) == [float.fromhex(part) for part in spent]
         widths.add(report.bracket.optimistic - report.bracket.safe)
     assert len(widths) > 1 or law == "linear"  # the states do differ
 
 
+def test_a_budget_is_kept_and_told() -> None:
+    """Of a bar that is stretched ever on: as much as it likes, and a tenth of the steps' own work for each side."""
+    body = body_of(bar(cells=[16, 4, 4]), threads=1)
+    v = np.zeros_like(body.points)
+    shares, widths = {}, {}
+    for budget in (np.inf, 0.1, 0.0):
+        monitor = rw.Monitor(body, limit=2.0, budget=budget)
+        reports = [monitor.observe(k, 1e-3 * k, stretched(body.points, 8 * k), v, 1e-4) for k in range(200)]
+        assert list(reports[0].spent) == ["tests", "evaluations", "repairs", "sweeps", "mode", "searches"]
+        shares[budget] = np.mean([sum(report.spent.values()) - report.spent["tests"] for report in reports[1:]])
+        widths[budget] = np.mean([bracket.optimistic / bracket.safe - 1 for bracket in (report.bracket for report in reports) if bracket])
+    assert shares[0.0] < shares[0.1] < shares[np.inf]
+    assert widths[np.inf] < widths[0.1]
+    with pytest.raises(rw.InputError, match="budget = -1: must be >= 0"):
+        rw.Monitor(body, budget=-1)
+
+
 @pytest.mark.parametrize("kind", MESHES)
-def test_bracket_holds_numpys_eigenvalue(kind):
+def test_bracket_holds_numpys_eigenvalue(kind: str) -> None:
     mesh = bar(cells=[3, 1, 1], **MESHES[kind])
     body = body_of(mesh)
     held = mesh.points[:, 0] < 1e-6
@@ -121,7 +145,7 @@ def test_bracket_holds_numpys_eigenvalue(kind):
 
 @settings(max_examples=25, deadline=None, database=None, derandomize=True)
 @given(st.integers(0, 2**32 - 1), st.floats(0.01, 0.3), st.sampled_from(LAWS))
-def test_any_state_is_between_the_sides(seed, amount, law):
+def test_any_state_is_between_the_sides(seed: int, amount: float, law: str) -> None:
     mesh = bar(cells=[2, 1, 1], jitter=0)
     body = body_of(mesh, law)
     random = np.random.default_rng(seed)
@@ -131,12 +155,13 @@ def test_any_state_is_between_the_sides(seed, amount, law):
     assert step.safe <= exact * (1 + 1e-12) and exact <= step.optimistic * (1 + 1e-12)
     report = rw.Monitor(body, limit=2.0).observe(0, 0.0, x, np.zeros_like(x), 0.9 * step.safe)
     assert report.verdict == "certified"
+    assert report.bracket is not None
     assert report.bracket.safe <= exact * (1 + 1e-12) and exact <= report.bracket.optimistic * (1 + 1e-12)
 
 
 @settings(max_examples=25, deadline=None, database=None, derandomize=True)
 @given(st.integers(0, 2**32 - 1), st.sampled_from(LAWS))
-def test_force_is_the_slope_of_the_energy(seed, law):
+def test_force_is_the_slope_of_the_energy(seed: int, law: str) -> None:
     mesh = bar(cells=[2, 1, 1], jitter=0)
     body = body_of(mesh, law)
     random = np.random.default_rng(seed)
@@ -153,18 +178,18 @@ def test_force_is_the_slope_of_the_energy(seed, law):
     assert np.abs(force.sum(axis=0)).max() <= 1.6e-16 * np.abs(force).max() * len(x)  # measured: 5.5e-17
 
 
-def test_events_say_which_element_and_why():
+def test_events_say_which_element_and_why() -> None:
     body = body_of(bar(jitter=0))
     monitor = rw.Monitor(body, limit=2.0)
     v = np.zeros_like(body.points)
     h = 0.99 * rw.inspect(body).safe
     assert monitor.observe(0, 0.0, body.points, v, h).verdict == "certified"
     report = monitor.observe(1, h, stretched(body.points, 4096), v, h)
-    assert report.verdict == "violated" and h > report.optimistic
+    assert report.bracket is not None and report.verdict == "violated" and h > report.bracket.optimistic
     (event,) = report.new_events
     assert event.kind == "violated" and event.step == 1 and event.end is None
     assert event.value == h / report.bracket.optimistic
-    assert event.element is not None and "stretched 2" in event.cause.text and str(event.cause) in event.text
+    assert event.element is not None and event.cause is not None and "stretched 2" in event.cause.text and str(event.cause) in event.text
     assert monitor.events == (event,)
     x = body.points.copy()
     x[0, 0] = np.nan
@@ -173,7 +198,7 @@ def test_events_say_which_element_and_why():
     assert [e.kind for e in report.new_events] == ["non-finite"]
 
 
-def test_threshold_mode_certifies_a_step():
+def test_threshold_mode_certifies_a_step() -> None:
     body = body_of(bar())
     monitor = rw.Monitor(body, limit=2.0, mode="threshold")
     v = np.zeros_like(body.points)
@@ -183,10 +208,11 @@ def test_threshold_mode_certifies_a_step():
     assert report.verdict == "certified" and report.certified >= h
 
 
-def test_force_and_energy_come_from_the_same_pass():
+def test_force_and_energy_come_from_the_same_pass() -> None:
     body = body_of(bar())
     x, v = stretched(body.points, 400), np.zeros_like(body.points)
     report = rw.Monitor(body).observe(0, 0.0, x, v, 1e-4, force=True, energy=True)
+    assert report.internal_force is not None
     assert np.array_equal(report.internal_force, body.internal_force(x))
     # Measured: 2.1e-16. The pass with forces rounds its energies otherwise.
     assert report.strain_energy == pytest.approx(body.energy(x), rel=6e-16, abs=0)
@@ -194,6 +220,6 @@ def test_force_and_energy_come_from_the_same_pass():
     assert plain.internal_force is None and plain.strain_energy is None
 
 
-def test_version_is_the_programs():
+def test_version_is_the_programs() -> None:
     assert call(PROGRAM, "--version").stdout.strip() == f"ringwatch {rw.__version__}"
     assert MATERIAL["density"] == rw.Material("stvk", **MATERIAL).density

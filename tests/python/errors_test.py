@@ -1,5 +1,7 @@
 """An error is one line, the same that the program prints; the exception is rw.InputError, a ValueError."""
+import pathlib
 import subprocess
+from typing import Any
 
 import numpy as np
 import pytest
@@ -8,14 +10,14 @@ import ringwatch as rw
 from support import MATERIAL, PROGRAM, bar, body_of, two_elements
 
 
-def line_of(*arguments):
+def line_of(*arguments: Any) -> Any:
     """What the program complains of, without its name."""
     ended = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False)
     assert ended.returncode == 2, ended.stderr
     return ended.stderr.strip().removeprefix("ringwatch: ")
 
 
-def message(call, *arguments, error=rw.InputError, **options):
+def message(call: Any, *arguments: Any, error: Any = rw.InputError, **options: Any) -> Any:
     with pytest.raises(error) as raised:
         call(*arguments, **options)
     assert "\n" not in str(raised.value)
@@ -33,16 +35,17 @@ BROKEN = {
 
 
 @pytest.mark.parametrize("name", BROKEN)
-def test_a_broken_file_is_named_as_the_program_names_it(tmp_path, name):
+def test_a_broken_file_is_named_as_the_program_names_it(tmp_path: pathlib.Path, name: str) -> None:
     path = tmp_path / name
-    if BROKEN[name] is not None:
-        path.write_text(BROKEN[name])
+    content = BROKEN[name]
+    if content is not None:
+        path.write_text(content)
     expected = line_of("inspect", path, "--young", "1", "--poisson", "0.3", "--density", "1")
     assert str(path) in expected
     assert message(rw.load_mesh, path) == expected == message(rw.load_mesh, str(path))
 
 
-def test_materials():
+def test_materials() -> None:
     with pytest.raises(ValueError):
         rw.Material("stvk", young=-1, poisson=0.3, density=1000)
     assert "young" in message(rw.Material, "stvk", young=-1, poisson=0.3, density=1000)
@@ -55,7 +58,7 @@ def test_materials():
         rw.Material("stvk", young=1, poisson=0.3)  # type: ignore[call-arg]
 
 
-def test_bodies():
+def test_bodies() -> None:
     mesh = bar()
     material = rw.Material("stvk", **MATERIAL)
     assert "lumping" in message(rw.Body, mesh, material, lumping="rows")
@@ -71,7 +74,7 @@ def test_bodies():
     assert message(body.element_tangents, body.points, 1) == "block = 1: must be 0 to 0"
 
 
-def test_limits_and_names():
+def test_limits_and_names() -> None:
     body = body_of(bar())
     for limit in (0, -1, np.inf, np.nan):
         assert message(rw.inspect, body, limit=limit).startswith(f"limit = {limit}: must be > 0")
@@ -87,7 +90,7 @@ def test_limits_and_names():
     assert "cells" in message(rw.generate_mesh, "bar", cells={"x": 1})
 
 
-def test_mathematics_refuses():
+def test_mathematics_refuses() -> None:
     body = body_of(bar())
     x = body.points.copy()
     x[0, 0] = np.inf
@@ -96,7 +99,7 @@ def test_mathematics_refuses():
     assert rw.InputError.__module__ == "ringwatch"
 
 
-def test_tangent_brackets():
+def test_tangent_brackets() -> None:
     nodes = np.array([[0, 1], [1, 2]])
     mass = np.ones(3)
     K = np.tile(np.kron(np.array([[1.0, -1], [-1, 1]]), np.diag([1.0, 0, 0])), (2, 1, 1))
@@ -119,14 +122,15 @@ def test_tangent_brackets():
         "constrained: an array of bool of shape (3, 2) in C order; must be an array of bool of shape (3, 3)")
 
 
-def test_other_objects_are_no_meshes():
+def test_other_objects_are_no_meshes() -> None:
     points, cells = two_elements()
 
     class Cells:
         type, data = "tetra11", cells
 
     class Other:
-        pass
+        points: Any
+        cells: Any
 
     other = Other()
     assert message(rw.mesh_from, other).startswith("mesh_from: an object of type Other")

@@ -1,8 +1,12 @@
 """The installed module: found below the prefix, works where the prefix is moved to, with its program and its hints."""
 import os
+import pathlib
 import shutil
 import subprocess
 import sys
+import sysconfig
+
+import pytest
 
 from support import BUILD, SOURCE, call
 
@@ -16,7 +20,7 @@ print(step.safe.hex(), step.optimistic.hex(), result.history["safe_s"][0].hex())
 """
 
 
-def test_installed_and_moved(tmp_path):
+def test_installed_and_moved(tmp_path: pathlib.Path) -> None:
     call("cmake", "--install", BUILD, "--prefix", tmp_path / "here")
     shutil.move(tmp_path / "here", tmp_path / "there")
     packages = list((tmp_path / "there").glob("lib/python3.*/*-packages"))
@@ -31,7 +35,24 @@ def test_installed_and_moved(tmp_path):
     assert told[0] == told[1]
 
 
-def test_a_module_without_its_program_says_so(tmp_path):
+def test_debians_python_looks_where_it_is_installed(tmp_path: pathlib.Path) -> None:
+    """Below /usr/local, the usual prefix: `python3 -c "import ringwatch"` works as pasted. Staged, so that no root is needed."""
+    if "deb_system" not in sysconfig.get_scheme_names():
+        pytest.skip("the module is for an interpreter that is not Debian's")
+    subprocess.run(["cmake", "--install", BUILD, "--prefix", "/usr/local"], check=True, capture_output=True,
+                   env={**os.environ, "DESTDIR": str(tmp_path)})
+    plain = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
+    told = subprocess.run([sys.executable, "-c", "import site; print(*site.getsitepackages(), sep='\\n')"], text=True,
+                          capture_output=True, check=True, env=plain, cwd="/").stdout.split("\n")
+    found = [folder for folder in told if folder and (tmp_path / folder.lstrip("/") / "ringwatch/__init__.py").exists()]
+    assert found == [f"/usr/local/lib/python3.{sys.version_info.minor}/dist-packages"]
+    staged = str(tmp_path / found[0].lstrip("/"))
+    ended = subprocess.run([sys.executable, "-c", "import ringwatch; print(ringwatch.__file__)"], text=True, capture_output=True,
+                           check=True, env={**plain, "PYTHONPATH": staged}, cwd="/")
+    assert ended.stdout.startswith(staged)
+
+
+def test_a_module_without_its_program_says_so(tmp_path: pathlib.Path) -> None:
     shutil.copytree(BUILD / "python/ringwatch", tmp_path / "lib/ringwatch")
     ended = subprocess.run([sys.executable, "-c", "import ringwatch as rw\nrw.run({})"], capture_output=True, text=True,
                            check=False, env={**os.environ, "PYTHONPATH": str(tmp_path / "lib")})

@@ -1,12 +1,13 @@
 // What the Python module is compared with: the same observations, made in C++.
 //
-//   ringwatch_python_reference observe MESH LAW STEPS    a line a step: safe, optimistic (hexadecimal), elements
-//   refreshed ringwatch_python_reference time MESH LAW ROUNDS      a line a round: µs of processor time that an
-//   observation takes
+//   ringwatch_python_reference observe MESH LAW STEPS [BUDGET]    a line a step: safe, optimistic, elements refreshed,
+//                                                                 work spent by purpose; reals hexadecimal
+//   ringwatch_python_reference time MESH LAW ROUNDS               a line a round: µs of processor time an observation
 //
 // The bar is stretched along x: step k has x = X (1 + k / 4096).
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <string_view>
 
 #include <time.h>
@@ -24,13 +25,15 @@ NodeVectors stretched(const Mesh& mesh, int k) {
   return x;
 }
 
-void observe(const Body& body, int steps) {
-  StabilityMonitor monitor(body, {.limit = 2.0});
+void observe(const Body& body, int steps, double budget) {
+  StabilityMonitor monitor(body, {.limit = 2.0, .budget = budget});
   const NodeVectors v = NodeVectors::Zero(3, body.nodeCount());
   for (int k = 0; k < steps; ++k) {
     const MonitorReport& report = monitor.observe(k, 1e-3 * k, stretched(body.mesh(), k), v, 1e-4);
-    std::printf("%a %a %lld\n", report.bracket->safe, report.bracket->optimistic,
+    std::printf("%a %a %lld", report.bracket->safe, report.bracket->optimistic,
                 static_cast<long long>(report.elementsRefreshed));
+    for (const double part : report.spent.of) std::printf(" %a", part);
+    std::printf("\n");
   }
 }
 
@@ -55,11 +58,11 @@ void measure(const Body& body, int rounds) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) return 2;
+  if (argc < 5 || argc > 6) return 2;
   const Body body(loadMesh(argv[2]), makeMaterial(argv[3], 30e3, 0.3, 1000), {{}, Lumping::rowSum, 1});
   const int count = std::atoi(argv[4]);
   if (std::string_view(argv[1]) == "observe")
-    observe(body, count);
+    observe(body, count, argc > 5 ? std::atof(argv[5]) : std::numeric_limits<double>::infinity());
   else
     measure(body, count);
   return 0;

@@ -1,10 +1,12 @@
 """Scenes: the results are those of the command line, file by file."""
 import json
 import os
+import pathlib
 import signal
 import subprocess
 import sys
 import time
+from typing import Any
 
 import numpy as np
 import pytest
@@ -33,7 +35,7 @@ velocity = [0.4, 0, 0]
 [output]
 picture = false
 """
-SECTIONS = {
+SECTIONS: dict[str, Any] = {
     "mesh": {"generate": "bar", "cells": [4, 1, 1]},
     "material": {"model": "stvk", "young": 30e3, "poisson": 0.3, "density": 1000},
     "integrator": {"method": "symplectic-euler", "step": 1e-3, "end": 0.05},
@@ -43,12 +45,13 @@ SECTIONS = {
 }
 
 
-def test_a_file_and_a_dict_give_the_command_lines_results(tmp_path):
+def test_a_file_and_a_dict_give_the_command_lines_results(tmp_path: pathlib.Path) -> None:
     path = tmp_path / "scene.toml"
     path.write_text(SCENE)
     subprocess.run([PROGRAM, "run", path, "--quiet", "--out", tmp_path / "program"], check=True)
     expected = (tmp_path / "program/history.csv").read_text()
     assert len(expected.splitlines()) > 40
+    scene: Any
     for number, scene in enumerate((path, str(path), SECTIONS)):
         result = rw.run(scene, out=tmp_path / str(number))
         assert result.exit_status == 0 and result.stable and result.verdict == "certified"
@@ -64,7 +67,7 @@ def test_a_file_and_a_dict_give_the_command_lines_results(tmp_path):
                 assert str(value) == row[i] or float(row[i] or "nan") == value or (row[i] == "" and np.isnan(value))
 
 
-def test_an_unstable_run_is_a_result(tmp_path):
+def test_an_unstable_run_is_a_result(tmp_path: pathlib.Path) -> None:
     result = rw.run(SOURCE / "examples/stretch_bar.toml", out=tmp_path,
                     overrides=["output.picture=false", "mesh.cells=[6,2,2]", "integrator.step=3e-3"])
     assert result.exit_status == 1 and not result.stable
@@ -72,7 +75,7 @@ def test_an_unstable_run_is_a_result(tmp_path):
     assert "violated" in result.history["verdict"]
 
 
-def test_bad_scenes_are_told_as_the_program_tells(tmp_path):
+def test_bad_scenes_are_told_as_the_program_tells(tmp_path: pathlib.Path) -> None:
     path = tmp_path / "scene.toml"
     path.write_text(SCENE.replace("poisson = 0.3", "poisson = 0.7"))
     told = subprocess.run([PROGRAM, "run", path, "--out", tmp_path / "o"], capture_output=True, text=True, check=False)
@@ -90,14 +93,14 @@ def test_bad_scenes_are_told_as_the_program_tells(tmp_path):
     assert not (tmp_path / "o").exists()
 
 
-def test_a_mesh_file_of_a_dict_is_relative_to_here(tmp_path, monkeypatch):
+def test_a_mesh_file_of_a_dict_is_relative_to_here(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
     bar().save(tmp_path / "bar ü.msh")
     monkeypatch.chdir(tmp_path)
     result = rw.run({**SECTIONS, "mesh": {"file": "bar ü.msh"}})
     assert result.exit_status == 0 and str(result.folder) == "out/scene" and (tmp_path / "out/scene/history.csv").exists()
 
 
-def test_ctrl_c_ends_a_run_with_its_results(tmp_path):
+def test_ctrl_c_ends_a_run_with_its_results(tmp_path: pathlib.Path) -> None:
     code = f"import ringwatch as rw; rw.run({{**{SECTIONS!r}, 'integrator': {{'method': 'symplectic-euler', 'step': 1e-4," \
            f" 'end': 1000.0}}, 'move': []}}, out={str(tmp_path / 'o')!r})"
     code = "from numpy import array\n" + code

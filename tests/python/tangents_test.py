@@ -1,4 +1,6 @@
 """TangentBracket: tangents of any physics, against numpy's eigenvalues and against a body."""
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -8,7 +10,7 @@ import ringwatch as rw
 from support import bar, body_of, stretched
 
 
-def dense_step(mass, groups, tangents, dofs, free, limit=2.0):
+def dense_step(mass: Any, groups: Any, tangents: Any, dofs: Any, free: Any, limit: Any = 2.0) -> Any:
     """mass: (N d, N d)."""
     K = np.zeros_like(mass)
     for cells, matrices in zip(groups, tangents):
@@ -23,7 +25,7 @@ def dense_step(mass, groups, tangents, dofs, free, limit=2.0):
 
 @settings(max_examples=40, deadline=None, database=None, derandomize=True)
 @given(st.integers(0, 2**32 - 1), st.integers(1, 6), st.integers(2, 5), st.sampled_from(["scalar", "diagonal", "block"]))
-def test_random_tangents(seed, dofs, nodes, form):
+def test_random_tangents(seed: int, dofs: Any, nodes: Any, form: Any) -> None:
     random = np.random.default_rng(seed)
     count = nodes + 6
     cells = np.array([random.choice(count, nodes, replace=False) for _ in range(8)])
@@ -52,7 +54,7 @@ def test_random_tangents(seed, dofs, nodes, form):
         assert group == 0 and 0 <= element < len(cells)
 
 
-def test_tangents_of_a_body():
+def test_tangents_of_a_body() -> None:
     mesh = bar(cells=[5, 2, 2])
     body = body_of(mesh)
     held = mesh.points[:, 0] < 1e-6
@@ -62,6 +64,7 @@ def test_tangents_of_a_body():
     cells = mesh.cells["tet4"]
     step = rw.TangentBracket(body.lumped_mass, cells, flags).evaluate(body.element_tangents(x))
     exact = rw.inspect(body, x, exact=True).exact
+    assert exact is not None
     assert step.safe <= exact <= step.optimistic
     half = len(cells) // 2
     tangents = body.element_tangents(x)
@@ -70,11 +73,11 @@ def test_tangents_of_a_body():
     assert parted.safe <= exact <= parted.optimistic
 
 
-def test_groups_of_different_degrees_of_freedom():
+def test_groups_of_different_degrees_of_freedom() -> None:
     random = np.random.default_rng(3)
     mass = random.uniform(0.5, 2, (6, 6))
     beams, solids = np.array([[0, 1], [1, 2]]), np.array([[2, 3, 4, 5]])
-    def symmetric(n, size):
+    def symmetric(n: Any, size: Any) -> Any:
         roots = random.standard_normal((n, size, size))
         K = roots @ roots.transpose(0, 2, 1)
         return np.ascontiguousarray((K + K.transpose(0, 2, 1)) / 2)

@@ -1,9 +1,11 @@
 """Type hints: mypy --strict finds nothing in the package and in a program that uses all of it, and finds a seeded fault;
 the hints of the extension are those of the extension itself."""
+import importlib
 import os
 import pathlib
 import subprocess
 import sys
+from typing import Any
 
 import pytest
 
@@ -13,8 +15,14 @@ from support import BUILD
 PACKAGE = pathlib.Path(rw.__file__).parent
 
 PROGRAM = """
+from collections.abc import Callable
+
 import numpy as np
+from numpy.typing import NDArray
+
 import ringwatch as rw
+
+Reals = NDArray[np.float64]
 
 mesh: rw.Mesh = rw.generate_mesh("bar", cells=[4, 1, 1], element="tet4")
 body = rw.Body(mesh, rw.Material("stvk", young=30e3, poisson=0.3, density=1000))
@@ -28,16 +36,35 @@ if report.bracket is not None:
 energy: float = body.energy(x) + float(np.sum(body.internal_force(x) * v))
 bracket = rw.TangentBracket(body.lumped_mass, mesh.cells["tet4"])
 step: rw.CriticalStep = bracket.evaluate(body.element_tangents(x), limit=2.0)
+spent: float = sum(rw.Monitor(body, budget=0.1).observe(0, 0.0, x, v).spent.values())
+
+
+def euler(
+    acceleration: Callable[[float, Reals, Reals], Reals], t: float, x: Reals, v: Reals, h: float
+) -> tuple[float, Reals, Reals]:
+    v = v + h * acceleration(t, x, v)
+    return t + h, x + h * v, v
+
+
+class Euler:
+    def __call__(
+        self, acceleration: Callable[[float, Reals, Reals], Reals], t: float, x: Reals, v: Reals, h: float
+    ) -> tuple[float, Reals, Reals]:
+        return euler(acceleration, t, x, v, h)
+
+
+for found in (rw.verify(euler, limit=2, order=1), rw.verify(Euler, limit=2, order=1)):
+    passed: bool = found.passed
 """
 
 
-def mypy(tmp_path, *arguments):
+def mypy(tmp_path: pathlib.Path, *arguments: Any) -> Any:
     return subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), *arguments],
                           capture_output=True, text=True, check=False, cwd=tmp_path,
-                          env={**os.environ, "MYPYPATH": str(BUILD / "python")})
+                          env={**os.environ, "MYPYPATH": f"{BUILD / 'python'}:{pathlib.Path(__file__).parent}"})
 
 
-def test_package_and_users_are_strictly_typed(tmp_path):
+def test_package_and_users_are_strictly_typed(tmp_path: pathlib.Path) -> None:
     (tmp_path / "program.py").write_text(PROGRAM)
     told = mypy(tmp_path, "-p", "ringwatch")
     assert told.returncode == 0, told.stdout
@@ -48,24 +75,29 @@ def test_package_and_users_are_strictly_typed(tmp_path):
     assert told.returncode == 1 and "limt" in told.stdout
 
 
-def test_the_program_runs(tmp_path):
+def test_the_tests_are_strictly_typed(tmp_path: pathlib.Path) -> None:
+    """They use all of the interface, so its hints are held to what it does."""
+    told = mypy(tmp_path, *sorted(str(path) for path in pathlib.Path(__file__).parent.glob("*.py")))
+    assert told.returncode == 0, told.stdout
+
+
+def test_the_program_runs(tmp_path: pathlib.Path) -> None:
     subprocess.run([sys.executable, "-c", PROGRAM], check=True)
 
 
-def test_hints_are_those_of_the_extension(tmp_path):
-    """Names of the extension against the hints, and the other way round; its signatures cannot be asked."""
+@pytest.mark.parametrize("name", ["_ringwatch", "_verify"])
+def test_hints_are_those_of_the_extensions(name: str) -> None:
+    """Names of an extension against its hints, and the other way round; its signatures cannot be asked."""
     import ast
 
     hints = {}
-    for node in ast.parse((PACKAGE / "_ringwatch.pyi").read_text()).body:
+    for node in ast.parse((PACKAGE / f"{name}.pyi").read_text()).body:
         if isinstance(node, ast.ClassDef):
             hints[node.name] = {member.name for member in node.body if isinstance(member, ast.FunctionDef)}
         elif isinstance(node, ast.FunctionDef):
             hints[node.name] = set()
-    from ringwatch import _ringwatch
-
     there = {}
-    for name, value in vars(_ringwatch).items():
+    for name, value in vars(importlib.import_module(f"ringwatch.{name}")).items():
         if isinstance(value, type):
             there[name] = {member for member in vars(value) if not member.startswith("_") or member == "__init__"}
         elif callable(value):
@@ -74,7 +106,7 @@ def test_hints_are_those_of_the_extension(tmp_path):
 
 
 @pytest.mark.parametrize("name", rw.__all__)
-def test_everything_public_is_documented(name):
+def test_everything_public_is_documented(name: str) -> None:
     thing = getattr(rw, name)
     assert name == "__version__" or thing.__doc__ and not thing.__doc__.startswith(f"{name}(")
     if isinstance(thing, type) and thing.__module__ == "ringwatch._ringwatch":
