@@ -9,8 +9,10 @@
 #include <ringwatch/base/backoff.h>
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/rounding.h>
 #include <ringwatch/body/tangent_source.h>
+#include <ringwatch/monitor/bounds/exchange_bound.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/bounds/top_mode.h>
 
@@ -199,6 +201,7 @@ struct TangentBracket::Impl {
   double massResidual = 0;              // of all W M W - 1
   std::optional<TangentSource> source;  // its nodes are triples
   std::unique_ptr<NodalBound> bound;
+  std::unique_ptr<KeptExchangeBound> exchange;  // while it is the tighter one
   std::unique_ptr<ReducedRing> ring;
   NodeVectors mode;
   const NodeVectors noPositions;            // given tangents read none
@@ -207,7 +210,7 @@ struct TangentBracket::Impl {
   bool called = false;
   Backoff freshStart{{.first = 4, .last = 256, .factor = 2}};  // in calls
 
-  static constexpr int warmSweeps = 2, freshSweeps = 20, products = 6, coldProducts = 20;
+  static constexpr int warmSweeps = 2, freshSweeps = 20, warmIterations = 2, products = 6, coldProducts = 20;
   static constexpr double wide = 1.1;  // in lambda: 5 % of the step
 
   /// Takes the tangents of a group and adds the sizes of their mass-scaled entries to rowSum. Returns the largest
@@ -292,24 +295,51 @@ struct TangentBracket::Impl {
         copy[i * stride + j] = copy[j * stride + i] = 0.5 * (copy[i * stride + j] + copy[j * stride + i]);
   }
 
-  UpperBound upperBound(LowerBound lower) {
+  struct Upper {
+    UpperBound value;
+    std::string_view method;
+  };
+  Upper upperBound(LowerBound lower) {
     const bool first = !std::exchange(called, true);
     freshStart.tick();
-    UpperBound upper = bound->evaluate(noPositions, first ? freshSweeps : warmSweeps);
-    if (upper.value <= wide * lower.value || !freshStart.due()) return upper;
-    // Weights that were swept along for long, or that started badly: from scratch, both ways.
-    const double before = upper.value;
-    for (const NodalBound::Start start : {NodalBound::Start::rootOfStiffness, NodalBound::Start::stiffness}) {
-      auto other = std::make_unique<NodalBound>(*source);
-      const UpperBound value = other->evaluate(noPositions, freshSweeps, start);
-      if (value.value < upper.value) {
-        upper = value;
-        bound = std::move(other);
-      }
-    }
+    Upper upper{{infinity}, "nodal-bound"};
+    if (exchange) upper = {exchangeBound(lower, warmIterations), "exchange-bound"};
+    if (upper.value.value <= wide * lower.value) return upper;
+    if (const UpperBound value = bound->evaluate(noPositions, first ? freshSweeps : warmSweeps);
+        value.value < upper.value.value)
+      upper = {value, "nodal-bound"};
+    if (!freshStart.due() || (!first && upper.value.value <= wide * lower.value)) return upper;
+    const double before = upper.value.value;
+    fromScratch(lower, upper);
     constexpr double helpful = 0.98;
-    freshStart.tried(upper.value < helpful * before);
+    freshStart.tried(upper.value.value < helpful * before);
     return upper;
+  }
+  /// Where weights have been swept along for long, or have started badly: from scratch, both ways; and where single
+  /// elements' weights are not tight, by exchange between elements.
+  void fromScratch(LowerBound lower, Upper& upper) {
+    if (upper.value.value > wide * lower.value)
+      for (const NodalBound::Start start : {NodalBound::Start::rootOfStiffness, NodalBound::Start::stiffness}) {
+        auto other = std::make_unique<NodalBound>(*source);
+        const UpperBound value = other->evaluate(noPositions, freshSweeps, start);
+        if (value.value < upper.value.value) {
+          upper = {value, "nodal-bound"};
+          bound = std::move(other);
+        }
+      }
+    exchange.reset();
+    if (!(lower.value > 0) || !ExchangePolicy::worth(*source, upper.value, lower)) return;
+    exchange = std::make_unique<KeptExchangeBound>(*source);
+    if (const UpperBound value = exchangeBound(lower, ExchangePolicy::iterations); value.value < upper.value.value)
+      upper = {value, "exchange-bound"};
+    else
+      exchange.reset();
+  }
+  UpperBound exchangeBound(LowerBound lower, int iterations) {
+    return exchange
+        ->evaluate(noPositions, *bound, ExchangePolicy::aim * lower.value, ExchangePolicy::narrow * lower.value,
+                   iterations)
+        .upper;
   }
 };
 
@@ -426,10 +456,10 @@ CriticalStep TangentBracket::evaluate(const std::vector<std::span<const double>>
   const double massRounding = m.inverseRoots.empty() ? 0 : m.massResidual + givenScalingRounding;
   const LowerBound lower{std::max(0.0, top.lower().value - givenSumRounding * size) / (1 + massRounding)};
   const ReducedRing::Result& rings = m.ring->last();
-  UpperBound upper = m.upperBound(lower);
+  auto [upper, safeBy] = m.upperBound(lower);
   if (!m.inverseRoots.empty()) upper.value = (upper.value + givenScalingRounding * size) / (1 - massRounding);
   const CriticalStep step{safeStep(upper, limit), optimisticStep(lower, limit),
-                          rings.highestElement,   "nodal-bound",
+                          rings.highestElement,   safeBy,
                           top.method(),           rings.lowest < -givenSumRounding * size ? rings.lowest : 0,
                           rings.lowestElement};
   if (!step.isBracket())

@@ -23,12 +23,15 @@ struct NodalMass {
 
 /// The bracket of the critical step for a code that hands over element tangents and lumped masses only: any physics
 /// whose tangents are symmetric, with up to six degrees of freedom a node. Knows neither geometry nor laws nor
-/// positions. The safe side is the block nodal bound (Theorem 1, docs/theory/eigenvalue_bounds.md), the optimistic side
-/// the larger of reduced 1-ring and Rayleigh quotient (Theorems 9 and 8, docs/theory/rings_and_rayleigh.md), both
-/// proven for the tangents handed over. Weights and mode are kept from call to call, so that a step after a step costs
-/// a few eigenvalues an element. Nodes of more than three degrees of freedom, and masses that are blocks, are bounded
-/// in blocks of three after scaling by M^-½, which keeps the proof (Theorem 7, docs/theory/eigenvalue_bounds.md) and
-/// makes the safe side a little smaller.
+/// positions. The safe side is the block nodal bound (Theorem 1, docs/theory/eigenvalue_bounds.md) or, where that is
+/// not within 1 % of the optimistic side, the exchange bound (Theorems 12 and 13, docs/theory/exchange.md); the
+/// optimistic side is the larger of reduced 1-ring and Rayleigh quotient (Theorems 9 and 8,
+/// docs/theory/rings_and_rayleigh.md); both are proven for the tangents handed over. Weights, exchanged stiffness and
+/// mode are kept from call to call, so that a step after a step costs a few eigenvalues an element; the first call
+/// costs some twenty times as much. Exchange takes exchangeBoundBytes of memory, and is left out above
+/// ExchangePolicy::mostBytes. Nodes of more than three degrees of freedom, and masses that are blocks, are bounded in
+/// blocks of three after scaling by M^-½, which keeps the proof (Theorem 7, docs/theory/eigenvalue_bounds.md) and makes
+/// the safe side a little smaller.
 ///
 ///   TangentBracket bracket(lumpedMass, {{2, nodesOfBars}});  // once
 ///   const CriticalStep step = bracket.evaluate({tangentsOfBars}, 2.0);  // in the time loop; 6×6 numbers a bar

@@ -18,4 +18,9 @@ inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// NumericalError when the iteration does not converge.
 double highestEigenvalue(const Body& body, double tolerance);
 
+/// Moves an inner node of a regular bar of tetrahedra toward the opposite face of one of its elements until that one
+/// has `height` times its height. The elements around a node fill a convex body, so none is turned inside out. Throws
+/// NumericalError for a bar without inner nodes.
+void flattenOneElement(Mesh& mesh, double height);
+
 }  // namespace ringwatch::detail

@@ -7,6 +7,7 @@
 #include <ringwatch/verify/integrators/integrators.h>
 #include <ringwatch/verify/monitor/monitor.h>
 #include <ringwatch/verify/robustness/robustness.h>
+#include <ringwatch/verify/step_rules/step_rules.h>
 
 namespace ringwatch {
 
@@ -28,6 +29,8 @@ const StudyInfo studiesOfLibrary[] = {
      verifyMonitor},
     {"robustness", "explicit integrators run long and on hard bodies: who survives, and with what error",
      [](StudyEffort effort) { return verifyRobustness(effort); }, "stress"},
+    {"step-rules", "step rules of other solvers, from shapes of elements, against the exact critical step",
+     verifyStepRules},
 };
 
 Registry<StudyInfo>& registry() {

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/scene/deck_faces.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/meshes/formats/deck_lines.h>
@@ -47,7 +48,6 @@ constexpr std::string_view noConstraint = "ties degrees of freedom to each other
 constexpr std::string_view noLaw = "there is no such law";
 constexpr std::string_view noStructure = "there are solid elements only";
 constexpr std::string_view notDynamic = "is no *DYNAMIC step";
-constexpr std::string_view noLoad = "there is no such load";
 
 /// Every keyword that is known. One that is not here is refused.
 constexpr DeckKeywordRule keywordRules[] = {
@@ -62,7 +62,6 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"ENDASSEMBLY", DeckRule::mesh},
     {"INSTANCE", DeckRule::mesh},
     {"ENDINSTANCE", DeckRule::mesh},
-    {"SURFACE", DeckRule::harmless},
     {"ORIENTATION", DeckRule::harmless},
     {"TIMEPOINTS", DeckRule::harmless},
     {"CONTROLS", DeckRule::harmless},
@@ -99,6 +98,8 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"DYNAMIC", DeckRule::taken},
     {"CLOAD", DeckRule::taken},
     {"DLOAD", DeckRule::taken},
+    {"DSLOAD", DeckRule::taken},
+    {"SURFACE", DeckRule::taken},
     {"STATIC", DeckRule::procedure, notDynamic},
     {"FREQUENCY", DeckRule::procedure, notDynamic},
     {"COMPLEXFREQUENCY", DeckRule::procedure, notDynamic},
@@ -119,7 +120,6 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"SUBSTRUCTUREMATRIXOUTPUT", DeckRule::load, notDynamic},
     {"DESIGNVARIABLES", DeckRule::load, notDynamic},
     {"OBJECTIVE", DeckRule::load, notDynamic},
-    {"DSLOAD", DeckRule::load, noLoad},
     {"TEMPERATURE", DeckRule::load, "there are no temperatures"},
     {"CFLUX", DeckRule::load, "there are no temperatures"},
     {"DFLUX", DeckRule::load, "there are no temperatures"},
@@ -204,6 +204,18 @@ struct DeckLoad {
   std::string amplitude = {};
   std::size_t position = 0;
 };
+/// A pressure on faces, each a face of DeckFaces.
+struct DeckPressure {
+  double value;  // Pa, inwards
+  std::string amplitude;
+  std::size_t position;  // of the keyword
+  std::vector<std::int32_t> faces = {};
+};
+/// A line of a *SURFACE of element faces.
+struct DeckSurfaceLine {
+  std::string elements;  // a set or a number
+  int face;
+};
 struct DeckInitial {
   std::string selection;
   Eigen::Vector3d velocity;
@@ -250,12 +262,28 @@ class DeckReader {
     writeBoundaries();
     writeInitials();
     writeLoads();
+    writePressures();
+    for (const auto& [name, surface] : surfaces_)
+      if (!surface.used) leaveOut(surface.keyword);
     if (!left_.empty()) note(fmt::format("{}: left out, they change no motion: {}", file_.string(), left_));
     return std::move(scene_);
   }
 
  private:
-  enum class Reading { nothing, elastic, hyperelastic, density, boundary, amplitude, initial, dynamic, cload, dload };
+  enum class Reading {
+    nothing,
+    elastic,
+    hyperelastic,
+    density,
+    boundary,
+    amplitude,
+    initial,
+    dynamic,
+    cload,
+    dload,
+    dsload,
+    surface
+  };
 
   bool forRun() const { return use_ == DeckUse::run; }
   void note(std::string text) { scene_.notes.push_back(std::move(text)); }
@@ -415,11 +443,17 @@ class DeckReader {
       if (!ofFirstStep()) return;
       dynamic_ = keyword_;
       reading_ = Reading::dynamic;
-    } else if (name == "CLOAD" || name == "DLOAD") {
+    } else if (name == "SURFACE") {
+      const std::string type = inUpperCase(keyword_.value("TYPE"));
+      if (!type.empty() && type != "ELEMENT") return leaveOut(keyword_);
+      surface_ = &surfaces_[inUpperCase(keyword_.value("NAME"))];
+      *surface_ = {keyword_, {}};
+      reading_ = Reading::surface;
+    } else if (name == "CLOAD" || name == "DLOAD" || name == "DSLOAD") {
       if (!forRun()) return leaveOut(keyword_);
       for (const char* key : {"USER", "SUBMODEL", "LOADCASE", "OMEGA0", "SECTOR"})
         if (keyword_.has(key)) return refuseHere(fmt::format(", {} is not taken", key));
-      reading_ = name == "CLOAD" ? Reading::cload : Reading::dload;
+      reading_ = name == "CLOAD" ? Reading::cload : name == "DLOAD" ? Reading::dload : Reading::dsload;
     }
   }
   /// Before all steps, or in the first.
@@ -474,6 +508,12 @@ class DeckReader {
         return cload(words, line.position);
       case Reading::dload:
         return dload(words, line.position);
+      case Reading::dsload:
+        return dsload(words, line.position);
+      case Reading::surface:
+        if (words.size() > 1)
+          if (const auto face = faceOf(words[1], 'S')) surface_->lines.push_back({std::string(words[0]), *face});
+        return;
     }
   }
   /// Further lines are values at other temperatures.
@@ -551,6 +591,11 @@ class DeckReader {
     const std::int64_t first = lines_.number(words[1], "the first degree of freedom", position);
     const std::int64_t last =
         words.size() > 2 && !words[2].empty() ? lines_.number(words[2], "the last degree of freedom", position) : first;
+    constexpr std::int64_t temperature = 11;
+    if (first == temperature && last == temperature && !forRun()) {
+      if (noted_.insert(fmt::format("temperature {}", keyword_.position)).second) leaveOut(keyword_);
+      return;
+    }
     if (last > 6 || first > last)
       return refuse(position, fmt::format("*BOUNDARY: degrees of freedom {} to {}; a solid has 1 to 3", first, last));
     for (std::int64_t dof = first; dof <= std::min<std::int64_t>(last, 3); ++dof)
@@ -583,8 +628,19 @@ class DeckReader {
 
   void dload(const std::vector<std::string_view>& words, std::size_t position) {
     const std::string label = words.size() > 1 ? inUpperCase(words[1]) : "";
+    if (const std::optional<int> face = faceOf(label, 'P')) {
+      if (words.size() < 3) lines_.failAt(position, "*DLOAD needs an element or set, a face, P1 to P6, and a pressure");
+      return press(std::string(words[0]), *face, words[2], position);
+    }
+    static constexpr std::pair<std::string_view, std::string_view> others[] = {
+        {"CENTRIF", "its force grows with the distance of a node from the axis, which no load here does"},
+        {"NEWTON", "its force depends on where all other masses are, which no load here does"}};
+    if (const auto* other = std::ranges::find(others, label, [](const auto& entry) { return entry.first; });
+        other != std::end(others))
+      return refuse(position, fmt::format("*DLOAD, {}: {}", label, other->second));
     if (label != "GRAV")
-      return refuse(position, fmt::format("*DLOAD, {}: of distributed loads GRAV is taken", inQuotes(label)));
+      return refuse(position,
+                    fmt::format("*DLOAD, {}: of distributed loads GRAV and P1 to P6 are taken", inQuotes(label)));
     if (words.size() < 6)
       lines_.failAt(position, "GRAV needs an acceleration and the three components of its direction");
     const Eigen::Vector3d direction(lines_.real(words[3], "the direction", position),
@@ -597,10 +653,67 @@ class DeckReader {
     loads_.push_back({"", lines_.real(words[2], "the acceleration", position) * direction, true,
                       inUpperCase(keyword_.value("AMPLITUDE")), position});
   }
-  bool ofAllElements(const std::string& elset) {
+  const Mesh& mesh() {
     if (!mesh_) mesh_ = readMesh(file_);
-    for (const auto& [name, elements] : mesh_->elementSets)
-      if (inUpperCase(name) == inUpperCase(elset)) return elements.size() == mesh_->elementCount();
+    return *mesh_;
+  }
+  /// The number of "P3" or "S3"; empty for another word.
+  static std::optional<int> faceOf(std::string_view word, char letter) {
+    if (word.size() != 2 || std::toupper(static_cast<unsigned char>(word[0])) != letter || word[1] < '1' ||
+        word[1] > '6')
+      return std::nullopt;
+    return word[1] - '0';
+  }
+  /// The elements of a set, or the one with that number.
+  std::vector<ElementRef> elementsOf(const std::string& word, std::size_t position) {
+    if (!word.empty() && std::isdigit(static_cast<unsigned char>(word.front()))) {
+      const std::int64_t number = lines_.number(word, "the element", position);
+      if (!instances_.empty())
+        lines_.failAt(position, fmt::format("*{}: element {} of a deck of instances; give an element set",
+                                            keyword_.name, number));
+      for (std::size_t b = 0; b < mesh().blocks.size(); ++b)
+        for (std::size_t e = 0; e < mesh().blocks[b].elementCount(); ++e)
+          if (mesh().blocks[b].id(e) == number) return {{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)}};
+      lines_.failAt(position, fmt::format("*{}: the mesh has no element {}", keyword_.name, number));
+    }
+    for (const auto& [name, elements] : mesh().elementSets)
+      if (inUpperCase(name) == inUpperCase(word)) return elements;
+    lines_.failAt(position, fmt::format("*{}: there is no element set {}", keyword_.name, inQuotes(word)));
+  }
+  /// A pressure on a face of elements.
+  void press(const std::string& elements, int face, std::string_view value, std::size_t position) {
+    const double pressure = lines_.real(value, "the pressure", position);
+    if (!faces_) faces_.emplace(mesh());
+    if (pressures_.empty() || pressures_.back().position != keyword_.position || pressures_.back().value != pressure)
+      pressures_.push_back({pressure, inUpperCase(keyword_.value("AMPLITUDE")), keyword_.position});
+    for (const ElementRef element : elementsOf(elements, position)) {
+      const MeshBlock& block = mesh().blocks[element.block];
+      const auto named = [&] {
+        return fmt::format("*{}: face {} of {} element {}", keyword_.name, face, elementInfo(block.type).name,
+                           block.id(static_cast<std::size_t>(element.element)));
+      };
+      if (elementInfo(block.type).order > 1)
+        return refuse(position, named() + ": a pressure is of faces of linear elements");
+      const std::optional<std::int32_t> found = faces_->find(element, face);
+      if (!found) return refuse(position, named() + ": there is no such face");
+      if (*found < 0) return refuse(position, named() + " lies inside the mesh");
+      if (!pressed_.insert(*found).second)
+        return refuse(position, named() + " has a pressure already; CalculiX takes the last one");
+      pressures_.back().faces.push_back(*found);
+    }
+  }
+  void dsload(const std::vector<std::string_view>& words, std::size_t position) {
+    if (words.size() < 3 || inUpperCase(words[1]) != "P")
+      return refuse(position, "*DSLOAD: a line must be a surface, P, and a pressure; no other load is taken");
+    const auto surface = surfaces_.find(inUpperCase(words[0]));
+    if (surface == surfaces_.end())
+      return refuse(position, fmt::format("*DSLOAD: there is no *SURFACE {} of element faces", inQuotes(words[0])));
+    surface->second.used = true;
+    for (const DeckSurfaceLine& line : surface->second.lines) press(line.elements, line.face, words[2], position);
+  }
+  bool ofAllElements(const std::string& elset) {
+    for (const auto& [name, elements] : mesh().elementSets)
+      if (inUpperCase(name) == inUpperCase(elset)) return elements.size() == mesh().elementCount();
     return false;
   }
 
@@ -823,6 +936,25 @@ class DeckReader {
     }
   }
 
+  void writePressures() {
+    if (!pressures_.empty() && !nonlinear_)
+      note(fmt::format(
+          "{}: the pressure follows the surface; CalculiX keeps its first direction and area without NLGEOM",
+          lines_.where(pressures_.front().position)));
+    for (const DeckPressure& pressure : pressures_) {
+      const Table table = loadTable(pressure.amplitude, pressure.position);
+      Json entry{{"pressure", table.factor * pressure.value}};
+      if (table.any()) {
+        entry["times"] = table.times;
+        entry["factors"] = table.factors;
+      }
+      for (const std::string& nodes : faces_->nodeSetsOf(pressure.faces)) {
+        lastKey_.erase("pressure");  // sets of two entries stay apart
+        addEntry("pressure", nodes, entry, pressure.position);
+      }
+    }
+  }
+
   std::filesystem::path file_;
   DeckUse use_;
   std::string text_;
@@ -842,11 +974,21 @@ class DeckReader {
   std::vector<DeckMaterial> materials_;
   std::vector<DeckSection> sections_;
   std::vector<DeckBoundary> boundaries_;
+  std::vector<DeckPressure> pressures_;
+  std::set<std::int32_t> pressed_;
+  struct Surface {
+    DeckKeyword keyword;
+    std::vector<DeckSurfaceLine> lines;
+    bool used = false;
+  };
+  std::map<std::string, Surface> surfaces_;
+  Surface* surface_ = nullptr;
   std::vector<DeckInitial> initials_;
   std::vector<DeckLoad> loads_;
   std::map<std::string, DeckAmplitude> amplitudes_;
   DeckAmplitude* amplitude_ = nullptr;
   std::optional<Mesh> mesh_;
+  std::optional<DeckFaces> faces_;
   std::vector<std::string> refused_;
   std::set<std::string> noted_;
   std::map<std::string, std::string> lastKey_;

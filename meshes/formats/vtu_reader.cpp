@@ -14,6 +14,18 @@
 namespace ringwatch::detail {
 namespace {
 
+/// Lagrange cells of VTK, as dolfinx writes them, of so few nodes have the nodes of the usual cell in its order
+/// (vtkLagrangeTetra, vtkLagrangeHexahedron, vtkLagrangeWedge).
+int usualVtkType(int type, std::int64_t nodes) {
+  struct Same {
+    int lagrange, nodes, usual;
+  };
+  static constexpr Same same[] = {{71, 4, 10}, {71, 10, 24}, {72, 8, 12}, {73, 6, 13}};
+  for (const Same& cell : same)
+    if (cell.lagrange == type && cell.nodes == nodes) return cell.usual;
+  return type;
+}
+
 constexpr std::string_view setPrefix = "set:";
 // Deflate packs at most about 1032:1, so a file can hold no more bytes than this times its size.
 constexpr std::size_t mostPacking = 1100;
@@ -575,7 +587,8 @@ class VtuReader {
     mixed_ = mixed_ || std::adjacent_find(runs.begin(), runs.end()) != runs.end();
     std::int64_t nodes[125];
     for (std::size_t c = 0; c < piece.cells; ++c, ++cellCount_) {
-      const int type = types[c] >= 0 && types[c] < 256 ? static_cast<int>(types[c]) : 255;
+      const std::int64_t begin = c == 0 ? 0 : offsets[c - 1], end = offsets[c];
+      const int type = usualVtkType(types[c] >= 0 && types[c] < 256 ? static_cast<int>(types[c]) : 255, end - begin);
       const FileElement* known = findVtkElement(type);
       const auto refuse = [&](const std::string& what) {
         throw InputError(joinText(source_, ": cell ", cellCount_, " ", what));
@@ -587,7 +600,6 @@ class VtuReader {
         ++flat_;
         continue;
       }
-      const std::int64_t begin = c == 0 ? 0 : offsets[c - 1], end = offsets[c];
       if (end - begin != known->nodes)
         refuse(joinText("(", known->name(), ") has ", end - begin, " nodes; it must have ", known->nodes));
       for (std::int64_t i = begin; i < end; ++i) {

@@ -30,7 +30,7 @@ NegativePart<Pack> removeNegativePart(Pack* A, Pack* VT, Pack* P, int n) {
   }
 }
 
-class Composition {
+class Composition final : public detail::ExchangeSplit {
  public:
   Composition(const TangentSource& source, NodeVectorsView x, const NodalBound& weights, double sigma)
       : source_(source), sigma_(sigma) {
@@ -47,24 +47,30 @@ class Composition {
     P_.resize(total);
     fillTangents(x, P_);
     norms_.resize(elements_.size());
-    for (std::size_t e = 0; e < elements_.size(); ++e) norms_[e] = normOf(e);
+    for (std::size_t e = 0; e < elements_.size(); ++e) norms_[e] = normOf(P_, e);
     indexBlocks();
-    // What all P_e must sum up to: sigma I - A, with A from the very numbers that the elements start with, less what
-    // discrete forces take of it.
-    const std::int64_t blocks = pattern_.column.size();
-    target_.resize(blocks);
-    for (std::int32_t i = 0; i < source.nodeCount(); ++i)
-      for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
-        const bool diagonal = pattern_.column[k] == i;
-        target_[k] = (diagonal ? sigma : 0.0) * Eigen::Matrix3d::Identity() + sumOf(k);  // P_ holds -A_e
-        if (diagonal) target_[k] -= freePart(source, i, weights.majorantAt(i) / source.lumpedMass()[i]);
-      }
+    setTarget(P_, weights);
     startFrom(weights);
     reserve_.assign(elements_.size(), -1.0);
     excess_.assign(elements_.size(), 0.0);
     negative_.assign(elements_.size(), 0.0);
     spread(0);
     before_ = P_;
+  }
+
+  /// Goes on with the present P_e at another state and sigma: what is then missing from the sum is spread.
+  void moveTo(NodeVectorsView x, const NodalBound& weights, double sigma) {
+    sigma_ = sigma;
+    before_.resize(P_.size());
+    fillTangents(x, before_);
+    // The sum is made right anew, so rounding of former states is none of this one's.
+    for (std::size_t e = 0; e < elements_.size(); ++e) norms_[e] = std::max(normOf(P_, e), normOf(before_, e));
+    setTarget(before_, weights);
+    spread(0);
+    before_ = P_;
+    momentum_ = 1;
+    lastSum_ = infinity;
+    decompositions_ = 0;
   }
 
   /// One iteration; returns the bound of the iterate that it began with.
@@ -268,9 +274,22 @@ class Composition {
   static double highestEigenvalue(const Eigen::Matrix3d& S) {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly).eigenvalues()[2];
   }
-  double normOf(std::size_t e) const {
+  double normOf(const AlignedVector<double>& values, std::size_t e) const {
     const Eigen::Index size = 9 * elements_[e].nodes * elements_[e].nodes;
-    return Eigen::Map<const Eigen::VectorXd>(P_.data() + elements_[e].begin, size).norm();
+    return Eigen::Map<const Eigen::VectorXd>(values.data() + elements_[e].begin, size).norm();
+  }
+
+  /// What all P_e must sum up to: sigma I - A, with A from the very numbers of the elements, minusA, less what discrete
+  /// forces take of it.
+  void setTarget(AlignedVector<double>& minusA, const NodalBound& weights) {
+    const std::int64_t blocks = pattern_.column.size();
+    target_.resize(blocks);
+    for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
+      for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
+        const bool diagonal = pattern_.column[k] == i;
+        target_[k] = (diagonal ? sigma_ : 0.0) * Eigen::Matrix3d::Identity() + sumOf(minusA, k);
+        if (diagonal) target_[k] -= freePart(source_, i, weights.majorantAt(i) / source_.lumpedMass()[i]);
+      }
   }
 
   /// Which elements hold a part of each block of the assembled matrix.
@@ -299,11 +318,12 @@ class Composition {
     const std::int64_t begin = placeBegin_[k];
     return {places_.data() + begin, static_cast<std::size_t>(placeBegin_[static_cast<std::size_t>(k) + 1] - begin)};
   }
-  Eigen::Matrix3d sumOf(std::int64_t k) {
+  Eigen::Matrix3d sumOf(AlignedVector<double>& values, std::int64_t k) const {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    for (const Place& place : placesOf(k)) sum += at(P_, place);
+    for (const Place& place : placesOf(k)) sum += at(values, place);
     return sum;
   }
+  Eigen::Matrix3d sumOf(std::int64_t k) { return sumOf(P_, k); }
 
   /// P_e += l_e D_e, the nodal bound's own split.
   void startFrom(const NodalBound& weights) {
@@ -371,6 +391,24 @@ class Composition {
 };
 
 }  // namespace
+
+KeptExchangeBound::KeptExchangeBound(const TangentSource& source) : source_(source) {}
+KeptExchangeBound::~KeptExchangeBound() = default;
+
+ExchangeBound KeptExchangeBound::evaluate(NodeVectorsView x, const NodalBound& weights, double sigma, double accept,
+                                          int maxIterations) {
+  auto* kept = static_cast<Composition*>(split_.get());
+  if (kept == nullptr || version_ != source_.version()) {
+    version_ = source_.version();
+    split_ = std::make_unique<Composition>(source_, x, weights, sigma);
+    kept = static_cast<Composition*>(split_.get());
+  } else {
+    kept->moveTo(x, weights, sigma);
+  }
+  const ExchangeBound result = kept->lowerUntil(accept, maxIterations);
+  if (!std::isfinite(result.upper.value)) split_.reset();
+  return result;
+}
 
 ExchangeBound exchangeUpperBound(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
                                  double sigma, double accept, int maxIterations) {

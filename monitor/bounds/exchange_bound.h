@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <ringwatch/body/tangent_source.h>
@@ -47,6 +48,33 @@ struct ExchangePolicy {
 };
 ExchangeBound exchangeUpperBound(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
                                  LowerBound lower);
+
+namespace detail {
+/// The matrices P_e of a source.
+class ExchangeSplit {
+ public:
+  virtual ~ExchangeSplit() = default;
+};
+}  // namespace detail
+
+/// The exchange bound of a source that is kept from state to state: at a new state and sigma what is then missing from
+/// Σ_e P_e = sigma I - Σ_e A_e is spread over the P_e of the last one, so that one or two iterations do where tangents
+/// have changed little. Proven at every state for that state alone: Theorem 12, and Theorem 13 (a) for any P_e,
+/// docs/theory/exchange.md.
+class KeptExchangeBound {
+ public:
+  /// source: by reference.
+  explicit KeptExchangeBound(const TangentSource& source);
+  ~KeptExchangeBound();
+
+  /// As exchangeUpperBound. weights: where the first state starts from; later only their majorants count.
+  ExchangeBound evaluate(NodeVectorsView x, const NodalBound& weights, double sigma, double accept, int maxIterations);
+
+ private:
+  const TangentSource& source_;
+  std::int64_t version_ = 0;
+  std::unique_ptr<detail::ExchangeSplit> split_;
+};
 
 /// The bound as matrices that anybody can add up: G_e = P_e + A_e + a margin, in whole numbers g of
 /// unit / 2^shareBits sqrt(m_a m_b), of constrained components zero. Those that elements hold of the block between two

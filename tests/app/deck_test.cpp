@@ -163,8 +163,20 @@ TEST_F(Decks, RefuseWhatWouldChangeTheMotion) {
   refuse(std::string(soft) + step("", "*STEP\n*STATIC\n"), "deck.inp:30: *STATIC: is no *DYNAMIC step");
   refuse(soft, "deck.inp: has no *DYNAMIC step");
   refuse(std::string(soft) + step("") + step(""), "deck.inp:33: *STEP: a second step; a run has one");
-  refuse(std::string(soft) + step("*DLOAD\nEall, P1, 1e3\n"),
-         "deck.inp:33: *DLOAD, \"P1\": of distributed loads GRAV is taken");
+  refuse(std::string(soft) + step("*DLOAD\nEall, BX, 1e3\n"),
+         "deck.inp:33: *DLOAD, \"BX\": of distributed loads GRAV and P1 to P6 are taken");
+  refuse(std::string(soft) + step("*DLOAD\nEall, CENTRIF, 1e3, 0, 0, 0, 1, 0, 0\n"),
+         "deck.inp:33: *DLOAD, CENTRIF: its force grows with the distance");
+  refuse(std::string(soft) + step("*DLOAD\nEall, NEWTON\n"), "deck.inp:33: *DLOAD, NEWTON: its force depends on where");
+  refuse(std::string(soft) + step("*DLOAD\n1, P4, 1e3\n"), "deck.inp:33: *DLOAD: face 4 of hex8 element 1 lies inside");
+  refuse(std::string(soft) + step("*DLOAD\n1, P1, 1e3\nEall, P1, 2e3\n"),
+         "deck.inp:34: *DLOAD: face 1 of hex8 element 1 has a pressure already");
+  refuse(std::string(soft) + step("*DLOAD\n7, P1, 1e3\n"), "deck.inp:33: *DLOAD: the mesh has no element 7");
+  refuse(std::string(soft) + step("*DLOAD\nnone, P1, 1e3\n"), "deck.inp:33: *DLOAD: there is no element set \"none\"");
+  refuse(std::string(soft) + step("*DSLOAD\nskin, P, 1e3\n"),
+         "deck.inp:33: *DSLOAD: there is no *SURFACE \"skin\" of element faces");
+  refuse(std::string(soft) + "*SURFACE, NAME=skin\nEall, S1\n" + step("*DSLOAD\nskin, TRVEC, 1e3, 1, 0, 0\n"),
+         "deck.inp:35: *DSLOAD: a line must be a surface, P, and a pressure");
   refuse("*ELSET, ELSET=one\n1\n" + std::string(soft) + step("*DLOAD\none, GRAV, 9.81, 0, 0, -1\n"),
          "it is taken for all elements together only");
   refuse(std::string(soft) + step("*BOUNDARY\nright, 1, 1, 1e-3\n"),
@@ -186,6 +198,48 @@ TEST_F(Decks, RefuseWhatWouldChangeTheMotion) {
 
   folder_.write("material.inp", "*MATERIAL, NAME=soft\n*ELASTIC\n30e3\n");
   refuse("*INCLUDE, INPUT=material.inp\n" + step(""), "material.inp:3: *ELASTIC has one number");
+}
+
+// Both cubes are pressed from below and above and the first one from the left, by elements and by a surface. The nodes
+// of the faces below and above are all nodes: what lies between is not pressed.
+TEST_F(Decks, PressFaces) {
+  const std::string before = std::string(soft) + "*AMPLITUDE, NAME=A\n0., 0.5, 1., 1.\n";
+  const NodeVectors u =
+      run(before + step("*DLOAD, AMPLITUDE=A\nEall, P1, 400.\nEall, P2, 400.\n*DLOAD\n1, P6, 100.\n"));
+  const std::string history = folder_.read("r/history.csv");
+  run(before + "*SURFACE, NAME=Skin\nEall, S1\n1, S2\n2, S2\n*SURFACE, NAME=unused\n1, S3\n" +
+      step("*DSLOAD, AMPLITUDE=A\nskin, P, 400.\n*DLOAD\n1, P6, 100.\n"));
+  EXPECT_EQ(folder_.read("r/history.csv"), history);
+  EXPECT_THAT(out_, HasSubstr("*SURFACE (line 35)"));
+  folder_.write("scene.toml", R"([mesh]
+file = "deck.inp"
+[material]
+model = "stvk"
+young = 30e3
+poisson = 0.3
+density = 1000
+[integrator]
+step = 1e-3
+end = 0.05
+[[pressure]]
+where = "z < 1e-9"
+pressure = 400
+times = [0, 1]
+factors = [0.5, 1]
+[[pressure]]
+where = "z > 0.0999"
+pressure = 400
+times = [0, 1]
+factors = [0.5, 1]
+[[pressure]]
+set = "Left"
+pressure = 100
+)");
+  ASSERT_EQ(call("run scene.toml --out s --set output.every=0.05 --set output.picture=false").status, 0);
+  EXPECT_EQ(folder_.read("s/history.csv"), history);
+  // 100 Pa on 0.01 m² push 2 kg to the right; the force follows its face, which grows by less than 2 %.
+  const double mean = (u.row(0).sum() + u(0, 1) + u(0, 2) + u(0, 5) + u(0, 6)) / 16, t = 0.05, h = 1e-3;
+  EXPECT_NEAR(mean, 0.5 * 0.5 * (t * t + h * t), 0.02 * mean);
 }
 
 TEST_F(Decks, TellTheStepOfTheirBody) {

@@ -1,7 +1,9 @@
-"""Element tangents of a dolfinx energy for ringwatch.TangentBracket: assembled on the discontinuous twin of the
-displacement's space, so that each element keeps a block of its own."""
+"""dolfinx in ringwatch: element tangents of an energy for TangentBracket, assembled on the discontinuous twin of the
+displacement's space, so that each element keeps a block of its own; or, for a law that ringwatch has, a body that takes
+the positions of linear tetrahedra."""
 
 import numpy as np
+import ringwatch as rw
 import ufl
 from dolfinx import fem
 from dolfinx.fem import petsc
@@ -25,3 +27,10 @@ class ElementTangents:
         K.assemble()
         rows = [(3 * o[:, None] + np.arange(3)).ravel().astype(np.int32) for o in self.own]
         return np.array([K.getValues(r, r) for r in rows])
+
+
+def body_of(V, model, threads=0, **law):
+    """A body of ours on the cells of V, linear tetrahedra, for rw.Monitor: its nodes are in V's order."""
+    cells = range(V.mesh.topology.index_map(V.mesh.topology.dim).size_local)
+    nodes = np.array([V.dofmap.cell_dofs(c) for c in cells], np.int32)
+    return rw.Body(rw.Mesh(V.tabulate_dof_coordinates(), {"tet4": nodes}), rw.Material(model, **law), threads=threads)

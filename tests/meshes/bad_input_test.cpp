@@ -281,6 +281,36 @@ constexpr const char* plainVtu =
     "<CellData><DataArray type=\"Int8\" Name=\"set:a &amp; b\" format=\"ascii\">0 1</DataArray></CellData>\n"
     "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 
+// Cells of VTK's Lagrange types, as dolfinx writes them: a tetrahedron of 4 nodes or a wedge of 6 is the usual one.
+TEST(VtuReader, TakesLagrangeCellsOfFewNodes) {
+  const auto read = [](const std::string& connectivity, const std::string& offsets, const std::string& types) {
+    const std::string array = "<DataArray type=\"Int64\" format=\"ascii\" Name=\"";
+    return detail::readVtu("m.vtu",
+                           "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece NumberOfPoints=\"7\" "
+                           "NumberOfCells=\"2\"><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+                           "format=\"ascii\">0 0 0 1 0 0 0 1 0 0 0 1 1 0 1 0 1 1 0 0 2</DataArray></Points><Cells>" +
+                               array + "connectivity\">" + connectivity + "</DataArray>" + array + "offsets\">" +
+                               offsets + "</DataArray>" + array + "types\">" + types +
+                               "</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>",
+                           nullptr, nullptr);
+  };
+  const Mesh lagrange = read("0 1 2 3 4 5 3 4 5 6", "6 10", "73 71"),
+             usual = read("0 1 2 3 4 5 3 4 5 6", "6 10", "13 10");
+  EXPECT_NEAR(meshVolume(lagrange), 0.5 + 1.0 / 6, 1e-15);
+  ASSERT_EQ(lagrange.blocks.size(), 2u);
+  for (std::size_t b = 0; b < 2; ++b) {
+    EXPECT_EQ(lagrange.blocks[b].type, usual.blocks[b].type);
+    EXPECT_EQ(lagrange.blocks[b].connectivity, usual.blocks[b].connectivity);
+  }
+  try {
+    read("0 1 2 3 4 3 4 5 6", "5 9", "71 71");
+    FAIL() << "a tetrahedron of five nodes was accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("cell 0 is of VTK type 71, which is not supported"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(BadInput, CutOrChangedVtuFilesNeverCrash) {
   const Parse parse = [](const std::string& content) { return detail::readVtu("m.vtu", content, nullptr, nullptr); };
   const Mesh mesh = parse(plainVtu);

@@ -153,6 +153,50 @@ TEST(ExchangeBound, HoldsForTargetsBelowTheTruthAfterManyIterations) {
   }
 }
 
+// Kept from state to state, whatever lies between two of them, with any target, however few iterations.
+TEST(KeptExchangeBound, HoldsAtEveryStateItIsMovedTo) {
+  for (const Subdivision& subdivision : test::allSubdivisions())
+    for (const Hold hold : {Hold::nothing, Hold::components}) {
+      Body body = test::boxBody(subdivision, "stvk");
+      test::holdBody(body, hold);
+      NodalBound weights(body);
+      weights.evaluate(body.mesh().X, 2);
+      KeptExchangeBound kept(body);
+      test::Random random(31);
+      for (const test::NamedState& state : test::deformedStates(body.mesh().X, 6))
+        for (const int iterations : {1, 3}) {
+          const double lambda = DenseTangent(body, state.x).largest(), sigma = random.uniform(0, 1.5) * lambda;
+          const ExchangeBound bound = kept.evaluate(state.x, weights, sigma, 0, iterations);
+          EXPECT_GE(bound.upper.value, lambda * (1 - 1e-10))
+              << subdivision.name << ", " << test::holdName(hold) << ", " << state.name << ", " << iterations;
+          EXPECT_EQ(bound.iterations, iterations);
+        }
+      // What is no longer held is seen.
+      body.constraints() = Constraints(body.nodeCount());
+      const double lambda = DenseTangent(body, body.mesh().X).largest();
+      EXPECT_GE(kept.evaluate(body.mesh().X, weights, lambda, 0, 1).upper.value, lambda) << subdivision.name;
+    }
+}
+
+TEST(KeptExchangeBound, FollowsWithTwoIterationsAState) {
+  double worst = 0;
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
+    const Body body = test::boxBody(subdivision, "stvk", {3, 3, 3}, 0);
+    NodeVectors x = body.mesh().X;
+    NodalBound weights(body);
+    weights.evaluate(x, 12);
+    KeptExchangeBound kept(body);
+    for (int state = 0; state < 20; ++state) {
+      const double lambda = DenseTangent(body, x).largest();
+      const ExchangeBound bound = kept.evaluate(x, weights, 1.01 * lambda, 1.02 * lambda, state == 0 ? 60 : 2);
+      EXPECT_GE(bound.upper.value, lambda) << subdivision.name << ", " << state;
+      worst = std::max(worst, bound.upper.value / lambda);
+      x.row(0) *= 1.002;
+    }
+  }
+  EXPECT_LE(worst, 1.05);  // measured: 1.0245
+}
+
 TEST(ExchangeBound, StopsWhereItIsAccepted) {
   const Body body = test::boxBody(test::allSubdivisions()[0], "stvk", {3, 3, 3}, 0);
   const NodeVectors& X = body.mesh().X;

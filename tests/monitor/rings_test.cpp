@@ -199,6 +199,9 @@ double lengthBy(std::string_view name, const Mesh& mesh) {
   return 2 * material.waveSpeed() / std::sqrt(evaluateMetric(name, body, mesh.X).lambda);
 }
 
+/// 0.8 · 0.98 · √(2/0.5225625)/2, which tests/foreign holds to what CalculiX prints.
+constexpr double calculixShare = 0.766888004118;
+
 TEST(PressureWave, LengthsOfABrick) {
   BarOptions options;
   options.size = {0.05, 0.03, 0.02};
@@ -213,7 +216,29 @@ TEST(PressureWave, LengthsOfABrick) {
     // Middle nodes halve the distance between neighbours.
     EXPECT_NEAR(lengthBy("pressure-wave:shortest-edge", mesh), element == std::string("hex8") ? 0.02 : 0.01, 1e-14);
     EXPECT_NEAR(lengthBy("pressure-wave:cell-diameter", mesh), std::sqrt(0.0025 + 0.0009 + 0.0004), 1e-14) << element;
+    EXPECT_NEAR(lengthBy("pressure-wave:nodal", mesh), 0.02, 1e-14) << element;
+    const bool linear = element == std::string("hex8");
+    EXPECT_NEAR(lengthBy("pressure-wave:calculix", mesh), (linear ? 1 : 0.3) * calculixShare * 0.02, 1e-14) << element;
+    if (!linear) continue;
+    // |∇N| of the mean gradient has components 1/(4 a): omega² = 4 c² Σ 1/a².
+    const double inverse = 1 / 0.0025 + 1 / 0.0009 + 1 / 0.0004;
+    EXPECT_NEAR(lengthBy("dilatational-mode", mesh), 1 / std::sqrt(inverse), 1e-14);
   }
+}
+
+TEST(PressureWave, NodesTakeTheMeanOfTheirElements) {
+  BarOptions options;
+  options.size = {0.03, 0.04, 0.04};
+  options.cells = {2, 1, 1};
+  options.element = "hex8";
+  options.grading = 2;  // cells of 1 and 2 cm
+  const Body body(generateBar(options), makeMaterial("stvk", test::young, test::poisson, test::density),
+                  test::onThreads(1));
+  const auto waves = evaluateMetric("pressure-wave", body, body.mesh().X).elementLambda[0];
+  const auto nodal = evaluateMetric("pressure-wave:nodal", body, body.mesh().X).elementLambda[0];
+  EXPECT_NEAR(waves[0], 4 * waves[1], 1e-12 * waves[0]);
+  EXPECT_NEAR(nodal[0], waves[0], 1e-12 * waves[0]);  // at its free end
+  EXPECT_NEAR(nodal[1], (waves[0] + 2 * waves[1]) / 3, 1e-12 * waves[0]);
 }
 
 Mesh regularTetrahedron(double edge) {
@@ -236,6 +261,9 @@ TEST(PressureWave, LengthsOfARegularTetrahedron) {
   EXPECT_NEAR(lengthBy("pressure-wave:in-radius", mesh), height / 4, 1e-13);
   EXPECT_NEAR(lengthBy("pressure-wave:shortest-edge", mesh), 2, 1e-13);
   EXPECT_NEAR(lengthBy("pressure-wave:cell-diameter", mesh), 2, 1e-13);
+  EXPECT_NEAR(lengthBy("pressure-wave:calculix", mesh), calculixShare * height / 9, 1e-13);
+  EXPECT_NEAR(lengthBy("pressure-wave:nodal", mesh), height, 1e-13);
+  EXPECT_NEAR(lengthBy("dilatational-mode", mesh), height / 2, 1e-13);
 }
 
 TEST(PressureWave, NamesItsKnownOptions) {
@@ -245,7 +273,8 @@ TEST(PressureWave, NamesItsKnownOptions) {
     FAIL() << "an unknown option was accepted";
   } catch (const InputError& error) {
     const std::string text = error.what();
-    for (const char* option : {"min-height", "volume-over-area", "in-radius", "shortest-edge", "cell-diameter"})
+    for (const char* option :
+         {"min-height", "volume-over-area", "in-radius", "shortest-edge", "cell-diameter", "calculix", "nodal"})
       EXPECT_NE(text.find(option), std::string::npos) << text;
     EXPECT_EQ(text.find("nodal-bound"), std::string::npos) << text;
   }

@@ -170,10 +170,10 @@ TEST(TangentDegrees, HoldOfPlaneQuadrilaterals) {
           return strains(gradient).transpose() * C * strains(gradient);
         },
         1000);
-    // Measured 0.992 and 0.972, held 0.992 and 0.980.
-    EXPECT_GE(code.check("free"), 0.92) << jitter;
+    // Exchange is asked for 1 %; measured 0.9903 to 0.9917.
+    EXPECT_GE(code.check("free"), 0.99) << jitter;
     holdLeft(code, grid);
-    EXPECT_GE(code.check("held"), 0.94) << jitter;
+    EXPECT_GE(code.check("held"), 0.99) << jitter;
   }
 }
 
@@ -212,12 +212,12 @@ TEST(TangentDegrees, HoldOfAScalarWave) {
   for (const double jitter : {0.0, 0.25}) {
     const Grid grid(8, 8, jitter);
     Foreign code = quadrilaterals(grid, 1, laplacian, 1);
-    EXPECT_GE(code.check("free"), 0.87) << jitter;  // measured 0.999, jittered 0.954
+    EXPECT_GE(code.check("free"), 0.99) << jitter;  // measured 0.999, jittered 0.991
     if (jitter == 0) {
       EXPECT_NEAR(code.highest(), 4 * speed * speed / 0.01, 0.01 * 4 * speed * speed / 0.01);
     }
     holdLeft(code, grid);
-    EXPECT_GE(code.check("held"), 0.87) << jitter;
+    EXPECT_GE(code.check("held"), 0.99) << jitter;
   }
 }
 

@@ -264,23 +264,6 @@ struct NamedMesh {
   std::string name;
   Mesh mesh;
 };
-/// Moves an inner node of a regular bar of tetrahedra toward the opposite face of one of its elements until that one
-/// has `height` times its height. The elements around a node fill a convex body, so none is turned inside out.
-void flattenOneElement(Mesh& mesh, double height) {
-  const Eigen::Vector3d low = mesh.X.rowwise().minCoeff(), high = mesh.X.rowwise().maxCoeff();
-  const MeshBlock& block = mesh.blocks[0];
-  for (std::size_t e = block.elementCount() / 2; e < block.elementCount(); ++e)
-    for (int a = 0; a < 4; ++a) {
-      const std::int32_t* nodes = block.element(e);
-      const Eigen::Vector3d X = mesh.X.col(nodes[a]);
-      if (((X - low).array() < 1e-9).any() || ((high - X).array() < 1e-9).any()) continue;
-      const Eigen::Vector3d foot =
-          (mesh.X.col(nodes[(a + 1) % 4]) + mesh.X.col(nodes[(a + 2) % 4]) + mesh.X.col(nodes[(a + 3) % 4])) / 3;
-      mesh.X.col(nodes[a]) = foot + height * (X - foot);
-      return;
-    }
-  throw NumericalError("a bar without inner nodes has no element to flatten");
-}
 /// Meshes that differ in what makes a step small: none, jitter, grading, one sliver, element types that share faces.
 std::vector<NamedMesh> studyMeshes(StudyEffort effort) {
   const int fine = effort == StudyEffort::full ? 2 : 1;
