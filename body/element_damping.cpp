@@ -13,7 +13,9 @@ namespace {
 
 using P = NativePack;
 constexpr int stride = 10;    // numbers stored for a point: J⁻¹, w det J
-constexpr int sizeCount = 5;  // of DampedBlock::Sizes
+constexpr int sizeCount = 2;  // stored of an element: V₀, m³, and L, m, 0 in lanes without an element
+/// Numbers stored of an element with Kelvin-Voigt: its points, then (Σ |X_a - X_0|²)^½.
+std::size_t numbersOf(int points) { return static_cast<std::size_t>(points) * stride + 1; }
 constexpr double leastVolumeShare = 0.1;
 /// By which the rounding of an element's stiffness grows where damping is added to it: far more than the sum rounds.
 constexpr double sumOfTangentsRounding = 1 + 1.0 / 64;
@@ -31,6 +33,57 @@ RINGWATCH_INLINE void cross(const P (&a)[3], const P (&b)[3], P (&c)[3]) {
   c[0] = a[1] * b[2] - a[2] * b[1];
   c[1] = a[2] * b[0] - a[0] * b[2];
   c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/// Bulk viscosity alone of linear tetrahedra: everything stays in registers. coefficient(rate, length, batch).
+template <class Coefficient>
+RINGWATCH_INLINE void addBulkOfSimplices(std::int32_t first, std::int32_t last, const std::uint16_t* localNodes,
+                                         const P* sizes, double strength, const double* rows, const double* vRows,
+                                         double* slots, const Coefficient& coefficient) {
+  const P ofStrength(strength / 6), sixth(1.0 / 6), least(leastVolumeShare);
+  for (std::int32_t batch = first; batch < last; ++batch) {
+    const std::uint16_t* local = localNodes + static_cast<std::ptrdiff_t>(batch) * 4 * lanes;
+    P origin[3], e1[3], e2[3], e3[3], c1[3], c2[3], c3[3];
+    loadRows(rows, local, origin);
+    loadRows(rows, local + lanes, e1);
+    loadRows(rows, local + 2 * lanes, e2);
+    loadRows(rows, local + 3 * lanes, e3);
+    for (int i = 0; i < 3; ++i) {
+      e1[i] -= origin[i];
+      e2[i] -= origin[i];
+      e3[i] -= origin[i];
+    }
+    // Six times the derivatives of the volume.
+    cross(e2, e3, c1);
+    cross(e3, e1, c2);
+    cross(e1, e2, c3);
+    const P volume = sixth * dot(e1, c1);
+    P v0[3], v[3];
+    loadRows(vRows, local, v0);
+    P rate(0.0);
+    const auto addRate = [&](int a, const P(&c)[3]) {
+      loadRows(vRows, local + a * lanes, v);
+      for (int i = 0; i < 3; ++i) rate += c[i] * (v[i] - v0[i]);
+    };
+    addRate(1, c1);
+    addRate(2, c2);
+    addRate(3, c3);
+    const P* own = sizes + static_cast<std::ptrdiff_t>(batch) * sizeCount;
+    const P inverse = P(1.0) / math::max(volume, least * own[0]);
+    rate = sixth * rate * inverse;
+    const P s = ofStrength * own[0] * own[1] * inverse * rate * coefficient(rate, own[1], batch);
+    P f0[3];
+    for (int i = 0; i < 3; ++i) {
+      c1[i] = s * c1[i];
+      c2[i] = s * c2[i];
+      c3[i] = s * c3[i];
+      f0[i] = -(c1[i] + c2[i] + c3[i]);
+    }
+    addRows(slots, local, f0);
+    addRows(slots, local + lanes, c1);
+    addRows(slots, local + 2 * lanes, c2);
+    addRows(slots, local + 3 * lanes, c3);
+  }
 }
 
 }  // namespace
@@ -76,9 +129,8 @@ void DampedBlock::fill(const Mesh& mesh, const std::vector<double>& masses) {
     tableNorm_.push_back(std::sqrt(square));
   }
   sizes_.resize(batches * sizeCount);
-  if (constants_.viscous()) geometry_.resize(batches * static_cast<std::size_t>(points_) * stride);
+  if (constants_.viscous()) geometry_.resize(batches * numbersOf(points_));
   if (constants_.massProportional > 0) masses_.resize(batches * static_cast<std::size_t>(n));
-  const double speed = material().waveSpeed(), density = material().density;
   for (std::size_t batch = 0; batch < batches; ++batch) {
     const std::int32_t* elements = layout().elements.data() + batch * lanes;
     P edges[maxElementNodes][3], w[maxElementNodes][3], volume, extent(0.0);
@@ -91,12 +143,8 @@ void DampedBlock::fill(const Mesh& mesh, const std::vector<double>& masses) {
     P* sizes = sizes_.data() + batch * sizeCount;
     for (int lane = 0; lane < lanes; ++lane) {
       const bool none = elements[lane] < 0;
-      const double length = std::cbrt(volume[lane]);
-      sizes[0].set(lane, none ? 0 : density * volume[lane] * speed * length);
-      sizes[1].set(lane, length / speed);
-      sizes[2].set(lane, leastVolumeShare * volume[lane]);
-      sizes[3].set(lane, volume[lane]);
-      sizes[4].set(lane, std::sqrt(extent[lane]));
+      sizes[0].set(lane, volume[lane]);
+      sizes[1].set(lane, none ? 0 : std::cbrt(volume[lane]));
       if (!masses_.empty())
         for (int a = 0; a < n; ++a)
           masses_[batch * static_cast<std::size_t>(n) + static_cast<std::size_t>(a)].set(
@@ -105,6 +153,7 @@ void DampedBlock::fill(const Mesh& mesh, const std::vector<double>& masses) {
                                   static_cast<std::size_t>(a)]);
     }
     if (geometry_.empty()) continue;
+    geometry_[(batch + 1) * numbersOf(points_) - 1] = math::sqrt(extent);
     for (int q = 0; q < points_; ++q) {
       Matrix3<P> J = Matrix3<P>::zero();
       for (int a = 1; a < n; ++a)
@@ -112,7 +161,7 @@ void DampedBlock::fill(const Mesh& mesh, const std::vector<double>& masses) {
           for (int j = 0; j < 3; ++j) J(i, j) += edges[a][i] * P(shapeTable(q, a)[j]);
       const P det = determinant(J);
       const Matrix3<P> inverse = (P(1.0) / det) * transpose(cofactor(J));
-      P* point = geometry_.data() + (batch * static_cast<std::size_t>(points_) + static_cast<std::size_t>(q)) * stride;
+      P* point = geometry_.data() + batch * numbersOf(points_) + static_cast<std::size_t>(q) * stride;
       for (int i = 0; i < 9; ++i) point[i] = inverse.m[i];
       point[9] = P(weights_[q]) * det;
       for (int lane = 0; lane < lanes; ++lane)
@@ -174,6 +223,7 @@ void DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows,
                       double* slots, const Coefficient& coefficient) const {
   constexpr int most = simplex ? 4 : maxElementNodes;
   const int n = simplex ? 4 : nodesPerElement();
+  const double speed = material().waveSpeed(), impedance = material().density * speed, slowness = 1 / speed;
   const bool bulk = constants_.bulk(), viscous = constants_.viscous(), byMass = constants_.massProportional > 0;
   const P eta(factor * constants_.shearViscosity),
       lambda(factor * (constants_.volumeViscosity - 2.0 / 3 * constants_.shearViscosity));
@@ -200,15 +250,15 @@ void DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows,
       volumeGradient<simplex>(x, volume, w);
       P rate = dot(w[1], v[1]);
       for (int a = 2; a < n; ++a) rate += dot(w[a], v[a]);
-      const P inverse = P(1.0) / math::max(volume, sizes[2]);
+      const P inverse = P(1.0) / math::max(volume, P(leastVolumeShare) * sizes[0]);
       rate = rate * inverse;
-      const P s =
-          P(factor) * sizes[0] * inverse * rate * coefficient(sizes[1], rate, static_cast<std::size_t>(batch) * lanes);
+      const P s = P(factor * impedance) * sizes[0] * sizes[1] * inverse * rate *
+                  coefficient(P(slowness) * sizes[1], rate, static_cast<std::size_t>(batch) * lanes);
       for (int a = 0; a < n; ++a)
         for (int i = 0; i < 3; ++i) force[a][i] += s * w[a][i];
     }
     if (viscous) {
-      const P* point = geometry_.data() + static_cast<std::ptrdiff_t>(batch) * points_ * stride;
+      const P* point = geometry_.data() + static_cast<std::size_t>(batch) * numbersOf(points_);
       for (int q = 0; q < points_; ++q, point += stride) {
         Matrix3<P> D = Matrix3<P>::zero(), dD = D, J1;
         for (int a = 1; a < n; ++a) {
@@ -239,6 +289,15 @@ void DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows,
 template <class Coefficient>
 void DampedBlock::addAny(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor,
                          double* slots, const Coefficient& coefficient) const {
+  if (isSimplex() && !constants_.viscous() && !(constants_.massProportional > 0)) {
+    const double speed = material().waveSpeed();
+    const P slowness(1 / speed);
+    return addBulkOfSimplices(first, last, layout().localNodes.data(), sizes_.data(),
+                              factor * material().density * speed, rows, vRows, slots,
+                              [&](const P& rate, const P& length, std::int32_t batch) {
+                                return coefficient(slowness * length, rate, static_cast<std::size_t>(batch) * lanes);
+                              });
+  }
   if (isSimplex())
     add<true>(first, last, rows, vRows, factor, slots, coefficient);
   else
@@ -275,6 +334,7 @@ void DampedBlock::followBatches(const Patch& patch, const double* rows, const do
   constexpr int most = simplex ? 4 : maxElementNodes;
   const int n = simplex ? 4 : nodesPerElement();
   const P linear(constants_.linearBulk), quadratic(2 * constants_.quadraticBulk * constants_.quadraticBulk);
+  const double slowness = 1 / material().waveSpeed();
   for (std::int32_t batch = patch.batchBegin; batch < patch.batchEnd; ++batch) {
     const std::uint16_t* local = layout().localNodes.data() + static_cast<std::ptrdiff_t>(batch) * n * lanes;
     const P* sizes = sizes_.data() + static_cast<std::ptrdiff_t>(batch) * sizeCount;
@@ -286,9 +346,9 @@ void DampedBlock::followBatches(const Patch& patch, const double* rows, const do
     volumeGradient<simplex>(x, volume, w);
     P rate = dot(w[1], v[1]);
     for (int a = 2; a < n; ++a) rate += dot(w[a], v[a]);
-    rate = rate / math::max(volume, sizes[2]);
+    rate = rate / math::max(volume, P(leastVolumeShare) * sizes[0]);
     // The rounding of the rate is far below what a coefficient that is set anew has in reserve.
-    const P needed = linear + quadratic * sizes[1] * math::max(-rate, P(0.0));
+    const P needed = linear + quadratic * P(slowness) * sizes[1] * math::max(-rate, P(0.0));
     double* at = coefficients_.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
     const P now = P::load(at);
     const auto keeps = (needed * P(1 + directionRounding) <= now) & (now <= P(1 + overcount) * needed);
@@ -329,12 +389,17 @@ DampedBlock::P DampedBlock::gather(const AlignedVector<P>& values, std::size_t p
 }
 
 DampedBlock::Sizes DampedBlock::sizesOf(const std::int32_t* elements) const {
-  P all[sizeCount];
-  for (std::size_t i = 0; i < sizeCount; ++i) all[i] = gather(sizes_, sizeCount, i, elements);
+  P volume = gather(sizes_, sizeCount, 0, elements), extent(1.0);
+  const P length = gather(sizes_, sizeCount, 1, elements);
+  if (!geometry_.empty()) extent = gather(geometry_, numbersOf(points_), numbersOf(points_) - 1, elements);
   for (int lane = 0; lane < lanes; ++lane)  // no division by zero where there is nothing
-    if (elements[lane] < 0)
-      for (int i = 1; i < sizeCount; ++i) all[i].set(lane, 1);
-  return {all[0], all[1], all[2], all[3], all[4]};
+    if (elements[lane] < 0) {
+      volume.set(lane, 1);
+      extent.set(lane, 1);
+    }
+  const double speed = material().waveSpeed();
+  return {P(material().density * speed) * volume * length, P(1 / speed) * length, P(leastVolumeShare) * volume, volume,
+          extent};
 }
 
 DampedBlock::P DampedBlock::coefficientOf(const std::int32_t* elements) const {
@@ -373,8 +438,7 @@ void DampedBlock::addTangent(const std::int32_t* elements, const double* x, doub
                  lambda = *factor_ * (constants_.volumeViscosity - 2.0 / 3 * constants_.shearViscosity);
     for (int q = 0; q < points_; ++q) {
       Matrix3<P> J1, D = Matrix3<P>::zero();
-      const std::size_t at = static_cast<std::size_t>(q) * stride,
-                        perBatch = static_cast<std::size_t>(points_) * stride;
+      const std::size_t at = static_cast<std::size_t>(q) * stride, perBatch = numbersOf(points_);
       for (std::size_t i = 0; i < 9; ++i) J1.m[i] = gather(geometry_, perBatch, at + i, elements);
       const P weight = gather(geometry_, perBatch, at + 9, elements);
       for (int a = 1; a < n; ++a)
@@ -457,8 +521,7 @@ void DampedBlock::roundingOf(const std::int32_t* elements, const P (*edges)[3], 
     const P modulus(*factor_ * (std::max(lambda, 0.0) + 2 * constants_.shearViscosity + std::max(-3 * lambda, 0.0)));
     for (int q = 0; q < points_; ++q) {
       Matrix3<P> J1, D = Matrix3<P>::zero();
-      const std::size_t at = static_cast<std::size_t>(q) * stride,
-                        perBatch = static_cast<std::size_t>(points_) * stride;
+      const std::size_t at = static_cast<std::size_t>(q) * stride, perBatch = numbersOf(points_);
       for (std::size_t i = 0; i < 9; ++i) J1.m[i] = gather(geometry_, perBatch, at + i, elements);
       const P weight = gather(geometry_, perBatch, at + 9, elements);
       for (int a = 1; a < n; ++a)
