@@ -264,15 +264,23 @@ struct Matrices {
   }
 };
 
-/// The largest step with M - h/2 C - h²/4 K ≽ 0 on the free components, C with Rayleigh's; by dense eigenvalues at
-/// steps that come down to it. 0 where K has no positive direction or is not finite.
-double exactStep(const Body& body, const Matrices& matrices, const RayleighDamping& rayleigh, double reference) {
+/// What dense eigenvalues say of M - h/2 C - h²/4 K on the free components, C with Rayleigh's.
+struct Exact {
+  double step = 0;  ///< the largest h with it ≽ 0; 0 where there is none or a matrix is not finite
+  /// K has no negative direction, or nothing damps: the steps below `step` are stable then, and those above are not.
+  bool decides = true;
+  bool holdsAtReference = false;  ///< it is ≽ 0 at the reference step
+};
+
+/// By dense eigenvalues at steps that come down to the limit.
+Exact exactStep(const Body& body, const Matrices& matrices, const RayleighDamping& rayleigh, double reference) {
   std::vector<Eigen::Index> free;
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
     for (int c = 0; c < 3; ++c)
       if (!body.constraints().isConstrained(i, c)) free.push_back(3 * i + c);
   const MatrixXd K = matrices.K(free, free), Cx = matrices.C(free, free);
-  if (free.empty() || !K.allFinite() || !Cx.allFinite()) return 0;
+  Exact result;
+  if (free.empty() || !K.allFinite() || !Cx.allFinite()) return result;
   MatrixXd M = MatrixXd::Zero(K.rows(), K.cols());
   for (std::size_t k = 0; k < free.size(); ++k)
     M(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(k)) = body.lumpedMass()[free[k] / 3];
@@ -280,36 +288,55 @@ double exactStep(const Body& body, const Matrices& matrices, const RayleighDampi
   double h = reference;
   for (int iteration = 0; iteration < 60; ++iteration) {
     const auto modes = test::generalizedEigen(K + 2 / h * C, M);
+    if (iteration == 0) result.holdsAtReference = modes.values[K.rows() - 1] <= 4 / (h * h);
     const VectorXd u = modes.vectors.col(K.rows() - 1);  // of unit length in M
     const double k = u.dot(K * u), c = u.dot(C * u);
-    if (!(k + 2 / h * c > 0)) return 0;
+    if (!(k + 2 / h * c > 0)) return result;
     const double next = 8 / (2 * c + std::sqrt(4 * c * c + 16 * k));
-    if (!(next > 0)) return 0;
-    if (std::abs(next - h) <= 1e-13 * h || C.isZero(0)) return next;
+    if (!(next > 0)) return result;
+    if (std::abs(next - h) <= 1e-13 * h || C.isZero(0)) {
+      result.step = next;
+      break;
+    }
     h = next;
   }
-  return 0;
+  if (!C.isZero(0)) {
+    const VectorXd own = test::generalizedEigen(K, M).values;
+    result.decides = own[0] >= -1e-9 * own[own.size() - 1];
+  }
+  return result;
 }
 
 struct Tally {
   std::int64_t trials = 0;  // elements in states
-  std::int64_t states = 0, alongRuns = 0, damped = 0, toggled = 0, skipped = 0, wrong = 0;
+  std::int64_t states = 0, alongRuns = 0, damped = 0, toggled = 0, indefinite = 0, skipped = 0, wrong = 0;
   double tightest = 0, widest = 1;  // largest and least safe side over the exact step, and the least at rest with the
   double widestAtRest = 1;          // reference there
 };
 
-/// Whether the bracket holds the exact step.
-bool compare(const std::optional<CriticalStep>& step, double h, const std::string& what, Tally& tally) {
+/// Whether the bracket holds the exact step; where K has a negative direction, whether it is right about the reference.
+bool compare(const std::optional<CriticalStep>& step, const Exact& exactly, double reference, const std::string& what,
+             Tally& tally) {
   ++tally.states;
-  const bool right = step && step->safe <= h * (1 + exact) && step->optimistic >= h * (1 - exact);
+  const double h = exactly.step;
+  bool right = step.has_value();
+  if (right && exactly.decides) {
+    right = step->safe <= h * (1 + exact) && step->optimistic >= h * (1 - exact);
+  } else if (right) {
+    ++tally.indefinite;
+    right =
+        exactly.holdsAtReference ? step->optimistic >= reference * (1 - exact) : step->safe <= reference * (1 + exact);
+  }
   if (right) {
+    if (!exactly.decides) return true;
     tally.tightest = std::max(tally.tightest, step->safe / h);
     tally.widest = std::min(tally.widest, step->safe / h);
     return true;
   }
   ++tally.wrong;
   ADD_FAILURE() << what << ": "
-                << (step ? joinText("safe ", step->safe / h, ", optimistic ", step->optimistic / h, " of the exact ", h)
+                << (step ? joinText("safe ", step->safe / h, ", optimistic ", step->optimistic / h, " of the exact ", h,
+                                    exactly.decides ? "" : ", K indefinite")
                          : std::string("no bracket"));
   return false;
 }
@@ -323,7 +350,7 @@ void tryOne(test::Random& random, const std::string& what, Tally& tally) {
   const NodeVectors still = NodeVectors::Zero(3, X.cols());
   const bool dashpots = body.discreteForces() && body.discreteForces()->damped();
   // Of a body without any other damping the order of its step.
-  const double undamped = exactStep(body, Matrices(body, X, still, shapes), {}, 1);
+  const double undamped = exactStep(body, Matrices(body, X, still, shapes), {}, 1).step;
   if (!(undamped > 0)) {
     ++tally.skipped;
     return;
@@ -334,7 +361,7 @@ void tryOne(test::Random& random, const std::string& what, Tally& tally) {
   const bool tight = random.index(2) == 0;
   double reference = undamped * power(random, -0.7, 0.3);
   if (body.elementDamping()) body.elementDamping()->setFactor(1 / undamped);
-  if (tight) reference = exactStep(body, Matrices(body, X, still, shapes), rayleigh, undamped);
+  if (tight) reference = exactStep(body, Matrices(body, X, still, shapes), rayleigh, undamped).step;
   const double factor = dampingFactor(rayleigh, reference);
   if (body.discreteForces()) body.discreteForces()->setDampingFactor(factor);
   if (body.elementDamping()) body.elementDamping()->setFactor(factor);
@@ -357,7 +384,8 @@ void tryOne(test::Random& random, const std::string& what, Tally& tally) {
   if (tight) {
     if (body.elementDamping()) body.elementDamping()->forgetRates();
     const std::optional<CriticalStep> step = fromScratch(X);
-    if (!compare(step, reference, what + ", at rest", tally)) return;
+    const Exact atRest = exactStep(body, Matrices(body, X, still, shapes), rayleigh, reference);
+    if (!compare(step, atRest, reference, what + ", at rest", tally)) return;
     tally.widestAtRest = std::min(tally.widestAtRest, step->safe / reference);
     tally.trials += elements;
     tally.damped += damped;
@@ -366,8 +394,8 @@ void tryOne(test::Random& random, const std::string& what, Tally& tally) {
   const NodeVectors x = states[random.index(static_cast<int>(states.size()))].x,
                     v = random.nodeVectors(X.cols(), 0.3 * test::cellSize / reference * power(random, -4, 0));
   body.followDampingRates(x, v);
-  if (const double h = exactStep(body, Matrices(body, x, v, shapes), rayleigh, reference); h > 0) {
-    if (!compare(fromScratch(x), h, what + ", from scratch", tally)) return;
+  if (const Exact own = exactStep(body, Matrices(body, x, v, shapes), rayleigh, reference); own.step > 0) {
+    if (!compare(fromScratch(x), own, reference, what + ", from scratch", tally)) return;
     tally.trials += elements;
     tally.damped += damped;
   } else {
@@ -394,17 +422,18 @@ void tryOne(test::Random& random, const std::string& what, Tally& tally) {
       tally.toggled += now != touching;
       touching = now;
     }
-    const double own = exactStep(body, Matrices(body, state.x, state.v, shapes), rayleigh, reference);
-    if (!(own > 0)) {
+    const Exact own = exactStep(body, Matrices(body, state.x, state.v, shapes), rayleigh, reference);
+    if (!(own.step > 0)) {
       ++tally.skipped;
       return;
     }
-    if (!compare(bracket.evaluate(state.x, rule, std::nullopt, nullptr), own, joinText(what, ", step ", k), tally))
+    if (!compare(bracket.evaluate(state.x, rule, std::nullopt, nullptr), own, reference, joinText(what, ", step ", k),
+                 tally))
       return;
     tally.trials += elements;
     tally.damped += damped;
     ++tally.alongRuns;
-    if (!integrator->step(system, state, std::min(h, 0.9 * own)).done || !isFinite(state, 1)) return;
+    if (!integrator->step(system, state, std::min(h, 0.9 * own.step)).done || !isFinite(state, 1)) return;
   }
 }
 
@@ -429,9 +458,9 @@ TEST(RandomTrials, BracketsHoldTheExactStep) {
   if (asked)
     std::cout << tally.trials << " elements in " << tally.states << " states, " << tally.alongRuns
               << " of them along runs, " << tally.damped << " damped, contact changed " << tally.toggled << " times, "
-              << tally.wrong << " wrong, " << tally.skipped << " without a positive direction or a tangent; safe side "
-              << tally.widest << " to " << tally.tightest << " of the exact step, at rest with its own reference from "
-              << tally.widestAtRest << "\n";
+              << tally.indefinite << " of indefinite stiffness, " << tally.wrong << " wrong, " << tally.skipped
+              << " without a positive direction or a tangent; safe side " << tally.widest << " to " << tally.tightest
+              << " of the exact step, at rest with its own reference from " << tally.widestAtRest << "\n";
 }
 
 }  // namespace
