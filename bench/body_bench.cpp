@@ -137,6 +137,69 @@ void scalarForce(benchmark::State& state, const Case& c) {
   report(state, s.body.mesh().elementCount(), relativeDifference(f, expected));
 }
 
+/// The damping forces of elements, in plain doubles, one element after the other.
+NodeVectors plainDampingForce(const Setup& s, const DampingConstants& damping) {
+  const ElementBlock& block = *s.body.blocks()[0];
+  const Material& material = block.material();
+  const int n = block.nodesPerElement();
+  const NodeVectors& X = s.body.mesh().X;
+  const double lambda = damping.volumeViscosity - 2.0 / 3 * damping.shearViscosity;
+  NodeVectors force = NodeVectors::Zero(3, X.cols());
+  for (std::int32_t e = 0; e < block.elementCount(); ++e) {
+    const auto nodes = block.nodesOf(e);
+    double volume = 0, rest = 0, rate = 0, dN[maxElementNodes][3];
+    Eigen::Matrix<double, 3, Eigen::Dynamic> w = Eigen::MatrixXd::Zero(3, n);
+    for (const QuadraturePoint& point : block.rule().points) {
+      block.element().shapeGradient(point.xi, dN);
+      Eigen::Matrix3d J = Eigen::Matrix3d::Zero(), D = J, dD = J;
+      for (int a = 0; a < n; ++a) {
+        const Eigen::RowVector3d own(dN[a][0], dN[a][1], dN[a][2]);
+        J += (X.col(nodes[a]) - X.col(nodes[0])) * own;
+        D += (s.x.col(nodes[a]) - s.x.col(nodes[0])) * own;
+        dD += (s.v.col(nodes[a]) - s.v.col(nodes[0])) * own;
+      }
+      const Eigen::Matrix3d F = D * J.inverse(), half = F.transpose() * dD * J.inverse();
+      const Eigen::Matrix3d S =
+          lambda * half.trace() * Eigen::Matrix3d::Identity() + damping.shearViscosity * (half + half.transpose());
+      const Eigen::Matrix3d T = point.weight * J.determinant() * F * S * J.inverse().transpose();
+      rest += point.weight * J.determinant();
+      volume += point.weight * D.determinant();
+      for (int a = 0; a < n; ++a) {
+        const Eigen::Vector3d own(dN[a][0], dN[a][1], dN[a][2]);
+        w.col(a) += point.weight * D.determinant() * D.inverse().transpose() * own;
+        force.col(nodes[a]) += T * own;
+      }
+    }
+    for (int a = 0; a < n; ++a) rate += w.col(a).dot(s.v.col(nodes[a])) / volume;
+    const double length = std::cbrt(rest), speed = material.waveSpeed(), density = material.density * rest / volume;
+    double pressure = -density * length * damping.linearBulk * speed * rate;
+    if (rate < 0) pressure += density * std::pow(damping.quadraticBulk * length * rate, 2);
+    for (int a = 0; a < n; ++a) force.col(nodes[a]) -= pressure * w.col(a);
+  }
+  return force;
+}
+
+/// The damping force of elements alone, which comes on top of `force`.
+void dampingForce(benchmark::State& state, const Case& c, const DampingConstants& damping) {
+  Setup& plain = setupOf(c);
+  Setup s{Body(plain.body.mesh(), makeMaterial(c.law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, c.threads}),
+          plain.x,
+          plain.v,
+          {}};
+  s.body.setElementDamping({damping});
+  NodeVectors f = NodeVectors::Zero(3, s.x.cols());
+  for (auto _ : state) {
+    s.body.addElementDampingForce(s.x, s.v, f, s.workspace);
+    benchmark::DoNotOptimize(f.data());
+    benchmark::ClobberMemory();
+  }
+  f.setZero();
+  s.body.addElementDampingForce(s.x, s.v, f, s.workspace);
+  report(state, s.body.mesh().elementCount(), relativeDifference(f, plainDampingForce(s, damping)));
+}
+void bulkViscosity(benchmark::State& state, const Case& c) { dampingForce(state, c, {0.06, 1.2, 0, 0, 0}); }
+void kelvinVoigt(benchmark::State& state, const Case& c) { dampingForce(state, c, {0, 0, 1, 2, 0}); }
+
 /// The machine's best, as rows.
 void floorRow(benchmark::State& state, const char* name, double value) {
   for (auto _ : state) benchmark::ClobberMemory();
@@ -163,6 +226,10 @@ void registerAll() {
           };
           add("force", force);
           if (threads == 1) add("scalar_force", scalarForce);
+          if (law.name == "stvk") {
+            add("bulk_viscosity", bulkViscosity);
+            add("kelvin_voigt", kelvinVoigt);
+          }
           add("tangent_product", tangentProduct);
           add("energy", energy);
           add("element_tangents", elementTangents);

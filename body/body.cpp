@@ -58,6 +58,8 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
       externalForce_(whole.externalForce_) {
   if (whole.discreteForces())
     throw InputError("chosen elements: a body with springs or contact cannot be taken apart into its elements");
+  if (whole.elementDamping())
+    throw InputError("chosen elements: a body whose elements damp cannot be taken apart into its elements");
   const Mesh& all = whole.mesh_;
   bool fits = chosen.size() == all.blocks.size();
   for (std::size_t b = 0; fits && b < chosen.size(); ++b) fits = chosen[b].size() == all.blocks[b].elementCount();
@@ -85,6 +87,88 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
     }
   }
   setElements(tangentsOfBlocks(), whole.lumpedMass());
+}
+
+void Body::setElementDamping(const std::vector<DampingConstants>& ofBlocks) {
+  if (damping_) throw InputError("element damping: the body has it already");
+  if (ofBlocks.size() != blocks_.size())
+    throw InputError(joinText(ofBlocks.size(), " constants of damping for ", blocks_.size(), " blocks"));
+  for (const DampingConstants& own : ofBlocks)
+    for (const double value :
+         {own.linearBulk, own.quadraticBulk, own.shearViscosity, own.volumeViscosity, own.massProportional})
+      if (!(value >= 0) || !std::isfinite(value))
+        throw InputError(joinText("element damping: a constant is ", value, "; must be >= 0 and finite"));
+  damping_ = std::make_unique<ElementDamping>();
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (!ofBlocks[b].any()) {
+      damping_->addBlock(nullptr);
+      continue;
+    }
+    std::vector<double> masses;
+    if (ofBlocks[b].massProportional > 0) {
+      const std::size_t n = blocks_[b]->nodesPerElement();
+      masses.resize(n * static_cast<std::size_t>(blocks_[b]->elementCount()));
+      for (std::int32_t e = 0; e < blocks_[b]->elementCount(); ++e)
+        elementLumpedMass({b, e}, masses.data() + n * static_cast<std::size_t>(e));
+    }
+    auto damped = std::make_unique<DampedBlock>(mesh_, mesh_.blocks[b], std::move(blocks_[b]), ofBlocks[b], masses,
+                                                damping_->sharedFactor());
+    damping_->addBlock(damped.get());
+    blocks_[b] = std::move(damped);
+  }
+  setDampedElements(tangentsOfBlocks(), damping_.get());
+}
+
+void Body::setElementDamping(const Body& whole, const std::vector<std::vector<std::int32_t>>& elements) {
+  damping_ = std::make_unique<ElementDamping>();
+  damping_->shareFactor(*whole.damping_);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const DampedBlock* from = whole.damping_->blocks()[b];
+    if (!from) {
+      damping_->addBlock(nullptr);
+      continue;
+    }
+    std::vector<double> masses;
+    if (from->constants().massProportional > 0) {
+      const std::size_t n = blocks_[b]->nodesPerElement();
+      masses.resize(n * elements[b].size());
+      for (std::size_t e = 0; e < elements[b].size(); ++e)
+        whole.elementLumpedMass({static_cast<std::int32_t>(b), elements[b][e]}, masses.data() + n * e);
+    }
+    auto damped = std::make_unique<DampedBlock>(mesh_, mesh_.blocks[b], std::move(blocks_[b]), from->constants(),
+                                                masses, damping_->sharedFactor(), from, elements[b]);
+    damping_->addBlock(damped.get());
+    blocks_[b] = std::move(damped);
+  }
+  setDampedElements(tangentsOfBlocks(), damping_.get());
+}
+
+void Body::addElementDampingForce(NodeVectorsView x, NodeVectorsView v, NodeVectors& f, Workspace& workspace) const {
+  if (!damping_) return;
+  sumOverPatches(workspace.damping, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
+    const DampedBlock* block = damping_->blocks()[b];
+    if (!block) return;
+    alignas(64) double rows[4 * PatchLayout::maxPatchNodes], vRows[4 * PatchLayout::maxPatchNodes];
+    const Patch& patch = block->layout().patches[p];
+    block->gatherRows(patch, x.data(), rows);
+    block->gatherRows(patch, v.data(), vRows);
+    block->addForce(patch, rows, vRows, slots);
+  });
+  f += workspace.damping;
+}
+
+void Body::followDampingRates(NodeVectorsView x, NodeVectorsView v) {
+  if (!damping_ || !damping_->dependsOnRates()) return;
+  parallelFor(0, patches().size(), threads(), [&](std::int64_t i) {
+    const PatchRef& ref = patches()[i];
+    DampedBlock* block = damping_->blocks()[ref.block];
+    if (!block || !block->dependsOnRates()) return;
+    alignas(64) double rows[4 * PatchLayout::maxPatchNodes], vRows[4 * PatchLayout::maxPatchNodes];
+    const Patch& patch = block->layout().patches[ref.patch];
+    block->gatherRows(patch, x.data(), rows);
+    block->gatherRows(patch, v.data(), vRows);
+    block->follow(patch, rows, vRows);
+  });
 }
 
 std::vector<const ElementTangents*> Body::tangentsOfBlocks() const {

@@ -7,6 +7,7 @@
 
 #include <ringwatch/base/name_table.h>
 #include <ringwatch/body/element_block.h>
+#include <ringwatch/body/element_damping.h>
 #include <ringwatch/body/tangent_source.h>
 
 namespace ringwatch {
@@ -46,6 +47,7 @@ class Body : public TangentSource {
  public:
   struct Workspace : TangentSource::Workspace {
     std::vector<double> energies;  // of the patches, J
+    NodeVectors damping;           // N
   };
 
   /// Throws InputError for an unknown rule, NumericalError for an element whose volume or nodal mass is not positive or
@@ -56,7 +58,8 @@ class Body : public TangentSource {
   Body(Mesh mesh, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::VectorXd lumpedMass, int threads = 0);
   /// Some elements of another body, chosen[block][element], on all of its nodes and with its lumped mass, constraints
   /// and loads. Blocks keep their numbers and chosen elements their order; a block may end up empty. For bodies made of
-  /// a mesh and materials. Throws InputError when `chosen` does not fit the mesh, and for bodies with discrete forces.
+  /// a mesh and materials. Throws InputError when `chosen` does not fit the mesh, and for bodies with discrete forces
+  /// or elements that damp.
   Body(const Body& whole, const std::vector<std::vector<bool>>& chosen);
 
   const Mesh& mesh() const { return mesh_; }
@@ -64,6 +67,22 @@ class Body : public TangentSource {
   double totalMass() const { return lumpedMass().sum(); }
   /// Volume at rest, m³.
   double volume() const { return volume_; }
+
+  /// Lets elements damp, by constants for each block; tangents are those of K + f C from now on, f of
+  /// ElementDamping::setFactor, 0 at first. Once, before anything keeps a reference to the blocks. Throws InputError
+  /// where the blocks are not as many, for constants that are negative or not finite, and for a body that damps
+  /// already.
+  void setElementDamping(const std::vector<DampingConstants>& ofBlocks);
+  /// The same for a part of another body, whose factor and coefficients count: elements[block], numbered there.
+  void setElementDamping(const Body& whole, const std::vector<std::vector<std::int32_t>>& elements);
+  /// nullptr where no element damps.
+  ElementDamping* elementDamping() { return damping_.get(); }
+  const ElementDamping* elementDamping() const { return damping_.get(); }
+  /// Adds the elements' damping forces at x and v (3×N, m and m/s) to f, 3×N, N: what resists the motion. In parallel,
+  /// with the same bits for any number of threads.
+  void addElementDampingForce(NodeVectorsView x, NodeVectorsView v, NodeVectors& f, Workspace& workspace) const;
+  /// Lets the coefficients of damping that depends on velocities count what x and v need (DampedBlock::follow).
+  void followDampingRates(NodeVectorsView x, NodeVectorsView v);
 
   /// Dead nodal forces, 3×N, N.
   NodeVectors& externalForce() { return externalForce_; }
@@ -104,6 +123,7 @@ class Body : public TangentSource {
   std::vector<Material> materials_;
   double volume_ = 0;
   NodeVectors externalForce_;
+  std::unique_ptr<ElementDamping> damping_;
 };
 
 }  // namespace ringwatch

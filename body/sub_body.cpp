@@ -31,6 +31,11 @@ Body subBody(const Body& whole, std::span<const ElementRef> elements, std::span<
     for (int c = 0; c < 3; ++c)
       if (whole.constraints().isConstrained(nodes[i], c))
         part.constraints().move(i, c, whole.constraints().velocity()(c, nodes[i]));
+  if (whole.elementDamping()) {
+    std::vector<std::vector<std::int32_t>> ofBlocks(all.blocks.size());
+    for (const ElementRef e : elements) ofBlocks[e.block].push_back(e.element);
+    part.setElementDamping(whole, ofBlocks);
+  }
   if (const DiscreteForces* discrete = whole.discreteForces()) part.setDiscreteForces(discrete->restrictedTo(nodes));
   return part;
 }

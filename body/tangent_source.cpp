@@ -131,8 +131,25 @@ void TangentSource::tangentProduct(NodeVectorsView x, NodeVectorsView v, NodeVec
     const ElementTangents& block = *tangents_[b];
     const Patch& patch = block.layout().patches[p];
     block.addTangentProduct(patch, x.data(), v.data(), slots);
+    if (damped_ && dampingFactor && *dampingFactor != damped_->factor())
+      damped_->addDampingProduct(b, patch, x.data(), v.data(), *dampingFactor - damped_->factor(), slots);
   });
   if (discrete_) discrete_->addTangentProduct(x, v, Kv, dampingFactor);
+}
+
+double TangentSource::elementDampingForm(NodeVectorsView x, NodeVectorsView v, Workspace& workspace) const {
+  if (!damped_ || damped_->factor() == 0) return 0;
+  NodeVectors product;
+  sumOverPatches(product, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
+    damped_->addDampingProduct(b, tangents_[b]->layout().patches[p], x.data(), v.data(), damped_->factor(), slots);
+  });
+  return product.cwiseProduct(v).sum();
+}
+
+void TangentSource::setDampedElements(std::vector<const ElementTangents*> tangents, const DampedElements* damped) {
+  tangents_ = std::move(tangents);
+  damped_ = damped;
+  massVersion_.add();
 }
 
 Eigen::VectorXd TangentSource::tangentRounding(NodeVectorsView x, Workspace& workspace) const {

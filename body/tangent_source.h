@@ -13,6 +13,7 @@
 #include <ringwatch/base/parallel.h>
 #include <ringwatch/body/block_matrix.h>
 #include <ringwatch/body/constraints.h>
+#include <ringwatch/body/damped_elements.h>
 #include <ringwatch/body/element_tangents.h>
 
 namespace ringwatch {
@@ -72,6 +73,11 @@ class TangentSource {
   DiscreteForces* discreteForces() { return discrete_.get(); }
   const DiscreteForces* discreteForces() const { return discrete_.get(); }
 
+  /// The elements' own damping, f C of which is in their tangents; nullptr for none.
+  const DampedElements* dampedElements() const { return damped_; }
+  /// vᵀ f C(x) v of the elements' own damping; 0 without.
+  double elementDampingForm(NodeVectorsView x, NodeVectorsView v, Workspace& workspace) const;
+
   /// Throws InputError unless `values`, an argument called `name`, is 3×N.
   void checkNodal(std::string_view name, NodeVectorsView values) const;
 
@@ -79,8 +85,8 @@ class TangentSource {
   /// before); in parallel.
   void sumOverPatches(NodeVectors& result, Workspace& workspace,
                       const std::function<void(std::size_t block, std::int32_t patch, double* slots)>& addPatch) const;
-  /// K(x) v with the exact tangent K, and f C(x) v of discrete forces (DiscreteForces::setDampingFactor);
-  /// dampingFactor: another f.
+  /// K(x) v with the exact tangent K, and f C(x) v of discrete forces (DiscreteForces::setDampingFactor) and of
+  /// elements that damp; dampingFactor: another f.
   void tangentProduct(NodeVectorsView x, NodeVectorsView v, NodeVectors& Kv, Workspace& workspace,
                       std::optional<double> dampingFactor = {}) const;
   /// Exact tangent of one element, 3n×3n, N/m.
@@ -133,6 +139,8 @@ class TangentSource {
   /// A source without elements, for classes that make them and the masses themselves: setElements must follow.
   TangentSource(Constraints constraints, int threads);
   void setElements(std::vector<const ElementTangents*> tangents, Eigen::VectorXd lumpedMass);
+  /// Other tangents of the same elements, laid out alike, which hold f C of `damped`.
+  void setDampedElements(std::vector<const ElementTangents*> tangents, const DampedElements* damped);
 
   struct PatchRef {
     std::int32_t block, patch;
@@ -154,6 +162,7 @@ class TangentSource {
   ChangeCount massVersion_;
   Constraints constraints_;
   std::unique_ptr<DiscreteForces> discrete_;
+  const DampedElements* damped_ = nullptr;
   int threads_;
   std::vector<PatchRef> patches_;
   std::int64_t slotCount_ = 0;

@@ -12,9 +12,9 @@ inline const Eigen::Matrix3d& diagonalBlock(const BlockMatrix& K, std::size_t i)
   return K.block[k];
 }
 
-/// A body as a second-order system: m a = external force - internal force(x) - (alpha M + beta K(x)) v - what dashpots,
-/// viscous contact and friction of its discrete forces resist with; constrained components get a = 0, so that their
-/// prescribed velocity stays what it is in every scheme. K is the exact tangent at x.
+/// A body as a second-order system: m a = external force - internal force(x) - (alpha M + beta K(x)) v - what elements
+/// that damp, dashpots, viscous contact and friction of its discrete forces resist with; constrained components get a =
+/// 0, so that their prescribed velocity stays what it is in every scheme. K is the exact tangent at x.
 class BodySystem final : public DifferentiableSystem {
  public:
   /// The body must outlive the system; call followMasses() where its masses change.
@@ -48,13 +48,14 @@ class BodySystem final : public DifferentiableSystem {
     else
       force.setZero(3, x.cols());
     force = damping_.beta * force + damping_.alpha * v * body_.lumpedMass().asDiagonal();
+    body_.addElementDampingForce(x, v, force, workspace_);
     if (const DiscreteForces* discrete = body_.discreteForces()) discrete->addDampingForce(x, v, force);
   }
   /// Takes the masses of the body as they are now; an acceleration that is known of a state holds no longer.
   void followMasses() { inverseMass_ = body_.lumpedMass().cwiseInverse().transpose(); }
   int threads() const override { return body_.threads(); }
   bool velocityDependent() const override {
-    return damping_.any() || (body_.discreteForces() && body_.discreteForces()->damped());
+    return damping_.any() || body_.elementDamping() || (body_.discreteForces() && body_.discreteForces()->damped());
   }
   const Eigen::VectorXd& mass() const override { return body_.lumpedMass(); }
   RayleighDamping damping() const override { return damping_; }

@@ -195,6 +195,7 @@ void addExchanged(Bytes& bytes, const Body& body, const ExchangeShares& shares) 
 bool lawHasCertificates(const Material& material) { return !material.outside && constantsOf(material); }
 
 void requireCertifiable(const Body& body) {
+  if (body.elementDamping()) throw InputError("a body whose elements damp: certificates in files know no damping");
   if (body.discreteForces())
     throw InputError("certificate: springs and contact have none; certificates are of elements alone");
   for (std::size_t b = 0; b < body.blocks().size(); ++b)

@@ -295,6 +295,8 @@ AuditResult auditResults(const AuditOptions& options) {
     throw InputError(fmt::format("--step: {} is out of range; must be > 0 s", *options.step));
   Scene scene = sceneOfAudit(options);
   applyLaw(scene, options);
+  if (scene.hasElementDamping())
+    throw InputError(fmt::format("{}: audit takes no elements that damp", scene.elementDampingOrigin));
   if (scene.hasDiscreteForces())
     throw InputError(fmt::format("{}: audit takes no springs and contact", scene.discreteOrigin()));
   double limit = 0;

@@ -128,6 +128,8 @@ CompareResult compareScene(const CompareOptions& options) {
   if (!handlers.empty() && scene.damping.any())
     throw InputError(
         fmt::format("{}: handlers do not work with [damping]; remove it or --handlers", scene.file.string()));
+  if (scene.hasElementDamping())
+    throw InputError(fmt::format("{}: compare takes no elements that damp", scene.elementDampingOrigin));
   if (scene.hasDiscreteForces())
     throw InputError(fmt::format("{}: compare takes no springs and contact", scene.discreteOrigin()));
   if (!scene.timed.empty()) throw InputError(fmt::format("{}: compare takes no {}", scene.timed, scene.timedBy));

@@ -137,6 +137,8 @@ Subject subjectOfRun(const InspectOptions& options) {
     notes.push_back(findHandler(scene.handler)->addsMass
                         ? "the run scaled masses; this is the body without added mass"
                         : fmt::format("the run handled elements apart ({}); here all elements count", scene.handler));
+  if (scene.quadraticBulkViscosity > 0)
+    notes.emplace_back("quadratic bulk viscosity counts as of a body that does not move");
   Body body = makeBody(scene, std::move(state.mesh), options, MaterialsBy::mesh);
   if (body.discreteForces()) placeObstacles(scene, frame.time, *body.discreteForces());
   const StepRule rule = sceneStepRule(scene, body);
@@ -145,7 +147,7 @@ Subject subjectOfRun(const InspectOptions& options) {
           rule,
           &integrator,
           modelsText(scene.materials),
-          scene.damping.any(),
+          scene.damps(),
           fmt::format("in frame {} of {}, t = {:.6g} s", *options.frame, frames.size(), frame.time),
           Json{{"frame", *options.frame}, {"frames", frames.size()}, {"time", frame.time}},
           std::move(notes)};

@@ -37,22 +37,25 @@ StepRule stepRule(const IntegratorInfo& info, const RayleighDamping& damping) {
 
 double dampingFactor(const RayleighDamping& damping, double reference) { return 2 / (reference + 2 * damping.beta); }
 
-StepRule stepRuleWithDashpots(const IntegratorInfo& info, const RayleighDamping& damping, double reference) {
+StepRule stepRuleWithDashpots(const IntegratorInfo& info, const RayleighDamping& damping, double reference,
+                              double overcount) {
   // The step at which a vector becomes unstable that has the quotient lambda of K + f C, `part` of it of f C: the root
-  // of (lambda - part) h² + b h = 4.
-  const auto stepOf = [damping, reference](double lambda, double part) {
+  // of (lambda - part) h² + b h = 4. most: how much of the part is overcounted.
+  const auto stepOf = [damping, reference](double lambda, double part, double most = 0) {
     if (std::isnan(lambda)) return std::numeric_limits<double>::quiet_NaN();
     const double all = std::max(lambda, 0.0), dashpots = std::min(part, all), stiffness = all - dashpots;
-    const double b = 2 * (damping.beta * stiffness + damping.alpha) + dashpots * (reference + 2 * damping.beta);
+    const double b =
+        2 * (damping.beta * stiffness + damping.alpha) + dashpots / (1 + most) * (reference + 2 * damping.beta);
     return 8 / (b + std::sqrt(b * b + 16 * stiffness));
   };
   return {[stepOf, reference](double lambda) {
             const double step = stepOf(lambda, 0);
             return step < reference ? stepOf(lambda, infinity) : step;
           },
-          [stepOf, reference](LowerBound lambda) {
-            const double step = stepOf(lambda.value, lambda.dampingFrom);
-            return step > reference ? stepOf(lambda.value, lambda.dampingTo) : step;
+          [stepOf, overcount,
+           even = (reference + 2 * damping.beta) / (1 + overcount) - 2 * damping.beta](LowerBound lambda) {
+            const double step = stepOf(lambda.value, lambda.dampingFrom, overcount);
+            return step > even ? stepOf(lambda.value, lambda.dampingTo, overcount) : step;
           },
           info.highestModeBinds};
 }

@@ -14,10 +14,13 @@ bool hasCriticalStep(const IntegratorInfo& info);
 /// How the highest eigenvalue sets this integrator's step, with damping too. With damping it is proven for those whose
 /// highest mode binds.
 StepRule stepRule(const IntegratorInfo& info, const RayleighDamping& damping);
-/// The same for a system with dashpots C besides, whose eigenvalues are those of M⁻¹(K + f C), f = dampingFactor(): the
-/// rule is exact for steps of `reference` seconds, safe for others, and optimistic for others: exactly so for bounds
-/// that know what dashpots give. For integrators whose highest mode binds. Theorem 47, docs/theory/discrete_forces.md.
-StepRule stepRuleWithDashpots(const IntegratorInfo& info, const RayleighDamping& damping, double reference);
+/// The same for a system with a damping matrix C besides, of dashpots and elements that damp, whose eigenvalues are
+/// those of M⁻¹(K + f C), f = dampingFactor(): the rule is exact for steps of `reference` seconds, safe for others, and
+/// optimistic for others: exactly so for bounds that know what C gives. For integrators whose highest mode binds.
+/// Theorem 47, docs/theory/discrete_forces.md. overcount: by how much more than C may count, relative; the optimistic
+/// side allows for it (Theorem 59, docs/theory/element_damping.md).
+StepRule stepRuleWithDashpots(const IntegratorInfo& info, const RayleighDamping& damping, double reference,
+                              double overcount = 0);
 /// f, 1/s.
 double dampingFactor(const RayleighDamping& damping, double reference);
 

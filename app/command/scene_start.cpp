@@ -12,6 +12,9 @@ namespace ringwatch {
 
 SceneStart startOf(const std::filesystem::path& file, const std::vector<std::string>& overrides, int threads) {
   Scene scene = readScene(file, overrides);
+  if (scene.hasElementDamping())
+    throw InputError(fmt::format("{}: a plan at the start of a run takes no elements that damp; ringwatch run does",
+                                 scene.elementDampingOrigin));
   if (scene.hasDiscreteForces())
     throw InputError(
         fmt::format("{}: a plan at the start of a run takes no springs and contact, whose stiffness comes and goes "

@@ -290,7 +290,7 @@ RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesyste
       optimistic = bracket.optimistic;
     }
   }
-  return analyseState({body, state.x, *integrator, rule, scene.damping.any(), safe, optimistic, taken});
+  return analyseState({body, state.x, *integrator, rule, scene.damps(), safe, optimistic, taken});
 }
 
 RunAnalysis analyseLargeRun(const std::filesystem::path& folder, const VtuFrame& frame) {

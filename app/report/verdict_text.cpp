@@ -200,14 +200,28 @@ void advise(PageVerdict& verdict, const std::vector<std::string>& remedies) {
   verdict.remedies.insert(verdict.remedies.end(), remedies.begin(), remedies.end());
 }
 
+bool materialsDamp(const Json& scene) {
+  const auto found = scene.find("material");
+  if (found == scene.end()) return false;
+  const auto damps = [](const Json& material) {
+    if (!material.is_object()) return false;
+    for (const char* key : {"mass_damping", "stiffness_damping", "shear_viscosity", "volume_viscosity"})
+      if (numberOf(material, key).value_or(0) != 0) return true;
+    return false;
+  };
+  return found->is_array() ? std::any_of(found->begin(), found->end(), damps) : damps(*found);
+}
+
 /// Whether scenes like this one take a handler: readHandlerSection in app/scene/scene.cpp refuses the others.
 bool couldTakeHandler(const Json& summary) {
   if (!discreteForces(summary).is_null()) return false;
   const Json* scene = objectIn(summary, "scene");
   if (!scene) return true;
   const Json *damping = objectIn(*scene, "damping"), *integrator = objectIn(*scene, "integrator");
-  if (damping && (numberOf(*damping, "mass").value_or(0) != 0 || numberOf(*damping, "stiffness").value_or(0) != 0))
+  if (damping && (numberOf(*damping, "mass").value_or(0) != 0 || numberOf(*damping, "stiffness").value_or(0) != 0 ||
+                  damping->value("bulk_viscosity", false)))
     return false;
+  if (materialsDamp(*scene)) return false;
   if (!integrator) return true;
   const IntegratorInfo* info = integratorCatalog().find(textOf(*integrator, "method"));
   return (!info || takesHandler(*info)) && textOf(*integrator, "step") != "auto";

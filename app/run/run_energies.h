@@ -57,7 +57,7 @@ class RunEnergies {
   const std::optional<RunResult::Moment>& runaway() const { return runaway_; }
 
  private:
-  bool damped() const { return scene_.damping.any() || (body_.discreteForces() && body_.discreteForces()->damped()); }
+  bool damped() const { return scene_.damps() || (body_.discreteForces() && body_.discreteForces()->damped()); }
 
   const Scene& scene_;
   const Body& body_;

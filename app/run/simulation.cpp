@@ -32,6 +32,9 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
           "friction: while surfaces slide its tangent is not symmetric, and what is called certified is that of the "
           "run without it, with the damping that it has while they stick");
   }
+  if (body.elementDamping() && body.elementDamping()->dependsOnRates())
+    result.notes.emplace_back(
+        "quadratic bulk viscosity: it counts with its derivative at the velocities of each observed state");
   if (!scene.pressures.empty())
     result.notes.emplace_back(
         "pressure: its load stiffness is not symmetric and not in the bracket, which is that of the body under dead "
@@ -42,6 +45,7 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
 }
 
 void Simulation::beginWatch() {
+  if (body.elementDamping()) body.elementDamping()->forgetRates();
   Stepper& stepper = scheme->stepper();
   watch.begin(scheme->handler(), stepper.metric(), stepper.mostSteps() == 1);
 }
@@ -106,7 +110,9 @@ MonitorReport Simulation::observeOnce(std::int64_t k, bool rowDue) {
 }
 
 /// Contact that can begin before the next observation counts in what is proven now. Nodes may become twice as fast.
+/// Damping that depends on velocities counts as they are.
 void Simulation::lookAhead() {
+  if (watch.monitors()) body.followDampingRates(state.x, state.v);
   DiscreteForces* discrete = body.discreteForces();
   if (!discrete || discrete->contacts().empty() || !watch.monitors()) return;
   constexpr double faster = 2;

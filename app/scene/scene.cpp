@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/scene/scene_damping.h>
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
@@ -96,6 +97,7 @@ SceneMaterial materialOf(const SceneTable& section, bool several) {
   material.model = section.get<std::string>("model");
   material.parameters = lawParameters(lawNamed(material.model), section);
   material.density = section.get<double>("density");
+  material.damping = dampingOf(section, material.parameters);
   material.origin = section.origin + (several ? ": [[material]]" : ": [material]");
   if (!several && !section.given("where") && !section.given("set")) return material;
   const NodeSelection selection = selectionOf(section);
@@ -110,7 +112,13 @@ void readMaterials(const std::vector<SceneTable>& sections, Scene& scene) {
   std::vector<const SceneTable*> tables;
   for (const SceneTable& section : sections)
     if (section.name == "material") tables.push_back(&section);
-  for (const SceneTable* table : tables) scene.materials.push_back(materialOf(*table, tables.size() > 1));
+  for (const SceneTable* table : tables) {
+    scene.materials.push_back(materialOf(*table, tables.size() > 1));
+    if (scene.materials.back().damping.any() && scene.elementDampingOrigin.empty())
+      for (const char* key : {"mass_damping", "stiffness_damping", "shear_viscosity", "volume_viscosity"})
+        if (scene.elementDampingOrigin.empty() && table->get<double>(key) > 0)
+          scene.elementDampingOrigin = table->where(key);
+  }
   const SceneTable *lumping = tables.front(), *rules = nullptr;
   const auto differs = [](const SceneTable& table, const std::string& key, const SceneTable& other) {
     fail(table.at(key).origin, "material." + key,
@@ -134,7 +142,7 @@ void readMaterials(const std::vector<SceneTable>& sections, Scene& scene) {
 
 void readIntegratorSection(const SceneTable& integrator, const SceneTable& monitor, const SceneTable& damping,
                            Scene& scene) {
-  scene.damping = {damping.get<double>("mass"), damping.get<double>("stiffness")};
+  readDampingSection(damping, scene);
   scene.method = integrator.get<std::string>("method");
   const Json& step = integrator.at("step").value;
   if (step.is_number()) scene.step = step.get<double>();
@@ -521,6 +529,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
   if (!scene.cuts.empty() && scene.device == RunDevice::automatic) scene.noDevice = "a GPU runs no cuts";
   checkTimedLoads(scene);
   readDiscreteSections(sections, scene);
+  checkElementDamping(scene);
 
   const SceneTable& output = section("output");
   if (output.given("every")) {

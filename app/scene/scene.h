@@ -167,6 +167,8 @@ struct Scene {
   std::optional<double> step;  // s; empty for "auto"
   double end = 0;              // s
   RayleighDamping damping;
+  double linearBulkViscosity = 0, quadraticBulkViscosity = 0;
+  std::string elementDampingOrigin;  // of the first key by which elements damp, for messages
   RunDevice device = RunDevice::cpu;
   std::string deviceOrigin;  // "scene.toml:9: integrator.device", for messages
   std::string noDevice;      // why this scene cannot run on a GPU; "" when it can
@@ -206,6 +208,13 @@ struct Scene {
   bool energy = true;
   bool picture = true;
 
+  /// Whether elements damp by more than Rayleigh damping: bulk viscosity, or damping of materials.
+  bool hasElementDamping() const {
+    return linearBulkViscosity > 0 || quadraticBulkViscosity > 0 ||
+           std::any_of(materials.begin(), materials.end(), [](const auto& one) { return one.damping.any(); });
+  }
+  /// Whether anything but dashpots and contact damps.
+  bool damps() const { return damping.any() || hasElementDamping(); }
   /// Whether there are springs or contact.
   bool hasDiscreteForces() const { return !springs.empty() || !contacts.empty(); }
   /// Where the first of them is, for messages: "scene.toml:31: [[spring]]".

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/scene/scene_damping.h>
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/app/scene/scene_mesh.h>
 #include <ringwatch/app/scene/scene_pressure.h>
@@ -179,6 +180,7 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
   } catch (const NumericalError& fault) {
     throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));  // the mesh is what the user can mend
   }
+  addElementDamping(scene, *body);
   addPointMasses(scene, *body);
   PrescribedMotions prescribed(body->nodeCount());
   for (const Scene::Fix& fix : scene.fixes) {

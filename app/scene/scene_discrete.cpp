@@ -32,6 +32,9 @@ constexpr double contactSteps = 20;
 /// What "auto" takes at most of the largest penalty that the wanted step has room for at rest: elements stiffen as they
 /// deform. It decides only where the step is within about 1 % of what the elements alone prove, or damping is strong.
 constexpr double shareOfRoom = 0.5;
+/// The reference step of "auto" where elements damp: how often it is corrected, and when it is near enough.
+constexpr int referenceSearches = 4;
+constexpr double referenceTolerance = 0.005;
 
 void readSpring(const SceneTable& section, Scene& scene) {
   Scene::SpringSet springs{selectionOf(section),           std::nullopt, section.get<double>("stiffness"),
@@ -333,6 +336,11 @@ void addDiscreteForces(const Scene& scene, Body& body) {
         contact.nodes ? contact.nodes->nodesOf(body.mesh()) : surfaceNodes(body.mesh());
     std::vector<double> penalty(nodes.size(), contact.penalty.value_or(0)), damping(nodes.size());
     if (!contact.penalty) {
+      // What elements damp counts for that step, of each contact.
+      if (ElementDamping* elements = body.elementDamping()) {
+        elements->setFactor(dampingFactor(scene.damping, contact.step));
+        alone.reset();
+      }
       if (!alone) alone = elementsAlone(body);
       const StepRule rule = stepRule(*integratorCatalog().find(scene.method), scene.damping);
       const double allowed = rule.lambdaFor(contact.step), factor = dampingFactor(scene.damping, contact.step);
@@ -358,17 +366,34 @@ void addDiscreteForces(const Scene& scene, Body& body) {
 StepRule sceneStepRule(const Scene& scene, Body& body) {
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
   const StepRule rule = stepRule(info, scene.damping);
-  if (!body.discreteForces() || !body.discreteForces()->damped()) return rule;
-  double reference = scene.step.value_or(0);
-  if (!scene.step) {
-    body.discreteForces()->setDampingFactor(0);
-    reference = scene.safety * criticalStep(body, body.mesh().X, rule).safe;
+  const bool dashpots = body.discreteForces() && body.discreteForces()->damped();
+  ElementDamping* elements = body.elementDamping();
+  if (!dashpots && !elements) return rule;
+  const auto setFactor = [&](double f) {
+    if (body.discreteForces()) body.discreteForces()->setDampingFactor(f);
+    if (elements) elements->setFactor(f);
+  };
+  const double overcount = elements ? elements->overcount() : 0;
+  const auto ruleAt = [&](double reference) {
+    setFactor(dampingFactor(scene.damping, reference));
+    return stepRuleWithDashpots(info, scene.damping, reference, overcount);
+  };
+  if (scene.step) return ruleAt(*scene.step);
+  setFactor(0);
+  double reference = scene.safety * criticalStep(body, body.mesh().X, rule).safe;
+  // The bracket is tight at the reference: where every element damps, the step is shorter than without.
+  for (int i = 0; elements && i < referenceSearches; ++i) {
+    const StepRule own = ruleAt(reference);
+    const double next = scene.safety * criticalStep(body, body.mesh().X, own).safe;
+    const bool near = std::abs(next - reference) <= referenceTolerance * reference;
+    reference = next;
+    if (near) break;
   }
-  body.discreteForces()->setDampingFactor(dampingFactor(scene.damping, reference));
-  return stepRuleWithDashpots(info, scene.damping, reference);
+  return ruleAt(reference);
 }
 
 std::optional<PenaltyRoom> penaltyRoom(const Scene& scene, const Body& body, double step) {
+  if (body.elementDamping()) return std::nullopt;
   const StepRule rule = stepRule(*integratorCatalog().find(scene.method), scene.damping);
   const ElementsAlone alone = elementsAlone(body);
   // The largest penalty of all contact nodes with which a step is proven; infinite without contact.

@@ -15,8 +15,8 @@ void addPointMasses(const Scene& scene, Body& body);
 /// cannot be had.
 void addDiscreteForces(const Scene& scene, Body& body);
 
-/// The rule of the steps of a scene on its body. With dashpots it is exact at the scene's step; the body's discrete
-/// forces then count their damping for that step (DiscreteForces::setDampingFactor).
+/// The rule of the steps of a scene on its body. With dashpots or elements that damp it is exact at the scene's step;
+/// the body then counts their damping for that step (DiscreteForces::setDampingFactor, ElementDamping::setFactor).
 StepRule sceneStepRule(const Scene& scene, Body& body);
 
 /// How far the penalties of contact could grow.
@@ -26,7 +26,8 @@ struct PenaltyRoom {
   double share = 0.95;
   std::optional<double> penaltyAtStep;  ///< N/m at each contact node, with which the run's step is proven
 };
-/// Of a scene's body at rest and a run of steps of at most `step` seconds; empty where the elements prove nothing.
+/// Of a scene's body at rest and a run of steps of at most `step` seconds; empty where the elements prove nothing, and
+/// where they damp.
 /// Theorem 46, docs/theory/discrete_forces.md.
 std::optional<PenaltyRoom> penaltyRoom(const Scene& scene, const Body& body, double step);
 

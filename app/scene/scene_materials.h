@@ -6,6 +6,7 @@
 
 #include <ringwatch/app/scene/where_expression.h>
 #include <ringwatch/base/options.h>
+#include <ringwatch/body/element_damping.h>
 #include <ringwatch/materials/registry.h>
 #include <ringwatch/meshes/mesh.h>
 
@@ -16,6 +17,7 @@ struct SceneMaterial {
   std::string model;
   Options parameters;                    // of the law
   double density = 0;                    // kg/m³
+  DampingConstants damping;              // without bulk viscosity
   std::optional<WhereExpression> where;  // holds at the centre of the element's nodes at rest
   std::string set;                       // or a named element set of the mesh; both empty: all elements
   std::string origin;                    // "scene.toml:12: [[material]]", for messages

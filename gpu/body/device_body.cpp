@@ -86,6 +86,7 @@ std::size_t bytesOfBlock(const DeviceBlockPlan& plan) {
 }  // namespace
 
 DeviceBodyInput DeviceBodyInput::of(const Body& body) {
+  if (body.elementDamping()) throw InputError("a body whose elements damp: the device takes undamped ones alone");
   if (body.discreteForces()) throw InputError("a body with springs or contact: the device takes elements alone");
   DeviceBodyInput input;
   input.mesh = &body.mesh();

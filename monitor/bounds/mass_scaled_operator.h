@@ -29,13 +29,18 @@ class MassScaledOperator {
     source_.constraints().clearConstrained(scaled_);
     return source_.formRounding(x_, scaled_, workspace_);
   }
-  /// What dashpots give of vᵀ M^-½ (K + f C) M^-½ v; zero without any.
+  /// What dashpots and elements that damp give of vᵀ M^-½ (K + f C) M^-½ v; zero without any. formRounding() bounds
+  /// the rounding of the elements' part.
   DiscreteForces::DampingForm dampingForm(const NodeVectors& v) const {
     const DiscreteForces* discrete = source_.discreteForces();
-    if (!discrete || !discrete->damped()) return {};
+    const bool dashpots = discrete && discrete->damped();
+    if (!dashpots && !source_.dampedElements()) return {};
     scaled_ = v * inverseRootMass_.asDiagonal();
     source_.constraints().clearConstrained(scaled_);
-    return discrete->dampingForm(x_, scaled_);
+    DiscreteForces::DampingForm form;
+    if (dashpots) form = discrete->dampingForm(x_, scaled_);
+    form.value += source_.elementDampingForm(x_, scaled_, workspace_);
+    return form;
   }
   int products() const { return products_; }
   const Eigen::VectorXd& inverseRootMass() const { return inverseRootMass_; }

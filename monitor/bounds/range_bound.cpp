@@ -130,6 +130,8 @@ ModulusRange largestModulus(const Material& material, StretchRange range, double
 }
 
 RangeStep rangeStep(const Body& body, StretchRange range, const StepRule& rule) {
+  if (body.elementDamping())
+    throw InputError("a body whose elements damp: a step for a range of states knows no damping");
   if (body.discreteForces())
     throw InputError("stretch: the body has springs or contact, of which a range of stretches says nothing");
   RangeStep result{infinity, {0}, {}};

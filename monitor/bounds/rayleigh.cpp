@@ -44,8 +44,10 @@ LowerBound rayleighLowerBound(const TangentSource& source, NodeVectorsView x, No
   double largest = std::max(w.norm(), T.radius);
   if (seen) *seen = largest = std::max(largest, *seen);
   const double ofSums = quotientRounding + unitRoundoff * static_cast<double>(start.size());
-  const DiscreteForces::DampingForm damping = op.dampingForm(start);
-  return {quotient - ofSums * largest - op.formRounding(start), std::max(0.0, damping.value - damping.rounding),
+  const double ofForm = op.formRounding(start);
+  DiscreteForces::DampingForm damping = op.dampingForm(start);
+  if (source.dampedElements()) damping.rounding += ofForm + ofSums * largest;
+  return {quotient - ofSums * largest - ofForm, std::max(0.0, damping.value - damping.rounding),
           damping.value + damping.rounding};
 }
 

@@ -27,6 +27,11 @@ RunCertificate::RunCertificate(const Body& body) : CertificateState(body) {
     const std::vector<RoundedUp<Bfloat16>> none(places);
     blocks_.push_back({ValidityBalls(*block), std::vector<RoundedUp<float>>(places), none, none, none, none,
                        std::vector<RoundedDown<Bfloat16>>(places, -1)});
+    if (!body.elementDamping()) continue;
+    const DampedBlock* damped = body.elementDamping()->blocks()[blocks_.size() - 1];
+    if (!damped || !damped->dependsOnRates()) continue;
+    blocks_.back().rates = damped;
+    blocks_.back().counted.assign(places, 0);
   }
 }
 
@@ -34,6 +39,7 @@ RunCertificate::Reference RunCertificate::store(const EvaluatedPack& pack, int l
   const ElementRef e{pack.block, pack.elements[lane]};
   const ElementValue& evaluated = pack.values[lane];
   if (withStrainNorm) setStrainNorm(e, evaluated.strainNorm);
+  if (BlockData& data = of(e); data.rates) data.counted[placeOf(e)] = data.rates->coefficient(placeOf(e));
   return {evaluated.value, evaluated.drift,
           of(e).balls.setReferenceGradient(placeOf(e), pack.gradients, pack.points, lane) +
               evaluated.drift.gradientRounding};
@@ -193,7 +199,9 @@ std::vector<RunCertificate::Leaver> RunCertificate::growBalls(NodeVectorsView x,
       const double distance = blocks_[b].balls.distance(place, F.data(), lane);
       // It has to be inside a radius that is stored with 8 bits, and not at its edge.
       const double radius = (1 + 1.0 / 64) * distance / (1 - ValidityBalls::edgeFraction) + ValidityBalls::storageError;
-      needs[index[lane]] = {distance, blocks_[b].growth(place).at(radius), drift[lane]};
+      // The growth is that of the damping that counted when it was last evaluated.
+      const double allowance = blocks_[b].rateHasRisen(place) ? infinity : blocks_[b].growth(place).at(radius);
+      needs[index[lane]] = {distance, allowance, drift[lane]};
     }
   });
   std::vector<Leaver> grown, others;
@@ -274,6 +282,12 @@ std::vector<ElementRef> RunCertificate::elementsOutsideBall(NodeVectorsView x, S
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     for (const auto& list : outside_[b])
       for (const std::int32_t e : list) outside.push_back({b, e});
+  const std::size_t byBalls = outside.size();
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    for (std::size_t place = 0; place < blocks_[b].counted.size(); ++place)
+      if (blocks_[b].rateHasRisen(place) && body().blocks()[b]->layout().elements[place] >= 0)
+        outside.push_back({b, body().blocks()[b]->layout().elements[place]});
+  if (outside.size() > byBalls) sortUnique(outside);
   return outside;
 }
 

@@ -119,11 +119,16 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   /// What is known of the elements of a block, by place. compression: -lambda_min(∂P/∂F) / (λ+2μ) at the reference
   /// gradient, at most. linear, quadratic, growthRadius: TangentGrowth's, the radius ending before an inversion; < 0:
   /// there is no reference gradient.
+  /// rates: the block where its damping depends on velocities, else nullptr; counted: its coefficients of the elements
+  /// when they were last evaluated.
   struct BlockData {
     ValidityBalls balls;
     std::vector<RoundedUp<float>> value;
     std::vector<RoundedUp<Bfloat16>> strainNorm, compression, linear, quadratic;
     std::vector<RoundedDown<Bfloat16>> growthRadius;
+    const DampedBlock* rates = nullptr;
+    std::vector<double> counted = {};
+    bool rateHasRisen(std::size_t place) const { return rates && rates->coefficient(place) > counted[place]; }
     TangentGrowth growth(std::size_t place) const {
       return {value[place], linear[place], quadratic[place], growthRadius[place]};
     }

@@ -1,0 +1,77 @@
+#include <ringwatch/app/scene/scene_damping.h>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/scene/scene_sections.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/user_text.h>
+
+namespace ringwatch {
+
+void readDampingSection(const SceneTable& section, Scene& scene) {
+  scene.damping = {section.get<double>("mass"), section.get<double>("stiffness")};
+  const bool bulk = section.get<bool>("bulk_viscosity");
+  for (const char* key : {"linear_bulk_viscosity", "quadratic_bulk_viscosity"})
+    if (section.given(key) && !bulk)
+      fail(section.at(key).origin, section.name + "." + key, "goes with bulk_viscosity = true; set that too");
+  if (!bulk) return;
+  scene.linearBulkViscosity = section.get<double>("linear_bulk_viscosity");
+  scene.quadraticBulkViscosity = section.get<double>("quadratic_bulk_viscosity");
+  scene.elementDampingOrigin = section.where("bulk_viscosity");
+}
+
+DampingConstants dampingOf(const SceneTable& material, const Options& lawParameters) {
+  DampingConstants damping;
+  damping.massProportional = material.get<double>("mass_damping");
+  damping.shearViscosity = material.get<double>("shear_viscosity");
+  damping.volumeViscosity = material.get<double>("volume_viscosity");
+  const auto beta = material.get<double>("stiffness_damping");
+  if (beta == 0) return damping;
+  if (!lawParameters.find("young") || !lawParameters.find("poisson"))
+    fail(material.at("stiffness_damping").origin, "material.stiffness_damping",
+         fmt::format("is a time by which Young's modulus and Poisson's ratio are multiplied, which the law {} does not "
+                     "have; give shear_viscosity and volume_viscosity",
+                     inQuotes(material.get<std::string>("model"))));
+  const double young = lawParameters.number("young"), poisson = lawParameters.number("poisson");
+  damping.shearViscosity += beta * young / (2 * (1 + poisson));
+  damping.volumeViscosity += beta * young / (3 * (1 - 2 * poisson));
+  return damping;
+}
+
+void checkElementDamping(Scene& scene) {
+  if (!scene.hasElementDamping()) return;
+  const std::string& origin = scene.elementDampingOrigin;
+  const IntegratorInfo& info = *integratorCatalog().find(scene.method);
+  const auto takes = [](const IntegratorInfo& one) { return one.highestModeBinds; };
+  if (!takes(info))
+    throw InputError(
+        fmt::format("{}: \"{}\": elements damp with {} only, for which the bracket is proven; choose one of them, or "
+                    "take the damping out",
+                    origin, scene.method, namesWhere(integratorInfos(), takes)));
+  if (!scene.handler.empty())
+    throw InputError(
+        fmt::format("{}: handlers do not work with elements that damp; set handler.method = \"none\"", origin));
+  if (!scene.cuts.empty()) throw InputError(fmt::format("{}: elements that damp do not go with [[cut]]", origin));
+  if (scene.certificates)
+    throw InputError(fmt::format("{}: certificates in files know no damping; take monitor.certificates out", origin));
+  constexpr const char* noDevice = "a GPU takes no elements that damp";
+  if (scene.device == RunDevice::cuda)
+    throw InputError(fmt::format("{}: \"cuda\": {}; set it to \"cpu\"", scene.deviceOrigin, noDevice));
+  if (scene.device == RunDevice::automatic) scene.noDevice = noDevice;
+}
+
+void addElementDamping(const Scene& scene, Body& body) {
+  if (!scene.hasElementDamping()) return;
+  const std::vector<int> materials = materialOfBlocks(body.mesh());
+  std::vector<DampingConstants> constants;
+  for (std::size_t b = 0; b < body.blocks().size(); ++b) {
+    DampingConstants own = scene.materials[materials.empty() ? 0 : static_cast<std::size_t>(materials[b])].damping;
+    own.linearBulk = scene.linearBulkViscosity;
+    own.quadraticBulk = scene.quadraticBulkViscosity;
+    constants.push_back(own);
+  }
+  body.setElementDamping(constants);
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,467 @@
+// Random bodies in random states and along short runs: materials whose stiffness and density differ by up to nine
+// powers of ten, springs, point masses, dashpots, contact that comes and goes, damping of elements and Rayleigh's. The
+// bracket of the critical step against the exact one, from matrices that are assembled here and dense eigenvalues.
+//   RINGWATCH_STATE_CHECKS=N   goes on until N elements in states have been tried (by default some thousands)
+//   RINGWATCH_SEED=S           other bodies, so that processes side by side try different ones
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <numeric>
+
+#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
+#include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/integrators/body_system.h>
+#include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/incremental/run_bracket.h>
+#include <tests/monitor/monitor_cases.h>
+#include <tests/support/dense.h>
+
+namespace ringwatch {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// What the safe side is of the exact step at least, at rest with the rule's reference there: springs between nodes and
+/// damping that shares none of the stiffness' weights cost most.
+constexpr double leastAtRest = 0.2;
+constexpr double exact = 1e-9;  // of dense eigenvalues and of the contrast of the matrices, relative
+
+/// A power of ten, uniform in its exponent.
+double power(test::Random& random, double low, double high) { return std::pow(10.0, random.uniform(low, high)); }
+
+/// A box whose elements are dealt out to up to three blocks.
+Mesh randomMesh(test::Random& random) {
+  static const std::vector<test::Subdivision> subdivisions = test::allSubdivisions();
+  const test::Subdivision& subdivision = subdivisions[random.index(static_cast<int>(subdivisions.size()))];
+  std::array<int, 3> cells;
+  for (int& n : cells) n = 1 + static_cast<int>(random.index(2));
+  if (!subdivision.other.empty()) cells[0] = 2;
+  Mesh mesh = test::box(subdivision, cells, random.uniform(0, 0.25), random.index(1 << 20));
+  std::vector<MeshBlock> blocks;
+  for (const MeshBlock& from : mesh.blocks) {
+    const auto parts = 1 + random.index(3);
+    std::vector<MeshBlock> own(parts, MeshBlock{from.type, {}, {}});
+    for (std::size_t e = 0; e < from.elementCount(); ++e) {
+      MeshBlock& to = own[random.index(static_cast<int>(parts))];
+      to.ids.push_back(from.id(e));
+      to.connectivity.insert(to.connectivity.end(), from.element(e), from.element(e) + from.nodesPerElement());
+    }
+    for (MeshBlock& block : own)
+      if (!block.ids.empty()) blocks.push_back(std::move(block));
+  }
+  mesh.blocks = std::move(blocks);
+  mesh.elementSets.clear();
+  return mesh;
+}
+
+/// A body of laws that all have a tangent in every state without inverted elements.
+Body randomBody(test::Random& random) {
+  Mesh mesh = randomMesh(random);
+  std::vector<Material> materials;
+  const double contrast = random.index(3) == 0 ? 0 : 4.5;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const auto laws = allLaws();
+    const double poissons[] = {0.3, 0, 0.45, 0.49, -0.2};
+    materials.push_back(makeMaterial(laws[random.index(static_cast<int>(laws.size()))].name,
+                                     test::young * power(random, -contrast, contrast), poissons[random.index(5)],
+                                     test::density * power(random, -contrast, contrast)));
+  }
+  Body body(std::move(mesh), materials, test::onThreads(1));
+  for (auto masses = random.index(4); masses > 0; --masses) {
+    const auto node = static_cast<std::int32_t>(random.index(body.nodeCount()));
+    body.addNodalMass(node, body.lumpedMass()[node] * power(random, -2, 4));
+  }
+  for (auto held = random.index(5); held > 0; --held)
+    body.constraints().fix(static_cast<std::int32_t>(random.index(body.nodeCount())),
+                           static_cast<int>(random.index(3)));
+  return body;
+}
+
+/// The stiffness and the mass of a node that counts most, for forces that are of its order.
+struct Scale {
+  double stiffness, mass, frequency;
+};
+Scale scaleOf(const Body& body, test::Random& random) {
+  const auto node = static_cast<std::int32_t>(random.index(body.nodeCount()));
+  BlockMatrix K;
+  body.assembleBlocks(body.mesh().X, K);
+  const double stiffness = diagonalBlock(K, node).trace() / 3, mass = body.lumpedMass()[node];
+  return {stiffness, mass, std::sqrt(stiffness / mass)};
+}
+
+void addDamping(Body& body, test::Random& random) {
+  std::vector<DampingConstants> constants;
+  for (const auto& block : body.blocks()) {
+    DampingConstants own;
+    const double modulus = block->material().restModulus(),
+                 time = test::cellSize / block->material().waveSpeed() * power(random, -2, 0.5);
+    if (random.index(2)) own.linearBulk = power(random, -2, 0);
+    if (random.index(2)) own.quadraticBulk = power(random, -1, 0.5);
+    if (random.index(3) == 0) own.shearViscosity = time * modulus * random.uniform(0, 1);
+    if (random.index(3) == 0) own.volumeViscosity = time * modulus * random.uniform(0, 1);
+    if (random.index(3) == 0) own.massProportional = random.uniform(0, 1) / time;
+    constants.push_back(own);
+  }
+  body.setElementDamping(constants);
+}
+
+/// What an obstacle is, for forces that are computed here once more: a sphere where it has a radius, else a plane.
+struct Shape {
+  Vector3d point, normal;
+  double radius = 0;
+  bool hollow = false;
+};
+
+std::vector<Shape> addForces(Body& body, test::Random& random) {
+  std::vector<Shape> shapes;
+  DiscreteForces forces(body.nodeCount());
+  std::vector<Spring> springs;
+  const auto damps = [&] { return random.index(2) ? power(random, -3, 0) : 0.0; };
+  for (auto count = random.index(5); count > 0; --count) {
+    const Scale scale = scaleOf(body, random);
+    Spring spring;
+    spring.node = static_cast<std::int32_t>(random.index(body.nodeCount()));
+    spring.stiffness = scale.stiffness * power(random, -3, 1);
+    spring.damping = damps() * scale.stiffness / scale.frequency;
+    spring.anchor = body.mesh().X.col(spring.node);
+    switch (random.index(3)) {
+      case 0:
+        spring.direction = random.vector(1).normalized();
+        break;
+      case 1:
+        spring.other =
+            static_cast<std::int32_t>((spring.node + 1 + random.index(body.nodeCount() - 1)) % body.nodeCount());
+        spring.length = random.index(3) ? random.uniform(0.5, 1.5) * test::cellSize : 0;
+        break;
+      default:
+        break;
+    }
+    springs.push_back(spring);
+  }
+  forces.add(springs);
+  const Vector3d low = body.mesh().X.rowwise().minCoeff(), high = body.mesh().X.rowwise().maxCoeff();
+  const auto touch = [&](const Shape& shape) {
+    shapes.push_back(shape);
+    const Scale scale = scaleOf(body, random);
+    PenaltyContact contact;
+    contact.obstacle = forces.add(shape.radius > 0 ? sphereObstacle(shape.point, shape.radius, shape.hollow)
+                                                   : planeObstacle(shape.point, shape.normal));
+    contact.nodes.resize(body.nodeCount());
+    std::iota(contact.nodes.begin(), contact.nodes.end(), 0);
+    contact.penalty.assign(body.nodeCount(), scale.stiffness * power(random, -3, 1));
+    contact.damping.assign(body.nodeCount(), damps() * scale.stiffness / scale.frequency);
+    forces.add(std::move(contact));
+  };
+  const double edge = test::cellSize;
+  const Vector3d middle = 0.5 * (low + high), none = Vector3d::Zero();
+  if (random.index(2)) touch({low - Vector3d(0, 0, 0.02 * edge), {0, 0, 1}});
+  if (random.index(2)) touch({high + Vector3d(0.02 * edge, 0, 0), Vector3d(-1, -0.3, 0.2).normalized()});
+  if (random.index(3) == 0) touch({middle + Vector3d(0, 2.2, 0) * edge, none, random.uniform(0.8, 1.5) * edge, false});
+  if (random.index(4) == 0) touch({middle, none, 0.6 * (high - low).norm(), true});
+  body.setDiscreteForces(std::move(forces));
+  return shapes;
+}
+
+/// K and C of a body at positions and velocities, assembled here: elements one by one, bulk viscosity at the very
+/// velocities, springs and contact by their own formulas.
+struct Matrices {
+  MatrixXd K, C;
+  Matrices(Body& body, const NodeVectors& x, const NodeVectors& v, const std::vector<Shape>& shapes) {
+    const Eigen::Index size = 3 * body.nodeCount();
+    K = C = MatrixXd::Zero(size, size);
+    const auto factor = body.elementDamping() ? body.elementDamping()->factor() : 0.0;
+    for (std::size_t b = 0; b < body.blocks().size(); ++b)
+      for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) addElement(body, {b, e}, x, v, factor);
+    if (body.elementDamping()) body.elementDamping()->setFactor(factor);
+    if (const DiscreteForces* forces = body.discreteForces()) {
+      for (const Spring& spring : forces->springs()) addSpring(spring, x);
+      for (const PenaltyContact& contact : forces->contacts()) addContact(shapes[contact.obstacle], contact, x);
+    }
+  }
+
+ private:
+  void addElement(Body& body, ElementRef e, const NodeVectors& x, const NodeVectors& v, double factor) {
+    const auto nodes = body.blocks()[e.block]->nodesOf(e.element);
+    const auto add = [&](MatrixXd& to, const MatrixXd& own) {
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        for (std::size_t c = 0; c < nodes.size(); ++c)
+          to.block<3, 3>(3 * nodes[a], 3 * nodes[c]) +=
+              own.block<3, 3>(3 * static_cast<Eigen::Index>(a), 3 * static_cast<Eigen::Index>(c));
+    };
+    const DampedBlock* damped = body.elementDamping() ? body.elementDamping()->blocks()[e.block] : nullptr;
+    if (!damped || !(factor > 0)) return add(K, body.elementTangent(e, x));
+    body.elementDamping()->setFactor(factor);
+    MatrixXd damping = body.elementTangent(e, x);
+    body.elementDamping()->setFactor(0);
+    const MatrixXd alone = body.elementTangent(e, x);
+    add(K, alone);
+    damping = (damping - alone) / factor;
+    if (damped->constants().bulk()) {
+      const std::int32_t place = damped->layout().batchOfElement[e.element];
+      double volumes[lanes], rest[lanes];
+      std::vector<double> gradient(3 * nodes.size() * lanes);
+      damped->volumeGradient(place / lanes, x.data(), volumes, gradient.data());
+      damped->volumeBatch(place / lanes, rest);
+      const int lane = place % lanes;
+      VectorXd w(3 * nodes.size()), own(3 * nodes.size());
+      for (Eigen::Index k = 0; k < w.size(); ++k) w[k] = gradient[k * lanes + lane];
+      for (std::size_t a = 0; a < nodes.size(); ++a) own.segment<3>(3 * static_cast<Eigen::Index>(a)) = v.col(nodes[a]);
+      const Material& material = damped->material();
+      const double volume = std::max(volumes[lane], 0.1 * rest[lane]), length = std::cbrt(rest[lane]),
+                   speed = material.waveSpeed(), rate = w.dot(own) / volume;
+      const double needed = damped->constants().linearBulk +
+                            2 * std::pow(damped->constants().quadraticBulk, 2) * length / speed * std::max(-rate, 0.0);
+      damping -= (damped->coefficient(place) - needed) * material.density * rest[lane] * speed * length /
+                 (volume * volume) * w * w.transpose();
+    }
+    add(C, damping);
+  }
+  void addPair(MatrixXd& to, std::int32_t i, std::int32_t j, const Matrix3d& block) {
+    to.block<3, 3>(3 * i, 3 * i) += block;
+    if (j < 0) return;
+    to.block<3, 3>(3 * j, 3 * j) += block;
+    to.block<3, 3>(3 * i, 3 * j) -= block;
+    to.block<3, 3>(3 * j, 3 * i) -= block;
+  }
+  void addSpring(const Spring& s, const NodeVectors& x) {
+    Matrix3d along = Matrix3d::Identity(), across = Matrix3d::Zero();
+    if (s.other < 0 && s.direction) along = *s.direction * s.direction->transpose();
+    if (s.other >= 0 && s.length > 0) {
+      const Vector3d line = x.col(s.other) - x.col(s.node);
+      const Vector3d t = line.normalized();
+      along = t * t.transpose();
+      across = (1 - s.length / line.norm()) * (Matrix3d::Identity() - along);
+    }
+    addPair(K, s.node, s.other, s.stiffness * (along + across));
+    addPair(C, s.node, s.other, s.damping * along);
+  }
+  void addContact(const Shape& shape, const PenaltyContact& contact, const NodeVectors& x) {
+    for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
+      const std::int32_t node = contact.nodes[k];
+      Vector3d normal = shape.normal;
+      double gap = normal.dot(x.col(node) - shape.point);
+      Matrix3d curvature = Matrix3d::Zero();
+      if (shape.radius > 0) {
+        const Vector3d from = x.col(node) - shape.point;
+        const double distance = from.norm(), sign = shape.hollow ? -1 : 1;
+        normal = sign * from / distance;
+        gap = sign * (distance - shape.radius);
+        curvature = sign / distance * (Matrix3d::Identity() - normal * normal.transpose());
+      }
+      if (!(gap < 0)) continue;
+      const Matrix3d along = normal * normal.transpose();
+      K.block<3, 3>(3 * node, 3 * node) += contact.penalty[k] * (along + gap * curvature);
+      C.block<3, 3>(3 * node, 3 * node) += contact.damping[k] * along;
+    }
+  }
+};
+
+/// What dense eigenvalues say of M - h/2 C - h²/4 K on the free components, C with Rayleigh's.
+struct Exact {
+  double step = 0;  ///< the largest h with it ≽ 0; 0 where there is none or a matrix is not finite
+  /// K has no negative direction, or nothing damps: the steps below `step` are stable then, and those above are not.
+  bool decides = true;
+  bool holdsAtReference = false;  ///< it is ≽ 0 at the reference step
+};
+
+/// By dense eigenvalues at steps that come down to the limit.
+Exact exactStep(const Body& body, const Matrices& matrices, const RayleighDamping& rayleigh, double reference) {
+  std::vector<Eigen::Index> free;
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+    for (int c = 0; c < 3; ++c)
+      if (!body.constraints().isConstrained(i, c)) free.push_back(3 * i + c);
+  const MatrixXd K = matrices.K(free, free), Cx = matrices.C(free, free);
+  Exact result;
+  if (free.empty() || !K.allFinite() || !Cx.allFinite()) return result;
+  MatrixXd M = MatrixXd::Zero(K.rows(), K.cols());
+  for (std::size_t k = 0; k < free.size(); ++k)
+    M(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(k)) = body.lumpedMass()[free[k] / 3];
+  const MatrixXd C = rayleigh.alpha * M + rayleigh.beta * K + Cx;
+  double h = reference;
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    const auto modes = test::generalizedEigen(K + 2 / h * C, M);
+    if (iteration == 0) result.holdsAtReference = modes.values[K.rows() - 1] <= 4 / (h * h);
+    const VectorXd u = modes.vectors.col(K.rows() - 1);  // of unit length in M
+    const double k = u.dot(K * u), c = u.dot(C * u);
+    if (!(k + 2 / h * c > 0)) return result;
+    const double next = 8 / (2 * c + std::sqrt(4 * c * c + 16 * k));
+    if (!(next > 0)) return result;
+    if (std::abs(next - h) <= 1e-13 * h || C.isZero(0)) {
+      result.step = next;
+      break;
+    }
+    h = next;
+  }
+  if (!C.isZero(0)) {
+    const VectorXd own = test::generalizedEigen(K, M).values;
+    result.decides = own[0] >= -1e-9 * own[own.size() - 1];
+  }
+  return result;
+}
+
+struct Tally {
+  std::int64_t trials = 0;  // elements in states
+  std::int64_t states = 0, alongRuns = 0, damped = 0, toggled = 0, indefinite = 0, skipped = 0, wrong = 0;
+  double tightest = 0, widest = 1;  // largest and least safe side over the exact step, and the least at rest with the
+  double widestAtRest = 1;          // reference there
+};
+
+/// Whether the bracket holds the exact step; where K has a negative direction, whether it is right about the reference.
+bool compare(const std::optional<CriticalStep>& step, const Exact& exactly, double reference, const std::string& what,
+             Tally& tally) {
+  ++tally.states;
+  const double h = exactly.step;
+  bool right = step.has_value();
+  if (right && exactly.decides) {
+    right = step->safe <= h * (1 + exact) && step->optimistic >= h * (1 - exact);
+  } else if (right) {
+    ++tally.indefinite;
+    right =
+        exactly.holdsAtReference ? step->optimistic >= reference * (1 - exact) : step->safe <= reference * (1 + exact);
+  }
+  if (right) {
+    if (!exactly.decides) return true;
+    tally.tightest = std::max(tally.tightest, step->safe / h);
+    tally.widest = std::min(tally.widest, step->safe / h);
+    return true;
+  }
+  ++tally.wrong;
+  ADD_FAILURE() << what << ": "
+                << (step ? joinText("safe ", step->safe / h, ", optimistic ", step->optimistic / h, " of the exact ", h,
+                                    exactly.decides ? "" : ", K indefinite")
+                         : std::string("no bracket"));
+  return false;
+}
+
+void tryOne(test::Random& random, const std::string& what, Tally& tally) {
+  Body body = randomBody(random);
+  const auto elements = static_cast<std::int64_t>(body.mesh().elementCount());
+  if (random.index(3)) addDamping(body, random);
+  const std::vector<Shape> shapes = random.index(3) ? addForces(body, random) : std::vector<Shape>();
+  const NodeVectors& X = body.mesh().X;
+  const NodeVectors still = NodeVectors::Zero(3, X.cols());
+  const bool dashpots = body.discreteForces() && body.discreteForces()->damped();
+  // Of a body without any other damping the order of its step.
+  const double undamped = exactStep(body, Matrices(body, X, still, shapes), {}, 1).step;
+  if (!(undamped > 0)) {
+    ++tally.skipped;
+    return;
+  }
+  RayleighDamping rayleigh;
+  if (random.index(3) == 0) rayleigh = {random.uniform(0, 0.5) / undamped, random.uniform(0, 0.5) * undamped};
+  // The reference step of the rule: half of them at the exact step of rest, where the bracket is to be tight.
+  const bool tight = random.index(2) == 0;
+  double reference = undamped * power(random, -0.7, 0.3);
+  if (body.elementDamping()) body.elementDamping()->setFactor(1 / undamped);
+  if (tight) reference = exactStep(body, Matrices(body, X, still, shapes), rayleigh, undamped).step;
+  const double factor = dampingFactor(rayleigh, reference);
+  if (body.discreteForces()) body.discreteForces()->setDampingFactor(factor);
+  if (body.elementDamping()) body.elementDamping()->setFactor(factor);
+  const IntegratorInfo& info = *integratorCatalog().find(random.index(2) ? "verlet" : "symplectic-euler");
+  const StepRule rule = dashpots || body.elementDamping()
+                            ? stepRuleWithDashpots(info, rayleigh, reference,
+                                                   body.elementDamping() ? body.elementDamping()->overcount() : 0)
+                            : stepRule(info, rayleigh);
+  const bool damped = dashpots || body.elementDamping() || rayleigh.any();
+
+  // From scratch at rest, and in a state far from it.
+  const auto fromScratch = [&](const NodeVectors& x) -> std::optional<CriticalStep> {
+    try {
+      return criticalStep(body, x, rule);
+    } catch (const NumericalError& fault) {
+      ADD_FAILURE() << what << ": " << fault.what();
+      return std::nullopt;
+    }
+  };
+  if (tight) {
+    if (body.elementDamping()) body.elementDamping()->forgetRates();
+    const std::optional<CriticalStep> step = fromScratch(X);
+    const Exact atRest = exactStep(body, Matrices(body, X, still, shapes), rayleigh, reference);
+    if (!compare(step, atRest, reference, what + ", at rest", tally)) return;
+    tally.widestAtRest = std::min(tally.widestAtRest, step->safe / reference);
+    tally.trials += elements;
+    tally.damped += damped;
+  }
+  const auto states = test::deformedStates(X, random.index(1 << 20));
+  const NodeVectors x = states[random.index(static_cast<int>(states.size()))].x,
+                    v = random.nodeVectors(X.cols(), 0.3 * test::cellSize / reference * power(random, -4, 0));
+  body.followDampingRates(x, v);
+  if (const Exact own = exactStep(body, Matrices(body, x, v, shapes), rayleigh, reference); own.step > 0) {
+    if (!compare(fromScratch(x), own, reference, what + ", from scratch", tally)) return;
+    tally.trials += elements;
+    tally.damped += damped;
+  } else {
+    ++tally.skipped;
+  }
+
+  // Along a run whose nodes move by some hundredths of a cell a step.
+  if (body.elementDamping()) body.elementDamping()->forgetRates();
+  RunBracket bracket(body, random.index(2) ? 0.05 : 0.02, random.index(4) ? infinity : 0.1);
+  BodySystem system(body, rayleigh);
+  const std::unique_ptr<Integrator> integrator = integratorCatalog().make(info.name);
+  State state{0, X, still};
+  const double h = 0.3 * undamped;
+  const double speed = power(random, -3, -1) * test::cellSize / h;
+  state.v = random.nodeVectors(X.cols(), 0.3 * speed);
+  state.v.colwise() += random.vector(speed);
+  body.constraints().clearConstrained(state.v);
+  std::int64_t touching = 0;
+  for (int k = 0; k < 12; ++k) {
+    body.followDampingRates(state.x, state.v);
+    if (body.discreteForces()) {
+      body.discreteForces()->setReach(random.index(2) ? 2 * h * body.discreteForces()->largestSpeed(state.v) : 0);
+      const std::int64_t now = body.discreteForces()->contactState(state.x).touching;
+      tally.toggled += now != touching;
+      touching = now;
+    }
+    const Exact own = exactStep(body, Matrices(body, state.x, state.v, shapes), rayleigh, reference);
+    if (!(own.step > 0)) {
+      ++tally.skipped;
+      return;
+    }
+    if (!compare(bracket.evaluate(state.x, rule, std::nullopt, nullptr), own, reference, joinText(what, ", step ", k),
+                 tally))
+      return;
+    tally.trials += elements;
+    tally.damped += damped;
+    ++tally.alongRuns;
+    if (!integrator->step(system, state, std::min(h, 0.9 * own.step)).done || !isFinite(state, 1)) return;
+  }
+}
+
+TEST(RandomTrials, BracketsHoldTheExactStep) {
+  const char *asked = std::getenv("RINGWATCH_STATE_CHECKS"), *seed = std::getenv("RINGWATCH_SEED");
+  const std::int64_t wanted = asked ? std::atoll(asked) : 20000;
+  const std::uint64_t first = seed ? std::strtoull(seed, nullptr, 10) : 1;
+  Tally tally;
+  for (std::uint64_t body = 0; tally.trials < wanted && tally.wrong < 5; ++body) {
+    // Each body by a seed of its own, so that it can be tried again alone.
+    const std::uint64_t own = first * 1000000007ULL + body;
+    test::Random random(own);
+    tryOne(random, joinText("seed ", first, ", body ", body), tally);
+    ASSERT_LT(tally.skipped, 100 + tally.states);
+  }
+  EXPECT_EQ(tally.wrong, 0);
+  EXPECT_GE(tally.trials, wanted);
+  EXPECT_GT(tally.alongRuns, tally.states / 2);
+  EXPECT_GT(tally.damped, tally.states / 4);
+  EXPECT_GT(tally.toggled, 10);
+  EXPECT_GT(tally.widestAtRest, leastAtRest);
+  if (asked)
+    std::cout << tally.trials << " elements in " << tally.states << " states, " << tally.alongRuns
+              << " of them along runs, " << tally.damped << " damped, contact changed " << tally.toggled << " times, "
+              << tally.indefinite << " of indefinite stiffness, " << tally.wrong << " wrong, " << tally.skipped
+              << " without a positive direction or a tangent; safe side " << tally.widest << " to " << tally.tightest
+              << " of the exact step, at rest with its own reference from " << tally.widestAtRest << "\n";
+}
+
+}  // namespace
+}  // namespace ringwatch
