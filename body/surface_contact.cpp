@@ -194,10 +194,15 @@ Eigen::Matrix3d SurfaceSearch::Touch::block(int a, int c, double k, double fc) c
 
 bool SurfaceSearch::listsServe(double reach) const {
   if (margin_ < 0) return false;
-  const NodeVectors moved = at_ - listed_;
-  const Vector3d mean = moved.rowwise().mean();
-  const double most = std::sqrt((moved.colwise() - mean).colwise().squaredNorm().maxCoeff());
-  return 2 * most + 2 * reach <= margin_;
+  const Eigen::Index count = at_.cols();
+  Vector3d mean = Vector3d::Zero();
+  for (Eigen::Index i = 0; i < count; ++i) mean += at_.col(i) - listed_.col(i);
+  mean /= static_cast<double>(count);
+  const double allowed = 0.5 * margin_ - reach;
+  if (!(allowed >= 0)) return false;
+  double most = 0;
+  for (Eigen::Index i = 0; i < count; ++i) most = std::max(most, (at_.col(i) - listed_.col(i) - mean).squaredNorm());
+  return most <= allowed * allowed;
 }
 
 void SurfaceSearch::makeLists(NodeVectorsView x, double reach, int threads) {
@@ -381,25 +386,37 @@ void SurfaceSearch::look(NodeVectorsView x, std::size_t row, double reach, std::
 }
 
 void SurfaceSearch::locate(NodeVectorsView x, double reach, int threads) {
-  NodeVectors now(3, nodes_.size());
-  for (std::size_t i = 0; i < nodes_.size(); ++i) now.col(static_cast<Eigen::Index>(i)) = x.col(nodes_[i]);
-  if (located_ && reach == reach_ && now == at_) return;
-  at_ = std::move(now);
+  const std::size_t count = nodes_.size();
+  const auto isAt = [&](std::size_t i) {
+    const double *one = x.data() + 3 * static_cast<std::ptrdiff_t>(nodes_[i]), *known = at_.data() + 3 * i;
+    return one[0] == known[0] && one[1] == known[1] && one[2] == known[2];
+  };
+  std::size_t same = 0;
+  if (located_ && reach == reach_)
+    while (same < count && isAt(same)) ++same;
+  if (located_ && reach == reach_ && same == count) return;
+  at_.resize(3, static_cast<Eigen::Index>(count));
+  double sum = 0;  // not finite where a coordinate is not
+  for (std::size_t i = 0; i < count; ++i) {
+    at_.col(static_cast<Eigen::Index>(i)) = x.col(nodes_[i]);
+    sum += 0 * (at_(0, static_cast<Eigen::Index>(i)) + at_(1, static_cast<Eigen::Index>(i)) +
+                at_(2, static_cast<Eigen::Index>(i)));
+  }
   reach_ = reach;
   located_ = true;
   touching_.clear();
   near_.clear();
   ++statistics_.looks;
-  if (!at_.allFinite()) return;
+  if (!std::isfinite(sum)) return;
   if (!listsServe(reach)) makeLists(x, reach, threads);
   constexpr std::int64_t length = 64;
-  const std::int64_t count = static_cast<std::int64_t>(rows_.size()), parts = (count + length - 1) / length;
+  const std::int64_t rows = static_cast<std::int64_t>(rows_.size()), parts = (rows + length - 1) / length;
   std::vector<std::vector<Touch>> touching(parts);
   std::vector<std::vector<Near>> near(parts);
   parallelFor(
       0, parts, threads,
       [&](std::int64_t p) {
-        for (std::int64_t row = p * length; row < std::min(count, (p + 1) * length); ++row)
+        for (std::int64_t row = p * length; row < std::min(rows, (p + 1) * length); ++row)
           look(x, row, reach, touching[p], near[p]);
       },
       2);
