@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -41,6 +42,8 @@ struct BlockMatrix {
   /// Where the blocks of each element are: [mesh block][(element * n + a) * n + b], positions in `block`.
   std::vector<std::vector<std::int32_t>> elementBlocks;
   PatchPairs patchPairs;
+  /// Pairs of nodes that discrete forces couple in this pattern (DiscreteForces::coupledNodes).
+  std::vector<std::array<std::int32_t, 2>> coupled;
   std::vector<std::int32_t> loose;  ///< positions of blocks that belong to no element, where there are discrete forces
 
   /// Memory held, bytes: values, and what is made once with the pattern.

@@ -13,6 +13,8 @@ namespace {
 // Of majorants with room: the sine of the angle by which a direction may turn, and the share by which the depth that
 // friction grows with may grow.
 constexpr double turning = 0.02, deepening = 0.5;
+/// And what the weight of a corner may grow by as the closest point moves in the triangle.
+constexpr double sliding = 0.1;
 
 void requireConstant(const char* name, double value) {
   if (!(value >= 0) || !std::isfinite(value)) throw InputError(joinText(name, " = ", value, ": must be >= 0"));
@@ -39,14 +41,24 @@ Slide slideOf(const Eigen::Vector3d& velocity, const Eigen::Vector3d& normal) {
   return {out, velocity - out * normal};
 }
 
-/// What damping and friction resist with, N.
-Eigen::Vector3d resistance(const PenaltyContact& contact, std::size_t k, const Obstacle::Surface& at,
+/// What damping and friction of node k of a contact resist with, N, at a depth, m.
+template <class Contact>
+Eigen::Vector3d resistance(const Contact& contact, std::size_t k, const Eigen::Vector3d& normal, double depth,
                            const Eigen::Vector3d& velocity) {
-  const Slide slide = slideOf(velocity, at.normal);
-  Eigen::Vector3d force = contact.damping[k] * slide.normal * at.normal;
+  const Slide slide = slideOf(velocity, normal);
+  Eigen::Vector3d force = contact.damping[k] * slide.normal * normal;
   if (contact.friction > 0)
-    force += contact.friction * contact.penalty[k] * -at.gap / std::max(slide.along.norm(), contact.slip) * slide.along;
+    force += contact.friction * contact.penalty[k] * depth / std::max(slide.along.norm(), contact.slip) * slide.along;
   return force;
+}
+
+/// Σ b_c u_c over the nodes of a touch that a part has.
+Eigen::Vector3d between(const SurfaceSearch::Touch& touch, const std::array<std::int32_t, 4>& nodes,
+                        NodeVectorsView u) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int c = 0; c < 4; ++c)
+    if (nodes[c] >= 0) sum += touch.b[c] * u.col(nodes[c]);
+  return sum;
 }
 
 }  // namespace
@@ -98,6 +110,27 @@ void DiscreteForces::add(PenaltyContact contact) {
   contacts_.push_back(std::move(contact));
 }
 
+void DiscreteForces::add(SurfaceContact contact) {
+  const bool rubs = contact.friction > 0;
+  const bool damps = std::any_of(contact.damping.begin(), contact.damping.end(), [](double c) { return c > 0; });
+  const SurfaceSearch& search = shared_->surfaces.emplace_back(std::move(contact), nodeCount_);
+  note(search.nodes());
+  friction_ = friction_ || rubs;
+  damped_ = damped_ || rubs || damps;
+}
+
+void DiscreteForces::locate(NodeVectorsView x) const {
+  for (SurfaceSearch& surface : shared_->surfaces) surface.locate(x, shared_->reach, threads_);
+}
+
+void DiscreteForces::requireLocated(NodeVectorsView x) const {
+  for (std::size_t s = 0; s < surfaceNodes_.size(); ++s)
+    for (const auto& [node, place] : surfaceNodes_[s])
+      if (!shared_->surfaces[s].located() || shared_->surfaces[s].positionOf(place) != x.col(node))
+        throw NumericalError(
+            joinText("contact of surfaces: node ", node, " of a part is not where the whole was last"));
+}
+
 void DiscreteForces::place(std::size_t obstacle, const Eigen::Vector3d& displacement, const Eigen::Vector3d& velocity) {
   MovingObstacle& moved = shared_->obstacles.at(obstacle);
   moved.displacement = displacement;
@@ -132,6 +165,28 @@ DiscreteForces DiscreteForces::restrictedTo(std::span<const std::int32_t> nodes)
       }
     if (!own.nodes.empty()) part.add(std::move(own));
   }
+  part.isPart_ = true;
+  if (shared_->surfaces.empty()) return part;
+  part.damped_ = damped_;
+  part.friction_ = friction_;
+  // By way of this part's own numbers, where it is one.
+  if (isPart_) {
+    part.numberOf_ = numberOf_;
+    for (std::int32_t& number : part.numberOf_)
+      if (number >= 0) number = numberOf[number];
+  } else {
+    part.numberOf_ = std::move(numberOf);
+  }
+  for (const SurfaceSearch& surface : shared_->surfaces) {
+    auto& own = part.surfaceNodes_.emplace_back();
+    std::vector<std::int32_t> noted;
+    for (std::size_t i = 0; i < surface.nodes().size(); ++i)
+      if (const std::int32_t number = part.numberOf_[surface.nodes()[i]]; number >= 0) {
+        own.push_back({number, static_cast<std::int32_t>(i)});
+        noted.push_back(number);
+      }
+    part.note(noted);
+  }
   return part;
 }
 
@@ -144,6 +199,19 @@ std::vector<std::int32_t> DiscreteForces::partners(std::span<const std::int32_t>
   }
   sortUnique(others);
   return others;
+}
+
+std::vector<std::array<std::int32_t, 2>> DiscreteForces::coupledNodes(NodeVectorsView x) const {
+  std::vector<std::array<std::int32_t, 2>> pairs;
+  for (const Spring& spring : springs_)
+    if (spring.other >= 0) pairs.push_back({std::min(spring.node, spring.other), std::max(spring.node, spring.other)});
+  forEachTouch(x, [&](const SurfaceContact&, const SurfaceSearch::Touch&, const auto& nodes) {
+    for (int a = 0; a < 4; ++a)
+      for (int c = 0; c < 4; ++c)
+        if (nodes[a] >= 0 && nodes[a] < nodes[c]) pairs.push_back({nodes[a], nodes[c]});
+  });
+  sortUnique(pairs);
+  return pairs;
 }
 
 Eigen::Matrix3d DiscreteForces::toGround(const Spring& spring, double k) {
@@ -183,6 +251,11 @@ void DiscreteForces::addInternalForce(NodeVectorsView x, NodeVectors& f) const {
       const Obstacle::Surface at = surface(contact.obstacle, x.col(node));
       if (at.gap < 0) f.col(node) += contact.penalty[k] * at.gap * at.normal;
     }
+  forEachTouch(x, [&](const SurfaceContact& contact, const SurfaceSearch::Touch& touch, const auto& nodes) {
+    const Eigen::Vector3d force = contact.penalty[touch.entry] * touch.r;
+    for (int c = 0; c < 4; ++c)
+      if (nodes[c] >= 0) f.col(nodes[c]) += touch.b[c] * force;
+  });
 }
 
 double DiscreteForces::energy(NodeVectorsView x) const {
@@ -201,6 +274,9 @@ double DiscreteForces::energy(NodeVectorsView x) const {
     for (std::size_t k = 0; k < contact.nodes.size(); ++k)
       if (const double gap = surface(contact.obstacle, x.col(contact.nodes[k])).gap; gap < 0)
         sum += 0.5 * contact.penalty[k] * gap * gap;
+  forEachTouch(x, [&](const SurfaceContact& contact, const SurfaceSearch::Touch& touch, const auto&) {
+    sum += 0.5 * contact.penalty[touch.entry] * touch.depth * touch.depth;
+  });
   return sum;
 }
 
@@ -224,9 +300,14 @@ void DiscreteForces::addDampingForce(NodeVectorsView x, NodeVectorsView v, NodeV
     for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
       const std::int32_t node = contact.nodes[k];
       const Obstacle::Surface at = surface(contact.obstacle, x.col(node));
-      if (at.gap < 0) f.col(node) += resistance(contact, k, at, v.col(node) - velocity);
+      if (at.gap < 0) f.col(node) += resistance(contact, k, at.normal, -at.gap, v.col(node) - velocity);
     }
   }
+  forEachTouch(x, [&](const SurfaceContact& contact, const SurfaceSearch::Touch& touch, const auto& nodes) {
+    const Eigen::Vector3d force = resistance(contact, touch.entry, touch.normal, touch.depth, between(touch, nodes, v));
+    for (int c = 0; c < 4; ++c)
+      if (nodes[c] >= 0) f.col(nodes[c]) += touch.b[c] * force;
+  });
 }
 
 DiscreteForces::ObstaclePower DiscreteForces::obstaclePower(NodeVectorsView x, NodeVectorsView v) const {
@@ -239,7 +320,7 @@ DiscreteForces::ObstaclePower DiscreteForces::obstaclePower(NodeVectorsView x, N
       const Obstacle::Surface at = surface(contact.obstacle, x.col(node));
       if (!(at.gap < 0)) continue;
       power.elastic -= contact.penalty[k] * at.gap * at.normal.dot(velocity);
-      power.damping -= resistance(contact, k, at, v.col(node) - velocity).dot(velocity);
+      power.damping -= resistance(contact, k, at.normal, -at.gap, v.col(node) - velocity).dot(velocity);
     }
   }
   return power;
@@ -266,6 +347,21 @@ void DiscreteForces::addTangentProduct(NodeVectorsView x, NodeVectorsView u, Nod
       Ku.col(node) += (contact.penalty[k] + f * contact.damping[k]) * at.normal.dot(own) * at.normal +
                       contact.penalty[k] * at.gap * (at.curvature * own);
     }
+  forEachTouch(x, [&](const SurfaceContact& contact, const SurfaceSearch::Touch& touch, const auto& nodes) {
+    const double k = contact.penalty[touch.entry], fc = f * contact.damping[touch.entry];
+    const Eigen::Vector3d moved = between(touch, nodes, u);
+    const Eigen::Vector3d along = k * moved + fc * touch.normal.dot(moved) * touch.normal;
+    Eigen::Vector2d given = Eigen::Vector2d::Zero();
+    for (int i = 0; i < touch.free; ++i)
+      for (int c = 0; c < 4; ++c)
+        if (nodes[c] >= 0) given[i] += touch.column(c, i).dot(u.col(nodes[c]));
+    given = k * (touch.inverse * given);
+    for (int c = 0; c < 4; ++c) {
+      if (nodes[c] < 0) continue;
+      Ku.col(nodes[c]) += touch.b[c] * along;
+      for (int i = 0; i < touch.free; ++i) Ku.col(nodes[c]) -= given[i] * touch.column(c, i);
+    }
+  });
 }
 
 double DiscreteForces::form(NodeVectorsView x, NodeVectorsView v) const {
@@ -295,6 +391,9 @@ DiscreteForces::DampingForm DiscreteForces::dampingForm(NodeVectorsView x, NodeV
       const Obstacle::Surface at = surface(contact.obstacle, x.col(contact.nodes[k]));
       if (at.gap < 0) add(contact.damping[k], v.col(contact.nodes[k]), at.normal);
     }
+  forEachTouch(x, [&](const SurfaceContact& contact, const SurfaceSearch::Touch& touch, const auto& nodes) {
+    add(contact.damping[touch.entry], between(touch, nodes, v), touch.normal);
+  });
   return form;
 }
 
@@ -330,7 +429,49 @@ void DiscreteForces::majorants(NodeVectorsView x, bool room, std::vector<Eigen::
       if (room && curved) own += turning * along * I;
       matrices[placeOf(node)] += own;
     }
-  for (Eigen::Matrix3d& matrix : matrices) matrix += directionRounding * matrix.trace() * I;
+  addSurfaceMajorants(x, room, matrices);
+  for (Eigen::Matrix3d& matrix : matrices) matrix.diagonal().array() += directionRounding * matrix.trace();
+}
+
+// A node touches one triangle at a time: of a corner the largest weight counts that it can have in any of them.
+void DiscreteForces::addSurfaceMajorants(NodeVectorsView x, bool room, std::vector<Eigen::Matrix3d>& matrices) const {
+  if (shared_->surfaces.empty()) return;
+  if (isPart_)
+    requireLocated(x);
+  else
+    locate(x);
+  const double f = dampingFactor();
+  for (const SurfaceSearch& surface : shared_->surfaces) {
+    const SurfaceContact& contact = surface.contact();
+    const std::vector<SurfaceSearch::Near>& near = surface.near();
+    const auto add = [&](std::int32_t node, double value) {
+      if (node = numberOf(node); node >= 0) matrices[placeOf(node)].diagonal().array() += value;
+    };
+    std::vector<std::pair<std::int32_t, double>> corners;
+    for (std::size_t i = 0; i < near.size();) {
+      const std::int32_t entry = near[i].entry;
+      double depth = 0;
+      corners.clear();
+      for (; i < near.size() && near[i].entry == entry; ++i) {
+        depth = std::max(depth, near[i].depth);
+        for (int c = 0; c < 3; ++c) {
+          const std::int32_t corner = contact.triangles[near[i].triangle][c];
+          const double weight = std::min(1.0, near[i].weight[c] + (room ? sliding : 0));
+          const auto known =
+              std::find_if(corners.begin(), corners.end(), [&](const auto& one) { return one.first == corner; });
+          if (known == corners.end())
+            corners.emplace_back(corner, weight);
+          else
+            known->second = std::max(known->second, weight);
+        }
+      }
+      double k = contact.penalty[entry] + f * contact.damping[entry];
+      if (contact.friction > 0)
+        k += f * contact.friction * contact.penalty[entry] * depth * (room ? 1 + deepening : 1) / contact.slip;
+      add(contact.nodes[entry], (1 + contact.split[entry]) * k);
+      for (const auto& [corner, weight] : corners) add(corner, (1 + 1 / contact.split[entry]) * weight * k);
+    }
+  }
 }
 
 double DiscreteForces::largestSpeed(NodeVectorsView v) const {
@@ -338,7 +479,14 @@ double DiscreteForces::largestSpeed(NodeVectorsView v) const {
   for (const PenaltyContact& contact : contacts_)
     for (const std::int32_t node : contact.nodes)
       most = std::max(most, (v.col(node) - shared_->obstacles[contact.obstacle].velocity).squaredNorm());
-  return std::sqrt(most);
+  double relative = 0;
+  for (const SurfaceSearch& surface : shared_->surfaces) {
+    const std::vector<std::int32_t>& nodes = surface.nodes();
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const std::int32_t node : nodes) mean += v.col(node) / static_cast<double>(nodes.size());
+    for (const std::int32_t node : nodes) relative = std::max(relative, (v.col(node) - mean).squaredNorm());
+  }
+  return std::max(std::sqrt(most), 2 * std::sqrt(relative));
 }
 
 DiscreteForces::ContactState DiscreteForces::contactState(NodeVectorsView x) const {
@@ -354,6 +502,13 @@ DiscreteForces::ContactState DiscreteForces::contactState(NodeVectorsView x) con
         state.deepestObstacle = contact.obstacle;
       }
     }
+  forEachTouch(x, [&](const SurfaceContact&, const SurfaceSearch::Touch& touch, const auto& nodes) {
+    ++state.touching;
+    if (!(touch.depth > state.deepest)) return;
+    state.deepest = touch.depth;
+    state.deepestNode = nodes[0];
+    state.deepestObstacle = ofSurface;
+  });
   return state;
 }
 

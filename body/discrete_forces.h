@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include <ringwatch/body/obstacle.h>
+#include <ringwatch/body/surface_contact.h>
 #include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch {
@@ -37,8 +39,9 @@ struct PenaltyContact {
   double slip = 0;              ///< m/s, > 0 where there is friction: below it the surfaces stick
 };
 
-/// Forces at nodes that are of no solid element: springs, dashpots and penalty contact with rigid obstacles. Part of a
-/// TangentSource, whose forces, energies and tangents then hold them; one that has none pays nothing for them.
+/// Forces at nodes that are of no solid element: springs, dashpots and penalty contact, with rigid obstacles and of
+/// surfaces with one another. Part of a TangentSource, whose forces, energies and tangents then hold them; one that has
+/// none pays nothing for them. With contact of surfaces, one thread at a time may ask it.
 ///
 /// K is the exact tangent of the elastic forces, C the symmetric damping matrix of dashpots and viscous contact. Bounds
 /// take K + f C with the factor f of setDampingFactor (Theorem 47, docs/theory/discrete_forces.md). Friction is in
@@ -54,11 +57,14 @@ class DiscreteForces {
   /// An obstacle, and how to address it in a PenaltyContact.
   std::size_t add(std::unique_ptr<Obstacle> obstacle);
   void add(PenaltyContact contact);
+  void add(SurfaceContact contact);
+  /// Threads that look for contact of surfaces; 0: all.
+  void setThreads(int threads) { threads_ = threads; }
 
   /// Moves an obstacle: its displacement since time zero, m, and its velocity, m/s.
   void place(std::size_t obstacle, const Eigen::Vector3d& displacement, const Eigen::Vector3d& velocity);
-  /// Nodes as near to an obstacle as that, m, count in majorants() as if they touched it: what can touch before the
-  /// next look.
+  /// Nodes as near to an obstacle or a surface as that, m, count in majorants() as if they touched it: what can touch
+  /// before the next look.
   void setReach(double reach) { shared_->reach = reach; }
   /// f, 1/s, of K + f C.
   void setDampingFactor(double factor) { shared_->dampingFactor = factor; }
@@ -67,9 +73,16 @@ class DiscreteForces {
   /// The forces of some nodes alone, which get the numbers of their places: principal submatrices of K and C. A spring
   /// whose other node is not among them is left out; partners() tells which nodes that would be. Obstacles and settings
   /// stay those of this object, wherever they are changed.
+  /// Which surfaces touch is that of the whole at the positions where it was last asked, of which those of the part
+  /// must be a part: locate() asks it. Else calls throw NumericalError.
   DiscreteForces restrictedTo(std::span<const std::int32_t> nodes) const;
+  /// Looks which surfaces touch at x, 3×N; the others do so themselves.
+  void locate(NodeVectorsView x) const;
   /// The other ends of the springs at these nodes, which are ascending, as are the results.
   std::vector<std::int32_t> partners(std::span<const std::int32_t> nodes) const;
+
+  /// Pairs i < j of nodes that a force couples at x, ascending.
+  std::vector<std::array<std::int32_t, 2>> coupledNodes(NodeVectorsView x) const;
 
   /// The nodes at which a force can act, ascending.
   const std::vector<std::int32_t>& nodes() const { return nodes_; }
@@ -77,6 +90,9 @@ class DiscreteForces {
   std::int32_t placeOf(std::int32_t node) const { return place_.empty() ? -1 : place_[node]; }
   const std::vector<Spring>& springs() const { return springs_; }
   const std::vector<PenaltyContact>& contacts() const { return contacts_; }
+  /// Contact of surfaces, and what is near.
+  const std::vector<SurfaceSearch>& surfaces() const { return shared_->surfaces; }
+  bool hasContact() const { return !contacts_.empty() || !shared_->surfaces.empty(); }
   /// Whether a force depends on velocities.
   bool damped() const { return damped_; }
   /// Whether there is friction, of which nothing is proven while surfaces slide.
@@ -118,16 +134,18 @@ class DiscreteForces {
   /// hold for longer. Theorem 45, docs/theory/discrete_forces.md.
   void majorants(NodeVectorsView x, bool room, std::vector<Eigen::Matrix3d>& matrices) const;
 
-  /// The largest speed of a node of a contact against its obstacle, m/s.
+  /// The largest speed of a node of a contact against its obstacle, m/s, and at most that of nodes of surfaces against
+  /// one another.
   double largestSpeed(NodeVectorsView v) const;
 
   /// What contact is like at x.
   struct ContactState {
-    std::int64_t touching = 0;  ///< pairs of node and obstacle
+    std::int64_t touching = 0;  ///< pairs of node and obstacle or surface
     double deepest = 0;         ///< m
     std::int32_t deepestNode = -1;
-    std::size_t deepestObstacle = 0;
+    std::size_t deepestObstacle = 0;  ///< ofSurface: a surface
   };
+  static constexpr std::size_t ofSurface = static_cast<std::size_t>(-1);
   ContactState contactState(NodeVectorsView x) const;
 
  private:
@@ -137,8 +155,16 @@ class DiscreteForces {
   };
   struct Shared {
     std::vector<MovingObstacle> obstacles;
+    std::vector<SurfaceSearch> surfaces;
     double reach = 0, dampingFactor = 0;
   };
+  /// What touches at x, whose four nodes are numbered as this object's are, -1: not of this part.
+  template <class Visit>
+  void forEachTouch(NodeVectorsView x, const Visit& visit) const;
+  void requireLocated(NodeVectorsView x) const;
+  void addSurfaceMajorants(NodeVectorsView x, bool room, std::vector<Eigen::Matrix3d>& matrices) const;
+  /// The number of a node of the whole, -1: none.
+  std::int32_t numberOf(std::int32_t node) const { return isPart_ ? numberOf_[node] : node; }
   /// Stiffness and damping of a spring between two nodes: the matrix of [1 -1; -1 1] ⊗, exact or without its negative
   /// part.
   static Eigen::Matrix3d axial(const Spring& spring, NodeVectorsView x, double f, bool positivePart);
@@ -152,7 +178,31 @@ class DiscreteForces {
   std::vector<Spring> springs_;
   std::vector<PenaltyContact> contacts_;
   std::vector<std::int32_t> nodes_, place_;
+  int threads_ = 1;
+  // Of a part: the numbers that nodes of the whole have in it, -1 for none, and by surface the nodes that it has, with
+  // their positions in SurfaceSearch::nodes.
+  bool isPart_ = false;
+  std::vector<std::int32_t> numberOf_;
+  std::vector<std::vector<std::array<std::int32_t, 2>>> surfaceNodes_;
 };
+
+template <class Visit>
+void DiscreteForces::forEachTouch(NodeVectorsView x, const Visit& visit) const {
+  if (shared_->surfaces.empty()) return;
+  if (isPart_)
+    requireLocated(x);
+  else
+    locate(x);
+  for (const SurfaceSearch& surface : shared_->surfaces)
+    for (const SurfaceSearch::Touch& touch : surface.touching()) {
+      std::array<std::int32_t, 4> nodes = touch.nodes;
+      if (isPart_) {
+        for (std::int32_t& node : nodes) node = numberOf_[node];
+        if (nodes == std::array<std::int32_t, 4>{-1, -1, -1, -1}) continue;
+      }
+      visit(surface.contact(), touch, nodes);
+    }
+}
 
 template <class Visit, class Wanted>
 void DiscreteForces::forEachBlock(NodeVectorsView x, const Visit& visit, const Wanted& wanted) const {
@@ -179,6 +229,16 @@ void DiscreteForces::forEachBlock(NodeVectorsView x, const Visit& visit, const W
                                     contact.penalty[k] * at.gap * at.curvature;
       visit(node, node, block);
     }
+  forEachTouch(x, [&](const SurfaceContact& contact, const SurfaceSearch::Touch& touch,
+                      const std::array<std::int32_t, 4>& nodes) {
+    bool any = false;
+    for (const std::int32_t node : nodes) any = any || (node >= 0 && wanted(node));
+    if (!any) return;
+    const double k = contact.penalty[touch.entry], fc = f * contact.damping[touch.entry];
+    for (int a = 0; a < 4; ++a)
+      for (int c = 0; c < 4; ++c)
+        if (nodes[a] >= 0 && nodes[c] >= 0) visit(nodes[a], nodes[c], touch.block(a, c, k, fc));
+  });
 }
 
 }  // namespace ringwatch

@@ -57,6 +57,7 @@ void TangentSource::setDiscreteForces(DiscreteForces forces) {
   if (forces.nodeCount() != nodeCount())
     throw InputError(joinText("discrete forces of ", forces.nodeCount(), " nodes: the body has ", nodeCount()));
   discrete_ = std::make_unique<DiscreteForces>(std::move(forces));
+  discrete_->setThreads(threads());
   massVersion_.add();
 }
 
@@ -197,16 +198,11 @@ void TangentSource::makePattern(BlockMatrix& matrix) const {
   for (const ElementTangents* block : tangents_)
     for (std::int32_t e = 0; e < block->elementCount(); ++e)
       for (std::int32_t i : block->nodesOf(e)) begin[static_cast<std::size_t>(i) + 1] += block->nodesPerElement();
-  // A spring couples two nodes that need not share an element.
-  const auto forEachSpring = [&](const auto& visit) {
-    if (!discrete_) return;
-    for (const Spring& spring : discrete_->springs())
-      if (spring.other >= 0) visit(spring.node, spring.other);
-  };
-  forEachSpring([&](std::size_t i, std::size_t j) {
-    ++begin[i + 1];
-    ++begin[j + 1];
-  });
+  // Springs and contact of surfaces couple nodes that need not share an element.
+  for (const auto& [i, j] : matrix.coupled) {
+    ++begin[static_cast<std::size_t>(i) + 1];
+    ++begin[static_cast<std::size_t>(j) + 1];
+  }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<std::int32_t> neighbour(begin.back());
   {
@@ -221,10 +217,10 @@ void TangentSource::makePattern(BlockMatrix& matrix) const {
           to += static_cast<std::int64_t>(own.size());
         }
       }
-    forEachSpring([&](std::size_t i, std::size_t j) {
-      neighbour[next[i]++] = static_cast<std::int32_t>(j);
-      neighbour[next[j]++] = static_cast<std::int32_t>(i);
-    });
+    for (const auto& [i, j] : matrix.coupled) {
+      neighbour[next[i]++] = j;
+      neighbour[next[j]++] = i;
+    }
   }
   std::vector<std::int64_t> count(nodes);
   parallelFor(
@@ -337,7 +333,13 @@ void TangentSource::placePairs(BlockMatrix& matrix) const {
 }
 
 void TangentSource::assembleBlocks(NodeVectorsView x, BlockMatrix& matrix) const {
-  if (matrix.rowBegin.empty()) makePattern(matrix);
+  // Which surfaces touch changes along a run.
+  auto coupled = discrete_ ? discrete_->coupledNodes(x) : std::vector<std::array<std::int32_t, 2>>();
+  if (matrix.rowBegin.empty() || matrix.coupled != coupled) {
+    matrix = {};
+    matrix.coupled = std::move(coupled);
+    makePattern(matrix);
+  }
   PatchPairs& own = matrix.patchPairs;
   double* values = matrix.block.data()->data();
   std::size_t firstPatch = 0;
@@ -393,8 +395,9 @@ void TangentSource::assembleBlocks(NodeVectorsView x, BlockMatrix& matrix) const
 void TangentSource::assembleTangent(NodeVectorsView x, SparseTangent& tangent) const {
   BlockMatrix& blocks = tangent.blocks;
   Eigen::SparseMatrix<double>& K = tangent.matrix;
+  const auto coupledBefore = blocks.coupled;
   assembleBlocks(x, blocks);
-  const bool fresh = K.nonZeros() == 0;
+  const bool fresh = K.nonZeros() == 0 || blocks.coupled != coupledBefore;
   if (fresh) {
     K.resize(3 * nodeCount(), 3 * nodeCount());
     K.resizeNonZeros(9 * blocks.column.size());

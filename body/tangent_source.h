@@ -92,10 +92,10 @@ class TangentSource {
   /// Exact tangent of one element, 3n×3n, N/m.
   Eigen::MatrixXd elementTangent(ElementRef element, NodeVectorsView x) const;
   /// Exact tangent of all elements as node blocks, and of discrete forces as tangentProduct() has it. The pattern is
-  /// made when `matrix` is empty and reused else.
+  /// made when `matrix` is empty or contact of surfaces couples other nodes than it holds, and reused else.
   void assembleBlocks(NodeVectorsView x, BlockMatrix& matrix) const;
-  /// Exact tangent as a sparse matrix; constrained degrees of freedom are kept. The pattern is made when `tangent` is
-  /// empty and reused else.
+  /// Exact tangent as a sparse matrix; constrained degrees of freedom are kept. The pattern is made as by
+  /// assembleBlocks().
   void assembleTangent(NodeVectorsView x, SparseTangent& tangent) const;
   /// Exact tangent as a sparse matrix of its own, pattern included.
   Eigen::SparseMatrix<double> assembleTangent(NodeVectorsView x) const;

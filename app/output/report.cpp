@@ -93,6 +93,11 @@ std::string governingText(const Scene& scene, const RunResult& result) {
   return text + "\n";
 }
 
+/// What a node came deepest into.
+std::string touchedName(const Scene& scene, std::size_t obstacle) {
+  return obstacle == DiscreteForces::ofSurface ? "surface" : scene.obstacles[obstacle].name;
+}
+
 /// Springs and contact: what they came to, and how far penalties could grow.
 Json discreteJson(const Scene& scene, const Body& body, const RunResult& result) {
   if (!result.discrete) return nullptr;
@@ -102,6 +107,13 @@ Json discreteJson(const Scene& scene, const Body& body, const RunResult& result)
   for (const PenaltyContact& contact : body.discreteForces()->contacts()) {
     nodes += contact.nodes.size();
     for (const double penalty : contact.penalty) {
+      least = std::min(least, penalty);
+      largest = std::max(largest, penalty);
+    }
+  }
+  for (const SurfaceSearch& surface : body.discreteForces()->surfaces()) {
+    nodes += surface.contact().nodes.size();
+    for (const double penalty : surface.contact().penalty) {
       least = std::min(least, penalty);
       largest = std::max(largest, penalty);
     }
@@ -118,7 +130,7 @@ Json discreteJson(const Scene& scene, const Body& body, const RunResult& result)
     json["deepest"] = {{"depth", discrete.deepest},
                        {"time", discrete.deepestTime},
                        {"node_id", body.mesh().nodeId(discrete.deepestNode)},
-                       {"obstacle", scene.obstacles[discrete.deepestObstacle].name}};
+                       {"obstacle", touchedName(scene, discrete.deepestObstacle)}};
   if (discrete.room)
     json["room"] = {
         {"elements_alone", discrete.room->elementsAlone},
@@ -134,10 +146,11 @@ std::string discreteText(const Scene& scene, const Body& body, const RunResult& 
   std::string text;
   if (!scene.contacts.empty())
     text += discrete.deepestNode < 0
-                ? "contact: no node touched an obstacle\n"
+                ? scene.obstacles.empty() ? "contact: no node touched a surface\n"
+                                          : "contact: no node touched an obstacle\n"
                 : fmt::format("contact: at most {} nodes touched, node {} came {:.4g} m deep into {} at t = {:.4g} s\n",
                               discrete.mostTouching, body.mesh().nodeId(discrete.deepestNode), discrete.deepest,
-                              scene.obstacles[discrete.deepestObstacle].name, discrete.deepestTime);
+                              touchedName(scene, discrete.deepestObstacle), discrete.deepestTime);
   if (discrete.governed == 0) return text;
   text += fmt::format("springs or contact govern at {} observations, where the least safe step is {:.4g} s",
                       discrete.governed, *discrete.leastSafe);

@@ -44,7 +44,7 @@ void RunRecorder::recordGoverning(const MonitorReport& report) {
 void RunRecorder::recordDiscrete(const MonitorReport& report, const Body& body, NodeVectorsView x) {
   if (!result_.discrete) return;
   RunResult::Discrete& discrete = *result_.discrete;
-  if (!body.discreteForces()->contacts().empty()) {
+  if (body.discreteForces()->hasContact()) {
     const DiscreteForces::ContactState state = body.discreteForces()->contactState(x);
     discrete.mostTouching = std::max(discrete.mostTouching, state.touching);
     if (state.deepest > discrete.deepest) {

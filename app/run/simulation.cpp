@@ -114,7 +114,7 @@ MonitorReport Simulation::observeOnce(std::int64_t k, bool rowDue) {
 void Simulation::lookAhead() {
   if (watch.monitors()) body.followDampingRates(state.x, state.v);
   DiscreteForces* discrete = body.discreteForces();
-  if (!discrete || discrete->contacts().empty() || !watch.monitors()) return;
+  if (!discrete || !discrete->hasContact() || !watch.monitors()) return;
   constexpr double faster = 2;
   discrete->setReach(faster * static_cast<double>(scene.every) * steps.step() * discrete->largestSpeed(state.v));
 }

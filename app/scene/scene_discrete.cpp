@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -15,7 +17,7 @@
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/body/discrete_forces.h>
-#include <ringwatch/meshes/adjacency.h>
+#include <ringwatch/meshes/surface.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/critical_step.h>
 
@@ -35,6 +37,10 @@ constexpr double shareOfRoom = 0.5;
 /// The reference step of "auto" where elements damp: how often it is corrected, and when it is near enough.
 constexpr int referenceSearches = 4;
 constexpr double referenceTolerance = 0.005;
+/// Nodes that lie on a surface at the start are there to rounding, relative to the size of the body.
+constexpr double startRounding = 1e-9;
+/// Bounds of SurfaceContact::split.
+constexpr double leastSplit = 0.1, largestSplit = 10;
 
 void readSpring(const SceneTable& section, Scene& scene) {
   Scene::SpringSet springs{selectionOf(section),           std::nullopt, section.get<double>("stiffness"),
@@ -108,13 +114,22 @@ void readObstacle(const SceneTable& section, Scene& scene) {
   scene.obstacles.push_back(std::move(obstacle));
 }
 
-void readContact(const SceneTable& section, Scene& scene) {
+/// What a [[contact]] touches.
+void readTouched(const SceneTable& section, const Scene& scene, Scene::Contact& contact) {
+  contact.withSurface = section.get<std::string>("with") == "surface";
+  if (contact.withSurface) {
+    if (section.given("obstacle"))
+      fail(section.at("obstacle").origin, "contact.obstacle",
+           "this contact is with = \"surface\"; take one of the two out, or give another [[contact]]");
+    if (section.given("to_where") || section.given("to_set")) contact.to = selectionOf(section, "to_");
+    return;
+  }
+  for (const char* key : {"to_where", "to_set"})
+    if (section.given(key))
+      fail(section.at(key).origin, fmt::format("contact.{}", key), "needs with = \"surface\"; obstacles have no nodes");
   if (scene.obstacles.empty())
-    fail(section.origin, "[[contact]]", "there is no [[obstacle]] to touch; give one, with its kind");
-  Scene::Contact contact;
-  contact.origin = section.origin + ": [[contact]]";
-  contact.penaltyOrigin = section.given("penalty") ? section.where("penalty") : contact.origin;
-  if (section.given("where") || section.given("set")) contact.nodes = selectionOf(section);
+    fail(section.origin, "[[contact]]",
+         "there is no [[obstacle]] to touch; give one, with its kind, or with = \"surface\"");
   std::vector<std::string> known;
   for (const Scene::MovingObstacle& obstacle : scene.obstacles) known.push_back(obstacle.name);
   if (section.given("obstacle")) {
@@ -128,6 +143,14 @@ void readContact(const SceneTable& section, Scene& scene) {
   } else {
     for (std::size_t i = 0; i < known.size(); ++i) contact.obstacles.push_back(i);
   }
+}
+
+void readContact(const SceneTable& section, Scene& scene) {
+  Scene::Contact contact;
+  contact.origin = section.origin + ": [[contact]]";
+  contact.penaltyOrigin = section.given("penalty") ? section.where("penalty") : contact.origin;
+  if (section.given("where") || section.given("set")) contact.nodes = selectionOf(section);
+  readTouched(section, scene, contact);
   contact.damping = section.get<double>("damping");
   contact.friction = section.get<double>("friction");
   contact.slip = section.get<double>("slip");
@@ -186,26 +209,6 @@ void checkDiscreteForces(Scene& scene) {
   if (scene.device == RunDevice::automatic) scene.noDevice = noDevice;
 }
 
-std::vector<std::int32_t> surfaceNodes(const Mesh& mesh) {
-  std::vector<std::int32_t> nodes;
-  for (const ElementFace& face : boundaryFaces(mesh)) {
-    const MeshBlock& block = mesh.blocks[face.block];
-    const ElementInfo& info = elementInfo(block.type);
-    const std::int32_t* own = block.element(face.element);
-    const auto& corners = info.faces[face.face];
-    const auto isCorner = [&](int a) { return std::find(corners.begin(), corners.end(), a) != corners.end(); };
-    for (const int corner : corners)
-      if (corner >= 0) nodes.push_back(own[corner]);
-    if (info.order < 2) continue;
-    const auto firstMiddle = info.nodes - static_cast<int>(info.edges.size());
-    for (std::size_t e = 0; e < info.edges.size(); ++e)
-      if (isCorner(info.edges[e][0]) && isCorner(info.edges[e][1]))
-        nodes.push_back(own[firstMiddle + static_cast<int>(e)]);
-  }
-  sortUnique(nodes);
-  return nodes;
-}
-
 std::int32_t nearest(const Mesh& mesh, std::int32_t node, const std::vector<std::int32_t>& others) {
   std::int32_t best = -1;
   double distance = infinity;
@@ -254,13 +257,36 @@ ElementsAlone elementsAlone(const Body& body) {
   return {weights.last(), weights.nodal()};
 }
 
+/// Throws InputError where surfaces overlap at the start.
+void requireApart(const Scene::Contact& contact, SurfaceContact surface, const Mesh& mesh) {
+  surface.penalty.assign(surface.nodes.size(), 0);
+  surface.damping.assign(surface.nodes.size(), 0);
+  SurfaceSearch search(std::move(surface), static_cast<std::int32_t>(mesh.nodeCount()));
+  search.locate(mesh.X, 0, 1);
+  const double size = (mesh.X.rowwise().maxCoeff() - mesh.X.rowwise().minCoeff()).maxCoeff();
+  const SurfaceSearch::Touch* deepest = nullptr;
+  std::size_t inside = 0;
+  for (const SurfaceSearch::Touch& touch : search.touching()) {
+    if (!(touch.depth > startRounding * size)) continue;
+    ++inside;
+    if (!deepest || touch.depth > deepest->depth) deepest = &touch;
+  }
+  if (!deepest) return;
+  const Eigen::Vector3d at = mesh.X.col(deepest->nodes[0]);
+  throw InputError(fmt::format(
+      "{}: surfaces overlap at the start: node {} at ({:.6g}, {:.6g}, {:.6g}) is {:.4g} m deep behind the face of "
+      "nodes {}, "
+      "{} and {}, the deepest of {}; move the parts apart, or leave the nodes out of [[contact]]",
+      contact.origin, mesh.nodeId(deepest->nodes[0]), at[0], at[1], at[2], deepest->depth,
+      mesh.nodeId(deepest->nodes[1]), mesh.nodeId(deepest->nodes[2]), mesh.nodeId(deepest->nodes[3]), inside));
+}
+
 /// Throws InputError where an obstacle begins inside the body: where it holds a node of its contact, or of the whole
 /// body for contact of the surface, as an obstacle inside of the body touches no surface.
 void requireOutside(const Scene& scene, const Mesh& mesh) {
-  // Nodes that lie on a surface are there to rounding.
   const double size = (mesh.X.rowwise().maxCoeff() - mesh.X.rowwise().minCoeff()).maxCoeff();
-  constexpr double rounding = 1e-9;
   for (const Scene::Contact& contact : scene.contacts) {
+    if (contact.withSurface) continue;
     std::vector<std::int32_t> nodes;
     if (contact.nodes) {
       nodes = contact.nodes->nodesOf(mesh);
@@ -271,12 +297,12 @@ void requireOutside(const Scene& scene, const Mesh& mesh) {
     for (const std::size_t i : contact.obstacles) {
       const Scene::MovingObstacle& obstacle = scene.obstacles[i];
       const std::unique_ptr<Obstacle> shape = obstacle.kind->make(obstacle.parameters);
-      double deepest = rounding * size;
+      double deepest = startRounding * size;
       std::int32_t deepestNode = -1;
       std::size_t inside = 0;
       for (const std::int32_t node : nodes) {
         const double depth = -shape->at(mesh.X.col(node)).gap;
-        inside += depth > rounding * size;
+        inside += depth > startRounding * size;
         if (!(depth > deepest)) continue;
         deepest = depth;
         deepestNode = node;
@@ -297,6 +323,148 @@ double penaltyFor(double room, double mass, double damping, double factor) {
   return root * root;
 }
 
+std::string noRoom(const Scene::Contact& contact, double proven) {
+  return fmt::format(
+      "{}: \"auto\" has no room: the elements alone prove steps up to {:.4g} s at "
+      "rest; take a smaller step than {:.4g} s, in contact.step or integrator.step",
+      contact.penaltyOrigin, proven, contact.step);
+}
+
+/// Areas, masses and rooms of the nodes of a surface, by node.
+struct SurfaceShares {
+  std::vector<double> area;       // m², a third of each triangle at a node
+  std::vector<bool> held;         // in all directions: as if its mass were infinite
+  double massPerArea = infinity;  // kg/m², the median of the touched surface's nodes
+  double meanArea = 0;            // m², of the nodes that touch it
+};
+SurfaceShares sharesOf(const SurfaceContact& contact, const Body& body) {
+  SurfaceShares shares;
+  shares.area.assign(body.nodeCount(), 0);
+  shares.held.assign(body.nodeCount(), false);
+  const Mesh& mesh = body.mesh();
+  for (const SurfaceTriangle& t : surfaceTriangles(mesh)) {
+    const Eigen::Vector3d a = mesh.X.col(t.nodes[0]), b = mesh.X.col(t.nodes[1]), c = mesh.X.col(t.nodes[2]);
+    for (const std::int32_t node : t.nodes) shares.area[node] += (b - a).cross(c - a).norm() / 6;
+  }
+  std::vector<std::int32_t> corners;
+  for (const auto& triangle : contact.triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+  sortUnique(corners);
+  std::vector<double> ratios;
+  for (const std::int32_t node : corners) {
+    shares.held[node] = body.constraints().freeComponents(node) == 0;
+    ratios.push_back(shares.held[node] ? infinity : body.lumpedMass()[node] / shares.area[node]);
+  }
+  std::nth_element(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
+  shares.massPerArea = ratios[ratios.size() / 2];
+  for (const std::int32_t node : contact.nodes)
+    shares.meanArea += shares.area[node] / static_cast<double>(contact.nodes.size());
+  return shares;
+}
+
+/// The largest penalties, up to `wanted` for each node, that leave a share of the room of every node beside the
+/// elements: of the nodes that touch, and of the corners that are touched, with as many nodes at each as its area has.
+/// room: by node, N/m.
+void fitSurfacePenalties(SurfaceContact& contact, const SurfaceShares& shares, const Body& body,
+                         const std::vector<double>& room, double damping, double factor) {
+  // Of the touched surface, the load on an area is that of the nodes that stand on it.
+  double load = 0;
+  const auto withDamping = [&](std::size_t k) {
+    return contact.penalty[k] +
+           factor * 2 * damping * std::sqrt(contact.penalty[k] * body.lumpedMass()[contact.nodes[k]]);
+  };
+  for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
+    const std::int32_t node = contact.nodes[k];
+    const double own = 0.5 * shareOfRoom * room[node] / (1 + contact.split[k]);
+    contact.penalty[k] = std::min(contact.penalty[k], penaltyFor(own, body.lumpedMass()[node], damping, factor));
+    load = std::max(load, (1 + 1 / contact.split[k]) * withDamping(k) / shares.area[node]);
+  }
+  double share = 1;
+  for (const auto& triangle : contact.triangles)
+    for (const std::int32_t node : triangle)
+      if (!shares.held[node]) share = std::min(share, 0.5 * shareOfRoom * room[node] / (load * shares.area[node]));
+  if (share >= 1) return;
+  // Damping goes with the root of the penalty.
+  for (double& penalty : contact.penalty) penalty *= share * share;
+}
+
+/// What a penalty of one newton a metre at all nodes of a contact is at a node in the majorant; and of its damping, the
+/// share of the critical one.
+struct SurfaceLoad {
+  double share = 0, damping = 0;
+};
+std::map<std::int32_t, SurfaceLoad> surfaceLoads(const Body& body) {
+  std::map<std::int32_t, SurfaceLoad> loads;
+  for (const SurfaceSearch& surface : body.discreteForces()->surfaces()) {
+    const SurfaceContact& contact = surface.contact();
+    const SurfaceShares shares = sharesOf(contact, body);
+    double most = 0, damping = 0;
+    for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
+      loads[contact.nodes[k]].share += 1 + contact.split[k];
+      most = std::max(most, 1 + 1 / contact.split[k]);
+      const double mass = body.lumpedMass()[contact.nodes[k]];
+      if (contact.penalty[k] > 0)
+        damping = std::max(damping, contact.damping[k] / (2 * std::sqrt(contact.penalty[k] * mass)));
+    }
+    std::vector<std::int32_t> corners;
+    for (const auto& triangle : contact.triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+    sortUnique(corners);
+    for (const std::int32_t corner : corners)
+      if (!shares.held[corner]) loads[corner].share += most * std::max(1.0, shares.area[corner] / shares.meanArea);
+    for (auto& [node, load] : loads) load.damping = std::max(load.damping, damping);
+  }
+  return loads;
+}
+
+/// A contact with the surface, with its penalties. alone: made when it is wanted.
+SurfaceContact surfaceContactOf(const Scene& scene, const Scene::Contact& contact, const Body& body,
+                                std::optional<ElementsAlone>& alone) {
+  const Mesh& mesh = body.mesh();
+  const std::vector<std::int32_t> surface = surfaceNodes(mesh);
+  const auto onSurface = [&](const std::optional<NodeSelection>& selection) {
+    if (!selection) return surface;
+    const std::vector<std::int32_t> selected = selection->nodesOf(mesh);
+    std::vector<std::int32_t> own;
+    std::set_intersection(surface.begin(), surface.end(), selected.begin(), selected.end(), std::back_inserter(own));
+    return own;
+  };
+  const std::vector<std::int32_t> nodes = onSurface(contact.nodes), to = onSurface(contact.to);
+  if (nodes.empty())
+    throw InputError(fmt::format("{}: none of its nodes is on the surface; change the condition", contact.origin));
+  SurfaceContact own;
+  try {
+    own = surfaceContact(mesh, nodes, to);
+  } catch (const InputError& fault) {
+    throw InputError(fmt::format("{}: to_where, to_set: {}; change the condition", contact.origin, fault.what()));
+  }
+  requireApart(contact, own, mesh);
+  own.friction = contact.friction;
+  own.slip = contact.slip;
+  const SurfaceShares shares = sharesOf(own, body);
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    own.split[k] = std::clamp(body.lumpedMass()[nodes[k]] / (shares.massPerArea * shares.area[nodes[k]]), leastSplit,
+                              largestSplit);
+  if (contact.penalty) {
+    own.penalty.assign(nodes.size(), *contact.penalty);
+  } else {
+    if (!alone) alone = elementsAlone(body);
+    const StepRule rule = stepRule(*integratorCatalog().find(scene.method), scene.damping);
+    const double allowed = rule.lambdaFor(contact.step);
+    std::vector<double> room(body.nodeCount());
+    for (const std::vector<std::int32_t>* side : {&nodes, &to})
+      for (const std::int32_t node : *side) {
+        room[node] = body.lumpedMass()[node] * (allowed - alone->nodal[node]);
+        if (!(room[node] > 0)) throw InputError(noRoom(contact, rule(alone->bound)));
+      }
+    const double slow = std::numbers::pi / (contactSteps * contact.step);
+    for (const std::int32_t node : nodes)
+      own.penalty.push_back(slow * slow * std::min(body.lumpedMass()[node], shares.massPerArea * shares.area[node]));
+    fitSurfacePenalties(own, shares, body, room, contact.damping, dampingFactor(scene.damping, contact.step));
+  }
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    own.damping.push_back(2 * contact.damping * std::sqrt(own.penalty[k] * body.lumpedMass()[nodes[k]]));
+  return own;
+}
+
 }  // namespace
 
 void readDiscreteSections(const std::vector<SceneTable>& sections, Scene& scene) {
@@ -310,7 +478,8 @@ void readDiscreteSections(const std::vector<SceneTable>& sections, Scene& scene)
   forEach("spring", readSpring);
   forEach("obstacle", readObstacle);
   forEach("contact", readContact);
-  if (scene.contacts.empty() && !scene.obstacles.empty())
+  if (!scene.obstacles.empty() &&
+      std::all_of(scene.contacts.begin(), scene.contacts.end(), [](const auto& one) { return one.withSurface; }))
     throw InputError(fmt::format("{}: there is no [[contact]] with it; give one, which may be empty for the surface",
                                  scene.obstacles.front().origin));
   checkDiscreteForces(scene);
@@ -332,6 +501,10 @@ void addDiscreteForces(const Scene& scene, Body& body) {
   requireOutside(scene, body.mesh());
   std::optional<ElementsAlone> alone;
   for (const Scene::Contact& contact : scene.contacts) {
+    if (contact.withSurface) {
+      forces.add(surfaceContactOf(scene, contact, body, alone));
+      continue;
+    }
     const std::vector<std::int32_t> nodes =
         contact.nodes ? contact.nodes->nodesOf(body.mesh()) : surfaceNodes(body.mesh());
     std::vector<double> penalty(nodes.size(), contact.penalty.value_or(0)), damping(nodes.size());
@@ -346,11 +519,7 @@ void addDiscreteForces(const Scene& scene, Body& body) {
       const double allowed = rule.lambdaFor(contact.step), factor = dampingFactor(scene.damping, contact.step);
       for (std::size_t k = 0; k < nodes.size(); ++k) {
         const double mass = body.lumpedMass()[nodes[k]], room = mass * (allowed - alone->nodal[nodes[k]]);
-        if (!(room > 0))
-          throw InputError(
-              fmt::format("{}: \"auto\" has no room: the elements alone prove steps up to {:.4g} s at "
-                          "rest; take a smaller step than {:.4g} s, in contact.step or integrator.step",
-                          contact.penaltyOrigin, rule(alone->bound), contact.step));
+        if (!(room > 0)) throw InputError(noRoom(contact, rule(alone->bound)));
         const double slow = std::numbers::pi / (contactSteps * contact.step);
         penalty[k] = std::min(mass * slow * slow, penaltyFor(shareOfRoom * room, mass, contact.damping, factor));
       }
@@ -396,6 +565,7 @@ std::optional<PenaltyRoom> penaltyRoom(const Scene& scene, const Body& body, dou
   if (body.elementDamping()) return std::nullopt;
   const StepRule rule = stepRule(*integratorCatalog().find(scene.method), scene.damping);
   const ElementsAlone alone = elementsAlone(body);
+  const std::map<std::int32_t, SurfaceLoad> loads = surfaceLoads(body);
   // The largest penalty of all contact nodes with which a step is proven; infinite without contact.
   const auto penaltyAt = [&](double h) {
     double most = infinity;
@@ -408,6 +578,12 @@ std::optional<PenaltyRoom> penaltyRoom(const Scene& scene, const Body& body, dou
         most = std::min(most, penaltyFor(mass * (rule.lambdaFor(h) - alone.nodal[contact.nodes[k]]), mass, damping,
                                          dampingFactor(scene.damping, h)));
       }
+    // A node of a surface is loaded by what it touches and by what touches it.
+    for (const auto& [node, coefficient] : loads) {
+      const double mass = body.lumpedMass()[node];
+      most = std::min(most, penaltyFor(mass * (rule.lambdaFor(h) - alone.nodal[node]) / coefficient.share, mass,
+                                       coefficient.damping, dampingFactor(scene.damping, h)));
+    }
     return most;
   };
   PenaltyRoom room;

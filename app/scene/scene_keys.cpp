@@ -49,14 +49,14 @@ constexpr std::array<SceneSection, 17> sections{{
     {"spring", true, false, "springs and dashpots, from nodes to the ground or to other nodes"},
     {"obstacle", true, false, "rigid bodies in closed form that nodes of a [[contact]] cannot enter, fixed or moving"},
     {"contact", true, false,
-     "penalty contact of nodes with obstacles, with viscous damping and Coulomb friction; sliding friction is outside "
-     "the proof"},
+     "penalty contact of nodes with obstacles, or with the surface of other parts and of the body itself, with viscous "
+     "damping and Coulomb friction; sliding friction is outside the proof"},
     {"cut", true, false,
      "cuts through a mesh of tetrahedra along a plane or a swept line; lips may pass through each other"},
     {"output", false, false, "what is written besides history.csv and summary.json"},
 }};
 
-constexpr std::array<SceneAlternative, 15> alternatives{{
+constexpr std::array<SceneAlternative, 16> alternatives{{
     {"mesh", "file", "generate"},
     {"material", "where", "set", SceneAlternative::Need::oneOfMany},
     {"fix", "where", "set"},
@@ -71,6 +71,7 @@ constexpr std::array<SceneAlternative, 15> alternatives{{
     {"spring", "where", "set"},
     {"spring", "to_where", "to_set", SceneAlternative::Need::atMostOne},
     {"contact", "where", "set", SceneAlternative::Need::atMostOne},
+    {"contact", "to_where", "to_set", SceneAlternative::Need::atMostOne},
     {"cut", "point", "line"},
 }};
 
@@ -562,7 +563,19 @@ void addDiscrete(std::vector<SceneKey>& all) {
   addNodes(all, "contact");
   add(all, "contact",
       {
+          {.key = "with",
+           .type = T::text,
+           .fallback = "\"obstacles\"",
+           .choices = {"obstacles", "surface"},
+           .help =
+               "what the nodes touch: the [[obstacle]]s, or the surface of the mesh, that of other parts and of their "
+               "own"},
           {.key = "obstacle", .type = T::text, .help = "name of the obstacle; without, all of them"},
+          {.key = "to_where",
+           .type = T::text,
+           .help = "nodes of the surface that is touched, with = \"surface\": its faces all of whose corners are "
+                   "selected; without, the whole surface"},
+          {.key = "to_set", .type = T::text, .help = "named node set of the mesh, instead of to_where"},
           {.key = "penalty",
            .type = T::numberOrAuto,
            .unit = "N/m",

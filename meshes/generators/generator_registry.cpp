@@ -74,6 +74,21 @@ constexpr GeneratorParameter ringParameters[] = {ringRadius, inner, width, ringC
                                                  element,    split, teeth, toothDepth};
 constexpr GeneratorParameter ballParameters[] = {radius, cellsAcross, element, split};
 
+constexpr GeneratorParameter upperSize{
+    "upper_size", "m",  "of the upper box along x, y, z", K::number, 3, {0.04, 0.04, 0.04}, "", 0, infinity,
+    false,        false};
+constexpr GeneratorParameter upperCells{
+    "upper_cells", "", "of the upper box along x, y, z", K::integer, 3, {4, 4, 4}, "", 1, mostCells, true, true};
+constexpr GeneratorParameter gap{"gap", "m",  "between the boxes, along z", K::number, 1, {0}, "", 0, infinity,
+                                 true,  false};
+constexpr GeneratorParameter offset{
+    "offset",  "m",       "of the upper box's middle from the lower one's along x and y",
+    K::number, 2,         {0, 0},
+    "",        -infinity, infinity,
+    false,     false};
+constexpr GeneratorParameter stackParameters[] = {size3,  cells3,  upperSize, upperCells, gap, offset,
+                                                  origin, element, split,     jitter,     seed};
+
 constexpr GeneratorParameter finest{"finest", "m",  "longest edge at the plane", K::number, 1, {0.005}, "", 0, infinity,
                                     false,    false};
 constexpr GeneratorParameter plane{
@@ -200,6 +215,18 @@ Mesh ball(const Values& values) {
                        static_cast<int>(values.number("split"))});
 }
 
+Mesh stack(const Values& values) {
+  StackOptions options;
+  options.lower = barOptions(values);
+  for (std::size_t k = 0; k < 3; ++k) {
+    options.upperSize[k] = values.number("upper_size", k);
+    options.upperCells[k] = static_cast<int>(values.number("upper_cells", k));
+  }
+  options.gap = values.number("gap");
+  for (std::size_t k = 0; k < 2; ++k) options.offset[k] = values.number("offset", k);
+  return generateStack(options);
+}
+
 Mesh ring(const Values& values) {
   RingOptions options{values.number("radius"),
                       values.number("inner"),
@@ -225,6 +252,7 @@ constexpr Generator generators[] = {
     {{"refined", "a box of tetrahedra bisected until they are small at a plane across x", refinedParameters}, refined},
     {{"mixed", "a bar of wedges, hexahedra, pyramids and tetrahedra that share faces", mixedParameters}, mixed},
     {{"ball", "a ball, a cube of cells mapped onto it", ballParameters}, ball},
+    {{"stack", "two boxes, one above the other, that share no node", stackParameters}, stack},
     {{"ring", "a hollow cylinder around y, or a gear", ringParameters}, ring},
 };
 

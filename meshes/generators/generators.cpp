@@ -360,6 +360,52 @@ Mesh generateBall(const BallOptions& options) {
   return mesh;
 }
 
+Mesh generateStack(const StackOptions& options) {
+  if (!(options.gap >= 0) || !std::isfinite(options.gap))
+    throw InputError(joinText("gap = ", options.gap, ": it must be 0 or more and finite"));
+  const BarOptions& lower = options.lower;
+  BarOptions upper = lower;
+  upper.size = options.upperSize;
+  upper.cells = options.upperCells;
+  ++upper.seed;
+  for (int k = 0; k < 2; ++k)
+    upper.origin[k] = lower.origin[k] + 0.5 * (lower.size[k] - upper.size[k]) + options.offset[k];
+  upper.origin[2] = lower.origin[2] + lower.size[2] + options.gap;
+  const Mesh boxes[2] = {generateBar(lower), generateBar(upper)};
+  const auto first = static_cast<std::int32_t>(boxes[0].nodeCount());
+  Mesh mesh;
+  mesh.X.resize(3, boxes[0].X.cols() + boxes[1].X.cols());
+  mesh.X << boxes[0].X, boxes[1].X;
+  mesh.blocks = boxes[0].blocks;
+  for (int box = 0; box < 2; ++box) {
+    const std::string name = box == 0 ? "lower" : "upper";
+    const std::int32_t firstNode = box == 0 ? 0 : first;
+    std::vector<std::int32_t> all(boxes[box].nodeCount());
+    std::iota(all.begin(), all.end(), firstNode);
+    mesh.nodeSets[name] = std::move(all);
+    for (auto [side, nodes] : boxes[box].nodeSets) {
+      for (std::int32_t& node : nodes) node += firstNode;
+      mesh.nodeSets[joinText(name, " ", side)] = std::move(nodes);
+    }
+    for (ElementRef e : boxes[box].elementSets.at("all")) {
+      if (box == 1) e.element += static_cast<std::int32_t>(boxes[0].blocks[e.block].elementCount());
+      mesh.elementSets[name].push_back(e);
+      mesh.elementSets["all"].push_back(e);
+    }
+  }
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+    for (const std::int32_t node : boxes[1].blocks[b].connectivity) mesh.blocks[b].connectivity.push_back(first + node);
+  for (MeshBlock& block : mesh.blocks) {
+    block.ids.resize(block.elementCount());
+    std::iota(block.ids.begin(), block.ids.end(), 0);
+  }
+  if (!boxes[0].nodeIds.empty()) {
+    mesh.nodeIds.resize(mesh.nodeCount());
+    std::iota(mesh.nodeIds.begin(), mesh.nodeIds.end(), 0);
+  }
+  return mesh;
+}
+
 Mesh generateRing(const RingOptions& options) {
   requirePositive("inner", options.inner);
   requirePositive("width", options.width);

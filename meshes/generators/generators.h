@@ -65,6 +65,20 @@ struct RingOptions {
 /// a split that alternates from cell to cell (an even number).
 Mesh generateRing(const RingOptions& options);
 
+/// Two boxes of the same element, one above the other, that share no node.
+struct StackOptions {
+  BarOptions lower;                          // element, split and jitter are those of both
+  std::array<double, 3> upperSize{1, 1, 1};  // m, each > 0
+  std::array<int, 3> upperCells{1, 1, 1};    // each > 0
+  double gap = 0;                            // m, along z, ≥ 0
+  std::array<double, 2> offset{0, 0};        // of the upper one's middle from the lower one's, along x and y, m
+};
+
+/// The boxes, the nodes and elements of the lower one first. Node sets "lower" and "upper" hold the nodes of each,
+/// "lower x-min" … "upper z-max" its faces; element sets "lower", "upper" and "all". The jitter of the upper box has
+/// the next seed. Throws InputError like `generateBar`.
+Mesh generateStack(const StackOptions& options);
+
 /// A box of tetrahedra that are small at a plane.
 struct RefinedBarOptions {
   BarOptions coarse;    // cells to begin with; element and split are tet4's

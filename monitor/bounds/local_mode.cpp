@@ -87,6 +87,7 @@ LowerBound LocalMode::evaluate(NodeVectorsView x, bool mayImprove) {
     choose(mode, size_);
     if (!part_) return {0};
   }
+  if (const DiscreteForces* discrete = body_.discreteForces()) discrete->locate(x);
   x_ = x(Eigen::all, nodes_);
   const bool improve = isNew_ || (++sinceImproved_ >= gap_ && mayImprove);
   const int products = isNew_ ? 3 * products_ : improve ? products_ : 1;

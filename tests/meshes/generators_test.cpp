@@ -140,6 +140,38 @@ TEST(Generators, RingsAndGearsAreClosedAndHaveTheirVolume) {
   EXPECT_THAT(errorOf([] { generateRing({.teeth = 4, .toothDepth = 0.5}); }), HasSubstr("tooth_depth = 0.5"));
 }
 
+TEST(Generators, StacksAreTwoBoxesThatShareNoNode) {
+  for (const CellSubdivision& split : allCellSubdivisions()) {
+    StackOptions options;
+    options.lower = {.size = {2, 1, 1}, .cells = {2, 2, 2}, .origin = {1, 0, 0}, .jitter = 0.2};
+    options.lower.element = split.element;
+    options.lower.split = split.elementsPerCell;
+    options.upperSize = {1, 0.5, 0.5};
+    options.upperCells = {2, 1, 1};
+    options.gap = 0.25;
+    options.offset = {0.5, 0};
+    const Mesh mesh = generateStack(options);
+    EXPECT_TRUE(checkMesh(mesh).empty()) << split.element;
+    EXPECT_NEAR(meshVolume(mesh), 2.25, 1e-13) << split.element;
+    const auto& lower = mesh.nodeSets.at("lower");
+    const auto& upper = mesh.nodeSets.at("upper");
+    EXPECT_EQ(lower.size() + upper.size(), mesh.nodeCount());
+    for (const MeshBlock& block : mesh.blocks)
+      for (std::size_t e = 0; e < block.elementCount(); ++e) {
+        std::size_t below = 0;
+        for (int a = 0; a < block.nodesPerElement(); ++a)
+          below += std::binary_search(lower.begin(), lower.end(), block.element(e)[a]);
+        EXPECT_TRUE(below == 0 || below == static_cast<std::size_t>(block.nodesPerElement()));
+      }
+    for (const std::int32_t node : mesh.nodeSets.at("upper z-min")) EXPECT_DOUBLE_EQ(mesh.X(2, node), 1.25);
+    for (const std::int32_t node : mesh.nodeSets.at("upper x-max")) EXPECT_DOUBLE_EQ(mesh.X(0, node), 3);
+    for (const std::int32_t node : mesh.nodeSets.at("lower z-max")) EXPECT_DOUBLE_EQ(mesh.X(2, node), 1);
+    EXPECT_EQ(mesh.elementSets.at("lower").size() + mesh.elementSets.at("upper").size(),
+              mesh.elementSets.at("all").size());
+  }
+  EXPECT_THAT(errorOf([] { generateStack({.lower = {}, .gap = -1}); }), HasSubstr("gap = -1: it must be 0 or more"));
+}
+
 TEST(Generators, BadOptionsAreNamed) {
   const auto bar = [](BarOptions o) { return errorOf([&] { generateBar(o); }); };
   EXPECT_THAT(bar({.size = {0, 1, 1}}), HasSubstr("size = 0"));

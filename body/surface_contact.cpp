@@ -1,0 +1,429 @@
+#include <ringwatch/body/surface_contact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <Eigen/Geometry>
+#include <unsupported/Eigen/BVH>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
+#include <ringwatch/base/parallel.h>
+#include <ringwatch/base/sort_unique.h>
+#include <ringwatch/meshes/surface.h>
+
+namespace ringwatch {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Barycentric coordinates by which a point counts as one of a triangle that it is beside by rounding alone.
+constexpr double besideByRounding = 1e-10;
+/// Distances that differ by no more are one, relative.
+constexpr double sameDistance = 1e-12;
+/// Of a node beside an edge behind which the surface turns away: how far it may be beside over how far it is away, to
+/// be held still.
+constexpr double beside = 0.5;
+/// Of the mean edge: what nodes may move against one another until the lists are made again.
+constexpr double skinOfEdge = 0.4;
+
+double heightBehind(const Mesh& mesh, const SurfaceTriangle& triangle) {
+  const Vector3d a = mesh.X.col(triangle.nodes[0]), b = mesh.X.col(triangle.nodes[1]),
+                 c = mesh.X.col(triangle.nodes[2]);
+  const Vector3d normal = (b - a).cross(c - a).normalized();
+  const MeshBlock& block = mesh.blocks[triangle.face.block];
+  const std::int32_t* own = block.element(triangle.face.element);
+  double height = 0;
+  for (int i = 0; i < block.nodesPerElement(); ++i) height = std::max(height, normal.dot(a - mesh.X.col(own[i])));
+  return height;
+}
+
+template <class T>
+CompressedRows<T> rowsOf(const std::vector<std::vector<T>>& lists) {
+  CompressedRows<T> rows;
+  for (const std::vector<T>& list : lists) {
+    rows.values.insert(rows.values.end(), list.begin(), list.end());
+    rows.offsets.push_back(rows.values.size());
+  }
+  return rows;
+}
+
+using TriangleBox = Eigen::AlignedBox3d;
+using TriangleTree = Eigen::KdBVH<double, 3, int>;
+
+/// Collects the boxes that a ball meets.
+struct BallQuery {
+  Vector3d centre;
+  double radius2;
+  const std::vector<TriangleBox>& boxes;
+  std::vector<std::int32_t>& found;
+  bool intersectVolume(const TriangleBox& box) const { return box.squaredExteriorDistance(centre) <= radius2; }
+  bool intersectObject(int triangle) const {
+    if (boxes[triangle].squaredExteriorDistance(centre) <= radius2) found.push_back(triangle);
+    return false;
+  }
+};
+
+}  // namespace
+
+SurfaceContact surfaceContact(const Mesh& mesh, std::vector<std::int32_t> nodes,
+                              const std::vector<std::int32_t>& surface) {
+  SurfaceContact contact;
+  const std::vector<SurfaceTriangle> all = surfaceTriangles(mesh);
+  std::vector<std::vector<std::array<std::int32_t, 2>>> fan(mesh.nodeCount());
+  for (const SurfaceTriangle& triangle : all) {
+    const auto& at = triangle.nodes;
+    for (int i = 0; i < 3; ++i) fan[at[i]].push_back({at[(i + 1) % 3], at[(i + 2) % 3]});
+    if (!std::all_of(at.begin(), at.end(),
+                     [&](std::int32_t node) { return std::binary_search(surface.begin(), surface.end(), node); }))
+      continue;
+    contact.triangles.push_back(at);
+    contact.depth.push_back(0.5 * heightBehind(mesh, triangle));
+  }
+  if (contact.triangles.empty()) throw InputError("no face of the surface has all of its corners among the nodes");
+  const CompressedRows<std::int32_t> neighbours = nodeNeighbours(mesh);
+  contact.nodes = std::move(nodes);
+  contact.split.assign(contact.nodes.size(), 1);
+  for (const std::int32_t node : contact.nodes) {
+    if (fan[node].empty()) throw InputError(joinText("node ", mesh.nodeId(node), " is not on the surface"));
+    const auto& own = fan[node];
+    contact.fan.values.insert(contact.fan.values.end(), own.begin(), own.end());
+    contact.fan.offsets.push_back(contact.fan.values.size());
+    const auto near = neighbours.row(node);
+    contact.neighbours.values.insert(contact.neighbours.values.end(), near.begin(), near.end());
+    contact.neighbours.offsets.push_back(contact.neighbours.values.size());
+  }
+  return contact;
+}
+
+SurfaceSearch::SurfaceSearch(SurfaceContact contact, std::int32_t nodeCount) : contact_(std::move(contact)) {
+  const std::size_t count = contact_.nodes.size();
+  if (contact_.penalty.size() != count || contact_.damping.size() != count || contact_.split.size() != count ||
+      contact_.fan.rowCount() != count || contact_.neighbours.rowCount() != count)
+    throw InputError("surface contact: a penalty, a damping, a split and its rows are needed for each node");
+  if (contact_.depth.size() != contact_.triangles.size())
+    throw InputError("surface contact: a depth is needed for each triangle");
+  const auto require = [](const char* name, const std::vector<double>& values, bool positive) {
+    for (const double value : values)
+      if (!(positive ? value > 0 : value >= 0) || !std::isfinite(value))
+        throw InputError(joinText(name, " = ", value, ": must be ", positive ? "> 0" : ">= 0"));
+  };
+  require("penalty", contact_.penalty, false);
+  require("damping", contact_.damping, false);
+  require("split", contact_.split, true);
+  require("friction", {contact_.friction}, false);
+  if (contact_.friction > 0 && !(contact_.slip > 0))
+    throw InputError(joinText("slip = ", contact_.slip, " m/s: must be > 0 where there is friction"));
+  nodes_ = contact_.nodes;
+  for (const auto& triangle : contact_.triangles) nodes_.insert(nodes_.end(), triangle.begin(), triangle.end());
+  sortUnique(nodes_);
+  if (!nodes_.empty() && (nodes_.front() < 0 || nodes_.back() >= nodeCount))
+    throw InputError(
+        joinText("node ", nodes_.front() < 0 ? nodes_.front() : nodes_.back(), ": must be one of ", nodeCount));
+  for (const double depth : contact_.depth) deepest_ = std::max(deepest_, depth);
+  // The other sides of edges, and the triangles at corners.
+  std::map<std::array<std::int32_t, 2>, std::int32_t> edges;
+  cornerPlace_.assign(nodeCount, -1);
+  std::vector<std::vector<std::int32_t>> at;
+  for (std::size_t t = 0; t < contact_.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t corner = contact_.triangles[t][i];
+      edges[{corner, contact_.triangles[t][(i + 1) % 3]}] = static_cast<std::int32_t>(t);
+      if (cornerPlace_[corner] < 0) {
+        cornerPlace_[corner] = static_cast<std::int32_t>(at.size());
+        at.emplace_back();
+      }
+      at[cornerPlace_[corner]].push_back(static_cast<std::int32_t>(t));
+    }
+  trianglesAt_ = rowsOf(at);
+  for (const auto& triangle : contact_.triangles) {
+    auto& across = across_.emplace_back();
+    for (int i = 0; i < 3; ++i) {
+      const auto other = edges.find({triangle[(i + 1) % 3], triangle[i]});
+      across[i] = other == edges.end() ? -1 : other->second;
+    }
+  }
+}
+
+SurfaceSearch::Closest SurfaceSearch::closestPoint(const Vector3d& s, const Vector3d& a, const Vector3d& b,
+                                                   const Vector3d& c) {
+  Closest result{infinity, {}, Vector3d::Zero(), 0, 0, Vector3d::Zero()};
+  const Vector3d e1 = b - a, e2 = c - a, p = s - a;
+  const Vector3d normal = e1.cross(e2);
+  const double n2 = normal.squaredNorm();
+  result.normal = normal;
+  if (n2 > 0) {
+    const double w1 = p.cross(e2).dot(normal) / n2, w2 = e1.cross(p).dot(normal) / n2, w0 = 1 - w1 - w2;
+    if (std::min({w0, w1, w2}) >= -besideByRounding) {
+      result.w = {w0, w1, w2};
+      result.r = (p.dot(normal) / n2) * normal;
+      result.distance2 = result.r.squaredNorm();
+      result.free = 2;
+      return result;
+    }
+  }
+  const std::array<const Vector3d*, 3> x{&a, &b, &c};
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const Vector3d edge = *x[j] - *x[i], q = s - *x[i];
+    const double length2 = edge.squaredNorm(), t = length2 > 0 ? q.dot(edge) / length2 : 0;
+    const bool inside = length2 > 0 && t >= -besideByRounding && t <= 1 + besideByRounding;
+    const double at = inside ? t : std::clamp(t, 0.0, 1.0);
+    const Vector3d r = q - at * edge;
+    const double distance2 = r.squaredNorm();
+    if (!(distance2 < result.distance2 * (inside && result.free == 0 ? 1 + sameDistance : 1))) continue;
+    result.distance2 = distance2;
+    result.r = r;
+    result.w = {};
+    result.w[i] = 1 - at;
+    result.w[j] = at;
+    result.free = inside ? 1 : 0;
+    result.corner = inside || at == 0 ? i : j;
+  }
+  return result;
+}
+
+Eigen::Matrix3d SurfaceSearch::Touch::block(int a, int c, double k, double fc) const {
+  Eigen::Matrix3d own =
+      (k * b[a] * b[c]) * Eigen::Matrix3d::Identity() + (fc * b[a] * b[c]) * normal * normal.transpose();
+  for (int i = 0; i < free; ++i)
+    for (int j = 0; j < free; ++j) own -= (k * inverse(i, j)) * column(a, i) * column(c, j).transpose();
+  return own;
+}
+
+bool SurfaceSearch::listsServe(double reach) const {
+  if (margin_ < 0) return false;
+  const Eigen::Index count = at_.cols();
+  Vector3d mean = Vector3d::Zero();
+  for (Eigen::Index i = 0; i < count; ++i) mean += at_.col(i) - listed_.col(i);
+  mean /= static_cast<double>(count);
+  const double allowed = 0.5 * margin_ - reach;
+  if (!(allowed >= 0)) return false;
+  double most = 0;
+  for (Eigen::Index i = 0; i < count; ++i) most = std::max(most, (at_.col(i) - listed_.col(i) - mean).squaredNorm());
+  return most <= allowed * allowed;
+}
+
+void SurfaceSearch::makeLists(NodeVectorsView x, double reach, int threads) {
+  ++statistics_.lists;
+  if (skin_ == 0) {
+    double sum = 0;
+    for (const auto& t : contact_.triangles)
+      sum += (x.col(t[1]) - x.col(t[0])).norm() + (x.col(t[2]) - x.col(t[1])).norm();
+    skin_ = skinOfEdge * sum / (2 * static_cast<double>(contact_.triangles.size()));
+  }
+  margin_ = 2 * reach + skin_;
+  listed_ = at_;
+  const std::size_t count = contact_.triangles.size();
+  std::vector<TriangleBox> boxes(count);
+  std::vector<int> numbers(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    for (const std::int32_t node : contact_.triangles[t]) boxes[t].extend(Vector3d(x.col(node)));
+    numbers[t] = static_cast<int>(t);
+  }
+  const TriangleTree tree(numbers.begin(), numbers.end(), boxes.begin(), boxes.end());
+  const double radius = deepest_ + margin_;
+  const std::size_t entries = contact_.nodes.size();
+  std::vector<std::vector<std::int32_t>> found(entries);
+  parallelFor(
+      0, static_cast<std::int64_t>(entries), threads,
+      [&](std::int64_t k) {
+        const std::int32_t node = contact_.nodes[k];
+        BallQuery query{x.col(node), radius * radius, boxes, found[k]};
+        Eigen::BVIntersect(tree, query);
+        if (found[k].empty()) return;
+        const auto near = contact_.neighbours.row(k);
+        std::erase_if(found[k], [&](std::int32_t t) {
+          const auto& corners = contact_.triangles[t];
+          return std::any_of(corners.begin(), corners.end(), [&](std::int32_t corner) {
+            return corner == node || std::binary_search(near.begin(), near.end(), corner);
+          });
+        });
+        std::sort(found[k].begin(), found[k].end());
+      },
+      64);
+  rows_.clear();
+  candidates_ = {};
+  for (std::size_t k = 0; k < entries; ++k) {
+    if (found[k].empty()) continue;
+    rows_.push_back(static_cast<std::int32_t>(k));
+    candidates_.values.insert(candidates_.values.end(), found[k].begin(), found[k].end());
+    candidates_.offsets.push_back(candidates_.values.size());
+  }
+}
+
+Vector3d SurfaceSearch::normalAt(NodeVectorsView x, std::int32_t entry) const {
+  const Vector3d s = x.col(contact_.nodes[entry]);
+  Vector3d normal = Vector3d::Zero();
+  for (const auto& [b, c] : contact_.fan.row(entry)) normal += (x.col(b) - s).cross(x.col(c) - s);
+  return normal;
+}
+
+/// Whether the node is on the solid's side of all the surface around the closest point, to the share `beside`.
+bool SurfaceSearch::behind(NodeVectorsView x, std::int32_t triangle, const Closest& closest) const {
+  const Vector3d& r = closest.r;
+  if (closest.free == 2) return r.dot(closest.normal) < 0;
+  const double allowed = beside * std::sqrt(closest.distance2);
+  bool any = false;
+  const auto test = [&](const Vector3d& normal) {
+    const double out = r.dot(normal), length = normal.norm();
+    any = any || out < 0;
+    return out <= allowed * length;
+  };
+  const auto normalOf = [&](std::int32_t t) {
+    const auto& at = contact_.triangles[t];
+    return Vector3d((x.col(at[1]) - x.col(at[0])).cross(x.col(at[2]) - x.col(at[0])));
+  };
+  // Where the surface ends, it is as if it went on at a right angle.
+  const auto testEdge = [&](std::int32_t t, int i) {
+    const std::int32_t other = across_[t][i];
+    if (other >= 0) return test(normalOf(other));
+    const auto& at = contact_.triangles[t];
+    const Vector3d edge = x.col(at[(i + 1) % 3]) - x.col(at[i]);
+    const Vector3d out = edge.cross(normalOf(t));
+    return r.dot(out) <= allowed * out.norm();
+  };
+  if (!test(closest.normal)) return false;
+  if (closest.free == 1) return testEdge(triangle, closest.corner) && any;
+  const std::int32_t corner = contact_.triangles[triangle][closest.corner];
+  for (const std::int32_t t : trianglesAt_.row(cornerPlace_[corner])) {
+    if (!test(normalOf(t))) return false;
+    for (int i = 0; i < 3; ++i)
+      if (contact_.triangles[t][i] == corner && (!testEdge(t, i) || !testEdge(t, (i + 2) % 3))) return false;
+  }
+  return any;
+}
+
+void SurfaceSearch::look(NodeVectorsView x, std::size_t row, double reach, std::vector<Touch>& touching,
+                         std::vector<Near>& near) const {
+  const std::int32_t entry = rows_[row];
+  const std::int32_t node = contact_.nodes[entry];
+  const Vector3d s = x.col(node);
+  const double cutoff = deepest_ + 2 * reach;
+  const auto candidates = candidates_.row(row);
+  Vector3d own = Vector3d::Zero();
+  bool ownKnown = false;
+  struct Found {
+    std::int32_t triangle;
+    Closest closest;
+  };
+  thread_local std::vector<Found> found;
+  found.clear();
+  int best = -1;
+  for (const std::int32_t t : candidates) {
+    const auto& at = contact_.triangles[t];
+    const Vector3d a = x.col(at[0]), b = x.col(at[1]), c = x.col(at[2]);
+    // A ball around the first corner holds the triangle.
+    const double far = std::sqrt(std::max((b - a).squaredNorm(), (c - a).squaredNorm())) + cutoff;
+    if ((s - a).squaredNorm() > far * far) continue;
+    const Closest closest = closestPoint(s, a, b, c);
+    if (!(closest.distance2 <= cutoff * cutoff)) continue;
+    if (!ownKnown) {
+      own = normalAt(x, entry);
+      ownKnown = true;
+    }
+    if (!(own.dot(closest.normal) < 0)) continue;
+    found.push_back({t, closest});
+    if (best < 0) {
+      best = 0;
+      continue;
+    }
+    // Of the same distance, a face before an edge before a corner, whose tangents are those of kinks.
+    const Closest& known = found[best].closest;
+    if (closest.distance2 < (1 - sameDistance) * known.distance2 ||
+        (closest.distance2 <= (1 + sameDistance) * known.distance2 && closest.free > known.free))
+      best = static_cast<int>(found.size()) - 1;
+  }
+  if (best < 0) return;
+  const double least = std::sqrt(found[best].closest.distance2);
+  bool touches = false;
+  if (const auto& [t, closest] = found[best]; least > 0 && least <= contact_.depth[t] && behind(x, t, closest)) {
+    touches = true;
+    Touch touch;
+    touch.entry = entry;
+    touch.triangle = t;
+    const auto& at = contact_.triangles[t];
+    touch.nodes = {node, at[0], at[1], at[2]};
+    touch.b = {1, -closest.w[0], -closest.w[1], -closest.w[2]};
+    touch.r = closest.r;
+    touch.depth = least;
+    touch.normal = closest.free == 2 ? Vector3d(closest.normal.normalized()) : Vector3d(-closest.r / least);
+    touch.free = closest.free;
+    touch.base = closest.free == 2 ? 1 : closest.corner + 1;
+    touch.to = {0, 0};
+    touch.inverse.setZero();
+    if (closest.free == 2) touch.to = {2, 3};
+    if (closest.free == 1) touch.to = {(closest.corner + 1) % 3 + 1, 0};
+    for (int i = 0; i < closest.free; ++i)
+      touch.T[i] = x.col(touch.nodes[touch.to[i]]) - x.col(touch.nodes[touch.base]);
+    if (closest.free == 1) touch.inverse(0, 0) = 1 / touch.T[0].squaredNorm();
+    if (closest.free == 2) {
+      Eigen::Matrix2d G;
+      G << touch.T[0].squaredNorm(), touch.T[0].dot(touch.T[1]), touch.T[0].dot(touch.T[1]), touch.T[1].squaredNorm();
+      touch.inverse = G.inverse();
+    }
+    touching.push_back(touch);
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto& [t, closest] = found[i];
+    const double distance = std::sqrt(closest.distance2);
+    const bool isBehind = closest.r.dot(closest.normal) < 0, touchesThis = touches && static_cast<int>(i) == best;
+    if (!touchesThis &&
+        (!(distance <= least + 2 * reach) || !(distance <= (isBehind ? contact_.depth[t] + reach : reach))))
+      continue;
+    Near one{entry, t, isBehind ? distance : 0, {}};
+    const double wander = std::sqrt((distance + 2 * reach) * (distance + 2 * reach) - closest.distance2);
+    const auto& at = contact_.triangles[t];
+    const double area = closest.normal.norm();
+    for (int c = 0; c < 3; ++c) {
+      const double opposite = (x.col(at[(c + 1) % 3]) - x.col(at[(c + 2) % 3])).norm();
+      const double more = wander > 0 ? wander * opposite / area : 0;
+      one.weight[c] = std::min(1.0, std::max(0.0, closest.w[c]) + more);
+    }
+    near.push_back(one);
+  }
+}
+
+void SurfaceSearch::locate(NodeVectorsView x, double reach, int threads) {
+  const std::size_t count = nodes_.size();
+  const auto isAt = [&](std::size_t i) {
+    const double *one = x.data() + 3 * static_cast<std::ptrdiff_t>(nodes_[i]), *known = at_.data() + 3 * i;
+    return one[0] == known[0] && one[1] == known[1] && one[2] == known[2];
+  };
+  std::size_t same = 0;
+  if (located_ && reach == reach_)
+    while (same < count && isAt(same)) ++same;
+  if (located_ && reach == reach_ && same == count) return;
+  at_.resize(3, static_cast<Eigen::Index>(count));
+  double sum = 0;  // not finite where a coordinate is not
+  for (std::size_t i = 0; i < count; ++i) {
+    at_.col(static_cast<Eigen::Index>(i)) = x.col(nodes_[i]);
+    sum += 0 * (at_(0, static_cast<Eigen::Index>(i)) + at_(1, static_cast<Eigen::Index>(i)) +
+                at_(2, static_cast<Eigen::Index>(i)));
+  }
+  reach_ = reach;
+  located_ = true;
+  touching_.clear();
+  near_.clear();
+  ++statistics_.looks;
+  if (!std::isfinite(sum)) return;
+  if (!listsServe(reach)) makeLists(x, reach, threads);
+  constexpr std::int64_t length = 64;
+  const std::int64_t rows = static_cast<std::int64_t>(rows_.size()), parts = (rows + length - 1) / length;
+  std::vector<std::vector<Touch>> touching(parts);
+  std::vector<std::vector<Near>> near(parts);
+  parallelFor(
+      0, parts, threads,
+      [&](std::int64_t p) {
+        for (std::int64_t row = p * length; row < std::min(rows, (p + 1) * length); ++row)
+          look(x, row, reach, touching[p], near[p]);
+      },
+      2);
+  for (std::int64_t p = 0; p < parts; ++p) {
+    touching_.insert(touching_.end(), touching[p].begin(), touching[p].end());
+    near_.insert(near_.end(), near[p].begin(), near[p].end());
+  }
+}
+
+}  // namespace ringwatch

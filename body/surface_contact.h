@@ -1,0 +1,149 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <ringwatch/meshes/adjacency.h>
+#include <ringwatch/meshes/mesh.h>
+
+namespace ringwatch {
+
+/// Nodes that the triangles of a surface push away, of other parts of the mesh and of the nodes' own one.
+///
+/// A node that is behind the surface, in its nearest triangle's solid, has the energy k d²/2, d its distance from that
+/// triangle. So k r acts between the node and the closest point, r from the point to the node; on the corners it acts
+/// by the point's barycentric weights w. Nearest is counted among triangles that share no element with the node and
+/// whose normals are against that of the surface at the node. A node deeper than `depth` of the triangle is not held.
+/// Viscous damping and friction act on the velocity of the node against that of the point, as in PenaltyContact. Forces
+/// sum to zero; friction's moment is not balanced, by the depth times the force.
+struct SurfaceContact {
+  std::vector<std::int32_t> nodes;  ///< of the surface, ascending
+  std::vector<double> penalty;      ///< k of each node, N/m
+  std::vector<double> damping;      ///< c of each node, N s/m
+  /// θ of each node, > 0: its majorant has the share 1 + θ of k, those of the corners 1 + 1/θ times w together (Theorem
+  /// 54, docs/theory/discrete_forces.md). Good is the mass of the node over that of the surface's.
+  std::vector<double> split;
+  double friction = 0;  ///< μ
+  double slip = 0;      ///< m/s, > 0 where there is friction
+
+  std::vector<std::array<std::int32_t, 3>> triangles;  ///< corners, counter-clockwise as seen from outside
+  std::vector<double> depth;                           ///< m, of each triangle
+  /// A row a node: pairs of corners behind one another, of the triangles of the surface at the node, which may be
+  /// others.
+  CompressedRows<std::array<std::int32_t, 2>> fan;
+  /// A row a node: nodes that share an element with it, ascending.
+  CompressedRows<std::int32_t> neighbours;
+};
+
+/// Of nodes of a mesh's surface and the triangles of its surface whose corners are all among `surface`, both ascending;
+/// depth is half of the height of the element behind a triangle at rest. Penalties and the rest are left empty, θ is 1.
+/// Throws InputError for nodes that are not of the surface, and where there is no triangle.
+SurfaceContact surfaceContact(const Mesh& mesh, std::vector<std::int32_t> nodes,
+                              const std::vector<std::int32_t>& surface);
+
+/// Where the nodes of a SurfaceContact touch. It keeps what it found last, and lists of the triangles that are near, of
+/// a bounding-volume hierarchy, which serve until nodes have moved some way against one another. What is found does not
+/// depend on the lists. One thread at a time.
+class SurfaceSearch {
+ public:
+  /// Throws InputError for rows, penalties and dampings that are not one a node, and constants that are negative.
+  SurfaceSearch(SurfaceContact contact, std::int32_t nodeCount);
+
+  /// A node that touches. r = Σ b_c x_c over its four nodes, b = (1, -w).
+  struct Touch {
+    std::int32_t entry;                 ///< position in SurfaceContact::nodes
+    std::int32_t triangle;              ///< position in SurfaceContact::triangles
+    std::array<std::int32_t, 4> nodes;  ///< the node and the triangle's corners
+    std::array<double, 4> b;
+    Eigen::Vector3d r;       ///< m, from the closest point to the node
+    Eigen::Vector3d normal;  ///< out of the surface, a unit vector along -r
+    double depth;            ///< m, |r|
+    /// Directions T in which the closest point is free to move: two in a face, one on an edge, none at a corner; each
+    /// from the corner base to the corner to[j], both 1 to 3. inverse: of Tᵀ T.
+    int free;
+    int base;
+    std::array<int, 2> to;
+    std::array<Eigen::Vector3d, 2> T;
+    Eigen::Matrix2d inverse;
+
+    /// Tᵢ b_c + e_ci r, e_ci the derivative of T at corner c: what the tangent lacks of k b bᵀ.
+    Eigen::Vector3d column(int c, int i) const {
+      Eigen::Vector3d own = b[c] * T[i];
+      if (c == to[i]) own += r;
+      if (c == base) own -= r;
+      return own;
+    }
+    /// ∂²(k d²/2)/∂x_a∂x_c + f c b_a b_c n nᵀ, N/m, for fc = f c. Theorem 53, docs/theory/discrete_forces.md.
+    Eigen::Matrix3d block(int a, int c, double k, double fc) const;
+  };
+  /// A node and a triangle that can touch before nodes have moved by the reach against one another, and the largest
+  /// weights of the corners with which they can.
+  struct Near {
+    std::int32_t entry, triangle;
+    double depth;  ///< m, now; 0 in front
+    std::array<double, 3> weight;
+  };
+
+  const SurfaceContact& contact() const { return contact_; }
+  /// Nodes and corners, ascending.
+  const std::vector<std::int32_t>& nodes() const { return nodes_; }
+  /// Looks where nodes touch at x, 3×N, and which can within a reach, m >= 0; nothing is done where that is known. None
+  /// do at positions that are not finite.
+  void locate(NodeVectorsView x, double reach, int threads);
+  /// Of the last look; by entry, near() by triangle within.
+  const std::vector<Touch>& touching() const { return touching_; }
+  const std::vector<Near>& near() const { return near_; }
+  /// Where nodes()[i] was then, m.
+  Eigen::Vector3d positionOf(std::size_t i) const { return at_.col(static_cast<Eigen::Index>(i)); }
+  bool located() const { return located_; }
+
+  /// Searches of the hierarchy so far, and looks.
+  struct Statistics {
+    std::int64_t lists = 0, looks = 0;
+  };
+  const Statistics& statistics() const { return statistics_; }
+
+ private:
+  /// The closest point of a triangle.
+  struct Closest {
+    double distance2;
+    std::array<double, 3> w;
+    Eigen::Vector3d r;       // to the node
+    int free;                // 2: in the face, 1: on the edge from the corner to the next, 0: at the corner
+    int corner;              // of free < 2
+    Eigen::Vector3d normal;  // of the triangle, not of unit length
+  };
+  static Closest closestPoint(const Eigen::Vector3d& s, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                              const Eigen::Vector3d& c);
+  void makeLists(NodeVectorsView x, double reach, int threads);
+  bool listsServe(double reach) const;
+  void look(NodeVectorsView x, std::size_t row, double reach, std::vector<Touch>& touching,
+            std::vector<Near>& near) const;
+  bool behind(NodeVectorsView x, std::int32_t triangle, const Closest& closest) const;
+  Eigen::Vector3d normalAt(NodeVectorsView x, std::int32_t entry) const;
+
+  SurfaceContact contact_;
+  std::vector<std::int32_t> nodes_;
+  std::vector<std::array<std::int32_t, 3>>
+      across_;                                // the triangle on the other side of the edge behind each corner, -1
+  std::vector<std::int32_t> cornerPlace_;     // by node: its row of at_corner_, -1
+  CompressedRows<std::int32_t> trianglesAt_;  // a row a corner
+  double deepest_ = 0, skin_ = 0;             // m
+
+  // Lists of triangles within deepest_ + margin_ of nodes at listed_.
+  std::vector<std::int32_t> rows_;  // entries that have any
+  CompressedRows<std::int32_t> candidates_;
+  NodeVectors listed_;
+  double margin_ = -1;
+
+  NodeVectors at_;
+  double reach_ = -1;
+  bool located_ = false;
+  std::vector<Touch> touching_;
+  std::vector<Near> near_;
+  Statistics statistics_;
+};
+
+}  // namespace ringwatch

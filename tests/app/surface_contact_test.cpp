@@ -1,0 +1,278 @@
+// Contact of surfaces through the command line: two cubes that collide against the closed form, momentum, energy,
+// restitution; what governs, checkpoints, threads, and what is refused.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/meshes/mesh_io.h>
+
+#include "program.h"
+#include "schema_check.h"
+
+namespace ringwatch {
+namespace {
+
+using std::numbers::pi;
+using test::Json;
+using test::Outcome;
+using test::Program;
+using ::testing::HasSubstr;
+
+/// Two stiff cubes of 1 kg, 1 mm apart, which a soft penalty sees as rigid bodies.
+constexpr const char* cubes = R"([mesh]
+generate = "stack"
+size = [0.1, 0.1, 0.1]
+cells = [1, 1, 1]
+upper_size = [0.1, 0.1, 0.1]
+upper_cells = [1, 1, 1]
+gap = 0.001
+element = "hex8"
+[material]
+model = "stvk"
+young = 1e7
+poisson = 0.3
+density = 1000
+[integrator]
+method = "verlet"
+step = 1e-4
+end = 0.3
+[output]
+every = 0.3
+picture = false
+)";
+constexpr double mass = 1, speed = 0.2;
+constexpr const char* falling = "[[initial]]\nset = \"upper\"\nvelocity = [0, 0, -0.2]\n";
+
+class SurfaceContactRuns : public Program {
+ protected:
+  void run(const std::string& more, const std::string& options = "", int status = 0) {
+    folder_.write("scene.toml", cubes + more);
+    const Outcome outcome = call("run scene.toml --out r " + options);
+    ASSERT_EQ(outcome.status, status) << outcome.out << outcome.err;
+    history_ = table("r/history.csv");
+    summary_ = json("r/summary.json");
+  }
+  double last(const std::string& column) const { return history_.number(history_.rows.size() - 1, column); }
+  double largest(const std::string& column) const {
+    double most = 0;
+    for (std::size_t i = 0; i < history_.rows.size(); ++i) most = std::max(most, std::abs(history_.number(i, column)));
+    return most;
+  }
+  /// How far the middles of the two cubes have come, m.
+  std::array<Eigen::Vector3d, 2> moved() const {
+    const auto frames = summary_["frames"].get<int>();
+    const auto state =
+        loadVtuState(folder_.path() / joinText("r/frames/frame_00000", frames, ".vtu"), "displacement", nullptr);
+    const NodeVectors moved = state.x - state.mesh.X;
+    return {Eigen::Vector3d(moved.leftCols(8).rowwise().mean()), Eigen::Vector3d(moved.rightCols(8).rowwise().mean())};
+  }
+  void refuse(const std::string& more, const std::string& what, const std::string& options = "") {
+    folder_.write("scene.toml", cubes + more);
+    expectRefused("run scene.toml --out refused " + options, what);
+    EXPECT_FALSE(exists("refused"));
+  }
+  Table history_;
+  Json summary_;
+};
+
+// Equal masses exchange their speeds: eight springs of 100 N/m between the four pairs of nodes, whose deepest point is
+// v √(μ/κ) with the reduced mass μ = m/2.
+TEST_F(SurfaceContactRuns, CubesThatCollideExchangeTheirSpeeds) {
+  run(std::string(falling) + "[[contact]]\nwith = \"surface\"\npenalty = 100\n");
+  EXPECT_NEAR(largest("kinetic_J"), 0.02, 1e-6);
+  EXPECT_NEAR(last("kinetic_J"), 0.02, 2e-6);
+  EXPECT_LE(largest("balance_error_J"), 2e-6);
+  const Json& found = summary_["discrete_forces"];
+  EXPECT_EQ(found["contact_nodes"], 16);
+  EXPECT_EQ(found["most_touching"], 8);
+  const double kappa = 800, deepest = speed * std::sqrt(0.5 * mass / kappa), lasts = pi * std::sqrt(0.5 * mass / kappa);
+  EXPECT_NEAR(found["deepest"]["depth"].get<double>(), deepest, 1e-5);
+  EXPECT_EQ(found["deepest"]["obstacle"], "surface");
+  EXPECT_EQ(found["governed_observations"], 0);
+  EXPECT_EQ(summary_["verdict"], "certified");
+  EXPECT_EQ(summary_["certified_steps"], summary_["steps"]);
+  // Together they keep their momentum to rounding; the lower one has all of it after contact.
+  const auto [lower, upper] = moved();
+  EXPECT_NEAR(lower[2] + upper[2], -speed * 0.3, 1e-12);
+  const double meets = 0.001 / speed, after = 0.3 - meets - lasts;
+  EXPECT_NEAR(lower[2], -speed * (after + 0.5 * lasts), 3e-6);
+  EXPECT_LE(std::abs(lower[0]) + std::abs(lower[1]) + std::abs(upper[0]) + std::abs(upper[1]), 1e-9);
+}
+
+// One-sided contact of the upper cube's nodes on a lower cube that is held: ẍ + 2 ζ ω ẋ + ω² x = 0 while it touches,
+// and e = exp(-π ζ/√(1 - ζ²)); the cube's ζ is the nodes' over √2.
+TEST_F(SurfaceContactRuns, HasTheRestitutionOfItsDamping) {
+  run(std::string(falling) +
+      "[[fix]]\nset = \"lower\"\n[[contact]]\nwith = \"surface\"\nset = \"upper\"\nto_set = \"lower\"\npenalty = 100\n"
+      "damping = 0.2\n");
+  const double zeta = 0.2 / std::sqrt(2.0), e = std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta));
+  EXPECT_NEAR(std::sqrt(last("kinetic_J") / 0.02), e, 1.8e-3);
+  EXPECT_NEAR(last("dissipated_J"), 0.02 * (1 - e * e), 1e-4);
+  EXPECT_EQ(summary_["discrete_forces"]["most_touching"], 4);
+  EXPECT_EQ(summary_["verdict"], "certified");
+}
+
+// A cube that bounces under its weight on another comes back to where it fell from, time and again: v t - g t²/2 in the
+// air, and half a period and a little more on the penalty.
+TEST_F(SurfaceContactRuns, BouncingCubeKeepsItsEnergy) {
+  run("[[fix]]\nset = \"lower\"\n[[force]]\nset = \"upper\"\nacceleration = [0, 0, -10]\n"
+      "[[contact]]\nwith = \"surface\"\nset = \"upper\"\nto_set = \"lower\"\npenalty = 2000\n",
+      "--set integrator.end=1.0 --set mesh.gap=0.02");
+  const double g = 10, height = 0.02, kappa = 4 * 2000, omega = std::sqrt(kappa / mass), v = std::sqrt(2 * g * height);
+  // On the penalty z = -(v/ω) sin ωt - (g/ω²)(1 - cos ωt) returns to zero after (2/ω)(π - atan(v ω/g)).
+  const double contact = 2 / omega * (pi - std::atan(v * omega / g)), period = 2 * v / g + contact;
+  EXPECT_LE(largest("balance_error_J"), 2e-3 * mass * g * height);
+  std::vector<double> tops;
+  for (std::size_t i = 1; i + 1 < history_.rows.size(); ++i) {
+    const double before = history_.number(i - 1, "kinetic_J"), now = history_.number(i, "kinetic_J"),
+                 after = history_.number(i + 1, "kinetic_J");
+    if (now < before && now <= after && now < 1e-3 * mass * g * height &&
+        history_.number(i, "strain_J") < 1e-3 * mass * g * height)
+      tops.push_back(history_.number(i, "time_s"));
+  }
+  ASSERT_GE(tops.size(), 4U);
+  for (std::size_t k = 0; k < tops.size(); ++k)
+    EXPECT_NEAR(tops[k], static_cast<double>(k + 1) * period, 3e-3 * period) << k;
+}
+
+constexpr const char* blocks = R"([mesh]
+generate = "stack"
+size = [0.04, 0.04, 0.02]
+cells = [4, 4, 2]
+upper_size = [0.03, 0.03, 0.03]
+upper_cells = [3, 3, 3]
+gap = 0.001
+jitter = 0.1
+[material]
+model = "neo-hookean"
+young = 1e5
+poisson = 0.4
+density = 1000
+[integrator]
+step = 1e-4
+end = 0.02
+[monitor]
+on_violation = "warn"
+[[initial]]
+set = "upper"
+velocity = [0.1, 0, -0.8]
+[output]
+picture = false
+)";
+
+TEST_F(SurfaceContactRuns, APenaltyMadeForTheStepLeavesIt) {
+  folder_.write("scene.toml", std::string(blocks) + "[[contact]]\nwith = \"surface\"\n");
+  const Outcome outcome = call("run scene.toml --out r");
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const Json summary = json("r/summary.json");
+  EXPECT_EQ(summary["verdict"], "certified");
+  EXPECT_EQ(summary["certified_steps"], summary["steps"]);
+  EXPECT_GT(summary["discrete_forces"]["most_touching"].get<int>(), 10);
+  const Table history = table("r/history.csv");
+  double error = 0;
+  for (std::size_t i = 0; i < history.rows.size(); ++i)
+    error = std::max(error, std::abs(history.number(i, "balance_error_J")));
+  EXPECT_LE(error, 0.03 * history.number(0, "kinetic_J"));
+  EXPECT_THAT(outcome.out, HasSubstr("deep into surface"));
+}
+
+TEST_F(SurfaceContactRuns, SaysWhenContactGovernsAndWhichPenaltyWouldNot) {
+  folder_.write("scene.toml", std::string(blocks) + "[[contact]]\nwith = \"surface\"\npenalty = 5e4\n");
+  const Outcome outcome = call("run scene.toml --out r");
+  EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("springs or contact govern"));
+  const Json found = json("r/summary.json")["discrete_forces"];
+  EXPECT_GT(found["governed_observations"].get<int>(), 0);
+  const double room = found["room"]["penalty"].get<double>();
+  ASSERT_GT(room, 0);
+  const Outcome again = call("run scene.toml --out again --set contact.0.penalty=" + test::digits(room));
+  EXPECT_EQ(again.status, 0) << again.out << again.err;
+  EXPECT_EQ(json("again/summary.json")["discrete_forces"]["governed_observations"], 0);
+}
+
+TEST_F(SurfaceContactRuns, IsTheSameForAnyNumberOfThreads) {
+  folder_.write("scene.toml", std::string(blocks) + "[[contact]]\nwith = \"surface\"\ndamping = 0.1\nfriction = 0.2\n");
+  ASSERT_EQ(call("run scene.toml --out one --threads 1").status, 0);
+  ASSERT_EQ(call("run scene.toml --out three --threads 3").status, 0);
+  EXPECT_EQ(folder_.read("one/history.csv"), folder_.read("three/history.csv"));
+}
+
+TEST_F(SurfaceContactRuns, ResumedRunsHaveTheBitsOfTheOneThatWasNotStopped) {
+  folder_.write("scene.toml",
+                std::string(blocks) +
+                    "checkpoint_every = 1e-3\n[[contact]]\nwith = \"surface\"\ndamping = 0.1\nfriction = 0.3\n");
+  const std::string more = " --set integrator.end=0.05 --quiet";
+  ASSERT_EQ(call("run scene.toml --out whole" + more).status, 0);
+  int resumed = 0;
+  bool ended = false;
+  for (double seconds = 0.15; !ended && seconds < 60; seconds *= 1.3) {
+    const bool again = exists("part/checkpoint.bin");
+    const std::string what = again ? "run --resume part --quiet" : "run scene.toml --out part" + more;
+    shell("'" + executable() + "' " + what + " & p=$!; sleep " + std::to_string(seconds) +
+          "; kill -KILL $p 2>/dev/null; wait $p");
+    resumed += again;
+    ended = exists("part/summary.json") && json("part/summary.json")["exit_reason"] == "end";
+  }
+  ASSERT_TRUE(ended);
+  EXPECT_GT(resumed, 0);
+  EXPECT_EQ(folder_.read("part/history.csv"), folder_.read("whole/history.csv"));
+  EXPECT_EQ(json("part/summary.json")["discrete_forces"], json("whole/summary.json")["discrete_forces"]);
+  EXPECT_GT(json("whole/summary.json")["discrete_forces"]["most_touching"].get<int>(), 0);
+}
+
+TEST_F(SurfaceContactRuns, PartsThatOverlapAreRefused) {
+  StackOptions options;
+  options.lower.size = {0.1, 0.1, 0.1};
+  options.lower.cells = {4, 4, 4};
+  options.upperSize = {0.05, 0.05, 0.05};
+  options.upperCells = {2, 2, 2};
+  Mesh mesh = generateStack(options);
+  for (const std::int32_t node : mesh.nodeSets.at("upper")) mesh.X(2, node) -= 0.004;
+  writeMesh(mesh, folder_.path() / "overlap.msh");
+  folder_.write("scene.toml", "[mesh]\nfile = \"overlap.msh\"\n" +
+                                  std::string(cubes).substr(std::string(cubes).find("[material]")) +
+                                  "[[contact]]\nwith = \"surface\"\n");
+  expectRefused("run scene.toml --out refused", "surfaces overlap at the start: node ");
+  expectRefused("run scene.toml --out refused", " is 0.004 m deep behind the face of nodes ");
+  // Without the nodes that are too deep it begins.
+  const Outcome outcome = call("run scene.toml --out r --set integrator.end=1e-3 --set contact.0.where='\"z > 0.12\"'");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
+TEST_F(SurfaceContactRuns, TheExampleIsCertifiedAndBlowsUpWithAStiffPenalty) {
+  const std::string example = "run '" RINGWATCH_EXAMPLES "/two_blocks.toml' --quiet --out ";
+  ASSERT_EQ(call(example + "good").status, 0);
+  const Json good = json("good/summary.json");
+  EXPECT_EQ(good["verdict"], "certified");
+  EXPECT_EQ(good["certified_steps"], good["steps"]);
+  EXPECT_GT(good["discrete_forces"]["most_touching"].get<int>(), 30);
+  ASSERT_EQ(call(example + "stiff --set contact.0.penalty=3e5").status, 1);
+  const Json bad = json("stiff/summary.json");
+  EXPECT_THAT(bad["events"][0]["text"].get<std::string>(), HasSubstr("springs or contact govern it, most at "));
+}
+
+TEST_F(SurfaceContactRuns, WhatDoesNotGoTogetherIsRefused) {
+  const std::string own = "[[contact]]\nwith = \"surface\"\n";
+  refuse(own + "obstacle = \"floor\"\n",
+         "contact.obstacle: this contact is with = \"surface\"; take one of the two out");
+  refuse("[[contact]]\nto_set = \"lower\"\n", "contact.to_set: needs with = \"surface\"; obstacles have no nodes");
+  refuse("[[contact]]\nwith = \"surfaces\"\n", "did you mean \"surface\"");
+  refuse("[[contact]]\n", "there is no [[obstacle]] to touch; give one, with its kind, or with = \"surface\"");
+  refuse(own + "set = \"uper\"\n", "did you mean \"upper\"");
+  refuse(own + "to_where = \"z < 0.05 and x < 0.05\"\n",
+         "to_where, to_set: no face of the surface has all of its corners among the nodes; change the condition");
+  refuse(own + "to_where = \"z < 0.05\"\nto_set = \"lower\"\n", "to_where");
+  refuse(own + "friction = -1\n", "contact.friction");
+  refuse(own + "[handler]\nmethod = \"imex\"\n", "handlers do not work with springs and contact");
+  refuse(own, "takes no springs and contact", "--set integrator.method=implicit-euler");
+  refuse(own + "[[obstacle]]\nkind = \"plane\"\nnormal = [0, 0, 1]\npoint = [0, 0, -1]\n",
+         "there is no [[contact]] with it");
+}
+
+}  // namespace
+}  // namespace ringwatch

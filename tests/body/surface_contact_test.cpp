@@ -1,0 +1,481 @@
+// Contact of surfaces: closest points, forces against energies, tangents against forces, momentum, majorants against
+// tangents, lists against all pairs, and their place in a body.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/sort_unique.h>
+#include <ringwatch/body/body.h>
+#include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/body/sub_body.h>
+#include <ringwatch/body/surface_contact.h>
+#include <ringwatch/meshes/quality.h>
+#include <ringwatch/meshes/surface.h>
+#include <tests/support/body_cases.h>
+#include <tests/support/random.h>
+
+namespace ringwatch {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+double meshVolumeOf(const Mesh& mesh) {
+  // By Gauss, of the surface's triangles.
+  double sum = 0;
+  for (const SurfaceTriangle& t : surfaceTriangles(mesh))
+    sum += mesh.X.col(t.nodes[0]).dot(mesh.X.col(t.nodes[1]).cross(mesh.X.col(t.nodes[2]))) / 6;
+  return sum;
+}
+
+TEST(Surface, TrianglesAreClosedAndPointOutwards) {
+  for (const CellSubdivision& split : allCellSubdivisions()) {
+    BarOptions options{.size = {2, 1, 1}, .cells = {2, 2, 2}};
+    options.element = split.element;
+    options.split = split.elementsPerCell;
+    const Mesh mesh = generateBar(options);
+    EXPECT_NEAR(meshVolumeOf(mesh), 2, 1e-13) << split.element;
+    // Every edge once in each direction.
+    std::vector<std::array<std::int32_t, 2>> edges;
+    std::vector<std::int32_t> nodes;
+    for (const SurfaceTriangle& t : surfaceTriangles(mesh))
+      for (int i = 0; i < 3; ++i) {
+        edges.push_back({t.nodes[i], t.nodes[(i + 1) % 3]});
+        nodes.push_back(t.nodes[i]);
+      }
+    std::sort(edges.begin(), edges.end());
+    EXPECT_EQ(std::adjacent_find(edges.begin(), edges.end()), edges.end()) << split.element;
+    for (const auto& [a, b] : edges)
+      EXPECT_TRUE(std::binary_search(edges.begin(), edges.end(), std::array<std::int32_t, 2>{b, a})) << split.element;
+    sortUnique(nodes);
+    EXPECT_EQ(nodes, surfaceNodes(mesh)) << split.element;
+  }
+}
+
+/// Two boxes of 2 × 2 × 2 cells of 1 cm, the upper one smaller and turned.
+Mesh twoBoxes(std::string_view element = "tet4", double jitter = 0.2, std::uint64_t seed = 3) {
+  StackOptions options;
+  options.lower.size = {0.02, 0.02, 0.02};
+  options.lower.cells = {2, 2, 2};
+  options.lower.element = element;
+  options.lower.jitter = jitter;
+  options.lower.seed = seed;
+  options.upperSize = {0.016, 0.018, 0.02};
+  options.upperCells = {2, 2, 2};
+  options.gap = 0.001;
+  return generateStack(options);
+}
+
+/// The upper box pressed into the lower one, tilted, and both shaken.
+NodeVectors pressed(const Mesh& mesh, test::Random& random, double depth = 0.002) {
+  NodeVectors x = mesh.X;
+  const Eigen::AngleAxisd turn(random.uniform(-0.15, 0.15), random.vector(1).normalized());
+  const Vector3d shift(random.uniform(-0.004, 0.004), random.uniform(-0.004, 0.004), -0.001 - random.uniform(0, depth));
+  for (const std::int32_t node : mesh.nodeSets.at("upper"))
+    x.col(node) = turn * (x.col(node) - Vector3d(0.01, 0.01, 0.021)) + Vector3d(0.01, 0.01, 0.021) + shift;
+  return x + random.nodeVectors(x.cols(), 4e-4);
+}
+
+SurfaceContact contactOf(const Mesh& mesh, test::Random& random, double friction = 0) {
+  SurfaceContact contact = surfaceContact(mesh, surfaceNodes(mesh), surfaceNodes(mesh));
+  for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
+    contact.penalty.push_back(random.uniform(50, 150));
+    contact.damping.push_back(random.uniform(0, 1));
+    contact.split[k] = std::exp(random.uniform(-1, 1));
+  }
+  contact.friction = friction;
+  contact.slip = 0.3;
+  return contact;
+}
+
+Eigen::MatrixXd denseOf(const DiscreteForces& forces, const NodeVectors& x) {
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(x.size(), x.size());
+  forces.forEachBlock(
+      x, [&](std::int32_t i, std::int32_t j, const Matrix3d& block) { K.block<3, 3>(3 * i, 3 * j) += block; });
+  return K;
+}
+
+TEST(SurfaceContact, ForcesAreDerivativesOfTheEnergyAndTangentsOfForces) {
+  int compared = 0, touching = 0;
+  std::array<int, 3> free{};
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    test::Random random(seed);
+    const Mesh mesh = twoBoxes(seed % 2 == 0 ? "tet4" : "hex8", 0.2, seed);
+    DiscreteForces forces(static_cast<std::int32_t>(mesh.nodeCount()));
+    forces.add(contactOf(mesh, random));
+    // Deep ones of a strongly bent surface touch edges and corners, too.
+    const NodeVectors x = pressed(mesh, random, 0.004) + random.nodeVectors(mesh.X.cols(), seed % 3 == 0 ? 1e-3 : 0);
+    const NodeVectors u = random.nodeVectors(x.cols(), 1);
+    constexpr double h = 1e-8;
+    const NodeVectors after = x + h * u, before = x - h * u;
+    NodeVectors f = NodeVectors::Zero(3, x.cols()), fAfter = f, fBefore = f, Ku = f;
+    const double slope = (forces.energy(after) - forces.energy(before)) / (2 * h);
+    forces.addInternalForce(after, fAfter);
+    forces.addInternalForce(before, fBefore);
+    forces.addInternalForce(x, f);
+    for (const SurfaceSearch::Touch& touch : forces.surfaces()[0].touching()) ++free[touch.free];
+    forces.addTangentProduct(x, u, Ku);
+    const auto state = forces.contactState(x);
+    touching += state.touching > 0;
+    EXPECT_LE((denseOf(forces, x) * u.reshaped() - Ku.reshaped()).norm(), 1e-12 * (Ku.norm() + 1)) << seed;
+    EXPECT_NEAR(forces.form(x, u), u.cwiseProduct(Ku).sum(), 1e-12 * (Ku.norm() + 1) * u.norm()) << seed;
+    EXPECT_LE((denseOf(forces, x) - denseOf(forces, x).transpose()).norm(), 1e-12 * (Ku.norm() + 1)) << seed;
+    // Between them contact can begin, end or turn to another face.
+    if (forces.contactState(after).touching != state.touching || forces.contactState(before).touching != state.touching)
+      continue;
+    const double scale = f.norm() * u.norm();
+    if (std::abs(f.cwiseProduct(u).sum() - slope) > 1e-6 * scale) continue;
+    EXPECT_NEAR(f.cwiseProduct(u).sum(), slope, 1e-6 * scale) << seed;
+    if (((fAfter - fBefore) / (2 * h) - Ku).norm() > 1e-5 * Ku.norm()) continue;
+    ++compared;
+  }
+  RecordProperty("faces", free[2]);
+  RecordProperty("edges", free[1]);
+  RecordProperty("corners", free[0]);
+  EXPECT_GT(touching, 110);
+  EXPECT_GT(compared, 100);
+  EXPECT_GT(free[2], 300);
+  EXPECT_GT(free[1], 10);
+  EXPECT_GT(free[0], 0);
+}
+
+TEST(SurfaceContact, ForcesSumToNothing) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    test::Random random(seed);
+    const Mesh mesh = twoBoxes("tet4", 0.2, seed);
+    DiscreteForces forces(static_cast<std::int32_t>(mesh.nodeCount()));
+    forces.add(contactOf(mesh, random, seed % 2 == 0 ? 0.4 : 0));
+    const NodeVectors x = pressed(mesh, random), v = random.nodeVectors(x.cols(), 1);
+    NodeVectors f = NodeVectors::Zero(3, x.cols()), resisted = f;
+    forces.addInternalForce(x, f);
+    forces.addDampingForce(x, v, resisted);
+    ASSERT_GT(f.norm(), 0);
+    const auto moment = [&](const NodeVectors& force) {
+      Vector3d sum = Vector3d::Zero();
+      for (Eigen::Index i = 0; i < x.cols(); ++i) sum += x.col(i).cross(force.col(i));
+      return sum;
+    };
+    EXPECT_LE(f.rowwise().sum().norm(), 1e-14 * f.norm());
+    EXPECT_LE(resisted.rowwise().sum().norm(), 1e-14 * resisted.norm());
+    EXPECT_LE(moment(f).norm(), 1e-14 * x.norm() * f.norm());
+    if (!forces.friction()) {
+      EXPECT_LE(moment(resisted).norm(), 1e-14 * x.norm() * resisted.norm());
+    }
+    // What damping and friction take is never less than nothing.
+    EXPECT_GT(resisted.cwiseProduct(v).sum(), 0);
+  }
+}
+
+TEST(SurfaceContact, DampingForcesAreThoseOfTheDampingMatrix) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    test::Random random(seed);
+    const Mesh mesh = twoBoxes("hex8", 0.2, seed);
+    DiscreteForces forces(static_cast<std::int32_t>(mesh.nodeCount()));
+    forces.add(contactOf(mesh, random));
+    const NodeVectors x = pressed(mesh, random), v = random.nodeVectors(x.cols(), 1);
+    NodeVectors force = NodeVectors::Zero(3, x.cols()), Kv = force, both = force;
+    forces.addDampingForce(x, v, force);
+    forces.addTangentProduct(x, v, Kv, 0.0);
+    forces.addTangentProduct(x, v, both, 7.0);
+    EXPECT_LE((7 * force - (both - Kv)).norm(), 1e-12 * both.norm()) << seed;
+    forces.setDampingFactor(7);
+    EXPECT_NEAR(forces.dampingForm(x, v).value, 7 * force.cwiseProduct(v).sum(), 1e-12 * both.norm() * v.norm());
+  }
+}
+
+// Coulomb's law on a flat face: two blocks of one cell, the upper one slides.
+TEST(SurfaceContact, FrictionResistsAlongTheFace) {
+  StackOptions options;
+  options.lower.element = "hex8";
+  options.upperSize = {0.5, 0.5, 0.5};
+  const Mesh mesh = generateStack(options);
+  SurfaceContact contact = surfaceContact(mesh, mesh.nodeSets.at("upper z-min"), mesh.nodeSets.at("lower"));
+  contact.penalty.assign(4, 100);
+  contact.damping.assign(4, 0);
+  contact.friction = 0.5;
+  contact.slip = 0.01;
+  DiscreteForces forces(static_cast<std::int32_t>(mesh.nodeCount()));
+  forces.add(contact);
+  NodeVectors x = mesh.X, v = NodeVectors::Zero(3, x.cols()), f = v;
+  for (const std::int32_t node : mesh.nodeSets.at("upper")) {
+    x(2, node) -= 0.02;  // 2 N at each node
+    v.col(node) = Vector3d(3, 4, 7);
+  }
+  forces.addDampingForce(x, v, f);
+  for (const std::int32_t node : mesh.nodeSets.at("upper z-min"))
+    EXPECT_LE((f.col(node) - Vector3d(0.6, 0.8, 0)).norm(), 1e-14);
+  EXPECT_LE((f(Eigen::all, mesh.nodeSets.at("lower")).rowwise().sum() + 4 * Vector3d(0.6, 0.8, 0)).norm(), 1e-13);
+  EXPECT_EQ(forces.contactState(x).touching, 4);
+  EXPECT_NEAR(forces.contactState(x).deepest, 0.02, 1e-15);
+  EXPECT_EQ(forces.contactState(x).deepestObstacle, DiscreteForces::ofSurface);
+}
+
+// Theorem 53 and 54 of single pairs: the tangent k (Bᵀ B - C G⁻¹ Cᵀ), damping and all, below its block diagonal.
+TEST(SurfaceContact, MajorantsOfRandomPairsHold) {
+  test::Random random(5);
+  std::int64_t pairs = 0;
+  std::array<std::int64_t, 3> free{};
+  double closest = 1;
+  // Two tetrahedra, the first corner of the one in front of or behind a face of the other.
+  Mesh mesh;
+  mesh.blocks.push_back({findElementByName("tet4")->type, {0, 1, 2, 3, 4, 5, 6, 7}, {}});
+  mesh.X.resize(3, 8);
+  while (pairs < 100000) {
+    mesh.X = random.nodeVectors(8, 1);
+    for (int e = 0; e < 2; ++e) {
+      Matrix3d J;
+      for (int i = 0; i < 3; ++i) J.col(i) = mesh.X.col(4 * e + 1 + i) - mesh.X.col(4 * e);
+      if (J.determinant() < 0) mesh.X.col(4 * e + 1).swap(mesh.X.col(4 * e + 2));
+    }
+    SurfaceContact contact = surfaceContact(mesh, {0, 1, 2, 3}, {4, 5, 6, 7});
+    contact.penalty.assign(4, 1);
+    contact.damping.assign(4, random.uniform(0, 1));
+    contact.split.assign(4, std::exp(random.uniform(-2, 2)));
+    contact.depth.assign(4, 1);
+    DiscreteForces forces(8);
+    forces.add(std::move(contact));
+    forces.setDampingFactor(random.uniform(0, 1));
+    forces.setReach(random.index(2) == 0 ? 0 : random.uniform(0, 0.2));
+    // The same pair at several places.
+    for (int trial = 0; trial < 8; ++trial) {
+      const NodeVectors x = mesh.X + random.nodeVectors(8, 0.3);
+      const Eigen::MatrixXd K = denseOf(forces, x);
+      const auto& touching = forces.surfaces()[0].touching();
+      if (touching.empty()) continue;
+      std::vector<Matrix3d> majorants;
+      forces.majorants(x, random.index(2) == 0, majorants);
+      Eigen::MatrixXd bound = Eigen::MatrixXd::Zero(24, 24);
+      for (std::size_t i = 0; i < majorants.size(); ++i) {
+        const std::int32_t node = forces.nodes()[i];
+        bound.block<3, 3>(3 * node, 3 * node) = majorants[i];
+      }
+      const double least =
+          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(bound - K, Eigen::EigenvaluesOnly).eigenvalues()[0];
+      ASSERT_GE(least, -1e-12 * bound.norm()) << pairs;
+      closest = std::min(closest, least / bound.norm());
+      for (const SurfaceSearch::Touch& touch : touching) ++free[touch.free];
+      pairs += static_cast<std::int64_t>(touching.size());
+    }
+  }
+  EXPECT_GE(pairs, 100000);
+  for (const std::int64_t count : free) EXPECT_GT(count, 1000);
+}
+
+// What can touch before nodes have moved by the reach against one another counts already.
+TEST(SurfaceContact, MajorantsHoldWithinTheReach) {
+  std::int64_t states = 0, begun = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    test::Random random(seed);
+    const Mesh mesh = twoBoxes(seed % 2 == 0 ? "tet4" : "hex8", 0.2, seed);
+    DiscreteForces forces(static_cast<std::int32_t>(mesh.nodeCount()));
+    forces.add(contactOf(mesh, random));
+    constexpr double reach = 6e-4;
+    const NodeVectors x = pressed(mesh, random, 0.001);
+    forces.setReach(reach);
+    std::vector<Matrix3d> majorants;
+    forces.majorants(x, false, majorants);
+    const std::int64_t before = forces.contactState(x).touching;
+    Eigen::MatrixXd bound = Eigen::MatrixXd::Zero(x.size(), x.size());
+    for (std::size_t i = 0; i < majorants.size(); ++i)
+      bound.block<3, 3>(3 * forces.nodes()[i], 3 * forces.nodes()[i]) = majorants[i];
+    for (int trial = 0; trial < 5; ++trial) {
+      // No two nodes move by more than the reach against one another.
+      NodeVectors moved = x;
+      for (Eigen::Index i = 0; i < x.cols(); ++i) moved.col(i) += random.vector(1).normalized() * 0.5 * reach;
+      for (const std::int32_t node : mesh.nodeSets.at("upper")) moved(2, node) = x(2, node) - 0.3 * reach;
+      const Eigen::MatrixXd K = denseOf(forces, moved);
+      const double least =
+          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(bound - K, Eigen::EigenvaluesOnly).eigenvalues()[0];
+      ASSERT_GE(least, -1e-12 * bound.norm()) << seed;
+      begun += forces.contactState(moved).touching != before;
+      ++states;
+    }
+  }
+  EXPECT_EQ(states, 300);
+  EXPECT_GT(begun, 100);
+}
+
+// The lists of the hierarchy give what all pairs give, wherever they were made.
+TEST(SurfaceContact, FindsTheSameWhateverWasFoundBefore) {
+  test::Random random(4);
+  const Mesh mesh = twoBoxes("tet4", 0.2, 8);
+  const auto nodes = static_cast<std::int32_t>(mesh.nodeCount());
+  test::Random own(1);
+  const SurfaceContact contact = contactOf(mesh, own);
+  SurfaceSearch kept(contact, nodes);
+  const NodeVectors from = pressed(mesh, random), to = pressed(mesh, random);
+  std::int64_t touches = 0;
+  for (int step = 0; step <= 100; ++step) {
+    const NodeVectors x = from + 0.01 * step * (to - from);
+    kept.locate(x, 1e-4, 1 + step % 3);
+    SurfaceSearch fresh(contact, nodes);
+    fresh.locate(x, 1e-4, 1);
+    ASSERT_EQ(kept.touching().size(), fresh.touching().size()) << step;
+    for (std::size_t i = 0; i < fresh.touching().size(); ++i) {
+      const SurfaceSearch::Touch &a = kept.touching()[i], &b = fresh.touching()[i];
+      EXPECT_EQ(a.entry, b.entry);
+      EXPECT_EQ(a.triangle, b.triangle);
+      EXPECT_EQ(a.r, b.r);
+      EXPECT_EQ(a.b, b.b);
+      ++touches;
+    }
+    ASSERT_EQ(kept.near().size(), fresh.near().size()) << step;
+    for (std::size_t i = 0; i < fresh.near().size(); ++i) {
+      EXPECT_EQ(kept.near()[i].triangle, fresh.near()[i].triangle);
+      EXPECT_EQ(kept.near()[i].weight, fresh.near()[i].weight);
+    }
+  }
+  EXPECT_GT(touches, 300);
+  EXPECT_LT(kept.statistics().lists, 20);
+  EXPECT_EQ(kept.statistics().looks, 101);
+}
+
+// Nearest faces by brute force: the depth of a node under a flat face is its height, and a node beside it is free.
+TEST(SurfaceContact, HoldsWhatIsBehindAFaceAndNothingBesideIt) {
+  StackOptions options;
+  options.lower.cells = {4, 4, 4};
+  options.upperSize = {0.4, 0.4, 0.4};
+  options.upperCells = {1, 1, 1};
+  const Mesh mesh = generateStack(options);
+  SurfaceContact contact = surfaceContact(mesh, mesh.nodeSets.at("upper z-min"), mesh.nodeSets.at("lower"));
+  contact.penalty.assign(contact.nodes.size(), 1);
+  contact.damping.assign(contact.nodes.size(), 0);
+  DiscreteForces forces(static_cast<std::int32_t>(mesh.nodeCount()));
+  forces.add(contact);
+  const auto touching = [&](const Vector3d& shift) {
+    NodeVectors x = mesh.X;
+    for (const std::int32_t node : mesh.nodeSets.at("upper")) x.col(node) += shift;
+    return forces.contactState(x);
+  };
+  EXPECT_EQ(touching({0, 0, 0}).touching, 0);
+  EXPECT_EQ(touching({0, 0, 0.01}).touching, 0);
+  EXPECT_EQ(touching({0, 0, -0.01}).touching, 4);
+  EXPECT_NEAR(touching({0.013, 0.027, -0.01}).deepest, 0.01, 1e-15);
+  EXPECT_EQ(touching({0.5, 0, -0.01}).touching, 2);    // two nodes hang over the edge
+  EXPECT_EQ(touching({0.302, 0, -0.01}).touching, 4);  // by less than half of their depth: still held
+  EXPECT_EQ(touching({0.31, 0, -0.01}).touching, 2);
+  EXPECT_EQ(touching({0, 0, -0.12}).touching, 4);
+  EXPECT_EQ(touching({0, 0, -0.13}).touching, 0);  // deeper than half an element: gone through
+  EXPECT_EQ(touching({2, 0, -0.01}).touching, 0);
+}
+
+// Self-contact: a strip bent into a ring, whose ends come together.
+TEST(SurfaceContact, OfABodyWithItself) {
+  Mesh mesh = test::gridMesh("hex8", {24, 2, 1}, {1, 0.1, 0.04});
+  SurfaceContact contact = surfaceContact(mesh, surfaceNodes(mesh), surfaceNodes(mesh));
+  contact.penalty.assign(contact.nodes.size(), 1);
+  contact.damping.assign(contact.nodes.size(), 0);
+  DiscreteForces forces(static_cast<std::int32_t>(mesh.nodeCount()));
+  forces.add(contact);
+  const auto bent = [&](double turn) {
+    NodeVectors x = mesh.X;
+    for (Eigen::Index i = 0; i < x.cols(); ++i) {
+      const double angle = turn * mesh.X(0, i), r = 1 / turn + mesh.X(2, i);
+      x.col(i) = Vector3d(r * std::sin(angle), mesh.X(1, i), r * std::cos(angle));
+    }
+    return x;
+  };
+  EXPECT_EQ(forces.contactState(mesh.X).touching, 0);
+  EXPECT_EQ(forces.contactState(bent(5)).touching, 0);
+  EXPECT_EQ(forces.contactState(bent(2 * std::numbers::pi * 0.998)).touching, 0);
+  const auto state = forces.contactState(bent(2 * std::numbers::pi * 1.002));
+  EXPECT_EQ(state.touching, 12);  // the nodes of both ends
+  EXPECT_LT(state.deepest, 0.004);
+}
+
+TEST(SurfaceContact, IsPartOfABody) {
+  for (const char* element : {"tet4", "hex8"}) {
+    test::Random random(6);
+    Body body(twoBoxes(element), makeMaterial("stvk", test::young, test::poisson, test::density));
+    const Mesh& mesh = body.mesh();
+    DiscreteForces forces(body.nodeCount());
+    forces.add(std::vector<Spring>{{.node = 0, .other = body.nodeCount() - 1, .length = 0.01, .stiffness = 30}});
+    forces.add(contactOf(mesh, random));
+    SparseTangent tangent;
+    Body::Workspace workspace;
+    const Body bare(twoBoxes(element), makeMaterial("stvk", test::young, test::poisson, test::density));
+    body.setDiscreteForces(std::move(forces));
+    const DiscreteForces& discrete = *body.discreteForces();
+    // What touches changes from state to state, and the pattern with it.
+    for (int state = 0; state < 6; ++state) {
+      const NodeVectors x = pressed(mesh, random);
+      ASSERT_GT(discrete.contactState(x).touching, 0);
+      const Eigen::MatrixXd own = denseOf(discrete, x), K(bare.assembleTangent(x));
+      body.assembleTangent(x, tangent);
+      EXPECT_LE((Eigen::MatrixXd(tangent.matrix) - K - own).norm(), 1e-12 * K.norm()) << element << state;
+      NodeVectors Kv;
+      const NodeVectors v = random.nodeVectors(x.cols(), 1);
+      body.tangentProduct(x, v, Kv, workspace);
+      EXPECT_LE((Kv.reshaped() - tangent.matrix * v.reshaped()).norm(), 1e-12 * Kv.norm());
+
+      // A part has its principal submatrix.
+      std::vector<std::int32_t> nodes;
+      for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+        if (random.index(2) == 0) nodes.push_back(i);
+      const DiscreteForces part = discrete.restrictedTo(nodes);
+      const NodeVectors xPart = x(Eigen::all, nodes);
+      Eigen::MatrixXd expected(3 * nodes.size(), 3 * nodes.size());
+      const std::int32_t last = body.nodeCount() - 1;
+      const Eigen::MatrixXd contactAlone = [&] {
+        DiscreteForces alone(body.nodeCount());
+        alone.add(discrete.surfaces()[0].contact());
+        return denseOf(alone, x);
+      }();
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (std::size_t j = 0; j < nodes.size(); ++j)
+          expected.block<3, 3>(3 * i, 3 * j) = contactAlone.block<3, 3>(3 * nodes[i], 3 * nodes[j]);
+      Eigen::MatrixXd found = denseOf(part, xPart);
+      const bool hasSpring = nodes.front() == 0 && nodes.back() == last;
+      if (!hasSpring) {
+        EXPECT_LE((found - expected).norm(), 1e-12 * own.norm()) << element << state;
+      }
+      NodeVectors u = random.nodeVectors(xPart.cols(), 1), Ku = NodeVectors::Zero(3, xPart.cols());
+      part.addTangentProduct(xPart, u, Ku);
+      EXPECT_LE((Ku.reshaped() - found * u.reshaped()).norm(), 1e-12 * (Ku.norm() + 1));
+      // At other positions than those of the whole nothing is known of it.
+      EXPECT_THROW(denseOf(part, xPart + random.nodeVectors(xPart.cols(), 1e-3)), NumericalError);
+    }
+  }
+}
+
+TEST(SurfaceContact, RefusesWhatIsNoContact) {
+  const auto text = [](const auto& call) {
+    try {
+      call();
+    } catch (const InputError& fault) {
+      return std::string(fault.what());
+    }
+    return std::string();
+  };
+  const Mesh mesh = test::gridMesh("hex8", {2, 2, 2}, {1, 1, 1});
+  EXPECT_EQ(text([&] { surfaceContact(mesh, {13}, surfaceNodes(mesh)); }), "node 13 is not on the surface");
+  EXPECT_EQ(text([&] {
+              surfaceContact(mesh, {0}, {0, 1});
+            }),
+            "no face of the surface has all of its corners among the nodes");
+  SurfaceContact contact = surfaceContact(mesh, {0}, surfaceNodes(mesh));
+  DiscreteForces forces(27);
+  EXPECT_EQ(text([&] { forces.add(contact); }),
+            "surface contact: a penalty, a damping, a split and its rows are needed for each node");
+  contact.penalty = {-1};
+  contact.damping = {0};
+  EXPECT_EQ(text([&] { forces.add(contact); }), "penalty = -1: must be >= 0");
+  contact.penalty = {1};
+  contact.friction = 0.1;
+  contact.slip = 0;
+  EXPECT_EQ(text([&] { forces.add(contact); }), "slip = 0 m/s: must be > 0 where there is friction");
+  // Positions that are not finite touch nothing, and are no fault.
+  contact.friction = 0;
+  forces.add(contact);
+  NodeVectors x = mesh.X;
+  x(0, 3) = std::nan("");
+  EXPECT_EQ(forces.contactState(x).touching, 0);
+}
+
+}  // namespace
+}  // namespace ringwatch

@@ -1,0 +1,239 @@
+// Contact of surfaces in the bracket: both sides against dense eigenvalues, from scratch and along runs in which two
+// bodies meet, slide and part, and two cubes against one another in closed form.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <ringwatch/base/infinity.h>
+#include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/meshes/surface.h>
+#include <ringwatch/monitor/bounds/exchange_bound.h>
+#include <ringwatch/monitor/bounds/factored_certificate.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/bounds/reduced_ring.h>
+#include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/incremental/run_bracket.h>
+#include <ringwatch/monitor/stability_monitor.h>
+#include <tests/monitor/monitor_cases.h>
+
+namespace ringwatch {
+namespace {
+
+using test::DenseTangent;
+
+constexpr double exact = 1e-9;
+/// Of the order of a cell's own stiffness, N/m.
+constexpr double cellStiffness = test::young * test::cellSize;
+
+/// Two boxes of 2 × 2 × 1 cells and 1 × 2 × 1 larger ones, all of whose surfaces touch one another.
+Body twoBodies(std::string_view element, double penalty, std::uint64_t seed, int threads = 1, int cells = 2) {
+  StackOptions options;
+  options.lower.element = element;
+  options.lower.size = {0.02, 0.02, 0.01};
+  options.lower.cells = {cells, cells, 1};
+  options.lower.jitter = 0.2;
+  options.lower.seed = seed;
+  options.upperSize = {0.014, 0.018, 0.012};
+  options.upperCells = {cells - 1, cells, 1};
+  options.gap = 2e-4;
+  Body body(generateStack(options), makeMaterial("stvk", test::young, test::poisson, test::density),
+            {{}, Lumping::rowSum, threads});
+  test::Random random(seed);
+  DiscreteForces forces(body.nodeCount());
+  const std::vector<std::int32_t> surface = surfaceNodes(body.mesh());
+  SurfaceContact contact = surfaceContact(body.mesh(), surface, surface);
+  for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
+    contact.penalty.push_back(penalty * random.uniform(0.5, 1));
+    contact.damping.push_back(1e-4 * penalty * random.uniform(0, 1));
+    contact.split[k] = std::exp(random.uniform(-0.7, 0.7));
+  }
+  forces.add(std::move(contact));
+  if (random.index(2) == 0) forces.setDampingFactor(random.uniform(0, 3e3));
+  body.setDiscreteForces(std::move(forces));
+  return body;
+}
+
+/// The upper body comes down, slides and turns, and leaves; both shake.
+NodeVectors meeting(const Body& body, int step, const NodeVectors& shake) {
+  const double at = 0.1 * step, edge = test::cellSize;
+  const Eigen::Vector3d centre(0.01, 0.01, 0.016);
+  const Eigen::AngleAxisd turn(0.08 * std::sin(0.9 * at), Eigen::Vector3d(0.3, 1, 0.2).normalized());
+  const Eigen::Vector3d shift(0.25 * edge * std::sin(0.7 * at), 0.2 * edge * std::sin(1.1 * at),
+                              0.06 * edge - 0.2 * edge * std::abs(std::sin(0.8 * at)));
+  NodeVectors x = body.mesh().X;
+  for (const std::int32_t node : body.mesh().nodeSets.at("upper"))
+    x.col(node) = turn * (x.col(node) - centre) + centre + shift;
+  return x + std::sin(2.1 * at) * shake;
+}
+
+TEST(SurfaceContactBounds, HoldFromScratch) {
+  int brackets = 0, governed = 0;
+  for (const char* element : {"tet4", "hex8"})
+    for (const double share : {0.3, 3.0, 10.0})
+      for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        Body body = twoBodies(element, share * cellStiffness, seed);
+        const NodeVectors shake = test::Random(seed).nodeVectors(body.nodeCount(), 0.05 * test::cellSize);
+        const NodeVectors x = meeting(body, 10 + static_cast<int>(seed), shake);
+        ASSERT_GT(body.discreteForces()->contactState(x).touching, 0);
+        const Eigen::VectorXd lambda = DenseTangent(body, x).eigenvalues();
+        const double largest = lambda[lambda.size() - 1], h = 2 / std::sqrt(largest);
+        const std::string what = joinText(element, ", ", share, ", ", seed);
+        const CriticalStep step = criticalStep(body, x, 2.0);
+        ASSERT_LE(step.safe, h * (1 + exact)) << what;
+        ASSERT_GE(step.optimistic, h * (1 - exact)) << what;
+        EXPECT_LE(step.optimistic, 1.1 * h) << what;
+        if (step.lowestRing < 0) {
+          ASSERT_GE(step.lowestRing, lambda[0] - exact * largest) << what;
+        }
+        ReducedRing ring(body);
+        ASSERT_LE(ring.evaluate(x).highest, largest * (1 + exact)) << what;
+        NodalBound weights(body);
+        ASSERT_GE(weights.evaluate(x, 8).value, largest * (1 - exact)) << what;
+        const ExchangeBound exchange = exchangeUpperBound(body, x, weights, 1.01 * largest, 1.01 * largest, 40);
+        ASSERT_GE(exchange.upper.value, largest * (1 - exact)) << what;
+        FactoredCertificate factored(body, x);
+        EXPECT_TRUE(factored.certifies(largest * (1 + 1e-7))) << what;
+        EXPECT_FALSE(factored.certifies(largest * (1 - 1e-7))) << what;
+        const GlobalFrequency global = globalFrequency(body, x);
+        ASSERT_TRUE(global.converged) << what;
+        EXPECT_NEAR(global.lambda, largest, 1e-8 * largest) << what;
+        governed += step.discreteShare > 0.5;
+        ++brackets;
+      }
+  EXPECT_EQ(brackets, 48);
+  EXPECT_GT(governed, 10);
+}
+
+TEST(SurfaceContactBounds, HoldAlongRunsWithTogglingContact) {
+  std::int64_t states = 0, toggled = 0, proven = 0;
+  for (const char* element : {"tet4", "hex8"})
+    for (const double share : {0.1, 1.0, 5.0}) {
+      Body body = twoBodies(element, share * cellStiffness, 5);
+      const NodeVectors shake = test::Random(12).nodeVectors(body.nodeCount(), 0.04 * test::cellSize);
+      RunBracket bracket(body, 0.05, infinity);
+      // One proof that is always refused would have the other wait for its turn.
+      IncrementalNodalBound threshold(body), refused(body);
+      std::int64_t touching = -1;
+      for (int step = 0; step < 80; ++step) {
+        const NodeVectors x = meeting(body, step, shake);
+        body.discreteForces()->setReach(step % 3 == 0 ? 0.02 * test::cellSize : 0);
+        const double lambda = DenseTangent(body, x).largest(), h = 2 / std::sqrt(lambda);
+        const std::string what = joinText(element, ", ", share, ", step ", step);
+        const auto& found = bracket.evaluate(x, 2.0, std::nullopt, nullptr);
+        ASSERT_TRUE(found.has_value()) << what;
+        ASSERT_LE(found->safe, h * (1 + exact)) << what;
+        ASSERT_GE(found->optimistic, h * (1 - exact)) << what;
+        EXPECT_FALSE(refused.certify(x, lambda * (1 - 1e-6))) << what;
+        if (threshold.certify(x, 5 * lambda)) {
+          EXPECT_LE(threshold.verify(x), exact) << what;
+          ++proven;
+        }
+        const std::int64_t now = body.discreteForces()->contactState(x).touching;
+        toggled += now != touching;
+        touching = now;
+        ++states;
+      }
+    }
+  EXPECT_EQ(states, 480);
+  EXPECT_GT(toggled, states / 6);
+  EXPECT_GT(proven, 15);
+}
+
+TEST(SurfaceContactBounds, TheCertificateItselfHoldsAtEveryState) {
+  for (const double share : {0.3, 3.0}) {
+    Body body = twoBodies("tet4", share * cellStiffness, 9);
+    const NodeVectors shake = test::Random(12).nodeVectors(body.nodeCount(), 0.04 * test::cellSize);
+    IncrementalNodalBound bound(body);
+    for (int step = 0; step < 80; ++step) {
+      const NodeVectors x = meeting(body, step, shake);
+      const double lambda = DenseTangent(body, x).largest();
+      ASSERT_GE(bound.update(x).value, lambda * (1 - exact)) << share << step;
+      EXPECT_LE(bound.verify(x), exact) << share << step;
+      bound.relaxBound(LowerBound{lambda}, 0.05);
+      if (bound.tightenBound(x, LowerBound{lambda}, 0.05)) {
+        ASSERT_GE(bound.update(x).value, lambda * (1 - exact)) << share << step;
+        EXPECT_LE(bound.verify(x), exact) << share << step;
+      }
+    }
+  }
+}
+
+// Contact that comes and goes within the reach costs no proof: after the first certificate no step is refused and none
+// is swept again, while the touching nodes change.
+TEST(SurfaceContactBounds, TogglingCostsNoProof) {
+  Body body = twoBodies("hex8", 0.02 * cellStiffness, 4);
+  body.discreteForces()->setReach(0.06 * test::cellSize);
+  body.discreteForces()->setDampingFactor(0);
+  const NodeVectors& X = body.mesh().X;
+  const double sigma = 1.3 * DenseTangent(body, X).largest();
+  IncrementalNodalBound bound(body);
+  std::int64_t toggled = 0, touching = -1;
+  for (int step = 0; step < 60; ++step) {
+    NodeVectors x = X;
+    for (const std::int32_t node : body.mesh().nodeSets.at("upper"))
+      x(2, node) -= 0.03 * test::cellSize * (1 + std::sin(1.3 * step));
+    ASSERT_TRUE(bound.certify(x, sigma)) << step;
+    if (step > 0) {
+      EXPECT_EQ(bound.statistics().rebuilds + bound.statistics().refreshes, 0) << step;
+    }
+    const std::int64_t now = body.discreteForces()->contactState(x).touching;
+    toggled += now != touching;
+    touching = now;
+  }
+  EXPECT_GT(toggled, 15);
+}
+
+// Two equal cubes of one hexahedron, rigid against their contact of matching nodes: each pair of nodes is a spring of
+// the penalty of both, and the highest mode of contact is that of masses M/8 on 2k between them, λ = 2 · 2k/(M/8).
+TEST(SurfaceContactBounds, OfMatchingCubesInClosedForm) {
+  StackOptions options;
+  options.lower.element = "hex8";
+  options.lower.size = options.upperSize = {0.01, 0.01, 0.01};
+  Body body(generateStack(options), makeMaterial("linear", 1e-3, 0, 1000));
+  const std::vector<std::int32_t> surface = surfaceNodes(body.mesh());
+  SurfaceContact contact = surfaceContact(body.mesh(), surface, surface);
+  constexpr double k = 100;
+  contact.penalty.assign(surface.size(), k);
+  contact.damping.assign(surface.size(), 0);
+  DiscreteForces forces(body.nodeCount());
+  forces.add(std::move(contact));
+  body.setDiscreteForces(std::move(forces));
+  NodeVectors x = body.mesh().X;
+  for (const std::int32_t node : body.mesh().nodeSets.at("upper")) x(2, node) -= 1e-4;
+  EXPECT_EQ(body.discreteForces()->contactState(x).touching, 8);
+  const double mass = 1000 * 1e-6 / 8, expected = 4 * k / mass;
+  const CriticalStep step = criticalStep(body, x, 2.0);
+  const double h = 2 / std::sqrt(expected);
+  EXPECT_NEAR(globalFrequency(body, x).lambda, expected, 1e-4 * expected);
+  EXPECT_LE(step.safe, h * (1 + 1e-4));
+  EXPECT_GE(step.safe, h * (1 - 1e-3));
+  EXPECT_NEAR(step.optimistic, h, 1e-3 * h);
+  EXPECT_GT(step.discreteShare, 0.9);
+}
+
+TEST(SurfaceContactBounds, SameBitsForAnyNumberOfThreads) {
+  std::vector<double> safe, optimistic;
+  for (const int threads : {1, 2, 4}) {
+    Body body = twoBodies("tet4", cellStiffness, 5, threads, 6);
+    const NodeVectors shake = test::Random(12).nodeVectors(body.nodeCount(), 0.02 * test::cellSize);
+    RunBracket bracket(body, 0.05, infinity);
+    std::size_t at = 0;
+    for (int step = 0; step < 12; ++step) {
+      const auto& found = bracket.evaluate(meeting(body, 2 * step, shake), 2.0, std::nullopt, nullptr);
+      ASSERT_TRUE(found.has_value());
+      if (threads == 1) {
+        safe.push_back(found->safe);
+        optimistic.push_back(found->optimistic);
+      } else {
+        EXPECT_EQ(found->safe, safe[at]);
+        EXPECT_EQ(found->optimistic, optimistic[at]);
+      }
+      ++at;
+    }
+  }
+  EXPECT_EQ(safe.size(), 12U);
+}
+
+}  // namespace
+}  // namespace ringwatch
