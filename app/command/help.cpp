@@ -131,6 +131,8 @@ std::string outputsText() {
   return "What a run leaves in its folder.\n\n"
          "history.csv, a row every output.history_every steps; a cell is empty where nothing was computed:\n\n" +
          fieldsText(historyColumns()) +
+         "\nprobes.csv, with [[probe]] or output.reactions, a row every output.probe_every steps; step, time_s and the "
+         "columns that summary.json lists with their units; a cell is empty where there is no number.\n"
          "\nsummary.json; a key is null where the run has none of it, [] stands for each entry of a list, * for any "
          "key:\n\n" +
          fieldsText(summaryKeys()) +

@@ -13,6 +13,7 @@
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/output_fields.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/probe_quantity.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
 #include <ringwatch/base/name_table.h>
@@ -238,6 +239,24 @@ std::string historyPage(const Commands&) {
   Page page("Columns of history.csv",
             "A run writes a row every `output.history_every` steps. A cell is empty where nothing was computed.");
   addFields(page, historyColumns(), false);
+  page.heading(
+      "Columns of probes.csv",
+      "With `[[probe]]` or `output.reactions` a run writes a row every `output.probe_every` steps: `step`, "
+      "`time_s` and the columns below, which `summary.json` lists with their units. A cell is empty where there "
+      "is no number. `NAME` is that of the probe.");
+  page.table({"what", "columns", "unit", "as", "meaning"});
+  for (const ProbeQuantity& quantity : allProbeQuantities()) {
+    std::vector<std::string> as;
+    for (const ProbeReduction one : quantity.as) as.emplace_back(probeReductionNames.nameOf(one));
+    std::string columns;
+    for (const std::string& part : quantity.parts)
+      columns += fmt::format("{}`NAME.{}{}{}{}{}`", columns.empty() ? "" : ", ",
+                             quantity.kind == ProbeQuantity::Kind::step ? "SIDE_step" : quantity.name,
+                             part.empty() ? "" : "_", part, quantity.unit.empty() ? "" : "_", quantity.unit);
+    page.row({code(quantity.name), columns, quantity.unit, codes(as), cell(quantity.help)});
+  }
+  page.row({code("output.reactions"), "`fix.N.reaction_x_N`, `move.N.reaction_x_N`, …", "N", code("sum"),
+            "of each `[[fix]]` and `[[move]]`, counted from 0"});
   page.heading("Fields of frames",
                "`frames/*.vtu`, listed with their times in `run.pvd`, every `output.every` seconds, for ParaView.");
   addFields(page, frameFields(), false);

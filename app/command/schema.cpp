@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/output_fields.h>
+#include <ringwatch/app/scene/probe_quantity.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
 #include <ringwatch/base/error.h>
@@ -205,6 +206,20 @@ Json obstacleRules() {
   return rules;
 }
 
+/// What depends on the quantity of a probe.
+Json probeRules() {
+  Json rules = Json::array();
+  for (const ProbeQuantity& quantity : allProbeQuantities()) {
+    Json as = Json::array();
+    for (const ProbeReduction one : quantity.as) as.push_back(probeReductionNames.nameOf(one));
+    Json properties{{"as", {{"enum", std::move(as)}}}};
+    if (quantity.ofNodes()) properties["material"] = false;
+    if (quantity.kind != ProbeQuantity::Kind::step) properties["metric"] = false;
+    rules.push_back(whereKeyIs("what", {quantity.name}, {{"properties", std::move(properties)}}));
+  }
+  return rules;
+}
+
 /// count: how many of the section there are at least.
 Json alternativeRule(const SceneAlternative& alternative, int count) {
   using Need = SceneAlternative::Need;
@@ -226,8 +241,11 @@ Json sectionSchema(const SceneSection& section) {
   }
   for (const SceneAlternative& alternative : sceneAlternatives())
     if (alternative.section == section.name) rules.push_back(alternativeRule(alternative, 1));
-  static const std::map<std::string_view, Json (*)()> ofRegistries{
-      {"mesh", meshRules}, {"material", materialRules}, {"handler", handlerRules}, {"obstacle", obstacleRules}};
+  static const std::map<std::string_view, Json (*)()> ofRegistries{{"mesh", meshRules},
+                                                                   {"material", materialRules},
+                                                                   {"handler", handlerRules},
+                                                                   {"obstacle", obstacleRules},
+                                                                   {"probe", probeRules}};
   if (const auto found = ofRegistries.find(section.name); found != ofRegistries.end())
     for (Json& rule : found->second()) rules.push_back(std::move(rule));
   Json schema{{"type", "object"}, {"description", section.help}, {"properties", std::move(properties)}};

@@ -141,7 +141,7 @@ void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameS
     cells.push_back({"handler", 1, std::span<const std::int32_t>(handled)});
   }
   for (std::size_t m = 0; m < measures.size(); ++m)
-    cells.push_back({std::string(measures[m]->title), 1, std::span<const double>(stresses[m])});
+    cells.push_back({std::string(measures[m]->title), measures[m]->components, std::span<const double>(stresses[m])});
 
   if (const std::vector<int> ofBlocks = materialOfBlocks(body_.mesh()); !ofBlocks.empty()) {
     for (std::size_t b = 0; b < ofBlocks.size(); ++b)

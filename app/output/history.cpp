@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,48 +16,15 @@ namespace {
 std::string heading() {
   std::string line;
   for (const OutputField& column : historyColumns()) line += joinText(line.empty() ? "" : ",", column.name);
-  return line + '\n';
+  return line;
 }
 
 }  // namespace
 
-HistoryWriter::HistoryWriter(const std::filesystem::path& folder)
-    : file_(folder / "history.csv"), flushed_(std::chrono::steady_clock::now()) {
-  file_.write(heading());
-}
-
-namespace {
-
-/// The file as it was after its first `bytes`.
-std::filesystem::path cutBack(const std::filesystem::path& file, std::size_t bytes) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
-  if (error || size < bytes)
-    throw InputError(fmt::format("{}: {}; the checkpoint needs its first {} bytes, begin the run again", file.string(),
-                                 error ? error.message() : fmt::format("has {} bytes", size), bytes));
-  std::filesystem::resize_file(file, bytes, error);
-  if (error) throw InputError(fmt::format("cannot write {}: {}", file.string(), error.message()));
-  return file;
-}
-
-}  // namespace
+HistoryWriter::HistoryWriter(const std::filesystem::path& folder) : file_(folder / "history.csv", heading()) {}
 
 HistoryWriter::HistoryWriter(const std::filesystem::path& folder, std::size_t bytes)
-    : file_(cutBack(folder / "history.csv", bytes), OutputFile::Mode::append, (folder / "history.csv").string()),
-      flushed_(std::chrono::steady_clock::now()) {}
-
-HistoryWriter::~HistoryWriter() {
-  try {
-    flush();
-  } catch (const InputError&) {  // a run that ends by an error has another one to tell
-  }
-}
-
-void HistoryWriter::flush() {
-  if (rows_.empty()) return;
-  const std::string rows = std::exchange(rows_, {});
-  file_.write(rows);
-}
+    : file_(folder / "history.csv", bytes) {}
 
 void HistoryWriter::write(const HistoryRow& row) {
   // Shortest digits that read back to the same double; an empty cell where nothing was computed.
@@ -79,23 +45,14 @@ void HistoryWriter::write(const HistoryRow& row) {
   if (row.verdict) line += verdictName(*row.verdict);
   line += ",";
   if (row.energies) line += fmt::format("{}", row.energies->dissipated);
-  rows_ += line + '\n';
-  const auto now = std::chrono::steady_clock::now();
-  if (now - flushed_ < std::chrono::milliseconds(250)) return;
-  flush();
-  flushed_ = now;
-}
-
-std::size_t HistoryWriter::bytes() {
-  flush();
-  return file_.size();
+  file_.write(line);
 }
 
 std::vector<HistoryRow> readHistory(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "history.csv";
   std::ifstream file(path, std::ios::binary);
   std::string line;
-  if (!std::getline(file, line) || line + '\n' != heading())
+  if (!std::getline(file, line) || line != heading())
     throw InputError(fmt::format("{}: is no history of this version", path.string()));
   std::vector<HistoryRow> rows;
   while (std::getline(file, line)) {
@@ -122,11 +79,6 @@ std::vector<HistoryRow> readHistory(const std::filesystem::path& folder) {
     if (!cells[13].empty()) row.verdict = verdictNames.valueOf(path.string(), cells[13]);
   }
   return rows;
-}
-
-void HistoryWriter::finish() {
-  flush();
-  file_.close();
 }
 
 }  // namespace ringwatch

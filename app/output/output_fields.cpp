@@ -1,5 +1,9 @@
 #include <ringwatch/app/output/output_fields.h>
 
+#include <vector>
+
+#include <ringwatch/body/element_stress.h>
+
 namespace ringwatch {
 namespace {
 
@@ -110,6 +114,9 @@ constexpr OutputField summary[] = {
     {"cuts[].element_evaluations", "", "evaluations of elements and rings that this took", F::integer},
     {"cuts[].cut_time", "s", "wall time of mesh and body"},
     {"cuts[].selection_time", "s", "wall time of the handler's choice"},
+    {"probes[].column", "", "a column of probes.csv, behind step and time_s", F::text},
+    {"probes[].unit", "", "of its numbers", F::text},
+    {"probes[].help", "", "what it holds", F::text},
     {"smallest_step", "s", "of the steps taken", F::number, P::orNull},
     {"largest_step", "s", "of the steps taken", F::number, P::orNull},
     {"first_violated", "", "null where no step was", F::object, P::orNull},
@@ -417,7 +424,19 @@ constexpr JsonOutput outputs[] = {
 
 std::span<const OutputField> historyColumns() { return columns; }
 std::span<const OutputField> summaryKeys() { return summary; }
-std::span<const OutputField> frameFields() { return frame; }
+std::span<const OutputField> frameFields() {
+  static const std::vector<OutputField> fields = [] {
+    std::vector<OutputField> all(std::begin(frame), std::end(frame));
+    for (const StressMeasure& measure : allStressMeasures()) {
+      const std::string_view title = measure.title;
+      const std::size_t unit = title.find(" (");
+      all.push_back({title.substr(0, unit), unit == title.npos ? "" : title.substr(unit + 2, title.size() - unit - 3),
+                     measure.help});
+    }
+    return all;
+  }();
+  return fields;
+}
 std::span<const JsonOutput> jsonOutputs() { return outputs; }
 
 }  // namespace ringwatch

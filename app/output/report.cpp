@@ -37,6 +37,13 @@ Json cutsJson(const RunResult& result) {
   return json;
 }
 
+Json probesJson(const RunResult& result) {
+  Json json = Json::array();
+  for (const ProbeColumn& column : result.probes)
+    json.push_back({{"column", column.name}, {"unit", column.unit}, {"help", column.help}});
+  return json;
+}
+
 Json handlerJson(const Scene& scene, const RunResult& result) {
   if (!result.handler) return nullptr;
   Json json{{"method", scene.handler},
@@ -247,6 +254,7 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
       {"end_time", result.time},
       {"handler", handlerJson(scene, result)},
       {"cuts", cutsJson(result)},
+      {"probes", probesJson(result)},
       {"discrete_forces", discreteJson(scene, body, result)},
       {"smallest_step", result.smallestStep},
       {"largest_step", result.largestStep},

@@ -73,6 +73,7 @@ void RunCuts::moveTo(const CutMesh& made, CutRecord& record) {
   run_.state.a.resize(3, 0);
   run_.body = sceneBody(run_.scene, made.mesh, run_.body.threads(), MaterialsBy::mesh);
   run_.recorder.follow(run_.body.mesh());
+  run_.probes.follow();
   run_.body.constraints().imposeVelocity(run_.state.v);
   run_.energies.beginBody();
   {

@@ -36,10 +36,11 @@ RunOutput::RunOutput(const Scene& scene, const Body& body, StepRule rule, std::f
 
 void RunOutput::open() {
   if (history_) return;
-  removeOldResults(folder_, {"history.csv", "summary.json", "run.pvd", "critical_step.png", "critical_step.gp",
-                             "critical_step.dat", checkpointFile});
+  removeOldResults(folder_, {"history.csv", "probes.csv", "summary.json", "run.pvd", "critical_step.png",
+                             "critical_step.gp", "critical_step.dat", checkpointFile});
   certificates_.begin(0);
   history_.emplace(folder_);
+  if (scene_.probed()) probes_.emplace(folder_ / "probes.csv", probesHeading_);
   if (scene_.frameInterval) frames_.emplace(folder_, scene_, body_, rule_);
 }
 
@@ -53,6 +54,7 @@ void RunOutput::resume(const nlohmann::ordered_json& saved, std::int64_t step) {
     lastFrame_ = saved.at("last_frame").get<std::int64_t>();
   }
   history_.emplace(folder_, saved.at("history").get<std::size_t>());
+  if (scene_.probed()) probes_.emplace(folder_ / "probes.csv", saved.at("probes").get<std::size_t>());
   if (scene_.picture)
     for (const HistoryRow& row : readHistory(folder_)) keepForPicture(row);
   removeOldResults(folder_, {"summary.json", "critical_step.png", "critical_step.gp", "critical_step.dat"});
@@ -61,6 +63,7 @@ void RunOutput::resume(const nlohmann::ordered_json& saved, std::int64_t step) {
 
 nlohmann::ordered_json RunOutput::save() {
   return {{"history", history_->bytes()},
+          {"probes", probes_ ? probes_->bytes() : 0},
           {"frames", frames_ ? frames_->times() : std::vector<double>()},
           {"next_frame", nextFrame_},
           {"frames_due", framesDue_},
@@ -91,6 +94,10 @@ void RunOutput::finish(RunResult& result, const State& state, const FrameState& 
   open();
   history_->finish();
   result.files.emplace_back("history.csv");
+  if (probes_) {
+    probes_->finish();
+    result.files.emplace_back("probes.csv");
+  }
   if (frames_) {
     if (result.reason != ExitReason::nonFinite && lastFrame_ != result.steps) writeFrame(result.steps, state, last);
     frames_->removeStale();

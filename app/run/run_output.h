@@ -2,10 +2,13 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/output/history.h>
 #include <ringwatch/app/output/picture.h>
+#include <ringwatch/app/output/row_file.h>
 #include <ringwatch/app/run/folder_lock.h>
 #include <ringwatch/app/run/run_certificates.h>
 #include <ringwatch/app/run/run_result.h>
@@ -14,7 +17,8 @@
 
 namespace ringwatch {
 
-/// The files of a run in progress: history.csv, frames and picture, in a folder that no other run may write into.
+/// The files of a run in progress: history.csv, probes.csv, frames and picture, in a folder that no other run may write
+/// into.
 class RunOutput {
  public:
   /// Takes the folder, which is made when it does not exist. Throws InputError when it cannot be written or another run
@@ -24,14 +28,19 @@ class RunOutput {
   /// Removes what an earlier run left and begins history and frames, once: until it is known that there is a first
   /// step, old results stay.
   void open();
+  /// The first row of probes.csv, where one is wanted; call it before open() or resume().
+  void probesBegin(std::string heading) { probesHeading_ = std::move(heading); }
   /// Goes on behind what was there at a checkpoint before that step; call it in place of open().
   void resume(const nlohmann::ordered_json& saved, std::int64_t step);
   /// What resume() needs; call it at a state where all rows and frames before it are written.
   nlohmann::ordered_json save();
   void writeRow(const HistoryRow& row);
+  /// A row of probes.csv.
+  void writeProbes(const std::string& row) { probes_->write(row); }
   /// Writes the rows that are still held back.
   void flush() {
     if (history_) history_->bytes();
+    if (probes_) probes_->bytes();
   }
   /// The step from this row of the history was shortened to end with the run: the picture leaves it out.
   void leaveOut(std::int64_t step) { picture_.leaveOut(step); }
@@ -57,6 +66,8 @@ class RunOutput {
   FolderLock lock_;
   RunCertificates certificates_;
   std::optional<HistoryWriter> history_;
+  std::string probesHeading_;
+  std::optional<RowFile> probes_;
   std::optional<FrameWriter> frames_;
   Picture picture_;
   bool pictured_ = false;  // the picture has a row

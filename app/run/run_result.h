@@ -63,6 +63,11 @@ struct RunEvent {
   std::string text;                // eventText
 };
 
+/// A column of probes.csv.
+struct ProbeColumn {
+  std::string name, unit, help;
+};
+
 /// What came of a run.
 struct RunResult {
   struct Moment {
@@ -89,6 +94,7 @@ struct RunResult {
   std::vector<RunEvent> events;
   std::optional<Handling> handler;  // empty without one
   std::vector<CutRecord> cuts;
+  std::vector<ProbeColumn> probes;
   /// Which materials hold the elements that control the bracket, where the scene has several.
   struct Governing {
     std::vector<std::int64_t> observations;  // by material, of which the controlling element was of it

@@ -45,6 +45,7 @@ class Runner {
     {
       const Stopwatch output(run_.result.outputTime);
       run_.output.emplace(run_.scene, run_.body, run_.rule, run_.options.folder);
+      run_.output->probesBegin(run_.probes.heading());
     }
     if (run_.options.resume) return checkpoints_.resume(*run_.options.resume);
     run_.state = sceneInitialState(run_.scene, run_.scheme->system());

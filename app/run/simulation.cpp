@@ -22,7 +22,9 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
       steps(s),
       loads(s, b),
       recorder(s, result),
-      watch(s, b, rule, result) {
+      watch(s, b, rule, result),
+      probes(s, b, rule) {
+  result.probes = probes.columns();
   result.notes = options.notes;
   result.requireCertified = scene.requireCertified;
   if (body.discreteForces()) {
@@ -64,6 +66,7 @@ std::int64_t Simulation::stepsToObservation(std::int64_t k) {
   const auto until = [k](std::int64_t every) { return every - k % every; };
   count = std::min(count, until(scene.historyEvery));
   if (watch.monitors()) count = std::min(count, until(scene.every));
+  if (scene.probed()) count = std::min(count, until(scene.probeEvery));
   const auto stepsTo = [this](double time) {
     return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil((time - state.time) / steps.step() - 1e-3)));
   };
@@ -99,7 +102,7 @@ MonitorReport Simulation::handleMore(MonitorReport report, bool rowDue) {
 
 MonitorReport Simulation::observeOnce(std::int64_t k, bool rowDue) {
   const bool shared = watch.sharesPass();
-  askFor(rowDue);
+  askFor(rowDue, probes.needsForce(k));
   lookAhead();
   if (!shared) evaluate();
   // With "auto" the first step is chosen from the first bracket.
@@ -120,14 +123,14 @@ void Simulation::lookAhead() {
 }
 
 void Simulation::recordEnergies() {
-  askFor(true);
+  askFor(true, false);
   evaluate();
   takeEvaluation(true);
 }
 
-void Simulation::askFor(bool rowDue) {
+void Simulation::askFor(bool rowDue, bool probesDue) {
   stepperNeedsForce_ = scheme->stepper().needsForce(state);
-  evaluation_.wantsForce = stepperNeedsForce_ || energies.needsForce(rowDue);
+  evaluation_.wantsForce = stepperNeedsForce_ || energies.needsForce(rowDue) || probesDue;
   evaluation_.wantsEnergy = scene.energy && rowDue;
 }
 
@@ -206,6 +209,8 @@ void Simulation::record(const MonitorReport& report, bool rowDue) {
     if (watch.monitors()) row.verdict = report.verdict;
     output->writeRow(row);
   }
+  if (probes.due(report.step))
+    output->writeProbes(probes.row(report.step, state, report.h, evaluation_.internalForce, scheme->system()));
   if (output->frameDue(state.time, report.h)) output->writeFrame(report.step, state, frameOf(report));
 }
 

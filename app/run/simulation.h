@@ -5,6 +5,7 @@
 
 #include <ringwatch/app/run/run_energies.h>
 #include <ringwatch/app/run/run_output.h>
+#include <ringwatch/app/run/run_probes.h>
 #include <ringwatch/app/run/run_recorder.h>
 #include <ringwatch/app/run/run_scheme.h>
 #include <ringwatch/app/run/run_watch.h>
@@ -65,6 +66,7 @@ class Simulation {
   RunResult result;
   RunRecorder recorder;
   RunWatch watch;
+  RunProbes probes;
   std::unique_ptr<RunScheme> scheme;
   std::optional<RunOutput> output;
   State state;
@@ -74,7 +76,7 @@ class Simulation {
   MonitorReport observeOnce(std::int64_t k, bool rowDue);
   MonitorReport handleMore(MonitorReport report, bool rowDue);
   void handleAgain();
-  void askFor(bool rowDue);
+  void askFor(bool rowDue, bool probesDue);
   void lookAhead();
   void evaluate();
   void takeEvaluation(bool rowDue);

@@ -11,6 +11,7 @@
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
+#include <ringwatch/app/scene/scene_probes.h>
 #include <ringwatch/app/scene/scene_sections.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
@@ -543,6 +544,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
   readCheckpoints(output, scene);
   scene.fields = output.get<std::vector<std::string>>("fields");
   scene.historyEvery = output.get<std::int64_t>("history_every");
+  readProbes(sections, output, scene);
   scene.energy = output.get<bool>("energy");
   scene.picture = output.get<bool>("picture");
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);

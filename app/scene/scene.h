@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <ringwatch/app/scene/deck_scene.h>
+#include <ringwatch/app/scene/probe_quantity.h>
 #include <ringwatch/app/scene/scene_materials.h>
 #include <ringwatch/app/scene/time_table.h>
 #include <ringwatch/app/scene/where_expression.h>
@@ -151,6 +152,17 @@ struct Scene {
     std::string origin;         // "scene.toml:31: [[cut]]", for messages
   };
 
+  /// Numbers of some nodes or elements, for a table of their own along the run.
+  struct Probe {
+    std::string name;
+    ProbeQuantity quantity;
+    ProbeReduction as = ProbeReduction::mean;
+    std::optional<NodeSelection> selection;  // nodes, or elements by their centre or an element set; empty: all
+    std::optional<int> material;             // of elements: its number
+    std::string metric;                      // of a step
+    std::string origin;                      // "scene.toml:31: [[probe]]", for messages
+  };
+
   std::filesystem::path file;
   bool ofDeck = false;             // the file is an Abaqus or CalculiX deck
   std::vector<std::string> notes;  // what a user may want to know of how the file was read, one line each
@@ -207,6 +219,9 @@ struct Scene {
   std::optional<double> frameInterval;       // s; empty for no frames
   std::vector<std::string> fields;
   std::int64_t historyEvery = 1;
+  std::vector<Probe> probes;
+  std::int64_t probeEvery = 1;  // steps
+  bool reactions = false;       // of each [[fix]] and [[move]] are wanted
   bool energy = true;
   bool picture = true;
 
@@ -229,6 +244,8 @@ struct Scene {
   /// Whether the monitor proves anything; a metric does not.
   bool proves() const { return mode != MonitorMode::metric; }
   bool monitored() const { return proves() || !metric.empty(); }
+  /// Whether a table of probes is wanted.
+  bool probed() const { return !probes.empty() || reactions; }
 };
 
 /// Reads and checks a scene file, or an Abaqus or CalculiX deck. overrides: `section.key=value` each, value as TOML (a

@@ -27,7 +27,7 @@ constexpr SceneRange atLeastOne{1, infinity, true, true};
 constexpr SceneRange share{0, 1, true, false};   // 0 <= s < 1
 constexpr SceneRange factor{0, 1, false, true};  // 0 < s <= 1
 
-constexpr std::array<SceneSection, 17> sections{{
+constexpr std::array<SceneSection, 18> sections{{
     {"mesh", false, true, "a file or a generator with its parameters"},
     {"material", false, true,
      "one material for the whole body, or several [[material]], each for the elements that it selects", true},
@@ -53,10 +53,11 @@ constexpr std::array<SceneSection, 17> sections{{
      "damping and Coulomb friction; sliding friction is outside the proof"},
     {"cut", true, false,
      "cuts through a mesh of tetrahedra along a plane or a swept line; lips may pass through each other"},
+    {"probe", true, false, "numbers of some nodes or elements, each a few columns of probes.csv"},
     {"output", false, false, "what is written besides history.csv and summary.json"},
 }};
 
-constexpr std::array<SceneAlternative, 16> alternatives{{
+constexpr std::array<SceneAlternative, 19> alternatives{{
     {"mesh", "file", "generate"},
     {"material", "where", "set", SceneAlternative::Need::oneOfMany},
     {"fix", "where", "set"},
@@ -73,6 +74,9 @@ constexpr std::array<SceneAlternative, 16> alternatives{{
     {"contact", "where", "set", SceneAlternative::Need::atMostOne},
     {"contact", "to_where", "to_set", SceneAlternative::Need::atMostOne},
     {"cut", "point", "line"},
+    {"probe", "where", "set", SceneAlternative::Need::atMostOne},
+    {"probe", "where", "material", SceneAlternative::Need::atMostOne},
+    {"probe", "set", "material", SceneAlternative::Need::atMostOne},
 }};
 
 template <class Table>
@@ -640,6 +644,39 @@ void addCut(std::vector<SceneKey>& all) {
       });
 }
 
+void addProbe(std::vector<SceneKey>& all) {
+  std::string what;
+  for (const ProbeQuantity& quantity : allProbeQuantities())
+    what += fmt::format("{}{}{}: {}", what.empty() ? "" : "; ", quantity.name,
+                        quantity.unit.empty() ? "" : fmt::format(", {}", quantity.unit), quantity.help);
+  add(all, "probe",
+      {
+          {.key = "what", .type = T::text, .required = true, .choices = namesOf(allProbeQuantities()), .help = what},
+          {.key = "name",
+           .type = T::text,
+           .help = "with which its columns begin, of letters, digits, _ and -; without, \"probe.N\", N counted from 0"},
+          {.key = "where",
+           .type = T::text,
+           .help = "condition on the reference position of nodes, or of the centre of an element's nodes, or "
+                   "\"set:NAME\"; without any selection all of them"},
+          {.key = "set", .type = T::text, .help = "named set of nodes or of elements, instead of where"},
+          {.key = "material",
+           .type = T::integer,
+           .range = notNegative,
+           .help = "the elements of the material with this number, counted from 0, instead of where"},
+          {.key = "as",
+           .type = T::text,
+           .choices = probeReductionNames.names(),
+           .help = probeReductionNames.listing() +
+                   "; without, the sum of momentum, load, reaction and energy, the least step, else the mean"},
+          {.key = "metric",
+           .type = T::text,
+           .fallback = "\"reduced-1-ring\"",
+           .choices = namesOf(allMetrics()),
+           .help = "of what = \"step\"; it is evaluated for the whole body at every row"},
+      });
+}
+
 void addOutput(std::vector<SceneKey>& all) {
   add(all, "output",
       {
@@ -654,9 +691,11 @@ void addOutput(std::vector<SceneKey>& all) {
            .choices = frameFieldNames(),
            .help = "cell data of the frames: each element's step by a metric (critical_step stands for "
                    "reduced-1-ring), by the monitor's metric with its margin, verdict, handled elements, and of the "
-                   "element's mean Cauchy stress von_mises, pressure (positive where it is pressed together) and "
-                   "max_principal_stress, Pa, and max_stretch, its largest principal stretch; displacement, velocity, "
-                   "sets and the frame's bracket are always there"},
+                   "element's mean Cauchy stress von_mises, pressure (positive where it is pressed together), "
+                   "max_principal_stress, principal_stresses and the tensor cauchy_stress, Pa; max_stretch, its "
+                   "largest principal stretch, and its mean Green strain green_strain and principal_strains; tensors "
+                   "are xx, yy, zz, xy, yz, xz; displacement, velocity, sets and the frame's bracket are always "
+                   "there"},
           {.key = "checkpoint_every",
            .type = T::number,
            .unit = "s",
@@ -669,6 +708,17 @@ void addOutput(std::vector<SceneKey>& all) {
            .fallback = "1",
            .range = atLeastOne,
            .help = "steps between rows of history.csv"},
+          {.key = "probe_every",
+           .type = T::integer,
+           .unit = "steps",
+           .fallback = "1",
+           .range = atLeastOne,
+           .help = "steps between rows of probes.csv"},
+          {.key = "reactions",
+           .type = T::boolean,
+           .fallback = "false",
+           .help = "the reaction forces of each [[fix]] and [[move]], N, in probes.csv; a component that several hold "
+                   "counts for the first of them"},
           {.key = "energy",
            .type = T::boolean,
            .fallback = "true",
@@ -683,7 +733,7 @@ void addOutput(std::vector<SceneKey>& all) {
 std::vector<SceneKey> makeKeys() {
   std::vector<SceneKey> all;
   for (const auto addSection : {addMesh, addMaterial, addIntegrator, addDamping, addMonitor, addHandler,
-                                addMotionAndLoads, addDiscrete, addCut, addOutput})
+                                addMotionAndLoads, addDiscrete, addCut, addProbe, addOutput})
     addSection(all);
   return all;
 }

@@ -33,44 +33,17 @@ void forEachElement(const Mesh& mesh, const Visit& visit) {
     for (std::size_t e = 0; e < mesh.blocks[b].elementCount(); ++e) visit(ElementRef{b, e});
 }
 
-std::vector<ElementRef> elementsOfSet(const SceneMaterial& material, const Mesh& mesh) {
-  const auto found = mesh.elementSets.find(material.set);
+std::vector<ElementRef> elementsOfSet(const std::string& set, const Mesh& mesh, const std::string& origin) {
+  const auto found = mesh.elementSets.find(set);
   if (found != mesh.elementSets.end() && !found->second.empty()) return found->second;
   if (found != mesh.elementSets.end())
-    throw InputError(fmt::format("{}: the element set {} is empty", material.selectionOrigin, inQuotes(material.set)));
+    throw InputError(fmt::format("{}: the element set {} is empty", origin, inQuotes(set)));
   std::vector<std::string> known;
   for (const auto& entry : mesh.elementSets) known.push_back(entry.first);
-  throw InputError(known.empty()
-                       ? fmt::format("{}: unknown element set {}; the mesh has no named sets of elements",
-                                     material.selectionOrigin, inQuotes(material.set))
-                       : fmt::format("{}: unknown element set {}; {}the mesh has {}", material.selectionOrigin,
-                                     inQuotes(material.set), didYouMean(material.set, known), shortList(known)));
-}
-
-std::vector<ElementRef> elementsOf(const SceneMaterial& material, const Mesh& mesh) {
-  std::vector<ElementRef> elements;
-  if (!material.set.empty()) return elementsOfSet(material, mesh);
-  if (!material.where) {
-    forEachElement(mesh, [&](ElementRef e) { elements.push_back(e); });
-    return elements;
-  }
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(infinity), high = -low;
-  try {
-    forEachElement(mesh, [&](ElementRef e) {
-      const Eigen::Vector3d centre = centreOf(mesh, e);
-      low = low.cwiseMin(centre);
-      high = high.cwiseMax(centre);
-      if (material.where->holdsAt(centre)) elements.push_back(e);
-    });
-  } catch (const InputError& fault) {
-    throw InputError(fmt::format("{}: {}", material.selectionOrigin, fault.what()));
-  }
-  if (elements.empty())
-    throw InputError(fmt::format(
-        "{}: {} selects no element; their centres lie in {:.6g} <= x <= {:.6g}, {:.6g} <= y <= {:.6g}, {:.6g} <= z <= "
-        "{:.6g}",
-        material.selectionOrigin, inQuotes(material.where->text()), low[0], high[0], low[1], high[1], low[2], high[2]));
-  return elements;
+  throw InputError(known.empty() ? fmt::format("{}: unknown element set {}; the mesh has no named sets of elements",
+                                               origin, inQuotes(set))
+                                 : fmt::format("{}: unknown element set {}; {}the mesh has {}", origin, inQuotes(set),
+                                               didYouMean(set, known), shortList(known)));
 }
 
 std::string elementName(const Mesh& mesh, ElementRef e) {
@@ -87,7 +60,8 @@ ElementNumbers numbersByScene(const std::vector<SceneMaterial>& materials, const
     std::size_t taken = 0;
     std::optional<ElementRef> first;
     int other = none;
-    for (const ElementRef e : elementsOf(materials[m], mesh)) {
+    for (const ElementRef e :
+         selectedElements(mesh, materials[m].where, materials[m].set, materials[m].selectionOrigin)) {
       int& number = numbers[e.block][e.element];
       if (number != none && number != static_cast<int>(m)) {
         if (!first) first = e, other = number;
@@ -175,6 +149,33 @@ std::string modelsText(const std::vector<SceneMaterial>& materials) {
   for (const SceneMaterial& material : materials)
     if (std::find(models.begin(), models.end(), material.model) == models.end()) models.push_back(material.model);
   return fmt::format("{}", fmt::join(models, ", "));
+}
+
+std::vector<ElementRef> selectedElements(const Mesh& mesh, const std::optional<WhereExpression>& where,
+                                         const std::string& set, const std::string& origin) {
+  std::vector<ElementRef> elements;
+  if (!set.empty()) return elementsOfSet(set, mesh, origin);
+  if (!where) {
+    forEachElement(mesh, [&](ElementRef e) { elements.push_back(e); });
+    return elements;
+  }
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(infinity), high = -low;
+  try {
+    forEachElement(mesh, [&](ElementRef e) {
+      const Eigen::Vector3d centre = centreOf(mesh, e);
+      low = low.cwiseMin(centre);
+      high = high.cwiseMax(centre);
+      if (where->holdsAt(centre)) elements.push_back(e);
+    });
+  } catch (const InputError& fault) {
+    throw InputError(fmt::format("{}: {}", origin, fault.what()));
+  }
+  if (elements.empty())
+    throw InputError(fmt::format(
+        "{}: {} selects no element; their centres lie in {:.6g} <= x <= {:.6g}, {:.6g} <= y <= {:.6g}, {:.6g} <= z <= "
+        "{:.6g}",
+        origin, inQuotes(where->text()), low[0], high[0], low[1], high[1], low[2], high[2]));
+  return elements;
 }
 
 std::vector<Material> assignMaterials(const std::vector<SceneMaterial>& materials, Mesh& mesh, MaterialsBy by) {

@@ -43,6 +43,11 @@ enum class MaterialsBy {
 /// and for elements without a material or with two.
 std::vector<Material> assignMaterials(const std::vector<SceneMaterial>& materials, Mesh& mesh, MaterialsBy by);
 
+/// The elements of a named element set, or those at the centre of whose nodes at rest a condition holds; all of them
+/// without either. Throws InputError "origin: …" for an unknown set and for a selection without elements.
+std::vector<ElementRef> selectedElements(const Mesh& mesh, const std::optional<WhereExpression>& where,
+                                         const std::string& set, const std::string& origin);
+
 /// Which material the blocks of a mesh have after assignMaterials, counted from 0; empty where there is but one.
 std::vector<int> materialOfBlocks(const Mesh& mesh);
 

@@ -55,9 +55,17 @@ force = [0.02, 0, 0]
 times = [0, 0.1]
 factors = [0, 1]
 ramp = "smooth"
+[[probe]]
+what = "energy"
+material = 1
+[[probe]]
+what = "step"
+where = "x > 0.08"
 [output]
 every = 0.03
 checkpoint_every = 0.011
+probe_every = 3
+reactions = true
 picture = false
 fields = ["critical_step", "verdict", "metric"]
 )";
@@ -69,6 +77,8 @@ class Checkpoints : public Program {
   std::string difference(const std::string& a, const std::string& b) const {
     std::string found;
     if (folder_.read(a + "/history.csv") != folder_.read(b + "/history.csv")) found += "history ";
+    if (folder_.read(a + "/probes.csv").empty() || folder_.read(a + "/probes.csv") != folder_.read(b + "/probes.csv"))
+      found += "probes ";
     if (folder_.read(a + "/run.pvd") != folder_.read(b + "/run.pvd")) found += "run.pvd ";
     std::size_t frames = 0, others = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / a / "frames")) {

@@ -101,6 +101,19 @@ TEST_P(ElementStressTest, IsThatOfABarStretchedOrPressedInOneDirection) {
       EXPECT_NEAR(found.at("pressure")[e], -state.stress / 3, tolerance);
       EXPECT_NEAR(found.at("max_principal_stress")[e], std::max(0.0, state.stress), tolerance);
       EXPECT_NEAR(found.at("max_stretch")[e], std::max(s, state.lateral), 1e-12);
+      const double stresses[] = {std::max(0.0, state.stress), 0, std::min(0.0, state.stress)};
+      for (int i = 0; i < 3; ++i) EXPECT_NEAR(found.at("principal_stresses")[3 * e + i], stresses[i], tolerance) << i;
+      const Eigen::Matrix3d E = 0.5 * (F.transpose() * F - Eigen::Matrix3d::Identity());
+      const Eigen::Vector3d axis = Q.col(1);  // of the stress, in space
+      const Eigen::Matrix3d sigma = state.stress * axis * axis.transpose();
+      constexpr int order[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
+      for (int i = 0; i < 6; ++i) {
+        EXPECT_NEAR(found.at("cauchy_stress")[6 * e + i], sigma(order[i][0], order[i][1]), tolerance) << i;
+        EXPECT_NEAR(found.at("green_strain")[6 * e + i], E(order[i][0], order[i][1]), 1e-12) << i;
+      }
+      const double along = 0.5 * (s * s - 1), across = 0.5 * (state.lateral * state.lateral - 1);
+      const double strains[] = {std::max(along, across), across, std::min(along, across)};
+      for (int i = 0; i < 3; ++i) EXPECT_NEAR(found.at("principal_strains")[3 * e + i], strains[i], 1e-12) << i;
     }
   }
 }
@@ -134,6 +147,8 @@ TEST_P(ElementStressTest, IsNotANumberWhereAnElementIsTurnedInsideOut) {
   const Body body = makeBody(test::distortedBox(param().element->name, {2, 2, 2}));
   const auto found = measured(body, Eigen::Vector3d(1, 1, -0.5).asDiagonal() * body.mesh().X);
   for (const double value : found.at("von_mises")) EXPECT_TRUE(std::isnan(value));
+  for (const char* tensor : {"cauchy_stress", "principal_stresses"})
+    for (const double value : found.at(tensor)) EXPECT_TRUE(std::isnan(value)) << tensor;
   for (const double value : found.at("max_stretch")) EXPECT_NEAR(value, 1, 1e-12);
 }
 

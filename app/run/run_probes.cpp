@@ -1,0 +1,238 @@
+#include <ringwatch/app/run/run_probes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/output/frames.h>
+#include <ringwatch/body/element_energy.h>
+#include <ringwatch/body/element_stress.h>
+#include <ringwatch/meshes/adjacency.h>
+
+namespace ringwatch {
+namespace {
+
+using Kind = ProbeQuantity::Kind;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Makes one number of those of some nodes or elements; one that is none stays none.
+class Reduced {
+ public:
+  explicit Reduced(ProbeReduction as) : as_(as) {}
+  void add(double value, double weight = 1) {
+    if (as_ == ProbeReduction::least || as_ == ProbeReduction::largest) {
+      const bool better = as_ == ProbeReduction::least ? value < value_ : value > value_;
+      if (weight_ == 0 || better || std::isnan(value)) value_ = std::isnan(value_) && weight_ > 0 ? value_ : value;
+      weight_ = 1;
+      return;
+    }
+    value_ += weight * value;
+    weight_ += weight;
+  }
+  double value() const { return weight_ == 0 ? nan : as_ == ProbeReduction::mean ? value_ / weight_ : value_; }
+
+ private:
+  ProbeReduction as_;
+  double value_ = 0, weight_ = 0;
+};
+
+/// The acceleration of a prescribed motion of a node, m/s²: see RunProbes.
+Eigen::Vector3d prescribedAcceleration(const Scene::Move& move, const Eigen::Vector3d& X, double time, double h) {
+  if (!move.table && !move.rotates()) return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d before =
+      time > h ? move.displacement(X, time - h) : Eigen::Vector3d((time - h) * move.velocityAtStart(X));
+  return (move.displacement(X, time + h) - 2 * move.displacement(X, time) + before) / (h * h);
+}
+
+}  // namespace
+
+RunProbes::RunProbes(const Scene& scene, const Body& body, const StepRule& rule)
+    : scene_(scene), body_(body), rule_(rule) {
+  if (scene.reactions) reacts_ = true;
+  for (const Scene::Probe& probe : scene.probes) reacts_ = reacts_ || probe.quantity.kind == Kind::reaction;
+  follow();
+}
+
+void RunProbes::follow() {
+  if (!scene_.probed()) return;
+  const Mesh& mesh = body_.mesh();
+  targets_.clear();
+  for (const Scene::Probe& probe : scene_.probes) {
+    Target& target = targets_.emplace_back();
+    if (probe.quantity.ofNodes()) {
+      if (probe.selection)
+        target.nodes = probe.selection->nodesOf(mesh);
+      else
+        for (std::int32_t i = 0; i < body_.nodeCount(); ++i) target.nodes.push_back(i);
+      continue;
+    }
+    if (probe.selection) {
+      const NodeSelection& chosen = *probe.selection;
+      target.elements = selectedElements(mesh, chosen.where, chosen.set, chosen.origin);
+    } else {
+      target.elements = selectedElements(mesh, {}, {}, probe.origin);
+    }
+    const std::vector<int> materials = materialOfBlocks(mesh);
+    if (probe.material && !materials.empty())
+      std::erase_if(target.elements, [&](ElementRef e) { return materials[e.block] != *probe.material; });
+    if (probe.quantity.kind == Kind::energy) target.mass = lumpedMassOfElements(body_, target.elements);
+  }
+  metrics_.clear();
+  const auto ofStress = [](const Scene::Probe& probe) { return probe.quantity.kind == Kind::stress; };
+  if (std::ranges::any_of(scene_.probes, ofStress)) {
+    first_ = blockOffsets(mesh);
+    volume_ = volumeOfElements(body_);
+  }
+  if (reacts_) {
+    supports_.assign(3 * static_cast<std::size_t>(body_.nodeCount()), -1);
+    std::int32_t section = 0;
+    const auto hold = [&](const NodeSelection& selection, const std::array<bool, 3>& components) {
+      for (const std::int32_t node : selection.nodesOf(mesh))
+        for (std::size_t c = 0; c < 3; ++c)
+          if (std::int32_t& by = supports_[3 * static_cast<std::size_t>(node) + c]; components[c] && by < 0)
+            by = section;
+      ++section;
+    };
+    for (const Scene::Fix& fix : scene_.fixes) hold(fix.nodes, fix.components);
+    for (const Scene::Move& move : scene_.moves) hold(move.nodes, move.components);
+  }
+  nameColumns();
+}
+
+void RunProbes::nameColumns() {
+  columns_.clear();
+  for (const Scene::Probe& probe : scene_.probes) {
+    const ProbeQuantity& quantity = probe.quantity;
+    std::string name = quantity.name;
+    if (quantity.kind == Kind::step) name = fmt::format("{}_step", stepSide(metricDirection(probe.metric, body_)));
+    for (const std::string& part : quantity.parts)
+      columns_.push_back({fmt::format("{}.{}{}{}{}{}", probe.name, name, part.empty() ? "" : "_", part,
+                                      quantity.unit.empty() ? "" : "_", quantity.unit),
+                          quantity.unit,
+                          fmt::format("{}{}{}: {}", probeReductionNames.nameOf(probe.as),
+                                      probe.metric.empty() ? "" : " by ", probe.metric, quantity.help)});
+  }
+  if (!scene_.reactions) return;
+  const auto add = [&](const char* section, std::size_t number) {
+    for (const char* part : {"x", "y", "z"})
+      columns_.push_back(
+          {fmt::format("{}.{}.reaction_{}_N", section, number, part), "N",
+           fmt::format("of [[{}]] number {}, counted from 0, on the nodes that it holds first", section, number)});
+  };
+  for (std::size_t i = 0; i < scene_.fixes.size(); ++i) add("fix", i);
+  for (std::size_t i = 0; i < scene_.moves.size(); ++i) add("move", i);
+}
+
+std::string RunProbes::heading() const {
+  std::string line = "step,time_s";
+  for (const ProbeColumn& column : columns_) line += "," + column.name;
+  return line;
+}
+
+void RunProbes::react(const State& state, double h, const NodeVectors& internalForce, BodySystem& system) {
+  reaction_.setZero(3, body_.nodeCount());
+  ofSections_.assign(scene_.fixes.size() + scene_.moves.size(), Eigen::Vector3d::Zero());
+  const bool damped = system.velocityDependent();
+  if (damped) system.dampingForce(state.x, state.v, dampingForce_);
+  for (std::int32_t node = 0; node < body_.nodeCount(); ++node) {
+    std::int32_t moved = -1;  // whose acceleration is known
+    Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
+    for (int c = 0; c < 3; ++c) {
+      const std::int32_t section = supports_[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(c)];
+      if (section < 0) continue;
+      double force = internalForce(c, node) - body_.externalForce()(c, node);
+      if (damped) force += dampingForce_(c, node);
+      if (const auto move = section - static_cast<std::int32_t>(scene_.fixes.size()); move >= 0) {
+        if (move != moved)
+          acceleration = prescribedAcceleration(scene_.moves[move], body_.mesh().X.col(node), state.time, h);
+        moved = move;
+        force += body_.lumpedMass()[node] * acceleration[c];
+      }
+      reaction_(c, node) = force;
+      ofSections_[section][c] += force;
+    }
+  }
+}
+
+const MetricValues& RunProbes::metric(const std::string& name, NodeVectorsView x) {
+  const MetricValues*& known = evaluated_[name];
+  if (known) return *known;
+  std::unique_ptr<MetricEvaluator>& evaluator = metrics_[name];
+  if (!evaluator) evaluator = makeMetricEvaluator(name, body_);
+  known = &evaluator->evaluate(x);
+  return *known;
+}
+
+void RunProbes::addValues(const Scene::Probe& probe, const Target& target, const State& state,
+                          std::vector<double>& values) {
+  const auto eachComponent = [&](const auto& of) {
+    Reduced reduced[3]{Reduced(probe.as), Reduced(probe.as), Reduced(probe.as)};
+    for (const std::int32_t node : target.nodes) {
+      const Eigen::Vector3d value = of(node);
+      for (int c = 0; c < 3; ++c) reduced[c].add(value[c]);
+    }
+    for (const Reduced& one : reduced) values.push_back(one.value());
+  };
+  switch (probe.quantity.kind) {
+    case Kind::displacement:
+      return eachComponent([&](std::int32_t i) { return state.x.col(i) - body_.mesh().X.col(i); });
+    case Kind::velocity:
+      return eachComponent([&](std::int32_t i) { return state.v.col(i); });
+    case Kind::momentum:
+      return eachComponent([&](std::int32_t i) { return body_.lumpedMass()[i] * state.v.col(i); });
+    case Kind::load:
+      return eachComponent([&](std::int32_t i) { return body_.externalForce().col(i); });
+    case Kind::reaction:
+      return eachComponent([&](std::int32_t i) { return reaction_.col(i); });
+    case Kind::energy: {
+      double kinetic = 0;
+      for (std::int32_t i = 0; i < body_.nodeCount(); ++i)
+        kinetic += 0.5 * target.mass[i] * state.v.col(i).squaredNorm();
+      if (strain_.empty()) strain_ = strainEnergyOfElements(body_, state.x);
+      double strain = 0;
+      for (const ElementRef e : target.elements) strain += strain_[e.block][e.element];
+      values.push_back(kinetic);
+      values.push_back(strain);
+      return;
+    }
+    case Kind::step: {
+      const MetricValues& lambda = metric(probe.metric, state.x);
+      Reduced least(probe.as);
+      for (const ElementRef e : target.elements) least.add(rule_(lambda[e.block][e.element]));
+      values.push_back(least.value());
+      return;
+    }
+    case Kind::stress: {
+      const StressMeasure* const measure = findStressMeasure(probe.quantity.name);
+      const std::vector<double> all = std::move(stressOfElements(body_, state.x, std::span(&measure, 1)).front());
+      std::vector<Reduced> reduced(static_cast<std::size_t>(measure->components), Reduced(probe.as));
+      for (const ElementRef e : target.elements) {
+        const std::size_t i = first_[e.block] + static_cast<std::size_t>(e.element);
+        for (std::size_t c = 0; c < reduced.size(); ++c) reduced[c].add(all[i * reduced.size() + c], volume_[i]);
+      }
+      for (const Reduced& one : reduced) values.push_back(one.value());
+      return;
+    }
+  }
+}
+
+std::string RunProbes::row(std::int64_t k, const State& state, double h, const NodeVectors& internalForce,
+                           BodySystem& system) {
+  if (bodyVersion_ != body_.version()) metrics_.clear();
+  bodyVersion_ = body_.version();
+  evaluated_.clear();
+  strain_.clear();
+  if (reacts_) react(state, h, internalForce, system);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < targets_.size(); ++i) addValues(scene_.probes[i], targets_[i], state, values);
+  if (scene_.reactions)
+    for (const Eigen::Vector3d& force : ofSections_) values.insert(values.end(), {force[0], force[1], force[2]});
+  std::string line = fmt::format("{},{}", k, state.time);
+  for (const double value : values) line += std::isfinite(value) ? fmt::format(",{}", value) : std::string(",");
+  return line;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,56 @@
+#include <ringwatch/app/scene/probe_quantity.h>
+
+#include <ringwatch/body/element_stress.h>
+
+namespace ringwatch {
+namespace {
+
+using Kind = ProbeQuantity::Kind;
+using As = ProbeReduction;
+
+std::vector<ProbeQuantity> makeQuantities() {
+  const std::vector<std::string> vector{"x", "y", "z"};
+  const std::vector<As> average{As::mean, As::least, As::largest}, total{As::sum};
+  std::vector<ProbeQuantity> all{
+      {Kind::displacement, "displacement", "m", vector, average, "of nodes, from where they are at rest"},
+      {Kind::velocity, "velocity", "m/s", vector, average, "of nodes"},
+      {Kind::momentum, "momentum", "kg m/s", vector, total, "of nodes, lumped mass times velocity"},
+      {Kind::load, "load", "N", vector, total, "dead loads, pressures and tables of time at nodes, as they are now"},
+      {Kind::reaction, "reaction", "N", vector, total,
+       "what [[fix]] and [[move]] put on nodes, at the components that they hold: internal and damping force less "
+       "loads, and mass times the acceleration of a prescribed motion"},
+      {Kind::energy,
+       "energy",
+       "J",
+       {"kinetic", "strain"},
+       total,
+       "of elements; kinetic with the mass that they give to their nodes"},
+      {Kind::step,
+       "step",
+       "s",
+       {""},
+       {As::least},
+       "the least step of the elements by a metric; the column's name says whether it is safe, optimistic or an "
+       "estimate for the whole body"},
+  };
+  for (const StressMeasure& measure : allStressMeasures()) {
+    const std::string title(measure.title);
+    const std::size_t unit = title.find(" (");
+    all.push_back({Kind::stress, std::string(measure.name),
+                   unit == std::string::npos ? "" : title.substr(unit + 2, title.size() - unit - 3),
+                   measure.components == 6   ? std::vector<std::string>{"xx", "yy", "zz", "xy", "yz", "xz"}
+                   : measure.components == 3 ? std::vector<std::string>{"1", "2", "3"}
+                                             : std::vector<std::string>{""},
+                   average, "of elements: " + std::string(measure.help)});
+  }
+  return all;
+}
+
+}  // namespace
+
+const std::vector<ProbeQuantity>& allProbeQuantities() {
+  static const std::vector<ProbeQuantity> all = makeQuantities();
+  return all;
+}
+
+}  // namespace ringwatch

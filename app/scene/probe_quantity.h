@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <ringwatch/base/name_table.h>
+
+namespace ringwatch {
+
+/// How one number is made of those of several nodes or elements.
+enum class ProbeReduction { mean, sum, least, largest };
+inline constexpr auto probeReductionNames = nameTable<ProbeReduction>({
+    {ProbeReduction::mean, "mean", "of nodes their mean, of elements the mean by their volumes at rest"},
+    {ProbeReduction::sum, "sum", "the sum"},
+    {ProbeReduction::least, "min", "the least, of each component by itself"},
+    {ProbeReduction::largest, "max", "the largest, of each component by itself"},
+});
+
+/// What a [[probe]] can tell of nodes or elements.
+struct ProbeQuantity {
+  enum class Kind { displacement, velocity, momentum, load, reaction, energy, step, stress };
+
+  Kind kind;
+  std::string name;                // in scenes; of a stress that of its StressMeasure
+  std::string unit;                // "" for none
+  std::vector<std::string> parts;  // of the names of its columns; one "" for a single number of this name
+  std::vector<ProbeReduction> as;  // what it takes, the first where none is asked for
+  std::string help;
+
+  bool ofNodes() const { return kind < Kind::energy; }
+};
+/// Every quantity: those of nodes, energies and steps of elements, and all stress measures.
+const std::vector<ProbeQuantity>& allProbeQuantities();
+
+}  // namespace ringwatch
