@@ -24,7 +24,7 @@ using test::Program;
 using ::testing::HasSubstr;
 
 /// Two stiff cubes of 1 kg, 1 mm apart, which a soft penalty sees as rigid bodies.
-constexpr const char* cubes = R"([mesh]
+constexpr const char* twoCubes = R"([mesh]
 generate = "stack"
 size = [0.1, 0.1, 0.1]
 cells = [1, 1, 1]
@@ -45,13 +45,13 @@ end = 0.3
 every = 0.3
 picture = false
 )";
-constexpr double mass = 1, speed = 0.2;
-constexpr const char* falling = "[[initial]]\nset = \"upper\"\nvelocity = [0, 0, -0.2]\n";
+constexpr double cubeMass = 1, cubeSpeed = 0.2;
+constexpr const char* upperFalls = "[[initial]]\nset = \"upper\"\nvelocity = [0, 0, -0.2]\n";
 
 class SurfaceContactRuns : public Program {
  protected:
   void run(const std::string& more, const std::string& options = "", int status = 0) {
-    folder_.write("scene.toml", cubes + more);
+    folder_.write("scene.toml", twoCubes + more);
     const Outcome outcome = call("run scene.toml --out r " + options);
     ASSERT_EQ(outcome.status, status) << outcome.out << outcome.err;
     history_ = table("r/history.csv");
@@ -72,7 +72,7 @@ class SurfaceContactRuns : public Program {
     return {Eigen::Vector3d(moved.leftCols(8).rowwise().mean()), Eigen::Vector3d(moved.rightCols(8).rowwise().mean())};
   }
   void refuse(const std::string& more, const std::string& what, const std::string& options = "") {
-    folder_.write("scene.toml", cubes + more);
+    folder_.write("scene.toml", twoCubes + more);
     expectRefused("run scene.toml --out refused " + options, what);
     EXPECT_FALSE(exists("refused"));
   }
@@ -83,14 +83,15 @@ class SurfaceContactRuns : public Program {
 // Equal masses exchange their speeds: eight springs of 100 N/m between the four pairs of nodes, whose deepest point is
 // v √(μ/κ) with the reduced mass μ = m/2.
 TEST_F(SurfaceContactRuns, CubesThatCollideExchangeTheirSpeeds) {
-  run(std::string(falling) + "[[contact]]\nwith = \"surface\"\npenalty = 100\n");
+  run(std::string(upperFalls) + "[[contact]]\nwith = \"surface\"\npenalty = 100\n");
   EXPECT_NEAR(largest("kinetic_J"), 0.02, 1e-6);
   EXPECT_NEAR(last("kinetic_J"), 0.02, 2e-6);
   EXPECT_LE(largest("balance_error_J"), 2e-6);
   const Json& found = summary_["discrete_forces"];
   EXPECT_EQ(found["contact_nodes"], 16);
   EXPECT_EQ(found["most_touching"], 8);
-  const double kappa = 800, deepest = speed * std::sqrt(0.5 * mass / kappa), lasts = pi * std::sqrt(0.5 * mass / kappa);
+  const double kappa = 800, deepest = cubeSpeed * std::sqrt(0.5 * cubeMass / kappa),
+               lasts = pi * std::sqrt(0.5 * cubeMass / kappa);
   EXPECT_NEAR(found["deepest"]["depth"].get<double>(), deepest, 1e-5);
   EXPECT_EQ(found["deepest"]["obstacle"], "surface");
   EXPECT_EQ(found["governed_observations"], 0);
@@ -98,16 +99,16 @@ TEST_F(SurfaceContactRuns, CubesThatCollideExchangeTheirSpeeds) {
   EXPECT_EQ(summary_["certified_steps"], summary_["steps"]);
   // Together they keep their momentum to rounding; the lower one has all of it after contact.
   const auto [lower, upper] = moved();
-  EXPECT_NEAR(lower[2] + upper[2], -speed * 0.3, 1e-12);
-  const double meets = 0.001 / speed, after = 0.3 - meets - lasts;
-  EXPECT_NEAR(lower[2], -speed * (after + 0.5 * lasts), 3e-6);
+  EXPECT_NEAR(lower[2] + upper[2], -cubeSpeed * 0.3, 1e-12);
+  const double meets = 0.001 / cubeSpeed, after = 0.3 - meets - lasts;
+  EXPECT_NEAR(lower[2], -cubeSpeed * (after + 0.5 * lasts), 3e-6);
   EXPECT_LE(std::abs(lower[0]) + std::abs(lower[1]) + std::abs(upper[0]) + std::abs(upper[1]), 1e-9);
 }
 
 // One-sided contact of the upper cube's nodes on a lower cube that is held: ẍ + 2 ζ ω ẋ + ω² x = 0 while it touches,
 // and e = exp(-π ζ/√(1 - ζ²)); the cube's ζ is the nodes' over √2.
 TEST_F(SurfaceContactRuns, HasTheRestitutionOfItsDamping) {
-  run(std::string(falling) +
+  run(std::string(upperFalls) +
       "[[fix]]\nset = \"lower\"\n[[contact]]\nwith = \"surface\"\nset = \"upper\"\nto_set = \"lower\"\npenalty = 100\n"
       "damping = 0.2\n");
   const double zeta = 0.2 / std::sqrt(2.0), e = std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta));
@@ -123,16 +124,17 @@ TEST_F(SurfaceContactRuns, BouncingCubeKeepsItsEnergy) {
   run("[[fix]]\nset = \"lower\"\n[[force]]\nset = \"upper\"\nacceleration = [0, 0, -10]\n"
       "[[contact]]\nwith = \"surface\"\nset = \"upper\"\nto_set = \"lower\"\npenalty = 2000\n",
       "--set integrator.end=1.0 --set mesh.gap=0.02");
-  const double g = 10, height = 0.02, kappa = 4 * 2000, omega = std::sqrt(kappa / mass), v = std::sqrt(2 * g * height);
+  const double g = 10, height = 0.02, kappa = 4 * 2000, omega = std::sqrt(kappa / cubeMass),
+               v = std::sqrt(2 * g * height);
   // On the penalty z = -(v/ω) sin ωt - (g/ω²)(1 - cos ωt) returns to zero after (2/ω)(π - atan(v ω/g)).
   const double contact = 2 / omega * (pi - std::atan(v * omega / g)), period = 2 * v / g + contact;
-  EXPECT_LE(largest("balance_error_J"), 2e-3 * mass * g * height);
+  EXPECT_LE(largest("balance_error_J"), 2e-3 * cubeMass * g * height);
   std::vector<double> tops;
   for (std::size_t i = 1; i + 1 < history_.rows.size(); ++i) {
     const double before = history_.number(i - 1, "kinetic_J"), now = history_.number(i, "kinetic_J"),
                  after = history_.number(i + 1, "kinetic_J");
-    if (now < before && now <= after && now < 1e-3 * mass * g * height &&
-        history_.number(i, "strain_J") < 1e-3 * mass * g * height)
+    if (now < before && now <= after && now < 1e-3 * cubeMass * g * height &&
+        history_.number(i, "strain_J") < 1e-3 * cubeMass * g * height)
       tops.push_back(history_.number(i, "time_s"));
   }
   ASSERT_GE(tops.size(), 4U);
@@ -140,7 +142,7 @@ TEST_F(SurfaceContactRuns, BouncingCubeKeepsItsEnergy) {
     EXPECT_NEAR(tops[k], static_cast<double>(k + 1) * period, 3e-3 * period) << k;
 }
 
-constexpr const char* blocks = R"([mesh]
+constexpr const char* softBlocks = R"([mesh]
 generate = "stack"
 size = [0.04, 0.04, 0.02]
 cells = [4, 4, 2]
@@ -166,7 +168,7 @@ picture = false
 )";
 
 TEST_F(SurfaceContactRuns, APenaltyMadeForTheStepLeavesIt) {
-  folder_.write("scene.toml", std::string(blocks) + "[[contact]]\nwith = \"surface\"\n");
+  folder_.write("scene.toml", std::string(softBlocks) + "[[contact]]\nwith = \"surface\"\n");
   const Outcome outcome = call("run scene.toml --out r");
   ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   const Json summary = json("r/summary.json");
@@ -182,7 +184,7 @@ TEST_F(SurfaceContactRuns, APenaltyMadeForTheStepLeavesIt) {
 }
 
 TEST_F(SurfaceContactRuns, SaysWhenContactGovernsAndWhichPenaltyWouldNot) {
-  folder_.write("scene.toml", std::string(blocks) + "[[contact]]\nwith = \"surface\"\npenalty = 5e4\n");
+  folder_.write("scene.toml", std::string(softBlocks) + "[[contact]]\nwith = \"surface\"\npenalty = 5e4\n");
   const Outcome outcome = call("run scene.toml --out r");
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("springs or contact govern"));
@@ -196,7 +198,8 @@ TEST_F(SurfaceContactRuns, SaysWhenContactGovernsAndWhichPenaltyWouldNot) {
 }
 
 TEST_F(SurfaceContactRuns, IsTheSameForAnyNumberOfThreads) {
-  folder_.write("scene.toml", std::string(blocks) + "[[contact]]\nwith = \"surface\"\ndamping = 0.1\nfriction = 0.2\n");
+  folder_.write("scene.toml",
+                std::string(softBlocks) + "[[contact]]\nwith = \"surface\"\ndamping = 0.1\nfriction = 0.2\n");
   ASSERT_EQ(call("run scene.toml --out one --threads 1").status, 0);
   ASSERT_EQ(call("run scene.toml --out three --threads 3").status, 0);
   EXPECT_EQ(folder_.read("one/history.csv"), folder_.read("three/history.csv"));
@@ -204,7 +207,7 @@ TEST_F(SurfaceContactRuns, IsTheSameForAnyNumberOfThreads) {
 
 TEST_F(SurfaceContactRuns, ResumedRunsHaveTheBitsOfTheOneThatWasNotStopped) {
   folder_.write("scene.toml",
-                std::string(blocks) +
+                std::string(softBlocks) +
                     "checkpoint_every = 1e-3\n[[contact]]\nwith = \"surface\"\ndamping = 0.1\nfriction = 0.3\n");
   const std::string more = " --set integrator.end=0.05 --quiet";
   ASSERT_EQ(call("run scene.toml --out whole" + more).status, 0);
@@ -235,7 +238,7 @@ TEST_F(SurfaceContactRuns, PartsThatOverlapAreRefused) {
   for (const std::int32_t node : mesh.nodeSets.at("upper")) mesh.X(2, node) -= 0.004;
   writeMesh(mesh, folder_.path() / "overlap.msh");
   folder_.write("scene.toml", "[mesh]\nfile = \"overlap.msh\"\n" +
-                                  std::string(cubes).substr(std::string(cubes).find("[material]")) +
+                                  std::string(twoCubes).substr(std::string(twoCubes).find("[material]")) +
                                   "[[contact]]\nwith = \"surface\"\n");
   expectRefused("run scene.toml --out refused", "surfaces overlap at the start: node ");
   expectRefused("run scene.toml --out refused", " is 0.004 m deep behind the face of nodes ");

@@ -14,8 +14,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double E = 1e6, nu = 0.3, R = 1, fine = 0.005;
-constexpr double hertz(double d) { return 4.0 / 3 * E / (1 - nu * nu) * std::sqrt(R * d) * d; }
+constexpr double hertzYoung = 1e6, hertzPoisson = 0.3, hertzRadius = 1, hertzCell = 0.005;
+constexpr double hertz(double d) {
+  return 4.0 / 3 * hertzYoung / (1 - hertzPoisson * hertzPoisson) * std::sqrt(hertzRadius * d) * d;
+}
 
 /// 0, h, 2h … and from `uniform` cells on each longer than the one before.
 double graded(int i, int uniform, double h, double ratio) {
@@ -61,12 +63,12 @@ Body quarterBlock() {
   Mesh mesh = test::gridMesh("hex8", {cells, cells, cells}, {cells, cells, cells});
   for (Eigen::Index i = 0; i < mesh.X.cols(); ++i) {
     Vector3d at;
-    for (int c = 0; c < 3; ++c) at[c] = graded(static_cast<int>(std::lround(mesh.X(c, i))), uniform, fine, 1.5);
+    for (int c = 0; c < 3; ++c) at[c] = graded(static_cast<int>(std::lround(mesh.X(c, i))), uniform, hertzCell, 1.5);
     // The grid upside down; two axes are exchanged, which leaves elements their handedness.
     mesh.X.col(i) = Vector3d(at[1], at[0], -at[2]);
   }
   const double depth = -mesh.X.row(2).minCoeff();
-  Body body(std::move(mesh), makeMaterial("linear", E, nu, 1000), {{}, Lumping::rowSum, 1});
+  Body body(std::move(mesh), makeMaterial("linear", hertzYoung, hertzPoisson, 1000), {{}, Lumping::rowSum, 1});
   const NodeVectors& X = body.mesh().X;
   const double far = X.row(0).maxCoeff() * (1 - 1e-9);
   for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
@@ -84,10 +86,10 @@ TEST(Hertz, ABallPressedOnAHalfSpace) {
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
     if (X(2, i) == 0 && std::hypot(X(0, i), X(1, i)) < 0.2) top.push_back(i);
   // Of a node alone, thirty times what its element resists with.
-  const double penalty = 30 * E * fine;
+  const double penalty = 30 * hertzYoung * hertzCell;
   DiscreteForces forces(body.nodeCount());
   PenaltyContact contact;
-  contact.obstacle = forces.add(sphereObstacle({0, 0, R}, R, false));
+  contact.obstacle = forces.add(sphereObstacle({0, 0, hertzRadius}, hertzRadius, false));
   contact.nodes = top;
   for (const std::int32_t node : top) {
     // A penalty by area: nodes on planes of symmetry have the half and the quarter of it.
@@ -98,7 +100,7 @@ TEST(Hertz, ABallPressedOnAHalfSpace) {
   body.setDiscreteForces(std::move(forces));
   NodeVectors x = X;
   for (const double radius : {5.0, 6.0}) {
-    const double a = radius * fine, d = a * a / R;
+    const double a = radius * hertzCell, d = a * a / hertzRadius;
     body.discreteForces()->place(0, {0, 0, -d}, Vector3d::Zero());
     x = settled(body, x);
     NodeVectors f = NodeVectors::Zero(3, x.cols());

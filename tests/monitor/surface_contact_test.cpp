@@ -22,9 +22,9 @@ namespace {
 
 using test::DenseTangent;
 
-constexpr double exact = 1e-9;
+constexpr double tight = 1e-9;
 /// Of the order of a cell's own stiffness, N/m.
-constexpr double cellStiffness = test::young * test::cellSize;
+constexpr double stiffnessOfACell = test::young * test::cellSize;
 
 /// Two boxes of 2 × 2 × 1 cells and 1 × 2 × 1 larger ones, all of whose surfaces touch one another.
 Body twoBodies(std::string_view element, double penalty, std::uint64_t seed, int threads = 1, int cells = 2) {
@@ -72,7 +72,7 @@ TEST(SurfaceContactBounds, HoldFromScratch) {
   for (const char* element : {"tet4", "hex8"})
     for (const double share : {0.3, 3.0, 10.0})
       for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-        Body body = twoBodies(element, share * cellStiffness, seed);
+        Body body = twoBodies(element, share * stiffnessOfACell, seed);
         const NodeVectors shake = test::Random(seed).nodeVectors(body.nodeCount(), 0.05 * test::cellSize);
         const NodeVectors x = meeting(body, 10 + static_cast<int>(seed), shake);
         ASSERT_GT(body.discreteForces()->contactState(x).touching, 0);
@@ -80,18 +80,18 @@ TEST(SurfaceContactBounds, HoldFromScratch) {
         const double largest = lambda[lambda.size() - 1], h = 2 / std::sqrt(largest);
         const std::string what = joinText(element, ", ", share, ", ", seed);
         const CriticalStep step = criticalStep(body, x, 2.0);
-        ASSERT_LE(step.safe, h * (1 + exact)) << what;
-        ASSERT_GE(step.optimistic, h * (1 - exact)) << what;
+        ASSERT_LE(step.safe, h * (1 + tight)) << what;
+        ASSERT_GE(step.optimistic, h * (1 - tight)) << what;
         EXPECT_LE(step.optimistic, 1.1 * h) << what;
         if (step.lowestRing < 0) {
-          ASSERT_GE(step.lowestRing, lambda[0] - exact * largest) << what;
+          ASSERT_GE(step.lowestRing, lambda[0] - tight * largest) << what;
         }
         ReducedRing ring(body);
-        ASSERT_LE(ring.evaluate(x).highest, largest * (1 + exact)) << what;
+        ASSERT_LE(ring.evaluate(x).highest, largest * (1 + tight)) << what;
         NodalBound weights(body);
-        ASSERT_GE(weights.evaluate(x, 8).value, largest * (1 - exact)) << what;
+        ASSERT_GE(weights.evaluate(x, 8).value, largest * (1 - tight)) << what;
         const ExchangeBound exchange = exchangeUpperBound(body, x, weights, 1.01 * largest, 1.01 * largest, 40);
-        ASSERT_GE(exchange.upper.value, largest * (1 - exact)) << what;
+        ASSERT_GE(exchange.upper.value, largest * (1 - tight)) << what;
         FactoredCertificate factored(body, x);
         EXPECT_TRUE(factored.certifies(largest * (1 + 1e-7))) << what;
         EXPECT_FALSE(factored.certifies(largest * (1 - 1e-7))) << what;
@@ -109,7 +109,7 @@ TEST(SurfaceContactBounds, HoldAlongRunsWithTogglingContact) {
   std::int64_t states = 0, toggled = 0, proven = 0;
   for (const char* element : {"tet4", "hex8"})
     for (const double share : {0.1, 1.0, 5.0}) {
-      Body body = twoBodies(element, share * cellStiffness, 5);
+      Body body = twoBodies(element, share * stiffnessOfACell, 5);
       const NodeVectors shake = test::Random(12).nodeVectors(body.nodeCount(), 0.04 * test::cellSize);
       RunBracket bracket(body, 0.05, infinity);
       // One proof that is always refused would have the other wait for its turn.
@@ -122,11 +122,11 @@ TEST(SurfaceContactBounds, HoldAlongRunsWithTogglingContact) {
         const std::string what = joinText(element, ", ", share, ", step ", step);
         const auto& found = bracket.evaluate(x, 2.0, std::nullopt, nullptr);
         ASSERT_TRUE(found.has_value()) << what;
-        ASSERT_LE(found->safe, h * (1 + exact)) << what;
-        ASSERT_GE(found->optimistic, h * (1 - exact)) << what;
+        ASSERT_LE(found->safe, h * (1 + tight)) << what;
+        ASSERT_GE(found->optimistic, h * (1 - tight)) << what;
         EXPECT_FALSE(refused.certify(x, lambda * (1 - 1e-6))) << what;
         if (threshold.certify(x, 5 * lambda)) {
-          EXPECT_LE(threshold.verify(x), exact) << what;
+          EXPECT_LE(threshold.verify(x), tight) << what;
           ++proven;
         }
         const std::int64_t now = body.discreteForces()->contactState(x).touching;
@@ -142,18 +142,18 @@ TEST(SurfaceContactBounds, HoldAlongRunsWithTogglingContact) {
 
 TEST(SurfaceContactBounds, TheCertificateItselfHoldsAtEveryState) {
   for (const double share : {0.3, 3.0}) {
-    Body body = twoBodies("tet4", share * cellStiffness, 9);
+    Body body = twoBodies("tet4", share * stiffnessOfACell, 9);
     const NodeVectors shake = test::Random(12).nodeVectors(body.nodeCount(), 0.04 * test::cellSize);
     IncrementalNodalBound bound(body);
     for (int step = 0; step < 80; ++step) {
       const NodeVectors x = meeting(body, step, shake);
       const double lambda = DenseTangent(body, x).largest();
-      ASSERT_GE(bound.update(x).value, lambda * (1 - exact)) << share << step;
-      EXPECT_LE(bound.verify(x), exact) << share << step;
+      ASSERT_GE(bound.update(x).value, lambda * (1 - tight)) << share << step;
+      EXPECT_LE(bound.verify(x), tight) << share << step;
       bound.relaxBound(LowerBound{lambda}, 0.05);
       if (bound.tightenBound(x, LowerBound{lambda}, 0.05)) {
-        ASSERT_GE(bound.update(x).value, lambda * (1 - exact)) << share << step;
-        EXPECT_LE(bound.verify(x), exact) << share << step;
+        ASSERT_GE(bound.update(x).value, lambda * (1 - tight)) << share << step;
+        EXPECT_LE(bound.verify(x), tight) << share << step;
       }
     }
   }
@@ -162,7 +162,7 @@ TEST(SurfaceContactBounds, TheCertificateItselfHoldsAtEveryState) {
 // Contact that comes and goes within the reach costs no proof: after the first certificate no step is refused and none
 // is swept again, while the touching nodes change.
 TEST(SurfaceContactBounds, TogglingCostsNoProof) {
-  Body body = twoBodies("hex8", 0.02 * cellStiffness, 4);
+  Body body = twoBodies("hex8", 0.02 * stiffnessOfACell, 4);
   body.discreteForces()->setReach(0.06 * test::cellSize);
   body.discreteForces()->setDampingFactor(0);
   const NodeVectors& X = body.mesh().X;
@@ -215,7 +215,7 @@ TEST(SurfaceContactBounds, OfMatchingCubesInClosedForm) {
 TEST(SurfaceContactBounds, SameBitsForAnyNumberOfThreads) {
   std::vector<double> safe, optimistic;
   for (const int threads : {1, 2, 4}) {
-    Body body = twoBodies("tet4", cellStiffness, 5, threads, 6);
+    Body body = twoBodies("tet4", stiffnessOfACell, 5, threads, 6);
     const NodeVectors shake = test::Random(12).nodeVectors(body.nodeCount(), 0.02 * test::cellSize);
     RunBracket bracket(body, 0.05, infinity);
     std::size_t at = 0;
