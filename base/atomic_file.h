@@ -16,6 +16,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/output_file.h>
+#include <ringwatch/base/scratch_folder.h>
 
 namespace ringwatch {
 namespace detail {
@@ -75,28 +76,6 @@ class ThroughFile {
   std::optional<OutputFile> file_;
 };
 
-/// A file in a folder of its own among the temporary ones; both go away with it.
-class ScratchFile {
- public:
-  ScratchFile() {
-    std::error_code error;
-    std::string folder = (std::filesystem::temp_directory_path(error) / "ringwatch-XXXXXX").string();
-    if (error || ::mkdtemp(folder.data()) == nullptr)
-      throw InputError("cannot write a temporary file into " + folder + ": " + std::strerror(errno));
-    folder_ = folder;
-  }
-  ~ScratchFile() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  std::filesystem::path path() const { return folder_ / "file"; }
-
- private:
-  std::filesystem::path folder_;
-};
-
 }  // namespace detail
 
 /// Lets `write` fill a temporary file in the folder of `path` and renames it to `path`: a reader sees the old file or
@@ -117,9 +96,10 @@ inline void writeFileAtomically(const std::filesystem::path& path,
     }
   };
   if (detail::isWrittenThrough(path)) {
-    const detail::ScratchFile scratch;
-    fill(scratch.path());
-    std::ifstream content(scratch.path(), std::ios::binary);
+    const ScratchFolder scratch;
+    const std::filesystem::path copy = scratch.path() / "file";
+    fill(copy);
+    std::ifstream content(copy, std::ios::binary);
     detail::ThroughFile file(path);
     std::vector<char> part(1 << 20);
     while (content.read(part.data(), static_cast<std::streamsize>(part.size())) || content.gcount() > 0)

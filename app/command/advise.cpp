@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/command/advised_runs.h>
 #include <ringwatch/app/command/elements_in_the_way.h>
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/progress.h>
@@ -39,6 +40,9 @@ struct Way {
   std::size_t elements = 0;              // handled
   std::optional<double> addedMass = {};  // kg
   double gain = 0;                       // over the explicit one
+  std::optional<AdvisedRuns::Run> run = {};
+
+  bool within(double allowed) const { return why.empty() && error <= allowed; }
 };
 
 class Trials {
@@ -132,18 +136,87 @@ double safeWithout(const SceneStart& start, const std::vector<ElementRef>& left)
   return criticalStep(Body(start.body, complement(std::move(flags))), start.state.x, start.rule).safe;
 }
 
-std::string verdictOf(const std::vector<Way>& ways, double allowed, Json& json) {
+/// Steps of h (s) that runs of the scene take: as many as are asked for, up to the scene's end or its first cut, and
+/// not more than are computed in about a minute.
+std::int64_t stepsToRun(const AdviseOptions& options, const SceneStart& start, double h, double own) {
+  constexpr double mostWork = 4e8;  // elements times steps of the explicit run
+  double end = start.scene.end;
+  if (!start.scene.cuts.empty()) end = std::min(end, start.scene.cuts.front().time);
+  const double elements = static_cast<double>(start.body.mesh().elementCount());
+  return static_cast<std::int64_t>(
+      std::min({static_cast<double>(options.runSteps), std::floor(end / h + 1e-9), mostWork / (elements * h / own)}));
+}
+
+/// Runs those that a trial of `time` seconds leaves: within the error, and not much slower than the explicit run, which
+/// comes first.
+void runThose(std::vector<Way>& ways, const AdvisedRuns& runs, double time, double allowed, ProgressLine& progress) {
+  constexpr double hopeful = 1.5;  // times as long as explicit
+  ways.front().run = runs.explicitRun();
+  for (Way& way : ways) {
+    if (way.run || !way.within(allowed) || way.seconds * runs.time() / time > hopeful * ways.front().run->seconds)
+      continue;
+    progress.announce("running with " + way.name);
+    try {
+      way.run = way.kind == Kind::handler ? runs.handled(way.name) : runs.implicit(way.name);
+    } catch (const std::runtime_error& fault) {
+      way.run = AdvisedRuns::Run{.lost = fault.what()};
+    }
+  }
+  progress.clear();
+}
+
+std::string tellRuns(const std::vector<Way>& ways, const AdvisedRuns& runs, Json& json) {
+  json["runs"] = Json{{"steps", runs.steps()}, {"time", runs.time()}};
+  std::string text = fmt::format(
+      "runs over {} steps, {:.6g} s, of those that are not much slower, watched, handlers with on_violation = "
+      "\"handle\":\n  {:<18} {:>11} {:>13} {:>9} {:>9}\n",
+      runs.steps(), runs.time(), "", "steps", "computing, s", "gain", "error");
+  if (!runs.noReference().empty()) {
+    json["runs"]["no_reference"] = runs.noReference();
+    text += fmt::format("  errors are not known: {}\n", runs.noReference());
+  }
+  const double explicitly = ways.front().run->seconds;
+  for (std::size_t w = 0; w < ways.size(); ++w) {
+    if (!ways[w].run) continue;
+    const AdvisedRuns::Run& run = *ways[w].run;
+    Json& row = json["ways"][w]["run"];
+    if (!run.lost.empty()) {
+      row = Json{{"why_not", run.lost}};
+      text += fmt::format("  {:<18} lost: {}\n", ways[w].name, run.lost);
+      continue;
+    }
+    row = Json{{"steps", run.steps},
+               {"seconds", run.seconds},
+               {"gain", numberOrNull(explicitly / run.seconds)},
+               {"error", numberOrNull(run.error)}};
+    text += fmt::format("  {:<18} {:>11} {:>13.3g} {:>9.3g} {:>9.2g}\n", ways[w].name, run.steps, run.seconds,
+                        explicitly / run.seconds, run.error);
+  }
+  return text;
+}
+
+/// With runs, they decide; else the trials do.
+std::string verdictOf(const std::vector<Way>& ways, double allowed, const AdvisedRuns* runs, Json& json) {
+  const auto seconds = [&](const Way& way) { return runs ? way.run->seconds : way.seconds; };
+  const auto good = [&](const Way& way) {
+    if (!runs) return way.within(allowed);
+    return way.run && way.run->lost.empty() && (way.run->error <= allowed || !runs->noReference().empty());
+  };
   const Way* best = nullptr;
   for (const Way& way : ways)
-    if (way.why.empty() && way.error <= allowed && (!best || way.seconds < best->seconds)) best = &way;
+    if (good(way) && (!best || seconds(way) < seconds(*best))) best = &way;
   json["best"] = best ? Json(best->name) : Json(nullptr);
-  if (!best) return fmt::format("none of them keeps the error within {:.3g} %: take smaller steps", 100 * allowed);
+  const std::string span = runs ? fmt::format("over {} steps ", runs->steps()) : "";
+  if (!best)
+    return fmt::format("none of them keeps the error {}within {:.3g} %: take smaller steps", span, 100 * allowed);
   if (best->kind == Kind::explicitly)
-    return fmt::format("stay with {} at {:.6g} s: within an error of {:.3g} % nothing else is faster", best->name,
-                       best->step, 100 * allowed);
-  return fmt::format("take {}{}: within an error of {:.3g} % it is the fastest, {:.3g} times as fast as {}",
-                     best->kind == Kind::handler ? "the handler " : "", best->name, 100 * allowed, best->gain,
-                     ways.front().name);
+    return fmt::format("stay with {} at {:.6g} s: {}within an error of {:.3g} % nothing else is faster", best->name,
+                       best->step, span, 100 * allowed);
+  const double gain = seconds(ways.front()) / seconds(*best);
+  return fmt::format("take {}{}: {}within an error of {:.3g} % it is the fastest, {:.3g} times as fast as {}{}",
+                     best->kind == Kind::handler ? "the handler " : "", best->name, span, 100 * allowed, gain,
+                     ways.front().name,
+                     runs && best->kind == Kind::handler ? "; set monitor.on_violation = \"handle\"" : "");
 }
 
 }  // namespace
@@ -200,7 +273,7 @@ AdviseResult adviseScene(const AdviseOptions& options) {
                            : fmt::format("{} of them {} badly shaped ({}): {} in the mesh", bad,
                                          bad == 1 ? "is" : "are", way.shapesText(), way.badNumbersText(body.mesh())));
 
-  const std::vector<Way> ways = Trials(options, start, h, time, bracket.safe).all();
+  std::vector<Way> ways = Trials(options, start, h, time, bracket.safe).all();
   json["time"] = time;
   json["allowed_error"] = options.error;
   result.text += fmt::format(
@@ -226,7 +299,16 @@ AdviseResult adviseScene(const AdviseOptions& options) {
     }
     json["ways"].push_back(std::move(row));
   }
-  result.text += verdictOf(ways, options.error, json) + "\n";
+  std::optional<AdvisedRuns> runs;
+  const double own = scene.safety * bracket.safe;
+  if (const std::int64_t steps = stepsToRun(options, start, h, own); steps > 0) {
+    ProgressLine progress(options.progress);
+    progress.announce("running the scene in small steps");
+    runs.emplace(start, h, own, steps);
+    runThose(ways, *runs, time, options.error, progress);
+    result.text += tellRuns(ways, *runs, json);
+  }
+  result.text += verdictOf(ways, options.error, runs ? &*runs : nullptr, json) + "\n";
   if (bad > 0) {
     const double without = safeWithout(start, way.badlyShaped);
     json["remeshed"] = without;

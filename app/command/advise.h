@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,7 +15,8 @@ struct AdviseOptions {
   std::vector<std::string> overrides;  // section.key=value
   std::optional<double> step;          // s; empty: the scene's
   std::optional<double> time;          // s of each trial; empty: adviseSteps steps
-  double error = 0.01;                 // allowed at the end of a trial, of the displacement
+  std::int64_t runSteps = 2000;        // of the runs of those that a trial leaves, at most; 0: no runs
+  double error = 0.01;                 // allowed of trials and runs, of the displacement
   int threads = 0;
   bool progress = true;  // a progress line on a terminal
 };
@@ -27,9 +29,10 @@ struct AdviseResult {
 };
 
 /// What a scene can do to take a step that is larger than its safe one: the elements in the way, what each handler and
-/// implicit integrator costs and errs by in a short trial against a converged motion, the mass that would be added, and
-/// the step that the mesh would allow without its badly shaped elements. Throws InputError for bad input and for scenes
-/// that no handler takes: damped ones, those with springs, contact, motions or loads in time.
+/// implicit integrator costs and errs by in a short trial against a converged motion, the mass that would be added,
+/// what becomes of those that are worth it in a run of the scene, and the step that the mesh would allow without its
+/// badly shaped elements. Throws InputError for bad input and for scenes that no handler takes: damped ones, those with
+/// springs, contact, motions or loads in time.
 AdviseResult adviseScene(const AdviseOptions& options);
 
 }  // namespace ringwatch

@@ -6,6 +6,7 @@
 #include <ringwatch/verify/handlers/handlers.h>
 #include <ringwatch/verify/integrators/integrators.h>
 #include <ringwatch/verify/monitor/monitor.h>
+#include <ringwatch/verify/remeshing/remeshing.h>
 #include <ringwatch/verify/robustness/robustness.h>
 #include <ringwatch/verify/step_rules/step_rules.h>
 
@@ -27,6 +28,8 @@ const StudyInfo studiesOfLibrary[] = {
      [](StudyEffort effort) { return verifyIntegrators(effort, integratorCatalog().entries()); }},
     {"monitor", "bracket, metrics, drift bounds and alarms of the monitor against exact values; nonlinear histories",
      verifyMonitor},
+    {"remeshing", "bad meshes through TetGen and gmsh: what a better mesh gives, beside what handlers give",
+     verifyRemeshing},
     {"robustness", "explicit integrators run long and on hard bodies: who survives, and with what error",
      [](StudyEffort effort) { return verifyRobustness(effort); }, "stress"},
     {"step-rules", "step rules of other solvers, from shapes of elements, against the exact critical step",

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/integrator_catalog.h>
-#include <ringwatch/app/command/subprocess.h>
 #include <ringwatch/app/output/gnuplot.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/subprocess.h>
 #include <ringwatch/base/user_text.h>
 
 namespace ringwatch {

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/subprocess.h>
 #include <ringwatch/app/output/gnuplot.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/subprocess.h>
 
 namespace ringwatch {
 namespace {

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <ringwatch/integrators/integrator.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch {
@@ -17,6 +18,7 @@ struct RunMoment {
   const std::optional<CriticalStep>& bracket;             // at the last observation
   std::optional<Verdict> verdict;                         // empty without a monitor
   std::int64_t handled = 0;                               // elements
+  const State& state;                                     // velocities may lag (State::lag)
   double forceTime = 0, monitorTime = 0, outputTime = 0;  // s of wall time so far
   /// summary.json as it would be now; all rows of history.csv are in the file then.
   const std::function<nlohmann::ordered_json()>& summary;

@@ -78,6 +78,7 @@ struct RunResult {
   std::string reasonText;                    // one line
   std::int64_t steps = 0;                    // taken
   double time = 0;                           // s, reached
+  NodeVectors x;                             // positions there, 3×N, m
   double smallestStep = 0, largestStep = 0;  // s, of the steps taken
   std::optional<Verdict> worst;              // of the steps taken; empty when nothing was monitored
   bool violatedStepTaken = false;

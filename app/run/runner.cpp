@@ -94,8 +94,8 @@ class Runner {
     };
     run_.options.listener->observe({report.step, run_.state.time, run_.scene.end, report.h, report.bracket,
                                     run_.watch.monitors() ? std::optional(report.verdict) : std::nullopt,
-                                    run_.scheme->treatedElements(), run_.result.forceTime, run_.result.monitorTime,
-                                    run_.result.outputTime, soFar});
+                                    run_.scheme->treatedElements(), run_.state, run_.result.forceTime,
+                                    run_.result.monitorTime, run_.result.outputTime, soFar});
   }
 
   void showProgress(const MonitorReport& report) {

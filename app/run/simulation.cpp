@@ -263,6 +263,7 @@ void Simulation::end(ExitReason reason, std::string text) {
 void Simulation::finish() {
   scheme->stepper().complete(state);
   result.time = state.time;
+  result.x = state.x;
   if (result.reason == ExitReason::end && !isFinite(state, body.threads()))
     end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result.steps));
   // Nothing is known of the last state but what was known of the step that led to it.

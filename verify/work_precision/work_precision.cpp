@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <map>
 #include <numbers>
 
@@ -15,6 +14,7 @@
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/bounds/stiff_elements.h>
+#include <ringwatch/verify/processor_time.h>
 #include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch {
@@ -93,12 +93,6 @@ class CountedParts final : public AdditiveSystem {
   Counted stiff_;
 };
 
-/// Computing time of this thread: what other programs take meanwhile does not count.
-double threadSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 double secondsOf(const std::function<void()>& work) {
   const double begin = threadSeconds();
   work();

@@ -1,7 +1,8 @@
-#include <ringwatch/app/command/subprocess.h>
+#include <ringwatch/base/subprocess.h>
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,7 +16,7 @@ ProgramResult runProgram(const std::vector<std::string>& command, const std::fil
   constexpr std::size_t kept = 4000;
   ProgramResult result;
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) return {false, 0, {}};
+  if (::pipe2(ends, O_CLOEXEC) != 0) return {false, 0, {}, 0};
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -40,8 +41,13 @@ ProgramResult runProgram(const std::vector<std::string>& command, const std::fil
       if (result.output.size() < kept) result.output.append(buffer, count);
     }
     int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    rusage used{};
+    while (::wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
     }
+    const auto seconds = [](const timeval& t) {
+      return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    result.seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
     result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   } else {
     result.found = false;
