@@ -56,7 +56,7 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
     : TangentSource(whole.constraints(), whole.threads()),
       options_(whole.options_),
       externalForce_(whole.externalForce_) {
-  if (whole.discreteForces())
+  if (whole.discreteForces() && !whole.discreteForces()->nodes().empty())
     throw InputError("chosen elements: a body with springs or contact cannot be taken apart into its elements");
   if (whole.elementDamping())
     throw InputError("chosen elements: a body whose elements damp cannot be taken apart into its elements");
@@ -75,6 +75,18 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
       block.connectivity.insert(block.connectivity.end(), from.element(e), from.element(e) + from.nodesPerElement());
     }
     mesh_.blocks.push_back(std::move(block));
+  }
+  mesh_.nodeSets = all.nodeSets;
+  std::vector<std::vector<std::int32_t>> numbers;  // of the chosen elements in their blocks here
+  for (const std::vector<bool>& flags : chosen) {
+    std::int32_t next = 0;
+    std::vector<std::int32_t>& own = numbers.emplace_back();
+    for (const bool flag : flags) own.push_back(flag ? next++ : -1);
+  }
+  for (const auto& [name, elements] : all.elementSets) {
+    std::vector<ElementRef>& own = mesh_.elementSets[name];
+    for (const ElementRef e : elements)
+      if (const std::int32_t number = numbers[e.block][e.element]; number >= 0) own.push_back({e.block, number});
   }
   double volumes[lanes];
   for (std::size_t b = 0; b < chosen.size(); ++b) {

@@ -213,13 +213,15 @@ std::string scenePage(const Commands&) {
                  fmt::format("{}{}.", cell(section.help), section.required ? "; required" : ""));
     for (const SceneAlternative& one : sceneAlternatives())
       if (one.section == section.name)
-        page.paragraph(fmt::format(fmt::runtime(!one.third.empty()                        ? "Give one of {}, {} and {}."
-                                                : one.need == SceneAlternative::Need::one ? "Give either {} or {}."
-                                                : one.need == SceneAlternative::Need::any ? "Give {} or {}, or both."
-                                                : one.need == SceneAlternative::Need::atMostOne
-                                                    ? "Give {} or {}, or neither."
-                                                    : "Where there are several, give each either {} or {}."),
-                                   code(one.first), code(one.second), code(one.third)));
+        page.paragraph(fmt::format(
+            fmt::runtime(!one.third.empty() && one.need == SceneAlternative::Need::any ? "Give {}, {} or {}."
+                         : !one.third.empty()                                          ? "Give one of {}, {} and {}."
+                         : one.need == SceneAlternative::Need::one                     ? "Give either {} or {}."
+                         : one.need == SceneAlternative::Need::any                     ? "Give {} or {}, or both."
+                         : one.need == SceneAlternative::Need::atMostOne
+                             ? "Give {} or {}, or neither."
+                             : "Where there are several, give each either {} or {}."),
+            code(one.first), code(one.second), code(one.third)));
     page.table({"key", "type", "range, unit", "default", "meaning"});
     for (const SceneKey& key : sceneKeys()) {
       if (key.section != section.name) continue;

@@ -37,6 +37,34 @@ Json cutsJson(const RunResult& result) {
   return json;
 }
 
+Json erosionJson(const Scene& scene, const RunResult& result) {
+  if (!scene.erosion) return nullptr;
+  Json elements = Json::array();
+  double strain = 0;
+  for (const ErodedElement& one : result.eroded) {
+    elements.push_back({{"step", one.step},
+                        {"time", one.time},
+                        {"element", one.element},
+                        {"cause", one.cause},
+                        {"value", numberOrNull(one.value)},
+                        {"strain", numberOrNull(one.strain)}});
+    if (std::isfinite(one.strain)) strain += one.strain;
+  }
+  return {{"strain", strain}, {"elements", std::move(elements)}};
+}
+
+std::string erosionText(const Scene& scene, const Body& body, const RunResult& result) {
+  if (!scene.erosion) return "";
+  if (result.eroded.empty()) return "erosion: no element met a criterion\n";
+  double strain = 0;
+  for (const ErodedElement& one : result.eroded)
+    if (std::isfinite(one.strain)) strain += one.strain;
+  return fmt::format("erosion: {} of {} elements left, the first, {} {}, at t = {:.6g} s; they took {:.4g} J along\n",
+                     result.eroded.size(), result.eroded.size() + body.mesh().elementCount(),
+                     result.eroded.front().element["type"].get<std::string>(),
+                     result.eroded.front().element["id"].get<std::int64_t>(), result.eroded.front().time, strain);
+}
+
 Json probesJson(const RunResult& result) {
   Json json = Json::array();
   for (const ProbeColumn& column : result.probes)
@@ -254,6 +282,7 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
       {"end_time", result.time},
       {"handler", handlerJson(scene, result)},
       {"cuts", cutsJson(result)},
+      {"erosion", erosionJson(scene, result)},
       {"probes", probesJson(result)},
       {"discrete_forces", discreteJson(scene, body, result)},
       {"smallest_step", result.smallestStep},
@@ -286,7 +315,7 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
   text += fmt::format("verdict {}", result.verdict());
   if (result.watchedSteps > 0)
     text += fmt::format(", certified at {} of {} steps", result.certifiedSteps, result.watchedSteps);
-  text += "\n" + governingText(scene, result) + discreteText(scene, body, result);
+  text += "\n" + governingText(scene, result) + discreteText(scene, body, result) + erosionText(scene, body, result);
   if (result.handler) {
     text += fmt::format("handler {}: {} of {} elements", scene.handler, result.handler->elements,
                         body.mesh().elementCount());

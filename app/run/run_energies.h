@@ -30,6 +30,8 @@ class RunEnergies {
   void setDissipatedByHandler(double energy) { byHandler_ = energy; }
   /// The body is another one from here on. What the one before has come to is kept.
   void beginBody();
+  /// Energy, J, that left with what the body before had and this one has not.
+  void dissipate(double energy) { before_.dissipated += energy; }
   /// What resume() needs; call it after beginBody().
   nlohmann::ordered_json save() const;
   void resume(const nlohmann::ordered_json& saved);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/frames.h>
+#include <ringwatch/base/error.h>
 #include <ringwatch/body/element_energy.h>
 #include <ringwatch/body/element_stress.h>
 #include <ringwatch/meshes/adjacency.h>
@@ -14,7 +15,7 @@
 namespace ringwatch {
 namespace {
 
-using Kind = ProbeQuantity::Kind;
+using Quantity = ProbeQuantity::Kind;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -41,7 +42,7 @@ class Reduced {
 
 /// The acceleration of a prescribed motion of a node, m/s²: see RunProbes.
 Eigen::Vector3d prescribedAcceleration(const Scene::Move& move, const Eigen::Vector3d& X, double time, double h) {
-  if (!move.table && !move.rotates()) return Eigen::Vector3d::Zero();
+  if (!move.changes()) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d before =
       time > h ? move.displacement(X, time - h) : Eigen::Vector3d((time - h) * move.velocityAtStart(X));
   return (move.displacement(X, time + h) - 2 * move.displacement(X, time) + before) / (h * h);
@@ -52,12 +53,13 @@ Eigen::Vector3d prescribedAcceleration(const Scene::Move& move, const Eigen::Vec
 RunProbes::RunProbes(const Scene& scene, const Body& body, const StepRule& rule)
     : scene_(scene), body_(body), rule_(rule) {
   if (scene.reactions) reacts_ = true;
-  for (const Scene::Probe& probe : scene.probes) reacts_ = reacts_ || probe.quantity.kind == Kind::reaction;
+  for (const Scene::Probe& probe : scene.probes) reacts_ = reacts_ || probe.quantity.kind == Quantity::reaction;
   follow();
 }
 
 void RunProbes::follow() {
   if (!scene_.probed()) return;
+  const bool begun = !targets_.empty();
   const Mesh& mesh = body_.mesh();
   targets_.clear();
   for (const Scene::Probe& probe : scene_.probes) {
@@ -69,19 +71,23 @@ void RunProbes::follow() {
         for (std::int32_t i = 0; i < body_.nodeCount(); ++i) target.nodes.push_back(i);
       continue;
     }
-    if (probe.selection) {
-      const NodeSelection& chosen = *probe.selection;
-      target.elements = selectedElements(mesh, chosen.where, chosen.set, chosen.origin);
-    } else {
-      target.elements = selectedElements(mesh, {}, {}, probe.origin);
+    try {
+      if (probe.selection) {
+        const NodeSelection& chosen = *probe.selection;
+        target.elements = selectedElements(mesh, chosen.where, chosen.set, chosen.origin);
+      } else {
+        target.elements = selectedElements(mesh, {}, {}, probe.origin);
+      }
+    } catch (const InputError&) {
+      if (!begun) throw;  // later all of its elements may have eroded
     }
     const std::vector<int> materials = materialOfBlocks(mesh);
     if (probe.material && !materials.empty())
       std::erase_if(target.elements, [&](ElementRef e) { return materials[e.block] != *probe.material; });
-    if (probe.quantity.kind == Kind::energy) target.mass = lumpedMassOfElements(body_, target.elements);
+    if (probe.quantity.kind == Quantity::energy) target.mass = lumpedMassOfElements(body_, target.elements);
   }
   metrics_.clear();
-  const auto ofStress = [](const Scene::Probe& probe) { return probe.quantity.kind == Kind::stress; };
+  const auto ofStress = [](const Scene::Probe& probe) { return probe.quantity.kind == Quantity::stress; };
   if (std::ranges::any_of(scene_.probes, ofStress)) {
     first_ = blockOffsets(mesh);
     volume_ = volumeOfElements(body_);
@@ -107,7 +113,7 @@ void RunProbes::nameColumns() {
   for (const Scene::Probe& probe : scene_.probes) {
     const ProbeQuantity& quantity = probe.quantity;
     std::string name = quantity.name;
-    if (quantity.kind == Kind::step) name = fmt::format("{}_step", stepSide(metricDirection(probe.metric, body_)));
+    if (quantity.kind == Quantity::step) name = fmt::format("{}_step", stepSide(metricDirection(probe.metric, body_)));
     for (const std::string& part : quantity.parts)
       columns_.push_back({fmt::format("{}.{}{}{}{}{}", probe.name, name, part.empty() ? "" : "_", part,
                                       quantity.unit.empty() ? "" : "_", quantity.unit),
@@ -177,17 +183,17 @@ void RunProbes::addValues(const Scene::Probe& probe, const Target& target, const
     for (const Reduced& one : reduced) values.push_back(one.value());
   };
   switch (probe.quantity.kind) {
-    case Kind::displacement:
+    case Quantity::displacement:
       return eachComponent([&](std::int32_t i) { return state.x.col(i) - body_.mesh().X.col(i); });
-    case Kind::velocity:
+    case Quantity::velocity:
       return eachComponent([&](std::int32_t i) { return state.v.col(i); });
-    case Kind::momentum:
+    case Quantity::momentum:
       return eachComponent([&](std::int32_t i) { return body_.lumpedMass()[i] * state.v.col(i); });
-    case Kind::load:
+    case Quantity::load:
       return eachComponent([&](std::int32_t i) { return body_.externalForce().col(i); });
-    case Kind::reaction:
+    case Quantity::reaction:
       return eachComponent([&](std::int32_t i) { return reaction_.col(i); });
-    case Kind::energy: {
+    case Quantity::energy: {
       double kinetic = 0;
       for (std::int32_t i = 0; i < body_.nodeCount(); ++i)
         kinetic += 0.5 * target.mass[i] * state.v.col(i).squaredNorm();
@@ -198,14 +204,14 @@ void RunProbes::addValues(const Scene::Probe& probe, const Target& target, const
       values.push_back(strain);
       return;
     }
-    case Kind::step: {
+    case Quantity::step: {
       const MetricValues& lambda = metric(probe.metric, state.x);
       Reduced least(probe.as);
       for (const ElementRef e : target.elements) least.add(rule_(lambda[e.block][e.element]));
       values.push_back(least.value());
       return;
     }
-    case Kind::stress: {
+    case Quantity::stress: {
       const StressMeasure* const measure = findStressMeasure(probe.quantity.name);
       const std::vector<double> all = std::move(stressOfElements(body_, state.x, std::span(&measure, 1)).front());
       std::vector<Reduced> reduced(static_cast<std::size_t>(measure->components), Reduced(probe.as));

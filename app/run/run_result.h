@@ -63,6 +63,16 @@ struct RunEvent {
   std::string text;                // eventText
 };
 
+/// An element that left a run by erosion.
+struct ErodedElement {
+  std::int64_t step = 0;
+  double time = 0;                 // s
+  nlohmann::ordered_json element;  // elementJson, of the mesh before
+  std::string cause;               // "inverted", "step" or the measure of stress
+  double value = 0;                // that met the criterion
+  double strain = 0;               // J, that it took with it
+};
+
 /// A column of probes.csv.
 struct ProbeColumn {
   std::string name, unit, help;
@@ -95,6 +105,7 @@ struct RunResult {
   std::vector<RunEvent> events;
   std::optional<Handling> handler;  // empty without one
   std::vector<CutRecord> cuts;
+  std::vector<ErodedElement> eroded;
   std::vector<ProbeColumn> probes;
   /// Which materials hold the elements that control the bracket, where the scene has several.
   struct Governing {

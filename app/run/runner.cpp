@@ -9,6 +9,7 @@
 #include <ringwatch/app/run/checkpoint.h>
 #include <ringwatch/app/run/run_checkpoints.h>
 #include <ringwatch/app/run/run_cuts.h>
+#include <ringwatch/app/run/run_erosion.h>
 #include <ringwatch/app/run/run_listener.h>
 #include <ringwatch/app/run/simulation.h>
 #include <ringwatch/app/run/stopwatch.h>
@@ -21,7 +22,7 @@ namespace {
 class Runner {
  public:
   Runner(const Scene& scene, Body& body, const RunOptions& options)
-      : run_(scene, body, options), cuts_(run_), checkpoints_(run_), progress_(options.progress) {}
+      : run_(scene, body, options), cuts_(run_), erosion_(run_), checkpoints_(run_), progress_(options.progress) {}
 
   RunResult go() {
     {
@@ -62,6 +63,7 @@ class Runner {
       if (run_.options.interrupt && run_.options.interrupt->load())
         return run_.end(ExitReason::interrupted, fmt::format("interrupted before step {}", k));
       cuts_.makeThoseDue();
+      if (!erosion_.makeDue(k)) return;
       if (checkpoints_.due()) checkpoints_.write();
 
       const bool rowDue = k % run_.scene.historyEvery == 0;
@@ -110,6 +112,7 @@ class Runner {
 
   Simulation run_;
   RunCuts cuts_;
+  RunErosion erosion_;
   RunCheckpoints checkpoints_;
   ProgressLine progress_;
 };

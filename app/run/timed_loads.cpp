@@ -38,7 +38,7 @@ TimedLoads::TimedLoads(const Scene& scene, Body& body) : scene_(scene), body_(bo
     for (std::size_t i = 0; i < nodes_.size(); ++i) placeOf_[nodes_[i]] = static_cast<std::int32_t>(i);
   }
   for (const Scene::Move& move : scene.moves)
-    if (move.table || move.rotates()) motions_.push_back({move.nodes.nodesOf(body.mesh()), &move});
+    if (move.changes()) motions_.push_back({move.nodes.nodesOf(body.mesh()), &move});
 }
 
 double TimedLoads::energyScale(double h) const {
@@ -59,9 +59,7 @@ double TimedLoads::energyScale(double h) const {
   for (const Motion& motion : motions_) {
     const Scene::Move& move = *motion.move;
     for (const std::int32_t node : motion.nodes) {
-      const Eigen::Vector3d arm = body_.mesh().X.col(node) - move.point;
-      const double speed =
-          (move.table ? move.table->largest() : 1) * (move.velocity.norm() + move.angularVelocity.cross(arm).norm());
+      const double speed = move.largestSpeed(body_.mesh().X.col(node));
       energy += 0.5 * body_.lumpedMass()[node] * speed * speed;
     }
   }
@@ -111,13 +109,7 @@ double TimedLoads::setVelocities(State& state, double h) {
   double given = 0;
   for (const Motion& motion : motions_) {
     for (const std::int32_t node : motion.nodes) {
-      const Eigen::Vector3d X = body_.mesh().X.col(node);
-      // Exact without a rotation, where positions would cancel.
-      const Eigen::Vector3d velocity =
-          motion.move->rotates()
-              ? Eigen::Vector3d(
-                    (motion.move->displacement(X, state.time + h) - motion.move->displacement(X, state.time)) / h)
-              : Eigen::Vector3d(motion.move->table->mean(state.time, h) * motion.move->velocity);
+      const Eigen::Vector3d velocity = motion.move->meanVelocity(body_.mesh().X.col(node), state.time, h);
       for (int c = 0; c < 3; ++c) {
         if (!motion.move->components[c]) continue;
         double& v = state.v(c, node);

@@ -8,10 +8,9 @@
 
 namespace ringwatch {
 
-/// The forces and motions of a scene that follow tables of time, its rotations, pressures and moving obstacles, on its
-/// body. Forces have the
-/// value of the time of a state; a prescribed velocity has its mean over the step to come, so that positions at the
-/// ends of steps are exact.
+/// The forces and motions of a scene that follow tables or expressions of time, its rotations, pressures and moving
+/// obstacles, on its body. Forces have the value of the time of a state; a prescribed velocity has its mean over the
+/// step to come, so that positions at the ends of steps are exact.
 class TimedLoads {
  public:
   /// The body of the scene, with its constant loads. Both must outlive this.

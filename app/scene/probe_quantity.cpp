@@ -5,27 +5,28 @@
 namespace ringwatch {
 namespace {
 
-using Kind = ProbeQuantity::Kind;
+using Quantity = ProbeQuantity::Kind;
 using As = ProbeReduction;
 
 std::vector<ProbeQuantity> makeQuantities() {
   const std::vector<std::string> vector{"x", "y", "z"};
   const std::vector<As> average{As::mean, As::least, As::largest}, total{As::sum};
   std::vector<ProbeQuantity> all{
-      {Kind::displacement, "displacement", "m", vector, average, "of nodes, from where they are at rest"},
-      {Kind::velocity, "velocity", "m/s", vector, average, "of nodes"},
-      {Kind::momentum, "momentum", "kg m/s", vector, total, "of nodes, lumped mass times velocity"},
-      {Kind::load, "load", "N", vector, total, "dead loads, pressures and tables of time at nodes, as they are now"},
-      {Kind::reaction, "reaction", "N", vector, total,
+      {Quantity::displacement, "displacement", "m", vector, average, "of nodes, from where they are at rest"},
+      {Quantity::velocity, "velocity", "m/s", vector, average, "of nodes"},
+      {Quantity::momentum, "momentum", "kg m/s", vector, total, "of nodes, lumped mass times velocity"},
+      {Quantity::load, "load", "N", vector, total,
+       "dead loads, pressures and tables of time at nodes, as they are now"},
+      {Quantity::reaction, "reaction", "N", vector, total,
        "what [[fix]] and [[move]] put on nodes, at the components that they hold: internal and damping force less "
        "loads, and mass times the acceleration of a prescribed motion"},
-      {Kind::energy,
+      {Quantity::energy,
        "energy",
        "J",
        {"kinetic", "strain"},
        total,
        "of elements; kinetic with the mass that they give to their nodes"},
-      {Kind::step,
+      {Quantity::step,
        "step",
        "s",
        {""},
@@ -36,7 +37,7 @@ std::vector<ProbeQuantity> makeQuantities() {
   for (const StressMeasure& measure : allStressMeasures()) {
     const std::string title(measure.title);
     const std::size_t unit = title.find(" (");
-    all.push_back({Kind::stress, std::string(measure.name),
+    all.push_back({Quantity::stress, std::string(measure.name),
                    unit == std::string::npos ? "" : title.substr(unit + 2, title.size() - unit - 3),
                    measure.components == 6   ? std::vector<std::string>{"xx", "yy", "zz", "xy", "yz", "xz"}
                    : measure.components == 3 ? std::vector<std::string>{"1", "2", "3"}

@@ -356,8 +356,12 @@ void readInitialSection(const SceneTable& section, Scene& scene) {
 }
 
 Scene::Move moveOf(const SceneTable& section, NodeSelection nodes, Scene& scene) {
-  if (!section.given("velocity") && !section.given("angular_velocity"))
-    fail(section.origin, "move.velocity", "missing; give velocity (m/s) or angular_velocity (rad/s)");
+  const bool way = section.given("displacement");
+  if (!section.given("velocity") && !section.given("angular_velocity") && !way)
+    fail(section.origin, "move.velocity", "missing; give velocity (m/s), angular_velocity (rad/s) or displacement (m)");
+  for (const char* other : {"velocity", "angular_velocity"})
+    if (way && section.given(other))
+      fail(section.at(other).origin, fmt::format("move.{}", other), "displacement is given too; give one of them");
   if (section.given("point") && !section.given("angular_velocity"))
     fail(section.at("point").origin, "move.point", "there is no angular_velocity for it");
   const auto given = [&](const char* key) {
@@ -370,6 +374,18 @@ Scene::Move moveOf(const SceneTable& section, NodeSelection nodes, Scene& scene)
     scene.timed = section.where("angular_velocity");
     scene.timedBy = "rotations";
   }
+  if (!way) return move;
+  const std::string& origin = section.at("displacement").origin;
+  if (!move.table)
+    fail(origin, "move.displacement", "it needs a factor that begins at 0; give factor, or times and factors");
+  if (move.table->jumps())
+    fail(section.at("ramp").origin, "move.ramp", "\"hold\" would make a displacement jump; must be linear or smooth");
+  if (const double start = move.table->at(0); start != 0)
+    fail(origin, "move.displacement",
+         fmt::format("its factor is {} at t = 0, where nodes are at rest; it must be 0 there", start));
+  if (!std::isfinite(move.table->slope(0)))
+    fail(origin, "move.displacement", "its factor begins with no finite velocity at t = 0");
+  move.way = given("displacement");
   return move;
 }
 
@@ -431,6 +447,41 @@ void readCutSection(const SceneTable& section, Scene& scene) {
   }
 }
 
+/// [erosion], after all that it does not go with.
+void readErosion(const SceneTable& section, const SceneTable& monitor, Scene& scene) {
+  const bool given = std::ranges::any_of(section.entries, [](const auto& entry) { return entry.second.given; });
+  if (!given) return;
+  Scene::Erosion erosion;
+  erosion.inverted = section.get<bool>("inverted");
+  const auto limit = [&](const char* key) {
+    return section.given(key) ? std::optional(section.get<double>(key)) : std::nullopt;
+  };
+  erosion.stretch = limit("max_stretch");
+  erosion.vonMises = limit("max_von_mises");
+  erosion.principalStress = limit("max_principal_stress");
+  erosion.step = limit("least_step");
+  erosion.every = section.get<std::int64_t>("every");
+  if (!erosion.inverted && !erosion.stretch && !erosion.vonMises && !erosion.principalStress && !erosion.step)
+    fail(section.origin, "[erosion]",
+         "there is no criterion; give inverted = true, max_stretch, max_von_mises, max_principal_stress or least_step");
+  const auto refuse = [&](const std::string& what) { fail(section.origin, "[erosion]", what); };
+  const auto takes = [](const IntegratorInfo& info) {
+    return info.forceEvaluations > 0 && !info.partitioned && !info.adaptive && !std::isinf(info.imaginaryLimit);
+  };
+  if (!takes(*integratorCatalog().find(scene.method)))
+    refuse(fmt::format("does not go with \"{}\"; {} take it", scene.method, namesWhere(integratorInfos(), takes)));
+  if (!scene.handler.empty()) refuse("does not go with a handler; set handler.method = \"none\"");
+  if (!scene.cuts.empty()) refuse("does not go with [[cut]]; remove one of them");
+  if (!scene.pressures.empty()) refuse("does not go with [[pressure]], whose surface would change; remove one of them");
+  if (scene.checkpointInterval) refuse("does not go with output.checkpoint_every; remove one of them");
+  if (scene.certificates)
+    fail(monitor.at("certificates").origin, "monitor.certificates",
+         "certificates along a run are of one body, and [erosion] changes it; remove one of them");
+  if (scene.device == RunDevice::cuda) refuse("a GPU takes no erosion; set integrator.device = \"cpu\"");
+  if (scene.device == RunDevice::automatic) scene.noDevice = "a GPU takes no erosion";
+  scene.erosion = erosion;
+}
+
 Json echoOf(const std::vector<SceneTable>& sections) {
   Json echo = Json::object();
   const auto isList = [&](const std::string& name) {
@@ -469,6 +520,23 @@ NodeSelection selectionOf(const SceneTable& section, const std::string& prefix) 
 }
 
 std::optional<TimeTable> tableOf(const SceneTable& section, Scene& scene) {
+  if (section.given("factor")) {
+    for (const char* key : {"times", "factors", "ramp"})
+      if (section.given(key))
+        fail(section.at(key).origin, section.name + "." + key, "is of a table, and factor is given; give one of them");
+    if (scene.timed.empty()) {
+      scene.timed = section.where("factor");
+      scene.timedBy = "expressions of time";
+    }
+    const auto text = section.get<std::string>("factor");
+    try {
+      return TimeTable(TimeExpression(text), scene.end);
+    } catch (const InputError& fault) {
+      const std::string what = fault.what();
+      fail(section.at("factor").origin, section.name + ".factor",
+           what.starts_with("\"") ? what : fmt::format("{}: {}", inQuotes(text), what));
+    }
+  }
   if (!section.given("times") && !section.given("factors")) {
     if (section.given("ramp"))
       fail(section.at("ramp").origin, section.name + ".ramp", "there is no table; give times and factors");
@@ -542,6 +610,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
                        frames, scene.end, mostSteps));
   }
   readCheckpoints(output, scene);
+  readErosion(section("erosion"), section("monitor"), scene);
   scene.fields = output.get<std::vector<std::string>>("fields");
   scene.historyEvery = output.get<std::int64_t>("history_every");
   readProbes(sections, output, scene);

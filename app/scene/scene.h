@@ -80,11 +80,20 @@ struct Scene {
     /// rad/s, about an axis through `point` (m) that stays; the table is its factor too
     Eigen::Vector3d angularVelocity = Eigen::Vector3d::Zero(), point = Eigen::Vector3d::Zero();
 
+    /// m, whose factor is the table, in place of both velocities; the factor begins at 0
+    std::optional<Eigen::Vector3d> way = {};
+
     bool rotates() const { return !angularVelocity.isZero(0); }
+    /// Whether the velocity changes with time.
+    bool changes() const { return table || rotates(); }
     /// Displacement of a node from where it was at rest, X (m), at a time (s), m.
     Eigen::Vector3d displacement(const Eigen::Vector3d& X, double time) const;
     /// Its velocity at time zero, m/s.
     Eigen::Vector3d velocityAtStart(const Eigen::Vector3d& X) const;
+    /// Its mean velocity over [time, time + h], m/s, which brings it to its place at the end.
+    Eigen::Vector3d meanVelocity(const Eigen::Vector3d& X, double time, double h) const;
+    /// An upper bound of its speed, m/s, but for expressions, which are asked at some times.
+    double largestSpeed(const Eigen::Vector3d& X) const;
   };
   /// Velocities at the start, on top of those of others.
   struct Initial {
@@ -150,6 +159,16 @@ struct Scene {
     bool atRest = false;
     bool criticalStep = false;  // of the whole body, before and after, is wanted
     std::string origin;         // "scene.toml:31: [[cut]]", for messages
+  };
+
+  /// When an element leaves the run: where one of these holds.
+  struct Erosion {
+    bool inverted = false;                  // det F <= 0 at a quadrature point
+    std::optional<double> stretch;          // largest principal stretch above that
+    std::optional<double> vonMises;         // Pa, above that
+    std::optional<double> principalStress;  // Pa, largest one above that
+    std::optional<double> step;             // s, its own critical step below that
+    std::int64_t every = 1;                 // steps between looks
   };
 
   /// Numbers of some nodes or elements, for a table of their own along the run.
@@ -219,6 +238,7 @@ struct Scene {
   std::optional<double> frameInterval;       // s; empty for no frames
   std::vector<std::string> fields;
   std::int64_t historyEvery = 1;
+  std::optional<Erosion> erosion;
   std::vector<Probe> probes;
   std::int64_t probeEvery = 1;  // steps
   bool reactions = false;       // of each [[fix]] and [[move]] are wanted

@@ -30,9 +30,9 @@ class PrescribedMotions {
   explicit PrescribedMotions(std::int32_t nodes) : by_(3 * static_cast<std::size_t>(nodes), -1) {}
 
   void add(const std::string& origin, const std::vector<std::int32_t>& nodes, const std::array<bool, 3>& components,
-           const Eigen::Vector3d& velocity, const std::optional<TimeTable>& table = {}, bool rotates = false) {
+           const Eigen::Vector3d& velocity, const std::optional<TimeTable>& table = {}, std::string_view kind = "") {
     const std::int32_t own = all_.size();
-    all_.push_back({origin, velocity, table, rotates});
+    all_.push_back({origin, velocity, table, kind});
     std::map<std::int32_t, std::pair<std::size_t, int>> conflicts;  // of an earlier one: shared nodes, first component
     for (const std::int32_t node : nodes) {
       std::int32_t counted = -1;
@@ -41,7 +41,7 @@ class PrescribedMotions {
         std::int32_t& by = by_[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(c)];
         if (by < 0) {
           by = own;
-        } else if ((rotates || all_[by].rotates || all_[by].velocity[c] != velocity[c] ||
+        } else if ((!kind.empty() || !all_[by].kind.empty() || all_[by].velocity[c] != velocity[c] ||
                     (velocity[c] != 0 && all_[by].table != table)) &&
                    by != counted) {
           conflicts.try_emplace(by, 0, c).first->second.first += 1;
@@ -52,11 +52,11 @@ class PrescribedMotions {
     if (conflicts.empty()) return;
     const auto& [other, shared] = *conflicts.begin();
     const auto& [count, c] = shared;
-    if (rotates || all_[other].rotates)
-      throw InputError(fmt::format(
-          "{}: {} and {} prescribe the motion of {} node{} of both along {}; change a condition "
-          "or components so that no node has two",
-          origin, rotates ? "a rotation" : "it", all_[other].origin, count, count == 1 ? "" : "s", "xyz"[c]));
+    if (!kind.empty() || !all_[other].kind.empty())
+      throw InputError(
+          fmt::format("{}: {} and {} prescribe the motion of {} node{} of both along {}; change a condition "
+                      "or components so that no node has two",
+                      origin, kind.empty() ? "it" : kind, all_[other].origin, count, count == 1 ? "" : "s", "xyz"[c]));
     throw InputError(fmt::format(
         "{}: it prescribes another velocity than {} at {} node{} of both ({} and {} m/s along {}); change "
         "a condition or "
@@ -69,7 +69,7 @@ class PrescribedMotions {
     std::string origin;
     Eigen::Vector3d velocity;  // m/s
     std::optional<TimeTable> table;
-    bool rotates;
+    std::string_view kind;  // what it is beside a velocity; "" for nothing
   };
   std::vector<Motion> all_;
   std::vector<std::int32_t> by_;  // [node][component]: which of all_; -1: none
@@ -192,13 +192,16 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
   }
   for (const Scene::Move& move : scene.moves) {
     const std::vector<std::int32_t> nodes = move.nodes.nodesOf(body->mesh());
-    prescribed.add(move.nodes.origin, nodes, move.components, move.velocity, move.table, move.rotates());
+    prescribed.add(move.nodes.origin, nodes, move.components, move.velocity, move.table,
+                   move.rotates() ? "a rotation"
+                   : move.way     ? "a displacement"
+                                  : "");
     for (std::int32_t node : nodes) {
       const Eigen::Vector3d start = move.velocityAtStart(body->mesh().X.col(node));
       for (int c = 0; c < 3; ++c) {
         if (!move.components[c]) continue;
         // Its factor may be 0 at the start: it is a motion.
-        body->constraints().move(node, c, move.rotates() ? 1 : move.velocity[c]);
+        body->constraints().move(node, c, move.rotates() ? 1 : move.way ? (*move.way)[c] : move.velocity[c]);
         body->constraints().move(node, c, start[c]);
       }
     }

@@ -27,7 +27,7 @@ constexpr SceneRange atLeastOne{1, infinity, true, true};
 constexpr SceneRange share{0, 1, true, false};   // 0 <= s < 1
 constexpr SceneRange factor{0, 1, false, true};  // 0 < s <= 1
 
-constexpr std::array<SceneSection, 18> sections{{
+constexpr std::array<SceneSection, 19> sections{{
     {"mesh", false, true, "a file or a generator with its parameters"},
     {"material", false, true,
      "one material for the whole body, or several [[material]], each for the elements that it selects", true},
@@ -41,8 +41,9 @@ constexpr std::array<SceneSection, 18> sections{{
     {"initial", true, false,
      "velocities at the start, where motion is not prescribed; each [[initial]] adds to the others"},
     {"move", true, false,
-     "nodes that move at a constant velocity, or one that follows a table of time, and turn about an axis"},
-    {"force", true, false, "dead loads, constant or following a table of time"},
+     "nodes that move at a constant velocity, or one that follows a table or an expression of time, and turn about an "
+     "axis, or whose displacement follows one"},
+    {"force", true, false, "dead loads, constant or following a table or an expression of time"},
     {"pressure", true, false,
      "pressure on the surface, which follows its normals; its load stiffness is outside the proof"},
     {"mass", true, false, "point masses: parts that are not meshed; each [[mass]] adds to the others"},
@@ -53,18 +54,27 @@ constexpr std::array<SceneSection, 18> sections{{
      "damping and Coulomb friction; sliding friction is outside the proof"},
     {"cut", true, false,
      "cuts through a mesh of tetrahedra along a plane or a swept line; lips may pass through each other"},
+    {"erosion", false, false,
+     "elements that leave the run where a criterion holds; their mass stays at their nodes, their strain energy counts "
+     "as dissipated"},
     {"probe", true, false, "numbers of some nodes or elements, each a few columns of probes.csv"},
     {"output", false, false, "what is written besides history.csv and summary.json"},
 }};
 
-constexpr std::array<SceneAlternative, 19> alternatives{{
+constexpr std::array<SceneAlternative, 25> alternatives{{
     {"mesh", "file", "generate"},
     {"material", "where", "set", SceneAlternative::Need::oneOfMany},
     {"fix", "where", "set"},
     {"initial", "where", "set"},
     {"initial", "velocity", "angular_velocity", SceneAlternative::Need::any},
     {"move", "where", "set"},
-    {"move", "velocity", "angular_velocity", SceneAlternative::Need::any},
+    {"move", "velocity", "angular_velocity", SceneAlternative::Need::any, "displacement"},
+    {"move", "displacement", "velocity", SceneAlternative::Need::atMostOne},
+    {"move", "displacement", "angular_velocity", SceneAlternative::Need::atMostOne},
+    {"move", "factor", "times", SceneAlternative::Need::atMostOne},
+    {"force", "factor", "times", SceneAlternative::Need::atMostOne},
+    {"pressure", "factor", "times", SceneAlternative::Need::atMostOne},
+    {"obstacle", "factor", "times", SceneAlternative::Need::atMostOne},
     {"force", "where", "set"},
     {"force", "acceleration", "force", SceneAlternative::Need::one, "each"},
     {"pressure", "where", "set"},
@@ -424,6 +434,13 @@ void addNodes(std::vector<SceneKey>& all, std::string_view section) {
 void addTable(std::vector<SceneKey>& all, std::string_view section, std::string_view what) {
   add(all, section,
       {
+          {.key = "factor",
+           .type = T::text,
+           .help =
+               fmt::format("of the {}, an expression of the time t, s, instead of a table, e.g. "
+                           "\"sin(2*pi*50*t)\": numbers, t, pi, + - * / ^, sqrt, abs, min, max, sin, cos, tan, exp, "
+                           "log, tanh",
+                           what)},
           {.key = "times",
            .type = T::numbers,
            .unit = "s",
@@ -459,13 +476,18 @@ void addMotionAndLoads(std::vector<SceneKey>& all) {
           {.key = "point", .type = T::vector, .unit = "m", .fallback = "[0.0, 0.0, 0.0]", .help = "on the axis"},
       });
   addNodes(all, "move");
-  addTable(all, "move", "velocity");
+  addTable(all, "move", "velocity or displacement");
   add(all, "move",
       {
           {.key = "velocity",
            .type = T::vector,
            .unit = "m/s",
-           .help = "prescribed velocity; or give angular_velocity, or both"},
+           .help = "prescribed velocity; or give angular_velocity, or both, or displacement"},
+          {.key = "displacement",
+           .type = T::vector,
+           .unit = "m",
+           .help = "from where the nodes are at rest, times factor or table, which begins at 0; exact at the ends of "
+                   "steps"},
           {.key = "angular_velocity",
            .type = T::vector,
            .unit = "rad/s",
@@ -644,6 +666,41 @@ void addCut(std::vector<SceneKey>& all) {
       });
 }
 
+void addErosion(std::vector<SceneKey>& all) {
+  add(all, "erosion",
+      {
+          {.key = "inverted",
+           .type = T::boolean,
+           .fallback = "false",
+           .help = "elements whose deformation gradient has no positive determinant at a quadrature point leave"},
+          {.key = "max_stretch",
+           .type = T::number,
+           .range = SceneRange{1, infinity, false, true},
+           .help = "elements whose largest principal stretch is above leave"},
+          {.key = "max_von_mises",
+           .type = T::number,
+           .unit = "Pa",
+           .range = positive,
+           .help = "elements leave the von Mises stress of whose mean Cauchy stress is above"},
+          {.key = "max_principal_stress",
+           .type = T::number,
+           .unit = "Pa",
+           .range = positive,
+           .help = "elements leave the largest principal value of whose mean Cauchy stress is above"},
+          {.key = "least_step",
+           .type = T::number,
+           .unit = "s",
+           .range = positive,
+           .help = "elements leave whose own critical step, with the mass that they give to their nodes, is below"},
+          {.key = "every",
+           .type = T::integer,
+           .unit = "steps",
+           .fallback = "1",
+           .range = atLeastOne,
+           .help = "steps between looks"},
+      });
+}
+
 void addProbe(std::vector<SceneKey>& all) {
   std::string what;
   for (const ProbeQuantity& quantity : allProbeQuantities())
@@ -733,7 +790,7 @@ void addOutput(std::vector<SceneKey>& all) {
 std::vector<SceneKey> makeKeys() {
   std::vector<SceneKey> all;
   for (const auto addSection : {addMesh, addMaterial, addIntegrator, addDamping, addMonitor, addHandler,
-                                addMotionAndLoads, addDiscrete, addCut, addProbe, addOutput})
+                                addMotionAndLoads, addDiscrete, addCut, addErosion, addProbe, addOutput})
     addSection(all);
   return all;
 }

@@ -61,7 +61,7 @@ struct SceneAlternative {
   };
   std::string_view section, first, second;
   Need need = Need::one;
-  std::string_view third = {};  // "" for none; goes with `one`
+  std::string_view third = {};  // "" for none; goes with `one` and `any`
 };
 
 std::span<const SceneSection> sceneSections();

@@ -212,7 +212,9 @@ std::vector<int> materialOfBlocks(const Mesh& mesh) {
     if (set == mesh.elementSets.end()) break;
     for (const ElementRef e : set->second) numbers[e.block] = count;
   }
-  if (count < 2 || std::find(numbers.begin(), numbers.end(), none) != numbers.end()) return {};
+  if (count < 2) return {};
+  for (std::size_t b = 0; b < numbers.size(); ++b)
+    if (numbers[b] == none && mesh.blocks[b].elementCount() > 0) return {};
   return numbers;
 }
 

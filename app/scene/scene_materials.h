@@ -48,7 +48,8 @@ std::vector<Material> assignMaterials(const std::vector<SceneMaterial>& material
 std::vector<ElementRef> selectedElements(const Mesh& mesh, const std::optional<WhereExpression>& where,
                                          const std::string& set, const std::string& origin);
 
-/// Which material the blocks of a mesh have after assignMaterials, counted from 0; empty where there is but one.
+/// Which material the blocks of a mesh have after assignMaterials, counted from 0, and -1 without elements; empty where
+/// there is but one.
 std::vector<int> materialOfBlocks(const Mesh& mesh);
 
 }  // namespace ringwatch

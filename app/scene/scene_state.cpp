@@ -15,15 +15,28 @@ double integral(const std::optional<TimeTable>& table, double time) {
 }  // namespace
 
 Eigen::Vector3d Scene::Move::displacement(const Eigen::Vector3d& X, double time) const {
-  const double way = integral(table, time);
-  Eigen::Vector3d u = way * velocity;
+  if (way) return time > 0 ? Eigen::Vector3d(table->at(time) * *way) : Eigen::Vector3d::Zero();
+  const double factor = integral(table, time);
+  Eigen::Vector3d u = factor * velocity;
   if (!rotates()) return u;
   const double speed = angularVelocity.norm();
-  const Eigen::AngleAxisd turn(way * speed, angularVelocity / speed);
+  const Eigen::AngleAxisd turn(factor * speed, angularVelocity / speed);
   return u + turn * (X - point) - (X - point);
 }
 
+Eigen::Vector3d Scene::Move::meanVelocity(const Eigen::Vector3d& X, double time, double h) const {
+  // Exact without a rotation, where positions would cancel.
+  if (!way && !rotates()) return (table ? table->mean(time, h) : 1) * velocity;
+  return (displacement(X, time + h) - displacement(X, time)) / h;
+}
+
+double Scene::Move::largestSpeed(const Eigen::Vector3d& X) const {
+  if (way) return table->steepest() * way->norm();
+  return (table ? table->largest() : 1) * (velocity.norm() + angularVelocity.cross(X - point).norm());
+}
+
 Eigen::Vector3d Scene::Move::velocityAtStart(const Eigen::Vector3d& X) const {
+  if (way) return table->slope(0) * *way;
   return (table ? table->at(0) : 1) * (velocity + angularVelocity.cross(X - point));
 }
 

@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <ringwatch/app/scene/formula.h>
+
 namespace ringwatch {
 
 /// A condition on a reference position, as scenes write it: `x < 1e-6 and (y > 0.01 or r <= 0.02)`.
@@ -23,47 +25,12 @@ class WhereExpression {
   /// (sqrt of a negative number, 0/0): a comparison with NaN would silently say no, and `not` of it yes.
   bool holdsAt(const Eigen::Vector3d& X) const;
 
-  /// A node of the parsed expression.
-  struct Term {
-    enum class Kind {
-      number,
-      x,
-      y,
-      z,
-      r,  // values
-      add,
-      subtract,
-      multiply,
-      divide,
-      power,
-      negate,
-      squareRoot,
-      absolute,
-      minimum,
-      maximum,  // arithmetic
-      less,
-      lessEqual,
-      greater,
-      greaterEqual,
-      equal,
-      notEqual,  // conditions from here on
-      conjunction,
-      disjunction,
-      negation,
-      everywhere,
-      nowhere
-    };
-    Kind kind;
-    int a = -1, b = -1;  // operands, positions in the list of terms
-    double value = 0;
-  };
-
  private:
   double valueOf(int term, const Eigen::Vector3d& X) const;
   bool conditionOf(int term, const Eigen::Vector3d& X) const;
 
   std::string text_;
-  std::vector<Term> terms_;
+  std::vector<FormulaTerm> terms_;
   int root_ = -1;
 };
 

@@ -546,6 +546,7 @@ const std::vector<Key>& newKeys() {
       {"pressure", "times", "a list of numbers", "", "s"},
       {"pressure", "factors", "a list of numbers", "", ""},
       {"pressure", "ramp", text, "", ""},
+      {"pressure", "factor", text, "", ""},
       {"mass", "where", text, "", ""},
       {"mass", "set", text, "", ""},
       {"mass", "mass", number, "> 0", "kg"},
@@ -570,6 +571,7 @@ const std::vector<Key>& newKeys() {
       {"obstacle", "times", "a list of numbers", "", "s"},
       {"obstacle", "factors", "a list of numbers", "", ""},
       {"obstacle", "ramp", text, "", ""},
+      {"obstacle", "factor", text, "", ""},
       {"contact", "where", text, "", ""},
       {"contact", "set", text, "", ""},
       {"contact", "obstacle", text, "", ""},
@@ -580,6 +582,8 @@ const std::vector<Key>& newKeys() {
       {"contact", "slip", number, "> 0", "m/s"},
       {"move", "angular_velocity", vector, "", "rad/s"},
       {"move", "point", vector, "", "m"},
+      {"move", "displacement", vector, "", "m"},
+      {"move", "factor", text, "", ""},
   };
   return keys;
 }

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/app/output/output_fields.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/body/element_stress.h>
 
 #include "program.h"
 
@@ -69,6 +71,12 @@ TEST_F(Outputs, SummariesHaveTheKeysThatHelpExplains) {
       summaryOf("'" RINGWATCH_EXAMPLES "/four_cuts.toml' --set integrator.end=0.22 --set cut.0.critical_step=true", 0),
       "", seen);
   addKeys(summaryOf("'" RINGWATCH_EXAMPLES "/rubber_block.toml' --set contact.0.penalty=3e6", 1), "", seen);
+  const std::string scene(tiny), one = "model = \"stvk\"\nyoung = 30e3\npoisson = 0.3\ndensity = 1000\n";
+  std::string two = scene;
+  two.replace(two.find("[material]\n" + one), 11 + one.size(),
+              "[[material]]\nwhere = \"x < 0.05\"\n" + one + "[[material]]\nwhere = \"x >= 0.05\"\n" + one);
+  folder_.write("eroding.toml", two + "[erosion]\nmax_stretch = 1.02\n[[probe]]\nwhat = \"velocity\"\n");
+  addKeys(summaryOf("eroding.toml", 0), "", seen);
   for (const std::string& key : seen) EXPECT_TRUE(isExplained(key)) << key;
   for (const OutputField& field : summaryKeys())
     if (field.name.ends_with(".*")) {
@@ -87,7 +95,9 @@ TEST_F(Outputs, SummariesHaveTheKeysThatHelpExplains) {
 
 TEST_F(Outputs, FramesHaveTheFieldsThatHelpExplains) {
   folder_.write("tiny.toml", tiny);
-  summaryOf("tiny.toml --set 'output.fields=[\"reduced-1-ring\",\"nodal-bound\",\"verdict\",\"handler\"]'", 0);
+  std::string wanted = "\"reduced-1-ring\",\"nodal-bound\",\"verdict\",\"handler\"";
+  for (const StressMeasure& measure : allStressMeasures()) wanted += joinText(",\"", measure.name, "\"");
+  summaryOf("tiny.toml --set 'output.fields=[" + wanted + "]'", 0);
   const std::string frame = folder_.read(last_ + "/frames/frame_000001.vtu");
   std::set<std::string> fields;
   for (std::size_t at = frame.find("Name=\""); at != std::string::npos; at = frame.find("Name=\"", at + 1)) {

@@ -143,7 +143,8 @@ TEST_F(Pressed, RefusesWhatCannotBe) {
   refuse("[[pressure]]\nwhere = \"all\"\npressure = 1\n", "handlers take no pressures", "--set handler.method=imex");
   refuse("[[pressure]]\nwhere = \"all\"\npressure = 1\n", "pressure is of faces of linear elements; the mesh has hex20",
          "--set mesh.element=hex20");
-  refuse("[[move]]\nwhere = \"all\"\n", "move.velocity: missing; give velocity (m/s) or angular_velocity (rad/s)");
+  refuse("[[move]]\nwhere = \"all\"\n",
+         "move.velocity: missing; give velocity (m/s), angular_velocity (rad/s) or displacement (m)");
   refuse("[[move]]\nwhere = \"all\"\nvelocity = [0, 0, 0]\npoint = [1, 0, 0]\n",
          "move.point: there is no angular_velocity for it");
   refuse("[[move]]\nwhere = \"x < 1e-6\"\nangular_velocity = [1, 0, 0]\n[[fix]]\nwhere = \"y < 1e-6\"\n",

@@ -55,5 +55,19 @@ TEST_P(ElementEnergyTest, IsThatOfTheElementAlone) {
   EXPECT_NEAR(strainEnergyOfElements(body, x)[0][0], alone, 1e-15 * alone);
 }
 
+TEST(ChosenElements, KeepTheSetsOfTheMesh) {
+  Mesh mesh = test::distortedBox("hex8", {3, 2, 1});
+  mesh.nodeSets["nodes"] = {0, 5};
+  mesh.elementSets["some"] = {{0, 0}, {0, 2}, {0, 5}};
+  mesh.elementSets["first"] = {{0, 0}};
+  const Body body(mesh, makeMaterial("stvk", 1e4, 0.3, 1000));
+  const Body part(body, {{false, true, true, false, true, true}});
+  const std::vector<ElementRef> some{{0, 1}, {0, 3}};
+  EXPECT_EQ(part.mesh().elementSets.at("some"), some);
+  EXPECT_TRUE(part.mesh().elementSets.at("first").empty());
+  EXPECT_EQ(part.mesh().nodeSets.at("nodes"), mesh.nodeSets.at("nodes"));
+  EXPECT_EQ(part.lumpedMass(), body.lumpedMass());
+}
+
 }  // namespace
 }  // namespace ringwatch

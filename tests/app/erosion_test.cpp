@@ -1,0 +1,220 @@
+// Runs whose elements erode.
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/meshes/formats/vtu_frame.h>
+
+#include "program.h"
+
+namespace ringwatch {
+namespace {
+
+using test::Json;
+using test::Outcome;
+using test::Program;
+using test::tiny;
+using ::testing::HasSubstr;
+
+/// A bar that is torn: two parts with a weak one between them that fly apart.
+constexpr const char* torn = R"([mesh]
+generate = "bar"
+size = [0.12, 0.02, 0.02]
+cells = [12, 2, 2]
+element = "hex8"
+[[material]]
+where = "x < 0.05 or x > 0.07"
+model = "stvk"
+young = 90e3
+poisson = 0.3
+density = 1000
+[[material]]
+where = "0.05 <= x <= 0.07"
+model = "neo-hookean"
+young = 30e3
+poisson = 0.3
+density = 1000
+[integrator]
+method = "verlet"
+step = 1e-4
+end = 0.06
+[[initial]]
+where = "x < 0.06 - 1e-6"
+velocity = [-2, 0, 0.1]
+[[initial]]
+where = "x > 0.06 + 1e-6"
+velocity = [2, 0, 0]
+[erosion]
+max_stretch = 1.3
+[[probe]]
+name = "all"
+what = "momentum"
+[[probe]]
+name = "middle"
+what = "velocity"
+where = "abs(x - 0.06) < 1e-6"
+[[probe]]
+name = "weak"
+what = "energy"
+material = 1
+[output]
+every = 0.06
+picture = false
+)";
+
+class Erosion : public Program {};
+
+TEST_F(Erosion, TearsABarAndKeepsMassMomentumAndBalance) {
+  folder_.write("scene.toml", torn);
+  const Outcome outcome = call("run scene.toml --out r");
+  ASSERT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  const Json summary = json("r/summary.json"), &erosion = summary["erosion"];
+  EXPECT_THAT(outcome.out, HasSubstr("of 48 elements left, the first, hex8 "));
+  EXPECT_EQ(summary["certified"], true);
+  EXPECT_NEAR(summary["mass"].get<double>(), 1000 * 0.12 * 0.02 * 0.02, 1e-15);
+  // Both layers of weak cells go: nodes between them are point masses then.
+  ASSERT_EQ(erosion["elements"].size(), 8u);
+  EXPECT_EQ(summary["mesh"]["elements"]["hex8"], 40);
+  std::set<std::int64_t> gone;
+  double strain = 0, last = 0;
+  for (const Json& one : erosion["elements"]) {
+    EXPECT_EQ(one["cause"], "max_stretch");
+    EXPECT_GT(one["value"].get<double>(), 1.3);
+    EXPECT_LT(one["value"].get<double>(), 1.4);
+    EXPECT_EQ(one["element"]["material"], 1);
+    gone.insert(one["element"]["id"].get<std::int64_t>());
+    strain += one["strain"].get<double>();
+    last = std::max(last, one["time"].get<double>());
+  }
+  EXPECT_EQ(gone.size(), 8u);
+  EXPECT_GT(strain, 0);
+  EXPECT_NEAR(erosion["strain"].get<double>(), strain, 1e-15 * strain);
+  // The frames have what is left.
+  const VtuFrame frame = readVtuFrame(folder_.path() / "r/frames/frame_000002.vtu");
+  EXPECT_EQ(frame.mesh.elementCount(), 40u);
+  EXPECT_EQ(frame.mesh.nodeCount(), 13u * 9);
+  const Table history = table("r/history.csv"), probes = table("r/probes.csv");
+  double kinetic = 0, error = 0, change = 0, middle = 0;
+  for (std::size_t i = 0; i < history.rows.size(); ++i) {
+    kinetic = std::max(kinetic, history.number(i, "kinetic_J"));
+    error = std::max(error, std::abs(history.number(i, "balance_error_J")));
+    EXPECT_LE(history.number(i, "safe_s"), history.number(i, "optimistic_s"));
+    for (const std::string c : {"x", "y", "z"})
+      change = std::max(change, std::abs(probes.number(i, "all.momentum_" + c + "_kg m/s") -
+                                         probes.number(0, "all.momentum_" + c + "_kg m/s")));
+    if (history.number(i, "time_s") <= last) continue;
+    EXPECT_EQ(history.number(i, "dissipated_J"), history.number(history.rows.size() - 1, "dissipated_J"));
+    EXPECT_EQ(probes.number(i, "weak.energy_strain_J"), 0);
+    middle = std::max(middle, std::abs(probes.number(i, "middle.velocity_x_m/s") -
+                                       probes.number(probes.rows.size() - 1, "middle.velocity_x_m/s")));
+  }
+  EXPECT_NEAR(history.number(history.rows.size() - 1, "dissipated_J"), strain, 1e-12 * strain);
+  EXPECT_LT(error, 3.4e-4 * kinetic);  // of second order in the step
+  EXPECT_LT(change, 7e-17);
+  EXPECT_EQ(middle, 0);  // no force acts on point masses
+}
+
+TEST_F(Erosion, TakesElementsWhoseStepIsTooSmall) {
+  const std::string start(tiny);
+  folder_.write("scene.toml", start + "[[probe]]\nwhat = \"step\"\nmetric = \"single-element\"\n");
+  const std::string mesh =
+      "--set mesh.jitter=0.45 --set mesh.seed=3 --set monitor.on_violation=warn "
+      "--set integrator.step=1e-5 --set integrator.end=1e-3 ";
+  ASSERT_NE(call("run scene.toml --out a " + mesh).status, 2);
+  const double least = table("a/probes.csv").number(0, "probe.0.safe_step_s"), limit = 1.05 * least;
+  ASSERT_EQ(call("run scene.toml --out b " + mesh + "--set erosion.least_step=" + test::digits(limit)).status, 0);
+  const Json erosion = json("b/summary.json")["erosion"];
+  ASSERT_GE(erosion["elements"].size(), 1u);
+  EXPECT_EQ(erosion["elements"][0]["step"], 0);
+  EXPECT_EQ(erosion["elements"][0]["cause"], "step");
+  double smallest = 1;
+  for (const Json& one : erosion["elements"]) smallest = std::min(smallest, one["value"].get<double>());
+  EXPECT_EQ(smallest, least);
+  EXPECT_GE(table("b/probes.csv").number(0, "probe.0.safe_step_s"), limit);
+  EXPECT_GT(table("b/history.csv").number(0, "safe_s"), table("a/history.csv").number(0, "safe_s"));
+}
+
+TEST_F(Erosion, TakesInvertedElementsAndGoesOnWithContact) {
+  folder_.write("scene.toml", R"([mesh]
+generate = "bar"
+size = [0.06, 0.02, 0.02]
+cells = [6, 2, 2]
+[material]
+model = "stvk"
+young = 30e3
+poisson = 0.3
+density = 1000
+[integrator]
+step = 1e-4
+end = 0.01
+[monitor]
+on_violation = "warn"
+[[obstacle]]
+kind = "plane"
+point = [-1e-4, 0, 0]
+normal = [1, 0, 0]
+[[contact]]
+[[initial]]
+where = "all"
+velocity = [-4, 0, 0]
+[erosion]
+inverted = true
+[output]
+picture = false
+)");
+  const Outcome outcome = call("run scene.toml --out r");
+  ASSERT_NE(outcome.status, 2) << outcome.err;
+  const Json summary = json("r/summary.json");
+  ASSERT_GE(summary["erosion"]["elements"].size(), 1u) << outcome.out;
+  for (const Json& one : summary["erosion"]["elements"]) {
+    EXPECT_EQ(one["cause"], "inverted");
+    EXPECT_LE(one["value"].get<double>(), 0);
+  }
+  for (const Json& event : summary["events"]) EXPECT_NE(event["kind"], "inverted");
+  EXPECT_GT(summary["discrete_forces"]["most_touching"].get<int>(), 0);
+}
+
+TEST_F(Erosion, EndsWhereNothingIsLeftAndHasTheSameBitsForAnyNumberOfThreads) {
+  folder_.write("scene.toml", std::string(tiny) + "[erosion]\nmax_stretch = 1.0001\n");
+  const Outcome outcome = call("run scene.toml --out r --set integrator.end=0.5 --set erosion.every=50");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("every element that is left meets a criterion of [erosion] before step "));
+  folder_.write("torn.toml", torn);
+  const std::string follow = " --set integrator.method=symplectic-euler --set integrator.step=auto";
+  ASSERT_EQ(call("run torn.toml --out one --threads 1" + follow).status, 0);
+  ASSERT_EQ(call("run torn.toml --out three --threads 3" + follow).status, 0);
+  EXPECT_EQ(folder_.read("one/history.csv"), folder_.read("three/history.csv"));
+  EXPECT_EQ(folder_.read("one/probes.csv"), folder_.read("three/probes.csv"));
+  EXPECT_EQ(json("one/summary.json")["erosion"], json("three/summary.json")["erosion"]);
+}
+
+TEST_F(Erosion, IsRefusedWithWhatItDoesNotGoWith) {
+  folder_.write("scene.toml", std::string(tiny) + "[erosion]\nmax_stretch = 1.5\n");
+  const auto refused = [&](const std::string& options, const std::string& what) {
+    expectRefused("run scene.toml --out bad " + options, what);
+    EXPECT_FALSE(exists("bad"));
+  };
+  refused("--set handler.method=imex", "[erosion]: does not go with a handler");
+  refused("--set output.checkpoint_every=0.01", "[erosion]: does not go with output.checkpoint_every");
+  refused("--set monitor.certificates=5", "certificates along a run are of one body, and [erosion] changes it");
+  refused("--set integrator.device=cuda", "a GPU takes no erosion");
+  refused("--set integrator.method=implicit-euler", "[erosion]: does not go with \"implicit-euler\"");
+  refused("--set erosion.max_stretch=1", "must be > 1");
+  refused("--set erosion.least_step=-1", "must be > 0");
+  refused("--set erosion.max_strech=2", "did you mean \"max_stretch\"?");
+  folder_.write("scene.toml", std::string(tiny) + "[erosion]\nevery = 3\n");
+  refused("", "[erosion]: there is no criterion; give inverted = true");
+  folder_.write(
+      "scene.toml",
+      std::string(tiny) + "[erosion]\ninverted = true\n[[pressure]]\nwhere = \"x > 0.1 - 1e-6\"\npressure = 1\n");
+  refused("", "does not go with [[pressure]]");
+  folder_.write("scene.toml",
+                std::string(tiny) +
+                    "[erosion]\ninverted = true\n[[cut]]\ntime = 0.01\npoint = [0.05, 0, 0]\nnormal = [1, 0, 0]\n");
+  refused("", "does not go with [[cut]]");
+}
+
+}  // namespace
+}  // namespace ringwatch
