@@ -206,6 +206,8 @@ struct Scene {
   bool energy = true;
   bool picture = true;
 
+  /// Why its runs have no checkpoints, "" where they have: the scene's integrator, handler, cuts or GPU.
+  std::string whyNoCheckpoints() const;
   /// Whether there are springs or contact.
   bool hasDiscreteForces() const { return !springs.empty() || !contacts.empty(); }
   /// Where the first of them is, for messages: "scene.toml:31: [[spring]]".
