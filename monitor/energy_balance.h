@@ -42,6 +42,12 @@ class EnergyBalance {
   /// Both at once for a state whose force and strain energy are not known: one pass over the elements.
   Energies evaluate(const NodeVectors& x, const NodeVectors& v);
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(started_, hasReference_, prescribedWork_, dissipated_, referenceEnergy_, damping_, obstacles_, firstX_,
+      supported_);
+  }
+
  private:
   const Body& body_;
   bool started_ = false, hasReference_ = false;

@@ -64,6 +64,12 @@ class EventTracker {
   /// All so far, in the order of their beginnings.
   const std::vector<MonitorEvent>& events() const { return events_; }
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(events_);
+    for (Tracked& tracked : tracked_) a(tracked);
+  }
+
  private:
   struct Tracked {
     std::optional<std::size_t> event;  // of `events_`, that has not ended

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <ringwatch/base/archive.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/all_finite.h>
 #include <ringwatch/monitor/element_cause.h>
@@ -39,6 +40,30 @@ struct StabilityMonitor::Impl {
   std::optional<std::int64_t> firstEnergyStep;
   bool unknown = false;      // the last state had no tangent
   bool hadABracket = false;  // the best proof is for the first one alone
+
+  /// What bytes must be of: the sizes of the body, the options that decide what is kept, and the width of packs, in
+  /// which elements are stored.
+  std::vector<std::int64_t> kind() const {
+    std::vector<std::int64_t> numbers{static_cast<std::int64_t>(options.mode),
+                                      options.every,
+                                      static_cast<std::int64_t>(!options.metric.empty()),
+                                      nativeWidth,
+                                      body.nodeCount(),
+                                      static_cast<std::int64_t>(body.constraints().components().size())};
+    for (const auto& block : body.blocks()) numbers.push_back(block->elementCount());
+    return numbers;
+  }
+  template <class Archive>
+  void archive(Archive& a) {
+    std::vector<std::int64_t> own = kind();
+    a(own);
+    if (own != kind()) throw InputError("saved state: is of another body, other options or another build");
+    if (bracket) a(*bracket);
+    a(options.firstObservationElements, report.step, report.time, report.h, report.fresh, report.evaluatedAt,
+      report.bracket, report.certified, report.elementsRefreshed, report.spent, report.metricStep, report.verdict,
+      report.newEvents, tracker, largestEnergy, observations, energyObservations, unknown, hadABracket);
+    archiveVersion(a, bodyVersion, body.version());
+  }
 
   /// Reports an event when it begins; step, time and cause are filled in.
   void present(MonitorEvent event, NodeVectorsView x) {
@@ -145,6 +170,18 @@ StabilityMonitor::~StabilityMonitor() = default;
 
 const std::vector<MonitorEvent>& StabilityMonitor::events() const { return impl_->tracker.events(); }
 const MonitorOptions& StabilityMonitor::options() const { return impl_->options; }
+
+std::string StabilityMonitor::save() const {
+  SavingArchive archive;
+  impl_->archive(archive);
+  return archive.take();
+}
+
+void StabilityMonitor::load(std::string_view saved) {
+  LoadingArchive archive(saved);
+  impl_->archive(archive);
+  archive.end();
+}
 
 const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, NodeVectorsView x, NodeVectorsView v,
                                                std::optional<double> h, StepEvaluation* evaluation) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <ringwatch/monitor/critical_step.h>
@@ -116,6 +117,13 @@ class StabilityMonitor {
   /// All events so far.
   const std::vector<MonitorEvent>& events() const;
   const MonitorOptions& options() const;
+
+  /// All that the monitor has come to know, as bytes. A monitor of the same options and the same body that load()s them
+  /// goes on with the bits of this one. Only the same build of the library reads them. Some 100 bytes a tet4.
+  std::string save() const;
+  /// Throws InputError where bytes end early, or are of other options, of a body of other sizes or of packs of another
+  /// width; what was known before is lost then.
+  void load(std::string_view saved);
 
  private:
   struct Impl;

@@ -87,6 +87,12 @@ struct CriticalStep {
   /// Whether the two sides are a bracket: numbers, with safe <= optimistic. No function hands out one for which it is
   /// false.
   bool isBracket() const { return safe <= optimistic; }
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(safe, optimistic, controlling, safeBy, optimisticBy, lowestRing, lowestRingElement, probable, poorlyConditioned,
+      worstConditioned, discreteShare);
+  }
 };
 /// The side of the bracket made from a bound: the types say which.
 inline double safeStep(UpperBound lambda, const StepRule& rule) { return rule(lambda.value); }

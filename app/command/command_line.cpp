@@ -51,14 +51,18 @@ namespace {
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
+std::atomic<bool> checkpointWanted{false};
+
 extern "C" void onInterrupt(int) { interrupted.store(true); }
+extern "C" void onCheckpointWanted(int) { checkpointWanted.store(true); }
 
 /// While it lives, Ctrl-C, SIGTERM and a terminal that closes ask the run to end after its step; a second one ends the
-/// program. A hang-up that is ignored (nohup) stays ignored.
+/// program. A hang-up that is ignored (nohup) stays ignored. SIGUSR1 asks for a checkpoint.
 class InterruptGuard {
  public:
   InterruptGuard() {
     interrupted.store(false);
+    checkpointWanted.store(false);
     for (std::size_t i = 0; i < signals.size(); ++i) {
       sigaction(signals[i], nullptr, &old_[i]);
       if (signals[i] == SIGHUP && old_[i].sa_handler == SIG_IGN) continue;
@@ -68,9 +72,15 @@ class InterruptGuard {
       sigemptyset(&action.sa_mask);
       sigaction(signals[i], &action, nullptr);
     }
+    struct sigaction action {};
+    action.sa_handler = onCheckpointWanted;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGUSR1, &action, &oldCheckpoint_);
   }
   ~InterruptGuard() {
     for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &old_[i], nullptr);
+    sigaction(SIGUSR1, &oldCheckpoint_, nullptr);
   }
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
@@ -78,6 +88,7 @@ class InterruptGuard {
  private:
   static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
   std::array<struct sigaction, signals.size()> old_{};
+  struct sigaction oldCheckpoint_ {};
 };
 
 /// Where the help of a command sends for what is not its own.
@@ -238,7 +249,8 @@ struct RunCommand {
         ->type_name("DIR");
     command
         ->add_option("--resume", resumed,
-                     "folder of a run with output.checkpoint_every that was stopped: go on from its last checkpoint")
+                     "folder of a run that was stopped by a signal, or killed with output.checkpoint_every: go on from "
+                     "its last checkpoint")
         ->type_name("DIR");
     command->add_option("--set", overrides, "section.key=value, replaces the value of the scene; may be given again")
         ->type_name("KEY=VALUE")
@@ -306,6 +318,7 @@ struct RunCommand {
     options.resume = from;
     options.progress = !quiet && !live;
     options.interrupt = &interrupted;
+    options.checkpoint = &checkpointWanted;
     std::optional<LiveWatch> watch;
     if (live) options.listener = &watch.emplace(results, neededReportWriters().ofRun, !quiet);
     options.provenance = provenanceOf(commandText(), scene);

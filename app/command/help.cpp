@@ -139,7 +139,8 @@ std::string outputsText() {
          "\nframes/*.vtu, listed with their times in run.pvd for ParaView, every output.every seconds:\n\n" +
          fieldsText(frameFields()) +
          "\ncritical_step.png, drawn by gnuplot from critical_step.gp and critical_step.dat: the bracket and the step "
-         "along the run. checkpoint.bin, with output.checkpoint_every: what --resume goes on from. certificates/, with "
+         "along the run. checkpoint.bin, of a run that was stopped or with output.checkpoint_every: what --resume goes "
+         "on from. certificates/, with "
          "monitor.certificates: proofs that ringwatch-check verifies.\n";
 }
 

@@ -17,7 +17,7 @@ void put(const std::string& text) {
 }  // namespace
 
 ProgressLine::ProgressLine(bool wanted)
-    : active_(wanted && ::isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
+    : wanted_(wanted), active_(wanted && ::isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
 
 bool ProgressLine::due() {
   if (!active_) return false;
@@ -40,6 +40,11 @@ void ProgressLine::announce(const std::string& text) {
   if (!active_) return;
   put("\r" + text + "\x1b[K");
   shown_ = true;
+}
+
+void ProgressLine::tell(const std::string& line, bool error) {
+  clear();
+  if (wanted_ || error) put(line + "\n");
 }
 
 void ProgressLine::clear() {

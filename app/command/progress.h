@@ -19,11 +19,13 @@ class ProgressLine {
   void show(const std::string& text, double done);
   /// Shows a text at once, for work that cannot say how far it has come.
   void announce(const std::string& text);
+  /// Prints a line that stays, on standard error; where no progress is wanted, errors alone.
+  void tell(const std::string& line, bool error);
   void clear();
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool active_;
+  bool wanted_, active_;
   bool shown_ = false;
   Clock::time_point start_, last_;
 };

@@ -19,7 +19,14 @@ struct SceneStart {
   std::vector<std::string> notes;  // of the mesh reader
 };
 
+/// What becomes of springs and contact.
+enum class DiscreteAtStart {
+  refused,
+  counted  ///< contact at every node that it can have, touching or not: the safe side holds whatever touches
+};
+
 /// Throws InputError for bad input, and for an integrator without a critical step.
-SceneStart startOf(const std::filesystem::path& scene, const std::vector<std::string>& overrides, int threads);
+SceneStart startOf(const std::filesystem::path& scene, const std::vector<std::string>& overrides, int threads,
+                   DiscreteAtStart discrete = DiscreteAtStart::refused);
 
 }  // namespace ringwatch

@@ -38,7 +38,7 @@ std::string tellSteps(double frame, double h, Json& json) {
 }  // namespace
 
 SuggestResult suggestSteps(const SuggestOptions& options) {
-  const SceneStart start = startOf(options.scene, options.overrides, options.threads);
+  const SceneStart start = startOf(options.scene, options.overrides, options.threads, DiscreteAtStart::counted);
   const Scene& scene = start.scene;
   const Body& body = start.body;
   const StepRule& rule = start.rule;
@@ -80,6 +80,10 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
                     : *scene.step > bracket.optimistic ? "proven unstable"
                                                        : "neither proven stable nor unstable");
   }
+  if (!scene.contacts.empty())
+    notes.emplace_back(
+        "contact counts at every node that it can have, touching or not; what friction and hollow obstacles add "
+        "grows with the depth to which nodes come");
   if (!scene.handler.empty())
     notes.push_back(fmt::format("without the handler {}: with it larger steps are possible", scene.handler));
   if (!rule.proven())

@@ -35,7 +35,7 @@ void Picture::add(const HistoryRow& row) {
 std::string Picture::data() const {
   std::string text =
       "# time_s h_s safe_s optimistic_s metric_step_s kinetic_J strain_J external_work_J balance_error_J "
-      "handled_elements h_certified_s h_not_certified_s h_violated_s\n";
+      "handled_elements h_certified_s h_not_certified_s h_violated_s dissipated_J\n";
   for (const HistoryRow& row : rows_) {
     const std::optional<double> h = drawsStep(row) ? std::optional(row.h) : std::nullopt;
     text += fmt::format("{}{}", row.time, cell(h));
@@ -49,13 +49,13 @@ std::string Picture::data() const {
     text += fmt::format(" {}", row.handledElements);
     for (const Verdict verdict : {Verdict::certified, Verdict::notCertified, Verdict::violated})
       text += cell(row.verdict == verdict ? h : std::nullopt);
-    text += "\n";
+    text += cell(row.energies ? std::optional(row.energies->dissipated) : std::nullopt) + "\n";
   }
   return text;
 }
 
 std::string Picture::script(const std::string& title) const {
-  bool hasBracket = false, hasMetric = false, hasEnergy = false, handles = false, verdicts[3] = {};
+  bool hasBracket = false, hasMetric = false, hasEnergy = false, dissipates = false, handles = false, verdicts[3] = {};
   double leastStep = infinity, mostStep = 0, leastEnergy = 0, mostEnergy = 0;
   for (const HistoryRow& row : rows_) {
     hasBracket = hasBracket || row.bracket;
@@ -77,15 +77,18 @@ std::string Picture::script(const std::string& title) const {
     }
     if (row.metricStep) seeStep(*row.metricStep);
     if (!row.energies) continue;
-    for (double value :
-         {row.energies->kinetic, row.energies->strain, row.energies->externalWork, row.energies->balanceError}) {
+    dissipates = dissipates || row.energies->dissipated != 0;
+    for (double value : {row.energies->kinetic, row.energies->strain, row.energies->externalWork,
+                         row.energies->balanceError, row.energies->dissipated}) {
       if (!std::isfinite(value)) continue;
       leastEnergy = std::min(leastEnergy, value);
       mostEnergy = std::max(mostEnergy, value);
     }
   }
   const bool logarithmic = mostStep > logRatio * leastStep;
-  const double endTime = rows_.empty() || rows_.back().time <= 0 ? 1 : rows_.back().time;
+  // The last row is of the state before the last step; rows may have been left out.
+  const double endTime =
+      rows_.empty() || rows_.back().time <= 0 ? 1 : rows_.back().time + (runaway_ ? 0 : rows_.back().h);
   const int panels = 1 + (handles ? 1 : 0) + (hasEnergy ? 1 : 0);
 
   std::string text = fmt::format(
@@ -103,6 +106,7 @@ std::string Picture::script(const std::string& title) const {
       "set style line 6 lc rgb '#CC79A7' lw 2 dt 4\n"
       "set style line 7 lc rgb '#000000' lw 2 dt 3\n"
       "set style line 8 lc rgb '#56B4E9' lw 2 dt 2\n"
+      "set style line 9 lc rgb '#56B4E9' lw 2\n"
       "set style line 11 lc rgb '#009E73' pt 7 ps 0.4\n"
       "set style line 12 lc rgb '#999999' pt 7 ps 0.6\n"
       "set style line 13 lc rgb '#D55E00' pt 7 ps 0.6\n"
@@ -169,7 +173,9 @@ std::string Picture::script(const std::string& title) const {
       text += "set autoscale y\n";
     text +=
         "plot data using 1:6 with lines ls 2 title 'kinetic', data using 1:7 with lines ls 1 title 'strain', "
-        "data using 1:8 with lines ls 4 title 'external work', data using 1:9 with lines ls 7 title 'balance error'\n";
+        "data using 1:8 with lines ls 4 title 'external work', data using 1:9 with lines ls 7 title 'balance error'";
+    if (dissipates) text += ", data using 1:14 with lines ls 9 title 'dissipated'";
+    text += "\n";
   }
   return text + "unset multiplot\n";
 }

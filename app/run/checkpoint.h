@@ -10,8 +10,10 @@
 
 namespace ringwatch {
 
-/// What a run goes on from as if it had not been stopped: its state and what its parts have saved. At a checkpoint
-/// a run begins its monitor and its energy balance again, whether it goes on or is resumed: so both have the same bits.
+/// What a run goes on from as if it had not been stopped: its state and what its parts have saved. There are two kinds.
+/// At those that the scene wants a run begins its monitor and its energy balance again, whether it goes on or is
+/// resumed: so both have the same bits, and the file is small. Those of a signal must change nothing of the run: they
+/// hold the monitor itself.
 struct Checkpoint {
   std::filesystem::path sceneFile;  // as the run was given it
   std::filesystem::path meshFile;   // empty when generated
@@ -19,6 +21,7 @@ struct Checkpoint {
   std::uint64_t mesh = 0;           // hashOf
   State state;                      // positions and velocities of one time; no acceleration
   nlohmann::ordered_json parts;     // what the parts of a run have saved
+  std::string memory;               // by SavingArchive, what else they know; "" where the run has begun them again
 };
 
 /// Name of the file in the folder of a run.
@@ -27,9 +30,9 @@ inline constexpr const char* checkpointFile = "checkpoint.bin";
 /// A number for nodes and elements of a mesh; another mesh has another one.
 std::uint64_t hashOf(const Mesh& mesh);
 
-/// Replaces the checkpoint in a folder: the old one or the whole new one is there, however the program ends. Throws
-/// InputError when it cannot be written.
-void writeCheckpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint);
+/// Replaces the checkpoint in a folder: the old one or the whole new one is there, however the program ends. Returns
+/// its bytes. Throws InputError when it cannot be written.
+std::size_t writeCheckpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint);
 /// Throws InputError where there is none, it is damaged, or another version has written it.
 Checkpoint readCheckpoint(const std::filesystem::path& folder);
 

@@ -28,12 +28,22 @@ class RunCertificates {
   /// Of the run, those before it was resumed included.
   std::int64_t count() const;
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(before_, last_);
+  }
+
  private:
   void write(std::int64_t step, const NodeVectors& x);
 
   struct Observed {
-    std::int64_t step;
+    std::int64_t step = 0;
     NodeVectors x;
+
+    template <class Archive>
+    void archive(Archive& a) {
+      a(step, x);
+    }
   };
   const Scene& scene_;
   const Body& body_;

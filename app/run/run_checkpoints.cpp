@@ -7,6 +7,7 @@
 
 #include <ringwatch/app/run/saved_result.h>
 #include <ringwatch/app/run/stopwatch.h>
+#include <ringwatch/base/archive.h>
 #include <ringwatch/base/error.h>
 
 namespace ringwatch {
@@ -27,26 +28,70 @@ void RunCheckpoints::write() {
   count_ = std::max(count_ + 1, static_cast<std::int64_t>(reached / *run_.scene.checkpointInterval));
   {
     const Stopwatch measured(run_.result.outputTime);
-    Checkpoint saved;
-    saved.sceneFile = run_.scene.file;
-    if (!run_.scene.meshFile.empty()) saved.meshFile = std::filesystem::absolute(run_.scene.meshFile);
-    saved.scene = run_.scene.echo;
-    saved.mesh = hashOf(run_.body.mesh());
-    saved.state.time = run_.state.time;
-    saved.state.x = run_.state.x;
-    saved.state.v = run_.state.v;
-    saved.parts = {{"result", savedResult(run_.result)},
-                   {"energies", run_.energies.save()},
-                   {"steps", run_.steps.save()},
-                   {"watch", run_.watch.save()},
-                   {"output", run_.output->save()},
-                   {"checkpoints_due", count_},
-                   {"last_verdict", static_cast<int>(run_.lastVerdict)}};
-    writeCheckpoint(run_.options.folder, saved);
+    writeCheckpoint(run_.options.folder, saved());
   }
   run_.beginWatch();
   run_.loads.begin(run_.state.x);
   goOn();
+}
+
+void RunCheckpoints::writeAsItIs() {
+  asItIs_ = false;
+  if (std::string reason = whyNone(); !reason.empty()) {
+    told_ = fmt::format("there is no checkpoint of step {}: {}", run_.result.steps, reason);
+    return;
+  }
+  const double before = run_.result.outputTime;
+  std::size_t bytes = 0;
+  try {
+    const Stopwatch measured(run_.result.outputTime);
+    Checkpoint checkpoint = saved();
+    SavingArchive archive;
+    archiveRun(archive);
+    checkpoint.memory = archive.take();
+    bytes = writeCheckpoint(run_.options.folder, checkpoint);
+  } catch (const InputError& fault) {  // the disk is full: what there was stays
+    told_ = fmt::format("there is no checkpoint of step {}: {}", run_.result.steps, fault.what());
+    return;
+  }
+  asItIs_ = true;
+  const double seconds = run_.result.outputTime - before;
+  told_ = fmt::format("step {}, t = {:.6g} s: checkpoint of {:.3g} MB written to {} in {:.2g} s", run_.result.steps,
+                      run_.state.time, 1e-6 * static_cast<double>(bytes),
+                      (run_.options.folder / checkpointFile).string(), seconds);
+}
+
+template <class Archive>
+void RunCheckpoints::archiveRun(Archive& a) {
+  a(run_.state.a, run_.state.lag, run_.energies, run_.loads, run_.watch, run_.output->certificates());
+}
+
+std::string RunCheckpoints::whyNone() const {
+  if (std::string reason = run_.scene.whyNoCheckpoints(); !reason.empty()) return reason;
+  if (!run_.scheme->stepper().keepsNothing()) return "a run on a GPU has no checkpoints";
+  if (run_.result.steps == 0) return "no step was taken yet";
+  if (!isFinite(run_.state, run_.body.threads())) return "positions or velocities are not finite";
+  return {};
+}
+
+Checkpoint RunCheckpoints::saved() {
+  Checkpoint saved;
+  saved.sceneFile = run_.scene.file;
+  if (!run_.scene.meshFile.empty()) saved.meshFile = std::filesystem::absolute(run_.scene.meshFile);
+  saved.scene = run_.scene.echo;
+  saved.mesh = hashOf(run_.body.mesh());
+  saved.state.time = run_.state.time;
+  saved.state.x = run_.state.x;
+  saved.state.v = run_.state.v;
+  const Constraints& constraints = run_.body.constraints();
+  std::vector<double> moved;  // m/s, of the components that are prescribed
+  if (constraints.moving())
+    for (const std::int64_t i : constraints.components()) moved.push_back(constraints.velocity().data()[i]);
+  saved.parts = {{"result", savedResult(run_.result)}, {"energies", run_.energies.save()},
+                 {"steps", run_.steps.save()},         {"watch", run_.watch.save()},
+                 {"output", run_.output->save()},      {"moved", std::move(moved)},
+                 {"checkpoints_due", count_},          {"last_verdict", static_cast<int>(run_.lastVerdict)}};
+  return saved;
 }
 
 void RunCheckpoints::resume(const Checkpoint& saved) {
@@ -65,11 +110,36 @@ void RunCheckpoints::resume(const Checkpoint& saved) {
   run_.watch.resume(saved.parts.at("watch"));
   count_ = saved.parts.at("checkpoints_due").get<std::int64_t>();
   run_.lastVerdict = static_cast<Verdict>(saved.parts.at("last_verdict").get<int>());
+  resumeMotion(saved.parts.at("moved").get<std::vector<double>>());
   run_.beginWatch();
   run_.loads.begin(run_.state.x);
   run_.loads.setForces(run_.state.time, run_.state.x);
+  const bool asItWas = !saved.memory.empty();
+  if (asItWas) {
+    try {
+      LoadingArchive archive(saved.memory);
+      archiveRun(archive);
+      archive.end();
+    } catch (const InputError&) {
+      throw InputError(fmt::format("{}: does not fit this mesh; begin the run again",
+                                   (run_.options.folder / checkpointFile).string()));
+    }
+  }
   run_.output->resume(saved.parts.at("output"), run_.result.steps);
-  goOn();
+  if (!asItWas) goOn();
+}
+
+/// The prescribed velocities of the step that led to the state: the work there is summed with them.
+void RunCheckpoints::resumeMotion(const std::vector<double>& velocities) {
+  Constraints& constraints = run_.body.constraints();
+  const std::vector<std::int64_t> components = constraints.components();
+  if (velocities.size() != components.size()) return;  // nothing has moved
+  const auto move = [&](std::size_t k, double velocity) {
+    constraints.move(static_cast<std::int32_t>(components[k] / 3), static_cast<int>(components[k] % 3), velocity);
+  };
+  // What has moved once counts as moving, also where it rests now.
+  if (!components.empty()) move(0, 1);
+  for (std::size_t k = 0; k < components.size(); ++k) move(k, velocities[k]);
 }
 
 /// What is done alike behind a checkpoint, by a run that goes on and by one that is resumed.
@@ -81,9 +151,9 @@ void RunCheckpoints::goOn() {
 }
 
 std::string RunCheckpoints::howToGoOn() const {
-  if (!run_.scene.checkpointInterval) return {};
-  if (count_ == 0) return "there was no checkpoint yet to go on from";
-  return fmt::format("ringwatch run --resume {} goes on from its last checkpoint", run_.options.folder.string());
+  const std::string command = fmt::format("ringwatch run --resume {} goes on ", run_.options.folder.string());
+  if (asItIs_) return command + "from here";
+  return told_ + (count_ > 0 ? "; " + command + "from the last one" : "");
 }
 
 }  // namespace ringwatch

@@ -35,6 +35,10 @@ class RunEnergies {
   /// What resume() needs; call it after beginBody().
   nlohmann::ordered_json save() const;
   void resume(const nlohmann::ordered_json& saved);
+  template <class Archive>
+  void archive(Archive& a) {
+    a(*balance_, before_, ownWork_, last_, largest_, scale_, runaway_);
+  }
   /// The energies at the state recorded last, all bodies together; empty unless a row was due.
   const std::optional<Energies>& last() const { return last_; }
 

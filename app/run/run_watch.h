@@ -45,6 +45,18 @@ class RunWatch {
     freshReports_ = saved.at("fresh_reports").get<std::int64_t>();
     monitored_ = true;
   }
+  /// All that is known, of the monitor too, of a run without handler whose every state is seen. Loading needs begin()
+  /// of the same body before it.
+  template <class Archive>
+  void archive(Archive& a) {
+    a(monitored_, freshReports_, goingOn_, checkpointStep_, sinceCheckpoint_);
+    std::string monitor;
+    if constexpr (!Archive::loads)
+      if (monitor_) monitor = monitor_->save();
+    a(monitor);
+    if constexpr (Archive::loads)
+      if (monitor_) monitor_->load(monitor);
+  }
   /// Reports that were made of the very state, so far.
   std::int64_t freshReports() const { return freshReports_; }
 
@@ -69,7 +81,7 @@ class RunWatch {
   std::int64_t freshReports_ = 0;
   /// An event from before a checkpoint that has not ended.
   struct GoingOn {
-    std::size_t event;                         // of the result
+    std::size_t event = 0;                     // of the result
     std::optional<std::int64_t> comesAt = {};  // the step at which the monitor of now has told it again
   };
   std::vector<GoingOn> goingOn_;

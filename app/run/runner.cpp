@@ -60,8 +60,14 @@ class Runner {
       // A rounding error in the sum of the steps must not add one.
       if (run_.steps.step() > 0 && run_.state.time >= run_.scene.end - 1e-3 * run_.steps.step())
         return run_.end(ExitReason::end, "end time reached");
-      if (run_.options.interrupt && run_.options.interrupt->load())
+      if (run_.options.interrupt && run_.options.interrupt->load()) {
+        checkpoints_.writeAsItIs();
         return run_.end(ExitReason::interrupted, fmt::format("interrupted before step {}", k));
+      }
+      if (run_.options.checkpoint && run_.options.checkpoint->exchange(false)) {
+        checkpoints_.writeAsItIs();
+        progress_.tell(checkpoints_.whatCame(), !checkpoints_.isOfNow());
+      }
       cuts_.makeThoseDue();
       if (!erosion_.makeDue(k)) return;
       if (checkpoints_.due()) checkpoints_.write();

@@ -18,6 +18,7 @@ struct RunOptions {
   std::filesystem::path folder;                  // made when it does not exist
   bool progress = true;                          // a progress line on a terminal
   const std::atomic<bool>* interrupt = nullptr;  // the run ends after the step in which it becomes true
+  std::atomic<bool>* checkpoint = nullptr;       // the run writes one after the step in which it becomes true
   std::vector<std::string> notes;                // of the mesh reader, for the summary
   const Checkpoint* resume = nullptr;            // the run goes on from there, in the folder of the checkpoint
   nlohmann::ordered_json provenance = nullptr;   // for the summary: where the run comes from

@@ -14,6 +14,7 @@ class IntegratorStepper final : public Stepper {
   bool needsForce(const State& state) const override {
     return state.lag != 0 || (integrator_.beginsWithAcceleration() && state.a.cols() == 0);
   }
+  bool keepsNothing() const override { return true; }
   void takeForce(State& state, const StepEvaluation& evaluation) override { system_.complete(state, evaluation); }
   void complete(State& state) override { ringwatch::complete(system_, state); }
   Taken step(State& state, double h, std::int64_t /*count*/, double /*lambda*/) override {

@@ -18,6 +18,8 @@ class Stepper {
   virtual ~Stepper() = default;
   /// Whether takeForce wants the internal force of this state, for the step that begins there or one that ended there.
   virtual bool needsForce(const State&) const { return false; }
+  /// Whether a state tells all that the next step depends on: nothing is kept here from step to step.
+  virtual bool keepsNothing() const { return false; }
   /// Gives the state what follows from its internal force, where needsForce() says so: an acceleration, and a velocity
   /// that does not lag.
   virtual void takeForce(State&, const StepEvaluation&) {}

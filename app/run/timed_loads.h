@@ -31,6 +31,11 @@ class TimedLoads {
   /// energy that the supports give, J.
   double setVelocities(State& state, double h);
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(first_, last_);
+  }
+
  private:
   struct Force {
     std::vector<Eigen::Vector3d> values;  // N, at the nodes of `nodes_` with the same place; zero elsewhere

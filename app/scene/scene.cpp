@@ -321,7 +321,6 @@ void checkTimedLoads(Scene& scene) {
   if (scene.device == RunDevice::automatic) scene.noDevice = fmt::format("a GPU takes no {}", scene.timedBy);
 }
 
-/// output.checkpoint_every: for what a state of positions and velocities tells all of.
 void readCheckpoints(const SceneTable& output, Scene& scene) {
   if (!output.given("checkpoint_every")) return;
   const SceneEntry& entry = output.at("checkpoint_every");
@@ -331,15 +330,7 @@ void readCheckpoints(const SceneTable& output, Scene& scene) {
   if (!(count <= mostSteps))
     refuse(fmt::format("{} s makes {:.3g} checkpoints to the end at {} s; at most {} are possible",
                        *scene.checkpointInterval, count, scene.end, mostSteps));
-  const auto takes = [](const IntegratorInfo& info) {
-    return info.forceEvaluations > 0 && !info.partitioned && !info.adaptive && !std::isinf(info.imaginaryLimit);
-  };
-  if (!takes(*integratorCatalog().find(scene.method)))
-    refuse(fmt::format("\"{}\" has no checkpoints; {} have", scene.method, namesWhere(integratorInfos(), takes)));
-  if (!scene.handler.empty())
-    refuse(fmt::format("the handler \"{}\" has no checkpoints; set handler.method = \"none\"", scene.handler));
-  if (!scene.cuts.empty()) refuse("runs with [[cut]] have no checkpoints");
-  if (scene.device == RunDevice::cuda) refuse("a run on a GPU has no checkpoints; set integrator.device = \"cpu\"");
+  if (const std::string reason = scene.whyNoCheckpoints(); !reason.empty()) refuse(reason);
   if (scene.device == RunDevice::automatic) scene.noDevice = "a run on a GPU has no checkpoints";
 }
 
@@ -655,6 +646,20 @@ Scene sceneOfRun(const std::filesystem::path& folder) {
 
 Scene sceneOfEcho(const std::filesystem::path& file, const Json& echo) {
   return makeScene(file, sceneTablesOfEcho(file, tomlOfSections(echo)));
+}
+
+std::string Scene::whyNoCheckpoints() const {
+  // For what a state of positions and velocities tells all of.
+  const auto takes = [](const IntegratorInfo& info) {
+    return info.forceEvaluations > 0 && !info.partitioned && !info.adaptive && !std::isinf(info.imaginaryLimit);
+  };
+  if (!takes(*integratorCatalog().find(method)))
+    return fmt::format("\"{}\" has no checkpoints; {} have", method, namesWhere(integratorInfos(), takes));
+  if (!handler.empty())
+    return fmt::format("the handler \"{}\" has no checkpoints; set handler.method = \"none\"", handler);
+  if (!cuts.empty()) return "runs with [[cut]] have no checkpoints";
+  if (device == RunDevice::cuda) return "a run on a GPU has no checkpoints; set integrator.device = \"cpu\"";
+  return {};
 }
 
 std::optional<std::array<bool, 3>> parseComponents(std::string_view text) {

@@ -252,6 +252,8 @@ struct Scene {
   }
   /// Whether anything but dashpots and contact damps.
   bool damps() const { return damping.any() || hasElementDamping(); }
+  /// Why its runs have no checkpoints, "" where they have: the scene's integrator, handler, cuts or GPU.
+  std::string whyNoCheckpoints() const;
   /// Whether there are springs or contact.
   bool hasDiscreteForces() const { return !springs.empty() || !contacts.empty(); }
   /// Where the first of them is, for messages: "scene.toml:31: [[spring]]".

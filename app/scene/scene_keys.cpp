@@ -758,7 +758,8 @@ void addOutput(std::vector<SceneKey>& all) {
            .unit = "s",
            .range = positive,
            .help = "time between checkpoints, from the last of which `ringwatch run --resume DIR` goes on, bit by bit "
-                   "as the run would have; with explicit integrators of fixed order, without handler, cuts and GPU"},
+                   "as the run would have; with explicit integrators of fixed order, without handler, cuts and GPU. A "
+                   "signal that stops such a run leaves one too"},
           {.key = "history_every",
            .type = T::integer,
            .unit = "steps",

@@ -69,9 +69,9 @@ void LocalMode::choose(const NodeVectors& mode, std::size_t nodes) {
   part_.reset();
   nodes_.clear();
   vector_.resize(3, 0);
-  const std::vector<std::int32_t> region = grow(mode);
-  if (region.empty()) return;
-  makePart(region);
+  region_ = grow(mode);
+  if (region_.empty()) return;
+  makePart(region_);
   vector_ = mode(Eigen::all, nodes_);
   largest_ = 0;
   sinceSearch_ = searchGap;

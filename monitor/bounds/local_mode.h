@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include <ringwatch/base/archive.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
@@ -44,6 +45,18 @@ class LocalMode {
   /// Searches highestElement() in the mode as it is now, at the positions of the last evaluation (3×N, m).
   void searchHighest(NodeVectorsView x);
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(size_, region_);
+    if constexpr (Archive::loads) {
+      part_.reset();
+      nodes_.clear();
+      if (!region_.empty()) makePart(region_);
+    }
+    a(vector_, largest_, last_, highest_, discreteShare_, spentProducts_, sinceSearch_, sinceImproved_, isNew_);
+    archiveVersion(a, bodyVersion_, body_.version());
+  }
+
  private:
   /// Nodes of the region, grown from the largest entry.
   std::vector<std::int32_t> grow(const NodeVectors& mode) const;
@@ -60,9 +73,9 @@ class LocalMode {
   std::size_t size_ = 0;  // nodes of the region, at most
   int products_, gap_, spentProducts_ = 0;
   std::unique_ptr<Body> part_;
-  std::vector<std::int32_t> nodes_;  // of the part: the region and its rim, which is held; ascending
-  NodeVectors x_, vector_;           // positions and the mode, of the part
-  double largest_ = 0;               // size of an eigenvalue that was seen in this region, for the rounding
+  std::vector<std::int32_t> region_, nodes_;  // ascending; nodes_: of the part, the region and its rim, which is held
+  NodeVectors x_, vector_;                    // positions and the mode, of the part
+  double largest_ = 0;                        // size of an eigenvalue that was seen in this region, for the rounding
   LowerBound last_{0};
   ElementRef highest_;
   double discreteShare_ = 0;

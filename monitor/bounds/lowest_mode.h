@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include <ringwatch/base/archive.h>
 #include <ringwatch/body/body.h>
 
 namespace ringwatch {
@@ -33,6 +34,12 @@ class LowestModeSearch {
   void forget() {
     direction_.resize(3, 0);
     scale_.resize(3, 0);
+  }
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(direction_, scale_, sinceScale_);
+    archiveVersion(a, bodyVersion_, body_.version());
   }
 
  private:

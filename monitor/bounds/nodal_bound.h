@@ -134,6 +134,12 @@ class NodalBound {
   /// Elements times evaluations in the last call.
   std::int64_t evaluations() const { return evaluations_; }
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(started_, weights_, values_, sums_, factors_, outside_, majorants_, keepsMajorants_, nodal_, changed_,
+      evaluations_, last_, poorlyConditioned_);
+  }
+
  private:
   using Pack = NativePack;
   void prepareSums();

@@ -92,6 +92,11 @@ class CertificateState {
   /// tests. Returns the largest relative excess: <= 0 when both hold, but for rounding.
   double verify(NodeVectorsView x) const;
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(certifiedEigenvalue_, weights_, allowances_, excluded_, rotations_);
+  }
+
  private:
   const Body& body_;
   NodalBound weights_;

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include <ringwatch/base/archive.h>
 #include <ringwatch/base/backoff.h>
 #include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/incremental/rebuild_policy.h>
@@ -69,6 +70,14 @@ class IncrementalNodalBound {
   }
   /// CertificateState::verify, for tests.
   double verify(NodeVectorsView x) const { return state_.verify(x); }
+
+  /// The account is the owner's.
+  template <class Archive>
+  void archive(Archive& a) {
+    a(spent_, sinceRebuild_, ofProof_, state_, started_, endedEarly_, nearLimit_, rebuilds_, refreshes_, lowerings_,
+      tightOverLower_);
+    archiveVersion(a, bodyVersion_, body_.version());
+  }
 
  private:
   /// Whether the account, less what the statistics count, has so much.

@@ -119,6 +119,14 @@ class RunBracket {
   };
   const LowestRing& lowestRing() const { return lowest_; }
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(account_, spent_, uncertified_, nodal_, local_, localNodes_, regionBound_, own_, ownBefore_, softest_, mode_,
+      method_, statistics_, bracketed_, finite_, cheapest_, sharpening_, sharpeningRestart_, wholeMode_, restart_,
+      search_, examination_, lowest_, nextCompressed_, least_, searchedAt_, step_, best_, bestAt_);
+    archiveVersion(a, bestVersion_, body_.version());
+  }
+
  private:
   const std::optional<CriticalStep>& follow(NodeVectorsView x, const StepRule& limit, std::optional<double> h,
                                             StepEvaluation* evaluation);

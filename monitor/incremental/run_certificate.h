@@ -115,6 +115,14 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   UpdateStatistics& statistics() { return statistics_; }
   const UpdateStatistics& statistics() const { return statistics_; }
 
+  template <class Archive>
+  void archive(Archive& a) {
+    CertificateState::archive(a);
+    for (BlockData& b : blocks_)
+      a(b.balls, b.value, b.strainNorm, b.compression, b.linear, b.quadratic, b.growthRadius);
+    a(frames_, mostCompression_, statistics_);
+  }
+
  private:
   /// What is known of the elements of a block, by place. compression: -lambda_min(∂P/∂F) / (λ+2μ) at the reference
   /// gradient, at most. linear, quadratic, growthRadius: TangentGrowth's, the radius ending before an inversion; < 0:

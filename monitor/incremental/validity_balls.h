@@ -70,9 +70,20 @@ class ValidityBalls {
   std::size_t groupCount() const { return groups_.size(); }
   std::size_t visitedGroups() const;
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(referenceGradient_, radius_, groups_, before_, checks_);
+  }
+
  private:
   class BallCheck;
   struct Group {
+    template <class Archive>
+    void archive(Archive& a) {
+      a(batchBegin, batchEnd, nodeBegin, nodeEnd, marginAtCheck, leverArm, rounding, centre, motion, visitedAt, skipped,
+        tried, fitted, pause, waits);
+    }
+
     std::int32_t batchBegin, batchEnd;
     std::size_t nodeBegin, nodeEnd;                    // into nodes_
     double marginAtCheck = -1;                         // at the last visit: min of (r - |F - F0|)/γ, m; < 0: visit

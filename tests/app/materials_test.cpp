@@ -309,6 +309,26 @@ TEST_F(Program, TellsWhichMaterialGovernsAndKeepsMaterialsThroughACut) {
   expectRefused("inspect r --frame 1 --young 3e3", "--young: there are 2 materials");
 }
 
+TEST_F(Program, NamesATwoMaterialBarThatBlowsUpBeforeItsEnergy) {
+  const std::string run = "run '" RINGWATCH_EXAMPLES "/two_material_bar.toml' --quiet --out ";
+  ASSERT_EQ(call(run + "good").status, 0);
+  EXPECT_EQ(json("good/summary.json")["verdict"], "certified");
+  ASSERT_EQ(call(run + "bad --set integrator.step=4e-4 --set monitor.on_violation=warn").status, 1);
+  const Json bad = json("bad/summary.json");
+  ASSERT_FALSE(bad["first_violated"].is_null());
+  ASSERT_FALSE(bad["energy_runaway"].is_null());
+  EXPECT_LT(bad["first_violated"]["step"], bad["energy_runaway"]["step"]);
+  EXPECT_EQ(bad["events"][0]["kind"], "violated");
+  EXPECT_EQ(bad["events"][0]["element"]["block"], 1);  // of the stiff half, which a step for the soft one forgets
+  int off = 0;
+  for (const Json& event : bad["events"]) {
+    if (event["kind"] != "energy-balance") continue;
+    ++off;
+    EXPECT_LT(bad["first_violated"]["step"], event["step"]);
+  }
+  EXPECT_GT(off, 0);
+}
+
 TEST_F(Program, HandlesTheStiffPartOfATwoMaterialBody) {
   folder_.write("two.toml",
                 sceneText("generate = \"bar\"\nsize = [0.2, 0.04, 0.04]\ncells = [10, 2, 2]\n",

@@ -74,6 +74,75 @@ TEST_F(Program, SuggestsWithDampingAndSaysWhatAHandlerWouldDo) {
               HasSubstr("without the handler imex"));
 }
 
+TEST_F(Program, SuggestsForSpringsContactAndSeveralMaterialsWhateverTouches) {
+  folder_.write("block.toml", R"([mesh]
+generate = "bar"
+size = [0.1, 0.02, 0.02]
+cells = [6, 2, 2]
+element = "hex8"
+[[material]]
+where = "x < 0.05"
+model = "linear"
+young = 30e3
+poisson = 0.3
+density = 1000
+[[material]]
+where = "x >= 0.05"
+model = "linear"
+young = 90e3
+poisson = 0.3
+density = 1100
+[integrator]
+step = 2e-4
+end = 0.02
+[monitor]
+on_violation = "warn"
+[[spring]]
+where = "x < 1e-6"
+stiffness = 500
+damping = 0.05
+[[obstacle]]
+kind = "plane"
+point = [0, 0, -0.001]
+normal = [0, 0, 1]
+[[contact]]
+damping = 0.1
+penalty = 300
+[[initial]]
+where = "all"
+velocity = [0, 0, -0.5]
+[output]
+picture = false
+)");
+  const Outcome outcome = call("suggest block.toml --frame 0.02");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("note: contact counts at every node that it can have, touching or not"));
+  const auto suggested = [&](const std::string& options) {
+    return parse(call("suggest block.toml --frame 0.02 --json - " + options).out)["start"];
+  };
+  const auto run = [&](double h, const std::string& options) {
+    call("run block.toml --out r --set integrator.step=" + test::digits(h) + " " + options);
+    return json("r/summary.json");
+  };
+  // The laws are linear: what is proven at the start is proven of every state, whatever touches.
+  for (const std::string options : {"", "--set spring.0.stiffness=2e4", "--set contact.0.penalty=1e5"}) {
+    SCOPED_TRACE(options);
+    const Json start = suggested(options);
+    const Json good = run(start["step"], options);
+    EXPECT_EQ(good["steps"], start["steps"]);
+    EXPECT_TRUE(good["first_violated"].is_null());
+    EXPECT_GT(good["discrete_forces"]["most_touching"], 0);
+    EXPECT_EQ(good["exit_reason"], "end");
+    // Fewer than are known to be unstable of what holds from the start.
+    const Json bad = run(0.02 / start["unstable_steps"].get<double>(), options);
+    EXPECT_FALSE(bad["first_violated"].is_null());
+  }
+  // Each of them counts.
+  EXPECT_LT(suggested("--set spring.0.stiffness=2e4")["optimistic"], 0.8 * suggested("")["optimistic"].get<double>());
+  EXPECT_LT(suggested("--set contact.0.penalty=1e5")["safe"], 0.8 * suggested("")["safe"].get<double>());
+  EXPECT_LT(suggested("--set material.1.young=360e3")["safe"], 0.8 * suggested("")["safe"].get<double>());
+}
+
 TEST_F(Program, RefusesTimesStretchesAndIntegratorsThatSaySomethingElse) {
   folder_.write("tiny.toml", tiny);
   for (const std::string bad : {"0", "-1", "1/0", "x", "1/60x", "inf"})
@@ -86,8 +155,10 @@ TEST_F(Program, RefusesTimesStretchesAndIntegratorsThatSaySomethingElse) {
   expectRefused("suggest tiny.toml --frame 1/60 --set integrator.method=explicit-euler", "is unstable at every step");
   expectRefused("suggest tiny.toml --frame 1/60 --set integrator.method=implicit-euler", "has no critical step");
   folder_.write("held.toml", std::string(tiny) + "[[spring]]\nwhere = \"x > 0.1 - 1e-6\"\nstiffness = 10\n");
-  for (const std::string command : {"suggest held.toml --frame 1/60", "scale-mass held.toml --step 1e-3"})
-    expectRefused(command, "held.toml:21: [[spring]]: a plan at the start of a run takes no springs and contact");
+  expectRefused("scale-mass held.toml --step 1e-3",
+                "held.toml:21: [[spring]]: a plan at the start of a run takes no springs and contact");
+  expectRefused("suggest held.toml --frame 1/60 --stretch 0.7:1.5",
+                "stretch: the body has springs or contact, of which a range of stretches says nothing");
 }
 
 }  // namespace

@@ -1,0 +1,179 @@
+#pragma once
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <ringwatch/base/error.h>
+
+/// Objects as bytes and back, bit by bit: for a program that goes on where another process of the same build stopped. A
+/// class takes part by one member for both directions,
+///   template <class Archive> void archive(Archive& a) { a(first_, second_); }
+/// that names what a constructor does not give it. Of types without it vectors, optionals, texts, Eigen's matrices and
+/// what can be copied by its bytes are known.
+namespace ringwatch {
+namespace detail {
+
+template <class T, class Archive>
+concept Archivable = requires(T& value, Archive& a) {
+  value.archive(a);
+};
+template <class T>
+struct IsVector : std::false_type {};
+template <class T, class A>
+struct IsVector<std::vector<T, A>> : std::true_type {};
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+template <class T>
+concept EigenMatrix = std::is_base_of_v<Eigen::PlainObjectBase<T>, T>;
+/// Bytes are all that there is of it. Texts elsewhere would be pointers.
+template <class T>
+inline constexpr bool isBytes =
+    std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !std::is_same_v<T, std::string_view>;
+
+/// What both directions share: Self has bytes(void*, size).
+template <class Self>
+class ArchiveBase {
+ public:
+  template <class... T>
+  void operator()(T&... values) {
+    (one(values), ...);
+  }
+
+ private:
+  Self& self() { return static_cast<Self&>(*this); }
+
+  template <class T>
+  void one(T& value) {
+    if constexpr (Archivable<T, Self>) {
+      value.archive(self());
+    } else if constexpr (IsVector<T>::value) {
+      vector(value);
+    } else if constexpr (IsOptional<T>::value) {
+      bool has = value.has_value();
+      one(has);
+      if constexpr (Self::loads) {
+        if (has)
+          value.emplace();
+        else
+          value.reset();
+      }
+      if (has) one(*value);
+    } else if constexpr (EigenMatrix<T>) {
+      matrix(value);
+    } else if constexpr (std::is_same_v<T, Eigen::Quaternionf>) {
+      self().bytes(value.coeffs().data(), 4 * sizeof(float));
+    } else if constexpr (std::is_same_v<T, std::string>) {
+      value.resize(self().count(value.size(), 1));
+      self().bytes(value.data(), value.size());
+    } else if constexpr (std::is_same_v<T, std::string_view>) {
+      std::string text(value);
+      one(text);
+      if constexpr (Self::loads) value = kept(std::move(text));
+    } else {
+      static_assert(isBytes<T>, "give the class a member archive()");
+      self().bytes(&value, sizeof value);
+    }
+  }
+
+  template <class T, class A>
+  void vector(std::vector<T, A>& values) {
+    constexpr bool whole = isBytes<T> && !Archivable<T, Self> && !std::is_same_v<T, bool>;
+    values.resize(self().count(values.size(), whole ? sizeof(T) : 1));
+    if constexpr (whole) {
+      if (!values.empty()) self().bytes(values.data(), values.size() * sizeof(T));
+    } else if constexpr (std::is_same_v<T, bool>) {
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        bool value = values[i];
+        one(value);
+        values[i] = value;
+      }
+    } else {
+      for (T& value : values) one(value);
+    }
+  }
+
+  template <class T>
+  void matrix(T& values) {
+    static_assert(isBytes<typename T::Scalar>);
+    if constexpr (T::SizeAtCompileTime == Eigen::Dynamic) {
+      std::int64_t rows = values.rows();
+      one(rows);
+      const std::size_t of = sizeof(typename T::Scalar) * static_cast<std::size_t>(std::max<std::int64_t>(rows, 1));
+      const auto columns = static_cast<std::int64_t>(self().count(static_cast<std::size_t>(values.cols()), of));
+      if constexpr (Self::loads) values.resize(rows, columns);
+    }
+    if (values.size() > 0)
+      self().bytes(values.data(), static_cast<std::size_t>(values.size()) * sizeof(typename T::Scalar));
+  }
+
+  /// Names in results are views of texts that live as long as the program.
+  static std::string_view kept(std::string text) {
+    static std::set<std::string> all;
+    std::string_view found;
+#pragma omp critical(ringwatch_archive_texts)
+    found = *all.insert(std::move(text)).first;
+    return found;
+  }
+};
+
+}  // namespace detail
+
+/// Appends objects to a text.
+class SavingArchive : public detail::ArchiveBase<SavingArchive> {
+ public:
+  static constexpr bool loads = false;
+  void bytes(const void* data, std::size_t size) { text_.append(static_cast<const char*>(data), size); }
+  std::size_t count(std::size_t own, std::size_t /*sizeOfEach*/) {
+    bytes(&own, sizeof own);
+    return own;
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+/// Reads objects from what a SavingArchive gave, in the same order. Throws InputError where the bytes end early.
+class LoadingArchive : public detail::ArchiveBase<LoadingArchive> {
+ public:
+  static constexpr bool loads = true;
+  explicit LoadingArchive(std::string_view text) : left_(text) {}
+  void bytes(void* data, std::size_t size) {
+    if (size > left_.size()) throw InputError("saved state: ends early");
+    std::memcpy(data, left_.data(), size);
+    left_.remove_prefix(size);
+  }
+  std::size_t count(std::size_t /*own*/, std::size_t sizeOfEach) {
+    std::size_t value = 0;
+    bytes(&value, sizeof value);
+    if (value > left_.size() / sizeOfEach) throw InputError("saved state: ends early");
+    return value;
+  }
+  /// Throws InputError unless all bytes were read.
+  void end() const {
+    if (!left_.empty()) throw InputError("saved state: is longer than what it is of");
+  }
+
+ private:
+  std::string_view left_;
+};
+
+/// The version of an object at some time, of which only the difference to that of now has a meaning elsewhere.
+template <class Archive>
+void archiveVersion(Archive& a, std::int64_t& version, std::int64_t now) {
+  std::int64_t since = now - version;
+  a(since);
+  if constexpr (Archive::loads) version = now - since;
+}
+
+}  // namespace ringwatch
