@@ -61,7 +61,7 @@ struct StabilityMonitor::Impl {
     if (bracket) a(*bracket);
     a(options.firstObservationElements, report.step, report.time, report.h, report.fresh, report.evaluatedAt,
       report.bracket, report.certified, report.elementsRefreshed, report.spent, report.metricStep, report.verdict,
-      report.newEvents, tracker, largestEnergy, observations, energyObservations, unknown, hadABracket);
+      report.newEvents, tracker, largestEnergy, observations, firstEnergyStep, unknown, hadABracket);
     archiveVersion(a, bodyVersion, body.version());
   }
 

@@ -658,6 +658,7 @@ std::string Scene::whyNoCheckpoints() const {
   if (!handler.empty())
     return fmt::format("the handler \"{}\" has no checkpoints; set handler.method = \"none\"", handler);
   if (!cuts.empty()) return "runs with [[cut]] have no checkpoints";
+  if (erosion) return "runs with [erosion] have no checkpoints";
   if (device == RunDevice::cuda) return "a run on a GPU has no checkpoints; set integrator.device = \"cpu\"";
   return {};
 }

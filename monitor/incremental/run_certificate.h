@@ -119,7 +119,7 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   void archive(Archive& a) {
     CertificateState::archive(a);
     for (BlockData& b : blocks_)
-      a(b.balls, b.value, b.strainNorm, b.compression, b.linear, b.quadratic, b.growthRadius);
+      a(b.balls, b.value, b.strainNorm, b.compression, b.linear, b.quadratic, b.growthRadius, b.counted);
     a(frames_, mostCompression_, statistics_);
   }
 
