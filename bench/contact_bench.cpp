@@ -50,7 +50,7 @@ void alongARun(benchmark::State& state, int n, Touching touching) {
   const auto add = [&](std::vector<std::int32_t> nodes, const std::vector<std::int32_t>& to) {
     SurfaceContact contact = surfaceContact(mesh, std::move(nodes), to);
     for (const std::int32_t node : contact.nodes) {
-      const double slow = M_PI / (20 * h);
+      const double slow = M_PI / (40 * h);  // corners of the bar are lighter than what stands on them
       contact.penalty.push_back(body.lumpedMass()[node] * slow * slow);
       contact.damping.push_back(0);
     }
@@ -83,11 +83,11 @@ void alongARun(benchmark::State& state, int n, Touching touching) {
       body.discreteForces()->setReach(2 * h * body.discreteForces()->largestSpeed(b.v));
       // The certificate alone: no force is asked for.
       const double t0 = cpuSeconds();
-      const bool plainProven = plainBound.certify(a.x, 1.5 * sigma);
+      const bool plainProven = plainBound.certify(a.x, 2 * sigma);
       const double t1 = cpuSeconds();
       body.discreteForces()->locate(b.x);
       const double located = cpuSeconds();
-      const bool proven = bound.certify(b.x, 1.5 * sigma);
+      const bool proven = bound.certify(b.x, 2 * sigma);
       const double t2 = cpuSeconds();
       plainEuler.step(plainSystem, a, h);
       const double t3 = cpuSeconds();
@@ -102,11 +102,13 @@ void alongARun(benchmark::State& state, int n, Touching touching) {
       rebuilds += bound.statistics().rebuilds + bound.statistics().refreshes;
       stepTime += t3 - t2;
       contactStepTime += t4 - t3;
-      most = std::max(most, static_cast<double>(body.discreteForces()->contactState(b.x).touching));
+      const std::int64_t touchingNow = body.discreteForces()->contactState(b.x).touching;
+      most = std::max(most, static_cast<double>(touchingNow));
+      if (touchingNow == 0) continue;
+      NodeVectors f = NodeVectors::Zero(3, b.x.cols());
+      body.discreteForces()->addInternalForce(b.x, f);
+      error = std::max(error, f.rowwise().sum().norm() / f.cwiseAbs().maxCoeff());
     }
-    NodeVectors f = NodeVectors::Zero(3, b.x.cols());
-    body.discreteForces()->addInternalForce(b.x, f);
-    error = f.cwiseAbs().maxCoeff() > 0 ? f.rowwise().sum().norm() / f.cwiseAbs().maxCoeff() : 0;
     lists = 0;
     for (const SurfaceSearch& one : body.discreteForces()->surfaces()) lists += one.statistics().lists;
     state.SetIterationTime(stepTime + contactStepTime + proofTime + contactProofTime);
