@@ -128,7 +128,6 @@ double largestRootOf(const MatrixXd& M, const MatrixXd& C, const MatrixXd& K, do
 // The limit is where the recursion itself begins to grow: the safe side is below, the optimistic one above.
 TEST(ElementDampingByRecursion, SafeIsBelowAndOptimisticAboveTheLimit) {
   int trials = 0, tight = 0, shortened = 0;
-  double least = 1, most = 1;
   const IntegratorInfo& info = *integratorCatalog().find("symplectic-euler");
   for (int seed = 0; trials < 10000; ++seed) {
     test::Random random(seed);
@@ -192,8 +191,6 @@ TEST(ElementDampingByRecursion, SafeIsBelowAndOptimisticAboveTheLimit) {
       ++trials;
       tight += step.optimistic < 1.02 * step.safe;
       shortened += step.optimistic < 0.9 * undamped;
-      least = std::min(least, step.safe / step.optimistic);
-      most = std::max(most, step.optimistic / undamped);
       reference = step.safe;
     }
   }
