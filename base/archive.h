@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -119,10 +121,9 @@ class ArchiveBase {
   /// Names in results are views of texts that live as long as the program.
   static std::string_view kept(std::string text) {
     static std::set<std::string> all;
-    std::string_view found;
-#pragma omp critical(ringwatch_archive_texts)
-    found = *all.insert(std::move(text)).first;
-    return found;
+    static std::mutex alone;
+    const std::lock_guard guard(alone);
+    return *all.insert(std::move(text)).first;
   }
 };
 
