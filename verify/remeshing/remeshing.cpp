@@ -157,8 +157,8 @@ class RemeshingStudy {
   }
 
   StudyReport make() {
-    const int level = full_ ? 4 : 3;
-    const std::size_t nodes = full_ ? 400 : 100;
+    constexpr int level = 3;
+    const std::size_t nodes = full_ ? 160 : 100;
     for (const auto& [name, surface] :
          {std::pair{"bumpy ball", bumpyBall(level, nodes, 1)}, std::pair{"jack", jack(level, nodes, 2)}}) {
       meshAll(name, surface);
@@ -177,7 +177,7 @@ class RemeshingStudy {
   }
 
   void meshAll(const std::string& name, const TriangleSurface& surface) {
-    const Swing motion{full_ ? 0.06 : 0.02};
+    const Swing motion{full_ ? 0.03 : 0.02};
     const std::vector<NodeVectors> reference = fineMotion(name, surface, motion);
     for (const Mesher& mesher : allMeshers()) {
       const ProgramMesh made = mesher.mesh(surface);
@@ -209,7 +209,7 @@ class RemeshingStudy {
 
   /// The surface's nodes in a mesh of many small elements; empty without TetGen.
   std::vector<NodeVectors> fineMotion(const std::string& name, const TriangleSurface& surface, const Swing& motion) {
-    const ProgramMesh made = meshByTetgen(surface, "-pq1.4", evenVolume(surface) / (full_ ? 40 : 12));
+    const ProgramMesh made = meshByTetgen(surface, "-pq1.4", evenVolume(surface) / (full_ ? 16 : 12));
     if (!made.mesh) {
       skip(name, "runs, which are compared with a fine mesh of TetGen's", made.note);
       return {};
