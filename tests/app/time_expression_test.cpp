@@ -16,7 +16,7 @@ using test::Outcome;
 using test::Program;
 using ::testing::HasSubstr;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::string faultOfTime(const std::string& text, double end = 1) {
   try {
