@@ -33,9 +33,10 @@ SceneStart startOf(const std::filesystem::path& file, const std::vector<std::str
                     scene.discreteOrigin()));
   for (const Scene::Contact& contact : scene.contacts)
     if (contact.withSurface)
-      throw InputError(fmt::format("{}: a plan at the start of a run takes no contact of surfaces, of which any node may "
-                                   "meet any face later; ringwatch run watches it",
-                                   contact.origin));
+      throw InputError(
+          fmt::format("{}: a plan at the start of a run takes no contact of surfaces, of which any node may "
+                      "meet any face later; ringwatch run watches it",
+                      contact.origin));
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
   if (!hasCriticalStep(info))
     throw InputError(

@@ -223,7 +223,7 @@ NewtonCluster::Outcome NewtonCluster::solve(NodeVectorsView x, NodeVectors& a, c
   } else {
     for (Eigen::Index i = 0; i < n; ++i) right.col(i) = part_.lumpedMass()[i] * wanted.col(i);
   }
-  // A guess must not begin above where the elements rest: Theorem 64 hangs on it.
+  // A guess must not begin above where the elements rest: Theorem 61 hangs on it.
   const double atRest = kinetic(rest) + energyAtStep_ / w_;
   const bool extrapolated = last_[1].cols() > 0 && begin(2 * last_[0] - last_[1]) && (moves || potential_ <= atRest);
   if (!extrapolated && !begin(rest)) return Outcome::noEnergy;

@@ -18,7 +18,7 @@ namespace ringwatch {
 ///   Φ(u) = ½ (u - û)ᵀ M (u - û) + W_I(x + w u)/w,   û = a + c v + M⁻¹ f_I(x),
 /// found by Newton's method with conjugate gradients that end at directions of negative curvature (Steihaug 1983) and a
 /// line search in Φ (Nocedal & Wright 2006, section 7.1). So Φ never grows from its start, and positions x + w u at
-/// which a law has no energy are never taken. Theorem 64, docs/theory/handlers.md.
+/// which a law has no energy are never taken. Theorem 61, docs/theory/handlers.md.
 class NewtonCluster {
  public:
   /// h: the step, s. w: s². tolerance: of the residual, relative to what it is for u = 0, both in the preconditioner's

@@ -98,7 +98,8 @@ bool IncrementalNodalBound::evaluate(NodeVectorsView x, const std::vector<Elemen
   std::vector<RunCertificate::Reference> now;
   state_.evaluate(x, elements, false, now);
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (!std::isfinite(now[i].value)) return false;
+    // Values are kept in single precision.
+    if (!(now[i].value <= static_cast<double>(std::numeric_limits<float>::max()))) return false;
     const double allowance = state_.allowance(elements[i]), value = now[i].value;
     const double fraction = allowance > 0 ? value / allowance : value > 0 ? infinity : 0;
     if (fraction > policy_.nearLimit) nearLimit_.push_back({fraction, elements[i]});

@@ -150,6 +150,11 @@ friction = 0.3
 every = 4e-3
 picture = false
 fields = ["critical_step", "verdict"]
+probe_every = 3
+[[probe]]
+what = "momentum"
+[[probe]]
+what = "energy"
 )";
 
 constexpr const char* mountedBar = R"([mesh]
@@ -198,6 +203,12 @@ ramp = "smooth"
 every = 0.02
 history_every = 2
 picture = false
+probe_every = 2
+reactions = true
+[[probe]]
+what = "reaction"
+[[probe]]
+what = "max_stretch"
 )";
 
 // RINGWATCH_KILLS: how many times runs are killed (kill -9), 18 without. As many thirds are stopped by other signals.

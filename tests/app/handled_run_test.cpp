@@ -218,7 +218,7 @@ TEST_F(HandledProgram, RefusesWhatDoesNotFitTogether) {
   expectRefused(run + "--set integrator.step=auto", "give a number");
   expectRefused(run + "--set handler.dissipation=2", "handler.dissipation: 2 is out of range; must be >= 0 and <= 1");
   expectRefused(run + "--set handler.solver=cholesky --set handler.tolerance=1e-3",
-                "goes with solver auto or cg, not with \"cholesky\"");
+                "goes with solver auto, cg or newton, not with \"cholesky\"");
   expectRefused(run + "--set monitor.on_violation=reduce-step", "works against the handler");
   expectRefused(run + "--set damping.mass=1", "handlers do not work with damping");
   expectRefused("run slivers.toml --set handler.method=mass-scaling --set handler.dissipation=0.1",

@@ -264,6 +264,10 @@ struct Matrices {
   }
 };
 
+/// Runs that explode are left where the squares of their tangents leave single precision, in which bounds are kept:
+/// there is no bracket beyond.
+constexpr double largestTangent = 1e17;  // N/m
+
 /// What dense eigenvalues say of M - h/2 C - h²/4 K on the free components, C with Rayleigh's.
 struct Exact {
   double step = 0;  ///< the largest h with it ≽ 0; 0 where there is none or a matrix is not finite
@@ -281,6 +285,7 @@ Exact exactStep(const Body& body, const Matrices& matrices, const RayleighDampin
   const MatrixXd K = matrices.K(free, free), Cx = matrices.C(free, free);
   Exact result;
   if (free.empty() || !K.allFinite() || !Cx.allFinite()) return result;
+  if (!((K + 2 / reference * Cx).cwiseAbs().maxCoeff() < largestTangent)) return result;
   MatrixXd M = MatrixXd::Zero(K.rows(), K.cols());
   for (std::size_t k = 0; k < free.size(); ++k)
     M(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(k)) = body.lumpedMass()[free[k] / 3];
@@ -438,11 +443,13 @@ void tryOne(test::Random& random, const std::string& what, Tally& tally) {
 }
 
 TEST(RandomTrials, BracketsHoldTheExactStep) {
-  const char *asked = std::getenv("RINGWATCH_STATE_CHECKS"), *seed = std::getenv("RINGWATCH_SEED");
+  const char *asked = std::getenv("RINGWATCH_STATE_CHECKS"), *seed = std::getenv("RINGWATCH_SEED"),
+             *from = std::getenv("RINGWATCH_FIRST_BODY");  // to try one again
   const std::int64_t wanted = asked ? std::atoll(asked) : 20000;
   const std::uint64_t first = seed ? std::strtoull(seed, nullptr, 10) : 1;
   Tally tally;
-  for (std::uint64_t body = 0; tally.trials < wanted && tally.wrong < 5; ++body) {
+  for (std::uint64_t body = from ? std::strtoull(from, nullptr, 10) : 0; tally.trials < wanted && tally.wrong < 5;
+       ++body) {
     // Each body by a seed of its own, so that it can be tried again alone.
     const std::uint64_t own = first * 1000000007ULL + body;
     test::Random random(own);
