@@ -16,8 +16,8 @@
 #include <ringwatch/base/error.h>
 
 /// Objects as bytes and back, bit by bit: for a program that goes on where another process of the same build stopped. A
-/// class takes part by one member for both directions,
-///   template <class Archive> void archive(Archive& a) { a(first_, second_); }
+/// class takes part by one member template for both directions,
+///     void archive(Archive& a) { a(first_, second_); }
 /// that names what a constructor does not give it. Of types without it vectors, optionals, texts, Eigen's matrices and
 /// what can be copied by its bytes are known.
 namespace ringwatch {
