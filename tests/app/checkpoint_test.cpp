@@ -301,7 +301,8 @@ TEST_F(Checkpoints, OfSignalsHoldTheStepAtWhichTheyCame) {
   const std::string bytes = folder_.read("part/checkpoint.bin"), history = folder_.read("part/history.csv");
   EXPECT_NE(bytes, folder_.read("asked.bin"));
   const Checkpoint stopped = readCheckpoint(folder_.path() / "part");
-  EXPECT_EQ(stopped.parts.at("result").at("steps"), json("part/summary.json")["steps"]);
+  EXPECT_EQ(stopped.parts.at("result").at("steps").get<std::int64_t>(),
+            json("part/summary.json")["steps"].get<std::int64_t>());
   EXPECT_EQ(stopped.parts.at("output").at("history"), history.size());
 
   // Whatever has become of it: one line, and the folder stays as it is.
