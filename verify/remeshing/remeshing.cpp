@@ -384,8 +384,8 @@ class RemeshingStudy {
                                    {0.024, 0.013, 0.028, 0.193},
                                    {0.159, 0.123, 0.095, 2.946}}}) {
       const std::string name = joinText("Fierz 2013: ", s.name);
-      std::vector<Cell> cut{name, std::string("none")}, optimised{name, std::string("flips and smoothing after each")},
-          times = optimised;
+      const std::vector<Cell> heading{name, std::string("flips and smoothing after each")};
+      std::vector<Cell> cut{name, std::string("none")}, optimised = heading, times = heading;
       cut.insert(cut.end(), s.cut.begin(), s.cut.end());
       optimised.insert(optimised.end(), s.optimised.begin(), s.optimised.end());
       times.insert(times.end(), s.cutting.begin(), s.cutting.end());
