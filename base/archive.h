@@ -65,7 +65,7 @@ class ArchiveBase {
       one(has);
       if constexpr (Self::loads) {
         if (has)
-          value.emplace();
+          value = typename T::value_type{};
         else
           value.reset();
       }
