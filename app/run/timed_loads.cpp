@@ -16,9 +16,8 @@ TimedLoads::TimedLoads(const Scene& scene, Body& body) : scene_(scene), body_(bo
   }
   for (const Scene::Pressure& pressure : scene.pressures) {
     pressures_.push_back({pressedFaces(pressure, body.mesh()), &pressure});
-    for (const FaceNodes& face : pressures_.back().faces)
-      for (const std::int32_t node : face)
-        if (node >= 0) nodes_.push_back(node);
+    for (const PressedFace& face : pressures_.back().faces)
+      nodes_.insert(nodes_.end(), face.nodes.begin(), face.nodes.end());
   }
   std::sort(nodes_.begin(), nodes_.end());
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
@@ -46,7 +45,7 @@ double TimedLoads::energyScale(double h) const {
   std::vector<double> pressing(pressures_.empty() ? 0 : nodes_.size(), 0.0);  // N, at rest
   for (const Pressure& pressure : pressures_) {
     const double most = pressure.load->pressure * (pressure.load->table ? pressure.load->table->largest() : 1);
-    for (const FaceNodes& face : pressure.faces)
+    for (const PressedFace& face : pressure.faces)
       addPressure(face, most, body_.mesh().X,
                   [&](std::int32_t node, const Eigen::Vector3d& force) { pressing[placeOf_[node]] += force.norm(); });
   }
@@ -84,7 +83,7 @@ double TimedLoads::setForces(double time, const NodeVectors& x) {
   std::vector<Eigen::Vector3d> pressing(pressures_.empty() ? 0 : nodes_.size(), Eigen::Vector3d::Zero());
   for (const Pressure& pressure : pressures_) {
     const double now = pressure.load->pressure * (pressure.load->table ? pressure.load->table->at(time) : 1);
-    for (const FaceNodes& face : pressure.faces)
+    for (const PressedFace& face : pressure.faces)
       addPressure(face, now, x,
                   [&](std::int32_t node, const Eigen::Vector3d& force) { pressing[placeOf_[node]] += force; });
   }

@@ -42,7 +42,7 @@ class TimedLoads {
     const TimeTable* table;
   };
   struct Pressure {
-    std::vector<FaceNodes> faces;
+    std::vector<PressedFace> faces;
     const Scene::Pressure* load;
   };
   struct Motion {

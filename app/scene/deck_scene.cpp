@@ -692,8 +692,6 @@ class DeckReader {
         return fmt::format("*{}: face {} of {} element {}", keyword_.name, face, elementInfo(block.type).name,
                            block.id(static_cast<std::size_t>(element.element)));
       };
-      if (elementInfo(block.type).order > 1)
-        return refuse(position, named() + ": a pressure is of faces of linear elements");
       const std::optional<std::int32_t> found = faces_->find(element, face);
       if (!found) return refuse(position, named() + ": there is no such face");
       if (*found < 0) return refuse(position, named() + " lies inside the mesh");

@@ -35,14 +35,13 @@ TEST(DeckFaces, HaveCalculixNumbers) {
       const std::vector<std::string> sets = all.nodeSetsOf({*face});
       ASSERT_EQ(sets.size(), 1u);
       Scene::Pressure load{NodeSelection::parse("set:" + sets[0], "test"), 1, std::nullopt, "test"};
-      const std::vector<FaceNodes> pressed = pressedFaces(load, mesh);
+      const std::vector<PressedFace> pressed = pressedFaces(load, mesh);
       ASSERT_EQ(pressed.size(), 1u) << element << ", " << number;
       Nodes found;
-      for (const std::int32_t node : pressed[0])
-        if (node >= 0)
-          found.insert(1 + static_cast<std::int32_t>(
-                               std::find(mesh.blocks[0].connectivity.begin(), mesh.blocks[0].connectivity.end(), node) -
-                               mesh.blocks[0].connectivity.begin()));
+      for (const std::int32_t node : pressed[0].nodes)
+        found.insert(1 + static_cast<std::int32_t>(
+                             std::find(mesh.blocks[0].connectivity.begin(), mesh.blocks[0].connectivity.end(), node) -
+                             mesh.blocks[0].connectivity.begin()));
       EXPECT_EQ(found, faces[number - 1]) << element << ", " << number;
     }
     EXPECT_FALSE(all.find({0, 0}, static_cast<int>(faces.size()) + 1));
@@ -99,11 +98,7 @@ TEST(DeckFaces, AreSelectedByTheirSetsAndNoOthersAre) {
         several += sets.size() > 1 ? 1 : 0;
         for (const std::string& set : sets) {
           Scene::Pressure load{NodeSelection::parse("set:" + set, "test"), 1, std::nullopt, "test"};
-          for (const FaceNodes& face : pressedFaces(load, mesh)) {
-            Nodes nodes(face.begin(), face.end());
-            nodes.erase(-1);
-            found.insert(nodes);
-          }
+          for (const PressedFace& face : pressedFaces(load, mesh)) found.insert({face.nodes.begin(), face.nodes.end()});
         }
         EXPECT_EQ(found, wanted) << element << ", " << chosen.size() << " faces in " << sets.size() << " sets";
       }

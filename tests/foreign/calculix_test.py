@@ -250,7 +250,7 @@ def forces():
     import ringwatch as rw
 
     h = 1e-6
-    for type_, faces in {"C3D4": "1234", "C3D6": "12345", "C3D8": "123456"}.items():
+    for type_, faces in {"C3D4": "1234", "C3D6": "12345", "C3D8": "123456", "C3D10": "1234", "C3D20": "123456"}.items():
         # CalculiX integrates wedges' weight at two points and pressure on their quadrilaterals at one, which is exact for regular
         # ones.
         points, cells = bar(KINDS[type_], "0" if type_ == "C3D6" else "0.15")
@@ -258,10 +258,13 @@ def forces():
         body = rw.Body(mesh, rw.Material("stvk", young=1e6, poisson=0.3, density=1000))
         lines = mesh_lines(type_, points, cells)
         # Those faces of the elements that belong to one element: the deck names them one by one, with pressures of their own.
+        tetrahedron, hexahedron = ["123", "142", "243", "341"], ["1234", "5876", "1562", "2673", "3784", "4851"]
         corners = {
-            "C3D4": ["123", "142", "243", "341"],
+            "C3D4": tetrahedron,
             "C3D6": ["123", "456", "1254", "2365", "3146"],
-            "C3D8": ["1234", "5876", "1562", "2673", "3784", "4851"],
+            "C3D8": hexahedron,
+            "C3D10": tetrahedron,
+            "C3D20": hexahedron,
         }[type_]
         owners = collections.Counter(frozenset(cell[int(c) - 1] for c in face) for cell in cells for face in corners)
         loads = []
@@ -269,7 +272,8 @@ def forces():
             for number, face in zip(faces, corners):
                 if owners[frozenset(cell[int(c) - 1] for c in face)] == 1 and (7 * e + int(number)) % 3:
                     loads.append(f"{e + 1}, P{number}, {50.0 * (e % 3 + 1)}")
-        gravity = ["Eall, GRAV, 9.81, 0., 0.6, -0.8"]
+        # Our gravity acts on lumped masses, which those of quadratic elements are not the row sums of.
+        gravity = ["Eall, GRAV, 9.81, 0., 0.6, -0.8"] if type_ in ("C3D4", "C3D6", "C3D8") else []
         free = points[:, 0] > 1e-9
         held = [str(i + 1) for i in np.flatnonzero(~free)]
         static = lines + ["*NSET, NSET=held"] + held + ["*BOUNDARY", "held, 1, 3", "*STEP", "*STATIC", "*DLOAD"] + loads + gravity
