@@ -183,7 +183,7 @@ TEST(WorkAccount, EarnsSpendsAndForgives) {
 // Theorem 22 (b): the shares of points and of the mean gradient add up.
 TEST(TangentDrift, OfAMeanAddsToThatOfThePoints) {
   test::Random random(18);
-  const auto whole = StVenantKirchhoff(lameConstants(test::young, 0.4));
+  const StVenantKirchhoff whole{lameConstants(test::young, 0.4)};
   const auto point = withShares(whole, 0.2, 1.0), mean = withShares(whole, 0.8, 0.3);
   ASSERT_TRUE(point && mean);
   for (int trial = 0; trial < 20; ++trial) {
