@@ -38,7 +38,7 @@ std::size_t rigidOf(const SceneTable& section, const Scene& scene, const std::st
     fail(section.at("what").origin, "probe.what", inQuotes(what) + " is of a [[rigid]]; there is none");
   if (!section.given("rigid")) {
     if (known.size() == 1) return 0;
-    fail(section.origin, "probe.rigid", fmt::format("missing; give one of {}", fmt::join(known, ", ")));
+    fail(section.origin, "probe.rigid", fmt::format("there are several; name one of {}", fmt::join(known, ", ")));
   }
   const auto name = section.get<std::string>("rigid");
   const auto found = std::ranges::find(known, name);

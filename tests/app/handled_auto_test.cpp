@@ -137,7 +137,7 @@ TEST_F(HandledAuto, RefusesWhatMakesNoSense) {
   };
   refused("step = 0.5\n", "", "handler.step: 0.5 s is beyond the end");
   refused("step = 1e-3\nfactor = 2.0\n", "", "handler.step is given too");
-  refused("factor = 0.0\n", "", "handler.factor: 0.0 is out of range; must be > 0");
+  refused("factor = 0.0\n", "", "handler.factor: 0 is out of range; must be > 0");
   refused("solver = \"newton\"\n", "[damping]\nmass = 1.0\n", "\"newton\" works without [damping]");
   refused("", "[damping]\nmass = 1e5\n", "needs a step below");
   std::string text(pulled);

@@ -237,7 +237,7 @@ TEST_F(Rigid, RefusesWhatItDoesNotGoWith) {
   refused(base + "[[fix]]\nwhere = \"x > 0.12 - 1e-6\"\n", "",
           "rigid.where: 9 of its 45 nodes have a motion that a [[fix]] or [[move]] prescribes");
   refused(base + "[[rigid]]\nname = \"tip\"\nwhere = \"x > 0.11\"\n", "",
-          "probe.rigid: missing; give one of head, tip");
+          "probe.rigid: there are several; name one of head, tip");
   std::string named = base;
   named.replace(named.find("what = \"angular_velocity\""), 25, "rigid = \"head\"\nwhat = \"angular_velocity\"");
   refused(named + "[[rigid]]\nwhere = \"x > 0.11\"\n", "", "rigid.where: 9 of its 9 nodes are of another [[rigid]]");
@@ -253,7 +253,9 @@ TEST_F(Rigid, RefusesWhatItDoesNotGoWith) {
   refused(base + "[[probe]]\nwhat = \"force\"\nwhere = \"x > 0\"\n", "", "\"force\" is of a rigid body; give rigid");
   refused(test::tiny + std::string("[[probe]]\nwhat = \"torque\"\n"), "",
           "\"torque\" is of a [[rigid]]; there is none");
-  expectRefused("compare bad.toml --integrators verlet", "compare takes no rigid bodies");
+  folder_.write("scene.toml", base);
+  expectRefused("compare scene.toml --integrators verlet", "compare takes no rigid bodies");
+  expectRefused("scale-mass scene.toml --step 3e-4", "a plan at the start of a run takes no rigid bodies");
 }
 
 // Damping by node set: of all nodes it is Rayleigh's mass damping.
