@@ -11,6 +11,7 @@
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/matrix3.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/body/rigid_block.h>
 #include <ringwatch/meshes/jacobian.h>
 
 namespace ringwatch {
@@ -98,7 +99,32 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
       for (double volume : volumes) volume_ += volume;
     }
   }
+  wrapRigidBlocks();
   setElements(tangentsOfBlocks(), whole.lumpedMass());
+}
+
+void Body::tie(std::string name, std::vector<std::int32_t> nodes) {
+  if (damping_) throw InputError(joinText("rigid body ", name, ": elements damp already; tie nodes before"));
+  constraints().tie(RigidBody(std::move(name), std::move(nodes), mesh_.X, lumpedMass()));
+  wrapRigidBlocks();
+  replaceElements(tangentsOfBlocks());
+}
+
+void Body::wrapRigidBlocks() {
+  if (constraints().rigidBodies().empty()) return;
+  std::vector<std::int32_t> bodyOf(mesh_.nodeCount(), -1);
+  for (std::size_t r = 0; r < constraints().rigidBodies().size(); ++r)
+    for (const std::int32_t node : constraints().rigidBodies()[r].nodes()) bodyOf[node] = static_cast<std::int32_t>(r);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    bool rigid = blocks_[b]->elementCount() > 0;
+    for (std::int32_t e = 0; rigid && e < blocks_[b]->elementCount(); ++e) {
+      const auto own = blocks_[b]->nodesOf(e);
+      rigid = bodyOf[own[0]] >= 0 &&
+              std::ranges::all_of(own, [&](std::int32_t node) { return bodyOf[node] == bodyOf[own[0]]; });
+    }
+    if (rigid && !dynamic_cast<const RigidBlock*>(blocks_[b].get()))
+      blocks_[b] = std::make_unique<RigidBlock>(mesh_, mesh_.blocks[b], std::move(blocks_[b]));
+  }
 }
 
 void Body::setElementDamping(const std::vector<DampingConstants>& ofBlocks) {
@@ -128,7 +154,7 @@ void Body::setElementDamping(const std::vector<DampingConstants>& ofBlocks) {
     damping_->addBlock(damped.get());
     blocks_[b] = std::move(damped);
   }
-  setDampedElements(tangentsOfBlocks(), damping_.get());
+  replaceElements(tangentsOfBlocks(), damping_.get());
 }
 
 void Body::setElementDamping(const Body& whole, const std::vector<std::vector<std::int32_t>>& elements) {
@@ -152,7 +178,7 @@ void Body::setElementDamping(const Body& whole, const std::vector<std::vector<st
     damping_->addBlock(damped.get());
     blocks_[b] = std::move(damped);
   }
-  setDampedElements(tangentsOfBlocks(), damping_.get());
+  replaceElements(tangentsOfBlocks(), damping_.get());
 }
 
 void Body::addElementDampingForce(NodeVectorsView x, NodeVectorsView v, NodeVectors& f, Workspace& workspace) const {

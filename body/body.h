@@ -68,6 +68,11 @@ class Body : public TangentSource {
   /// Volume at rest, m³.
   double volume() const { return volume_; }
 
+  /// Ties nodes, ascending, to a rigid body of their lumped masses, from now on. Blocks all of whose elements lie
+  /// within rigid bodies have neither forces nor stiffness then (RigidBlock). Before elements damp; throws InputError
+  /// after, and as RigidBody and Constraints::tie do.
+  void tie(std::string name, std::vector<std::int32_t> nodes);
+
   /// Lets elements damp, by constants for each block; tangents are those of K + f C from now on, f of
   /// ElementDamping::setFactor, 0 at first. Once, before anything keeps a reference to the blocks. Throws InputError
   /// where the blocks are not as many, for constants that are negative or not finite, and for a body that damps
@@ -112,6 +117,8 @@ class Body : public TangentSource {
 
  private:
   std::vector<const ElementTangents*> tangentsOfBlocks() const;
+  /// Blocks all of whose elements lie each within one rigid body become a RigidBlock.
+  void wrapRigidBlocks();
   Eigen::VectorXd lumpMass();
   /// det J of an element at a point with the shape gradients dN, in twice the precision.
   double wideDeterminant(std::span<const std::int32_t> nodes, const double (*dN)[3]) const;

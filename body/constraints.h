@@ -1,8 +1,11 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include <ringwatch/base/error.h>
+#include <ringwatch/body/rigid_body.h>
 #include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch {
@@ -26,7 +29,7 @@ class ChangeCount {
 };
 
 /// Degrees of freedom that do not follow forces: fixed ones stay, moved ones run at a prescribed constant velocity.
-/// Both leave the stability problem.
+/// Both leave the stability problem. Nodes that are tied follow forces together, as rigid bodies.
 class Constraints {
  public:
   explicit Constraints(std::size_t nodeCount)
@@ -37,8 +40,9 @@ class Constraints {
   void fix(std::int32_t node) {
     for (int c = 0; c < 3; ++c) fix(node, c);
   }
-  /// Moves a component of a node at `velocity`, m/s.
+  /// Moves a component of a node at `velocity`, m/s. Throws InputError for a node that is tied.
   void move(std::int32_t node, int component, double velocity) {
+    if (isTied(node)) throw InputError(joinText("node ", node, " is of a rigid body: its motion cannot be prescribed"));
     const std::int64_t i = 3 * std::int64_t{node} + component;
     if (!constrained_[i]) {
       version_.add();
@@ -47,6 +51,24 @@ class Constraints {
     }
     velocity_(component, node) = velocity;
     moving_ = moving_ || velocity != 0;
+  }
+
+  /// Ties nodes to a rigid body. Throws InputError for a node of another one, and for one whose motion is prescribed.
+  void tie(RigidBody body) {
+    for (const std::int32_t node : body.nodes())
+      if (freeComponents(node) < 3 || isTied(node))
+        throw InputError(joinText("rigid body ", body.name(), ": node ", node,
+                                  isTied(node) ? " is of another rigid body" : " has a prescribed motion"));
+    tied_.resize(constrained_.size() / 3, 0);
+    for (const std::int32_t node : body.nodes()) tied_[static_cast<std::size_t>(node)] = 1;
+    rigidBodies_.push_back(std::move(body));
+    version_.add();
+  }
+  const std::vector<RigidBody>& rigidBodies() const { return rigidBodies_; }
+  bool isTied(std::int32_t node) const { return !tied_.empty() && tied_[static_cast<std::size_t>(node)] != 0; }
+  /// RigidBody::project of all: velocities at x become those of rigid motions where nodes are tied. Both 3×N.
+  void projectTied(NodeVectorsView x, NodeVectors& v) const {
+    for (const RigidBody& body : rigidBodies_) body.project(x, v);
   }
 
   bool any() const { return !components_.empty(); }
@@ -60,7 +82,7 @@ class Constraints {
   int freeComponents(std::int32_t node) const {
     return 3 - isConstrained(node, 0) - isConstrained(node, 1) - isConstrained(node, 2);
   }
-  /// Grows whenever the set of free components changes; prescribed velocities do not count.
+  /// Grows whenever the set of free components or of tied nodes changes; prescribed velocities do not count.
   std::int64_t version() const { return version_.value(); }
   /// Prescribed velocities, 3×N, m/s; zero where nothing is prescribed.
   const NodeVectors& velocity() const { return velocity_; }
@@ -78,6 +100,8 @@ class Constraints {
   std::vector<std::uint8_t> constrained_;  // a flag for every component of every node
   std::vector<std::int64_t> components_;   // those that are set
   NodeVectors velocity_;
+  std::vector<std::uint8_t> tied_;  // a flag for every node; empty without rigid bodies
+  std::vector<RigidBody> rigidBodies_;
   bool moving_ = false;
   ChangeCount version_;
 };

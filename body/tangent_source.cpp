@@ -147,7 +147,7 @@ double TangentSource::elementDampingForm(NodeVectorsView x, NodeVectorsView v, W
   return product.cwiseProduct(v).sum();
 }
 
-void TangentSource::setDampedElements(std::vector<const ElementTangents*> tangents, const DampedElements* damped) {
+void TangentSource::replaceElements(std::vector<const ElementTangents*> tangents, const DampedElements* damped) {
   tangents_ = std::move(tangents);
   damped_ = damped;
   massVersion_.add();

@@ -139,8 +139,8 @@ class TangentSource {
   /// A source without elements, for classes that make them and the masses themselves: setElements must follow.
   TangentSource(Constraints constraints, int threads);
   void setElements(std::vector<const ElementTangents*> tangents, Eigen::VectorXd lumpedMass);
-  /// Other tangents of the same elements, laid out alike, which hold f C of `damped`.
-  void setDampedElements(std::vector<const ElementTangents*> tangents, const DampedElements* damped);
+  /// Other tangents of the same elements, laid out alike, which hold f C of `damped`, where that is given.
+  void replaceElements(std::vector<const ElementTangents*> tangents, const DampedElements* damped = nullptr);
 
   struct PatchRef {
     std::int32_t block, patch;

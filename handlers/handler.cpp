@@ -19,7 +19,7 @@ bool HandlerInfo::takes(Selection selection) const {
 
 HandlerOptions optionsFor(const HandlerInfo& info, const HandlerOptions& options) {
   HandlerOptions result{
-      info.takes(options.selection) ? options.selection : info.selections.front(), options.margin, {}};
+      info.takes(options.selection) ? options.selection : info.selections.front(), options.margin, {}, options.damping};
   // Those that others depend on come first.
   for (const bool dependent : {false, true})
     for (const OptionInfo& option : info.options) {
@@ -39,6 +39,7 @@ Handler::Handler(const HandlerInfo& info, Body& body, std::unique_ptr<Integrator
       if (takesHandler(*entry.info)) names += joinText(names.empty() ? "" : " and ", entry.info->name);
     throw InputError(joinText("handlers work on ", names, ", not on \"", base_->info().name, "\""));
   }
+  if (!body_.constraints().rigidBodies().empty()) throw InputError("handlers take no rigid bodies");
   if (!info.takes(options_.selection)) {
     std::string names;
     for (const Selection one : info.selections)
@@ -48,6 +49,10 @@ Handler::Handler(const HandlerInfo& info, Body& body, std::unique_ptr<Integrator
   }
   if (!(options_.margin >= 0 && options_.margin < 1))
     throw InputError(joinText("margin ", options_.margin, ": must be >= 0 and < 1"));
+  if (options_.damping.alpha != 0 && !info.takesMassDamping)
+    throw InputError(joinText(info.name, " works without mass-proportional damping"));
+  if (options_.damping.beta != 0 && !info.takesStiffnessDamping)
+    throw InputError(joinText(info.name, " works without stiffness-proportional damping"));
   options_.own = completed(info.name, info.options, options_.own);
 }
 
@@ -105,8 +110,17 @@ const CertifiedSelection* Handler::certificate() const {
 }
 
 double Handler::allowedLambda(double h) const {
-  const double omega = (1 - options_.margin) * base_->info().imaginaryLimit / h;
-  return omega * omega;
+  const auto [alpha, beta] = options_.damping;
+  if (!options_.damping.any()) {
+    const double omega = (1 - options_.margin) * base_->info().imaginaryLimit / h;
+    return omega * omega;
+  }
+  const double room = 1 - 0.5 * h * alpha;
+  if (!(room > 0))
+    throw InputError(
+        joinText("step ", h, " s: mass-proportional damping of ", alpha, " 1/s needs a step below ", 2 / alpha, " s"));
+  const double withMargin = 1 - options_.margin;
+  return withMargin * withMargin * room / (0.25 * h * h + 0.5 * h * beta);
 }
 
 namespace {

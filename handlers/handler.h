@@ -21,6 +21,7 @@ struct HandlerOptions {
   /// the run.
   double margin = 0.1;
   Options own = {};  ///< by name, as HandlerInfo::options declares them; those that are not given have their defaults
+  RayleighDamping damping = {};  ///< of the systems that the handler is to step
 };
 
 /// The option of a handler that has more than one way; auto is the first.
@@ -39,8 +40,9 @@ struct HandlerInfo {
   std::string_view help;
   std::string_view alias = {};  ///< an older name, accepted wherever the name is; "" for none
   std::span<const OptionInfo> options = {};
-  std::span<const Selection> selections = everySelection;  ///< that it works with
-  bool addsMass = false;                                   ///< to the body, for good
+  std::span<const Selection> selections = everySelection;        ///< that it works with
+  bool addsMass = false;                                         ///< to the body, for good
+  bool takesMassDamping = false, takesStiffnessDamping = false;  ///< HandlerOptions::damping
   bool relaxes = false;  ///< positions, in passes each of which carries stress over one element
   /// Where its steps can be taken on a GPU: gives options that are not given the defaults they have there, and says why
   /// the others cannot go there, "" when they can. nullptr: they cannot be taken there.
@@ -138,7 +140,9 @@ class Handler : public Integrator {
   void detach(const ElementFlags& chosen, const Eigen::VectorXd& mass = {});
   /// Some elements of the body with another lumped mass, kg, N numbers > 0; without loads.
   Body partWithMass(const ElementFlags& elements, const Eigen::VectorXd& mass) const;
-  /// The highest frequency squared that is left to the explicit part, rad²/s²: ((1 - margin) limit/h)².
+  /// The highest frequency squared that is left to the explicit part, rad²/s²: ((1 - margin) limit/h)², and with
+  /// Rayleigh damping (1 - margin)² (1 - alpha h/2)/(h²/4 + beta h/2) (Theorem 47, docs/theory/discrete_forces.md).
+  /// Throws InputError where mass damping alone needs a smaller step.
   double allowedLambda(double h) const;
   /// The bound behind a certified choice; none with other selections.
   const CertifiedSelection* certificate() const;

@@ -14,7 +14,8 @@ inline const Eigen::Matrix3d& diagonalBlock(const BlockMatrix& K, std::size_t i)
 
 /// A body as a second-order system: m a = external force - internal force(x) - (alpha M + beta K(x)) v - what elements
 /// that damp, dashpots, viscous contact and friction of its discrete forces resist with; constrained components get a =
-/// 0, so that their prescribed velocity stays what it is in every scheme. K is the exact tangent at x.
+/// 0, so that their prescribed velocity stays what it is in every scheme. Nodes of rigid bodies get the accelerations
+/// of a rigid motion, without those that turning takes, which findTiedMotion() has. K is the exact tangent at x.
 class BodySystem final : public DifferentiableSystem {
  public:
   /// The body must outlive the system; call followMasses() where its masses change.
@@ -25,7 +26,7 @@ class BodySystem final : public DifferentiableSystem {
     prepare(x, v, a);
     body_.internalForce(x, internalForce_, workspace_,
                         [&](std::int64_t begin, std::int64_t end) { accelerate(internalForce_, a, begin, end); });
-    body_.constraints().clearConstrained(a);
+    constrain(x, a);
   }
   /// The acceleration where the internal force at x (3×N, N) is known, as from Body::evaluate.
   void accelerationOfForce(const NodeVectors& internalForce, const NodeVectors& x, const NodeVectors& v,
@@ -33,13 +34,29 @@ class BodySystem final : public DifferentiableSystem {
     prepare(x, v, a);
     parallelParts(a.cols(), threads(), nodesOfAThread,
                   [&](std::int64_t begin, std::int64_t end) { accelerate(internalForce, a, begin, end); });
-    body_.constraints().clearConstrained(a);
+    constrain(x, a);
   }
   /// Gives a state its acceleration from an evaluation of the body at its positions, and ends a step of
   /// Integrator::advance with it: one pass over the elements serves the scheme and whatever else was asked for.
   void complete(State& state, const StepEvaluation& evaluation) {
     accelerationOfForce(evaluation.internalForce, state.x, state.v, state.a);
     ringwatch::complete(*this, state);
+  }
+  bool tiesNodes() const override { return !body_.constraints().rigidBodies().empty(); }
+  bool findTiedMotion(const State& state, double kick, const NodeVectors& a, double h) override {
+    const std::vector<RigidBody>& bodies = body_.constraints().rigidBodies();
+    tied_.resize(bodies.size());
+    for (std::size_t r = 0; r < bodies.size(); ++r)
+      if (!bodies[r].drift(state.x, state.v, kick, a, h, tied_[r].x, tied_[r].v)) return false;
+    return true;
+  }
+  void placeTiedNodes(State& state) override {
+    const std::vector<RigidBody>& bodies = body_.constraints().rigidBodies();
+    for (std::size_t r = 0; r < bodies.size(); ++r)
+      for (std::size_t k = 0; k < bodies[r].nodes().size(); ++k) {
+        state.x.col(bodies[r].nodes()[k]) = tied_[r].x.col(static_cast<Eigen::Index>(k));
+        state.v.col(bodies[r].nodes()[k]) = tied_[r].v.col(static_cast<Eigen::Index>(k));
+      }
   }
   /// Damping force at x, C v and friction, 3×N, N.
   void dampingForce(const NodeVectors& x, const NodeVectors& v, NodeVectors& force) {
@@ -100,7 +117,18 @@ class BodySystem final : public DifferentiableSystem {
       slice(a) = force * slice(inverseMass_).asDiagonal();
   }
 
+  /// Accelerations as constraints and rigid bodies leave them.
+  void constrain(const NodeVectors& x, NodeVectors& a) const {
+    body_.constraints().clearConstrained(a);
+    body_.constraints().projectTied(x, a);
+  }
+
+  struct TiedMotion {
+    NodeVectors x, v;
+  };
+
   const Body& body_;
+  std::vector<TiedMotion> tied_;  // of each rigid body, of its nodes
   RayleighDamping damping_;
   Eigen::RowVectorXd inverseMass_;
   NodeVectors internalForce_, dampingForce_;

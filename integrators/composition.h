@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <utility>
 
 #include <ringwatch/integrators/integrator.h>
 
@@ -15,19 +16,22 @@ struct Composition {
 };
 
 /// Advances a state by a composition; `a` is scratch memory.
-inline void stepComposition(const Composition& scheme, SecondOrderSystem& system, State& state, double h,
-                            NodeVectors& a) {
+inline StepStatus stepComposition(const Composition& scheme, SecondOrderSystem& system, State& state, double h,
+                                  NodeVectors& a) {
   double time = state.time;
-  updateNodes(system, state.x.cols(), [&](auto slice) { slice(state.x) += (scheme.drifts[0] * h) * slice(state.v); });
-  for (std::size_t k = 0; k < scheme.kicks.size(); ++k) {
+  State before;  // where a drift can fail
+  if (system.tiesNodes()) before = state;
+  StepStatus status = kickAndDrift(system, state, 0, a, scheme.drifts[0] * h);
+  for (std::size_t k = 0; status.done && k < scheme.kicks.size(); ++k) {
     time += scheme.drifts[k] * h;
     system.acceleration(time, state.x, state.v, a);
-    updateNodes(system, state.x.cols(), [&](auto slice) {
-      slice(state.v) += (scheme.kicks[k] * h) * slice(a);
-      slice(state.x) += (scheme.drifts[k + 1] * h) * slice(state.v);
-    });
+    status = kickAndDrift(system, state, scheme.kicks[k] * h, a, scheme.drifts[k + 1] * h);
   }
-  state.time += h;
+  if (status.done)
+    state.time += h;
+  else
+    state = std::move(before);
+  return status;
 }
 
 /// Its step for the damped oscillator in (omega x, v), see IntegratorInfo::amplification.

@@ -43,6 +43,16 @@ class SecondOrderSystem {
   virtual bool velocityDependent() const { return false; }
   /// Threads that updates of its states may use; 0: all that OpenMP offers.
   virtual int threads() const { return 1; }
+  /// Whether nodes are tied to rigid bodies, which do not drift along straight lines: kickAndDrift() then asks the
+  /// system.
+  virtual bool tiesNodes() const { return false; }
+  /// Finds the motion of tied nodes over h seconds with the momenta of v + kick · a, without a change of the state.
+  /// False where there is none, which is where a body turns too far for one step.
+  virtual bool findTiedMotion(const State& /*state*/, double /*kick*/, const NodeVectors& /*a*/, double /*h*/) {
+    return true;
+  }
+  /// Gives tied nodes the positions and velocities of the motion that was found last.
+  virtual void placeTiedNodes(State& /*state*/) {}
 };
 
 /// Mass- and stiffness-proportional damping, C = alpha M + beta K. A mode of frequency omega (rad/s) has the damping
@@ -103,6 +113,8 @@ struct IntegratorInfo {
   bool runsOnGpu = false;
   /// Largest stable h·omega of critical damping, on the negative real axis, where the literature gives it; else 0.
   double realLimit = 0;
+  /// Positions advance by kickAndDrift() alone, which is what rigid bodies need.
+  bool drifts = false;
 };
 
 /// How a step went. On failure the state is as before the step.
@@ -138,6 +150,20 @@ void updateNodes(const SecondOrderSystem& system, Eigen::Index nodes, const Upda
   parallelParts(nodes, system.threads(), nodesOfAThread, [&](Eigen::Index begin, Eigen::Index end) {
     update([=](auto& vectors) { return vectors.middleCols(begin, end - begin); });
   });
+}
+
+/// One kick and one drift, v += kick · a and x += h v, of tied nodes as their rigid bodies move. The time of the state
+/// is the caller's. a: read where kick is not 0.
+inline StepStatus kickAndDrift(SecondOrderSystem& system, State& state, double kick, const NodeVectors& a, double h) {
+  const bool ties = system.tiesNodes();
+  if (ties && !system.findTiedMotion(state, kick, a, h))
+    return {false, "a rigid body turns by more than a right angle in a step, or its motion is not finite"};
+  updateNodes(system, state.x.cols(), [&](auto slice) {
+    if (kick != 0) slice(state.v) += kick * slice(a);
+    slice(state.x) += h * slice(state.v);
+  });
+  if (ties) system.placeTiedNodes(state);
+  return {};
 }
 
 /// The acceleration of a state, evaluated unless it has it.

@@ -22,11 +22,17 @@ class Pefrl final : public Integrator {
                                               true,
                                               true,
                                               1,
-                                              &amplification};
+                                              &amplification,
+                                              nullptr,
+                                              false,
+                                              false,
+                                              false,
+                                              false,
+                                              0,
+                                              true};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
-    stepComposition({drifts, kicks}, system, state, h, a_);
-    return {};
+    return stepComposition({drifts, kicks}, system, state, h, a_);
   }
 
  private:

@@ -20,21 +20,31 @@ class StormerVerlet final : public Integrator {
     return (Eigen::Matrix2d() << 1 - z * z, z * keep, -z, keep).finished();
   }
   static double dampedLimit(double xi) { return 2 / (std::sqrt(1 + xi * xi) + xi); }
-  static constexpr IntegratorInfo description{
-      "verlet", "second order, symplectic, one force a step", 2, 1, 2.0, true, true, 1, &amplification, &dampedLimit,
-      true};
+  static constexpr IntegratorInfo description{"verlet",
+                                              "second order, symplectic, one force a step",
+                                              2,
+                                              1,
+                                              2.0,
+                                              true,
+                                              true,
+                                              1,
+                                              &amplification,
+                                              &dampedLimit,
+                                              true,
+                                              false,
+                                              false,
+                                              false,
+                                              0,
+                                              true};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     const StepStatus status = advance(system, state, h);
-    complete(system, state);
+    if (status.done) complete(system, state);
     return status;
   }
   StepStatus advance(SecondOrderSystem& system, State& state, double h) override {
     const NodeVectors& a = accelerationOf(system, state);
-    updateNodes(system, state.x.cols(), [&](auto slice) {
-      slice(state.v) += (0.5 * h) * slice(a);
-      slice(state.x) += h * slice(state.v);
-    });
+    if (const StepStatus status = kickAndDrift(system, state, 0.5 * h, a, h); !status.done) return status;
     state.time += h;
     state.a.resize(3, 0);
     state.lag = 0.5 * h;

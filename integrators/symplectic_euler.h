@@ -29,14 +29,13 @@ class SymplecticEuler final : public Integrator {
                                               true,
                                               false,
                                               false,
+                                              true,
+                                              0,
                                               true};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     const NodeVectors& a = accelerationOf(system, state);
-    updateNodes(system, state.x.cols(), [&](auto slice) {
-      slice(state.v) += h * slice(a);
-      slice(state.x) += h * slice(state.v);
-    });
+    if (const StepStatus status = kickAndDrift(system, state, h, a, h); !status.done) return status;
     state.time += h;
     state.a.resize(3, 0);
     return {};

@@ -15,13 +15,25 @@ class Yoshida4 final : public Integrator {
   static Eigen::Matrix2d amplification(double z, double dampingRatio) {
     return compositionAmplification({drifts, kicks}, z, dampingRatio);
   }
-  static constexpr IntegratorInfo description{
-      "yoshida4",    "fourth order, symplectic, three forces a step", 4, 3, 1.573401947434540057, true, true, 1,
-      &amplification};
+  static constexpr IntegratorInfo description{"yoshida4",
+                                              "fourth order, symplectic, three forces a step",
+                                              4,
+                                              3,
+                                              1.573401947434540057,
+                                              true,
+                                              true,
+                                              1,
+                                              &amplification,
+                                              nullptr,
+                                              false,
+                                              false,
+                                              false,
+                                              false,
+                                              0,
+                                              true};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
-    stepComposition({drifts, kicks}, system, state, h, a_);
-    return {};
+    return stepComposition({drifts, kicks}, system, state, h, a_);
   }
 
  private:

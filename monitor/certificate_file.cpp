@@ -198,6 +198,8 @@ void requireCertifiable(const Body& body) {
   if (body.elementDamping()) throw InputError("a body whose elements damp: certificates in files know no damping");
   if (body.discreteForces())
     throw InputError("certificate: springs and contact have none; certificates are of elements alone");
+  if (!body.constraints().rigidBodies().empty())
+    throw InputError("certificate: of a body with rigid parts there is none");
   for (std::size_t b = 0; b < body.blocks().size(); ++b)
     if (const ElementBlock& block = *body.blocks()[b];
         block.material().outside || !isOfLibrary(body.mesh().blocks[b].type))

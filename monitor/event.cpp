@@ -21,6 +21,8 @@ std::string whatHappened(const MonitorEvent& event) {
                            : "positions or velocities are not finite";
     case EventKind::indefinite:
       return joinText("tangent indefinite, eigenvalue ", event.value, " rad2/s2: no step cures that");
+    case EventKind::eroded:
+      return joinText(event.value, event.value == 1 ? " element" : " elements", " eroded, the first");
   }
   return {};
 }

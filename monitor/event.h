@@ -17,13 +17,15 @@ namespace ringwatch {
 /// since the last search; and else after 80, 160, … 2560 evaluations. With a compression above 0.05 it also evaluates
 /// 32 reduced 1-rings at each of these and after 10 evaluations. A mode that is far softer than the elements, as of a
 /// slender bar that buckles, can be missed; what is told is proven.
-enum class EventKind { violated, energyBalance, inverted, nonFinite, indefinite };
+/// eroded: elements have left the body. It is told by the run that takes them out, not by a monitor.
+enum class EventKind { violated, energyBalance, inverted, nonFinite, indefinite, eroded };
 inline constexpr auto eventNames = nameTable<EventKind>({
     {EventKind::violated, "violated"},
     {EventKind::energyBalance, "energy-balance"},
     {EventKind::inverted, "inverted"},
     {EventKind::nonFinite, "non-finite"},
     {EventKind::indefinite, "indefinite"},
+    {EventKind::eroded, "eroded"},
 });
 constexpr std::string_view eventName(EventKind kind) { return eventNames.nameOf(kind); }
 
@@ -33,7 +35,7 @@ struct MonitorEvent {
   std::int64_t step = 0;
   double time = 0;  // s
   /// violated: h over the optimistic step; energyBalance: the balance error over the largest energy so far; inverted:
-  /// det F; indefinite: an eigenvalue, rad²/s²; nonFinite: none.
+  /// det F; indefinite: an eigenvalue, rad²/s²; eroded: how many elements; nonFinite: none.
   double value = 0;
   double h = 0;                            // s, violated: the step that was asked about
   bool tangent = false;                    // nonFinite: of the tangent, at positions that are finite

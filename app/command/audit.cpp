@@ -299,6 +299,8 @@ AuditResult auditResults(const AuditOptions& options) {
     throw InputError(fmt::format("{}: audit takes no elements that damp", scene.elementDampingOrigin));
   if (scene.hasDiscreteForces())
     throw InputError(fmt::format("{}: audit takes no springs and contact", scene.discreteOrigin()));
+  if (!scene.rigids.empty())
+    throw InputError(fmt::format("{}: audit takes no rigid bodies", scene.rigids.front().origin));
   double limit = 0;
   const IntegratorInfo* integrator = nullptr;
   const StepRule rule = ruleOf(scene, options, limit, integrator);

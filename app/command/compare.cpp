@@ -132,6 +132,8 @@ CompareResult compareScene(const CompareOptions& options) {
     throw InputError(fmt::format("{}: compare takes no elements that damp", scene.elementDampingOrigin));
   if (scene.hasDiscreteForces())
     throw InputError(fmt::format("{}: compare takes no springs and contact", scene.discreteOrigin()));
+  if (!scene.rigids.empty())
+    throw InputError(fmt::format("{}: compare takes no rigid bodies", scene.rigids.front().origin));
   if (!scene.timed.empty()) throw InputError(fmt::format("{}: compare takes no {}", scene.timed, scene.timedBy));
   for (const double h : options.steps)
     if (h > scene.end) throw InputError(fmt::format("--step: {} s is beyond the end of the scene, {} s", h, scene.end));

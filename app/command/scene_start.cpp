@@ -31,6 +31,9 @@ SceneStart startOf(const std::filesystem::path& file, const std::vector<std::str
         fmt::format("{}: a plan at the start of a run takes no springs and contact, whose stiffness comes and goes "
                     "later; ringwatch run watches them",
                     scene.discreteOrigin()));
+  if (!scene.rigids.empty() && discrete == DiscreteAtStart::refused)
+    throw InputError(fmt::format("{}: a plan at the start of a run takes no rigid bodies; ringwatch run does",
+                                 scene.rigids.front().origin));
   for (const Scene::Contact& contact : scene.contacts)
     if (contact.withSurface)
       throw InputError(

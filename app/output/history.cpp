@@ -45,6 +45,7 @@ void HistoryWriter::write(const HistoryRow& row) {
   if (row.verdict) line += verdictName(*row.verdict);
   line += ",";
   if (row.energies) line += fmt::format("{}", row.energies->dissipated);
+  line += fmt::format(",{}", row.erodedElements);
   file_.write(line);
 }
 
@@ -75,6 +76,7 @@ std::vector<HistoryRow> readHistory(const std::filesystem::path& folder) {
     if (!cells[6].empty()) row.energies = Energies{number(6), number(7), number(8), number(9), number(14)};
     row.elementsRefreshed = std::strtoll(cells[10].c_str(), nullptr, 10);
     row.handledElements = std::strtoll(cells[11].c_str(), nullptr, 10);
+    row.erodedElements = std::strtoll(cells[15].c_str(), nullptr, 10);
     if (!cells[12].empty()) row.metricStep = number(12);
     if (!cells[13].empty()) row.verdict = verdictNames.valueOf(path.string(), cells[13]);
   }

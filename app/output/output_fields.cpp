@@ -26,6 +26,7 @@ constexpr OutputField columns[] = {
     {"metric_step_s", "s", "step by monitor.metric, with monitor.margin taken off"},
     {"verdict", "", "certified, not-certified or violated: the step against the bracket", F::text},
     {"dissipated_J", "J", "energy that damping took since the start, and that eroded elements had"},
+    {"eroded_elements", "", "elements that have left the run so far", F::integer},
 };
 
 constexpr OutputField summary[] = {
@@ -44,6 +45,9 @@ constexpr OutputField summary[] = {
     {"materials[].mass", "kg", "their mass"},
     {"materials[].governed_observations", "", "observations at which one of its elements limited the bracket",
      F::integer, P::orNull},
+    {"rigid_bodies[].name", "", "as the scene has it", F::text},
+    {"rigid_bodies[].nodes", "", "number of nodes that are tied to it", F::integer},
+    {"rigid_bodies[].mass", "kg", "their mass"},
     {"governing_material", "", "number of the material of the element that limited the least safe step", F::integer,
      P::orNull},
     {"discrete_forces", "", "null where the scene has neither springs nor contact", F::object, P::orNull},

@@ -110,6 +110,13 @@ Json materialsJson(const Scene& scene, const Body& body, const RunResult& result
   return json;
 }
 
+Json rigidBodiesJson(const Body& body) {
+  Json json = Json::array();
+  for (const RigidBody& rigid : body.constraints().rigidBodies())
+    json.push_back({{"name", rigid.name()}, {"nodes", rigid.nodes().size()}, {"mass", rigid.mass()}});
+  return json;
+}
+
 std::string materialText(const Scene& scene, int number) {
   return fmt::format("material {} ({}, {})", number, scene.materials[number].selection(),
                      scene.materials[number].model);
@@ -266,6 +273,7 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
       {"mesh", meshJson(body.mesh(), body.volume())},
       {"mass", body.totalMass()},
       {"materials", materialsJson(scene, body, result)},
+      {"rigid_bodies", rigidBodiesJson(body)},
       {"governing_material",
        result.governing && result.governing->leastSafe ? Json(result.governing->atLeastSafe) : Json(nullptr)},
       {"verdict", std::string(result.verdict())},

@@ -42,7 +42,8 @@ std::string labelOf(const std::string& kind) {
       {"energy-balance", "the energy balance is off"},
       {"inverted", "an element is inverted"},
       {"non-finite", "the state is no longer finite"},
-      {"indefinite", "the tangent has a negative eigenvalue"}};
+      {"indefinite", "the tangent has a negative eigenvalue"},
+      {"eroded", "elements left the run"}};
   const auto found = labels.find(kind);
   return found == labels.end() ? kind : found->second;
 }

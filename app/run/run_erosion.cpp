@@ -82,16 +82,24 @@ void RunErosion::takeOut(const std::vector<std::vector<Fault>>& found, std::int6
   const std::vector<std::vector<double>> strain = strainEnergyOfElements(run_.body, run_.state.x);
   std::vector<std::vector<bool>> stays;
   double lost = 0;
+  const std::size_t before = run_.result.eroded.size();
+  MonitorEvent event{.kind = EventKind::eroded, .step = k, .time = run_.state.time, .end = k + 1};
   for (std::size_t b = 0; b < found.size(); ++b) {
     stays.emplace_back(found[b].size(), true);
     for (std::size_t e = 0; e < found[b].size(); ++e) {
       if (!found[b][e].cause) continue;
       stays[b][e] = false;
       if (std::isfinite(strain[b][e])) lost += strain[b][e];
+      if (!event.element) event.element = ElementRef{b, e};
       run_.result.eroded.push_back({k, run_.state.time, elementJson(run_.body.mesh(), ElementRef{b, e}),
                                     found[b][e].cause, found[b][e].value, strain[b][e]});
     }
   }
+  event.value = static_cast<double>(run_.result.eroded.size() - before);
+  const ErodedElement& first = run_.result.eroded[before];
+  run_.result.events.push_back(
+      {event, elementJson(run_.body.mesh(), event.element),
+       fmt::format("{}: {} {:.6g}", eventText(event, run_.body.mesh()), first.cause, first.value)});
   run_.watch.end();
   run_.scheme.reset();
   std::optional<DiscreteForces> discrete;
@@ -109,7 +117,7 @@ void RunErosion::takeOut(const std::vector<std::vector<Fault>>& found, std::int6
   run_.probes.follow();
   run_.energies.beginBody();
   run_.energies.dissipate(lost);
-  run_.scheme = std::make_unique<RunScheme>(run_.scene, run_.body, run_.result);
+  run_.scheme = std::make_unique<RunScheme>(run_.scene, run_.body, run_.result, run_.steps.step());
   run_.beginWatch();
   run_.watch.goOnWithEvents(k);
   run_.loads.begin(run_.state.x);

@@ -82,8 +82,12 @@ void RunOutput::writeRow(const HistoryRow& row) {
 }
 
 void RunOutput::writeFrame(std::int64_t step, const State& state, const FrameState& frame) {
-  frames_->write(state.x, state.v, frame);
   lastFrame_ = step;
+  writeFrameBetween(state.x, state.v, frame);
+}
+
+void RunOutput::writeFrameBetween(const NodeVectors& x, const NodeVectors& v, const FrameState& frame) {
+  frames_->write(x, v, frame);
   // The first multiple of the interval that is still to come, however many lie within a step.
   const double interval = *scene_.frameInterval, reached = frame.time + 1e-3 * frame.h;
   framesDue_ = std::max(framesDue_, static_cast<std::int64_t>(reached / interval) - 1);

@@ -50,6 +50,8 @@ class RunOutput {
   double nextFrame() const { return frames_ ? nextFrame_ : std::numeric_limits<double>::infinity(); }
   /// The frame of the state before a step; frame.time and frame.h are those of the state.
   void writeFrame(std::int64_t step, const State& state, const FrameState& frame);
+  /// A frame at positions and velocities between steps.
+  void writeFrameBetween(const NodeVectors& x, const NodeVectors& v, const FrameState& frame);
   RunCertificates& certificates() { return certificates_; }
   /// Ends history and frames, the last frame of which is `last` unless it is there or not finite, draws the picture and
   /// lists the files in the result.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/base/error.h>
@@ -53,7 +54,10 @@ Eigen::Vector3d prescribedAcceleration(const Scene::Move& move, const Eigen::Vec
 RunProbes::RunProbes(const Scene& scene, const Body& body, const StepRule& rule)
     : scene_(scene), body_(body), rule_(rule) {
   if (scene.reactions) reacts_ = true;
-  for (const Scene::Probe& probe : scene.probes) reacts_ = reacts_ || probe.quantity.kind == Quantity::reaction;
+  for (const Scene::Probe& probe : scene.probes) {
+    reacts_ = reacts_ || probe.quantity.kind == Quantity::reaction;
+    forced_ = forced_ || (probe.quantity.ofRigidBodies() && probe.quantity.needsForce());
+  }
   follow();
 }
 
@@ -64,6 +68,7 @@ void RunProbes::follow() {
   targets_.clear();
   for (const Scene::Probe& probe : scene_.probes) {
     Target& target = targets_.emplace_back();
+    if (probe.quantity.ofRigidBodies()) continue;
     if (probe.quantity.ofNodes()) {
       if (probe.selection)
         target.nodes = probe.selection->nodesOf(mesh);
@@ -182,6 +187,7 @@ void RunProbes::addValues(const Scene::Probe& probe, const Target& target, const
     }
     for (const Reduced& one : reduced) values.push_back(one.value());
   };
+  if (probe.quantity.ofRigidBodies()) return addOfRigidBody(probe, state, values);
   switch (probe.quantity.kind) {
     case Quantity::displacement:
       return eachComponent([&](std::int32_t i) { return state.x.col(i) - body_.mesh().X.col(i); });
@@ -222,7 +228,24 @@ void RunProbes::addValues(const Scene::Probe& probe, const Target& target, const
       for (const Reduced& one : reduced) values.push_back(one.value());
       return;
     }
+    default:
+      return;
   }
+}
+
+void RunProbes::addOfRigidBody(const Scene::Probe& probe, const State& state, std::vector<double>& values) const {
+  const RigidBody& rigid = body_.constraints().rigidBodies()[probe.rigid];
+  const auto add = [&](const Eigen::Vector3d& value) { values.insert(values.end(), value.begin(), value.end()); };
+  if (probe.quantity.needsForce()) {
+    const RigidBody::Load load = rigid.load(state.x, force_);
+    return add(probe.quantity.kind == Quantity::force ? load.force : load.torque);
+  }
+  const RigidBody::Motion motion = rigid.motion(state.x, state.v);
+  if (probe.quantity.kind == Quantity::centre) return add(motion.centre);
+  if (probe.quantity.kind == Quantity::centreVelocity) return add(motion.velocity);
+  if (probe.quantity.kind == Quantity::angularVelocity) return add(motion.angularVelocity);
+  const Eigen::AngleAxisd turn(motion.rotation);
+  add(turn.angle() * turn.axis());
 }
 
 std::string RunProbes::row(std::int64_t k, const State& state, double h, const NodeVectors& internalForce,
@@ -232,6 +255,13 @@ std::string RunProbes::row(std::int64_t k, const State& state, double h, const N
   evaluated_.clear();
   strain_.clear();
   if (reacts_) react(state, h, internalForce, system);
+  if (forced_) {
+    force_ = body_.externalForce() - internalForce;
+    if (system.velocityDependent()) {
+      system.dampingForce(state.x, state.v, dampingForce_);
+      force_ -= dampingForce_;
+    }
+  }
   std::vector<double> values;
   for (std::size_t i = 0; i < targets_.size(); ++i) addValues(scene_.probes[i], targets_[i], state, values);
   if (scene_.reactions)

@@ -27,7 +27,7 @@ class RunProbes {
   /// Whether a row is due at the state before step k.
   bool due(std::int64_t k) const { return scene_.probed() && k % scene_.probeEvery == 0; }
   /// Whether that takes the internal force.
-  bool needsForce(std::int64_t k) const { return reacts_ && due(k); }
+  bool needsForce(std::int64_t k) const { return (reacts_ || forced_) && due(k); }
   /// The body is another one from here on. Throws InputError as the constructor.
   void follow();
 
@@ -49,16 +49,18 @@ class RunProbes {
   /// The reactions at all nodes and, by [[fix]] and then [[move]], at each section's.
   void react(const State& state, double h, const NodeVectors& internalForce, BodySystem& system);
   void addValues(const Scene::Probe& probe, const Target& target, const State& state, std::vector<double>& values);
+  /// Force, or torque about its centre, on a rigid body, as of the forces that were summed for the row.
+  void addOfRigidBody(const Scene::Probe& probe, const State& state, std::vector<double>& values) const;
   const MetricValues& metric(const std::string& name, NodeVectorsView x);
 
   const Scene& scene_;
   const Body& body_;
   const StepRule& rule_;
-  bool reacts_ = false;
-  std::vector<Target> targets_;  // of the probes
+  bool reacts_ = false, forced_ = false;  // reactions, or forces on rigid bodies, are wanted
+  std::vector<Target> targets_;           // of the probes
   std::vector<ProbeColumn> columns_;
   std::vector<std::int32_t> supports_;  // [3 * node + component]: the section that holds it, fixes first; -1: none
-  NodeVectors reaction_, dampingForce_;
+  NodeVectors reaction_, dampingForce_, force_;
   std::vector<Eigen::Vector3d> ofSections_;
   std::map<std::string, std::unique_ptr<MetricEvaluator>> metrics_;
   std::map<std::string, const MetricValues*> evaluated_;  // at the state of a row

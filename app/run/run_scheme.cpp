@@ -11,13 +11,14 @@
 
 namespace ringwatch {
 
-RunScheme::RunScheme(const Scene& scene, Body& body, RunResult& result) : scene_(scene), body_(body), result_(result) {
+RunScheme::RunScheme(const Scene& scene, Body& body, RunResult& result, double h)
+    : scene_(scene), body_(body), result_(result) {
   makeIntegrator();
   if (handler_) {
-    handler_->prepare(body_.mesh().X, *scene_.step);
+    handler_->prepare(body_.mesh().X, h);
     noteChoice();
   }
-  makeStepper(scene_.step.value_or(0));
+  makeStepper(h);
 }
 
 RunScheme::RunScheme(const Scene& scene, Body& body, RunResult& result, const NodeVectors& x, double h,

@@ -12,6 +12,12 @@
 #include <ringwatch/body/discrete_forces.h>
 
 namespace ringwatch {
+namespace {
+
+/// Shares of a step that are rounding of times.
+constexpr double sameTime = 1e-6;
+
+}  // namespace
 
 Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
     : scene(s),
@@ -37,12 +43,21 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
   if (body.elementDamping() && body.elementDamping()->dependsOnRates())
     result.notes.emplace_back(
         "quadratic bulk viscosity: it counts with its derivative at the velocities of each observed state");
+  if (!scene.rigids.empty())
+    result.notes.emplace_back(
+        "rigid bodies: their nodes' forces turn with them, which adds a stiffness that is not in the bracket");
   if (!scene.pressures.empty())
     result.notes.emplace_back(
         "pressure: its load stiffness is not symmetric and not in the bracket, which is that of the body under dead "
         "loads");
   recorder.follow(body.mesh());
-  scheme = std::make_unique<RunScheme>(scene, body, result);
+  if (!scene.handler.empty() && !scene.step) {
+    const double wanted =
+        scene.handlerStep ? *scene.handlerStep : scene.handlerFactor * criticalStep(body, body.mesh().X, rule).safe;
+    steps.beginWith(std::min(wanted, scene.end));
+  }
+  preparedFor_ = steps.step();
+  scheme = std::make_unique<RunScheme>(scene, body, result, preparedFor_);
   beginWatch();
 }
 
@@ -54,7 +69,12 @@ void Simulation::beginWatch() {
 
 void Simulation::handleAgain() {
   watch.end();  // it watches what the choice replaces
-  scheme->prepare(state.x, steps.step());
+  preparedFor_ = steps.step();
+  // Mass that is added to nodes which move comes with their velocity: what that takes is no error.
+  const auto kinetic = [this] { return 0.5 * (state.v.colwise().squaredNorm() * body.lumpedMass()).value(); };
+  const double before = kinetic();
+  scheme->prepare(state.x, preparedFor_);
+  energies.addExternalWork(kinetic() - before);
   state.a.resize(3, 0);
   beginWatch();
 }
@@ -181,6 +201,17 @@ bool Simulation::chooseStep(MonitorReport& report) {
     return false;
   }
   if (steps.endsTheRun()) output->leaveOut(report.step);
+  if (scheme->handler() && !scene.step && steps.step() != preparedFor_) {
+    {
+      const Stopwatch measured(result.monitorTime);
+      handleAgain();
+      watch.goOnWithEvents(report.step);
+    }
+    MonitorReport fresh = observeOnce(report.step, rowDue_);
+    std::erase_if(report.newEvents, [](const MonitorEvent& event) { return !event.handled; });
+    fresh.newEvents.insert(fresh.newEvents.begin(), report.newEvents.begin(), report.newEvents.end());
+    report = std::move(fresh);
+  }
   report.h = steps.step();
   // A step that was shortened in time was not taken: the monitor's alarm at the longer one is no event of the run.
   if (report.bracket) report.verdict = verdictFor(report.h, *report.bracket);
@@ -205,13 +236,28 @@ void Simulation::record(const MonitorReport& report, bool rowDue) {
     row.energies = energies.last();
     row.elementsRefreshed = watch.monitors() && report.fresh ? report.elementsRefreshed : 0;
     row.handledElements = scheme->treatedElements();
+    row.erodedElements = static_cast<std::int64_t>(result.eroded.size());
     row.metricStep = report.metricStep;
     if (watch.monitors()) row.verdict = report.verdict;
     output->writeRow(row);
   }
   if (probes.due(report.step))
     output->writeProbes(probes.row(report.step, state, report.h, evaluation_.internalForce, scheme->system()));
-  if (output->frameDue(state.time, report.h)) output->writeFrame(report.step, state, frameOf(report));
+  if (output->frameDue(state.time, scene.exactTimes ? sameTime * report.h : report.h))
+    output->writeFrame(report.step, state, frameOf(report));
+}
+
+void Simulation::writeFramesBetween(const State& begin, const MonitorReport& report) {
+  const Stopwatch measured(result.outputTime);
+  const double h = state.time - begin.time;
+  FrameState frame = frameOf(report);
+  while (output->nextFrame() < state.time - sameTime * h) {
+    // The parabola through both positions with the velocity of the first.
+    frame.time = output->nextFrame();
+    const double s = (frame.time - begin.time) / h;
+    const NodeVectors rest = state.x - begin.x - h * begin.v;
+    output->writeFrameBetween(begin.x + (s * h) * begin.v + (s * s) * rest, begin.v + (2 * s / h) * rest, frame);
+  }
 }
 
 FrameState Simulation::frameOf(const MonitorReport& report) const {
@@ -232,6 +278,9 @@ FrameState Simulation::frameOf(const MonitorReport& report) const {
 bool Simulation::takeStep(const MonitorReport& report) {
   const Stopwatch force(result.forceTime);
   if (loads.any()) energies.addExternalWork(loads.setVelocities(state, steps.step()));
+  const bool between = scene.exactTimes && output->nextFrame() < state.time + steps.step() * (1 - sameTime);
+  State begin;
+  if (between) begin = state;
   const auto take = [this](std::int64_t count) {
     const double lambda = watch.monitors() && scene.proves() ? rule.lambdaFor(steps.step()) : 0;
     return scheme->stepper().step(state, steps.step(), count, lambda);
@@ -247,13 +296,17 @@ bool Simulation::takeStep(const MonitorReport& report) {
     end(ExitReason::stepFailed, fmt::format("step {} failed: {}", report.step, taken.fault));
     return false;
   }
+  if (between) writeFramesBetween(begin, report);
   recorder.countSteps(taken.steps, steps.step());
   if (watch.monitors()) recorder.countVerdict(report, taken.steps, watch.freshReports() <= 1);
   lastVerdict = report.verdict;
   return true;
 }
 
-MonitorReport Simulation::observe(std::int64_t k, bool rowDue) { return handleMore(observeOnce(k, rowDue), rowDue); }
+MonitorReport Simulation::observe(std::int64_t k, bool rowDue) {
+  rowDue_ = rowDue;
+  return handleMore(observeOnce(k, rowDue), rowDue);
+}
 
 void Simulation::end(ExitReason reason, std::string text) {
   result.reason = reason;

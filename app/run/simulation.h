@@ -82,10 +82,14 @@ class Simulation {
   void takeEvaluation(bool rowDue);
   std::int64_t stepsToObservation(std::int64_t k);
   FrameState frameOf(const MonitorReport& report) const;
+  /// The frames whose times lie within the step that was taken from a state, where the scene wants them there.
+  void writeFramesBetween(const State& begin, const MonitorReport& report);
 
   StepEvaluation evaluation_;
   Body::Workspace workspace_;
   bool stepperNeedsForce_ = false;
+  bool rowDue_ = false;     // at the state that was observed last
+  double preparedFor_ = 0;  // s, the step that the handler chose for
 };
 
 }  // namespace ringwatch

@@ -17,7 +17,10 @@ std::string StepPolicy::choose(MonitorReport& report, double time, const std::fu
   const bool automatic = !scene_.step, reduce = scene_.onViolation == OnViolation::reduceStep;
   const bool tooLong = scene_.proves() ? report.verdict != Verdict::certified
                                        : report.metricStep.has_value() && !(h_ <= *report.metricStep);
-  if (automatic ? (report.fresh || (reduce && tooLong)) : (reduce && tooLong)) {
+  if (wanted_) {
+    h_ = nextWithHandler(report);
+    if (collapsed(h_)) return fmt::format("no step can be certified: reduced to {:.3g} s", h_);
+  } else if (automatic ? (report.fresh || (reduce && tooLong)) : (reduce && tooLong)) {
     if (scene_.proves() && !report.fresh) prove(report);
     const double safe = !scene_.proves() ? *report.metricStep : report.bracket ? report.bracket->safe : 0;
     double next = scene_.safety * safe;
@@ -36,6 +39,14 @@ std::string StepPolicy::choose(MonitorReport& report, double time, const std::fu
   if (endsTheRun_) h_ = scene_.end - time;
   if (first_ <= 0) first_ = h_;
   return {};
+}
+
+double StepPolicy::nextWithHandler(const MonitorReport& report) const {
+  // Every other step makes the handler choose again.
+  constexpr double clearlyMore = 1.2;
+  if (!report.fresh || !report.bracket) return h_;
+  const double safe = report.bracket->safe, next = std::min(*wanted_, scene_.safety * safe);
+  return h_ > safe || next > clearlyMore * h_ ? next : h_;
 }
 
 bool StepPolicy::halve() {

@@ -16,6 +16,9 @@ class StepPolicy {
   /// s; 0 while none is chosen.
   double step() const { return h_; }
   std::optional<double> asked() const { return h_ > 0 ? std::optional(h_) : std::nullopt; }
+  /// "auto" begins with that step (s), for which a handler chooses its elements, and does not pass it: the step is
+  /// shortened where the elements that are left explicit need it, and grows again when they allow clearly more.
+  void beginWith(double wanted) { wanted_ = first_ = h_ = wanted; }
   /// Sets the step to take at `time` by what a report says of the state, for "auto" and "reduce-step".
   /// prove: gives the report a bracket of the state, from scratch. Returns why there is no step, "" where there is one.
   /// Throws InputError where "auto" begins with a step that is out of all proportion to the end.
@@ -33,9 +36,11 @@ class StepPolicy {
 
  private:
   bool collapsed(double h) const;
+  double nextWithHandler(const MonitorReport& report) const;
 
   const Scene& scene_;
   double h_, first_ = 0;
+  std::optional<double> wanted_;  // s, of "auto" with a handler
   bool endsTheRun_ = false;
 };
 

@@ -44,6 +44,16 @@ std::vector<ProbeQuantity> makeQuantities() {
                                              : std::vector<std::string>{""},
                    average, "of elements: " + std::string(measure.help)});
   }
+  const auto addRigid = [&](Quantity kind, const char* name, const char* unit, const char* help) {
+    all.push_back({kind, name, unit, vector, {As::mean}, std::string("of a rigid body: ") + help});
+  };
+  addRigid(Quantity::centre, "centre", "m", "where its centre of mass is");
+  addRigid(Quantity::rotation, "rotation", "rad", "from rest, its axis times its angle, at most pi");
+  addRigid(Quantity::centreVelocity, "centre_velocity", "m/s", "of its centre of mass");
+  addRigid(Quantity::angularVelocity, "angular_velocity", "rad/s", "in fixed axes");
+  addRigid(Quantity::force, "force", "N",
+           "of elements, springs, contact, damping and loads at its nodes, which accelerates it");
+  addRigid(Quantity::torque, "torque", "N m", "of these forces about its centre of mass");
   return all;
 }
 

@@ -17,9 +17,24 @@ inline constexpr auto probeReductionNames = nameTable<ProbeReduction>({
     {ProbeReduction::largest, "max", "the largest, of each component by itself"},
 });
 
-/// What a [[probe]] can tell of nodes or elements.
+/// What a [[probe]] can tell of nodes, elements or a rigid body.
 struct ProbeQuantity {
-  enum class Kind { displacement, velocity, momentum, load, reaction, energy, step, stress };
+  enum class Kind {
+    displacement,
+    velocity,
+    momentum,
+    load,
+    reaction,
+    energy,
+    step,
+    stress,
+    centre,
+    rotation,
+    centreVelocity,
+    angularVelocity,
+    force,
+    torque
+  };
 
   Kind kind;
   std::string name;                // in scenes; of a stress that of its StressMeasure
@@ -29,8 +44,11 @@ struct ProbeQuantity {
   std::string help;
 
   bool ofNodes() const { return kind < Kind::energy; }
+  bool ofRigidBodies() const { return kind >= Kind::centre; }
+  /// Whether it takes the internal force of the state.
+  bool needsForce() const { return kind == Kind::reaction || kind == Kind::force || kind == Kind::torque; }
 };
-/// Every quantity: those of nodes, energies and steps of elements, and all stress measures.
+/// Every quantity: those of nodes, energies and steps of elements, all stress measures, and those of rigid bodies.
 const std::vector<ProbeQuantity>& allProbeQuantities();
 
 }  // namespace ringwatch

@@ -12,6 +12,7 @@
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
 #include <ringwatch/app/scene/scene_probes.h>
+#include <ringwatch/app/scene/scene_rigid.h>
 #include <ringwatch/app/scene/scene_sections.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
@@ -244,6 +245,44 @@ void readHandlerOptions(const HandlerInfo& info, const SceneTable& handler, Scen
   scene.reduceOnFailure = findOption(info.options, "on_failure") && all.text("on_failure") == "reduce-step";
 }
 
+/// With step = "auto" a handler needs a step to choose its elements for.
+void readWantedStep(const SceneTable& handler, Scene& scene) {
+  scene.handlerFactor = handler.get<double>("factor");
+  if (handler.given("step")) scene.handlerStep = handler.get<double>("step");
+  for (const char* key : {"step", "factor"})
+    if (scene.step && handler.given(key))
+      fail(handler.at(key).origin, fmt::format("handler.{}", key),
+           fmt::format("is for integrator.step = \"auto\", and {} s is given; take one of them out", *scene.step));
+  if (handler.given("step") && handler.given("factor"))
+    fail(handler.at("factor").origin, "handler.factor", "handler.step is given too; give one of them");
+  if (!scene.handlerStep) return;
+  if (*scene.handlerStep > scene.end)
+    fail(handler.at("step").origin, "handler.step",
+         fmt::format("{} s is beyond the end; must be <= integrator.end = {} s", *scene.handlerStep, scene.end));
+  if (const std::string fault = tooManySteps(*scene.handlerStep, scene.end); !fault.empty())
+    fail(handler.at("step").origin, "handler.step", fault);
+}
+
+/// Which Rayleigh damping a handler works with is its own.
+void checkDampingOfHandler(const HandlerInfo& info, const SceneTable& handler, const SceneTable& damping,
+                           Scene& scene) {
+  if (!scene.damping.any()) return;
+  scene.handlerOptions.damping = scene.damping;
+  const auto refuse = [&](const char* key, const char* kind, bool HandlerInfo::*takes) {
+    fail(damping.at(key).origin, fmt::format("damping.{}", key),
+         fmt::format("the handler \"{}\" works without {}-proportional damping; {} take it", info.name, kind,
+                     namesWhere(handlerInfos(), [&](const HandlerInfo& one) { return one.*takes; })));
+  };
+  if (scene.damping.alpha != 0 && !info.takesMassDamping) refuse("mass", "mass", &HandlerInfo::takesMassDamping);
+  if (scene.damping.beta != 0 && !info.takesStiffnessDamping)
+    refuse("stiffness", "stiffness", &HandlerInfo::takesStiffnessDamping);
+  if (handler.given("solver") && handler.get<std::string>("solver") == "newton")
+    fail(handler.at("solver").origin, "handler.solver", "\"newton\" works without [damping]; take \"auto\"");
+  if (scene.step && !(0.5 * scene.damping.alpha * *scene.step < 1))
+    fail(damping.at("mass").origin, "damping.mass",
+         fmt::format("{} 1/s needs a step below {} s", scene.damping.alpha, 2 / scene.damping.alpha));
+}
+
 void readHandlerSection(const SceneTable& handler, const SceneTable& integrator, const SceneTable& monitor,
                         const SceneTable& damping, Scene& scene) {
   scene.handler = handler.get<std::string>("method");
@@ -264,9 +303,7 @@ void readHandlerSection(const SceneTable& handler, const SceneTable& integrator,
     fail(integrator.at("method").origin, "integrator.method",
          fmt::format("\"{}\": handlers work on {}; choose one of them", scene.method,
                      namesWhere(integratorInfos(), takesHandler)));
-  if (!scene.step)
-    fail(integrator.at("step").origin, "integrator.step",
-         "\"auto\" follows the safe step, which a handler is there to exceed; give a number");
+  readWantedStep(handler, scene);
   readHandlerOptions(*findHandler(scene.handler), handler, scene);
   if (scene.onViolation == OnViolation::reduceStep)
     fail(monitor.at("on_violation").origin, "monitor.on_violation",
@@ -278,8 +315,7 @@ void readHandlerSection(const SceneTable& handler, const SceneTable& integrator,
     fail(monitor.at("certificates").origin, "monitor.certificates",
          "certificates are of the whole body, and a handler takes its stiff elements apart; set handler.method = "
          "\"none\"");
-  if (scene.damping.any())
-    fail(damping.origin, "[damping]", "handlers do not work with damping; remove it or set handler.method = \"none\"");
+  checkDampingOfHandler(*findHandler(scene.handler), handler, damping, scene);
 }
 
 void readDevice(const SceneTable& integrator, Scene& scene) {
@@ -290,11 +326,12 @@ void readDevice(const SceneTable& integrator, Scene& scene) {
   const bool onGpu = integratorCatalog().find(scene.method)->runsOnGpu && !scene.damping.any() &&
                      (scene.handler.empty() || info->forGpu != nullptr);
   if (!onGpu) {
-    std::vector<HandlerInfo> handlers;
-    for (const HandlerEntry& entry : allHandlers()) handlers.push_back(*entry.info);
+    const std::vector<HandlerInfo> handlers = handlerInfos();
     scene.noDevice = fmt::format("a GPU runs {} without [damping], and of the handlers {} alone",
                                  namesWhere(integratorInfos(), [](const IntegratorInfo& one) { return one.runsOnGpu; }),
                                  namesWhere(handlers, [](const HandlerInfo& one) { return one.forGpu != nullptr; }));
+  } else if (info && !scene.step) {
+    scene.noDevice = "a GPU takes handlers in steps of one size, not with integrator.step = \"auto\"";
   } else if (info) {
     scene.noDevice = info->forGpu(scene.handlerOptions.own);
   }
@@ -590,6 +627,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
   checkTimedLoads(scene);
   readDiscreteSections(sections, scene);
   checkElementDamping(scene);
+  readRigidSections(sections, scene);
 
   const SceneTable& output = section("output");
   if (output.given("every")) {
@@ -600,6 +638,13 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
            fmt::format("{} s makes {:.3g} frames to the end at {} s; at most {} are possible", *scene.frameInterval,
                        frames, scene.end, mostSteps));
   }
+  scene.exactTimes = output.get<bool>("exact_times");
+  if (scene.exactTimes && !scene.frameInterval)
+    fail(output.at("exact_times").origin, "output.exact_times", "there are no frames; give output.every");
+  if (scene.exactTimes && scene.device == RunDevice::cuda)
+    fail(output.at("exact_times").origin, "output.exact_times",
+         "a GPU takes several steps at a time; set integrator.device = \"cpu\"");
+  if (scene.exactTimes && scene.device == RunDevice::automatic) scene.noDevice = "a GPU takes several steps at a time";
   readCheckpoints(output, scene);
   readErosion(section("erosion"), section("monitor"), scene);
   scene.fields = output.get<std::vector<std::string>>("fields");

@@ -110,10 +110,23 @@ struct Scene {
     std::optional<TimeTable> table;               // its factor; empty: 1
   };
 
+  /// Nodes that move as a rigid body of their mass.
+  struct Rigid {
+    std::string name;
+    NodeSelection nodes;
+    std::string origin;  // "scene.toml:31: [[rigid]]", for messages
+  };
+
   /// Mass at nodes that no element has.
   struct PointMass {
     NodeSelection nodes;
     double mass;  // kg, of all nodes together
+  };
+  /// Damping of some nodes in proportion to their mass.
+  struct MassDamping {
+    NodeSelection nodes;
+    double rate;         // 1/s
+    std::string origin;  // "scene.toml:31: [[mass_damping]]", for messages
   };
   /// A spring and a dashpot at each of some nodes.
   struct SpringSet {
@@ -178,6 +191,7 @@ struct Scene {
     ProbeReduction as = ProbeReduction::mean;
     std::optional<NodeSelection> selection;  // nodes, or elements by their centre or an element set; empty: all
     std::optional<int> material;             // of elements: its number
+    std::size_t rigid = 0;                   // of rigid bodies: which
     std::string metric;                      // of a step
     std::string origin;                      // "scene.toml:31: [[probe]]", for messages
   };
@@ -219,6 +233,8 @@ struct Scene {
 
   std::string handler;  // "" for none
   HandlerOptions handlerOptions;
+  std::optional<double> handlerStep;  // s, that "auto" begins with and does not pass; empty: factor of the safe step
+  double handlerFactor = 0;
   bool reduceOnFailure = false;  // halve the step when the handler cannot take it
 
   std::vector<Fix> fixes;
@@ -226,6 +242,8 @@ struct Scene {
   std::vector<Force> forces;
   std::vector<Initial> initials;
   std::vector<PointMass> pointMasses;
+  std::vector<Rigid> rigids;
+  std::vector<MassDamping> massDampings;
   std::vector<SpringSet> springs;
   std::vector<MovingObstacle> obstacles;
   std::vector<Contact> contacts;
@@ -236,6 +254,7 @@ struct Scene {
 
   std::optional<double> checkpointInterval;  // s; empty for no checkpoints
   std::optional<double> frameInterval;       // s; empty for no frames
+  bool exactTimes = false;                   // frames at the very times, between steps too
   std::vector<std::string> fields;
   std::int64_t historyEvery = 1;
   std::optional<Erosion> erosion;
@@ -254,10 +273,14 @@ struct Scene {
   bool damps() const { return damping.any() || hasElementDamping(); }
   /// Why its runs have no checkpoints, "" where they have: the scene's integrator, handler, cuts or GPU.
   std::string whyNoCheckpoints() const;
-  /// Whether there are springs or contact.
-  bool hasDiscreteForces() const { return !springs.empty() || !contacts.empty(); }
+  /// Whether there are springs, mass damping of nodes or contact.
+  bool hasDiscreteForces() const { return !springs.empty() || !massDampings.empty() || !contacts.empty(); }
   /// Where the first of them is, for messages: "scene.toml:31: [[spring]]".
-  std::string discreteOrigin() const { return springs.empty() ? contacts.front().origin : springs.front().origin; }
+  std::string discreteOrigin() const {
+    return !springs.empty()        ? springs.front().origin
+           : !massDampings.empty() ? massDampings.front().origin
+                                   : contacts.front().origin;
+  }
   /// Whether there is contact with obstacles that move.
   bool movesObstacles() const {
     return !contacts.empty() && std::any_of(obstacles.begin(), obstacles.end(),
@@ -269,6 +292,9 @@ struct Scene {
   /// Whether a table of probes is wanted.
   bool probed() const { return !probes.empty() || reactions; }
 };
+
+/// What the handlers that are known declare.
+std::vector<HandlerInfo> handlerInfos();
 
 /// Reads and checks a scene file, or an Abaqus or CalculiX deck. overrides: `section.key=value` each, value as TOML (a
 /// bare word is taken for a string); they win over the file. Throws InputError "FILE:LINE: section.key: what is wrong;

@@ -11,6 +11,7 @@
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/app/scene/scene_mesh.h>
 #include <ringwatch/app/scene/scene_pressure.h>
+#include <ringwatch/app/scene/scene_rigid.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/parallel.h>
@@ -173,14 +174,14 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
   options.lumping = scene.lumping;
   options.rules = scene.rules;
   options.threads = threadsThatPay(threads, mesh);
-  const std::vector<Material> materials = assignMaterials(scene.materials, mesh, by);
+  std::vector<Material> materials = assignMaterials(scene.materials, mesh, by);
+  splitRigidBlocks(scene, mesh, materials);
   std::optional<Body> body;
   try {
     body.emplace(std::move(mesh), materials, options);
   } catch (const NumericalError& fault) {
     throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));  // the mesh is what the user can mend
   }
-  addElementDamping(scene, *body);
   addPointMasses(scene, *body);
   PrescribedMotions prescribed(body->nodeCount());
   for (const Scene::Fix& fix : scene.fixes) {
@@ -206,6 +207,8 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
       }
     }
   }
+  tieRigidBodies(scene, *body);
+  addElementDamping(scene, *body);
   for (const Scene::Force& force : scene.forces) {
     const std::vector<std::int32_t> nodes = force.nodes.nodesOf(body->mesh());
     if (force.table) continue;  // a run sets them at each of its times

@@ -6,6 +6,7 @@
 #include <ringwatch/app/scene/scene_sections.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/user_text.h>
+#include <ringwatch/body/rigid_block.h>
 
 namespace ringwatch {
 
@@ -67,6 +68,10 @@ void addElementDamping(const Scene& scene, Body& body) {
   std::vector<DampingConstants> constants;
   for (std::size_t b = 0; b < body.blocks().size(); ++b) {
     DampingConstants own = scene.materials[materials.empty() ? 0 : static_cast<std::size_t>(materials[b])].damping;
+    if (dynamic_cast<const RigidBlock*>(body.blocks()[b].get())) {  // it has no strain rates
+      constants.push_back({.massProportional = own.massProportional});
+      continue;
+    }
     own.linearBulk = scene.linearBulkViscosity;
     own.quadraticBulk = scene.quadraticBulkViscosity;
     constants.push_back(own);

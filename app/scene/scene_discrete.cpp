@@ -170,7 +170,8 @@ void readContact(const SceneTable& section, Scene& scene) {
 }
 
 bool damps(const Scene& scene) {
-  return std::any_of(scene.springs.begin(), scene.springs.end(), [](const auto& one) { return one.damping > 0; }) ||
+  return !scene.massDampings.empty() ||
+         std::any_of(scene.springs.begin(), scene.springs.end(), [](const auto& one) { return one.damping > 0; }) ||
          std::any_of(scene.contacts.begin(), scene.contacts.end(),
                      [](const auto& one) { return one.damping > 0 || one.friction > 0; });
 }
@@ -242,6 +243,15 @@ std::vector<Spring> springsOf(const Scene::SpringSet& set, const Mesh& mesh) {
     springs.push_back(spring);
   }
   return springs;
+}
+
+/// A dashpot to the ground with rate times the mass of each node.
+std::vector<Spring> dashpotsOf(const Scene::MassDamping& set, const Body& body) {
+  std::vector<Spring> dashpots;
+  for (const std::int32_t node : set.nodes.nodesOf(body.mesh()))
+    dashpots.push_back(
+        {.node = node, .anchor = body.mesh().X.col(node), .damping = set.rate * body.lumpedMass()[node]});
+  return dashpots;
 }
 
 /// lambda_max(S_i) of the elements at rest, rad²/s², by node, and the bound of all: what springs and contact add to.
@@ -475,6 +485,10 @@ void readDiscreteSections(const std::vector<SceneTable>& sections, Scene& scene)
   forEach("mass", [](const SceneTable& section, Scene& to) {
     to.pointMasses.push_back({selectionOf(section), section.get<double>("mass")});
   });
+  forEach("mass_damping", [](const SceneTable& section, Scene& to) {
+    to.massDampings.push_back(
+        {selectionOf(section), section.get<double>("rate"), section.origin + ": [[mass_damping]]"});
+  });
   forEach("spring", readSpring);
   forEach("obstacle", readObstacle);
   forEach("contact", readContact);
@@ -496,6 +510,7 @@ void addDiscreteForces(const Scene& scene, Body& body) {
   if (!scene.hasDiscreteForces()) return;
   DiscreteForces forces(body.nodeCount());
   for (const Scene::SpringSet& set : scene.springs) forces.add(springsOf(set, body.mesh()));
+  for (const Scene::MassDamping& set : scene.massDampings) forces.add(dashpotsOf(set, body));
   for (const Scene::MovingObstacle& obstacle : scene.obstacles) forces.add(obstacle.kind->make(obstacle.parameters));
   placeObstacles(scene, 0, forces);
   requireOutside(scene, body.mesh());

@@ -27,7 +27,7 @@ constexpr SceneRange atLeastOne{1, infinity, true, true};
 constexpr SceneRange share{0, 1, true, false};   // 0 <= s < 1
 constexpr SceneRange factor{0, 1, false, true};  // 0 < s <= 1
 
-constexpr std::array<SceneSection, 19> sections{{
+constexpr std::array<SceneSection, 21> sections{{
     {"mesh", false, true, "a file or a generator with its parameters"},
     {"material", false, true,
      "one material for the whole body, or several [[material]], each for the elements that it selects", true},
@@ -47,6 +47,10 @@ constexpr std::array<SceneSection, 19> sections{{
     {"pressure", true, false,
      "pressure on the surface, which follows its normals; its load stiffness is outside the proof"},
     {"mass", true, false, "point masses: parts that are not meshed; each [[mass]] adds to the others"},
+    {"mass_damping", true, false,
+     "damping of nodes in proportion to their mass; each [[mass_damping]] adds to the others and to [damping]"},
+    {"rigid", true, false,
+     "nodes that move as a rigid body of their mass; elements within one are not deformed and set no step"},
     {"spring", true, false, "springs and dashpots, from nodes to the ground or to other nodes"},
     {"obstacle", true, false, "rigid bodies in closed form that nodes of a [[contact]] cannot enter, fixed or moving"},
     {"contact", true, false,
@@ -61,7 +65,7 @@ constexpr std::array<SceneSection, 19> sections{{
     {"output", false, false, "what is written besides history.csv and summary.json"},
 }};
 
-constexpr std::array<SceneAlternative, 25> alternatives{{
+constexpr std::array<SceneAlternative, 31> alternatives{{
     {"mesh", "file", "generate"},
     {"material", "where", "set", SceneAlternative::Need::oneOfMany},
     {"fix", "where", "set"},
@@ -79,6 +83,9 @@ constexpr std::array<SceneAlternative, 25> alternatives{{
     {"force", "acceleration", "force", SceneAlternative::Need::one, "each"},
     {"pressure", "where", "set"},
     {"mass", "where", "set"},
+    {"handler", "step", "factor", SceneAlternative::Need::atMostOne},
+    {"mass_damping", "where", "set"},
+    {"rigid", "where", "set"},
     {"spring", "where", "set"},
     {"spring", "to_where", "to_set", SceneAlternative::Need::atMostOne},
     {"contact", "where", "set", SceneAlternative::Need::atMostOne},
@@ -87,6 +94,9 @@ constexpr std::array<SceneAlternative, 25> alternatives{{
     {"probe", "where", "set", SceneAlternative::Need::atMostOne},
     {"probe", "where", "material", SceneAlternative::Need::atMostOne},
     {"probe", "set", "material", SceneAlternative::Need::atMostOne},
+    {"probe", "where", "rigid", SceneAlternative::Need::atMostOne},
+    {"probe", "set", "rigid", SceneAlternative::Need::atMostOne},
+    {"probe", "material", "rigid", SceneAlternative::Need::atMostOne},
 }};
 
 template <class Table>
@@ -114,12 +124,6 @@ std::vector<std::pair<std::string, std::string>> aliasesOf(const Table& table) {
   for (const auto& entry : table)
     if (!entry.alias.empty()) aliases.emplace_back(entry.alias, entry.name);
   return aliases;
-}
-
-std::vector<HandlerInfo> handlerInfos() {
-  std::vector<HandlerInfo> infos;
-  for (const HandlerEntry& entry : allHandlers()) infos.push_back(*entry.info);
-  return infos;
 }
 
 SceneType sceneTypeOf(const OptionInfo& option) {
@@ -412,6 +416,18 @@ void addHandler(std::vector<SceneKey>& all) {
            .fallback = "0.1",
            .range = share,
            .help = "elements are chosen as for a step of step/(1 - margin), so that the explicit part may stiffen"},
+          {.key = "step",
+           .type = T::number,
+           .unit = "s",
+           .range = positive,
+           .help = "with integrator.step = \"auto\": the step that elements are chosen for, and that is not passed"},
+          {.key = "factor",
+           .type = T::number,
+           .fallback = "2.0",
+           .range = positive,
+           .help =
+               "with integrator.step = \"auto\": this times the safe step of the whole body at the start, in place of "
+               "step"},
       });
   add(all, "handler", keysOfOptions(handlerInfos(), &HandlerInfo::options));
 }
@@ -530,6 +546,17 @@ void addDiscrete(std::vector<SceneKey>& all) {
         .required = true,
         .range = positive,
         .help = "of all the nodes together, which share it equally"}});
+  addNodes(all, "mass_damping");
+  add(all, "mass_damping",
+      {{.key = "rate",
+        .type = T::number,
+        .unit = "1/s",
+        .required = true,
+        .range = notNegative,
+        .help = "force = -rate x mass x velocity, of each node; with symplectic-euler and verlet"}});
+  addNodes(all, "rigid");
+  add(all, "rigid",
+      {{.key = "name", .type = T::text, .help = "for [[probe]]; without, \"rigid N\", N counted from 0"}});
   addNodes(all, "spring");
   add(all, "spring",
       {
@@ -721,6 +748,10 @@ void addProbe(std::vector<SceneKey>& all) {
            .type = T::integer,
            .range = notNegative,
            .help = "the elements of the material with this number, counted from 0, instead of where"},
+          {.key = "rigid",
+           .type = T::text,
+           .help = "name of the [[rigid]] of centre, rotation, centre_velocity, angular_velocity, force and torque; "
+                   "without, the only one"},
           {.key = "as",
            .type = T::text,
            .choices = probeReductionNames.names(),
@@ -742,6 +773,11 @@ void addOutput(std::vector<SceneKey>& all) {
            .unit = "s",
            .range = positive,
            .help = "time between ParaView frames; no frames without it"},
+          {.key = "exact_times",
+           .type = T::boolean,
+           .fallback = "false",
+           .help = "frames at the very multiples of every, also between steps; without, at the first step that reaches "
+                   "one"},
           {.key = "fields",
            .type = T::texts,
            .fallback = "[\"critical_step\"]",
@@ -820,6 +856,12 @@ std::span<const SceneAlternative> sceneAlternatives() { return alternatives; }
 std::span<const SceneKey> sceneKeys() {
   static const std::vector<SceneKey> keys = makeKeys();
   return keys;
+}
+
+std::vector<HandlerInfo> handlerInfos() {
+  std::vector<HandlerInfo> infos;
+  for (const HandlerEntry& entry : allHandlers()) infos.push_back(*entry.info);
+  return infos;
 }
 
 bool isKeyOfEveryHandler(std::string_view key) {

@@ -14,7 +14,6 @@ namespace ringwatch {
 namespace {
 
 constexpr int none = -1;
-using ElementNumbers = std::vector<std::vector<int>>;  // [block][element]
 
 /// The element set of material number `number`; `--set material.N.key` counts alike.
 std::string setOfMaterial(std::size_t number) { return fmt::format("material.{}", number); }
@@ -109,35 +108,46 @@ ElementNumbers numbersByMesh(const std::vector<SceneMaterial>& materials, const 
   return numbers;
 }
 
-/// Blocks of one number each, in the order of the blocks before and of the numbers, and the new place of each element.
+/// Makes blocks of one number each, in the order of the blocks before and of the numbers; element sets follow. Returns
+/// the number of each block, and which it was before.
 struct SplitBlocks {
-  std::vector<MeshBlock> blocks;
-  std::vector<int> numbers;                       // of the blocks
-  std::vector<std::vector<ElementRef>> newPlace;  // [block][element] before
+  std::vector<int> numbers;
+  std::vector<std::size_t> before;
 };
-
-SplitBlocks splitBlocks(const Mesh& mesh, const ElementNumbers& numbers, int count) {
+SplitBlocks splitBlocks(Mesh& mesh, const ElementNumbers& numbers, int count) {
   SplitBlocks split;
+  std::vector<MeshBlock> blocks;
+  std::vector<std::vector<ElementRef>> newPlace;  // [block][element] before
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     const MeshBlock& from = mesh.blocks[b];
-    auto& places = split.newPlace.emplace_back(from.elementCount());
+    auto& places = newPlace.emplace_back(from.elementCount());
     for (int m = 0; m < count; ++m) {
       MeshBlock part{from.type, {}, {}};
       for (std::size_t e = 0; e < from.elementCount(); ++e) {
         if (numbers[b][e] != m) continue;
-        places[e] = {static_cast<std::int32_t>(split.blocks.size()), static_cast<std::int32_t>(part.ids.size())};
+        places[e] = {static_cast<std::int32_t>(blocks.size()), static_cast<std::int32_t>(part.ids.size())};
         part.ids.push_back(from.id(e));
         part.connectivity.insert(part.connectivity.end(), from.element(e), from.element(e) + from.nodesPerElement());
       }
       if (part.ids.empty()) continue;
-      split.blocks.push_back(std::move(part));
+      blocks.push_back(std::move(part));
       split.numbers.push_back(m);
+      split.before.push_back(b);
     }
+  }
+  mesh.blocks = std::move(blocks);
+  for (auto& [name, elements] : mesh.elementSets) {
+    for (ElementRef& e : elements) e = newPlace[e.block][e.element];
+    std::sort(elements.begin(), elements.end());
   }
   return split;
 }
 
 }  // namespace
+
+std::vector<std::size_t> splitMeshBlocks(Mesh& mesh, const ElementNumbers& numbers, int count) {
+  return splitBlocks(mesh, numbers, count).before;
+}
 
 std::string SceneMaterial::selection() const {
   if (!set.empty()) return "set:" + set;
@@ -187,12 +197,7 @@ std::vector<Material> assignMaterials(const std::vector<SceneMaterial>& material
   const ElementNumbers numbers =
       by == MaterialsBy::scene ? numbersByScene(materials, mesh) : numbersByMesh(materials, mesh);
   if (materials.size() == 1) return made;
-  SplitBlocks split = splitBlocks(mesh, numbers, static_cast<int>(materials.size()));
-  mesh.blocks = std::move(split.blocks);
-  for (auto& [name, elements] : mesh.elementSets) {
-    for (ElementRef& e : elements) e = split.newPlace[e.block][e.element];
-    std::sort(elements.begin(), elements.end());
-  }
+  const SplitBlocks split = splitBlocks(mesh, numbers, static_cast<int>(materials.size()));
   for (std::size_t m = 0; m < materials.size(); ++m) mesh.elementSets[setOfMaterial(m)].clear();
   std::vector<Material> ofBlocks;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {

@@ -37,6 +37,11 @@ enum class MaterialsBy {
   mesh    ///< the element sets of an earlier assignMaterials, in a mesh that was cut or read from a frame
 };
 
+using ElementNumbers = std::vector<std::vector<int>>;  ///< [block][element]
+/// Splits the blocks of a mesh by numbers 0 to count - 1 of their elements, in the order of the blocks and of the
+/// numbers; element sets follow, and element numbers for messages stay. Returns which block each was part of.
+std::vector<std::size_t> splitMeshBlocks(Mesh& mesh, const ElementNumbers& numbers, int count);
+
 /// Splits the blocks of a mesh so that each has one material, and names the elements of material N as the element set
 /// "material.N", N counted from 0; element sets follow, and element numbers for messages stay. One material of all
 /// elements changes nothing. Returns the materials of the blocks. Throws InputError for a selection without elements

@@ -26,6 +26,29 @@ void checkName(const SceneTable& section, const Scene& scene, const std::string&
            fmt::format("{} is the name of {} already; give another", inQuotes(name), other.origin));
 }
 
+/// Which rigid body a probe is of.
+std::size_t rigidOf(const SceneTable& section, const Scene& scene, const std::string& what) {
+  for (const char* key : {"where", "set", "material"})
+    if (section.given(key))
+      fail(section.at(key).origin, fmt::format("probe.{}", key),
+           fmt::format("\"{}\" is of a rigid body; give rigid", what));
+  std::vector<std::string> known;
+  for (const Scene::Rigid& rigid : scene.rigids) known.push_back(rigid.name);
+  if (known.empty())
+    fail(section.at("what").origin, "probe.what", inQuotes(what) + " is of a [[rigid]]; there is none");
+  if (!section.given("rigid")) {
+    if (known.size() == 1) return 0;
+    fail(section.origin, "probe.rigid", fmt::format("there are several; name one of {}", fmt::join(known, ", ")));
+  }
+  const auto name = section.get<std::string>("rigid");
+  const auto found = std::ranges::find(known, name);
+  if (found == known.end())
+    fail(section.at("rigid").origin, "probe.rigid",
+         fmt::format("unknown rigid body {}; {}the scene has {}", inQuotes(name), didYouMean(name, known),
+                     fmt::join(known, ", ")));
+  return static_cast<std::size_t>(found - known.begin());
+}
+
 Scene::Probe probeOf(const SceneTable& section, const Scene& scene) {
   Scene::Probe probe;
   probe.origin = section.origin + ": [[probe]]";
@@ -57,6 +80,10 @@ Scene::Probe probeOf(const SceneTable& section, const Scene& scene) {
                        scene.materials.size() == 1 ? "is" : "are", scene.materials.size()));
     probe.material = static_cast<int>(number);
   }
+  if (section.given("rigid") && !probe.quantity.ofRigidBodies())
+    fail(section.at("rigid").origin, "probe.rigid",
+         fmt::format("\"{}\" is of no rigid body; give where or set", probe.quantity.name));
+  if (probe.quantity.ofRigidBodies()) probe.rigid = rigidOf(section, scene, probe.quantity.name);
   if (section.given("metric") && probe.quantity.kind != ProbeQuantity::Kind::step)
     fail(section.at("metric").origin, "probe.metric",
          fmt::format("goes with what = \"step\" alone, not with \"{}\"", probe.quantity.name));

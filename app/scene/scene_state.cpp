@@ -48,6 +48,7 @@ State sceneInitialState(const Scene& scene, const BodySystem& system) {
       state.v.col(node) += initial.velocity + initial.angularVelocity.cross(arm);
     }
   system.body().constraints().imposeVelocity(state.v);
+  system.body().constraints().projectTied(state.x, state.v);
   return state;
 }
 

@@ -83,7 +83,10 @@ Imex::Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
     : Handler(description, body, std::move(base), std::move(options)),
       dissipation_(options_.own.number("dissipation")),
       nonlinear_(options_.own.text("solver") == newton),
-      cluster_(clusterOptionsOf(nonlinear_ ? Options(options_.own).set("solver", "auto") : options_.own)) {}
+      cluster_(clusterOptionsOf(nonlinear_ ? Options(options_.own).set("solver", "auto") : options_.own)) {
+  if (nonlinear_ && options_.damping.any())
+    throw InputError("imex: the solver \"newton\" works without damping; take another");
+}
 
 void Imex::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
   const double beta = newmarkBeta(dissipation_);
@@ -95,17 +98,20 @@ void Imex::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
       newtonClusters_.emplace_back(body_, std::move(elements), h, beta * h * h, cluster_.tolerance,
                                    cluster_.iterations);
     else
-      clusters_.emplace_back(body_, std::move(elements), beta * h * h, x, cluster_);
+      clusters_.emplace_back(body_, std::move(elements), weightOfTangent(h), x, cluster_);
   detach(chosen);
 }
 
 StepStatus Imex::handledStep(SecondOrderSystem& system, State& state, double h) {
-  const double alpha = dissipation_, beta = newmarkBeta(alpha);
-  // With u = a + c v, c = α/(beta h), the damping force needs no product of its own: (M + beta h² K̂) u = M (a₀ + c v).
+  // With u = a + c v, c = α h/w, the damping force needs no product of its own: (M + w K̂) u = M (a₀ + c v).
   NodeVectors first(3, 0);
   if (handledBeginsWithAcceleration()) first.swap(state.a);
-  Corrected corrected(*this, system, alpha / (beta * h), first);
+  Corrected corrected(*this, system, dissipation_ * h / weightOfTangent(h), first);
   return baseStep(corrected, state, h, corrected.fault);
+}
+
+double Imex::weightOfTangent(double h) const {
+  return newmarkBeta(dissipation_) * h * h + 0.5 * h * options_.damping.beta;
 }
 
 double Imex::dissipated() const {

@@ -23,7 +23,8 @@ std::string imexForGpu(Options& own);
 ///   (1 + beta b) z² - (2 - a + (2 beta - α) b) z + 1 + (beta - α) b = 0,
 /// whose roots have |z| <= 1 for 0 <= a <= 4 + (1 + α²) b. With K_E ≼ (4/h²) M, which the certified selection proves,
 /// it holds whenever K_I ≼ (1 + α²) K̂, which is assumed, and with `newton`, where K̂ is K_I, is so. Theorems 34 and 61,
-/// docs/theory/handlers.md.
+/// docs/theory/handlers.md. With Rayleigh damping the damping force is that of all elements at v_(n-½), and h/2 beta_K
+/// is added to beta h² on the left: Theorem 73. Not with `newton`.
 class Imex final : public Handler {
  public:
   static constexpr std::string_view newton = "newton";
@@ -46,6 +47,8 @@ class Imex final : public Handler {
   static constexpr HandlerInfo description{.name = "imex",
                                            .help = "implicit where the step is too large, explicit elsewhere",
                                            .options = table,
+                                           .takesMassDamping = true,
+                                           .takesStiffnessDamping = true,
                                            .forGpu = imexForGpu};
   Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
@@ -62,6 +65,9 @@ class Imex final : public Handler {
  private:
   /// The base scheme's view: the acceleration that the implicit elements allow.
   class Corrected;
+
+  /// w of the implicit matrix M + w K̂, s²: beta h², and h/2 times stiffness-proportional damping.
+  double weightOfTangent(double h) const;
 
   double dissipation_;
   bool nonlinear_;

@@ -40,7 +40,7 @@ class LocalTimeStepping::Averaged final : public SecondOrderSystem {
     owner_.averagedAcceleration(x, v, h_, a);
   }
   int threads() const override { return owner_.body_.threads(); }
-  bool velocityDependent() const override { return owner_.dissipation_ != 0; }
+  bool velocityDependent() const override { return owner_.dissipation_ != 0 || owner_.options_.damping.alpha != 0; }
 
  private:
   LocalTimeStepping& owner_;
@@ -67,8 +67,8 @@ std::vector<LocalTimeStepping::Level> LocalTimeStepping::plan(const std::vector<
     return static_cast<double>(std::upper_bound(sorted.begin(), sorted.end(), lambda) - sorted.begin());
   };
   const double deep = count - below(deepest(h));
-  const double weights[]{stabilised_ ? 1 + 2 * dissipation_ : 1, 1}, share = stabilised_ ? coarseShare : 0,
-                                                                     least = stabilised_ ? damping : 0;
+  const double weights[]{stabilised_ ? topWeight(h) : 1, 1}, share = stabilised_ ? coarseShare : 0,
+                                                             least = stabilised_ ? damping : 0;
   // Ceilings only scale the filters: their range over that of p small steps, [ratio][whether inner].
   std::vector<double> ranges;
   for (const int p : ratios)
@@ -112,6 +112,10 @@ std::vector<LocalTimeStepping::Level> LocalTimeStepping::plan(const std::vector<
                                      weights[k > 1], least);
   }
   return levels;
+}
+
+double LocalTimeStepping::topWeight(double h) const {
+  return (1 + 2 * dissipation_) / (1 - 0.5 * h * options_.damping.alpha);
 }
 
 Eigen::VectorXd LocalTimeStepping::massBeside(const ElementFlags& finer, double share) const {
@@ -209,7 +213,7 @@ void LocalTimeStepping::take(const NodeVectors& x, double h, const ElementFlags&
   if (fine.empty()) fine.push_back({noElements(body_.mesh()), {}, h});
   // A tenth more than at rest: K̂ is kept while elements turn by a few hundredths (ImplicitCluster).
   constexpr double lag = 1.1;
-  const double weight = lag * (levels_.size() == 1 ? 1 + 2 * dissipation_ : 1);
+  const double weight = lag * (levels_.size() == 1 ? topWeight(h) : 1);
   filter_.emplace(body_, std::move(fine), implicit_, weight * step * step / ceiling, x, cluster_);
   coarse_.emplace(body_, complement(chosen));
   inverseMass_ = body_.lumpedMass().cwiseInverse();
@@ -274,11 +278,14 @@ void LocalTimeStepping::averagedAcceleration(const NodeVectors& x, const NodeVec
   std::string fault = filter_->apply(fineX_, fineA_);
   if (fault_.empty()) fault_ = std::move(fault);
   for (Eigen::Index i = 0; i < n; ++i) a.col(nodes[i]) = fineA_.col(i);
+  if (options_.damping.alpha == 0) return;
+  a -= options_.damping.alpha * v;
+  body_.constraints().clearConstrained(a);
 }
 
 StepStatus LocalTimeStepping::handledStep(SecondOrderSystem& system, State& state, double h) {
-  if (system.velocityDependent())
-    throw InputError("local-time-stepping: the system has damping, which it does not work with");
+  if (system.velocityDependent() && options_.damping.alpha == 0)
+    throw InputError("local-time-stepping: the system has damping that the handler was not made for");
   Averaged averaged(*this, h);
   fault_.clear();
   return baseStep(averaged, state, h, fault_);

@@ -61,7 +61,8 @@ class LocalTimeStepping final : public Handler {
                                            .help = "smaller steps where they are needed, by levels h/2^k",
                                            .alias = "adaptive",
                                            .options = table,
-                                           .selections = selections};
+                                           .selections = selections,
+                                           .takesMassDamping = true};
   LocalTimeStepping(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
   /// A finer level whose tangent is above what its filter takes. Of implicit elements nothing is said.
@@ -94,6 +95,8 @@ class LocalTimeStepping final : public Handler {
   /// The levels that cost least by an estimate of each element's highest eigenvalue, without their elements.
   std::vector<Level> plan(const std::vector<std::vector<double>>& lambdas, double h) const;
   double deepest(double h) const;
+  /// What the fine elements' tangents weigh beside those of level 0, more with mass damping: Theorem 73.
+  double topWeight(double h) const;
   /// The lumped mass, at nodes of some elements a share of it.
   Eigen::VectorXd massBeside(const ElementFlags& finer, double share) const;
   /// The elements among `left` that a level cannot have, and those of `finer`. Adds to the evaluations what it took.

@@ -16,7 +16,9 @@ class MassScaling final : public Handler {
   static constexpr HandlerInfo description{.name = "mass-scaling",
                                            .help = "adds mass to the nodes of critical elements; changes the physics",
                                            .selections = selections,
-                                           .addsMass = true};
+                                           .addsMass = true,
+                                           .takesMassDamping = true,
+                                           .takesStiffnessDamping = true};
   MassScaling(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
 
   /// Added mass, kg and % of the body's own, and the lowest elastic frequencies with and without it, Hz, at the

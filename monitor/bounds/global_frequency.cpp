@@ -23,7 +23,7 @@ GlobalFrequency globalFrequency(const TangentSource& source, NodeVectorsView x, 
   // The same start on every run and every machine, free components only, without a symmetry that a mesh could share.
   NodeVectors start(3, source.nodeCount());
   for (Eigen::Index i = 0; i < n; ++i) start.data()[i] = randomEntry(20130517, static_cast<std::uint64_t>(i));
-  source.constraints().clearConstrained(start);
+  op.restrict(start);
   if (!(start.norm() > 0)) {  // nothing is free: no frequency, and that is exact
     result.converged = true;
     result.mode = start;

@@ -65,7 +65,7 @@ LanczosBound lanczosUpperBound(const TangentSource& source, NodeVectorsView x, d
   NodeVectors q(3, source.nodeCount()), before = NodeVectors::Zero(3, source.nodeCount()), w(3, source.nodeCount());
   Random random(seed);
   for (double& entry : q.reshaped()) entry = random.normal();
-  source.constraints().clearConstrained(q);
+  op.restrict(q);
   q /= q.norm();
   Tridiagonal T;
   double logBetas = 0, ritz = 0;  // of all betas but the last

@@ -18,7 +18,7 @@ std::vector<std::int32_t> LocalMode::grow(const NodeVectors& mode) const {
   std::vector<std::int32_t> region;
   std::int32_t top = -1;
   for (std::int32_t i = 0; i < mode.cols(); ++i)
-    if (amplitude(i) > (top < 0 ? 0 : amplitude(top))) top = i;
+    if (!body_.constraints().isTied(i) && amplitude(i) > (top < 0 ? 0 : amplitude(top))) top = i;
   if (top < 0) return region;
   // Larger ones first, weighed by the elements that they share with the region, which keeps it compact where all are
   // alike; of equal ones the node with the lower number. A node is queued again when its weight has grown.
@@ -40,7 +40,8 @@ std::vector<std::int32_t> LocalMode::grow(const NodeVectors& mode) const {
     for (const NodalBound::Incidence at : incidences_.incidences(node)) {
       const ElementRef e = incidences_.elementAt(at);
       for (const std::int32_t other : body_.blocks()[e.block]->nodesOf(e.element)) {
-        if (taken[other] || body_.constraints().freeComponents(other) == 0) continue;
+        if (taken[other] || body_.constraints().freeComponents(other) == 0 || body_.constraints().isTied(other))
+          continue;
         frontier.push({++shared[other] * std::max(amplitude(other), least), other});
       }
     }

@@ -14,7 +14,7 @@ namespace ringwatch {
 /// highest eigenvalue (Theorem 8, docs/theory/rings_and_rayleigh.md). The elements at those nodes are a body of their
 /// own, so that the cost does not grow with the mesh. A region is connected: on a regular grid, where the mode moves
 /// all nodes alike, scattered nodes would hold little of it, and a box of n nodes a side loses about (π/n)²/4 of a
-/// direction's part.
+/// direction's part. Nodes of rigid bodies are of no region.
 class LocalMode {
  public:
   /// `incidences` knows the elements at each node. Every `gap`-th evaluation improves the mode by Lanczos with

@@ -39,7 +39,7 @@ NodeVectors scaleOf(const Body& body, NodeVectorsView x, Body::Workspace& worksp
   });
   for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
     const double root = scale(0, i) > 0 ? 1 / std::sqrt(scale(0, i)) : 0;
-    for (int c = 0; c < 3; ++c) scale(c, i) = root * freeFactor(body, i, c);
+    for (int c = 0; c < 3; ++c) scale(c, i) = root * cutFactor(body, i, c);
   }
   return scale;
 }

@@ -24,7 +24,7 @@ void NodeSubmatrix::choose(std::vector<std::int32_t> nodes) {
         const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), own[a]);
         if (found == nodes_.end() || *found != own[a]) continue;
         for (int c = 0; c < 3; ++c) {
-          if (freeFactor(source_, own[a], c) == 0) continue;
+          if (cutFactor(source_, own[a], c) == 0) continue;
           part.own[part.count] = static_cast<int>(3 * a) + c;
           part.row[part.count] = static_cast<int>(3 * (found - nodes_.begin())) + c;
           part.inverseMass[a] = 1 / source_.lumpedMass()[own[a]];
@@ -81,7 +81,7 @@ void NodeSubmatrix::addDiscrete(const DiscreteForces& discrete, NodeVectorsView 
         for (int r = 0; r < 3; ++r)
           for (int c = 0; c < 3; ++c)
             matrix_(3 * row + r, 3 * column + c) +=
-                freeFactor(source_, i, r) * freeFactor(source_, j, c) * scale * block(r, c);
+                cutFactor(source_, i, r) * cutFactor(source_, j, c) * scale * block(r, c);
       },
       [&](std::int32_t node) { return placeOf(node) >= 0; });
 }

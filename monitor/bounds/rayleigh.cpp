@@ -12,13 +12,13 @@ namespace ringwatch {
 
 LowerBound rayleighLowerBound(const TangentSource& source, NodeVectorsView x, NodeVectors& start, int products,
                               double* seen) {
-  source.constraints().clearConstrained(start);
+  const MassScaledOperator op(source, x);
+  op.restrict(start);
   const double norm = start.norm();
   if (!(norm > 0) || !std::isfinite(norm)) {
     start.setZero();
     return {0};
   }
-  MassScaledOperator op(source, x);
   start /= norm;
   const int steps = products - 1;  // none: the quotient of `start` as it is
   NodeVectors w(3, start.cols());
@@ -44,7 +44,7 @@ LowerBound rayleighLowerBound(const TangentSource& source, NodeVectorsView x, No
   double largest = std::max(w.norm(), T.radius);
   if (seen) *seen = largest = std::max(largest, *seen);
   const double ofSums = quotientRounding + unitRoundoff * static_cast<double>(start.size());
-  const double ofForm = op.formRounding(start);
+  const double ofForm = op.formRounding(start) + op.rigidRounding();
   DiscreteForces::DampingForm damping = op.dampingForm(start);
   if (source.dampedElements()) damping.rounding += ofForm + ofSums * largest;
   return {quotient - ofSums * largest - ofForm, std::max(0.0, damping.value - damping.rounding),

@@ -10,12 +10,12 @@ const ReducedRing::Result& ReducedRing::evaluate(NodeVectorsView x, bool wantLow
   source_.assembleBlocks(x, matrix_);
   Eigen::VectorXd rounding = source_.tangentRounding(x, workspace_).cwiseQuotient(source_.lumpedMass());
   for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
-    if (source_.constraints().freeComponents(i) == 0) rounding[i] = 0;
+    if (source_.constraints().freeComponents(i) == 0 || source_.constraints().isTied(i)) rounding[i] = 0;
   result_.largest.resize(source_.tangents().size());
   result_.highest = result_.lowest = 0;
   scale_ = NodeVectors(3, source_.nodeCount());
   for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
-    for (int c = 0; c < 3; ++c) scale_(c, i) = freeFactor(source_, i, c) / std::sqrt(source_.lumpedMass()[i]);
+    for (int c = 0; c < 3; ++c) scale_(c, i) = cutFactor(source_, i, c) / std::sqrt(source_.lumpedMass()[i]);
   for (std::size_t b = 0; b < source_.tangents().size(); ++b) {
     const ElementTangents& block = *source_.tangents()[b];
     const int n = block.nodesPerElement(), size = 3 * n;

@@ -8,6 +8,12 @@ RINGWATCH_INLINE double freeFactor(const TangentSource& source, std::int32_t nod
   return source.constraints().any() && source.constraints().isConstrained(node, component) ? 0.0 : 1.0;
 }
 
+/// The same where nodes are considered by themselves, with all others at rest: nodes of rigid bodies stay too, since
+/// they cannot move alone.
+RINGWATCH_INLINE double cutFactor(const TangentSource& source, std::int32_t node, int component) {
+  return source.constraints().isTied(node) ? 0.0 : freeFactor(source, node, component);
+}
+
 /// A 3×3 block at a node without the rows and columns of its constrained components.
 inline Eigen::Matrix3d freePart(const TangentSource& source, std::int32_t node, Eigen::Matrix3d S) {
   for (int c = 0; c < 3; ++c)

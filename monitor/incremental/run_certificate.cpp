@@ -339,8 +339,9 @@ void RunCertificate::distributeAllowances(NodeVectorsView x, bool newWeights) {
             for (const std::int32_t node : block.nodesOf(elements[lane])) scaling = std::min(scaling, scalingAt(node));
             setAllowance(e, swept[lane] > 0 ? swept[lane] * scaling * (1 - allowanceRounding) : 0);
             setBall(e, reference);
-            // Nothing of a wholly constrained element is left in the problem.
-            if (body().constraints().any() && reference.value == 0 && strainNorm(e) <= nothingFree)
+            // Nothing of a wholly constrained or rigid element is left in the problem.
+            if ((body().constraints().any() || body().constraints().rigidBodies().size() > 0) && reference.value == 0 &&
+                strainNorm(e) <= nothingFree)
               data.balls.setNeverOutside(place);
           }
         });

@@ -550,6 +550,12 @@ const std::vector<Key>& newKeys() {
       {"mass", "where", text, "", ""},
       {"mass", "set", text, "", ""},
       {"mass", "mass", number, "> 0", "kg"},
+      {"mass_damping", "where", text, "", ""},
+      {"mass_damping", "set", text, "", ""},
+      {"mass_damping", "rate", number, ">= 0", "1/s"},
+      {"rigid", "where", text, "", ""},
+      {"rigid", "set", text, "", ""},
+      {"rigid", "name", text, "", ""},
       {"spring", "where", text, "", ""},
       {"spring", "set", text, "", ""},
       {"spring", "to_where", text, "", ""},
@@ -598,6 +604,8 @@ TEST_F(Contact, RefusesEveryKeyByTypeRangeAndName) {
   const std::map<std::string, Lines> good{
       {"pressure", {{"where", "\"all\""}, {"pressure", "1"}}},
       {"mass", {{"where", "\"all\""}, {"mass", "1"}}},
+      {"mass_damping", {{"where", "\"all\""}, {"rate", "1"}}},
+      {"rigid", {{"where", "\"x < 1e-6\""}}},
       {"spring", {{"where", "\"all\""}, {"stiffness", "1"}}},
       {"obstacle", {{"kind", "\"plane\""}, {"normal", "[0, 0, 1]"}, {"point", "[0, 0, -1]"}}},
       {"contact", {}},
@@ -640,7 +648,7 @@ TEST_F(Contact, RefusesEveryKeyByTypeRangeAndName) {
     if (key.range == "> 0") expect(key, key.key, filled("0"), named + "0 is out of range; must be " + key.range + of);
     ++ranges;
   }
-  EXPECT_EQ(ranges, 12);
+  EXPECT_EQ(ranges, 13);
   // The table has no key that is not tried above.
   for (const SceneKey& key : sceneKeys()) {
     if (!good.contains(key.section) || key.section == "move") continue;

@@ -95,7 +95,24 @@ TEST_F(Erosion, TearsABarAndKeepsMassMomentumAndBalance) {
   const VtuFrame frame = readVtuFrame(folder_.path() / "r/frames/frame_000002.vtu");
   EXPECT_EQ(frame.mesh.elementCount(), 40u);
   EXPECT_EQ(frame.mesh.nodeCount(), 13u * 9);
+  // An event for each time at which elements leave, and the number of those that have left in every row.
+  std::size_t events = 0, eventElements = 0;
+  for (const Json& event : summary["events"]) {
+    if (event["kind"] != "eroded") continue;
+    ++events;
+    eventElements += event["value"].get<std::size_t>();
+    const Json& first = erosion["elements"][eventElements - event["value"].get<std::size_t>()];
+    EXPECT_EQ(event["element"]["id"], first["element"]["id"]);
+    EXPECT_EQ(event["time"], first["time"]);
+    EXPECT_EQ(event["end_step"].get<int>(), event["step"].get<int>() + 1);
+    EXPECT_THAT(event["text"].get<std::string>(), HasSubstr("eroded, the first, hex8 element"));
+    EXPECT_THAT(event["text"].get<std::string>(), HasSubstr(": max_stretch 1.3"));
+  }
+  EXPECT_GE(events, 1u);
+  EXPECT_EQ(eventElements, 8u);
   const Table history = table("r/history.csv"), probes = table("r/probes.csv");
+  EXPECT_EQ(history.number(0, "eroded_elements"), 0);
+  EXPECT_EQ(history.number(history.rows.size() - 1, "eroded_elements"), 8);
   double kinetic = 0, error = 0, change = 0, middle = 0;
   for (std::size_t i = 0; i < history.rows.size(); ++i) {
     kinetic = std::max(kinetic, history.number(i, "kinetic_J"));

@@ -75,7 +75,9 @@ TEST_F(Outputs, SummariesHaveTheKeysThatHelpExplains) {
   std::string two = scene;
   two.replace(two.find("[material]\n" + one), 11 + one.size(),
               "[[material]]\nwhere = \"x < 0.05\"\n" + one + "[[material]]\nwhere = \"x >= 0.05\"\n" + one);
-  folder_.write("eroding.toml", two + "[erosion]\nmax_stretch = 1.02\n[[probe]]\nwhat = \"velocity\"\n");
+  folder_.write("eroding.toml", two +
+                                    "[[rigid]]\nwhere = \"abs(x - 0.04) < 1e-6\"\n[erosion]\nmax_stretch = 1.02\n"
+                                    "[[probe]]\nwhat = \"velocity\"\n");
   addKeys(summaryOf("eroding.toml", 0), "", seen);
   for (const std::string& key : seen) EXPECT_TRUE(isExplained(key)) << key;
   for (const OutputField& field : summaryKeys())

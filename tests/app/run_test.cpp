@@ -50,7 +50,7 @@ TEST_F(Program, RunsASceneAndWritesWhatItPromises) {
   EXPECT_EQ(history.columns, (std::vector<std::string>{
                                  "step", "time_s", "h_s", "safe_s", "optimistic_s", "controlling_element", "kinetic_J",
                                  "strain_J", "external_work_J", "balance_error_J", "elements_refreshed",
-                                 "handled_elements", "metric_step_s", "verdict", "dissipated_J"}));
+                                 "handled_elements", "metric_step_s", "verdict", "dissipated_J", "eroded_elements"}));
   ASSERT_EQ(history.rows.size(), 50u);
   for (std::size_t i = 0; i < history.rows.size(); ++i) {
     EXPECT_EQ(history.rows[i].size(), history.columns.size());
