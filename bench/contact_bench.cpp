@@ -70,8 +70,9 @@ void alongARun(benchmark::State& state, int n, Touching touching) {
   // A hundredth of the speed of waves.
   for (const std::int32_t node : mesh.nodeSets.at("upper"))
     start.v.col(node) = 0.01 * wave * Eigen::Vector3d(0.3, 0.1, -1);
-  double stepTime = 0, contactStepTime = 0, proofTime = 0, contactProofTime = 0, searchTime = 0, error = 0, most = 0;
-  std::int64_t refused = 0, plainRefused = 0, rebuilds = 0, lists = 0;
+  double stepTime = 0, contactStepTime = 0, proofTime = 0, contactProofTime = 0, searchTime = 0, error = 0, most = 0,
+         workWithContact = 0;
+  std::int64_t refused = 0, plainRefused = 0, rebuilds = 0, lists = 0, pairs = 0;
   for (auto _ : state) {
     BodySystem plainSystem(plain), system(body);
     SymplecticEuler plainEuler, euler;
@@ -110,7 +111,12 @@ void alongARun(benchmark::State& state, int n, Touching touching) {
       error = std::max(error, f.rowwise().sum().norm() / f.cwiseAbs().maxCoeff());
     }
     lists = 0;
-    for (const SurfaceSearch& one : body.discreteForces()->surfaces()) lists += one.statistics().lists;
+    pairs = 0;
+    for (const SurfaceSearch& one : body.discreteForces()->surfaces()) {
+      lists += one.statistics().lists;
+      pairs += one.statistics().pairs;
+    }
+    workWithContact = bound.spent().total() / plainBound.spent().total() - 1;
     state.SetIterationTime(stepTime + contactStepTime + proofTime + contactProofTime);
   }
   report(state, 400 * mesh.elementCount(), error);
@@ -119,9 +125,11 @@ void alongARun(benchmark::State& state, int n, Touching touching) {
   state.counters["search"] = searchTime / stepTime;
   state.counters["proof_ms"] = 1e3 * proofTime / 400;
   state.counters["proof_with_contact"] = contactProofTime / proofTime - 1;
+  state.counters["work_with_contact"] = workWithContact;
   state.counters["touching"] = most;
   state.counters["surface_nodes"] = static_cast<double>(surface.size());
   state.counters["lists"] = static_cast<double>(lists);
+  state.counters["pairs"] = static_cast<double>(pairs) / 400;
   state.counters["refused"] = static_cast<double>(refused);
   state.counters["plain_refused"] = static_cast<double>(plainRefused);
   state.counters["rebuilds"] = static_cast<double>(rebuilds);

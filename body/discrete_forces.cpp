@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/rounding.h>
@@ -398,19 +399,47 @@ DiscreteForces::DampingForm DiscreteForces::dampingForm(NodeVectorsView x, NodeV
 }
 
 void DiscreteForces::majorants(NodeVectorsView x, bool room, std::vector<Eigen::Matrix3d>& matrices) const {
+  matrices.assign(nodes_.size(), Eigen::Matrix3d::Zero());
+  std::vector<std::int32_t> places;
+  majorants(x, room, matrices, places);
+}
+
+void DiscreteForces::majorants(NodeVectorsView x, bool room, std::vector<Eigen::Matrix3d>& matrices,
+                               std::vector<std::int32_t>& places) const {
+  if (matrices.size() != nodes_.size()) {
+    matrices.assign(nodes_.size(), Eigen::Matrix3d::Zero());
+    places.clear();
+  }
+  for (const std::int32_t place : places) matrices[place].setZero();
+  places.clear();
+  forMajorants(x, room, [&]<class Part>(std::int32_t node, const Part& part) {
+    const std::int32_t place = placeOf(node);
+    Eigen::Matrix3d& matrix = matrices[place];
+    const bool first = matrix.trace() == 0;  // semidefinite: zero where the trace is
+    if constexpr (std::is_same_v<Part, double>)
+      matrix.diagonal().array() += part;
+    else
+      matrix += part;
+    if (first && matrix.trace() != 0) places.push_back(place);
+  });
+  for (const std::int32_t place : places)
+    matrices[place].diagonal().array() += directionRounding * matrices[place].trace();
+}
+
+template <class Add>
+void DiscreteForces::forMajorants(NodeVectorsView x, bool room, const Add& add) const {
   const double f = dampingFactor(), reach = shared_->reach;
   const Eigen::Matrix3d I = Eigen::Matrix3d::Identity();
-  matrices.assign(nodes_.size(), Eigen::Matrix3d::Zero());
   for (const Spring& spring : springs_) {
     if (spring.other < 0) {
-      matrices[placeOf(spring.node)] += toGround(spring, spring.stiffness + f * spring.damping);
+      add(spring.node, toGround(spring, spring.stiffness + f * spring.damping));
       continue;
     }
     // [1 -1; -1 1] <= 2.
     Eigen::Matrix3d own = 2 * axial(spring, x, f, true);
     if (room && spring.length > 0) own += 2 * turning * (spring.stiffness + f * spring.damping) * I;
-    matrices[placeOf(spring.node)] += own;
-    matrices[placeOf(spring.other)] += own;
+    add(spring.node, own);
+    add(spring.other, own);
   }
   for (const PenaltyContact& contact : contacts_)
     for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
@@ -427,14 +456,14 @@ void DiscreteForces::majorants(NodeVectorsView x, bool room, std::vector<Eigen::
         own += (f * contact.friction * contact.penalty[k] * depth * (room ? 1 + deepening : 1) / contact.slip) *
                (I - outward);
       if (room && curved) own += turning * along * I;
-      matrices[placeOf(node)] += own;
+      add(node, own);
     }
-  addSurfaceMajorants(x, room, matrices);
-  for (Eigen::Matrix3d& matrix : matrices) matrix.diagonal().array() += directionRounding * matrix.trace();
+  forSurfaceMajorants(x, room, add);
 }
 
 // A node touches one triangle at a time: of a corner the largest weight counts that it can have in any of them.
-void DiscreteForces::addSurfaceMajorants(NodeVectorsView x, bool room, std::vector<Eigen::Matrix3d>& matrices) const {
+template <class Add>
+void DiscreteForces::forSurfaceMajorants(NodeVectorsView x, bool room, const Add& add) const {
   if (shared_->surfaces.empty()) return;
   if (isPart_)
     requireLocated(x);
@@ -444,8 +473,8 @@ void DiscreteForces::addSurfaceMajorants(NodeVectorsView x, bool room, std::vect
   for (const SurfaceSearch& surface : shared_->surfaces) {
     const SurfaceContact& contact = surface.contact();
     const std::vector<SurfaceSearch::Near>& near = surface.near();
-    const auto add = [&](std::int32_t node, double value) {
-      if (node = numberOf(node); node >= 0) matrices[placeOf(node)].diagonal().array() += value;
+    const auto addIsotropic = [&](std::int32_t node, double value) {
+      if (node = numberOf(node); node >= 0) add(node, value);
     };
     std::vector<std::pair<std::int32_t, double>> corners;
     for (std::size_t i = 0; i < near.size();) {
@@ -468,8 +497,8 @@ void DiscreteForces::addSurfaceMajorants(NodeVectorsView x, bool room, std::vect
       double k = contact.penalty[entry] + f * contact.damping[entry];
       if (contact.friction > 0)
         k += f * contact.friction * contact.penalty[entry] * depth * (room ? 1 + deepening : 1) / contact.slip;
-      add(contact.nodes[entry], (1 + contact.split[entry]) * k);
-      for (const auto& [corner, weight] : corners) add(corner, (1 + 1 / contact.split[entry]) * weight * k);
+      addIsotropic(contact.nodes[entry], (1 + contact.split[entry]) * k);
+      for (const auto& [corner, weight] : corners) addIsotropic(corner, (1 + 1 / contact.split[entry]) * weight * k);
     }
   }
 }

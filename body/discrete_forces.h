@@ -133,6 +133,10 @@ class DiscreteForces {
   /// for any set of the nodes within reach that touch. room: a little more of what changes as nodes move, so that they
   /// hold for longer. Theorem 45, docs/theory/discrete_forces.md.
   void majorants(NodeVectorsView x, bool room, std::vector<Eigen::Matrix3d>& matrices) const;
+  /// The same into matrices that are zero but at `places`, which become those that are not zero now, in any order: most
+  /// nodes of a surface are far from any other.
+  void majorants(NodeVectorsView x, bool room, std::vector<Eigen::Matrix3d>& matrices,
+                 std::vector<std::int32_t>& places) const;
 
   /// The largest speed of a node of a contact against its obstacle, m/s, and at most that of nodes of surfaces against
   /// one another.
@@ -162,7 +166,11 @@ class DiscreteForces {
   template <class Visit>
   void forEachTouch(NodeVectorsView x, const Visit& visit) const;
   void requireLocated(NodeVectorsView x) const;
-  void addSurfaceMajorants(NodeVectorsView x, bool room, std::vector<Eigen::Matrix3d>& matrices) const;
+  /// Calls add(node, part) for the parts of the majorants: matrices, or numbers that stand for multiples of 1.
+  template <class Add>
+  void forMajorants(NodeVectorsView x, bool room, const Add& add) const;
+  template <class Add>
+  void forSurfaceMajorants(NodeVectorsView x, bool room, const Add& add) const;
   /// The number of a node of the whole, -1: none.
   std::int32_t numberOf(std::int32_t node) const { return isPart_ ? numberOf_[node] : node; }
   /// Stiffness and damping of a spring between two nodes: the matrix of [1 -1; -1 1] ⊗, exact or without its negative

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/matrix3.h>
 #include <ringwatch/base/rounding.h>
+#include <ringwatch/elements/registry.h>
 
 namespace ringwatch {
 namespace {
@@ -35,54 +37,119 @@ RINGWATCH_INLINE void cross(const P (&a)[3], const P (&b)[3], P (&c)[3]) {
   c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/// Bulk viscosity alone of linear tetrahedra: everything stays in registers. coefficient(rate, length, batch).
-template <class Coefficient>
-RINGWATCH_INLINE void addBulkOfSimplices(std::int32_t first, std::int32_t last, const std::uint16_t* localNodes,
-                                         const P* sizes, double strength, const double* rows, const double* vRows,
-                                         double* slots, const Coefficient& coefficient) {
-  const P ofStrength(strength / 6), sixth(1.0 / 6), least(leastVolumeShare);
-  for (std::int32_t batch = first; batch < last; ++batch) {
-    const std::uint16_t* local = localNodes + static_cast<std::ptrdiff_t>(batch) * 4 * lanes;
-    P origin[3], e1[3], e2[3], e3[3], c1[3], c2[3], c3[3];
-    loadRows(rows, local, origin);
-    loadRows(rows, local + lanes, e1);
-    loadRows(rows, local + 2 * lanes, e2);
-    loadRows(rows, local + 3 * lanes, e3);
+/// A quadrature point of any elements, one a lane: J⁻¹, w det J, and F.
+struct Point {
+  Matrix3<P> inverseJacobian, F;
+  P weight;
+  /// ∂N_a/∂X, of the row of a table of ∂N_a/∂ξ.
+  RINGWATCH_INLINE void gradient(const double* dN, P (&g)[3]) const {
+    for (int j = 0; j < 3; ++j)
+      g[j] = P(dN[0]) * inverseJacobian(0, j) + P(dN[1]) * inverseJacobian(1, j) + P(dN[2]) * inverseJacobian(2, j);
+  }
+};
+/// stored(i): number i of the point, as in `geometry_`; dN: of all nodes, row by row; edges: of the n nodes.
+template <class Stored>
+RINGWATCH_INLINE Point pointOf(int n, const P (*edges)[3], const double* dN, const Stored& stored) {
+  Point point;
+  for (int i = 0; i < 9; ++i) point.inverseJacobian.m[i] = stored(i);
+  point.weight = stored(9);
+  Matrix3<P> D = Matrix3<P>::zero();
+  for (int a = 1; a < n; ++a)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) D(i, j) += edges[a][i] * P(dN[3 * a + j]);
+  point.F = D * point.inverseJacobian;
+  return point;
+}
+
+/// Whether volumes and their derivatives follow from the element's faces: all rules of hexahedra integrate them
+/// exactly.
+bool goesByFaces(const ElementInfo& element) { return element.type == elementTypeOf<Hex8>; }
+
+/// Volumes of hexahedra and their derivatives by the nodes: ∂V/∂x_a = ∫ N_a n dA over the bilinear faces at the node,
+/// (2 n_a + n_c)/12 with the corner's normal n_a and that of the opposite corner of the face, and 3 V = Σ x_a ·
+/// ∂V/∂x_a.
+RINGWATCH_INLINE void volumeGradientByFaces(const P (*x)[3], P& volume, P (*w)[3]) {
+  RINGWATCH_UNROLL
+  for (int a = 0; a < 8; ++a)
+    for (int i = 0; i < 3; ++i) w[a][i] = P(0.0);
+  RINGWATCH_UNROLL
+  for (std::size_t f = 0; f < Hex8::faces.size(); ++f) {
+    const int a = Hex8::faces[f][0], b = Hex8::faces[f][1], c = Hex8::faces[f][2], d = Hex8::faces[f][3];
+    P ab[3], ad[3], bc[3], ac[3], bd[3], atA[3], atB[3], all[3];
     for (int i = 0; i < 3; ++i) {
-      e1[i] -= origin[i];
-      e2[i] -= origin[i];
-      e3[i] -= origin[i];
+      ab[i] = x[b][i] - x[a][i];
+      ad[i] = x[d][i] - x[a][i];
+      bc[i] = x[c][i] - x[b][i];
+      ac[i] = x[c][i] - x[a][i];
+      bd[i] = x[d][i] - x[b][i];
     }
-    // Six times the derivatives of the volume.
-    cross(e2, e3, c1);
-    cross(e3, e1, c2);
-    cross(e1, e2, c3);
-    const P volume = sixth * dot(e1, c1);
-    P v0[3], v[3];
+    cross(ab, ad, atA);
+    cross(ab, bc, atB);
+    cross(ac, bd, all);  // the sum of the normals at two corners that are opposite
+    for (int i = 0; i < 3; ++i) {
+      w[a][i] += atA[i] + all[i];
+      w[b][i] += atB[i] + all[i];
+      w[c][i] += P(2.0) * all[i] - atA[i];
+      w[d][i] += P(2.0) * all[i] - atB[i];
+    }
+  }
+  volume = P(0.0);
+  for (int a = 0; a < 8; ++a) {
+    for (int i = 0; i < 3; ++i) w[a][i] = P(1.0 / 12) * w[a][i];
+    volume += dot(x[a], w[a]);
+  }
+  volume = P(1.0 / 3) * volume;
+}
+
+/// Volumes of linear tetrahedra and their derivatives by the nodes.
+RINGWATCH_INLINE void volumeGradientOfSimplex(const P (*x)[3], P& volume, P (*w)[3]) {
+  cross(x[2], x[3], w[1]);
+  cross(x[3], x[1], w[2]);
+  cross(x[1], x[2], w[3]);
+  const P sixth(1.0 / 6);
+  RINGWATCH_UNROLL
+  for (int a = 1; a < 4; ++a) {
+    RINGWATCH_UNROLL
+    for (int i = 0; i < 3; ++i) w[a][i] = sixth * w[a][i];
+  }
+  volume = dot(x[1], w[1]);
+  RINGWATCH_UNROLL
+  for (int i = 0; i < 3; ++i) w[0][i] = -(w[1][i] + w[2][i] + w[3][i]);
+}
+
+/// Bulk viscosity alone of tetrahedra and hexahedra: the number of nodes is known, and velocities and forces stay in
+/// registers. coefficient(rate, length, batch).
+template <int n, class Coefficient>
+RINGWATCH_INLINE void addBulkAlone(std::int32_t first, std::int32_t last, const std::uint16_t* localNodes,
+                                   const P* sizes, double strength, const double* rows, const double* vRows,
+                                   double* slots, const Coefficient& coefficient) {
+  const P ofStrength(strength), least(leastVolumeShare);
+  for (std::int32_t batch = first; batch < last; ++batch) {
+    const std::uint16_t* local = localNodes + static_cast<std::ptrdiff_t>(batch) * n * lanes;
+    P x[n][3], w[n][3], volume, rate(0.0), v0[3], v[3];
+    RINGWATCH_UNROLL
+    for (int a = 0; a < n; ++a) loadRows(rows, local + a * lanes, x[a]);
+    subtractFirst(n, x);
+    if constexpr (n == 4)
+      volumeGradientOfSimplex(x, volume, w);
+    else
+      volumeGradientByFaces(x, volume, w);
     loadRows(vRows, local, v0);
-    P rate(0.0);
-    const auto addRate = [&](int a, const P(&c)[3]) {
+    RINGWATCH_UNROLL
+    for (int a = 1; a < n; ++a) {
       loadRows(vRows, local + a * lanes, v);
-      for (int i = 0; i < 3; ++i) rate += c[i] * (v[i] - v0[i]);
-    };
-    addRate(1, c1);
-    addRate(2, c2);
-    addRate(3, c3);
+      RINGWATCH_UNROLL
+      for (int i = 0; i < 3; ++i) rate += w[a][i] * (v[i] - v0[i]);
+    }
     const P* own = sizes + static_cast<std::ptrdiff_t>(batch) * sizeCount;
     const P inverse = P(1.0) / math::max(volume, least * own[0]);
-    rate = sixth * rate * inverse;
+    rate = rate * inverse;
     const P s = ofStrength * own[0] * own[1] * inverse * rate * coefficient(rate, own[1], batch);
-    P f0[3];
-    for (int i = 0; i < 3; ++i) {
-      c1[i] = s * c1[i];
-      c2[i] = s * c2[i];
-      c3[i] = s * c3[i];
-      f0[i] = -(c1[i] + c2[i] + c3[i]);
+    RINGWATCH_UNROLL
+    for (int a = 0; a < n; ++a) {
+      const P force[3] = {s * w[a][0], s * w[a][1], s * w[a][2]};
+      addRows(slots, local + a * lanes, force);
     }
-    addRows(slots, local, f0);
-    addRows(slots, local + lanes, c1);
-    addRows(slots, local + 2 * lanes, c2);
-    addRows(slots, local + 3 * lanes, c3);
   }
 }
 
@@ -175,15 +242,9 @@ void DampedBlock::forgetRates() { std::fill(coefficients_.begin(), coefficients_
 template <bool simplex>
 RINGWATCH_INLINE void DampedBlock::volumeGradient(const P (*edges)[3], P& volume, P (*w)[3]) const {
   if constexpr (simplex) {
-    cross(edges[2], edges[3], w[1]);
-    cross(edges[3], edges[1], w[2]);
-    cross(edges[1], edges[2], w[3]);
-    const P sixth(1.0 / 6);
-    for (int a = 1; a < 4; ++a)
-      for (int i = 0; i < 3; ++i) w[a][i] = sixth * w[a][i];
-    volume = dot(edges[1], w[1]);
-    for (int i = 0; i < 3; ++i) w[0][i] = -(w[1][i] + w[2][i] + w[3][i]);
+    volumeGradientOfSimplex(edges, volume, w);
   } else {
+    if (goesByFaces(element())) return volumeGradientByFaces(edges, volume, w);
     const int n = nodesPerElement();
     volume = P(0.0);
     for (int a = 0; a < n; ++a)
@@ -289,14 +350,16 @@ void DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows,
 template <class Coefficient>
 void DampedBlock::addAny(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor,
                          double* slots, const Coefficient& coefficient) const {
-  if (isSimplex() && !constants_.viscous() && !(constants_.massProportional > 0)) {
+  if (!constants_.viscous() && !(constants_.massProportional > 0) && (isSimplex() || goesByFaces(element()))) {
     const double speed = material().waveSpeed();
     const P slowness(1 / speed);
-    return addBulkOfSimplices(first, last, layout().localNodes.data(), sizes_.data(),
-                              factor * material().density * speed, rows, vRows, slots,
-                              [&](const P& rate, const P& length, std::int32_t batch) {
-                                return coefficient(slowness * length, rate, static_cast<std::size_t>(batch) * lanes);
-                              });
+    const auto alone = [&]<int n>(std::integral_constant<int, n>) {
+      addBulkAlone<n>(first, last, layout().localNodes.data(), sizes_.data(), factor * material().density * speed, rows,
+                      vRows, slots, [&](const P& rate, const P& length, std::int32_t batch) {
+                        return coefficient(slowness * length, rate, static_cast<std::size_t>(batch) * lanes);
+                      });
+    };
+    return isSimplex() ? alone(std::integral_constant<int, 4>()) : alone(std::integral_constant<int, 8>());
   }
   if (isSimplex())
     add<true>(first, last, rows, vRows, factor, slots, coefficient);
@@ -437,22 +500,18 @@ void DampedBlock::addTangent(const std::int32_t* elements, const double* x, doub
     const double eta = *factor_ * constants_.shearViscosity,
                  lambda = *factor_ * (constants_.volumeViscosity - 2.0 / 3 * constants_.shearViscosity);
     for (int q = 0; q < points_; ++q) {
-      Matrix3<P> J1, D = Matrix3<P>::zero();
       const std::size_t at = static_cast<std::size_t>(q) * stride, perBatch = numbersOf(points_);
-      for (std::size_t i = 0; i < 9; ++i) J1.m[i] = gather(geometry_, perBatch, at + i, elements);
-      const P weight = gather(geometry_, perBatch, at + 9, elements);
-      for (int a = 1; a < n; ++a)
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j) D(i, j) += edges[a][i] * P(shapeTable(q, a)[j]);
-      const Matrix3<P> F = D * J1, B = timesTranspose(F, F);
+      const Point point = pointOf(n, edges, shapeTable(q, 0), [&](int i) {
+        return gather(geometry_, perBatch, at + static_cast<std::size_t>(i), elements);
+      });
+      const Matrix3<P>& F = point.F;
+      const Matrix3<P> B = timesTranspose(F, F);
       P g[maxElementNodes][3], h[maxElementNodes][3];  // ∂N_a/∂X and F ∂N_a/∂X
       for (int a = 0; a < n; ++a) {
-        for (int j = 0; j < 3; ++j)
-          g[a][j] =
-              P(shapeTable(q, a)[0]) * J1(0, j) + P(shapeTable(q, a)[1]) * J1(1, j) + P(shapeTable(q, a)[2]) * J1(2, j);
+        point.gradient(shapeTable(q, a), g[a]);
         for (int i = 0; i < 3; ++i) h[a][i] = F(i, 0) * g[a][0] + F(i, 1) * g[a][1] + F(i, 2) * g[a][2];
       }
-      const P ofEta = P(eta) * weight, ofLambda = P(lambda) * weight;
+      const P ofEta = P(eta) * point.weight, ofLambda = P(lambda) * point.weight;
       for (int a = 0; a < n; ++a)
         for (int b = a; b < n; ++b) {
           const P product = dot(g[a], g[b]);
@@ -494,7 +553,11 @@ void DampedBlock::roundingOf(const std::int32_t* elements, const P (*edges)[3], 
       volumeGradient<false>(edges, volume, w);
     // What ∂V/∂x_a and V err by.
     P ofGradient(0.0), ofVolume(0.0);
-    for (int q = 0; q < points_; ++q) {
+    if (goesByFaces(element())) {
+      ofGradient = P(32 * u) * square;
+      ofVolume = P(64 * u) * square * edge;
+    }
+    for (int q = 0; !goesByFaces(element()) && q < points_; ++q) {
       Matrix3<P> D = Matrix3<P>::zero();
       double largest = 0;
       for (int a = 0; a < n; ++a) {
@@ -520,27 +583,22 @@ void DampedBlock::roundingOf(const std::int32_t* elements, const P (*edges)[3], 
     const double lambda = constants_.volumeViscosity - 2.0 / 3 * constants_.shearViscosity;
     const P modulus(*factor_ * (std::max(lambda, 0.0) + 2 * constants_.shearViscosity + std::max(-3 * lambda, 0.0)));
     for (int q = 0; q < points_; ++q) {
-      Matrix3<P> J1, D = Matrix3<P>::zero();
       const std::size_t at = static_cast<std::size_t>(q) * stride, perBatch = numbersOf(points_);
-      for (std::size_t i = 0; i < 9; ++i) J1.m[i] = gather(geometry_, perBatch, at + i, elements);
-      const P weight = gather(geometry_, perBatch, at + 9, elements);
-      for (int a = 1; a < n; ++a)
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j) D(i, j) += edges[a][i] * P(shapeTable(q, a)[j]);
-      const P F = norm(D * J1), inverse = norm(J1), condition = P(tableNorm_[q]) * inverse * sizes.extent;
+      const Point point = pointOf(n, edges, shapeTable(q, 0), [&](int i) {
+        return gather(geometry_, perBatch, at + static_cast<std::size_t>(i), elements);
+      });
+      const P F = norm(point.F), inverse = norm(point.inverseJacobian),
+              condition = P(tableNorm_[q]) * inverse * sizes.extent;
       const P error =
           P(u * tableNorm_[q]) * inverse * (P(gradientRounding + n) * edge + P(gradientRounding) * sizes.extent * F);
       const P law = modulus * (P(2.0) * F * error + error * error + P(40 * u) * F * F);
       const P all = law + (P(shapeRounding * u) * condition + P(productRounding * u)) * modulus * F * F;
       for (int a = 0; a < n; ++a) {
-        P g2(0.0);
-        for (int j = 0; j < 3; ++j) {
-          const P g =
-              P(shapeTable(q, a)[0]) * J1(0, j) + P(shapeTable(q, a)[1]) * J1(1, j) + P(shapeTable(q, a)[2]) * J1(2, j);
-          g2 += g * g;
-        }
-        const P own = P(2.0) * weight * all * (g2 + g2 + P(1.0) / (sizes.extent * sizes.extent));
-        T[a] += select(weight > P(0.0), own, P(0.0));
+        P g[3];
+        point.gradient(shapeTable(q, a), g);
+        const P g2 = dot(g, g);
+        const P own = P(2.0) * point.weight * all * (g2 + g2 + P(1.0) / (sizes.extent * sizes.extent));
+        T[a] += select(point.weight > P(0.0), own, P(0.0));
       }
     }
   }

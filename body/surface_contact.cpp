@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/BVH>
@@ -27,6 +28,12 @@ constexpr double sameDistance = 1e-12;
 constexpr double beside = 0.5;
 /// Of the mean edge: what nodes may move against one another until the lists are made again.
 constexpr double skinOfEdge = 0.4;
+/// Sine of the angle of a triangle below which it counts as its edges.
+constexpr double needle = 1e-8;
+/// What closest points are off by where angles are no smaller, and sums of paths, at most, over the edge of the cells.
+constexpr double roundingOfEdge = 1e-6;
+/// Paths over the edge of the cells up to which that holds.
+constexpr double longestPath = 1e6;
 
 double heightBehind(const Mesh& mesh, const SurfaceTriangle& triangle) {
   const Vector3d a = mesh.X.col(triangle.nodes[0]), b = mesh.X.col(triangle.nodes[1]),
@@ -153,7 +160,7 @@ SurfaceSearch::Closest SurfaceSearch::closestPoint(const Vector3d& s, const Vect
   const Vector3d normal = e1.cross(e2);
   const double n2 = normal.squaredNorm();
   result.normal = normal;
-  if (n2 > 0) {
+  if (n2 > needle * needle * e1.squaredNorm() * e2.squaredNorm()) {
     const double w1 = p.cross(e2).dot(normal) / n2, w2 = e1.cross(p).dot(normal) / n2, w0 = 1 - w1 - w2;
     if (std::min({w0, w1, w2}) >= -besideByRounding) {
       result.w = {w0, w1, w2};
@@ -192,17 +199,9 @@ Eigen::Matrix3d SurfaceSearch::Touch::block(int a, int c, double k, double fc) c
   return own;
 }
 
-bool SurfaceSearch::listsServe(double reach) const {
-  if (margin_ < 0) return false;
-  const Eigen::Index count = at_.cols();
-  Vector3d mean = Vector3d::Zero();
-  for (Eigen::Index i = 0; i < count; ++i) mean += at_.col(i) - listed_.col(i);
-  mean /= static_cast<double>(count);
-  const double allowed = 0.5 * margin_ - reach;
-  if (!(allowed >= 0)) return false;
-  double most = 0;
-  for (Eigen::Index i = 0; i < count; ++i) most = std::max(most, (at_.col(i) - listed_.col(i) - mean).squaredNorm());
-  return most <= allowed * allowed;
+bool SurfaceSearch::listsServe(double reach, int threads) {
+  if (!motion_.started() || !(motion_.longestPath() <= longestPath * motion_.edge())) return false;
+  return motion_.keepsApart(listed_, extent_, deepest_ + 2 * reach + rounding_, at_, threads);
 }
 
 void SurfaceSearch::makeLists(NodeVectorsView x, double reach, int threads) {
@@ -213,24 +212,27 @@ void SurfaceSearch::makeLists(NodeVectorsView x, double reach, int threads) {
       sum += (x.col(t[1]) - x.col(t[0])).norm() + (x.col(t[2]) - x.col(t[1])).norm();
     skin_ = skinOfEdge * sum / (2 * static_cast<double>(contact_.triangles.size()));
   }
-  margin_ = 2 * reach + skin_;
-  listed_ = at_;
+  listed_ = deepest_ + 2 * reach + skin_;
   const std::size_t count = contact_.triangles.size();
   std::vector<TriangleBox> boxes(count);
   std::vector<int> numbers(count);
+  extent_ = 0;
   for (std::size_t t = 0; t < count; ++t) {
     for (const std::int32_t node : contact_.triangles[t]) boxes[t].extend(Vector3d(x.col(node)));
+    extent_ = std::max(extent_, boxes[t].sizes().maxCoeff());
     numbers[t] = static_cast<int>(t);
   }
+  // All of a triangle in a list is in the neighbourhood of its node.
+  motion_.start(at_, (1 + roundingOfEdge) * (listed_ + extent_));
+  rounding_ = roundingOfEdge * motion_.edge();
   const TriangleTree tree(numbers.begin(), numbers.end(), boxes.begin(), boxes.end());
-  const double radius = deepest_ + margin_;
   const std::size_t entries = contact_.nodes.size();
   std::vector<std::vector<std::int32_t>> found(entries);
   parallelFor(
       0, static_cast<std::int64_t>(entries), threads,
       [&](std::int64_t k) {
         const std::int32_t node = contact_.nodes[k];
-        BallQuery query{x.col(node), radius * radius, boxes, found[k]};
+        BallQuery query{x.col(node), listed_ * listed_, boxes, found[k]};
         Eigen::BVIntersect(tree, query);
         if (found[k].empty()) return;
         const auto near = contact_.neighbours.row(k);
@@ -244,13 +246,19 @@ void SurfaceSearch::makeLists(NodeVectorsView x, double reach, int threads) {
       },
       64);
   rows_.clear();
+  rowCell_.clear();
   candidates_ = {};
   for (std::size_t k = 0; k < entries; ++k) {
     if (found[k].empty()) continue;
     rows_.push_back(static_cast<std::int32_t>(k));
+    const auto place = std::lower_bound(nodes_.begin(), nodes_.end(), contact_.nodes[k]) - nodes_.begin();
+    rowCell_.push_back(motion_.cellOf(static_cast<std::size_t>(place)));
     candidates_.values.insert(candidates_.values.end(), found[k].begin(), found[k].end());
     candidates_.offsets.push_back(candidates_.values.size());
   }
+  until_.assign(candidates_.values.size(), 0);
+  rowUntil_.assign(rows_.size(), 0);
+  rowNearest_.assign(rows_.size(), -1);
 }
 
 Vector3d SurfaceSearch::normalAt(NodeVectorsView x, std::int32_t entry) const {
@@ -295,36 +303,83 @@ bool SurfaceSearch::behind(NodeVectorsView x, std::int32_t triangle, const Close
   return any;
 }
 
-void SurfaceSearch::look(NodeVectorsView x, std::size_t row, double reach, std::vector<Touch>& touching,
-                         std::vector<Near>& near) const {
+void SurfaceSearch::addTouch(NodeVectorsView x, std::int32_t entry, std::int32_t triangle, const Closest& closest,
+                             std::vector<Touch>& touching) const {
+  Touch touch;
+  touch.entry = entry;
+  touch.triangle = triangle;
+  const auto& at = contact_.triangles[triangle];
+  touch.nodes = {contact_.nodes[entry], at[0], at[1], at[2]};
+  touch.b = {1, -closest.w[0], -closest.w[1], -closest.w[2]};
+  touch.r = closest.r;
+  touch.depth = std::sqrt(closest.distance2);
+  touch.normal = closest.free == 2 ? Vector3d(closest.normal.normalized()) : Vector3d(-closest.r / touch.depth);
+  touch.free = closest.free;
+  touch.base = closest.free == 2 ? 1 : closest.corner + 1;
+  touch.to = {0, 0};
+  touch.inverse.setZero();
+  if (closest.free == 2) touch.to = {2, 3};
+  if (closest.free == 1) touch.to = {(closest.corner + 1) % 3 + 1, 0};
+  for (int i = 0; i < closest.free; ++i) touch.T[i] = x.col(touch.nodes[touch.to[i]]) - x.col(touch.nodes[touch.base]);
+  if (closest.free == 1) touch.inverse(0, 0) = 1 / touch.T[0].squaredNorm();
+  if (closest.free == 2) {
+    Eigen::Matrix2d G;
+    G << touch.T[0].squaredNorm(), touch.T[0].dot(touch.T[1]), touch.T[0].dot(touch.T[1]), touch.T[1].squaredNorm();
+    touch.inverse = G.inverse();
+  }
+  touching.push_back(touch);
+}
+
+void SurfaceSearch::look(NodeVectorsView x, std::size_t row, double reach, Found& result) {
+  const double path = motion_.path(rowCell_[row]), cutoff = deepest_ + 2 * reach;
+  if (rowUntil_[row] - path > cutoff + rounding_) return;
   const std::int32_t entry = rows_[row];
   const std::int32_t node = contact_.nodes[entry];
   const Vector3d s = x.col(node);
-  const double cutoff = deepest_ + 2 * reach;
+  const std::size_t first = candidates_.offsets[row];
   const auto candidates = candidates_.row(row);
   Vector3d own = Vector3d::Zero();
   bool ownKnown = false;
-  struct Found {
-    std::int32_t triangle;
-    Closest closest;
+  const auto closestTo = [&](std::int32_t i) {
+    const auto& at = contact_.triangles[candidates[i]];
+    const Closest closest = closestPoint(s, x.col(at[0]), x.col(at[1]), x.col(at[2]));
+    until_[first + i] = std::sqrt(closest.distance2) + path;
+    ++result.pairs;
+    return closest;
   };
-  thread_local std::vector<Found> found;
-  found.clear();
-  int best = -1;
-  for (const std::int32_t t : candidates) {
-    const auto& at = contact_.triangles[t];
-    const Vector3d a = x.col(at[0]), b = x.col(at[1]), c = x.col(at[2]);
-    // A ball around the first corner holds the triangle.
-    const double far = std::sqrt(std::max((b - a).squaredNorm(), (c - a).squaredNorm())) + cutoff;
-    if ((s - a).squaredNorm() > far * far) continue;
-    const Closest closest = closestPoint(s, a, b, c);
-    if (!(closest.distance2 <= cutoff * cutoff)) continue;
+  const auto counts = [&](const Closest& closest) {
+    if (!(closest.distance2 <= cutoff * cutoff)) return false;
     if (!ownKnown) {
       own = normalAt(x, entry);
       ownKnown = true;
     }
-    if (!(own.dot(closest.normal) < 0)) continue;
-    found.push_back({t, closest});
+    return own.dot(closest.normal) < 0;
+  };
+  // The one that was nearest last tells which of the others can be nearest, or as near to within twice the reach.
+  double limit = cutoff;
+  std::optional<Closest> last;
+  if (const std::int32_t i = rowNearest_[row]; i >= 0) {
+    last = closestTo(i);
+    if (counts(*last)) limit = std::min(limit, std::sqrt(last->distance2) + 2 * reach);
+  }
+  struct Candidate {
+    std::int32_t i;
+    Closest closest;
+  };
+  thread_local std::vector<Candidate> found;
+  found.clear();
+  int best = -1;
+  double until = infinity;
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(candidates.size()); ++i) {
+    const bool isLast = i == rowNearest_[row];
+    if (!isLast && until_[first + i] - path > limit + rounding_) {
+      until = std::min(until, until_[first + i]);
+      continue;
+    }
+    const Closest closest = isLast ? *last : closestTo(i);
+    until = std::min(until, until_[first + i]);
+    if (!counts(closest)) continue;
+    found.push_back({i, closest});
     if (best < 0) {
       best = 0;
       continue;
@@ -335,38 +390,16 @@ void SurfaceSearch::look(NodeVectorsView x, std::size_t row, double reach, std::
         (closest.distance2 <= (1 + sameDistance) * known.distance2 && closest.free > known.free))
       best = static_cast<int>(found.size()) - 1;
   }
+  rowUntil_[row] = until;
+  rowNearest_[row] = best < 0 ? -1 : found[best].i;
   if (best < 0) return;
   const double least = std::sqrt(found[best].closest.distance2);
-  bool touches = false;
-  if (const auto& [t, closest] = found[best]; least > 0 && least <= contact_.depth[t] && behind(x, t, closest)) {
-    touches = true;
-    Touch touch;
-    touch.entry = entry;
-    touch.triangle = t;
-    const auto& at = contact_.triangles[t];
-    touch.nodes = {node, at[0], at[1], at[2]};
-    touch.b = {1, -closest.w[0], -closest.w[1], -closest.w[2]};
-    touch.r = closest.r;
-    touch.depth = least;
-    touch.normal = closest.free == 2 ? Vector3d(closest.normal.normalized()) : Vector3d(-closest.r / least);
-    touch.free = closest.free;
-    touch.base = closest.free == 2 ? 1 : closest.corner + 1;
-    touch.to = {0, 0};
-    touch.inverse.setZero();
-    if (closest.free == 2) touch.to = {2, 3};
-    if (closest.free == 1) touch.to = {(closest.corner + 1) % 3 + 1, 0};
-    for (int i = 0; i < closest.free; ++i)
-      touch.T[i] = x.col(touch.nodes[touch.to[i]]) - x.col(touch.nodes[touch.base]);
-    if (closest.free == 1) touch.inverse(0, 0) = 1 / touch.T[0].squaredNorm();
-    if (closest.free == 2) {
-      Eigen::Matrix2d G;
-      G << touch.T[0].squaredNorm(), touch.T[0].dot(touch.T[1]), touch.T[0].dot(touch.T[1]), touch.T[1].squaredNorm();
-      touch.inverse = G.inverse();
-    }
-    touching.push_back(touch);
-  }
+  const std::int32_t nearest = candidates[found[best].i];
+  const bool touches = least > 0 && least <= contact_.depth[nearest] && behind(x, nearest, found[best].closest);
+  if (touches) addTouch(x, entry, nearest, found[best].closest, result.touching);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const auto& [t, closest] = found[i];
+    const Closest& closest = found[i].closest;
+    const std::int32_t t = candidates[found[i].i];
     const double distance = std::sqrt(closest.distance2);
     const bool isBehind = closest.r.dot(closest.normal) < 0, touchesThis = touches && static_cast<int>(i) == best;
     if (!touchesThis &&
@@ -381,48 +414,54 @@ void SurfaceSearch::look(NodeVectorsView x, std::size_t row, double reach, std::
       const double more = wander > 0 ? wander * opposite / area : 0;
       one.weight[c] = std::min(1.0, std::max(0.0, closest.w[c]) + more);
     }
-    near.push_back(one);
+    result.near.push_back(one);
   }
 }
 
 void SurfaceSearch::locate(NodeVectorsView x, double reach, int threads) {
   const std::size_t count = nodes_.size();
   const auto isAt = [&](std::size_t i) {
-    const double *one = x.data() + 3 * static_cast<std::ptrdiff_t>(nodes_[i]), *known = at_.data() + 3 * i;
+    const double *one = x.data() + 3 * static_cast<std::ptrdiff_t>(nodes_[i]), *known = at_.data() + 4 * i;
     return one[0] == known[0] && one[1] == known[1] && one[2] == known[2];
   };
   std::size_t same = 0;
   if (located_ && reach == reach_)
     while (same < count && isAt(same)) ++same;
   if (located_ && reach == reach_ && same == count) return;
-  at_.resize(3, static_cast<Eigen::Index>(count));
-  double sum = 0;  // not finite where a coordinate is not
+  at_.swap(before_);
+  at_.resize(4, static_cast<Eigen::Index>(count));
+  Eigen::Array4d sum = Eigen::Array4d::Zero();  // not finite where a coordinate is not
   for (std::size_t i = 0; i < count; ++i) {
-    at_.col(static_cast<Eigen::Index>(i)) = x.col(nodes_[i]);
-    sum += 0 * (at_(0, static_cast<Eigen::Index>(i)) + at_(1, static_cast<Eigen::Index>(i)) +
-                at_(2, static_cast<Eigen::Index>(i)));
+    const double* one = x.data() + 3 * static_cast<std::ptrdiff_t>(nodes_[i]);
+    const Eigen::Array4d at(one[0], one[1], one[2], 0);
+    at_.col(static_cast<Eigen::Index>(i)) = at;
+    sum += 0 * at;
   }
   reach_ = reach;
   located_ = true;
   touching_.clear();
   near_.clear();
   ++statistics_.looks;
-  if (!std::isfinite(sum)) return;
-  if (!listsServe(reach)) makeLists(x, reach, threads);
+  if (!sum.isFinite().all()) {
+    motion_.forget();
+    return;
+  }
+  if (motion_.started()) motion_.move(before_, at_, threads);
+  if (!listsServe(reach, threads)) makeLists(x, reach, threads);
   constexpr std::int64_t length = 64;
   const std::int64_t rows = static_cast<std::int64_t>(rows_.size()), parts = (rows + length - 1) / length;
-  std::vector<std::vector<Touch>> touching(parts);
-  std::vector<std::vector<Near>> near(parts);
+  std::vector<Found> found(parts);
   parallelFor(
       0, parts, threads,
       [&](std::int64_t p) {
         for (std::int64_t row = p * length; row < std::min(rows, (p + 1) * length); ++row)
-          look(x, row, reach, touching[p], near[p]);
+          look(x, static_cast<std::size_t>(row), reach, found[p]);
       },
       2);
-  for (std::int64_t p = 0; p < parts; ++p) {
-    touching_.insert(touching_.end(), touching[p].begin(), touching[p].end());
-    near_.insert(near_.end(), near[p].begin(), near[p].end());
+  for (const Found& part : found) {
+    touching_.insert(touching_.end(), part.touching.begin(), part.touching.end());
+    near_.insert(near_.end(), part.near.begin(), part.near.end());
+    statistics_.pairs += part.pairs;
   }
 }
 

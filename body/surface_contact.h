@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <ringwatch/body/relative_motion.h>
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/mesh.h>
 
@@ -43,9 +44,10 @@ struct SurfaceContact {
 SurfaceContact surfaceContact(const Mesh& mesh, std::vector<std::int32_t> nodes,
                               const std::vector<std::int32_t>& surface);
 
-/// Where the nodes of a SurfaceContact touch. It keeps what it found last, and lists of the triangles that are near, of
-/// a bounding-volume hierarchy, which serve until nodes have moved some way against one another. What is found does not
-/// depend on the lists. One thread at a time.
+/// Where the nodes of a SurfaceContact touch. It keeps what it found last, lists of the triangles that are near, of a
+/// bounding-volume hierarchy, which serve until nodes have moved some way against those near them, and of each pair in
+/// them how far it was apart, so that it is looked at again when it can count. What is found does not depend on any of
+/// that: Theorems 56 and 75, docs/theory/discrete_forces.md. One thread at a time.
 class SurfaceSearch {
  public:
   /// Throws InputError for rows, penalties and dampings that are not one a node, and constants that are negative.
@@ -96,12 +98,12 @@ class SurfaceSearch {
   const std::vector<Touch>& touching() const { return touching_; }
   const std::vector<Near>& near() const { return near_; }
   /// Where nodes()[i] was then, m.
-  Eigen::Vector3d positionOf(std::size_t i) const { return at_.col(static_cast<Eigen::Index>(i)); }
+  Eigen::Vector3d positionOf(std::size_t i) const { return at_.col(static_cast<Eigen::Index>(i)).head<3>(); }
   bool located() const { return located_; }
 
-  /// Searches of the hierarchy so far, and looks.
+  /// Searches of the hierarchy so far, looks, and closest points of pairs of a node and a triangle.
   struct Statistics {
-    std::int64_t lists = 0, looks = 0;
+    std::int64_t lists = 0, looks = 0, pairs = 0;
   };
   const Statistics& statistics() const { return statistics_; }
 
@@ -118,9 +120,16 @@ class SurfaceSearch {
   static Closest closestPoint(const Eigen::Vector3d& s, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                               const Eigen::Vector3d& c);
   void makeLists(NodeVectorsView x, double reach, int threads);
-  bool listsServe(double reach) const;
-  void look(NodeVectorsView x, std::size_t row, double reach, std::vector<Touch>& touching,
-            std::vector<Near>& near) const;
+  bool listsServe(double reach, int threads);
+  /// What rows of the lists find.
+  struct Found {
+    std::vector<Touch> touching;
+    std::vector<Near> near;
+    std::int64_t pairs = 0;
+  };
+  void look(NodeVectorsView x, std::size_t row, double reach, Found& found);
+  void addTouch(NodeVectorsView x, std::int32_t entry, std::int32_t triangle, const Closest& closest,
+                std::vector<Touch>& touching) const;
   bool behind(NodeVectorsView x, std::int32_t triangle, const Closest& closest) const;
   Eigen::Vector3d normalAt(NodeVectorsView x, std::int32_t entry) const;
 
@@ -132,13 +141,17 @@ class SurfaceSearch {
   CompressedRows<std::int32_t> trianglesAt_;  // a row a corner
   double deepest_ = 0, skin_ = 0;             // m
 
-  // Lists of triangles within deepest_ + margin_ of nodes at listed_.
+  // Lists of triangles within listed_ of nodes when motion_ was started, which count below listed_ - rounding_.
   std::vector<std::int32_t> rows_;  // entries that have any
   CompressedRows<std::int32_t> candidates_;
-  NodeVectors listed_;
-  double margin_ = -1;
+  RelativeMotion motion_;  // of nodes()
+  double listed_ = 0, extent_ = 0, rounding_ = 0;
+  // By candidate: its distance plus the path of its node's cell when it was looked at; by row: the least, the cell, and
+  // the candidate that was nearest, -1.
+  std::vector<double> until_, rowUntil_;
+  std::vector<std::int32_t> rowCell_, rowNearest_;
 
-  NodeVectors at_;
+  RelativeMotion::Points at_, before_;  // of nodes()
   double reach_ = -1;
   bool located_ = false;
   std::vector<Touch> touching_;

@@ -10,6 +10,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/rounding.h>
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/law_of_packs.h>
 #include <ringwatch/monitor/tangent_bracket.h>
 
@@ -88,6 +89,43 @@ void checkRange(StretchRange range) {
                               " is no range of stretches; must be two numbers a <= b with a > 0, 1 is at rest"));
 }
 
+/// Numbers c_i and c_ij, N/m, with v^T (K + f C) v <= Σ c_i |v_i|² + Σ c_ij |v_i - v_j|² of springs and contact,
+/// wherever the nodes are: Theorem 76, docs/theory/discrete_forces.md.
+struct DiscreteStiffness {
+  std::vector<double> atNode;       // a number a node
+  std::vector<std::int32_t> pairs;  // two nodes each
+  std::vector<double> between;      // of each pair
+};
+
+DiscreteStiffness stiffnessAnywhere(const DiscreteForces& forces) {
+  if (!forces.surfaces().empty())
+    throw InputError(
+        "stretch: contact of surfaces, in which all nodes can meet one face, leaves no step that a range of stretches "
+        "proves");
+  DiscreteStiffness result;
+  result.atNode.assign(static_cast<std::size_t>(forces.nodeCount()), 0);
+  constexpr double up = 1 + 1e-12;  // more than the sums are rounded by
+  const double f = forces.dampingFactor();
+  for (const Spring& spring : forces.springs()) {
+    const double most = up * (spring.stiffness + f * spring.damping);
+    if (spring.other < 0) {
+      result.atNode[static_cast<std::size_t>(spring.node)] += most;
+    } else if (most > 0) {
+      result.pairs.insert(result.pairs.end(), {spring.node, spring.other});
+      result.between.push_back(most);
+    }
+  }
+  for (const PenaltyContact& contact : forces.contacts()) {
+    if (contact.friction > 0)
+      throw InputError(
+          "stretch: contact has friction, whose damping grows with the depth to which nodes come; a range of stretches "
+          "is proven without it");
+    for (std::size_t k = 0; k < contact.nodes.size(); ++k)
+      result.atNode[static_cast<std::size_t>(contact.nodes[k])] += up * (contact.penalty[k] + f * contact.damping[k]);
+  }
+  return result;
+}
+
 }  // namespace
 
 ModulusRange largestModulus(const Material& material, StretchRange range, double tolerance, int mostStates) {
@@ -132,8 +170,8 @@ ModulusRange largestModulus(const Material& material, StretchRange range, double
 RangeStep rangeStep(const Body& body, StretchRange range, const StepRule& rule) {
   if (body.elementDamping())
     throw InputError("a body whose elements damp: a step for a range of states knows no damping");
-  if (body.discreteForces())
-    throw InputError("stretch: the body has springs or contact, of which a range of stretches says nothing");
+  DiscreteStiffness discrete;
+  if (body.discreteForces()) discrete = stiffnessAnywhere(*body.discreteForces());
   RangeStep result{infinity, {0}, {}};
   std::vector<TangentBracket::Elements> groups;
   std::vector<std::vector<std::int32_t>> nodes;
@@ -172,6 +210,25 @@ RangeStep rangeStep(const Body& body, StretchRange range, const StepRule& rule) 
       }
     }
     groups.push_back({n, own});
+  }
+  if (!discrete.atNode.empty()) {
+    // What acts at a node goes to the elements there, in equal parts.
+    std::vector<double> elementsAt(discrete.atNode.size(), 0);
+    for (const auto& own : nodes)
+      for (const std::int32_t node : own) ++elementsAt[static_cast<std::size_t>(node)];
+    for (std::size_t b = 0; b < nodes.size(); ++b) {
+      const auto n = static_cast<std::size_t>(groups[b].nodesPerElement);
+      for (std::size_t i = 0; i < nodes[b].size(); ++i) {
+        const auto node = static_cast<std::size_t>(nodes[b][i]);
+        laplacians[b][i / n * n * n + i % n * (n + 1)] += discrete.atNode[node] / elementsAt[node];
+      }
+    }
+    if (!discrete.pairs.empty()) {
+      groups.push_back({2, discrete.pairs});
+      nodes.push_back(discrete.pairs);
+      auto& L = laplacians.emplace_back();
+      for (const double c : discrete.between) L.insert(L.end(), {c, -c, -c, c});
+    }
   }
   for (std::size_t b = 0; b < nodes.size(); ++b) groups[b].nodes = nodes[b];
   const Eigen::VectorXd& mass = body.lumpedMass();

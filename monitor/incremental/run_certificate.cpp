@@ -110,11 +110,11 @@ void RunCertificate::renewMajorants(NodeVectorsView x) {
 std::vector<std::int32_t> RunCertificate::followDiscreteForces(NodeVectorsView x) {
   const DiscreteForces* discrete = body().discreteForces();
   if (!discrete) return {};
-  discrete->majorants(x, false, needed_);
+  discrete->majorants(x, false, needed_, neededAt_);
   const std::vector<Eigen::Matrix3d>& before = weights().majorants();
   std::vector<Eigen::Matrix3d> kept, withRoom;
   std::vector<std::int32_t> grown;
-  for (std::size_t k = 0; k < before.size(); ++k) {
+  for (const std::int32_t k : neededAt_) {
     if (needed_[k] == before[k] || diagonallyBelow(needed_[k], before[k])) continue;
     // Majorants are larger than what they stand for by far more than this rounding.
     if (largestEigenvalue(needed_[k] - before[k]) <= majorantRounding * needed_[k].trace()) continue;
@@ -127,6 +127,7 @@ std::vector<std::int32_t> RunCertificate::followDiscreteForces(NodeVectorsView x
   }
   if (grown.empty()) return {};
   weights().setMajorants(std::move(kept));
+  std::sort(grown.begin(), grown.end());
   std::erase_if(grown, [&](std::int32_t node) { return !exceeds(node); });
   return grown;
 }

@@ -165,6 +165,7 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   UpdateStatistics statistics_;
   Body::Workspace workspace_;
   std::vector<Eigen::Matrix3d> needed_;                          // majorants of discrete forces
+  std::vector<std::int32_t> neededAt_;                           // where they are not zero
   std::vector<std::vector<std::vector<std::int32_t>>> outside_;  // elements, [block][patch]
 };
 

@@ -137,6 +137,20 @@ picture = false
     const Json bad = run(0.02 / start["unstable_steps"].get<double>(), options);
     EXPECT_FALSE(bad["first_violated"].is_null());
   }
+  // A range of stretches counts them too, and at a frame of a run as at the start.
+  for (const std::string options : {"", "--set spring.0.stiffness=2e4", "--set contact.0.penalty=1e5"}) {
+    SCOPED_TRACE(options);
+    const Json both = parse(call("suggest block.toml --frame 0.02 --stretch 0.5:2 --json - " + options).out);
+    EXPECT_LE(both["range"]["safe"], both["start"]["safe"]);
+    EXPECT_GE(both["range"]["safe"], 0.4 * both["start"]["safe"].get<double>());
+    EXPECT_TRUE(run(both["range"]["step"], options)["first_violated"].is_null());
+  }
+  ASSERT_EQ(call("run block.toml --out framed --set output.every=0.01").status, 0);
+  const Outcome framed = call("inspect framed --frame 1 --stretch 0.5:2 --json -");
+  ASSERT_EQ(framed.status, 0) << framed.err;
+  const Json inspected = parse(framed.out);
+  EXPECT_GT(inspected["stretch"]["safe"], 0);
+  EXPECT_LE(inspected["stretch"]["safe"], inspected["critical_step"]["safe"]);
   // Each of them counts.
   EXPECT_LT(suggested("--set spring.0.stiffness=2e4")["optimistic"], 0.8 * suggested("")["optimistic"].get<double>());
   EXPECT_LT(suggested("--set contact.0.penalty=1e5")["safe"], 0.8 * suggested("")["safe"].get<double>());
@@ -157,8 +171,10 @@ TEST_F(Program, RefusesTimesStretchesAndIntegratorsThatSaySomethingElse) {
   folder_.write("held.toml", std::string(tiny) + "[[spring]]\nwhere = \"x > 0.1 - 1e-6\"\nstiffness = 10\n");
   expectRefused("scale-mass held.toml --step 1e-3",
                 "held.toml:21: [[spring]]: a plan at the start of a run takes no springs and contact");
-  expectRefused("suggest held.toml --frame 1/60 --stretch 0.7:1.5",
-                "stretch: the body has springs or contact, of which a range of stretches says nothing");
+  folder_.write("rubbing.toml", std::string(tiny) +
+                                    "[[obstacle]]\nkind = \"plane\"\npoint = [0, 0, -1]\nnormal = [0, 0, 1]\n"
+                                    "[[contact]]\npenalty = 10\nfriction = 0.3\nslip = 0.1\n");
+  expectRefused("suggest rubbing.toml --frame 1/60 --stretch 0.7:1.5", "stretch: contact has friction, whose damping");
 }
 
 }  // namespace

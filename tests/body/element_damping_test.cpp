@@ -218,6 +218,49 @@ TEST(ElementDamping, ProductsFormsAndPartsAgreeWithTheMatrix) {
   }
 }
 
+// Volumes by the element's own rule, in plain doubles, and their differences: hexahedra take them from their faces.
+TEST(ElementDamping, VolumesAndTheirGradientsAreThoseOfTheRule) {
+  for (const test::BodyCase& c : casesOfRules()) {
+    const Body body = damped(c, {0.06, 0, 0, 0, 0}, {2, 1, 1});
+    const DampedBlock& block = *body.elementDamping()->blocks()[0];
+    const int n = block.nodesPerElement();
+    test::Random random(12);
+    const NodeVectors x =
+        random.rotation() * test::strained(body.mesh().X) + random.nodeVectors(body.nodeCount(), 0.1 * test::cellSize);
+    const auto volumeOf = [&](std::int32_t e, const NodeVectors& at) {
+      double volume = 0, dN[maxElementNodes][3];
+      for (const QuadraturePoint& point : block.rule().points) {
+        block.element().shapeGradient(point.xi, dN);
+        Matrix3d D = Matrix3d::Zero();
+        for (int a = 0; a < n; ++a)
+          D += (at.col(block.nodesOf(e)[a]) - at.col(block.nodesOf(e)[0])) *
+               Eigen::RowVector3d(dN[a][0], dN[a][1], dN[a][2]);
+        volume += point.weight * D.determinant();
+      }
+      return volume;
+    };
+    std::vector<double> gradient(static_cast<std::size_t>(3 * n * lanes));
+    double volumes[lanes];
+    block.volumeGradient(0, x.data(), volumes, gradient.data());
+    for (int lane = 0; lane < lanes; ++lane) {
+      const std::int32_t e = block.layout().elements[lane];
+      if (e < 0) continue;
+      const double expected = volumeOf(e, x), size = std::cbrt(expected);
+      EXPECT_NEAR(volumes[lane], expected, 1e-13 * expected) << test::bodyCaseName(c);
+      for (int k = 0; k < 3 * n; ++k) {
+        // The volume is at most quadratic in one coordinate: the difference is exact but for rounding.
+        const double h = 0.1 * size;
+        NodeVectors after = x, before = x;
+        after(k % 3, block.nodesOf(e)[k / 3]) += h;
+        before(k % 3, block.nodesOf(e)[k / 3]) -= h;
+        EXPECT_NEAR(gradient[static_cast<std::size_t>(k * lanes + lane)],
+                    (volumeOf(e, after) - volumeOf(e, before)) / (2 * h), 1e-13 * size * size)
+            << test::bodyCaseName(c);
+      }
+    }
+  }
+}
+
 // What rounding is said to be covers how much two tangents of one state differ that are rounded otherwise.
 TEST(ElementDamping, RoundingOfTangentsIsBoundedAndSmall) {
   for (const test::BodyCase& c : casesOfRules()) {

@@ -12,6 +12,7 @@
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/body/relative_motion.h>
 #include <ringwatch/body/sub_body.h>
 #include <ringwatch/body/surface_contact.h>
 #include <ringwatch/meshes/quality.h>
@@ -333,6 +334,173 @@ TEST(SurfaceContact, FindsTheSameWhateverWasFoundBefore) {
   EXPECT_GT(touches, 300);
   EXPECT_LT(kept.statistics().lists, 20);
   EXPECT_EQ(kept.statistics().looks, 101);
+}
+
+/// The square of the distance of a point from a triangle, by the regions of its corners, edges and face (Ericson,
+/// Real-Time Collision Detection, 2005, section 5.1.5); inside: whether the closest point is inside the face.
+double distanceByRegions(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c, bool& inside) {
+  inside = false;
+  const Vector3d ab = b - a, ac = c - a;
+  const double d1 = ab.dot(p - a), d2 = ac.dot(p - a);
+  if (d1 <= 0 && d2 <= 0) return (p - a).squaredNorm();
+  const double d3 = ab.dot(p - b), d4 = ac.dot(p - b);
+  if (d3 >= 0 && d4 <= d3) return (p - b).squaredNorm();
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return (p - a - d1 / (d1 - d3) * ab).squaredNorm();
+  const double d5 = ab.dot(p - c), d6 = ac.dot(p - c);
+  if (d6 >= 0 && d5 <= d6) return (p - c).squaredNorm();
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return (p - a - d2 / (d2 - d6) * ac).squaredNorm();
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+    return (p - b - (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b)).squaredNorm();
+  inside = true;
+  const Vector3d n = ab.cross(ac);
+  return std::pow((p - a).dot(n), 2) / n.squaredNorm();
+}
+
+// Random motions of two bodies that meet, slide, roll, shake and fly apart, with a reach that changes: what is kept
+// from look to look finds what a search without a past finds, and what all pairs give.
+TEST(SurfaceContact, MissesNothingAlongRandomMotions) {
+  std::int64_t touches = 0, expected = 0, pairs = 0, freshPairs = 0, lists = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    test::Random random(seed);
+    const Mesh mesh = twoBoxes("tet4", 0.2, seed);
+    const auto nodes = static_cast<std::int32_t>(mesh.nodeCount());
+    const SurfaceContact contact = contactOf(mesh, random);
+    SurfaceSearch kept(contact, nodes);
+    NodeVectors x = pressed(mesh, random), v = NodeVectors::Zero(3, x.cols());
+    Vector3d drift = Vector3d::Zero(), turn = drift;
+    for (int step = 0; step < 150; ++step) {
+      if (step % 30 == 0) {
+        drift = random.vector(step % 60 == 0 ? 1e-4 : 4e-4);
+        turn = random.vector(0.02);
+        // Now and then back to where they press on each other, in one jump.
+        if (step % 90 == 60) x = pressed(mesh, random);
+      }
+      const double noise = step % 50 < 25 ? 2e-5 : 1e-6;
+      const Vector3d centre = x(Eigen::all, mesh.nodeSets.at("upper")).rowwise().mean();
+      for (const std::int32_t node : mesh.nodeSets.at("upper")) x.col(node) += drift + turn.cross(x.col(node) - centre);
+      x += random.nodeVectors(x.cols(), noise);
+      const double reach = random.index(3) == 0 ? 0 : random.uniform(0, 4e-4);
+      kept.locate(x, reach, 1 + step % 3);
+      SurfaceSearch fresh(contact, nodes);
+      fresh.locate(x, reach, 1);
+      freshPairs += fresh.statistics().pairs;
+      ASSERT_EQ(kept.touching().size(), fresh.touching().size()) << seed << " " << step;
+      for (std::size_t i = 0; i < fresh.touching().size(); ++i) {
+        EXPECT_EQ(kept.touching()[i].entry, fresh.touching()[i].entry);
+        EXPECT_EQ(kept.touching()[i].triangle, fresh.touching()[i].triangle);
+        EXPECT_EQ(kept.touching()[i].r, fresh.touching()[i].r);
+        EXPECT_EQ(kept.touching()[i].b, fresh.touching()[i].b);
+      }
+      ASSERT_EQ(kept.near().size(), fresh.near().size()) << seed << " " << step;
+      for (std::size_t i = 0; i < fresh.near().size(); ++i) {
+        EXPECT_EQ(kept.near()[i].entry, fresh.near()[i].entry);
+        EXPECT_EQ(kept.near()[i].triangle, fresh.near()[i].triangle);
+        EXPECT_EQ(kept.near()[i].depth, fresh.near()[i].depth);
+        EXPECT_EQ(kept.near()[i].weight, fresh.near()[i].weight);
+      }
+      // All pairs.
+      std::size_t next = 0;
+      for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
+        const std::int32_t node = contact.nodes[k];
+        Vector3d own = Vector3d::Zero();
+        for (const auto& [b, c] : contact.fan.row(k)) own += (x.col(b) - x.col(node)).cross(x.col(c) - x.col(node));
+        double least = 1, second = 1, side = 0, depth = 0;
+        bool face = false;
+        for (std::size_t t = 0; t < contact.triangles.size(); ++t) {
+          const auto& at = contact.triangles[t];
+          const auto near = contact.neighbours.row(k);
+          if (std::any_of(at.begin(), at.end(), [&](std::int32_t corner) {
+                return corner == node || std::binary_search(near.begin(), near.end(), corner);
+              }))
+            continue;
+          const Vector3d a = x.col(at[0]), normal = (x.col(at[1]) - a).cross(x.col(at[2]) - a);
+          if (!(own.dot(normal) < 0)) continue;
+          bool inside = false;
+          const double distance = std::sqrt(distanceByRegions(x.col(node), a, x.col(at[1]), x.col(at[2]), inside));
+          if (distance < least) {
+            second = least;
+            least = distance;
+            face = inside;
+            side = normal.dot(x.col(node) - a);
+            depth = contact.depth[t];
+          } else {
+            second = std::min(second, distance);
+          }
+        }
+        const bool found = next < kept.touching().size() && kept.touching()[next].entry == static_cast<int>(k);
+        if (found) {
+          EXPECT_NEAR(kept.touching()[next].depth, least, 1e-14) << seed << " " << step;
+          ++next;
+        }
+        if (!face || std::abs(least - depth) < 1e-12 || second - least < 1e-12) continue;
+        EXPECT_EQ(found, side < 0 && least <= depth) << seed << " " << step << " node " << node;
+        expected += found;
+      }
+      EXPECT_EQ(next, kept.touching().size());
+      touches += static_cast<std::int64_t>(next);
+    }
+    pairs += kept.statistics().pairs;
+    lists += kept.statistics().lists;
+  }
+  RecordProperty("pairs", joinText(pairs, " of ", freshPairs, ", lists ", lists, ", touches ", touches));
+  EXPECT_GT(touches, 5000);
+  EXPECT_GT(expected, touches / 2);
+  EXPECT_LT(pairs, freshPairs / 2);
+  EXPECT_LT(lists, 12 * 150 / 3);
+}
+
+// Vectors between neighbours change by no more than paths grew, and what was apart is apart while that is said.
+TEST(RelativeMotion, BoundsWhatNeighboursMoveAgainstOneAnother) {
+  std::int64_t compared = 0, said = 0, refused = 0;
+  double closest = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    test::Random random(seed);
+    constexpr int count = 60;
+    RelativeMotion::Points x = RelativeMotion::Points::Zero(4, count);
+    const double edge = random.uniform(0.05, 0.6);
+    for (int i = 0; i < count; ++i) x.col(i).head<3>() = random.vector(1);
+    const RelativeMotion::Points start = x;
+    RelativeMotion motion;
+    motion.start(x, edge);
+    std::vector<double> path(count, 0.0);
+    for (int step = 0; step < 20; ++step) {
+      RelativeMotion::Points to = x;
+      const Vector3d together = random.vector(2), turn = random.vector(0.02);
+      for (int i = 0; i < count; ++i)
+        to.col(i).head<3>() += together + turn.cross(x.col(i).head<3>()) + random.vector(1e-3);
+      motion.move(x, to, 1 + step % 3);
+      for (int i = 0; i < count; ++i) {
+        const double grown = motion.path(motion.cellOf(i)) - path[i];
+        path[i] += grown;
+        for (int j = 0; j < count; ++j) {
+          if ((start.col(j) - start.col(i)).cwiseAbs().maxCoeff() > edge) continue;
+          const double changed = ((to.col(j) - to.col(i)) - (x.col(j) - x.col(i))).norm();
+          ASSERT_LE(changed, grown * (1 + 1e-12)) << seed << " " << step;
+          if (j != i) closest = std::max(closest, changed / grown);
+          ++compared;
+        }
+      }
+      x = to;
+      const double apart = random.uniform(0, 1) * edge, needed = random.uniform(0, 1) * apart;
+      if (!motion.keepsApart(apart, 0, needed, x, 1)) {
+        ++refused;
+        continue;
+      }
+      ++said;
+      for (int i = 0; i < count; ++i)
+        for (int j = 0; j < i; ++j)
+          if ((start.col(j) - start.col(i)).norm() > apart) {
+            ASSERT_GE((x.col(j) - x.col(i)).norm(), needed) << seed;
+          }
+    }
+  }
+  EXPECT_GT(compared, 10000);
+  EXPECT_GT(said, 100);
+  EXPECT_GT(refused, 100);
+  EXPECT_GT(closest, 0.9);
 }
 
 // Nearest faces by brute force: the depth of a node under a flat face is its height, and a node beside it is free.

@@ -2,9 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <functional>
+#include <memory>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/meshes/surface.h>
 #include <ringwatch/monitor/bounds/range_bound.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <tests/monitor/monitor_cases.h>
@@ -166,6 +171,89 @@ TEST(RangeBound, CountsTheMeanOfARuleThatHasOne) {
   }
 }
 
+/// Springs of all kinds, and every node against a floor, a ball and the inside of a cylinder, which the body can be in
+/// to any depth. stiffness: of the stiffest, N/m.
+DiscreteForces forcesOf(const Body& body, double stiffness, test::Random& random) {
+  DiscreteForces forces(body.nodeCount());
+  const auto constant = [&] { return stiffness * std::pow(10.0, -random.uniform(0, 2)); };
+  const Eigen::Vector3d middle = body.mesh().X.rowwise().mean();
+  std::vector<Spring> springs;
+  for (int i = 0; i < 8; ++i) {
+    Spring spring;
+    spring.node = static_cast<std::int32_t>(random.index(body.nodeCount()));
+    spring.stiffness = constant();
+    spring.damping = 1e-4 * constant();
+    spring.anchor = middle;
+    if (i == 1) spring.direction = random.vector(1).normalized();
+    if (i >= 2)
+      spring.other =
+          (spring.node + 1 + static_cast<std::int32_t>(random.index(body.nodeCount() - 1))) % body.nodeCount();
+    if (i >= 4) spring.length = random.uniform(0.1, 3) * test::cellSize;
+    springs.push_back(spring);
+  }
+  forces.add(springs);
+  const auto touch = [&](std::unique_ptr<Obstacle> obstacle) {
+    PenaltyContact contact;
+    contact.obstacle = forces.add(std::move(obstacle));
+    for (std::int32_t i = 0; i < body.nodeCount(); ++i) contact.nodes.push_back(i);
+    contact.penalty.assign(contact.nodes.size(), constant());
+    contact.damping.assign(contact.nodes.size(), 1e-4 * constant());
+    forces.add(std::move(contact));
+  };
+  touch(planeObstacle(middle, random.vector(1).normalized()));
+  touch(sphereObstacle(middle + random.vector(test::cellSize), test::cellSize, false));
+  touch(cylinderObstacle(middle + random.vector(test::cellSize), random.vector(1).normalized(),
+                         random.uniform(0.05, 1) * test::cellSize, {}, true));
+  if (random.index(2) == 0) forces.setDampingFactor(random.uniform(0, 1e4));
+  return forces;
+}
+
+// Theorem 76: whatever touches, however deep, and however long springs are.
+TEST(RangeBound, CountsSpringsAndObstaclesWhereverNodesAre) {
+  const StretchRange range{0.75, 1.4};
+  test::Random random(34);
+  int tried = 0, touching = 0;
+  std::array<double, 3> tightest{};
+  constexpr std::array<double, 3> shares{0.1, 1, 30};  // of an element's own stiffness
+  for (const test::Subdivision& subdivision : test::allSubdivisions())
+    for (std::size_t s = 0; s < shares.size(); ++s) {
+      Body body = test::boxBody(subdivision, "stvk", {2, 1, 1}, 0.15);
+      if (random.index(2) == 0) test::holdBody(body, test::Hold::components, 3);
+      body.setDiscreteForces(forcesOf(body, shares[s] * test::young * test::cellSize, random));
+      const RangeStep step = rangeStep(body, range, StepRule(2.0));
+      for (int trial = 0; trial < 6; ++trial) {
+        std::optional<NodeVectors> x = stateIn(body, range, random);
+        if (!x) continue;
+        x->colwise() += random.vector(3 * test::cellSize);
+        touching += body.discreteForces()->contactState(*x).touching > 0;
+        const double largest = test::DenseTangent(body, *x).largest();
+        ASSERT_LE(largest, step.lambda.value) << subdivision.name << ", " << shares[s];
+        tightest[s] = std::max(tightest[s], largest / step.lambda.value);
+        ++tried;
+      }
+    }
+  EXPECT_GE(tried, 60);
+  EXPECT_GE(touching, tried - 5);
+  for (const double share : tightest) EXPECT_GE(share, 0.2);
+  RecordProperty("tightest", joinText(tightest[0], " ", tightest[1], " ", tightest[2]));
+}
+
+// A light node that a stiff spring holds to the ground: λ = (k + f c)/m, which is all that counts. And two nodes that a
+// spring ties, of the masses m and M: k (1/m + 1/M).
+TEST(RangeBound, HasTheLimitOfAStiffSpring) {
+  Body body = test::boxBody({"", "hex8", 1, "", 0}, "stvk", {1, 1, 1}, 0);
+  const double m = body.lumpedMass()[0], k = 1e8 * test::young * test::cellSize;
+  const auto lambdaWith = [&](std::vector<Spring> springs, double f) {
+    DiscreteForces forces(body.nodeCount());
+    forces.add(springs);
+    forces.setDampingFactor(f);
+    body.setDiscreteForces(std::move(forces));
+    return rangeStep(body, {0.9, 1.1}, StepRule(2.0)).lambda.value;
+  };
+  EXPECT_NEAR(lambdaWith({{.node = 0, .stiffness = k, .damping = 1e-3 * k}}, 500) / (1.5 * k / m), 1, 1e-6);
+  EXPECT_NEAR(lambdaWith({{.node = 0, .other = 7, .length = 1, .stiffness = k}}, 0) / (2 * k / m), 1, 1e-6);
+}
+
 TEST(RangeBound, RefusesWhatItCannotProve) {
   const auto refused = [](std::string_view law, StretchRange range) -> std::string {
     try {
@@ -178,6 +266,31 @@ TEST(RangeBound, RefusesWhatItCannotProve) {
   EXPECT_THAT(refused("stvk", {0, 1}), HasSubstr("0 to 1 is no range of stretches; must be two numbers a <= b"));
   EXPECT_THAT(refused("stvk", {1.2, 1.1}), HasSubstr("1.2 to 1.1"));
   EXPECT_EQ(refused("neo-hookean", {0.9, 1.1}), "accepted");
+
+  const auto refusedWith = [](const std::function<void(DiscreteForces&, const Mesh&)>& add) -> std::string {
+    Body body = test::boxBody({"", "hex8", 1, "", 0}, "stvk", {1, 1, 1}, 0);
+    DiscreteForces forces(body.nodeCount());
+    add(forces, body.mesh());
+    body.setDiscreteForces(std::move(forces));
+    try {
+      rangeStep(body, {0.9, 1.1}, StepRule(2.0));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_THAT(refusedWith([](DiscreteForces& forces, const Mesh&) {
+                const std::size_t floor = forces.add(planeObstacle({0, 0, 0}, {0, 0, 1}));
+                forces.add(PenaltyContact{floor, {0}, {1}, {0}, 0.2, 0.1});
+              }),
+              HasSubstr("stretch: contact has friction"));
+  EXPECT_THAT(refusedWith([](DiscreteForces& forces, const Mesh& mesh) {
+                SurfaceContact contact = surfaceContact(mesh, {0}, surfaceNodes(mesh));
+                contact.penalty = {1};
+                contact.damping = {0};
+                forces.add(std::move(contact));
+              }),
+              HasSubstr("stretch: contact of surfaces"));
 }
 
 }  // namespace
