@@ -8,6 +8,7 @@
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/scene/scene_sections.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/base/user_text.h>
 
 namespace ringwatch {
@@ -77,7 +78,7 @@ void splitRigidBlocks(const Scene& scene, Mesh& mesh, std::vector<Material>& mat
 void tieRigidBodies(const Scene& scene, Body& body) {
   for (const Scene::Rigid& rigid : scene.rigids) {
     std::vector<std::int32_t> nodes = rigid.nodes.nodesOf(body.mesh());
-    std::sort(nodes.begin(), nodes.end());
+    sortUnique(nodes);
     const auto count = [&](const auto& holds, const char* what) {
       const std::size_t number = static_cast<std::size_t>(std::ranges::count_if(nodes, holds));
       if (number == 0) return;
