@@ -10,8 +10,16 @@
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/handlers/angular_momentum.h>
 
 namespace ringwatch {
+namespace {
+
+double kineticEnergy(const Body& body, const NodeVectors& v) {
+  return 0.5 * v.colwise().squaredNorm().dot(body.lumpedMass().transpose());
+}
+
+}  // namespace
 
 Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
     : scene(s),
@@ -27,6 +35,7 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
   result.probes = probes.columns();
   result.notes = options.notes;
   result.requireCertified = scene.requireCertified;
+  result.proving = scene.proves();
   if (body.discreteForces()) {
     result.discrete = RunResult::Discrete{};
     if (body.discreteForces()->friction())
@@ -54,7 +63,14 @@ void Simulation::beginWatch() {
 
 void Simulation::handleAgain() {
   watch.end();  // it watches what the choice replaces
+  const double before = kineticEnergy(body, state.v);
+  const Eigen::VectorXd mass = body.lumpedMass();
   scheme->prepare(state.x, steps.step());
+  // Mass that is added comes with the velocity of its node. It must not push a body that nothing holds.
+  if (mass != body.lumpedMass()) {
+    if (!body.constraints().any()) keepMomenta(body, mass, state.x, state.v);
+    energies.addExternalWork(kineticEnergy(body, state.v) - before);
+  }
   state.a.resize(3, 0);
   beginWatch();
 }

@@ -19,7 +19,7 @@ inline constexpr auto probeReductionNames = nameTable<ProbeReduction>({
 
 /// What a [[probe]] can tell of nodes or elements.
 struct ProbeQuantity {
-  enum class Kind { displacement, velocity, momentum, load, reaction, energy, step, stress };
+  enum class Kind { displacement, velocity, momentum, angularMomentum, load, reaction, energy, step, stress };
 
   Kind kind;
   std::string name;                // in scenes; of a stress that of its StressMeasure

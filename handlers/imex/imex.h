@@ -6,7 +6,7 @@
 namespace ringwatch {
 
 /// HandlerInfo::forGpu of `imex`: conjugate gradients alone, to a tolerance of 1e-8. They start from nothing there, and
-/// what they leave out of the momentum is not put back.
+/// what they leave out of the momentum is not put back; nor is angular momentum kept.
 std::string imexForGpu(Options& own);
 
 /// Implicit-explicit integration by elements (Fierz 2013, section 4.3; Hughes & Liu 1978): the base scheme for all
@@ -26,30 +26,34 @@ std::string imexForGpu(Options& own);
 /// docs/theory/handlers.md.
 class Imex final : public Handler {
  public:
-  static constexpr std::string_view newton = "newton";
-  static constexpr std::array<std::string_view, 4> solvers{"auto", "cholesky", "cg", newton};
-  static constexpr std::array<std::string_view, 3> solversWithTolerance{"auto", "cg", newton};
+  static constexpr std::string_view newton = "newton", linear = "linear";
+  static constexpr std::array<std::string_view, 5> solvers{"auto", newton, linear, "cholesky", "cg"};
+  static constexpr std::array<std::string_view, 4> solversWithTolerance{"auto", newton, linear, "cg"};
   static constexpr std::array table{
       OptionInfo{.name = "dissipation",
                  .range = {0, 1, true, true},
                  .fallback = "0.1",
                  .help = "of the handled elements: 0 none and second order, 1 implicit Euler"},
-      OptionInfo{.name = "solver",
-                 .type = OptionType::text,
-                 .choices = solvers,
-                 .fallback = "auto",
-                 .help =
-                     "of the implicit equations: linear ones factored and turned with the elements, or by conjugate "
-                     "gradients (auto: by the size of each cluster), or nonlinear ones by Newton's method"},
+      OptionInfo{
+          .name = "solver",
+          .type = OptionType::text,
+          .choices = solvers,
+          .fallback = "auto",
+          .help = "of the implicit equations: nonlinear ones by Newton's method, or linear ones, factored and turned "
+                  "with the elements (cholesky) or by conjugate gradients (cg), by the size of each cluster (linear); "
+                  "auto is newton, but for linear laws and on a GPU"},
       withSolvers(solverToleranceOption, solversWithTolerance),
-      withSolvers(solverIterationsOption, solversWithTolerance), onFailureOption};
+      withSolvers(solverIterationsOption, solversWithTolerance),
+      momentumOption,
+      onFailureOption};
   static constexpr HandlerInfo description{.name = "imex",
                                            .help = "implicit where the step is too large, explicit elsewhere",
                                            .options = table,
                                            .forGpu = imexForGpu};
   Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
-  double dissipated() const override;
+  /// Nonlinear equations prove what linear ones assume: Theorem 61.
+  bool provesHandledPart() const override { return nonlinear_; }
   const std::vector<ImplicitCluster>& clusters() const { return clusters_; }
 
  protected:
@@ -64,12 +68,14 @@ class Imex final : public Handler {
   class Corrected;
 
   double dissipation_;
-  bool nonlinear_;
+  bool nonlinear_, keepsMomentum_;
   ClusterOptions cluster_;
   std::vector<ImplicitCluster> clusters_;  // one of the two is empty
   std::vector<NewtonCluster> newtonClusters_;
-  double dissipatedBefore_ = 0;           // J, with the choices before
-  std::vector<std::string_view> failed_;  // by cluster
+  std::vector<bool> freeOfTorque_;          // by cluster: angular momentum is kept
+  NodeVectors others_ = NodeVectors(3, 0);  // acceleration by all but the handled elements, at their nodes, m/s²
+  std::int64_t stallsBefore_ = 0, eulerStepsBefore_ = 0;  // of clusters of the choices before
+  std::vector<std::string_view> failed_;                  // by cluster
 };
 
 }  // namespace ringwatch

@@ -178,6 +178,40 @@ TEST_F(Program, ReportsAHandledElementThatInverts) {
   EXPECT_EQ(found, 1);
 }
 
+TEST_F(HandledProgram, SaysWhatIsProvenWhereEveryElementIsHandled) {
+  write("");
+  const std::string run = "run slivers.toml --set integrator.step=" + number(40 * critical_) +
+                          " --set monitor.on_violation=handle --set handler.method=";
+  const struct {
+    const char *options, *verdict, *note;
+    int status;
+  } cases[]{{"imex --out all", "certified", "Steps are certified by what the handler proves", 0},
+            {"imex --set handler.solver=linear --out all", "unmonitored", "is assumed, not proven", 3},
+            {"local-time-stepping --out all", "certified", "Steps are certified by what the handler proves", 0},
+            {"local-time-stepping --set handler.levels=1 --out all", "unmonitored", "is assumed, not proven", 3},
+            {"fe-pbd --out all", "unmonitored", "is assumed, not proven", 3}};
+  for (const auto& one : cases) {
+    const Outcome outcome = call(run + one.options);
+    EXPECT_EQ(outcome.status, one.status) << one.options << outcome.out << outcome.err;
+    const Json summary = json("all/summary.json");
+    EXPECT_EQ(summary["handler"]["handled_elements"], 240) << one.options;
+    EXPECT_EQ(summary["verdict"], one.verdict) << one.options;
+    EXPECT_EQ(summary["certified_steps"], one.status == 0 ? summary["steps"] : Json(0)) << one.options;
+    EXPECT_THAT(summary["notes"].dump(), AllOf(HasSubstr("every element is handled"), HasSubstr(one.note)));
+  }
+}
+
+// One pass leaves crowded elements too soft: by their law they have more energy than the support gave them.
+TEST_F(HandledProgram, JudgesTheEnergyWhereEveryElementIsHandled) {
+  write("[handler]\nmethod = \"fe-pbd\"\n", "[[move]]\nwhere = \"x > 0.2 - 1e-6\"\nvelocity = [0.5, 0, 0]\n");
+  const Outcome outcome = call("run slivers.toml --out all --set integrator.step=" + number(10 * critical_));
+  EXPECT_EQ(outcome.status, 1) << outcome.out;
+  const Json summary = json("all/summary.json");
+  EXPECT_EQ(summary["handler"]["handled_elements"], 240);
+  EXPECT_EQ(summary["verdict"], "unstable");
+  EXPECT_THAT(summary["events"].dump(), HasSubstr("energy-balance"));
+}
+
 TEST_F(HandledProgram, SaysWhenConjugateGradientsDoNotConverge) {
   write("[handler]\nmethod = \"imex\"\nsolver = \"cg\"\niterations = 2\n");
   const Outcome stopped = call("run slivers.toml --out stopped");
