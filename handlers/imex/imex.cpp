@@ -8,6 +8,7 @@
 #include <ringwatch/materials/linear_elastic.h>
 
 namespace ringwatch {
+
 std::string imexForGpu(Options& own) {
   const OptionValue* solver = own.find("solver");
   if (solver && *solver == OptionValue(clusterSolverNames.nameOf(ClusterSolver::cholesky)))
@@ -18,6 +19,7 @@ std::string imexForGpu(Options& own) {
   if (momentum && *momentum == OptionValue(momentumChoices[0]))
     return "a GPU does not keep angular momentum: momentum must be \"free\"";
   own.set("momentum", momentumChoices[1]);
+  own.set("solver", clusterSolverNames.nameOf(ClusterSolver::conjugateGradients));
   if (!own.find("tolerance") || own.automatic("tolerance")) own.set("tolerance", 1e-8);
   return {};
 }

@@ -11,12 +11,13 @@ std::string imexForGpu(Options& own);
 
 /// Implicit-explicit integration by elements (Fierz 2013, section 4.3; Hughes & Liu 1978): the base scheme for all
 /// elements but the handled ones, Newmark's method for those, with gamma = 1/2 + α and beta = (1 + α)²/4, α the
-/// dissipation. α = 0 is the trapezoidal rule, of second order; α = 1 is implicit Euler, Fierz 2013's. Linearly
-/// implicit: in the two-step form, with the internal force f(x) of all elements and K̂ of the handled ones,
+/// dissipation. α = 0 is the trapezoidal rule, of second order; α = 1 is implicit Euler, Fierz 2013's. With the solver
+/// `newton` the handled elements' force is that at x_n + alpha h v_(n-½) + beta h² a_n (NewtonCluster). The others are
+/// linearly implicit, the first step of Newton's method with K̂ for their tangent: in the two-step form, with the
+/// internal force f(x) of all elements and K̂ of the handled ones,
 ///   (M + beta h² K̂) a_n = f_ext - f(x_n) - α h K̂ v_(n-½),   v_(n+½) = v_(n-½) + h a_n,   x_(n+1) = x_n + h v_(n+½).
-/// One force a step, and a linear solve on the nodes of the handled elements alone, cluster by cluster. With the solver
-/// `newton` the handled elements' force is that at x_n + alpha h v_(n-½) + beta h² a_n instead (NewtonCluster), of
-/// which the above is the first step of Newton's method with K̂ for their tangent.
+/// One force of all elements a step, one more of the handled ones for what they dissipate, and a solve on their nodes
+/// alone, cluster by cluster.
 ///
 /// Stable, for a frozen tangent K(x) = K_E + K_I, when K_E + K_I ≼ (4/h²) M + (1 + α²) K̂: with the quotients a of
 /// h² K(x) and b of h² K̂ over M at an eigenvector of the recursion,
