@@ -105,7 +105,7 @@ TEST_F(HandledProgram, IsPlainExplicitWhereNothingIsCritical) {
 }
 
 TEST_F(HandledProgram, TakesSmallerStepsWhereTheyAreNeeded) {
-  write("[handler]\nmethod = \"adaptive\"\n");  // an older name of local-time-stepping
+  write("[handler]\nmethod = \"adaptive\"\nmargin = 0.1\n");  // an older name of local-time-stepping
   const Outcome outcome = call("run slivers.toml --out fine");
   EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
   const Json fine = json("fine/summary.json")["handler"];
