@@ -1,13 +1,24 @@
 #!/usr/bin/env python3
-"""Long runs with every handler on bodies with bad elements: which are lost, and what they do to the energy.
+"""Long runs with every handler on bodies with bad elements: which are lost, and what they do to energy, momentum and motion.
 
-    bench/handled_runs.py PROGRAM [--out DIR] [--jobs N] [--steps 10000] [--bodies NAME …] [--laws NAME …]
+    bench/handled_runs.py PROGRAM [--out DIR] [--jobs N] [--steps 10000] [--seconds S]
+        [--bodies NAME …] [--laws NAME …] [--loads NAME …] [--factors N …] [--handlers NAME …]
 
-PROGRAM is `ringwatch`. Every body is run with every law and load, in steps of so many times its critical step at rest,
-by every handler, with on_violation = "handle"; and by the plain scheme at a half of its critical step, which is what
-they are compared with. A run is *lost* when it does not come to its end, or its energy balance is off by more than a
-tenth; *wrongly told* when it is lost and its exit status is 0. Bodies are made here; those named tetgen-… by the
-program tetgen, and they are left out, by name, where there is none. DIR gets the rows (runs.csv) and tables.md.
+PROGRAM is `ringwatch`; nothing else is needed. Every body is run with every law and load, in steps of so many times its
+critical step at rest, by every handler, with on_violation = "handle"; and by the plain scheme at a half of its critical
+step, which is what they are compared with. A run is *lost* when it does not come to its end, or its energy balance rises
+by more than a tenth of the largest energy, or goes off for good; *wrongly told* when it is lost and its exit status is 0
+or its verdict "certified".
+
+rise, fall: the largest error of the energy balance over the largest energy. momentum: of bodies that nothing holds, the
+largest change of what the load leaves as it is, over its size: angular momentum where they spin, linear momentum across
+the fall where they are dropped. error: over the time of the plain run, the motion of the middle and of the high end
+against the low end, means over nodes: the root mean square of its difference to the plain run over that of the plain run;
+of pulled bodies over the whole run, at equal shares of the pull.
+
+With --seconds no run begins after so long; runs are made in random order, those of factors 2 and 5 before the others,
+and tables are of those that were made. Bodies are made here; those named tetgen-… by the program tetgen, and they are
+left out, by name, where there is none. DIR gets the rows (runs.csv) and tables.md.
 """
 import argparse
 import concurrent.futures
@@ -26,7 +37,7 @@ import time
 
 YOUNG, POISSON, DENSITY = 30e3, 0.3, 1000.0
 LAWS = ["stvk", "corotational", "neo-hookean", "stable-neo-hookean"]
-FACTORS = [2, 5]
+FACTORS = [2, 5, 3, 8]  # the first two are run first
 SIZE = 0.2  # m, of a body along x
 # Of the wave speed √(E/ρ) = 5.5 m/s: fast enough to strain a body by tens of percent.
 SPEED = 1.0
@@ -42,14 +53,16 @@ LOADS = {
 HANDLERS = {
     "plain, half": None,
     "imex": {"method": "imex"},
-    "imex, newton": {"method": "imex", "solver": "newton"},
-    "imex, newton, implicit Euler": {"method": "imex", "solver": "newton", "dissipation": 1},
+    "imex, linear": {"method": "imex", "solver": "linear"},
     "local-time-stepping": {"method": "local-time-stepping"},
     "fe-pbd": {"method": "fe-pbd"},
     "modal-filter": {"method": "modal-filter"},
     "mass-scaling": {"method": "mass-scaling"},
 }
 LOST = 0.1  # of the largest energy
+PROBE_EVERY = 20  # steps
+PROBES = {"low": "x < LOW_THIRD", "middle": "x > LOW_THIRD and x < HIGH_THIRD", "high": "x > HIGH_THIRD"}
+LONGEST = 200  # s, of a run; it is lost then
 
 # Kuhn's six tetrahedra of a cube, by its corners as bits x y z.
 KUHN = [(0, a, a | b, 7) if sign > 0 else (0, a | b, a, 7)
@@ -177,19 +190,22 @@ def toml(value):
 def scene(mesh, cuts, law, load, handler, step, end, extent):
     """The text of a scene. extent: of the body along x."""
     low, high = extent
-    place = {"LOW": f"{low + 0.08 * (high - low):g}", "HIGH": f"{high - 0.08 * (high - low):g}",
+    place = {"LOW_THIRD": f"{low + (high - low) / 3:g}", "HIGH_THIRD": f"{high - (high - low) / 3:g}",
+             "LOW": f"{low + 0.08 * (high - low):g}", "HIGH": f"{high - 0.08 * (high - low):g}",
              "MIDDLE": f"{(low + high) / 2:g}", '"PULL"': f"{PULL * (high - low) / end:.17g}"}
     sections = {
         "mesh": {"file": str(mesh)},
         "material": {"model": law, "young": YOUNG, "poisson": POISSON, "density": DENSITY},
         "integrator": {"method": "symplectic-euler", "step": step, "end": end},
         "monitor": {"mode": "threshold", "on_violation": "handle" if handler else "warn"},
-        "output": {"picture": False, "history_every": 20},
+        "output": {"picture": False, "history_every": 20, "probe_every": PROBE_EVERY},
     }
     if handler:
         sections["handler"] = handler
     lines = [f"[{name}]\n" + "\n".join(f"{k} = {toml(v)}" for k, v in keys.items()) for name, keys in sections.items()]
-    for name, tables in list(LOADS[load].items()) + [("cut", cuts)]:
+    probes = [{"what": "displacement", "name": name, "where": where} for name, where in PROBES.items()]
+    probes += [{"what": what, "name": "body_" + what} for what in ("momentum", "angular_momentum")]
+    for name, tables in list(LOADS[load].items()) + [("cut", cuts), ("probe", probes)]:
         for table in tables:
             lines.append(f"[[{name}]]\n" + "\n".join(f"{k} = {toml(v)}" for k, v in table.items()))
     text = "\n".join(lines) + "\n"
@@ -198,20 +214,71 @@ def scene(mesh, cuts, law, load, handler, step, end, extent):
     return text
 
 
+def numbers(file, columns):
+    """The rows of some columns in which all are finite numbers."""
+    with file.open() as opened:
+        reader = csv.reader(opened)
+        heading = next(reader)
+        at = [heading.index(c) for c in columns]
+        for row in reader:
+            try:
+                values = [float(row[i]) for i in at]
+            except (ValueError, IndexError):
+                continue
+            yield values
+
+
 def energies(file):
-    """Largest rise and fall of the balance over the largest energy, and what was dissipated."""
+    """Largest rise and fall of the balance over the largest energy, as the program has it, and what was dissipated."""
     rise = fall = largest = dissipated = 0.0
-    for row in csv.DictReader(file.open()):
-        try:
-            error = float(row["balance_error_J"])
-            largest = max(largest, float(row["kinetic_J"]) + float(row["strain_J"]))
-            dissipated = float(row["dissipated_J"] or 0)
-        except ValueError:
-            continue
+    names = ["balance_error_J", "kinetic_J", "strain_J", "external_work_J", "dissipated_J"]
+    for error, kinetic, strain, work, dissipated in numbers(file, names):
         if not math.isfinite(error):
             return math.inf, 0.0, 0.0
+        largest = max(largest, kinetic + abs(strain), abs(work))
         rise, fall = max(rise, error), max(fall, -error)
     return (rise / largest, fall / largest, dissipated / largest) if largest else (0.0, 0.0, 0.0)
+
+
+def motion(file):
+    """Of the middle and of the high end against the low end: times, and six numbers each."""
+    names = [f"{name}.displacement_{axis}_m" for name in PROBES for axis in "xyz"]
+    rows = [(t, [b - a for end in (3, 6) for a, b in zip(u[:3], u[end:end + 3])])
+            for t, *u in numbers(file, ["time_s"] + names)]
+    return [r[0] for r in rows], [r[1] for r in rows]
+
+
+def change_of_momentum(file, load):
+    """Largest change of what the load leaves as it is, over its size; empty where supports take part."""
+    if load == "spinning":
+        names = [f"body_angular_momentum.angular_momentum_{axis}_kg m2/s" for axis in "xyz"]
+    elif load == "dropped":
+        names = [f"body_momentum.momentum_{axis}_kg m/s" for axis in "xy"]
+    else:
+        return ""
+    rows = list(numbers(file, names))
+    size = math.hypot(*rows[0]) if rows else 0
+    return max(math.dist(row, rows[0]) for row in rows) / size if size else ""
+
+
+def difference(of, reference):
+    """Of two motions over the time of both, over the size of the reference; empty where there is none."""
+    times, values = of
+    known, wanted = reference
+    if not times or not known:
+        return ""
+    square = whole = 0.0
+    k = 0
+    for t, value in zip(times, values):
+        if t > known[-1]:
+            break
+        while k + 2 < len(known) and known[k + 1] < t:
+            k += 1
+        share = (t - known[k]) / (known[k + 1] - known[k]) if len(known) > 1 else 0
+        there = [a + share * (b - a) for a, b in zip(wanted[k], wanted[min(k + 1, len(known) - 1)])]
+        square += sum((a - b) ** 2 for a, b in zip(value, there))
+        whole += sum(b * b for b in there)
+    return math.sqrt(square / whole) if whole else ""
 
 
 def run(program, folder, case):
@@ -219,9 +286,13 @@ def run(program, folder, case):
     path.mkdir()
     (path / "scene.toml").write_text(case["text"])
     begin = time.monotonic()
-    done = subprocess.run([program, "run", str(path / "scene.toml"), "--out", str(path / "out"), "--quiet", "--threads", "1"],
-                          capture_output=True, text=True)
     row = {k: case[k] for k in ("body", "law", "load", "factor", "handler", "step")}
+    try:
+        done = subprocess.run([program, "run", str(path / "scene.toml"), "--out", str(path / "out"), "--quiet", "--threads",
+                               "1"], capture_output=True, text=True, timeout=LONGEST)
+    except subprocess.TimeoutExpired:
+        shutil.rmtree(path)
+        return row | {"exit": "", "seconds": LONGEST, "verdict": "too slow", "lost": True, "wrongly_told": False}
     row |= {"exit": done.returncode, "seconds": round(time.monotonic() - begin, 2)}
     if done.returncode == 2:
         row |= {"verdict": "refused", "reason": done.stderr.strip().splitlines()[-1][-300:] if done.stderr else ""}
@@ -232,17 +303,37 @@ def run(program, folder, case):
             done_whole = summary["end_time"] >= case["end"] * (1 - 1e-9)
             lost = not done_whole or summary["energy_runaway"] is not None or rise > LOST
             kinds = [event["kind"] for event in summary["events"]]
+            handler = summary["handler"] or {}
             row |= {"verdict": summary["verdict"], "steps": summary["steps"], "whole": done_whole, "lost": lost,
-                    "wrongly_told": lost and done.returncode == 0, "rise": rise, "fall": fall,
-                    "dissipated": dissipated, "certified": summary["certified_steps"],
-                    "handled": summary["handler"]["handled_elements"] if summary["handler"] else 0,
+                    "wrongly_told": lost and (done.returncode == 0 or summary["verdict"] == "certified"),
+                    "rise": rise, "fall": fall, "dissipated": dissipated, "certified": summary["certified_steps"],
+                    "handled": handler.get("handled_elements", 0), "selections": handler.get("selections", ""),
+                    "added_mass": handler.get("added_mass_percent", ""),
+                    "energy_balance": "energy-balance" in kinds,
                     "inverted": "inverted" in kinds, "indefinite": "indefinite" in kinds,
-                    "reason": "" if done_whole else str(summary.get("exit_text") or "")[:300]}
+                    "reason": "" if done_whole else str(summary.get("exit_text") or "")[:300],
+                    "momentum": change_of_momentum(path / "out/probes.csv", case["load"]),
+                    "motion": motion(path / "out/probes.csv")}
         except (OSError, KeyError, ValueError) as error:
             row |= {"verdict": "no result", "lost": True, "wrongly_told": done.returncode == 0,
                     "reason": f"{error}; {done.stderr.strip()[-200:]}"}
     shutil.rmtree(path)
     return row
+
+
+def note_errors(rows):
+    """Against the plain runs that were not lost."""
+    for row in rows:
+        if row["load"] == "pulled" and "motion" in row:  # by as much in every run: at shares of the run
+            times, values = row["motion"]
+            row["motion"] = [t / (row["step"] * row["steps"]) for t in times], values
+    plain = {(r["body"], r["law"], r["load"]): r["motion"] for r in rows
+             if r["handler"] == "plain, half" and not r.get("lost", True)}
+    for row in rows:
+        reference = plain.get((row["body"], row["law"], row["load"]))
+        motion = row.pop("motion", None)
+        if reference and motion and row["handler"] != "plain, half" and not row["lost"]:
+            row["error"] = difference(motion, reference)
 
 
 def critical_step(program, mesh, law):
@@ -268,10 +359,17 @@ def table(rows, of, title):
 
 def summary_table(rows):
     lines = ["## Of the runs that were not lost", "",
-             "| handler | lost | wrongly told | median, largest rise of the energy balance (%) | largest fall (%) | median time over plain's |",
-             "|---|---|---|---|---|---|"]
+             "Medians and, after the comma, the largest.", "",
+             "| handler | lost | wrongly told | rise of the energy balance (%) | fall (%) | error (%) | angular momentum, spinning | "
+             "linear momentum, dropped | median time over plain's |",
+             "|---|---|---|---|---|---|---|---|---|"]
     plain = {(r["body"], r["law"], r["load"]): r for r in rows if r["handler"] == "plain, half"}
     middle = lambda values: sorted(values)[len(values) // 2] if values else math.nan
+
+    def two(values, scale=1.0):
+        values = [v * scale for v in values if isinstance(v, float)]
+        return f"{middle(values):.2g}, {max(values):.2g}" if values else "–"
+
     for name in HANDLERS:
         some = [r for r in rows if r["handler"] == name and "lost" in r]
         if not some:
@@ -279,10 +377,12 @@ def summary_table(rows):
         kept = [r for r in some if not r["lost"]]
         shares = [r["seconds"] / r["steps"] * (0.5 / r["factor"] if name != "plain, half" else 1) /
                   (p["seconds"] / p["steps"])
-                  for r in kept if (p := plain.get((r["body"], r["law"], r["load"]))) and "steps" in p and not p["lost"]]
+                  for r in kept if (p := plain.get((r["body"], r["law"], r["load"]))) and p.get("steps") and not p["lost"]]
+        momenta = lambda load: two([r.get("momentum", "") for r in kept if r["load"] == load])
         lines.append(f"| {name} | {sum(r['lost'] for r in some)} of {len(some)} | {sum(r['wrongly_told'] for r in some)} | "
-                     f"{100 * middle([r['rise'] for r in kept]):.2g}, {100 * max([r['rise'] for r in kept], default=math.nan):.2g} | "
-                     f"{100 * max([r['fall'] for r in kept], default=math.nan):.2g} | {middle(shares):.2g} |")
+                     f"{two([r['rise'] for r in kept], 100)} | {two([r['fall'] for r in kept], 100)} | "
+                     f"{two([r.get('error', '') for r in kept], 100)} | {momenta('spinning')} | {momenta('dropped')} | "
+                     f"{middle(shares):.2g} |")
     return "\n".join(lines) + "\n"
 
 
@@ -326,6 +426,8 @@ def main():
                                       "handler": handler, "step": step, "end": end,
                                       "text": scene(file, cuts, law, load, HANDLERS[handler], step, end, extent)})
         random.Random(1).shuffle(cases)
+        first = (0.5, *FACTORS[:2])
+        cases.sort(key=lambda case: case["factor"] not in first)
         rows = []
         with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
             late = lambda: options.seconds and time.monotonic() - begin > options.seconds
@@ -335,8 +437,10 @@ def main():
                     rows.append(row)
                 if sys.stderr.isatty() and count % 10 == 0:
                     print(f"\r{count} of {len(cases)} runs", end="", file=sys.stderr)
+    note_errors(rows)
     columns = ["body", "law", "load", "factor", "handler", "step", "exit", "verdict", "steps", "whole", "lost", "wrongly_told",
-               "rise", "fall", "dissipated", "certified", "handled", "inverted", "indefinite", "seconds", "reason"]
+               "rise", "fall", "dissipated", "error", "momentum", "energy_balance", "certified", "handled", "selections",
+               "added_mass", "inverted", "indefinite", "seconds", "reason"]
     with (options.out / "runs.csv").open("w", newline="") as file:
         writer = csv.DictWriter(file, columns)
         writer.writeheader()

@@ -17,6 +17,13 @@ bool HandlerInfo::takes(Selection selection) const {
   return std::ranges::find(selections, selection) != selections.end();
 }
 
+double marginFor(const HandlerInfo& info, const Body& body) {
+  double margin = defaultMargin;
+  if (info.marginOfLaw)
+    for (const auto& block : body.blocks()) margin = std::max(margin, info.marginOfLaw(block->material().lawName()));
+  return margin;
+}
+
 HandlerOptions optionsFor(const HandlerInfo& info, const HandlerOptions& options) {
   HandlerOptions result{
       info.takes(options.selection) ? options.selection : info.selections.front(), options.margin, {}, options.damping};
@@ -47,8 +54,8 @@ Handler::Handler(const HandlerInfo& info, Body& body, std::unique_ptr<Integrator
     throw InputError(
         joinText(info.name, ": selection \"", selectionNames.nameOf(options_.selection), "\": must be ", names));
   }
-  if (!(options_.margin >= 0 && options_.margin < 1))
-    throw InputError(joinText("margin ", options_.margin, ": must be >= 0 and < 1"));
+  if (!options_.margin) options_.margin = marginFor(info, body);
+  if (!(margin() >= 0 && margin() < 1)) throw InputError(joinText("margin ", margin(), ": must be >= 0 and < 1"));
   if (options_.damping.alpha != 0 && !info.takesMassDamping)
     throw InputError(joinText(info.name, " works without mass-proportional damping"));
   if (options_.damping.beta != 0 && !info.takesStiffnessDamping)
@@ -88,6 +95,16 @@ void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& can
   if (!elements_.empty()) take(x, h, chosen_);
 }
 
+void Handler::closeWork() {
+  dissipatedBefore_ = dissipated();
+  work_.reset();
+}
+
+void Handler::countWork(double h) {
+  closeWork();
+  work_.emplace(body_, elements_, h, body_.threads());
+}
+
 ElementFlags Handler::chooseFor(const NodeVectors& x, double lambda, const ElementFlags& keep) {
   if (options_.selection == Selection::certified) {
     const ElementFlags chosen = selection_.choose(body_, x, lambda, keep).chosen;
@@ -112,14 +129,14 @@ const CertifiedSelection* Handler::certificate() const {
 double Handler::allowedLambda(double h) const {
   const auto [alpha, beta] = options_.damping;
   if (!options_.damping.any()) {
-    const double omega = (1 - options_.margin) * base_->info().imaginaryLimit / h;
+    const double omega = (1 - margin()) * base_->info().imaginaryLimit / h;
     return omega * omega;
   }
   const double room = 1 - 0.5 * h * alpha;
   if (!(room > 0))
     throw InputError(
         joinText("step ", h, " s: mass-proportional damping of ", alpha, " 1/s needs a step below ", 2 / alpha, " s"));
-  const double withMargin = 1 - options_.margin;
+  const double withMargin = 1 - margin();
   return withMargin * withMargin * room / (0.25 * h * h + 0.5 * h * beta);
 }
 
@@ -159,12 +176,14 @@ void Handler::requireCorotationalTetrahedra(const std::vector<ElementRef>& eleme
 
 StepStatus Handler::baseStep(SecondOrderSystem& system, State& state, double h, const std::string& fault) {
   before_ = state;
+  if (work_) work_->mark();
   state.a.swap(baseAcceleration_);
   const StepStatus status = base_->step(system, state, h);
   state.a.swap(baseAcceleration_);
   state.a.resize(3, 0);
   if (status.done && fault.empty()) return status;
   state = before_;
+  if (work_) work_->revert();
   reset();
   return status.done ? StepStatus{false, fault} : status;
 }

@@ -9,17 +9,21 @@
 
 #include <ringwatch/base/options.h>
 #include <ringwatch/body/body.h>
+#include <ringwatch/handlers/handled_work.h>
 #include <ringwatch/handlers/selection/incremental_selection.h>
 #include <ringwatch/integrators/integrator.h>
 
 namespace ringwatch {
 
+/// Room for an explicit part that stiffens along the run, where neither an option nor the law asks for another.
+inline constexpr double defaultMargin = 0.1;
+
 /// What all handlers share, and the options of the one that is made.
 struct HandlerOptions {
   Selection selection = Selection::certified;
   /// Elements are chosen as for a step of h/(1 - margin), >= 0 and < 1: room for an explicit part that stiffens along
-  /// the run.
-  double margin = 0.1;
+  /// the run. None: marginFor() the handler and the body.
+  std::optional<double> margin = {};
   Options own = {};  ///< by name, as HandlerInfo::options declares them; those that are not given have their defaults
   RayleighDamping damping = {};  ///< of the systems that the handler is to step
 };
@@ -47,10 +51,15 @@ struct HandlerInfo {
   /// Where its steps can be taken on a GPU: gives options that are not given the defaults they have there, and says why
   /// the others cannot go there, "" when they can. nullptr: they cannot be taken there.
   std::string (*forGpu)(Options& own) = nullptr;
+  /// The margin that a law needs where none is given; nullptr: defaultMargin for all.
+  double (*marginOfLaw)(std::string_view law) = nullptr;
 
   static constexpr std::array everySelection{Selection::certified, Selection::fierzRing, Selection::elementFrequency};
   bool takes(Selection selection) const;
 };
+
+/// The margin where none is given: the largest of those that the body's laws need.
+double marginFor(const HandlerInfo& info, const Body& body);
 
 /// A number that a handler reports, for summaries.
 struct HandlerFigure {
@@ -101,9 +110,12 @@ class Handler : public Integrator {
   /// of its selection or handler (Theorems 31 to 40, docs/theory/handlers.md).
   bool certified() const { return certified_; }
   virtual std::vector<HandlerFigure> figures() const { return {}; }
-  /// What the time integration of the handled elements has taken from their energy since the handler was made, J; 0 of
-  /// handlers that do not keep count of it.
-  virtual double dissipated() const { return 0; }
+  /// What the time integration of the handled elements has taken from their energy since the handler was made, J
+  /// (HandledWork). Less than nothing: it has added to it.
+  virtual double dissipated() const { return dissipatedBefore_ + (work_ ? work_->dissipated() : 0); }
+  /// Whether steps of which every element is handled are proven stable for the tangent at each state, as they are where
+  /// the explicit part is certified and nothing else is assumed.
+  virtual bool provesHandledPart() const { return false; }
   /// Least det F over the handled elements and their quadrature points at positions x (3×N, m), with its element; for
   /// those that are not in explicitBody(), where a monitor observes. Nothing where there are none.
   std::optional<Body::LeastDeterminant> leastHandledDeterminant(const NodeVectors& x) const;
@@ -144,8 +156,14 @@ class Handler : public Integrator {
   /// Rayleigh damping (1 - margin)² (1 - alpha h/2)/(h²/4 + beta h/2) (Theorem 47, docs/theory/discrete_forces.md).
   /// Throws InputError where mass damping alone needs a smaller step.
   double allowedLambda(double h) const;
+  double margin() const { return *options_.margin; }
   /// The bound behind a certified choice; none with other selections.
   const CertifiedSelection* certificate() const;
+  /// Counts the work of the chosen elements from here on, in steps of h. The handler tells of each step (HandledWork).
+  void countWork(double h);
+  /// Keeps what was dissipated with the choice before; the work is counted by the handler itself.
+  void closeWork();
+  HandledWork& work() { return *work_; }
   /// Notes the cost of a choice that is not one of chooseFor().
   void noteSelectionCost(SelectionCost cost) { selectionCost_ = cost; }
 
@@ -168,6 +186,8 @@ class Handler : public Integrator {
   std::vector<std::vector<std::int32_t>> places_;  // of elements_ in the layouts of their blocks, ascending
   IncrementalSelection selection_;
   SelectionCost selectionCost_;
+  std::optional<HandledWork> work_;
+  double dissipatedBefore_ = 0;  // J, with the choices before
   std::optional<Body> explicitPart_;
   std::vector<std::vector<std::int32_t>> numbers_;  // [block][element of the part]: number in the body
 };

@@ -7,21 +7,16 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/all_finite.h>
 #include <ringwatch/monitor/element_cause.h>
+#include <ringwatch/monitor/energy_check.h>
 #include <ringwatch/monitor/incremental/run_bracket.h>
 
 namespace ringwatch {
-namespace {
-
-constexpr int energySettling = 20;  // steps before the energy balance is checked
-
-}  // namespace
 
 struct StabilityMonitor::Impl {
   Impl(const Body& b, const MonitorOptions& o)
-      : body(b), options(o), tracker(o.clearObservations), bodyVersion(b.version()) {
+      : body(b), options(o), tracker(o.clearObservations), energies(roundingEnergy(b)), bodyVersion(b.version()) {
     if (o.mode != MonitorMode::metric) bracket.emplace(b, o.width, o.budget * o.every);
     if (!o.metric.empty() && !o.metricElsewhere) metric = makeMetricEvaluator(o.metric, b);
-    largestEnergy = roundingEnergy(b);
   }
   /// The metric's highest value at x, rad²/s².
   double metricLambda(NodeVectorsView x) {
@@ -35,9 +30,8 @@ struct StabilityMonitor::Impl {
   std::unique_ptr<MetricEvaluator> metric;
   MonitorReport report;
   EventTracker tracker;
-  double largestEnergy = 0;
+  EnergyCheck energies;
   std::int64_t observations = 0, bodyVersion = 0;
-  std::optional<std::int64_t> firstEnergyStep;
   bool unknown = false;      // the last state had no tangent
   bool hadABracket = false;  // the best proof is for the first one alone
 
@@ -61,7 +55,7 @@ struct StabilityMonitor::Impl {
     if (bracket) a(*bracket);
     a(options.firstObservationElements, report.step, report.time, report.h, report.fresh, report.evaluatedAt,
       report.bracket, report.certified, report.elementsRefreshed, report.spent, report.metricStep, report.verdict,
-      report.newEvents, tracker, largestEnergy, observations, firstEnergyStep, unknown, hadABracket);
+      report.newEvents, tracker, energies, observations, unknown, hadABracket);
     archiveVersion(a, bodyVersion, body.version());
   }
 
@@ -246,15 +240,8 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, N
 
 const MonitorReport& StabilityMonitor::observeEnergies(const Energies& energies) {
   Impl& m = *impl_;
-  m.largestEnergy =
-      std::max({m.largestEnergy, energies.kinetic + std::abs(energies.strain), std::abs(energies.externalWork)});
-  double share = m.largestEnergy > 0 ? std::abs(energies.balanceError) / m.largestEnergy : 0;
-  if (!std::isfinite(share)) share = std::numeric_limits<double>::infinity();  // a law without energy at this state
-  // Schemes whose velocities are half a step behind, symplectic Euler for one, are off by 1/n of the energy at step n
-  // of a run that starts under load.
-  if (!m.firstEnergyStep) m.firstEnergyStep = m.report.step;
-  if (m.report.step - *m.firstEnergyStep >= energySettling && share > m.options.energyTolerance)
-    m.present({.kind = EventKind::energyBalance, .value = share}, m.body.mesh().X);
+  if (const auto share = m.energies.observe(energies, m.report.step, m.options.energyTolerance))
+    m.present({.kind = EventKind::energyBalance, .value = *share}, m.body.mesh().X);
   else
     m.absent(EventKind::energyBalance);
   return m.report;

@@ -43,7 +43,7 @@ void ElementsInTheWay::addShapes(const Mesh& mesh) {
 }
 
 ElementsInTheWay elementsInTheWay(const Body& body, const NodeVectors& x, const IntegratorInfo& integrator, double h) {
-  const double omega = (1 - HandlerOptions{}.margin) * integrator.imaginaryLimit / h;
+  const double omega = (1 - defaultMargin) * integrator.imaginaryLimit / h;
   ElementsInTheWay found;
   found.all = chosenElements(selectCertified(body, x, omega * omega).chosen);
   found.addShapes(body.mesh());

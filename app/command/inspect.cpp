@@ -296,7 +296,7 @@ Json illShaped(const Subject& subject, const std::vector<MetricResult>& metrics,
 Json handlerChoice(const Subject& subject, double h) {
   if (!takesHandler(*subject.integrator) || subject.damped) return nullptr;
   const HandlerOptions options;
-  const double omega = (1 - options.margin) * subject.integrator->imaginaryLimit / h;
+  const double omega = (1 - defaultMargin) * subject.integrator->imaginaryLimit / h;
   const std::vector<ElementRef> chosen = chosenElements(selectCertified(subject.body, subject.x, omega * omega).chosen);
   Json elements = Json::array();
   for (const ElementRef e : chosen)
@@ -304,7 +304,7 @@ Json handlerChoice(const Subject& subject, double h) {
         Json{{"block", e.block}, {"index", e.element}, {"id", subject.body.mesh().blocks[e.block].id(e.element)}});
   return Json{{"count", chosen.size()},
               {"selection", std::string(selectionNames.nameOf(options.selection))},
-              {"margin", options.margin},
+              {"margin", defaultMargin},
               {"elements", std::move(elements)}};
 }
 

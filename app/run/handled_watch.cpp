@@ -20,4 +20,16 @@ std::optional<MonitorEvent> HandledWatch::observe(Handler& handler, const Body& 
                          .cause = elementCause(body, x, least->element)});
 }
 
+std::optional<MonitorEvent> HandledWatch::observeEnergies(const Energies& energies, std::int64_t step, double time,
+                                                          double tolerance) {
+  const auto share = energies_.observe(energies, step, tolerance);
+  if (!share) {
+    tracker_.absent(EventKind::energyBalance, step);
+    return std::nullopt;
+  }
+  if (!tracker_.isNew(EventKind::energyBalance)) return std::nullopt;
+  return tracker_.begin(
+      {.kind = EventKind::energyBalance, .step = step, .time = time, .value = *share, .handled = true});
+}
+
 }  // namespace ringwatch

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <ringwatch/handlers/handler.h>
+#include <ringwatch/monitor/energy_check.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch {
@@ -14,6 +15,10 @@ class HandledWatch {
   /// Observes the state before a step. Returns the event that begins with it, if one does.
   std::optional<MonitorEvent> observe(Handler& handler, const Body& body, std::int64_t step, double time,
                                       const NodeVectors& x);
+  /// The same of the energies of the state, over all choices of the handler. tolerance: of the balance error, as a
+  /// share of the largest energy so far.
+  std::optional<MonitorEvent> observeEnergies(const Energies& energies, std::int64_t step, double time,
+                                              double tolerance);
   /// All events so far.
   const std::vector<MonitorEvent>& events() const { return tracker_.events(); }
   /// The part that the handler did not know to be stable at the last observation, "" for none.
@@ -21,6 +26,7 @@ class HandledWatch {
 
  private:
   EventTracker tracker_{MonitorOptions{}.clearObservations};
+  EnergyCheck energies_{0};
   std::string uncertifiedPart_;
 };
 

@@ -26,8 +26,11 @@ class RunEnergies {
   void record(const State& state, const StepEvaluation& evaluation, BodySystem& system, bool rowDue);
   /// Work, J, that the body's balance does not know of, from the last record on.
   void addExternalWork(double work) { ownWork_ += work; }
-  /// What the handler of the body has dissipated, J (Handler::dissipated), as of the next record.
-  void setDissipatedByHandler(double energy) { byHandler_ = energy; }
+  /// What the handler of the body has dissipated, J (Handler::dissipated), as of the next record. What is gone does not
+  /// come back: what a handler adds to the energy is an error of the balance.
+  void setDissipatedByHandler(double energy) {
+    if (!(energy <= byHandler_)) byHandler_ = energy;
+  }
   /// The body is another one from here on. What the one before has come to is kept.
   void beginBody();
   /// Energy, J, that left with what the body before had and this one has not.

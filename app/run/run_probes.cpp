@@ -195,6 +195,11 @@ void RunProbes::addValues(const Scene::Probe& probe, const Target& target, const
       return eachComponent([&](std::int32_t i) { return state.v.col(i); });
     case Quantity::momentum:
       return eachComponent([&](std::int32_t i) { return body_.lumpedMass()[i] * state.v.col(i); });
+    case Quantity::angularMomentum:
+      return eachComponent([&](std::int32_t i) {
+        const Eigen::Vector3d x = state.x.col(i), v = state.v.col(i);
+        return Eigen::Vector3d(body_.lumpedMass()[i] * x.cross(v));
+      });
     case Quantity::load:
       return eachComponent([&](std::int32_t i) { return body_.externalForce().col(i); });
     case Quantity::reaction:

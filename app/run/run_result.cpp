@@ -18,7 +18,7 @@ ExitStatus RunResult::exitStatus() const {
 }
 
 std::string_view RunResult::verdict() const {
-  if (reason == ExitReason::nonFinite || runaway || energyOff()) return "unstable";
+  if (reason == ExitReason::nonFinite || reason == ExitReason::stepFailed || runaway || energyOff()) return "unstable";
   if (violatedStepTaken || reason == ExitReason::violated) return "violated";
   return worst ? verdictName(*worst) : "unmonitored";
 }

@@ -38,6 +38,7 @@ struct Handling {
   std::int64_t selections = 0;   // how often they were chosen
   std::int64_t evaluations = 0;  // of single elements or rings, all selections together
   bool certified = false;        // the explicit part, at the last choice
+  bool nothingExplicit = false;  // every element was handled, at some time
   std::vector<HandlerFigure> figures;
 };
 
@@ -100,6 +101,7 @@ struct RunResult {
   };
   std::optional<Range> safeSeen;        // s, the safe sides of the brackets of states from which a step was taken
   bool requireCertified = false;        // the scene's monitor.require_certified
+  bool proving = true;                  // the scene's monitor is to prove steps
   std::optional<Moment> firstViolated;  // the monitor first said violated
   std::optional<Moment> runaway;        // the energy balance went off by more than runawayShare for good
   std::vector<RunEvent> events;
@@ -135,8 +137,12 @@ struct RunResult {
   bool stable() const { return exitStatus() == ExitStatus::done; }
   /// Every step that was watched was certified, and there was one.
   bool certified() const { return watchedSteps > 0 && certifiedSteps == watchedSteps; }
-  /// Nothing beyond the monitor's first observation was certified, though there was more.
-  bool neverCertified() const { return certifiedSteps < watchedSteps && certifiedSteps <= firstObservationSteps; }
+  /// Nothing beyond the monitor's first observation was certified, though there was more; or nothing could be, of a
+  /// handler's steps that had no explicit element.
+  bool neverCertified() const {
+    return (certifiedSteps < watchedSteps && certifiedSteps <= firstObservationSteps) ||
+           (handler && handler->nothingExplicit && watchedSteps == 0 && steps > 0 && proving);
+  }
   /// An energy-balance event happened, whether it ended or not.
   bool energyOff() const;
   ExitStatus exitStatus() const;

@@ -19,11 +19,7 @@ void RunWatch::begin(Handler* handler, std::function<double(NodeVectorsView)> me
   everyState_ = everyState;
   if (!scene_.monitored()) return;
   const Body& watched = handler_ ? handler_->explicitBody() : body_;
-  if (watched.mesh().elementCount() == 0) {
-    if (result_.handler->selections == 1)
-      result_.notes.emplace_back("every element is handled: there is no explicit one to monitor");
-    return;
-  }
+  if (watched.mesh().elementCount() == 0) return beginWithNothingExplicit();
   MonitorOptions wanted;
   wanted.limit = rule_;
   wanted.mode = scene_.mode;
@@ -38,6 +34,16 @@ void RunWatch::begin(Handler* handler, std::function<double(NodeVectorsView)> me
   monitored_ = true;
   wanted.metricElsewhere = std::move(metric);
   monitor_.emplace(watched, wanted);
+}
+
+void RunWatch::beginWithNothingExplicit() {
+  handlerProves_ = scene_.proves() && handler_->provesHandledPart();
+  if (result_.handler->nothingExplicit) return;
+  result_.handler->nothingExplicit = true;
+  result_.notes.push_back(fmt::format("every element is handled: there is no explicit one to monitor. {}",
+                                      handlerProves_
+                                          ? "Steps are certified by what the handler proves of its own"
+                                          : "That steps of the handled ones are stable is assumed, not proven"));
 }
 
 void RunWatch::end() {
@@ -56,6 +62,7 @@ void RunWatch::end() {
   close(handledWatch_.events(), true);
   if (monitor_) close(monitor_->events(), false);
   monitor_.reset();
+  handlerProves_ = false;
   handler_ = nullptr;
 }
 
@@ -65,7 +72,12 @@ MonitorReport RunWatch::observe(std::int64_t k, const State& state, std::optiona
   report.step = k;
   report.time = state.time;
   report.h = h.value_or(0);
-  if (!monitor_) return report;
+  if (!monitor_) {
+    if (!handlerProves_) return report;
+    report.fresh = k % scene_.every == 0;
+    report.verdict = Verdict::certified;  // until complete() has asked the handler
+    return report;
+  }
   const Stopwatch watch(result_.monitorTime);
   if (!sees(k)) {
     report = lastReport_;
@@ -90,7 +102,12 @@ MonitorReport RunWatch::observe(std::int64_t k, const State& state, std::optiona
 void RunWatch::complete(MonitorReport& report, const State& state, const std::optional<Energies>& energies) {
   if (!scene_.monitored()) return;
   const Stopwatch watch(result_.monitorTime);
-  if (monitor_ && energies && sees(report.step)) report.newEvents = monitor_->observeEnergies(*energies).newEvents;
+  if (monitor_ && !handler_ && energies && sees(report.step))
+    report.newEvents = monitor_->observeEnergies(*energies).newEvents;
+  // A monitor begins anew with every choice of a handler, and would never come to judge.
+  if (handler_ && energies)
+    if (const auto event = handledWatch_.observeEnergies(*energies, report.step, state.time, scene_.energyTolerance))
+      report.newEvents.push_back(*event);
   dropContinued(report);
   if (!handler_) return;
   nameElements(report);

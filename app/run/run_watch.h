@@ -24,8 +24,9 @@ class RunWatch {
   /// Nothing is watched until the next begin(); the ends of events are known now.
   void end();
 
-  /// Whether there is a monitor: not without the scene's wish, nor when every element is handled.
-  bool monitors() const { return monitor_.has_value(); }
+  /// Whether steps get a verdict: not without the scene's wish, nor when every element is handled and the handler does
+  /// not prove its steps either.
+  bool monitors() const { return monitor_.has_value() || handlerProves_; }
   /// Whether observe() fills in an evaluation of the whole body in its own pass.
   bool sharesPass() const { return monitor_ && !handler_; }
   /// Observes the state before step k of h seconds (empty while none is chosen). evaluation: as of
@@ -66,6 +67,7 @@ class RunWatch {
   bool sees(std::int64_t k) const { return everyState_ || k % scene_.every == 0; }
   void dropContinued(MonitorReport& report);
   void watchHandled(MonitorReport& report, const State& state);
+  void beginWithNothingExplicit();
   void nameElements(MonitorReport& report) const;
 
   const Scene& scene_;
@@ -76,6 +78,7 @@ class RunWatch {
   bool everyState_ = true;
   bool monitored_ = false;  // a monitor has been made
   std::optional<StabilityMonitor> monitor_;
+  bool handlerProves_ = false;  // every element is handled, and proven by the handler
   HandledWatch handledWatch_;
   MonitorReport lastReport_;  // where not every state is seen: of the last one that was
   std::int64_t freshReports_ = 0;

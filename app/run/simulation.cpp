@@ -10,12 +10,17 @@
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/handlers/angular_momentum.h>
 
 namespace ringwatch {
 namespace {
 
 /// Shares of a step that are rounding of times.
 constexpr double sameTime = 1e-6;
+
+double kineticEnergy(const Body& body, const NodeVectors& v) {
+  return 0.5 * v.colwise().squaredNorm().dot(body.lumpedMass().transpose());
+}
 
 }  // namespace
 
@@ -33,6 +38,7 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
   result.probes = probes.columns();
   result.notes = options.notes;
   result.requireCertified = scene.requireCertified;
+  result.proving = scene.proves();
   if (body.discreteForces()) {
     result.discrete = RunResult::Discrete{};
     if (body.discreteForces()->friction())
@@ -70,11 +76,14 @@ void Simulation::beginWatch() {
 void Simulation::handleAgain() {
   watch.end();  // it watches what the choice replaces
   preparedFor_ = steps.step();
-  // Mass that is added to nodes which move comes with their velocity: what that takes is no error.
-  const auto kinetic = [this] { return 0.5 * (state.v.colwise().squaredNorm() * body.lumpedMass()).value(); };
-  const double before = kinetic();
+  const double before = kineticEnergy(body, state.v);
+  const Eigen::VectorXd mass = body.lumpedMass();
   scheme->prepare(state.x, preparedFor_);
-  energies.addExternalWork(kinetic() - before);
+  // Mass that is added comes with the velocity of its node. It must not push a body that nothing holds.
+  if (mass != body.lumpedMass()) {
+    if (!body.constraints().any()) keepMomenta(body, mass, state.x, state.v);
+    energies.addExternalWork(kineticEnergy(body, state.v) - before);
+  }
   state.a.resize(3, 0);
   beginWatch();
 }

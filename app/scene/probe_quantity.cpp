@@ -15,6 +15,8 @@ std::vector<ProbeQuantity> makeQuantities() {
       {Quantity::displacement, "displacement", "m", vector, average, "of nodes, from where they are at rest"},
       {Quantity::velocity, "velocity", "m/s", vector, average, "of nodes"},
       {Quantity::momentum, "momentum", "kg m/s", vector, total, "of nodes, lumped mass times velocity"},
+      {Quantity::angularMomentum, "angular_momentum", "kg m2/s", vector, total,
+       "of nodes about the origin, position times lumped mass times velocity"},
       {Quantity::load, "load", "N", vector, total,
        "dead loads, pressures and tables of time at nodes, as they are now"},
       {Quantity::reaction, "reaction", "N", vector, total,

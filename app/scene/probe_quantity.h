@@ -23,6 +23,7 @@ struct ProbeQuantity {
     displacement,
     velocity,
     momentum,
+    angularMomentum,
     load,
     reaction,
     energy,

@@ -288,7 +288,7 @@ void readHandlerSection(const SceneTable& handler, const SceneTable& integrator,
   scene.handler = handler.get<std::string>("method");
   if (scene.handler == "none") scene.handler.clear();
   scene.handlerOptions.selection = handler.named("selection", selectionNames);
-  scene.handlerOptions.margin = handler.get<double>("margin");
+  if (handler.given("margin")) scene.handlerOptions.margin = handler.get<double>("margin");
 
   if (scene.handler.empty()) {
     for (const auto& [key, entry] : handler.entries)

@@ -413,9 +413,9 @@ void addHandler(std::vector<SceneKey>& all) {
            .help = "which elements; " + selectionNames.listing()},
           {.key = "margin",
            .type = T::number,
-           .fallback = "0.1",
            .range = share,
-           .help = "elements are chosen as for a step of step/(1 - margin), so that the explicit part may stiffen"},
+           .help = "elements are chosen as for a step of step/(1 - margin), so that the explicit part may stiffen; "
+                   "without, 0.1, and 0.3 for local-time-stepping with stvk"},
           {.key = "step",
            .type = T::number,
            .unit = "s",
@@ -755,8 +755,8 @@ void addProbe(std::vector<SceneKey>& all) {
           {.key = "as",
            .type = T::text,
            .choices = probeReductionNames.names(),
-           .help = probeReductionNames.listing() +
-                   "; without, the sum of momentum, load, reaction and energy, the least step, else the mean"},
+           .help = probeReductionNames.listing() + "; without, the sum of momentum, angular_momentum, load, reaction "
+                                                   "and energy, the least step, else the mean"},
           {.key = "metric",
            .type = T::text,
            .fallback = "\"reduced-1-ring\"",

@@ -14,7 +14,9 @@ class FePbd::Relaxed final : public SecondOrderSystem {
     o.explicitBody().internalForce(x, o.force_, o.workspace_);
     a = (o.body_.externalForce() - o.force_) * o.inverseMass_.asDiagonal();
     o.body_.constraints().clearConstrained(a);
+    o.work().begin(x, a);
     if (!o.relaxed_->relax(x, v, a)) fault = "the handled elements' nodes are not at finite positions";
+    o.work().end(v, a);
   }
   int threads() const override { return owner_.body_.threads(); }
   bool velocityDependent() const override { return true; }
@@ -35,6 +37,7 @@ void FePbd::take(const NodeVectors&, double h, const ElementFlags& chosen) {
   requireCorotationalTetrahedra(elements);
   relaxed_ = std::make_unique<RelaxedTetrahedra>(body_, elements, h, goal_, passes_);
   inverseMass_ = body_.lumpedMass().cwiseInverse();
+  countWork(h);
   detach(chosen);
 }
 

@@ -6,17 +6,18 @@
 namespace ringwatch {
 
 /// HandlerInfo::forGpu of `imex`: conjugate gradients alone, to a tolerance of 1e-8. They start from nothing there, and
-/// what they leave out of the momentum is not put back.
+/// what they leave out of the momentum is not put back; nor is angular momentum kept.
 std::string imexForGpu(Options& own);
 
 /// Implicit-explicit integration by elements (Fierz 2013, section 4.3; Hughes & Liu 1978): the base scheme for all
 /// elements but the handled ones, Newmark's method for those, with gamma = 1/2 + α and beta = (1 + α)²/4, α the
-/// dissipation. α = 0 is the trapezoidal rule, of second order; α = 1 is implicit Euler, Fierz 2013's. Linearly
-/// implicit: in the two-step form, with the internal force f(x) of all elements and K̂ of the handled ones,
+/// dissipation. α = 0 is the trapezoidal rule, of second order; α = 1 is implicit Euler, Fierz 2013's. With the solver
+/// `newton` the handled elements' force is that at x_n + alpha h v_(n-½) + beta h² a_n (NewtonCluster). The others are
+/// linearly implicit, the first step of Newton's method with K̂ for their tangent: in the two-step form, with the
+/// internal force f(x) of all elements and K̂ of the handled ones,
 ///   (M + beta h² K̂) a_n = f_ext - f(x_n) - α h K̂ v_(n-½),   v_(n+½) = v_(n-½) + h a_n,   x_(n+1) = x_n + h v_(n+½).
-/// One force a step, and a linear solve on the nodes of the handled elements alone, cluster by cluster. With the solver
-/// `newton` the handled elements' force is that at x_n + alpha h v_(n-½) + beta h² a_n instead (NewtonCluster), of
-/// which the above is the first step of Newton's method with K̂ for their tangent.
+/// One force of all elements a step, one more of the handled ones for what they dissipate, and a solve on their nodes
+/// alone, cluster by cluster.
 ///
 /// Stable, for a frozen tangent K(x) = K_E + K_I, when K_E + K_I ≼ (4/h²) M + (1 + α²) K̂: with the quotients a of
 /// h² K(x) and b of h² K̂ over M at an eigenvector of the recursion,
@@ -27,23 +28,26 @@ std::string imexForGpu(Options& own);
 /// is added to beta h² on the left: Theorem 73. Not with `newton`.
 class Imex final : public Handler {
  public:
-  static constexpr std::string_view newton = "newton";
-  static constexpr std::array<std::string_view, 4> solvers{"auto", "cholesky", "cg", newton};
-  static constexpr std::array<std::string_view, 3> solversWithTolerance{"auto", "cg", newton};
+  static constexpr std::string_view newton = "newton", linear = "linear";
+  static constexpr std::array<std::string_view, 5> solvers{"auto", newton, linear, "cholesky", "cg"};
+  static constexpr std::array<std::string_view, 4> solversWithTolerance{"auto", newton, linear, "cg"};
   static constexpr std::array table{
       OptionInfo{.name = "dissipation",
                  .range = {0, 1, true, true},
                  .fallback = "0.1",
                  .help = "of the handled elements: 0 none and second order, 1 implicit Euler"},
-      OptionInfo{.name = "solver",
-                 .type = OptionType::text,
-                 .choices = solvers,
-                 .fallback = "auto",
-                 .help =
-                     "of the implicit equations: linear ones factored and turned with the elements, or by conjugate "
-                     "gradients (auto: by the size of each cluster), or nonlinear ones by Newton's method"},
+      OptionInfo{
+          .name = "solver",
+          .type = OptionType::text,
+          .choices = solvers,
+          .fallback = "auto",
+          .help = "of the implicit equations: nonlinear ones by Newton's method, or linear ones, factored and turned "
+                  "with the elements (cholesky) or by conjugate gradients (cg), by the size of each cluster (linear); "
+                  "auto is newton, but for linear laws, with damping and on a GPU"},
       withSolvers(solverToleranceOption, solversWithTolerance),
-      withSolvers(solverIterationsOption, solversWithTolerance), onFailureOption};
+      withSolvers(solverIterationsOption, solversWithTolerance),
+      momentumOption,
+      onFailureOption};
   static constexpr HandlerInfo description{.name = "imex",
                                            .help = "implicit where the step is too large, explicit elsewhere",
                                            .options = table,
@@ -52,7 +56,8 @@ class Imex final : public Handler {
                                            .forGpu = imexForGpu};
   Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
-  double dissipated() const override;
+  /// Nonlinear equations prove what linear ones assume: Theorem 61.
+  bool provesHandledPart() const override { return nonlinear_; }
   const std::vector<ImplicitCluster>& clusters() const { return clusters_; }
 
  protected:
@@ -66,16 +71,17 @@ class Imex final : public Handler {
   /// The base scheme's view: the acceleration that the implicit elements allow.
   class Corrected;
 
-  /// w of the implicit matrix M + w K̂, s²: beta h², and h/2 times stiffness-proportional damping.
-  double weightOfTangent(double h) const;
+  ImplicitScheme schemeOf(double h) const { return {h, dissipation_, options_.damping.beta}; }
 
   double dissipation_;
-  bool nonlinear_;
+  bool nonlinear_, keepsMomentum_;
   ClusterOptions cluster_;
   std::vector<ImplicitCluster> clusters_;  // one of the two is empty
   std::vector<NewtonCluster> newtonClusters_;
-  double dissipatedBefore_ = 0;           // J, with the choices before
-  std::vector<std::string_view> failed_;  // by cluster
+  std::vector<bool> freeOfTorque_;          // by cluster: angular momentum is kept
+  NodeVectors others_ = NodeVectors(3, 0);  // acceleration by all but the handled elements, at their nodes, m/s²
+  std::int64_t stallsBefore_ = 0, eulerStepsBefore_ = 0;  // of clusters of the choices before
+  std::vector<std::string_view> failed_;                  // by cluster
 };
 
 }  // namespace ringwatch

@@ -44,12 +44,13 @@ inline constexpr OptionInfo solverOption{
     .help =
         "of the implicit equations: factored and turned with its elements, or conjugate gradients; auto by the size "
         "of each cluster"};
-inline constexpr OptionInfo solverToleranceOption{.name = "tolerance",
-                                                  .range = {0, 1, false, true},
-                                                  .automatic = true,
-                                                  .fallback = "auto",
-                                                  .help = "of cg, relative; auto 2e-3, on a GPU 1e-8",
-                                                  .onlyWith = {"solver", iterativeSolvers}};
+inline constexpr OptionInfo solverToleranceOption{
+    .name = "tolerance",
+    .range = {0, 1, false, true},
+    .automatic = true,
+    .fallback = "auto",
+    .help = "of cg, relative; auto 2e-3, on a GPU 1e-8; of newton, auto 5e-4",
+    .onlyWith = {"solver", iterativeSolvers}};
 inline constexpr OptionInfo solverIterationsOption{.name = "iterations",
                                                    .type = OptionType::integer,
                                                    .range = {1, infinity, true, true},
@@ -68,6 +69,16 @@ inline constexpr OptionInfo onFailureOption{.name = "on_failure",
                                             .choices = onFailureChoices,
                                             .fallback = "stop",
                                             .help = "when a step fails, stop the run or halve its step"};
+inline constexpr std::array<std::string_view, 2> momentumChoices{"keep", "free"};
+/// Whether handled elements may exert a torque on the whole.
+inline constexpr OptionInfo momentumOption{
+    .name = "momentum",
+    .type = OptionType::text,
+    .choices = momentumChoices,
+    .fallback = "keep",
+    .help =
+        "angular, of handled elements that touch nothing held: kept by a rotation of each cluster, or left to drift"};
+inline bool keepsMomentum(const Options& own) { return own.text("momentum") == momentumChoices[0]; }
 /// Reads the options above, all of which are given.
 ClusterOptions clusterOptionsOf(const Options& own);
 

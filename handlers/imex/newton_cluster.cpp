@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/body/nodes_of.h>
 #include <ringwatch/body/sub_body.h>
 
@@ -39,10 +40,9 @@ double inner(const NodeVectors& a, const NodeVectors& b) { return a.cwiseProduct
 
 }  // namespace
 
-NewtonCluster::NewtonCluster(const Body& body, std::vector<ElementRef> elements, double h, double w, double tolerance,
-                             int mostProducts)
-    : h_(h),
-      w_(w),
+NewtonCluster::NewtonCluster(const Body& body, std::vector<ElementRef> elements, ImplicitScheme scheme,
+                             double tolerance, int mostProducts)
+    : scheme_(scheme),
       tolerance_(tolerance),
       mostProducts_(mostProducts),
       elements_(std::move(elements)),
@@ -52,11 +52,12 @@ NewtonCluster::NewtonCluster(const Body& body, std::vector<ElementRef> elements,
     for (int c = 0; c < 3; ++c) anyConstrained_[c] = anyConstrained_[c] || part_.constraints().isConstrained(i, c);
   const auto n = static_cast<Eigen::Index>(nodes_.size());
   inverses_.resize(nodes_.size());
-  for (NodeVectors* vectors : {&x_, &moved_, &target_, &u_, &gradient_, &direction_, &residual_, &z_, &p_, &product_})
+  for (NodeVectors* vectors :
+       {&x_, &others_, &wanted_, &moved_, &target_, &u_, &gradient_, &direction_, &residual_, &z_, &p_, &product_})
     vectors->setZero(3, n);
   evaluation_.wantsEnergy = true;
-  moving_ = part_.constraints().moving();
   for (const auto& block : part_.blocks()) {
+    if (block->layout().batchCount() > 0) endsAnywhere_ = endsAnywhere_ && block->material().info().definedInverted;
     double volumes[lanes];
     for (std::int32_t batch = 0; batch < block->layout().batchCount(); ++batch) {
       block->volumeBatch(batch, volumes);
@@ -95,11 +96,10 @@ void NewtonCluster::clearConstrained(NodeVectors& vectors) const {
   forEachConstrained([&](std::int32_t i, int c) { vectors(c, i) = 0; });
 }
 
-void NewtonCluster::removeTranslation(NodeVectors& direction) const {
-  // The elements' forces add up to nothing, so that no step of Newton's method moves the centre of mass.
+void NewtonCluster::setMomentum(NodeVectors& vectors, const Eigen::Vector3d& momentum) const {
   const double mass = part_.lumpedMass().sum();
   for (int c = 0; c < 3; ++c)
-    if (!anyConstrained_[c]) direction.row(c).array() -= direction.row(c).dot(part_.lumpedMass()) / mass;
+    if (!anyConstrained_[c]) vectors.row(c).array() += (momentum[c] - vectors.row(c).dot(part_.lumpedMass())) / mass;
 }
 
 void NewtonCluster::refreshPreconditioner() {
@@ -155,7 +155,8 @@ void NewtonCluster::findDirection(double reduction) {
     p_ = z_ + next / rho * p_;
     rho = next;
   }
-  removeTranslation(direction_);
+  // The elements' forces add up to nothing, so that no step of Newton's method moves the centre of mass.
+  setMomentum(direction_, Eigen::Vector3d::Zero());
   products_ += products;
   if (productsOfFirst_ == 0) productsOfFirst_ = std::max(products, 1);
   stale_ = stale_ || products > staleness * productsOfFirst_ + 1;
@@ -181,52 +182,42 @@ NewtonCluster::Progress NewtonCluster::searchAlong() {
   return Progress::none;
 }
 
-NewtonCluster::Outcome NewtonCluster::solve(NodeVectorsView x, NodeVectors& a, const NodeVectors& v, double c) {
-  const auto n = static_cast<Eigen::Index>(nodes_.size());
-  const NodeVectors before = x_;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    x_.col(i) = x.col(nodes_[i]);
-    target_.col(i) = a.col(nodes_[i]) + c * v.col(nodes_[i]);
-  }
-  const NodeVectors wanted = target_;
-  u_.setZero();
-  // The force at x; it is part of a already.
-  part_.evaluate(x_, evaluation_, workspace_);
-  energyAtStep_ = evaluation_.strainEnergy;
-  // Supports move with the forces at the ends of the step, as the energy balance has it.
-  if (halfway_.cols() > 0 && moving_) {
-    const NodeVectors mean = 0.5 * (forceAtStep_ + evaluation_.internalForce);
-    forEachConstrained([&](std::int32_t i, int k) { workAgainst_ += mean(k, i) * (x_(k, i) - before(k, i)); });
-  }
-  if (moving_) forceAtStep_ = evaluation_.internalForce;
-  for (Eigen::Index i = 0; i < n; ++i) target_.col(i) += evaluation_.internalForce.col(i) / part_.lumpedMass()[i];
-  if (!target_.allFinite()) return Outcome::noEnergy;
-
+bool NewtonCluster::begin(const NodeVectors& guess) {
+  u_ = guess;
+  forEachConstrained([&](std::int32_t i, int k) { u_(k, i) = wanted_(k, i); });
   // Where the centre of mass goes is known.
-  const auto begin = [&](const NodeVectors& guess) {
-    u_ = guess;
-    forEachConstrained([&](std::int32_t i, int k) { u_(k, i) = wanted(k, i); });
-    const NodeVectors missing = wanted - u_;
-    const double mass = part_.lumpedMass().sum();
-    for (int k = 0; k < 3; ++k)
-      if (!anyConstrained_[k]) u_.row(k).array() += missing.row(k).dot(part_.lumpedMass()) / mass;
-    return evaluate();
-  };
+  setMomentum(u_, wanted_ * part_.lumpedMass());
+  return evaluate();
+}
+
+NewtonCluster::Outcome NewtonCluster::search(const ImplicitScheme& scheme, const NodeVectors& a, const NodeVectors& v) {
+  if (w_ != scheme.w()) {  // solutions and preconditioner are of another equation
+    last_ = {};
+    stale_ = true;
+  }
+  w_ = scheme.w();
+  c_ = scheme.c();
+  const auto n = static_cast<Eigen::Index>(nodes_.size());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    wanted_.col(i) = a.col(nodes_[i]) + c_ * v.col(nodes_[i]);
+    target_.col(i) = others_.col(i) + c_ * v.col(nodes_[i]);
+  }
   // What the tolerance is a share of: the gradient at u = 0, where nodes that are moved have moved already.
   const NodeVectors rest = NodeVectors::Zero(3, n);
   bool moves = false;
-  forEachConstrained([&](std::int32_t i, int k) { moves = moves || wanted(k, i) != 0; });
+  forEachConstrained([&](std::int32_t i, int k) { moves = moves || wanted_(k, i) != 0; });
   NodeVectors right(3, n);
   if (moves) {
     if (!begin(rest)) return Outcome::noEnergy;
     right = gradient_;
   } else {
-    for (Eigen::Index i = 0; i < n; ++i) right.col(i) = part_.lumpedMass()[i] * wanted.col(i);
+    for (Eigen::Index i = 0; i < n; ++i) right.col(i) = part_.lumpedMass()[i] * wanted_.col(i);
   }
   // A guess must not begin above where the elements rest: Theorem 61 hangs on it.
-  const double atRest = kinetic(rest) + energyAtStep_ / w_;
-  const bool extrapolated = last_[1].cols() > 0 && begin(2 * last_[0] - last_[1]) && (moves || potential_ <= atRest);
-  if (!extrapolated && !begin(rest)) return Outcome::noEnergy;
+  const double atRest = moves ? infinity : kinetic(rest) + energyAtStep_ / w_;
+  const bool extrapolated = last_[1].cols() > 0 && begin(2 * last_[0] - last_[1]) && potential_ <= atRest;
+  // Where nodes are moved and there is no guess, the search stands at rest already.
+  if (!extrapolated && (!moves || last_[1].cols() > 0) && !begin(rest)) return Outcome::noEnergy;
 
   if (stale_) refreshPreconditioner();
   precondition(right, z_);
@@ -254,35 +245,43 @@ NewtonCluster::Outcome NewtonCluster::solve(NodeVectorsView x, NodeVectors& a, c
   }
   last_[1].swap(last_[0]);
   last_[0] = u_;
-  if (halfway_.cols() == 0) {
-    for (Eigen::Index i = 0; i < n; ++i) moved_.col(i) = x_.col(i) - 0.5 * h_ * v.col(nodes_[i]);
-    firstEnergy_ = energyNear(moved_);
-    halfway_.resize(3, n);
-  }
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const std::int32_t node = nodes_[i];
-    for (int k = 0; k < 3; ++k)
-      if (!part_.constraints().isConstrained(static_cast<std::int32_t>(i), k)) a(k, node) = u_(k, i) - c * v(k, node);
-    const Eigen::Vector3d old = v.col(node), now = old + h_ * a.col(node);
-    workAgainst_ += evaluation_.internalForce.col(i).dot(0.5 * h_ * (old + now));
-    halfway_.col(i) = x_.col(i) + 0.5 * h_ * now;
-  }
-  if (moving_)
-    forEachConstrained([&](std::int32_t i, int k) {
-      workAgainst_ -= evaluation_.internalForce(k, i) * h_ * (v(k, nodes_[i]) + 0.5 * h_ * a(k, nodes_[i]));
-    });
   return Outcome::solved;
 }
 
-double NewtonCluster::energyNear(const NodeVectors& halfway) const {
-  Body::Workspace workspace;
-  const double energy = part_.energy(halfway, workspace);
-  // Between two states that a law has an energy for can be one that it has none for.
-  return std::isfinite(energy) ? energy : energyAtStep_;
+bool NewtonCluster::endsWithoutEnergy(const NodeVectors& v) {
+  if (endsAnywhere_) return false;
+  const double h = scheme_.h;
+  for (Eigen::Index i = 0; i < u_.cols(); ++i)
+    moved_.col(i) = x_.col(i) + h * ((1 - c_ * h) * v.col(nodes_[i]) + h * u_.col(i));
+  forEachConstrained([&](std::int32_t i, int k) { moved_(k, i) = x_(k, i) + h * v(k, nodes_[i]); });
+  return !(part_.leastDeterminant(moved_).value > 0);
 }
 
-double NewtonCluster::dissipated() const {
-  return halfway_.cols() == 0 ? 0 : workAgainst_ - energyNear(halfway_) + firstEnergy_;
+NewtonCluster::Outcome NewtonCluster::solve(NodeVectorsView x, NodeVectors& a, const NodeVectors& v,
+                                            NodeVectors& others) {
+  const auto n = static_cast<Eigen::Index>(nodes_.size());
+  for (Eigen::Index i = 0; i < n; ++i) x_.col(i) = x.col(nodes_[i]);
+  // The force at x; it is part of a already.
+  part_.evaluate(x_, evaluation_, workspace_);
+  energyAtStep_ = evaluation_.strainEnergy;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    others_.col(i) = a.col(nodes_[i]) + evaluation_.internalForce.col(i) / part_.lumpedMass()[i];
+    others.col(nodes_[i]) = others_.col(i);
+  }
+  if (!others_.allFinite()) return Outcome::noEnergy;
+  Outcome outcome = search(scheme_, a, v);
+  constexpr double implicitEuler = 1;
+  if (scheme_.dissipation != implicitEuler && (outcome != Outcome::solved || endsWithoutEnergy(v))) {
+    ++eulerSteps_;
+    outcome = search({scheme_.h, implicitEuler}, a, v);
+  }
+  if (outcome != Outcome::solved) return outcome;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::int32_t node = nodes_[i];
+    for (int k = 0; k < 3; ++k)
+      if (!part_.constraints().isConstrained(static_cast<std::int32_t>(i), k)) a(k, node) = u_(k, i) - c_ * v(k, node);
+  }
+  return Outcome::solved;
 }
 
 }  // namespace ringwatch

@@ -8,7 +8,9 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
-#include <ringwatch/base/sort_unique.h>
+#include <ringwatch/body/nodes_of.h>
+#include <ringwatch/handlers/angular_momentum.h>
+#include <ringwatch/materials/st_venant_kirchhoff.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 
 namespace ringwatch {
@@ -32,6 +34,11 @@ constexpr double callCost = 20, implicitCost = 60;
 
 }  // namespace
 
+double marginOfLocalTimeStepping(std::string_view law) {
+  constexpr double stiffening = 0.3;
+  return law == StVenantKirchhoff::name ? stiffening : defaultMargin;
+}
+
 /// The base scheme's view of the body.
 class LocalTimeStepping::Averaged final : public SecondOrderSystem {
  public:
@@ -52,6 +59,7 @@ LocalTimeStepping::LocalTimeStepping(Body& body, std::unique_ptr<Integrator> bas
       stabilised_(options_.own.text("variant") == variants[0]),
       levelLimit_(options_.own.integer("levels")),
       dissipation_(options_.own.number("dissipation")),
+      keepsMomentum_(keepsMomentum(options_.own)),
       cluster_(clusterOptionsOf(options_.own)) {}
 
 double LocalTimeStepping::deepest(double h) const { return std::pow(4.0, levelLimit_) * allowedLambda(h); }
@@ -222,18 +230,20 @@ void LocalTimeStepping::take(const NodeVectors& x, double h, const ElementFlags&
   std::vector<std::int32_t> position(body_.nodeCount(), -1);
   for (std::size_t i = 0; i < filter_->nodes().size(); ++i)
     position[filter_->nodes()[i]] = static_cast<std::int32_t>(i);
-  clusterNodes_.clear();
-  for (const auto& cluster : clustersOf(body_, chosenElements(chosen))) {
-    auto& own = clusterNodes_.emplace_back();
-    for (const ElementRef e : cluster)
-      for (const std::int32_t node : body_.blocks()[e.block]->nodesOf(e.element)) own.push_back(position[node]);
-    sortUnique(own);
+  fineClusters_.clear();
+  for (const auto& elements : clustersOf(body_, chosenElements(chosen))) {
+    FineCluster& cluster = fineClusters_.emplace_back();
+    cluster.nodes = nodesOfElements(body_, elements);
+    for (const std::int32_t node : cluster.nodes) cluster.places.push_back(position[node]);
+    cluster.freeOfTorque = keepsMomentum_ && isFreeOfTorque(body_, elements, cluster.nodes);
   }
+  countWork(h);
 }
 
 void LocalTimeStepping::addStrainVelocity(const NodeVectors& x, const NodeVectors& v, double share) {
   const auto& nodes = filter_->nodes();
-  for (const auto& cluster : clusterNodes_) {
+  for (const FineCluster& one : fineClusters_) {
+    const auto& cluster = one.places;
     double mass = 0;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero(), drift = Eigen::Vector3d::Zero();
     for (const std::int32_t i : cluster) {
@@ -266,6 +276,7 @@ void LocalTimeStepping::averagedAcceleration(const NodeVectors& x, const NodeVec
   coarse_->internalForce(x, force_, workspace_);
   a = (body_.externalForce() - force_) * inverseMass_.asDiagonal();
   body_.constraints().clearConstrained(a);
+  work().begin(x, a);
   const auto& nodes = filter_->nodes();
   const Eigen::Index n = nodes.size();
   fineX_.resize(3, n);
@@ -277,7 +288,12 @@ void LocalTimeStepping::averagedAcceleration(const NodeVectors& x, const NodeVec
   if (dissipation_ != 0) addStrainVelocity(x, v, dissipation_ * h);
   std::string fault = filter_->apply(fineX_, fineA_);
   if (fault_.empty()) fault_ = std::move(fault);
-  for (Eigen::Index i = 0; i < n; ++i) a.col(nodes[i]) = fineA_.col(i);
+  for (Eigen::Index i = 0; i < n; ++i) fineA_.col(i).swap(a.col(nodes[i]));
+  // The coarse elements have no torque about x, but the average of their forces has.
+  for (const FineCluster& cluster : fineClusters_)
+    if (cluster.freeOfTorque) keepAngularMomentum(body_, cluster.nodes, x, v, h, fineA_(Eigen::all, cluster.places), a);
+  work().end(v, a);
+  // The damping is counted with that of the run.
   if (options_.damping.alpha == 0) return;
   a -= options_.damping.alpha * v;
   body_.constraints().clearConstrained(a);
@@ -293,7 +309,7 @@ StepStatus LocalTimeStepping::handledStep(SecondOrderSystem& system, State& stat
 
 std::string LocalTimeStepping::uncertifiedPart(const NodeVectors& x) {
   if (watches_.empty()) {
-    const double marginFactor = (1 - options_.margin) * (1 - options_.margin);
+    const double marginFactor = (1 - margin()) * (1 - margin());
     ElementFlags finer = implicit_;
     for (std::size_t k = levels_.size(); k-- > 1;) {
       const Level& level = levels_[k];

@@ -7,6 +7,10 @@
 
 namespace ringwatch {
 
+/// HandlerInfo::marginOfLaw of `local-time-stepping`: a law that stiffens within a step takes the fine elements out of
+/// the range of their filters, and the step is lost with them. Measured over meshes and loads: docs/handlers.md.
+double marginOfLocalTimeStepping(std::string_view law);
+
 /// Local time stepping by elements (Fierz 2013, section 4.4): level 0 takes the step h, level k a whole fraction
 /// of it, and only nodes of fine elements are examined within a step. Leapfrog local time stepping in the form of
 /// Diaz & Grote (2009, 2015), split by elements: with the other forces frozen, the fine elements' forces along a motion
@@ -54,6 +58,7 @@ class LocalTimeStepping final : public Handler {
       solverOption,
       solverToleranceOption,
       solverIterationsOption,
+      momentumOption,
       onFailureOption};
   // Levels split the mass of a node, and the bound by single elements needs each to have its own.
   static constexpr std::array selections{Selection::certified, Selection::fierzRing};
@@ -62,9 +67,14 @@ class LocalTimeStepping final : public Handler {
                                            .alias = "adaptive",
                                            .options = table,
                                            .selections = selections,
-                                           .takesMassDamping = true};
+                                           .takesMassDamping = true,
+                                           .marginOfLaw = marginOfLocalTimeStepping};
   LocalTimeStepping(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
+  /// All levels are proven and watched; implicit elements are not.
+  bool provesHandledPart() const override {
+    return stabilised_ && options_.selection == Selection::certified && chosenElements(implicit_).empty();
+  }
   /// A finer level whose tangent is above what its filter takes. Of implicit elements nothing is said.
   std::string uncertifiedPart(const NodeVectors& x) override;
 
@@ -108,15 +118,22 @@ class LocalTimeStepping final : public Handler {
   bool stabilised_;
   int levelLimit_;
   double dissipation_;
+  bool keepsMomentum_;
   ClusterOptions cluster_;
   std::vector<Level> levels_;
   ElementFlags implicit_;
   std::optional<Body> coarse_;  // the elements of level 0
   std::optional<LevelFilter> filter_;
   std::vector<LevelWatch> watches_;  // of the finer levels that have elements; made at the first observation
-  std::vector<std::vector<std::int32_t>> clusterNodes_;  // positions in filter_->nodes()
-  double idealShare_ = 0;                                // Σ max(1, h/h_e) over Σ h/h_min
-  double smallest_ = 0;                                  // h/h_min
+  /// Fine elements that share nodes.
+  struct FineCluster {
+    std::vector<std::int32_t> places;  // in filter_->nodes()
+    std::vector<std::int32_t> nodes;   // of the body
+    bool freeOfTorque;                 // angular momentum is kept
+  };
+  std::vector<FineCluster> fineClusters_;
+  double idealShare_ = 0;  // Σ max(1, h/h_e) over Σ h/h_min
+  double smallest_ = 0;    // h/h_min
   Eigen::VectorXd inverseMass_;
   NodeVectors force_, fineX_, fineA_;
   Body::Workspace workspace_;

@@ -31,7 +31,7 @@ MassPlan planAddedMass(const Body& body, const NodeVectors& x, double lambda, in
   {
     Body heavier = withAddedMass(body, best.added);
     HandlerOptions options;
-    options.margin = 0;
+    options.margin = 0.0;
     MassScaling handler(heavier, makeIntegrator("symplectic-euler"), std::move(options));
     handler.prepare(x, 2 / std::sqrt(lambda));
     best.added = (heavier.lumpedMass() - own).cwiseMax(0);

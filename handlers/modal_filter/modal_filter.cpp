@@ -16,6 +16,7 @@ class ModalFilter::Corrected final : public SecondOrderSystem {
     o.explicitBody().internalForce(x, o.force_, o.workspace_);
     a = (o.body_.externalForce() - o.force_) * o.inverseMass_.asDiagonal();
     o.body_.constraints().clearConstrained(a);
+    o.work().begin(x, a);
     const bool finite = o.tetrahedra_->act(x, v, a, o.projects_ ? 0 : o.passes_);
     if (!finite && fault.empty()) fault = "the handled elements' nodes are not at finite positions";
     if (o.projection_) {
@@ -26,6 +27,7 @@ class ModalFilter::Corrected final : public SecondOrderSystem {
       a += (o.predicted_ - o.force_) / (h_ * h_);
       if (!a.allFinite() && fault.empty()) fault = "the projected positions are not finite";
     }
+    o.work().end(v, a);
   }
   int threads() const override { return owner_.body_.threads(); }
   bool velocityDependent() const override { return true; }
@@ -73,6 +75,7 @@ void ModalFilter::take(const NodeVectors&, double h, const ElementFlags& chosen)
                         options_.own.automatic("tolerance") ? 1e-8 : options_.own.number("tolerance"),
                         options_.own.integer("iterations"));
   inverseMass_ = body_.lumpedMass().cwiseInverse();
+  countWork(h);
   detach(chosen);
 }
 

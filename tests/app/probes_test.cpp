@@ -183,6 +183,41 @@ TEST_F(Probes, ReactionsAndLoadsChangeTheMomentum) {
   }
 }
 
+// Eight equal masses at the corners: L = Σ m (|r|² ω - (r·ω) r) about the centre, which is at rest.
+TEST_F(Probes, AngularMomentumOfASpinningBarStays) {
+  const Table found = run(R"([mesh]
+generate = "bar"
+size = [0.1, 0.02, 0.03]
+cells = [1, 1, 1]
+element = "hex8"
+[material]
+model = "stvk"
+young = 30e3
+poisson = 0.3
+density = 1000
+[integrator]
+method = "symplectic-euler"
+step = 5e-4
+end = 0.1
+[[initial]]
+where = "all"
+angular_velocity = [0, 10, 20]
+point = [0.05, 0.01, 0.015]
+[[probe]]
+name = "all"
+what = "angular_momentum"
+[output]
+picture = false
+)");
+  ASSERT_GE(found.rows.size(), 200u);
+  const double mass = 0.06, round = 1e-16;
+  for (std::size_t i = 0; i < found.rows.size(); ++i) {
+    EXPECT_NEAR(found.number(i, "all.angular_momentum_x_kg m2/s"), 0, round) << i;
+    EXPECT_NEAR(found.number(i, "all.angular_momentum_y_kg m2/s"), 10 * mass * (0.05 * 0.05 + 0.015 * 0.015), round);
+    EXPECT_NEAR(found.number(i, "all.angular_momentum_z_kg m2/s"), 20 * mass * (0.05 * 0.05 + 0.01 * 0.01), round);
+  }
+}
+
 TEST_F(Probes, EnergiesOfPartsAddUpToThoseOfTheHistory) {
   const Table found = run(busy), history = table("r/history.csv");
   ASSERT_EQ(found.rows.size(), history.rows.size());

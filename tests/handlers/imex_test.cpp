@@ -26,8 +26,10 @@ std::unique_ptr<Handler> imex(Body& body, double h, const HandlerOptions& option
   handler->prepare(body.mesh().X, h);
   return handler;
 }
+/// Linear equations.
 HandlerOptions withDissipation(double alpha, ClusterSolver solver = ClusterSolver::automatic) {
-  return {.own = {{"dissipation", alpha}, {"solver", clusterSolverNames.nameOf(solver)}}};
+  const std::string_view name = solver == ClusterSolver::automatic ? Imex::linear : clusterSolverNames.nameOf(solver);
+  return {.own = {{"dissipation", alpha}, {"solver", name}}};
 }
 
 struct StepCase {

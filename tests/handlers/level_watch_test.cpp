@@ -26,7 +26,7 @@ double loadOf(const Body& body, const LocalTimeStepping& handler, std::size_t k,
 TEST(LevelWatch, CallsALevelProvenOnlyWhereItIs) {
   Body body = test::sliverBody("stvk", 0.98);
   constexpr double margin = 0.1;
-  LocalTimeStepping handler(body, makeIntegrator("verlet"), {});
+  LocalTimeStepping handler(body, makeIntegrator("verlet"), {.margin = margin});
   const NodeVectors& X = body.mesh().X;
   handler.prepare(X, 4 * test::criticalStepOf(body));
   ASSERT_GT(handler.levels().size(), 1u);

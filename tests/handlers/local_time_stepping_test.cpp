@@ -22,7 +22,8 @@ using test::flat;
 using ::testing::HasSubstr;
 
 HandlerOptions localOptions(double dissipation, int levels = 6, bool stabilised = true) {
-  return {.own = {{"dissipation", dissipation}, {"levels", levels}, {"variant", stabilised ? "stabilised" : "plain"}}};
+  return {.margin = defaultMargin,  // for every law
+          .own = {{"dissipation", dissipation}, {"levels", levels}, {"variant", stabilised ? "stabilised" : "plain"}}};
 }
 std::unique_ptr<LocalTimeStepping> localTimeStepping(Body& body, double h, const HandlerOptions& options = {},
                                                      std::string_view base = "symplectic-euler") {
@@ -265,10 +266,22 @@ TEST(LocalTimeStepping, SurvivesAStepThatIsTooLargeForEveryElement) {
   }
 }
 
+TEST(LocalTimeStepping, LeavesMoreRoomForALawThatStiffens) {
+  for (const char* law : {"stvk", "corotational"}) {
+    const Body body = test::sliverBody(law);
+    const double margin = marginFor(LocalTimeStepping::description, body);
+    EXPECT_EQ(margin > defaultMargin, std::string_view(law) == "stvk");
+    // The default is that margin: it leaves the same elements to the explicit part.
+    Body own = test::sliverBody(law, 0.98), same = test::sliverBody(law, 0.98);
+    const double h = 4 * criticalStepOf(own);
+    EXPECT_EQ(localTimeStepping(own, h)->elements(), localTimeStepping(same, h, {.margin = margin})->elements());
+  }
+}
+
 TEST(LocalTimeStepping, CostsAnIsolatedSliverNoMoreThanItsOwnSteps) {
   Body body = test::sliverBody("stvk", 0.999);
   const double h = 30 * criticalStepOf(body);
-  const auto handler = localTimeStepping(body, h);
+  const auto handler = localTimeStepping(body, h, localOptions(0.1));
   const auto figures = handler->figures();
   const auto figure = [&](const std::string& name) {
     for (const HandlerFigure& f : figures)

@@ -57,16 +57,8 @@ TEST(HandlersStudy, HoldsHandlersToTheirCriteria) {
        // 2.6e-13 to 1.9e-12 by build.
        {"*, imex*, 4000 steps: momentum error", 4e-12, Basis::rounding},
        {"*, 4000 steps: momentum error", 2e-14, Basis::rounding},
-       // The implicit force of a frozen tangent has a moment; levels step at different times.
-       {"*, imex, 4000 steps: angular momentum error", 3e-4, Basis::measured},
-       {"*, imex, dissipation 0.3, 4000 steps: angular momentum error", 7e-4, Basis::measured},
-       {"*, imex, implicit Euler, 4000 steps: angular momentum error", 1.3e-3, Basis::measured},
-       // Iterations end where rounding lets them: 8e-4 to 1.2e-3 by compiler.
-       {"*, imex, cg, 4000 steps: angular momentum error", 2.4e-3, Basis::rounding},
-       {"*, imex, cg to 1e-6, 4000 steps: angular momentum error", 3e-4, Basis::measured},
-       {"*, imex, fierz-ring, 4000 steps: angular momentum error", 7e-4, Basis::measured},
-       {"*, local-time-stepping, 4000 steps: angular momentum error", 9e-5, Basis::measured},
-       {"*, local-time-stepping, fierz-ring, 4000 steps: angular momentum error", 1.2e-4, Basis::measured},
+       // A rotation of each cluster takes the moment of implicit forces, and of levels that step at different times.
+       {"*, imex*, 4000 steps: angular momentum error", 4e-12, Basis::rounding},
        {"*, 4000 steps: angular momentum error", 2e-14, Basis::rounding},
        // The energy of Verlet swings with its step; what is missing is lost to dissipation and passes.
        {"cutting, verlet: largest energy over four cuts / start", 3.5e-3, Basis::measured},
