@@ -199,7 +199,9 @@ class ElementBatch final : public ElementBlock {
       const typename By::Field x(geometry_, position), v(geometry_, direction);
       typename By::Forces forces(geometry_, force);
       const P* point = geometry_.pointsOf(batch);
-      for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
+      const P* ahead = geometry_.pointsOf(geometry_.ahead(batch));
+      for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride, ahead += Geometry::stride) {
+        Geometry::template prefetch<Geometry::stride>(ahead);
         const Matrix3<P> J1 = Geometry::inverseJacobian(point), F = x(q) * J1, dF = v(q) * J1;
         forces.add(q, timesTranspose(Geometry::weight(point) * law.linearize(F)(dF), J1));
       }
@@ -227,8 +229,10 @@ class ElementBatch final : public ElementBlock {
       const typename By::Field x(geometry_, position);
       [[maybe_unused]] typename By::Forces forces(geometry_, force);
       const P* point = geometry_.pointsOf(batch);
+      const P* ahead = geometry_.pointsOf(geometry_.ahead(batch));
       [[maybe_unused]] P energy(0.0);
-      for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
+      for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride, ahead += Geometry::stride) {
+        Geometry::template prefetch<Geometry::stride>(ahead);
         const Matrix3<P> J1 = Geometry::inverseJacobian(point);
         const Matrix3<P> F = x(q) * J1;
         if (stores)

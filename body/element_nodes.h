@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstring>
 
 #include <ringwatch/base/double_double.h>
@@ -56,6 +57,14 @@ class ElementNodes {
   RINGWATCH_INLINE void addToSlots(double* slots, std::int32_t batch, const P (&values)[n][3]) const {
     const std::uint16_t* local = localNodes(batch);
     for (int a = 0; a < n; ++a) addRows(slots, local + a * lanes, values[a]);
+  }
+  /// A batch whose geometry to ask memory for while this one is computed: that takes about as long as two batches, and
+  /// the processor does not see it coming by itself in passes of many streams.
+  std::int32_t ahead(std::int32_t batch) const { return std::min(batch + 2, block_.layout().batchCount() - 1); }
+  template <int count>
+  RINGWATCH_INLINE static void prefetch(const P* packs) {
+    RINGWATCH_UNROLL
+    for (int i = 0; i < count; ++i) __builtin_prefetch(packs + i);
   }
   /// The elements of a batch, -1 in lanes without one.
   const std::int32_t* elementsOf(std::int32_t batch) const {

@@ -35,6 +35,7 @@ class UniformStrainBatch final : public ElementBlock {
     const LawType law = law_;
     for (std::int32_t batch = first; batch < last; ++batch) {
       const Stored& at = geometry_.of(batch);
+      geometry_.prefetchAhead(batch);
       P position[n][3], direction[n][3], q[vectors][3], force[n][3];
       geometry_.loadEdges(rows, batch, position);
       geometry_.loadEdges(vRows, batch, direction);
@@ -133,6 +134,7 @@ class UniformStrainBatch final : public ElementBlock {
     const LawType law = law_;
     for (std::int32_t batch = first; batch < last; ++batch) {
       const Stored& at = geometry_.of(batch);
+      geometry_.prefetchAhead(batch);
       P position[n][3], q[vectors][3];
       geometry_.loadEdges(rows, batch, position);
       const Matrix3<P> F = Geometry::deformation(at, position, q);

@@ -31,6 +31,9 @@ class UniformStrainGeometry : public ElementNodes<Element::nodes> {
   }
 
   const Stored& of(std::int32_t batch) const { return stored_[static_cast<std::size_t>(batch)]; }
+  RINGWATCH_INLINE void prefetchAhead(std::int32_t batch) const {
+    this->template prefetch<sizeof(Stored) / sizeof(P)>(reinterpret_cast<const P*>(&of(this->ahead(batch))));
+  }
   /// The same of any elements, one a lane; lanes without an element (-1) repeat the first, without volume and
   /// stiffness.
   [[gnu::noinline]] void gather(const std::int32_t* elements, Stored& out) const {
