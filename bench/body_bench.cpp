@@ -200,6 +200,20 @@ void dampingForce(benchmark::State& state, const Case& c, const DampingConstants
 void bulkViscosity(benchmark::State& state, const Case& c) { dampingForce(state, c, {0.06, 1.2, 0, 0, 0}); }
 void kelvinVoigt(benchmark::State& state, const Case& c) { dampingForce(state, c, {0, 0, 1, 2, 0}); }
 
+/// Beside the kernels of the usual rule: those of hexahedra of uniform strain.
+void registerUniformStrain(int elements, const std::string& law) {
+  const Case c{"hex8", elements, law, 1, "uniform-strain"};
+  const auto add = [&](const char* pass, void (*run)(benchmark::State&, const Case&)) {
+    benchmark::RegisterBenchmark((std::string(pass) + "/" + c.name()).c_str(),
+                                 [=](benchmark::State& state) { run(state, c); })
+        ->UseRealTime()
+        ->Unit(benchmark::kMicrosecond);
+  };
+  add("force", force);
+  add("energy", energy);
+  add("tangent_product", tangentProduct);
+}
+
 /// The machine's best, as rows.
 void floorRow(benchmark::State& state, const char* name, double value) {
   for (auto _ : state) benchmark::ClobberMemory();
@@ -213,6 +227,8 @@ void registerAll() {
   benchmark::RegisterBenchmark("floor/multiply_add_peak", [](benchmark::State& state) {
     floorRow(state, "flops_per_second", machine().flopsPerSecond);
   })->Iterations(1);
+  for (const int elements : {5000, 100000})
+    for (const LawInfo& law : allLaws()) registerUniformStrain(elements, std::string(law.name));
   for (const ElementInfo& element : allElements())
     for (const int elements : {5000, 100000})
       for (const LawInfo& law : allLaws())

@@ -38,11 +38,18 @@ inline Need needOf(const Case& c, const Setup& s, Pass pass) {
       },
       makeMaterial(c.law, 30e3, 0.3, 1000).law);
   flops *= points;
+  // One-point hexahedra (elements/hourglass.h): two transforms of 24 sums for each of three components, F̄ and its
+  // forces from six modes, four hourglass coordinates and their forces.
+  const bool uniform = block.rule().uniformStrain;
+  if (uniform && pass != Pass::tangent && pass != Pass::assembly)
+    flops +=
+        (pass == Pass::product ? 3 : 2) * 3 * 24 + 2 * 108 + 4 * (18 + 3 + 18 + 3) - gradient - scatter - 2 * product;
   // Into the nodes' slots, or the pairs'.
   if (pass == Pass::force || pass == Pass::product) flops += 3 * n;
   if (pass == Pass::assembly) flops += 9 * n * (n + 1) / 2;
   const double perElement = 1.0 / static_cast<double>(s.body.mesh().elementCount());
-  double bytes = 80 * points + 2 * n + 24 * s.body.nodeCount() * perElement * (pass == Pass::tangent ? 1 : 2);
+  double bytes =
+      (uniform ? 256 : 80 * points) + 2 * n + 24 * s.body.nodeCount() * perElement * (pass == Pass::tangent ? 1 : 2);
   if (pass == Pass::product) bytes += 24 * s.body.nodeCount() * perElement;
   if (pass == Pass::assembly) {
     BlockMatrix pattern;

@@ -22,10 +22,12 @@ struct Case {
   int elements;  // about so many
   std::string law;
   int threads;
+  std::string rule = {};  // "": the element's first
 
-  auto key() const { return std::tie(element, elements, law, threads); }
+  auto key() const { return std::tie(element, elements, law, threads, rule); }
   std::string name() const {
-    return element + "/" + law + "/" + std::to_string(elements / 1000) + "k/threads:" + std::to_string(threads);
+    return element + (rule.empty() ? "" : "-" + rule) + "/" + law + "/" + std::to_string(elements / 1000) +
+           "k/threads:" + std::to_string(threads);
   }
 };
 
@@ -59,8 +61,11 @@ inline Setup& setupOf(const Case& c) {
   static std::unique_ptr<Setup> setup;
   if (last && last->key() == c.key()) return *setup;
   setup.reset();
-  setup.reset(
-      new Setup{Body(makeMesh(c), makeMaterial(c.law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, c.threads}), {}, {}, {}});
+  setup.reset(new Setup{
+      Body(makeMesh(c), makeMaterial(c.law, 30e3, 0.3, 1000), {{{c.element, c.rule}}, Lumping::rowSum, c.threads}),
+      {},
+      {},
+      {}});
   Random source(1);
   // Plain loops: GCC 12 at -O3 gives every entry of NullaryExpr with such a source the same number.
   const auto random = [&](Eigen::Index columns) {

@@ -10,7 +10,7 @@ namespace ringwatch::detail {
 
 /// Makes the block of a mesh block.
 using BatchMaker = std::unique_ptr<ElementBlock> (*)(const Mesh&, const MeshBlock&, const Material&,
-                                                     const QuadratureRule&);
+                                                     const QuadratureRule&, const HourglassControl&);
 
 /// makerOf(element): with this law, for elements of the library.
 void registerBatchesOfLaw(std::string_view law, BatchMaker (*makerOf)(ElementType element),

@@ -34,8 +34,8 @@ Body::Body(Mesh mesh, const std::vector<Material>& materialOfBlock, const BodyOp
         joinText(materials_.size(), " materials for ", mesh_.blocks.size(), " blocks: give one, or one a block"));
   for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
     const auto rule = options_.rules.find(std::string(elementInfo(mesh_.blocks[b].type).name));
-    blocks_.push_back(
-        makeElementBlock(mesh_, mesh_.blocks[b], materials_[b], rule == options_.rules.end() ? "" : rule->second));
+    blocks_.push_back(makeElementBlock(mesh_, mesh_.blocks[b], materials_[b],
+                                       rule == options_.rules.end() ? "" : rule->second, options_.hourglassControl));
   }
   setElements(tangentsOfBlocks(), lumpMass());
 }
@@ -93,7 +93,8 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
   for (std::size_t b = 0; b < chosen.size(); ++b) {
     const ElementBlock& face = *whole.blocks_[b];
     materials_.push_back(face.material());
-    blocks_.push_back(makeElementBlock(mesh_, mesh_.blocks[b], face.material(), face.rule().name));
+    blocks_.push_back(
+        makeElementBlock(mesh_, mesh_.blocks[b], face.material(), face.rule().name, face.hourglassControl()));
     for (std::int32_t batch = 0; batch < blocks_.back()->layout().batchCount(); ++batch) {
       blocks_.back()->volumeBatch(batch, volumes);
       for (double volume : volumes) volume_ += volume;
@@ -131,11 +132,20 @@ void Body::setElementDamping(const std::vector<DampingConstants>& ofBlocks) {
   if (damping_) throw InputError("element damping: the body has it already");
   if (ofBlocks.size() != blocks_.size())
     throw InputError(joinText(ofBlocks.size(), " constants of damping for ", blocks_.size(), " blocks"));
-  for (const DampingConstants& own : ofBlocks)
-    for (const double value :
-         {own.linearBulk, own.quadraticBulk, own.shearViscosity, own.volumeViscosity, own.massProportional})
+  for (std::size_t b = 0; b < ofBlocks.size(); ++b) {
+    const DampingConstants& own = ofBlocks[b];
+    for (const double value : {own.linearBulk, own.quadraticBulk, own.shearViscosity, own.volumeViscosity,
+                               own.massProportional, own.hourglassViscosity})
       if (!(value >= 0) || !std::isfinite(value))
         throw InputError(joinText("element damping: a constant is ", value, "; must be >= 0 and finite"));
+    const QuadratureRule& rule = blocks_[b]->rule();
+    if (own.hourglassViscosity > 0 && !rule.uniformStrain)
+      throw InputError(joinText("element damping: hourglass viscosity goes with a rule of uniform strain; ",
+                                blocks_[b]->element().name, " has the rule ", rule.name));
+    if (rule.uniformStrain && (own.bulk() || own.viscous()))
+      throw InputError(joinText("element damping: bulk viscosity and viscous stresses do not go with the rule ",
+                                rule.name, " of ", blocks_[b]->element().name, "; choose another rule"));
+  }
   damping_ = std::make_unique<ElementDamping>();
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (!ofBlocks[b].any()) {

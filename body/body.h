@@ -27,7 +27,8 @@ inline constexpr auto lumpingNames = nameTable<Lumping>({
 struct BodyOptions {
   std::map<std::string, std::string> rules;  // element name -> quadrature rule name; the default rule where absent
   Lumping lumping = Lumping::rowSum;
-  int threads = 0;  // 0: all that OpenMP offers
+  int threads = 0;                         // 0: all that OpenMP offers
+  HourglassControl hourglassControl = {};  // of rules of uniform strain
 };
 
 /// What one pass over the elements of a body is asked for, and what it found. What is not asked for is not computed.

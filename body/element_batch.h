@@ -1,7 +1,4 @@
 #pragma once
-#include <limits>
-#include <utility>
-
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/element_geometry.h>
 #include <ringwatch/body/law_of_packs.h>
@@ -102,14 +99,7 @@ class ElementBatch final : public ElementBlock {
         geometry_.meanGradients(gathered, stored);
         all.addMean(meanLaw_, Geometry::meanGradient(position, stored));
       }
-    for (int lane = 0; lane < lanes; ++lane) {
-      TangentDrift& of = drift[lane];
-      of.law = {all.law.kappa[lane], all.law.linear[lane], all.law.quadratic[lane], all.law.negative[lane],
-                all.law.radius[lane]};
-      of.determinant = all.determinant[lane];
-      of.inversionDistance = all.inversionDistance[lane];
-      of.gradientRounding = all.gradientRounding[lane];
-    }
+    for (int lane = 0; lane < lanes; ++lane) drift[lane] = laneOf(all, lane);
   }
 
   void laplacianOf(const std::int32_t* elements, double* L, double* rounding) const override {
@@ -147,24 +137,14 @@ class ElementBatch final : public ElementBlock {
         const P* g = geometry_.meanGradientsOf(batch);
         addStress(meanLaw_, g[3 * n], Geometry::meanGradient(position, g));
       }
-    const P half = select(volume > P(0.0), P(0.5) / volume, P(std::numeric_limits<double>::quiet_NaN()));
-    for (const auto& [row, column] : {std::pair{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}) {
-      (half * (sum(row, column) + sum(column, row))).store(stress);
-      stress += lanes;
-    }
+    storeStress(sum, volume, stress);
   }
 
  private:
   /// The material's law with a share of each of Lamé's constants; the law itself where it has none (hasShares).
   static LawType shareOf(const Material& material, double lambdaShare, double muShare) {
-    const LawType law = lawOf(material);
+    const LawType law = lawOf<LawType>(material);
     return withShares(law, lambdaShare, muShare).value_or(law);
-  }
-  static LawType lawOf(const Material& material) {
-    if constexpr (std::is_same_v<LawType, LawOfPacks>)
-      return LawOfPacks::of(material);
-    else
-      return material.as<LawType>();
   }
 
   /// A nodal field's natural gradients at the points, and forces from stresses there: by the tables of ∂N/∂ξ.
@@ -219,7 +199,9 @@ class ElementBatch final : public ElementBlock {
       const typename By::Field x(geometry_, position), v(geometry_, direction);
       typename By::Forces forces(geometry_, force);
       const P* point = geometry_.pointsOf(batch);
-      for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
+      const P* ahead = geometry_.pointsOf(geometry_.ahead(batch));
+      for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride, ahead += Geometry::stride) {
+        Geometry::template prefetch<Geometry::stride>(ahead);
         const Matrix3<P> J1 = Geometry::inverseJacobian(point), F = x(q) * J1, dF = v(q) * J1;
         forces.add(q, timesTranspose(Geometry::weight(point) * law.linearize(F)(dF), J1));
       }
@@ -247,8 +229,10 @@ class ElementBatch final : public ElementBlock {
       const typename By::Field x(geometry_, position);
       [[maybe_unused]] typename By::Forces forces(geometry_, force);
       const P* point = geometry_.pointsOf(batch);
+      const P* ahead = geometry_.pointsOf(geometry_.ahead(batch));
       [[maybe_unused]] P energy(0.0);
-      for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride) {
+      for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride, ahead += Geometry::stride) {
+        Geometry::template prefetch<Geometry::stride>(ahead);
         const Matrix3<P> J1 = Geometry::inverseJacobian(point);
         const Matrix3<P> F = x(q) * J1;
         if (stores)

@@ -1,5 +1,6 @@
 #include <ringwatch/body/element_block.h>
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <string>
@@ -79,7 +80,7 @@ void ElementBlock::addTangentProduct(const Patch& patch, const double* x, const 
 }
 
 std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material,
-                                               std::string_view ruleName) {
+                                               std::string_view ruleName, const HourglassControl& hourglassControl) {
   const ElementInfo& element = elementInfo(block.type);
   const QuadratureRule* rule = findRule(element, ruleName);
   if (!rule) {
@@ -91,7 +92,9 @@ std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock
     throw InputError(joinText(element.name,
                               ": rules that treat pressure and shear apart need a law linear in Lamé's constants; ",
                               material.lawName(), " is none"));
-  return detail::batchMaker(block.type, material)(mesh, block, material, *rule);
+  if (!(hourglassControl.stiffness >= 0) || !std::isfinite(hourglassControl.stiffness))
+    throw InputError(joinText("hourglass stiffness = ", hourglassControl.stiffness, ": must be >= 0"));
+  return detail::batchMaker(block.type, material)(mesh, block, material, *rule, hourglassControl);
 }
 
 }  // namespace ringwatch

@@ -3,12 +3,14 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <ringwatch/base/aligned.h>
 #include <ringwatch/base/pack.h>
 #include <ringwatch/body/element_operators.h>
 #include <ringwatch/body/element_tangents.h>
+#include <ringwatch/elements/hourglass.h>
 #include <ringwatch/materials/registry.h>
 #include <ringwatch/meshes/mesh.h>
 
@@ -31,6 +33,16 @@ struct BatchEvaluation {
   GradientVisitor* visitor = nullptr;  ///< sees the deformation gradients
 };
 
+/// What controls the hourglass modes of a pack of elements of uniform strain (elements/hourglass.h): at every state
+/// their tangent exceeds that of the law by (stiffness Σ_α γ_α γ_αᵀ) ⊗ I₃, which is positive semidefinite.
+struct HourglassVectors {
+  static constexpr int count = 4, nodes = 8;
+  NativePack gamma[count][nodes];
+  NativePack stiffness;  ///< k, N/m; 0 in lanes without an element
+  NativePack volume;     ///< at rest, m³; 0 in lanes without an element
+  NativePack rounding;   ///< blocks of c Σ γ γᵀ ⊗ I₃ as computed err by at most c times this (Theorem 91)
+};
+
 /// The virtual face of the elements of one type, law and quadrature rule. One virtual call a patch or batch, never an
 /// element; the arithmetic is in ElementBatch. Positions and other nodal vectors are 3×N, column by column.
 class ElementBlock : public ElementTangents {
@@ -38,6 +50,8 @@ class ElementBlock : public ElementTangents {
   const ElementInfo& element() const { return *element_; }
   const QuadratureRule& rule() const { return *rule_; }
   const Material& material() const { return material_; }
+  /// Of rules of uniform strain.
+  const HourglassControl& hourglassControl() const { return hourglassControl_; }
 
   /// Internal force ∂energy/∂x, strain energy and deformation gradients of batches [first, last) of a patch, whatever
   /// of them is asked for, in one pass. rows: positions, as gatherRows gives them.
@@ -65,20 +79,36 @@ class ElementBlock : public ElementTangents {
   virtual void stressBatch(std::int32_t batch, const double* x, double* stress, double* F) const = 0;
   /// Volume at rest of each element of a batch, m³: volumes[lane].
   virtual void volumeBatch(std::int32_t batch, double* volumes) const = 0;
+  /// Hourglass control of any elements of a rule of uniform strain, one a lane. False, and nothing written, of other
+  /// rules.
+  virtual bool hourglassOf(const std::int32_t*, HourglassVectors&) const { return false; }
   /// Whether forces are computed one direction after the other (elements/directions.h), in far fewer operations.
   virtual bool goesByDirections() const = 0;
 
  protected:
-  ElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material, const QuadratureRule& rule)
+  ElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material, const QuadratureRule& rule,
+               const HourglassControl& hourglassControl = {})
       : ElementTangents(block.nodesPerElement(), layOutPatches(mesh, block), block.connectivity),
         element_(&elementInfo(block.type)),
         rule_(&rule),
-        material_(material) {}
+        material_(material),
+        hourglassControl_(hourglassControl) {}
+
+  /// stressBatch from Σ w P Fᵀ, or Σ w P of laws of small strain, and the volume that it is divided by.
+  static void storeStress(const Matrix3<NativePack>& sum, const NativePack& volume, double* stress) {
+    using P = NativePack;
+    const P half = select(volume > P(0.0), P(0.5) / volume, P(std::numeric_limits<double>::quiet_NaN()));
+    for (const auto& [row, column] : {std::pair{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}) {
+      (half * (sum(row, column) + sum(column, row))).store(stress);
+      stress += lanes;
+    }
+  }
 
  private:
   const ElementInfo* element_;
   const QuadratureRule* rule_;
   Material material_;
+  HourglassControl hourglassControl_;
 };
 
 /// A patch in a pass over a body. A visitor runs its batches, each once and in ascending order.
@@ -119,6 +149,7 @@ class PatchVisitor {
 /// name ("" is the default), NumericalError when an element has a Jacobian determinant <= 0 at a quadrature point. The
 /// block reads the mesh block's connectivity, whose array must outlive it; the mesh may move.
 std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material,
-                                               std::string_view ruleName = {});
+                                               std::string_view ruleName = {},
+                                               const HourglassControl& hourglassControl = {});
 
 }  // namespace ringwatch

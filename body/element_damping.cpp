@@ -18,6 +18,8 @@ constexpr int stride = 10;    // numbers stored for a point: J⁻¹, w det J
 constexpr int sizeCount = 2;  // stored of an element: V₀, m³, and L, m, 0 in lanes without an element
 /// Numbers stored of an element with Kelvin-Voigt: its points, then (Σ |X_a - X_0|²)^½.
 std::size_t numbersOf(int points) { return static_cast<std::size_t>(points) * stride + 1; }
+/// Numbers stored of an element with hourglass viscosity: γ, c and c times γ's rounding.
+constexpr std::size_t gammas = HourglassVectors::count * HourglassVectors::nodes, hourglassCount = gammas + 2;
 constexpr double leastVolumeShare = 0.1;
 /// By which the rounding of an element's stiffness grows where damping is added to it: far more than the sum rounds.
 constexpr double sumOfTangentsRounding = 1 + 1.0 / 64;
@@ -159,7 +161,7 @@ DampedBlock::DampedBlock(const Mesh& mesh, const MeshBlock& block, std::unique_p
                          const DampingConstants& constants, const std::vector<double>& masses,
                          std::shared_ptr<const double> factor, const DampedBlock* whole,
                          const std::vector<std::int32_t>& elements)
-    : ElementBlock(mesh, block, inner->material(), inner->rule()),
+    : ElementBlock(mesh, block, inner->material(), inner->rule(), inner->hourglassControl()),
       inner_(std::move(inner)),
       constants_(constants),
       factor_(std::move(factor)),
@@ -198,6 +200,7 @@ void DampedBlock::fill(const Mesh& mesh, const std::vector<double>& masses) {
   sizes_.resize(batches * sizeCount);
   if (constants_.viscous()) geometry_.resize(batches * numbersOf(points_));
   if (constants_.massProportional > 0) masses_.resize(batches * static_cast<std::size_t>(n));
+  if (constants_.hourglassViscosity > 0) fillHourglass();
   for (std::size_t batch = 0; batch < batches; ++batch) {
     const std::int32_t* elements = layout().elements.data() + batch * lanes;
     P edges[maxElementNodes][3], w[maxElementNodes][3], volume, extent(0.0);
@@ -234,6 +237,22 @@ void DampedBlock::fill(const Mesh& mesh, const std::vector<double>& masses) {
       for (int lane = 0; lane < lanes; ++lane)
         if (elements[lane] < 0) point[9].set(lane, 0);
     }
+  }
+}
+
+void DampedBlock::fillHourglass() {
+  const double impedance = material().density * material().waveSpeed();
+  for (std::int32_t batch = 0; batch < layout().batchCount(); ++batch) {
+    HourglassVectors own;
+    inner_->hourglassOf(layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, own);
+    for (const auto& gamma : own.gamma) hourglass_.insert(hourglass_.end(), std::begin(gamma), std::end(gamma));
+    P c;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const double length = std::cbrt(own.volume[lane]);
+      c.set(lane, 0.25 * constants_.hourglassViscosity * impedance * length * length);
+    }
+    hourglass_.push_back(c);
+    hourglass_.push_back(c * own.rounding);
   }
 }
 
@@ -305,6 +324,18 @@ void DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows,
         for (int i = 0; i < 3; ++i) force[a][i] = alpha * masses[a] * v[a][i];
     }
     subtractFirst(n, v);
+    if constexpr (!simplex)
+      if (!hourglass_.empty()) {
+        const P* gamma = hourglass_.data() + static_cast<std::size_t>(batch) * hourglassCount;
+        const P c = P(factor) * gamma[gammas];
+        for (std::size_t h = 0; h < HourglassVectors::count; ++h, gamma += HourglassVectors::nodes)
+          for (int i = 0; i < 3; ++i) {
+            P rate(0.0);
+            for (int a = 1; a < n; ++a) rate += gamma[a] * v[a][i];
+            rate = c * rate;
+            for (int a = 0; a < n; ++a) force[a][i] += gamma[a] * rate;
+          }
+      }
     if (bulk) {
       const P* sizes = sizes_.data() + static_cast<std::ptrdiff_t>(batch) * sizeCount;
       P w[most][3], volume;
@@ -527,6 +558,17 @@ void DampedBlock::addTangent(const std::int32_t* elements, const double* x, doub
       const P own = P(*factor_ * constants_.massProportional) * gather(masses_, n, a, elements);
       for (int i = 0; i < 3; ++i) k[(3 * a + i) * size + 3 * a + i] += own;
     }
+  if (!hourglass_.empty()) {
+    const P c = P(*factor_) * gather(hourglass_, hourglassCount, gammas, elements);
+    for (std::size_t h = 0; h < HourglassVectors::count; ++h) {
+      P gamma[HourglassVectors::nodes];
+      for (std::size_t a = 0; a < HourglassVectors::nodes; ++a)
+        gamma[a] = gather(hourglass_, hourglassCount, h * HourglassVectors::nodes + a, elements);
+      for (int a = 0; a < n; ++a)
+        for (int b = a; b < n; ++b)
+          for (int i = 0; i < 3; ++i) k[(3 * a + i) * size + 3 * b + i] += c * gamma[a] * gamma[b];
+    }
+  }
   for (int i = 1; i < size; ++i)
     for (int j = 0; j < i; ++j) k[i * size + j] = k[j * size + i];
   if (!rounding) return;
@@ -605,6 +647,8 @@ void DampedBlock::roundingOf(const std::int32_t* elements, const P (*edges)[3], 
   if (constants_.massProportional > 0)
     for (int a = 0; a < n; ++a)
       T[a] += P(4 * u * *factor_ * constants_.massProportional) * gather(masses_, n, a, elements);
+  if (!hourglass_.empty())
+    for (int a = 0; a < n; ++a) T[a] += P(*factor_) * gather(hourglass_, hourglassCount, gammas + 1, elements);
 }
 
 void DampedBlock::tangentBatch(std::int32_t batch, const double* x, double* K, double* rounding) const {

@@ -18,6 +18,10 @@ namespace ringwatch {
 /// - Kelvin-Voigt: the second Piola-Kirchhoff stress (volumeViscosity - ⅔ shearViscosity) tr(Ė) I + 2 shearViscosity Ė,
 ///   E = (FᵀF - I)/2 Green's strain, at the quadrature points: objective.
 /// - Mass-proportional: massProportional · m v, m the element's lumped mass.
+/// - Hourglass viscosity, of rules of uniform strain: (hourglassViscosity / 4) ρ₀ c V₀^⅔ Σ_α γ_α γ_αᵀ v with the
+/// hourglass
+///   vectors γ_α at rest (elements/hourglass.h), Flanagan & Belytschko's with the coefficient of LS-DYNA (Theory
+///   Manual, "Hourglass control").
 ///
 /// The damping forces have a symmetric positive semidefinite derivative C by the velocities, Theorem 57
 /// (docs/theory/element_damping.md).
@@ -25,9 +29,10 @@ struct DampingConstants {
   double linearBulk = 0, quadraticBulk = 0;        ///< >= 0
   double shearViscosity = 0, volumeViscosity = 0;  ///< Pa s, >= 0
   double massProportional = 0;                     ///< 1/s, >= 0
+  double hourglassViscosity = 0;                   ///< >= 0
   bool bulk() const { return linearBulk > 0 || quadraticBulk > 0; }
   bool viscous() const { return shearViscosity > 0 || volumeViscosity > 0; }
-  bool any() const { return bulk() || viscous() || massProportional > 0; }
+  bool any() const { return bulk() || viscous() || massProportional > 0 || hourglassViscosity > 0; }
 };
 
 /// A block whose elements damp: forces and energies are those of the elements alone, tangents those of K + f C. Where
@@ -81,6 +86,9 @@ class DampedBlock final : public ElementBlock {
   void laplacianOf(const std::int32_t* elements, double* L, double* rounding) const override {
     inner_->laplacianOf(elements, L, rounding);
   }
+  bool hourglassOf(const std::int32_t* elements, HourglassVectors& out) const override {
+    return inner_->hourglassOf(elements, out);
+  }
   /// Theorem 58, docs/theory/element_damping.md.
   void deformationOf(const std::int32_t* elements, const double* x, double* F, TangentDrift* drift) const override;
   void gradientNormBatch(std::int32_t batch, double* norms) const override { inner_->gradientNormBatch(batch, norms); }
@@ -110,6 +118,7 @@ class DampedBlock final : public ElementBlock {
   template <bool simplex>
   void followBatches(const Patch& patch, const double* rows, const double* vRows);
   void fill(const Mesh& mesh, const std::vector<double>& masses);
+  void fillHourglass();
   bool isSimplex() const { return element().constantGradient; }
   const double* shapeTable(int q, int a) const {
     return shapeGradients_.data() + 3 * (static_cast<std::ptrdiff_t>(q) * nodesPerElement() + a);
@@ -131,6 +140,7 @@ class DampedBlock final : public ElementBlock {
   AlignedVector<P> sizes_;                   // [batch][5], as Sizes
   AlignedVector<P> geometry_;                // J⁻¹ row by row, w det J: [batch][q][10]; with Kelvin-Voigt
   AlignedVector<P> masses_;                  // [batch][a], kg; with mass-proportional damping
+  AlignedVector<P> hourglass_;               // γ, then c, kg/s, and c times its rounding: [batch][34]
   AlignedVector<double> coefficients_;       // by place; with bulk viscosity, of a block that is no part
   const DampedBlock* whole_ = nullptr;
   std::vector<std::int32_t> placeInWhole_;

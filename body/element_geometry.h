@@ -1,20 +1,18 @@
 #pragma once
 #include <algorithm>
-#include <cstring>
 
-#include <ringwatch/body/element_block.h>
+#include <ringwatch/body/element_nodes.h>
 #include <ringwatch/body/element_operators.h>
 #include <ringwatch/elements/registry.h>
 
 namespace ringwatch {
 
 /// What the elements of a block are before any law: where their nodes lie in patches and mesh, and at each quadrature
-/// point the inverse Jacobian J⁻¹ and the weight w det(J). In packs, a lane an element. Nodal vectors of elements are
-/// edges: each node's less that of the first node.
+/// point the inverse Jacobian J⁻¹ and the weight w det(J). In packs, a lane an element.
 ///
 /// Functions that are not inline are compiled once for each element type: element_geometry_functions.h.
 template <class Element>
-class ElementGeometry {
+class ElementGeometry : public ElementNodes<Element::nodes> {
  public:
   using P = NativePack;
   using Operators = ElementOperators<Element, P>;
@@ -38,7 +36,9 @@ class ElementGeometry {
 
   /// Throws NumericalError when a Jacobian determinant is not positive. Keeps the block by reference.
   ElementGeometry(const ElementBlock& block, const Mesh& mesh, const MeshBlock& meshBlock)
-      : block_(block), points_(static_cast<int>(block.rule().points.size())), hasMean_(block.rule().shares.mean()) {
+      : ElementNodes<n>(block),
+        points_(static_cast<int>(block.rule().points.size())),
+        hasMean_(block.rule().shares.mean()) {
     if constexpr (offersDirections) hasDirections_ = haveDirections<typename Element::Directions>(block.rule());
     fill(mesh, meshBlock);
   }
@@ -112,19 +112,6 @@ class ElementGeometry {
         for (int j = 0; j < 3; ++j) force[a][i] += T(i, j) * g[3 * a + j];
   }
 
-  /// Edges of the elements of a batch, from the rows of its patch.
-  RINGWATCH_INLINE void loadEdges(const double* rows, std::int32_t batch, P (&out)[n][3]) const {
-    const std::uint16_t* local = localNodes(batch);
-    for (int a = 0; a < n; ++a) loadRows(rows, local + a * lanes, out[a]);
-    subtractFirst(out);
-  }
-  /// Edges of any elements, one a lane, from the nodes of the mesh; lanes without an element (-1) repeat the first.
-  void loadEdgesFromMesh(const double* x, const std::int32_t* elements, P (&out)[n][3]) const;
-  /// Adds values at the nodes of a batch into the slots of its patch.
-  RINGWATCH_INLINE void addToSlots(double* slots, std::int32_t batch, const P (&values)[n][3]) const {
-    const std::uint16_t* local = localNodes(batch);
-    for (int a = 0; a < n; ++a) addRows(slots, local + a * lanes, values[a]);
-  }
   /// Points of any elements, one a lane, maxPoints * stride numbers; lanes without an element (-1) repeat the first and
   /// weigh nothing.
   void gatherPoints(const std::int32_t* elements, P* points) const;
@@ -136,19 +123,6 @@ class ElementGeometry {
   void volumeBatch(std::int32_t batch, double* volumes) const;
 
  private:
-  const std::uint16_t* localNodes(std::int32_t batch) const {
-    return block_.layout().localNodes.data() + static_cast<std::ptrdiff_t>(batch) * n * lanes;
-  }
-  const std::int32_t* elementsOf(std::int32_t batch) const {
-    return block_.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
-  }
-  RINGWATCH_INLINE static void subtractFirst(P (&x)[n][3]) {
-    for (int a = 1; a < n; ++a)
-      for (int i = 0; i < 3; ++i) x[a][i] -= x[0][i];
-    for (int i = 0; i < 3; ++i) x[0][i] = P(0.0);
-  }
-
-  const ElementBlock& block_;
   int points_;
   bool hasMean_;
   bool hasDirections_ = false;

@@ -1,5 +1,4 @@
 #pragma once
-#include <ringwatch/base/double_double.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/element_geometry.h>
 #include <ringwatch/body/tangent_rounding.h>
@@ -10,7 +9,7 @@ namespace ringwatch {
 
 template <class Element>
 void ElementGeometry<Element>::fill(const Mesh& mesh, const MeshBlock& meshBlock) {
-  const ElementBlock& block = block_;
+  const ElementBlock& block = this->block();
   const QuadratureRule& rule = block.rule();
   shapeGradients_.resize(points_ * n * 3);
   tableNorm_.resize(points_);
@@ -28,18 +27,10 @@ void ElementGeometry<Element>::fill(const Mesh& mesh, const MeshBlock& meshBlock
   using Wide = DoubleDouble<P>;
   for (std::int32_t batch = 0; batch < batches; ++batch) {
     Wide X[n][3];
+    this->loadWideEdges(mesh.X, batch, X);
     P extent2(0.0);
-    for (int a = 0; a < n; ++a)
-      for (int i = 0; i < 3; ++i) {
-        P own, first;
-        for (int lane = 0; lane < lanes; ++lane) {
-          const std::int32_t e = elementsOf(batch)[lane] < 0 ? elementsOf(batch)[0] : elementsOf(batch)[lane];
-          own.set(lane, mesh.X(i, block.nodesOf(e)[a]));
-          first.set(lane, mesh.X(i, block.nodesOf(e)[0]));
-        }
-        X[a][i] = Wide::sum(own, -first);
-        extent2 += X[a][i].high * X[a][i].high;
-      }
+    for (const auto& edge : X)
+      for (const Wide& entry : edge) extent2 += entry.high * entry.high;
     extents_[batch] = math::sqrt(extent2);
     P* point = geometry_.data() + static_cast<std::ptrdiff_t>(batch) * points_ * stride;
     for (int q = 0; q < pointCount(); ++q, point += stride) {
@@ -49,7 +40,7 @@ void ElementGeometry<Element>::fill(const Mesh& mesh, const MeshBlock& meshBlock
       const Matrix3<Wide> J1 = inverse(J);
       for (int i = 0; i < 9; ++i) point[i] = J1.m[i].rounded();
       for (int lane = 0; lane < lanes; ++lane) {
-        const std::int32_t e = elementsOf(batch)[lane];
+        const std::int32_t e = this->elementsOf(batch)[lane];
         if (e >= 0 && !(det[lane] > 0))
           throw NumericalError(joinText(Element::name, " element ", meshBlock.id(e), ": Jacobian determinant ",
                                         det[lane], " at quadrature point ", q, " must be > 0"));
@@ -82,29 +73,11 @@ void ElementGeometry<Element>::meanGradients(const P* point, P* g) const {
 }
 
 template <class Element>
-void ElementGeometry<Element>::loadEdgesFromMesh(const double* x, const std::int32_t* elements, P (&out)[n][3]) const {
-  alignas(64) double rows[4 * n * lanes];
-  std::uint16_t local[n * lanes];
-  for (int lane = 0; lane < lanes; ++lane) {
-    const auto nodes = block_.nodesOf(elements[lane] < 0 ? elements[0] : elements[lane]);
-    for (int a = 0; a < n; ++a) {
-      const int row = a * lanes + lane;
-      const double* from = x + 3 * static_cast<std::ptrdiff_t>(nodes[a]);
-      const detail::Row4 padded{from[0], from[1], from[2], 0.0};
-      std::memcpy(rows + 4 * row, &padded, sizeof padded);
-      local[row] = static_cast<std::uint16_t>(row);
-    }
-  }
-  for (int a = 0; a < n; ++a) loadRows(rows, local + a * lanes, out[a]);
-  subtractFirst(out);
-}
-
-template <class Element>
 void ElementGeometry<Element>::gatherPoints(const std::int32_t* elements, P* points) const {
   const int count = pointCount() * stride;
   for (int lane = 0; lane < lanes; ++lane) {
     const std::int32_t e = elements[lane] < 0 ? elements[0] : elements[lane];
-    const std::int32_t place = block_.layout().batchOfElement[e];
+    const std::int32_t place = this->block().layout().batchOfElement[e];
     const P* from = pointsOf(place / lanes);
     for (int i = 0; i < count; ++i) points[i].set(lane, from[i][place % lanes]);
     if (elements[lane] < 0)
@@ -116,7 +89,7 @@ template <class Element>
 typename ElementGeometry<Element>::P ElementGeometry<Element>::gatherExtents(const std::int32_t* elements) const {
   P extents;
   for (int lane = 0; lane < lanes; ++lane) {
-    const std::int32_t place = block_.layout().batchOfElement[elements[lane] < 0 ? elements[0] : elements[lane]];
+    const std::int32_t place = this->block().layout().batchOfElement[elements[lane] < 0 ? elements[0] : elements[lane]];
     extents.set(lane, extents_[place / lanes][place % lanes]);
   }
   return extents;
@@ -160,7 +133,7 @@ template <class Element>
 void ElementGeometry<Element>::minimumDeterminantBatch(std::int32_t batch, const double* x,
                                                        double* determinants) const {
   P edges[n][3];
-  loadEdgesFromMesh(x, elementsOf(batch), edges);
+  this->loadEdgesFromMesh(x, this->elementsOf(batch), edges);
   const P* point = pointsOf(batch);
   P least(0.0);
   for (int q = 0; q < pointCount(); ++q, point += stride) {

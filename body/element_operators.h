@@ -166,5 +166,16 @@ struct TangentDriftOf {
   }
 };
 using TangentDrift = TangentDriftOf<double>;
+/// That of the element in a lane of packs.
+template <class P>
+TangentDrift laneOf(const TangentDriftOf<P>& all, int lane) {
+  TangentDrift r;
+  r.law = {all.law.kappa[lane], all.law.linear[lane], all.law.quadratic[lane], all.law.negative[lane],
+           all.law.radius[lane]};
+  r.determinant = all.determinant[lane];
+  r.inversionDistance = all.inversionDistance[lane];
+  r.gradientRounding = all.gradientRounding[lane];
+  return r;
+}
 
 }  // namespace ringwatch

@@ -102,4 +102,13 @@ class LawOfPacks {
   std::shared_ptr<const void> law_;
 };
 
+/// The law of a material as kernels of LawType take it.
+template <class LawType>
+LawType lawOf(const Material& material) {
+  if constexpr (std::is_same_v<LawType, LawOfPacks>)
+    return LawOfPacks::of(material);
+  else
+    return material.as<LawType>();
+}
+
 }  // namespace ringwatch

@@ -16,9 +16,8 @@ template <class E>
 void registerElement() {
   const ElementType type = detail::registerElement(elementInfoOf<E>(ElementType{}));
   detail::registerBatchesOfElement(type, [](const Material& material) -> detail::BatchMaker {
-    if (material.outside) return detail::makeBatch<ElementBatch<E, LawOfPacks>>;
-    return std::visit([]<class L>(const L&) -> detail::BatchMaker { return detail::makeBatch<ElementBatch<E, L>>; },
-                      material.law);
+    if (material.outside) return detail::makeBatch<E, LawOfPacks>;
+    return std::visit([]<class L>(const L&) -> detail::BatchMaker { return detail::makeBatch<E, L>; }, material.law);
   });
 }
 

@@ -24,7 +24,8 @@ Body subBody(const Body& whole, std::span<const ElementRef> elements, std::span<
   std::vector<std::unique_ptr<ElementBlock>> blocks;
   for (std::size_t b = 0; b < all.blocks.size(); ++b) {
     const ElementBlock& face = *whole.blocks()[b];
-    blocks.push_back(makeElementBlock(mesh, mesh.blocks[b], face.material(), face.rule().name));
+    blocks.push_back(
+        makeElementBlock(mesh, mesh.blocks[b], face.material(), face.rule().name, face.hourglassControl()));
   }
   Body part(std::move(mesh), std::move(blocks), std::move(lumpedMass), threads);
   for (std::int32_t i = 0; i < part.nodeCount(); ++i)

@@ -4,6 +4,7 @@
 #include <ringwatch/base/host_device.h>
 #include <ringwatch/elements/cell_subdivision.h>
 #include <ringwatch/elements/directions.h>
+#include <ringwatch/elements/hourglass.h>
 #include <ringwatch/elements/quadrature.h>
 
 namespace ringwatch {
@@ -47,19 +48,27 @@ struct Hex8 {
   }
 
   using Directions = TrilinearDirections<Hex8>;
+  using Hourglass = HourglassModes<Hex8>;
+  static constexpr auto onePoint = gaussCube(gauss::x1, gauss::w1);
   static constexpr auto gauss2 = gaussCube(gauss::x2, gauss::w2);
   static constexpr auto gauss3 = gaussCube(gauss::x3, gauss::w3);
   /// One evaluation at the mean (Flanagan & Belytschko 1981) with a tenth of μ left at eight points to hold the
   /// hourglass modes.
   static constexpr LameShares hourglassShares{0, 0.1, 1, 0.9};
-  static constexpr std::array<QuadratureRule, 4> rules{
+  static constexpr std::array<QuadratureRule, 5> rules{
       {{"gauss-2x2x2", "full rank, the usual choice", gauss2},
        {"gauss-3x3x3", "27 points, for strongly distorted elements", gauss3},
        {"selective", "gauss-2x2x2 for shear, the mean strain of the element for pressure: no volumetric locking",
         gauss2, selectiveShares},
        {"hourglass",
         "the mean strain of the element, hourglass modes held by a tenth of the shear stiffness at 2x2x2 points",
-        gauss2, hourglassShares}}};
+        gauss2, hourglassShares},
+       {.name = "uniform-strain",
+        .help =
+            "the mean strain of the element alone, hourglass modes held by a stiffness and a viscosity of their own "
+            "(Flanagan & Belytschko 1981): the quickest",
+        .points = onePoint,
+        .uniformStrain = true}}};
   static constexpr QuadratureRule massRule = rules[0];
 };
 

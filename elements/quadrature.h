@@ -33,6 +33,9 @@ struct QuadratureRule {
   LameShares shares{};
   int spuriousModes = 0;        // zero-energy modes of an undistorted element beyond the six rigid ones
   std::string_view alias = {};  // an older name, accepted wherever the name is; "" for none
+  /// One evaluation at the mean gradients ∂N_a/∂X of the element, exact on distorted elements too, and hourglass
+  /// control (elements/hourglass.h); the point stands for it, and nothing is evaluated there.
+  bool uniformStrain = false;
 };
 
 /// Gauss–Legendre abscissas and weights on [-1, 1] (Abramowitz & Stegun, table 25.4).

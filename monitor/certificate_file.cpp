@@ -208,6 +208,9 @@ void requireCertifiable(const Body& body) {
     else if (!lawHasCertificates(block.material()))
       throw InputError(joinText("certificate: of the law ", block.material().lawName(),
                                 " there is none; certificates are of laws of Young's modulus and Poisson's ratio"));
+    else if (block.rule().uniformStrain)
+      throw InputError(joinText("certificate: of the rule ", block.rule().name,
+                                " there is none; choose another rule of ", block.element().name));
 }
 
 Certificate makeCertificate(const Body& body, const NodeVectors& x, UpperSideBy by) {

@@ -27,7 +27,8 @@ struct Certificate {
 /// is tried where the nodal bound is off by more than 1 % of the step (ExchangePolicy).
 enum class UpperSideBy { nodalBound, tighterOfBoth };
 
-/// Throws InputError for elements or laws that are not the library's own, which no certificate knows.
+/// Throws InputError for elements or laws that are not the library's own and for rules of uniform strain, which no
+/// certificate knows.
 void requireCertifiable(const Body& body);
 /// Whether the checker knows the law of a material: one of the library that is made of Lamé's constants.
 bool lawHasCertificates(const Material& material);

@@ -8,6 +8,7 @@
 
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/report/json_read.h>
+#include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/meshes/quality.h>
@@ -205,7 +206,7 @@ bool materialsDamp(const Json& scene) {
   if (found == scene.end()) return false;
   const auto damps = [](const Json& material) {
     if (!material.is_object()) return false;
-    for (const char* key : {"mass_damping", "stiffness_damping", "shear_viscosity", "volume_viscosity"})
+    for (const char* key : materialDampingKeys)
       if (numberOf(material, key).value_or(0) != 0) return true;
     return false;
   };

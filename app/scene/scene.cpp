@@ -117,11 +117,11 @@ void readMaterials(const std::vector<SceneTable>& sections, Scene& scene) {
   for (const SceneTable* table : tables) {
     scene.materials.push_back(materialOf(*table, tables.size() > 1));
     if (scene.materials.back().damping.any() && scene.elementDampingOrigin.empty())
-      for (const char* key : {"mass_damping", "stiffness_damping", "shear_viscosity", "volume_viscosity"})
+      for (const char* key : materialDampingKeys)
         if (scene.elementDampingOrigin.empty() && table->get<double>(key) > 0)
           scene.elementDampingOrigin = table->where(key);
   }
-  const SceneTable *lumping = tables.front(), *rules = nullptr;
+  const SceneTable *lumping = tables.front(), *rules = nullptr, *hourglass = nullptr;
   const auto differs = [](const SceneTable& table, const std::string& key, const SceneTable& other) {
     fail(table.at(key).origin, "material." + key,
          fmt::format("another value than at {}; it is one of the whole body: give it once, or the same",
@@ -137,9 +137,21 @@ void readMaterials(const std::vector<SceneTable>& sections, Scene& scene) {
       if (rules && rules->at("rules").value != table->at("rules").value) differs(*table, "rules", *rules);
       rules = table;
     }
+    if (table->given("hourglass_stiffness")) {
+      if (hourglass && hourglass->at("hourglass_stiffness").value != table->at("hourglass_stiffness").value)
+        differs(*table, "hourglass_stiffness", *hourglass);
+      hourglass = table;
+    }
   }
   scene.lumping = lumping->named("lumping", lumpingNames);
   if (rules) scene.rules = parseRules(rules->get<std::vector<std::string>>("rules"), rules->where("rules"));
+  if (hourglass) scene.hourglassControl.stiffness = hourglass->get<double>("hourglass_stiffness");
+  if (scene.hasUniformStrain()) return;
+  for (const SceneTable* table : tables)
+    for (const char* key : {"hourglass_stiffness", "hourglass_viscosity"})
+      if (table->given(key))
+        fail(table->at(key).origin, joinText("material.", key),
+             "goes with a rule of uniform strain; set rules = [\"hex8=uniform-strain\"] too");
 }
 
 void readIntegratorSection(const SceneTable& integrator, const SceneTable& monitor, const SceneTable& damping,
@@ -335,6 +347,7 @@ void readDevice(const SceneTable& integrator, Scene& scene) {
   } else if (info) {
     scene.noDevice = info->forGpu(scene.handlerOptions.own);
   }
+  if (scene.noDevice.empty() && scene.hasUniformStrain()) scene.noDevice = "a GPU takes no rule of uniform strain";
   if (scene.noDevice.empty()) return;
   if (scene.device == RunDevice::cuda)
     fail(integrator.at("device").origin, "integrator.device", scene.noDevice + "; change that, or set it to \"cpu\"");
@@ -727,6 +740,12 @@ Scene::Fix parseFix(const std::string& text, const std::string& origin) {
     throw InputError(fmt::format("{}: {}: {} names no components; must be some of x, y, z, each once", origin,
                                  inQuotes(text), inQuotes(components)));
   return {NodeSelection::parse(text.substr(0, colon), origin), *held};
+}
+
+bool Scene::hasUniformStrain() const {
+  return std::any_of(rules.begin(), rules.end(), [](const auto& rule) {
+    return findRule(*findElementByName(rule.first), rule.second)->uniformStrain;
+  });
 }
 
 std::map<std::string, std::string> parseRules(const std::vector<std::string>& texts, const std::string& origin) {

@@ -209,6 +209,7 @@ struct Scene {
   std::vector<SceneMaterial> materials;  // at least one
   Lumping lumping = Lumping::rowSum;
   std::map<std::string, std::string> rules;  // element name -> quadrature rule name
+  HourglassControl hourglassControl;         // of rules of uniform strain
 
   std::string method;
   std::optional<double> step;  // s; empty for "auto"
@@ -269,6 +270,8 @@ struct Scene {
     return linearBulkViscosity > 0 || quadraticBulkViscosity > 0 ||
            std::any_of(materials.begin(), materials.end(), [](const auto& one) { return one.damping.any(); });
   }
+  /// Whether some element has a rule of uniform strain.
+  bool hasUniformStrain() const;
   /// Whether anything but dashpots and contact damps.
   bool damps() const { return damping.any() || hasElementDamping(); }
   /// Why its runs have no checkpoints, "" where they have: the scene's integrator, handler, cuts or GPU.

@@ -173,6 +173,7 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
   BodyOptions options;
   options.lumping = scene.lumping;
   options.rules = scene.rules;
+  options.hourglassControl = scene.hourglassControl;
   options.threads = threadsThatPay(threads, mesh);
   std::vector<Material> materials = assignMaterials(scene.materials, mesh, by);
   splitRigidBlocks(scene, mesh, materials);

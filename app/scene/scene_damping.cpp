@@ -1,5 +1,7 @@
 #include <ringwatch/app/scene/scene_damping.h>
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/integrator_catalog.h>
@@ -27,6 +29,7 @@ DampingConstants dampingOf(const SceneTable& material, const Options& lawParamet
   damping.massProportional = material.get<double>("mass_damping");
   damping.shearViscosity = material.get<double>("shear_viscosity");
   damping.volumeViscosity = material.get<double>("volume_viscosity");
+  damping.hourglassViscosity = material.get<double>("hourglass_viscosity");
   const auto beta = material.get<double>("stiffness_damping");
   if (beta == 0) return damping;
   if (!lawParameters.find("young") || !lawParameters.find("poisson"))
@@ -43,6 +46,13 @@ DampingConstants dampingOf(const SceneTable& material, const Options& lawParamet
 void checkElementDamping(Scene& scene) {
   if (!scene.hasElementDamping()) return;
   const std::string& origin = scene.elementDampingOrigin;
+  const bool strains = std::ranges::any_of(
+      scene.materials, [](const SceneMaterial& one) { return one.damping.bulk() || one.damping.viscous(); });
+  if (scene.hasUniformStrain() && (strains || scene.linearBulkViscosity > 0 || scene.quadraticBulkViscosity > 0))
+    throw InputError(
+        fmt::format("{}: bulk viscosity and viscous stresses do not go with rules of uniform strain; choose "
+                    "another rule, or hourglass_viscosity alone",
+                    origin));
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
   const auto takes = [](const IntegratorInfo& one) { return one.highestModeBinds; };
   if (!takes(info))
@@ -74,6 +84,7 @@ void addElementDamping(const Scene& scene, Body& body) {
     }
     own.linearBulk = scene.linearBulkViscosity;
     own.quadraticBulk = scene.quadraticBulkViscosity;
+    if (!body.blocks()[b]->rule().uniformStrain) own.hourglassViscosity = 0;  // of meshes of several elements
     constants.push_back(own);
   }
   body.setElementDamping(constants);

@@ -253,6 +253,18 @@ void addMaterial(std::vector<SceneKey>& all) {
            .fallback = "0.0",
            .range = notNegative,
            .help = "Kelvin-Voigt: stress this x the trace of the rate of Green's strain"},
+          {.key = "hourglass_viscosity",
+           .type = T::number,
+           .fallback = "0.0",
+           .range = notNegative,
+           .help = "of hex8=uniform-strain: viscous hourglass control, usually 0.05 to 0.15; with symplectic-euler and "
+                   "verlet"},
+          {.key = "hourglass_stiffness",
+           .type = T::number,
+           .fallback = "0.05",
+           .range = notNegative,
+           .help =
+               "of hex8=uniform-strain, of the whole body: stiffness of hourglass modes over that of pressure waves"},
           {.key = "lumping",
            .type = T::text,
            .fallback = "\"row-sum\"",

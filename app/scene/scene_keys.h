@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <limits>
 #include <span>
 #include <string>
@@ -24,6 +25,10 @@ enum class SceneType {
   parameter      ///< of a mesh generator: a number, a text or a list of numbers, checked against the generator's table
 };
 std::string_view sceneTypeName(SceneType type);
+
+/// The keys of a [material] by which its elements damp.
+inline constexpr std::array materialDampingKeys{"mass_damping", "stiffness_damping", "shear_viscosity",
+                                                "volume_viscosity", "hourglass_viscosity"};
 
 /// Numbers a key accepts; every component's, for lists.
 using SceneRange = NumberRange;

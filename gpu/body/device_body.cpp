@@ -62,7 +62,7 @@ void requireForDevice(const DeviceBodyInput& input, std::size_t b) {
   if (input.materials[b].outside)
     throw InputError(joinText("block ", b, ": the law \"", input.materials[b].lawName(),
                               "\" is registered for the CPU: choose another law, or device = \"cpu\""));
-  if (input.rules[b]->shares.mean())
+  if (input.rules[b]->shares.mean() || input.rules[b]->uniformStrain)
     throw InputError(joinText("block ", b, ": rule \"", input.rules[b]->name,
                               "\" evaluates the element's mean, which the device does not: choose another rule, or "
                               "device = \"cpu\""));

@@ -126,6 +126,17 @@ DiscreteStiffness stiffnessAnywhere(const DiscreteForces& forces) {
   return result;
 }
 
+/// Adds the hourglass stiffness of the element in a lane to its n×n matrix, with what it errs by.
+void addHourglass(const HourglassVectors& hourglass, int lane, double* L) {
+  constexpr int n = HourglassVectors::nodes;
+  const double k = hourglass.stiffness[lane];
+  for (int a = 0; a < n; ++a) {
+    for (int b = 0; b < n; ++b)
+      for (const auto& gamma : hourglass.gamma) L[a * n + b] += k * gamma[a][lane] * gamma[b][lane];
+    L[a * n + a] += n * k * hourglass.rounding[lane];
+  }
+}
+
 }  // namespace
 
 ModulusRange largestModulus(const Material& material, StretchRange range, double tolerance, int mostStates) {
@@ -199,6 +210,8 @@ RangeStep rangeStep(const Body& body, StretchRange range, const StepRule& rule) 
       for (int lane = 0; lane < lanes; ++lane) elements[lane] = lane < count ? first + lane : -1;
       block->laplacianOf(elements, reinterpret_cast<double*>(packed.data()),
                          reinterpret_cast<double*>(rounding.data()));
+      HourglassVectors hourglass;
+      const bool hasHourglass = block->hourglassOf(elements, hourglass);
       for (int lane = 0; lane < count; ++lane) {
         const auto of = block->nodesOf(first + lane);
         own.insert(own.end(), of.begin(), of.end());
@@ -207,6 +220,7 @@ RangeStep rangeStep(const Body& body, StretchRange range, const StepRule& rule) 
         // |L̂_ab - L_ab| <= √(T_a T_b): the difference is at most n diag(T_a).
         for (int a = 0; a < n; ++a)
           L[at + static_cast<std::size_t>(a * n + a)] += kappa * n * rounding[static_cast<std::size_t>(a)][lane];
+        if (hasHourglass) addHourglass(hourglass, lane, L.data() + at);
       }
     }
     groups.push_back({n, own});

@@ -442,6 +442,34 @@ TEST_F(DampedScene, RefusesWhatDoesNotGoTogether) {
          "law \"yeoh\" does not have; give shear_viscosity and volume_viscosity");
 }
 
+/// The bar of hexahedra of uniform strain.
+std::string uniformStrain(std::string text) {
+  text.replace(text.find("tet4"), 4, "hex8");
+  return text.replace(text.find("density"), 0, "rules = [\"hex8=uniform-strain\"]\n");
+}
+
+TEST_F(DampedScene, HourglassControlKeepsTheBalance) {
+  for (const std::string material : {"", "hourglass_stiffness = 0.2", "hourglass_viscosity = 0.15",
+                                     "hourglass_stiffness = 0.0\nhourglass_viscosity = 0.15", "mass_damping = 5"}) {
+    run(uniformStrain(sceneOf(material, "", "verlet")), "--set integrator.step=1e-4");
+    EXPECT_EQ(json("r/summary.json")["verdict"], "certified") << material;
+    EXPECT_LT(largest("balance_error_J"), 0.01 * largest("kinetic_J")) << material;
+    if (material.find("visc") == std::string::npos) continue;
+    EXPECT_GT(largest("dissipated_J"), 1e-4 * largest("kinetic_J")) << material;
+  }
+}
+
+TEST_F(DampedScene, HourglassControlIsRefusedWhereItDoesNotFit) {
+  for (const char* key : {"hourglass_stiffness", "hourglass_viscosity"})
+    refuse(
+        sceneOf(std::string(key) + " = 0.1", ""),
+        std::string("material.") + key + ": goes with a rule of uniform strain; set rules = [\"hex8=uniform-strain\"]");
+  for (const auto& [material, damping] : std::vector<std::pair<std::string, std::string>>{
+           {"", "bulk_viscosity = true"}, {"shear_viscosity = 2", ""}, {"stiffness_damping = 1e-4", ""}})
+    refuse(uniformStrain(sceneOf(material, damping)), "do not go with rules of uniform strain");
+  refuse(uniformStrain(sceneOf("", "")), "a GPU takes no rule of uniform strain", "--set integrator.device='\"cuda\"'");
+}
+
 TEST_F(DampedScene, OtherCommandsRefuseIt) {
   folder_.write("scene.toml", sceneOf("", "bulk_viscosity = true"));
   expectRefused("compare scene.toml --integrators verlet --out c", "compare takes no elements that damp");
@@ -457,7 +485,8 @@ TEST_F(DampedScene, RefusesEveryKeyByTypeRangeAndName) {
     refuse(section == "material" ? sceneOf(line, "") : sceneOf("", line), what);
     ++tried;
   };
-  for (const char* key : {"mass_damping", "stiffness_damping", "shear_viscosity", "volume_viscosity"}) {
+  for (const char* key : {"mass_damping", "stiffness_damping", "shear_viscosity", "volume_viscosity",
+                          "hourglass_viscosity", "hourglass_stiffness"}) {
     const std::string named = std::string("material.") + key + ": ";
     refuseKey("material", key, "-1", named + "-1 is out of range; must be >= 0");
     refuseKey("material", key, "nan", named + "nan is not a finite number");
@@ -473,7 +502,7 @@ TEST_F(DampedScene, RefusesEveryKeyByTypeRangeAndName) {
   }
   refuseKey("damping", "bulk_viscosity", "1", "damping.bulk_viscosity: ");
   refuseKey("damping", "bulk_viscosit", "true", "did you mean \"bulk_viscosity\"?");
-  EXPECT_EQ(tried, 26);
+  EXPECT_EQ(tried, 34);
 }
 
 }  // namespace
