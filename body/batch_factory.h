@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <utility>
 
 #include <ringwatch/body/block_registry.h>
 #include <ringwatch/body/element_batch.h>
@@ -8,8 +9,8 @@ namespace ringwatch::detail {
 
 template <class Batch>
 std::unique_ptr<ElementBlock> makeBatch(const Mesh& mesh, const MeshBlock& block, const Material& material,
-                                        const QuadratureRule& rule) {
-  return std::make_unique<Batch>(mesh, block, material, rule);
+                                        const QuadratureRule& rule, PatchLayout layout) {
+  return std::make_unique<Batch>(mesh, block, material, rule, std::move(layout));
 }
 
 /// The maker of batches of an element of the library with law number `law` of `Laws`; nullptr when the law is in

@@ -79,7 +79,7 @@ void ElementBlock::addTangentProduct(const Patch& patch, const double* x, const 
 }
 
 std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material,
-                                               std::string_view ruleName) {
+                                               std::string_view ruleName, std::optional<PatchLayout> layout) {
   const ElementInfo& element = elementInfo(block.type);
   const QuadratureRule* rule = findRule(element, ruleName);
   if (!rule) {
@@ -91,7 +91,8 @@ std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock
     throw InputError(joinText(element.name,
                               ": rules that treat pressure and shear apart need a law linear in Lamé's constants; ",
                               material.lawName(), " is none"));
-  return detail::batchMaker(block.type, material)(mesh, block, material, *rule);
+  return detail::batchMaker(block.type, material)(mesh, block, material, *rule,
+                                                  layout ? std::move(*layout) : layOutPatches(mesh, block));
 }
 
 }  // namespace ringwatch
