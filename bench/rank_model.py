@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What steps on 1 to 100 000 ranks take by the traffic model of docs/cluster.md: on paper, not measured.
 
-  bench/rank_model.py [--element-ns NS] [--certificate SHARE] [--latency-us US] [--bandwidth-GBs GB] [--markdown]
+  bench/rank_model.py [--element-ns NS] [--certificate SHARE] [--latency-us US] [--bandwidth-GBs GB]
 
 A body of tetrahedra in cubes (6 a cube, 1 node a cube), cut into cubes of equal size. A step of a rank takes
   (own elements + elements computed twice) * element time * (1 + certificate share)
@@ -30,12 +30,12 @@ def step(ranks, own, args):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--element-ns", type=float, default=25, help="a tetrahedron's force, one core, ns")
-    parser.add_argument("--certificate", type=float, default=0.5, help="of a step's work, on top")
+    parser.add_argument("--element-ns", type=float, default=8, help="a tetrahedron's share of a step, one core, ns")
+    parser.add_argument("--certificate", type=float, default=0.35, help="of a step's work, on top")
     parser.add_argument("--latency-us", type=float, default=2)
     parser.add_argument("--bandwidth-GBs", type=float, default=5, help="of a rank")
     args = parser.parse_args()
-    print(f"| ranks | weak, 1e5 tets a rank: ms a step | efficiency | strong, 5e7 tets: ms a step | speed-up | efficiency |")
+    print("| ranks | weak, 1e5 tetrahedra a rank: ms a step | efficiency | strong, 5e7 tetrahedra: ms a step | speed-up | efficiency |")
     print("|---|---|---|---|---|---|")
     one, whole = step(1, 1e5, args)[0], step(1, 5e7, args)[0]
     for ranks in RANKS:

@@ -11,6 +11,8 @@ RankStepper::RankStepper(Halo& halo, RankSystem& system, Integrator& integrator)
     throw InputError(joinText("integrator \"", info.name,
                               "\": is not distributed over ranks, which take schemes of one force a step: "
                               "symplectic-euler or verlet"));
+  if (system.ofBody().damping().beta != 0)
+    throw InputError("stiffness-proportional damping is not distributed over ranks");
 }
 
 void RankStepper::takeForce(State& state, const NodeVectors& internalForce) {

@@ -9,7 +9,7 @@ namespace ringwatch {
 class RankStepper {
  public:
   /// All of them must outlive the stepper. Throws InputError for a scheme that does not begin its steps with the
-  /// acceleration of the state and take no other.
+  /// acceleration of the state and take no other, and for stiffness-proportional damping.
   RankStepper(Halo& halo, RankSystem& system, Integrator& integrator);
 
   /// Whether takeForce wants the internal force of the state.

@@ -15,7 +15,6 @@ namespace ringwatch {
 namespace {
 
 using P = NativePack;
-constexpr int lanes = nativeWidth;
 
 /// Entries of `size` numbers, of different sizes and clusters from lane to lane, so that iterations end at different
 /// times.
@@ -35,10 +34,10 @@ void expectLanesAlone(int size, int results, const Kernel& kernel) {
   std::array<P, 9> together, own;
   int differ = 0;
   for (int trial = 0; trial < 400; ++trial) {
-    for (int lane = 0; lane < lanes; ++lane) fillLane(random, entries.data(), size, lane);
+    for (int lane = 0; lane < nativeWidth; ++lane) fillLane(random, entries.data(), size, lane);
     work = entries;
     kernel(work.data(), together.data());
-    for (int lane = 0; lane < lanes; ++lane) {
+    for (int lane = 0; lane < nativeWidth; ++lane) {
       for (int i = 0; i < size; ++i) alone[i] = P(entries[i][lane]);
       work = alone;
       kernel(work.data(), own.data());
