@@ -91,14 +91,6 @@ RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int 
         body_->constraints().move(i, c, whole.constraints().velocity()(c, node));
     body_->externalForce().col(i) = whole.externalForce().col(node);
   }
-  for (std::size_t b = 0; b < globalElements_.size(); ++b)
-    for (std::size_t e = 0; e < globalElements_[b].size(); ++e) counted_ += counts({b, e}) ? 1 : 0;
-}
-
-ElementRef RankBody::localElement(ElementRef whole) const {
-  const std::vector<std::int32_t>& own = globalElements_[whole.block];
-  const auto at = std::lower_bound(own.begin(), own.end(), whole.element);
-  return {whole.block, at != own.end() && *at == whole.element ? at - own.begin() : -1};
 }
 
 }  // namespace ringwatch

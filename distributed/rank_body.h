@@ -23,20 +23,16 @@ class RankBody {
   /// Owned nodes first, by their numbers in the whole; then ghosts, by owner and number.
   const Body& body() const { return *body_; }
   Body& body() { return *body_; }
-  bool empty() const { return owned_ == 0; }
   std::int32_t ownedNodes() const { return owned_; }
   std::int32_t ghostNodes() const { return static_cast<std::int32_t>(globalNodes_.size()) - owned_; }
   /// Nodes of an element of the whole, at most.
   int mostNodesOfAnElement() const { return mostNodes_; }
-  /// Elements here, and how many of them no other rank counts.
   std::int64_t elements() const { return elements_; }
-  std::int64_t countedElements() const { return counted_; }
   /// The number of a node in the whole.
   std::int32_t globalNode(std::int32_t node) const { return globalNodes_[node]; }
   const std::vector<std::int32_t>& globalNodes() const { return globalNodes_; }
-  /// The element in the whole, and here; element -1 where it is not here.
+  /// The element in the whole.
   ElementRef globalElement(ElementRef e) const { return {e.block, globalElements_[e.block][e.element]}; }
-  ElementRef localElement(ElementRef whole) const;
   /// Whether this rank counts the element where each is to count once: the one that owns its first node.
   bool counts(ElementRef e) const { return body_->blocks()[e.block]->nodesOf(e.element).front() < owned_; }
 
@@ -53,7 +49,7 @@ class RankBody {
   std::unique_ptr<Body> body_;  // blocks refer to the mesh's arrays
   std::int32_t owned_ = 0;
   int mostNodes_ = 0;
-  std::int64_t elements_ = 0, counted_ = 0;
+  std::int64_t elements_ = 0;
   std::vector<std::int32_t> globalNodes_;
   std::vector<std::vector<std::int32_t>> globalElements_;  // [block], ascending
   std::vector<Neighbour> neighbours_;

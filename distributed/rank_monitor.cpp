@@ -259,28 +259,6 @@ void RankMonitor::setBracket() {
   if (bracket.isBracket()) report_.bracket = bracket;
 }
 
-void RankMonitor::prove(NodeVectorsView x, MonitorReport& report) {
-  if (!renew(x, true, 0)) return;
-  report_.certified = certifiedStep();
-  report_.fresh = true;
-  setBracket();
-  report = report_;
-}
-
-const MonitorReport& RankMonitor::observeEnergies(const Energies& energies) {
-  constexpr int energySettling = 20;  // steps before the energy balance is checked, as StabilityMonitor has it
-  options_.largestEnergy =
-      std::max({options_.largestEnergy, energies.kinetic + std::abs(energies.strain), std::abs(energies.externalWork)});
-  double share = options_.largestEnergy > 0 ? std::abs(energies.balanceError) / options_.largestEnergy : 0;
-  if (!std::isfinite(share)) share = infinity;
-  if (!firstEnergyStep_) firstEnergyStep_ = report_.step;
-  if (report_.step - *firstEnergyStep_ >= energySettling && share > options_.energyTolerance)
-    present({.kind = EventKind::energyBalance, .value = share});
-  else
-    tracker_.absent(EventKind::energyBalance, report_.step);
-  return report_;
-}
-
 double RankMonitor::verify(NodeVectorsView x) {
   double excess = -1;
   const Body& body = part_.body();

@@ -6,7 +6,6 @@
 #include <ringwatch/base/backoff.h>
 #include <ringwatch/distributed/halo.h>
 #include <ringwatch/distributed/rank_mode.h>
-#include <ringwatch/monitor/energy_balance.h>
 #include <ringwatch/monitor/incremental/run_certificate.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
@@ -18,9 +17,7 @@ struct RankMonitorOptions {
   MonitorMode mode = MonitorMode::bracket;
   int every = 1;
   double width = 0.05;
-  double energyTolerance = 0.1;
   int clearObservations = 20;
-  double largestEnergy = 0;  ///< J, below which an energy is no measure: roundingEnergy of the whole body
 };
 
 /// StabilityMonitor's work on a body that is distributed over ranks: all get the same report, which names elements of
@@ -30,7 +27,8 @@ struct RankMonitorOptions {
 /// The safe side is an incremental certificate (Theorem 14): allowances of the elements are kept, and elements outside
 /// their validity balls are evaluated again, by every rank that has them. One that exceeds its allowance raises it, and
 /// with it the certified eigenvalue (Theorem 21), until evaluating all elements, or new weights, pays. The optimistic
-/// side is the quotient of RankMode's vector. Collective. Of events, `indefinite` is not looked for.
+/// side is the quotient of RankMode's vector. Collective. Events are
+/// `violated`, `inverted` and `non-finite`.
 class RankMonitor final : private RestOfBody {
  public:
   /// All references must outlive the monitor. Throws InputError for the mode `metric` and a rule that is not proven.
@@ -42,10 +40,6 @@ class RankMonitor final : private RestOfBody {
   const MonitorReport& observe(std::int64_t step, double time, NodeVectorsView x, NodeVectorsView v,
                                std::optional<double> h, StepEvaluation& evaluation, bool& stops,
                                const std::function<void()>& meanwhile);
-  /// The best that new weights prove at x, for a report of that state.
-  void prove(NodeVectorsView x, MonitorReport& report);
-  /// As StabilityMonitor::observeEnergies, of energies that all ranks have alike.
-  const MonitorReport& observeEnergies(const Energies& energies);
   const std::vector<MonitorEvent>& events() const { return tracker_.events(); }
 
   /// What it took so far.
@@ -95,7 +89,6 @@ class RankMonitor final : private RestOfBody {
   Backoff refreshes_, rebuilds_;
   Cost cost_;
   std::int64_t observations_ = 0;
-  std::optional<std::int64_t> firstEnergyStep_;
   bool unknown_ = false;
 };
 
