@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <utility>
 
 #include <ringwatch/body/block_registry.h>
 #include <ringwatch/body/element_batch.h>
@@ -9,13 +10,15 @@ namespace ringwatch::detail {
 
 template <class Element, class Law>
 std::unique_ptr<ElementBlock> makeBatch(const Mesh& mesh, const MeshBlock& block, const Material& material,
-                                        const QuadratureRule& rule, const HourglassControl& hourglassControl) {
+                                        const QuadratureRule& rule, const HourglassControl& hourglassControl,
+                                        PatchLayout layout) {
   constexpr bool uniformStrain =
       std::ranges::any_of(Element::rules, [](const QuadratureRule& one) { return one.uniformStrain; });
   if constexpr (uniformStrain)
     if (rule.uniformStrain)
-      return std::make_unique<UniformStrainBatch<Element, Law>>(mesh, block, material, rule, hourglassControl);
-  return std::make_unique<ElementBatch<Element, Law>>(mesh, block, material, rule);
+      return std::make_unique<UniformStrainBatch<Element, Law>>(mesh, block, material, rule, hourglassControl,
+                                                                std::move(layout));
+  return std::make_unique<ElementBatch<Element, Law>>(mesh, block, material, rule, std::move(layout));
 }
 
 /// The maker of batches of an element of the library with law number `law` of `Laws`; nullptr when the law is in

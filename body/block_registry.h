@@ -8,9 +8,9 @@
 /// body/register_element.h fill it.
 namespace ringwatch::detail {
 
-/// Makes the block of a mesh block.
+/// Makes the block of a mesh block, laid out so.
 using BatchMaker = std::unique_ptr<ElementBlock> (*)(const Mesh&, const MeshBlock&, const Material&,
-                                                     const QuadratureRule&, const HourglassControl&);
+                                                     const QuadratureRule&, const HourglassControl&, PatchLayout);
 
 /// makerOf(element): with this law, for elements of the library.
 void registerBatchesOfLaw(std::string_view law, BatchMaker (*makerOf)(ElementType element),

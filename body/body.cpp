@@ -124,7 +124,7 @@ void Body::wrapRigidBlocks() {
               std::ranges::all_of(own, [&](std::int32_t node) { return bodyOf[node] == bodyOf[own[0]]; });
     }
     if (rigid && !dynamic_cast<const RigidBlock*>(blocks_[b].get()))
-      blocks_[b] = std::make_unique<RigidBlock>(mesh_, mesh_.blocks[b], std::move(blocks_[b]));
+      blocks_[b] = std::make_unique<RigidBlock>(mesh_.blocks[b], std::move(blocks_[b]));
   }
 }
 

@@ -20,8 +20,9 @@ class ElementBatch final : public ElementBlock {
   using Operators = ElementOperators<Element, P>;
   static constexpr int n = Element::nodes, size = 3 * n;
 
-  ElementBatch(const Mesh& mesh, const MeshBlock& block, const Material& material, const QuadratureRule& rule)
-      : ElementBlock(mesh, block, material, rule),
+  ElementBatch(const Mesh& mesh, const MeshBlock& block, const Material& material, const QuadratureRule& rule,
+               PatchLayout layout)
+      : ElementBlock(block, material, rule, std::move(layout)),
         law_(shareOf(material, rule.shares.pointLambda, rule.shares.pointMu)),
         meanLaw_(shareOf(material, rule.shares.meanLambda, rule.shares.meanMu)),
         geometry_(*this, mesh, block) {}

@@ -80,7 +80,8 @@ void ElementBlock::addTangentProduct(const Patch& patch, const double* x, const 
 }
 
 std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material,
-                                               std::string_view ruleName, const HourglassControl& hourglassControl) {
+                                               std::string_view ruleName, const HourglassControl& hourglassControl,
+                                               std::optional<PatchLayout> layout) {
   const ElementInfo& element = elementInfo(block.type);
   const QuadratureRule* rule = findRule(element, ruleName);
   if (!rule) {
@@ -94,7 +95,8 @@ std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock
                               material.lawName(), " is none"));
   if (!(hourglassControl.stiffness >= 0) || !std::isfinite(hourglassControl.stiffness))
     throw InputError(joinText("hourglass stiffness = ", hourglassControl.stiffness, ": must be >= 0"));
-  return detail::batchMaker(block.type, material)(mesh, block, material, *rule, hourglassControl);
+  return detail::batchMaker(block.type, material)(mesh, block, material, *rule, hourglassControl,
+                                                  layout ? std::move(*layout) : layOutPatches(mesh, block));
 }
 
 }  // namespace ringwatch

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -86,9 +87,9 @@ class ElementBlock : public ElementTangents {
   virtual bool goesByDirections() const = 0;
 
  protected:
-  ElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material, const QuadratureRule& rule,
+  ElementBlock(const MeshBlock& block, const Material& material, const QuadratureRule& rule, PatchLayout layout,
                const HourglassControl& hourglassControl = {})
-      : ElementTangents(block.nodesPerElement(), layOutPatches(mesh, block), block.connectivity),
+      : ElementTangents(block.nodesPerElement(), std::move(layout), block.connectivity),
         element_(&elementInfo(block.type)),
         rule_(&rule),
         material_(material),
@@ -147,9 +148,11 @@ class PatchVisitor {
 
 /// The block for a mesh block: picks ElementBatch<element, law>. Throws InputError when the element has no rule of that
 /// name ("" is the default), NumericalError when an element has a Jacobian determinant <= 0 at a quadrature point. The
-/// block reads the mesh block's connectivity, whose array must outlive it; the mesh may move.
+/// block reads the mesh block's connectivity, whose array must outlive it; the mesh may move. layout: of its elements,
+/// as layOutPart gives it; without, that of layOutPatches.
 std::unique_ptr<ElementBlock> makeElementBlock(const Mesh& mesh, const MeshBlock& block, const Material& material,
                                                std::string_view ruleName = {},
-                                               const HourglassControl& hourglassControl = {});
+                                               const HourglassControl& hourglassControl = {},
+                                               std::optional<PatchLayout> layout = {});
 
 }  // namespace ringwatch

@@ -161,7 +161,7 @@ DampedBlock::DampedBlock(const Mesh& mesh, const MeshBlock& block, std::unique_p
                          const DampingConstants& constants, const std::vector<double>& masses,
                          std::shared_ptr<const double> factor, const DampedBlock* whole,
                          const std::vector<std::int32_t>& elements)
-    : ElementBlock(mesh, block, inner->material(), inner->rule(), inner->hourglassControl()),
+    : ElementBlock(block, inner->material(), inner->rule(), inner->layout(), inner->hourglassControl()),
       inner_(std::move(inner)),
       constants_(constants),
       factor_(std::move(factor)),

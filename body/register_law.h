@@ -30,7 +30,7 @@ void registerLaw() {
       [](ElementType type) {
         detail::BatchMaker result = nullptr;
         visitElement(type, [&](auto elementTag) {
-          result = detail::makeBatch<ElementBatch<typename decltype(elementTag)::type, L>>;
+          result = detail::makeBatch<typename decltype(elementTag)::type, L>;
         });
         return result;
       },

@@ -12,8 +12,8 @@ namespace ringwatch {
 class RigidBlock final : public ElementBlock {
  public:
   /// inner: of the same mesh block.
-  RigidBlock(const Mesh& mesh, const MeshBlock& block, std::unique_ptr<ElementBlock> inner)
-      : ElementBlock(mesh, block, inner->material(), inner->rule()), inner_(std::move(inner)) {}
+  RigidBlock(const MeshBlock& block, std::unique_ptr<ElementBlock> inner)
+      : ElementBlock(block, inner->material(), inner->rule(), inner->layout()), inner_(std::move(inner)) {}
 
   void evaluateBatches(std::int32_t first, std::int32_t last, const double* rows,
                        const BatchEvaluation& evaluation) const override {

@@ -17,8 +17,8 @@ class UniformStrainBatch final : public ElementBlock {
   static constexpr int n = Element::nodes, size = 3 * n, vectors = Geometry::vectors;
 
   UniformStrainBatch(const Mesh& mesh, const MeshBlock& block, const Material& material, const QuadratureRule& rule,
-                     const HourglassControl& control)
-      : ElementBlock(mesh, block, material, rule, control),
+                     const HourglassControl& control, PatchLayout layout)
+      : ElementBlock(block, material, rule, std::move(layout), control),
         law_(lawOf<LawType>(material)),
         geometry_(*this, mesh, block, 0.5 * control.stiffness * material.restModulus()) {}
 

@@ -1,6 +1,6 @@
 # What is built: the folders of cmake/layers.txt and the parts of folders that RINGWATCH_COMPONENTS names, with all that they need.
 set(RINGWATCH_COMPONENTS all CACHE STRING
-  "What to build: all, or some of bounds, body, monitor, integrators, handlers, verify, gpu, mesh_files, sundials; what they need comes with them")
+  "What to build: all, or some of bounds, body, monitor, integrators, handlers, verify, gpu, distributed, mesh_files, sundials; what they need comes with them")
 set(RINGWATCH_PARTS tangents bounds mesh_files sundials compare)
 
 file(STRINGS ${CMAKE_CURRENT_SOURCE_DIR}/cmake/layers.txt ringwatch_layers REGEX "^[a-z]+:")
@@ -54,6 +54,9 @@ if(NOT RINGWATCH_WITH_SUNDIALS)
 endif()
 if(NOT RINGWATCH_WITH_ARB)
   set(RINGWATCH_BUILD_check OFF)
+endif()
+if(NOT RINGWATCH_WITH_MPI)
+  set(RINGWATCH_BUILD_distributed OFF)
 endif()
 if(NOT RINGWATCH_WITH_CUDA)
   set(RINGWATCH_BUILD_gpu OFF)

@@ -171,13 +171,9 @@ inline const NodeVectors& accelerationOf(SecondOrderSystem& system, State& state
   if (state.a.cols() == 0) system.acceleration(state.time, state.x, state.v, state.a);
   return state.a;
 }
-/// Ends a step of Integrator::advance: adds the kick that the velocity lags by.
-inline void complete(SecondOrderSystem& system, State& state) {
-  if (state.lag == 0) return;
-  const NodeVectors& a = accelerationOf(system, state);
-  updateNodes(system, state.v.cols(), [&](auto slice) { slice(state.v) += state.lag * slice(a); });
-  state.lag = 0;
-}
+/// Ends a step of Integrator::advance: adds the kick that the velocity lags by. Compiled once, so that it has the same
+/// bits in every program.
+void complete(SecondOrderSystem& system, State& state);
 
 /// An integrator that can be made by name.
 struct IntegratorEntry {

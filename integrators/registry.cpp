@@ -26,6 +26,13 @@ Registry<IntegratorEntry>& registry() {
 
 }  // namespace
 
+void complete(SecondOrderSystem& system, State& state) {
+  if (state.lag == 0) return;
+  const NodeVectors& a = accelerationOf(system, state);
+  updateNodes(system, state.v.cols(), [&](auto slice) { slice(state.v) += state.lag * slice(a); });
+  state.lag = 0;
+}
+
 std::span<const IntegratorEntry> coreIntegrators() { return registry().all(); }
 void registerIntegrator(const IntegratorEntry& entry) { registry().add(entry); }
 

@@ -32,14 +32,16 @@ RINGWATCH_INLINE Matrix3<S> closestRotation(const Matrix3<S>& F) {
   S x = math::sqrt(S(3) * I);
   // Newton leaves step² g''/(2 g') behind; the last step below squares that once more.
   constexpr double enough = detail::isSingle<S> ? 1e-4 : 1e-8;
+  auto going = I >= S(0);  // a lane ends with its own iteration, whatever lies beside it in the pack
   for (int iteration = 0; iteration < 40; ++iteration) {
     const S x2 = x * x, g = ((x2 - I2) * x - J8) * x + c0;
     const S slope = S(4) * (x2 - I) * x - J8;
     // At rest g and slope are exact zeros of rounding; a step that would go up is noise: the root has been reached.
-    const auto falling = (g > S(0)) & (slope > S(0));
+    const auto falling = going & (g > S(0)) & (slope > S(0));
     const S step = select(falling, g / select(falling, slope, S(1)), S(0));
     x -= step;
-    if (!anyOf(falling & (step * step * (S(6) * x2 - I2) > S(enough) * x * slope))) break;
+    going = falling & (step * step * (S(6) * x2 - I2) > S(enough) * x * slope);
+    if (!anyOf(going)) break;
   }
   // One more, signed step: brings x to rounding, and a dual number's derivative with it.
   const S slope = S(4) * (x * x - I) * x - J8;

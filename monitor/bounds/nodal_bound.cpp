@@ -182,13 +182,26 @@ void NodalBound::evaluateAll(NodeVectorsView x, const Start* start) {
   std::fill(changed_.begin(), changed_.end(), true);
 }
 
+void NodalBound::completeSums() {
+  const std::int32_t nodes = source_->nodeCount();
+  Eigen::Matrix<double, 6, Eigen::Dynamic> sums(6, nodes);
+  for (std::int32_t i = 0; i < nodes; ++i)
+    for (int c = 0; c < 6; ++c) sums(c, i) = sums_[i / lanes].m[c][i % lanes];
+  rest_->completeSums(sums);
+  for (std::int32_t i = 0; i < nodes; ++i)
+    for (int c = 0; c < 6; ++c) sums_[i / lanes].m[c].set(i % lanes, sums(c, i));
+}
+
 double NodalBound::sumAtNodes() {
   const std::int32_t nodes = source_->nodeCount();
+  const auto hasChanged = [&](std::int64_t pack) {
+    const auto* changed = changed_.data() + pack * lanes;
+    return std::find(changed, changed + lanes, true) != changed + lanes;
+  };
   parallelFor(
       0, sums_.size(), source_->threads(),
       [&](std::int64_t pack) {
-        const auto* changed = changed_.data() + pack * lanes;
-        if (std::find(changed, changed + lanes, true) == changed + lanes) return;
+        if (!hasChanged(pack)) return;
         Symmetric3<P> S;
         for (P& entry : S.m) entry = P(0.0);
         for (int lane = 0; lane < lanes; ++lane) {
@@ -218,6 +231,15 @@ double NodalBound::sumAtNodes() {
           for (int c = 0; c < 6; ++c) S.m[c].set(lane, keep[c] == 0 ? 0.0 : inverseMass * sum[c]);
         }
         sums_[pack] = S;
+      },
+      64);
+  if (rest_) completeSums();
+  parallelFor(
+      0, sums_.size(), source_->threads(),
+      [&](std::int64_t pack) {
+        // Of what has changed elsewhere nothing is known.
+        if (!rest_ && !hasChanged(pack)) return;
+        const Symmetric3<P>& S = sums_[pack];
         P A[9], work[12];
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j <= i; ++j) A[3 * i + j] = S(i, j);
@@ -227,10 +249,11 @@ double NodalBound::sumAtNodes() {
       64);
   double bound = 0;
   for (std::int32_t i = 0; i < nodes; ++i) {
-    if (std::isnan(nodal_[i])) return std::numeric_limits<double>::quiet_NaN();
-    bound = std::max(bound, nodal_[i]);
+    // A NaN stays: it must not pass for zero.
+    if (!(nodal_[i] <= bound)) bound = nodal_[i];
+    if (std::isnan(bound)) break;
   }
-  return bound;
+  return rest_ ? rest_->largest(bound) : bound;
 }
 
 void NodalBound::findFactors(double bound) {

@@ -10,6 +10,18 @@
 
 namespace ringwatch {
 
+/// The rest of a body of which a source is a part: what the bound of the part asks of it, at the same point of every
+/// part's evaluation.
+class RestOfBody {
+ public:
+  virtual ~RestOfBody() = default;
+  /// Replaces the sums S_i at nodes whose elements are not all in the part by those of the part that has them all: a
+  /// column of Symmetric3's six numbers for each node.
+  virtual void completeSums(Eigen::Matrix<double, 6, Eigen::Dynamic>& sums) = 0;
+  /// The largest number of all parts; NaN where one is.
+  virtual double largest(double own) = 0;
+};
+
 /// The block nodal bound, a proven upper bound of the highest eigenvalue of M⁻¹K. For any symmetric positive definite
 /// 3×3 weights D_(e,a), one for each element and node, and l_e = max(0, lambda_max(D_e⁻¹ K_e)):
 ///   K_e ≼ l_e D_e,  so that  lambda_max(M⁻¹K) <= max_i lambda_max(S_i),  S_i = (1/m_i) Σ_(e∋i) l_e D_(e,a(i)).
@@ -31,6 +43,10 @@ class NodalBound {
   /// Elements that are not in the source and share nodes with it, by their Σ l_e D_e at each node (N of them, N/m):
   /// they count in every sum and thus in the bound, and are not swept.
   void setOutside(std::vector<Eigen::Matrix3d> sums) { outside_ = std::move(sums); }
+  /// The source is a part of a body: sums and the bound are those of the whole from here on, and weights of an element
+  /// the same in every part that has it (Theorem 101, docs/theory/distribution.md). nullptr: it is the whole. By
+  /// reference.
+  void setRest(RestOfBody* rest) { rest_ = rest; }
   /// The majorants that discrete forces count with, in place of those at the positions of an evaluation: one for each
   /// of their nodes(), N/m.
   void setMajorants(std::vector<Eigen::Matrix3d> majorants) {
@@ -147,6 +163,8 @@ class NodalBound {
   void evaluateAll(NodeVectorsView x, const Start* start);
   /// The sums of the nodes that have changed, and the largest of all.
   double sumAtNodes();
+  /// Has the sums of the other parts in place of those that are not whole here.
+  void completeSums();
   /// New weights and values where they stand in the way of a lower bound.
   void sweep(NodeVectorsView x, double bound);
   void findFactors(double bound);
@@ -170,6 +188,7 @@ class NodalBound {
   AlignedVector<Symmetric3<Pack>> sums_;    // S_i, one node a lane
   AlignedVector<Symmetric3<Pack>> factors_;
   std::vector<Eigen::Matrix3d> outside_;  // by node; empty for none
+  RestOfBody* rest_ = nullptr;
   std::vector<Eigen::Matrix3d> majorants_;
   bool keepsMajorants_ = false;
   std::vector<double> nodal_;

@@ -80,6 +80,11 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   double leastForDiscreteForces() const;
   /// Raises the certified eigenvalue to what nodes need, and a share more.
   void raiseForNodes(const std::vector<std::int32_t>& nodes, double share);
+  /// The next elementsOutsideBall visits every element: which ones it finds depends on each of them alone then, and not
+  /// on what lies beside it in groups that skip together.
+  void visitEveryElement() {
+    for (BlockData& data : blocks_) data.balls.invalidateAll();
+  }
   /// Elements that may have left their balls at x. Unless nullptr, `evaluation` is filled in by the same pass; its
   /// visitor is not used.
   std::vector<ElementRef> elementsOutsideBall(NodeVectorsView x, StepEvaluation* evaluation);

@@ -166,19 +166,21 @@ RINGWATCH_HOST_DEVICE inline P largestByLaguerre(const P* d, const P* e2, int an
   constexpr bool single = std::is_same_v<P, float>;
   constexpr double enough = single ? 3e-6 : 1e-13, shortest = single ? 1e-7 : 1e-15;
   P lambda = start;
+  auto going = lambda >= lambda;  // a lane ends with its own iteration, whatever lies beside it in the pack
   // A few, mostly; a cluster of half the eigenvalues makes convergence linear, by a quarter each time at n = 60.
   constexpr int maxIterations = 250;
   for (int iteration = 0; iteration < maxIterations; ++iteration) {
     const CharacteristicSums<P> sums = n <= 24 ? sumsByMinors<N>(d, e2, n, lambda) : sumsByRatios(d, e2, n, lambda);
     // λ - n / (G + √((n-1)(n H - G²))) with the sums G, H; the root is at most G/H away, since the largest of positive
     // numbers is at least the ratio of their squares' sum to their own.
-    const auto right = (sums.least > P(0.0)) & (sums.first > P(0.0)) & (sums.second > P(0.0));
+    const auto right = going & (sums.least > P(0.0)) & (sums.first > P(0.0)) & (sums.second > P(0.0));
     const P first = select(right, sums.first, P(1.0)), second = select(right, sums.second, P(1.0));
     const P root = math::sqrt(math::max((count - P(1.0)) * (count * second - first * first), P(0.0)));
     const P step = select(right, count / (first + root), P(0.0));
     const P left = select(right, first / second, P(0.0)) - step;
     lambda -= step;
-    if (!anyOf((left > P(enough)) & (step > P(shortest)))) break;
+    going = going & (left > P(enough)) & (step > P(shortest));
+    if (!anyOf(going)) break;
   }
   return lambda;
 }

@@ -60,12 +60,14 @@ RINGWATCH_INLINE Symmetric3<S> squareRoot(const Symmetric3<S>& C) {
   const S J = math::sqrt(math::max(C.determinant(), S(0)));
   const S c0 = I * I - S(4) * II;
   S x = math::sqrt(S(3) * I);
+  auto going = x >= S(0);
   for (int iteration = 0; iteration < 30; ++iteration) {
     const S g = ((x * x - S(2) * I) * x - S(8) * J) * x + c0, slope = S(4) * (x * x - I) * x - S(8) * J;
-    const auto falling = (g > S(0)) & (slope > S(0));
+    const auto falling = going & (g > S(0)) & (slope > S(0));
     const S step = select(falling, g / select(falling, slope, S(1)), S(0));
     x -= step;
-    if (!anyOf(step > S(1e-12) * x)) break;
+    going = going & (step > S(1e-12) * x);
+    if (!anyOf(going)) break;
   }
   const S i2 = S(0.5) * (x * x - I), denominator = x * i2 - J;
   const auto regular = denominator > S(0);

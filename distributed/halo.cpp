@@ -1,0 +1,62 @@
+#include <ringwatch/distributed/halo.h>
+
+#include <algorithm>
+
+namespace ringwatch {
+
+Halo::~Halo() {
+  for (auto& [numbers, channel] : channels_)
+    for (MPI_Request& request : channel.requests) MPI_Request_free(&request);
+}
+
+std::int64_t Halo::sentNodes() const {
+  std::int64_t count = 0;
+  for (const RankBody::Neighbour& neighbour : part_.neighbours())
+    count += static_cast<std::int64_t>(neighbour.sent.size());
+  return count;
+}
+
+Halo::Channel& Halo::channelOf(int numbers) {
+  const auto [at, fresh] = channels_.try_emplace(numbers);
+  Channel& channel = at->second;
+  if (!fresh) return channel;
+  channel.sent.resize(static_cast<std::size_t>(sentNodes() * numbers));
+  channel.received.resize(static_cast<std::size_t>(part_.ghostNodes()) * static_cast<std::size_t>(numbers));
+  double* sent = channel.sent.data();
+  double* received = channel.received.data();
+  for (const RankBody::Neighbour& neighbour : part_.neighbours()) {
+    const int out = static_cast<int>(neighbour.sent.size()) * numbers, in = neighbour.receivedCount * numbers;
+    MPI_Recv_init(received, in, MPI_DOUBLE, neighbour.rank, numbers, ranks_.communicator(),
+                  &channel.requests.emplace_back());
+    MPI_Send_init(sent, out, MPI_DOUBLE, neighbour.rank, numbers, ranks_.communicator(),
+                  &channel.requests.emplace_back());
+    sent += out;
+    received += in;
+  }
+  return channel;
+}
+
+void Halo::exchange(std::initializer_list<Field> fields) {
+  int numbers = 0;
+  for (const Field& field : fields) numbers += field.numbers;
+  Channel& channel = channelOf(numbers);
+  double* to = channel.sent.data();
+  for (const RankBody::Neighbour& neighbour : part_.neighbours())
+    for (const std::int32_t node : neighbour.sent)
+      for (const Field& field : fields)
+        to = std::copy_n(field.data + static_cast<std::ptrdiff_t>(node) * field.numbers, field.numbers, to);
+  ++traffic_.exchanges;
+  if (channel.requests.empty()) return;  // for which MPI_Startall has no array
+  MPI_Startall(static_cast<int>(channel.requests.size()), channel.requests.data());
+  traffic_.messages += static_cast<std::int64_t>(part_.neighbours().size());
+  traffic_.bytes += static_cast<std::int64_t>(channel.sent.size() * sizeof(double));
+  MPI_Waitall(static_cast<int>(channel.requests.size()), channel.requests.data(), MPI_STATUSES_IGNORE);
+  const double* from = channel.received.data();
+  for (std::int32_t node = part_.ownedNodes(); node < part_.ownedNodes() + part_.ghostNodes(); ++node)
+    for (const Field& field : fields) {
+      std::copy_n(from, field.numbers, field.data + static_cast<std::ptrdiff_t>(node) * field.numbers);
+      from += field.numbers;
+    }
+}
+
+}  // namespace ringwatch

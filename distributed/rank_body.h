@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <ringwatch/body/body.h>
+#include <ringwatch/distributed/partition.h>
+
+namespace ringwatch {
+
+/// What a rank has of a body: the nodes that it owns, every element that touches one of them, and the other nodes of
+/// these elements, its ghosts. Sums at owned nodes have the terms of the whole body in its order, so that they have its
+/// bits, for any partition (Theorem 100, docs/theory/distribution.md); sums at ghosts lack terms.
+class RankBody {
+ public:
+  /// The part of `rank`, with the masses, constraints and dead forces of the whole body, which may go after this.
+  /// Throws InputError for what is not distributed: springs and contact, and elements that damp.
+  RankBody(const Body& whole, const Partition& partition, int rank, int threads = 0);
+  /// The body refers to itself.
+  RankBody(const RankBody&) = delete;
+  RankBody& operator=(const RankBody&) = delete;
+
+  /// Owned nodes first, by their numbers in the whole; then ghosts, by owner and number.
+  const Body& body() const { return *body_; }
+  Body& body() { return *body_; }
+  std::int32_t ownedNodes() const { return owned_; }
+  std::int32_t ghostNodes() const { return static_cast<std::int32_t>(globalNodes_.size()) - owned_; }
+  /// Nodes of an element of the whole, at most.
+  int mostNodesOfAnElement() const { return mostNodes_; }
+  std::int64_t elements() const { return elements_; }
+  /// The number of a node in the whole.
+  std::int32_t globalNode(std::int32_t node) const { return globalNodes_[node]; }
+  const std::vector<std::int32_t>& globalNodes() const { return globalNodes_; }
+  /// The element in the whole.
+  ElementRef globalElement(ElementRef e) const { return {e.block, globalElements_[e.block][e.element]}; }
+  /// Whether this rank counts the element where each is to count once: the one that owns its first node.
+  bool counts(ElementRef e) const { return body_->blocks()[e.block]->nodesOf(e.element).front() < owned_; }
+
+  /// Nodes of which another rank has one as owner and the other as ghost.
+  struct Neighbour {
+    int rank;
+    std::vector<std::int32_t> sent;             // owned here, ghosts there, by their numbers in the whole
+    std::int32_t receivedBegin, receivedCount;  // ghosts here, owned there
+  };
+  /// By rank.
+  const std::vector<Neighbour>& neighbours() const { return neighbours_; }
+
+ private:
+  std::unique_ptr<Body> body_;  // blocks refer to the mesh's arrays
+  std::int32_t owned_ = 0;
+  int mostNodes_ = 0;
+  std::int64_t elements_ = 0;
+  std::vector<std::int32_t> globalNodes_;
+  std::vector<std::vector<std::int32_t>> globalElements_;  // [block], ascending
+  std::vector<Neighbour> neighbours_;
+};
+
+}  // namespace ringwatch

@@ -1,0 +1,282 @@
+#include <ringwatch/distributed/rank_monitor.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
+#include <ringwatch/base/rounding.h>
+#include <ringwatch/body/nodes_of.h>
+#include <ringwatch/meshes/all_finite.h>
+
+namespace ringwatch {
+namespace {
+
+/// Tangent products of the first search of the top mode, and of later ones from the vector that is kept.
+constexpr int coldProducts = 40, warmProducts = 10;
+/// The certified eigenvalue above the last renewal's from which all elements are evaluated again: 2.5 % of the step.
+constexpr double mostRaised = 1.05;
+/// Left below the eigenvalue of a step that is to be proven, so that rounding does not make it less than the step.
+constexpr double belowWanted = 1e-9;
+
+}  // namespace
+
+RankMonitor::RankMonitor(Ranks& ranks, Halo& halo, const RankBody& part, const RankMonitorOptions& options)
+    : ranks_(ranks),
+      halo_(halo),
+      part_(part),
+      options_(options),
+      certificate_(part.body()),
+      mode_(ranks, halo, part),
+      tracker_(options.clearObservations),
+      refreshes_(policy_.refreshes),
+      rebuilds_(policy_.rebuilds) {
+  if (options_.mode == MonitorMode::metric) throw InputError("mode = metric: is not distributed over ranks");
+  if (!options_.limit.proven()) throw InputError("the step rule proves nothing, so that no step can be certified");
+  certificate_.weights().setRest(this);
+}
+
+double RankMonitor::largest(double own) {
+  ranks_.largest({&own, 1});
+  return own;
+}
+
+RankMonitor::Found RankMonitor::checkElements(NodeVectorsView x, StepEvaluation& evaluation) {
+  Found found;
+  // Groups that skip a check together differ from part to part.
+  certificate_.visitEveryElement();
+  std::vector<ElementRef> outside = certificate_.elementsOutsideBall(x, &evaluation);
+  std::vector<ElementRef> evaluated;
+  for (const RunCertificate::Leaver& leaver : certificate_.growBalls(x, outside)) evaluated.push_back(leaver.element);
+  std::vector<RunCertificate::Reference> now;
+  certificate_.evaluate(x, evaluated, false, now);
+  std::vector<ElementRef> raised;
+  for (std::size_t i = 0; i < evaluated.size(); ++i) {
+    // Values are kept in single precision.
+    if (!(now[i].value <= static_cast<double>(std::numeric_limits<float>::max()))) found.finite = false;
+    if (now[i].value <= certificate_.allowance(evaluated[i])) continue;
+    raised.push_back(evaluated[i]);
+    certificate_.setAllowance(evaluated[i],
+                              certificate_.value(evaluated[i]) * (1 + policy_.raisedSlack * policy_.slack));
+    certificate_.fitBall(evaluated[i]);
+  }
+  cost_.evaluated += static_cast<std::int64_t>(evaluated.size());
+  report_.elementsRefreshed += static_cast<std::int64_t>(evaluated.size());
+  for (const std::int32_t node : nodesOfElements(part_.body(), raised))
+    if (node < part_.ownedNodes())
+      found.need = std::max(found.need, largestEigenvalue(certificate_.sumOfAllowances(node)) *
+                                            (1 + allowanceRounding) / part_.body().lumpedMass()[node]);
+  return found;
+}
+
+bool RankMonitor::renew(NodeVectorsView x, bool newWeights, double wanted) {
+  NodalBound& weights = certificate_.weights();
+  if (newWeights) {
+    weights.reset();
+    weights.evaluate(x, policy_.sweeps, NodalBound::Start::rootOfStiffness, policy_.leastGain);
+    ++cost_.rebuilds;
+  } else {
+    weights.evaluate(x, 0);
+    ++cost_.refreshes;
+  }
+  cost_.evaluated += weights.evaluations();
+  report_.elementsRefreshed += weights.evaluations();
+  const double tight = weights.last();
+  started_ = std::isfinite(tight) && tight > 0;
+  if (!started_) return false;
+  nameControlling(tight);
+  mode_.find(x, mode_.found() ? warmProducts : coldProducts);
+  lower_ = mode_.bound(x);
+  // Room for the elements: at least the policy's, and what the width of the bracket leaves.
+  const double wide = 1 + policy_.targetOfWidth * options_.width;
+  double sigma = std::max(tight * (1 + policy_.slack), wide * wide * lower_.value);
+  if (tight <= wanted * (1 - policy_.proofMargin) && (options_.mode == MonitorMode::threshold || wanted < sigma))
+    sigma = wanted * (1 - belowWanted);
+  certificate_.setCertifiedEigenvalue(sigma);
+  certificate_.distributeAllowances(x, newWeights);
+  provenAtRebuild_ = sigma;
+  return true;
+}
+
+/// The first element of all that a rank has found, by its number in the whole.
+ElementRef RankMonitor::firstOf(bool mine, ElementRef local) {
+  std::int64_t code = std::numeric_limits<std::int64_t>::max();
+  if (mine) {
+    const ElementRef e = part_.globalElement(local);
+    code = (std::int64_t{e.block} << 32) | e.element;
+  }
+  code = ranks_.least(code);
+  return {code >> 32, code & 0xffffffff};
+}
+
+/// The element that holds most of the sum at the first node where it is highest.
+void RankMonitor::nameControlling(double bound) {
+  const NodalBound& weights = certificate_.weights();
+  std::int32_t top = -1;
+  for (std::int32_t node = 0; node < part_.ownedNodes() && top < 0; ++node)
+    if (weights.nodal()[node] == bound) top = node;
+  const std::int64_t none = std::numeric_limits<std::int64_t>::max();
+  const bool mine = ranks_.least(top < 0 ? none : part_.globalNode(top)) == (top < 0 ? -1 : part_.globalNode(top));
+  ElementRef highest;
+  double most = -1;
+  if (mine)
+    for (const NodalBound::Incidence at : weights.incidences(top)) {
+      const ElementRef e = weights.elementAt(at);
+      const double share = weights.value(e) * weights.weight(at).trace();
+      if (share > most) {
+        most = share;
+        highest = e;
+      }
+    }
+  controlling_ = firstOf(mine, highest);
+}
+
+void RankMonitor::present(MonitorEvent event) {
+  if (!tracker_.isNew(event.kind)) return;
+  event.step = report_.step;
+  event.time = report_.time;
+  report_.newEvents.push_back(tracker_.begin(event));
+}
+
+const MonitorReport& RankMonitor::observe(std::int64_t step, double time, NodeVectorsView x, NodeVectorsView v,
+                                          std::optional<double> h, StepEvaluation& evaluation, bool& stops,
+                                          const std::function<void()>& meanwhile) {
+  const Body& body = part_.body();
+  report_.step = step;
+  report_.time = time;
+  report_.h = h.value_or(0);
+  report_.newEvents.clear();
+  report_.elementsRefreshed = 0;
+  certificate_.statistics() = {};
+  const bool finiteHere = allFinite(NodeVectorsView(x.data(), part_.ownedNodes()), body.threads()) &&
+                          allFinite(NodeVectorsView(v.data(), part_.ownedNodes()), body.threads());
+  const bool due = observations_++ % options_.every == 0 || unknown_;
+  const bool checks = due && started_;
+  Found found;
+  if (checks)
+    found = checkElements(x, evaluation);
+  else
+    body.evaluate(x, evaluation, workspace_);
+  enum : std::size_t { need, notFinite, tangentNotFinite, inverted, stop };
+  std::array<double, 5> told{found.need, finiteHere ? 0.0 : 1.0, found.finite ? 0.0 : 1.0,
+                             -std::min(certificate_.statistics().leastDeterminant, 1e300), stops ? 1.0 : 0.0};
+  ranks_.beginLargest(told);
+  if (meanwhile) meanwhile();
+  ranks_.finishLargest();
+  stops = told[stop] > 0;
+  report_.fresh = due && told[notFinite] == 0;
+  if (told[notFinite] != 0) {
+    present({.kind = EventKind::nonFinite});
+    started_ = false;
+    unknown_ = true;
+    report_.bracket.reset();
+    report_.certified = 0;
+    report_.verdict = Verdict::violated;
+    return report_;
+  }
+  if (due) {
+    report_.evaluatedAt = step;
+    refreshes_.tick();
+    rebuilds_.tick();
+    const double wanted = h ? options_.limit.lambdaFor(*h) : 0;
+    if (started_ && (told[tangentNotFinite] != 0 || std::isnan(told[need]))) started_ = false;
+    bool renewed = false;
+    if (!started_) {
+      renewed = renew(x, true, wanted);
+      rebuilds_.restart();
+    } else {
+      if (told[need] > certificate_.certifiedEigenvalue()) {
+        certificate_.setCertifiedEigenvalue(told[need]);
+        ++cost_.raises;
+      }
+      const auto sigma = [&] { return certificate_.certifiedEigenvalue(); };
+      if (options_.mode == MonitorMode::bracket) lower_ = mode_.bound(x);
+      const double allowed = (1 + options_.width) * (1 + options_.width);
+      const bool proves = !h || certifiedStep() >= *h;
+      const bool risen = sigma() > mostRaised * provenAtRebuild_;
+      const bool wide = options_.mode == MonitorMode::bracket && sigma() > allowed * lower_.value;
+      if ((risen || !proves) && refreshes_.due()) {
+        const double before = sigma();
+        renewed = renew(x, false, wanted);
+        refreshes_.tried(renewed && sigma() <= (1 - policy_.helpfulRefresh) * before);
+      }
+      if (started_ && h && certifiedStep() < *h && rebuilds_.due()) {
+        renewed = renew(x, true, wanted);
+        rebuilds_.tried(renewed && certifiedStep() >= *h);
+      } else if (started_ && wide && !renewed && rebuilds_.due(policy_.updatesOfChange)) {
+        const double before = sigma();
+        renewed = renew(x, true, wanted);
+        rebuilds_.tried(renewed && sigma() <= (1 - policy_.helpfulRebuild) * before);
+      }
+    }
+    unknown_ = !started_;
+    report_.bracket.reset();
+    report_.certified = 0;
+    if (started_) {
+      report_.certified = certifiedStep();
+      // In threshold mode the other side tells how far an uncertified step is from instability.
+      const bool certified = h && report_.certified >= *h;
+      const bool both = options_.mode == MonitorMode::bracket || !certified;
+      if (both && !renewed && options_.mode == MonitorMode::threshold) lower_ = mode_.bound(x);
+      if (both) setBracket();
+    }
+    if (-told[inverted] <= 0) {
+      const bool mine = certificate_.statistics().leastDeterminant == -told[inverted];
+      const ElementRef e = firstOf(mine, certificate_.statistics().leastDeterminantElement);
+      present({.kind = EventKind::inverted, .value = -told[inverted], .element = e});
+    } else {
+      tracker_.absent(EventKind::inverted, step);
+    }
+  }
+  if (unknown_)
+    present({.kind = EventKind::nonFinite, .tangent = true});
+  else
+    tracker_.absent(EventKind::nonFinite, step);
+  report_.verdict = unknown_                       ? Verdict::violated
+                    : h && report_.bracket         ? verdictFor(*h, *report_.bracket)
+                    : h && *h <= report_.certified ? Verdict::certified
+                                                   : Verdict::notCertified;
+  if (h && report_.bracket && report_.verdict == Verdict::violated)
+    present({.kind = EventKind::violated,
+             .value = *h / report_.bracket->optimistic,
+             .h = *h,
+             .element = report_.bracket->controlling});
+  else
+    tracker_.absent(EventKind::violated, step);
+  return report_;
+}
+
+void RankMonitor::setBracket() {
+  CriticalStep bracket{};
+  bracket.safe = certifiedStep();
+  bracket.optimistic = optimisticStep(lower_, options_.limit);
+  bracket.controlling = bracket.lowestRingElement = controlling_;
+  bracket.safeBy = "incremental-nodal-bound";
+  bracket.optimisticBy = "rayleigh-quotient";
+  if (bracket.isBracket()) report_.bracket = bracket;
+}
+
+double RankMonitor::verify(NodeVectorsView x) {
+  double excess = -1;
+  const Body& body = part_.body();
+  for (std::size_t b = 0; b < body.blocks().size(); ++b)
+    for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
+      std::int32_t elements[lanes];
+      std::fill(elements, elements + lanes, -1);
+      elements[0] = e;
+      double value[lanes];
+      evaluateElements(body, certificate_.weights(), x, static_cast<std::int32_t>(b), elements, value, nullptr);
+      if (value[0] > 0) excess = std::max(excess, value[0] / certificate_.allowance({b, e}) - 1);
+    }
+  for (std::int32_t node = 0; node < part_.ownedNodes(); ++node)
+    excess = std::max(excess, largestEigenvalue(certificate_.sumOfAllowances(node) / body.lumpedMass()[node]) /
+                                      certificate_.certifiedEigenvalue() -
+                                  1);
+  ranks_.largest({&excess, 1});
+  return excess;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,95 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <ringwatch/base/backoff.h>
+#include <ringwatch/distributed/halo.h>
+#include <ringwatch/distributed/rank_mode.h>
+#include <ringwatch/monitor/incremental/run_certificate.h>
+#include <ringwatch/monitor/stability_monitor.h>
+
+namespace ringwatch {
+
+/// What a RankMonitor takes of a MonitorOptions.
+struct RankMonitorOptions {
+  StepRule limit = 2.0;  ///< as MonitorOptions::limit; must be proven
+  MonitorMode mode = MonitorMode::bracket;
+  int every = 1;
+  double width = 0.05;
+  int clearObservations = 20;
+};
+
+/// StabilityMonitor's work on a body that is distributed over ranks: all get the same report, which names elements of
+/// the whole body, and which has the same bits for any number of ranks and threads and any partition (Theorem 102,
+/// docs/theory/distribution.md).
+///
+/// The safe side is an incremental certificate (Theorem 14): allowances of the elements are kept, and elements outside
+/// their validity balls are evaluated again, by every rank that has them. One that exceeds its allowance raises it, and
+/// with it the certified eigenvalue (Theorem 21), until evaluating all elements, or new weights, pays. The optimistic
+/// side is the quotient of RankMode's vector. Collective. Events are
+/// `violated`, `inverted` and `non-finite`.
+class RankMonitor final : private RestOfBody {
+ public:
+  /// All references must outlive the monitor. Throws InputError for the mode `metric` and a rule that is not proven.
+  RankMonitor(Ranks& ranks, Halo& halo, const RankBody& part, const RankMonitorOptions& options);
+
+  /// As StabilityMonitor::observe; x has ghosts as their owners have them. `meanwhile`, unless empty, is called once
+  /// `evaluation` is filled in, while the ranks tell each other whether all elements are inside their allowances: it
+  /// may do what needs no other rank. stops: set where a rank's own is set when this is called.
+  const MonitorReport& observe(std::int64_t step, double time, NodeVectorsView x, NodeVectorsView v,
+                               std::optional<double> h, StepEvaluation& evaluation, bool& stops,
+                               const std::function<void()>& meanwhile);
+  const std::vector<MonitorEvent>& events() const { return tracker_.events(); }
+
+  /// What it took so far.
+  struct Cost {
+    std::int64_t evaluated = 0;  // elements, on this rank
+    std::int64_t raises = 0, refreshes = 0, rebuilds = 0;
+  };
+  const Cost& cost() const { return cost_; }
+  /// The largest excess over the certificate's two statements at x on all ranks, by CertificateState::verify's
+  /// definition at owned nodes; for tests.
+  double verify(NodeVectorsView x);
+
+ private:
+  void completeSums(Eigen::Matrix<double, 6, Eigen::Dynamic>& sums) override { halo_.exchange(sums); }
+  double largest(double own) override;
+
+  struct Found {
+    double need = 0;  // the certified eigenvalue that raised allowances need
+    bool finite = true;
+  };
+  Found checkElements(NodeVectorsView x, StepEvaluation& evaluation);
+  /// New values of all elements, with the weights that there are or new ones, and a certificate for `wanted`, or as low
+  /// as it pays. False where the tangent is not finite.
+  bool renew(NodeVectorsView x, bool newWeights, double wanted);
+  void nameControlling(double bound);
+  /// s, of the certified eigenvalue.
+  double certifiedStep() const { return safeStep(UpperBound{certificate_.certifiedEigenvalue()}, options_.limit); }
+  /// Both sides, in the report.
+  void setBracket();
+  ElementRef firstOf(bool mine, ElementRef local);
+  void present(MonitorEvent event);
+
+  Ranks& ranks_;
+  Halo& halo_;
+  const RankBody& part_;
+  RankMonitorOptions options_;
+  RebuildPolicy policy_;
+  RunCertificate certificate_;
+  RankMode mode_;
+  EventTracker tracker_;
+  MonitorReport report_;
+  Body::Workspace workspace_;
+  bool started_ = false;
+  double provenAtRebuild_ = 0;  // certified eigenvalue then
+  LowerBound lower_{0};
+  ElementRef controlling_;
+  Backoff refreshes_, rebuilds_;
+  Cost cost_;
+  std::int64_t observations_ = 0;
+  bool unknown_ = false;
+};
+
+}  // namespace ringwatch

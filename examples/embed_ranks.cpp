@@ -1,0 +1,66 @@
+#include <cstdio>
+#include <exception>
+
+#include <ringwatch/distributed/partition.h>
+#include <ringwatch/distributed/rank_energies.h>
+#include <ringwatch/distributed/rank_monitor.h>
+#include <ringwatch/distributed/rank_stepper.h>
+#include <ringwatch/meshes/generators/generators.h>
+
+namespace {
+
+int run() {
+  using namespace ringwatch;
+  Ranks ranks(MPI_COMM_WORLD);
+  // Every rank makes the whole body and takes its part.
+  BarOptions bar;
+  bar.size = {0.2, 0.04, 0.04};
+  bar.cells = {40, 8, 8};
+  bar.element = "tet4";
+  Body whole(generateBar(bar), makeMaterial("stvk", 30e3, 0.3, 1000));
+  for (std::int32_t i = 0; i < whole.nodeCount(); ++i)
+    if (whole.mesh().X(0, i) < 1e-9) whole.constraints().fix(i);
+  whole.addBodyForce({0, 0, -9.81});
+  const RankBody part(whole, partitionMesh(ranks, whole.mesh()), ranks.rank(), 1);
+
+  Halo halo(ranks, part);
+  RankSystem system(part);
+  const std::unique_ptr<Integrator> integrator = makeIntegrator("symplectic-euler");
+  RankStepper stepper(halo, system, *integrator);
+  RankMonitor monitor(ranks, halo, part, {.limit = integrator->info().imaginaryLimit});
+  State state = system.ofBody().initialState();
+  StepEvaluation evaluation;
+  double h = 1e-4;
+  for (int step = 0; step < 200; ++step) {
+    bool stops = false;
+    const MonitorReport& report = monitor.observe(step, state.time, state.x, state.v, h, evaluation, stops,
+                                                  [&] { stepper.takeForce(state, evaluation.internalForce); });
+    if (!report.bracket) return 1;  // the state is no longer finite, and no step helps
+    if (report.verdict != Verdict::certified) h = 0.9 * report.bracket->safe;
+    if (ranks.rank() == 0 && step % 50 == 0)
+      std::printf("step %d: h = %.3g s, critical step between %.17g and %.17g s: %s\n", step, h, report.bracket->safe,
+                  report.bracket->optimistic, std::string(verdictName(report.verdict)).c_str());
+    stepper.step(state, h);
+  }
+  const RankEnergies energies = energiesOf(ranks, part, state.x, state.v);
+  const NodeVectors x = gathered(ranks, part, state.x);
+  if (ranks.rank() == 0)
+    std::printf("kinetic %.17g J, strain %.17g J, lowest node at z = %.17g m\n", energies.kinetic, energies.strain,
+                x.row(2).minCoeff());
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  MPI_Init(&argc, &argv);
+  int status = 1;
+  try {
+    status = run();
+  } catch (const std::exception& fault) {
+    std::fprintf(stderr, "%s: %s\n", ringwatch::Ranks(MPI_COMM_SELF).name().c_str(), fault.what());
+    MPI_Abort(MPI_COMM_WORLD, 1);
+  }
+  MPI_Finalize();
+  return status;
+}
