@@ -186,6 +186,7 @@ UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* eval
   refreshes_.tick();
   lowerings_.tick();
   if (!started_ && evaluation) body_.evaluate(x, *evaluation, workspace_);
+  if (spared_) ceiling = infinity;
   // A proof that is lost already has no ceiling; where means are short it is won again when there are some for it.
   const double wanted = ceiling;
   if (started_ && certifiedEigenvalue() > ceiling) ceiling = infinity;

@@ -42,6 +42,14 @@ class IncrementalNodalBound {
   /// for a smaller value serves too.
   bool certify(NodeVectorsView x, double sigma, StepEvaluation* evaluation = nullptr);
 
+  /// While something else proves more: elements are evaluated only where nothing else helps, as without means.
+  void spare(bool spared) { spared_ = spared; }
+  /// The bound of the best weights at the last rebuild, where that was the last update and their sweeps were not ended
+  /// early; else 0.
+  double tight() const {
+    return state_.statistics().rebuilds > 0 && !endedEarly_ ? static_cast<double>(state_.weights().last()) : 0;
+  }
+
   double certifiedEigenvalue() const { return state_.certifiedEigenvalue(); }
   const NodalBound& weights() const { return state_.weights(); }
   /// What the last update() or certify() took.
@@ -74,17 +82,17 @@ class IncrementalNodalBound {
   /// The account is the owner's.
   template <class Archive>
   void archive(Archive& a) {
-    a(spent_, sinceRebuild_, ofProof_, state_, started_, endedEarly_, nearLimit_, rebuilds_, refreshes_, lowerings_,
-      tightOverLower_);
+    a(spent_, sinceRebuild_, ofProof_, state_, started_, endedEarly_, spared_, nearLimit_, rebuilds_, refreshes_,
+      lowerings_, tightOverLower_);
     archiveVersion(a, bodyVersion_, body_.version());
   }
 
  private:
   /// Whether the account, less what the statistics count, has so much.
   bool affords(double work) const {
-    return !account_ || account_->affords(state_.statistics().work.total() - ofProof_ + work);
+    return !spared_ && (!account_ || account_->affords(state_.statistics().work.total() - ofProof_ + work));
   }
-  bool limited() const { return account_ && account_->limited(); }
+  bool limited() const { return account_ && (spared_ || account_->limited()); }
   /// Takes from the account what the statistics count, and begins to count again.
   void beginCounting();
   /// Builds the certificate again at x with the weights that there are, turned with the body: for the wanted eigenvalue
@@ -120,7 +128,8 @@ class IncrementalNodalBound {
   RunCertificate state_;
   Body::Workspace workspace_;
   bool started_ = false, endedEarly_ = false;  // endedEarly_: the last rebuild, since its weights were good enough
-  std::int64_t bodyVersion_ = 0;               // that the proof is for
+  bool spared_ = false;
+  std::int64_t bodyVersion_ = 0;  // that the proof is for
   std::vector<NearLimit> nearLimit_;
   Backoff rebuilds_, refreshes_, lowerings_;  // in updates
   double tightOverLower_ = 0;  // the tight bound at the last rebuild over the lower bound then; 0: not known yet
