@@ -32,6 +32,7 @@ void IncrementalNodalBound::rebuild(NodeVectorsView x, double wanted) {
   weights.evaluate(x, policy_.sweeps, NodalBound::Start::rootOfStiffness, policy_.leastGain,
                    {policy_.enoughOfWanted * wanted});
   endedEarly_ = weights.last() <= policy_.enoughOfWanted * wanted;
+  tight_ = endedEarly_ ? 0 : static_cast<double>(weights.last());
   state_.statistics().evaluated += weights.evaluations();
   state_.statistics().work[WorkOn::sweeps] += WorkAccount::ofEvaluation(body_) *
                                               static_cast<double>(weights.evaluations()) /

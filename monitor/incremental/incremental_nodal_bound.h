@@ -1,4 +1,5 @@
 #pragma once
+#include <utility>
 #include <vector>
 
 #include <ringwatch/base/archive.h>
@@ -44,11 +45,9 @@ class IncrementalNodalBound {
 
   /// While something else proves more: elements are evaluated only where nothing else helps, as without means.
   void spare(bool spared) { spared_ = spared; }
-  /// The bound of the best weights at the last rebuild, where that was the last update and their sweeps were not ended
+  /// The bound of the best weights, where they have been made anew since the last call and their sweeps were not ended
   /// early; else 0.
-  double tight() const {
-    return state_.statistics().rebuilds > 0 && !endedEarly_ ? static_cast<double>(state_.weights().last()) : 0;
-  }
+  double takeTight() { return std::exchange(tight_, 0); }
 
   double certifiedEigenvalue() const { return state_.certifiedEigenvalue(); }
   const NodalBound& weights() const { return state_.weights(); }
@@ -82,8 +81,8 @@ class IncrementalNodalBound {
   /// The account is the owner's.
   template <class Archive>
   void archive(Archive& a) {
-    a(spent_, sinceRebuild_, ofProof_, state_, started_, endedEarly_, spared_, nearLimit_, rebuilds_, refreshes_,
-      lowerings_, tightOverLower_);
+    a(spent_, sinceRebuild_, ofProof_, state_, started_, endedEarly_, spared_, tight_, nearLimit_, rebuilds_,
+      refreshes_, lowerings_, tightOverLower_);
     archiveVersion(a, bodyVersion_, body_.version());
   }
 
@@ -129,6 +128,7 @@ class IncrementalNodalBound {
   Body::Workspace workspace_;
   bool started_ = false, endedEarly_ = false;  // endedEarly_: the last rebuild, since its weights were good enough
   bool spared_ = false;
+  double tight_ = 0;
   std::int64_t bodyVersion_ = 0;  // that the proof is for
   std::vector<NearLimit> nearLimit_;
   Backoff rebuilds_, refreshes_, lowerings_;  // in updates

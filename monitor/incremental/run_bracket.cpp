@@ -92,7 +92,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   searchUnderCompression(x);
   nodal_.relaxBound(lower, width_);
   nodal.value = std::max(nodal.value, nodal_.certifiedEigenvalue());
-  upper.value = std::min(nodal.value, exchange_.narrow(x, nodal, nodal_.tight(), mode_, lower, width_).value);
+  upper.value = std::min(nodal.value, exchange_.narrow(x, nodal, nodal_.takeTight(), mode_, lower, width_).value);
   if (upper.value > allowed * lower.value && nodal_.tightenBound(x, lower, width_)) {
     statistics_.evaluated += nodal_.statistics().evaluated;
     nodal = nodal_.update(x);
