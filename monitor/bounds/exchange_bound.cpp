@@ -8,32 +8,38 @@
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/rounding.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
-#include <ringwatch/monitor/small/packed_jacobi.h>
+#include <ringwatch/monitor/small/packed_lowest.h>
 
 namespace ringwatch {
 namespace {
 
 using Pack = NativePack;
 
-// Steps need no more digits than that; the bound counts the error in full.
-constexpr double decompositionTolerance = 1e-6;
-constexpr int decompositionSweeps = 12;
-
-NegativePart<Pack> removeNegativePart(Pack* A, Pack* VT, Pack* P, int n) {
+LowestPart<Pack> removeLowestPart(Pack* A, Pack* P, int n, const Pack& enough, const Pack& step) {
   switch (n) {
     case 12:
-      return removeNegativePart<12>(A, VT, P, n, decompositionTolerance, decompositionSweeps);
+      return removeLowestPart<12>(A, P, n, enough, step);
+    case 15:
+      return removeLowestPart<15>(A, P, n, enough, step);
+    case 18:
+      return removeLowestPart<18>(A, P, n, enough, step);
     case 24:
-      return removeNegativePart<24>(A, VT, P, n, decompositionTolerance, decompositionSweeps);
+      return removeLowestPart<24>(A, P, n, enough, step);
     default:
-      return removeNegativePart<0>(A, VT, P, n, decompositionTolerance, decompositionSweeps);
+      return removeLowestPart<0>(A, P, n, enough, step);
   }
 }
 
+/// A matrix is shifted by this of the certified eigenvalue, times powers of two, until it is definite; then by halving.
+constexpr double leastShift = 0x1p-14;
+constexpr int mostDoublings = 20, halvings = 2;
+
 class Composition final : public detail::ExchangeSplit {
  public:
-  Composition(const TangentSource& source, NodeVectorsView x, const NodalBound& weights, double sigma)
-      : source_(source), sigma_(sigma) {
+  /// shares: goes on from these, of another state; nullptr: from the weights' own split.
+  Composition(const TangentSource& source, NodeVectorsView x, const NodalBound& weights, double sigma,
+              const ExchangeRoom& room = {}, const ExchangeShares* shares = nullptr)
+      : source_(source), room_(room), sigma_(sigma) {
     source.assembleBlocks(x, pattern_);
     std::int64_t total = 0;
     for (std::size_t b = 0; b < source.tangents().size(); ++b) {
@@ -50,8 +56,13 @@ class Composition final : public detail::ExchangeSplit {
     for (std::size_t e = 0; e < elements_.size(); ++e) norms_[e] = normOf(P_, e);
     indexBlocks();
     setTarget(P_, weights);
-    startFrom(weights);
-    reserve_.assign(elements_.size(), -1.0);
+    if (shares)
+      startFrom(*shares);
+    else
+      startFrom(weights);
+    moved_.assign(elements_.size(), 0.0);
+    reserve_.resize(elements_.size());
+    for (std::size_t e = 0; e < elements_.size(); ++e) reserve_[e] = -normOf(P_, e);
     excess_.assign(elements_.size(), 0.0);
     negative_.assign(elements_.size(), 0.0);
     spread(0);
@@ -75,24 +86,13 @@ class Composition final : public detail::ExchangeSplit {
 
   /// One iteration; returns the bound of the iterate that it began with.
   double iterate() {
-    // Elements whose least eigenvalue may be below zero, in packs of one size.
-    struct Group {
-      std::size_t element[lanes];
-      int count;
-    };
-    std::vector<Group> groups;
-    int open = -1;
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const std::vector<Group> groups = groupsOf([&](std::size_t e) {
       excess_[e] = exchangeRounding * norms_[e] + tangentRounding_[e];
       negative_[e] = 0;
-      if (reserve_[e] > 0) continue;
-      if (open < 0 || groups.back().count == lanes || open != elements_[e].nodes) {
-        groups.push_back({{}, 0});
-        open = elements_[e].nodes;
-      }
-      groups.back().element[groups.back().count++] = e;
-      ++decompositions_;
-    }
+      const bool maybeNegative = !(reserve_[e] > 0);
+      decompositions_ += maybeNegative;
+      return maybeNegative;
+    });
     parallelFor(
         0, groups.size(), source_.threads(),
         [&](std::int64_t g) { removeNegativeParts(groups[g].element, groups[g].count); }, 4);
@@ -130,20 +130,20 @@ class Composition final : public detail::ExchangeSplit {
   }
 
   /// The present iterate in whole numbers; no iteration can follow.
-  ExchangeShares shares(NodeVectorsView x) {
+  ExchangeShares shares(NodeVectorsView x, int bits) {
     fillTangents(x, before_);
-    ExchangeShares result{{infinity}, 0, {}};
+    ExchangeShares result{bits, {infinity}, 0, {}};
     const double largest = makePositive();
     if (!std::isfinite(largest) || !(largest > 0)) return result;
-    // Twice what the largest number needs, so that none overflows when it takes what others have.
-    result.unit = std::exp2(1 + std::ceil(std::log2(largest)));
-    makeWhole(result.unit);
+    // Room for what a number takes of others, and for its row's margin, so that none overflows.
+    result.unit = bits == ExchangeShares::wide ? std::exp2(1 + std::ceil(std::log2(largest))) : 1.02 * largest;
+    makeWhole(result.unitOfEntries());
     // What a node's elements have of its own block.
     double highest = 0;
     for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
       for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k)
         if (pattern_.column[k] == i) highest = std::max(highest, highestEigenvalue(sumOf(k)));
-    result.upper.value = std::ldexp(highest, -ExchangeShares::shareBits) * result.unit * (1 + statedRounding);
+    result.upper.value = highest * result.unitOfEntries() * (1 + statedRounding);
     for (std::size_t e = 0; e < elements_.size(); ++e)
       for (int i = 0; i < 3 * elements_[e].nodes; ++i)
         for (int j = 0; j <= i; ++j)
@@ -162,24 +162,45 @@ class Composition final : public detail::ExchangeSplit {
     std::int64_t first;
     std::int32_t stride;
   };
+  struct Group {
+    std::size_t element[lanes];
+    int count;
+  };
+  /// The elements that are chosen, in packs of one size.
+  template <class Choose>
+  std::vector<Group> groupsOf(const Choose& choose) const {
+    std::vector<Group> groups;
+    int open = -1;
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      if (!choose(e)) continue;
+      if (open < 0 || groups.back().count == lanes || open != elements_[e].nodes) {
+        groups.push_back({{}, 0});
+        open = elements_[e].nodes;
+      }
+      groups.back().element[groups.back().count++] = e;
+    }
+    return groups;
+  }
   void removeNegativeParts(const std::size_t* elements, int count) {
     const int size = 3 * elements_[elements[0]].nodes;
     const std::size_t entries = size * size;
     thread_local AlignedVector<Pack> work;
-    work.resize(3 * entries);
-    Pack *P = work.data(), *A = P + entries, *VT = A + entries;
+    work.resize(2 * entries);
+    Pack *P = work.data(), *A = P + entries, enough, step;
     for (int lane = 0; lane < lanes; ++lane) {  // empty lanes repeat the first element
-      const double* from = P_.data() + elements_[elements[lane < count ? lane : 0]].begin;
+      const std::size_t e = elements[lane < count ? lane : 0];
+      const double* from = P_.data() + elements_[e].begin;
       for (std::size_t i = 0; i < entries; ++i) P[i].set(lane, from[i]);
+      enough.set(lane, -reserve_[e] + excess_[e]);
+      step.set(lane, moved_[e] + excess_[e]);
     }
-    std::copy_n(P, entries, A);
-    const NegativePart<Pack> part = removeNegativePart(A, VT, P, size);
+    const LowestPart<Pack> part = removeLowestPart(A, P, size, enough, step);
     for (int lane = 0; lane < count; ++lane) {
       const std::size_t e = elements[lane];
       // A NaN must not pass for zero.
       excess_[e] += part.least[lane] >= 0 ? 0.0 : -part.least[lane];
       negative_[e] = part.square[lane];
-      reserve_[e] = std::max(-part.error[lane], part.least[lane]);
+      reserve_[e] = std::isfinite(part.least[lane]) ? part.least[lane] : -norms_[e];
       if (!(part.square[lane] > 0)) continue;
       double* to = P_.data() + elements_[e].begin;
       for (std::size_t i = 0; i < entries; ++i) to[i] = P[i][lane];
@@ -197,12 +218,15 @@ class Composition final : public detail::ExchangeSplit {
     return {element.begin + static_cast<std::int64_t>(3 * b) * size + 3 * a, size};
   }
 
-  /// -A_e, constrained components zero.
+  /// -A_e, with their room, constrained components zero.
   void fillTangents(NodeVectorsView x, AlignedVector<double>& to) {
     tangentRounding_.resize(elements_.size());
-    source_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, NativePack* K, const NativePack* T) {
+    source_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, NativePack* K, const NativePack* ofTangent) {
       const ElementTangents& block = *source_.tangents()[b];
       const int n = block.nodesPerElement(), size = 3 * n;
+      NativePack T[maxElementNodes];
+      std::copy_n(ofTangent, n, T);
+      if (room_) room_(b, block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, K, T);
       for (int lane = 0; lane < lanes; ++lane) {
         const std::int32_t e =
             block.layout().elements[static_cast<std::size_t>(batch) * lanes + static_cast<std::size_t>(lane)];
@@ -223,53 +247,100 @@ class Composition final : public detail::ExchangeSplit {
       }
     });
   }
-  /// P_e := A_e + P_e + eps_e I, which is at least A_e, of free components. before_: -A_e. Returns the size of its
-  /// largest number.
+  /// P_e := A_e + P_e + eps_e I, of free components, which is at least A_e and at least 0. before_: -A_e. Returns the
+  /// size of its largest number.
   double makePositive() {
     std::vector<double> most(elements_.size());
+    const std::vector<Group> groups = groupsOf([](std::size_t) { return true; });
     parallelFor(
-        0, elements_.size(), source_.threads(),
-        [&](std::int64_t index) {
-          const std::size_t e = index;
-          const int size = 3 * elements_[e].nodes;
-          Eigen::Map<Eigen::MatrixXd> P(P_.data() + elements_[e].begin, size, size);
-          const Eigen::Map<const Eigen::MatrixXd> minusA(before_.data() + elements_[e].begin, size, size);
-          P = (0.5 * (P + P.transpose())).eval();
-          const double norm = std::max(P.norm(), minusA.norm());
-          const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(P, Eigen::EigenvaluesOnly);
-          P -= minusA;
-          P.diagonal().array() +=
-              std::max(0.0, -solver.eigenvalues()[0]) + exchangeRounding * norm + tangentRounding_[e];
-          for (int i = 0; i < size; ++i)
-            if (freeFactor(source_, nodesOf(e)[i / 3], i % 3) == 0) {
-              P.row(i).setZero();
-              P.col(i).setZero();
-            }
-          // A NaN must not be lost.
-          most[e] = std::isfinite(P.sum()) ? P.cwiseAbs().maxCoeff() : infinity;
-        },
-        16);
+        0, groups.size(), source_.threads(),
+        [&](std::int64_t g) { makePositive(groups[g].element, groups[g].count, most); }, 4);
     return most.empty() ? 0.0 : *std::max_element(most.begin(), most.end());
   }
-  /// Rounds to whole numbers of unit / 2^shareBits. A number moves by a half, and one of a pair of nodes takes what all
-  /// others of that pair have moved by: a shift makes up for it.
+  void makePositive(const std::size_t* elements, int count, std::vector<double>& most) {
+    const int size = 3 * elements_[elements[0]].nodes;
+    const std::size_t entries = size * size;
+    thread_local AlignedVector<Pack> work;
+    work.resize(2 * entries);
+    const auto load = [&](bool withTangent, const Pack& shift) {
+      for (int lane = 0; lane < lanes; ++lane) {  // empty lanes repeat the first element
+        const std::int64_t begin = elements_[elements[lane < count ? lane : 0]].begin;
+        const double *P = P_.data() + begin, *minusA = before_.data() + begin;
+        for (int i = 0; i < size; ++i)
+          for (int j = 0; j <= i; ++j) {
+            const double own = 0.5 * (P[i * size + j] + P[j * size + i]);
+            work[i * size + j].set(lane, withTangent ? own - minusA[i * size + j] : own);
+          }
+      }
+      for (int i = 0; i < size; ++i) work[i * size + i] += shift;
+    };
+    Pack rounding;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const std::size_t e = elements[lane < count ? lane : 0];
+      rounding.set(lane, exchangeRounding * std::max(normOf(P_, e), normOf(before_, e)) + tangentRounding_[e]);
+    }
+    const auto definite = [&](const Pack& shift) {
+      load(false, shift - rounding);
+      const Pack own = pivotsArePositive(work.data(), size);
+      load(true, shift - rounding);
+      return own * pivotsArePositive(work.data(), size) > Pack(0.0);
+    };
+    Pack low(0.0), high(0.0);
+    Pack::Mask done = definite(high);
+    for (int k = 0; k < mostDoublings && !allOf(done); ++k) {
+      const Pack next(std::ldexp(leastShift * sigma_, k));
+      low = select(done, low, high);
+      high = select(done, high, next);
+      done = definite(high);
+    }
+    for (int k = 0; k < halvings; ++k) {
+      const Pack middle = Pack(0.5) * (low + high);
+      const auto enough = definite(middle);
+      high = select(enough, middle, high);
+      low = select(enough, low, middle);
+    }
+    for (int lane = 0; lane < count; ++lane) {
+      const std::size_t e = elements[lane];
+      Eigen::Map<Eigen::MatrixXd> P(P_.data() + elements_[e].begin, size, size);
+      P = (0.5 * (P + P.transpose())).eval();
+      P -= Eigen::Map<const Eigen::MatrixXd>(before_.data() + elements_[e].begin, size, size);
+      P.diagonal().array() += high[lane];
+      for (int i = 0; i < size; ++i)
+        if (freeFactor(source_, nodesOf(e)[i / 3], i % 3) == 0) {
+          P.row(i).setZero();
+          P.col(i).setZero();
+        }
+      // A NaN must not be lost, nor one that no shift made definite.
+      most[e] = std::isfinite(P.sum()) && done[lane] ? P.cwiseAbs().maxCoeff() : infinity;
+    }
+  }
+  /// Rounds to whole multiples of a unit. What the numbers of one pair of nodes lose goes to the next one, so that they
+  /// still add up to zero; the sizes of what a row has moved by, added to its diagonal, make up for it.
   void makeWhole(double unit) {
-    const double scale = std::ldexp(1 / unit, ExchangeShares::shareBits);
-    std::int64_t mostPlaces = 1;
-    for (std::size_t k = 0; k + 1 < placeBegin_.size(); ++k)
-      mostPlaces = std::max(mostPlaces, placeBegin_[k + 1] - placeBegin_[k]);
+    for (double& value : P_) value /= unit;
+    before_ = P_;
+    for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
+      for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
+        const bool pair = pattern_.column[k] != i;
+        Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
+        for (const Place& place : placesOf(k)) {
+          auto block = at(P_, place);
+          if (pair) left += block;
+          block = (pair ? left : Eigen::Matrix3d(block)).unaryExpr([](double value) { return std::nearbyint(value); });
+          if (pair) left -= block;
+        }
+        if (pair && !placesOf(k).empty()) at(P_, placesOf(k).back()) -= sumOf(k);
+      }
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       const int size = 3 * elements_[e].nodes;
-      for (int i = 0; i < size; ++i)
-        for (int j = 0; j < size; ++j) {
-          double& value = P_[elements_[e].begin + i * size + j];
-          const bool shifts = i == j && freeFactor(source_, nodesOf(e)[i / 3], i % 3) != 0;
-          value = std::nearbyint(value * scale + (shifts ? 0.5 * size * static_cast<double>(mostPlaces) : 0));
-        }
+      double* P = P_.data() + elements_[e].begin;
+      const double* exact = before_.data() + elements_[e].begin;
+      for (int i = 0; i < size; ++i) {
+        double moved = 0;
+        for (int j = 0; j < size; ++j) moved += std::abs(P[i * size + j] - exact[i * size + j]);
+        P[i * size + i] += std::ceil(moved);
+      }
     }
-    for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
-      for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k)
-        if (pattern_.column[k] != i && !placesOf(k).empty()) at(P_, placesOf(k).back()) -= sumOf(k);
   }
   static double highestEigenvalue(const Eigen::Matrix3d& S) {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly).eigenvalues()[2];
@@ -336,6 +407,22 @@ class Composition final : public detail::ExchangeSplit {
       }
   }
 
+  /// P_e += G_e.
+  void startFrom(const ExchangeShares& shares) {
+    const std::int32_t* entry = shares.entries.data();
+    const double unit = shares.unitOfEntries();
+    for (const Element& element : elements_) {
+      const int size = 3 * element.nodes;
+      double* P = P_.data() + element.begin;
+      for (int i = 0; i < size; ++i)
+        for (int j = 0; j <= i; ++j) {
+          const double value = unit * *entry++;
+          P[i * size + j] += value;
+          if (j < i) P[j * size + i] += value;
+        }
+    }
+  }
+
   /// Spreads what is missing from the sum evenly, then goes on in the direction of the last step by beta.
   void spread(double beta) {
     const std::int64_t blocks = pattern_.column.size();
@@ -367,13 +454,15 @@ class Composition final : public detail::ExchangeSplit {
                   norm += value * value;
                 }
             }
-          reserve_[e] -= std::sqrt(moved);
+          moved_[e] = std::sqrt(moved);
+          reserve_[e] -= moved_[e];
           norms_[e] = std::max(norms_[e], std::sqrt(norm));
         },
         64);
   }
 
   const TangentSource& source_;
+  ExchangeRoom room_;
   double sigma_;
   BlockMatrix pattern_;
   std::vector<Element> elements_;
@@ -383,6 +472,7 @@ class Composition final : public detail::ExchangeSplit {
   std::vector<std::int64_t> placeBegin_;
   std::vector<Place> places_;
   std::vector<double> reserve_;  // a lower bound of lambda_min(P_e)
+  std::vector<double> moved_;    // by the last spread, in P_e's norm
   std::vector<double> excess_, negative_;
   std::vector<double> norms_;            // the largest so far
   std::vector<double> tangentRounding_;  // of A_e, in its norm
@@ -428,8 +518,18 @@ ExchangeShares exchangeShares(const TangentSource& source, NodeVectorsView x, co
   using Policy = ExchangePolicy;
   Composition splitting(source, x, weights, Policy::aim * lower.value);
   if (!std::isfinite(splitting.lowerUntil(Policy::narrow * lower.value, Policy::iterations).upper.value))
-    return {{infinity}, 0, {}};
-  return splitting.shares(x);
+    return {ExchangeShares::wide, {infinity}, 0, {}};
+  return splitting.shares(x, ExchangeShares::wide);
+}
+
+ExchangeShares roomyExchangeShares(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
+                                   const ExchangeShares* from, const ExchangeRoom& room, double sigma, double accept,
+                                   int mostIterations, ExchangeWork& work) {
+  Composition splitting(source, x, weights, sigma, room, from);
+  const ExchangeBound bound = splitting.lowerUntil(accept, mostIterations);
+  work = {bound.iterations, bound.decompositions};
+  if (!std::isfinite(bound.upper.value)) return {ExchangeShares::narrow, {infinity}, 0, {}};
+  return splitting.shares(x, ExchangeShares::narrow);
 }
 
 std::int64_t exchangeBoundBytes(const TangentSource& source) {

@@ -1,5 +1,7 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -76,18 +78,34 @@ class KeptExchangeBound {
   std::unique_ptr<detail::ExchangeSplit> split_;
 };
 
-/// The bound as matrices that anybody can add up: G_e = P_e + A_e + a margin, in whole numbers g of
-/// unit / 2^shareBits sqrt(m_a m_b), of constrained components zero. Those that elements hold of the block between two
-/// different nodes add up to zero exactly; upper is what those of a node's own block add up to.
+/// The bound as matrices that anybody can add up: G_e = P_e + A_e + a margin, which is at least A_e and at least zero,
+/// in whole numbers g of unitOfEntries() sqrt(m_a m_b), of constrained components zero. Those that elements hold of the
+/// block between two different nodes add up to zero exactly; upper is what those of a node's own block add up to.
 struct ExchangeShares {
-  static constexpr int shareBits = 30;
+  static constexpr int wide = 30, narrow = 15;
+  int bits = wide;   ///< of a whole number, beside its sign
   UpperBound upper;  ///< infinite: the tangent is not finite
-  double unit = 0;   ///< rad²/s², a power of two
+  double unit = 0;   ///< rad²/s², of wide numbers a power of two
   /// Mesh block by mesh block, element by element: the lower triangle of g, row by row.
   std::vector<std::int32_t> entries;
+
+  double unitOfEntries() const { return std::ldexp(unit, -bits); }
 };
 /// As exchangeUpperBound, with its policy; of the last iterate.
 ExchangeShares exchangeShares(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
                               LowerBound lower);
+
+/// Adds to element tangents, one a lane (-1: none) and as ElementTangents::tangentOf gives them, what room they are to
+/// have beside them, N/m, and to their rounding T what that errs by.
+using ExchangeRoom = std::function<void(std::size_t block, const std::int32_t* elements, NativePack* K, NativePack* T)>;
+struct ExchangeWork {
+  int iterations;
+  std::int64_t decompositions;
+};
+/// The same of tangents with room, in narrow numbers. from: those of another state, to go on from; nullptr: from the
+/// weights, evaluated at x. sigma, accept: of the sum of the tangents with their room.
+ExchangeShares roomyExchangeShares(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
+                                   const ExchangeShares* from, const ExchangeRoom& room, double sigma, double accept,
+                                   int mostIterations, ExchangeWork& work);
 
 }  // namespace ringwatch

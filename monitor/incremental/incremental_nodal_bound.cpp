@@ -32,6 +32,7 @@ void IncrementalNodalBound::rebuild(NodeVectorsView x, double wanted) {
   weights.evaluate(x, policy_.sweeps, NodalBound::Start::rootOfStiffness, policy_.leastGain,
                    {policy_.enoughOfWanted * wanted});
   endedEarly_ = weights.last() <= policy_.enoughOfWanted * wanted;
+  tight_ = endedEarly_ ? 0 : static_cast<double>(weights.last());
   state_.statistics().evaluated += weights.evaluations();
   state_.statistics().work[WorkOn::sweeps] += WorkAccount::ofEvaluation(body_) *
                                               static_cast<double>(weights.evaluations()) /
@@ -186,6 +187,7 @@ UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* eval
   refreshes_.tick();
   lowerings_.tick();
   if (!started_ && evaluation) body_.evaluate(x, *evaluation, workspace_);
+  if (spared_) ceiling = infinity;
   // A proof that is lost already has no ceiling; where means are short it is won again when there are some for it.
   const double wanted = ceiling;
   if (started_ && certifiedEigenvalue() > ceiling) ceiling = infinity;

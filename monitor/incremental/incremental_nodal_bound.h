@@ -1,4 +1,5 @@
 #pragma once
+#include <utility>
 #include <vector>
 
 #include <ringwatch/base/archive.h>
@@ -42,6 +43,12 @@ class IncrementalNodalBound {
   /// for a smaller value serves too.
   bool certify(NodeVectorsView x, double sigma, StepEvaluation* evaluation = nullptr);
 
+  /// While something else proves more: elements are evaluated only where nothing else helps, as without means.
+  void spare(bool spared) { spared_ = spared; }
+  /// The bound of the best weights, where they have been made anew since the last call and their sweeps were not ended
+  /// early; else 0.
+  double takeTight() { return std::exchange(tight_, 0); }
+
   double certifiedEigenvalue() const { return state_.certifiedEigenvalue(); }
   const NodalBound& weights() const { return state_.weights(); }
   /// What the last update() or certify() took.
@@ -74,17 +81,17 @@ class IncrementalNodalBound {
   /// The account is the owner's.
   template <class Archive>
   void archive(Archive& a) {
-    a(spent_, sinceRebuild_, ofProof_, state_, started_, endedEarly_, nearLimit_, rebuilds_, refreshes_, lowerings_,
-      tightOverLower_);
+    a(spent_, sinceRebuild_, ofProof_, state_, started_, endedEarly_, spared_, tight_, nearLimit_, rebuilds_,
+      refreshes_, lowerings_, tightOverLower_);
     archiveVersion(a, bodyVersion_, body_.version());
   }
 
  private:
   /// Whether the account, less what the statistics count, has so much.
   bool affords(double work) const {
-    return !account_ || account_->affords(state_.statistics().work.total() - ofProof_ + work);
+    return !spared_ && (!account_ || account_->affords(state_.statistics().work.total() - ofProof_ + work));
   }
-  bool limited() const { return account_ && account_->limited(); }
+  bool limited() const { return account_ && (spared_ || account_->limited()); }
   /// Takes from the account what the statistics count, and begins to count again.
   void beginCounting();
   /// Builds the certificate again at x with the weights that there are, turned with the body: for the wanted eigenvalue
@@ -120,7 +127,9 @@ class IncrementalNodalBound {
   RunCertificate state_;
   Body::Workspace workspace_;
   bool started_ = false, endedEarly_ = false;  // endedEarly_: the last rebuild, since its weights were good enough
-  std::int64_t bodyVersion_ = 0;               // that the proof is for
+  bool spared_ = false;
+  double tight_ = 0;
+  std::int64_t bodyVersion_ = 0;  // that the proof is for
   std::vector<NearLimit> nearLimit_;
   Backoff rebuilds_, refreshes_, lowerings_;  // in updates
   double tightOverLower_ = 0;  // the tight bound at the last rebuild over the lower bound then; 0: not known yet

@@ -19,6 +19,7 @@ RunBracket::RunBracket(const Body& body, double width, double budget, const Brac
       width_(width),
       account_(body, budget),
       nodal_(body, {.slack = policy.slackOfWidth * width}, &account_),
+      exchange_(body, nodal_.weights(), account_),
       local_(body, nodal_.weights(), policy.localProducts, policy.localGap),
       localNodes_(policy.leastLocalNodes),
       ringNodes_(body, nodal_.weights()),
@@ -55,10 +56,11 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   const double sigma = nodal_.certifiedEigenvalue();  // that allowances belong to
   uncertified_ = h && step_ && *h > step_->safe;
   const double ceiling = h ? limit.lambdaFor(*h) : infinity;
-  UpperBound upper = nodal_.update(x, evaluation, ceiling);
+  nodal_.spare(exchange_.serves());
+  UpperBound nodal = nodal_.update(x, evaluation, ceiling);
   statistics_ = nodal_.statistics();
   bracketed_ = true;
-  finite_ = std::isfinite(upper.value);
+  finite_ = std::isfinite(nodal.value);
   if (!finite_) {
     forget();
     return step_;
@@ -77,6 +79,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     }
     lower = boundWhereItTouches(x, boundWhereItRose(x, sigma, lower));
   }
+  UpperBound upper{std::min(nodal.value, exchange_.update(x, nodal).value)};
   const double allowed = (1 + width_) * (1 + width_);
   // A bracket that is too wide is either side's fault: bound it from below again before moving the upper side.
   const bool wide = upper.value > allowed * lower.value;
@@ -88,16 +91,19 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   }
   searchUnderCompression(x);
   nodal_.relaxBound(lower, width_);
-  upper.value = std::max(upper.value, nodal_.certifiedEigenvalue());
+  nodal.value = std::max(nodal.value, nodal_.certifiedEigenvalue());
+  upper.value = std::min(nodal.value, exchange_.narrow(x, nodal, nodal_.takeTight(), mode_, lower, width_).value);
   if (upper.value > allowed * lower.value && nodal_.tightenBound(x, lower, width_)) {
     statistics_.evaluated += nodal_.statistics().evaluated;
-    upper = nodal_.update(x);
+    nodal = nodal_.update(x);
+    upper.value = std::min(upper.value, nodal.value);
     statistics_.evaluated += nodal_.statistics().evaluated;
   }
+  statistics_.evaluated += exchange_.evaluated();
   step_ = CriticalStep{safeStep(upper, limit),
                        optimisticOf(lower, limit),
                        local_.highestElement(),
-                       "incremental-nodal-bound",
+                       upper.value < nodal.value ? "incremental-exchange-bound" : "incremental-nodal-bound",
                        method_,
                        lowest_.value,
                        lowest_.element};
@@ -110,6 +116,7 @@ bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, Ste
   account_.earn();
   std::int64_t before = 0;
   if (cheapest_.due()) {
+    nodal_.spare(false);
     const bool certified = nodal_.certify(x, limit.lambdaFor(h), evaluation);
     evaluation = nullptr;
     statistics_ = nodal_.statistics();
@@ -195,6 +202,7 @@ void RunBracket::nameGoverning(NodeVectorsView x) {
 
 void RunBracket::forget() {
   step_.reset();
+  exchange_.forget();
   mode_.resize(3, 0);
   local_.choose(mode_, localNodes_);
   lowest_ = {0, {}};

@@ -9,6 +9,7 @@
 #include <ringwatch/monitor/bounds/local_mode.h>
 #include <ringwatch/monitor/bounds/lowest_mode.h>
 #include <ringwatch/monitor/bounds/node_submatrix.h>
+#include <ringwatch/monitor/incremental/incremental_exchange_bound.h>
 #include <ringwatch/monitor/incremental/incremental_nodal_bound.h>
 #include <ringwatch/monitor/step_limit.h>
 
@@ -105,6 +106,7 @@ class RunBracket {
   /// All work after the first proof, and a step's own.
   Work spent() const {
     Work all = nodal_.spent();
+    all += exchange_.spent();
     return all += spent_;
   }
   double workOfStep() const { return account_.force(); }
@@ -121,9 +123,9 @@ class RunBracket {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(account_, spent_, uncertified_, nodal_, local_, localNodes_, regionBound_, own_, ownBefore_, softest_, mode_,
-      method_, statistics_, bracketed_, finite_, cheapest_, sharpening_, sharpeningRestart_, wholeMode_, restart_,
-      search_, examination_, lowest_, nextCompressed_, least_, searchedAt_, step_, best_, bestAt_);
+    a(account_, spent_, uncertified_, nodal_, exchange_, local_, localNodes_, regionBound_, own_, ownBefore_, softest_,
+      mode_, method_, statistics_, bracketed_, finite_, cheapest_, sharpening_, sharpeningRestart_, wholeMode_,
+      restart_, search_, examination_, lowest_, nextCompressed_, least_, searchedAt_, step_, best_, bestAt_);
     archiveVersion(a, bestVersion_, body_.version());
   }
 
@@ -172,6 +174,7 @@ class RunBracket {
   Work spent_;                // on the lower side and on searches
   bool uncertified_ = false;  // the step, when observed last: the lower side may take what there is for the verdict
   IncrementalNodalBound nodal_;
+  IncrementalExchangeBound exchange_;
   LocalMode local_;
   std::size_t localNodes_;
   LowerBound regionBound_{0};  // when the region was chosen last

@@ -82,6 +82,11 @@ class WorkAccount {
     const double size = 3.0 * block.nodesPerElement();
     return size * size * size / 14;
   }
+  /// Decompositions and factorisations of so many elements' matrices, for the exchange bound.
+  static double ofExchange(const Body& body, double decompositions, double factorisations) {
+    const double evaluations = ofEvaluation(body) / elements(body);
+    return (evaluationsOfDecomposition * decompositions + evaluationsOfFactorisation * factorisations) * evaluations;
+  }
   /// The work of all elements, or of some.
   static double ofForce(const Body& body) {
     return sum(body, [](const ElementBlock& block) { return ofForce(block); });
@@ -159,6 +164,7 @@ class WorkAccount {
 
   // As measured on an EPYC of AVX-512. evaluationsOfRebuild: 6 to 14 of them, with their strain norms.
   static constexpr double evaluationsOfRebuild = 12, forcesOfGrowth = 3, forcesOfProduct = 1.6;
+  static constexpr double evaluationsOfDecomposition = 1.5, evaluationsOfFactorisation = 0.4;
   static constexpr double unitsOfMove = 2.2, shareByDirections = 0.4;
   static constexpr double productsKept = 12;
   static constexpr double leastIncome = 2000, shareOfMode = 0.3, forcesOfCredit = 0.5, mostOfTests = 0.5;

@@ -55,36 +55,4 @@ RINGWATCH_HOST_DEVICE inline P diagonalize(P* A, P* VT, int anyN, double toleran
   return math::sqrt(beside);
 }
 
-/// Of symmetric matrices, one a lane: lambda_min, rounded down by the error of the eigenvalues; the squared norm of the
-/// negative part; that error, diagonalize's.
-template <class P>
-struct NegativePart {
-  P least, square, error;
-};
-/// Takes the negative part away from `matrix` (n×n, both triangles). A holds the same matrix and is used up, VT is room
-/// for the eigenvectors. NaN in a matrix makes all of its numbers NaN.
-template <int N, class P>
-RINGWATCH_HOST_DEVICE inline NegativePart<P> removeNegativePart(P* A, P* VT, P* matrix, int anyN, double tolerance,
-                                                                int maxSweeps) {
-  const int n = N > 0 ? N : anyN;
-  const P error = diagonalize<N>(A, VT, n, tolerance, maxSweeps);
-  NegativePart<P> part{A[0], P(0.0), error};
-  for (int k = 0; k < n; ++k) {
-    const P value = A[k * n + k];
-    part.least = select(value < part.least, value, part.least);
-    const P below = select(value < P(0.0), value, P(0.0));
-    part.square += below * below;
-    if (!anyOf(below < P(0.0))) continue;
-    const P* v = VT + k * n;
-    for (int i = 0; i < n; ++i) {
-      const P weight = below * v[i];
-      for (int j = 0; j < n; ++j) matrix[i * n + j] -= weight * v[j];
-    }
-  }
-  // NaN passes comparisons unseen.
-  part.square += P(0.0) * error;
-  part.least = part.least - error;
-  return part;
-}
-
 }  // namespace ringwatch

@@ -3,7 +3,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/bounds/exchange_bound.h>
-#include <ringwatch/monitor/small/packed_jacobi.h>
+#include <ringwatch/monitor/small/packed_lowest.h>
 #include <tests/monitor/monitor_cases.h>
 
 namespace ringwatch {
@@ -65,30 +65,57 @@ TEST(PackedJacobi, SaysHowFarItGot) {
   EXPECT_LE(std::abs(found - least), left);
 }
 
-TEST(PackedJacobi, BoundsTheLeastEigenvalueAndTakesTheNegativePartAfterAnySweep) {
-  constexpr int n = 12;
+// Theorem 13 (c): the bound is below the least eigenvalue, what is left is no lower than it was, and most is taken.
+TEST(PackedLowest, BoundsTheLeastEigenvalueAndTakesMostOfWhatIsNegative) {
   test::Random random(23);
-  for (const int sweeps : {0, 1, 2, 3, 12})
-    for (int repeat = 0; repeat < 10; ++repeat) {
-      AlignedVector<NativePack> A(n * n), VT(n * n), M(n * n);
-      Eigen::MatrixXd before(n, n);
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j <= i; ++j) {
-          before(i, j) = before(j, i) = random.uniform(-1, 1);
-          M[i * n + j] = M[j * n + i] = A[i * n + j] = A[j * n + i] = NativePack(before(i, j));
+  for (const int n : {4, 12, 15, 18, 24, 30})
+    for (const int negatives : {0, 1, 3, 6})
+      for (int repeat = 0; repeat < 10; ++repeat) {
+        if (negatives >= n) continue;
+        AlignedVector<NativePack> A(n * n), M(n * n);
+        std::vector<Eigen::MatrixXd> before;
+        NativePack enough, step(1e-4);
+        for (int lane = 0; lane < lanes; ++lane) {
+          const Eigen::MatrixXd B = Eigen::MatrixXd::NullaryExpr(n, n, [&] { return random.uniform(-1, 1); });
+          const Eigen::MatrixXd Q = B.householderQr().householderQ();
+          Eigen::VectorXd values = Eigen::VectorXd::NullaryExpr(n, [&] { return random.uniform(0, 1); });
+          for (int k = 0; k < negatives; ++k) values[k] = -random.uniform(1e-3, 3e-2);
+          before.push_back(Q * values.asDiagonal() * Q.transpose());
+          for (int i = 0; i < n * n; ++i) M[i].set(lane, before.back()(i / n, i % n));
+          enough.set(lane, random.uniform(1, 5) * std::max(1e-3, -values.minCoeff()));
         }
-      const NegativePart<NativePack> part = removeNegativePart<n>(A.data(), VT.data(), M.data(), n, 0.0, sweeps);
-      const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(before).eigenvalues();
-      EXPECT_LE(part.least[0], values[0] + 1e-13) << sweeps;
-      Eigen::MatrixXd after(n, n);
-      for (int i = 0; i < n * n; ++i) after(i / n, i % n) = M[i][0];
-      // Theorem 13 (c): what is left is no lower than the error.
-      EXPECT_GE(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(after).eigenvalues()[0], -part.error[0] - 1e-13)
-          << sweeps;
-      if (sweeps < 12) continue;
-      EXPECT_NEAR(part.least[0], values[0], 1e-13);
-      EXPECT_NEAR(part.square[0], values.cwiseMin(0).squaredNorm(), 1e-12);
-    }
+        const LowestPart<NativePack> part = removeLowestPart<0>(A.data(), M.data(), n, enough, step);
+        for (int lane = 0; lane < lanes; ++lane) {
+          const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(before[lane]).eigenvalues();
+          EXPECT_LE(part.least[lane], values[0] + 1e-13);
+          Eigen::MatrixXd after(n, n);
+          for (int i = 0; i < n * n; ++i) after(i / n, i % n) = M[i][lane];
+          const Eigen::VectorXd left = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(after).eigenvalues();
+          EXPECT_GE(left[0], values[0] - 1e-13);
+          if (values[0] >= 0) {
+            EXPECT_GE(part.least[lane], 0);
+            EXPECT_EQ(part.square[lane], 0);
+          } else {
+            EXPECT_GE(part.least[lane], 1.3 * values[0]);
+            EXPECT_NEAR(part.square[lane], values.cwiseMin(0).squaredNorm(), 0.9 * values.cwiseMin(0).squaredNorm());
+            EXPECT_TRUE(negatives != 1 || left[0] >= 0.1 * values[0]);
+          }
+        }
+      }
+}
+
+// Where the shift is not enough nothing is claimed, and nothing is taken from what is not a number.
+TEST(PackedLowest, ClaimsNothingWithoutAProof) {
+  constexpr int n = 12;
+  AlignedVector<NativePack> A(n * n), M(n * n);
+  for (int i = 0; i < n * n; ++i) M[i] = NativePack(i % (n + 1) ? 0.0 : i == 0 ? -1.0 : 1.0);
+  M[1].set(1, std::nan(""));
+  M[n].set(1, std::nan(""));
+  const LowestPart<NativePack> part = removeLowestPart<n>(A.data(), M.data(), n, NativePack(0.5), NativePack(0.0));
+  for (int lane = 0; lane < 2; ++lane) {
+    EXPECT_EQ(part.least[lane], -std::numeric_limits<double>::infinity());
+    EXPECT_EQ(part.square[lane], 0);
+  }
 }
 
 TEST(ExchangeBound, HoldsForAnyTargetAfterAnyIteration) {

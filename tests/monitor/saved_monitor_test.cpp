@@ -95,7 +95,7 @@ TEST(SavedMonitor, GoesOnWithTheSameBits) {
         expectSame(whole.observe(k, h * k, waved(X, k), v, h), next.observe(k, h * k, waved(X, k), v, h));
         EXPECT_EQ(whole.events().size(), next.events().size());
       } else {
-        whole.observe(k, h * k, waved(X, k), v, h);
+        evaluated = whole.observe(k, h * k, waved(X, k), v, h).elementsRefreshed > 0 || evaluated;
       }
       evaluated = evaluated || whole.observe(k, h * k, waved(X, k), v, h).elementsRefreshed > 0;
       events = events || !whole.events().empty();

@@ -1,0 +1,88 @@
+#include <ringwatch/monitor/incremental/incremental_exchange_bound.h>
+
+#include <algorithm>
+
+#include <ringwatch/base/infinity.h>
+
+namespace ringwatch {
+namespace {
+
+/// Of an element's matrix, of the usual cost, until its share is definite, whole and proven.
+constexpr double factorisations = 3;
+
+bool hasTetrahedraAlone(const Body& body) {
+  return std::all_of(body.blocks().begin(), body.blocks().end(),
+                     [](const auto& block) { return block->nodesPerElement() == 4; });
+}
+
+}  // namespace
+
+IncrementalExchangeBound::IncrementalExchangeBound(const Body& body, const NodalBound& weights, WorkAccount& account,
+                                                   const ExchangeRunPolicy& policy)
+    : body_(body), account_(account), policy_(policy), certificate_(body, weights) {}
+
+void IncrementalExchangeBound::charge(WorkOn what, double work) {
+  Work own;
+  own[what] = work;
+  account_.spend(own);
+  spent_ += own;
+}
+
+UpperBound IncrementalExchangeBound::update(NodeVectorsView x, UpperBound nodal) {
+  serves_ = false;
+  evaluated_ = 0;
+  if (!account_.limited()) earned_ = std::min(earned_ + policy_.mostShare * account_.force(), 2 * expected_);
+  const bool useless = certificate_.certifiedEigenvalue() > policy_.useless * nodal.value;
+  if (!certificate_.holds() || useless) return {infinity};
+  // The proof goes on whatever the account has, and takes less where that is little.
+  const bool nothing = !account_.affords(0), plenty = !account_.limited() || account_.affords(expected_);
+  certificate_.follow(x, policy_.mostRaise,
+                      nothing  ? policy_.partInShortage
+                      : plenty ? policy_.leastPart
+                               : policy_.part);
+  evaluated_ = certificate_.factored();
+  charge(WorkOn::tests, certificate_.workOfTests());
+  charge(WorkOn::repairs, WorkAccount::ofExchange(body_, 0, static_cast<double>(certificate_.factored())));
+  serves_ = certificate_.certifiedEigenvalue() < nodal.value;
+  return {certificate_.certifiedEigenvalue()};
+}
+
+UpperBound IncrementalExchangeBound::narrow(NodeVectorsView x, UpperBound nodal, double tight, NodeVectorsView mode,
+                                            LowerBound lower, double width) {
+  const UpperBound own{serves_ ? certificate_.certifiedEigenvalue() : infinity};
+  if (!(lower.value > 0)) return own;
+  if (tight > 0) {
+    const double loose = hasTetrahedraAlone(body_) ? policy_.looseOfTetrahedra : policy_.loose;
+    worth_ = tight > loose * lower.value && ExchangeCertificate::bytes(body_) <= policy_.mostBytes;
+  }
+  if (!worth_ || !ExchangeCertificate::possible(body_)) return own;
+  const double present = std::min(own.value, nodal.value);
+  const double inStep = 1 + policy_.shareOfWidth * width;
+  const double wanted = std::max(inStep * inStep, policy_.leastGain * achieved_);
+  if (!(present > wanted * lower.value)) return own;
+  const auto count = static_cast<double>(body_.mesh().elementCount());
+  if (expected_ == 0) expected_ = WorkAccount::ofExchange(body_, policy_.expected * count, factorisations * count);
+  const bool free = first_ && static_cast<std::int64_t>(body_.mesh().elementCount()) <= policy_.atOnce;
+  if (!free && !(account_.limited() ? account_.affords(expected_) : earned_ >= expected_)) return own;
+  const bool again = certificate_.hasShares();
+  const int mostIterations = free ? policy_.firstIterations : policy_.iterations;
+  const ExchangeWork work = certificate_.share(x, mode, lower, mostIterations);
+  const double spent = WorkAccount::ofExchange(body_, static_cast<double>(work.decompositions), factorisations * count);
+  if (!free) charge(WorkOn::sweeps, spent);
+  if (!free) earned_ -= spent;
+  if (again) expected_ = spent;
+  first_ = false;
+  evaluated_ += certificate_.factored();
+  // Iterations that ended for lack of means go on the next time.
+  const bool ended = certificate_.holds() && work.iterations < mostIterations;
+  achieved_ = ended ? certificate_.certifiedEigenvalue() / lower.value : 0;
+  serves_ = certificate_.certifiedEigenvalue() < nodal.value;
+  return {certificate_.certifiedEigenvalue()};
+}
+
+void IncrementalExchangeBound::forget() {
+  certificate_.forget();
+  serves_ = false;
+}
+
+}  // namespace ringwatch
