@@ -175,8 +175,8 @@ class WorkAccount {
   static constexpr double leastIncome = 2000, shareOfMode = 0.3, forcesOfCredit = 0.5, mostOfTests = 0.5,
                           mostOwedOfEvaluation = 0.1;
   static constexpr double stepsOfMean = 32, stepsInAdvance = 100;
-  // stepsInAdvance: of income, so that the first elements that leave their balls can be evaluated. mostOwedOfEvaluation: a
-  // few rounds of these.
+  // stepsInAdvance: of income, so that the first elements that leave their balls can be evaluated.
+  // mostOwedOfEvaluation: a few rounds of these.
   /// Forces a step: the mode is followed once in six steps then.
   static constexpr double leastForVerdict = 1;
   double share_, force_, income_, evaluation_, rebuild_, mostForVerdict_;
