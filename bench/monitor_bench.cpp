@@ -120,39 +120,47 @@ void spectra(benchmark::State& state, const Case& c) {
   state.counters["products"] = global.products;
 }
 
-/// A bar five times as long as wide, of cubes of 1 cm with strongly jittered nodes.
-Mesh makeBar(const Case& c, int elementsPerCell) {
+/// Of a regular grid's cells, by which the nodes of a bar are moved unless it is regular.
+constexpr double jittered = 0.22;
+/// A bar five times as long as wide, of cubes of 1 cm.
+Mesh makeBar(const Case& c, int elementsPerCell, double jitter) {
   BarOptions options;
   options.element = c.element;
   options.split = elementsPerCell;
-  options.jitter = 0.22;
+  options.jitter = jitter;
   const int n = static_cast<int>(std::lround(std::cbrt(c.elements / (5.0 * std::max(1, elementsPerCell)))));
   options.cells = {5 * n, n, n};
   options.size = {0.05 * n, 0.01 * n, 0.01 * n};
   return generateBar(options);
 }
 
-/// A bar pulled at one end by `rate` of its length a second, watched at every step in the pass that computes the force;
-/// what that takes more than the same run without a monitor, by turns of some steps each, over the latter's time.
-/// h: of the critical step at rest.
+/// A bar pulled at one end by `rate` of its length a second, which turns by `turn` rad/s to begin with, watched at
+/// every step in the pass that computes the force; what that takes more than the same run without a monitor, by turns
+/// of some steps each, over the latter's time. h: of the critical step at rest.
 struct Pull {
   std::string name;
   double rate;
   double h;
+  double turn = 0;
 };
 struct Watch {
   std::string name;
   MonitorMode mode;
   double budget;
 };
-void watchedRun(benchmark::State& state, const Case& c, int split, const Watch& watch, const Pull& pull) {
-  Body body(makeBar(c, split), makeMaterial(c.law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, c.threads});
-  const double length = body.mesh().X.row(0).maxCoeff();
+void watchedRun(benchmark::State& state, const Case& c, int split, double jitter, const Watch& watch,
+                const Pull& pull) {
+  Body body(makeBar(c, split, jitter), makeMaterial(c.law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, c.threads});
+  const Eigen::Vector3d size = body.mesh().X.rowwise().maxCoeff();
+  const double length = size[0];
   for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
     if (body.mesh().X(0, i) < 1e-9) body.constraints().fix(i);
     if (body.mesh().X(0, i) > length - 1e-9) {
       body.constraints().fix(i);
-      body.constraints().move(i, 0, pull.rate * length);
+      const Eigen::Vector3d arm = body.mesh().X.col(i) - 0.5 * size;
+      const Eigen::Vector3d velocity(pull.rate * length, -pull.turn * arm[2], pull.turn * arm[1]);
+      for (int k = 0; k < 3; ++k)
+        if (k == 0 || pull.turn != 0) body.constraints().move(i, k, velocity[k]);
     }
   }
   BodySystem system(body), plainSystem(body);
@@ -230,7 +238,7 @@ void addWatchedRuns(const Case& c) {
         benchmark::RegisterBenchmark(
             joinText("watched/", watch.name, "/", pull.name, "/", split.elementsPerCell, "_a_cell/", c.name()).c_str(),
             [c, watch, pull, cut = split.elementsPerCell](benchmark::State& state) {
-              watchedRun(state, c, cut, watch, pull);
+              watchedRun(state, c, cut, jittered, watch, pull);
             })
             ->UseManualTime()
             ->Iterations(1)
@@ -238,7 +246,32 @@ void addWatchedRuns(const Case& c) {
       }
 }
 
+/// The runs of bench/monitor_table.py.
+void addRunsOfTables() {
+  const auto add = [](const Case& c, int cut, double jitter, const Watch& watch, const Pull& pull) {
+    benchmark::RegisterBenchmark(joinText("table/", watch.name, "/", pull.name, "/", cut, "_a_cell/",
+                                          jitter > 0 ? "jittered" : "regular", "/", c.name())
+                                     .c_str(),
+                                 [=](benchmark::State& state) { watchedRun(state, c, cut, jitter, watch, pull); })
+        ->UseManualTime()
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+  };
+  const Watch usual{"bracket_0.1", MonitorMode::bracket, 0.1};
+  const Pull slow{"slow", 0.1, 0.5}, fast{"fast", 0.8, 0.5};
+  for (const auto& [element, cut] : {std::pair{"tet4", 5}, {"tet4", 6}, {"hex8", 1}, {"wedge6", 2}, {"pyramid5", 6}}) {
+    const Case large{element, 100000, "stvk", 1};
+    for (const Pull& pull : {slow, fast, Pull{"twist", 0, 0.5, 6}, Pull{"compression", -0.3, 0.5}})
+      add(large, cut, jittered, usual, pull);
+    add(large, cut, jittered, {"bracket_0.3", MonitorMode::bracket, 0.3}, fast);
+    add(large, cut, jittered, {"threshold", MonitorMode::threshold, 0.1}, {"slow_close", 0.1, 0.8});
+    for (const char* law : {"stvk", "neo-hookean", "corotational"})
+      for (const double jitter : {0.0, jittered}) add({element, 20000, law, 1}, cut, jitter, usual, slow);
+  }
+}
+
 void registerAll() {
+  addRunsOfTables();
   for (const ElementInfo& element : allElements())
     for (const int elements : {5000, 20000, 100000})
       for (const int threads : {1, 2}) {

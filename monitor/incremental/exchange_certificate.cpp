@@ -204,10 +204,8 @@ ExchangeWork ExchangeCertificate::share(NodeVectorsView x, NodeVectorsView mode,
   std::iota(nodes.begin(), nodes.end(), 0);
   surroundings_ = surroundingsOf(x, nodes);
   std::vector<ElementRef> all;
-  for (std::int32_t b = 0; b < static_cast<std::int32_t>(blocks_.size()); ++b) {
-    blocks_[b].balls.beginCheck();
+  for (std::int32_t b = 0; b < static_cast<std::int32_t>(blocks_.size()); ++b)
     for (std::int32_t e = 0; e < body_.blocks()[b]->elementCount(); ++e) all.push_back({b, e});
-  }
   factored_ = 0;
   // A share that is not definite could not be raised.
   const double raise = sharesAreDefinite() ? renew(x, all, ExchangeRoomPolicy::parts[0]) : infinity;
@@ -475,10 +473,8 @@ std::vector<ElementRef> ExchangeCertificate::elementsOutsideBall(NodeVectorsView
    public:
     explicit Check(ExchangeCertificate& certificate) : certificate_(certificate) {
       outside.resize(certificate.blocks_.size());
-      for (std::size_t b = 0; b < outside.size(); ++b) {
+      for (std::size_t b = 0; b < outside.size(); ++b)
         outside[b].resize(certificate.body_.blocks()[b]->layout().patches.size());
-        certificate.blocks_[b].balls.beginCheck();
-      }
     }
     void visitPatch(std::size_t block, const PatchPass& pass) override {
       certificate_.blocks_[block].balls.checkPatch(pass, outside[block][pass.index()]);

@@ -79,7 +79,9 @@ std::vector<ElementRef> IncrementalNodalBound::raiseForMost(NodeVectorsView x, c
     const double own = WorkAccount::ofEvaluation(body_, {&leaver->element, 1});
     const bool far = leaver->need > policy_.mostRaise, forProof = leaver->need > top;
     const double credit = far ? account_->credit() : 0;
-    if (leaver->need == infinity || affords(needed + own - credit))
+    // A raise would cost more than a few evaluations.
+    const bool few = needed + own <= policy_.evaluationsForRaise * WorkAccount::ofMove(body_);
+    if (leaver->need == infinity || few || affords(needed + own - credit))
       needed += own;
     else if (forProof && account_->affordsForProof(ofProof_ + own))
       ofProof_ += own;
@@ -90,6 +92,9 @@ std::vector<ElementRef> IncrementalNodalBound::raiseForMost(NodeVectorsView x, c
   if (leaver == leavers.end()) return evaluated;
   state_.moveTo(std::max(leaver->need, policy_.raise) * certifiedEigenvalue());
   ++state_.statistics().raises;
+  for (auto refused = leaver; refused != leavers.end(); ++refused)
+    account_->refuse(WorkAccount::ofEvaluation(body_, {&refused->element, 1}));
+  account_->ballsGrow();
   state_.growBalls({leaver, leavers.end()});
   return evaluated;
 }
@@ -257,17 +262,31 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
   return proven;
 }
 
-void IncrementalNodalBound::relaxBound(LowerBound lower, double width) {
-  if (started_ && certifiedEigenvalue() < above(lower, policy_.relaxBelow * width))
-    state_.moveTo(above(lower, policy_.targetOfWidth * width));
+double IncrementalNodalBound::withRoom(LowerBound lower, double width, double share) const {
+  const double own = above(lower, share * width);
+  return limited() ? std::max(own, tightOverLower_ * (1 + share * policy_.slack) * lower.value) : own;
+}
+
+double IncrementalNodalBound::highest(LowerBound lower, double width) {
+  if (tightOverLower_ == 0 && lower.value > 0) tightOverLower_ = state_.weights().last() / lower.value;
+  return withRoom(lower, width, 1);
+}
+
+void IncrementalNodalBound::relaxBound(LowerBound lower, double width, double ceiling) {
+  if (!started_ || certifiedEigenvalue() >= withRoom(lower, width, policy_.relaxBelow)) return;
+  const double target = withRoom(lower, width, policy_.targetOfWidth);
+  // A proof of the step that is taken is worth more than room.
+  const double most = certifiedEigenvalue() <= ceiling ? std::min(target, ceiling) : target;
+  if (most != target && !(most > policy_.raise * certifiedEigenvalue())) return;
+  state_.moveTo(most);
+  if (account_) account_->ballsGrow();
 }
 
 bool IncrementalNodalBound::tightenBound(NodeVectorsView x, LowerBound lower, double width) {
   if (!started_ || !(lower.value > 0)) return false;
-  if (certifiedEigenvalue() <= above(lower, width)) return false;
-  if (tightOverLower_ == 0) tightOverLower_ = state_.weights().last() / lower.value;
+  if (certifiedEigenvalue() <= highest(lower, width)) return false;
   state_.releaseDiscreteForces(x);
-  const double target = std::max({above(lower, policy_.targetOfWidth * width),
+  const double target = std::max({withRoom(lower, width, policy_.targetOfWidth),
                                   tightOverLower_ * (1 + policy_.leastSlack * policy_.slack) * lower.value,
                                   (1 + policy_.leastSlack * policy_.slack) * state_.leastForDiscreteForces()});
   if (target < (1 - policy_.leastLowering) * certifiedEigenvalue() && lowerings_.due() &&
@@ -280,8 +299,10 @@ bool IncrementalNodalBound::tightenBound(NodeVectorsView x, LowerBound lower, do
   const bool drifted = risen > policy_.drifted;
   const bool rebuilding =
       rebuilds_.due(drifted ? 0 : policy_.updatesOfChange) && affords(WorkAccount::ofRebuild(body_));
-  // Where means are short: on credit, once what was owed for the last one is paid.
-  const bool refreshing = drifted && refreshes_.due() && (!limited() || (risen > policy_.tooHigh && affords(0)));
+  const bool refreshing =
+      drifted && refreshes_.due() &&
+      (!limited() || (risen > policy_.tooHigh &&
+                      affords(WorkAccount::ofEvaluation(body_) + WorkAccount::ofDistribution(body_, true))));
   if (!rebuilding && !refreshing) return false;
   beginCounting();
   const double before = certifiedEigenvalue();

@@ -35,8 +35,13 @@ class IncrementalNodalBound {
   /// returns true, the certified eigenvalue has changed and holds only after the next update.
   bool tightenBound(NodeVectorsView x, LowerBound lower, double width);
   /// Follows a lower bound upwards: raises the certified eigenvalue and all allowances when it lies so little above the
-  /// one at x that elements would soon exceed their allowances everywhere. Needs no evaluation (Theorem 21).
-  void relaxBound(LowerBound lower, double width);
+  /// one at x that elements would soon exceed their allowances everywhere, but not above `ceiling`. Needs no evaluation
+  /// (Theorem 21).
+  void relaxBound(LowerBound lower, double width, double ceiling = std::numeric_limits<double>::infinity());
+  /// The certified eigenvalue from which tightenBound() lowers it.
+  double highest(LowerBound lower, double width);
+  /// RebuildPolicy::slack from here on.
+  void setSlack(double slack) { policy_.slack = slack; }
 
   /// Threshold mode: proves that the highest eigenvalue at x is at most `sigma`, rad²/s², or returns false. Where
   /// `sigma` lies far above it, balls are large and hardly any element is ever evaluated again. A proof that is kept
@@ -81,8 +86,8 @@ class IncrementalNodalBound {
   /// The account is the owner's.
   template <class Archive>
   void archive(Archive& a) {
-    a(spent_, sinceRebuild_, ofProof_, state_, started_, endedEarly_, spared_, tight_, nearLimit_, rebuilds_,
-      refreshes_, lowerings_, tightOverLower_);
+    a(policy_.slack, spent_, sinceRebuild_, ofProof_, state_, started_, endedEarly_, spared_, tight_, nearLimit_,
+      rebuilds_, refreshes_, lowerings_, tightOverLower_);
     archiveVersion(a, bodyVersion_, body_.version());
   }
 
@@ -92,6 +97,9 @@ class IncrementalNodalBound {
     return !spared_ && (!account_ || account_->affords(state_.statistics().work.total() - ofProof_ + work));
   }
   bool limited() const { return account_ && (spared_ || account_->limited()); }
+  /// An eigenvalue that leaves a share of the width above the lower bound; where means are short, of the slack above
+  /// the tight bound too: less would be lost to elements that leave their balls.
+  double withRoom(LowerBound lower, double width, double share) const;
   /// Takes from the account what the statistics count, and begins to count again.
   void beginCounting();
   /// Builds the certificate again at x with the weights that there are, turned with the body: for the wanted eigenvalue

@@ -31,14 +31,16 @@ struct RebuildPolicy {
   /// The most by which the certified eigenvalue rises at once for elements that have left their balls; those that need
   /// more are evaluated on credit.
   double mostRaise = 1.1;
+  /// The work of evaluations that are done at an update whatever there is for it, over that of the raise instead.
+  double evaluationsForRaise = 0.25;
   /// The least: a raise visits the allowance of every element.
-  double raise = 1.02;
+  double raise = 1.05;
   /// Updates between evaluations of all elements that may not help, and the share of the certified eigenvalue by which
   /// one that helps lowers it.
   Backoff::Gaps refreshes{.first = 4, .last = 640, .factor = 2};
   double helpfulRefresh = 0.01;
   /// The certified eigenvalue above what the last rebuild gave, at today's lower bound, from which all elements are
-  /// evaluated on credit: 12 % of the step.
+  /// evaluated once that can be paid for: 12 % of the step.
   double tooHigh = 1.25;
 
   // Local updates.

@@ -17,6 +17,7 @@ RunBracket::RunBracket(const Body& body, double width, double budget, const Brac
     : body_(body),
       policy_(policy),
       width_(width),
+      slack_(policy.slackOfWidth * width),
       account_(body, budget),
       nodal_(body, {.slack = policy.slackOfWidth * width}, &account_),
       exchange_(body, nodal_.weights(), account_),
@@ -35,11 +36,24 @@ RunBracket::RunBracket(const Body& body, double width, double budget, const Brac
 const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const StepRule& limit,
                                                         std::optional<double> h, StepEvaluation* evaluation) {
   account_.earn();
-  return follow(x, limit, h, evaluation);
+  follow(x, limit, h, evaluation);
+  observed_ = true;
+  return step_;
+}
+
+void RunBracket::adaptSlack() {
+  if (!account_.limited()) return;
+  const double load = account_.load(), least = policy_.slackOfWidth * width_;
+  if (load > 1)
+    slack_ *= 1 + policy_.widening * std::min(load - 1, 1.0);
+  else
+    slack_ *= 1 - policy_.narrowing * (1 - load);
+  slack_ = std::clamp(slack_, least, std::max(least, policy_.mostSlack));
+  nodal_.setSlack(slack_);
 }
 
 void RunBracket::charge(WorkOn what, double work) {
-  if (mode_.size() == 0) return;  // the first proof is free
+  if (!observed_) return;  // the first proof is free
   if (uncertified_ && account_.affordsForVerdict(work))
     account_.spendOnVerdict(work);
   else
@@ -48,7 +62,7 @@ void RunBracket::charge(WorkOn what, double work) {
 }
 
 bool RunBracket::affords(double work) const {
-  return mode_.size() == 0 || account_.affordsForMode(work) || (uncertified_ && account_.affordsForVerdict(work));
+  return !observed_ || account_.affordsForMode(work) || (uncertified_ && account_.affordsForVerdict(work));
 }
 
 const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const StepRule& limit, std::optional<double> h,
@@ -56,6 +70,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   const double sigma = nodal_.certifiedEigenvalue();  // that allowances belong to
   uncertified_ = h && step_ && *h > step_->safe;
   const double ceiling = h ? limit.lambdaFor(*h) : infinity;
+  adaptSlack();
   nodal_.spare(exchange_.serves());
   UpperBound nodal = nodal_.update(x, evaluation, ceiling);
   statistics_ = nodal_.statistics();
@@ -80,9 +95,8 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     lower = boundWhereItTouches(x, boundWhereItRose(x, sigma, lower));
   }
   UpperBound upper{std::min(nodal.value, exchange_.update(x, nodal).value)};
-  const double allowed = (1 + width_) * (1 + width_);
   // A bracket that is too wide is either side's fault: bound it from below again before moving the upper side.
-  const bool wide = upper.value > allowed * lower.value;
+  const bool wide = upper.value > nodal_.highest(lower, width_);
   if (wide) restart_.tick();
   if (first || ((rebuilt || (wide && restart_.due())) && affords(workOfRestart()))) {
     const double before = lower.value;
@@ -90,10 +104,10 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     restart_.tried(regionBound_.value > (1 + policy_.helpfulRestart) * before);
   }
   searchUnderCompression(x);
-  nodal_.relaxBound(lower, width_);
+  nodal_.relaxBound(lower, width_, ceiling);
   nodal.value = std::max(nodal.value, nodal_.certifiedEigenvalue());
   upper.value = std::min(nodal.value, exchange_.narrow(x, nodal, nodal_.takeTight(), mode_, lower, width_).value);
-  if (upper.value > allowed * lower.value && nodal_.tightenBound(x, lower, width_)) {
+  if (upper.value > nodal_.highest(lower, width_) && nodal_.tightenBound(x, lower, width_)) {
     statistics_.evaluated += nodal_.statistics().evaluated;
     nodal = nodal_.update(x);
     upper.value = std::min(upper.value, nodal.value);
@@ -123,11 +137,13 @@ bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, Ste
     bracketed_ = false;
     if (certified) {
       searchUnderCompression(x);
+      observed_ = true;
       return true;
     }
     before = statistics_.evaluated;
   }
   follow(x, limit, h, evaluation);
+  observed_ = true;
   statistics_.evaluated += before;
   const bool certified = step_ && h <= step_->safe;
   if (certified)

@@ -22,6 +22,10 @@ struct BracketPolicy {
   /// bracket (in the step): 2 would use all of the width; the rest is for the lower side.
   double slackOfWidth = 1.6;
 
+  /// Where means are short the slack grows at every observation by up to this share, and shrinks by less where there
+  /// are some; the most.
+  double widening = 0.03, narrowing = 0.01, mostSlack = 1.5;
+
   // The top mode, by Lanczos.
   /// Tangent products: at the first evaluation, at a restart from the highest ring, and when the mode is followed.
   int firstProducts = 20, restartProducts = 8, productsOfFollowing = 3;
@@ -123,15 +127,18 @@ class RunBracket {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(account_, spent_, uncertified_, nodal_, exchange_, local_, localNodes_, regionBound_, own_, ownBefore_, softest_,
-      mode_, method_, statistics_, bracketed_, finite_, cheapest_, sharpening_, sharpeningRestart_, wholeMode_,
-      restart_, search_, examination_, lowest_, nextCompressed_, least_, searchedAt_, step_, best_, bestAt_);
+    a(slack_, account_, spent_, observed_, uncertified_, nodal_, exchange_, local_, localNodes_, regionBound_, own_,
+      ownBefore_, softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_, sharpening_,
+      sharpeningRestart_, wholeMode_, restart_, search_, examination_, lowest_, nextCompressed_, least_, searchedAt_,
+      step_, best_, bestAt_);
     archiveVersion(a, bestVersion_, body_.version());
   }
 
  private:
   const std::optional<CriticalStep>& follow(NodeVectorsView x, const StepRule& limit, std::optional<double> h,
                                             StepEvaluation* evaluation);
+  /// Sets the slack to what can be paid for: elements leave larger balls less often.
+  void adaptSlack();
   /// The state has no tangent: nothing that is known of the modes can be carried over it.
   void forget();
   /// Only elements under compression can make the tangent indefinite. When there are some, their rings are evaluated
@@ -169,9 +176,10 @@ class RunBracket {
 
   const Body& body_;
   BracketPolicy policy_;
-  double width_;
+  double width_, slack_;  // slack_: of the certified eigenvalue, as large as means make it
   WorkAccount account_;
   Work spent_;                // on the lower side and on searches
+  bool observed_ = false;     // once: what comes is paid for
   bool uncertified_ = false;  // the step, when observed last: the lower side may take what there is for the verdict
   IncrementalNodalBound nodal_;
   IncrementalExchangeBound exchange_;

@@ -272,7 +272,6 @@ std::vector<ElementRef> RunCertificate::elementsOutsideBall(NodeVectorsView x, S
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     outside_[b].resize(body().blocks()[b]->layout().patches.size());
     for (auto& list : outside_[b]) list.clear();
-    blocks_[b].balls.beginCheck();
   }
   class Check final : public PatchVisitor {
    public:

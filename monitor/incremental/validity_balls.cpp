@@ -14,29 +14,42 @@ namespace ringwatch {
 namespace {
 
 using P = NativePack;
-/// Batches that skip checks together: enough that the test of their nodes costs little, few enough that they move
-/// alike.
-constexpr int groupBatches = 64;
+/// Batches whose motion is bounded together where that of their patch is too large: few enough that a front that runs
+/// through the patch meets few of them, enough that they share most of their nodes.
+constexpr std::int32_t clusterBatches = 8;
 /// A radius that is not limited is stored as this one: infinity means that an element is never outside.
 constexpr double largestRadius = 1e30;
-/// A group whose elements leave their balls at every check waits for up to this many before it tries to skip again:
-/// trying costs as much as a visit.
-constexpr int longestPause = 15;
-/// Work of a check, in WorkAccount's units: of a node that is asked, of fitting a motion, and of a visit, an element's
-/// quadrature point.
-constexpr double workOfNode = 0.5, workOfFit = 300, workOfVisit = 2;
+/// Lever arms grow with the motion since they were found; beyond this factor all elements are tested.
+constexpr double mostLeverArm = 1.1;
+/// Of what is left of balls, at every motion that is taken from it, relative.
+constexpr double leftRounding = 1e-15;
+/// Beyond all roundings of numbers too small for single precision, m.
+constexpr double smallestMotion = 1e-43;
+/// A motion that is fitted has helped when C is at most this part of what it was; else fits become more seldom.
+constexpr double helpfulFit = 0.8;
+constexpr std::int32_t longestGapOfFits = 64;  // checks
+/// Motions are from the positions at hand where they have used up this share of what is left on average. Each test at
+/// other positions loses the motion to there twice; but there motions that go to and fro do not add up.
+constexpr double mostMotion = 0.3;
+/// Work of a check, in WorkAccount's units: of going through a node, of fitting a motion, of a cluster's node, of
+/// keeping a node's position, and of testing an element at a quadrature point.
+constexpr double workOfNode = 0.4, workOfFit = 300, workOfClusterNode = 0.3, workOfKeeping = 0.25, workOfTest = 1;
 
-/// Nodes by their rows in a patch, and where they were, from a centre of their own.
+typedef double Row4 __attribute__((vector_size(32)));
+typedef float Floats16 __attribute__((vector_size(64)));
+typedef float Floats8 __attribute__((vector_size(32)));
+typedef float Floats4 __attribute__((vector_size(16)));
+
+/// The nodes of a patch and where they were, from a centre of their own.
 struct TrackedNodes {
-  const std::uint16_t* nodes;
-  const float* before;  // m, three numbers a node
-  std::size_t count;    // a multiple of 4
+  const float* before;  // m, four numbers a node
+  std::size_t count;    // at least 4
   Eigen::Vector3d centre;
   const double* rows;  // m
 
-  Eigen::Vector3d from(std::size_t i) const { return Eigen::Map<const Eigen::Vector3f>(before + 3 * i).cast<double>(); }
+  Eigen::Vector3d from(std::size_t i) const { return Eigen::Map<const Eigen::Vector3f>(before + 4 * i).cast<double>(); }
   Eigen::Vector3d moved(std::size_t i) const {
-    return Eigen::Map<const Eigen::Vector3d>(rows + 4 * nodes[i]) - centre - from(i);
+    return Eigen::Map<const Eigen::Vector3d>(rows + 4 * i) - centre - from(i);
   }
 };
 
@@ -64,86 +77,119 @@ Eigen::Matrix3d fittedMotion(const TrackedNodes& tracked) {
   return A.allFinite() ? A : Eigen::Matrix3d::Zero();
 }
 
-/// How far the moves of the nodes lie from A y about the middle of their box, m; infinitely far when a number is not
-/// finite.
-double residual(const TrackedNodes& tracked, const Eigen::Matrix3d& A) {
-  // Two nodes at a time: their rows side by side.
-  typedef double Row8 __attribute__((vector_size(64)));
-  typedef double Row4 __attribute__((vector_size(32)));
-  typedef float Floats4 __attribute__((vector_size(16)));
-  Row8 column[3], centre;
-  for (int k = 0; k < 8; ++k) {
-    const bool none = k % 4 == 3;
-    for (int j = 0; j < 3; ++j) column[j][k] = none ? 0 : A(k % 4, j);
-    centre[k] = none ? 0 : tracked.centre[k % 4];
-  }
-  // Two chains of comparisons, which would wait for one another.
-  Row8 most[2], least[2], sum[2]{};
-  for (int half = 0; half < 2; ++half) {
-    most[half] = Row8{} - infinity;
-    least[half] = Row8{} + infinity;
-  }
-  for (std::size_t i = 0; i < tracked.count; i += 4)
-    for (std::size_t half = 0; half < 2; ++half) {
-      // The fourth number of a float row is the next node's; the result for it is not used.
-      Row4 now[2];
-      Floats4 from[2];
-      for (std::size_t k = 0; k < 2; ++k) {
-        std::memcpy(&now[k], tracked.rows + 4 * tracked.nodes[i + 2 * half + k], sizeof now[k]);
-        std::memcpy(&from[k], tracked.before + 3 * (i + 2 * half + k), sizeof from[k]);
-      }
-      const Row8 x = __builtin_shufflevector(now[0], now[1], 0, 1, 2, 3, 4, 5, 6, 7);
-      const Row8 y = __builtin_convertvector(__builtin_shufflevector(from[0], from[1], 0, 1, 2, 3, 4, 5, 6, 7), Row8);
-      const Row8 r = x - centre - y - column[0] * __builtin_shufflevector(y, y, 0, 0, 0, 0, 4, 4, 4, 4) -
-                     column[1] * __builtin_shufflevector(y, y, 1, 1, 1, 1, 5, 5, 5, 5) -
-                     column[2] * __builtin_shufflevector(y, y, 2, 2, 2, 2, 6, 6, 6, 6);
-      most[half] = r > most[half] ? r : most[half];
-      least[half] = r < least[half] ? r : least[half];
-      sum[half] += r;  // a NaN would pass comparisons unseen
-    }
-  double size2 = 0, nanGuard = 0;
+/// Half the diagonal of a box.
+template <class V>
+double halfDiagonal(const V& most, const V& least) {
+  double size2 = 0;
   for (int k = 0; k < 3; ++k) {
-    const double size = std::max({most[0][k], most[0][k + 4], most[1][k], most[1][k + 4]}) -
-                        std::min({least[0][k], least[0][k + 4], least[1][k], least[1][k + 4]});
+    const double size = static_cast<double>(most[k]) - static_cast<double>(least[k]);
     size2 += size * size;
-    nanGuard += sum[0][k] + sum[0][k + 4] + sum[1][k] + sum[1][k + 4];
   }
-  return std::isfinite(nanGuard) ? 0.5 * std::sqrt(size2) : infinity;
+  return 0.5 * std::sqrt(size2);
 }
 
 }  // namespace
 
+/// How far the moves of the nodes of a patch lie from A y, from that of its first node, m.
+struct ValidityBalls::Residuals {
+  alignas(64) float of[4 * PatchLayout::maxPatchNodes];  // four numbers a node
+  double shared;                                         // |A| max |F|/γ and the rounding of positions
+  double radius;                                         // half the diagonal of a box of all of them
+
+  /// In single precision; the radius is infinite when a number is not finite.
+  void compute(const TrackedNodes& tracked, const Eigen::Matrix3d& A) {
+    // Four nodes at a time: their rows side by side.
+    Floats16 column[3];
+    Row4 origin;
+    const Eigen::Vector3d first = tracked.moved(0) - A * tracked.from(0);
+    for (int k = 0; k < 16; ++k)
+      for (int j = 0; j < 3; ++j) column[j][k] = k % 4 == 3 ? 0 : static_cast<float>(A(k % 4, j));
+    for (int k = 0; k < 4; ++k) origin[k] = k == 3 ? 0 : tracked.centre[k] + first[k];
+    constexpr auto unlimited = std::numeric_limits<float>::infinity();
+    Floats16 most = Floats16{} - unlimited, least = Floats16{} + unlimited, sum{};
+    for (std::size_t next = 0; next < tracked.count; next += 4) {
+      const std::size_t i = std::min(next, tracked.count - 4);
+      const auto from = [&](std::size_t node) {
+        Row4 row;
+        std::memcpy(&row, tracked.rows + 4 * node, sizeof row);
+        return __builtin_convertvector(row - origin, Floats4);
+      };
+      const Floats8 low = __builtin_shufflevector(from(i), from(i + 1), 0, 1, 2, 3, 4, 5, 6, 7),
+                    high = __builtin_shufflevector(from(i + 2), from(i + 3), 0, 1, 2, 3, 4, 5, 6, 7);
+      const Floats16 x = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+      Floats16 y;
+      std::memcpy(&y, tracked.before + 4 * i, sizeof y);
+      const Floats16 y0 = __builtin_shufflevector(y, y, 0, 0, 0, 0, 4, 4, 4, 4, 8, 8, 8, 8, 12, 12, 12, 12),
+                     y1 = __builtin_shufflevector(y, y, 1, 1, 1, 1, 5, 5, 5, 5, 9, 9, 9, 9, 13, 13, 13, 13),
+                     y2 = __builtin_shufflevector(y, y, 2, 2, 2, 2, 6, 6, 6, 6, 10, 10, 10, 10, 14, 14, 14, 14);
+      const Floats16 r = x - y - column[0] * y0 - column[1] * y1 - column[2] * y2;
+      most = r > most ? r : most;
+      least = r < least ? r : least;
+      sum += r;  // a NaN would pass comparisons unseen
+      std::memcpy(of + 4 * i, &r, sizeof r);
+    }
+    double top[3], bottom[3], nanGuard = 0;
+    for (int k = 0; k < 3; ++k) {
+      top[k] = std::max({most[k], most[k + 4], most[k + 8], most[k + 12]});
+      bottom[k] = std::min({least[k], least[k + 4], least[k + 8], least[k + 12]});
+      for (int node = 0; node < 4; ++node) nanGuard += static_cast<double>(sum[k + 4 * node]);
+    }
+    radius = std::isfinite(nanGuard) ? halfDiagonal(top, bottom) : infinity;
+  }
+  /// Half the diagonal of a box of some of them.
+  double radiusOf(const std::uint16_t* nodes, std::size_t count) const {
+    Floats4 most, least;
+    std::memcpy(&most, of + 4 * nodes[0], sizeof most);
+    least = most;
+    for (std::size_t i = 1; i < count; ++i) {
+      Floats4 r;
+      std::memcpy(&r, of + 4 * nodes[i], sizeof r);
+      most = r > most ? r : most;
+      least = r < least ? r : least;
+    }
+    return halfDiagonal(most, least);
+  }
+};
+
 /// Compares the deformation gradients of batches with their balls, a batch after another.
 class ValidityBalls::BallCheck final : public GradientVisitor {
  public:
-  BallCheck(const ValidityBalls& balls, std::vector<std::int32_t>& outside) : balls_(balls), outside_(outside) {}
+  BallCheck(ValidityBalls& balls, bool wantsLeverArm, std::vector<std::int32_t>& outside)
+      : balls_(balls), wantsLeverArm_(wantsLeverArm), outside_(outside) {}
 
   void visit(std::int32_t batch, const double* F) override {
     const std::int16_t* reference =
         balls_.referenceGradient_.data() + static_cast<std::ptrdiff_t>(batch) * balls_.points_ * 9 * lanes;
     P distance2(0.0), size2(0.0);
     for (int q = 0; q < balls_.points_; ++q) {
-      P d2(0.0), f2(0.0);
-      for (int i = 0; i < 9; ++i, reference += lanes, F += lanes) {
-        const P f = P::load(F);
-        const P d = f - P(entryUnit) * P(__builtin_convertvector(detail::loadShorts(reference), P::Values));
+      P d2(0.0);
+      for (int i = 0; i < 9; ++i) {
+        const P d = P::load(F + i * lanes) -
+                    P(entryUnit) * P(__builtin_convertvector(detail::loadShorts(reference + i * lanes), P::Values));
         d2 += d * d;
-        f2 += f * f;
       }
-      size2 = math::max(size2, f2);
       // A NaN fails the comparison inside max and would pass unseen: keep it.
       distance2 = select(d2 <= distance2, distance2, d2);
+      if (wantsLeverArm_) {
+        P f2(0.0);
+        for (int i = 0; i < 9; ++i) f2 += P::load(F + i * lanes) * P::load(F + i * lanes);
+        size2 = math::max(size2, f2);
+      }
+      reference += 9 * lanes;
+      F += 9 * lanes;
     }
     // Roots in single precision, rounded up, cost a third.
     const P up(1 + singleRootRounding);
-    const P distance = up * singlePrecisionRoot(distance2), size = up * singlePrecisionRoot(size2);
+    const P distance = up * singlePrecisionRoot(distance2);
     const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(batch) * lanes;
     const P inverseNorm = RoundedDown<Bfloat16>::load(balls_.inverseGradientNorm_.data() + place);
     const P radius = RoundedDown<Bfloat16>::load(balls_.radius_.data() + place), margin = radius - distance;
     const auto inside = margin >= P(edgeFraction) * radius;
-    leastMargin_ = math::min(leastMargin_, select(inside, margin * inverseNorm, leastMargin_));
+    const P left = select(inside, margin * inverseNorm, P(infinity));
+    balls_.left_[static_cast<std::size_t>(batch)] = least(left) * (1 - groupMarginRounding) - moved_;
     // 1/γ is rounded down by at most 1/64.
-    leverArm_ = math::max(leverArm_, P(1 + 1.0 / 64) * size * inverseNorm);
+    if (wantsLeverArm_)
+      leverArm_ = math::max(leverArm_, P(1 + 1.0 / 64) * up * singlePrecisionRoot(size2) * inverseNorm);
     if (allOf(inside)) return;
     const P flags = select(inside, P(1.0), P(0.0));
     for (int lane = 0; lane < lanes; ++lane) {
@@ -152,13 +198,9 @@ class ValidityBalls::BallCheck final : public GradientVisitor {
       if (flags[lane] == 0 && element >= 0) outside_.push_back(element);
     }
   }
-  /// Of the elements inside their balls, m.
-  double leastMargin() const {
-    double least = leastMargin_[0];
-    for (int lane = 1; lane < lanes; ++lane) least = std::min(least, leastMargin_[lane]);
-    return least;
-  }
-  /// Largest |F|/γ, m.
+  /// What has to be taken from what is left, m.
+  void setMoved(double moved) { moved_ = moved; }
+  /// Largest |F|/γ of the batches that were tested, m.
   double leverArm() const {
     double most = leverArm_[0];
     for (int lane = 1; lane < lanes; ++lane) most = std::max(most, leverArm_[lane]);
@@ -171,10 +213,17 @@ class ValidityBalls::BallCheck final : public GradientVisitor {
     for (int lane = 0; lane < lanes; ++lane) values[lane] = std::sqrt(values[lane]);
     return detail::packOf(values);
   }
+  static double least(P a) {
+    double least = infinity;  // which passes by a NaN
+    for (int lane = 0; lane < lanes; ++lane) least = std::min(least, a[lane]);
+    return least;
+  }
 
-  const ValidityBalls& balls_;
+  ValidityBalls& balls_;
+  const bool wantsLeverArm_;
   std::vector<std::int32_t>& outside_;
-  P leastMargin_ = P(infinity), leverArm_ = P(0.0);
+  P leverArm_ = P(0.0);
+  double moved_ = 0;
 };
 
 ValidityBalls::ValidityBalls(const ElementBlock& block)
@@ -185,6 +234,7 @@ ValidityBalls::ValidityBalls(const ElementBlock& block)
   referenceGradient_.assign(batches * static_cast<std::size_t>(points_) * 9 * lanes, 0);
   radius_.assign(batches * lanes, -1);
   inverseGradientNorm_.resize(batches * lanes);
+  left_.assign(batches, -1);
   double norms[lanes];
   for (std::int32_t batch = 0; batch < layout.batchCount(); ++batch) {
     block.gradientNormBatch(batch, norms);
@@ -194,27 +244,28 @@ ValidityBalls::ValidityBalls(const ElementBlock& block)
       if (layout.elements[place] < 0) radius_[place] = infinity;
     }
   }
-  patchGroups_.push_back(0);
+  motions_.resize(layout.patches.size());
+  patchClusters_.push_back(0);
   std::vector<std::uint16_t> touched;
   for (const Patch& patch : layout.patches) {
-    for (std::int32_t first = patch.batchBegin; first < patch.batchEnd; first += groupBatches) {
-      Group group;
-      group.batchBegin = first;
-      group.batchEnd = std::min(patch.batchEnd, first + groupBatches);
+    for (std::int32_t first = patch.batchBegin; first < patch.batchEnd; first += clusterBatches) {
+      Cluster cluster;
+      cluster.batchBegin = first;
+      cluster.batchEnd = std::min(patch.batchEnd, first + clusterBatches);
       const auto begin = layout.localNodes.begin();
       touched.assign(begin + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(first) * n * lanes),
-                     begin + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(group.batchEnd) * n * lanes));
+                     begin + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(cluster.batchEnd) * n * lanes));
       sortUnique(touched);
-      group.nodeBegin = nodes_.size();
+      cluster.nodeBegin = nodes_.size();
       nodes_.insert(nodes_.end(), touched.begin(), touched.end());
-      while (nodes_.size() % 4 != 0) nodes_.push_back(touched.back());
-      group.nodeEnd = nodes_.size();
-      groups_.push_back(group);
+      cluster.nodeEnd = nodes_.size();
+      clusters_.push_back(cluster);
     }
-    patchGroups_.push_back(groups_.size());
+    patchClusters_.push_back(static_cast<std::int32_t>(clusters_.size()));
   }
   nodes_.shrink_to_fit();
-  before_.resize(3 * nodes_.size() + 1);
+  clusters_.shrink_to_fit();
+  before_.assign(4 * layout.nodes.size(), 0);
 }
 
 double ValidityBalls::setReferenceGradient(std::size_t place, const double* F0, int points, int lane) {
@@ -276,96 +327,191 @@ double ValidityBalls::distance(std::size_t place, const double* F, int lane) con
 }
 
 void ValidityBalls::ballChanged(std::size_t place, double distance) {
-  const auto group = std::upper_bound(groups_.begin(), groups_.end(), place / lanes,
-                                      [](std::int32_t batch, const Group& g) { return batch < g.batchEnd; });
-  // The margin counts from the positions of the last visit: only when that was now does the ball fit in.
-  const double margin =
-      group->visitedAt == checks_ ? (radius_[place] - distance) * static_cast<double>(inverseGradientNorm_[place]) : -1;
-  group->marginAtCheck = std::min(group->marginAtCheck, margin);
+  const std::size_t batch = place / lanes;
+  const auto& patches = block_->layout().patches;
+  const auto patch =
+      static_cast<std::size_t>(std::upper_bound(patches.begin(), patches.end(), static_cast<std::int32_t>(batch),
+                                                [](std::int32_t at, const Patch& p) { return at < p.batchEnd; }) -
+                               patches.begin());
+  Motion& motion = motions_[patch];
+  // What is left at the positions of the last check is less by the motion from `before_` to there, on the way back.
+  const double moved = motion.kept ? 0
+                       : motion.clustered
+                           ? clusters_[static_cast<std::size_t>(patchClusters_[patch]) +
+                                       (batch - static_cast<std::size_t>(patches[patch].batchBegin)) / clusterBatches]
+                                 .moved
+                           : motion.moved;
+  const double margin = (radius_[place] - distance) * static_cast<double>(inverseGradientNorm_[place]);
+  left_[batch] = std::min(left_[batch], margin * (1 - groupMarginRounding) - moved);
+  motion.leastLeft = std::min(motion.leastLeft, left_[batch]);
 }
 
 void ValidityBalls::checkPatch(const PatchPass& pass, std::vector<std::int32_t>& outside) {
-  const std::size_t patch = pass.index();
-  for (std::int32_t g = patchGroups_[patch]; g < patchGroups_[patch + 1]; ++g) {
-    Group& group = groups_[g];
-    if (canSkip(group, pass.rows())) {
-      pass.run(group.batchBegin, group.batchEnd);
-      continue;
+  const std::int32_t p = pass.index();
+  const Patch& patch = pass.patch();
+  Motion& motion = motions_[static_cast<std::size_t>(p)];
+  const auto left = left_.begin() + patch.batchBegin, end = left_.begin() + patch.batchEnd;
+  motion.tested = motion.asked = 0;
+  motion.fitted = motion.clustered = motion.kept = false;
+  if (!motion.testAll) {
+    Residuals residuals;
+    motion.moved = move(motion, patch, pass.rows(), residuals);
+    if (motion.moved < motion.leastLeft) {  // not where both are infinite
+      pass.run(patch.batchBegin, patch.batchEnd);
+      return;
     }
-    BallCheck check(*this, outside);
-    pass.run(group.batchBegin, group.batchEnd, &check);
-    beginSkipping(group, check.leastMargin(), check.leverArm(), pass.rows());
+    motion.testAll = !(motion.leverArm + motion.moved <= mostLeverArm * motion.testedLeverArm);  // a NaN among them
+    if (!motion.testAll) moveClusters(motion, p, residuals);
+  }
+  if (motion.testAll) {
+    std::fill(left, end, -1.0);
+    motion.kept = true;
+  }
+  motion.tested = static_cast<std::int32_t>(std::count(left, end, -1.0));
+  BallCheck check(*this, motion.testAll, outside);
+  testMarked(motion, pass, check);
+  // Times no motion at all it must be nothing.
+  if (motion.testAll) motion.leverArm = motion.testedLeverArm = std::min(check.leverArm(), 1e100);
+  motion.testAll = false;
+  motion.leastLeft = *std::min_element(left, end);
+  if (motion.kept) keepPositions(motion, patch, pass.rows());
+}
+
+double ValidityBalls::move(Motion& motion, const Patch& patch, const double* rows, Residuals& residuals) const {
+  const TrackedNodes tracked{before_.data() + 4 * static_cast<std::ptrdiff_t>(patch.nodeBegin),
+                             static_cast<std::size_t>(patch.nodeEnd - patch.nodeBegin), motion.centre, rows};
+  const double moved = tracked.moved(0).lpNorm<1>();
+  const auto by = [&](const Eigen::Matrix3d& A) {
+    ++motion.asked;
+    const double size = A.norm();
+    residuals.compute(tracked, A);
+    // Rounding of positions and of their differences.
+    const double rounding = 4 * (motion.rounding * (1 + 4 * size) + 3 * storedPositionRounding * residuals.radius) +
+                            positionRounding * (motion.centre.lpNorm<1>() + moved) + smallestMotion;
+    residuals.shared = size * motion.leverArm + rounding;
+    return (residuals.shared + residuals.radius) * (1 + groupMarginRounding);
+  };
+  ++motion.checks;
+  ++motion.checksSinceFit;
+  const Eigen::Matrix3d expected = motion.checks * motion.rate;
+  const double C = by(expected);
+  if (C < motion.leastLeft || motion.checksSinceFit < motion.gapOfFits) return C;
+  const Eigen::Matrix3d A = fittedMotion(tracked);
+  const double fitted = by(A);
+  motion.fitted = true;
+  motion.checksSinceFit = 0;
+  motion.gapOfFits =
+      fitted <= helpfulFit * C ? std::max(motion.gapOfFits / 2, 1) : std::min(2 * motion.gapOfFits, longestGapOfFits);
+  if (!(fitted < C)) return by(expected);
+  motion.rate = A / motion.checks;
+  return fitted;
+}
+
+void ValidityBalls::moveClusters(Motion& motion, std::int32_t patch, const Residuals& residuals) {
+  const auto begin = clusters_.begin() + patchClusters_[patch], end = clusters_.begin() + patchClusters_[patch + 1];
+  const auto first = left_.begin() + begin->batchBegin, last = left_.begin() + (end - 1)->batchEnd;
+  // A few tests too many cost less than asking clusters.
+  const auto due = std::count_if(first, last, [&](double own) { return !(motion.moved < own); });
+  motion.clustered = workOfTest * static_cast<double>(due * lanes * points_) >
+                     workOfClusterNode * static_cast<double>((end - 1)->nodeEnd - begin->nodeBegin);
+  double moved = 0, left = 0;
+  for (auto cluster = begin; cluster != end; ++cluster) {
+    cluster->moved = motion.clustered ? (residuals.shared + residuals.radiusOf(nodes_.data() + cluster->nodeBegin,
+                                                                               cluster->nodeEnd - cluster->nodeBegin)) *
+                                            (1 + groupMarginRounding)
+                                      : motion.moved;
+    moved += (cluster->batchEnd - cluster->batchBegin) * cluster->moved;
+    for (std::int32_t batch = cluster->batchBegin; batch < cluster->batchEnd; ++batch)
+      left += std::clamp(left_[static_cast<std::size_t>(batch)], 0.0, motion.leverArm);  // it may be infinite
+  }
+  motion.kept = moved > mostMotion * left;
+  if (motion.kept) motion.leverArm += motion.moved;
+  for (auto cluster = begin; cluster != end; ++cluster)
+    for (std::int32_t batch = cluster->batchBegin; batch < cluster->batchEnd; ++batch) {
+      double& own = left_[static_cast<std::size_t>(batch)];
+      if (!(cluster->moved < own)) {
+        own = -1;
+        prefetch(batch);
+      } else if (motion.kept)
+        own = (own - cluster->moved) * (1 - leftRounding);
+    }
+}
+
+void ValidityBalls::prefetch(std::int32_t batch) const {
+  constexpr std::size_t line = 64;  // bytes
+  const std::size_t bytes = static_cast<std::size_t>(points_) * 9 * lanes * sizeof(std::int16_t);
+  const char* const reference =
+      reinterpret_cast<const char*>(referenceGradient_.data()) + static_cast<std::size_t>(batch) * bytes;
+  for (std::size_t at = 0; at < bytes; at += line) __builtin_prefetch(reference + at);
+  __builtin_prefetch(radius_.data() + static_cast<std::ptrdiff_t>(batch) * lanes);
+  __builtin_prefetch(inverseGradientNorm_.data() + static_cast<std::ptrdiff_t>(batch) * lanes);
+}
+
+void ValidityBalls::testMarked(const Motion& motion, const PatchPass& pass, BallCheck& check) const {
+  const Patch& patch = pass.patch();
+  const Cluster* const clusters = clusters_.data() + patchClusters_[pass.index()];
+  // Whether a batch is marked is told before it is tested.
+  const auto isMarked = [&](std::int32_t batch) { return left_[static_cast<std::size_t>(batch)] == -1; };
+  for (std::int32_t first = patch.batchBegin; first < patch.batchEnd;) {
+    const bool marked = isMarked(first);
+    std::int32_t last = first + 1;
+    while (last < patch.batchEnd && isMarked(last) == marked) ++last;
+    if (!marked)
+      pass.run(first, last);
+    else if (motion.kept)
+      pass.run(first, last, &check);
+    // What is left counts from other positions: the motion to there is lost.
+    else
+      for (std::int32_t next = first; first < last; first = next) {
+        const Cluster& cluster = clusters[(first - patch.batchBegin) / clusterBatches];
+        next = std::min(last, cluster.batchEnd);
+        check.setMoved(cluster.moved);
+        pass.run(first, next, &check);
+      }
+    first = last;
   }
 }
 
 double ValidityBalls::workOfCheck() const {
   double work = 0;
-  for (const Group& group : groups_) {
-    if (group.tried) work += workOfNode * static_cast<double>(group.nodeEnd - group.nodeBegin);
-    if (group.fitted) work += workOfFit;
-    if (group.visitedAt == checks_)
-      work += workOfVisit * static_cast<double>((group.batchEnd - group.batchBegin) * lanes * points_);
+  for (std::size_t p = 0; p < motions_.size(); ++p) {
+    const Motion& motion = motions_[p];
+    const Patch& patch = block_->layout().patches[p];
+    const double nodes = patch.nodeEnd - patch.nodeBegin;
+    work += workOfNode * nodes * motion.asked + workOfTest * (motion.tested * lanes * points_);
+    if (motion.fitted) work += workOfFit;
+    if (motion.kept) work += workOfKeeping * nodes;
+    if (motion.clustered)
+      work += workOfClusterNode * static_cast<double>(clusters_[patchClusters_[p + 1] - 1].nodeEnd -
+                                                      clusters_[patchClusters_[p]].nodeBegin);
   }
   return work;
 }
 
-std::size_t ValidityBalls::visitedGroups() const {
-  return static_cast<std::size_t>(
-      std::count_if(groups_.begin(), groups_.end(), [&](const Group& group) { return group.visitedAt == checks_; }));
+std::size_t ValidityBalls::testedBatches() const {
+  std::size_t tested = 0;
+  for (const Motion& motion : motions_) tested += static_cast<std::size_t>(motion.tested);
+  return tested;
 }
 
-bool ValidityBalls::canSkip(Group& group, const double* rows) {
-  group.tried = !(group.marginAtCheck < 0);
-  group.fitted = false;
-  if (group.marginAtCheck < 0 || !(remainingMargin(group, rows) >= 0)) return false;  // NaN among them
-  group.skipped = true;
-  group.pause = 0;
-  return true;
-}
-
-double ValidityBalls::remainingMargin(Group& group, const double* rows) {
-  const TrackedNodes tracked{nodes_.data() + group.nodeBegin, before_.data() + 3 * group.nodeBegin,
-                             group.nodeEnd - group.nodeBegin, group.centre, rows};
-  const double moved = tracked.moved(0).lpNorm<1>();
-  const auto leftBy = [&](const Eigen::Matrix3d& A) {
-    const double size = A.norm();
-    // Rounding of positions and of their differences.
-    const double rounding = group.rounding * (1 + size) + positionRounding * (group.centre.lpNorm<1>() + moved);
-    return group.marginAtCheck * (1 - groupMarginRounding) - size * group.leverArm - residual(tracked, A) - rounding;
-  };
-  // Any motion will do, and the last one fitted is mostly good enough.
-  const double left = leftBy(group.motion);
-  if (left >= 0) return left;
-  group.motion = fittedMotion(tracked);
-  group.fitted = true;
-  return leftBy(group.motion);
-}
-
-void ValidityBalls::beginSkipping(Group& group, double margin, double leverArm, const double* rows) {
-  if (!group.skipped) {
-    group.skipped = true;
-    group.pause = static_cast<std::int16_t>(std::min(2 * group.pause + 1, longestPause));
-    group.waits = group.pause;
+void ValidityBalls::keepPositions(Motion& motion, const Patch& patch, const double* rows) {
+  motion.moved = 0;
+  motion.checks = 0;
+  motion.centre = Eigen::Map<const Eigen::Vector3d>(rows);
+  const auto count = static_cast<std::size_t>(patch.nodeEnd - patch.nodeBegin);
+  float* const before = before_.data() + 4 * static_cast<std::ptrdiff_t>(patch.nodeBegin);
+  Row4 centre{};
+  for (int k = 0; k < 3; ++k) centre[k] = motion.centre[k];
+  Floats4 most{};
+  for (std::size_t i = 0; i < count; ++i) {
+    Row4 x;
+    std::memcpy(&x, rows + 4 * i, sizeof x);
+    const Floats4 from = __builtin_convertvector(x - centre, Floats4);
+    std::memcpy(before + 4 * i, &from, sizeof from);
+    const Floats4 size = from < 0 ? -from : from;
+    most = size > most ? size : most;
   }
-  group.visitedAt = checks_;
-  if (group.waits > 0) {
-    --group.waits;
-    group.marginAtCheck = -1;
-    return;
-  }
-  group.skipped = false;
-  group.marginAtCheck = margin;
-  group.motion.setZero();
-  group.leverArm = std::min(leverArm, 1e100);  // times no motion at all it must be nothing
-  group.centre = Eigen::Map<const Eigen::Vector3d>(rows + 4 * nodes_[group.nodeBegin]);
-  float most = 0;
-  for (std::size_t i = group.nodeBegin; i < group.nodeEnd; ++i)
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto from = static_cast<float>(rows[4 * nodes_[i] + c] - group.centre[c]);
-      before_[3 * i + c] = from;
-      most = std::max(most, std::abs(from));
-    }
-  group.rounding = storedPositionRounding * static_cast<double>(most);
+  motion.rounding = storedPositionRounding * static_cast<double>(std::max({most[0], most[1], most[2]}));
 }
 
 }  // namespace ringwatch

@@ -13,13 +13,15 @@ namespace ringwatch {
 /// Finds the elements of a block that have left their validity balls |F - F0| <= r, F0 the reference gradient at which
 /// an element was last evaluated. Norms are Frobenius norms.
 ///
-/// Most elements are not visited. Elements are checked in groups of batches, and a group skips checks while its nodes
-/// say that no element can have left. With
+/// Most elements are not tested. With
 ///   x = y + t + A (y - c) + ρ   for any t and A
-/// for the nodes of a group since its last check, each of its deformation gradients has changed by at most
-///   |ΔF| <= |A| |F| + γ max |ρ - ρ'|,   γ = Σ_a |∂N_a/∂X|
-/// (Theorem 19, docs/theory/incremental_certificate.md; the code takes half the diagonal of a box of all ρ).
-/// Stored numbers have 16 bits and are rounded to the safe side.
+/// for the nodes of a group of elements, from positions y at an earlier check, each of its deformation gradients has
+/// changed since then by at most
+///   |ΔF| <= γ C,   C = |A| max |F|/γ + max |ρ - ρ'|,   γ = Σ_a |∂N_a/∂X|
+/// (Theorem 19, docs/theory/incremental_certificate.md; the code takes half the diagonal of a box of all ρ). What was
+/// left of a batch's balls when it was tested, over γ, is used up by motions C of its patch or, where that would be too
+/// much, of the few batches around it: only then it is tested again (Theorem 85). Stored numbers are rounded to the
+/// safe side.
 class ValidityBalls {
  public:
   /// Reference gradients are stored as multiples of this; entries of F beyond `largestEntry` cannot be stored, and
@@ -28,7 +30,7 @@ class ValidityBalls {
   /// How far a stored reference gradient lies from F0, at most.
   static constexpr double storageError = 1.5 * entryUnit;
   /// Elements with less than this fraction of their radius left count as outside: one at the edge of its ball would
-  /// keep its whole group from skipping.
+  /// be tested at every check.
   static constexpr double edgeFraction = 0.25;
 
   /// Every element counts as outside until it has a ball.
@@ -53,63 +55,88 @@ class ValidityBalls {
   /// How far the gradients of an element lie from its reference gradient F0, at most: F[(q * 9 + i) * lanes + lane].
   double distance(std::size_t place, const double* F, int lane) const;
 
-  /// Begins a check at new positions: checkPatch of every patch follows.
-  void beginCheck() { ++checks_; }
   /// Runs the batches of a patch and appends the elements that have left their balls.
   void checkPatch(const PatchPass& pass, std::vector<std::int32_t>& outside);
   /// Call it for every element that got a new ball, before the next check; distance: of the positions of the last check
   /// from F0, at most.
   void ballChanged(std::size_t place, double distance = storageError);
-  /// The next check visits every element: radii have changed other than at the positions of the last check.
+  /// The next check tests every element: radii have changed other than at the positions of the last check.
   void invalidateAll() {
-    for (Group& group : groups_) group.marginAtCheck = -1;
+    for (Motion& motion : motions_) motion.testAll = true;
   }
   /// What the last check took, in WorkAccount's units: it depends on how the groups moved, not on threads.
   double workOfCheck() const;
-  /// Groups, and how many of them the last check visited.
-  std::size_t groupCount() const { return groups_.size(); }
-  std::size_t visitedGroups() const;
+  /// Batches, and how many of them the last check tested.
+  std::size_t batchCount() const { return left_.size(); }
+  std::size_t testedBatches() const;
 
   template <class Archive>
   void archive(Archive& a) {
-    a(referenceGradient_, radius_, groups_, before_, checks_);
+    a(referenceGradient_, radius_, left_, motions_, clusters_, before_);
   }
 
  private:
   class BallCheck;
-  struct Group {
+  /// The motion of a patch since `before_`, which its batches are tested by.
+  struct Motion {
     template <class Archive>
     void archive(Archive& a) {
-      a(batchBegin, batchEnd, nodeBegin, nodeEnd, marginAtCheck, leverArm, rounding, centre, motion, visitedAt, skipped,
-        tried, fitted, pause, waits);
+      a(leastLeft, moved, leverArm, testedLeverArm, rounding, centre, rate, checks, checksSinceFit, gapOfFits, tested,
+        asked, fitted, clustered, testAll, kept);
+    }
+
+    double leastLeft = 0;                              // of its batches, m
+    double moved = 0;                                  // C at the last check, m
+    double leverArm = 0;                               // largest |F|/γ at `before_`, at most, m
+    double testedLeverArm = 0;                         // the same when all elements were tested last, m
+    double rounding = 0;                               // of `before_`, m
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // of `before_`, m
+    Eigen::Matrix3d rate = Eigen::Matrix3d::Zero();    // A a check, as last fitted
+    std::int32_t checks = 0;                           // since `before_`
+    std::int32_t checksSinceFit = 0, gapOfFits = 1;
+    // At the last check: batches tested, times that nodes were gone through, whether a motion was fitted, clusters were
+    // asked, and positions kept.
+    std::int32_t tested = 0, asked = 0;
+    bool fitted = false, clustered = false, kept = false;
+    bool testAll = true;  // at the next one
+  };
+  /// Batches that move together.
+  struct Cluster {
+    template <class Archive>
+    void archive(Archive& a) {
+      a(batchBegin, batchEnd, nodeBegin, nodeEnd, moved);
     }
 
     std::int32_t batchBegin, batchEnd;
-    std::size_t nodeBegin, nodeEnd;                    // into nodes_
-    double marginAtCheck = -1;                         // at the last visit: min of (r - |F - F0|)/γ, m; < 0: visit
-    double leverArm = 0;                               // largest |F|/γ then, m
-    double rounding = 0;                               // of `before_`, m
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // of `before_`, m
-    Eigen::Matrix3d motion = Eigen::Matrix3d::Zero();  // A of the common motion since then, as last fitted
-    std::int64_t visitedAt = 0;                        // number of the check that visited it last
-    bool skipped = true;                               // a check since it last began to skip
-    bool tried = false, fitted = false;                // at the last check: its nodes were asked, a motion was fitted
-    std::int16_t pause = 0, waits = 0;  // checks without trying to skip after a try in vain; those still to come
+    std::size_t nodeBegin, nodeEnd;  // into nodes_
+    double moved = 0;                // C at the last check, where clusters were asked, m
   };
-  bool canSkip(Group& group, const double* rows);
-  double remainingMargin(Group& group, const double* rows);
-  void beginSkipping(Group& group, double margin, double leverArm, const double* rows);
+  struct Residuals;
+  /// C of a patch since `before_`, with A = checks * rate or one that is fitted where C would be too large. NaN or
+  /// infinite when a position is not finite.
+  double move(Motion& motion, const Patch& patch, const double* rows, Residuals& residuals) const;
+  /// Marks the batches of a patch that have nothing left by -1, and decides whether positions are kept: then the others
+  /// have less left.
+  void moveClusters(Motion& motion, std::int32_t patch, const Residuals& residuals);
+  /// Has what a test of the batch reads brought into the cache: few batches of a patch are tested, here and there.
+  void prefetch(std::int32_t batch) const;
+  /// Runs the batches of a patch; those that are marked are tested.
+  void testMarked(const Motion& motion, const PatchPass& pass, BallCheck& check) const;
+  /// Keeps the positions at hand as those that motions are from.
+  void keepPositions(Motion& motion, const Patch& patch, const double* rows);
 
   const ElementBlock* block_;
   int points_;
   AlignedVector<std::int16_t> referenceGradient_;             // [batch][q][9][lane], in units
   AlignedVector<RoundedDown<Bfloat16>> radius_;               // [batch][lane]
   AlignedVector<RoundedDown<Bfloat16>> inverseGradientNorm_;  // [batch][lane], 1/γ, m
-  std::vector<Group> groups_;
-  std::vector<std::int32_t> patchGroups_;  // patches + 1: groups of each patch
-  std::vector<std::uint16_t> nodes_;  // of each group, within the patch; filled up to a multiple of 4 with its last
-  std::vector<float> before_;         // their positions at the last visit from `centre`, m
-  std::int64_t checks_ = 0;
+  // [batch]: least (r - |F - F0|)/γ of its elements at the positions `before_`, at least, m
+  std::vector<double> left_;
+  std::vector<Motion> motions_;  // [patch]
+  std::vector<Cluster> clusters_;
+  std::vector<std::int32_t> patchClusters_;  // patches + 1: clusters of each patch
+  std::vector<std::uint16_t> nodes_;         // of each cluster, within the patch
+  AlignedVector<float> before_;  // positions of the nodes of patches at some check from `centre`, m, in fours
 };
 
 }  // namespace ringwatch

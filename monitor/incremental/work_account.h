@@ -63,6 +63,7 @@ class WorkAccount {
         evaluation_(ofEvaluation(body)),
         rebuild_(ofRebuild(body)),
         mostForVerdict_(income_ > 0 ? ofAllRings(body) + ofProducts(body, productsKept) : 0),
+        balance_(stepsInAdvance * (1 - shareOfMode) * income_),
         verdict_(mostForVerdict_) {}
 
   static constexpr double noLimit = 100;
@@ -133,12 +134,22 @@ class WorkAccount {
     balance_ = std::min(balance_, rebuild_ + evaluation_);
     proof_ = std::min(proof_ + income_, 3 * evaluation_);
     verdict_ = std::min(verdict_ + incomeForVerdict(), mostForVerdict_);
+    asked_ += (askedSince_ - asked_) / stepsOfMean;
+    askedSince_ = 0;
   }
+  /// What evaluations, repairs and half of the tests have lately asked for, over what is earned for them: above 1 balls
+  /// are too small for what there is.
+  double load() const { return income_ > 0 ? asked_ / ((1 - shareOfMode) * income_) : 2; }
+  /// All balls have grown: what was asked for before says nothing more of them.
+  void ballsGrow() { asked_ = std::min(asked_, (1 - shareOfMode) * income_); }
   /// Tests of balls count for no more than a part of an income: what is left keeps the bracket narrow.
   void spend(const Work& work) {
     const double tests = std::min(work[WorkOn::tests], mostOfTests * income_);
     balance_ = std::max(balance_ - (work.total() - work[WorkOn::tests]) - tests, -mostOwed());
+    askedSince_ += mostOfTests * work[WorkOn::tests] + work[WorkOn::evaluations] + work[WorkOn::repairs];
   }
+  /// What was asked for in vain.
+  void refuse(double work) { askedSince_ += work; }
   void spendOnProof(double work) { proof_ = std::max(proof_ - work, -mostOwed()); }
   void spendOnMode(double work) { mode_ = std::max(mode_ - work, -mostOwed()); }
   void spendOnVerdict(double work) { verdict_ = std::max(verdict_ - work, -mostOwed()); }
@@ -153,7 +164,7 @@ class WorkAccount {
   /// Nothing is paid from no income, not even what costs nothing now.
   bool has(double purse, double work) const { return !limited() || (income_ > 0 && purse >= work); }
   /// What is owed beyond that is forgiven: it would stop all that makes a bound narrower for the rest of a run.
-  double mostOwed() const { return 2 * evaluation_; }
+  double mostOwed() const { return mostOwedOfEvaluation * evaluation_; }
   template <class Of>
   static double sum(const Body& body, const Of& of) {
     double work = 0;
@@ -167,11 +178,16 @@ class WorkAccount {
   static constexpr double evaluationsOfDecomposition = 1.5, evaluationsOfFactorisation = 0.4;
   static constexpr double unitsOfMove = 2.2, shareByDirections = 0.4;
   static constexpr double productsKept = 12;
-  static constexpr double leastIncome = 2000, shareOfMode = 0.3, forcesOfCredit = 0.5, mostOfTests = 0.5;
+  static constexpr double leastIncome = 2000, shareOfMode = 0.3, forcesOfCredit = 0.5, mostOfTests = 0.5,
+                          mostOwedOfEvaluation = 0.1;
+  static constexpr double stepsOfMean = 32, stepsInAdvance = 100;
+  // stepsInAdvance: of income, so that the first elements that leave their balls can be evaluated.
+  // mostOwedOfEvaluation: a few rounds of these.
   /// Forces a step: the mode is followed once in six steps then.
   static constexpr double leastForVerdict = 1;
   double share_, force_, income_, evaluation_, rebuild_, mostForVerdict_;
-  double balance_ = 0, mode_ = 0, proof_ = 0, verdict_;
+  double balance_, mode_ = 0, proof_ = 0, verdict_;
+  double asked_ = 0, askedSince_ = 0;  // in a step, on average; in the last one
 };
 
 }  // namespace ringwatch

@@ -143,13 +143,15 @@ TEST(WorkAccount, EarnsSpendsAndForgives) {
   EXPECT_NEAR(WorkAccount::ofEvaluation(body, std::vector<ElementRef>{{0, 0}, {0, 1}}), 2 * 1728.0 / 14, 1e-10);
   WorkAccount account(body, 0.5);
   EXPECT_TRUE(account.limited());
-  EXPECT_FALSE(account.affords(1));
+  // A hundred steps' share of the proven side is there in advance.
+  EXPECT_TRUE(account.affords(34.99 * force));
+  EXPECT_FALSE(account.affords(35.01 * force));
   EXPECT_FALSE(account.affordsForMode(1));
   EXPECT_FALSE(account.affordsForProof(1));
   account.earn();
   // An income is divided between the sides, and the proof has its own.
-  EXPECT_TRUE(account.affords(0.34 * force));
-  EXPECT_FALSE(account.affords(0.36 * force));
+  EXPECT_TRUE(account.affords(35.34 * force));
+  EXPECT_FALSE(account.affords(35.36 * force));
   EXPECT_TRUE(account.affordsForMode(0.14 * force));
   EXPECT_FALSE(account.affordsForMode(0.16 * force));
   EXPECT_TRUE(account.affordsForProof(0.49 * force));
@@ -158,16 +160,16 @@ TEST(WorkAccount, EarnsSpendsAndForgives) {
   Work tests;
   tests[WorkOn::tests] = force;
   account.spend(tests);
-  EXPECT_TRUE(account.affords(0.09 * force));
-  EXPECT_FALSE(account.affords(0.11 * force));
+  EXPECT_TRUE(account.affords(35.09 * force));
+  EXPECT_FALSE(account.affords(35.11 * force));
   for (int step = 0; step < 100000; ++step) account.earn();
   EXPECT_TRUE(account.affords(WorkAccount::ofRebuild(body)));
   EXPECT_FALSE(account.affords(2 * WorkAccount::ofRebuild(body)));
   Work much;
   much[WorkOn::sweeps] = 100 * WorkAccount::ofRebuild(body);
   account.spend(much);
-  EXPECT_TRUE(account.affords(-2.01 * evaluation));
-  EXPECT_FALSE(account.affords(-1.99 * evaluation));
+  EXPECT_TRUE(account.affords(-0.101 * evaluation));
+  EXPECT_FALSE(account.affords(-0.099 * evaluation));
   WorkAccount nothing(body, 0);
   nothing.earn();
   EXPECT_TRUE(nothing.limited());

@@ -53,7 +53,6 @@ struct Checked final : PatchVisitor {
 
  private:
   std::set<std::int32_t> evaluate(const NodeVectors& x, bool force, bool energy) {
-    balls.beginCheck();
     outside.clear();
     Body::Workspace workspace;
     StepEvaluation with;
@@ -98,7 +97,7 @@ TEST(ValidityBalls, FindsEveryElementThatLeavesWhileMostGroupsSkip) {
     std::vector<double> radius(reference.size());
     NodeVectors x = X;
     constexpr int steps = 120;
-    std::int64_t visited = 0, left = 0;
+    std::int64_t tested = 0, left = 0;
     for (int step = 0; step <= steps; ++step) {
       if (step > 0) {
         const double time = rate * step;
@@ -124,15 +123,16 @@ TEST(ValidityBalls, FindsEveryElementThatLeavesWhileMostGroupsSkip) {
       }
       for (const std::int32_t e : gone) checked.balls.ballChanged(checked.placeOf(e));
       left += static_cast<std::int64_t>(gone.size());
-      visited += static_cast<std::int64_t>(checked.balls.visitedGroups());
+      tested += static_cast<std::int64_t>(checked.balls.testedBatches());
     }
     if (rate > 5e-5) {
       EXPECT_GT(left, checked.block.elementCount());  // some after the first observation
     }
-    const std::int64_t groups = checked.balls.groupCount();
-    EXPECT_GT(groups, 4);
-    if (rate < 5e-5) {
-      EXPECT_LT(visited, groups * steps / 4);
+    const std::int64_t batches = checked.balls.batchCount();
+    EXPECT_GT(batches, 500);
+    // Measured: 0.033, and 0.30 where an element leaves every 45 steps.
+    if (rate < 5e-4) {
+      EXPECT_LT(tested, batches * steps / (rate < 5e-5 ? 20 : 2));
     }
   }
 }
@@ -179,9 +179,65 @@ TEST(ValidityBalls, AGroupThatSkipsIsVisitedWhenOneCoordinateIsNotANumber) {
     checked.balls.ballChanged(checked.placeOf(e));
   }
   for (int waiting = 0; waiting < 40; ++waiting) EXPECT_TRUE(checked.check(x).empty());
-  ASSERT_EQ(checked.balls.visitedGroups(), 0U);
+  ASSERT_EQ(checked.balls.testedBatches(), 0U);
   x(1, checked.block.nodesOf(9)[2]) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(checked.check(x).count(9), 1U);
+}
+
+Body longBar() {
+  BarOptions options;
+  options.element = "tet4";
+  options.cells = {30, 6, 6};
+  options.size = {0.3, 0.06, 0.06};
+  options.jitter = 0.2;
+  return {generateBar(options), makeMaterial("stvk", 1e4, 0.3, 1000), {{}, Lumping::rowSum, 1}};
+}
+
+TEST(ValidityBalls, MotionToAndFroUsesUpNothing) {
+  const Body body = longBar();
+  Checked checked(body);
+  const NodeVectors& X = body.mesh().X;
+  EXPECT_EQ(checked.check(X).size(), checked.block.elementCount());
+  for (std::int32_t e = 0; e < checked.block.elementCount(); ++e) {
+    checked.setBall(e, X, 0.1);
+    checked.balls.ballChanged(checked.placeOf(e));
+  }
+  Random random(5);
+  NodeVectors direction(3, X.cols());
+  for (Eigen::Index i = 0; i < X.cols(); ++i) direction.col(i) = random.vector(1e-5);
+  // Together 2 mm at each node, ten times what an element has room for.
+  for (int step = 0; step < 400; ++step) {
+    EXPECT_TRUE(checked.check(X + std::sin(step) * direction).empty());
+    EXPECT_EQ(checked.balls.testedBatches(), 0U);
+  }
+}
+
+TEST(ValidityBalls, OneNodeThatMovesHasFewBatchesTested) {
+  const Body body = longBar();
+  Checked checked(body);
+  NodeVectors x = body.mesh().X;
+  EXPECT_EQ(checked.check(x).size(), checked.block.elementCount());
+  const auto renew = [&](std::int32_t e) {
+    checked.setBall(e, x, 0.1);
+    checked.balls.ballChanged(checked.placeOf(e));
+  };
+  for (std::int32_t e = 0; e < checked.block.elementCount(); ++e) renew(e);
+  const std::int32_t node = checked.block.nodesOf(static_cast<std::int32_t>(checked.block.elementCount() / 2))[0];
+  std::size_t tested = 0, left = 0;
+  constexpr int steps = 200;
+  for (int step = 0; step < steps; ++step) {
+    x(1, node) += 5e-6;
+    for (const std::int32_t e : checked.check(x)) {
+      const auto nodes = checked.block.nodesOf(e);
+      EXPECT_NE(std::find(nodes.begin(), nodes.end(), node), nodes.end()) << e;
+      renew(e);
+      ++left;
+    }
+    tested += checked.balls.testedBatches();
+  }
+  // Measured: 10, and 2.7 batches of 810 at a check.
+  EXPECT_GT(left, 5U);
+  EXPECT_LT(tested, 8U * steps);
 }
 
 TEST(ValidityBalls, LoseWhatStoringTheirCentreCosts) {

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""What the monitor costs along runs with its usual budget, and how wide the bracket is.
+
+Jittered bars of 100 000 elements and jittered and regular ones of 20 000, five times as long as wide, of cubes of 1 cm, are pulled, pushed or turned
+at one end from rest for 1000 steps. Prints two Markdown tables. Cost is the time of the monitor at all observations but the first over that
+of the steps alone, taken by turns in one run; in brackets the same counted (WorkAccount). Width is safe over optimistic less 1, in
+size, %: median, worst. Beside them stand figures from before there was a budget by default.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import subprocess
+
+MESHES = {
+    "tetrahedra, five a cell": ("5_a_cell", "tet4"),
+    "tetrahedra, six a cell": ("6_a_cell", "tet4"),
+    "hexahedra": ("1_a_cell", "hex8"),
+    "wedges": ("2_a_cell", "wedge6"),
+    "pyramids": ("6_a_cell", "pyramid5"),
+}
+# How a row is watched and moved.
+RUNS = {
+    "slow pull": ("bracket_0.1", "slow"),
+    "fast pull": ("bracket_0.1", "fast"),
+    "twist": ("bracket_0.1", "twist"),
+    "compression": ("bracket_0.1", "compression"),
+    "fast pull, budget 0.3": ("bracket_0.3", "fast"),
+    "threshold at 0.8 of the critical step": ("threshold", "slow_close"),
+}
+# Without a limit, on a quiet EPYC with AVX-512: cost in bracket mode; hexahedra and wedges of 5000 elements.
+COST_BEFORE = {
+    ("tetrahedra, five a cell", "slow pull"): "0.22", ("tetrahedra, five a cell", "fast pull"): "0.93",
+    ("tetrahedra, six a cell", "slow pull"): "1.0", ("tetrahedra, six a cell", "fast pull"): "7.2",
+    ("hexahedra", "slow pull"): "7.2", ("hexahedra", "fast pull"): "21",
+    ("wedges", "slow pull"): "6.2", ("wedges", "fast pull"): "14",
+}
+# Without a limit: safe side below the exact step in a slow pull to 1.4 times the length, jitter 0.2, medians, %.
+LAWS = ("stvk", "neo-hookean", "corotational")
+SAFE_BEFORE = {
+    ("tetrahedra, five a cell", "jittered"): ("4.1", "3.7", "4.3"), ("tetrahedra, five a cell", "regular"): ("9.9", "7.8", "8.4"),
+    ("tetrahedra, six a cell", "jittered"): ("10.3", "11.7", "12.3"), ("tetrahedra, six a cell", "regular"): ("12.8", "15.7", "17.5"),
+    ("hexahedra", "jittered"): ("7.0", "12.5", "17.8"), ("hexahedra", "regular"): ("6.3", "14.9", "18.2"),
+    ("wedges", "jittered"): ("5.1", "8.5", "7.6"), ("wedges", "regular"): ("4.8", "9.2", "7.0"),
+    ("pyramids", "regular"): ("10.5", "20.3", "20.4"),
+}
+
+
+def run(program, name):
+    command = [program, f"--benchmark_filter=^table/{name}/threads:1/", "--benchmark_format=json"]
+    done = subprocess.run(command, check=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env={**os.environ, "OMP_NUM_THREADS": "1"})
+    found = json.loads(done.stdout)["benchmarks"]
+    if len(found) != 1:
+        raise SystemExit(f"{name}: {len(found)} runs of that name in {program}; 1 was expected")
+    return found[0]
+
+
+def widths(result):
+    return f"{-100 * result['median_width']:.1f}, {-100 * result['worst_width']:.0f}" if "median_width" in result else "-"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", default="build/release/bin/ringwatch_bench_monitor", type=pathlib.Path)
+    parser.add_argument("--jobs", default=os.cpu_count(), type=int, help="runs at a time, one thread each")
+    arguments = parser.parse_args()
+    costs = {(mesh, what): f"{watch}/{move}/{cut}/jittered/{element}/stvk/100k"
+             for mesh, (cut, element) in MESHES.items() for what, (watch, move) in RUNS.items()}
+    laws = {(mesh, grid, law): f"bracket_0.1/slow/{cut}/{grid}/{element}/{law}/20k"
+            for mesh, (cut, element) in MESHES.items() for grid in ("jittered", "regular") for law in LAWS}
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        waiting = {key: pool.submit(run, arguments.program, name) for key, name in {**costs, **laws}.items()}
+        results = {key: job.result() for key, job in waiting.items()}
+    print("| 100 000 elements | run | cost, counted | before | width, median, worst | certified steps |")
+    print("|---|---|---|---|---|---|")
+    for mesh, what in costs:
+        result = results[mesh, what]
+        print(f"| {mesh} | {what} | {result['over_step']:.2f} ({result['counted']:.2f}) | {COST_BEFORE.get((mesh, what), '-')} | "
+              f"{widths(result)} | {100 * result['certified']:.0f} % |")
+    print("\n| 20 000 elements, slow pull | | cost, counted | " + " | ".join(f"{law}: width, median, worst; safe side before" for law in LAWS) + " |")
+    print("|---" * 6 + "|")
+    for mesh in MESHES:
+        for grid in ("jittered", "regular"):
+            row = [results[mesh, grid, law] for law in LAWS]
+            before = SAFE_BEFORE.get((mesh, grid), ("-",) * 3)
+            cells = " | ".join(f"{widths(result)}; {old}" for result, old in zip(row, before))
+            print(f"| {mesh} | {grid} | {row[0]['over_step']:.2f} ({row[0]['counted']:.2f}) | {cells} |")
+
+
+if __name__ == "__main__":
+    main()
