@@ -41,7 +41,7 @@ struct HourglassVectors {
   NativePack gamma[count][nodes];
   NativePack stiffness;  ///< k, N/m; 0 in lanes without an element
   NativePack volume;     ///< at rest, m³; 0 in lanes without an element
-  NativePack rounding;   ///< blocks of c Σ γ γᵀ ⊗ I₃ as computed err by at most c times this (Theorem 91)
+  NativePack rounding;   ///< blocks of c Σ γ γᵀ ⊗ I₃ as computed err by at most c times this (Theorem 72)
 };
 
 /// The virtual face of the elements of one type, law and quadrature rule. One virtual call a patch or batch, never an

@@ -38,7 +38,7 @@ PatchLayout layOutPatches(std::size_t nodeCount, int nodesPerElement, std::span<
                           const std::vector<std::int32_t>& order);
 /// A part of the elements of a block, laid out as the block is: patches and batches are those of the block without the
 /// elements that are not in the part, so that the sums at a node all of whose elements are in it have the terms and the
-/// order that they have in the whole (Theorem 100, docs/theory/distribution.md). whole: the layout of the block;
+/// order that they have in the whole (Theorem 78, docs/theory/distribution.md). whole: the layout of the block;
 /// elements: those of the part by their positions in the block, each once; connectivity: of the part, nodesPerElement
 /// node numbers below nodeCount each.
 PatchLayout layOutPart(std::size_t nodeCount, int nodesPerElement, std::span<const std::int32_t> connectivity,

@@ -43,11 +43,11 @@ class RigidBody {
   /// velocities that are nearest, in the norm of the masses. Of accelerations, those of the forces that they belong to.
   void project(NodeVectorsView x, NodeVectors& v) const;
   /// What the velocities that project() gives fall short of a rigid motion by at most, relative, in the norm of the
-  /// masses. Theorem 71, docs/theory/rigid_bodies.md.
+  /// masses. Theorem 62, docs/theory/rigid_bodies.md.
   double projectionRounding() const { return projectionRounding_; }
 
   /// Its nodes after h seconds of free motion with the momenta of the velocities v + kick · a, and its velocities
-  /// there: the discrete Moser-Veselov equation (Theorem 72, docs/theory/rigid_bodies.md). kick: s. One column a node,
+  /// there: the discrete Moser-Veselov equation (Theorem 63, docs/theory/rigid_bodies.md). kick: s. One column a node,
   /// in the order of nodes(). False where it would turn by more than a right angle or so, for which the equation has no
   /// solution; then nothing is written.
   bool drift(NodeVectorsView x, NodeVectorsView v, double kick, NodeVectorsView a, double h, NodeVectors& positions,

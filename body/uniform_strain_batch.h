@@ -74,7 +74,7 @@ class UniformStrainBatch final : public ElementBlock {
     P position[n][3];
     const Matrix3<P> own = deformationAt(elements, at, x, position);
     for (int i = 0; i < 9; ++i) own.m[i].store(F + i * lanes);
-    // The hourglass stiffness is constant and positive semidefinite, so that the law's coefficients hold: Theorem 90.
+    // The hourglass stiffness is constant and positive semidefinite, so that the law's coefficients hold: Theorem 71.
     TangentDriftOf<P> all;
     all.addPoint(law_, own);
     // As of ElementBatch: of F here, of F there, and once more of a radius that is scaled.

@@ -92,7 +92,7 @@ class UniformStrainGeometry : public ElementNodes<Element::nodes> {
     return P(0.5) * at.stiffness * sum;
   }
 
-  // Rounding: Theorem 91, docs/theory/hourglass.md.
+  // Rounding: Theorem 72, docs/theory/hourglass.md.
   /// What F̄ errs by. edges: |x_a - x_0|, the root of the sum of squares over the nodes.
   RINGWATCH_INLINE static P gradientError(const Vectors& own, const P& edges) {
     return P(gradientFactor * unitRoundoff) * own.norm * edges;

@@ -19,7 +19,7 @@ Partition partitionOf(const Mesh& mesh, std::vector<std::int32_t> partOfElement,
 
 /// Cuts a mesh so that few faces lie between parts and each has about the same work: Scotch's recursive bipartition of
 /// the elements, joined through faces, each weighted by its nodes. Scotch works with threads, and two calls may cut
-/// differently; what is computed on the parts does not depend on it (Theorem 100, docs/theory/distribution.md). Throws
+/// differently; what is computed on the parts does not depend on it (Theorem 78, docs/theory/distribution.md). Throws
 /// InputError for parts < 1 and where Scotch refuses.
 Partition partitionMesh(const Mesh& mesh, int parts);
 /// A part for each rank: rank 0 cuts the mesh, which all have, and tells the others. Collective.

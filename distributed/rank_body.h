@@ -10,7 +10,7 @@ namespace ringwatch {
 
 /// What a rank has of a body: the nodes that it owns, every element that touches one of them, and the other nodes of
 /// these elements, its ghosts. Sums at owned nodes have the terms of the whole body in its order, so that they have its
-/// bits, for any partition (Theorem 100, docs/theory/distribution.md); sums at ghosts lack terms.
+/// bits, for any partition (Theorem 78, docs/theory/distribution.md); sums at ghosts lack terms.
 class RankBody {
  public:
   /// The part of `rank`, with the masses, constraints and dead forces of the whole body, which may go after this.

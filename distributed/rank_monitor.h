@@ -21,7 +21,7 @@ struct RankMonitorOptions {
 };
 
 /// StabilityMonitor's work on a body that is distributed over ranks: all get the same report, which names elements of
-/// the whole body, and which has the same bits for any number of ranks and threads and any partition (Theorem 102,
+/// the whole body, and which has the same bits for any number of ranks and threads and any partition (Theorem 80,
 /// docs/theory/distribution.md).
 ///
 /// The safe side is an incremental certificate (Theorem 14): allowances of the elements are kept, and elements outside

@@ -16,7 +16,7 @@ struct HourglassControl {
 /// s_α = Σ_a Γ_αa X_a, the hourglass vectors and coordinates are
 ///   γ_αa = Γ_αa - s_α·g_a,   q_α = Σ_a γ_αa x_a = Σ_a Γ_αa x_a - F̄ s_α,   F̄ = Σ_a x_a ⊗ g_a.
 /// γ_α vanishes on all linear fields, so that q_α does in every uniform deformation. The energy V W(F̄) + ½ k Σ_α |q_α|²
-/// has the forces f_a = (V P(F̄) - k Σ_α q_α ⊗ s_α) g_a + k Σ_α Γ_αa q_α. Theorem 90, docs/theory/hourglass.md.
+/// has the forces f_a = (V P(F̄) - k Σ_α q_α ⊗ s_α) g_a + k Σ_α Γ_αa q_α. Theorem 71, docs/theory/hourglass.md.
 ///
 /// Nodal fields go by their modes u_m = Σ_a ±u_a, the sign that of Π ξ_j over the bits j of m at the node (a
 /// Walsh-Hadamard transform): the constant one is 0, linear ones 1, 2 and 4, hourglass modes 3, 5, 6 and 7. With

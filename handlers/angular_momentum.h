@@ -13,7 +13,7 @@ bool isFreeOfTorque(const Body& body, std::span<const ElementRef> elements, std:
 /// Changes accelerations a (3×N, m/s²) at some nodes so that they exert the same torque at positions x (3×N, m) as
 /// those before, which are given at these nodes (3×n), by a rotation of where the step ends, y = x + h (v + h a), about
 /// its centre of mass: h² δa_i = w × (y_i - c). Linear momentum stays, and no element changes its handedness (Theorem
-/// 81, docs/theory/handlers.md).
+/// 68, docs/theory/handlers.md).
 void keepAngularMomentum(const Body& body, std::span<const std::int32_t> nodes, NodeVectorsView x, const NodeVectors& v,
                          double h, const NodeVectors& before, NodeVectors& a);
 

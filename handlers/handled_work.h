@@ -12,7 +12,7 @@ namespace ringwatch {
 /// take
 ///   M (ã_n - a_n) · (x_(n+½) - x_(n-½))
 /// from the kinetic energy, and what was dissipated is the sum of these - W at the last x_(n+½) + W at the first, W
-/// their strain energy by their law. Exact for the two-step form of any scheme, whatever the forces were: Theorem 80,
+/// their strain energy by their law. Exact for the two-step form of any scheme, whatever the forces were: Theorem 67,
 /// docs/theory/handlers.md. Constrained components count with the elements' forces at the ends of steps, as
 /// EnergyBalance has what supports do.
 class HandledWork {

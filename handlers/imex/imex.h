@@ -25,7 +25,7 @@ std::string imexForGpu(Options& own);
 /// whose roots have |z| <= 1 for 0 <= a <= 4 + (1 + α²) b. With K_E ≼ (4/h²) M, which the certified selection proves,
 /// it holds whenever K_I ≼ (1 + α²) K̂, which is assumed, and with `newton`, where K̂ is K_I, is so. Theorems 34 and 61,
 /// docs/theory/handlers.md. With Rayleigh damping the damping force is that of all elements at v_(n-½), and h/2 beta_K
-/// is added to beta h² on the left: Theorem 73. Not with `newton`.
+/// is added to beta h² on the left: Theorem 64. Not with `newton`.
 class Imex final : public Handler {
  public:
   static constexpr std::string_view newton = "newton", linear = "linear";

@@ -15,7 +15,7 @@ namespace ringwatch {
 struct ImplicitScheme {
   double h;            // s
   double dissipation;  // α, 0 to 1: 0 is the trapezoidal rule, 1 implicit Euler
-  double stiffnessDamping = 0;  // Rayleigh's, s, of linear equations: half a step of it is implicit (Theorem 73)
+  double stiffnessDamping = 0;  // Rayleigh's, s, of linear equations: half a step of it is implicit (Theorem 64)
   double beta() const { return 0.25 * (1 + dissipation) * (1 + dissipation); }
   double w() const { return beta() * h * h + 0.5 * h * stiffnessDamping; }  // s²
   double c() const { return dissipation * h / w(); }                        // 1/s
@@ -31,7 +31,7 @@ struct ImplicitScheme {
 /// line search in Φ (Nocedal & Wright 2006, section 7.1). So Φ never grows from its start, and positions x + w u at
 /// which a law has no energy are never taken. Theorem 61, docs/theory/handlers.md. With α < 1 these are not where the
 /// step ends. A step that would end where a law has no energy, or whose search fails, is taken by implicit Euler
-/// instead, whose x + w u is its end: Theorem 82.
+/// instead, whose x + w u is its end: Theorem 69.
 class NewtonCluster {
  public:
   /// tolerance: of the residual, relative to what it is for u = 0, both in the preconditioner's norm. mostProducts: of

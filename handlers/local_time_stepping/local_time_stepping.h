@@ -105,7 +105,7 @@ class LocalTimeStepping final : public Handler {
   /// The levels that cost least by an estimate of each element's highest eigenvalue, without their elements.
   std::vector<Level> plan(const std::vector<std::vector<double>>& lambdas, double h) const;
   double deepest(double h) const;
-  /// What the fine elements' tangents weigh beside those of level 0, more with mass damping: Theorem 73.
+  /// What the fine elements' tangents weigh beside those of level 0, more with mass damping: Theorem 64.
   double topWeight(double h) const;
   /// The lumped mass, at nodes of some elements a share of it.
   Eigen::VectorXd massBeside(const ElementFlags& finer, double share) const;

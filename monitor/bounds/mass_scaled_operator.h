@@ -8,7 +8,7 @@ namespace ringwatch {
 
 /// v ↦ M^-½ K(x) M^-½ v over the free degrees of freedom, matrix-free; constrained components of v and of the result
 /// are zero. With rigid bodies it is Q M^-½ K M^-½ Q, Q the orthogonal projector onto the mass-scaled motions that
-/// leave them rigid (Theorem 71, docs/theory/rigid_bodies.md).
+/// leave them rigid (Theorem 62, docs/theory/rigid_bodies.md).
 class MassScaledOperator {
  public:
   MassScaledOperator(const TangentSource& source, NodeVectorsView x)

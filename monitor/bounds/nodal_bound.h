@@ -44,7 +44,7 @@ class NodalBound {
   /// they count in every sum and thus in the bound, and are not swept.
   void setOutside(std::vector<Eigen::Matrix3d> sums) { outside_ = std::move(sums); }
   /// The source is a part of a body: sums and the bound are those of the whole from here on, and weights of an element
-  /// the same in every part that has it (Theorem 101, docs/theory/distribution.md). nullptr: it is the whole. By
+  /// the same in every part that has it (Theorem 79, docs/theory/distribution.md). nullptr: it is the whole. By
   /// reference.
   void setRest(RestOfBody* rest) { rest_ = rest; }
   /// The majorants that discrete forces count with, in place of those at the positions of an evaluation: one for each

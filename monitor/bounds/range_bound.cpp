@@ -90,7 +90,7 @@ void checkRange(StretchRange range) {
 }
 
 /// Numbers c_i and c_ij, N/m, with v^T (K + f C) v <= Σ c_i |v_i|² + Σ c_ij |v_i - v_j|² of springs and contact,
-/// wherever the nodes are: Theorem 76, docs/theory/discrete_forces.md.
+/// wherever the nodes are: Theorem 66, docs/theory/discrete_forces.md.
 struct DiscreteStiffness {
   std::vector<double> atNode;       // a number a node
   std::vector<std::int32_t> pairs;  // two nodes each

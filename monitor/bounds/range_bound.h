@@ -32,7 +32,7 @@ struct RangeStep {
 };
 /// By one scalar problem on the nodes, K(x) ≼ Σ κ_e L_e ⊗ I with the Laplacians L_e of the elements at rest: Theorem
 /// 48, docs/theory/tangent_drift.md. Springs and contact with obstacles count wherever nodes are, with the damping
-/// factor that the forces have: Theorem 76, docs/theory/discrete_forces.md. Throws InputError as largestModulus, for
+/// factor that the forces have: Theorem 66, docs/theory/discrete_forces.md. Throws InputError as largestModulus, for
 /// elements that damp, for contact of surfaces and for friction.
 RangeStep rangeStep(const Body& body, StretchRange range, const StepRule& rule);
 

@@ -20,7 +20,7 @@ namespace {
 /// |R Rᵀ - 1| of frames, at most: far less than what sums are stated above their eigenvalues by (statedRounding).
 constexpr double orthogonality = 1e-12;
 
-/// What a tangent can have become when the deformation gradients have moved by at most `distance` (Theorem 95):
+/// What a tangent can have become when the deformation gradients have moved by at most `distance` (Theorem 75):
 ///   K <= (1 + share) K0 + along Σ w BᵀB.
 struct Drift {
   double share, along;  // 1, Pa

@@ -13,7 +13,7 @@
 namespace ringwatch {
 
 /// How much room a share of the exchange bound has for its element's motion. No constant here bears on what is proven
-/// (Theorems 95 to 97, docs/theory/incremental_exchange.md): each trades evaluations against the width of the bound.
+/// (Theorems 75 to 77, docs/theory/incremental_exchange.md): each trades evaluations against the width of the bound.
 struct ExchangeRoomPolicy {
   /// Change of the deformation gradients that shares have room for when they are made, at most, and what that may cost
   /// of the eigenvalue. How much it costs is the law's.

@@ -34,7 +34,7 @@ struct ExchangeRunPolicy {
 };
 
 /// The exchange bound along a run beside the incremental nodal bound: where weights are loose it makes shares, follows
-/// them (ExchangeCertificate; Theorem 96, docs/theory/incremental_exchange.md), and makes them anew where the bracket
+/// them (ExchangeCertificate; Theorem 76, docs/theory/incremental_exchange.md), and makes them anew where the bracket
 /// has become too wide and there are means for it.
 class IncrementalExchangeBound {
  public:

@@ -20,7 +20,7 @@ namespace ringwatch {
 ///   |ΔF| <= γ C,   C = |A| max |F|/γ + max |ρ - ρ'|,   γ = Σ_a |∂N_a/∂X|
 /// (Theorem 19, docs/theory/incremental_certificate.md; the code takes half the diagonal of a box of all ρ). What was
 /// left of a batch's balls when it was tested, over γ, is used up by motions C of its patch or, where that would be too
-/// much, of the few batches around it: only then it is tested again (Theorem 85). Stored numbers are rounded to the
+/// much, of the few batches around it: only then it is tested again (Theorem 70). Stored numbers are rounded to the
 /// safe side.
 class ValidityBalls {
  public:

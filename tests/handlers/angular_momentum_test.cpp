@@ -19,7 +19,7 @@ Eigen::Vector3d angularMomentumOf(const Body& body, const NodeVectors& x, const 
   return sum;
 }
 
-// Theorem 81: sums, and one linear map of where the step ends.
+// Theorem 68: sums, and one linear map of where the step ends.
 TEST(KeepAngularMomentum, TakesTheTorqueAndNothingElse) {
   const Body body = test::sliverBody("corotational", 0.95, false);
   const std::int32_t n = body.nodeCount();

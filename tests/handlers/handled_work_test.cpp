@@ -38,7 +38,7 @@ INSTANTIATE_TEST_SUITE_P(All, WorkOfHandler, ::testing::Range(0, static_cast<int
                          });
 
 // Where every element is handled, kinetic and strain energy half way between steps and what was dissipated add up to a
-// constant: Theorem 80.
+// constant: Theorem 67.
 TEST_P(WorkOfHandler, AddsUpWithTheEnergy) {
   Body body = test::sliverBody("corotational", 0.95, false);
   auto handler = makeHandler(own().handler, body, makeIntegrator("symplectic-euler"), {.own = own().own});

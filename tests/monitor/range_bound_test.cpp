@@ -208,7 +208,7 @@ DiscreteForces forcesOf(const Body& body, double stiffness, test::Random& random
   return forces;
 }
 
-// Theorem 76: whatever touches, however deep, and however long springs are.
+// Theorem 66: whatever touches, however deep, and however long springs are.
 TEST(RangeBound, CountsSpringsAndObstaclesWhereverNodesAre) {
   const StretchRange range{0.75, 1.4};
   test::Random random(34);
