@@ -381,7 +381,8 @@ void DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows,
 template <class Coefficient>
 void DampedBlock::addAny(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor,
                          double* slots, const Coefficient& coefficient) const {
-  if (!constants_.viscous() && !(constants_.massProportional > 0) && (isSimplex() || goesByFaces(element()))) {
+  if (constants_.bulk() && !constants_.viscous() && !(constants_.massProportional > 0) && hourglass_.empty() &&
+      (isSimplex() || goesByFaces(element()))) {
     const double speed = material().waveSpeed();
     const P slowness(1 / speed);
     const auto alone = [&]<int n>(std::integral_constant<int, n>) {

@@ -29,9 +29,8 @@ void registerLaw() {
       L::name,
       [](ElementType type) {
         detail::BatchMaker result = nullptr;
-        visitElement(type, [&](auto elementTag) {
-          result = detail::makeBatch<typename decltype(elementTag)::type, L>;
-        });
+        visitElement(type,
+                     [&](auto elementTag) { result = detail::makeBatch<typename decltype(elementTag)::type, L>; });
         return result;
       },
       LawOfPacks::functionsOf<L>());

@@ -30,11 +30,13 @@ namespace {
 /// default dissipation takes, at 5e-4 a thirtieth.
 constexpr double newtonTolerance = 5e-4;
 
-/// Whether the equations of the handled elements are to be nonlinear. They are linear where all laws are, and with damping.
+/// Whether the equations of the handled elements are to be nonlinear. They are linear where all laws are, and with
+/// damping.
 bool isNonlinear(const Body& body, std::string_view solver, bool damped) {
   if (solver != "auto") return solver == Imex::newton;
-  return !damped && std::ranges::any_of(body.blocks(),
-                             [](const auto& block) { return block->material().lawName() != LinearElastic::name; });
+  return !damped && std::ranges::any_of(body.blocks(), [](const auto& block) {
+    return block->material().lawName() != LinearElastic::name;
+  });
 }
 
 /// The options with the solver of linear clusters.

@@ -13,8 +13,8 @@ namespace ringwatch {
 /// Newmark's method in the two-step form of the implicit-explicit step, by its dissipation α: forces are those at
 /// x + α h v + β h² a, β = (1 + α)²/4. Theorem 34, docs/theory/handlers.md.
 struct ImplicitScheme {
-  double h;            // s
-  double dissipation;  // α, 0 to 1: 0 is the trapezoidal rule, 1 implicit Euler
+  double h;                     // s
+  double dissipation;           // α, 0 to 1: 0 is the trapezoidal rule, 1 implicit Euler
   double stiffnessDamping = 0;  // Rayleigh's, s, of linear equations: half a step of it is implicit (Theorem 64)
   double beta() const { return 0.25 * (1 + dissipation) * (1 + dissipation); }
   double w() const { return beta() * h * h + 0.5 * h * stiffnessDamping; }  // s²
