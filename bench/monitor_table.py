@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""What the monitor costs along runs with its usual budget, and how wide the bracket is.
+"""What the monitor costs along runs with a budget of 0.1, and how wide the bracket is.
 
 Jittered bars of 100 000 elements and jittered and regular ones of 20 000, five times as long as wide, of cubes of 1 cm, are pulled, pushed or turned
 at one end from rest for 1000 steps. Prints two Markdown tables. Cost is the time of the monitor at all observations but the first over that
 of the steps alone, taken by turns in one run; in brackets the same counted (WorkAccount). Width is safe over optimistic less 1, in
-size, %: median, worst. Beside them stand figures from before there was a budget by default.
+size, %: median, worst. Beside them stand figures without a limit, from before.
 """
 import argparse
 import concurrent.futures
@@ -62,7 +62,7 @@ def widths(result):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default="build/release/bin/ringwatch_bench_monitor", type=pathlib.Path)
+    parser.add_argument("--program", default="build/release/bin/ringwatch_bench_monitor", type=lambda path: pathlib.Path(path).resolve())
     parser.add_argument("--jobs", default=os.cpu_count(), type=int, help="runs at a time, one thread each")
     arguments = parser.parse_args()
     costs = {(mesh, what): f"{watch}/{move}/{cut}/jittered/{element}/stvk/100k"

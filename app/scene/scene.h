@@ -226,7 +226,7 @@ struct Scene {
   double margin = 0;
   MonitorMode mode = MonitorMode::bracket;
   std::int64_t every = 1;
-  double budget = 0.1;  // MonitorOptions::budget
+  double budget = std::numeric_limits<double>::infinity();  // MonitorOptions::budget
   OnViolation onViolation = OnViolation::stop;
   double energyTolerance = 0;
   bool requireCertified = false;             // a step that is not certified makes the run fail

@@ -378,13 +378,12 @@ void addMonitor(std::vector<SceneKey>& all) {
            .help = "steps between evaluations"},
           {.key = "budget",
            .type = T::number,
-           .fallback = "0.1",
            .range = notNegative,
            .help =
                "what the bracket may take after its first observation, as a share of a step's own work, counted; as "
                "much again for the proof that the step is stable, and, while there is none, a step's own work for "
                "telling whether it is proven unstable; when it is used up the proof stays and the bracket becomes "
-               "wider; from 100 on there is no limit"},
+               "wider; without it, and from 100 on, no limit"},
           {.key = "certificates",
            .type = T::integer,
            .unit = "observations",

@@ -1,3 +1,4 @@
+import math
 import os
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -93,7 +94,7 @@ class Monitor:
         margin: float = 0.1,
         every: int = 1,
         width: float = 0.05,
-        budget: float = 0.1,
+        budget: float = math.inf,
         first_observation_elements: int = 10000,
     ) -> None: ...
     def observe(
