@@ -86,7 +86,7 @@ class SeededFaults(unittest.TestCase):
     def test_spelling(self):
         if not shutil.which("hunspell"):
             self.skipTest("hunspell is missing")
-        self.expect("spelling", "docs/monitor.md:20: obervation", "docs/monitor.md", "at every observation |", "at every obervation |")
+        self.expect("spelling", "docs/monitor.md:21: obervation", "docs/monitor.md", "at every observation |", "at every obervation |")
 
     def test_theorems(self):
         self.expect("theorems", "there is no Theorem 99", "monitor/exact_step.h", "Theorem 8,", "Theorem 99,")
