@@ -7,6 +7,7 @@
 
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/scene/scene_sections.h>
+#include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
 
 namespace ringwatch {

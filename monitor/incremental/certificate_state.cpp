@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/short_floats.h>
 #include <ringwatch/body/discrete_forces.h>

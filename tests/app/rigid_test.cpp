@@ -278,7 +278,8 @@ TEST_F(Rigid, MassDampingOfAllNodesIsRayleighs) {
     largest = std::max(largest, std::abs(y));
     EXPECT_NEAR(b.number(i, "probe.0.displacement_y_m"), y, 1e-14);
     EXPECT_NEAR(nodes.number(i, "dissipated_J"), own.number(i, "dissipated_J"), 1e-15);
-    EXPECT_NEAR(nodes.number(i, "safe_s"), own.number(i, "safe_s"), 0.02 * own.number(i, "safe_s"));
+    // The exchange bound, which makes the other one tighter, knows no dashpots.
+    EXPECT_NEAR(nodes.number(i, "safe_s"), own.number(i, "safe_s"), 0.15 * own.number(i, "safe_s"));
     EXPECT_LE(nodes.number(i, "safe_s"), nodes.number(i, "optimistic_s"));
   }
   EXPECT_GT(largest, 1e-3);
