@@ -161,8 +161,7 @@ DampedBlock::DampedBlock(const Mesh& mesh, const MeshBlock& block, std::unique_p
                          const DampingConstants& constants, const std::vector<double>& masses,
                          std::shared_ptr<const double> factor, const DampedBlock* whole,
                          const std::vector<std::int32_t>& elements)
-    : ElementBlock(block, inner->material(), inner->rule(), inner->layout(), inner->hourglassControl()),
-      inner_(std::move(inner)),
+    : WrappedBlock(block, std::move(inner)),
       constants_(constants),
       factor_(std::move(factor)),
       points_(static_cast<int>(rule().points.size())),
@@ -244,7 +243,7 @@ void DampedBlock::fillHourglass() {
   const double impedance = material().density * material().waveSpeed();
   for (std::int32_t batch = 0; batch < layout().batchCount(); ++batch) {
     HourglassVectors own;
-    inner_->hourglassOf(layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, own);
+    inner().hourglassOf(layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, own);
     for (const auto& gamma : own.gamma) hourglass_.insert(hourglass_.end(), std::begin(gamma), std::end(gamma));
     P c;
     for (int lane = 0; lane < lanes; ++lane) {
@@ -455,7 +454,7 @@ void DampedBlock::followBatches(const Patch& patch, const double* rows, const do
 
 void DampedBlock::tangentProductBatches(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
                                         double* slots) const {
-  inner_->tangentProductBatches(first, last, rows, vRows, slots);
+  inner().tangentProductBatches(first, last, rows, vRows, slots);
   if (*factor_ > 0) addProduct({first, last, 0, 0}, rows, vRows, *factor_, slots);
 }
 
@@ -653,21 +652,21 @@ void DampedBlock::roundingOf(const std::int32_t* elements, const P (*edges)[3], 
 }
 
 void DampedBlock::tangentBatch(std::int32_t batch, const double* x, double* K, double* rounding) const {
-  inner_->tangentBatch(batch, x, K, rounding);
+  inner().tangentBatch(batch, x, K, rounding);
   addTangent(layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, x, K, rounding);
 }
 
 void DampedBlock::tangentOf(const std::int32_t* elements, const double* x, double* K, double* rounding) const {
-  inner_->tangentOf(elements, x, K, rounding);
+  inner().tangentOf(elements, x, K, rounding);
   addTangent(elements, x, K, rounding);
 }
 
 void DampedBlock::addTangentRounding(const Patch& patch, const double* x, double* slots) const {
-  if (!(*factor_ > 0)) return inner_->addTangentRounding(patch, x, slots);
+  if (!(*factor_ > 0)) return inner().addTangentRounding(patch, x, slots);
   const int n = nodesPerElement();
   // Into slots of their own: what is there may not be scaled.
   std::vector<double> own(4 * static_cast<std::size_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
-  inner_->addTangentRounding(patch, x, own.data());
+  inner().addTangentRounding(patch, x, own.data());
   for (double& value : own) value *= sumOfTangentsRounding;
   for (std::int32_t batch = patch.batchBegin; batch < patch.batchEnd; ++batch) {
     const std::int32_t* elements = layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
@@ -684,7 +683,7 @@ void DampedBlock::addTangentRounding(const Patch& patch, const double* x, double
 }
 
 void DampedBlock::deformationOf(const std::int32_t* elements, const double* x, double* F, TangentDrift* drift) const {
-  inner_->deformationOf(elements, x, F, drift);
+  inner().deformationOf(elements, x, F, drift);
   const double f = *factor_;
   if (!(f > 0)) return;
   const double lambda = constants_.volumeViscosity - 2.0 / 3 * constants_.shearViscosity;

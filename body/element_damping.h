@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <ringwatch/body/damped_elements.h>
-#include <ringwatch/body/element_block.h>
+#include <ringwatch/body/wrapped_block.h>
 
 namespace ringwatch {
 
@@ -38,7 +38,7 @@ struct DampingConstants {
 /// A block whose elements damp: forces and energies are those of the elements alone, tangents those of K + f C. Where
 /// the damping is quadratic, C depends on the velocities by way of one coefficient an element, of which an upper bound
 /// counts (follow()).
-class DampedBlock final : public ElementBlock {
+class DampedBlock final : public WrappedBlock {
  public:
   /// By how much the counted coefficient of an element exceeds the one at the velocities at hand, at most, relative.
   static constexpr double overcount = 0.05;
@@ -76,7 +76,7 @@ class DampedBlock final : public ElementBlock {
 
   void evaluateBatches(std::int32_t first, std::int32_t last, const double* rows,
                        const BatchEvaluation& evaluation) const override {
-    inner_->evaluateBatches(first, last, rows, evaluation);
+    inner().evaluateBatches(first, last, rows, evaluation);
   }
   void tangentProductBatches(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
                              double* slots) const override;
@@ -84,22 +84,13 @@ class DampedBlock final : public ElementBlock {
   void tangentOf(const std::int32_t* elements, const double* x, double* K, double* rounding) const override;
   void addTangentRounding(const Patch& patch, const double* x, double* slots) const override;
   void laplacianOf(const std::int32_t* elements, double* L, double* rounding) const override {
-    inner_->laplacianOf(elements, L, rounding);
+    inner().laplacianOf(elements, L, rounding);
   }
   bool hourglassOf(const std::int32_t* elements, HourglassVectors& out) const override {
-    return inner_->hourglassOf(elements, out);
+    return inner().hourglassOf(elements, out);
   }
   /// Theorem 58, docs/theory/element_damping.md.
   void deformationOf(const std::int32_t* elements, const double* x, double* F, TangentDrift* drift) const override;
-  void gradientNormBatch(std::int32_t batch, double* norms) const override { inner_->gradientNormBatch(batch, norms); }
-  void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const override {
-    inner_->minimumDeterminantBatch(batch, x, determinants);
-  }
-  void stressBatch(std::int32_t batch, const double* x, double* stress, double* F) const override {
-    inner_->stressBatch(batch, x, stress, F);
-  }
-  void volumeBatch(std::int32_t batch, double* volumes) const override { inner_->volumeBatch(batch, volumes); }
-  bool goesByDirections() const override { return inner_->goesByDirections(); }
 
  private:
   using P = NativePack;
@@ -131,7 +122,6 @@ class DampedBlock final : public ElementBlock {
   void addTangent(const std::int32_t* elements, const double* x, double* K, double* rounding) const;
   void roundingOf(const std::int32_t* elements, const P (*edges)[3], P* T) const;
 
-  std::unique_ptr<ElementBlock> inner_;
   DampingConstants constants_;
   std::shared_ptr<const double> factor_;
   int points_;
