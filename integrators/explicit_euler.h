@@ -15,9 +15,14 @@ class ExplicitEuler final : public Integrator {
     return (Eigen::Matrix2d() << 1, z, -z, 1 - 2 * dampingRatio * z).finished();
   }
   static double dampedLimit(double xi) { return xi <= 1 ? 2 * xi : 2 / (xi + std::sqrt(xi * xi - 1)); }
-  static constexpr IntegratorInfo description{
-      "explicit-euler", "first order, never stable without damping", 1, 1, 0.0, false, false, 1, &amplification,
-      &dampedLimit};
+  static constexpr IntegratorInfo description{.name = "explicit-euler",
+                                              .help = "first order, never stable without damping",
+                                              .order = 1,
+                                              .forceEvaluations = 1,
+                                              .imaginaryLimit = 0.0,
+                                              .symplectic = false,
+                                              .amplification = &amplification,
+                                              .dampedLimit = &dampedLimit};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     const NodeVectors& a = accelerationOf(system, state);

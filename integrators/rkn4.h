@@ -25,15 +25,14 @@ class RungeKuttaNystrom4 final : public Integrator {
     T << X + z * V + z * z / 6 * (k1 + 2 * k2), V + z / 6 * (k1 + 4 * k2 + k3);
     return T;
   }
-  static constexpr IntegratorInfo description{"rkn4",
-                                              "Runge-Kutta-Nystrom, fourth order, three forces a step",
-                                              4,
-                                              3,
-                                              2.586518894519561549,
-                                              false,
-                                              false,
-                                              2,
-                                              &amplification};
+  static constexpr IntegratorInfo description{.name = "rkn4",
+                                              .help = "Runge-Kutta-Nystrom, fourth order, three forces a step",
+                                              .order = 4,
+                                              .forceEvaluations = 3,
+                                              .imaginaryLimit = 2.586518894519561549,
+                                              .symplectic = false,
+                                              .dampedOrder = 2,
+                                              .amplification = &amplification};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     const bool velocities = system.velocityDependent();

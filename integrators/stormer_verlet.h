@@ -20,22 +20,17 @@ class StormerVerlet final : public Integrator {
     return (Eigen::Matrix2d() << 1 - z * z, z * keep, -z, keep).finished();
   }
   static double dampedLimit(double xi) { return 2 / (std::sqrt(1 + xi * xi) + xi); }
-  static constexpr IntegratorInfo description{"verlet",
-                                              "second order, symplectic, one force a step",
-                                              2,
-                                              1,
-                                              2.0,
-                                              true,
-                                              true,
-                                              1,
-                                              &amplification,
-                                              &dampedLimit,
-                                              true,
-                                              false,
-                                              false,
-                                              false,
-                                              0,
-                                              true};
+  static constexpr IntegratorInfo description{.name = "verlet",
+                                              .help = "second order, symplectic, one force a step",
+                                              .order = 2,
+                                              .forceEvaluations = 1,
+                                              .imaginaryLimit = 2.0,
+                                              .symplectic = true,
+                                              .reversible = true,
+                                              .amplification = &amplification,
+                                              .dampedLimit = &dampedLimit,
+                                              .highestModeBinds = true,
+                                              .drifts = true};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     const StepStatus status = advance(system, state, h);

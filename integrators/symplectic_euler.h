@@ -16,22 +16,17 @@ class SymplecticEuler final : public Integrator {
     return (Eigen::Matrix2d() << 1 - z * z, z * keep, -z, keep).finished();
   }
   static double dampedLimit(double xi) { return 2 / (std::sqrt(1 + xi * xi) + xi); }
-  static constexpr IntegratorInfo description{"symplectic-euler",
-                                              "first order, symplectic, one force a step",
-                                              1,
-                                              1,
-                                              2.0,
-                                              true,
-                                              false,
-                                              1,
-                                              &amplification,
-                                              &dampedLimit,
-                                              true,
-                                              false,
-                                              false,
-                                              true,
-                                              0,
-                                              true};
+  static constexpr IntegratorInfo description{.name = "symplectic-euler",
+                                              .help = "first order, symplectic, one force a step",
+                                              .order = 1,
+                                              .forceEvaluations = 1,
+                                              .imaginaryLimit = 2.0,
+                                              .symplectic = true,
+                                              .amplification = &amplification,
+                                              .dampedLimit = &dampedLimit,
+                                              .highestModeBinds = true,
+                                              .runsOnGpu = true,
+                                              .drifts = true};
   const IntegratorInfo& info() const override { return description; }
   StepStatus step(SecondOrderSystem& system, State& state, double h) override {
     const NodeVectors& a = accelerationOf(system, state);
