@@ -156,7 +156,8 @@ void RunWatch::checkHandled(MonitorReport& report) const {
 void RunWatch::nameElements(MonitorReport& report) const {
   if (report.bracket) {
     report.bracket->controlling = handler_->toParentElement(report.bracket->controlling);
-    report.bracket->lowestRingElement = handler_->toParentElement(report.bracket->lowestRingElement);
+    if (report.bracket->lowestRing < 0)
+      report.bracket->lowestRingElement = handler_->toParentElement(report.bracket->lowestRingElement);
   }
   for (MonitorEvent& event : report.newEvents)
     if (event.element) event.element = handler_->toParentElement(*event.element);

@@ -234,6 +234,8 @@ TEST_F(Checkpoints, ResumedRunsHaveTheBitsOfTheOneThatWasNotStopped) {
        "--set integrator.step=9e-4 --set monitor.on_violation=reduce-step --set output.checkpoint_every=0.2"},
       {"contact and friction", "block", "--set output.checkpoint_every=1e-3"},
       {"contact, no checkpoints but of signals", "block", ""},
+      {"quadratic bulk viscosity, no checkpoints but of signals", "block",
+       "--set damping.bulk_viscosity=true --set monitor.mode=threshold"},
       {"springs, moves, damping, budget", "mounted", "--set output.checkpoint_every=0.01"},
       {"springs, no checkpoints but of signals", "mounted", ""},
       {"a checkpoint, a frame and a row at nearly every step", "scene",

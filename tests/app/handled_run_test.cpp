@@ -246,6 +246,42 @@ TEST_F(HandledProgram, RunsOnAGpuWhereThereIsOne) {
   }
 }
 
+TEST_F(HandledProgram, HandlesAllElementsOfOneMaterial) {
+  folder_.write("halves.toml", R"([mesh]
+generate = "bar"
+size = [0.2, 0.1, 0.1]
+cells = [4, 2, 2]
+element = "pyramid5"
+[[material]]
+where = "x < 0.1"
+model = "corotational"
+young = 1e6
+poisson = 0
+density = 1000
+[[material]]
+where = "x >= 0.1"
+model = "corotational"
+young = 1e4
+poisson = 0
+density = 1000
+[integrator]
+method = "verlet"
+step = 2e-3
+end = 0.02
+[[initial]]
+where = "all"
+velocity = [0, 0, -1]
+[handler]
+method = "imex"
+[output]
+picture = false
+)");
+  EXPECT_EQ(call("run halves.toml --out halves").status, 0);
+  const Json summary = json("halves/summary.json");
+  EXPECT_EQ(summary["handler"]["handled_elements"], 96);  // the stiff half: six a cell
+  EXPECT_EQ(summary["certified_steps"], 10);
+}
+
 TEST_F(HandledProgram, RefusesWhatDoesNotFitTogether) {
   const std::string run = "run slivers.toml --set handler.method=imex ";
   expectRefused("run slivers.toml --set handler.margin=0.2", "handler.margin: there is no handler");
