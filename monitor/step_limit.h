@@ -73,7 +73,7 @@ struct CriticalStep {
   std::string_view safeBy;  // how the sides were obtained
   std::string_view optimisticBy;
   double lowestRing;  // least eigenvalue seen, of a reduced 1-ring or a direction, rad²/s²; < 0 proves K indefinite
-  ElementRef lowestRingElement;  // where that is < 0
+  ElementRef lowestRingElement;            // where that is < 0
   std::optional<ProbableStep> probable{};  // when asked for; never part of the proven bracket
   /// Elements whose values are rounded up by more than a thousandth, how many and the worst: their shapes or states
   /// leave little to say in double precision, and the safe side is that much lower there. Only from scratch.
