@@ -24,7 +24,7 @@ using test::Outcome;
 using ::testing::HasSubstr;
 
 /// Two materials, motion by a table, forces of all kinds, velocities at the start and damping.
-constexpr const char* rich = R"(
+constexpr const char* rich = R"toml(
 [mesh]
 generate = "bar"
 size = [0.1, 0.02, 0.02]
@@ -71,7 +71,7 @@ velocity = [0, 0.05, 0]
 every = 0.01
 fields = ["von_mises"]
 picture = false
-)";
+)toml";
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
@@ -228,7 +228,9 @@ TEST_F(RanksProgram, TellsOfAnUnstableStep) {
 }
 
 TEST_F(RanksProgram, RefusesByOneLine) {
-  folder_.write("scene.toml", richScene());
+  const std::string timed = "factor = \"sin(100*t)\"\n", table = "times = [0, 0.01, 0.02]\nfactors = [0, 1, 0.5]\n";
+  const std::string plain = replaced(replaced(richScene(), timed, ""), table, "");
+  folder_.write("scene.toml", replaced(plain, "[damping]\nmass = 2\n", ""));
   for (const auto& [setting, what] : {std::pair{"integrator.method=rk4", "\"rk4\" is not distributed over ranks"},
                                       {"damping.stiffness=1e-6", "stiffness-proportional damping"},
                                       {"handler.method=imex", "handlers are not distributed"},
@@ -255,7 +257,8 @@ TEST_F(RanksProgram, RefusesByOneLine) {
   expectRefusedByOne(2, "scene.toml --live", "--live");
   expectRefusedByOne(2, "scene.toml --treads 3", "--treads");
   // The first step of "auto" is only known when the run has begun.
-  expectRefusedByOne(2, "scene.toml --set integrator.step=auto --set integrator.end=1e12", "\"auto\" begins with");
+  folder_.write("long.toml", replaced(plain, "every = 0.01\n", ""));
+  expectRefusedByOne(2, "long.toml --set integrator.step=auto --set integrator.end=1e12", "\"auto\" begins with");
   // What another run holds.
   ASSERT_EQ(shell("mkdir held && exec 9> held/run.lock && flock 9 && " + mpirun(2) +
                   "'" RINGWATCH_PROGRAM "' run scene.toml --out held")
@@ -279,7 +282,7 @@ TEST_F(RanksProgram, GoesOnWithAnyNumberOfRanks) {
             "done; kill -KILL $last; date +%s > killed; wait $launcher; status=$?; date +%s > ended; "
             "exit $status");
   EXPECT_NE(killed.status, 0);
-  EXPECT_THAT(killed.err, HasSubstr("mpirun noticed that process rank"));
+  EXPECT_THAT(killed.err, HasSubstr("noticed that process rank"));
   EXPECT_LE(std::stoll(folder_.read("ended")) - std::stoll(folder_.read("killed")), 10);
   ASSERT_TRUE(exists("part/checkpoint.bin"));
   EXPECT_FALSE(exists("part/summary.json"));
