@@ -115,6 +115,14 @@ class RankRun {
     std::abort();
   }
 
+  /// together(), of a run that has begun.
+  template <class Work>
+  void orAllThrow(const Work& work) {
+    knownToAll_ = true;
+    together(ranks_, work);
+    knownToAll_ = false;
+  }
+
   /// Every rank reads the scene and makes the whole body, and keeps its part.
   void begin() {
     std::optional<Checkpoint> saved;
@@ -313,9 +321,7 @@ class RankRun {
       choose();
     } else {
       // The first step of "auto" may be out of all proportion to the end, which all ranks find and one tells.
-      knownToAll_ = true;
-      together(ranks_, choose);
-      knownToAll_ = false;
+      orAllThrow(choose);
     }
     if (!fault.empty()) {
       end(ExitReason::stepCollapsed, fault);
@@ -332,7 +338,8 @@ class RankRun {
 
   void record(const MonitorReport& report, bool rowDue) {
     const Stopwatch measured(result_.outputTime);
-    output_->open();
+    if (!outputIsOpen_) orAllThrow([this] { output_->open(); });
+    outputIsOpen_ = true;
     if (first()) recorder_->record(report, whole_->mesh());
     if (rowDue) {
       ExactSum refreshed;  // small whole numbers
@@ -486,6 +493,7 @@ class RankRun {
     lastVerdict_ = static_cast<Verdict>(saved.parts.at("last_verdict").get<int>());
     resumeEvents(saved.memory);
     together(ranks_, [&] { output_->resume(saved.parts.at("output"), result_.steps); });
+    outputIsOpen_ = true;
   }
 
   void end(ExitReason reason, std::string text) {
@@ -559,6 +567,7 @@ class RankRun {
   int wish_ = nothing;
   bool moving_ = false;      // motion is prescribed at some time
   bool knownToAll_ = false;  // a fault is being told by together()
+  bool outputIsOpen_ = false;
   ProgressLine progress_{first() && !request_.quiet};
   ProgressLog log_;
 };
