@@ -61,10 +61,10 @@ int run(const std::string& kind, double tets, int steps) {
     state.v.col(i) =
         0.5 * Eigen::Vector3d(std::sin(40 * state.x(1, i)), std::sin(40 * state.x(2, i)), std::sin(40 * state.x(0, i)));
   StepEvaluation evaluation;
-  bool stops = false;
+  int asked = 0;
   const auto meanwhile = [&] { stepper.takeForce(state, evaluation.internalForce); };
   double h = 1e-9;  // s, until the first bracket
-  h = 0.5 * monitor.observe(0, 0, state.x, state.v, h, evaluation, stops, meanwhile).certified;
+  h = 0.5 * monitor.observe(0, 0, state.x, state.v, h, evaluation, asked, meanwhile).certified;
   std::vector<double> setUp{now() - setUpBegan};
   ranks.largest(setUp);
 
@@ -87,7 +87,7 @@ int run(const std::string& kind, double tets, int steps) {
   const Halo::Traffic sentBefore = halo.traffic();
   for (int k = 0; k < steps; ++k) {
     const double began = now();
-    const MonitorReport& report = monitor.observe(k + 1, state.time, state.x, state.v, h, evaluation, stops, meanwhile);
+    const MonitorReport& report = monitor.observe(k + 1, state.time, state.x, state.v, h, evaluation, asked, meanwhile);
     proven &= report.verdict == Verdict::certified;
     stepper.step(state, h);
     certified[k] = now() - began;

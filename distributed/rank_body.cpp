@@ -9,11 +9,12 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/meshes/adjacency.h>
+#include <ringwatch/monitor/energy_balance.h>
 
 namespace ringwatch {
 
 RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int threads)
-    : mostNodes_(whole.mostNodesOfAnElement()) {
+    : mostNodes_(whole.mostNodesOfAnElement()), roundingEnergy_(ringwatch::roundingEnergy(whole)) {
   if (whole.discreteForces()) throw InputError("springs and contact are not distributed over ranks");
   if (whole.elementDamping()) throw InputError("elements that damp are not distributed over ranks");
   if (partition.ofNode.size() != static_cast<std::size_t>(whole.nodeCount()))
@@ -74,6 +75,21 @@ RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int 
     for (const std::int32_t e : globalElements_[b]) {
       block.ids.push_back(all.blocks[b].id(e));
       for (const std::int32_t node : whole.blocks()[b]->nodesOf(e)) block.connectivity.push_back(localOf[node]);
+    }
+  }
+  // Also where a set is empty here, so that all ranks have the same.
+  for (const auto& [name, nodes] : all.nodeSets) {
+    std::vector<std::int32_t>& own = mesh.nodeSets[name];
+    for (const std::int32_t node : nodes)
+      if (localOf[node] >= 0) own.push_back(localOf[node]);
+    std::sort(own.begin(), own.end());
+  }
+  for (const auto& [name, elements] : all.elementSets) {
+    std::vector<ElementRef>& own = mesh.elementSets[name];
+    for (const ElementRef e : elements) {
+      const std::vector<std::int32_t>& held = globalElements_[e.block];
+      const auto found = std::lower_bound(held.begin(), held.end(), static_cast<std::int32_t>(e.element));
+      if (found != held.end() && *found == e.element) own.push_back({e.block, found - held.begin()});
     }
   }
   std::vector<std::unique_ptr<ElementBlock>> blocks;

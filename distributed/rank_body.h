@@ -13,7 +13,7 @@ namespace ringwatch {
 /// bits, for any partition (Theorem 78, docs/theory/distribution.md); sums at ghosts lack terms.
 class RankBody {
  public:
-  /// The part of `rank`, with the masses, constraints and dead forces of the whole body, which may go after this.
+  /// The part of `rank`, with the masses, constraints, dead forces and sets of the whole body, which may go after this.
   /// Throws InputError for what is not distributed: springs and contact, and elements that damp.
   RankBody(const Body& whole, const Partition& partition, int rank, int threads = 0);
   /// The body refers to itself.
@@ -28,6 +28,8 @@ class RankBody {
   /// Nodes of an element of the whole, at most.
   int mostNodesOfAnElement() const { return mostNodes_; }
   std::int64_t elements() const { return elements_; }
+  /// ringwatch::roundingEnergy of the whole, J.
+  double roundingEnergy() const { return roundingEnergy_; }
   /// The number of a node in the whole.
   std::int32_t globalNode(std::int32_t node) const { return globalNodes_[node]; }
   const std::vector<std::int32_t>& globalNodes() const { return globalNodes_; }
@@ -49,6 +51,7 @@ class RankBody {
   std::unique_ptr<Body> body_;  // blocks refer to the mesh's arrays
   std::int32_t owned_ = 0;
   int mostNodes_ = 0;
+  double roundingEnergy_ = 0;
   std::int64_t elements_ = 0;
   std::vector<std::int32_t> globalNodes_;
   std::vector<std::vector<std::int32_t>> globalElements_;  // [block], ascending

@@ -2,25 +2,104 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <ringwatch/body/element_energy.h>
 
 namespace ringwatch {
 
-RankEnergies energiesOf(Ranks& ranks, const RankBody& part, NodeVectorsView x, NodeVectorsView v) {
+namespace {
+
+/// Rounded the same for every node, wherever its column lies: a compiler may fuse an expression in some places only.
+double dot(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::fma(a[0], b[0], std::fma(a[1], b[1], a[2] * b[2]));
+}
+
+/// Adds this rank's terms of the kinetic and the strain energy.
+void addEnergies(const RankBody& part, NodeVectorsView x, NodeVectorsView v, ExactSum& kinetic, ExactSum& strain) {
   const Body& body = part.body();
-  std::array<ExactSum, 2> sums;
   for (std::int32_t i = 0; i < part.ownedNodes(); ++i) {
-    const double speed2 = std::fma(v(0, i), v(0, i), std::fma(v(1, i), v(1, i), v(2, i) * v(2, i)));
-    sums[0].add(0.5 * body.lumpedMass()[i] * speed2);
+    kinetic.add(0.5 * body.lumpedMass()[i] * dot(v.col(i), v.col(i)));
   }
-  const std::vector<std::vector<double>> strain = strainEnergyOfElements(body, x);
-  for (std::size_t b = 0; b < strain.size(); ++b)
-    for (std::size_t e = 0; e < strain[b].size(); ++e)
-      if (part.counts({b, e})) sums[1].add(strain[b][e]);
+  const std::vector<std::vector<double>> energies = strainEnergyOfElements(body, x);
+  for (std::size_t b = 0; b < energies.size(); ++b)
+    for (std::size_t e = 0; e < energies[b].size(); ++e)
+      if (part.counts({b, e})) strain.add(energies[b][e]);
+}
+
+}  // namespace
+
+RankEnergies energiesOf(Ranks& ranks, const RankBody& part, NodeVectorsView x, NodeVectorsView v) {
+  std::array<ExactSum, 2> sums;
+  addEnergies(part, x, v, sums[0], sums[1]);
   ranks.sum(sums);
   return {sums[0].value(), sums[1].value()};
+}
+
+RankEnergyBalance::RankEnergyBalance(Ranks& ranks, const RankBody& part, bool moving)
+    : ranks_(ranks), part_(part), moving_(moving) {
+  work_.setZero(part.ownedNodes());
+  dissipated_.setZero(part.ownedNodes());
+}
+
+void RankEnergyBalance::record(const NodeVectors& x, const NodeVectors& internalForce) {
+  const std::int32_t owned = part_.ownedNodes();
+  const Constraints& constraints = part_.body().constraints();
+  if (!started_) {
+    firstX_ = x.leftCols(owned);
+    started_ = true;
+  } else if (moving_) {
+    for (std::int32_t i = 0; i < owned; ++i)
+      for (int c = 0; c < 3; ++c)
+        if (constraints.isConstrained(i, c) && constraints.velocity()(c, i) != 0)
+          work_[i] = std::fma(0.5 * (lastForce_(c, i) + internalForce(c, i)), x(c, i) - lastX_(c, i), work_[i]);
+  }
+  if (!moving_) return;
+  lastX_ = x.leftCols(owned);
+  lastForce_ = internalForce.leftCols(owned);
+}
+
+void RankEnergyBalance::recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce) {
+  const std::int32_t owned = part_.ownedNodes();
+  Eigen::VectorXd power(owned), atSupports(owned);
+  const double half = dampedAt_ ? 0.5 * (time - *dampedAt_) : 0;
+  for (std::int32_t i = 0; i < owned; ++i) {
+    power[i] = dot(dampingForce.col(i), v.col(i));
+    atSupports[i] = dot(dampingForce.col(i), part_.body().constraints().velocity().col(i));
+    if (!dampedAt_) continue;
+    dissipated_[i] = std::fma(half, dampingPower_[i] + power[i], dissipated_[i]);
+    work_[i] = std::fma(half, supportPower_[i] + atSupports[i], work_[i]);
+  }
+  dampedAt_ = time;
+  dampingPower_ = std::move(power);
+  supportPower_ = std::move(atSupports);
+}
+
+Energies RankEnergyBalance::energies(const NodeVectors& x, const NodeVectors& v) {
+  enum : std::size_t { kinetic, strain, external, dissipated };
+  std::array<ExactSum, 4> sums;
+  addEnergies(part_, x, v, sums[kinetic], sums[strain]);
+  const Body& body = part_.body();
+  for (std::int32_t i = 0; i < part_.ownedNodes(); ++i) {
+    double work = work_[i];
+    // Dead forces at constrained components do no work on the body that their support does not take back.
+    for (int c = 0; c < 3; ++c)
+      if (!body.constraints().isConstrained(i, c))
+        work = std::fma(body.externalForce()(c, i), x(c, i) - firstX_(c, i), work);
+    sums[external].add(work);
+    sums[dissipated].add(dissipated_[i]);
+  }
+  ranks_.sum(sums);
+  Energies e;
+  e.kinetic = sums[kinetic].value();
+  e.strain = sums[strain].value();
+  e.externalWork = sums[external].value();
+  e.dissipated = sums[dissipated].value();
+  const double total = e.kinetic + e.strain + e.dissipated - e.externalWork;
+  if (!reference_) reference_ = total;
+  e.balanceError = total - *reference_;
+  return e;
 }
 
 NodeVectors gathered(Ranks& ranks, const RankBody& part, NodeVectorsView vectors) {

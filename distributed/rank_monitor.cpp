@@ -32,6 +32,7 @@ RankMonitor::RankMonitor(Ranks& ranks, Halo& halo, const RankBody& part, const R
       certificate_(part.body()),
       mode_(ranks, halo, part),
       tracker_(options.clearObservations),
+      energies_(part.roundingEnergy()),
       refreshes_(policy_.refreshes),
       rebuilds_(policy_.rebuilds) {
   if (options_.mode == MonitorMode::metric) throw InputError("mode = metric: is not distributed over ranks");
@@ -64,7 +65,8 @@ RankMonitor::Found RankMonitor::checkElements(NodeVectorsView x, StepEvaluation&
     certificate_.fitBall(evaluated[i]);
   }
   cost_.evaluated += static_cast<std::int64_t>(evaluated.size());
-  report_.elementsRefreshed += static_cast<std::int64_t>(evaluated.size());
+  report_.elementsRefreshed +=
+      std::count_if(evaluated.begin(), evaluated.end(), [this](ElementRef e) { return part_.counts(e); });
   for (const std::int32_t node : nodesOfElements(part_.body(), raised))
     if (node < part_.ownedNodes())
       found.need = std::max(found.need, largestEigenvalue(certificate_.sumOfAllowances(node)) *
@@ -142,7 +144,7 @@ void RankMonitor::present(MonitorEvent event) {
 }
 
 const MonitorReport& RankMonitor::observe(std::int64_t step, double time, NodeVectorsView x, NodeVectorsView v,
-                                          std::optional<double> h, StepEvaluation& evaluation, bool& stops,
+                                          std::optional<double> h, StepEvaluation& evaluation, int& asked,
                                           const std::function<void()>& meanwhile) {
   const Body& body = part_.body();
   report_.step = step;
@@ -160,15 +162,16 @@ const MonitorReport& RankMonitor::observe(std::int64_t step, double time, NodeVe
     found = checkElements(x, evaluation);
   else
     body.evaluate(x, evaluation, workspace_);
-  enum : std::size_t { need, notFinite, tangentNotFinite, inverted, stop };
+  enum : std::size_t { need, notFinite, tangentNotFinite, inverted, wish };
   std::array<double, 5> told{found.need, finiteHere ? 0.0 : 1.0, found.finite ? 0.0 : 1.0,
-                             -std::min(certificate_.statistics().leastDeterminant, 1e300), stops ? 1.0 : 0.0};
+                             -std::min(certificate_.statistics().leastDeterminant, 1e300), static_cast<double>(asked)};
   ranks_.beginLargest(told);
   if (meanwhile) meanwhile();
   ranks_.finishLargest();
-  stops = told[stop] > 0;
-  report_.fresh = due && told[notFinite] == 0;
-  if (told[notFinite] != 0) {
+  asked = static_cast<int>(told[wish]);
+  finite_ = told[notFinite] == 0;
+  report_.fresh = due && finite_;
+  if (!finite_) {
     present({.kind = EventKind::nonFinite});
     started_ = false;
     unknown_ = true;
@@ -246,6 +249,27 @@ const MonitorReport& RankMonitor::observe(std::int64_t step, double time, NodeVe
              .element = report_.bracket->controlling});
   else
     tracker_.absent(EventKind::violated, step);
+  return report_;
+}
+
+const MonitorReport& RankMonitor::observeEnergies(const Energies& energies) {
+  if (const auto share = energies_.observe(energies, report_.step, options_.energyTolerance))
+    present({.kind = EventKind::energyBalance, .value = *share});
+  else
+    tracker_.absent(EventKind::energyBalance, report_.step);
+  return report_;
+}
+
+const MonitorReport& RankMonitor::prove(NodeVectorsView x, double h) {
+  report_.bracket.reset();
+  report_.certified = 0;
+  if (renew(x, true, options_.limit.lambdaFor(h))) {
+    report_.certified = certifiedStep();
+    setBracket();
+  }
+  unknown_ = !started_;
+  report_.fresh = true;
+  report_.evaluatedAt = report_.step;
   return report_;
 }
 

@@ -6,6 +6,7 @@
 #include <ringwatch/base/backoff.h>
 #include <ringwatch/distributed/halo.h>
 #include <ringwatch/distributed/rank_mode.h>
+#include <ringwatch/monitor/energy_check.h>
 #include <ringwatch/monitor/incremental/run_certificate.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
@@ -18,6 +19,7 @@ struct RankMonitorOptions {
   int every = 1;
   double width = 0.05;
   int clearObservations = 20;
+  double energyTolerance = 0.1;
 };
 
 /// StabilityMonitor's work on a body that is distributed over ranks: all get the same report, which names elements of
@@ -28,7 +30,7 @@ struct RankMonitorOptions {
 /// their validity balls are evaluated again, by every rank that has them. One that exceeds its allowance raises it, and
 /// with it the certified eigenvalue (Theorem 21), until evaluating all elements, or new weights, pays. The optimistic
 /// side is the quotient of RankMode's vector. Collective. Events are
-/// `violated`, `inverted` and `non-finite`.
+/// `violated`, `inverted`, `non-finite` and `energy-balance`.
 class RankMonitor final : private RestOfBody {
  public:
   /// All references must outlive the monitor. Throws InputError for the mode `metric` and a rule that is not proven.
@@ -36,11 +38,25 @@ class RankMonitor final : private RestOfBody {
 
   /// As StabilityMonitor::observe; x has ghosts as their owners have them. `meanwhile`, unless empty, is called once
   /// `evaluation` is filled in, while the ranks tell each other whether all elements are inside their allowances: it
-  /// may do what needs no other rank. stops: set where a rank's own is set when this is called.
+  /// may do what needs no other rank. asked: what is asked of this rank from outside, 0 for nothing; becomes the
+  /// largest of all ranks, so that all know it at the same state. report.elementsRefreshed is of this rank, which
+  /// counts those of RankBody::counts.
   const MonitorReport& observe(std::int64_t step, double time, NodeVectorsView x, NodeVectorsView v,
-                               std::optional<double> h, StepEvaluation& evaluation, bool& stops,
+                               std::optional<double> h, StepEvaluation& evaluation, int& asked,
                                const std::function<void()>& meanwhile);
+  /// The same of the energies of the state observed last, which all ranks have alike: an event where their balance is
+  /// off, as StabilityMonitor::observeEnergies.
+  const MonitorReport& observeEnergies(const Energies& energies);
+  /// The bracket at the state observed last, x, from scratch, in the report, which is fresh then; for steps of h, s.
+  const MonitorReport& prove(NodeVectorsView x, double h);
   const std::vector<MonitorEvent>& events() const { return tracker_.events(); }
+  /// Whether positions and velocities of all ranks were finite at the last observation.
+  bool stateIsFinite() const { return finite_; }
+  /// The events and what they are told by, for the monitor of a run that goes on: nothing in it depends on the part.
+  template <class Archive>
+  void archiveEvents(Archive& a) {
+    a(tracker_, energies_);
+  }
 
   /// What it took so far.
   struct Cost {
@@ -55,6 +71,7 @@ class RankMonitor final : private RestOfBody {
  private:
   void completeSums(Eigen::Matrix<double, 6, Eigen::Dynamic>& sums) override { halo_.exchange(sums); }
   double largest(double own) override;
+  bool counts(ElementRef element) const override { return part_.counts(element); }
 
   struct Found {
     double need = 0;  // the certified eigenvalue that raised allowances need
@@ -80,6 +97,7 @@ class RankMonitor final : private RestOfBody {
   RunCertificate certificate_;
   RankMode mode_;
   EventTracker tracker_;
+  EnergyCheck energies_;
   MonitorReport report_;
   Body::Workspace workspace_;
   bool started_ = false;
@@ -89,7 +107,7 @@ class RankMonitor final : private RestOfBody {
   Backoff refreshes_, rebuilds_;
   Cost cost_;
   std::int64_t observations_ = 0;
-  bool unknown_ = false;
+  bool unknown_ = false, finite_ = true;
 };
 
 }  // namespace ringwatch

@@ -32,8 +32,8 @@ int run() {
   StepEvaluation evaluation;
   double h = 1e-4;
   for (int step = 0; step < 200; ++step) {
-    bool stops = false;
-    const MonitorReport& report = monitor.observe(step, state.time, state.x, state.v, h, evaluation, stops,
+    int asked = 0;
+    const MonitorReport& report = monitor.observe(step, state.time, state.x, state.v, h, evaluation, asked,
                                                   [&] { stepper.takeForce(state, evaluation.internalForce); });
     if (!report.bracket) return 1;  // the state is no longer finite, and no step helps
     if (report.verdict != Verdict::certified) h = 0.9 * report.bracket->safe;

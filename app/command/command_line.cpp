@@ -26,6 +26,7 @@
 #include <ringwatch/app/command/process.h>
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/command/provenance.h>
+#include <ringwatch/app/command/rank_program.h>
 #include <ringwatch/app/command/reference.h>
 #include <ringwatch/app/command/scale_mass.h>
 #include <ringwatch/app/command/schema.h>
@@ -137,11 +138,14 @@ std::string oneLine(std::string text) {
   return result;
 }
 
+/// Whether this process says what is wrong: of several that share a run one does.
+bool speaks = true;
+
 /// To standard error. A closed standard error does not change how the program ends.
 void tell(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 ExitStatus complain(const std::string& text, ExitStatus status) {
-  tell(fmt::format("ringwatch: {}\n", oneLine(text)));
+  if (speaks) tell(fmt::format("ringwatch: {}\n", oneLine(text)));
   return status;
 }
 
@@ -237,6 +241,8 @@ struct RunCommand {
   std::vector<std::string> overrides;
   int threads = 0;
   bool quiet = false, helpScene = false, requireCertified = false, report = false, live = false;
+  std::string ranksWanted = "auto";
+  const RankProgram* ranks = nullptr;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
@@ -259,6 +265,13 @@ struct RunCommand {
         ->add_option("--threads", threads,
                      "threads (default: as many as the mesh has work for); results do not depend on it")
         ->check(CLI::Range(0, 4096));
+    command
+        ->add_option(
+            "--ranks", ranksWanted,
+            "whether processes that a launcher such as mpirun has started share the run: auto (where there are "
+            "several), yes or no (each runs it alone); see docs/cluster.md")
+        ->type_name("WHEN")
+        ->check(CLI::IsMember({"auto", "yes", "no"}));
     command->add_flag("--require-certified", requireCertified,
                       "exit with status 1 unless every step was certified; as monitor.require_certified = true");
     command->add_flag("--report", report, "also write report.html there, as ringwatch report does");
@@ -288,25 +301,57 @@ struct RunCommand {
       printOut(sceneHelp());
       return ExitStatus::done;
     }
+    requireWhatGoesTogether();
+    if (ranks) return runOnRanks();
     if (!resumed.empty()) return resume();
-    if (scene.empty()) throw InputError("run: SCENE is missing; give a scene file (TOML), see ringwatch help scene");
-    std::vector<std::string> settings = overrides;
-    if (requireCertified) settings.emplace_back("monitor.require_certified=true");
-    const Scene description = readScene(scene, settings);
-    return run(description,
-               folder.empty() ? std::filesystem::path("out") / std::filesystem::path(scene).stem()
-                              : std::filesystem::path(folder),
-               nullptr);
+    const Scene description = readScene(scene, settings());
+    return run(description, resultsFolder(), nullptr);
+  }
+
+  void requireWhatGoesTogether() const {
+    if (resumed.empty()) {
+      if (scene.empty()) throw InputError("run: SCENE is missing; give a scene file (TOML), see ringwatch help scene");
+    } else {
+      for (const auto& [given, option] : {std::pair{!overrides.empty(), "--set"},
+                                          {!folder.empty(), "--out"},
+                                          {requireCertified, "--require-certified"}})
+        if (given)
+          throw InputError(
+              fmt::format("{}: does not go with --resume, which takes scene and folder as they were", option));
+    }
+    if (ranks && (report || live))
+      throw InputError(fmt::format("{}: does not go with a run on ranks; call ringwatch report when it has ended",
+                                   live ? "--live" : "--report"));
+  }
+
+  std::vector<std::string> settings() const {
+    std::vector<std::string> all = overrides;
+    if (requireCertified) all.emplace_back("monitor.require_certified=true");
+    return all;
+  }
+
+  std::filesystem::path resultsFolder() const {
+    return folder.empty() ? std::filesystem::path("out") / std::filesystem::path(scene).stem()
+                          : std::filesystem::path(folder);
+  }
+
+  ExitStatus runOnRanks() const {
+    RankRunRequest request;
+    request.scene = scene;
+    request.overrides = settings();
+    request.folder = resumed.empty() ? resultsFolder() : std::filesystem::path(resumed);
+    request.resumed = resumed;
+    request.command = commandText();
+    request.threads = threads;
+    request.quiet = quiet;
+    request.interrupt = &interrupted;
+    request.checkpoint = &checkpointWanted;
+    const InterruptGuard guard;
+    return ranks->run(request, [](const std::string& text) { printOut(text); });
   }
 
   /// Goes on with a run that was stopped.
   ExitStatus resume() const {
-    for (const auto& [given, option] : {std::pair{!overrides.empty(), "--set"},
-                                        {!folder.empty(), "--out"},
-                                        {requireCertified, "--require-certified"}})
-      if (given)
-        throw InputError(
-            fmt::format("{}: does not go with --resume, which takes scene and folder as they were", option));
     const Checkpoint checkpoint = readCheckpoint(resumed);
     if (!scene.empty()) requireSameScene(checkpoint, readScene(scene, {}), resumed);
     return run(sceneOf(checkpoint), resumed, &checkpoint);
@@ -919,13 +964,14 @@ std::string usageText(const CLI::App& app, const CLI::ParseError& fault) {
   return text + "; see ringwatch --help";
 }
 
-ExitStatus dispatch(int argc, char** argv) {
+ExitStatus dispatch(int argc, char** argv, const RankProgram* ranks) {
   CLI::App app("ringwatch: how large a step can this explicit finite element run take, and what stands in the way",
                "ringwatch");
   app.set_version_flag("--version", "ringwatch " + std::string(programVersion()));
   app.require_subcommand(1);
   app.footer(mainFooter());
   RunCommand run;
+  run.ranks = ranks;
   InspectCommand inspect;
   AuditCommand audit;
   SuggestCommand suggest;
@@ -977,13 +1023,14 @@ ExitStatus dispatch(int argc, char** argv) {
 
 }  // namespace
 
-int runCommandLine(int argc, char** argv) {
+int runCommandLine(int argc, char** argv, const RankProgram* ranks) {
+  speaks = !ranks || ranks->speaks();
   holdStandardStreams();
   reportFileSizeLimit();
   const auto status = [&] {
     try {
       ExitStatus result = ExitStatus::done;
-      onLargeStack([&] { result = dispatch(argc, argv); });
+      onLargeStack([&] { result = dispatch(argc, argv, ranks); });
       return result;
     } catch (const InputError& fault) {
       return complain(fault.what(), ExitStatus::badInput);

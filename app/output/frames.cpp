@@ -17,7 +17,21 @@
 namespace ringwatch {
 namespace {
 
-std::string frameName(std::size_t number) { return fmt::format("frame_{:06}.vtu", number); }
+/// A frame's files, relative to the folder of the run, without their endings.
+std::filesystem::path frameStem(std::size_t number) {
+  return std::filesystem::path("frames") / fmt::format("frame_{:06}", number);
+}
+
+/// Removes a frame, of one process or of ranks. False where there is none.
+bool removeFrame(const std::filesystem::path& folder, std::size_t number) {
+  std::error_code ignored;
+  const std::filesystem::path stem = folder / frameStem(number);
+  bool removed = false;
+  for (const char* ending : {".vtu", ".pvtu"})
+    removed |= std::filesystem::remove(stem.string() + ending, ignored) && !ignored;
+  const std::uintmax_t pieces = std::filesystem::remove_all(stem, ignored);
+  return removed || (!ignored && pieces > 0);
+}
 
 }  // namespace
 
@@ -70,13 +84,18 @@ FrameField stepField(const MetricResult& metric, const StepRule& rule) {
   return field;
 }
 
-FrameWriter::FrameWriter(std::filesystem::path folder, const Scene& scene, const Body& body, StepRule rule)
-    : folder_(std::move(folder)), scene_(scene), body_(body), rule_(std::move(rule)) {
+FrameWriter::FrameWriter(std::filesystem::path folder, const Scene& scene, const Body& body, StepRule rule,
+                         FramePieces* pieces)
+    : folder_(std::move(folder)), scene_(scene), body_(body), rule_(std::move(rule)), pieces_(pieces) {
   std::error_code error;
   std::filesystem::create_directories(folder_ / "frames", error);
   if (error)
     throw InputError(fmt::format("{}: cannot write: {}; choose another folder with --out",
                                  (folder_ / "frames").string(), error.message()));
+}
+
+std::filesystem::path FrameWriter::fileOf(std::size_t number) const {
+  return frameStem(number).string() + (pieces_ ? ".pvtu" : ".vtu");
 }
 
 bool FrameWriter::asksFor(const char* field) const {
@@ -104,7 +123,8 @@ void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameS
   std::vector<std::string> metrics;
   for (std::string field : scene_.fields) {
     if (field == "critical_step") field = "reduced-1-ring";
-    if (findMetric(field) && std::find(metrics.begin(), metrics.end(), field) == metrics.end())
+    // A ring at the border of a rank's part is not whole.
+    if (!pieces_ && findMetric(field) && std::find(metrics.begin(), metrics.end(), field) == metrics.end())
       metrics.push_back(std::move(field));
   }
   std::vector<Steps> steps;
@@ -157,11 +177,14 @@ void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameS
                             {"step (s)", 1, std::span(&state.h, 1)},
                             {"verdict", 1, std::span(&verdict, 1)},
                             {deformedPointsMark, 1, std::span(&deformed, 1)}};
-  const std::filesystem::path file = std::filesystem::path("frames") / frameName(entries_.size() + 1);
-  writeVtu(folder_ / file, body_.mesh(), x, points, cells, state.time, frame);
+  const std::filesystem::path file = fileOf(entries_.size() + 1);
+  if (pieces_)
+    pieces_->write(folder_ / file, x, points, cells, state.time, frame);
+  else
+    writeVtu(folder_ / file, body_.mesh(), x, points, cells, state.time, frame);
   entries_.push_back({state.time, file});
   // Rewritten at every frame, so that a run can be examined while it goes on.
-  writePvd(folder_ / "run.pvd", entries_);
+  if (writesList()) writePvd(folder_ / "run.pvd", entries_);
 }
 
 std::vector<double> FrameWriter::times() const {
@@ -173,19 +196,26 @@ std::vector<double> FrameWriter::times() const {
 void FrameWriter::goOnBehind(const std::vector<double>& times) {
   entries_.clear();
   for (const double time : times) {
-    const std::filesystem::path file = std::filesystem::path("frames") / frameName(entries_.size() + 1);
+    const std::filesystem::path file = fileOf(entries_.size() + 1);
     std::error_code error;
     if (!std::filesystem::exists(folder_ / file, error))
       throw InputError(
           fmt::format("{}: is missing; the checkpoint needs it, begin the run again", (folder_ / file).string()));
     entries_.push_back({time, file});
   }
-  if (!entries_.empty()) writePvd(folder_ / "run.pvd", entries_);
+  if (!entries_.empty() && writesList()) writePvd(folder_ / "run.pvd", entries_);
 }
 
 void FrameWriter::removeStale() const {
+  if (!writesList()) return;
+  for (std::size_t i = entries_.size() + 1; removeFrame(folder_, i); ++i) {
+  }
+  // Of a run on ranks before one of one process, or the other way round.
   std::error_code ignored;
-  for (std::size_t i = entries_.size() + 1; std::filesystem::remove(folder_ / "frames" / frameName(i), ignored); ++i) {
+  for (std::size_t i = 1; i <= entries_.size(); ++i) {
+    const std::filesystem::path stem = folder_ / frameStem(i);
+    std::filesystem::remove(stem.string() + (pieces_ ? ".vtu" : ".pvtu"), ignored);
+    if (!pieces_) std::filesystem::remove_all(stem, ignored);
   }
 }
 

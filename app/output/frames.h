@@ -41,17 +41,32 @@ struct FrameState {
   std::span<const ElementRef> handled;
 };
 
+/// Where a frame goes whose nodes and elements are on several ranks.
+class FramePieces {
+ public:
+  virtual ~FramePieces() = default;
+  /// Writes the piece of this rank, and the .pvtu at `path` that lists all; as writeVtu, of the nodes and elements of
+  /// the rank's body.
+  virtual void write(const std::filesystem::path& path, const NodeVectors& x, std::span<const VtuField> pointFields,
+                     std::span<const VtuField> cellFields, double time, std::span<const VtuField> frameFields) = 0;
+  /// Whether this rank writes what there is once: run.pvd, and removes what is old.
+  virtual bool writesList() const = 0;
+};
+
 /// Writes frames/frame_000001.vtu … and run.pvd, which lists them, into a folder. Every frame carries displacement (m)
 /// and velocity (m/s) at nodes, the sets of the mesh, and as field data safe step (s), optimistic step (s), step (s)
 /// and verdict (0 certified, 1 not certified, 2 violated, -1 unmonitored); what is not known is NaN. At elements it has
 /// what the scene asks for: the step by a metric, named as stepFieldName says; metric, the same by the scene's metric
 /// with its margin; verdict, 0 where the whole body is certified, 2 where the element's own reduced 1-ring forbids the
 /// step, 1 else; handler, 1 where a handler holds the element; stresses and stretch, named as allStressMeasures() says;
-/// and where there are several materials their number, counted from 0, as material. Points are deformed positions.
+/// and where there are several materials their number, counted from 0, as material. Points are deformed positions. On
+/// ranks a frame is a frames/frame_000001.pvtu and a .vtu of each rank in frames/frame_000001.
 class FrameWriter {
  public:
-  /// rule: makes a step of an eigenvalue for the integrator and the damping of the scene.
-  FrameWriter(std::filesystem::path folder, const Scene& scene, const Body& body, StepRule rule);
+  /// rule: makes a step of an eigenvalue for the integrator and the damping of the scene. pieces: on ranks, of which
+  /// `body` is a part; must outlive the writer.
+  FrameWriter(std::filesystem::path folder, const Scene& scene, const Body& body, StepRule rule,
+              FramePieces* pieces = nullptr);
 
   /// A frame of the positions x and velocities v (3×N), which must be finite, before a step. Throws InputError when it
   /// cannot be written.
@@ -65,6 +80,8 @@ class FrameWriter {
   void removeStale() const;
 
  private:
+  std::filesystem::path fileOf(std::size_t number) const;
+  bool writesList() const { return !pieces_ || pieces_->writesList(); }
   bool asksFor(const char* field) const;
   struct Steps {
     std::string name;
@@ -76,6 +93,7 @@ class FrameWriter {
   const Scene& scene_;
   const Body& body_;
   StepRule rule_;
+  FramePieces* pieces_;
   std::vector<PvdEntry> entries_;
   std::map<std::string, std::unique_ptr<MetricEvaluator>> metrics_;  // asked for so far, of that version of the body
   std::int64_t bodyVersion_ = 0;

@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view anyMark = "ringwatch checkpoint", mark = "ringwatch checkpoint 3\n";
-constexpr int format = 3;  // of the file, the mark's too; any change of what is in it counts
+constexpr std::string_view anyMark = "ringwatch checkpoint", mark = "ringwatch checkpoint 4\n";
+constexpr int format = 4;  // of the file, the mark's too; any change of what is in it counts
 
 /// FNV-1a, 64 bits (Fowler, Noll, Vo): finds damage and changes, resists no forgery.
 class Hash {
@@ -199,6 +199,32 @@ void requireSameScene(const Checkpoint& checkpoint, const Scene& scene, const st
   if (!key.empty())
     throw InputError(fmt::format("{}: is of another scene than {}: {} differs; resume without SCENE, or begin a run",
                                  (folder / checkpointFile).string(), scene.file.string(), key));
+}
+
+void requireSameMesh(const Checkpoint& checkpoint, const Scene& scene, const Body& body) {
+  if (checkpoint.mesh == hashOf(body.mesh()) && checkpoint.state.x.cols() == body.nodeCount() &&
+      checkpoint.state.v.cols() == body.nodeCount())
+    return;
+  throw InputError(fmt::format("{}: the mesh is another one than when the checkpoint was written; begin the run again",
+                               scene.meshFile.empty() ? scene.file.string() : scene.meshFile.string()));
+}
+
+std::vector<double> prescribedVelocities(const Constraints& constraints) {
+  std::vector<double> velocities;
+  if (constraints.moving())
+    for (const std::int64_t i : constraints.components()) velocities.push_back(constraints.velocity().data()[i]);
+  return velocities;
+}
+
+void resumeMotion(Constraints& constraints, const std::vector<double>& velocities) {
+  const std::vector<std::int64_t> components = constraints.components();
+  if (velocities.size() != components.size()) return;  // nothing has moved
+  const auto move = [&](std::size_t k, double velocity) {
+    constraints.move(static_cast<std::int32_t>(components[k] / 3), static_cast<int>(components[k] % 3), velocity);
+  };
+  // What has moved once counts as moving, also where it rests now.
+  if (!components.empty()) move(0, 1);
+  for (std::size_t k = 0; k < components.size(); ++k) move(k, velocities[k]);
 }
 
 }  // namespace ringwatch

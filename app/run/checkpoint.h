@@ -41,6 +41,13 @@ Scene sceneOf(const Checkpoint& checkpoint);
 /// Throws InputError that names the first key in which a scene differs from that of the checkpoint in the folder.
 void requireSameScene(const Checkpoint& checkpoint, const Scene& scene, const std::filesystem::path& folder);
 
+/// Throws InputError where the mesh of the body is not that of the checkpoint.
+void requireSameMesh(const Checkpoint& checkpoint, const Scene& scene, const Body& body);
+/// The prescribed velocities of the step that led to the state, m/s, by Constraints::components(): the work there is
+/// summed with them. Empty where nothing has moved.
+std::vector<double> prescribedVelocities(const Constraints& constraints);
+void resumeMotion(Constraints& constraints, const std::vector<double>& velocities);
+
 /// Numbers that may be missing, as JSON.
 template <class T>
 nlohmann::ordered_json optionalJson(const std::optional<T>& value) {

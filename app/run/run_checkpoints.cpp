@@ -84,23 +84,18 @@ Checkpoint RunCheckpoints::saved() {
   saved.state.time = run_.state.time;
   saved.state.x = run_.state.x;
   saved.state.v = run_.state.v;
-  const Constraints& constraints = run_.body.constraints();
-  std::vector<double> moved;  // m/s, of the components that are prescribed
-  if (constraints.moving())
-    for (const std::int64_t i : constraints.components()) moved.push_back(constraints.velocity().data()[i]);
   saved.parts = {{"result", savedResult(run_.result)}, {"energies", run_.energies.save()},
                  {"steps", run_.steps.save()},         {"watch", run_.watch.save()},
-                 {"output", run_.output->save()},      {"moved", std::move(moved)},
+                 {"output", run_.output->save()},      {"moved", prescribedVelocities(run_.body.constraints())},
                  {"checkpoints_due", count_},          {"last_verdict", static_cast<int>(run_.lastVerdict)}};
   return saved;
 }
 
 void RunCheckpoints::resume(const Checkpoint& saved) {
-  if (saved.mesh != hashOf(run_.body.mesh()) || saved.state.x.cols() != run_.body.nodeCount() ||
-      saved.state.v.cols() != run_.body.nodeCount())
-    throw InputError(
-        fmt::format("{}: the mesh is another one than when the checkpoint was written; begin the run again",
-                    run_.scene.meshFile.empty() ? run_.scene.file.string() : run_.scene.meshFile.string()));
+  if (saved.parts.contains("ranks"))
+    throw InputError(fmt::format("{}: was written by a run on several ranks; go on with it by mpirun",
+                                 (run_.options.folder / checkpointFile).string()));
+  requireSameMesh(saved, run_.scene, run_.body);
   run_.state.time = saved.state.time;
   run_.state.x = saved.state.x;
   run_.state.v = saved.state.v;
@@ -111,7 +106,7 @@ void RunCheckpoints::resume(const Checkpoint& saved) {
   run_.watch.resume(saved.parts.at("watch"));
   count_ = saved.parts.at("checkpoints_due").get<std::int64_t>();
   run_.lastVerdict = static_cast<Verdict>(saved.parts.at("last_verdict").get<int>());
-  resumeMotion(saved.parts.at("moved").get<std::vector<double>>());
+  resumeMotion(run_.body.constraints(), saved.parts.at("moved").get<std::vector<double>>());
   run_.beginWatch();
   run_.loads.begin(run_.state.x);
   run_.loads.setForces(run_.state.time, run_.state.x);
@@ -128,19 +123,6 @@ void RunCheckpoints::resume(const Checkpoint& saved) {
   }
   run_.output->resume(saved.parts.at("output"), run_.result.steps);
   if (!asItWas) goOn();
-}
-
-/// The prescribed velocities of the step that led to the state: the work there is summed with them.
-void RunCheckpoints::resumeMotion(const std::vector<double>& velocities) {
-  Constraints& constraints = run_.body.constraints();
-  const std::vector<std::int64_t> components = constraints.components();
-  if (velocities.size() != components.size()) return;  // nothing has moved
-  const auto move = [&](std::size_t k, double velocity) {
-    constraints.move(static_cast<std::int32_t>(components[k] / 3), static_cast<int>(components[k] % 3), velocity);
-  };
-  // What has moved once counts as moving, also where it rests now.
-  if (!components.empty()) move(0, 1);
-  for (std::size_t k = 0; k < components.size(); ++k) move(k, velocities[k]);
 }
 
 /// What is done alike behind a checkpoint, by a run that goes on and by one that is resumed.

@@ -34,7 +34,6 @@ class RunCheckpoints {
   std::string whyNone() const;
   /// What both kinds of checkpoints hold.
   Checkpoint saved();
-  void resumeMotion(const std::vector<double>& velocities);
   /// What the parts know beyond that.
   template <class Archive>
   void archiveRun(Archive& a);

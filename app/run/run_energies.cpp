@@ -1,12 +1,9 @@
 #include <ringwatch/app/run/run_energies.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace ringwatch {
 
 RunEnergies::RunEnergies(const Scene& scene, const Body& body)
-    : scene_(scene), body_(body), largest_(roundingEnergy(body)) {
+    : scene_(scene), body_(body), runaway_(roundingEnergy(body)) {
   balance_.emplace(body);
 }
 
@@ -35,39 +32,12 @@ void RunEnergies::beginBody() {
 }
 
 nlohmann::ordered_json RunEnergies::save() const {
-  return {{"kinetic", before_.kinetic},
-          {"strain", before_.strain},
-          {"external_work", before_.externalWork},
-          {"balance_error", before_.balanceError},
-          {"dissipated", before_.dissipated},
-          {"largest", largest_},
-          {"scale", scale_},
-          {"runaway_step", runaway_ ? nlohmann::ordered_json(runaway_->step) : nlohmann::ordered_json(nullptr)},
-          {"runaway_time", runaway_ ? runaway_->time : 0}};
+  return {{"before", energiesJson(before_)}, {"runaway", runaway_.save()}};
 }
 
 void RunEnergies::resume(const nlohmann::ordered_json& saved) {
-  const auto number = [&](const char* key) { return saved.at(key).get<double>(); };
-  before_ = {number("kinetic"), number("strain"), number("external_work"), number("balance_error"),
-             number("dissipated")};
-  largest_ = number("largest");
-  scale_ = number("scale");
-  if (!saved.at("runaway_step").is_null())
-    runaway_ = {saved.at("runaway_step").get<std::int64_t>(), number("runaway_time")};
-}
-
-void RunEnergies::check(std::int64_t step, double time) {
-  if (!last_) return;
-  if (!runaway_)
-    largest_ = std::max({largest_, last_->kinetic + std::abs(last_->strain), std::abs(last_->externalWork)});
-  // Schemes whose velocities are half a step behind are off by 1/(n + 1) of the energy at step n of a run that starts
-  // under load.
-  const double share = std::max(runawayShare, 1.5 / static_cast<double>(step + 1));
-  const bool off = !(std::abs(last_->balanceError) <= share * largest_);
-  if (!off)
-    runaway_.reset();
-  else if (!runaway_)
-    runaway_ = {step, time};
+  before_ = energiesOfJson(saved.at("before"));
+  runaway_.resume(saved.at("runaway"));
 }
 
 }  // namespace ringwatch

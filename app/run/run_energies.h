@@ -1,8 +1,7 @@
 #pragma once
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
+#include <ringwatch/app/run/energy_runaway.h>
 #include <ringwatch/app/run/run_result.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/integrators/body_system.h>
@@ -40,30 +39,24 @@ class RunEnergies {
   void resume(const nlohmann::ordered_json& saved);
   template <class Archive>
   void archive(Archive& a) {
-    a(*balance_, before_, ownWork_, last_, largest_, scale_, runaway_);
+    a(*balance_, before_, ownWork_, last_, runaway_);
   }
   /// The energies at the state recorded last, all bodies together; empty unless a row was due.
   const std::optional<Energies>& last() const { return last_; }
 
   /// Energies, J, below that are no measure of the balance.
-  void setScale(double energy) {
-    scale_ = energy;
-    largest_ = std::max(largest_, energy);
-  }
+  void setScale(double energy) { runaway_.setScale(energy); }
   /// The last energies for the monitor's check: an error within the tolerance is none.
   std::optional<Energies> checked() const {
-    std::optional<Energies> energies = last_;
-    // The largest energy of the run, which outlives a monitor.
-    if (energies && std::abs(energies->balanceError) <= scene_.energyTolerance * largest_) energies->balanceError = 0;
-    return energies;
+    return last_ ? std::optional(runaway_.forgiven(*last_, scene_.energyTolerance)) : std::nullopt;
   }
 
-  /// Checks the last energies, before step number `step`. The energy ran away where the balance error passes its bound
-  /// and stays above it to the end of the run. From there on the largest energy stays what it was: the runaway must not
-  /// become its own measure.
-  void check(std::int64_t step, double time);
+  /// Checks the last energies, before step number `step`.
+  void check(std::int64_t step, double time) {
+    if (last_) runaway_.check(*last_, step, time);
+  }
   /// The moment at which the energy ran away, as far as is known; empty where it did not.
-  const std::optional<RunResult::Moment>& runaway() const { return runaway_; }
+  const std::optional<RunResult::Moment>& runaway() const { return runaway_.moment(); }
 
  private:
   bool damped() const { return scene_.damps() || (body_.discreteForces() && body_.discreteForces()->damped()); }
@@ -75,9 +68,7 @@ class RunEnergies {
   double ownWork_ = 0, byHandler_ = 0;  // J, of the body now
   std::optional<Energies> last_;
   NodeVectors dampingForce_;
-  double largest_;    // J, so far
-  double scale_ = 0;  // J
-  std::optional<RunResult::Moment> runaway_;
+  EnergyRunaway runaway_;
 };
 
 }  // namespace ringwatch

@@ -28,37 +28,59 @@ void removeOldResults(const std::filesystem::path& folder, std::initializer_list
 
 RunOutput::RunOutput(const Scene& scene, const Body& body, StepRule rule, std::filesystem::path folder)
     : scene_(scene),
-      body_(body),
+      body_(&body),
+      ofFrames_(body),
+      pieces_(nullptr),
       rule_(std::move(rule)),
       folder_(std::move(folder)),
       lock_(folder_),
-      certificates_(scene, body, folder_ / "certificates") {}
+      certificates_(std::in_place, scene, body, folder_ / "certificates") {}
+
+RunOutput::RunOutput(const Scene& scene, const Body* body, const Body& part, FramePieces& pieces, StepRule rule,
+                     std::filesystem::path folder)
+    : scene_(scene),
+      body_(body),
+      ofFrames_(part),
+      pieces_(&pieces),
+      rule_(std::move(rule)),
+      folder_(std::move(folder)) {
+  if (!body) return;
+  lock_.emplace(folder_);
+  certificates_.emplace(scene, *body, folder_ / "certificates");
+}
 
 void RunOutput::open() {
-  if (history_) return;
+  if (open_) return;
+  open_ = true;
+  if (body_) beginFiles();
+  if (scene_.frameInterval) frames_.emplace(folder_, scene_, ofFrames_, rule_, pieces_);
+}
+
+void RunOutput::beginFiles() {
   removeOldResults(folder_, {"history.csv", "probes.csv", "summary.json", "run.pvd", "critical_step.png",
                              "critical_step.gp", "critical_step.dat", checkpointFile});
-  certificates_.begin(0);
+  certificates_->begin(0);
   history_.emplace(folder_);
   if (scene_.probed()) probes_.emplace(folder_ / "probes.csv", probesHeading_);
-  if (scene_.frameInterval) frames_.emplace(folder_, scene_, body_, rule_);
 }
 
 void RunOutput::resume(const nlohmann::ordered_json& saved, std::int64_t step) {
   // What throws comes first: the folder stays as it was then.
+  open_ = true;
   if (scene_.frameInterval) {
-    frames_.emplace(folder_, scene_, body_, rule_);
+    frames_.emplace(folder_, scene_, ofFrames_, rule_, pieces_);
     frames_->goOnBehind(saved.at("frames").get<std::vector<double>>());
     nextFrame_ = saved.at("next_frame").get<double>();
     framesDue_ = saved.at("frames_due").get<std::int64_t>();
     lastFrame_ = saved.at("last_frame").get<std::int64_t>();
   }
+  if (!body_) return;
   history_.emplace(folder_, saved.at("history").get<std::size_t>());
   if (scene_.probed()) probes_.emplace(folder_ / "probes.csv", saved.at("probes").get<std::size_t>());
   if (scene_.picture)
     for (const HistoryRow& row : readHistory(folder_)) keepForPicture(row);
   removeOldResults(folder_, {"summary.json", "critical_step.png", "critical_step.gp", "critical_step.dat"});
-  certificates_.begin(step);
+  certificates_->begin(step);
 }
 
 nlohmann::ordered_json RunOutput::save() {
@@ -77,6 +99,7 @@ void RunOutput::keepForPicture(const HistoryRow& row) {
 }
 
 void RunOutput::writeRow(const HistoryRow& row) {
+  if (!history_) return;
   history_->write(row);
   keepForPicture(row);
 }
@@ -96,7 +119,7 @@ void RunOutput::writeFrameBetween(const NodeVectors& x, const NodeVectors& v, co
 
 void RunOutput::finish(RunResult& result, const State& state, const FrameState& last) {
   open();
-  history_->finish();
+  if (history_) history_->finish();
   result.files.emplace_back("history.csv");
   if (probes_) {
     probes_->finish();
@@ -108,7 +131,8 @@ void RunOutput::finish(RunResult& result, const State& state, const FrameState& 
     result.frames = frames_->count();
     result.files.push_back(fmt::format("run.pvd ({} frames)", frames_->count()));
   }
-  if (const std::int64_t count = certificates_.count(); count > 0)
+  if (!body_) return;
+  if (const std::int64_t count = certificates_->count(); count > 0)
     result.files.push_back(fmt::format("certificates ({} files)", count));
   if (pictured_) drawPicture(result);
 }
@@ -118,7 +142,7 @@ void RunOutput::drawPicture(RunResult& result) {
   if (result.runaway) picture_.markRunaway(result.runaway->time);
   for (const CutRecord& cut : result.cuts) picture_.markCut(cut.time);
   const std::string note =
-      picture_.draw(folder_, fmt::format("{}: {}, {}, {}", scene_.file.stem().string(), elementCounts(body_.mesh()),
+      picture_.draw(folder_, fmt::format("{}: {}, {}, {}", scene_.file.stem().string(), elementCounts(body_->mesh()),
                                          modelsText(scene_.materials), scene_.method));
   if (note.empty())
     result.files.emplace_back("critical_step.png");

@@ -221,12 +221,8 @@ bool Simulation::chooseStep(MonitorReport& report) {
     fresh.newEvents.insert(fresh.newEvents.begin(), report.newEvents.begin(), report.newEvents.end());
     report = std::move(fresh);
   }
-  report.h = steps.step();
-  // A step that was shortened in time was not taken: the monitor's alarm at the longer one is no event of the run.
-  if (report.bracket) report.verdict = verdictFor(report.h, *report.bracket);
+  steps.judge(report);
   watch.checkHandled(report);
-  if (report.verdict != Verdict::violated)
-    std::erase_if(report.newEvents, [](const MonitorEvent& event) { return event.kind == EventKind::violated; });
   return true;
 }
 

@@ -41,6 +41,14 @@ std::string StepPolicy::choose(MonitorReport& report, double time, const std::fu
   return {};
 }
 
+void StepPolicy::judge(MonitorReport& report) const {
+  report.h = h_;
+  if (report.bracket) report.verdict = verdictFor(h_, *report.bracket);
+  // A step that was shortened in time was not taken: the monitor's alarm at the longer one is no event of the run.
+  if (report.verdict != Verdict::violated)
+    std::erase_if(report.newEvents, [](const MonitorEvent& event) { return event.kind == EventKind::violated; });
+}
+
 double StepPolicy::nextWithHandler(const MonitorReport& report) const {
   // Every other step makes the handler choose again.
   constexpr double clearlyMore = 1.2;

@@ -23,6 +23,8 @@ class StepPolicy {
   /// prove: gives the report a bracket of the state, from scratch. Returns why there is no step, "" where there is one.
   /// Throws InputError where "auto" begins with a step that is out of all proportion to the end.
   std::string choose(MonitorReport& report, double time, const std::function<void(MonitorReport&)>& prove);
+  /// Gives a report of the state the chosen step: its verdict, and no alarm at a longer one that was not taken.
+  void judge(MonitorReport& report) const;
   /// The step was shortened to end with the run.
   bool endsTheRun() const { return endsTheRun_; }
   /// What resume() needs.

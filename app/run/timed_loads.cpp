@@ -1,6 +1,7 @@
 #include <ringwatch/app/run/timed_loads.h>
 
 #include <algorithm>
+#include <unordered_map>
 
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/body/discrete_forces.h>
@@ -40,6 +41,25 @@ TimedLoads::TimedLoads(const Scene& scene, Body& body) : scene_(scene), body_(bo
     if (move.changes()) motions_.push_back({move.nodes.nodesOf(body.mesh()), &move});
 }
 
+TimedLoads::TimedLoads(const TimedLoads& whole, Body& part, std::span<const std::int32_t> globalNodes)
+    : scene_(whole.scene_), body_(part) {
+  std::unordered_map<std::int32_t, std::int32_t> localOf;
+  for (std::size_t i = 0; i < globalNodes.size(); ++i) localOf.emplace(globalNodes[i], static_cast<std::int32_t>(i));
+  for (const Force& force : whole.forces_) forces_.push_back({{}, force.table});
+  for (std::size_t i = 0; i < whole.nodes_.size(); ++i) {
+    const auto found = localOf.find(whole.nodes_[i]);
+    if (found == localOf.end()) continue;
+    nodes_.push_back(found->second);
+    constant_.push_back(whole.constant_[i]);
+    for (std::size_t f = 0; f < forces_.size(); ++f) forces_[f].values.push_back(whole.forces_[f].values[i]);
+  }
+  for (const Motion& motion : whole.motions_) {
+    Motion& own = motions_.emplace_back(Motion{{}, motion.move});
+    for (const std::int32_t node : motion.nodes)
+      if (const auto found = localOf.find(node); found != localOf.end()) own.nodes.push_back(found->second);
+  }
+}
+
 double TimedLoads::energyScale(double h) const {
   double energy = 0;
   std::vector<double> pressing(pressures_.empty() ? 0 : nodes_.size(), 0.0);  // N, at rest
@@ -49,19 +69,7 @@ double TimedLoads::energyScale(double h) const {
       addPressure(face, most, body_.mesh().X,
                   [&](std::int32_t node, const Eigen::Vector3d& force) { pressing[placeOf_[node]] += force.norm(); });
   }
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    double force = constant_[i].norm();
-    for (const Force& timed : forces_) force += timed.table->largest() * timed.values[i].norm();
-    if (!pressing.empty()) force += pressing[i];
-    energy += 0.5 * h * h * force * force / body_.lumpedMass()[nodes_[i]];
-  }
-  for (const Motion& motion : motions_) {
-    const Scene::Move& move = *motion.move;
-    for (const std::int32_t node : motion.nodes) {
-      const double speed = move.largestSpeed(body_.mesh().X.col(node));
-      energy += 0.5 * body_.lumpedMass()[node] * speed * speed;
-    }
-  }
+  addEnergyScale(h, pressing, [&](std::int32_t, double of) { energy += of; });
   if (const DiscreteForces* discrete = body_.discreteForces(); discrete && scene_.movesObstacles())
     for (const PenaltyContact& contact : discrete->contacts()) {
       const Scene::MovingObstacle& obstacle = scene_.obstacles[contact.obstacle];
@@ -71,6 +79,22 @@ double TimedLoads::energyScale(double h) const {
   return energy;
 }
 
+void TimedLoads::energyScale(double h, const AddAtNode& add) const { addEnergyScale(h, {}, add); }
+
+void TimedLoads::addEnergyScale(double h, const std::vector<double>& pressing, const AddAtNode& add) const {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    double force = constant_[i].norm();
+    for (const Force& timed : forces_) force += timed.table->largest() * timed.values[i].norm();
+    if (!pressing.empty()) force += pressing[i];
+    add(nodes_[i], 0.5 * h * h * force * force / body_.lumpedMass()[nodes_[i]]);
+  }
+  for (const Motion& motion : motions_)
+    for (const std::int32_t node : motion.nodes) {
+      const double speed = motion.move->largestSpeed(body_.mesh().X.col(node));
+      add(node, 0.5 * body_.lumpedMass()[node] * speed * speed);
+    }
+}
+
 void TimedLoads::begin(const NodeVectors& x) {
   first_.clear();
   for (const std::int32_t node : nodes_) first_.emplace_back(x.col(node));
@@ -78,6 +102,15 @@ void TimedLoads::begin(const NodeVectors& x) {
 }
 
 double TimedLoads::setForces(double time, const NodeVectors& x) {
+  double gain = 0;
+  followForces(time, x, [&](std::int32_t, double energy) { gain += energy; });
+  return gain;
+}
+
+void TimedLoads::setForces(double time, const NodeVectors& x, const AddAtNode& add) { followForces(time, x, add); }
+
+template <class Add>
+void TimedLoads::followForces(double time, const NodeVectors& x, const Add& add) {
   if (scene_.movesObstacles()) placeObstacles(scene_, time, *body_.discreteForces());
   // Of the pressures, which follow the faces.
   std::vector<Eigen::Vector3d> pressing(pressures_.empty() ? 0 : nodes_.size(), Eigen::Vector3d::Zero());
@@ -87,7 +120,6 @@ double TimedLoads::setForces(double time, const NodeVectors& x) {
       addPressure(face, now, x,
                   [&](std::int32_t node, const Eigen::Vector3d& force) { pressing[placeOf_[node]] += force; });
   }
-  double gain = 0;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     Eigen::Vector3d force = constant_[i];
     if (!pressing.empty()) force += pressing[i];
@@ -97,28 +129,34 @@ double TimedLoads::setForces(double time, const NodeVectors& x) {
     const Eigen::Vector3d place = x.col(node);
     const Eigen::Vector3d change = force - now, middle = 0.5 * (last_[i] + place) - first_[i];
     for (int c = 0; c < 3; ++c)
-      if (!body_.constraints().isConstrained(node, c)) gain -= change[c] * middle[c];
+      if (!body_.constraints().isConstrained(node, c)) add(node, -(change[c] * middle[c]));
     now = force;
     last_[i] = place;
   }
-  return gain;
 }
 
 double TimedLoads::setVelocities(State& state, double h) {
   double given = 0;
+  followVelocities(state, h, [&](std::int32_t, double energy) { given += energy; });
+  return given;
+}
+
+void TimedLoads::setVelocities(State& state, double h, const AddAtNode& add) { followVelocities(state, h, add); }
+
+template <class Add>
+void TimedLoads::followVelocities(State& state, double h, const Add& add) {
   for (const Motion& motion : motions_) {
     for (const std::int32_t node : motion.nodes) {
       const Eigen::Vector3d velocity = motion.move->meanVelocity(body_.mesh().X.col(node), state.time, h);
       for (int c = 0; c < 3; ++c) {
         if (!motion.move->components[c]) continue;
         double& v = state.v(c, node);
-        given += 0.5 * body_.lumpedMass()[node] * (velocity[c] - v) * (velocity[c] + v);
+        add(node, 0.5 * body_.lumpedMass()[node] * (velocity[c] - v) * (velocity[c] + v));
         v = velocity[c];
         body_.constraints().move(node, c, velocity[c]);
       }
     }
   }
-  return given;
 }
 
 }  // namespace ringwatch

@@ -14,7 +14,7 @@ file(WRITE ${documents}/changelog "ringwatch (${CPACK_PACKAGE_VERSION}) unstable
  -- ${CPACK_PACKAGE_CONTACT}  ${now}
 ")
 # Programs that ringwatch starts are explained where ringwatch is.
-foreach(program ringwatch-verify ringwatch-report)
+foreach(program ringwatch-verify ringwatch-report ringwatch-ranks)
   if(EXISTS ${root}/usr/bin/${program})
     file(WRITE ${root}/usr/share/man/man1/${program}.1 ".so man1/ringwatch.1\n")
   endif()

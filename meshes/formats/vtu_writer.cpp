@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <charconv>
+#include <string_view>
 
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
@@ -9,7 +11,6 @@
 
 // The only file that knows VTK, so that everything else builds without it.
 #ifdef RINGWATCH_WITH_VTK
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -39,6 +40,45 @@
 
 namespace ringwatch {
 
+namespace {
+
+constexpr std::string_view setPrefix = "set:";
+
+/// VTK writes names into its XML as they are.
+bool isForbiddenInNames(char c) { return (c >= 0 && c < ' ') || c == '"' || c == '<' || c == '>' || c == '&'; }
+
+/// The name of a set in a frame, which must not fail for it.
+std::string frameNameOfSet(std::string name) {
+  std::replace_if(name.begin(), name.end(), isForbiddenInNames, '_');
+  return name;
+}
+
+/// A text as the value of an attribute.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
 void writePvd(const std::filesystem::path& path, std::span<const PvdEntry> entries) {
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  "
@@ -47,28 +87,38 @@ void writePvd(const std::filesystem::path& path, std::span<const PvdEntry> entri
     char time[40];
     text += "    <DataSet timestep=\"";
     text.append(time, std::to_chars(time, time + sizeof time, entry.time).ptr);
-    text += "\" part=\"0\" file=\"";
-    for (const char c : entry.file.generic_string()) {
-      switch (c) {
-        case '&':
-          text += "&amp;";
-          break;
-        case '<':
-          text += "&lt;";
-          break;
-        case '>':
-          text += "&gt;";
-          break;
-        case '"':
-          text += "&quot;";
-          break;
-        default:
-          text += c;
-      }
-    }
-    text += "\"/>\n";
+    text += "\" part=\"0\" file=\"" + escaped(entry.file.generic_string()) + "\"/>\n";
   }
   writeFileAtomically(path, text + "  </Collection>\n</VTKFile>\n");
+}
+
+void writePvtu(const std::filesystem::path& path, const Mesh& mesh, std::span<const VtuField> pointFields,
+               std::span<const VtuField> cellFields, std::span<const std::filesystem::path> pieces) {
+  const auto array = [](std::string_view type, const std::string& name, int components) {
+    return joinText("      <PDataArray type=\"", type, "\" Name=\"", escaped(name), "\" NumberOfComponents=\"",
+                    components, "\"/>\n");
+  };
+  const auto arrays = [&](std::span<const VtuField> fields) {
+    constexpr std::string_view types[]{"Float64", "Int32", "Int64"};  // in the order of VtuField::values
+    std::string text;
+    for (const VtuField& field : fields) text += array(types[field.values.index()], field.name, field.components);
+    return text;
+  };
+  const auto setArrays = [&](const auto& sets) {
+    std::string text;
+    for (const auto& [name, members] : sets) text += array("Int8", std::string(setPrefix) + frameNameOfSet(name), 1);
+    return text;
+  };
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n  "
+      "<PUnstructuredGrid GhostLevel=\"0\">\n    <PPointData>\n" +
+      arrays(pointFields) + setArrays(mesh.nodeSets) + array("Int64", "originalNodeId", 1) +
+      "    </PPointData>\n    <PCellData>\n" + arrays(cellFields) + setArrays(mesh.elementSets) +
+      array("Int64", "originalElementId", 1) + "    </PCellData>\n    <PPoints>\n" + array("Float64", "Points", 3) +
+      "    </PPoints>\n";
+  for (const std::filesystem::path& piece : pieces)
+    text += "    <Piece Source=\"" + escaped(piece.generic_string()) + "\"/>\n";
+  writeFileAtomically(path, text + "  </PUnstructuredGrid>\n</VTKFile>\n");
 }
 
 #ifndef RINGWATCH_WITH_VTK
@@ -94,8 +144,6 @@ void writeVtu(const std::filesystem::path& path, const Mesh&, const NodeVectors&
 #else
 
 namespace {
-
-constexpr std::string_view setPrefix = "set:";
 
 /// Catches what VTK would print. VTK has one output window for the whole program, so there is a lock.
 class CaptureWindow : public vtkOutputWindow {
@@ -202,8 +250,6 @@ void addArray(vtkFieldData* target, const std::string& name, int components, std
   target->AddArray(array);
 }
 
-/// VTK writes names into its XML as they are.
-bool isForbiddenInNames(char c) { return (c >= 0 && c < ' ') || c == '"' || c == '<' || c == '>' || c == '&'; }
 void checkName(const std::string& name, const std::string& failure) {
   if (name.empty() || std::any_of(name.begin(), name.end(), isForbiddenInNames))
     throw InputError(failure + "the name " + detail::quoted(name) +
@@ -297,11 +343,7 @@ void writeVtu(const std::filesystem::path& path, const Mesh& mesh, const NodeVec
   const auto grid = makeGrid(mesh, x);
   addFields(grid->GetPointData(), pointFields, mesh.nodeCount(), failure);
   addFields(grid->GetCellData(), cellFields, mesh.elementCount(), failure);
-  // A frame must not fail for the name of a set.
-  addSets(grid, mesh, [](std::string name) {
-    std::replace_if(name.begin(), name.end(), isForbiddenInNames, '_');
-    return name;
-  });
+  addSets(grid, mesh, frameNameOfSet);
   if (time) addArray<vtkDoubleArray>(grid->GetFieldData(), "TimeValue", 1, std::span<const double>(&*time, 1));
   for (const VtuField& field : frameFields) {
     const std::size_t values = std::visit([](auto list) { return list.size(); }, field.values);

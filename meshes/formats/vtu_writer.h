@@ -28,6 +28,13 @@ void writeVtu(const std::filesystem::path& path, const Mesh& mesh, const NodeVec
               std::span<const VtuField> pointFields = {}, std::span<const VtuField> cellFields = {},
               std::optional<double> time = {}, std::span<const VtuField> frameFields = {});
 
+/// Writes the .pvtu of a frame in pieces: .vtu files (as ParaView finds them from its folder) that writeVtu has written
+/// of parts of the mesh, with these fields, whose values are not read, and the sets of `mesh`. Time and frame fields
+/// are in the pieces. The file appears whole or not at all; it needs no VTK. Throws InputError where it cannot be
+/// written.
+void writePvtu(const std::filesystem::path& path, const Mesh& mesh, std::span<const VtuField> pointFields,
+               std::span<const VtuField> cellFields, std::span<const std::filesystem::path> pieces);
+
 /// Name of the field data (one number, 1) that marks a file whose points are deformed positions: subtract the field
 /// "displacement" for those at rest. loadVtuState honours it.
 inline constexpr const char* deformedPointsMark = "points are deformed positions";

@@ -178,7 +178,11 @@ void NodalBound::evaluateAll(NodeVectorsView x, const Start* start) {
   std::sort(poorlyConditioned_.begin(), poorlyConditioned_.end(), [](const RoundingShare& a, const RoundingShare& b) {
     return a.share != b.share ? a.share > b.share : a.element < b.element;
   });
-  for (const ElementTangents* block : source_->tangents()) evaluations_ += block->elementCount();
+  for (std::size_t b = 0; b < source_->tangents().size(); ++b) {
+    const std::int32_t count = source_->tangents()[b]->elementCount();
+    if (!rest_) evaluations_ += count;
+    for (std::int32_t e = 0; rest_ && e < count; ++e) evaluations_ += rest_->counts({b, e}) ? 1 : 0;
+  }
   std::fill(changed_.begin(), changed_.end(), true);
 }
 
@@ -290,7 +294,11 @@ void NodalBound::sweep(NodeVectorsView x, double bound) {
       high.push_back(e);
       for (const std::int32_t node : nodes) changed_[node] = true;
     }
-    evaluations_ += static_cast<std::int64_t>(high.size());
+    evaluations_ += rest_ ? std::count_if(high.begin(), high.end(),
+                                          [&](std::int32_t e) {
+                                            return rest_->counts({b, e});
+                                          })
+                          : static_cast<std::ptrdiff_t>(high.size());
     high.resize((high.size() + lanes - 1) / lanes * lanes, -1);
     parallelFor(
         0, high.size() / lanes, source_->threads(),

@@ -20,6 +20,8 @@ class RestOfBody {
   virtual void completeSums(Eigen::Matrix<double, 6, Eigen::Dynamic>& sums) = 0;
   /// The largest number of all parts; NaN where one is.
   virtual double largest(double own) = 0;
+  /// Whether this part counts the element among NodalBound::evaluations(): of the parts that have it one does.
+  virtual bool counts(ElementRef element) const = 0;
 };
 
 /// The block nodal bound, a proven upper bound of the highest eigenvalue of M⁻¹K. For any symmetric positive definite
@@ -147,7 +149,7 @@ class NodalBound {
   const std::vector<RoundingShare>& poorlyConditioned() const { return poorlyConditioned_; }
   static constexpr double largeRounding = 1e-3;
 
-  /// Elements times evaluations in the last call.
+  /// Elements times evaluations in the last call, of a part those that it counts (RestOfBody::counts).
   std::int64_t evaluations() const { return evaluations_; }
 
   template <class Archive>

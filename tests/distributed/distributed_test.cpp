@@ -168,9 +168,9 @@ class Distributed {
     }
   }
   const MonitorReport& step(std::int64_t k, double h) {
-    bool stops = false;
+    int asked = 0;
     evaluation_.wantsForce = true;
-    const MonitorReport& report = monitor_.observe(k, state_.time, state_.x, state_.v, h, evaluation_, stops,
+    const MonitorReport& report = monitor_.observe(k, state_.time, state_.x, state_.v, h, evaluation_, asked,
                                                    [&] { stepper_.takeForce(state_, evaluation_.internalForce); });
     EXPECT_TRUE(stepper_.step(state_, h).done);
     return report;
@@ -306,9 +306,9 @@ TEST(Distributed, BracketsTheDenseEigenvalue) {
       // What has been certified holds at the state, by plain evaluation of every element and node.
     }
     const NodeVectors& x = parts.state().x;
-    bool stops = false;
+    int asked = 0;
     StepEvaluation evaluation;
-    parts.monitor().observe(60, 0, x, parts.state().v, h, evaluation, stops, {});
+    parts.monitor().observe(60, 0, x, parts.state().v, h, evaluation, asked, {});
     EXPECT_LE(parts.monitor().verify(x), 1e-9) << trial.what;
   }
 }
@@ -385,14 +385,14 @@ TEST(Distributed, KnowsOfTheOthers) {
   const bool last = parts.ranks().rank() == parts.ranks().size() - 1;
   NodeVectors x = parts.state().x;
   StepEvaluation evaluation;
-  bool stops = last;
-  EXPECT_NE(parts.monitor().observe(0, 0, x, parts.state().v, trial.h, evaluation, stops, {}).verdict,
+  int asked = last ? 2 : 0;
+  EXPECT_NE(parts.monitor().observe(0, 0, x, parts.state().v, trial.h, evaluation, asked, {}).verdict,
             Verdict::violated);
-  EXPECT_TRUE(stops);
+  EXPECT_EQ(asked, 2);
   if (last) x(0, 0) = std::nan("");
-  stops = false;
-  const MonitorReport& report = parts.monitor().observe(1, 0, x, parts.state().v, trial.h, evaluation, stops, {});
-  EXPECT_FALSE(stops);
+  asked = 0;
+  const MonitorReport& report = parts.monitor().observe(1, 0, x, parts.state().v, trial.h, evaluation, asked, {});
+  EXPECT_EQ(asked, 0);
   EXPECT_EQ(report.verdict, Verdict::violated);
   EXPECT_FALSE(report.bracket.has_value());
   ASSERT_EQ(report.newEvents.size(), 1u);

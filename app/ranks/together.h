@@ -1,0 +1,45 @@
+#pragma once
+#include <exception>
+#include <new>
+#include <string>
+
+#include <ringwatch/app/command/exit_status.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/distributed/ranks.h>
+
+namespace ringwatch {
+
+/// Thrown on the ranks but the first, which tells of the fault.
+struct OtherRankFailed {
+  ExitStatus status;
+};
+
+/// What a rank has to say of its work.
+struct RankFault {
+  ExitStatus status = ExitStatus::done;
+  std::string text;
+};
+
+/// Throws on all ranks where the work of one has failed: on the first rank the fault of the first that failed, with the
+/// name of that one unless all have failed, and OtherRankFailed on the others. Collective.
+void requireNoFault(Ranks& ranks, const RankFault& own);
+
+/// Work that is no collective, on every rank: it has been done on all of them, or all throw as requireNoFault does.
+/// Collective.
+template <class Work>
+void together(Ranks& ranks, const Work& work) {
+  RankFault fault;
+  try {
+    work();
+  } catch (const NumericalError& found) {
+    fault = {ExitStatus::unstable, found.what()};
+  } catch (const std::bad_alloc&) {
+    fault = {ExitStatus::badInput,
+             "out of memory; use a smaller mesh, or fewer ranks on a machine with more threads each"};
+  } catch (const std::exception& found) {
+    fault = {ExitStatus::badInput, found.what()};
+  }
+  requireNoFault(ranks, fault);
+}
+
+}  // namespace ringwatch

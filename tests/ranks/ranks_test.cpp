@@ -1,0 +1,374 @@
+// `ringwatch run` on several processes: its files are those of one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <ringwatch/app/command/launch.h>
+#include <ringwatch/meshes/formats/file_cursor.h>
+#include <ringwatch/meshes/formats/mesh_readers.h>
+#include <ringwatch/meshes/mesh_io.h>
+#include <tests/app/program.h>
+
+namespace ringwatch {
+namespace {
+
+using test::Json;
+using test::Outcome;
+using ::testing::HasSubstr;
+
+/// Two materials, motion by a table, forces of all kinds, velocities at the start and damping.
+constexpr const char* rich = R"toml(
+[mesh]
+generate = "bar"
+size = [0.1, 0.02, 0.02]
+cells = [10, 2, 2]
+element = "ELEMENT"
+jitter = 0.1
+[[material]]
+where = "x < 0.05"
+model = "stvk"
+young = 30e3
+poisson = 0.3
+density = 1000
+[[material]]
+where = "x >= 0.05"
+model = "neo-hookean"
+young = 60e3
+poisson = 0.4
+density = 1200
+[integrator]
+method = "METHOD"
+step = 1e-4
+end = 0.02
+[damping]
+mass = 2
+[[fix]]
+where = "x < 1e-6"
+[[move]]
+where = "x > 0.1 - 1e-6"
+components = "x"
+velocity = [0.2, 0, 0]
+times = [0, 0.01, 0.02]
+factors = [0, 1, 0.5]
+[[force]]
+where = "all"
+acceleration = [0, 0, -9.81]
+[[force]]
+where = "x > 0.04 and x < 0.06"
+force = [0, 1e-3, 0]
+factor = "sin(100*t)"
+[[initial]]
+where = "x > 0.02 and x < 0.08"
+velocity = [0, 0.05, 0]
+[output]
+every = 0.01
+fields = ["von_mises"]
+picture = false
+)toml";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+std::string richScene(const std::string& element = "tet4", const std::string& method = "symplectic-euler") {
+  return replaced(replaced(rich, "ELEMENT", element), "METHOD", method);
+}
+
+class RanksProgram : public test::Program {
+ protected:
+  static std::string mpirun(int ranks) {
+    return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " RINGWATCH_MPIRUN " " +
+           std::to_string(ranks) + " ";
+  }
+  /// As users call it; one rank is asked for, as one process is no run on ranks.
+  Outcome onRanks(int ranks, const std::string& arguments) {
+    return shell(mpirun(ranks) + "'" RINGWATCH_PROGRAM "' run " + arguments + (ranks == 1 ? " --ranks yes" : ""));
+  }
+  /// What the program has said, without what mpirun says of exit statuses.
+  static std::vector<std::string> linesOf(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);)
+      if (line.starts_with("ringwatch: ")) lines.push_back(line);
+    return lines;
+  }
+  void expectRefusedByOne(int ranks, const std::string& arguments, const std::string& what) {
+    SCOPED_TRACE(arguments);
+    const Outcome outcome = onRanks(ranks, arguments + " --out refused");
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    const std::vector<std::string> lines = linesOf(outcome.err);
+    ASSERT_EQ(lines.size(), 1u) << outcome.err;
+    EXPECT_THAT(lines[0], HasSubstr(what));
+    EXPECT_FALSE(exists("refused"));
+  }
+  /// All of summary.json but times, where it comes from and what names the program's threads.
+  Json summaryOf(const std::string& folder) const {
+    Json summary = json(folder + "/summary.json");
+    for (const char* key : {"wall_time", "provenance"}) summary.erase(key);
+    return summary;
+  }
+  /// Positions at the nodes of a frame, and these less a point field, by the numbers of the nodes; of one file or of
+  /// all pieces, which agree.
+  std::map<std::int64_t, std::vector<double>> pointField(const std::string& frame, const std::string& name) const {
+    std::vector<std::filesystem::path> files{folder_.path() / frame};
+    if (std::filesystem::is_directory(files[0])) {
+      const std::filesystem::path folder = files[0];
+      files.clear();
+      for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
+    }
+    std::map<std::int64_t, std::vector<double>> found;
+    for (const std::filesystem::path& file : files) {
+      const MeshState read = detail::readVtuState(file, detail::readWholeFile(file), name, nullptr);
+      for (std::size_t i = 0; i < read.mesh.nodeCount(); ++i) {
+        const auto column = static_cast<Eigen::Index>(i);
+        std::vector<double> values;
+        for (int c = 0; c < 3; ++c) values.insert(values.end(), {read.x(c, column), read.mesh.X(c, column)});
+        const auto [at, fresh] = found.emplace(read.mesh.nodeId(i), values);
+        EXPECT_TRUE(fresh || at->second == values) << "node " << read.mesh.nodeId(i);
+      }
+    }
+    return found;
+  }
+};
+
+/// Every file is the same for any number of ranks; positions and velocities are those of one process, to the last bit.
+TEST_F(RanksProgram, WritesWhatOneProcessWrites) {
+  for (const auto& [element, method] :
+       {std::pair{"tet4", "symplectic-euler"}, {"hex8", "verlet"}, {"tet10", "symplectic-euler"}}) {
+    SCOPED_TRACE(std::string(element) + ", " + method);
+    folder_.write("scene.toml", richScene(element, method));
+    ASSERT_EQ(call("run scene.toml --out alone").status, 0);
+    const Table alone = table("alone/history.csv");
+    std::string first;
+    for (const int ranks : {1, 2, 3, 4}) {
+      SCOPED_TRACE(std::to_string(ranks) + " ranks");
+      const std::string out = "on" + std::to_string(ranks);
+      const Outcome outcome = onRanks(ranks, "scene.toml --out " + out + " --threads " + std::to_string(1 + ranks % 2));
+      ASSERT_EQ(outcome.status, 0) << outcome.err;
+      const std::string history = folder_.read(out + "/history.csv");
+      if (ranks == 1) first = history;
+      EXPECT_EQ(history, first);
+      EXPECT_EQ(summaryOf(out), summaryOf("on1"));
+    }
+    const Table on = table("on3/history.csv");
+    ASSERT_EQ(on.rows.size(), alone.rows.size());
+    double largest = 0;
+    for (std::size_t row = 0; row < on.rows.size(); ++row) largest = std::max(largest, on.number(row, "strain_J"));
+    for (std::size_t row = 0; row < on.rows.size(); ++row) {
+      for (const char* column : {"step", "time_s", "h_s", "verdict"})
+        EXPECT_EQ(on.at(row, column), alone.at(row, column)) << row;
+      for (const char* column : {"kinetic_J", "strain_J", "external_work_J", "dissipated_J", "balance_error_J"})
+        EXPECT_NEAR(on.number(row, column), alone.number(row, column), 1.5e-14 * largest) << column << ", row " << row;
+      // Both brackets hold the critical step.
+      EXPECT_LE(on.number(row, "safe_s"), alone.number(row, "optimistic_s"));
+      EXPECT_LE(alone.number(row, "safe_s"), on.number(row, "optimistic_s"));
+    }
+    EXPECT_EQ(json("on3/summary.json")["frames"], json("alone/summary.json")["frames"]);
+    for (const std::string frame : {"frame_000001", "frame_000002", "frame_000003"})
+      for (const char* field : {"displacement", "velocity"}) {
+        const auto alike = pointField("alone/frames/" + frame + ".vtu", field);
+        EXPECT_EQ(alike.size(), json("alone/summary.json")["mesh"]["nodes"]);
+        EXPECT_TRUE(pointField("on3/frames/" + frame, field) == alike) << frame << ", " << field;
+        EXPECT_TRUE(pointField("on1/frames/" + frame, field) == alike) << frame << ", " << field;
+      }
+    EXPECT_TRUE(exists("on3/frames/frame_000003.pvtu"));
+    EXPECT_FALSE(exists("on3/frames/frame_000004.pvtu"));
+    EXPECT_THAT(folder_.read("on3/run.pvd"), HasSubstr("frames/frame_000003.pvtu"));
+    expectNothingHalfWritten("on3");
+  }
+}
+
+TEST_F(RanksProgram, ChoosesItsSteps) {
+  folder_.write("scene.toml", richScene());
+  for (const std::string& settings :
+       {std::string("--set integrator.step=auto --set monitor.every=3"),
+        std::string("--set integrator.step=2e-3 --set monitor.on_violation=reduce-step --set monitor.every=4"),
+        std::string("--set monitor.mode=threshold")}) {
+    SCOPED_TRACE(settings);
+    ASSERT_EQ(onRanks(1, "scene.toml --out one " + settings).status, 0);
+    ASSERT_EQ(onRanks(3, "scene.toml --out three " + settings).status, 0);
+    EXPECT_EQ(folder_.read("one/history.csv"), folder_.read("three/history.csv"));
+    EXPECT_EQ(summaryOf("one"), summaryOf("three"));
+    EXPECT_EQ(json("three/summary.json")["verdict"], "certified");
+  }
+}
+
+/// All ranks end with one status, and events name the elements of the mesh.
+TEST_F(RanksProgram, TellsOfAnUnstableStep) {
+  folder_.write("scene.toml", richScene());
+  const std::string settings = "--set integrator.step=2.5e-3 ";
+  EXPECT_EQ(call("run scene.toml --out alone " + settings).status, 1);
+  const Outcome outcome = onRanks(3, "scene.toml --out three " + settings);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("verdict violated"));
+  const Json alone = json("alone/summary.json"), three = json("three/summary.json");
+  ASSERT_FALSE(three["events"].empty());
+  EXPECT_EQ(three["events"][0]["kind"], "violated");
+  EXPECT_EQ(three["events"][0]["step"], alone["events"][0]["step"]);
+  EXPECT_EQ(three["first_violated"], alone["first_violated"]);
+  EXPECT_TRUE(three["events"][0]["element"]["id"].is_number());
+  EXPECT_EQ(onRanks(1, "scene.toml --out one " + settings).status, 1);
+  EXPECT_EQ(summaryOf("one"), summaryOf("three"));
+  // Gone on with, it ends where positions are no longer numbers, or its energy ran away.
+  const std::string on = settings + "--set monitor.on_violation=warn --set integrator.end=0.5";
+  EXPECT_EQ(onRanks(1, "scene.toml --out one " + on).status, 1);
+  EXPECT_EQ(onRanks(4, "scene.toml --out four " + on).status, 1);
+  EXPECT_EQ(summaryOf("one"), summaryOf("four"));
+  EXPECT_EQ(folder_.read("one/history.csv"), folder_.read("four/history.csv"));
+}
+
+TEST_F(RanksProgram, RefusesByOneLine) {
+  const std::string timed = "factor = \"sin(100*t)\"\n", table = "times = [0, 0.01, 0.02]\nfactors = [0, 1, 0.5]\n";
+  const std::string plain = replaced(replaced(richScene(), timed, ""), table, "");
+  folder_.write("scene.toml", replaced(plain, "[damping]\nmass = 2\n", ""));
+  for (const auto& [setting, what] : {std::pair{"integrator.method=rk4", "\"rk4\" is not distributed over ranks"},
+                                      {"damping.stiffness=1e-6", "stiffness-proportional damping"},
+                                      {"handler.method=imex", "handlers are not distributed"},
+                                      {"monitor.metric=reduced-1-ring", "metrics are not distributed"},
+                                      {"monitor.mode=metric", "is not distributed over ranks"},
+                                      {"monitor.certificates=5", "files of proofs"},
+                                      {"monitor.budget=0.5", "a budget of the monitor"},
+                                      {"output.exact_times=true", "frames between steps"},
+                                      {"output.reactions=true", "reactions are not"},
+                                      {"output.fields=[\"verdict\"]", "\"verdict\" is not"},
+                                      {"integrator.step=-1", "integrator.step"}})
+    expectRefusedByOne(2, "scene.toml --set '" + std::string(setting) + "'",
+                       std::string(setting) == "monitor.mode=metric" ? "" : what);
+  for (const std::string section :
+       {"[[spring]]\nwhere = \"x > 0.05\"\nstiffness = 1\n", "[[rigid]]\nname = \"r\"\nwhere = \"x > 0.08\"\n",
+        "[[pressure]]\nwhere = \"z > 0.02 - 1e-6\"\npressure = 1\n", "[erosion]\nstretch = 2\n"}) {
+    folder_.write("more.toml", replaced(richScene(), "[[move]]", section + "[[move]]"));
+    const Outcome outcome = onRanks(2, "more.toml --out refused");
+    EXPECT_EQ(outcome.status, 2) << section;
+    EXPECT_EQ(linesOf(outcome.err).size(), 1u) << outcome.err;
+    EXPECT_FALSE(exists("refused"));
+  }
+  expectRefusedByOne(3, "missing.toml", "missing.toml");
+  expectRefusedByOne(2, "scene.toml --live", "--live");
+  expectRefusedByOne(2, "scene.toml --treads 3", "--treads");
+  // The first step of "auto" is only known when the run has begun.
+  folder_.write("long.toml", replaced(plain, "every = 0.01\n", ""));
+  expectRefusedByOne(2, "long.toml --set integrator.step=auto --set integrator.end=1e12", "\"auto\" begins with");
+  // No folder for frames, and then a disk that is full while the run goes on.
+  folder_.write("scene.toml", plain);
+  ASSERT_EQ(shell("mkdir full && touch full/frames").status, 0);
+  Outcome outcome = onRanks(3, "scene.toml --out full");
+  EXPECT_EQ(outcome.status, 2);
+  ASSERT_EQ(linesOf(outcome.err).size(), 1u) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("full/frames: cannot write"));
+  ASSERT_EQ(shell("mkdir -p late/frames/frame_000002.pvtu/occupied").status, 0);
+  outcome = onRanks(3, "scene.toml --out late --set output.every=0.005");
+  EXPECT_NE(outcome.status, 0);
+  ASSERT_EQ(linesOf(outcome.err).size(), 1u) << outcome.err;
+  EXPECT_THAT(linesOf(outcome.err)[0], HasSubstr("rank 0 of 3"));
+  // What another run holds.
+  ASSERT_EQ(shell("mkdir held && exec 9> held/run.lock && flock 9 && " + mpirun(2) +
+                  "'" RINGWATCH_PROGRAM "' run scene.toml --out held")
+                .status,
+            2);
+  EXPECT_EQ(linesOf(folder_.read("err.txt")).size(), 1u);
+}
+
+/// A run that is stopped and gone on with, on another number of ranks, is the one that was not.
+TEST_F(RanksProgram, GoesOnWithAnyNumberOfRanks) {
+  folder_.write("scene.toml", richScene("tet4", "verlet"));
+  const std::string settings = " --set integrator.end=0.1 --set output.checkpoint_every=0.011 ";
+  ASSERT_EQ(onRanks(2, "scene.toml --out whole" + settings).status, 0);
+  EXPECT_FALSE(exists("whole/checkpoint.bin"));
+  // One rank is killed once there is a checkpoint: all end, and mpirun says which.
+  const Outcome killed =
+      shell(mpirun(3) + "'" RINGWATCH_PROGRAM "' run scene.toml --out part" + settings +
+            " & launcher=$!; until test -e part/checkpoint.bin; do sleep 0.02; done; "
+            "for process in /proc/[0-9]*; do "
+            "if grep -qs \"^PPid:.$launcher$\" $process/status; then last=${process#/proc/}; fi; "
+            "done; kill -KILL $last; date +%s > killed; wait $launcher; status=$?; date +%s > ended; "
+            "exit $status");
+  EXPECT_NE(killed.status, 0);
+  EXPECT_THAT(killed.err, HasSubstr("noticed that process rank"));
+  EXPECT_LE(std::stoll(folder_.read("ended")) - std::stoll(folder_.read("killed")), 10);
+  ASSERT_TRUE(exists("part/checkpoint.bin"));
+  EXPECT_FALSE(exists("part/summary.json"));
+  test::Program::expectRefused("run --resume part", "on several ranks");
+  const Outcome resumed = onRanks(2, "--resume part --threads 2");
+  ASSERT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_EQ(folder_.read("part/history.csv"), folder_.read("whole/history.csv"));
+  EXPECT_EQ(summaryOf("part"), summaryOf("whole"));
+  for (const char* field : {"displacement", "velocity"})
+    EXPECT_TRUE(pointField("part/frames/frame_000008", field) == pointField("whole/frames/frame_000008", field));
+  EXPECT_FALSE(exists("part/checkpoint.bin"));
+}
+
+/// A signal to one rank ends all of them behind the same step; positions go on with the same bits.
+TEST_F(RanksProgram, EndsBySignal) {
+  folder_.write("scene.toml", richScene());
+  const std::string settings = " --set integrator.end=0.2 --set output.history_every=10 ";
+  ASSERT_EQ(onRanks(1, "scene.toml --out whole" + settings).status, 0);
+  const Outcome stopped = shell(mpirun(3) + "'" RINGWATCH_PROGRAM "' run scene.toml --out part" + settings +
+                                " & launcher=$!; until test -s part/history.csv; do sleep 0.02; done; sleep 0.3; "
+                                "for process in /proc/[0-9]*; do "
+                                "if grep -qs \"^PPid:.$launcher$\" $process/status; then last=${process#/proc/}; fi; "
+                                "done; kill -TERM $last; wait $launcher");
+  ASSERT_EQ(stopped.status, 4) << stopped.err;
+  EXPECT_THAT(stopped.out, HasSubstr("goes on from here"));
+  EXPECT_EQ(json("part/summary.json")["exit_reason"], "interrupted");
+  ASSERT_EQ(onRanks(2, "--resume part").status, 0);
+  const Table whole = table("whole/history.csv"), part = table("part/history.csv");
+  ASSERT_EQ(whole.rows.size(), part.rows.size());
+  for (std::size_t row = 0; row < whole.rows.size(); ++row)
+    for (const char* column : {"step", "time_s", "h_s", "verdict", "kinetic_J", "strain_J"})
+      EXPECT_EQ(whole.at(row, column), part.at(row, column)) << row;
+  const int last = json("whole/summary.json")["frames"];
+  char frame[40];
+  std::snprintf(frame, sizeof frame, "/frames/frame_%06d", last);
+  EXPECT_TRUE(pointField("part" + std::string(frame), "displacement") ==
+              pointField("whole" + std::string(frame), "displacement"));
+}
+
+TEST_F(RanksProgram, KnowsWhatALauncherSays) {
+  const auto of = [](const std::map<std::string, std::string>& variables) {
+    return launchOf([&](const char* name) -> const char* {
+      const auto found = variables.find(name);
+      return found == variables.end() ? nullptr : found->second.c_str();
+    });
+  };
+  EXPECT_FALSE(of({}));
+  EXPECT_EQ(of({{"OMPI_COMM_WORLD_RANK", "2"}, {"OMPI_COMM_WORLD_SIZE", "5"}})->rank, 2);
+  EXPECT_EQ(of({{"PMI_RANK", "0"}, {"PMI_SIZE", "3"}})->size, 3);
+  EXPECT_EQ(of({{"PMIX_RANK", "1"}, {"SLURM_STEP_NUM_TASKS", "4"}})->size, 4);
+  EXPECT_FALSE(of({{"SLURM_NTASKS", "4"}, {"SLURM_PROCID", "0"}, {"SLURM_STEP_NUM_TASKS", "1"}}));
+  EXPECT_FALSE(of({{"PMI_RANK", "3"}, {"PMI_SIZE", "3"}}));
+  EXPECT_FALSE(of({{"PMI_RANK", "x"}, {"PMI_SIZE", "3"}}));
+}
+
+TEST_F(RanksProgram, RunsAloneWhereItIsTold) {
+  folder_.write("scene.toml", richScene());
+  ASSERT_EQ(call("run scene.toml --out alone").status, 0);
+  const std::string launched = "OMPI_COMM_WORLD_SIZE=3 OMPI_COMM_WORLD_RANK=";
+  ASSERT_EQ(call("run scene.toml --ranks no --out told", launched + "1").status, 0);
+  EXPECT_EQ(folder_.read("told/history.csv"), folder_.read("alone/history.csv"));
+  // One process is no run on ranks.
+  ASSERT_EQ(shell(mpirun(1) + "'" RINGWATCH_PROGRAM "' run scene.toml --out one").status, 0);
+  EXPECT_EQ(folder_.read("one/history.csv"), folder_.read("alone/history.csv"));
+  // A build without MPI has no program for ranks.
+  std::filesystem::copy_file(RINGWATCH_PROGRAM, folder_.path() / "ringwatch");
+  const Outcome first = shell(launched + "0 ./ringwatch run scene.toml --out none");
+  expectRefused(first, "-DRINGWATCH_WITH_MPI=ON");
+  const Outcome second = shell(launched + "1 ./ringwatch run scene.toml --out none");
+  EXPECT_EQ(second.status, 2);
+  EXPECT_EQ(second.err, "");
+  EXPECT_FALSE(exists("none"));
+  EXPECT_EQ(shell(launched + "0 ./ringwatch run scene.toml --ranks no --out some").status, 0);
+}
+
+}  // namespace
+}  // namespace ringwatch
