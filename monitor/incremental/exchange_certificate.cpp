@@ -307,14 +307,21 @@ std::vector<Eigen::Matrix3d> ExchangeCertificate::majorantsToCome(NodeVectorsVie
   const DiscreteForces* discrete = body_.discreteForces();
   if (!discrete) return majorants;
   discrete->majorants(x, true, majorants);
-  const std::vector<Eigen::Matrix3d> now = majorants;
-  if (seen_.size() != now.size()) seen_.clear();
-  for (std::size_t k = 0; k < seen_.size(); ++k) {
+  // Contact that is as near as half the distance between nodes may come before other shares are made.
+  std::vector<double> further;
+  const double density = body_.totalMass() / body_.volume();
+  for (const std::int32_t node : discrete->nodes())
+    further.push_back(0.5 * std::cbrt(body_.lumpedMass()[node] / density));
+  std::vector<Eigen::Matrix3d> toCome;
+  discrete->majorantsToCome(x, further, toCome);
+  if (seen_.size() != majorants.size()) seen_ = majorants;
+  for (std::size_t k = 0; k < majorants.size(); ++k) {
+    const Eigen::Matrix3d larger = seen_[k].trace() > toCome[k].trace() ? seen_[k] : toCome[k];
+    seen_[k] = majorants[k];
     const double most = policy_.mostReserved * eigenvalue * body_.lumpedMass()[discrete->nodes()[k]];
-    const double trace = seen_[k].trace(), reserved = std::min(trace, most);
-    if (reserved > majorants[k].trace()) majorants[k] = reserved / trace * seen_[k];
+    const double trace = larger.trace(), reserved = std::min(trace, most);
+    if (reserved > majorants[k].trace()) majorants[k] = reserved / trace * larger;
   }
-  seen_ = now;
   return majorants;
 }
 
