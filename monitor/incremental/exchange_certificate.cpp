@@ -307,11 +307,11 @@ std::vector<Eigen::Matrix3d> ExchangeCertificate::majorantsToCome(NodeVectorsVie
   const DiscreteForces* discrete = body_.discreteForces();
   if (!discrete) return majorants;
   discrete->majorants(x, true, majorants);
-  // Contact that is as near as half the distance between nodes may come before other shares are made.
+  // What is near may come before other shares are made. A node's mass tells how far its neighbours are.
   std::vector<double> further;
   const double density = body_.totalMass() / body_.volume();
   for (const std::int32_t node : discrete->nodes())
-    further.push_back(0.5 * std::cbrt(body_.lumpedMass()[node] / density));
+    further.push_back(policy_.near * std::cbrt(body_.lumpedMass()[node] / density));
   std::vector<Eigen::Matrix3d> toCome;
   discrete->majorantsToCome(x, further, toCome);
   if (seen_.size() != majorants.size()) seen_ = majorants;

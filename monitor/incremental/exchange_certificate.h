@@ -29,9 +29,9 @@ struct ExchangeRoomPolicy {
   double leastRotation = 0.003;
   /// Upper over lower eigenvalue, both with room, that iterations aim for and end at.
   double aim = 1.01, narrow = 1.03;
-  /// Discrete forces that have come and gone since the last shares were made have room in the next ones, up to this
-  /// share of the eigenvalue at their nodes.
-  double mostReserved = 0.3;
+  /// Contact that has come and gone since the last shares were made, or is nearer than this share of the distance
+  /// between nodes, has room in the next ones, up to this share of the eigenvalue at its nodes.
+  double near = 0.5, mostReserved = 0.3;
 };
 
 /// The exchange bound of a body kept along a run (docs/theory/incremental_exchange.md). Its proof is: a symmetric
