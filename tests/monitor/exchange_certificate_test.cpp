@@ -398,6 +398,9 @@ TEST(ExchangeCertificate, HasTheSameBitsForAnyThreadsAndWhenItGoesOnFromBytes) {
     EXPECT_GE(one.byExchange, 0.9);
     EXPECT_EQ(one.safe, pulled(subdivision, "stvk", 2).safe) << subdivision.name;
     EXPECT_EQ(one.safe, pulled(subdivision, "stvk", 3, 150).safe) << subdivision.name;
+    const Beside all{true, true, true};
+    EXPECT_EQ(pulled(subdivision, "stvk", 1, -1, all).safe, pulled(subdivision, "stvk", 3, 150, all).safe)
+        << subdivision.name;
   }
 }
 
