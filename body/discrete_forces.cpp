@@ -412,7 +412,19 @@ void DiscreteForces::majorants(NodeVectorsView x, bool room, std::vector<Eigen::
   }
   for (const std::int32_t place : places) matrices[place].setZero();
   places.clear();
-  forMajorants(x, room, [&]<class Part>(std::int32_t node, const Part& part) {
+  fillMajorants(x, room, {}, matrices, places);
+}
+
+void DiscreteForces::majorantsToCome(NodeVectorsView x, std::span<const double> further,
+                                     std::vector<Eigen::Matrix3d>& matrices) const {
+  matrices.assign(nodes_.size(), Eigen::Matrix3d::Zero());
+  std::vector<std::int32_t> places;
+  fillMajorants(x, true, further, matrices, places);
+}
+
+void DiscreteForces::fillMajorants(NodeVectorsView x, bool room, std::span<const double> further,
+                                   std::vector<Eigen::Matrix3d>& matrices, std::vector<std::int32_t>& places) const {
+  forMajorants(x, room, further, [&]<class Part>(std::int32_t node, const Part& part) {
     const std::int32_t place = placeOf(node);
     Eigen::Matrix3d& matrix = matrices[place];
     const bool first = matrix.trace() == 0;  // semidefinite: zero where the trace is
@@ -427,7 +439,7 @@ void DiscreteForces::majorants(NodeVectorsView x, bool room, std::vector<Eigen::
 }
 
 template <class Add>
-void DiscreteForces::forMajorants(NodeVectorsView x, bool room, const Add& add) const {
+void DiscreteForces::forMajorants(NodeVectorsView x, bool room, std::span<const double> further, const Add& add) const {
   const double f = dampingFactor(), reach = shared_->reach;
   const Eigen::Matrix3d I = Eigen::Matrix3d::Identity();
   for (const Spring& spring : springs_) {
@@ -445,7 +457,7 @@ void DiscreteForces::forMajorants(NodeVectorsView x, bool room, const Add& add) 
     for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
       const std::int32_t node = contact.nodes[k];
       const Obstacle::Surface at = surface(contact.obstacle, x.col(node));
-      if (!(at.gap <= reach)) continue;
+      if (!(at.gap <= reach + (further.empty() ? 0 : further[placeOf(node)]))) continue;
       const double along = contact.penalty[k] + f * contact.damping[k], depth = std::max(0.0, -at.gap);
       const Eigen::Matrix3d outward = at.normal * at.normal.transpose();
       Eigen::Matrix3d own = along * outward;

@@ -138,6 +138,11 @@ class DiscreteForces {
   void majorants(NodeVectorsView x, bool room, std::vector<Eigen::Matrix3d>& matrices,
                  std::vector<std::int32_t>& places) const;
 
+  /// With room, and of nodes that are farther from obstacles than the reach by at most `further`, m, one for each of
+  /// nodes(): what may come to touch.
+  void majorantsToCome(NodeVectorsView x, std::span<const double> further,
+                       std::vector<Eigen::Matrix3d>& matrices) const;
+
   /// The largest speed of a node of a contact against its obstacle, m/s, and at most that of nodes of surfaces against
   /// one another.
   double largestSpeed(NodeVectorsView v) const;
@@ -166,9 +171,12 @@ class DiscreteForces {
   template <class Visit>
   void forEachTouch(NodeVectorsView x, const Visit& visit) const;
   void requireLocated(NodeVectorsView x) const;
-  /// Calls add(node, part) for the parts of the majorants: matrices, or numbers that stand for multiples of 1.
+  /// Calls add(node, part) for the parts of the majorants: matrices, or numbers that stand for multiples of 1. further:
+  /// of majorantsToCome, or empty.
   template <class Add>
-  void forMajorants(NodeVectorsView x, bool room, const Add& add) const;
+  void forMajorants(NodeVectorsView x, bool room, std::span<const double> further, const Add& add) const;
+  void fillMajorants(NodeVectorsView x, bool room, std::span<const double> further,
+                     std::vector<Eigen::Matrix3d>& matrices, std::vector<std::int32_t>& places) const;
   template <class Add>
   void forSurfaceMajorants(NodeVectorsView x, bool room, const Add& add) const;
   /// The number of a node of the whole, -1: none.

@@ -7,6 +7,7 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/rounding.h>
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 #include <ringwatch/monitor/small/packed_lowest.h>
 
@@ -38,8 +39,9 @@ class Composition final : public detail::ExchangeSplit {
  public:
   /// shares: goes on from these, of another state; nullptr: from the weights' own split.
   Composition(const TangentSource& source, NodeVectorsView x, const NodalBound& weights, double sigma,
-              const ExchangeRoom& room = {}, const ExchangeShares* shares = nullptr)
-      : source_(source), room_(room), sigma_(sigma) {
+              const ExchangeRoom& room = {}, const ExchangeShares* shares = nullptr,
+              const std::vector<Eigen::Matrix3d>* majorants = nullptr)
+      : source_(source), room_(room), majorants_(majorants), sigma_(sigma) {
     source.assembleBlocks(x, pattern_);
     std::int64_t total = 0;
     for (std::size_t b = 0; b < source.tangents().size(); ++b) {
@@ -359,8 +361,13 @@ class Composition final : public detail::ExchangeSplit {
       for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
         const bool diagonal = pattern_.column[k] == i;
         target_[k] = (diagonal ? sigma_ : 0.0) * Eigen::Matrix3d::Identity() + sumOf(minusA, k);
-        if (diagonal) target_[k] -= freePart(source_, i, weights.majorantAt(i) / source_.lumpedMass()[i]);
+        if (diagonal) target_[k] -= freePart(source_, i, majorantAt(i, weights) / source_.lumpedMass()[i]);
       }
+  }
+  Eigen::Matrix3d majorantAt(std::int32_t node, const NodalBound& weights) const {
+    if (!majorants_) return weights.majorantAt(node);
+    const std::int32_t place = source_.discreteForces()->placeOf(node);
+    return place < 0 ? Eigen::Matrix3d(Eigen::Matrix3d::Zero()) : (*majorants_)[place];
   }
 
   /// Which elements hold a part of each block of the assembled matrix.
@@ -463,6 +470,7 @@ class Composition final : public detail::ExchangeSplit {
 
   const TangentSource& source_;
   ExchangeRoom room_;
+  const std::vector<Eigen::Matrix3d>* majorants_;  // of discrete forces, by place; nullptr: the weights'
   double sigma_;
   BlockMatrix pattern_;
   std::vector<Element> elements_;
@@ -523,9 +531,10 @@ ExchangeShares exchangeShares(const TangentSource& source, NodeVectorsView x, co
 }
 
 ExchangeShares roomyExchangeShares(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
-                                   const ExchangeShares* from, const ExchangeRoom& room, double sigma, double accept,
+                                   const ExchangeShares* from, const ExchangeRoom& room,
+                                   const std::vector<Eigen::Matrix3d>* majorants, double sigma, double accept,
                                    int mostIterations, ExchangeWork& work) {
-  Composition splitting(source, x, weights, sigma, room, from);
+  Composition splitting(source, x, weights, sigma, room, from, majorants);
   const ExchangeBound bound = splitting.lowerUntil(accept, mostIterations);
   work = {bound.iterations, bound.decompositions};
   if (!std::isfinite(bound.upper.value)) return {ExchangeShares::narrow, {infinity}, 0, {}};

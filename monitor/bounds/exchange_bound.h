@@ -103,9 +103,11 @@ struct ExchangeWork {
   std::int64_t decompositions;
 };
 /// The same of tangents with room, in narrow numbers. from: those of another state, to go on from; nullptr: from the
-/// weights, evaluated at x. sigma, accept: of the sum of the tangents with their room.
+/// weights, evaluated at x. majorants: of discrete forces, in place of those of the weights, beside which the sums at
+/// nodes are to have room; nullptr: those. sigma, accept: of the sum of the tangents with their room.
 ExchangeShares roomyExchangeShares(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
-                                   const ExchangeShares* from, const ExchangeRoom& room, double sigma, double accept,
+                                   const ExchangeShares* from, const ExchangeRoom& room,
+                                   const std::vector<Eigen::Matrix3d>* majorants, double sigma, double accept,
                                    int mostIterations, ExchangeWork& work);
 
 }  // namespace ringwatch

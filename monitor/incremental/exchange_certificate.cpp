@@ -9,6 +9,7 @@
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/rounding.h>
 #include <ringwatch/base/sort_unique.h>
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/nodes_of.h>
 #include <ringwatch/materials/rotation.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
@@ -61,6 +62,9 @@ struct TangentsWithRoom {
   TangentDrift drift[lanes];
 };
 
+/// f of K + f C of the elements.
+double dampingFactorOf(const Body& body) { return body.elementDamping() ? body.elementDamping()->factor() : 0; }
+
 std::size_t triangle(int nodes) { return static_cast<std::size_t>(3 * nodes * (3 * nodes + 1) / 2); }
 
 }  // namespace
@@ -70,13 +74,14 @@ ExchangeCertificate::ExchangeCertificate(const Body& body, const NodalBound& wei
 
 void ExchangeCertificate::makeBlocks() {
   if (!blocks_.empty()) return;
-  for (const auto& block : body_.blocks())
-    blocks_.push_back({ValidityBalls(*block), std::vector<std::int16_t>(block->layout().elements.size() *
-                                                                        triangle(block->nodesPerElement()))});
-}
-
-bool ExchangeCertificate::possible(const Body& body) {
-  return !body.discreteForces() && !body.elementDamping() && body.mesh().elementCount() > 0;
+  for (const auto& block : body_.blocks()) {
+    const std::size_t places = block->layout().elements.size();
+    blocks_.push_back({ValidityBalls(*block), std::vector<std::int16_t>(places * triangle(block->nodesPerElement()))});
+    const DampedBlock* damped = body_.elementDamping() ? body_.elementDamping()->blocks()[blocks_.size() - 1] : nullptr;
+    if (!damped || !damped->dependsOnRates()) continue;
+    blocks_.back().rates = damped;
+    blocks_.back().counted.assign(places, 0);
+  }
 }
 
 std::int64_t ExchangeCertificate::bytes(const Body& body) {
@@ -86,6 +91,8 @@ std::int64_t ExchangeCertificate::bytes(const Body& body) {
         static_cast<std::int64_t>(block->layout().elements.size()) *
         static_cast<std::int64_t>(triangle(block->nodesPerElement()) * (sizeof(std::int16_t) + sizeof(std::int32_t)) +
                                   18 * block->rule().points.size());
+  if (const DiscreteForces* discrete = body.discreteForces())
+    bytes += static_cast<std::int64_t>(4 * discrete->nodes().size() * sizeof(Eigen::Matrix3d));
   return bytes;
 }
 
@@ -111,12 +118,27 @@ ExchangeShares ExchangeCertificate::allShares() const {
 
 void ExchangeCertificate::store(const ExchangeShares& shares) {
   const std::int32_t* entry = shares.entries.data();
+  const DiscreteForces* discrete = body_.discreteForces();
+  sums_.assign(discrete ? discrete->nodes().size() : 0, Eigen::Matrix3d::Zero());
   for (std::int32_t b = 0; b < static_cast<std::int32_t>(blocks_.size()); ++b) {
     const ElementBlock& block = *body_.blocks()[b];
     const std::size_t size = triangle(block.nodesPerElement());
     for (std::int32_t e = 0; e < block.elementCount(); ++e) {
       const std::size_t place = placeOf({b, e});
       std::int16_t* to = blocks_[b].entries.data() + place / lanes * size * lanes + place % lanes;
+      if (discrete) {
+        const auto nodes = block.nodesOf(e);
+        for (std::size_t a = 0; a < nodes.size(); ++a) {
+          const std::int32_t at = discrete->placeOf(nodes[a]);
+          if (at < 0) continue;
+          for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = 0; j <= i; ++j) {
+              const double value = shares.unitOfEntries() * entry[(3 * a + i) * (3 * a + i + 1) / 2 + 3 * a + j];
+              sums_[at](i, j) += value;
+              if (j < i) sums_[at](j, i) += value;
+            }
+        }
+      }
       for (std::size_t k = 0; k < size; ++k) to[k * lanes] = static_cast<std::int16_t>(*entry++);
     }
   }
@@ -176,6 +198,11 @@ ExchangeWork ExchangeCertificate::share(NodeVectorsView x, NodeVectorsView mode,
       with += own[2 * batch + 1];
     }
   }
+  if (const DiscreteForces* discrete = body_.discreteForces()) {
+    const double own = discrete->form(x, mode);
+    without += own;
+    with += own;
+  }
   // It is linear in the room, but for a little.
   const double cost = without > 0 && std::isfinite(with / without) ? std::max(0.0, with / without - 1) : 0;
   room_ = policy_.room * std::min(1.0, policy_.mostCost / std::max(cost, 1e-6));
@@ -187,11 +214,15 @@ ExchangeWork ExchangeCertificate::share(NodeVectorsView x, NodeVectorsView mode,
   else
     weights.emplace(weights_).evaluate(x, 0);  // along a run values are not kept
   ExchangeWork work{};
+  const std::vector<Eigen::Matrix3d> majorants = majorantsToCome(x, withRoom);
   const ExchangeShares shares =
       roomyExchangeShares(body_, x, weights ? *weights : weights_, goesOn ? &present : nullptr, room,
-                          policy_.aim * withRoom, policy_.narrow * withRoom, mostIterations, work);
+                          body_.discreteForces() ? &majorants : nullptr, policy_.aim * withRoom,
+                          policy_.narrow * withRoom, mostIterations, work);
+  beside_ = 0;
   holds_ = std::isfinite(shares.upper.value);
   version_ = body_.version();
+  dampingFactor_ = dampingFactorOf(body_);
   if (!holds_) {
     unit_ = 0;
     return work;
@@ -212,20 +243,27 @@ ExchangeWork ExchangeCertificate::share(NodeVectorsView x, NodeVectorsView mode,
   holds_ = std::isfinite(raise);
   scale_ = holds_ ? raise : 1;
   for (BlockData& data : blocks_) data.balls.invalidateAll();
+  addDiscreteForces(x);
   return work;
 }
 
 void ExchangeCertificate::follow(NodeVectorsView x, double mostRaise, double leastPart) {
   factored_ = 0;
   workOfTests_ = 0;
+  beside_ = 0;
   if (!holds_) return;
-  if (version_ != body_.version() || !possible(body_)) {
+  if (version_ != body_.version() || dampingFactor_ != dampingFactorOf(body_)) {
     holds_ = false;
     unit_ = 0;
     return;
   }
   std::vector<ElementRef> outside = elementsOutsideBall(x);
-  if (outside.empty()) return;
+  if (!outside.empty()) proveAnew(x, outside, mostRaise, leastPart);
+  addDiscreteForces(x);
+}
+
+void ExchangeCertificate::proveAnew(NodeVectorsView x, std::vector<ElementRef>& outside, double mostRaise,
+                                    double leastPart) {
   double raise = renew(x, outside, leastPart);
   if (raise > 1) {
     // What has turned is proven in its own frames, and all others at the nodes with it.
@@ -239,6 +277,52 @@ void ExchangeCertificate::follow(NodeVectorsView x, double mostRaise, double lea
   holds_ = raise <= mostRaise;
   if (holds_) scale_ *= raise;
   for (const ElementRef e : outside) blocks_[e.block].balls.ballChanged(placeOf(e));
+}
+
+void ExchangeCertificate::addDiscreteForces(NodeVectorsView x) {
+  const DiscreteForces* discrete = body_.discreteForces();
+  if (!holds_ || !discrete) return;
+  discrete->majorants(x, false, majorants_, majorantsAt_);
+  seen_.resize(majorants_.size(), Eigen::Matrix3d::Zero());
+  for (const std::int32_t place : majorantsAt_) {
+    const std::int32_t node = discrete->nodes()[place];
+    if (majorants_[place].trace() > seen_[place].trace()) seen_[place] = majorants_[place];
+    const Eigen::Matrix3d& R = frames_[node];
+    const Eigen::Matrix3d own = scale_ * (turned_ ? Eigen::Matrix3d(R * sums_[place] * R.transpose()) : sums_[place]),
+                          sum = own + freePart(body_, node, majorants_[place] / body_.lumpedMass()[node]);
+    // Most are below what is certified anyway: pivots tell that at less cost.
+    const double allowed = certifiedEigenvalue() * (1 - statedRounding);
+    if (const Eigen::LLT<Eigen::Matrix3d> below(allowed * Eigen::Matrix3d::Identity() - sum);
+        below.info() == Eigen::Success && std::isfinite(sum.sum()))
+      continue;
+    const double highest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum, Eigen::EigenvaluesOnly).eigenvalues()[2];
+    beside_ = std::max(beside_, highest * (1 + statedRounding));
+    // A NaN must not be lost.
+    if (!std::isfinite(highest)) holds_ = false;
+  }
+}
+
+std::vector<Eigen::Matrix3d> ExchangeCertificate::majorantsToCome(NodeVectorsView x, double eigenvalue) {
+  std::vector<Eigen::Matrix3d> majorants;
+  const DiscreteForces* discrete = body_.discreteForces();
+  if (!discrete) return majorants;
+  discrete->majorants(x, true, majorants);
+  // What is near may come before other shares are made. A node's mass tells how far its neighbours are.
+  std::vector<double> further;
+  const double density = body_.totalMass() / body_.volume();
+  for (const std::int32_t node : discrete->nodes())
+    further.push_back(policy_.near * std::cbrt(body_.lumpedMass()[node] / density));
+  std::vector<Eigen::Matrix3d> toCome;
+  discrete->majorantsToCome(x, further, toCome);
+  if (seen_.size() != majorants.size()) seen_ = majorants;
+  for (std::size_t k = 0; k < majorants.size(); ++k) {
+    const Eigen::Matrix3d larger = seen_[k].trace() > toCome[k].trace() ? seen_[k] : toCome[k];
+    seen_[k] = majorants[k];
+    const double most = policy_.mostReserved * eigenvalue * body_.lumpedMass()[discrete->nodes()[k]];
+    const double trace = larger.trace(), reserved = std::min(trace, most);
+    if (reserved > majorants[k].trace()) majorants[k] = reserved / trace * larger;
+  }
+  return majorants;
 }
 
 bool ExchangeCertificate::sharesAreDefinite() const {
@@ -279,7 +363,10 @@ double ExchangeCertificate::renew(NodeVectorsView x, const std::vector<ElementRe
   double raise = 1;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     raise = std::max(raise, proofs[i].raise);
-    blocks_[elements[i].block].balls.setRadius(placeOf(elements[i]), proofs[i].radius, proofs[i].fromStored);
+    BlockData& data = blocks_[elements[i].block];
+    const std::size_t place = placeOf(elements[i]);
+    data.balls.setRadius(place, proofs[i].radius, proofs[i].fromStored);
+    if (data.rates) data.counted[place] = data.rates->coefficient(place);
   }
   return raise;
 }
@@ -495,6 +582,14 @@ std::vector<ElementRef> ExchangeCertificate::elementsOutsideBall(NodeVectorsView
     for (const auto& list : check.outside[b])
       for (const std::int32_t e : list) result.push_back({static_cast<std::int32_t>(b), e});
   }
+  const std::size_t byBalls = result.size();
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    for (std::size_t place = 0; place < blocks_[b].counted.size(); ++place) {
+      const std::int32_t e = body_.blocks()[b]->layout().elements[place];
+      if (e >= 0 && blocks_[b].rates->coefficient(place) > blocks_[b].counted[place])
+        result.push_back({static_cast<std::int32_t>(b), e});
+    }
+  if (result.size() > byBalls) sortUnique(result);
   return result;
 }
 
@@ -520,6 +615,16 @@ double ExchangeCertificate::verify(NodeVectorsView x) const {
         }
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A, Eigen::EigenvaluesOnly);
       worst = std::max(worst, solver.eigenvalues()[size - 1] / certifiedEigenvalue());
+    }
+  }
+  if (const DiscreteForces* discrete = body_.discreteForces()) {
+    std::vector<Eigen::Matrix3d> majorants;
+    discrete->majorants(x, false, majorants);
+    for (std::size_t k = 0; k < majorants.size(); ++k) {
+      const std::int32_t node = discrete->nodes()[k];
+      const Eigen::Matrix3d own = freePart(body_, node, majorants[k] / body_.lumpedMass()[node]);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) entries.emplace_back(3 * node + i, 3 * node + j, own(i, j));
     }
   }
   Eigen::SparseMatrix<double> sum(3 * body_.nodeCount(), 3 * body_.nodeCount());

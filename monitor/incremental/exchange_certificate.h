@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -7,6 +8,7 @@
 
 #include <ringwatch/base/archive.h>
 #include <ringwatch/body/body.h>
+#include <ringwatch/body/element_damping.h>
 #include <ringwatch/monitor/bounds/exchange_bound.h>
 #include <ringwatch/monitor/incremental/validity_balls.h>
 
@@ -27,19 +29,22 @@ struct ExchangeRoomPolicy {
   double leastRotation = 0.003;
   /// Upper over lower eigenvalue, both with room, that iterations aim for and end at.
   double aim = 1.01, narrow = 1.03;
+  /// Contact that has come and gone since the last shares were made, or is nearer than this share of the distance
+  /// between nodes, has room in the next ones, up to this share of the eigenvalue at its nodes.
+  double near = 0.5, mostReserved = 0.3;
 };
 
 /// The exchange bound of a body kept along a run (docs/theory/incremental_exchange.md). Its proof is: a symmetric
 /// matrix G_e for each element, at least zero, which add up to at most σ; a rotation R_i for each node; and for each
 /// element a ball |F_q - F0_q| <= r in which its tangent is at most G_e in its nodes' frames. What its balls do not
 /// prove an LDLᵀ factorisation does: no eigenvalues. G_e is stored in whole numbers of 16 bits whose sum is exact.
-/// For bodies whose elements alone have stiffness: without springs, contact, or damping of their own.
+/// Tangents of elements that damp are those of K + f C (Theorem 96). At the nodes of discrete forces their majorants at
+/// the very state are added to the sums (Theorem 95), so that contact comes and goes at no cost but that of its nodes.
 class ExchangeCertificate {
  public:
   /// weights: of the body, by reference; only which elements are at a node is read, but by share().
   ExchangeCertificate(const Body& body, const NodalBound& weights, const ExchangeRoomPolicy& policy = {});
 
-  static bool possible(const Body& body);
   /// Memory of the proof, and what making shares takes beside it, bytes.
   static std::int64_t bytes(const Body& body);
 
@@ -47,7 +52,9 @@ class ExchangeCertificate {
   bool holds() const { return holds_; }
   bool hasShares() const { return unit_ > 0; }
   /// rad²/s²; infinite while nothing is proven.
-  double certifiedEigenvalue() const { return holds_ ? sigma_ * scale_ : std::numeric_limits<double>::infinity(); }
+  double certifiedEigenvalue() const { return std::max(ofElements(), beside_); }
+  /// The part of it that discrete forces have no part in.
+  double ofElements() const { return holds_ ? sigma_ * scale_ : std::numeric_limits<double>::infinity(); }
   /// Shares at x from the weights, which were evaluated there, or from the present shares. mode: 3×N, a guess of the
   /// top mode; lower: a lower bound at x. Both are only aimed by.
   ExchangeWork share(NodeVectorsView x, NodeVectorsView mode, LowerBound lower, int mostIterations);
@@ -72,16 +79,20 @@ class ExchangeCertificate {
       makeBlocks();
     else
       blocks_.clear();
-    for (BlockData& data : blocks_) a(data.balls, data.entries);
-    a(holds_, turned_, room_, sigma_, scale_, unit_, frames_, surroundings_, factored_, workOfTests_);
+    for (BlockData& data : blocks_) a(data.balls, data.entries, data.counted);
+    a(holds_, turned_, room_, sigma_, scale_, unit_, beside_, dampingFactor_, frames_, surroundings_, sums_, seen_,
+      factored_, workOfTests_);
     archiveVersion(a, version_, body_.version());
   }
 
  private:
-  /// entries: [batch][entry of the lower triangle, row by row][lane].
+  /// entries: [batch][entry of the lower triangle, row by row][lane]. rates: the block where its damping depends on
+  /// velocities, else nullptr; counted: its coefficients, by place, when elements were proven last.
   struct BlockData {
     ValidityBalls balls;
     std::vector<std::int16_t> entries;
+    const DampedBlock* rates = nullptr;
+    std::vector<double> counted = {};
   };
   /// What a proof came to: the raise that it needs (1: none, infinity: more than any that is tried), and the ball.
   struct Proof {
@@ -89,8 +100,15 @@ class ExchangeCertificate {
   };
   /// Memory for shares: none before there are some.
   void makeBlocks();
+  /// What the majorants of discrete forces at x add up to with the shares at their nodes.
+  void addDiscreteForces(NodeVectorsView x);
+  /// The majorants that shares are to have room for beside them at x.
+  std::vector<Eigen::Matrix3d> majorantsToCome(NodeVectorsView x, double eigenvalue);
   void prove(NodeVectorsView x, const std::vector<ElementRef>& elements, double leastPart, std::vector<Proof>& proofs);
   void provePack(NodeVectorsView x, std::int32_t block, const std::int32_t* elements, double leastPart, Proof* proofs);
+  /// Proves elements outside of their balls at x, with frames that turn and a raise where it takes them; turned nodes'
+  /// elements are added to them.
+  void proveAnew(NodeVectorsView x, std::vector<ElementRef>& outside, double mostRaise, double leastPart);
   /// Proves elements at x and gives them their balls; returns the raise that they need.
   double renew(NodeVectorsView x, const std::vector<ElementRef>& elements, double leastPart);
   std::vector<ElementRef> elementsOutsideBall(NodeVectorsView x);
@@ -113,11 +131,17 @@ class ExchangeCertificate {
   bool holds_ = false, turned_ = false;      // turned_: a frame is not 1
   double room_ = 0;                          // of the present shares
   double sigma_ = 0, scale_ = 1, unit_ = 0;  // sums of G_e are at most sigma_; G_e counts scale_ times
+  double beside_ = 0;                        // of the sums and the majorants at nodes of discrete forces, if above
   std::vector<Eigen::Matrix3d> frames_;
   std::vector<Eigen::Quaternionf> surroundings_;  // when shares were made
   std::int64_t version_ = 0;                      // of the body, that the proof is for
+  double dampingFactor_ = 0;                      // of elements, that the proof is for
   std::int64_t factored_ = 0;
   double workOfTests_ = 0;
+  // At the nodes of discrete forces: sums of G_e, without scale_; the largest majorants since shares were made; those
+  // at x, and where they are not zero.
+  std::vector<Eigen::Matrix3d> sums_, seen_, majorants_;
+  std::vector<std::int32_t> majorantsAt_;
   Body::Workspace workspace_;
 };
 

@@ -32,7 +32,7 @@ UpperBound IncrementalExchangeBound::update(NodeVectorsView x, UpperBound nodal)
   serves_ = false;
   evaluated_ = 0;
   if (!account_.limited()) earned_ = std::min(earned_ + policy_.mostShare * account_.force(), 2 * expected_);
-  const bool useless = certificate_.certifiedEigenvalue() > policy_.useless * nodal.value;
+  const bool useless = certificate_.ofElements() > policy_.useless * nodal.value;
   if (!certificate_.holds() || useless) return {infinity};
   // The proof goes on whatever the account has, and takes less where that is little.
   const bool nothing = !account_.affords(0), plenty = !account_.limited() || account_.affords(expected_);
@@ -55,7 +55,7 @@ UpperBound IncrementalExchangeBound::narrow(NodeVectorsView x, UpperBound nodal,
     const double loose = hasTetrahedraAlone(body_) ? policy_.looseOfTetrahedra : policy_.loose;
     worth_ = tight > loose * lower.value && ExchangeCertificate::bytes(body_) <= policy_.mostBytes;
   }
-  if (!worth_ || !ExchangeCertificate::possible(body_)) return own;
+  if (!worth_) return own;
   const double present = std::min(own.value, nodal.value);
   const double inStep = 1 + policy_.shareOfWidth * width;
   const double wanted = std::max(inStep * inStep, policy_.leastGain * achieved_);

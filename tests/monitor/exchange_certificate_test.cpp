@@ -4,10 +4,12 @@
 
 #include <map>
 
+#include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/body/element_damping.h>
 #include <ringwatch/monitor/incremental/exchange_certificate.h>
 #include <ringwatch/monitor/small/packed_cholesky.h>
 #include <ringwatch/monitor/stability_monitor.h>
-#include <tests/monitor/monitor_cases.h>
+#include <tests/monitor/discrete_cases.h>
 
 namespace ringwatch {
 namespace {
@@ -99,6 +101,88 @@ TEST_P(ExchangeCertificateTest, HoldsAlongRandomMotions) {
 INSTANTIATE_TEST_SUITE_P(Subdivisions, ExchangeCertificateTest, testing::ValuesIn(test::allSubdivisions()),
                          [](const auto& parameter) { return parameter.param.name; });
 
+/// A box of two halves whose stiffness differs by up to 1e6, with springs, contact and elements that damp in all ways;
+/// hexahedra with one point or eight.
+Body mixedBody(Subdivision subdivision, std::string_view law, int seed) {
+  test::Random random(seed);
+  if (subdivision.other.empty()) {
+    subdivision.other = subdivision.element;
+    subdivision.otherSplit = subdivision.split;
+  }
+  const double soft = test::young, stiff = soft * std::pow(10.0, random.uniform(0, 6));
+  const auto material = [&](double young) {
+    return makeMaterial(law, young, random.uniform(0.1, 0.4), test::density * random.uniform(0.5, 2));
+  };
+  BodyOptions options;
+  options.threads = 1;
+  const bool onePoint = seed % 2 == 1 && subdivision.element == "hex8";
+  if (onePoint) {
+    options.rules["hex8"] = "uniform-strain";
+    options.hourglassControl.stiffness = 0.1;
+  }
+  Body body(test::box(subdivision, {4, 2, 2}, 0.2, static_cast<std::uint64_t>(seed)), {material(soft), material(stiff)},
+            options);
+  test::holdBody(body, seed % 3 == 0 ? Hold::nothing : seed % 3 == 1 ? Hold::face : Hold::components);
+  test::addForces(body, (seed % 4 == 3 ? 10 : 0.3) * stiff * test::cellSize, static_cast<std::uint64_t>(seed));
+  if (seed % 5 != 4) {
+    const double viscosity = 0.1 * stiff / 1e3;
+    const DampingConstants all{0.1, 1.2, viscosity, viscosity, 10, 0},
+        some{0.06, seed % 5 == 1 ? 0.0 : 1.2, 0, 0, 0, 0}, hourglass{0, 0, 0, 0, 10, 0.1};
+    const auto kind = [&](std::string_view element, const DampingConstants& own) {
+      return onePoint && element == "hex8" ? hourglass : own;
+    };
+    body.setElementDamping({kind(subdivision.element, all), kind(subdivision.other, some)});
+    body.elementDamping()->setFactor(1e3);
+  }
+  return body;
+}
+
+// The proof of K + f C with majorants at nodes, at every state of motions in which nodes touch and leave and rates
+// change.
+TEST_P(ExchangeCertificateTest, HoldsWithDiscreteForcesDampingAndContrasts) {
+  int held = 0, followed = 0, toggled = 0, contactAbove = 0, seed = 0;
+  double tightest = infinity;
+  for (const char* law : {"stvk", "neo-hookean", "corotational"})
+    for (int k = 0; k < 5; ++k) {
+      Body body = mixedBody(GetParam(), law, ++seed);
+      test::Random random(static_cast<std::uint64_t>(seed));
+      Shared shared(body);
+      NodeVectors x = test::strained(body.mesh().X, static_cast<std::uint64_t>(seed), 0.03);
+      body.followDampingRates(x, random.nodeVectors(x.cols(), 1));
+      shared.share(body, x, 30);
+      std::int64_t touching = -1;
+      for (int step = 0; step < 12; ++step) {
+        const double size = 2e-3 * step, fall = 0.1 * test::cellSize * std::sin(1.3 * step);
+        const Eigen::Matrix3d turn =
+            Eigen::AngleAxisd(size, random.rotation().col(0)).toRotationMatrix() + random.matrix(0.2 * size);
+        x = turn * x + random.nodeVectors(x.cols(), 0.05 * size * test::cellSize);
+        x.row(2).array() += fall;
+        body.followDampingRates(x, random.nodeVectors(x.cols(), 0.2 * step));
+        body.discreteForces()->setReach(step % 3 == 0 ? 0.05 * test::cellSize : 0);
+        if (step == 6) shared.share(body, x, 10);
+        shared.certificate.follow(x, 1.5);
+        const std::int64_t now = body.discreteForces()->contactState(x).touching;
+        toggled += now != touching;
+        touching = now;
+        ++followed;
+        if (!shared.certificate.holds()) continue;
+        ++held;
+        const double lambda = DenseTangent(body, x).largest(), certified = shared.certificate.certifiedEigenvalue();
+        const std::string what = joinText(GetParam().name, ", ", law, ", ", seed, ", ", step);
+        ASSERT_GE(certified, lambda * (1 - 1e-10)) << what;
+        EXPECT_LE(shared.certificate.verify(x), 1e-9) << what;
+        contactAbove += certified > shared.certificate.ofElements();
+        tightest = std::min(tightest, certified / lambda);
+      }
+    }
+  EXPECT_GE(2 * held, followed);
+  EXPECT_GE(2 * toggled, followed);
+  EXPECT_GE(8 * contactAbove, held);
+  EXPECT_LE(tightest, 1.1);
+  printf("%d of %d held, %d toggled, %d above the elements' part, tightest %.3f\n", held, followed, toggled,
+         contactAbove, tightest);
+}
+
 TEST(ExchangeCertificate, PairsOfNodesAddUpToZero) {
   for (const Subdivision& subdivision : test::allSubdivisions()) {
     const Body body = test::boxBody(subdivision, "stvk", {3, 2, 2});
@@ -107,7 +191,7 @@ TEST(ExchangeCertificate, PairsOfNodesAddUpToZero) {
     ExchangeWork work{};
     const double sigma = weights.last();
     const ExchangeShares shares =
-        roomyExchangeShares(body, body.mesh().X, weights, nullptr, {}, 0.9 * sigma, 0, 5, work);
+        roomyExchangeShares(body, body.mesh().X, weights, nullptr, {}, nullptr, 0.9 * sigma, 0, 5, work);
     EXPECT_EQ(work.iterations, 5);
     std::map<std::array<std::int32_t, 4>, std::int64_t> sums;
     const std::int32_t* entry = shares.entries.data();
@@ -163,8 +247,69 @@ struct Pulled {
   double median, worst, byExchange;
   std::vector<double> safe;
 };
-Pulled pulled(const Subdivision& subdivision, std::string_view law, int threads, int savedAt = -1) {
-  const Body body = test::boxBody(subdivision, law, {6, 2, 2}, 0, 3, threads);
+/// What a bar is pulled with, each of the order of a tenth of the stiffness that governs it.
+struct Beside {
+  bool springs = false, contact = false, damping = false;
+};
+constexpr std::string_view onePoint = "hex8_of_one_point", contrast = "of_contrast_1000";
+/// With a rule and materials as the name of the subdivision says.
+Body barBody(const Subdivision& subdivision, std::string_view law, double jitter, int threads) {
+  constexpr std::array<int, 3> cells{6, 2, 2};
+  if (subdivision.name == onePoint)
+    return Body(test::box(subdivision, cells, jitter), makeMaterial(law, test::young, test::poisson, test::density),
+                {{{"hex8", "uniform-strain"}}, Lumping::rowSum, threads, {0.1}});
+  if (!subdivision.name.ends_with(contrast)) return test::boxBody(subdivision, law, cells, jitter, 3, threads);
+  return Body(test::box(subdivision, cells, jitter),
+              {makeMaterial(law, test::young, test::poisson, test::density),
+               makeMaterial(law, 1000 * test::young, test::poisson, test::density)},
+              test::onThreads(threads));
+}
+void addBeside(Body& body, const Beside& beside, bool hourglass) {
+  const double highest = DenseTangent(body, body.mesh().X).largest(), share = 0.1;
+  test::Random random(9);
+  DiscreteForces forces(body.nodeCount());
+  if (beside.springs) {
+    std::vector<Spring> springs;
+    for (int k = 0; k < 8; ++k) {
+      Spring spring;
+      spring.node = static_cast<std::int32_t>(random.index(body.nodeCount()));
+      spring.stiffness = share * highest * body.lumpedMass()[spring.node];
+      spring.anchor = body.mesh().X.col(spring.node);
+      if (k % 2 == 1) {
+        spring.other = (spring.node + 1 + random.index(body.nodeCount() - 1)) % body.nodeCount();
+        spring.length = (body.mesh().X.col(spring.other) - body.mesh().X.col(spring.node)).norm();
+        spring.stiffness = share * highest * std::min(body.lumpedMass()[spring.node], body.lumpedMass()[spring.other]);
+      }
+      springs.push_back(spring);
+    }
+    forces.add(springs);
+  }
+  if (beside.contact) {
+    // A floor that the lowest nodes tremble against.
+    PenaltyContact contact;
+    contact.obstacle = forces.add(planeObstacle({0, 0, 0}, {0, 0, 1}));
+    for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+      if (body.mesh().X(2, i) < 0.5 * test::cellSize) {
+        contact.nodes.push_back(i);
+        contact.penalty.push_back(share * highest * body.lumpedMass()[i]);
+        contact.damping.push_back(0);
+      }
+    forces.add(std::move(contact));
+    forces.setReach(1e-5);
+  }
+  if (beside.springs || beside.contact) body.setDiscreteForces(std::move(forces));
+  if (beside.damping) {
+    const double factor = std::sqrt(highest), viscosity = 0.02 * test::young / factor;
+    const DampingConstants constants = hourglass ? DampingConstants{0, 0, 0, 0, 0.01 * factor, 0.05}
+                                                 : DampingConstants{0.06, 1.2, viscosity, viscosity, 0.01 * factor, 0};
+    body.setElementDamping(std::vector<DampingConstants>(body.blocks().size(), constants));
+    body.elementDamping()->setFactor(factor);
+  }
+}
+Pulled pulled(const Subdivision& subdivision, std::string_view law, int threads, int savedAt = -1,
+              const Beside& beside = {}, double jitter = 0) {
+  Body body = barBody(subdivision, law, jitter, threads);
+  addBeside(body, beside, subdivision.name == onePoint);
   const NodeVectors& X = body.mesh().X;
   std::optional<StabilityMonitor> monitor(std::in_place, body, MonitorOptions{});
   const NodeVectors v = NodeVectors::Zero(3, body.nodeCount());
@@ -175,7 +320,11 @@ Pulled pulled(const Subdivision& subdivision, std::string_view law, int threads,
   for (int k = 0; k < steps; ++k) {
     const double stretch = 1 + 2.5e-4 * k;
     NodeVectors x = Eigen::Vector3d(stretch, 1 - 0.3 * (stretch - 1), 1 - 0.3 * (stretch - 1)).asDiagonal() * X;
-    for (Eigen::Index i = 0; i < x.cols(); ++i) x(1, i) += 2e-5 * std::sin(300 * X(0, i) + 0.7 * k);
+    for (Eigen::Index i = 0; i < x.cols(); ++i) {
+      x(1, i) += 2e-5 * std::sin(300 * X(0, i) + 0.7 * k);
+      x(2, i) += 2e-5 * std::sin(200 * X(0, i) + 0.3 * k);
+    }
+    body.followDampingRates(x, std::sin(0.05 * k) * (x - X) / 0.02);
     const MonitorReport& report = monitor->observe(k, k, x, v, 1e-9);
     if (!report.bracket) {
       ADD_FAILURE() << subdivision.name << ": no bracket at " << k;
@@ -215,6 +364,33 @@ TEST(ExchangeCertificate, IsTightOnRegularBarsInASlowPull) {
   printf("medians up to %.2f %%, worst %.2f %%\n", medianWorst, worst);
 }
 
+// Springs, contact that toggles and elements that damp: medians of the safe side as without, but for 4 % of the step at
+// most, for every law, with one point and eight, and with a contrast of 1000. Of five tetrahedra a cell 5 %: see above.
+TEST(ExchangeCertificate, IsAsTightBesideSpringsContactAndDamping) {
+  std::vector<Subdivision> subdivisions = test::allSubdivisions();
+  subdivisions.push_back({std::string(onePoint), "hex8", 1, "", 0});
+  subdivisions.push_back({"hex8_of_contrast_1000", "hex8", 1, "hex8", 1});
+  subdivisions.push_back({"tet4_of_contrast_1000", "tet4", 6, "tet4", 6});
+  double most = -infinity;
+  for (const Subdivision& subdivision : subdivisions)
+    for (const double jitter : {0.0, 0.2})
+      for (const char* law : {"stvk", "neo-hookean", "corotational"}) {
+        const Pulled without = pulled(subdivision, law, 1, -1, {}, jitter);
+        printf("%s, jitter %g, %s: %.1f, %.1f (%.2f)", subdivision.name.c_str(), jitter, law, without.median,
+               without.worst, without.byExchange);
+        for (const Beside& beside : {Beside{true, false, false}, Beside{false, true, false}, Beside{false, false, true},
+                                     Beside{true, true, true}}) {
+          const Pulled with = pulled(subdivision, law, 1, -1, beside, jitter);
+          printf(" | %.1f, %.1f (%.2f)", with.median, with.worst, with.byExchange);
+          most = std::max(most, with.median - without.median);
+          EXPECT_LE(with.median, without.median + (subdivision.name == "tet4_5" ? 5.5 : 4))
+              << subdivision.name << ", jitter " << jitter << beside.springs << beside.contact << beside.damping;
+        }
+        printf("\n");
+      }
+  printf("medians at most %.2f %% of the step above those without\n", most);
+}
+
 TEST(ExchangeCertificate, HasTheSameBitsForAnyThreadsAndWhenItGoesOnFromBytes) {
   for (const Subdivision& subdivision : test::allSubdivisions()) {
     if (subdivision.element != "hex8") continue;
@@ -222,6 +398,9 @@ TEST(ExchangeCertificate, HasTheSameBitsForAnyThreadsAndWhenItGoesOnFromBytes) {
     EXPECT_GE(one.byExchange, 0.9);
     EXPECT_EQ(one.safe, pulled(subdivision, "stvk", 2).safe) << subdivision.name;
     EXPECT_EQ(one.safe, pulled(subdivision, "stvk", 3, 150).safe) << subdivision.name;
+    const Beside all{true, true, true};
+    EXPECT_EQ(pulled(subdivision, "stvk", 1, -1, all).safe, pulled(subdivision, "stvk", 3, 150, all).safe)
+        << subdivision.name;
   }
 }
 
