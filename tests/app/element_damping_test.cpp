@@ -321,6 +321,19 @@ TEST_F(DampedScene, EveryKindTakesEnergyAndTheBalanceCloses) {
   EXPECT_EQ(runs, 12);
 }
 
+// Supports that move bring up the damping force of the elements at them.
+TEST_F(DampedScene, WorkOfSupportsHasTheDampingOfElementsInIt) {
+  for (const std::string method : {"symplectic-euler", "verlet"}) {
+    run(sceneOf("shear_viscosity = 5\nvolume_viscosity = 10", "bulk_viscosity = true", method) +
+            "[[move]]\nwhere = \"x > 0.1999\"\nvelocity = [-0.2, 0, 0]\n",
+        "--set integrator.step=1e-4");
+    const double work = largest("external_work_J");
+    EXPECT_GT(work, 0);
+    EXPECT_GT(largest("dissipated_J"), 0.05 * work) << method;
+    EXPECT_LT(largest("balance_error_J"), 0.02 * std::max(work, largest("kinetic_J"))) << method;
+  }
+}
+
 // Forces of Kelvin-Voigt and of Rayleigh's stiffness are the same to first order in the strain.
 TEST_F(DampedScene, StiffnessDampingIsRayleighsAtSmallStrain) {
   const std::string slow = " --set initial.0.velocity='[-1e-4,2e-5,0]'";
