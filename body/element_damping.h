@@ -66,6 +66,11 @@ class DampedBlock final : public WrappedBlock {
   void follow(const Patch& patch, const double* rows, const double* vRows);
   /// Counts what elements at rest need.
   void forgetRates();
+  /// The coefficients that count, which follow() keeps from step to step.
+  template <class Archive>
+  void archive(Archive& a) {
+    a(coefficients_);
+  }
   /// What counts of the element at a place (batch * lanes + lane): C is this times a matrix that depends on x alone,
   /// plus parts that have no coefficient. 0 without bulk viscosity.
   double coefficient(std::size_t place) const {
@@ -159,6 +164,11 @@ class ElementDamping final : public DampedElements {
   double overcount() const { return dependsOnRates() ? DampedBlock::overcount : 0; }
   /// DampedBlock::forgetRates of all.
   void forgetRates();
+  template <class Archive>
+  void archive(Archive& a) {
+    for (DampedBlock* block : blocks_)
+      if (block) a(*block);
+  }
   void addDampingProduct(std::size_t block, const Patch& patch, const double* x, const double* v, double factor,
                          double* slots) const override;
 

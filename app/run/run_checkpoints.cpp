@@ -64,6 +64,7 @@ void RunCheckpoints::writeAsItIs() {
 template <class Archive>
 void RunCheckpoints::archiveRun(Archive& a) {
   a(run_.state.a, run_.state.lag, run_.energies, run_.loads, run_.watch, run_.output->certificates());
+  if (ElementDamping* damping = run_.body.elementDamping()) a(*damping);
 }
 
 std::string RunCheckpoints::whyNone() const {
