@@ -1,7 +1,10 @@
 // Force, tangent and energy passes, ns an element, each with the largest relative difference from a plain reference,
 // and the floor of the machine in the same run.
+#include <algorithm>
+#include <chrono>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <bench/needs.h>
 #include <bench/support.h>
@@ -179,14 +182,20 @@ NodeVectors plainDampingForce(const Setup& s, const DampingConstants& damping) {
   return force;
 }
 
-/// The damping force of elements alone, which comes on top of `force`.
-void dampingForce(benchmark::State& state, const Case& c, const DampingConstants& damping) {
+/// A body with damping, where the setup has one without.
+Setup damped(const Case& c, const DampingConstants& damping) {
   Setup& plain = setupOf(c);
   Setup s{Body(plain.body.mesh(), makeMaterial(c.law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, c.threads}),
           plain.x,
           plain.v,
           {}};
   s.body.setElementDamping({damping});
+  return s;
+}
+
+/// The damping force of elements alone, which comes on top of `force` where it is not part of its pass.
+void dampingForce(benchmark::State& state, const Case& c, const DampingConstants& damping) {
+  Setup s = damped(c, damping);
   NodeVectors f = NodeVectors::Zero(3, s.x.cols());
   for (auto _ : state) {
     s.body.addElementDampingForce(s.x, s.v, f, s.workspace);
@@ -196,6 +205,35 @@ void dampingForce(benchmark::State& state, const Case& c, const DampingConstants
   f.setZero();
   s.body.addElementDampingForce(s.x, s.v, f, s.workspace);
   report(state, s.body.mesh().elementCount(), relativeDifference(f, plainDampingForce(s, damping)));
+}
+/// Internal force with bulk viscosity and without in one loop, pass by pass, so that both see the same machine;
+/// `over_force`: by how much the median is dearer, in per cent.
+void forceWithBulkViscosity(benchmark::State& state, const Case& c) {
+  const DampingConstants damping{0.06, 1.2, 0, 0, 0};
+  Setup s = damped(c, damping);
+  NodeVectors f, elastic;
+  std::vector<double> with, without;
+  const auto seconds = [](const auto& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  for (auto _ : state) {
+    without.push_back(seconds([&] { s.body.internalForce(s.x, elastic, s.workspace); }));
+    with.push_back(seconds([&] { s.body.resistingForce(s.x, s.v, f, s.workspace); }));
+    state.SetIterationTime(with.back());
+    benchmark::DoNotOptimize(f.data());
+    benchmark::ClobberMemory();
+  }
+  NodeVectors expected;
+  withReference(c, s, [&](const auto& reference) { reference.force(s.x, expected); });
+  expected += plainDampingForce(s, damping);
+  report(state, s.body.mesh().elementCount(), relativeDifference(f, expected));
+  const auto median = [](std::vector<double>& all) {
+    std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
+    return all[all.size() / 2];
+  };
+  state.counters["over_force"] = 100 * (median(with) / median(without) - 1);
 }
 void bulkViscosity(benchmark::State& state, const Case& c) { dampingForce(state, c, {0.06, 1.2, 0, 0, 0}); }
 void kelvinVoigt(benchmark::State& state, const Case& c) { dampingForce(state, c, {0, 0, 1, 2, 0}); }
@@ -243,6 +281,10 @@ void registerAll() {
           add("force", force);
           if (threads == 1) add("scalar_force", scalarForce);
           if (law.name == "stvk") {
+            benchmark::RegisterBenchmark(("force_with_bulk_viscosity/" + c.name()).c_str(),
+                                         [=](benchmark::State& state) { forceWithBulkViscosity(state, c); })
+                ->UseManualTime()
+                ->Unit(benchmark::kMicrosecond);
             add("bulk_viscosity", bulkViscosity);
             add("kelvin_voigt", kelvinVoigt);
           }

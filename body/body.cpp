@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 
 #include <Eigen/LU>
 
@@ -15,6 +16,15 @@
 #include <ringwatch/meshes/jacobian.h>
 
 namespace ringwatch {
+namespace {
+
+double sumOf(std::span<const double> parts) {
+  double sum = 0;
+  for (const double part : parts) sum += part;
+  return sum;
+}
+
+}  // namespace
 
 Body::Body(Mesh mesh, const Material& material, const BodyOptions& options)
     : Body(std::move(mesh), std::vector<Material>{material}, options) {}
@@ -205,6 +215,23 @@ void Body::addElementDampingForce(NodeVectorsView x, NodeVectorsView v, NodeVect
   f += workspace.damping;
 }
 
+double Body::elementDampingPower(NodeVectorsView x, NodeVectorsView v, Workspace& workspace) const {
+  if (!damping_) return 0;
+  workspace.powers.resize(patches().size());
+  parallelFor(0, patches().size(), threads(), [&](std::int64_t i) {
+    const PatchRef& ref = patches()[i];
+    const DampedBlock* block = damping_->blocks()[ref.block];
+    workspace.powers[i] = 0;
+    if (!block) return;
+    alignas(64) double rows[4 * PatchLayout::maxPatchNodes], vRows[4 * PatchLayout::maxPatchNodes];
+    const Patch& patch = block->layout().patches[ref.patch];
+    block->gatherRows(patch, x.data(), rows);
+    block->gatherRows(patch, v.data(), vRows);
+    workspace.powers[i] = block->addForce(patch, rows, vRows, nullptr);
+  });
+  return sumOf(workspace.powers);
+}
+
 void Body::followDampingRates(NodeVectorsView x, NodeVectorsView v) {
   if (!damping_ || !damping_->dependsOnRates()) return;
   parallelFor(0, patches().size(), threads(), [&](std::int64_t i) {
@@ -310,40 +337,46 @@ void Body::addBodyForce(const Eigen::Vector3d& acceleration) {
   externalForce_ += acceleration * lumpedMass().transpose();
 }
 
-void Body::pass(NodeVectorsView x, PatchVisitor* visitor, NodeVectors* force, double* energy, Workspace& workspace,
+void Body::pass(NodeVectorsView x, PatchVisitor* visitor, Wanted wanted, Workspace& workspace,
                 const NodeRangeVisitor& visit) const {
+  NodeVectors* const force = wanted.force;
+  double* const energy = wanted.energy;
+  const bool damps = damping_ && force && wanted.velocities;
   if (force) workspace.slots.resize(4 * slotCount());
   if (energy) workspace.energies.resize(patches().size());
-  parallelFor(0, patches().size(), threads(), [&](std::int64_t p) {
+  if (damps) workspace.powers.resize(patches().size());
+  const auto passPatch = [&, this](std::int64_t p) {
     const PatchRef& ref = patches()[p];
     const std::size_t blockIndex = ref.block;
     const ElementBlock& block = *blocks_[blockIndex];
     const Patch& patch = block.layout().patches[ref.patch];
-    double* slots = nullptr;
-    if (force) {
-      slots = workspace.slots.data() + 4 * ref.firstSlot;
-      std::fill(slots, slots + 4 * static_cast<std::ptrdiff_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
+    BatchEvaluation all;
+    if (wanted.force) {
+      all.slots = workspace.slots.data() + 4 * ref.firstSlot;
+      std::fill(all.slots, all.slots + 4 * static_cast<std::ptrdiff_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
     }
-    alignas(64) double energies[lanes] = {};
-    alignas(64) double rows[4 * PatchLayout::maxPatchNodes];
+    alignas(64) double energies[lanes] = {}, powers[lanes] = {};
+    alignas(64) double rows[4 * PatchLayout::maxPatchNodes], vRows[4 * PatchLayout::maxPatchNodes];
     block.gatherRows(patch, x.data(), rows);
-    const PatchPass pass(block, ref.patch, rows, slots, energy ? energies : nullptr);
-    if (visitor)
-      visitor->visitPatch(blockIndex, pass);
-    else
-      pass.run(patch.batchBegin, patch.batchEnd);
-    if (energy) {
-      double sum = 0;
-      for (const double part : energies) sum += part;
-      workspace.energies[p] = sum;
+    if (wanted.energy) all.energy = energies;
+    if (damps && damping_->blocks()[blockIndex]) {
+      block.gatherRows(patch, wanted.velocities->data(), vRows);
+      all.velocities = vRows;
+      all.dampingPower = powers;
     }
-  });
+    const PatchPass own(block, ref.patch, rows, all);
+    if (visitor)
+      visitor->visitPatch(blockIndex, own);
+    else
+      own.run(patch.batchBegin, patch.batchEnd);
+    if (wanted.energy) workspace.energies[p] = sumOf(energies);
+    if (damps) workspace.powers[p] = sumOf(powers);
+  };
+  parallelFor(0, patches().size(), threads(), passPatch);
   const DiscreteForces* discrete = discreteForces();
   if (force) sumSlots(*force, workspace.slots.data(), discrete ? nullptr : visit);
-  if (energy) {
-    *energy = 0;
-    for (const double part : workspace.energies) *energy += part;
-  }
+  if (energy) *energy = sumOf(workspace.energies);
+  if (wanted.dampingPower) *wanted.dampingPower = damps ? sumOf(workspace.powers) : 0;
   if (!discrete) return;
   if (energy) *energy += discrete->energy(x);
   if (!force) return;
@@ -353,18 +386,25 @@ void Body::pass(NodeVectorsView x, PatchVisitor* visitor, NodeVectors* force, do
 
 void Body::evaluate(NodeVectorsView x, StepEvaluation& evaluation, Workspace& workspace) const {
   const auto begin = std::chrono::steady_clock::now();
-  pass(x, evaluation.visitor, evaluation.wantsForce ? &evaluation.internalForce : nullptr,
-       evaluation.wantsEnergy ? &evaluation.strainEnergy : nullptr, workspace, nullptr);
+  pass(x, evaluation.visitor,
+       {evaluation.wantsForce ? &evaluation.internalForce : nullptr,
+        evaluation.wantsEnergy ? &evaluation.strainEnergy : nullptr, evaluation.velocities, &evaluation.dampingPower},
+       workspace, nullptr);
   evaluation.wallTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 void Body::internalForce(NodeVectorsView x, NodeVectors& f, Workspace& workspace, const NodeRangeVisitor& visit) const {
-  pass(x, nullptr, &f, nullptr, workspace, visit);
+  pass(x, nullptr, {.force = &f}, workspace, visit);
+}
+
+void Body::resistingForce(NodeVectorsView x, const NodeVectors& v, NodeVectors& f, Workspace& workspace,
+                          const NodeRangeVisitor& visit) const {
+  pass(x, nullptr, {.force = &f, .velocities = &v}, workspace, visit);
 }
 
 double Body::energy(NodeVectorsView x, Workspace& workspace) const {
   double energy = 0;
-  pass(x, nullptr, nullptr, &energy, workspace, nullptr);
+  pass(x, nullptr, {.energy = &energy}, workspace, nullptr);
   return energy;
 }
 

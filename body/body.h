@@ -36,9 +36,13 @@ struct StepEvaluation {
   bool wantsForce = true;
   bool wantsEnergy = false;
   PatchVisitor* visitor = nullptr;  ///< sees the deformation gradients that it wants
-  NodeVectors internalForce;        ///< ∂(strain energy)/∂x, 3×N, N
-  double strainEnergy = 0;          ///< J, of elements and discrete forces
-  double wallTime = 0;              ///< s, of the pass
+  /// 3×N, m/s, or nullptr. Where elements damp and the force is wanted, their damping force at these is part of
+  /// internalForce.
+  const NodeVectors* velocities = nullptr;
+  NodeVectors internalForce;  ///< ∂(strain energy)/∂x, 3×N, N
+  double dampingPower = 0;    ///< W, that the damping in internalForce takes
+  double strainEnergy = 0;    ///< J, of elements and discrete forces
+  double wallTime = 0;        ///< s, of the pass
 };
 
 /// Mesh + material + density made computable: a source of tangents at any positions, and their forces and energies.
@@ -47,8 +51,8 @@ struct StepEvaluation {
 class Body : public TangentSource {
  public:
   struct Workspace : TangentSource::Workspace {
-    std::vector<double> energies;  // of the patches, J
-    NodeVectors damping;           // N
+    std::vector<double> energies, powers;  // of the patches, J and W
+    NodeVectors damping;                   // N
   };
 
   /// Throws InputError for an unknown rule, NumericalError for an element whose volume or nodal mass is not positive or
@@ -87,6 +91,8 @@ class Body : public TangentSource {
   /// Adds the elements' damping forces at x and v (3×N, m and m/s) to f, 3×N, N: what resists the motion. In parallel,
   /// with the same bits for any number of threads.
   void addElementDampingForce(NodeVectorsView x, NodeVectorsView v, NodeVectors& f, Workspace& workspace) const;
+  /// The power that this force takes, W, alone.
+  double elementDampingPower(NodeVectorsView x, NodeVectorsView v, Workspace& workspace) const;
   /// Lets the coefficients of damping that depends on velocities count what x and v need (DampedBlock::follow).
   void followDampingRates(NodeVectorsView x, NodeVectorsView v);
 
@@ -104,6 +110,9 @@ class Body : public TangentSource {
   /// side, as soon as the force there is final: while it is in the thread's cache.
   void internalForce(NodeVectorsView x, NodeVectors& f, Workspace& workspace,
                      const NodeRangeVisitor& visit = nullptr) const;
+  /// The same and the damping force of elements at v, 3×N, m/s, in one pass.
+  void resistingForce(NodeVectorsView x, const NodeVectors& v, NodeVectors& f, Workspace& workspace,
+                      const NodeRangeVisitor& visit = nullptr) const;
   /// The strain energy alone, J.
   double energy(NodeVectorsView x, Workspace& workspace) const;
   /// Lumped mass that an element gives to its nodes, kg: mass[n].
@@ -123,7 +132,14 @@ class Body : public TangentSource {
   Eigen::VectorXd lumpMass();
   /// det J of an element at a point with the shape gradients dN, in twice the precision.
   double wideDeterminant(std::span<const std::int32_t> nodes, const double (*dN)[3]) const;
-  void pass(NodeVectorsView x, PatchVisitor* visitor, NodeVectors* force, double* energy, Workspace& workspace,
+  /// What a pass writes where it is not nullptr; velocities: of the damping that is part of the force.
+  struct Wanted {
+    NodeVectors* force = nullptr;
+    double* energy = nullptr;
+    const NodeVectors* velocities = nullptr;
+    double* dampingPower = nullptr;
+  };
+  void pass(NodeVectorsView x, PatchVisitor* visitor, Wanted wanted, Workspace& workspace,
             const NodeRangeVisitor& visit) const;
   Mesh mesh_;
   BodyOptions options_;

@@ -30,12 +30,16 @@ class ElementBatch final : public ElementBlock {
   void evaluateBatches(std::int32_t first, std::int32_t last, const double* rows,
                        const BatchEvaluation& evaluation) const override {
     withOperators([&](auto operators) {
+      if constexpr (hasVolumeGradient<Element>)
+        if (evaluation.slots && evaluation.bulk)
+          return evaluate<Force::damped, decltype(operators)>(first, last, rows, evaluation);
       if (evaluation.slots)
-        evaluate<true, decltype(operators)>(first, last, rows, evaluation);
+        evaluate<Force::elastic, decltype(operators)>(first, last, rows, evaluation);
       else
-        evaluate<false, decltype(operators)>(first, last, rows, evaluation);
+        evaluate<Force::none, decltype(operators)>(first, last, rows, evaluation);
     });
   }
+  bool addsBulkViscosity() const override { return hasVolumeGradient<Element>; }
 
   void tangentProductBatches(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
                              double* slots) const override {
@@ -218,10 +222,15 @@ class ElementBatch final : public ElementBlock {
   }
 
   /// Forces are the same to the last bit whatever else is asked for: beside them, energies and visitors read the
-  /// deformation gradients from memory, so that nothing but the force is compiled into its loop.
-  template <bool wantsForce, class By>
+  /// deformation gradients from memory, so that nothing but the force is compiled into its loop. Bulk viscosity is
+  /// compiled into a loop of its own.
+  enum class Force { none, elastic, damped };
+  template <Force wanted, class By>
   void evaluate(std::int32_t first, std::int32_t last, const double* rows, const BatchEvaluation& evaluation) const {
+    constexpr bool wantsForce = wanted != Force::none, damped = wanted == Force::damped;
     const LawType law = law_;
+    [[maybe_unused]] BulkViscosity bulk{};
+    if constexpr (damped) bulk = *evaluation.bulk;
     const bool stores = evaluation.visitor || (wantsForce && evaluation.energy);
     alignas(64) double gradients[9 * Geometry::maxPoints * lanes];
     for (std::int32_t batch = first; batch < last; ++batch) {
@@ -234,15 +243,20 @@ class ElementBatch final : public ElementBlock {
       [[maybe_unused]] P energy(0.0);
       for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride, ahead += Geometry::stride) {
         Geometry::template prefetch<Geometry::stride>(ahead);
-        const Matrix3<P> J1 = Geometry::inverseJacobian(point);
-        const Matrix3<P> F = x(q) * J1;
+        const Matrix3<P> J1 = Geometry::inverseJacobian(point), D = x(q), F = D * J1;
         if (stores)
           for (int i = 0; i < 9; ++i) F.m[i].store(gradients + (9 * q + i) * lanes);
         if constexpr (!wantsForce)
           if (evaluation.energy) energy += Geometry::weight(point) * law.energy(F);
-        if constexpr (wantsForce) forces.add(q, timesTranspose(Geometry::weight(point) * law.stress(F), J1));
+        if constexpr (wantsForce) {
+          Matrix3<P> T = timesTranspose(Geometry::weight(point) * law.stress(F), J1);
+          if constexpr (damped && Element::constantGradient) bulk.addTo(batch, geometry_.localNodes(batch), D, T);
+          forces.add(q, T);
+        }
       }
       if constexpr (wantsForce) forces.finish();
+      if constexpr (damped && !Element::constantGradient)
+        bulk.addTo(batch, geometry_.localNodes(batch), position, force);
       if constexpr (Geometry::offersMean && wantsForce)
         if (geometry_.hasMean()) {
           const P* g = geometry_.meanGradientsOf(batch);

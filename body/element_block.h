@@ -9,6 +9,7 @@
 
 #include <ringwatch/base/aligned.h>
 #include <ringwatch/base/pack.h>
+#include <ringwatch/body/bulk_viscosity.h>
 #include <ringwatch/body/element_operators.h>
 #include <ringwatch/body/element_tangents.h>
 #include <ringwatch/elements/hourglass.h>
@@ -32,6 +33,10 @@ struct BatchEvaluation {
   double* slots = nullptr;             ///< the internal force, N, is added into the slots of the patch
   double* energy = nullptr;            ///< strain energy, J, is added lane by lane: energy[lanes]
   GradientVisitor* visitor = nullptr;  ///< sees the deformation gradients
+  /// Rows of the velocities, of a block whose elements damp: their damping force is added to the internal force.
+  const double* velocities = nullptr;
+  double* dampingPower = nullptr;       ///< with velocities: of that force, W, is added lane by lane: power[lanes]
+  const BulkViscosity* bulk = nullptr;  ///< of blocks that addBulkViscosity, is added to the internal force
 };
 
 /// What controls the hourglass modes of a pack of elements of uniform strain (elements/hourglass.h): at every state
@@ -85,6 +90,8 @@ class ElementBlock : public ElementTangents {
   virtual bool hourglassOf(const std::int32_t*, HourglassVectors&) const { return false; }
   /// Whether forces are computed one direction after the other (elements/directions.h), in far fewer operations.
   virtual bool goesByDirections() const = 0;
+  /// Whether evaluateBatches() has the forces of BatchEvaluation::bulk among its own.
+  virtual bool addsBulkViscosity() const { return false; }
 
  protected:
   ElementBlock(const MeshBlock& block, const Material& material, const QuadratureRule& rule, PatchLayout layout,
@@ -115,9 +122,9 @@ class ElementBlock : public ElementTangents {
 /// A patch in a pass over a body. A visitor runs its batches, each once and in ascending order.
 class PatchPass {
  public:
-  /// slots, energy: as in BatchEvaluation.
-  PatchPass(const ElementBlock& block, std::int32_t patch, const double* rows, double* slots, double* energy)
-      : block_(block), patch_(patch), rows_(rows), slots_(slots), energy_(energy) {}
+  /// all: what is wanted of every batch.
+  PatchPass(const ElementBlock& block, std::int32_t patch, const double* rows, const BatchEvaluation& all)
+      : block_(block), patch_(patch), rows_(rows), all_(all) {}
 
   std::int32_t index() const { return patch_; }
   const Patch& patch() const { return block_.layout().patches[patch_]; }
@@ -125,14 +132,17 @@ class PatchPass {
   const double* rows() const { return rows_; }
   /// Computes what is wanted of batches [first, last); the visitor sees their deformation gradients.
   void run(std::int32_t first, std::int32_t last, GradientVisitor* visitor = nullptr) const {
-    if (slots_ || energy_ || visitor) block_.evaluateBatches(first, last, rows_, {slots_, energy_, visitor});
+    if (!all_.slots && !all_.energy && !visitor) return;
+    BatchEvaluation own = all_;
+    own.visitor = visitor;
+    block_.evaluateBatches(first, last, rows_, own);
   }
 
  private:
   const ElementBlock& block_;
   std::int32_t patch_;
   const double* rows_;
-  double *slots_, *energy_;
+  BatchEvaluation all_;
 };
 
 /// Takes part in a pass over a body (Body::evaluate): runs the batches of each patch and may see their deformation

@@ -14,13 +14,13 @@ namespace ringwatch {
 namespace {
 
 using P = NativePack;
-constexpr int stride = 10;    // numbers stored for a point: J⁻¹, w det J
-constexpr int sizeCount = 2;  // stored of an element: V₀, m³, and L, m, 0 in lanes without an element
+constexpr int stride = 10;  // numbers stored for a point: J⁻¹, w det J
+constexpr int sizeCount = BulkViscosity::sizeCount;
 /// Numbers stored of an element with Kelvin-Voigt: its points, then (Σ |X_a - X_0|²)^½.
 std::size_t numbersOf(int points) { return static_cast<std::size_t>(points) * stride + 1; }
 /// Numbers stored of an element with hourglass viscosity: γ, c and c times γ's rounding.
 constexpr std::size_t gammas = HourglassVectors::count * HourglassVectors::nodes, hourglassCount = gammas + 2;
-constexpr double leastVolumeShare = 0.1;
+constexpr double leastVolumeShare = BulkViscosity::leastVolumeShare;
 /// By which the rounding of an element's stiffness grows where damping is added to it: far more than the sum rounds.
 constexpr double sumOfTangentsRounding = 1 + 1.0 / 64;
 
@@ -33,11 +33,6 @@ RINGWATCH_INLINE void subtractFirst(int n, P (*x)[3]) {
 }
 
 RINGWATCH_INLINE P dot(const P (&a)[3], const P (&b)[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-RINGWATCH_INLINE void cross(const P (&a)[3], const P (&b)[3], P (&c)[3]) {
-  c[0] = a[1] * b[2] - a[2] * b[1];
-  c[1] = a[2] * b[0] - a[0] * b[2];
-  c[2] = a[0] * b[1] - a[1] * b[0];
-}
 
 /// A quadrature point of any elements, one a lane: J⁻¹, w det J, and F.
 struct Point {
@@ -63,69 +58,32 @@ RINGWATCH_INLINE Point pointOf(int n, const P (*edges)[3], const double* dN, con
   return point;
 }
 
-/// Whether volumes and their derivatives follow from the element's faces: all rules of hexahedra integrate them
-/// exactly.
-bool goesByFaces(const ElementInfo& element) { return element.type == elementTypeOf<Hex8>; }
+/// Whether volumes and their derivatives go by modes (volumeGradientOfHexahedron).
+bool goesByModes(const ElementInfo& element) { return element.type == elementTypeOf<Hex8>; }
 
-/// Volumes of hexahedra and their derivatives by the nodes: ∂V/∂x_a = ∫ N_a n dA over the bilinear faces at the node,
-/// (2 n_a + n_c)/12 with the corner's normal n_a and that of the opposite corner of the face, and 3 V = Σ x_a ·
-/// ∂V/∂x_a.
-RINGWATCH_INLINE void volumeGradientByFaces(const P (*x)[3], P& volume, P (*w)[3]) {
-  RINGWATCH_UNROLL
-  for (int a = 0; a < 8; ++a)
-    for (int i = 0; i < 3; ++i) w[a][i] = P(0.0);
-  RINGWATCH_UNROLL
-  for (std::size_t f = 0; f < Hex8::faces.size(); ++f) {
-    const int a = Hex8::faces[f][0], b = Hex8::faces[f][1], c = Hex8::faces[f][2], d = Hex8::faces[f][3];
-    P ab[3], ad[3], bc[3], ac[3], bd[3], atA[3], atB[3], all[3];
-    for (int i = 0; i < 3; ++i) {
-      ab[i] = x[b][i] - x[a][i];
-      ad[i] = x[d][i] - x[a][i];
-      bc[i] = x[c][i] - x[b][i];
-      ac[i] = x[c][i] - x[a][i];
-      bd[i] = x[d][i] - x[b][i];
-    }
-    cross(ab, ad, atA);
-    cross(ab, bc, atB);
-    cross(ac, bd, all);  // the sum of the normals at two corners that are opposite
-    for (int i = 0; i < 3; ++i) {
-      w[a][i] += atA[i] + all[i];
-      w[b][i] += atB[i] + all[i];
-      w[c][i] += P(2.0) * all[i] - atA[i];
-      w[d][i] += P(2.0) * all[i] - atB[i];
-    }
-  }
-  volume = P(0.0);
-  for (int a = 0; a < 8; ++a) {
-    for (int i = 0; i < 3; ++i) w[a][i] = P(1.0 / 12) * w[a][i];
-    volume += dot(x[a], w[a]);
-  }
-  volume = P(1.0 / 3) * volume;
+/// The first n rows of an array.
+template <int n, class Entry>
+RINGWATCH_INLINE Entry (&rowsOf(Entry (*rows)[3]))[n][3] {
+  return *reinterpret_cast<Entry(*)[n][3]>(rows);
 }
 
-/// Volumes of linear tetrahedra and their derivatives by the nodes.
-RINGWATCH_INLINE void volumeGradientOfSimplex(const P (*x)[3], P& volume, P (*w)[3]) {
-  cross(x[2], x[3], w[1]);
-  cross(x[3], x[1], w[2]);
-  cross(x[1], x[2], w[3]);
-  const P sixth(1.0 / 6);
-  RINGWATCH_UNROLL
-  for (int a = 1; a < 4; ++a) {
-    RINGWATCH_UNROLL
-    for (int i = 0; i < 3; ++i) w[a][i] = sixth * w[a][i];
-  }
-  volume = dot(x[1], w[1]);
-  RINGWATCH_UNROLL
-  for (int i = 0; i < 3; ++i) w[0][i] = -(w[1][i] + w[2][i] + w[3][i]);
+/// s of the forces s w of bulk viscosity, by the sizes of the elements, V and V̇. coefficient(ε̇). BulkViscosity::factor
+/// has the coefficient that forces have.
+template <class Coefficient>
+RINGWATCH_INLINE P bulkFactorOf(const P* sizes, const P& impedance, const P& volume, const P& volumeRate,
+                                const Coefficient& coefficient) {
+  const P inverse = P(1.0) / math::max(volume, P(leastVolumeShare) * sizes[0]), rate = volumeRate * inverse;
+  return impedance * sizes[0] * sizes[1] * inverse * rate * coefficient(rate);
 }
 
 /// Bulk viscosity alone of tetrahedra and hexahedra: the number of nodes is known, and velocities and forces stay in
-/// registers. coefficient(rate, length, batch).
+/// registers. coefficient(rate, length, batch). Returns the power, W.
 template <int n, class Coefficient>
-RINGWATCH_INLINE void addBulkAlone(std::int32_t first, std::int32_t last, const std::uint16_t* localNodes,
-                                   const P* sizes, double strength, const double* rows, const double* vRows,
-                                   double* slots, const Coefficient& coefficient) {
-  const P ofStrength(strength), least(leastVolumeShare);
+RINGWATCH_INLINE P addBulkAlone(std::int32_t first, std::int32_t last, const std::uint16_t* localNodes, const P* sizes,
+                                double strength, const double* rows, const double* vRows, double* slots,
+                                const Coefficient& coefficient) {
+  const P impedance(strength);
+  P power(0.0);
   for (std::int32_t batch = first; batch < last; ++batch) {
     const std::uint16_t* local = localNodes + static_cast<std::ptrdiff_t>(batch) * n * lanes;
     P x[n][3], w[n][3], volume, rate(0.0), v0[3], v[3];
@@ -133,9 +91,9 @@ RINGWATCH_INLINE void addBulkAlone(std::int32_t first, std::int32_t last, const 
     for (int a = 0; a < n; ++a) loadRows(rows, local + a * lanes, x[a]);
     subtractFirst(n, x);
     if constexpr (n == 4)
-      volumeGradientOfSimplex(x, volume, w);
+      volumeGradientOfTetrahedron(x, volume, w);
     else
-      volumeGradientByFaces(x, volume, w);
+      volumeGradientOfHexahedron(x, volume, w);
     loadRows(vRows, local, v0);
     RINGWATCH_UNROLL
     for (int a = 1; a < n; ++a) {
@@ -144,15 +102,17 @@ RINGWATCH_INLINE void addBulkAlone(std::int32_t first, std::int32_t last, const 
       for (int i = 0; i < 3; ++i) rate += w[a][i] * (v[i] - v0[i]);
     }
     const P* own = sizes + static_cast<std::ptrdiff_t>(batch) * sizeCount;
-    const P inverse = P(1.0) / math::max(volume, least * own[0]);
-    rate = rate * inverse;
-    const P s = ofStrength * own[0] * own[1] * inverse * rate * coefficient(rate, own[1], batch);
+    const P s = bulkFactorOf(own, impedance, volume, rate,
+                             [&](const P& relative) { return coefficient(relative, own[1], batch); });
+    power += s * rate;
+    if (!slots) continue;
     RINGWATCH_UNROLL
     for (int a = 0; a < n; ++a) {
       const P force[3] = {s * w[a][0], s * w[a][1], s * w[a][2]};
       addRows(slots, local + a * lanes, force);
     }
   }
+  return power;
 }
 
 }  // namespace
@@ -260,9 +220,9 @@ void DampedBlock::forgetRates() { std::fill(coefficients_.begin(), coefficients_
 template <bool simplex>
 RINGWATCH_INLINE void DampedBlock::volumeGradient(const P (*edges)[3], P& volume, P (*w)[3]) const {
   if constexpr (simplex) {
-    volumeGradientOfSimplex(edges, volume, w);
+    volumeGradientOfTetrahedron(rowsOf<4>(edges), volume, rowsOf<4>(w));
   } else {
-    if (goesByFaces(element())) return volumeGradientByFaces(edges, volume, w);
+    if (goesByModes(element())) return volumeGradientOfHexahedron(rowsOf<8>(edges), volume, rowsOf<8>(w));
     const int n = nodesPerElement();
     volume = P(0.0);
     for (int a = 0; a < n; ++a)
@@ -296,14 +256,17 @@ void DampedBlock::volumeGradient(std::int32_t batch, const double* x, double* vo
     for (int i = 0; i < 3; ++i) w[a][i].store(gradient + (3 * a + i) * lanes);
 }
 
-/// coefficient(sizes, rate, place): of the bulk viscosity, by ε̇ and the first place of the batch.
+/// coefficient(sizes, rate, place): of the bulk viscosity, by ε̇ and the first place of the batch. slots: nullptr for
+/// the power alone.
 template <bool simplex, class Coefficient>
-void DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor,
-                      double* slots, const Coefficient& coefficient) const {
+DampedBlock::P DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
+                                double factor, double* slots, Parts parts, const Coefficient& coefficient) const {
+  P power(0.0);
   constexpr int most = simplex ? 4 : maxElementNodes;
   const int n = simplex ? 4 : nodesPerElement();
   const double speed = material().waveSpeed(), impedance = material().density * speed, slowness = 1 / speed;
-  const bool bulk = constants_.bulk(), viscous = constants_.viscous(), byMass = constants_.massProportional > 0;
+  const bool bulk = constants_.bulk() && parts == Parts::all, viscous = constants_.viscous(),
+             byMass = constants_.massProportional > 0;
   const P eta(factor * constants_.shearViscosity),
       lambda(factor * (constants_.volumeViscosity - 2.0 / 3 * constants_.shearViscosity));
   for (std::int32_t batch = first; batch < last; ++batch) {
@@ -320,7 +283,10 @@ void DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows,
       const P* masses = masses_.data() + static_cast<std::ptrdiff_t>(batch) * n;
       const P alpha(factor * constants_.massProportional);
       for (int a = 0; a < n; ++a)
-        for (int i = 0; i < 3; ++i) force[a][i] = alpha * masses[a] * v[a][i];
+        for (int i = 0; i < 3; ++i) {
+          force[a][i] = alpha * masses[a] * v[a][i];
+          power += force[a][i] * v[a][i];
+        }
     }
     subtractFirst(n, v);
     if constexpr (!simplex)
@@ -331,8 +297,9 @@ void DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows,
           for (int i = 0; i < 3; ++i) {
             P rate(0.0);
             for (int a = 1; a < n; ++a) rate += gamma[a] * v[a][i];
-            rate = c * rate;
-            for (int a = 0; a < n; ++a) force[a][i] += gamma[a] * rate;
+            const P own = c * rate;
+            power += own * rate;
+            for (int a = 0; a < n; ++a) force[a][i] += gamma[a] * own;
           }
       }
     if (bulk) {
@@ -341,10 +308,10 @@ void DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows,
       volumeGradient<simplex>(x, volume, w);
       P rate = dot(w[1], v[1]);
       for (int a = 2; a < n; ++a) rate += dot(w[a], v[a]);
-      const P inverse = P(1.0) / math::max(volume, P(leastVolumeShare) * sizes[0]);
-      rate = rate * inverse;
-      const P s = P(factor * impedance) * sizes[0] * sizes[1] * inverse * rate *
-                  coefficient(P(slowness) * sizes[1], rate, static_cast<std::size_t>(batch) * lanes);
+      const P s = bulkFactorOf(sizes, P(factor * impedance), volume, rate, [&](const P& relative) {
+        return coefficient(P(slowness) * sizes[1], relative, static_cast<std::size_t>(batch) * lanes);
+      });
+      power += s * rate;
       for (int a = 0; a < n; ++a)
         for (int i = 0; i < 3; ++i) force[a][i] += s * w[a][i];
     }
@@ -366,6 +333,7 @@ void DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows,
         Matrix3<P> S = eta * (half + transpose(half));
         const P mean = lambda * trace(half);
         for (int i = 0; i < 3; ++i) S(i, i) += mean;
+        power += point[9] * innerProduct(S, half);
         const Matrix3<P> T = timesTranspose(point[9] * (F * S), J1);
         for (int a = 0; a < n; ++a) {
           const double* dN = shapeTable(q, a);
@@ -373,46 +341,79 @@ void DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows,
         }
       }
     }
+    if (!slots) continue;
     for (int a = 0; a < n; ++a) addRows(slots, local + a * lanes, force[a]);
   }
+  return power;
 }
 
 template <class Coefficient>
-void DampedBlock::addAny(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor,
-                         double* slots, const Coefficient& coefficient) const {
-  if (constants_.bulk() && !constants_.viscous() && !(constants_.massProportional > 0) && hourglass_.empty() &&
-      (isSimplex() || goesByFaces(element()))) {
+DampedBlock::P DampedBlock::addAny(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
+                                   double factor, double* slots, Parts parts, const Coefficient& coefficient) const {
+  if (!constants_.besideBulk() && (isSimplex() || goesByModes(element()))) {
     const double speed = material().waveSpeed();
     const P slowness(1 / speed);
     const auto alone = [&]<int n>(std::integral_constant<int, n>) {
-      addBulkAlone<n>(first, last, layout().localNodes.data(), sizes_.data(), factor * material().density * speed, rows,
-                      vRows, slots, [&](const P& rate, const P& length, std::int32_t batch) {
-                        return coefficient(slowness * length, rate, static_cast<std::size_t>(batch) * lanes);
-                      });
+      return addBulkAlone<n>(first, last, layout().localNodes.data(), sizes_.data(),
+                             factor * material().density * speed, rows, vRows, slots,
+                             [&](const P& rate, const P& length, std::int32_t batch) {
+                               return coefficient(slowness * length, rate, static_cast<std::size_t>(batch) * lanes);
+                             });
     };
     return isSimplex() ? alone(std::integral_constant<int, 4>()) : alone(std::integral_constant<int, 8>());
   }
-  if (isSimplex())
-    add<true>(first, last, rows, vRows, factor, slots, coefficient);
-  else
-    add<false>(first, last, rows, vRows, factor, slots, coefficient);
+  if (isSimplex()) return add<true>(first, last, rows, vRows, factor, slots, parts, coefficient);
+  return add<false>(first, last, rows, vRows, factor, slots, parts, coefficient);
 }
 
-void DampedBlock::addForce(const Patch& patch, const double* rows, const double* vRows, double* slots) const {
+DampedBlock::P DampedBlock::addForces(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
+                                      double* slots, Parts parts) const {
   const P linear(constants_.linearBulk), quadratic(constants_.quadraticBulk * constants_.quadraticBulk);
-  addAny(patch.batchBegin, patch.batchEnd, rows, vRows, 1, slots, [=](const P& time, const P& rate, std::size_t) {
+  return addAny(first, last, rows, vRows, 1, slots, parts, [=](const P& time, const P& rate, std::size_t) {
     return linear + quadratic * time * math::max(-rate, P(0.0));
   });
 }
 
+double DampedBlock::addForce(const Patch& patch, const double* rows, const double* vRows, double* slots) const {
+  const P power = addForces(patch.batchBegin, patch.batchEnd, rows, vRows, slots, Parts::all);
+  double sum = 0;
+  for (int lane = 0; lane < lanes; ++lane) sum += power[lane];
+  return sum;
+}
+
+void DampedBlock::evaluateBatches(std::int32_t first, std::int32_t last, const double* rows,
+                                  const BatchEvaluation& evaluation) const {
+  if (!evaluation.slots || !evaluation.velocities) return inner().evaluateBatches(first, last, rows, evaluation);
+  const bool together = constants_.bulk() && inner().addsBulkViscosity();
+  BatchEvaluation own = evaluation;
+  BulkViscosity bulk{};
+  if (together) {
+    const double speed = material().waveSpeed();
+    bulk = {sizes_.data(),
+            material().density * speed,
+            1 / speed,
+            constants_.linearBulk,
+            constants_.quadraticBulk * constants_.quadraticBulk,
+            evaluation.velocities,
+            evaluation.dampingPower};
+    own.bulk = &bulk;
+  }
+  inner().evaluateBatches(first, last, rows, own);
+  if (together && !constants_.besideBulk()) return;
+  const P power =
+      addForces(first, last, rows, evaluation.velocities, evaluation.slots, together ? Parts::besideBulk : Parts::all);
+  (P::load(evaluation.dampingPower) + power).store(evaluation.dampingPower);
+}
+
 void DampedBlock::addProduct(const Patch& patch, const double* rows, const double* uRows, double factor,
                              double* slots) const {
-  addAny(patch.batchBegin, patch.batchEnd, rows, uRows, factor, slots, [this](const P&, const P&, std::size_t place) {
+  const auto counted = [this](const P&, const P&, std::size_t place) {
     if (!whole_) return P::load(coefficients_.data() + place);
     P own;
     for (int lane = 0; lane < lanes; ++lane) own.set(lane, coefficient(place + static_cast<std::size_t>(lane)));
     return own;
-  });
+  };
+  addAny(patch.batchBegin, patch.batchEnd, rows, uRows, factor, slots, Parts::all, counted);
 }
 
 void DampedBlock::follow(const Patch& patch, const double* rows, const double* vRows) {
@@ -595,11 +596,11 @@ void DampedBlock::roundingOf(const std::int32_t* elements, const P (*edges)[3], 
       volumeGradient<false>(edges, volume, w);
     // What ∂V/∂x_a and V err by.
     P ofGradient(0.0), ofVolume(0.0);
-    if (goesByFaces(element())) {
-      ofGradient = P(32 * u) * square;
-      ofVolume = P(64 * u) * square * edge;
+    if (goesByModes(element())) {
+      ofGradient = P(8 * u) * square;
+      ofVolume = P(16 * u) * square * edge;
     }
-    for (int q = 0; !goesByFaces(element()) && q < points_; ++q) {
+    for (int q = 0; !goesByModes(element()) && q < points_; ++q) {
       Matrix3<P> D = Matrix3<P>::zero();
       double largest = 0;
       for (int a = 0; a < n; ++a) {

@@ -32,7 +32,8 @@ struct DampingConstants {
   double hourglassViscosity = 0;                   ///< >= 0
   bool bulk() const { return linearBulk > 0 || quadraticBulk > 0; }
   bool viscous() const { return shearViscosity > 0 || volumeViscosity > 0; }
-  bool any() const { return bulk() || viscous() || massProportional > 0 || hourglassViscosity > 0; }
+  bool besideBulk() const { return viscous() || massProportional > 0 || hourglassViscosity > 0; }
+  bool any() const { return bulk() || besideBulk(); }
 };
 
 /// A block whose elements damp: forces and energies are those of the elements alone, tangents those of K + f C. Where
@@ -55,8 +56,9 @@ class DampedBlock final : public WrappedBlock {
   /// Whether C depends on velocities.
   bool dependsOnRates() const { return constants_.quadraticBulk > 0; }
 
-  /// Adds the damping forces at x and v of the batches of a patch into its slots. rows, vRows: as gatherRows.
-  void addForce(const Patch& patch, const double* rows, const double* vRows, double* slots) const;
+  /// Adds the damping forces at x and v of the batches of a patch into its slots, unless they are nullptr, and returns
+  /// their power, W. rows, vRows: as gatherRows.
+  double addForce(const Patch& patch, const double* rows, const double* vRows, double* slots) const;
   /// Adds factor · C u.
   void addProduct(const Patch& patch, const double* rows, const double* uRows, double factor, double* slots) const;
   /// Lets the coefficients of a patch's elements count that those at x and v need: at least these, and no more than
@@ -64,9 +66,10 @@ class DampedBlock final : public WrappedBlock {
   void follow(const Patch& patch, const double* rows, const double* vRows);
   /// Counts what elements at rest need.
   void forgetRates();
+  /// The coefficients that count, which follow() keeps from step to step.
   template <class Archive>
   void archive(Archive& a) {
-    if (dependsOnRates() && !whole_) a(coefficients_);
+    a(coefficients_);
   }
   /// What counts of the element at a place (batch * lanes + lane): C is this times a matrix that depends on x alone,
   /// plus parts that have no coefficient. 0 without bulk viscosity.
@@ -78,10 +81,9 @@ class DampedBlock final : public WrappedBlock {
   /// lane].
   void volumeGradient(std::int32_t batch, const double* x, double* volume, double* gradient) const;
 
+  /// With velocities, the inner block adds bulk viscosity to its forces where it can, and all else is added after.
   void evaluateBatches(std::int32_t first, std::int32_t last, const double* rows,
-                       const BatchEvaluation& evaluation) const override {
-    inner().evaluateBatches(first, last, rows, evaluation);
-  }
+                       const BatchEvaluation& evaluation) const override;
   void tangentProductBatches(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
                              double* slots) const override;
   void tangentBatch(std::int32_t batch, const double* x, double* K, double* rounding) const override;
@@ -104,12 +106,16 @@ class DampedBlock final : public WrappedBlock {
   };
   template <bool simplex>
   void volumeGradient(const P (*edges)[3], P& volume, P (*w)[3]) const;
+  enum class Parts { all, besideBulk };
+  // These return the power, lane by lane.
   template <bool simplex, class Coefficient>
-  void add(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor, double* slots,
-           const Coefficient& coefficient) const;
+  P add(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor, double* slots,
+        Parts parts, const Coefficient& coefficient) const;
   template <class Coefficient>
-  void addAny(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor,
-              double* slots, const Coefficient& coefficient) const;
+  P addAny(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor, double* slots,
+           Parts parts, const Coefficient& coefficient) const;
+  P addForces(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double* slots,
+              Parts parts) const;
   template <bool simplex>
   void followBatches(const Patch& patch, const double* rows, const double* vRows);
   void fill(const Mesh& mesh, const std::vector<double>& masses);

@@ -71,13 +71,15 @@ class ElementNodes {
     return block_.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
   }
 
+  /// Rows of the elements' nodes in their patch, [a][lane].
+  const std::uint16_t* localNodes(std::int32_t batch) const {
+    return block_.layout().localNodes.data() + static_cast<std::ptrdiff_t>(batch) * n * lanes;
+  }
+
  protected:
   const ElementBlock& block() const { return block_; }
 
  private:
-  const std::uint16_t* localNodes(std::int32_t batch) const {
-    return block_.layout().localNodes.data() + static_cast<std::ptrdiff_t>(batch) * n * lanes;
-  }
   RINGWATCH_INLINE static void subtractFirst(P (&x)[n][3]) {
     for (int a = 1; a < n; ++a)
       for (int i = 0; i < 3; ++i) x[a][i] -= x[0][i];

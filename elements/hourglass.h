@@ -81,9 +81,55 @@ struct HourglassModes {
     for (int corner = 0; corner < modes; ++corner) nodal[Corners::nodeAt[corner]][component] = mode[corner];
   }
 
+  /// V/8 of a hexahedron and its derivatives G[m - 1] by c_m: closed forms of the modes c_m of X(ξ) = Σ c_m Π ξ_j,
+  /// V = 8 [c1 c2 c4] + 8/3 ([c1 c3 c5] + [c5 c6 c4] + [c3 c2 c6]).
+  template <class S>
+  RINGWATCH_INLINE static void volume(const S (&c)[modes][3], S& eighth, S (&G)[6][3]) {
+    // A cross product of two linear modes and two of hourglass modes, or two mixed ones.
+    const S third = S(1.0) / S(3.0);
+    const auto linear = [&](int m, int a, int b, int k, int l) {
+      for (int i = 0; i < 3; ++i) G[m - 1][i] = cross(c[a], c[b], i) + third * cross(c[k], c[l], i);
+    };
+    linear(1, 2, 4, 3, 5);
+    linear(2, 4, 1, 6, 3);
+    linear(4, 1, 2, 5, 6);
+    const auto mixed = [&](int m, int a, int b, int k, int l) {
+      for (int i = 0; i < 3; ++i) G[m - 1][i] = third * (cross(c[a], c[b], i) + cross(c[k], c[l], i));
+    };
+    mixed(3, 5, 1, 2, 6);
+    mixed(5, 1, 3, 6, 4);
+    mixed(6, 4, 5, 3, 2);
+    eighth = S(0.0);
+    for (int i = 0; i < 3; ++i)
+      eighth +=
+          c[1][i] * cross(c[2], c[4], i) +
+          third * (c[1][i] * cross(c[3], c[5], i) + c[4][i] * cross(c[5], c[6], i) + c[2][i] * cross(c[6], c[3], i));
+  }
+  /// The volume of a hexahedron and its derivatives by the nodes, of their positions less that of the first.
+  template <class S>
+  RINGWATCH_INLINE static void volumeGradient(const S (&x)[8][3], S& volumeHere, S (&w)[8][3]) {
+    S c[modes][3], of[modes], G[6][3];
+    RINGWATCH_UNROLL
+    for (int i = 0; i < 3; ++i) {
+      toModes(x, i, of);
+      RINGWATCH_UNROLL
+      for (int m = 0; m < modes; ++m) c[m][i] = of[m];
+    }
+    volume(c, volumeHere, G);
+    // These modes are 8 c_m, V is cubic in them, and ∂c_m/∂x_a = ±1/8.
+    const S scale(1.0 / 64);
+    volumeHere = scale * volumeHere;
+    RINGWATCH_UNROLL
+    for (int i = 0; i < 3; ++i) {
+      of[0] = of[7] = S(0.0);
+      RINGWATCH_UNROLL
+      for (int m = 1; m <= 6; ++m) of[m] = scale * G[m - 1][i];
+      toNodes(of, i, w);
+    }
+  }
+
   /// The geometry of an element at rest from the nodes' positions less that of the first; stiffness: κ M / 2 with the
-  /// modulus M of pressure waves, Pa. The volume of a hexahedron and its derivatives are closed forms of the modes c_m
-  /// of X(ξ) = Σ c_m Π ξ_j: V = 8 [c1 c2 c4] + 8/3 ([c1 c3 c5] + [c5 c6 c4] + [c3 c2 c6]).
+  /// modulus M of pressure waves, Pa.
   template <class S>
   RINGWATCH_INLINE static void atRest(const S (&X)[8][3], const S& stiffness, Geometry<S>& out) {
     S c[modes][3], of[modes];
@@ -92,25 +138,8 @@ struct HourglassModes {
       for (int h = 0; h < count; ++h) out.s[h][i] = of[hourglass[h]];
       for (int m = 0; m < modes; ++m) c[m][i] = S(0.125) * of[m];
     }
-    // Derivatives of V/8 by c_m: a cross product of two linear modes and two of hourglass modes, or two mixed ones.
-    const S third = S(1.0) / S(3.0);
-    const auto linear = [&](int m, int a, int b, int k, int l) {
-      for (int i = 0; i < 3; ++i) out.G[m - 1][i] = cross(c[a], c[b], i) + third * cross(c[k], c[l], i);
-    };
-    linear(1, 2, 4, 3, 5);
-    linear(2, 4, 1, 6, 3);
-    linear(4, 1, 2, 5, 6);
-    const auto mixed = [&](int m, int a, int b, int k, int l) {
-      for (int i = 0; i < 3; ++i) out.G[m - 1][i] = third * (cross(c[a], c[b], i) + cross(c[k], c[l], i));
-    };
-    mixed(3, 5, 1, 2, 6);
-    mixed(5, 1, 3, 6, 4);
-    mixed(6, 4, 5, 3, 2);
-    S eighth(0.0);
-    for (int i = 0; i < 3; ++i)
-      eighth +=
-          c[1][i] * cross(c[2], c[4], i) +
-          third * (c[1][i] * cross(c[3], c[5], i) + c[4][i] * cross(c[5], c[6], i) + c[2][i] * cross(c[6], c[3], i));
+    S eighth;
+    volume(c, eighth, out.G);
     // g_a = ∂V/∂X_a / V, and ∂c_m/∂X_a = ±1/8.
     out.volume = S(8.0) * eighth;
     const S inverse = S(0.125) / eighth;

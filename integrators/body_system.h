@@ -23,15 +23,16 @@ class BodySystem final : public DifferentiableSystem {
       : body_(body), damping_(damping), inverseMass_(body.lumpedMass().cwiseInverse().transpose()) {}
 
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
-    prepare(x, v, a);
-    body_.internalForce(x, internalForce_, workspace_,
-                        [&](std::int64_t begin, std::int64_t end) { accelerate(internalForce_, a, begin, end); });
+    prepare(x, v, a, true);
+    body_.resistingForce(x, v, internalForce_, workspace_,
+                         [&](std::int64_t begin, std::int64_t end) { accelerate(internalForce_, a, begin, end); });
     constrain(x, a);
   }
-  /// The acceleration where the internal force at x (3×N, N) is known, as from Body::evaluate.
-  void accelerationOfForce(const NodeVectors& internalForce, const NodeVectors& x, const NodeVectors& v,
-                           NodeVectors& a) {
-    prepare(x, v, a);
+  /// The acceleration where the internal force at x (3×N, N) is known, as from Body::evaluate. withElementDamping: it
+  /// has the damping force of elements in it (StepEvaluation::velocities).
+  void accelerationOfForce(const NodeVectors& internalForce, const NodeVectors& x, const NodeVectors& v, NodeVectors& a,
+                           bool withElementDamping = false) {
+    prepare(x, v, a, withElementDamping);
     parallelParts(a.cols(), threads(), nodesOfAThread,
                   [&](std::int64_t begin, std::int64_t end) { accelerate(internalForce, a, begin, end); });
     constrain(x, a);
@@ -39,7 +40,7 @@ class BodySystem final : public DifferentiableSystem {
   /// Gives a state its acceleration from an evaluation of the body at its positions, and ends a step of
   /// Integrator::advance with it: one pass over the elements serves the scheme and whatever else was asked for.
   void complete(State& state, const StepEvaluation& evaluation) {
-    accelerationOfForce(evaluation.internalForce, state.x, state.v, state.a);
+    accelerationOfForce(evaluation.internalForce, state.x, state.v, state.a, evaluation.velocities != nullptr);
     ringwatch::complete(*this, state);
   }
   bool tiesNodes() const override { return !body_.constraints().rigidBodies().empty(); }
@@ -60,20 +61,26 @@ class BodySystem final : public DifferentiableSystem {
   }
   /// Damping force at x, C v and friction, 3×N, N.
   void dampingForce(const NodeVectors& x, const NodeVectors& v, NodeVectors& force) {
+    dampingForceBesideElements(x, v, force);
+    body_.addElementDampingForce(x, v, force, workspace_);
+  }
+  /// The same without the damping force of elements (Body::setElementDamping).
+  void dampingForceBesideElements(const NodeVectors& x, const NodeVectors& v, NodeVectors& force) {
     if (damping_.beta != 0)
       body_.tangentProduct(x, v, force, workspace_, 0.0);
     else
       force.setZero(3, x.cols());
     force = damping_.beta * force + damping_.alpha * v * body_.lumpedMass().asDiagonal();
-    body_.addElementDampingForce(x, v, force, workspace_);
     if (const DiscreteForces* discrete = body_.discreteForces()) discrete->addDampingForce(x, v, force);
   }
   /// Takes the masses of the body as they are now; an acceleration that is known of a state holds no longer.
   void followMasses() { inverseMass_ = body_.lumpedMass().cwiseInverse().transpose(); }
   int threads() const override { return body_.threads(); }
-  bool velocityDependent() const override {
-    return damping_.any() || body_.elementDamping() || (body_.discreteForces() && body_.discreteForces()->damped());
+  /// The power that the damping of elements takes, W.
+  double elementDampingPower(const NodeVectors& x, const NodeVectors& v) {
+    return body_.elementDampingPower(x, v, workspace_);
   }
+  bool velocityDependent() const override { return dampedBesideElements() || body_.elementDamping(); }
   const Eigen::VectorXd& mass() const override { return body_.lumpedMass(); }
   RayleighDamping damping() const override { return damping_; }
   void stiffnessProduct(const NodeVectors& x, const NodeVectors& u, NodeVectors& Ku) override {
@@ -103,15 +110,21 @@ class BodySystem final : public DifferentiableSystem {
   }
 
  private:
-  void prepare(const NodeVectors& x, const NodeVectors& v, NodeVectors& a) {
-    if (velocityDependent()) dampingForce(x, v, dampingForce_);
+  bool dampedBesideElements() const {
+    return damping_.any() || (body_.discreteForces() && body_.discreteForces()->damped());
+  }
+  /// withElementDamping: that of elements is in the internal force.
+  void prepare(const NodeVectors& x, const NodeVectors& v, NodeVectors& a, bool withElementDamping) {
+    addsDamping_ = dampedBesideElements() || (body_.elementDamping() && !withElementDamping);
+    if (addsDamping_ && withElementDamping) dampingForceBesideElements(x, v, dampingForce_);
+    if (addsDamping_ && !withElementDamping) dampingForce(x, v, dampingForce_);
     a.resize(3, x.cols());
   }
   /// The accelerations of some nodes, constraints aside.
   void accelerate(const NodeVectors& internalForce, NodeVectors& a, std::int64_t begin, std::int64_t end) const {
     const auto slice = [=](auto& vectors) { return vectors.middleCols(begin, end - begin); };
     const auto force = slice(body_.externalForce()) - slice(internalForce);
-    if (velocityDependent())
+    if (addsDamping_)
       slice(a) = (force - slice(dampingForce_)) * slice(inverseMass_).asDiagonal();
     else
       slice(a) = force * slice(inverseMass_).asDiagonal();
@@ -132,6 +145,7 @@ class BodySystem final : public DifferentiableSystem {
   RayleighDamping damping_;
   Eigen::RowVectorXd inverseMass_;
   NodeVectors internalForce_, dampingForce_;
+  bool addsDamping_ = false;  // dampingForce_ is not in the internal force and counts
   Body::Workspace workspace_;
   SparseTangent tangent_;
 };

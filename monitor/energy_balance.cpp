@@ -43,8 +43,8 @@ void EnergyBalance::record(const NodeVectors& x, const NodeVectors& internalForc
   for (const std::int64_t i : constraints.components()) supported_.push_back({x.data()[i], internalForce.data()[i]});
 }
 
-void EnergyBalance::recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce) {
-  DampingPower now{time, dot(dampingForce, v, body_.threads()), 0};
+void EnergyBalance::recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce, double inForce) {
+  DampingPower now{time, dot(dampingForce, v, body_.threads()) + inForce, 0};
   if (body_.constraints().moving()) now.atSupports = dot(dampingForce, body_.constraints().velocity(), body_.threads());
   if (damping_) {
     const double half = 0.5 * (time - damping_->time);

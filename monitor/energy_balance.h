@@ -31,8 +31,9 @@ class EnergyBalance {
   /// step then, else whenever wanted; the first call is the start.
   void record(const NodeVectors& x, const NodeVectors& internalForce);
   /// Adds a time (s) with velocities v (3×N, m/s) and the damping force C v (3×N, N) there. Call it at every step of a
-  /// damped run.
-  void recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce);
+  /// damped run. inForce: power, W, of damping that is part of the internal force of record(), and of the work at
+  /// supports with it.
+  void recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce, double inForce = 0);
   /// Adds a time (s) with the power of moving obstacles there. Call it at every step of a run with them, as
   /// recordDamping.
   void recordObstacles(double time, const DiscreteForces::ObstaclePower& power);

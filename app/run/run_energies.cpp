@@ -7,13 +7,15 @@ RunEnergies::RunEnergies(const Scene& scene, const Body& body)
   balance_.emplace(body);
 }
 
-void RunEnergies::record(const State& state, const StepEvaluation& evaluation, BodySystem& system, bool rowDue) {
+void RunEnergies::record(const State& state, const StepEvaluation& evaluation, BodySystem& system, bool rowDue,
+                         std::optional<double> dampingPower) {
   last_.reset();
   if (!needs(rowDue)) return;
   balance_->record(state.x, evaluation.internalForce);
   if (damped()) {
-    system.dampingForce(state.x, state.v, dampingForce_);
-    balance_->recordDamping(state.time, state.v, dampingForce_);
+    system.dampingForceBesideElements(state.x, state.v, dampingForce_);
+    balance_->recordDamping(state.time, state.v, dampingForce_,
+                            dampingPower ? *dampingPower : system.elementDampingPower(state.x, state.v));
   }
   if (scene_.movesObstacles())
     balance_->recordObstacles(state.time, body_.discreteForces()->obstaclePower(state.x, state.v));

@@ -21,8 +21,11 @@ class RunEnergies {
   }
   /// The internal force of the state is needed too.
   bool needsForce(bool rowDue) const { return needs(rowDue) && body_.constraints().moving(); }
-  /// Records a state, which may not lag, with what was evaluated of it; with a row, its strain energy as well.
-  void record(const State& state, const StepEvaluation& evaluation, BodySystem& system, bool rowDue);
+  /// Records a state, which may not lag, with what was evaluated of it, its velocities those of the damping in the
+  /// internal force; with a row, its strain energy as well. dampingPower: of the elements at the velocities of the
+  /// state, W, where it is known.
+  void record(const State& state, const StepEvaluation& evaluation, BodySystem& system, bool rowDue,
+              std::optional<double> dampingPower);
   /// Work, J, that the body's balance does not know of, from the last record on.
   void addExternalWork(double work) { ownWork_ += work; }
   /// What the handler of the body has dissipated, J (Handler::dissipated), as of the next record. What is gone does not

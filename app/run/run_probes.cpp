@@ -147,7 +147,7 @@ void RunProbes::react(const State& state, double h, const NodeVectors& internalF
   reaction_.setZero(3, body_.nodeCount());
   ofSections_.assign(scene_.fixes.size() + scene_.moves.size(), Eigen::Vector3d::Zero());
   const bool damped = system.velocityDependent();
-  if (damped) system.dampingForce(state.x, state.v, dampingForce_);
+  if (damped) system.dampingForceBesideElements(state.x, state.v, dampingForce_);
   for (std::int32_t node = 0; node < body_.nodeCount(); ++node) {
     std::int32_t moved = -1;  // whose acceleration is known
     Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
@@ -263,7 +263,7 @@ std::string RunProbes::row(std::int64_t k, const State& state, double h, const N
   if (forced_) {
     force_ = body_.externalForce() - internalForce;
     if (system.velocityDependent()) {
-      system.dampingForce(state.x, state.v, dampingForce_);
+      system.dampingForceBesideElements(state.x, state.v, dampingForce_);
       force_ -= dampingForce_;
     }
   }

@@ -36,7 +36,7 @@ class RunProbes {
   /// The first row of probes.csv.
   std::string heading() const;
   /// The row of a state, whose velocity may not lag, before step k of h seconds. internalForce: as of Body::evaluate,
-  /// 3×N, N, where needsForce(k).
+  /// 3×N, N, that of elements that damp in it, where needsForce(k).
   std::string row(std::int64_t k, const State& state, double h, const NodeVectors& internalForce, BodySystem& system);
 
  private:

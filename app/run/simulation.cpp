@@ -161,6 +161,8 @@ void Simulation::askFor(bool rowDue, bool probesDue) {
   stepperNeedsForce_ = scheme->stepper().needsForce(state);
   evaluation_.wantsForce = stepperNeedsForce_ || energies.needsForce(rowDue) || probesDue;
   evaluation_.wantsEnergy = scene.energy && rowDue;
+  evaluation_.velocities = body.elementDamping() ? &state.v : nullptr;
+  dampsAtState_ = evaluation_.wantsForce && evaluation_.velocities && state.lag == 0;
 }
 
 void Simulation::evaluate() {
@@ -174,7 +176,8 @@ void Simulation::takeEvaluation(bool rowDue) {
   if (stepperNeedsForce_) scheme->stepper().takeForce(state, evaluation_);
   if (const Handler* handler = scheme->handler(); handler && scene.energy && rowDue)
     energies.setDissipatedByHandler(handler->dissipated());
-  energies.record(state, evaluation_, scheme->system(), rowDue);
+  energies.record(state, evaluation_, scheme->system(), rowDue,
+                  dampsAtState_ ? std::optional(evaluation_.dampingPower) : std::nullopt);
 }
 
 void Simulation::setLoads() {

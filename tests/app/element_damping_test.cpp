@@ -321,6 +321,20 @@ TEST_F(DampedScene, EveryKindTakesEnergyAndTheBalanceCloses) {
   EXPECT_EQ(runs, 12);
 }
 
+// Supports that move bring up the damping force of the elements at them.
+TEST_F(DampedScene, WorkOfSupportsHasTheDampingOfElementsInIt) {
+  for (const std::string method : {"symplectic-euler", "verlet"}) {
+    run(sceneOf("shear_viscosity = 5\nvolume_viscosity = 10", "bulk_viscosity = true", method) +
+            "[[move]]\nwhere = \"x > 0.1999\"\nvelocity = [-0.2, 0, 0]\n",
+        "--set integrator.step=1e-4");
+    const double work = largest("external_work_J");
+    EXPECT_GT(work, 0);
+    EXPECT_GT(largest("dissipated_J"), 0.3 * work) << method;
+    EXPECT_LT(largest("balance_error_J"), (method == "verlet" ? 0.002 : 0.008) * std::max(work, largest("kinetic_J")))
+        << method;
+  }
+}
+
 // Forces of Kelvin-Voigt and of Rayleigh's stiffness are the same to first order in the strain.
 TEST_F(DampedScene, StiffnessDampingIsRayleighsAtSmallStrain) {
   const std::string slow = " --set initial.0.velocity='[-1e-4,2e-5,0]'";
@@ -401,6 +415,20 @@ TEST_F(DampedScene, ResumesBitByBit) {
   const Outcome resumed = call("run --resume part");
   EXPECT_EQ(resumed.status, 0) << resumed.err;
   EXPECT_EQ(folder_.read("part/history.csv"), folder_.read("r/history.csv"));
+}
+
+// The coefficients of quadratic bulk viscosity that count depend on all velocities since the monitor began.
+TEST_F(DampedScene, ResumesBitByBitFromASignal) {
+  for (const std::string method : {"symplectic-euler", "verlet"}) {
+    run(sceneOf("shear_viscosity = 1", "bulk_viscosity = true", method), "--set integrator.end=0.4");
+    shell("rm -rf part; '" + executable() +
+          "' run scene.toml --out part --set integrator.end=0.4 --quiet & p=$!; until [ $(wc -l < part/history.csv "
+          "2>/dev/null || echo 0) -gt 10 ]; do sleep 0.01; done; kill -TERM $p; wait $p 2>/dev/null");
+    ASSERT_TRUE(exists("part/checkpoint.bin")) << method;
+    const Outcome resumed = call("run --resume part");
+    EXPECT_EQ(resumed.status, 0) << resumed.err;
+    EXPECT_EQ(folder_.read("part/history.csv"), folder_.read("r/history.csv")) << method;
+  }
 }
 
 TEST_F(DampedScene, InspectKnowsTheDampingOfARun) {

@@ -223,7 +223,60 @@ TEST(ElementDamping, ProductsFormsAndPartsAgreeWithTheMatrix) {
   }
 }
 
-// Volumes by the element's own rule, in plain doubles, and their differences: hexahedra take them from their faces.
+// Forces of elements and of their damping, in one pass and in two; of every law, as each has a kernel of its own.
+TEST(ElementDamping, OnePassHasTheForcesOfTwoAndTheirPower) {
+  class SeesAll final : public PatchVisitor {
+   public:
+    void visitPatch(std::size_t, const PatchPass& pass) override {
+      pass.run(pass.patch().batchBegin, pass.patch().batchEnd);
+    }
+  } visitor;
+  for (const test::BodyCase& c : test::allBodyCases())
+    for (const DampingConstants& constants : {DampingConstants{0.06, 1.2, 0, 0, 0}, {0.06, 0, 0, 0, 0}, all}) {
+      const Body body = damped(c, constants, {2, 1, 1});
+      const NodeVectors x = test::strained(body.mesh().X), v = test::Random(9).nodeVectors(body.nodeCount(), 3);
+      Body::Workspace workspace;
+      NodeVectors elastic, both;
+      body.internalForce(x, elastic, workspace);
+      const NodeVectors damping = forceOf(body, x, v);
+      body.resistingForce(x, v, both, workspace);
+      const double size = elastic.norm() + damping.norm(), power = powerOf(damping, v);
+      EXPECT_GT(damping.norm(), 0.03 * size) << test::bodyCaseName(c);
+      EXPECT_LE((both - elastic - damping).norm(), 1.5e-15 * size) << test::bodyCaseName(c);
+      EXPECT_NEAR(body.elementDampingPower(x, v, workspace), power, 1.5e-15 * power) << test::bodyCaseName(c);
+      StepEvaluation evaluation;
+      evaluation.velocities = &v;
+      evaluation.wantsEnergy = true;
+      evaluation.visitor = &visitor;
+      body.evaluate(x, evaluation, workspace);
+      EXPECT_EQ(evaluation.internalForce, both) << test::bodyCaseName(c);
+      EXPECT_EQ(evaluation.strainEnergy, body.energy(x, workspace)) << test::bodyCaseName(c);
+      EXPECT_NEAR(evaluation.dampingPower, power, 2e-15 * power) << test::bodyCaseName(c);
+      evaluation.velocities = nullptr;
+      body.evaluate(x, evaluation, workspace);
+      EXPECT_EQ(evaluation.internalForce, elastic) << test::bodyCaseName(c);
+      EXPECT_EQ(evaluation.dampingPower, 0) << test::bodyCaseName(c);
+    }
+}
+
+// What lies within a rigid body has no forces of its own and damps all the same.
+TEST(ElementDamping, RigidElementsDampInOnePassToo) {
+  const test::BodyCase c = casesOfRules().front();
+  Body body(test::distortedBox(c.element->name, {2, 1, 1}), test::materialOf(c), test::optionsOf(c));
+  std::vector<std::int32_t> nodes(body.nodeCount());
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i) nodes[i] = i;
+  body.tie("all", nodes);
+  body.setElementDamping({{0.06, 1.2, 0, 0, 2.5}});
+  const NodeVectors x = test::strained(body.mesh().X), v = test::Random(9).nodeVectors(body.nodeCount(), 3);
+  Body::Workspace workspace;
+  NodeVectors both;
+  body.resistingForce(x, v, both, workspace);
+  const NodeVectors damping = forceOf(body, x, v);
+  EXPECT_GT(damping.norm(), 0);
+  EXPECT_EQ(both, damping);
+}
+
+// Volumes by the element's own rule, in plain doubles, and their differences: hexahedra take them from their modes.
 TEST(ElementDamping, VolumesAndTheirGradientsAreThoseOfTheRule) {
   for (const test::BodyCase& c : casesOfRules()) {
     const Body body = damped(c, {0.06, 0, 0, 0, 0}, {2, 1, 1});
@@ -295,18 +348,28 @@ TEST(ElementDamping, RoundingOfTangentsIsBoundedAndSmall) {
 
 TEST(ElementDamping, GivesTheSameBitsForAnyNumberOfThreads) {
   const test::BodyCase c = casesOfRules().front();
-  std::vector<NodeVectors> forces;
-  std::vector<double> coefficients;
+  std::vector<NodeVectors> forces, together;
+  std::vector<double> coefficients, powers, powersAlone;
   for (const int threads : {1, 2, 4}) {
     Body body = damped(c, all, {8, 6, 6}, threads);
     const NodeVectors x = test::strained(body.mesh().X), v = test::Random(9).nodeVectors(body.nodeCount(), 1);
     forces.push_back(forceOf(body, x, v));
+    Body::Workspace workspace;
+    StepEvaluation evaluation;
+    evaluation.velocities = &v;
+    body.evaluate(x, evaluation, workspace);
+    together.push_back(evaluation.internalForce);
+    powers.push_back(evaluation.dampingPower);
     body.followDampingRates(x, v);
     double sum = 0;
     for (std::size_t place = 0; place < body.blocks()[0]->layout().elements.size(); ++place)
       sum += body.elementDamping()->blocks()[0]->coefficient(place);
     coefficients.push_back(sum);
     EXPECT_EQ(forces.back(), forces.front());
+    EXPECT_EQ(together.back(), together.front());
+    EXPECT_EQ(powers.back(), powers.front());
+    powersAlone.push_back(body.elementDampingPower(x, v, workspace));
+    EXPECT_EQ(powersAlone.back(), powersAlone.front());
     EXPECT_EQ(coefficients.back(), coefficients.front());
   }
 }

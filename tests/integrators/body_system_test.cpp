@@ -8,6 +8,7 @@
 #include <ringwatch/integrators/stormer_verlet.h>
 #include <ringwatch/monitor/energy_balance.h>
 #include <tests/support/body_cases.h>
+#include <tests/support/random.h>
 
 namespace ringwatch {
 namespace {
@@ -143,6 +144,36 @@ TEST(BodySystem, AcceleratesByForceOverMassAndHandsTheForceOn) {
     Eigen::Vector3d expected = -f.col(i);
     if (i == 5) expected[2] += 0.125;
     EXPECT_LE((a.col(i) * body.lumpedMass()[i] - expected).norm(), 1e-14);
+  }
+}
+
+// Elements that damp, in the pass of the internal force and by a pass of their own, beside Rayleigh damping.
+TEST(BodySystem, AcceleratesByTheDampingOfElementsHoweverItComes) {
+  for (const RayleighDamping& rayleigh : {RayleighDamping{}, RayleighDamping{3, 1e-4}}) {
+    Body body = makeBody();
+    body.setElementDamping({{0.06, 1.2, 0, 0, 2.5}});
+    BodySystem system(body, rayleigh);
+    const NodeVectors x = test::strained(body.mesh().X), v = test::Random(5).nodeVectors(x.cols(), 3);
+    NodeVectors a, f, damping, ofForce;
+    Body::Workspace workspace;
+    system.acceleration(0, x, v, a);
+    body.internalForce(x, f, workspace);
+    system.dampingForce(x, v, damping);
+    const NodeVectors expected = -(f + damping) * body.lumpedMass().cwiseInverse().asDiagonal();
+    EXPECT_GT(damping.norm(), 1e-3 * f.norm());
+    EXPECT_LE((a - expected).norm(), 1e-15 * expected.norm());
+    system.accelerationOfForce(f, x, v, ofForce);
+    EXPECT_LE((ofForce - expected).norm(), 1e-15 * expected.norm());
+    StepEvaluation evaluation;
+    for (const NodeVectors* velocities : {&v, static_cast<const NodeVectors*>(nullptr)}) {
+      evaluation.velocities = velocities;
+      body.evaluate(x, evaluation, workspace);
+      State state;
+      state.x = x;
+      state.v = v;
+      system.complete(state, evaluation);
+      EXPECT_EQ(state.a, velocities ? a : ofForce);
+    }
   }
 }
 
