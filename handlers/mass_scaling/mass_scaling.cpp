@@ -1,5 +1,6 @@
 #include <ringwatch/handlers/mass_scaling/mass_scaling.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,12 +8,21 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/rounding.h>
 #include <ringwatch/handlers/mass_scaling/lowest_frequencies.h>
+#include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 
 namespace ringwatch {
 namespace {
 
 constexpr int reportedFrequencies = 3;
+
+/// Parts that a step is divided into at most. What needs more is not proven.
+constexpr int mostParts = 100;
+/// Sweeps of the weights of the bound that says how many.
+constexpr int sweeps = 12;
+/// Steps after which fewer parts are tried, twice as many after each try in vain. A choice costs as much as some forty
+/// forces.
+constexpr std::int64_t leastPatience = 256;
 
 /// Square root of a positive semidefinite matrix with a floor under its eigenvalues, so that it can be inverted.
 Eigen::Matrix3d flooredRoot(const Eigen::Matrix3d& A) {
@@ -29,7 +39,47 @@ MassScaling::MassScaling(Body& body, std::unique_ptr<Integrator> base, HandlerOp
       ownMass_(body.lumpedMass()),
       added_(Eigen::VectorXd::Zero(body.nodeCount())) {}
 
+ElementFlags MassScaling::choose(const NodeVectors& x, double h, const ElementFlags& keep) {
+  if (begun_) {
+    divideSteps(x, h);
+    return keep;
+  }
+  begun_ = true;
+  return Handler::choose(x, h, keep);
+}
+
+void MassScaling::divideSteps(const NodeVectors& x, double h) {
+  NodalBound bound(body_);
+  const double lambda = bound.evaluate(x, sweeps).value;
+  noteSelectionCost({static_cast<std::int64_t>(body_.mesh().elementCount()), bound.evaluations()});
+  int parts = 1;
+  while (parts < mostParts && !(lambda <= allowedLambda(h / parts))) ++parts;
+  proven_ = lambda <= allowedLambda(h / parts);
+  patience_ = parts == substeps_ ? 2 * patience_ : leastPatience;
+  stepsSinceChoice_ = 0;
+  substeps_ = parts;
+  mostSubsteps_ = std::max(mostSubsteps_, parts);
+  if (parts == 1)
+    attachAll();
+  else
+    detach(noElements(body_.mesh()), body_.lumpedMass() * (allowedLambda(h / parts) / allowedLambda(h)));
+}
+
+StepStatus MassScaling::handledStep(SecondOrderSystem& system, State& state, double h) {
+  before_ = state;
+  for (int part = 0; part < substeps_; ++part)
+    if (StepStatus status = base_->step(system, state, h / substeps_); !status.done) {
+      state = before_;
+      return status;
+    }
+  state.time = before_.time + h;
+  ++stepsSinceChoice_;
+  ++dividedSteps_;
+  return {};
+}
+
 void MassScaling::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
+  if (x_.size() > 0) return;
   std::vector<Eigen::Matrix3d> sums = certificate()->nodalSums;
   for (const ElementRef e : chosenElements(chosen)) {
     Eigen::MatrixXd K = body_.elementTangent(e, x);
@@ -66,12 +116,14 @@ void MassScaling::take(const NodeVectors& x, double h, const ElementFlags& chose
     body_.addNodalMass(i, more);
     added_[i] += more;
   }
-  if (x_.size() == 0) x_ = x;
+  x_ = x;
 }
 
 std::vector<HandlerFigure> MassScaling::figures() const {
   std::vector<HandlerFigure> result{{"added_mass_kg", added_.sum()},
-                                    {"added_mass_percent", 100 * added_.sum() / ownMass_.sum()}};
+                                    {"added_mass_percent", 100 * added_.sum() / ownMass_.sum()},
+                                    {"divided_steps", static_cast<double>(dividedSteps_)},
+                                    {"most_parts", static_cast<double>(mostSubsteps_)}};
   if (x_.size() == 0) return result;
   const auto toHertz = [](double lambda) { return std::sqrt(lambda) / (2 * std::numbers::pi); };
   const std::vector<double> before = lowestEigenvalues(body_, x_, ownMass_, reportedFrequencies),
