@@ -4,12 +4,15 @@
 #include <cmath>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/monitor/energy_balance.h>
 
 namespace ringwatch {
 namespace {
 
-/// Steps between two looks at the energy, which cost an energy of the handled elements each.
-constexpr int stepsBetweenLooks = 10;
+/// Steps between two looks at the energy, which cost an energy of the handled elements each: at most so many, and
+/// fewer at the start, while the largest energy is small.
+constexpr std::int64_t mostStepsBetweenLooks = 10;
+constexpr std::int64_t stepsToLooks = 10;  // their distance is one more after each so many steps
 
 }  // namespace
 
@@ -39,11 +42,12 @@ class RelaxingHandler::Relaxed final : public SecondOrderSystem {
 RelaxingHandler::RelaxingHandler(const HandlerInfo& info, Body& body, std::unique_ptr<Integrator> base,
                                  HandlerOptions options, std::string_view limited)
     : Handler(info, body, std::move(base), std::move(options)),
-      limit_(options_.own.text("variant") == limited ? options_.own.number("energy_limit") : 0) {}
+      limit_(options_.own.text("variant") == limited ? options_.own.number("energy_limit") : 0),
+      largestEnergy_(roundingEnergy(body)) {}
 
 void RelaxingHandler::inherit(const Handler& before) {
   const auto& other = static_cast<const RelaxingHandler&>(before);
-  largestEnergy_ = other.largestEnergy_;
+  largestEnergy_ = std::max(largestEnergy_, other.largestEnergy_);
   implicitSteps_ = other.implicitSteps_;
   if (other.implicit_) makeImplicit();
 }
@@ -68,8 +72,8 @@ StepStatus RelaxingHandler::handledStep(SecondOrderSystem& system, State& state,
   const StepStatus status = baseStep(relaxed, state, h, relaxed.fault);
   if (limit_ == 0) return status;
   if (status.done && !endsWithoutEnergy(state.x)) {
-    if (++steps_ < stepsBetweenLooks) return status;
-    steps_ = 0;
+    if (++steps_ < nextLook_) return status;
+    nextLook_ = steps_ + std::min(1 + steps_ / stepsToLooks, mostStepsBetweenLooks);
     if (!addsTooMuch(state)) return status;
     news_ = joinText("the handled elements had added ", limit_, " of the largest energy: they are implicit from here on");
     makeImplicit();

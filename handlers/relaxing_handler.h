@@ -66,9 +66,9 @@ class RelaxingHandler : public Handler {
 
   double limit_;                    // of energy added, as a share of the largest; 0: none
   bool allHaveEnergy_ = true;       // inverted elements too
-  int steps_ = 0;                   // since the energy was looked at
+  std::int64_t steps_ = 0, nextLook_ = 0;
   double mostDissipated_ = 0;       // J, so far
-  double largestEnergy_ = 0;        // J, of the body, so far
+  double largestEnergy_;            // J, of the body, so far
   std::unique_ptr<Imex> implicit_;  // once the passes were given up
   std::int64_t implicitSteps_ = 0;
   std::string news_;

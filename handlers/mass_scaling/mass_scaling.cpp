@@ -17,12 +17,14 @@ namespace {
 constexpr int reportedFrequencies = 3;
 
 /// Parts that a step is divided into at most. What needs more is not proven.
-constexpr int mostParts = 100;
+constexpr int mostParts = 1000;
+/// A part of a divided step is that share of what is proven at most: elements that stiffen at speed have room before the
+/// next choice.
+constexpr double shareOfProven = 0.5;
 /// Sweeps of the weights of the bound that says how many.
 constexpr int sweeps = 12;
-/// Steps after which fewer parts are tried, twice as many after each try in vain. A choice costs as much as some forty
-/// forces.
-constexpr std::int64_t leastPatience = 256;
+/// Parts after which fewer are tried, twice as many after each try in vain. A choice costs as much as some forty forces.
+constexpr std::int64_t leastPatience = 512;
 
 /// Square root of a positive semidefinite matrix with a floor under its eigenvalues, so that it can be inverted.
 Eigen::Matrix3d flooredRoot(const Eigen::Matrix3d& A) {
@@ -45,6 +47,7 @@ ElementFlags MassScaling::choose(const NodeVectors& x, double h, const ElementFl
     return keep;
   }
   begun_ = true;
+  dividedFor_ = h;
   return Handler::choose(x, h, keep);
 }
 
@@ -52,13 +55,17 @@ void MassScaling::divideSteps(const NodeVectors& x, double h) {
   NodalBound bound(body_);
   const double lambda = bound.evaluate(x, sweeps).value;
   noteSelectionCost({static_cast<std::int64_t>(body_.mesh().elementCount()), bound.evaluations()});
+  // A choice that was not asked for has a reason, even where the step is proven at this state.
+  const bool asked = asksForChoice() || h != dividedFor_;
   int parts = 1;
-  while (parts < mostParts && !(lambda <= allowedLambda(h / parts))) ++parts;
+  if (!asked || !(lambda <= allowedLambda(h)))
+    while (parts < mostParts && !(lambda <= shareOfProven * shareOfProven * allowedLambda(h / parts))) ++parts;
   proven_ = lambda <= allowedLambda(h / parts);
-  patience_ = parts == substeps_ ? 2 * patience_ : leastPatience;
-  stepsSinceChoice_ = 0;
-  substeps_ = parts;
-  mostSubsteps_ = std::max(mostSubsteps_, parts);
+  dividedFor_ = h;
+  if (!asked || parts >= parts_) patience_ = std::max(2 * patience_, leastPatience);
+  partsSinceChoice_ = 0;
+  parts_ = parts;
+  mostParts_ = std::max(mostParts_, parts);
   if (parts == 1)
     attachAll();
   else
@@ -67,14 +74,19 @@ void MassScaling::divideSteps(const NodeVectors& x, double h) {
 
 StepStatus MassScaling::handledStep(SecondOrderSystem& system, State& state, double h) {
   before_ = state;
-  for (int part = 0; part < substeps_; ++part)
-    if (StepStatus status = base_->step(system, state, h / substeps_); !status.done) {
+  const double part = h / parts_;
+  // Where velocities are half a step behind they are by half a step of another size.
+  if (part != lastPart_ && lastPart_ > 0 && !base_->info().reversible)
+    state.v += 0.5 * (lastPart_ - part) * accelerationOf(system, state);
+  for (int k = 0; k < parts_; ++k)
+    if (StepStatus status = base_->step(system, state, part); !status.done) {
       state = before_;
       return status;
     }
   state.time = before_.time + h;
-  ++stepsSinceChoice_;
-  ++dividedSteps_;
+  lastPart_ = part;
+  partsSinceChoice_ += parts_;
+  dividedSteps_ += parts_ > 1 ? 1 : 0;
   return {};
 }
 
@@ -123,7 +135,7 @@ std::vector<HandlerFigure> MassScaling::figures() const {
   std::vector<HandlerFigure> result{{"added_mass_kg", added_.sum()},
                                     {"added_mass_percent", 100 * added_.sum() / ownMass_.sum()},
                                     {"divided_steps", static_cast<double>(dividedSteps_)},
-                                    {"most_parts", static_cast<double>(mostSubsteps_)}};
+                                    {"most_parts", static_cast<double>(mostParts_)}};
   if (x_.size() == 0) return result;
   const auto toHertz = [](double lambda) { return std::sqrt(lambda) / (2 * std::numbers::pi); };
   const std::vector<double> before = lowestEigenvalues(body_, x_, ownMass_, reportedFrequencies),

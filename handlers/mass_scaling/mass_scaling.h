@@ -14,8 +14,8 @@ namespace ringwatch {
 /// certified selection: options with another throw InputError.
 ///
 /// Mass is added by the first choice of a body alone: mass that comes to nodes that move brings energy, and along a
-/// motion that strains its elements ever more of it would. Later choices take steps of h/n of the base scheme, n the
-/// least for which the nodal bound proves them, and explicitBody() has masses that are larger by the limit at h/n over
+/// motion that strains its elements ever more of it would. Where a later choice does not prove h, steps are n of
+/// h/n of the base scheme, h/n half of what the nodal bound proves, and explicitBody() has masses that are larger by the limit at h/n over
 /// that at h (n² without damping), so that its proof at h is that of the body at h/n: Theorem 116.
 class MassScaling final : public Handler {
  public:
@@ -34,15 +34,15 @@ class MassScaling final : public Handler {
   std::vector<HandlerFigure> figures() const override;
   bool certified() const override { return Handler::certified() && proven_; }
   /// A while after a choice, where steps are divided.
-  bool asksForChoice() const override { return substeps_ > 1 && stepsSinceChoice_ >= patience_; }
+  bool asksForChoice() const override { return parts_ > 1 && partsSinceChoice_ >= patience_; }
   /// n, of the steps of h/n that the last choice asked for.
-  int substeps() const { return substeps_; }
+  int parts() const { return parts_; }
 
  protected:
   ElementFlags choose(const NodeVectors& x, double h, const ElementFlags& keep) override;
   void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
   StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
-  bool stepsAsBase() const override { return substeps_ == 1; }
+  bool stepsAsBase() const override { return parts_ == 1 && mostParts_ == 1; }
   bool handledBeginsWithAcceleration() const override { return base_->beginsWithAcceleration(); }
 
  private:
@@ -53,8 +53,10 @@ class MassScaling final : public Handler {
   State before_;                     // the step that is being taken
   bool begun_ = false;               // the first choice was made
   bool proven_ = true;               // the last choice found an n
-  int substeps_ = 1, mostSubsteps_ = 1;
-  std::int64_t stepsSinceChoice_ = 0, patience_ = 0, dividedSteps_ = 0;
+  int parts_ = 1, mostParts_ = 1;
+  double dividedFor_ = 0;  // s, the step of the last choice
+  double lastPart_ = 0;    // s, of the last step that was taken here
+  std::int64_t partsSinceChoice_ = 0, patience_ = 0, dividedSteps_ = 0;
 };
 
 }  // namespace ringwatch
