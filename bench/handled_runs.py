@@ -435,7 +435,7 @@ def picture(rows):
                 kept = [(r["error"], share) for r in some if isinstance(r.get("error"), float) and r["error"] > 0 and
                         (share := share_of_plain(r, plain.get((r["body"], r["law"], r["load"]))))]
                 if kept:
-                    points.append((*place(*(median(list(v)) for v in zip(*kept))), factor, 2 * len(kept) < len(some)))
+                    points.append((*place(*(median(list(v)) for v in zip(*kept))), factor, 2 * sum(r["lost"] for r in some) > len(some)))
             line = " ".join(f"{x:.1f},{y:.1f}" for x, y, *_ in points)
             out.append(f'<polyline points="{line}" fill="none" stroke="{colour}"/>')
             out += [f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" stroke="{colour}" fill="{"white" if lost else colour}"/>'

@@ -204,7 +204,10 @@ void Handler::takeBack(State& state) {
 }
 
 std::optional<Body::LeastDeterminant> Handler::leastHandledDeterminant(const NodeVectors& x) const {
-  if (elements_.empty() || !explicitPart_) return std::nullopt;
+  return explicitPart_ ? leastDeterminantOfChosen(x) : std::nullopt;
+}
+
+std::optional<Body::LeastDeterminant> Handler::leastDeterminantOfChosen(const NodeVectors& x) const {
   std::optional<Body::LeastDeterminant> least;
   double values[lanes];
   for (std::size_t b = 0; b < places_.size(); ++b) {

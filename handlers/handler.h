@@ -89,8 +89,8 @@ class Handler : public Integrator {
   /// left as it was. With Selection::fierzRing only the changed elements are examined; `certified` chooses again among
   /// those and their neighbours and keeps the proof of all others (IncrementalSelection).
   void prepare(const NodeVectors& x, double h, const CutMesh& cut, const Handler& before);
-  /// Handles what another handler of this body has chosen, for the steps that it was prepared for, from positions x (3×N,
-  /// m) on: without a choice of its own.
+  /// Handles what another handler of this body has chosen, for the steps that it was prepared for, from positions x
+  /// (3×N, m) on: without a choice of its own.
   void prepareAs(const Handler& other, const NodeVectors& x);
   /// Takes a step of the size that it was prepared for; another throws InputError.
   StepStatus step(SecondOrderSystem& system, State& state, double h) override;
@@ -159,6 +159,8 @@ class Handler : public Integrator {
   }
   /// The elements that a limit of lambda, rad²/s², asks for, as the selection says.
   ElementFlags chooseFor(const NodeVectors& x, double lambda, const ElementFlags& keep);
+  /// Least det F over the handled elements at positions x (3×N, m), with its element; nothing where there are none.
+  std::optional<Body::LeastDeterminant> leastDeterminantOfChosen(const NodeVectors& x) const;
   /// Leaves the chosen elements out of explicitBody(); with mass (kg, N numbers > 0), that is its lumped mass.
   void detach(const ElementFlags& chosen, const Eigen::VectorXd& mass = {});
   /// explicitBody() is the body itself again.

@@ -46,16 +46,16 @@ RelaxingHandler::RelaxingHandler(const HandlerInfo& info, Body& body, std::uniqu
       largestEnergy_(roundingEnergy(body)) {}
 
 void RelaxingHandler::inherit(const Handler& before) {
-  const auto& other = static_cast<const RelaxingHandler&>(before);
-  largestEnergy_ = std::max(largestEnergy_, other.largestEnergy_);
-  implicitSteps_ = other.implicitSteps_;
-  if (other.implicit_) makeImplicit();
+  const auto* other = dynamic_cast<const RelaxingHandler*>(&before);
+  if (!other) return;
+  largestEnergy_ = std::max(largestEnergy_, other->largestEnergy_);
+  implicitSteps_ = other->implicitSteps_;
+  if (other->implicit_) makeImplicit();
 }
 
 void RelaxingHandler::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
-  allHaveEnergy_ = std::ranges::all_of(elements(), [&](ElementRef e) {
-    return body_.blocks()[e.block]->material().info().definedInverted;
-  });
+  allHaveEnergy_ = std::ranges::all_of(
+      elements(), [&](ElementRef e) { return body_.blocks()[e.block]->material().info().definedInverted; });
   if (implicit_) {
     implicit_->prepareAs(*this, x);
   } else {
@@ -71,21 +71,22 @@ StepStatus RelaxingHandler::handledStep(SecondOrderSystem& system, State& state,
   Relaxed relaxed(*this, h);
   const StepStatus status = baseStep(relaxed, state, h, relaxed.fault);
   if (limit_ == 0) return status;
-  if (status.done && !endsWithoutEnergy(state.x)) {
-    if (++steps_ < nextLook_) return status;
-    nextLook_ = steps_ + std::min(1 + steps_ / stepsToLooks, mostStepsBetweenLooks);
-    if (!addsTooMuch(state)) return status;
-    news_ = joinText("the handled elements had added ", limit_, " of the largest energy: they are implicit from here on");
-    makeImplicit();
-    implicit_->prepareAs(*this, state.x);
-    return status;
-  }
+  news_ = whyNotKept(status, state);
+  if (news_.empty()) return status;
+  news_ += ": they are implicit from here on";
   if (status.done) takeBack(state);
-  news_ = joinText(status.done ? "a handled element would have come to where its law has no energy" : status.reason,
-                   ": the handled elements are implicit from here on");
   makeImplicit();
   implicit_->prepareAs(*this, state.x);
   return implicitStep(system, state, h);
+}
+
+std::string RelaxingHandler::whyNotKept(const StepStatus& status, const State& state) {
+  if (!status.done) return status.reason;
+  if (endsWithoutEnergy(state.x)) return "a handled element would have come to where its law has no energy";
+  if (++steps_ < nextLook_) return {};
+  nextLook_ = steps_ + std::min(1 + steps_ / stepsToLooks, mostStepsBetweenLooks);
+  if (!addsTooMuch(state)) return {};
+  return joinText("the handled elements would have added more than ", limit_, " of the largest energy");
 }
 
 bool RelaxingHandler::endsWithoutEnergy(const NodeVectors& x) const {

@@ -12,22 +12,24 @@
 
 namespace ringwatch {
 
-/// How much energy relaxed elements may add before they become implicit; for variants that are proven for small strains.
+/// How much energy relaxed elements may add before they become implicit; for variants that are proven for small
+/// strains.
 constexpr OptionInfo energyLimitOption(std::span<const std::string_view> variants) {
   return {.name = "energy_limit",
           .range = {0, 1, true, true},
           .fallback = "0.005",
-          .help = "handled elements become implicit, as with imex, where they have added this share of the largest "
-                  "energy, or would end where their law has none; 0: never",
+          .help =
+              "handled elements become implicit, as with imex, where they have added this share of the largest "
+              "energy, or would end where their law has none; 0: never",
           .onlyWith = {"variant", variants}};
 }
 
 /// Handled elements that leave the explicit part and, after its forces, move the predicted positions of their nodes in
-/// passes. What such elements do to the energy is counted exactly (HandledWork). Where they have added more than
+/// passes. What such elements do to the energy is counted exactly (HandledWork). Where they would have added more than
 /// `energy_limit` of the largest energy of the body, which crowded elements do that are softer than their law, where a
 /// step would end at det F <= 0 in an element of a law that has no energy there, and where a pass is not finite, they
-/// are those of Imex from there on, by its nonlinear equations and default options: Theorem 115, docs/theory/handlers.md.
-/// Bodies that come of cuts go on with it.
+/// are those of Imex from there on, by its nonlinear equations and default options: Theorem 115,
+/// docs/theory/handlers.md. Bodies that come of cuts go on with it.
 class RelaxingHandler : public Handler {
  public:
   double dissipated() const override { return Handler::dissipated() + (implicit_ ? implicit_->dissipated() : 0); }
@@ -59,13 +61,15 @@ class RelaxingHandler : public Handler {
   /// The base scheme's view: the acceleration that leads to the relaxed positions.
   class Relaxed;
 
+  /// "" for a step that is kept.
+  std::string whyNotKept(const StepStatus& status, const State& state);
   bool endsWithoutEnergy(const NodeVectors& x) const;
   bool addsTooMuch(const State& state);
   void makeImplicit();
   StepStatus implicitStep(SecondOrderSystem& system, State& state, double h);
 
-  double limit_;                    // of energy added, as a share of the largest; 0: none
-  bool allHaveEnergy_ = true;       // inverted elements too
+  double limit_;               // of energy added, as a share of the largest; 0: none
+  bool allHaveEnergy_ = true;  // inverted elements too
   std::int64_t steps_ = 0, nextLook_ = 0;
   double mostDissipated_ = 0;       // J, so far
   double largestEnergy_;            // J, of the body, so far

@@ -116,7 +116,8 @@ std::optional<CriticalStep> Simulation::criticalStepHere() const {
 
 MonitorReport Simulation::handleMore(MonitorReport report, bool rowDue) {
   if (!scheme->handler() || !watch.monitors() || scene.onViolation != OnViolation::handle || !report.fresh ||
-      (report.verdict == Verdict::certified && !scheme->handler()->asksForChoice()) || !(steps.step() > 0) || !state.x.allFinite())
+      (report.verdict == Verdict::certified && !scheme->handler()->asksForChoice()) || !(steps.step() > 0) ||
+      !state.x.allFinite())
     return report;
   {
     const Stopwatch measured(result.monitorTime);

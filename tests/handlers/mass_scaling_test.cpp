@@ -87,6 +87,119 @@ TEST(MassScaling, RunsStableAtAStepThatPlainExplicitCannotTake) {
   EXPECT_TRUE(run(true));
 }
 
+// Mass in flight brings energy: along a run steps are divided instead.
+TEST(MassScaling, DividesStepsWhereElementsHaveStiffened) {
+  Body body = test::sliverBody("stvk", 0.98);
+  const NodeVectors& X = body.mesh().X;
+  const double h = 3 * 2 / std::sqrt(denseHighest(body, X));
+  MassScaling handler(body, makeIntegrator("symplectic-euler"), {});
+  handler.prepare(X, h);
+  EXPECT_EQ(handler.parts(), 1);
+  EXPECT_EQ(&handler.explicitBody(), &body);
+  const Eigen::VectorXd mass = body.lumpedMass();
+  NodeVectors stretched = X;
+  stretched.row(0) *= 1.8;
+  ASSERT_GT(denseHighest(body, stretched), 4 / (h * h));
+  handler.prepare(stretched, h);
+  EXPECT_EQ(body.lumpedMass(), mass);
+  const int parts = handler.parts();
+  ASSERT_GT(parts, 1);
+  EXPECT_TRUE(handler.certified());
+  // Half of the step that is proven, which by a twelfth or so is less than the critical one.
+  const double part = h / parts;
+  EXPECT_LE(denseHighest(body, stretched), 1 / (part * part));
+  EXPECT_GE(denseHighest(body, stretched), 0.25 / (part * part));
+  // The proof for the masses that a monitor gets is one for the parts: Theorem 116.
+  EXPECT_NEAR(denseHighest(handler.explicitBody(), stretched) * parts * parts, denseHighest(body, stretched),
+              1e-9 * denseHighest(body, stretched));
+  BodySystem system(body);
+  State divided = system.initialState(), alone = divided;
+  divided.x = alone.x = stretched;
+  const auto euler = makeIntegrator("symplectic-euler");
+  ASSERT_TRUE(handler.step(system, divided, h).done);
+  for (int k = 0; k < parts; ++k) euler->step(system, alone, part);
+  EXPECT_EQ(divided.x, alone.x);
+  EXPECT_EQ(divided.v, alone.v);
+  // After a while it asks whether fewer do, and at rest they do.
+  int steps = 1;
+  while (!handler.asksForChoice()) {
+    ASSERT_TRUE(handler.step(system, divided, h).done);
+    ASSERT_LT(++steps, 1000);
+  }
+  EXPECT_GE(steps * parts, 500);
+  handler.prepare(X, h);
+  EXPECT_EQ(handler.parts(), 1);
+  EXPECT_EQ(&handler.explicitBody(), &body);
+}
+
+// Velocities of symplectic Euler are those half a step ago: a change of the step moves them, and an oscillation keeps
+// its energy over many changes.
+TEST(MassScaling, ChangesTheSizeOfItsPartsWithoutADrift) {
+  Body body = test::sliverBody("corotational", 0.98);
+  const NodeVectors& X = body.mesh().X;
+  const double h = 3 * 2 / std::sqrt(denseHighest(body, X));
+  MassScaling handler(body, makeIntegrator("symplectic-euler"), {});
+  handler.prepare(X, h);
+  BodySystem system(body);
+  State state = system.initialState();
+  state.v.row(2) = 0.05 * (20 * X.row(0)).array().sin().matrix();
+  Body::Workspace workspace;
+  const auto energy = [&] {
+    return 0.5 * (state.v * body.lumpedMass().asDiagonal()).cwiseProduct(state.v).sum() +
+           body.energy(state.x - 0.5 * h / handler.parts() * state.v, workspace);
+  };
+  body.constraints().imposeVelocity(state.v);
+  const double first = energy();
+  int changes = 0;
+  double now = h;
+  for (int step = 0; step < 4000; ++step) {
+    // The first choice for a step divides it only where it must, another one for it has a reason.
+    if (step % 40 == 39) {
+      const int before = handler.parts();
+      if (step % 80 == 79) now = now == h ? h * (1 - 1e-9) : h;
+      handler.prepare(state.x, now);
+      changes += handler.parts() != before ? 1 : 0;
+    }
+    ASSERT_TRUE(handler.step(system, state, now).done);
+  }
+  EXPECT_GT(changes, 90);
+  EXPECT_NEAR(energy(), first, 0.01 * first);
+}
+
+TEST(MassScaling, DividesAStepThatWouldInvertALawThatHasNoEnergyThere) {
+  const auto least = [](const char* law, std::int64_t* divided) {
+    Body body = test::sliverBody(law, 0.98, false);
+    const NodeVectors& X = body.mesh().X;
+    const double h = 4 * 2 / std::sqrt(denseHighest(body, X));
+    const auto handler = makeHandler("mass-scaling", body, makeIntegrator("symplectic-euler"));
+    handler->prepare(X, h);
+    BodySystem system(body);
+    State state = system.initialState();
+    // The halves fly against each other, faster than a sliver is thick in a step.
+    for (std::int32_t i = 0; i < body.nodeCount(); ++i) state.v(0, i) = X(0, i) < 0.105 ? 1 : -1;
+    double result = 1;
+    for (int step = 0; step < 5; ++step) {
+      EXPECT_TRUE(handler->step(system, state, h).done);
+      for (const ElementRef e : handler->elements()) {
+        const auto nodes = body.blocks()[e.block]->nodesOf(e.element);
+        const auto volume = [&](const NodeVectors& x) {
+          Eigen::Matrix3d edges;
+          for (int k = 0; k < 3; ++k) edges.col(k) = x.col(nodes[k + 1]) - x.col(nodes[0]);
+          return edges.determinant();
+        };
+        result = std::min(result, volume(state.x) / volume(X));
+      }
+    }
+    *divided = static_cast<std::int64_t>(figure(*handler, "divided_steps"));
+    return result;
+  };
+  std::int64_t divided = 0;
+  EXPECT_LT(least("stable-neo-hookean", &divided), 0);  // it has an energy there
+  EXPECT_EQ(divided, 0);
+  EXPECT_GT(least("neo-hookean", &divided), 0);
+  EXPECT_GT(divided, 0);
+}
+
 TEST(MassScaling, TakesNothingAndChangesNothingWhereTheStepIsFine) {
   Body body = test::sliverBody(), plain = test::sliverBody();
   body.addBodyForce({0, 0, -1});
