@@ -406,12 +406,17 @@ def share_of_plain(row, plain):
 
 
 def picture(rows):
-    """SVG: a panel for each body, a line for each handler over its factors, with their numbers; hollow: most runs lost."""
+    """SVG: a panel for each body, a line for each handler over its factors, with their numbers; hollow: most runs lost.
+
+    Medians are of half of the laws and loads at least, and bodies without a plain run to compare with are left out.
+    """
     colours = dict(zip(list(HANDLERS)[1:], ["#4269d0", "#97bbf5", "#3ca951", "#ff725c", "#a463f2", "#9c6b4e"]))
     plain = plain_runs(rows)
     width, height, across, left, top = 300, 230, 3, 52, 30
-    decades_x, decades_y = (-5, 1), (-2, 1)  # of error and of time
-    names = list(dict.fromkeys(r["body"] for r in rows))
+    decades_x, decades_y = (-4, 1), (-1, 1)  # of error and of time
+    compared = {body: sum(p["body"] == body and not p.get("lost", True) for p in plain.values())
+                for body in dict.fromkeys(r["body"] for r in rows)}
+    names = sorted(body for body, count in compared.items() if count)
     at = lambda value, decades, size: (min(max(math.log10(value), decades[0]), decades[1]) - decades[0]) / (
         decades[1] - decades[0]) * size
     inner_x, inner_y = width - left - 12, height - top - 40
@@ -434,7 +439,7 @@ def picture(rows):
                 some = [r for r in rows if (r["body"], r["handler"], r["factor"]) == (body, handler, factor) and "lost" in r]
                 kept = [(r["error"], share) for r in some if isinstance(r.get("error"), float) and r["error"] > 0 and
                         (share := share_of_plain(r, plain.get((r["body"], r["law"], r["load"]))))]
-                if kept:
+                if 2 * len(kept) >= compared[body]:
                     points.append((*place(*(median(list(v)) for v in zip(*kept))), factor, 2 * sum(r["lost"] for r in some) > len(some)))
             line = " ".join(f"{x:.1f},{y:.1f}" for x, y, *_ in points)
             out.append(f'<polyline points="{line}" fill="none" stroke="{colour}"/>')

@@ -88,8 +88,9 @@ class Simulation {
   StepEvaluation evaluation_;
   Body::Workspace workspace_;
   bool stepperNeedsForce_ = false;
-  bool rowDue_ = false;     // at the state that was observed last
-  double preparedFor_ = 0;  // s, the step that the handler chose for
+  bool rowDue_ = false;      // at the state that was observed last
+  double preparedFor_ = 0;   // s, the step that the handler chose for
+  std::string choiceFault_;  // why it could not choose again
 };
 
 }  // namespace ringwatch

@@ -62,6 +62,7 @@ void MassScaling::divideSteps(const NodeVectors& x, double h) {
   if (!asked || !(lambda <= allowedLambda(h)))
     while (parts < mostParts && !(lambda <= shareOfProven * shareOfProven * allowedLambda(h / parts))) ++parts;
   proven_ = lambda <= allowedLambda(h / parts);
+  if (lastPart_ == 0) lastPart_ = dividedFor_;
   dividedFor_ = h;
   if (!asked || parts >= parts_) patience_ = std::max(2 * patience_, leastPatience);
   partsSinceChoice_ = 0;

@@ -60,7 +60,7 @@ class MassScaling final : public Handler {
   bool proven_ = true;               // the last choice found an n
   int parts_ = 1, largestParts_ = 1;
   double dividedFor_ = 0;  // s, the step of the last choice
-  double lastPart_ = 0;    // s, of the last step that was taken here
+  double lastPart_ = 0;    // s, of the last step; 0 before any was divided
   std::int64_t partsSinceChoice_ = 0, patience_ = 0, dividedSteps_ = 0;
 };
 

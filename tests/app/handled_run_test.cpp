@@ -10,6 +10,8 @@
 #include <ringwatch/app/run/device_stepper.h>
 #include <ringwatch/meshes/mesh_io.h>
 
+#include <tests/handlers/handler_cases.h>
+
 #include "handled_program.h"
 
 namespace ringwatch {
@@ -215,6 +217,23 @@ TEST_F(HandledProgram, JudgesTheEnergyWhereEveryElementIsHandled) {
   EXPECT_EQ(summary["handler"]["handled_elements"], 240);
   EXPECT_EQ(summary["verdict"], "unstable");
   EXPECT_THAT(summary["events"].dump(), HasSubstr("energy-balance"));
+}
+
+// A sliver that is turned inside out in a step has no tangent by this law, so that no choice can be made.
+TEST_F(HandledProgram, KeepsTheResultWhereAChoiceCannotBeMade) {
+  writeMesh(test::sliverBar(0.995), folder_.path() / "flat.msh");
+  folder_.write("flat.toml",
+                "[mesh]\nfile = \"flat.msh\"\n[material]\nmodel = \"neo-hookean\"\nyoung = 30e3\npoisson = 0.3\n"
+                "density = 1000\n[integrator]\nmethod = \"symplectic-euler\"\nstep = 4.9e-4\nend = 0.1\n[[initial]]\n"
+                "where = \"x < 0.11995\"\nvelocity = [0.5, 0, 0]\n[monitor]\non_violation = \"handle\"\n"
+                "[handler]\nmethod = \"local-time-stepping\"\n");
+  const Outcome outcome = call("run flat.toml --out flat");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("the handler cannot choose again"));
+  const Json summary = json("flat/summary.json");
+  EXPECT_EQ(summary["exit_reason"], "step-failed");
+  EXPECT_EQ(summary["verdict"], "unstable");
+  EXPECT_GT(table("flat/history.csv").rows.size(), 0u);
 }
 
 TEST_F(HandledProgram, SaysFromWhenOnRelaxedElementsAreImplicit) {
