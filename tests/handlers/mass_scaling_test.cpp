@@ -155,7 +155,7 @@ TEST(MassScaling, FallsFreelyThroughChangesOfItsParts) {
   int changes = 0, before = 1;
   double now = h, t = 0;
   for (int step = 0; step < 40; ++step) {
-    if (step % 10 == 5) handler.prepare(state.x, now);  // a second choice for a step has a reason to divide it
+    if (step % 10 == 5) handler.prepare(state.x, now);           // a second choice for a step has a reason to divide it
     if (step % 10 == 9) handler.prepare(state.x, now *= 0.999);  // the first for another step has none
     changes += handler.parts() != before ? 1 : 0;
     before = handler.parts();
