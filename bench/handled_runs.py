@@ -2,7 +2,8 @@
 """Long runs with every handler on bodies with bad elements: which are lost, and what they do to energy, momentum and motion.
 
     bench/handled_runs.py PROGRAM [--out DIR] [--jobs N] [--steps 10000] [--seconds S]
-        [--bodies NAME …] [--laws NAME …] [--loads NAME …] [--factors N …] [--handlers NAME …]
+        [--longest S] [--bodies NAME …] [--laws NAME …] [--loads NAME …] [--factors N …] [--handlers NAME …]
+        [--most-rise SHARE] [--most-fall SHARE]
 
 PROGRAM is `ringwatch`; nothing else is needed. Every body is run with every law and load, in steps of so many times its
 critical step at rest, by every handler, with on_violation = "handle"; and by the plain scheme at a half of its critical
@@ -18,7 +19,11 @@ of pulled bodies over the whole run, at equal shares of the pull.
 
 With --seconds no run begins after so long; runs are made in random order, those of factors 2 and 5 before the others,
 and tables are of those that were made. Bodies are made here; those named tetgen-… by the program tetgen, and they are
-left out, by name, where there is none. DIR gets the rows (runs.csv) and tables.md.
+left out, by name, where there is none. DIR gets the rows (runs.csv), tables.md and, for each body, the time of a run
+over plain's against its error, medians over laws and loads (work_and_error.svg).
+
+With --most-rise and --most-fall the exit status is 1 where a run that came to its end, of a handler, has an energy
+balance that rises or falls by more, as a share of the largest energy, or is wrongly told; such runs are printed.
 """
 import argparse
 import concurrent.futures
@@ -62,7 +67,6 @@ HANDLERS = {
 LOST = 0.1  # of the largest energy
 PROBE_EVERY = 20  # steps
 PROBES = {"low": "x < LOW_THIRD", "middle": "x > LOW_THIRD and x < HIGH_THIRD", "high": "x > HIGH_THIRD"}
-LONGEST = 200  # s, of a run; it is lost then
 
 # Kuhn's six tetrahedra of a cube, by its corners as bits x y z.
 KUHN = [(0, a, a | b, 7) if sign > 0 else (0, a | b, a, 7)
@@ -281,7 +285,7 @@ def difference(of, reference):
     return math.sqrt(square / whole) if whole else ""
 
 
-def run(program, folder, case):
+def run(program, folder, case, longest):
     path = folder / case["id"]
     path.mkdir()
     (path / "scene.toml").write_text(case["text"])
@@ -289,10 +293,10 @@ def run(program, folder, case):
     row = {k: case[k] for k in ("body", "law", "load", "factor", "handler", "step")}
     try:
         done = subprocess.run([program, "run", str(path / "scene.toml"), "--out", str(path / "out"), "--quiet", "--threads",
-                               "1"], capture_output=True, text=True, timeout=LONGEST)
+                               "1"], capture_output=True, text=True, timeout=longest)
     except subprocess.TimeoutExpired:
         shutil.rmtree(path)
-        return row | {"exit": "", "seconds": LONGEST, "verdict": "too slow", "lost": True, "wrongly_told": False}
+        return row | {"exit": "", "seconds": longest, "verdict": "too slow", "lost": True, "wrongly_told": False}
     row |= {"exit": done.returncode, "seconds": round(time.monotonic() - begin, 2)}
     if done.returncode == 2:
         row |= {"verdict": "refused", "reason": done.stderr.strip().splitlines()[-1][-300:] if done.stderr else ""}
@@ -309,6 +313,7 @@ def run(program, folder, case):
                     "rise": rise, "fall": fall, "dissipated": dissipated, "certified": summary["certified_steps"],
                     "handled": handler.get("handled_elements", 0), "selections": handler.get("selections", ""),
                     "added_mass": handler.get("added_mass_percent", ""),
+                    "implicit": handler.get("implicit_steps", ""), "parts": handler.get("most_parts", ""),
                     "energy_balance": "energy-balance" in kinds,
                     "inverted": "inverted" in kinds, "indefinite": "indefinite" in kinds,
                     "reason": "" if done_whole else str(summary.get("exit_text") or "")[:300],
@@ -357,33 +362,98 @@ def table(rows, of, title):
     return "\n".join(lines) + "\n"
 
 
+def plain_runs(rows):
+    """By body, law and load."""
+    return {(r["body"], r["law"], r["load"]): r for r in rows if r["handler"] == "plain, half"}
+
+
+def median(values):
+    return sorted(values)[len(values) // 2] if values else math.nan
+
+
 def summary_table(rows):
     lines = ["## Of the runs that were not lost", "",
              "Medians and, after the comma, the largest.", "",
              "| handler | lost | wrongly told | rise of the energy balance (%) | fall (%) | error (%) | angular momentum, spinning | "
              "linear momentum, dropped | median time over plain's |",
              "|---|---|---|---|---|---|---|---|---|"]
-    plain = {(r["body"], r["law"], r["load"]): r for r in rows if r["handler"] == "plain, half"}
-    middle = lambda values: sorted(values)[len(values) // 2] if values else math.nan
+    plain = plain_runs(rows)
 
     def two(values, scale=1.0):
         values = [v * scale for v in values if isinstance(v, float)]
-        return f"{middle(values):.2g}, {max(values):.2g}" if values else "–"
+        return f"{median(values):.2g}, {max(values):.2g}" if values else "–"
 
     for name in HANDLERS:
         some = [r for r in rows if r["handler"] == name and "lost" in r]
         if not some:
             continue
         kept = [r for r in some if not r["lost"]]
-        shares = [r["seconds"] / r["steps"] * (0.5 / r["factor"] if name != "plain, half" else 1) /
-                  (p["seconds"] / p["steps"])
-                  for r in kept if (p := plain.get((r["body"], r["law"], r["load"]))) and p.get("steps") and not p["lost"]]
+        shares = [share for r in kept if (share := share_of_plain(r, plain.get((r["body"], r["law"], r["load"]))))]
         momenta = lambda load: two([r.get("momentum", "") for r in kept if r["load"] == load])
         lines.append(f"| {name} | {sum(r['lost'] for r in some)} of {len(some)} | {sum(r['wrongly_told'] for r in some)} | "
                      f"{two([r['rise'] for r in kept], 100)} | {two([r['fall'] for r in kept], 100)} | "
                      f"{two([r.get('error', '') for r in kept], 100)} | {momenta('spinning')} | {momenta('dropped')} | "
-                     f"{middle(shares):.2g} |")
+                     f"{median(shares):.2g} |")
     return "\n".join(lines) + "\n"
+
+
+def share_of_plain(row, plain):
+    """Time of a simulated second over that of the plain run; nothing where that was lost."""
+    if not plain or not plain.get("steps") or plain["lost"] or not row.get("steps"):
+        return None
+    factor = 1 if row["handler"] == "plain, half" else 0.5 / row["factor"]
+    return row["seconds"] / row["steps"] * factor / (plain["seconds"] / plain["steps"])
+
+
+def picture(rows):
+    """SVG: a panel for each body, a line for each handler over its factors, with their numbers; hollow: most runs lost.
+
+    Medians are of half of the laws and loads at least, and bodies without a plain run to compare with are left out.
+    """
+    colours = dict(zip(list(HANDLERS)[1:], ["#4269d0", "#97bbf5", "#3ca951", "#ff725c", "#a463f2", "#9c6b4e"]))
+    plain = plain_runs(rows)
+    width, height, across, left, top = 300, 230, 3, 52, 30
+    decades_x, decades_y = (-4, 1), (-1, 1)  # of error and of time
+    compared = {body: sum(p["body"] == body and not p.get("lost", True) for p in plain.values())
+                for body in dict.fromkeys(r["body"] for r in rows)}
+    names = sorted(body for body, count in compared.items() if count)
+    at = lambda value, decades, size: (min(max(math.log10(value), decades[0]), decades[1]) - decades[0]) / (
+        decades[1] - decades[0]) * size
+    inner_x, inner_y = width - left - 12, height - top - 40
+    out = []
+    for number, body in enumerate(names):
+        x0, y0 = number % across * width + left, number // across * height + top
+        place = lambda error, time: (x0 + at(error, decades_x, inner_x), y0 + inner_y - at(time, decades_y, inner_y))
+        out.append(f'<text x="{x0}" y="{y0 - 8}" font-weight="bold">{body}</text>')
+        for k in range(decades_x[0], decades_x[1] + 1):
+            x = place(10**k, 1)[0]
+            out.append(f'<line x1="{x:.1f}" x2="{x:.1f}" y1="{y0}" y2="{y0 + inner_y}" stroke="#ddd"/>'
+                       f'<text x="{x:.1f}" y="{y0 + inner_y + 14}" text-anchor="middle">{10.0**(k + 2):g}</text>')
+        for k in range(decades_y[0], decades_y[1] + 1):
+            y = place(1, 10**k)[1]
+            out.append(f'<line x1="{x0}" x2="{x0 + inner_x}" y1="{y:.1f}" y2="{y:.1f}" stroke="{"#888" if k == 0 else "#ddd"}"/>'
+                       f'<text x="{x0 - 4}" y="{y + 4:.1f}" text-anchor="end">{10.0**k:g}</text>')
+        for handler, colour in colours.items():
+            points = []
+            for factor in sorted({r["factor"] for r in rows if r["handler"] == handler and r["body"] == body}):
+                some = [r for r in rows if (r["body"], r["handler"], r["factor"]) == (body, handler, factor) and "lost" in r]
+                kept = [(r["error"], share) for r in some if isinstance(r.get("error"), float) and r["error"] > 0 and
+                        (share := share_of_plain(r, plain.get((r["body"], r["law"], r["load"]))))]
+                if 2 * len(kept) >= compared[body]:
+                    points.append((*place(*(median(list(v)) for v in zip(*kept))), factor, 2 * sum(r["lost"] for r in some) > len(some)))
+            line = " ".join(f"{x:.1f},{y:.1f}" for x, y, *_ in points)
+            out.append(f'<polyline points="{line}" fill="none" stroke="{colour}"/>')
+            out += [f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" stroke="{colour}" fill="{"white" if lost else colour}"/>'
+                    f'<text x="{x + 4:.1f}" y="{y - 4:.1f}" fill="{colour}" font-size="9">{factor:g}</text>'
+                    for x, y, factor, lost in points]
+        out.append(f'<text x="{x0 + inner_x / 2}" y="{y0 + inner_y + 28}" text-anchor="middle">error (%)</text>')
+        out.append(f'<text transform="translate({x0 - 34},{y0 + inner_y / 2}) rotate(-90)" text-anchor="middle">time over plain\'s</text>')
+    bottom = (len(names) + across - 1) // across * height + 30
+    for k, (handler, colour) in enumerate(colours.items()):
+        x = left + k * 145
+        out.append(f'<circle cx="{x}" cy="{bottom - 14}" r="4" fill="{colour}"/><text x="{x + 8}" y="{bottom - 10}">{handler}</text>')
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{across * width}" height="{bottom}" font-family="sans-serif" '
+            f'font-size="10"><rect width="100%" height="100%" fill="white"/>\n' + "\n".join(out) + "\n</svg>\n")
 
 
 def main():
@@ -393,6 +463,9 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--steps", type=int, default=10000)
     parser.add_argument("--seconds", type=float, help="begin no run after so long; tables are of those that were made")
+    parser.add_argument("--longest", type=float, default=200, help="seconds of a run; it is lost then")
+    parser.add_argument("--most-rise", type=float, help="of the energy balance over the largest energy")
+    parser.add_argument("--most-fall", type=float, help="the same, downwards")
     parser.add_argument("--bodies", nargs="+")
     parser.add_argument("--laws", nargs="+", default=LAWS)
     parser.add_argument("--loads", nargs="+", default=list(LOADS), choices=list(LOADS))
@@ -431,7 +504,7 @@ def main():
         rows = []
         with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
             late = lambda: options.seconds and time.monotonic() - begin > options.seconds
-            work = lambda case: None if late() else run(options.program, scratch, case)
+            work = lambda case: None if late() else run(options.program, scratch, case, options.longest)
             for count, row in enumerate(pool.map(work, cases), 1):
                 if row:
                     rows.append(row)
@@ -440,7 +513,7 @@ def main():
     note_errors(rows)
     columns = ["body", "law", "load", "factor", "handler", "step", "exit", "verdict", "steps", "whole", "lost", "wrongly_told",
                "rise", "fall", "dissipated", "error", "momentum", "energy_balance", "certified", "handled", "selections",
-               "added_mass", "inverted", "indefinite", "seconds", "reason"]
+               "added_mass", "implicit", "parts", "inverted", "indefinite", "seconds", "reason"]
     with (options.out / "runs.csv").open("w", newline="") as file:
         writer = csv.DictWriter(file, columns)
         writer.writeheader()
@@ -449,7 +522,16 @@ def main():
     for of in ("law", "load", "factor", "body"):
         text += "\n" + table(rows, of, f"Lost, by {of}")
     (options.out / "tables.md").write_text(text)
+    (options.out / "work_and_error.svg").write_text(picture(rows))
     print(text)
+    off = [r for r in rows if r.get("wrongly_told") or r["handler"] != "plain, half" and r.get("whole") and (
+        options.most_rise is not None and not r["rise"] <= options.most_rise or
+        options.most_fall is not None and not r["fall"] <= options.most_fall)]
+    for row in off:
+        print("off: " + ", ".join(f"{k} {row[k]}" for k in ("body", "law", "load", "factor", "handler", "verdict", "rise", "fall")
+                                  if k in row))
+    if off and (options.most_rise is not None or options.most_fall is not None):
+        sys.exit(1)
 
 
 if __name__ == "__main__":

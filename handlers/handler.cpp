@@ -66,6 +66,7 @@ Handler::Handler(const HandlerInfo& info, Body& body, std::unique_ptr<Integrator
 void Handler::prepare(const NodeVectors& x, double h) { prepareFor(x, h, {}); }
 
 void Handler::prepare(const NodeVectors& x, double h, const CutMesh& cut, const Handler& before) {
+  inherit(before);
   chosen_ = carriedOver(cut, before.chosen_);
   selection_ = before.selection_;
   selection_.carryOver(cut);
@@ -85,6 +86,16 @@ void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& can
   ElementFlags chosen = choose(x, h, chosen_);
   h_ = h;
   certified_ = options_.selection != Selection::fierzRing;
+  handle(std::move(chosen), x);
+}
+
+void Handler::prepareAs(const Handler& other, const NodeVectors& x) {
+  h_ = other.h_;
+  certified_ = other.certified_;
+  handle(other.chosen_, x);
+}
+
+void Handler::handle(ElementFlags chosen, const NodeVectors& x) {
   chosen_ = std::move(chosen);
   elements_ = chosenElements(chosen_);
   places_.assign(body_.blocks().size(), {});
@@ -92,7 +103,7 @@ void Handler::prepareFor(const NodeVectors& x, double h, const ElementFlags& can
     places_[e.block].push_back(body_.blocks()[e.block]->layout().batchOfElement[e.element]);
   for (auto& places : places_) std::sort(places.begin(), places.end());
   reset();
-  if (!elements_.empty()) take(x, h, chosen_);
+  if (!elements_.empty()) take(x, h_, chosen_);
 }
 
 void Handler::closeWork() {
@@ -182,14 +193,21 @@ StepStatus Handler::baseStep(SecondOrderSystem& system, State& state, double h, 
   state.a.swap(baseAcceleration_);
   state.a.resize(3, 0);
   if (status.done && fault.empty()) return status;
-  state = before_;
-  if (work_) work_->revert();
-  reset();
+  takeBack(state);
   return status.done ? StepStatus{false, fault} : status;
 }
 
+void Handler::takeBack(State& state) {
+  state = before_;
+  if (work_) work_->revert();
+  reset();
+}
+
 std::optional<Body::LeastDeterminant> Handler::leastHandledDeterminant(const NodeVectors& x) const {
-  if (elements_.empty() || !explicitPart_) return std::nullopt;
+  return explicitPart_ ? leastDeterminantOfChosen(x) : std::nullopt;
+}
+
+std::optional<Body::LeastDeterminant> Handler::leastDeterminantOfChosen(const NodeVectors& x) const {
   std::optional<Body::LeastDeterminant> least;
   double values[lanes];
   for (std::size_t b = 0; b < places_.size(); ++b) {

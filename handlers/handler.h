@@ -89,6 +89,9 @@ class Handler : public Integrator {
   /// left as it was. With Selection::fierzRing only the changed elements are examined; `certified` chooses again among
   /// those and their neighbours and keeps the proof of all others (IncrementalSelection).
   void prepare(const NodeVectors& x, double h, const CutMesh& cut, const Handler& before);
+  /// Handles what another handler of this body has chosen, for the steps that it was prepared for, from positions x
+  /// (3×N, m) on: without a choice of its own.
+  void prepareAs(const Handler& other, const NodeVectors& x);
   /// Takes a step of the size that it was prepared for; another throws InputError.
   StepStatus step(SecondOrderSystem& system, State& state, double h) override;
   StepStatus advance(SecondOrderSystem& system, State& state, double h) override;
@@ -108,7 +111,7 @@ class Handler : public Integrator {
   ElementRef toParentElement(ElementRef part) const;
   /// Whether the explicit part is proven stable for the tangent at the positions it was prepared for; by the theorem
   /// of its selection or handler (Theorems 31 to 40, docs/theory/handlers.md).
-  bool certified() const { return certified_; }
+  virtual bool certified() const { return certified_; }
   virtual std::vector<HandlerFigure> figures() const { return {}; }
   /// What the time integration of the handled elements has taken from their energy since the handler was made, J
   /// (HandledWork). Less than nothing: it has added to it.
@@ -122,6 +125,10 @@ class Handler : public Integrator {
   /// Which handled part is no longer proven stable for the tangent at positions x (3×N, m), and "" when none is known
   /// to be: where a proof for explicitBody() is not all that it takes.
   virtual std::string uncertifiedPart(const NodeVectors&) { return {}; }
+  /// Whether it would choose again where the explicit part is certified: at less cost.
+  virtual bool asksForChoice() const { return false; }
+  /// What it has changed of its own since this was asked last, a sentence; "" for nothing.
+  virtual std::string news() { return {}; }
   /// What the last choice took: elements evaluated again, and evaluations of a single element or ring.
   struct SelectionCost {
     std::int64_t elements = 0, evaluations = 0;
@@ -132,6 +139,8 @@ class Handler : public Integrator {
   /// Called after a choice that is not empty.
   virtual void take(const NodeVectors& x, double h, const ElementFlags& chosen) = 0;
   virtual StepStatus handledStep(SecondOrderSystem& system, State& state, double h) = 0;
+  /// Takes over what the handler of the body before a cut knows, but for its choice: before the first choice.
+  virtual void inherit(const Handler&) {}
   /// Whether a step is one of the base scheme on the system itself.
   virtual bool stepsAsBase() const { return elements_.empty(); }
   /// Whether handledStep begins with the acceleration of the state by the system, and takes State::a for it.
@@ -139,6 +148,8 @@ class Handler : public Integrator {
   /// A step of the base scheme in which the system may find a fault: then the state is as before it, and the status
   /// says what it is. fault: filled in by the system, empty else.
   StepStatus baseStep(SecondOrderSystem& system, State& state, double h, const std::string& fault);
+  /// The state before the last baseStep(), which is as if it had not been.
+  void takeBack(State& state);
   std::span<const std::int32_t> nodesOf(ElementRef e) const { return body_.blocks()[e.block]->nodesOf(e.element); }
   /// Throws InputError unless all are tet4 of a law that turns with its element.
   void requireCorotationalTetrahedra(const std::vector<ElementRef>& elements) const;
@@ -148,8 +159,12 @@ class Handler : public Integrator {
   }
   /// The elements that a limit of lambda, rad²/s², asks for, as the selection says.
   ElementFlags chooseFor(const NodeVectors& x, double lambda, const ElementFlags& keep);
+  /// Least det F over the handled elements at positions x (3×N, m), with its element; nothing where there are none.
+  std::optional<Body::LeastDeterminant> leastDeterminantOfChosen(const NodeVectors& x) const;
   /// Leaves the chosen elements out of explicitBody(); with mass (kg, N numbers > 0), that is its lumped mass.
   void detach(const ElementFlags& chosen, const Eigen::VectorXd& mass = {});
+  /// explicitBody() is the body itself again.
+  void attachAll() { explicitPart_.reset(); }
   /// Some elements of the body with another lumped mass, kg, N numbers > 0; without loads.
   Body partWithMass(const ElementFlags& elements, const Eigen::VectorXd& mass) const;
   /// The highest frequency squared that is left to the explicit part, rad²/s²: ((1 - margin) limit/h)², and with
@@ -176,6 +191,7 @@ class Handler : public Integrator {
  private:
   /// candidates: the elements to evaluate; empty for all.
   void prepareFor(const NodeVectors& x, double h, const ElementFlags& candidates);
+  void handle(ElementFlags chosen, const NodeVectors& x);
 
   const HandlerInfo& info_;
   double h_ = 0;

@@ -110,6 +110,8 @@ void RunWatch::complete(MonitorReport& report, const State& state, const std::op
       report.newEvents.push_back(*event);
   dropContinued(report);
   if (!handler_) return;
+  if (const std::string news = handler_->news(); !news.empty())
+    result_.notes.push_back(fmt::format("step {}, t = {:.6g} s: {}", report.step, state.time, news));
   nameElements(report);
   if (report.step % scene_.every == 0 && state.x.allFinite()) watchHandled(report, state);
   checkHandled(report);

@@ -116,11 +116,15 @@ std::optional<CriticalStep> Simulation::criticalStepHere() const {
 
 MonitorReport Simulation::handleMore(MonitorReport report, bool rowDue) {
   if (!scheme->handler() || !watch.monitors() || scene.onViolation != OnViolation::handle || !report.fresh ||
-      report.verdict == Verdict::certified || !(steps.step() > 0) || !state.x.allFinite())
+      (report.verdict == Verdict::certified && !scheme->handler()->asksForChoice()) || !(steps.step() > 0) ||
+      !state.x.allFinite())
     return report;
-  {
+  try {
     const Stopwatch measured(result.monitorTime);
     handleAgain();
+  } catch (const NumericalError& fault) {
+    choiceFault_ = fault.what();
+    return report;
   }
   MonitorReport more = observeOnce(report.step, rowDue);
   // Those of the explicit elements are of a choice that no step was taken with.
@@ -185,6 +189,10 @@ void Simulation::setLoads() {
 }
 
 bool Simulation::acceptState(const MonitorReport& report) {
+  if (!choiceFault_.empty()) {
+    end(ExitReason::stepFailed, fmt::format("step {}: the handler cannot choose again: {}", report.step, choiceFault_));
+    return false;
+  }
   const bool finite = isFinite(state, body.threads());
   if (!finite)
     end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", report.step));

@@ -91,6 +91,7 @@ class Simulation {
   bool dampsAtState_ = false;  // the evaluation has the damping of elements at the velocities of the state
   bool rowDue_ = false;        // at the state that was observed last
   double preparedFor_ = 0;     // s, the step that the handler chose for
+  std::string choiceFault_;    // why it could not choose again
 };
 
 }  // namespace ringwatch

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include <ringwatch/handlers/fe_pbd/relaxed_tetrahedra.h>
-#include <ringwatch/handlers/handler.h>
+#include <ringwatch/handlers/relaxing_handler.h>
 
 namespace ringwatch {
 
@@ -17,7 +17,7 @@ namespace ringwatch {
 ///
 /// Handled elements follow linear elasticity in the frame that turns with them, at small strains any law here. Other
 /// elements than tet4, and laws that do not turn with the element, are refused.
-class FePbd final : public Handler {
+class FePbd final : public RelaxingHandler {
  public:
   static constexpr std::array<std::string_view, 2> variants{"linear", "rigid"};
   static constexpr std::array table{
@@ -27,30 +27,23 @@ class FePbd final : public Handler {
                  .range = {0, 32, true, true},
                  .fallback = "0",
                  .help = "over the handled elements in a step; more make crowded ones less soft; 0: 1",
-                 .onlyWith = {"variant", std::span(variants).first<1>()}}};
+                 .onlyWith = {"variant", std::span(variants).first<1>()}},
+      energyLimitOption(std::span(variants).first<1>())};
   static constexpr HandlerInfo description{.name = "fe-pbd",
                                            .help = "moves the nodes of critical tetrahedra towards goal shapes",
                                            .options = table,
                                            .relaxes = true};
   FePbd(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
-  std::vector<HandlerFigure> figures() const override;
 
  protected:
-  void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
-  /// system: that of the body. The handled elements have no force of their own there, so the handler evaluates the
-  /// others itself, and a system that counts or splits forces sees none.
-  StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
+  void takeRelaxed(double h, const ElementFlags& chosen) override;
+  std::string relax(const NodeVectors& x, const NodeVectors& v, double h, NodeVectors& a) override;
+  std::vector<HandlerFigure> figuresOfPasses() const override;
 
  private:
-  /// The base scheme's view: the acceleration that leads to the relaxed positions.
-  class Relaxed;
-
   GoalShape goal_;
   int passes_;
   std::unique_ptr<RelaxedTetrahedra> relaxed_;
-  Eigen::VectorXd inverseMass_;
-  NodeVectors force_;
-  Body::Workspace workspace_;
 };
 
 }  // namespace ringwatch

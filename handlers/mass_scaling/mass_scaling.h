@@ -1,4 +1,7 @@
 #pragma once
+#include <cstdint>
+#include <vector>
+
 #include <ringwatch/handlers/handler.h>
 
 namespace ringwatch {
@@ -9,6 +12,13 @@ namespace ringwatch {
 ///   m_i + added_i >= lambda_max(Σ_rest,i + Σ l_e D_e,i) / lambda,   lambda = ((1 - margin) limit/h)².
 /// Theorem 40, docs/theory/handlers.md. Loads stay what they are. The mass goes to the Body, for good. Always uses the
 /// certified selection: options with another throw InputError.
+///
+/// Mass is added by the first choice of a body alone: mass that comes to nodes that move brings energy, and along a
+/// motion that strains its elements ever more of it would. Where a later choice does not prove h, steps are n of
+/// h/n of the base scheme, h/n half of what the nodal bound proves, and explicitBody() has masses that are larger by
+/// the limit at h/n over that at h (n² without damping), so that its proof at h is that of the body at h/n: Theorem
+/// 116. A step that would end at det F <= 0 in a critical element of a law that has no energy there is taken in twice
+/// as many parts, and so on.
 class MassScaling final : public Handler {
  public:
   // Mass is added until the step is proven.
@@ -21,20 +31,37 @@ class MassScaling final : public Handler {
                                            .takesStiffnessDamping = true};
   MassScaling(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
 
-  /// Added mass, kg and % of the body's own, and the lowest elastic frequencies with and without it, Hz, at the
-  /// positions of the first mass that was added.
+  /// Added mass, kg and % of the body's own, steps that were divided and the largest n, and the lowest elastic
+  /// frequencies with and without it, Hz, at the positions where the mass was added.
   std::vector<HandlerFigure> figures() const override;
+  bool certified() const override { return Handler::certified() && proven_; }
+  /// A while after a choice, where steps are divided.
+  bool asksForChoice() const override { return parts_ > 1 && partsSinceChoice_ >= patience_; }
+  /// n, of the steps of h/n that the last choice asked for.
+  int parts() const { return parts_; }
 
  protected:
+  ElementFlags choose(const NodeVectors& x, double h, const ElementFlags& keep) override;
   void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
-  StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override {
-    return base_->step(system, state, h);
-  }
-  bool stepsAsBase() const override { return true; }
+  StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
+  bool stepsAsBase() const override { return parts_ == 1 && largestParts_ == 1 && allHaveEnergy_; }
+  bool handledBeginsWithAcceleration() const override { return base_->beginsWithAcceleration(); }
 
  private:
+  void divideSteps(const NodeVectors& x, double h);
+  StepStatus dividedStep(SecondOrderSystem& system, State& state, double h, int parts);
+  bool endsWithoutEnergy(const NodeVectors& x) const;
+
   Eigen::VectorXd ownMass_, added_;  // kg, by node
-  NodeVectors x_;                    // where mass was added first, m
+  NodeVectors x_;                    // where mass was added, m
+  State before_;                     // the step that is being taken
+  bool begun_ = false;               // the first choice was made
+  bool allHaveEnergy_ = true;        // handled elements, inverted ones too
+  bool proven_ = true;               // the last choice found an n
+  int parts_ = 1, largestParts_ = 1;
+  double dividedFor_ = 0;  // s, the step of the last choice
+  double lastPart_ = 0;    // s, of the last step; 0 before any was divided
+  std::int64_t partsSinceChoice_ = 0, patience_ = 0, dividedSteps_ = 0;
 };
 
 }  // namespace ringwatch

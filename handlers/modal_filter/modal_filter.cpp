@@ -8,43 +8,12 @@
 
 namespace ringwatch {
 
-class ModalFilter::Corrected final : public SecondOrderSystem {
- public:
-  Corrected(ModalFilter& owner, double h) : owner_(owner), h_(h) {}
-  void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
-    ModalFilter& o = owner_;
-    o.explicitBody().internalForce(x, o.force_, o.workspace_);
-    a = (o.body_.externalForce() - o.force_) * o.inverseMass_.asDiagonal();
-    o.body_.constraints().clearConstrained(a);
-    o.work().begin(x, a);
-    const bool finite = o.tetrahedra_->act(x, v, a, o.projects_ ? 0 : o.passes_);
-    if (!finite && fault.empty()) fault = "the handled elements' nodes are not at finite positions";
-    if (o.projection_) {
-      o.predicted_ = x + h_ * (v + h_ * a);
-      o.force_ = o.predicted_;
-      const std::string reason = o.projection_->project(o.predicted_);
-      if (!reason.empty() && fault.empty()) fault = reason;
-      a += (o.predicted_ - o.force_) / (h_ * h_);
-      if (!a.allFinite() && fault.empty()) fault = "the projected positions are not finite";
-    }
-    o.work().end(v, a);
-  }
-  int threads() const override { return owner_.body_.threads(); }
-  bool velocityDependent() const override { return true; }
-
-  std::string fault;
-
- private:
-  ModalFilter& owner_;
-  double h_;
-};
-
 ModalFilter::ModalFilter(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
-    : Handler(description, body, std::move(base), std::move(options)),
+    : RelaxingHandler(description, body, std::move(base), std::move(options), variants[0]),
       projects_(options_.own.text("variant") == variants[1]),
       passes_(std::max(1, options_.own.integer("passes"))) {}
 
-void ModalFilter::take(const NodeVectors&, double h, const ElementFlags& chosen) {
+void ModalFilter::takeRelaxed(double h, const ElementFlags& chosen) {
   const auto elements = chosenElements(chosen);
   requireCorotationalTetrahedra(elements);
   const double lambda = allowedLambda(h);
@@ -74,17 +43,20 @@ void ModalFilter::take(const NodeVectors&, double h, const ElementFlags& chosen)
     projection_.emplace(body_, shapeConstraints(body_.mesh(), elements),
                         options_.own.automatic("tolerance") ? 1e-8 : options_.own.number("tolerance"),
                         options_.own.integer("iterations"));
-  inverseMass_ = body_.lumpedMass().cwiseInverse();
-  countWork(h);
-  detach(chosen);
 }
 
-StepStatus ModalFilter::handledStep(SecondOrderSystem&, State& state, double h) {
-  Corrected corrected(*this, h);
-  return baseStep(corrected, state, h, corrected.fault);
+std::string ModalFilter::relax(const NodeVectors& x, const NodeVectors& v, double h, NodeVectors& a) {
+  if (!tetrahedra_->act(x, v, a, projects_ ? 0 : passes_))
+    return "the handled elements' nodes are not at finite positions";
+  if (!projection_) return {};
+  predicted_ = x + h * (v + h * a);
+  projected_ = predicted_;
+  if (std::string reason = projection_->project(projected_); !reason.empty()) return reason;
+  a += (projected_ - predicted_) / (h * h);
+  return a.allFinite() ? "" : "the projected positions are not finite";
 }
 
-std::vector<HandlerFigure> ModalFilter::figures() const {
+std::vector<HandlerFigure> ModalFilter::figuresOfPasses() const {
   if (!tetrahedra_) return {};
   std::vector<HandlerFigure> result{{"filtered_modes", static_cast<double>(tetrahedra_->modes())}};
   if (projection_) {

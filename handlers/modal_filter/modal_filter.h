@@ -3,9 +3,9 @@
 #include <optional>
 
 #include <ringwatch/base/infinity.h>
-#include <ringwatch/handlers/handler.h>
 #include <ringwatch/handlers/modal_filter/filtered_tetrahedra.h>
 #include <ringwatch/handlers/modal_filter/shape_constraints.h>
+#include <ringwatch/handlers/relaxing_handler.h>
 
 namespace ringwatch {
 
@@ -28,7 +28,7 @@ namespace ringwatch {
 /// Handled elements follow linear elasticity in the frame that turns with them, at small strains any law here; the
 /// linear law and other elements than tet4 are refused. Forces and constraints of the compliant variant are free of
 /// torque about x; those of the projection about the positions it ends at.
-class ModalFilter final : public Handler {
+class ModalFilter final : public RelaxingHandler {
  public:
   static constexpr std::array<std::string_view, 2> variants{"compliant", "projection"};
   static constexpr auto compliantAlone = std::span(variants).first<1>(),
@@ -41,6 +41,7 @@ class ModalFilter final : public Handler {
                  .fallback = "0",
                  .help = "over the handled elements in a step; more make crowded ones less soft; 0: 1",
                  .onlyWith = {"variant", compliantAlone}},
+      energyLimitOption(compliantAlone),
       OptionInfo{.name = "tolerance",
                  .range = {0, 1, false, true},
                  .automatic = true,
@@ -62,25 +63,19 @@ class ModalFilter final : public Handler {
                                            .selections = selections,
                                            .relaxes = true};
   ModalFilter(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
-  std::vector<HandlerFigure> figures() const override;
 
  protected:
-  void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
-  /// system: that of the body. Handled elements pull with K' instead of their own force, so the handler evaluates the
-  /// others itself, and a system that counts or splits forces sees none.
-  StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
+  void takeRelaxed(double h, const ElementFlags& chosen) override;
+  /// Handled elements pull with K' instead of their own force.
+  std::string relax(const NodeVectors& x, const NodeVectors& v, double h, NodeVectors& a) override;
+  std::vector<HandlerFigure> figuresOfPasses() const override;
 
  private:
-  /// The base scheme's view.
-  class Corrected;
-
   bool projects_;
   int passes_;
   std::unique_ptr<FilteredTetrahedra> tetrahedra_;
   std::optional<ConstraintProjection> projection_;
-  Eigen::VectorXd inverseMass_;
-  NodeVectors force_, predicted_;
-  Body::Workspace workspace_;
+  NodeVectors predicted_, projected_;
 };
 
 }  // namespace ringwatch

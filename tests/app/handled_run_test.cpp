@@ -1,4 +1,5 @@
 // Runs with a handler, beyond the critical step.
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -8,6 +9,8 @@
 
 #include <ringwatch/app/run/device_stepper.h>
 #include <ringwatch/meshes/mesh_io.h>
+
+#include <tests/handlers/handler_cases.h>
 
 #include "handled_program.h"
 
@@ -20,6 +23,7 @@ using test::Outcome;
 using test::Program;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST_F(HandledProgram, RunsAtThreeTimesTheCriticalStep) {
   EXPECT_EQ(call("run slivers.toml --out plain").status, 1);  // without a handler
@@ -204,14 +208,67 @@ TEST_F(HandledProgram, SaysWhatIsProvenWhereEveryElementIsHandled) {
 // One pass leaves crowded elements too soft: by their law they have more energy than the support gave them.
 TEST_F(HandledProgram, JudgesTheEnergyWhereEveryElementIsHandled) {
   write("[handler]\nmethod = \"fe-pbd\"\n", "[[move]]\nwhere = \"x > 0.2 - 1e-6\"\nvelocity = [0.2, 0, 0]\n");
-  const Outcome outcome =
-      call("run slivers.toml --out all --set handler.margin=0.7 --set integrator.end=0.3 --set integrator.step=" +
-           number(10 * critical_));
+  const Outcome outcome = call(
+      "run slivers.toml --out all --set handler.energy_limit=0 --set handler.margin=0.7 --set integrator.end=0.3 "
+      "--set integrator.step=" +
+      number(10 * critical_));
   EXPECT_EQ(outcome.status, 1) << outcome.out;
   const Json summary = json("all/summary.json");
   EXPECT_EQ(summary["handler"]["handled_elements"], 240);
   EXPECT_EQ(summary["verdict"], "unstable");
   EXPECT_THAT(summary["events"].dump(), HasSubstr("energy-balance"));
+}
+
+// A sliver that is turned inside out in a step has no tangent by this law, so that no choice can be made.
+TEST_F(HandledProgram, KeepsTheResultWhereAChoiceCannotBeMade) {
+  writeMesh(test::sliverBar(0.995), folder_.path() / "flat.msh");
+  folder_.write("flat.toml",
+                "[mesh]\nfile = \"flat.msh\"\n[material]\nmodel = \"neo-hookean\"\nyoung = 30e3\npoisson = 0.3\n"
+                "density = 1000\n[integrator]\nmethod = \"symplectic-euler\"\nstep = 4.9e-4\nend = 0.1\n[[initial]]\n"
+                "where = \"x < 0.11995\"\nvelocity = [0.5, 0, 0]\n[monitor]\non_violation = \"handle\"\n"
+                "[handler]\nmethod = \"local-time-stepping\"\n");
+  const Outcome outcome = call("run flat.toml --out flat");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("the handler cannot choose again"));
+  const Json summary = json("flat/summary.json");
+  EXPECT_EQ(summary["exit_reason"], "step-failed");
+  EXPECT_EQ(summary["verdict"], "unstable");
+  EXPECT_GT(table("flat/history.csv").rows.size(), 0u);
+}
+
+TEST_F(HandledProgram, SaysFromWhenOnRelaxedElementsAreImplicit) {
+  write("[handler]\nmethod = \"fe-pbd\"\n", "[[move]]\nwhere = \"x > 0.2 - 1e-6\"\nvelocity = [0.2, 0, 0]\n");
+  const Outcome outcome =
+      call("run slivers.toml --out all --set handler.margin=0.7 --set integrator.end=0.3 --set integrator.step=" +
+           number(10 * critical_));
+  const Json summary = json("all/summary.json");
+  EXPECT_THAT(summary["notes"].dump(), HasSubstr("they are implicit from here on"));
+  EXPECT_GT(summary["handler"]["implicit_steps"].get<double>(), 0.5 * summary["steps"].get<double>());
+  EXPECT_THAT(summary["events"].dump(), Not(HasSubstr("energy-balance"))) << outcome.out;
+}
+
+// A body that vibrates for 1500 steps at twice its critical step; 100 000 steps are those of scripts/nightly.
+TEST_F(HandledProgram, KeepsItsEnergyInLongRuns) {
+  write("");
+  const std::string run =
+      "run slivers.toml --out long --set monitor.mode=threshold --set monitor.on_violation=handle "
+      "--set output.history_every=20 --set integrator.method=symplectic-euler --set integrator.step=" +
+      number(2 * critical_) + " --set integrator.end=" + number(3000 * critical_);
+  for (const char* handler : {"imex", "local-time-stepping", "fe-pbd", "modal-filter", "mass-scaling"})
+    for (const char* law : {"stvk", "corotational", "neo-hookean", "stable-neo-hookean"}) {
+      const Outcome outcome = call(run + " --set handler.method=" + handler + " --set material.model=" + law);
+      ASSERT_EQ(outcome.status, 0) << handler << " " << law << outcome.out << outcome.err;
+      const Table history = table("long/history.csv");
+      double largest = 0, rise = 0, fall = 0;
+      for (std::size_t i = 0; i < history.rows.size(); ++i) {
+        largest = std::max(largest, history.number(i, "kinetic_J") + history.number(i, "strain_J"));
+        rise = std::max(rise, history.number(i, "balance_error_J"));
+        fall = std::max(fall, -history.number(i, "balance_error_J"));
+      }
+      EXPECT_GT(history.rows.size(), 70u);
+      EXPECT_LE(rise, 0.003 * largest) << handler << " " << law;
+      EXPECT_LE(fall, 0.003 * largest) << handler << " " << law;
+    }
 }
 
 TEST_F(HandledProgram, SaysWhenConjugateGradientsDoNotConverge) {
