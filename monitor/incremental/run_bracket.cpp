@@ -68,7 +68,6 @@ bool RunBracket::affords(double work) const {
 const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const StepRule& limit, std::optional<double> h,
                                                       StepEvaluation* evaluation) {
   const double sigma = nodal_.certifiedEigenvalue();  // that allowances belong to
-  uncertified_ = h && step_ && *h > step_->safe;
   const double ceiling = h ? limit.lambdaFor(*h) : infinity;
   adaptSlack();
   nodal_.spare(exchange_.serves());
@@ -80,6 +79,8 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     forget();
     return step_;
   }
+  UpperBound upper{std::min(nodal.value, exchange_.update(x, nodal).value)};
+  uncertified_ = h && *h > safeStep(upper, limit);
   method_ = "rayleigh-quotient";
   LowerBound lower{0};
   const bool first = mode_.size() == 0, rebuilt = statistics_.rebuilds > 0;
@@ -94,7 +95,6 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     }
     lower = boundWhereItTouches(x, boundWhereItRose(x, sigma, lower));
   }
-  UpperBound upper{std::min(nodal.value, exchange_.update(x, nodal).value)};
   // A bracket that is too wide is either side's fault: bound it from below again before moving the upper side.
   const bool wide = upper.value > nodal_.highest(lower, width_);
   if (wide) restart_.tick();
