@@ -62,39 +62,6 @@ Body hangingBall(int cells) {
   return body;
 }
 
-/// A monitor along a history, and what it said.
-struct Followed {
-  std::string name;
-  StabilityMonitor monitor;
-  std::vector<double> width = {};  // of the safe side against the exact step, %
-  double worstOptimistic = -infinity;
-  std::int64_t outside = 0, falseAlarms = 0, evaluated = 0, violatedAt = -1, indefiniteAt = -1;
-
-  bool observe(std::int64_t step, const State& state, double h, StepEvaluation* evaluation) {
-    const MonitorReport& seen = monitor.observe(step, state.time, state.x, state.v, h, evaluation);
-    evaluated += seen.elementsRefreshed;
-    bracket = seen.bracket;
-    for (const MonitorEvent& event : seen.newEvents)
-      if (event.kind == EventKind::indefinite && indefiniteAt < 0) indefiniteAt = step;
-    alarm = seen.verdict == Verdict::violated && violatedAt < 0;
-    if (alarm) violatedAt = step;
-    return alarm;
-  }
-  void compare(double exact, double h) {
-    outside +=
-        !(bracket->safe <= exact * (1 + ofTheReference)) || !(bracket->optimistic >= exact * (1 - ofTheReference));
-    falseAlarms += alarm && exact >= h * (1 + ofTheReference);
-    // How tight it is counts until the collapse.
-    if (indefiniteAt >= 0) return;
-    width.push_back(percentBelow(bracket->safe, exact));
-    worstOptimistic = std::max(worstOptimistic, percentBelow(bracket->optimistic, exact));
-  }
-
-  std::optional<CriticalStep> bracket = {};  // of the last observation
-  bool alarm = false;
-};
-
-/// By the usual monitor, and by one without a limit.
 void runHistory(StudyReport& report, StudyTable& table, const History& history) {
   const Body& body = history.body;
   BodySystem system(body);
@@ -102,9 +69,7 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
   SymplecticEuler integrator;
   MonitorOptions options;
   options.limit = limit;
-  Followed usual{history.name, StabilityMonitor(body, options)};
-  options.budget = infinity;
-  Followed unlimited{history.name + ", no limit", StabilityMonitor(body, options)};
+  StabilityMonitor monitor(body, options);
   EnergyBalance balance(body);
   StepEvaluation evaluation;
   evaluation.wantsEnergy = true;
@@ -118,59 +83,72 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
     figure.curves[curve].y.push_back(value);
   };
   const int sampleEvery = std::max(1, history.steps / 200);
-  std::int64_t compared = 0, observations = 0, energyAt = -1, exactAt = -1;
+  std::vector<double> width;  // of the safe side against the exact step, %
+  double worstOptimistic = -infinity;
+  std::int64_t compared = 0, outside = 0, falseAlarms = 0, evaluated = 0, observations = 0;
+  std::int64_t violatedAt = -1, energyAt = -1, exactAt = -1, indefiniteAt = -1;
   double largest = 0;
   for (std::int64_t step = 0; step <= history.steps; ++step) {
-    usual.observe(step, state, history.h, &evaluation);
+    monitor.observe(step, state.time, state.x, state.v, history.h, &evaluation);
     system.complete(state, evaluation);
     if (!evaluation.internalForce.allFinite() || !state.v.allFinite()) break;
-    unlimited.observe(step, state, history.h, nullptr);
     balance.record(state.x, evaluation.internalForce);
     const Energies energies = balance.energies(state.x, state.v, evaluation.strainEnergy);
+    const MonitorReport& seen = monitor.observeEnergies(energies);
     largest = std::max({largest, energies.kinetic + std::abs(energies.strain), std::abs(energies.externalWork)});
     if (energyAt < 0 && step >= settling && std::abs(energies.balanceError) > 0.1 * largest) {
       energyAt = step;
       mark(6, history.h);
     }
+    evaluated += seen.elementsRefreshed;
     ++observations;
-    if (energyAt < 0 && (step % sampleEvery == 0 || usual.alarm || unlimited.alarm)) {
+    for (const MonitorEvent& event : seen.newEvents)
+      if (event.kind == EventKind::indefinite && indefiniteAt < 0) indefiniteAt = step;
+    const bool alarm = seen.verdict == Verdict::violated && violatedAt < 0;
+    if (energyAt < 0 && (step % sampleEvery == 0 || alarm)) {
       const GlobalFrequency top = globalFrequency(body, state.x, 1e-9);
       if (top.converged) {
         const double exact = stepFor(top.lambda, limit);
-        usual.compare(exact, history.h);
-        unlimited.compare(exact, history.h);
+        outside += !(seen.bracket->safe <= exact * (1 + ofTheReference)) ||
+                   !(seen.bracket->optimistic >= exact * (1 - ofTheReference));
+        falseAlarms += alarm && exact >= history.h * (1 + ofTheReference);
         ++compared;
         if (exactAt < 0 && exact < history.h) exactAt = step;
+        // How tight it is counts until the collapse.
+        if (indefiniteAt < 0) {
+          width.push_back(percentBelow(seen.bracket->safe, exact));
+          worstOptimistic = std::max(worstOptimistic, percentBelow(seen.bracket->optimistic, exact));
+        }
         mark(0, exact);
-        mark(1, usual.bracket->safe);
-        mark(2, usual.bracket->optimistic);
+        mark(1, seen.bracket->safe);
+        mark(2, seen.bracket->optimistic);
         mark(3, stepFor(ring.evaluate(state.x).highest, limit));
         mark(4, history.h);
       }
     }
-    if (usual.alarm) mark(5, history.h);
+    if (alarm) {
+      violatedAt = step;
+      mark(5, history.h);
+    }
     if (energyAt >= 0) break;
     integrator.advance(system, state, history.h);
   }
   const auto elements = static_cast<double>(body.mesh().elementCount());
+  table.rows.push_back({history.name, static_cast<std::int64_t>(elements), history.h,
+                        *std::min_element(width.begin(), width.end()), median(width),
+                        *std::max_element(width.begin(), width.end()), worstOptimistic,
+                        static_cast<double>(evaluated) / elements / static_cast<double>(observations), exactAt,
+                        violatedAt, energyAt, indefiniteAt});
   const auto at = [](std::int64_t step) { return step < 0 ? std::nan("") : static_cast<double>(step); };
-  for (const Followed* followed : {&usual, &unlimited}) {
-    const auto [least, most] = std::minmax_element(followed->width.begin(), followed->width.end());
-    table.rows.push_back({followed->name, static_cast<std::int64_t>(elements), history.h, *least,
-                          median(followed->width), *most, followed->worstOptimistic,
-                          static_cast<double>(followed->evaluated) / elements / static_cast<double>(observations),
-                          exactAt, followed->violatedAt, energyAt, followed->indefiniteAt});
-    checkNear(report, followed->name + ": exact values outside of the bracket",
-              compared > 0 ? static_cast<double>(followed->outside) : std::nan(""), 0, 0);
-    checkNear(report, followed->name + ": alarms while the exact step allows h",
-              static_cast<double>(followed->falseAlarms), 0, 0);
-    if (history.indefinite)
-      checkAtMost(report, followed->name + ": step at which it is said indefinite, before the energy is off",
-                  at(followed->indefiniteAt), static_cast<double>(energyAt < 0 ? history.steps : energyAt), 0);
-    else
-      checkAtLeast(report, followed->name + ": steps from the first violated to an energy off by 10 %",
-                   at(energyAt) - at(followed->violatedAt), 20, 0);
-  }
+  checkNear(report, history.name + ": exact values outside of the bracket",
+            compared > 0 ? static_cast<double>(outside) : std::nan(""), 0, 0);
+  checkNear(report, history.name + ": alarms while the exact step allows h", static_cast<double>(falseAlarms), 0, 0);
+  if (history.indefinite)
+    checkAtMost(report, history.name + ": step at which it is said indefinite, before the energy is off",
+                at(indefiniteAt), static_cast<double>(energyAt < 0 ? history.steps : energyAt), 0);
+  else
+    checkAtLeast(report, history.name + ": steps from the first violated to an energy off by 10 %",
+                 at(energyAt) - at(violatedAt), 20, 0);
   report.figures.push_back(std::move(figure));
 }
 
@@ -253,11 +231,9 @@ void studyCost(StudyReport& report) {
     MonitorMode mode;
     std::string metric;
     std::optional<double> wanted;  // %, of a slow pull
-    double budget = MonitorOptions{}.budget;
   };
   const Mode modes[] = {{MonitorMode::threshold, "", 8.0},
                         {MonitorMode::bracket, "", 15.0},
-                        {MonitorMode::bracket, "", 15.0, infinity},
                         {MonitorMode::metric, "reduced-1-ring", std::nullopt}};
   for (const auto& [runName, speed] : {std::pair{"slow pull", 0.05}, {"fast pull", 0.4}})
     for (const Mode& mode : modes) {
@@ -279,7 +255,6 @@ void studyCost(StudyReport& report) {
       options.limit = limit;
       options.mode = mode.mode;
       options.metric = mode.metric;
-      options.budget = mode.budget;
       // Fresh observations of the bracket are rare and dear: a run long enough to hold its share of them.
       const int steps = mode.metric.empty() ? 600 : 10;
       StabilityMonitor monitor(body, options);
@@ -304,7 +279,6 @@ void studyCost(StudyReport& report) {
       const auto elements = static_cast<double>(body.mesh().elementCount());
       std::string name(monitorModeName(mode.mode));
       if (!mode.metric.empty()) name += joinText(" ", mode.metric);
-      if (mode.budget == infinity) name += ", no limit";
       const bool fast = speed > 0.1;
       const std::optional<double> wanted = mode.mode == MonitorMode::bracket && fast ? 40.0 : mode.wanted;
       table.rows.push_back({std::string(runName), std::move(name), static_cast<std::int64_t>(elements),
