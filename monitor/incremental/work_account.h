@@ -50,7 +50,7 @@ struct Work {
 /// other gets. A third one, as much again, is for nothing but the proof that the step which is taken is stable
 /// (Theorem 14, docs/theory/incremental_certificate.md); a fourth one, as much again and more in small bodies, for
 /// telling, while there is no such proof, whether it is proven unstable (Theorem 8, docs/theory/rings_and_rayleigh.md);
-/// a fifth one, of a fifth as much, for directions of negative stiffness.
+/// a fifth one, of a tenth as much, for directions of negative stiffness.
 class WorkAccount {
  public:
   /// share: of a step's work; from `noLimit` on there is no limit.
@@ -66,8 +66,7 @@ class WorkAccount {
         mostForVerdict_(income_ > 0 ? 2 * ofDiagonal(body) + ofProducts(body, productsKept) : 0),
         mostForSearches_(income_ > 0 ? 2 * ofProducts(body, productsKept) : 0),
         balance_(stepsInAdvance * (1 - shareOfMode) * income_),
-        verdict_(mostForVerdict_),
-        searches_(mostForSearches_) {}
+        verdict_(mostForVerdict_) {}
 
   static constexpr double noLimit = 100;
   bool limited() const { return share_ < noLimit; }
@@ -189,7 +188,7 @@ class WorkAccount {
   static constexpr double evaluationsOfDecomposition = 1.5, evaluationsOfFactorisation = 0.4;
   static constexpr double unitsOfMove = 2.2, shareByDirections = 0.4;
   static constexpr double productsKept = 12;
-  static constexpr double leastIncome = 2000, shareOfMode = 0.3, shareOfSearches = 0.2, forcesOfCredit = 0.5,
+  static constexpr double leastIncome = 2000, shareOfMode = 0.3, shareOfSearches = 0.1, forcesOfCredit = 0.5,
                           mostOfTests = 0.5, mostOwedOfEvaluation = 0.1;
   static constexpr double stepsOfMean = 32, stepsInAdvance = 100;
   // stepsInAdvance: of income, so that the first elements that leave their balls can be evaluated.
@@ -198,7 +197,7 @@ class WorkAccount {
   /// then.
   static constexpr double leastForVerdict = 20000, forcesForVerdict = 2.5;
   double share_, force_, income_, evaluation_, rebuild_, mostForVerdict_, mostForSearches_;
-  double balance_, mode_ = 0, proof_ = 0, verdict_, searches_;
+  double balance_, mode_ = 0, proof_ = 0, verdict_, searches_ = 0;
   double asked_ = 0, askedSince_ = 0;  // in a step, on average; in the last one
 };
 
