@@ -227,7 +227,8 @@ void watchedRun(benchmark::State& state, const Case& c, int split, double jitter
 /// A pull of 80 % a second, eight times slower, and by a step that leaves less room, for every budget.
 void addWatchedRuns(const Case& c) {
   constexpr double unlimited = infinity;
-  for (const Pull& pull : {Pull{"fast", 0.8, 0.5}, Pull{"slow", 0.1, 0.5}, Pull{"slow_close", 0.1, 0.9}})
+  for (const Pull& pull : {Pull{"fast", 0.8, 0.5}, Pull{"slow", 0.1, 0.5}, Pull{"slow_close", 0.1, 0.9},
+                           Pull{"twist", 0, 0.5, 6}, Pull{"compression", -0.3, 0.5}})
     for (const Watch& watch :
          {Watch{"bracket_no_limit", MonitorMode::bracket, unlimited}, Watch{"bracket_1", MonitorMode::bracket, 1},
           Watch{"bracket_0.3", MonitorMode::bracket, 0.3}, Watch{"bracket_0.1", MonitorMode::bracket, 0.1},

@@ -42,7 +42,7 @@ struct MonitorOptions {
   /// What the bracket may take after the first observation, for both sides and for searches, as a share of a step's own
   /// work, counted (WorkAccount); 0: the tests of balls and one bound from below; from 100 on: no limit. When it is
   /// used up the proof stays and the bracket becomes wider. As much again may go to the proof that h is stable, and,
-  /// while there is none, a step's own work to telling whether h is proven unstable.
+  /// while there is none, to telling whether h is proven unstable: in small bodies up to 2.5 steps' work.
   double budget = std::numeric_limits<double>::infinity();
   double energyTolerance = 0.1;  ///< balance error over the largest energy so far that is reported
   int clearObservations = 20;    ///< observations in a row without it that end an event; see EventTracker

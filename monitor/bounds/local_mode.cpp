@@ -79,13 +79,17 @@ void LocalMode::choose(const NodeVectors& mode, std::size_t nodes) {
   isNew_ = true;
 }
 
+NodeVectors LocalMode::mode() const {
+  NodeVectors whole = NodeVectors::Zero(3, body_.nodeCount());
+  if (part_) whole(Eigen::all, nodes_) = vector_;
+  return whole;
+}
+
 LowerBound LocalMode::evaluate(NodeVectorsView x, bool mayImprove) {
   spentProducts_ = 0;
   if (!part_) return {0};
   if (bodyVersion_ != body_.version()) {
-    NodeVectors mode = NodeVectors::Zero(3, body_.nodeCount());
-    mode(Eigen::all, nodes_) = vector_;
-    choose(mode, size_);
+    choose(mode(), size_);
     if (!part_) return {0};
   }
   if (const DiscreteForces* discrete = body_.discreteForces()) discrete->locate(x);

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -35,6 +36,10 @@ class LocalMode {
   /// nullptr for none.
   int products() const { return spentProducts_; }
   const Body* part() const { return part_.get(); }
+  /// Whether the region has a node.
+  bool holds(std::int32_t node) const { return std::binary_search(region_.begin(), region_.end(), node); }
+  /// The mode as it is now, of the whole body (3×N, mass-scaled coordinates): zero outside of the region.
+  NodeVectors mode() const;
   /// Products that an evaluation takes which improves the mode.
   int productsOfImproving() const { return products_ + 1; }
   /// The element that holds most of the mode's energy at the node that it moves most, as of one of the last

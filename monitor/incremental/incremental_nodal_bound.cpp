@@ -101,6 +101,7 @@ std::vector<ElementRef> IncrementalNodalBound::raiseForMost(NodeVectorsView x, c
 
 bool IncrementalNodalBound::evaluate(NodeVectorsView x, const std::vector<ElementRef>& elements) {
   nearLimit_.clear();
+  const double noted = limited() ? std::min(policy_.nearLimit, notedFrom_ / certifiedEigenvalue()) : policy_.nearLimit;
   std::vector<RunCertificate::Reference> now;
   state_.evaluate(x, elements, false, now);
   for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -108,7 +109,7 @@ bool IncrementalNodalBound::evaluate(NodeVectorsView x, const std::vector<Elemen
     if (!(now[i].value <= static_cast<double>(std::numeric_limits<float>::max()))) return false;
     const double allowance = state_.allowance(elements[i]), value = now[i].value;
     const double fraction = allowance > 0 ? value / allowance : value > 0 ? infinity : 0;
-    if (fraction > policy_.nearLimit) nearLimit_.push_back({fraction, elements[i]});
+    if (fraction > noted) nearLimit_.push_back({fraction, elements[i]});
   }
   std::sort(nearLimit_.begin(), nearLimit_.end(), [](const NearLimit& a, const NearLimit& b) {
     return a.fraction != b.fraction ? a.fraction > b.fraction : a.element < b.element;

@@ -4,6 +4,7 @@
 
 #include <ringwatch/base/archive.h>
 #include <ringwatch/base/backoff.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/incremental/rebuild_policy.h>
 #include <ringwatch/monitor/incremental/run_certificate.h>
@@ -70,8 +71,11 @@ class IncrementalNodalBound {
     ElementRef element;
   };
   /// The elements evaluated at the last update that were above RebuildPolicy::nearLimit, largest first, before any
-  /// local update: where the highest eigenvalue may have come to.
+  /// local update: where the highest eigenvalue may have come to. Where means are short the certified eigenvalue may
+  /// be far too high: then also those that are above noteFrom().
   const std::vector<NearLimit>& nearLimit() const { return nearLimit_; }
+  /// The highest eigenvalue, rad²/s², that is known from below.
+  void noteFrom(LowerBound lower) { notedFrom_ = lower.value; }
   /// The elements that hold most of the bound at the `count` nodes where it is highest, by their values when last
   /// evaluated: where the top mode may live. Empty while nothing is proven.
   std::vector<ElementRef> highestElements(std::size_t count);
@@ -86,8 +90,8 @@ class IncrementalNodalBound {
   /// The account is the owner's.
   template <class Archive>
   void archive(Archive& a) {
-    a(policy_.slack, spent_, sinceRebuild_, ofProof_, state_, started_, endedEarly_, spared_, tight_, nearLimit_,
-      rebuilds_, refreshes_, lowerings_, tightOverLower_);
+    a(policy_.slack, spent_, sinceRebuild_, ofProof_, state_, started_, endedEarly_, spared_, tight_, notedFrom_,
+      nearLimit_, rebuilds_, refreshes_, lowerings_, tightOverLower_);
     archiveVersion(a, bodyVersion_, body_.version());
   }
 
@@ -136,7 +140,7 @@ class IncrementalNodalBound {
   Body::Workspace workspace_;
   bool started_ = false, endedEarly_ = false;  // endedEarly_: the last rebuild, since its weights were good enough
   bool spared_ = false;
-  double tight_ = 0;
+  double tight_ = 0, notedFrom_ = infinity;
   std::int64_t bodyVersion_ = 0;  // that the proof is for
   std::vector<NearLimit> nearLimit_;
   Backoff rebuilds_, refreshes_, lowerings_;  // in updates

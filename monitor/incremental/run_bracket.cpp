@@ -22,6 +22,8 @@ RunBracket::RunBracket(const Body& body, double width, double budget, const Brac
       nodal_(body, {.slack = policy.slackOfWidth * width}, &account_),
       exchange_(body, nodal_.weights(), account_),
       local_(body, nodal_.weights(), policy.localProducts, policy.localGap),
+      scout_(body, nodal_.weights(), policy.localProducts, policy.localGap),
+      stiff_(body, nodal_.weights()),
       localNodes_(policy.leastLocalNodes),
       ringNodes_(body, nodal_.weights()),
       softest_(body),
@@ -54,7 +56,9 @@ void RunBracket::adaptSlack() {
 
 void RunBracket::charge(WorkOn what, double work) {
   if (!observed_) return;  // the first proof is free
-  if (uncertified_ && account_.affordsForVerdict(work))
+  if (what == WorkOn::searches)
+    account_.spendOnSearches(work);
+  else if (uncertified_ && account_.affordsForVerdict(work))
     account_.spendOnVerdict(work);
   else
     account_.spendOnMode(work);
@@ -65,10 +69,11 @@ bool RunBracket::affords(double work) const {
   return !observed_ || account_.affordsForMode(work) || (uncertified_ && account_.affordsForVerdict(work));
 }
 
+bool RunBracket::affordsSearch(double work) const { return !observed_ || account_.affordsForSearches(work); }
+
 const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const StepRule& limit, std::optional<double> h,
                                                       StepEvaluation* evaluation) {
   const double sigma = nodal_.certifiedEigenvalue();  // that allowances belong to
-  uncertified_ = h && step_ && *h > step_->safe;
   const double ceiling = h ? limit.lambdaFor(*h) : infinity;
   adaptSlack();
   nodal_.spare(exchange_.serves());
@@ -80,6 +85,8 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     forget();
     return step_;
   }
+  UpperBound upper{std::min(nodal.value, exchange_.update(x, nodal).value)};
+  uncertified_ = h && *h > safeStep(upper, limit);
   method_ = "rayleigh-quotient";
   LowerBound lower{0};
   const bool first = mode_.size() == 0, rebuilt = statistics_.rebuilds > 0;
@@ -94,7 +101,6 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     }
     lower = boundWhereItTouches(x, boundWhereItRose(x, sigma, lower));
   }
-  UpperBound upper{std::min(nodal.value, exchange_.update(x, nodal).value)};
   // A bracket that is too wide is either side's fault: bound it from below again before moving the upper side.
   const bool wide = upper.value > nodal_.highest(lower, width_);
   if (wide) restart_.tick();
@@ -122,6 +128,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
                        lowest_.value,
                        lowest_.element};
   step_->discreteShare = local_.discreteShare();
+  nodal_.noteFrom(lower);
   if (!step_->isBracket()) step_.reset();
   return step_;
 }
@@ -187,19 +194,26 @@ void RunBracket::takeBest(NodeVectorsView x) {
 void RunBracket::sharpen(NodeVectorsView x, const StepRule& limit, double h) {
   if (!step_ || h > step_->optimistic) return;
   uncertified_ = true;
-  const bool limited = account_.limited();
-  const auto within = [&](double share) { return h > (1 - share) * step_->optimistic; };
   sharpening_.tick();
-  const int products = limited ? policy_.productsOfFollowing : policy_.restartProducts;
-  const bool urgent =
-      limited ? within(policy_.closeInShortage) && sharpening_.due(policy_.gapInShortage) : within(policy_.close);
-  if (!urgent && !(sharpening_.due() && account_.affordsForVerdict(WorkAccount::ofProducts(body_, products + 1))))
-    return;
-  sharpening_.tried(true);
-  const bool fromRings = sharpeningRestart_.due() && account_.affordsForVerdict(workOfRestart());
-  if (fromRings) sharpeningRestart_.tried(true);
-  sharpeningRestart_.tick();
-  const LowerBound lower = fromRings ? restartMode(x) : refreshMode(x, products);
+  LowerBound lower = local_.last();
+  if (account_.limited()) {
+    // The mode is searched and followed by turns: one that moves from place to place needs the one, one that is spread
+    // out the other.
+    const int products = policy_.productsOfFollowing;
+    const double work = searchesNext_ ? WorkAccount::ofDiagonal(body_) : WorkAccount::ofProducts(body_, products + 1);
+    if (!sharpening_.due() || !account_.affordsForVerdict(work)) return;
+    sharpening_.tried(true);
+    lower = searchesNext_ ? boundWhereItIsStiff(x, lower) : refreshMode(x, products);
+    searchesNext_ = !searchesNext_;
+  } else {
+    const bool urgent = h > (1 - policy_.close) * step_->optimistic;
+    if (!urgent && !sharpening_.due()) return;
+    sharpening_.tried(true);
+    const bool fromRings = sharpeningRestart_.due();
+    if (fromRings) sharpeningRestart_.tried(true);
+    sharpeningRestart_.tick();
+    lower = fromRings ? restartMode(x) : refreshMode(x, policy_.restartProducts);
+  }
   step_->optimistic = std::min(step_->optimistic, optimisticOf(lower, limit));
   if (!step_->isBracket()) step_.reset();
 }
@@ -233,11 +247,11 @@ void RunBracket::searchUnderCompression(NodeVectorsView x) {
   search_.tick();
   const bool grown = compression > policy_.growthOfCompression * searchedAt_ && search_.since() >= policy_.searchGap;
   // What may be an event soon is searched whatever the account has.
-  const bool may =
-      (grown && compression > policy_.compressed) || affords(WorkAccount::ofProducts(body_, policy_.laterSearch + 1));
+  const bool may = (grown && compression > policy_.compressed) ||
+                   affordsSearch(WorkAccount::ofProducts(body_, policy_.laterSearch + 1));
   const bool search = compression > policy_.slightlyCompressed && (grown || search_.due()) && may;
   if (search) {
-    const bool wide = !softest_.found() && affords(WorkAccount::ofProducts(body_, policy_.firstSearch + 1));
+    const bool wide = !softest_.found() && affordsSearch(WorkAccount::ofProducts(body_, policy_.firstSearch + 1));
     const int products = wide ? policy_.firstSearch : policy_.laterSearch;
     charge(WorkOn::searches, WorkAccount::ofProducts(body_, products + 1));
     least_ = softest_.find(x, products);
@@ -250,16 +264,19 @@ void RunBracket::searchUnderCompression(NodeVectorsView x) {
   if (!examination_.due() && !search) return;
   examination_.tried(true);
   const std::vector<ElementRef> all = nodal_.compressedElements(policy_.compressed);
-  // The most compressed ones, the lowest so far, and others by turns.
+  // The lowest so far, the most compressed ones, and others by turns: one at least, and more as far as means go.
   std::vector<ElementRef> chosen;
   for (std::size_t i = 0; i < all.size() && i < policy_.compressedRings; ++i) {
     chosen.push_back(all[i]);
     chosen.push_back(all[nextCompressed_++ % all.size()]);
   }
-  if (lowest_.value < 0) chosen.push_back(lowest_.element);
+  if (lowest_.value < 0) chosen.insert(chosen.begin(), lowest_.element);
   lowest_ = {0, {}};
   if (least_.value < 0) lowest_ = {least_.value, least_.element};
+  bool first = true;
   for (const ElementRef e : chosen) {
+    if (!first && !affordsSearch(WorkAccount::ofRing(*body_.blocks()[e.block]))) break;
+    first = false;
     if (!decomposeRing(x, e, WorkOn::searches)) continue;
     // Constrained components have eigenvalues of zero, to rounding.
     const double least = solver_.eigenvalues()[0] + constrainedRounding * solver_.eigenvalues().cwiseAbs().maxCoeff() +
@@ -282,6 +299,28 @@ LowerBound RunBracket::boundWhereItRose(NodeVectorsView x, double sigma, LowerBo
   }
   if (jumped) local_.choose(mode_, localNodes_);
   return lower;
+}
+
+LowerBound RunBracket::boundWhereItIsStiff(NodeVectorsView x, LowerBound lower) {
+  charge(WorkOn::mode, WorkAccount::ofDiagonal(body_));
+  bool jumped = false;
+  NodeVectors start = NodeVectors::Zero(3, body_.nodeCount());
+  for (const std::int32_t node : stiff_.find(x, policy_.stiffNodes)) {
+    if (local_.holds(node)) continue;
+    start.setZero();
+    start.col(node) = stiff_.diagonalAt(node).cwiseMax(0).cwiseSqrt();
+    scout_.choose(start, policy_.nodesAround);
+    const LowerBound bound = scout_.evaluate(x);
+    if (scout_.part()) charge(WorkOn::mode, WorkAccount::ofProducts(*scout_.part(), scout_.products()));
+    if (!(bound.value > lower.value)) continue;
+    lower = bound;
+    mode_ = scout_.mode();
+    jumped = true;
+  }
+  if (!jumped) return lower;
+  method_ = "rayleigh-quotient";
+  local_.choose(mode_, localNodes_);
+  return higher(lower, boundOfRegion(x));
 }
 
 LowerBound RunBracket::boundWhereItTouches(NodeVectorsView x, LowerBound lower) {

@@ -9,6 +9,7 @@
 #include <ringwatch/monitor/bounds/local_mode.h>
 #include <ringwatch/monitor/bounds/lowest_mode.h>
 #include <ringwatch/monitor/bounds/node_submatrix.h>
+#include <ringwatch/monitor/bounds/stiff_nodes.h>
 #include <ringwatch/monitor/incremental/incremental_exchange_bound.h>
 #include <ringwatch/monitor/incremental/incremental_nodal_bound.h>
 #include <ringwatch/monitor/step_limit.h>
@@ -69,14 +70,14 @@ struct BracketPolicy {
   /// within `close` of the optimistic side has one at every observation: the verdict hangs on it.
   int sharpenGap = 3;
   double close = 0.02;
-  /// Where means are short: within this of the optimistic side the mode is followed after so many observations,
-  /// whatever there is for it.
-  double closeInShortage = 0.15;
-  int gapInShortage = 3;
 
   /// Evaluations between two examinations of compressed rings, and of a step that is certified before it is tested in
   /// the cheapest way again; refreshes for a step that is not certified between two restarts from all reduced rings.
   int firstGap = 10;
+
+  /// Where means are short and the step is not certified, the mode is searched among so many of the stiffest nodes, in
+  /// regions of so many nodes, by turns with being followed.
+  std::size_t stiffNodes = 3, nodesAround = 24;
 };
 
 /// Keeps both sides of the bracket along a run: the incremental nodal bound from above, Rayleigh quotients of the
@@ -129,8 +130,8 @@ class RunBracket {
   void archive(Archive& a) {
     a(slack_, account_, spent_, observed_, uncertified_, nodal_, exchange_, local_, localNodes_, regionBound_, own_,
       ownBefore_, softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_, sharpening_,
-      sharpeningRestart_, wholeMode_, restart_, search_, examination_, lowest_, nextCompressed_, least_, searchedAt_,
-      step_, best_, bestAt_);
+      sharpeningRestart_, searchesNext_, wholeMode_, restart_, search_, examination_, lowest_, nextCompressed_, least_,
+      searchedAt_, step_, best_, bestAt_);
     archiveVersion(a, bestVersion_, body_.version());
   }
 
@@ -149,6 +150,8 @@ class RunBracket {
   LowerBound boundWhereItRose(NodeVectorsView x, double sigma, LowerBound lower);
   /// And to where contact has begun, or a spring has become stiffer.
   LowerBound boundWhereItTouches(NodeVectorsView x, LowerBound lower);
+  /// Searches the mode around the stiffest nodes of the body, and follows it where it is highest.
+  LowerBound boundWhereItIsStiff(NodeVectorsView x, LowerBound lower);
   /// Examines the reduced ring of an element: whether its bound is above what is known, `lower`, which it then becomes.
   /// The tracked mode then has its top.
   bool examineRing(NodeVectorsView x, ElementRef e, LowerBound& lower);
@@ -172,6 +175,7 @@ class RunBracket {
   double workOfRestart() const;
   void charge(WorkOn what, double work);
   bool affords(double work) const;
+  bool affordsSearch(double work) const;
   LowerBound followMode(NodeVectorsView x, LowerBound whole);
 
   const Body& body_;
@@ -180,10 +184,11 @@ class RunBracket {
   WorkAccount account_;
   Work spent_;                // on the lower side and on searches
   bool observed_ = false;     // once: what comes is paid for
-  bool uncertified_ = false;  // the step, when observed last: the lower side may take what there is for the verdict
+  bool uncertified_ = false;  // the step, by the upper side: the lower one may take what there is for the verdict
   IncrementalNodalBound nodal_;
   IncrementalExchangeBound exchange_;
-  LocalMode local_;
+  LocalMode local_, scout_;
+  StiffNodes stiff_;
   std::size_t localNodes_;
   LowerBound regionBound_{0};  // when the region was chosen last
   // Of each node of the discrete forces, what these give it alone, rad²/s²: now and at the evaluation before.
@@ -199,6 +204,7 @@ class RunBracket {
   Backoff cheapest_;
   // Of sharpen(): refreshes, in observations; restarts from all rings, in refreshes.
   Backoff sharpening_, sharpeningRestart_;
+  bool searchesNext_ = true;  // where means are short: the mode is searched, else followed
   // In evaluations: of the whole mode, restarts from all rings, searches for a negative direction, compressed rings.
   Backoff wholeMode_, restart_, search_, examination_;
   LowestRing lowest_{0, {}};

@@ -48,8 +48,9 @@ struct Work {
 ///
 /// There are two purses, one for each side of the bracket, so that neither starves the other; what one cannot keep the
 /// other gets. A third one, as much again, is for nothing but the proof that the step which is taken is stable
-/// (Theorem 14, docs/theory/incremental_certificate.md); a fourth one, of a step's own force at least, for telling,
-/// while there is no such proof, whether it is proven unstable (Theorem 8, docs/theory/rings_and_rayleigh.md).
+/// (Theorem 14, docs/theory/incremental_certificate.md); a fourth one, as much again and more in small bodies, for
+/// telling, while there is no such proof, whether it is proven unstable (Theorem 8, docs/theory/rings_and_rayleigh.md);
+/// a fifth one, of a tenth as much, for directions of negative stiffness.
 class WorkAccount {
  public:
   /// share: of a step's work; from `noLimit` on there is no limit.
@@ -62,7 +63,8 @@ class WorkAccount {
                                  : 0),
         evaluation_(ofEvaluation(body)),
         rebuild_(ofRebuild(body)),
-        mostForVerdict_(income_ > 0 ? ofAllRings(body) + ofProducts(body, productsKept) : 0),
+        mostForVerdict_(income_ > 0 ? 2 * ofDiagonal(body) + ofProducts(body, productsKept) : 0),
+        mostForSearches_(income_ > 0 ? 2 * ofProducts(body, productsKept) : 0),
         balance_(stepsInAdvance * (1 - shareOfMode) * income_),
         verdict_(mostForVerdict_) {}
 
@@ -73,7 +75,9 @@ class WorkAccount {
   /// What a step earns for the lower side.
   double incomeForMode() const { return shareOfMode * income_; }
   /// And for telling whether a step that is not certified is proven unstable.
-  double incomeForVerdict() const { return income_ > 0 ? std::max(income_, leastForVerdict * force_) : 0; }
+  double incomeForVerdict() const {
+    return income_ > 0 ? std::max(income_, std::min(forcesForVerdict * force_, leastForVerdict)) : 0;
+  }
 
   static double ofForce(const ElementBlock& block) {
     const double all = block.nodesPerElement() * static_cast<double>(block.rule().points.size());
@@ -117,6 +121,8 @@ class WorkAccount {
   static double ofRebuild(const Body& body) { return evaluationsOfRebuild * ofEvaluation(body); }
   /// Tangent products of a body, and of their rounding, which costs as much.
   static double ofProducts(const Body& body, int products) { return forcesOfProduct * products * ofForce(body); }
+  /// The diagonal of the tangents of all elements.
+  static double ofDiagonal(const Body& body) { return evaluationsOfTangent * ofEvaluation(body); }
   /// Reduced rings of elements, with their eigenvectors; all of them together, without.
   static double ofRing(const ElementBlock& block) {
     const double size = 3.0 * block.nodesPerElement();
@@ -134,6 +140,7 @@ class WorkAccount {
     balance_ = std::min(balance_, rebuild_ + evaluation_);
     proof_ = std::min(proof_ + income_, 3 * evaluation_);
     verdict_ = std::min(verdict_ + incomeForVerdict(), mostForVerdict_);
+    searches_ = std::min(searches_ + shareOfSearches * income_, mostForSearches_);
     asked_ += (askedSince_ - asked_) / stepsOfMean;
     askedSince_ = 0;
   }
@@ -153,6 +160,8 @@ class WorkAccount {
   void spendOnProof(double work) { proof_ = std::max(proof_ - work, -mostOwed()); }
   void spendOnMode(double work) { mode_ = std::max(mode_ - work, -mostOwed()); }
   void spendOnVerdict(double work) { verdict_ = std::max(verdict_ - work, -mostOwed()); }
+  void spendOnSearches(double work) { searches_ = std::max(searches_ - work, -mostOwed()); }
+  bool affordsForSearches(double work) const { return has(searches_, work); }
   bool affords(double work) const { return has(balance_, work); }
   bool affordsForProof(double work) const { return has(proof_, work); }
   bool affordsForMode(double work) const { return has(mode_, work); }
@@ -174,19 +183,21 @@ class WorkAccount {
   static double elements(const Body& body) { return static_cast<double>(body.mesh().elementCount()); }
 
   // As measured on an EPYC of AVX-512. evaluationsOfRebuild: 6 to 14 of them, with their strain norms.
-  static constexpr double evaluationsOfRebuild = 12, forcesOfGrowth = 3, forcesOfProduct = 1.6;
+  static constexpr double evaluationsOfTangent = 0.25, evaluationsOfRebuild = 12, forcesOfGrowth = 3,
+                          forcesOfProduct = 1.6;
   static constexpr double evaluationsOfDecomposition = 1.5, evaluationsOfFactorisation = 0.4;
   static constexpr double unitsOfMove = 2.2, shareByDirections = 0.4;
   static constexpr double productsKept = 12;
-  static constexpr double leastIncome = 2000, shareOfMode = 0.3, forcesOfCredit = 0.5, mostOfTests = 0.5,
-                          mostOwedOfEvaluation = 0.1;
+  static constexpr double leastIncome = 2000, shareOfMode = 0.3, shareOfSearches = 0.1, forcesOfCredit = 0.5,
+                          mostOfTests = 0.5, mostOwedOfEvaluation = 0.1;
   static constexpr double stepsOfMean = 32, stepsInAdvance = 100;
   // stepsInAdvance: of income, so that the first elements that leave their balls can be evaluated.
   // mostOwedOfEvaluation: a few rounds of these.
-  /// Forces a step: the mode is followed once in six steps then.
-  static constexpr double leastForVerdict = 1;
-  double share_, force_, income_, evaluation_, rebuild_, mostForVerdict_;
-  double balance_, mode_ = 0, proof_ = 0, verdict_;
+  /// Units a step, no more than some of its own forces: a body of a few thousand elements is searched once in ten steps
+  /// then.
+  static constexpr double leastForVerdict = 20000, forcesForVerdict = 2.5;
+  double share_, force_, income_, evaluation_, rebuild_, mostForVerdict_, mostForSearches_;
+  double balance_, mode_ = 0, proof_ = 0, verdict_, searches_ = 0;
   double asked_ = 0, askedSince_ = 0;  // in a step, on average; in the last one
 };
 

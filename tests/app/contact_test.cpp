@@ -409,6 +409,11 @@ TEST_F(Contact, ExamplesThatBlowUpAreNamedBeforeTheirEnergies) {
     EXPECT_GT(violated, 0);
     ASSERT_FALSE(bad["energy_runaway"].is_null());
     EXPECT_LT(violated, bad["energy_runaway"]["step"].get<int>());
+    // With little to spend it is said at the same step, as measured.
+    ASSERT_EQ(call(run + "sparing --set monitor.budget=0.1 --set " + key).status, 1);
+    const Json sparing = json("sparing/summary.json");
+    ASSERT_FALSE(sparing["first_violated"].is_null());
+    EXPECT_EQ(sparing["first_violated"]["step"].get<int>(), violated);
     const Json& events = bad["events"];
     EXPECT_EQ(events[0]["kind"], "violated");
     EXPECT_THAT(events[0]["text"].get<std::string>(), HasSubstr("springs or contact govern it, most at "));

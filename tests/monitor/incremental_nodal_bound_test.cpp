@@ -156,6 +156,19 @@ TEST(WorkAccount, EarnsSpendsAndForgives) {
   EXPECT_FALSE(account.affordsForMode(0.16 * force));
   EXPECT_TRUE(account.affordsForProof(0.49 * force));
   EXPECT_FALSE(account.affordsForProof(0.51 * force));
+  // The verdict begins with all that it may keep and earns 20 000 units here; searches earn a tenth of the budget.
+  const double keptForVerdict = 2 * WorkAccount::ofDiagonal(body) + WorkAccount::ofProducts(body, 12);
+  EXPECT_TRUE(account.affordsForVerdict(0.99 * keptForVerdict));
+  EXPECT_FALSE(account.affordsForVerdict(1.01 * keptForVerdict));
+  account.spendOnVerdict(keptForVerdict);
+  WorkAccount later = account;
+  later.earn();
+  EXPECT_TRUE(later.affordsForVerdict(19900));
+  EXPECT_FALSE(later.affordsForVerdict(20100));
+  EXPECT_TRUE(later.affordsForSearches(0.099 * force));
+  EXPECT_FALSE(later.affordsForSearches(0.101 * force));
+  later.spendOnSearches(0.1 * force);
+  EXPECT_FALSE(later.affordsForSearches(1));
   // Of tests no more than half of an income counts.
   Work tests;
   tests[WorkOn::tests] = force;

@@ -73,6 +73,25 @@ TEST(LocalMode, HoldsMostOfAModeThatIsSpreadOverARegularGrid) {
   EXPECT_GE(bound, 0.9965 * dense.largest());  // measured 0.9988
 }
 
+TEST(LocalMode, HandsOutTheModeOfItsRegion) {
+  const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
+  const NodalBound incidences(body);
+  LocalMode mode(body, incidences, 3, 1);
+  EXPECT_FALSE(mode.holds(0));
+  EXPECT_EQ(mode.mode(), NodeVectors::Zero(3, body.nodeCount()));
+  mode.choose(anyMode(body, 4), 3);
+  const double bound = mode.evaluate(body.mesh().X).value;
+  NodeVectors whole = mode.mode();
+  int held = 0;
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
+    held += mode.holds(i);
+    EXPECT_EQ(mode.holds(i), whole.col(i).norm() > 0) << i;
+  }
+  EXPECT_EQ(held, 3);
+  // Nothing outside of the region moves, so the quotient in the whole body is the same.
+  EXPECT_NEAR(rayleighLowerBound(body, body.mesh().X, whole, 1).value, bound, 1e-10 * bound);
+}
+
 TEST(LocalMode, FollowsMassesAndConstraints) {
   Body body = test::boxBody(test::allSubdivisions()[0], "corotational");
   const NodalBound incidences(body);
