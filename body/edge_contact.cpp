@@ -179,12 +179,17 @@ void SurfaceSearch::addEdges(NodeVectorsView x, std::int32_t edge, std::int32_t 
   const double area = closest.cross.norm(), length = along.norm(), otherLength = across.norm();
   const bool touches = closest.inside && area > parallel * length * otherLength && distance > 0 && distance <= depth &&
                        pointsOut(normals, along, closest.r) && pointsOut(others, across, -closest.r);
-  const auto mean = [](const std::array<Vector3d, 2>& of) { return Vector3d(of[0].normalized() + of[1].normalized()); };
+  // Directions of the cone of an edge have with the sum of its unit normals at least half of that one's square; half of
+  // it leaves room to turn.
+  const auto isNearCone = [&](const std::array<Vector3d, 2>& of, const Vector3d& direction) {
+    const Vector3d sum = of[0].normalized() + of[1].normalized();
+    return direction.dot(sum) > 0.25 * sum.squaredNorm() * distance;
+  };
   // Their lines pass each other between the ends, or by twice the reach beyond them.
   const Vector3d between = x.col(own.nodes[0]) - x.col(other.nodes[0]);
   const double ofLines = area > 0 ? std::abs(between.dot(closest.cross)) / area : 0;
   const bool pass = closest.inside || closest.distance2 <= ofLines * ofLines + 4 * reach * reach;
-  const bool behind = touches || (pass && closest.r.dot(mean(normals)) > 0 && closest.r.dot(mean(others)) < 0);
+  const bool behind = touches || (pass && isNearCone(normals, closest.r) && isNearCone(others, -closest.r));
   if (!behind && !(distance <= reach)) return;
   const double penalty = std::min(own.penalty, other.penalty), damping = std::min(own.damping, other.damping);
   NearEdges near{{edge, otherEdge},

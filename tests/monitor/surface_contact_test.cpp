@@ -294,6 +294,29 @@ TEST(EdgeContactBounds, HoldAlongRunsWithTogglingContact) {
   EXPECT_GT(governed, 5);
 }
 
+// As of nodes and faces: after the first certificate none is refused and none swept again.
+TEST(EdgeContactBounds, TogglingCostsNoProof) {
+  Body body = crossedBodies("hex8", 0.02 * stiffnessOfACell, 4);
+  body.discreteForces()->setReach(0.06 * test::cellSize);
+  body.discreteForces()->setDampingFactor(0);
+  const double sigma = 1.3 * DenseTangent(body, body.mesh().X).largest();
+  IncrementalNodalBound bound(body);
+  std::int64_t toggled = 0, touching = -1;
+  for (int step = 0; step < 60; ++step) {
+    NodeVectors x = body.mesh().X;
+    for (const std::int32_t node : body.mesh().nodeSets.at("upper"))
+      x.col(node) += Eigen::Vector3d(0.005, 0.005, -0.03 * test::cellSize * (1 + std::sin(1.3 * step)));
+    ASSERT_TRUE(bound.certify(x, sigma)) << step;
+    if (step > 0) {
+      EXPECT_EQ(bound.statistics().rebuilds + bound.statistics().refreshes, 0) << step;
+    }
+    const std::int64_t now = body.discreteForces()->contactState(x).touching;
+    toggled += now != touching;
+    touching = now;
+  }
+  EXPECT_GT(toggled, 15);
+}
+
 TEST(SurfaceContactBounds, SameBitsForAnyNumberOfThreads) {
   std::vector<double> safe, optimistic;
   for (const int threads : {1, 2, 4}) {
