@@ -3,6 +3,9 @@
 // of the bar's surface nodes touch.
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <bench/runs.h>
@@ -29,7 +32,8 @@ Mesh barAndPlate(int n) {
   return generateStack(options);
 }
 
-enum class Touching { plate, everything };
+/// edges: everything, and edges against edges.
+enum class Touching { plate, everything, edges };
 
 /// 1000 steps of symplectic Euler at half of the critical step, in turns with the same run without contact; certified
 /// at every step by the certificate of threshold mode. error: largest difference of the sum of the contact's forces
@@ -48,15 +52,21 @@ void alongARun(benchmark::State& state, int n, Touching touching) {
   };
   DiscreteForces forces(body.nodeCount());
   const auto add = [&](std::vector<std::int32_t> nodes, const std::vector<std::int32_t>& to) {
-    SurfaceContact contact = surfaceContact(mesh, std::move(nodes), to);
+    constexpr double sharp = 20 * M_PI / 180;
+    SurfaceContact contact = surfaceContact(mesh, std::move(nodes), to,
+                                            touching == Touching::edges ? std::optional<double>(sharp) : std::nullopt);
+    const double slow = M_PI / (40 * h);  // corners of the bar are lighter than what stands on them
+    for (SurfaceContact::Edge& edge : contact.edges) {
+      edge.mass = std::min(body.lumpedMass()[edge.nodes[0]], body.lumpedMass()[edge.nodes[1]]);
+      edge.penalty = edge.mass * slow * slow;
+    }
     for (const std::int32_t node : contact.nodes) {
-      const double slow = M_PI / (40 * h);  // corners of the bar are lighter than what stands on them
       contact.penalty.push_back(body.lumpedMass()[node] * slow * slow);
       contact.damping.push_back(0);
     }
     forces.add(std::move(contact));
   };
-  if (touching == Touching::everything) {
+  if (touching != Touching::plate) {
     add(surface, surface);
   } else {
     add(of("upper"), of("lower"));
@@ -72,7 +82,7 @@ void alongARun(benchmark::State& state, int n, Touching touching) {
     start.v.col(node) = 0.01 * wave * Eigen::Vector3d(0.3, 0.1, -1);
   double stepTime = 0, contactStepTime = 0, proofTime = 0, contactProofTime = 0, searchTime = 0, error = 0, most = 0,
          workWithContact = 0;
-  std::int64_t refused = 0, plainRefused = 0, rebuilds = 0, lists = 0, pairs = 0;
+  std::int64_t refused = 0, plainRefused = 0, rebuilds = 0, lists = 0, pairs = 0, edgePairs = 0;
   for (auto _ : state) {
     BodySystem plainSystem(plain), system(body);
     SymplecticEuler plainEuler, euler;
@@ -111,10 +121,11 @@ void alongARun(benchmark::State& state, int n, Touching touching) {
       error = std::max(error, f.rowwise().sum().norm() / f.cwiseAbs().maxCoeff());
     }
     lists = 0;
-    pairs = 0;
+    pairs = edgePairs = 0;
     for (const SurfaceSearch& one : body.discreteForces()->surfaces()) {
       lists += one.statistics().lists;
       pairs += one.statistics().pairs;
+      edgePairs += one.statistics().edgePairs;
     }
     workWithContact = bound.spent().total() / plainBound.spent().total() - 1;
     state.SetIterationTime(stepTime + contactStepTime + proofTime + contactProofTime);
@@ -130,6 +141,7 @@ void alongARun(benchmark::State& state, int n, Touching touching) {
   state.counters["surface_nodes"] = static_cast<double>(surface.size());
   state.counters["lists"] = static_cast<double>(lists);
   state.counters["pairs"] = static_cast<double>(pairs) / 400;
+  state.counters["edge_pairs"] = static_cast<double>(edgePairs) / 400;
   state.counters["refused"] = static_cast<double>(refused);
   state.counters["plain_refused"] = static_cast<double>(plainRefused);
   state.counters["rebuilds"] = static_cast<double>(rebuilds);
@@ -142,16 +154,14 @@ int main(int argc, char** argv) {
   using namespace ringwatch::bench;
   for (const int n : {6, 15}) {
     const std::string size = std::to_string(5 * n * n * n * 6 / 1000) + "k";
-    benchmark::RegisterBenchmark(("contact/plate/tet4/" + size).c_str(),
-                                 [n](benchmark::State& state) { alongARun(state, n, Touching::plate); })
-        ->UseManualTime()
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
-    benchmark::RegisterBenchmark(("contact/everything/tet4/" + size).c_str(),
-                                 [n](benchmark::State& state) { alongARun(state, n, Touching::everything); })
-        ->UseManualTime()
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
+    for (const auto& [name, touching] :
+         {std::pair("plate", Touching::plate), std::pair("everything", Touching::everything),
+          std::pair("edges", Touching::edges)})
+      benchmark::RegisterBenchmark(("contact/" + std::string(name) + "/tet4/" + size).c_str(),
+                                   [n, touching = touching](benchmark::State& state) { alongARun(state, n, touching); })
+          ->UseManualTime()
+          ->Iterations(1)
+          ->Unit(benchmark::kMillisecond);
   }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();

@@ -42,14 +42,14 @@ Slide slideOf(const Eigen::Vector3d& velocity, const Eigen::Vector3d& normal) {
   return {out, velocity - out * normal};
 }
 
-/// What damping and friction of node k of a contact resist with, N, at a depth, m.
+/// What damping and friction of a contact resist with, N, at a depth, m.
 template <class Contact>
-Eigen::Vector3d resistance(const Contact& contact, std::size_t k, const Eigen::Vector3d& normal, double depth,
-                           const Eigen::Vector3d& velocity) {
+Eigen::Vector3d resistance(const Contact& contact, double penalty, double damping, const Eigen::Vector3d& normal,
+                           double depth, const Eigen::Vector3d& velocity) {
   const Slide slide = slideOf(velocity, normal);
-  Eigen::Vector3d force = contact.damping[k] * slide.normal * normal;
+  Eigen::Vector3d force = damping * slide.normal * normal;
   if (contact.friction > 0)
-    force += contact.friction * contact.penalty[k] * depth / std::max(slide.along.norm(), contact.slip) * slide.along;
+    force += contact.friction * penalty * depth / std::max(slide.along.norm(), contact.slip) * slide.along;
   return force;
 }
 
@@ -113,7 +113,8 @@ void DiscreteForces::add(PenaltyContact contact) {
 
 void DiscreteForces::add(SurfaceContact contact) {
   const bool rubs = contact.friction > 0;
-  const bool damps = std::any_of(contact.damping.begin(), contact.damping.end(), [](double c) { return c > 0; });
+  const bool damps = std::any_of(contact.damping.begin(), contact.damping.end(), [](double c) { return c > 0; }) ||
+                     std::ranges::any_of(contact.edges, [](const auto& edge) { return edge.damping > 0; });
   const SurfaceSearch& search = shared_->surfaces.emplace_back(std::move(contact), nodeCount_);
   note(search.nodes());
   friction_ = friction_ || rubs;
@@ -252,8 +253,8 @@ void DiscreteForces::addInternalForce(NodeVectorsView x, NodeVectors& f) const {
       const Obstacle::Surface at = surface(contact.obstacle, x.col(node));
       if (at.gap < 0) f.col(node) += contact.penalty[k] * at.gap * at.normal;
     }
-  forEachTouch(x, [&](const SurfaceContact& contact, const SurfaceSearch::Touch& touch, const auto& nodes) {
-    const Eigen::Vector3d force = contact.penalty[touch.entry] * touch.r;
+  forEachTouch(x, [&](const SurfaceContact&, const SurfaceSearch::Touch& touch, const auto& nodes) {
+    const Eigen::Vector3d force = touch.penalty * touch.r;
     for (int c = 0; c < 4; ++c)
       if (nodes[c] >= 0) f.col(nodes[c]) += touch.b[c] * force;
   });
@@ -275,8 +276,8 @@ double DiscreteForces::energy(NodeVectorsView x) const {
     for (std::size_t k = 0; k < contact.nodes.size(); ++k)
       if (const double gap = surface(contact.obstacle, x.col(contact.nodes[k])).gap; gap < 0)
         sum += 0.5 * contact.penalty[k] * gap * gap;
-  forEachTouch(x, [&](const SurfaceContact& contact, const SurfaceSearch::Touch& touch, const auto&) {
-    sum += 0.5 * contact.penalty[touch.entry] * touch.depth * touch.depth;
+  forEachTouch(x, [&](const SurfaceContact&, const SurfaceSearch::Touch& touch, const auto&) {
+    sum += 0.5 * touch.penalty * touch.depth * touch.depth;
   });
   return sum;
 }
@@ -301,11 +302,14 @@ void DiscreteForces::addDampingForce(NodeVectorsView x, NodeVectorsView v, NodeV
     for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
       const std::int32_t node = contact.nodes[k];
       const Obstacle::Surface at = surface(contact.obstacle, x.col(node));
-      if (at.gap < 0) f.col(node) += resistance(contact, k, at.normal, -at.gap, v.col(node) - velocity);
+      if (at.gap < 0)
+        f.col(node) +=
+            resistance(contact, contact.penalty[k], contact.damping[k], at.normal, -at.gap, v.col(node) - velocity);
     }
   }
   forEachTouch(x, [&](const SurfaceContact& contact, const SurfaceSearch::Touch& touch, const auto& nodes) {
-    const Eigen::Vector3d force = resistance(contact, touch.entry, touch.normal, touch.depth, between(touch, nodes, v));
+    const Eigen::Vector3d force =
+        resistance(contact, touch.penalty, touch.damping, touch.normal, touch.depth, between(touch, nodes, v));
     for (int c = 0; c < 4; ++c)
       if (nodes[c] >= 0) f.col(nodes[c]) += touch.b[c] * force;
   });
@@ -321,7 +325,9 @@ DiscreteForces::ObstaclePower DiscreteForces::obstaclePower(NodeVectorsView x, N
       const Obstacle::Surface at = surface(contact.obstacle, x.col(node));
       if (!(at.gap < 0)) continue;
       power.elastic -= contact.penalty[k] * at.gap * at.normal.dot(velocity);
-      power.damping -= resistance(contact, k, at.normal, -at.gap, v.col(node) - velocity).dot(velocity);
+      power.damping -=
+          resistance(contact, contact.penalty[k], contact.damping[k], at.normal, -at.gap, v.col(node) - velocity)
+              .dot(velocity);
     }
   }
   return power;
@@ -348,8 +354,8 @@ void DiscreteForces::addTangentProduct(NodeVectorsView x, NodeVectorsView u, Nod
       Ku.col(node) += (contact.penalty[k] + f * contact.damping[k]) * at.normal.dot(own) * at.normal +
                       contact.penalty[k] * at.gap * (at.curvature * own);
     }
-  forEachTouch(x, [&](const SurfaceContact& contact, const SurfaceSearch::Touch& touch, const auto& nodes) {
-    const double k = contact.penalty[touch.entry], fc = f * contact.damping[touch.entry];
+  forEachTouch(x, [&](const SurfaceContact&, const SurfaceSearch::Touch& touch, const auto& nodes) {
+    const double k = touch.penalty, fc = f * touch.damping;
     const Eigen::Vector3d moved = between(touch, nodes, u);
     const Eigen::Vector3d along = k * moved + fc * touch.normal.dot(moved) * touch.normal;
     Eigen::Vector2d given = Eigen::Vector2d::Zero();
@@ -392,8 +398,8 @@ DiscreteForces::DampingForm DiscreteForces::dampingForm(NodeVectorsView x, NodeV
       const Obstacle::Surface at = surface(contact.obstacle, x.col(contact.nodes[k]));
       if (at.gap < 0) add(contact.damping[k], v.col(contact.nodes[k]), at.normal);
     }
-  forEachTouch(x, [&](const SurfaceContact& contact, const SurfaceSearch::Touch& touch, const auto& nodes) {
-    add(contact.damping[touch.entry], between(touch, nodes, v), touch.normal);
+  forEachTouch(x, [&](const SurfaceContact&, const SurfaceSearch::Touch& touch, const auto& nodes) {
+    add(touch.damping, between(touch, nodes, v), touch.normal);
   });
   return form;
 }
@@ -473,7 +479,8 @@ void DiscreteForces::forMajorants(NodeVectorsView x, bool room, std::span<const 
   forSurfaceMajorants(x, room, add);
 }
 
-// A node touches one triangle at a time: of a corner the largest weight counts that it can have in any of them.
+// A node touches one triangle at a time: of a corner the largest weight counts that it can have in any of them. An edge
+// can touch several.
 template <class Add>
 void DiscreteForces::forSurfaceMajorants(NodeVectorsView x, bool room, const Add& add) const {
   if (shared_->surfaces.empty()) return;
@@ -487,6 +494,11 @@ void DiscreteForces::forSurfaceMajorants(NodeVectorsView x, bool room, const Add
     const std::vector<SurfaceSearch::Near>& near = surface.near();
     const auto addIsotropic = [&](std::int32_t node, double value) {
       if (node = numberOf(node); node >= 0) add(node, value);
+    };
+    const auto stiffness = [&](double penalty, double damping, double depth) {
+      double k = penalty + f * damping;
+      if (contact.friction > 0) k += f * contact.friction * penalty * depth * (room ? 1 + deepening : 1) / contact.slip;
+      return k;
     };
     std::vector<std::pair<std::int32_t, double>> corners;
     for (std::size_t i = 0; i < near.size();) {
@@ -506,11 +518,16 @@ void DiscreteForces::forSurfaceMajorants(NodeVectorsView x, bool room, const Add
             known->second = std::max(known->second, weight);
         }
       }
-      double k = contact.penalty[entry] + f * contact.damping[entry];
-      if (contact.friction > 0)
-        k += f * contact.friction * contact.penalty[entry] * depth * (room ? 1 + deepening : 1) / contact.slip;
+      const double k = stiffness(contact.penalty[entry], contact.damping[entry], depth);
       addIsotropic(contact.nodes[entry], (1 + contact.split[entry]) * k);
       for (const auto& [corner, weight] : corners) addIsotropic(corner, (1 + 1 / contact.split[entry]) * weight * k);
+    }
+    for (const SurfaceSearch::NearEdges& one : surface.nearEdges()) {
+      const double k = stiffness(one.penalty, one.damping, one.depth);
+      for (int c = 0; c < 4; ++c)
+        addIsotropic(
+            contact.edges[one.edges[c / 2]].nodes[c % 2],
+            (1 + (c < 2 ? one.split : 1 / one.split)) * std::min(1.0, one.weight[c] + (room ? sliding : 0)) * k);
     }
   }
 }

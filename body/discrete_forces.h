@@ -149,7 +149,7 @@ class DiscreteForces {
 
   /// What contact is like at x.
   struct ContactState {
-    std::int64_t touching = 0;  ///< pairs of node and obstacle or surface
+    std::int64_t touching = 0;  ///< pairs of node and obstacle or surface, and of edges
     double deepest = 0;         ///< m
     std::int32_t deepestNode = -1;
     std::size_t deepestObstacle = 0;  ///< ofSurface: a surface
@@ -245,16 +245,16 @@ void DiscreteForces::forEachBlock(NodeVectorsView x, const Visit& visit, const W
                                     contact.penalty[k] * at.gap * at.curvature;
       visit(node, node, block);
     }
-  forEachTouch(x, [&](const SurfaceContact& contact, const SurfaceSearch::Touch& touch,
-                      const std::array<std::int32_t, 4>& nodes) {
-    bool any = false;
-    for (const std::int32_t node : nodes) any = any || (node >= 0 && wanted(node));
-    if (!any) return;
-    const double k = contact.penalty[touch.entry], fc = f * contact.damping[touch.entry];
-    for (int a = 0; a < 4; ++a)
-      for (int c = 0; c < 4; ++c)
-        if (nodes[a] >= 0 && nodes[c] >= 0) visit(nodes[a], nodes[c], touch.block(a, c, k, fc));
-  });
+  forEachTouch(x,
+               [&](const SurfaceContact&, const SurfaceSearch::Touch& touch, const std::array<std::int32_t, 4>& nodes) {
+                 bool any = false;
+                 for (const std::int32_t node : nodes) any = any || (node >= 0 && wanted(node));
+                 if (!any) return;
+                 const double k = touch.penalty, fc = f * touch.damping;
+                 for (int a = 0; a < 4; ++a)
+                   for (int c = 0; c < 4; ++c)
+                     if (nodes[a] >= 0 && nodes[c] >= 0) visit(nodes[a], nodes[c], touch.block(a, c, k, fc));
+               });
 }
 
 }  // namespace ringwatch

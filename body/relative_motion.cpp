@@ -18,6 +18,9 @@ using Cell = std::array<std::int64_t, 3>;
 constexpr double up = 1 + 16 * unitRoundoff;
 /// Along an axis, so that their numbers are numbers; points that are so far apart are those of a run that has exploded.
 constexpr double mostCells = 1e12;
+/// What all points may move by against one another until neighbourhoods are asked again, over the edge of the cells:
+/// small against that for which things wait.
+constexpr double unaskedOfEdge = 0.005;
 
 /// Cells of things, which come in any order: numbers of the cells of all, and the cells, ascending.
 struct Numbered {
@@ -76,7 +79,8 @@ double RelativeMotion::Box::diagonal() const {
 }
 
 void RelativeMotion::start(const Points& at, double edge) {
-  start_ = at;
+  start_ = last_ = at;
+  since_ = 0;
   levels_.clear();
   const Eigen::Vector4d lowest = at.rowwise().minCoeff();
   const double width = (at.rowwise().maxCoeff() - lowest).maxCoeff();
@@ -139,16 +143,29 @@ void RelativeMotion::forDiagonals(const Points& from, const Points& to, int thre
   }
 }
 
-void RelativeMotion::move(const Points& from, const Points& to, int threads) {
-  forDiagonals(from, to, threads, [](Level& level, std::size_t cell, double diagonal) {
+void RelativeMotion::askNeighbourhoods(const Points& now, int threads) {
+  forDiagonals(last_, now, threads, [](Level& level, std::size_t cell, double diagonal) {
     level.path[cell] = up * (level.path[cell] + diagonal);
   });
+  last_ = now;
+  since_ = 0;
+}
+
+void RelativeMotion::move(const Points& to, int threads) {
+  Box box;
+  box.clear();
+  for (Eigen::Index p = 0; p < to.cols(); ++p) {
+    const Eigen::Array4d moved = to.col(p) - last_.col(p);
+    box.add({moved, moved});
+  }
+  since_ = box.diagonal();
+  if (!(since_ <= unaskedOfEdge * edge_)) askNeighbourhoods(to, threads);
 }
 
 double RelativeMotion::longestPath() const {
   double longest = 0;
   for (const double path : levels_.front().path) longest = std::max(longest, path);
-  return longest;
+  return longest + since_;
 }
 
 bool RelativeMotion::keepsApart(double apart, double extent, double needed, const Points& now, int threads) {
@@ -157,13 +174,14 @@ bool RelativeMotion::keepsApart(double apart, double extent, double needed, cons
     double least = apart, edge = edge_;
     for (const Level& level : levels_) {
       for (std::size_t cell = 0; cell < level.path.size(); ++cell)
-        if (!(least - (level.moved[cell] + level.path[cell]) >= needed)) return false;
+        if (!(least - (level.moved[cell] + level.path[cell] + since_) >= needed)) return false;
       least = edge - extent;
       edge *= 2;
     }
     return true;
   };
   if (keeps()) return true;
+  if (since_ > 0) askNeighbourhoods(now, threads);
   // The way there was longer than the displacement.
   forDiagonals(start_, now, threads, [](Level& level, std::size_t cell, double diagonal) {
     level.moved[cell] = std::min(level.moved[cell], diagonal - level.path[cell]);

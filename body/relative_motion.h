@@ -25,16 +25,18 @@ class RelativeMotion {
 
   /// The finest cell of a point.
   std::int32_t cellOf(std::size_t point) const { return cellOf_[point]; }
-  /// All points moved.
-  void move(const Points& from, const Points& to, int threads);
-  /// What the moves summed up to in the neighbourhood of a cell, m: between any two calls the vector between two of its
-  /// points changed by no more than this grew.
-  double path(std::int32_t cell) const { return levels_.front().path[cell]; }
+  /// All points moved to there. Neighbourhoods are asked only when points have moved some way against one another since
+  /// they were last.
+  void move(const Points& to, int threads);
+  /// Paths of the neighbourhood of a cell, m: between a call of move and a later one the vector between two of its
+  /// points changed by no more than pathTo at the later one less pathFrom at the earlier one.
+  double pathTo(std::int32_t cell) const { return levels_.front().path[cell] + since_; }
+  double pathFrom(std::int32_t cell) const { return levels_.front().path[cell] - since_; }
   double longestPath() const;
 
   /// Let two things of points be further apart at the start than `apart` or, where not all of their points are in one
   /// neighbourhood of the finest grid, than the edge less `extent`, which is the largest width of one of them. Whether
-  /// they are still further apart than `needed`, all m, with the points at `now`.
+  /// they are still further apart than `needed`, all m, with the points at `now`, where they moved last.
   bool keepsApart(double apart, double extent, double needed, const Points& now, int threads);
 
  private:
@@ -54,10 +56,13 @@ class RelativeMotion {
     std::vector<double> moved;             // m: no less than the displacements' diagonal, less the path
   };
   /// Calls use(level, cell, diagonal) for the neighbourhoods of all cells.
+  /// Adds what points moved since last_ to the paths.
+  void askNeighbourhoods(const Points& now, int threads);
   template <class Use>
   void forDiagonals(const Points& from, const Points& to, int threads, const Use& use);
 
-  Points start_;
+  Points start_, last_;  // last_: when neighbourhoods were last asked
+  double since_ = 0;     // m: no less than the diagonal of all displacements since then
   double edge_ = 0;
   std::vector<std::int32_t> cellOf_;
   std::vector<Level> levels_;

@@ -75,16 +75,18 @@ struct BallQuery {
 }  // namespace
 
 SurfaceContact surfaceContact(const Mesh& mesh, std::vector<std::int32_t> nodes,
-                              const std::vector<std::int32_t>& surface) {
+                              const std::vector<std::int32_t>& surface, std::optional<double> edgeAngle) {
   SurfaceContact contact;
   const std::vector<SurfaceTriangle> all = surfaceTriangles(mesh);
+  const auto isTouched = [&](const std::array<std::int32_t, 3>& at) {
+    return std::all_of(at.begin(), at.end(),
+                       [&](std::int32_t node) { return std::binary_search(surface.begin(), surface.end(), node); });
+  };
   std::vector<std::vector<std::array<std::int32_t, 2>>> fan(mesh.nodeCount());
   for (const SurfaceTriangle& triangle : all) {
     const auto& at = triangle.nodes;
     for (int i = 0; i < 3; ++i) fan[at[i]].push_back({at[(i + 1) % 3], at[(i + 2) % 3]});
-    if (!std::all_of(at.begin(), at.end(),
-                     [&](std::int32_t node) { return std::binary_search(surface.begin(), surface.end(), node); }))
-      continue;
+    if (!isTouched(at)) continue;
     contact.triangles.push_back(at);
     contact.depth.push_back(0.5 * heightBehind(mesh, triangle));
   }
@@ -100,6 +102,33 @@ SurfaceContact surfaceContact(const Mesh& mesh, std::vector<std::int32_t> nodes,
     const auto near = neighbours.row(node);
     contact.neighbours.values.insert(contact.neighbours.values.end(), near.begin(), near.end());
     contact.neighbours.offsets.push_back(contact.neighbours.values.size());
+  }
+  if (!edgeAngle) return contact;
+  // Directed edges, and the triangles that have them.
+  std::map<std::array<std::int32_t, 2>, std::size_t> edges;
+  for (std::size_t t = 0; t < all.size(); ++t)
+    for (int i = 0; i < 3; ++i) edges[{all[t].nodes[i], all[t].nodes[(i + 1) % 3]}] = t;
+  const auto isNode = [&](std::int32_t node) {
+    return std::binary_search(contact.nodes.begin(), contact.nodes.end(), node);
+  };
+  for (const auto& [ends, t] : edges) {
+    const auto other = edges.find({ends[1], ends[0]});
+    if (ends[0] > ends[1] || other == edges.end()) continue;
+    const std::array<const SurfaceTriangle*, 2> sides{&all[t], &all[other->second]};
+    SurfaceContact::Edge edge{ends, {}, isNode(ends[0]) && isNode(ends[1]), false, infinity};
+    std::array<Vector3d, 2> normals;
+    for (int side = 0; side < 2; ++side) {
+      const auto& at = sides[side]->nodes;
+      for (const std::int32_t node : at)
+        if (node != ends[0] && node != ends[1]) edge.third[side] = node;
+      const Vector3d a = mesh.X.col(at[0]);
+      normals[side] = (mesh.X.col(at[1]) - a).cross(mesh.X.col(at[2]) - a).normalized();
+      edge.touched = edge.touched || isTouched(at);
+      edge.depth = std::min(edge.depth, 0.5 * heightBehind(mesh, *sides[side]));
+    }
+    const Vector3d along = (mesh.X.col(ends[1]) - mesh.X.col(ends[0])).normalized();
+    const double turns = std::atan2(normals[0].cross(normals[1]).dot(along), normals[0].dot(normals[1]));
+    if (turns > *edgeAngle && (edge.touches || edge.touched)) contact.edges.push_back(edge);
   }
   return contact;
 }
@@ -124,6 +153,18 @@ SurfaceSearch::SurfaceSearch(SurfaceContact contact, std::int32_t nodeCount) : c
     throw InputError(joinText("slip = ", contact_.slip, " m/s: must be > 0 where there is friction"));
   nodes_ = contact_.nodes;
   for (const auto& triangle : contact_.triangles) nodes_.insert(nodes_.end(), triangle.begin(), triangle.end());
+  for (const SurfaceContact::Edge& edge : contact_.edges) {
+    require("penalty", {edge.penalty}, false);
+    require("damping", {edge.damping}, false);
+    require("mass", {edge.mass}, true);
+    nodes_.insert(nodes_.end(), edge.nodes.begin(), edge.nodes.end());
+    nodes_.insert(nodes_.end(), edge.third.begin(), edge.third.end());
+    deepestEdge_ = std::max(deepestEdge_, edge.depth);
+    if (!edge.touches) continue;
+    for (const std::int32_t node : edge.nodes)
+      if (!std::binary_search(contact_.nodes.begin(), contact_.nodes.end(), node))
+        throw InputError(joinText("node ", node, " of an edge that touches is none of the nodes"));
+  }
   sortUnique(nodes_);
   if (!nodes_.empty() && (nodes_.front() < 0 || nodes_.back() >= nodeCount))
     throw InputError(
@@ -199,9 +240,22 @@ Eigen::Matrix3d SurfaceSearch::Touch::block(int a, int c, double k, double fc) c
   return own;
 }
 
+void SurfaceSearch::Touch::setDirections(NodeVectorsView x, int directions) {
+  free = directions;
+  inverse.setZero();
+  for (int i = 0; i < free; ++i) T[i] = x.col(nodes[to[i]]) - x.col(nodes[base[i]]);
+  if (free == 1) inverse(0, 0) = 1 / T[0].squaredNorm();
+  if (free < 2) return;
+  Eigen::Matrix2d G;
+  G << T[0].squaredNorm(), T[0].dot(T[1]), T[0].dot(T[1]), T[1].squaredNorm();
+  inverse = G.inverse();
+}
+
 bool SurfaceSearch::listsServe(double reach, int threads) {
   if (!motion_.started() || !(motion_.longestPath() <= longestPath * motion_.edge())) return false;
-  return motion_.keepsApart(listed_, extent_, deepest_ + 2 * reach + rounding_, at_, threads);
+  return motion_.keepsApart(listed_, extent_, deepest_ + 2 * reach + rounding_, at_, threads) &&
+         (edgeRows_.empty() ||
+          motion_.keepsApart(edgeListed_, 2 * edgeExtent_, deepestEdge_ + reach + rounding_, at_, threads));
 }
 
 void SurfaceSearch::makeLists(NodeVectorsView x, double reach, int threads) {
@@ -222,8 +276,14 @@ void SurfaceSearch::makeLists(NodeVectorsView x, double reach, int threads) {
     extent_ = std::max(extent_, boxes[t].sizes().maxCoeff());
     numbers[t] = static_cast<int>(t);
   }
-  // All of a triangle in a list is in the neighbourhood of its node.
-  motion_.start(at_, (1 + roundingOfEdge) * (listed_ + extent_));
+  edgeListed_ = deepestEdge_ + reach + skin_;
+  edgeExtent_ = 0;
+  for (const SurfaceContact::Edge& edge : contact_.edges)
+    edgeExtent_ = std::max(edgeExtent_, (x.col(edge.nodes[1]) - x.col(edge.nodes[0])).cwiseAbs().maxCoeff());
+  // All of a triangle in a list is in the neighbourhood of its node, and of an edge in that of the other's first end.
+  const double farthest =
+      contact_.edges.empty() ? listed_ + extent_ : std::max(listed_ + extent_, edgeListed_ + 2 * edgeExtent_);
+  motion_.start(at_, (1 + roundingOfEdge) * farthest);
   rounding_ = roundingOfEdge * motion_.edge();
   const TriangleTree tree(numbers.begin(), numbers.end(), boxes.begin(), boxes.end());
   const std::size_t entries = contact_.nodes.size();
@@ -235,13 +295,19 @@ void SurfaceSearch::makeLists(NodeVectorsView x, double reach, int threads) {
         BallQuery query{x.col(node), listed_ * listed_, boxes, found[k]};
         Eigen::BVIntersect(tree, query);
         if (found[k].empty()) return;
-        const auto near = contact_.neighbours.row(k);
+        // By node, whether it shares an element with this one: a triangle's corners are then three look-ups.
+        thread_local std::vector<char> own;
+        if (own.size() < cornerPlace_.size()) own.resize(cornerPlace_.size(), 0);
+        const auto mark = [&](char value) {
+          own[node] = value;
+          for (const std::int32_t other : contact_.neighbours.row(k)) own[other] = value;
+        };
+        mark(1);
         std::erase_if(found[k], [&](std::int32_t t) {
           const auto& corners = contact_.triangles[t];
-          return std::any_of(corners.begin(), corners.end(), [&](std::int32_t corner) {
-            return corner == node || std::binary_search(near.begin(), near.end(), corner);
-          });
+          return own[corners[0]] || own[corners[1]] || own[corners[2]];
         });
+        mark(0);
         std::sort(found[k].begin(), found[k].end());
       },
       64);
@@ -259,6 +325,7 @@ void SurfaceSearch::makeLists(NodeVectorsView x, double reach, int threads) {
   until_.assign(candidates_.values.size(), 0);
   rowUntil_.assign(rows_.size(), 0);
   rowNearest_.assign(rows_.size(), -1);
+  makeEdgeLists(x, threads);
 }
 
 Vector3d SurfaceSearch::normalAt(NodeVectorsView x, std::int32_t entry) const {
@@ -308,31 +375,26 @@ void SurfaceSearch::addTouch(NodeVectorsView x, std::int32_t entry, std::int32_t
   Touch touch;
   touch.entry = entry;
   touch.triangle = triangle;
+  touch.otherEdge = -1;
+  touch.penalty = contact_.penalty[entry];
+  touch.damping = contact_.damping[entry];
   const auto& at = contact_.triangles[triangle];
   touch.nodes = {contact_.nodes[entry], at[0], at[1], at[2]};
   touch.b = {1, -closest.w[0], -closest.w[1], -closest.w[2]};
   touch.r = closest.r;
   touch.depth = std::sqrt(closest.distance2);
   touch.normal = closest.free == 2 ? Vector3d(closest.normal.normalized()) : Vector3d(-closest.r / touch.depth);
-  touch.free = closest.free;
-  touch.base = closest.free == 2 ? 1 : closest.corner + 1;
+  touch.base.fill(closest.free == 2 ? 1 : closest.corner + 1);
   touch.to = {0, 0};
-  touch.inverse.setZero();
   if (closest.free == 2) touch.to = {2, 3};
   if (closest.free == 1) touch.to = {(closest.corner + 1) % 3 + 1, 0};
-  for (int i = 0; i < closest.free; ++i) touch.T[i] = x.col(touch.nodes[touch.to[i]]) - x.col(touch.nodes[touch.base]);
-  if (closest.free == 1) touch.inverse(0, 0) = 1 / touch.T[0].squaredNorm();
-  if (closest.free == 2) {
-    Eigen::Matrix2d G;
-    G << touch.T[0].squaredNorm(), touch.T[0].dot(touch.T[1]), touch.T[0].dot(touch.T[1]), touch.T[1].squaredNorm();
-    touch.inverse = G.inverse();
-  }
+  touch.setDirections(x, closest.free);
   touching.push_back(touch);
 }
 
 void SurfaceSearch::look(NodeVectorsView x, std::size_t row, double reach, Found& result) {
-  const double path = motion_.path(rowCell_[row]), cutoff = deepest_ + 2 * reach;
-  if (rowUntil_[row] - path > cutoff + rounding_) return;
+  const double path = motion_.pathTo(rowCell_[row]), from = motion_.pathFrom(rowCell_[row]),
+               cutoff = deepest_ + 2 * reach;
   const std::int32_t entry = rows_[row];
   const std::int32_t node = contact_.nodes[entry];
   const Vector3d s = x.col(node);
@@ -343,7 +405,7 @@ void SurfaceSearch::look(NodeVectorsView x, std::size_t row, double reach, Found
   const auto closestTo = [&](std::int32_t i) {
     const auto& at = contact_.triangles[candidates[i]];
     const Closest closest = closestPoint(s, x.col(at[0]), x.col(at[1]), x.col(at[2]));
-    until_[first + i] = std::sqrt(closest.distance2) + path;
+    until_[first + i] = std::sqrt(closest.distance2) + from;
     ++result.pairs;
     return closest;
   };
@@ -369,14 +431,21 @@ void SurfaceSearch::look(NodeVectorsView x, std::size_t row, double reach, Found
   thread_local std::vector<Candidate> found;
   found.clear();
   int best = -1;
+  // Without a branch: most wait.
+  thread_local std::vector<std::int32_t> chosen;
+  chosen.resize(candidates.size());
+  std::size_t chosenCount = 0;
   double until = infinity;
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(candidates.size()); ++i) {
-    const bool isLast = i == rowNearest_[row];
-    if (!isLast && until_[first + i] - path > limit + rounding_) {
-      until = std::min(until, until_[first + i]);
-      continue;
-    }
-    const Closest closest = isLast ? *last : closestTo(i);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const double lasts = until_[first + i];
+    const bool waits = lasts - path > limit + rounding_;
+    until = std::min(until, waits ? lasts : infinity);
+    chosen[chosenCount] = static_cast<std::int32_t>(i);
+    chosenCount += !waits;
+  }
+  for (std::size_t n = 0; n < chosenCount; ++n) {
+    const std::int32_t i = chosen[n];
+    const Closest closest = last && i == rowNearest_[row] ? *last : closestTo(i);
     until = std::min(until, until_[first + i]);
     if (!counts(closest)) continue;
     found.push_back({i, closest});
@@ -428,34 +497,40 @@ void SurfaceSearch::locate(NodeVectorsView x, double reach, int threads) {
   if (located_ && reach == reach_)
     while (same < count && isAt(same)) ++same;
   if (located_ && reach == reach_ && same == count) return;
-  at_.swap(before_);
   at_.resize(4, static_cast<Eigen::Index>(count));
-  Eigen::Array4d sum = Eigen::Array4d::Zero();  // not finite where a coordinate is not
+  std::array<double, 3> sum{};  // not finite where a coordinate is not
   for (std::size_t i = 0; i < count; ++i) {
+    // Number by number: a column that is put together first and read whole waits for its parts.
     const double* one = x.data() + 3 * static_cast<std::ptrdiff_t>(nodes_[i]);
-    const Eigen::Array4d at(one[0], one[1], one[2], 0);
-    at_.col(static_cast<Eigen::Index>(i)) = at;
-    sum += 0 * at;
+    double* at = at_.data() + 4 * i;
+    for (int c = 0; c < 3; ++c) {
+      at[c] = one[c];
+      sum[c] += 0 * one[c];
+    }
+    at[3] = 0;
   }
   reach_ = reach;
   located_ = true;
   touching_.clear();
   near_.clear();
+  nearEdges_.clear();
   ++statistics_.looks;
-  if (!sum.isFinite().all()) {
+  if (!std::isfinite(sum[0] + sum[1] + sum[2])) {
     motion_.forget();
     return;
   }
-  if (motion_.started()) motion_.move(before_, at_, threads);
+  if (motion_.started()) motion_.move(at_, threads);
   if (!listsServe(reach, threads)) makeLists(x, reach, threads);
   constexpr std::int64_t length = 64;
   const std::int64_t rows = static_cast<std::int64_t>(rows_.size()), parts = (rows + length - 1) / length;
   std::vector<Found> found(parts);
+  const double waits = deepest_ + 2 * reach + rounding_;
   parallelFor(
       0, parts, threads,
       [&](std::int64_t p) {
         for (std::int64_t row = p * length; row < std::min(rows, (p + 1) * length); ++row)
-          look(x, static_cast<std::size_t>(row), reach, found[p]);
+          if (!(rowUntil_[row] - motion_.pathTo(rowCell_[row]) > waits))
+            look(x, static_cast<std::size_t>(row), reach, found[p]);
       },
       2);
   for (const Found& part : found) {
@@ -463,6 +538,11 @@ void SurfaceSearch::locate(NodeVectorsView x, double reach, int threads) {
     near_.insert(near_.end(), part.near.begin(), part.near.end());
     statistics_.pairs += part.pairs;
   }
+  Found ofEdges;
+  for (std::size_t row = 0; row < edgeRows_.size(); ++row) lookAtEdges(x, row, reach, ofEdges);
+  touching_.insert(touching_.end(), ofEdges.touching.begin(), ofEdges.touching.end());
+  nearEdges_ = std::move(ofEdges.nearEdges);
+  statistics_.edgePairs += ofEdges.pairs;
 }
 
 }  // namespace ringwatch

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -19,6 +20,10 @@ namespace ringwatch {
 /// whose normals are against that of the surface at the node. A node deeper than `depth` of the triangle is not held.
 /// Viscous damping and friction act on the velocity of the node against that of the point, as in PenaltyContact. Forces
 /// sum to zero; friction's moment is not balanced, by the depth times the force.
+///
+/// Edges of the surface push each other away, too, where some are given: two that have gone through one another have
+/// the same energy of their distance, and the force acts between their closest points, each on the two ends of its
+/// edge.
 struct SurfaceContact {
   std::vector<std::int32_t> nodes;  ///< of the surface, ascending
   std::vector<double> penalty;      ///< k of each node, N/m
@@ -36,37 +41,57 @@ struct SurfaceContact {
   CompressedRows<std::array<std::int32_t, 2>> fan;
   /// A row a node: nodes that share an element with it, ascending.
   CompressedRows<std::int32_t> neighbours;
+
+  /// An edge at which the surface turns outwards.
+  struct Edge {
+    std::array<std::int32_t, 2> nodes;
+    /// Third corners of its triangles, which are nodes[0], nodes[1], third[0] and nodes[1], nodes[0], third[1],
+    /// counter-clockwise as seen from outside.
+    std::array<std::int32_t, 2> third;
+    bool touches, touched;  ///< both of its ends are among `nodes`; it is of one of `triangles`
+    double depth;           ///< m, to which it holds another one; of a pair the smaller
+    double penalty = 0;     ///< N/m; of a pair the smaller
+    double damping = 0;     ///< N s/m; of a pair the smaller
+    /// kg, > 0. θ of a pair is the first one's over the second one's, within leastSplit and largestSplit.
+    double mass = 1;
+  };
+  /// Each pair of one that touches and one that is touched counts once, unless they share or are next to an element.
+  std::vector<Edge> edges;
+  static constexpr double leastSplit = 0.1, largestSplit = 10;  ///< bounds of θ that scenes and pairs of edges keep
 };
 
 /// Of nodes of a mesh's surface and the triangles of its surface whose corners are all among `surface`, both ascending;
 /// depth is half of the height of the element behind a triangle at rest. Penalties and the rest are left empty, θ is 1.
+/// With an angle, radians, edges at which the surface turns outwards by more than that at rest.
 /// Throws InputError for nodes that are not of the surface, and where there is no triangle.
 SurfaceContact surfaceContact(const Mesh& mesh, std::vector<std::int32_t> nodes,
-                              const std::vector<std::int32_t>& surface);
+                              const std::vector<std::int32_t>& surface, std::optional<double> edgeAngle = {});
 
 /// Where the nodes of a SurfaceContact touch. It keeps what it found last, lists of the triangles that are near, of a
 /// bounding-volume hierarchy, which serve until nodes have moved some way against those near them, and of each pair in
 /// them how far it was apart, so that it is looked at again when it can count. What is found does not depend on any of
-/// that: Theorems 56 and 65, docs/theory/discrete_forces.md. One thread at a time.
+/// that: Theorems 56, 65 and 123, docs/theory/discrete_forces.md. One thread at a time.
 class SurfaceSearch {
  public:
   /// Throws InputError for rows, penalties and dampings that are not one a node, and constants that are negative.
   SurfaceSearch(SurfaceContact contact, std::int32_t nodeCount);
 
-  /// A node that touches. r = Σ b_c x_c over its four nodes, b = (1, -w).
+  /// A node that touches a triangle, or two edges that touch. r = Σ b_c x_c over its four nodes; b = (1, -w), of edges
+  /// (1 - s, s, t - 1, -t).
   struct Touch {
-    std::int32_t entry;                 ///< position in SurfaceContact::nodes
-    std::int32_t triangle;              ///< position in SurfaceContact::triangles
-    std::array<std::int32_t, 4> nodes;  ///< the node and the triangle's corners
+    std::int32_t entry;                 ///< position in SurfaceContact::nodes; of edges the first one's in edges
+    std::int32_t triangle;              ///< position in SurfaceContact::triangles, -1 for edges
+    std::int32_t otherEdge;             ///< the second one's position in SurfaceContact::edges, -1 for a triangle
+    std::array<std::int32_t, 4> nodes;  ///< the node and the triangle's corners; the ends of both edges
     std::array<double, 4> b;
-    Eigen::Vector3d r;       ///< m, from the closest point to the node
-    Eigen::Vector3d normal;  ///< out of the surface, a unit vector along -r
-    double depth;            ///< m, |r|
-    /// Directions T in which the closest point is free to move: two in a face, one on an edge, none at a corner; each
-    /// from the corner base to the corner to[j], both 1 to 3. inverse: of Tᵀ T.
+    double penalty, damping;  ///< N/m, N s/m
+    Eigen::Vector3d r;        ///< m, from the closest point to the node; of edges from the second to the first
+    Eigen::Vector3d normal;   ///< out of the surface, a unit vector along -r
+    double depth;             ///< m, |r|
+    /// Directions T in which the closest point is free to move: two in a face, one on an edge, none at a corner; of
+    /// edges one along each. T[j] is from the node base[j] to the node to[j] of the four. inverse: of Tᵀ T.
     int free;
-    int base;
-    std::array<int, 2> to;
+    std::array<int, 2> base, to;
     std::array<Eigen::Vector3d, 2> T;
     Eigen::Matrix2d inverse;
 
@@ -74,9 +99,11 @@ class SurfaceSearch {
     Eigen::Vector3d column(int c, int i) const {
       Eigen::Vector3d own = b[c] * T[i];
       if (c == to[i]) own += r;
-      if (c == base) own -= r;
+      if (c == base[i]) own -= r;
       return own;
     }
+    /// Of base and to.
+    void setDirections(NodeVectorsView x, int directions);
     /// ∂²(k d²/2)/∂x_a∂x_c + f c b_a b_c n nᵀ, N/m, for fc = f c. Theorem 53, docs/theory/discrete_forces.md.
     Eigen::Matrix3d block(int a, int c, double k, double fc) const;
   };
@@ -88,22 +115,32 @@ class SurfaceSearch {
     std::array<double, 3> weight;
   };
 
+  /// Two edges that can touch, and the largest shares of their ends in their closest points with which they can.
+  struct NearEdges {
+    std::array<std::int32_t, 2> edges;  ///< positions in SurfaceContact::edges
+    double penalty, damping;            ///< N/m, N s/m
+    double split;                       ///< θ
+    double depth;                       ///< m, now; 0 in front
+    std::array<double, 4> weight;
+  };
+
   const SurfaceContact& contact() const { return contact_; }
   /// Nodes and corners, ascending.
   const std::vector<std::int32_t>& nodes() const { return nodes_; }
   /// Looks where nodes touch at x, 3×N, and which can within a reach, m >= 0; nothing is done where that is known. None
   /// do at positions that are not finite.
   void locate(NodeVectorsView x, double reach, int threads);
-  /// Of the last look; by entry, near() by triangle within.
+  /// Of the last look; nodes before edges, by entry, near() by triangle within.
   const std::vector<Touch>& touching() const { return touching_; }
   const std::vector<Near>& near() const { return near_; }
+  const std::vector<NearEdges>& nearEdges() const { return nearEdges_; }
   /// Where nodes()[i] was then, m.
   Eigen::Vector3d positionOf(std::size_t i) const { return at_.col(static_cast<Eigen::Index>(i)).head<3>(); }
   bool located() const { return located_; }
 
-  /// Searches of the hierarchy so far, looks, and closest points of pairs of a node and a triangle.
+  /// Searches of the hierarchy so far, looks, and closest points of pairs of a node and a triangle, and of edges.
   struct Statistics {
-    std::int64_t lists = 0, looks = 0, pairs = 0;
+    std::int64_t lists = 0, looks = 0, pairs = 0, edgePairs = 0;
   };
   const Statistics& statistics() const { return statistics_; }
 
@@ -119,14 +156,30 @@ class SurfaceSearch {
   };
   static Closest closestPoint(const Eigen::Vector3d& s, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                               const Eigen::Vector3d& c);
+  /// The closest points of two edges, at the shares s and t.
+  struct ClosestOfEdges {
+    double distance2;
+    double s, t;
+    Eigen::Vector3d r;      // from the second to the first
+    Eigen::Vector3d cross;  // of the edges
+    bool inside;            // of both edges, and these are not parallel
+  };
+  static ClosestOfEdges closestPoints(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                                      const Eigen::Vector3d& d);
   void makeLists(NodeVectorsView x, double reach, int threads);
+  void makeEdgeLists(NodeVectorsView x, int threads);
   bool listsServe(double reach, int threads);
   /// What rows of the lists find.
   struct Found {
     std::vector<Touch> touching;
     std::vector<Near> near;
+    std::vector<NearEdges> nearEdges;
     std::int64_t pairs = 0;
   };
+  void lookAtEdges(NodeVectorsView x, std::size_t row, double reach, Found& found);
+  void addEdges(NodeVectorsView x, std::int32_t edge, std::int32_t other, const ClosestOfEdges& closest, double reach,
+                Found& found) const;
+  std::array<Eigen::Vector3d, 2> normalsAt(NodeVectorsView x, const SurfaceContact::Edge& edge) const;
   void look(NodeVectorsView x, std::size_t row, double reach, Found& found);
   void addTouch(NodeVectorsView x, std::int32_t entry, std::int32_t triangle, const Closest& closest,
                 std::vector<Touch>& touching) const;
@@ -139,7 +192,7 @@ class SurfaceSearch {
       across_;                                // the triangle on the other side of the edge behind each corner, -1
   std::vector<std::int32_t> cornerPlace_;     // by node: its row of at_corner_, -1
   CompressedRows<std::int32_t> trianglesAt_;  // a row a corner
-  double deepest_ = 0, skin_ = 0;             // m
+  double deepest_ = 0, deepestEdge_ = 0, skin_ = 0;  // m
 
   // Lists of triangles within listed_ of nodes when motion_ was started, which count below listed_ - rounding_.
   std::vector<std::int32_t> rows_;  // entries that have any
@@ -150,12 +203,19 @@ class SurfaceSearch {
   // the candidate that was nearest, -1.
   std::vector<double> until_, rowUntil_;
   std::vector<std::int32_t> rowCell_, rowNearest_;
+  // The same of edges, by row those that touch and their candidates, which are touched.
+  std::vector<std::int32_t> edgeRows_;
+  CompressedRows<std::int32_t> edgeCandidates_;
+  double edgeListed_ = 0, edgeExtent_ = 0;
+  std::vector<double> edgeUntil_, edgeRowUntil_;
+  std::vector<std::int32_t> edgeRowCell_;
 
-  RelativeMotion::Points at_, before_;  // of nodes()
+  RelativeMotion::Points at_;  // of nodes()
   double reach_ = -1;
   bool located_ = false;
   std::vector<Touch> touching_;
   std::vector<Near> near_;
+  std::vector<NearEdges> nearEdges_;
   Statistics statistics_;
 };
 

@@ -146,19 +146,18 @@ Json discreteJson(const Scene& scene, const Body& body, const RunResult& result)
   const RunResult::Discrete& discrete = *result.discrete;
   std::size_t nodes = 0;
   double least = infinity, largest = 0;
+  const auto count = [&](double penalty) {
+    least = std::min(least, penalty);
+    largest = std::max(largest, penalty);
+  };
   for (const PenaltyContact& contact : body.discreteForces()->contacts()) {
     nodes += contact.nodes.size();
-    for (const double penalty : contact.penalty) {
-      least = std::min(least, penalty);
-      largest = std::max(largest, penalty);
-    }
+    for (const double penalty : contact.penalty) count(penalty);
   }
   for (const SurfaceSearch& surface : body.discreteForces()->surfaces()) {
     nodes += surface.contact().nodes.size();
-    for (const double penalty : surface.contact().penalty) {
-      least = std::min(least, penalty);
-      largest = std::max(largest, penalty);
-    }
+    for (const double penalty : surface.contact().penalty) count(penalty);
+    for (const SurfaceContact::Edge& edge : surface.contact().edges) count(edge.penalty);
   }
   Json json{{"springs", body.discreteForces()->springs().size()},
             {"contact_nodes", nodes},

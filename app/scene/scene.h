@@ -149,6 +149,7 @@ struct Scene {
     std::optional<NodeSelection> nodes;  // empty: the surface
     bool withSurface = false;            // touches the surface `to`, and else obstacles
     std::optional<NodeSelection> to;     // empty: all of the surface
+    std::optional<double> edgeAngle;     // radians; empty: edges do not touch edges
     std::vector<std::size_t> obstacles;  // of the scene's
     std::optional<double> penalty;       // N/m; empty for "auto"
     double step = 0;                     // s, that "auto" leaves

@@ -39,8 +39,6 @@ constexpr int referenceSearches = 4;
 constexpr double referenceTolerance = 0.005;
 /// Nodes that lie on a surface at the start are there to rounding, relative to the size of the body.
 constexpr double startRounding = 1e-9;
-/// Bounds of SurfaceContact::split.
-constexpr double leastSplit = 0.1, largestSplit = 10;
 
 void readSpring(const SceneTable& section, Scene& scene) {
   Scene::SpringSet springs{selectionOf(section),           std::nullopt, section.get<double>("stiffness"),
@@ -122,8 +120,15 @@ void readTouched(const SceneTable& section, const Scene& scene, Scene::Contact& 
       fail(section.at("obstacle").origin, "contact.obstacle",
            "this contact is with = \"surface\"; take one of the two out, or give another [[contact]]");
     if (section.given("to_where") || section.given("to_set")) contact.to = selectionOf(section, "to_");
+    if (section.get<bool>("edges"))
+      contact.edgeAngle = section.get<double>("edge_angle") * std::numbers::pi / 180;
+    else if (section.given("edge_angle"))
+      fail(section.at("edge_angle").origin, "contact.edge_angle", "needs edges = true");
     return;
   }
+  for (const char* key : {"edges", "edge_angle"})
+    if (section.given(key))
+      fail(section.at(key).origin, fmt::format("contact.{}", key), "needs with = \"surface\"; obstacles have no edges");
   for (const char* key : {"to_where", "to_set"})
     if (section.given(key))
       fail(section.at(key).origin, fmt::format("contact.{}", key), "needs with = \"surface\"; obstacles have no nodes");
@@ -283,6 +288,12 @@ void requireApart(const Scene::Contact& contact, SurfaceContact surface, const M
   }
   if (!deepest) return;
   const Eigen::Vector3d at = mesh.X.col(deepest->nodes[0]);
+  if (deepest->otherEdge >= 0)
+    throw InputError(fmt::format(
+        "{}: surfaces overlap at the start: the edge of nodes {} and {}, near ({:.6g}, {:.6g}, {:.6g}), is {:.4g} m "
+        "beyond that of nodes {} and {}, the deepest of {}; move the parts apart, or set edges = false",
+        contact.origin, mesh.nodeId(deepest->nodes[0]), mesh.nodeId(deepest->nodes[1]), at[0], at[1], at[2],
+        deepest->depth, mesh.nodeId(deepest->nodes[2]), mesh.nodeId(deepest->nodes[3]), inside));
   throw InputError(fmt::format(
       "{}: surfaces overlap at the start: node {} at ({:.6g}, {:.6g}, {:.6g}) is {:.4g} m deep behind the face of "
       "nodes {}, "
@@ -397,6 +408,18 @@ void fitSurfacePenalties(SurfaceContact& contact, const SurfaceShares& shares, c
   for (double& penalty : contact.penalty) penalty *= share * share;
 }
 
+/// What a penalty of one newton a metre at all edges of a contact is at a node in the majorant where each edge touches
+/// one other, by node.
+std::vector<double> edgeLoads(const SurfaceContact& contact, std::int32_t nodeCount) {
+  std::vector<double> loads(nodeCount, 0.0);
+  double least = infinity;
+  for (const SurfaceContact::Edge& edge : contact.edges) least = std::min(least, edge.mass);
+  for (const SurfaceContact::Edge& edge : contact.edges)
+    for (const std::int32_t node : edge.nodes)
+      loads[node] += 1 + std::min(edge.mass / least, SurfaceContact::largestSplit);
+  return loads;
+}
+
 /// What a penalty of one newton a metre at all nodes of a contact is at a node in the majorant; and of its damping, the
 /// share of the critical one.
 struct SurfaceLoad {
@@ -418,7 +441,16 @@ std::map<std::int32_t, SurfaceLoad> surfaceLoads(const Body& body) {
     std::vector<std::int32_t> corners;
     for (const auto& triangle : contact.triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
     sortUnique(corners);
+    const std::vector<std::int32_t> touched = corners;
+    const std::vector<double> ofEdges = edgeLoads(contact, body.nodeCount());
+    for (const SurfaceContact::Edge& edge : contact.edges) {
+      if (edge.penalty > 0) damping = std::max(damping, edge.damping / (2 * std::sqrt(edge.penalty * edge.mass)));
+      corners.insert(corners.end(), edge.nodes.begin(), edge.nodes.end());
+    }
+    sortUnique(corners);
     for (const std::int32_t corner : corners)
+      if (!shares.held[corner]) loads[corner].share += ofEdges[corner];
+    for (const std::int32_t corner : touched)
       if (!shares.held[corner]) loads[corner].share += most * std::max(1.0, shares.area[corner] / shares.meanArea);
     for (auto& [node, load] : loads) load.damping = std::max(load.damping, damping);
   }
@@ -442,7 +474,7 @@ SurfaceContact surfaceContactOf(const Scene& scene, const Scene::Contact& contac
     throw InputError(fmt::format("{}: none of its nodes is on the surface; change the condition", contact.origin));
   SurfaceContact own;
   try {
-    own = surfaceContact(mesh, nodes, to);
+    own = surfaceContact(mesh, nodes, to, contact.edgeAngle);
   } catch (const InputError& fault) {
     throw InputError(fmt::format("{}: to_where, to_set: {}; change the condition", contact.origin, fault.what()));
   }
@@ -451,10 +483,13 @@ SurfaceContact surfaceContactOf(const Scene& scene, const Scene::Contact& contac
   own.slip = contact.slip;
   const SurfaceShares shares = sharesOf(own, body);
   for (std::size_t k = 0; k < nodes.size(); ++k)
-    own.split[k] = std::clamp(body.lumpedMass()[nodes[k]] / (shares.massPerArea * shares.area[nodes[k]]), leastSplit,
-                              largestSplit);
+    own.split[k] = std::clamp(body.lumpedMass()[nodes[k]] / (shares.massPerArea * shares.area[nodes[k]]),
+                              SurfaceContact::leastSplit, SurfaceContact::largestSplit);
+  for (SurfaceContact::Edge& edge : own.edges)
+    edge.mass = std::min(body.lumpedMass()[edge.nodes[0]], body.lumpedMass()[edge.nodes[1]]);
   if (contact.penalty) {
     own.penalty.assign(nodes.size(), *contact.penalty);
+    for (SurfaceContact::Edge& edge : own.edges) edge.penalty = *contact.penalty;
   } else {
     if (!alone) alone = elementsAlone(body);
     const StepRule rule = stepRule(*integratorCatalog().find(scene.method), scene.damping);
@@ -465,11 +500,21 @@ SurfaceContact surfaceContactOf(const Scene& scene, const Scene::Contact& contac
         room[node] = body.lumpedMass()[node] * (allowed - alone->nodal[node]);
         if (!(room[node] > 0)) throw InputError(noRoom(contact, rule(alone->bound)));
       }
-    const double slow = std::numbers::pi / (contactSteps * contact.step);
+    const double slow = std::numbers::pi / (contactSteps * contact.step),
+                 factor = dampingFactor(scene.damping, contact.step);
     for (const std::int32_t node : nodes)
       own.penalty.push_back(slow * slow * std::min(body.lumpedMass()[node], shares.massPerArea * shares.area[node]));
-    fitSurfacePenalties(own, shares, body, room, contact.damping, dampingFactor(scene.damping, contact.step));
+    fitSurfacePenalties(own, shares, body, room, contact.damping, factor);
+    const std::vector<double> loads = edgeLoads(own, body.nodeCount());
+    for (SurfaceContact::Edge& edge : own.edges) {
+      edge.penalty = slow * slow * edge.mass;
+      for (const std::int32_t node : edge.nodes)
+        if (!shares.held[node])
+          edge.penalty = std::min(edge.penalty, penaltyFor(0.5 * shareOfRoom * room[node] / loads[node],
+                                                           body.lumpedMass()[node], contact.damping, factor));
+    }
   }
+  for (SurfaceContact::Edge& edge : own.edges) edge.damping = 2 * contact.damping * std::sqrt(edge.penalty * edge.mass);
   for (std::size_t k = 0; k < nodes.size(); ++k)
     own.damping.push_back(2 * contact.damping * std::sqrt(own.penalty[k] * body.lumpedMass()[nodes[k]]));
   return own;

@@ -23,6 +23,7 @@ namespace {
 
 constexpr SceneRange positive{0, infinity, false, true};
 constexpr SceneRange notNegative{0, infinity, true, true};
+constexpr SceneRange edgeAngles{0, 180, false, false};  // degrees
 constexpr SceneRange atLeastOne{1, infinity, true, true};
 constexpr SceneRange share{0, 1, true, false};   // 0 <= s < 1
 constexpr SceneRange factor{0, 1, false, true};  // 0 < s <= 1
@@ -641,6 +642,17 @@ void addDiscrete(std::vector<SceneKey>& all) {
            .help = "nodes of the surface that is touched, with = \"surface\": its faces all of whose corners are "
                    "selected; without, the whole surface"},
           {.key = "to_set", .type = T::text, .help = "named node set of the mesh, instead of to_where"},
+          {.key = "edges",
+           .type = T::boolean,
+           .fallback = "false",
+           .help = "with = \"surface\": edges touch edges, too, so that sharp parts and coarse surfaces do not pass "
+                   "between nodes"},
+          {.key = "edge_angle",
+           .type = T::number,
+           .unit = "degrees",
+           .fallback = "20.0",
+           .range = edgeAngles,
+           .help = "with edges: of those at which the surface turns outwards by more than this at rest"},
           {.key = "penalty",
            .type = T::numberOrAuto,
            .unit = "N/m",

@@ -589,6 +589,8 @@ const std::vector<Key>& newKeys() {
       {"contact", "obstacle", text, "", ""},
       {"contact", "to_where", text, "", ""},
       {"contact", "to_set", text, "", ""},
+      {"contact", "edges", "true or false", "", ""},
+      {"contact", "edge_angle", number, "> 0 and < 180", "degrees"},
       {"contact", "penalty", "a number or \"auto\"", "> 0", "N/m"},
       {"contact", "step", number, "> 0", "s"},
       {"contact", "damping", number, ">= 0", ""},
@@ -653,7 +655,7 @@ TEST_F(Contact, RefusesEveryKeyByTypeRangeAndName) {
     if (key.range == "> 0") expect(key, key.key, filled("0"), named + "0 is out of range; must be " + key.range + of);
     ++ranges;
   }
-  EXPECT_EQ(ranges, 13);
+  EXPECT_EQ(ranges, 14);
   // The table has no key that is not tried above.
   for (const SceneKey& key : sceneKeys()) {
     if (!good.contains(key.section) || key.section == "move") continue;

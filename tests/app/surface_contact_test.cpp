@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/mesh_io.h>
@@ -209,7 +211,9 @@ TEST_F(SurfaceContactRuns, ResumedRunsHaveTheBitsOfTheOneThatWasNotStopped) {
   folder_.write("scene.toml",
                 std::string(softBlocks) +
                     "checkpoint_every = 1e-3\n[[contact]]\nwith = \"surface\"\ndamping = 0.1\nfriction = 0.3\n");
-  const std::string more = " --set integrator.end=0.05 --quiet";
+  // The upper block hangs over the lower one's edges, which its own edges cross.
+  const std::string more =
+      " --set integrator.end=0.05 --set mesh.upper_size=[0.05,0.03,0.03] --set contact.0.edges=true --quiet";
   ASSERT_EQ(call("run scene.toml --out whole" + more).status, 0);
   int resumed = 0;
   bool ended = false;
@@ -226,6 +230,99 @@ TEST_F(SurfaceContactRuns, ResumedRunsHaveTheBitsOfTheOneThatWasNotStopped) {
   EXPECT_EQ(folder_.read("part/history.csv"), folder_.read("whole/history.csv"));
   EXPECT_EQ(json("part/summary.json")["discrete_forces"], json("whole/summary.json")["discrete_forces"]);
   EXPECT_GT(json("whole/summary.json")["discrete_forces"]["most_touching"].get<int>(), 0);
+}
+
+/// Two stiff cubes of 1 kg with an edge towards each other, 1 mm apart, which cross.
+class CrossedEdgeRuns : public SurfaceContactRuns {
+ protected:
+  void SetUp() override {
+    SurfaceContactRuns::SetUp();
+    writeCubes(0.001);
+  }
+  void writeCubes(double gap) {
+    StackOptions options;
+    options.lower.element = "hex8";
+    options.lower.size = options.upperSize = {0.1, 0.1, 0.1};
+    Mesh mesh = generateStack(options);
+    const double half = 0.1 / std::sqrt(2.0);
+    for (const std::string name : {"lower", "upper"}) {
+      const bool lower = name == "lower";
+      const Eigen::AngleAxisd tip(pi / 4, lower ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY());
+      const auto& nodes = mesh.nodeSets.at(name);
+      const Eigen::Vector3d centre = mesh.X(Eigen::all, nodes).rowwise().mean();
+      for (const std::int32_t node : nodes)
+        mesh.X.col(node) = tip * (mesh.X.col(node) - centre) + Eigen::Vector3d(0, 0, lower ? -half : half + gap);
+    }
+    writeMesh(mesh, folder_.path() / "cubes.msh");
+  }
+  std::string scene(const std::string& more) const {
+    const std::string all(twoCubes);
+    return "[mesh]\nfile = \"cubes.msh\"\n" + all.substr(all.find("[material]")) +
+           "[[initial]]\nwhere = \"z > 0\"\nvelocity = [0, 0, -0.2]\n[[contact]]\nwith = \"surface\"\n" + more;
+  }
+  void collide(const std::string& more, const std::string& options = "") {
+    folder_.write("scene.toml", scene(more));
+    const Outcome outcome = call("run scene.toml --out r " + options);
+    ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+    history_ = table("r/history.csv");
+    summary_ = json("r/summary.json");
+  }
+};
+
+// One spring of 800 N/m between the two ridges: as two masses on it, equal cubes exchange their speeds.
+TEST_F(CrossedEdgeRuns, EdgesThatCollideExchangeTheirSpeeds) {
+  collide("penalty = 800\nedges = true\n");
+  const double kappa = 800, deepest = cubeSpeed * std::sqrt(0.5 * cubeMass / kappa),
+               lasts = pi * std::sqrt(0.5 * cubeMass / kappa);
+  const Json& found = summary_["discrete_forces"];
+  EXPECT_EQ(found["most_touching"], 1);
+  EXPECT_NEAR(found["deepest"]["depth"].get<double>(), deepest, 0.01 * deepest);
+  EXPECT_EQ(summary_["verdict"], "certified");
+  EXPECT_EQ(summary_["certified_steps"], summary_["steps"]);
+  EXPECT_NEAR(last("kinetic_J"), 0.02, 2e-4);
+  EXPECT_LE(largest("balance_error_J"), 2e-4);
+  const auto [lower, upper] = moved();
+  EXPECT_NEAR(lower[2] + upper[2], -cubeSpeed * 0.3, 1e-12);
+  const double after = 0.3 - 0.001 / cubeSpeed - lasts;
+  EXPECT_NEAR(lower[2], -cubeSpeed * (after + 0.5 * lasts), 0.01 * cubeSpeed * after);
+  EXPECT_LE(std::abs(lower[0]) + std::abs(lower[1]) + std::abs(upper[0]) + std::abs(upper[1]), 1e-9);
+}
+
+// Without edges the same cubes go through one another.
+TEST_F(CrossedEdgeRuns, NodesAgainstFacesAloneLetThemThrough) {
+  collide("penalty = 800\n", "--set integrator.end=0.1");
+  EXPECT_EQ(summary_["discrete_forces"]["most_touching"], 0);
+  EXPECT_NEAR(moved()[1][2], -cubeSpeed * 0.1, 1e-9);
+}
+
+// Half a period of ẍ + 2 ζ ω ẋ + ω² x = 0, ω² = k/μ, with the damper 2 ζ_n √(k m/8) of a node's mass m/8.
+TEST_F(CrossedEdgeRuns, HaveTheRestitutionOfTheirDamping) {
+  collide("penalty = 800\nedges = true\ndamping = 0.4\n");
+  const double c = 2 * 0.4 * std::sqrt(800 * cubeMass / 8), zeta = c / (2 * std::sqrt(800 * 0.5 * cubeMass)),
+               e = std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta));
+  // Their common speed stays: v²/4 each.
+  EXPECT_NEAR(last("kinetic_J"), 0.01 * (1 + e * e), 2e-4);
+  EXPECT_NEAR(last("dissipated_J"), 0.01 * (1 - e * e), 2e-4);
+  EXPECT_EQ(summary_["verdict"], "certified");
+}
+
+TEST_F(CrossedEdgeRuns, APenaltyMadeForTheStepLeavesIt) {
+  collide("edges = true\n");
+  EXPECT_EQ(summary_["discrete_forces"]["most_touching"], 1);
+  EXPECT_EQ(summary_["verdict"], "certified");
+  EXPECT_EQ(summary_["certified_steps"], summary_["steps"]);
+  // A node's mass for twenty steps: m/8 (π/20h)².
+  EXPECT_NEAR(summary_["discrete_forces"]["penalty"]["largest"].get<double>(),
+              cubeMass / 8 * std::pow(pi / (20 * 1e-4), 2), 1.0);
+  EXPECT_LE(largest("balance_error_J"), 0.03 * 0.02);
+  EXPECT_GT(moved()[0][2] * -1, 0.9 * cubeSpeed * 0.29);
+}
+
+TEST_F(CrossedEdgeRuns, EdgesThatOverlapAreRefused) {
+  writeCubes(-0.002);
+  folder_.write("scene.toml", scene("edges = true\n"));
+  expectRefused("run scene.toml --out refused", "surfaces overlap at the start: the edge of nodes ");
+  expectRefused("run scene.toml --out refused", " is 0.002 m beyond that of nodes ");
 }
 
 TEST_F(SurfaceContactRuns, PartsThatOverlapAreRefused) {
@@ -271,6 +368,9 @@ TEST_F(SurfaceContactRuns, WhatDoesNotGoTogetherIsRefused) {
          "to_where, to_set: no face of the surface has all of its corners among the nodes; change the condition");
   refuse(own + "to_where = \"z < 0.05\"\nto_set = \"lower\"\n", "to_where");
   refuse(own + "friction = -1\n", "contact.friction");
+  refuse(own + "edge_angle = 30\n", "contact.edge_angle: needs edges = true");
+  refuse(own + "edges = true\nedge_angle = 180\n", "180 is out of range; must be > 0 and < 180 degrees");
+  refuse("[[contact]]\nedges = true\n", "contact.edges: needs with = \"surface\"; obstacles have no edges");
   refuse(own + "[handler]\nmethod = \"imex\"\n", "handlers do not work with springs and contact");
   refuse(own, "takes no springs and contact", "--set integrator.method=implicit-euler");
   refuse(own + "[[obstacle]]\nkind = \"plane\"\nnormal = [0, 0, 1]\npoint = [0, 0, -1]\n",

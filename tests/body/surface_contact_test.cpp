@@ -471,10 +471,10 @@ TEST(RelativeMotion, BoundsWhatNeighboursMoveAgainstOneAnother) {
       const Vector3d together = random.vector(2), turn = random.vector(0.02);
       for (int i = 0; i < count; ++i)
         to.col(i).head<3>() += together + turn.cross(x.col(i).head<3>()) + random.vector(1e-3);
-      motion.move(x, to, 1 + step % 3);
+      motion.move(to, 1 + step % 3);
       for (int i = 0; i < count; ++i) {
-        const double grown = motion.path(motion.cellOf(i)) - path[i];
-        path[i] += grown;
+        const double grown = motion.pathTo(motion.cellOf(i)) - path[i];
+        path[i] = motion.pathFrom(motion.cellOf(i));
         for (int j = 0; j < count; ++j) {
           if ((start.col(j) - start.col(i)).cwiseAbs().maxCoeff() > edge) continue;
           const double changed = ((to.col(j) - to.col(i)) - (x.col(j) - x.col(i))).norm();
@@ -485,7 +485,7 @@ TEST(RelativeMotion, BoundsWhatNeighboursMoveAgainstOneAnother) {
       }
       x = to;
       const double apart = random.uniform(0, 1) * edge, needed = random.uniform(0, 1) * apart;
-      if (!motion.keepsApart(apart, 0, needed, x, 1)) {
+      if (!motion.keepsApart(apart, 0, needed, to, 1)) {
         ++refused;
         continue;
       }

@@ -212,6 +212,111 @@ TEST(SurfaceContactBounds, OfMatchingCubesInClosedForm) {
   EXPECT_GT(step.discreteShare, 0.9);
 }
 
+/// Two boxes with an edge towards each other, which cross; nodes touch faces as well.
+Body crossedBodies(std::string_view element, double penalty, std::uint64_t seed) {
+  StackOptions options;
+  options.lower.element = element;
+  options.lower.size = options.upperSize = {0.02, 0.02, 0.02};
+  options.lower.cells = options.upperCells = {2, 2, 1};
+  Mesh mesh = generateStack(options);
+  const double half = 0.01 * std::sqrt(2.0);
+  for (const std::string name : {"lower", "upper"}) {
+    const bool lower = name == "lower";
+    const Eigen::AngleAxisd tip(M_PI / 4, lower ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY());
+    const auto& nodes = mesh.nodeSets.at(name);
+    const Eigen::Vector3d centre = mesh.X(Eigen::all, nodes).rowwise().mean();
+    for (const std::int32_t node : nodes)
+      mesh.X.col(node) = tip * (mesh.X.col(node) - centre) + Eigen::Vector3d(0, 0, lower ? -half : half + 2e-4);
+  }
+  Body body(std::move(mesh), makeMaterial("stvk", test::young, test::poisson, test::density), {{}, Lumping::rowSum, 1});
+  test::Random random(seed);
+  const std::vector<std::int32_t> surface = surfaceNodes(body.mesh());
+  SurfaceContact contact = surfaceContact(body.mesh(), surface, surface, 0.35);
+  contact.penalty.assign(surface.size(), penalty);
+  contact.damping.assign(surface.size(), 1e-4 * penalty);
+  for (SurfaceContact::Edge& edge : contact.edges) {
+    edge.penalty = penalty * random.uniform(0.5, 1);
+    edge.damping = 1e-4 * penalty * random.uniform(0, 1);
+    edge.mass = std::exp(random.uniform(-0.7, 0.7));
+  }
+  DiscreteForces forces(body.nodeCount());
+  forces.add(std::move(contact));
+  if (random.index(2) == 0) forces.setDampingFactor(random.uniform(0, 3e3));
+  body.setDiscreteForces(std::move(forces));
+  return body;
+}
+
+/// The upper body slides along the edges, presses and leaves; both shake.
+NodeVectors crossing(const Body& body, int step, const NodeVectors& shake) {
+  const double at = 0.1 * step, edge = test::cellSize;
+  NodeVectors x = body.mesh().X;
+  for (const std::int32_t node : body.mesh().nodeSets.at("upper"))
+    x.col(node) += Eigen::Vector3d(0.3 * edge * std::sin(0.7 * at), 0.4 * edge * std::sin(1.1 * at),
+                                   0.06 * edge - 0.25 * edge * std::abs(std::sin(0.8 * at)));
+  return x + std::sin(2.1 * at) * shake;
+}
+
+TEST(EdgeContactBounds, HoldAlongRunsWithTogglingContact) {
+  std::int64_t states = 0, toggled = 0, proven = 0, governed = 0;
+  for (const char* element : {"tet4", "hex8"})
+    for (const double share : {0.3, 3.0}) {
+      Body body = crossedBodies(element, share * stiffnessOfACell, 7);
+      const NodeVectors shake = test::Random(12).nodeVectors(body.nodeCount(), 0.03 * test::cellSize);
+      RunBracket bracket(body, 0.05, infinity);
+      IncrementalNodalBound threshold(body);
+      std::int64_t touching = -1;
+      for (int step = 0; step < 60; ++step) {
+        const NodeVectors x = crossing(body, step, shake);
+        body.discreteForces()->setReach(step % 3 == 0 ? 0.02 * test::cellSize : 0);
+        const double lambda = DenseTangent(body, x).largest(), h = 2 / std::sqrt(lambda);
+        const std::string what = joinText(element, ", ", share, ", step ", step);
+        const CriticalStep scratch = criticalStep(body, x, 2.0);
+        ASSERT_LE(scratch.safe, h * (1 + tight)) << what;
+        ASSERT_GE(scratch.optimistic, h * (1 - tight)) << what;
+        const auto& found = bracket.evaluate(x, 2.0, std::nullopt, nullptr);
+        ASSERT_TRUE(found.has_value()) << what;
+        ASSERT_LE(found->safe, h * (1 + tight)) << what;
+        ASSERT_GE(found->optimistic, h * (1 - tight)) << what;
+        if (threshold.certify(x, 5 * lambda)) {
+          EXPECT_LE(threshold.verify(x), tight) << what;
+          ++proven;
+        }
+        const std::int64_t now = body.discreteForces()->contactState(x).touching;
+        toggled += now != touching;
+        touching = now;
+        governed += scratch.discreteShare > 0.5;
+        ++states;
+      }
+    }
+  EXPECT_EQ(states, 240);
+  EXPECT_GT(toggled, states / 12);
+  EXPECT_GT(proven, 15);
+  EXPECT_GT(governed, 5);
+}
+
+// As of nodes and faces: after the first certificate none is refused and none swept again.
+TEST(EdgeContactBounds, TogglingCostsNoProof) {
+  Body body = crossedBodies("hex8", 0.02 * stiffnessOfACell, 4);
+  body.discreteForces()->setReach(0.06 * test::cellSize);
+  body.discreteForces()->setDampingFactor(0);
+  const double sigma = 1.3 * DenseTangent(body, body.mesh().X).largest();
+  IncrementalNodalBound bound(body);
+  std::int64_t toggled = 0, touching = -1;
+  for (int step = 0; step < 60; ++step) {
+    NodeVectors x = body.mesh().X;
+    for (const std::int32_t node : body.mesh().nodeSets.at("upper"))
+      x.col(node) += Eigen::Vector3d(0.005, 0.005, -0.03 * test::cellSize * (1 + std::sin(1.3 * step)));
+    ASSERT_TRUE(bound.certify(x, sigma)) << step;
+    if (step > 0) {
+      EXPECT_EQ(bound.statistics().rebuilds + bound.statistics().refreshes, 0) << step;
+    }
+    const std::int64_t now = body.discreteForces()->contactState(x).touching;
+    toggled += now != touching;
+    touching = now;
+  }
+  EXPECT_GT(toggled, 15);
+}
+
 TEST(SurfaceContactBounds, SameBitsForAnyNumberOfThreads) {
   std::vector<double> safe, optimistic;
   for (const int threads : {1, 2, 4}) {
