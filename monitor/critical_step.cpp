@@ -35,7 +35,7 @@ CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& l
   const TopMode top = findTopMode(ring, body, x, mode, products, products, true);
   const LowerBound lower = top.lower();
   NodalBound weights(body);
-  UpperBound upper = weights.evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);
+  UpperBound upper = weights.evaluate(x, sweeps, NodalBound::Start::rows);
   if (!std::isfinite(upper.value))
     throw NumericalError("the tangent is not finite at these positions: there is no critical step");
   std::string_view safeBy = "nodal-bound";

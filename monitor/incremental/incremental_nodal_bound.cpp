@@ -29,7 +29,7 @@ void IncrementalNodalBound::rebuild(NodeVectorsView x, double wanted) {
   NodalBound& weights = state_.weights();
   state_.renewMajorants(x);
   weights.reset();  // weights that are swept along get stuck at a front that moves through the mesh
-  weights.evaluate(x, policy_.sweeps, NodalBound::Start::rootOfStiffness, policy_.leastGain,
+  weights.evaluate(x, policy_.sweeps, NodalBound::Start::rows, policy_.leastGain,
                    {policy_.enoughOfWanted * wanted});
   endedEarly_ = weights.last() <= policy_.enoughOfWanted * wanted;
   tight_ = endedEarly_ ? 0 : static_cast<double>(weights.last());
