@@ -31,8 +31,9 @@ class RestOfBody {
 /// docs/theory/eigenvalue_bounds.md.
 class NodalBound {
  public:
-  /// Weights to start from: ((K²)_aa)^½, or |K_aa|. What sweeps can reach depends on it, since they multiply the weights
-  /// of all elements at a node by the same matrix. The rows win on nearly all meshes; |K_aa| on some regular ones.
+  /// Weights to start from: ((K²)_aa)^½, or |K_aa|. What sweeps can reach depends on it, since they multiply the
+  /// weights of all elements at a node by the same matrix. The rows win on nearly all meshes; |K_aa| on some regular
+  /// ones.
   enum class Start { rows, diagonal };
 
   explicit NodalBound(const TangentSource& source);
@@ -121,8 +122,8 @@ class NodalBound {
   /// l_e at x of any elements of a group, one a lane (-1: none): values[lane].
   void elementValues(std::int32_t block, const std::int32_t* elements, NodeVectorsView x, double* values) const;
   /// Whether l_e of such elements is proven to be at most limits[lane] > 0, N/m: by one factorisation, which takes a
-  /// fraction of the time of l_e and loses nothing but rounding. False where it is not, and in lanes without an element.
-  /// Theorem 106, docs/theory/eigenvalue_bounds.md.
+  /// fraction of the time of l_e and loses nothing but rounding. False where it is not, and in lanes without an
+  /// element. Theorem 106, docs/theory/eigenvalue_bounds.md.
   void proveAtMost(std::int32_t block, const std::int32_t* elements, NodeVectorsView x, const double* limits,
                    bool* proven) const;
   /// Symmetric matrices of elements, one a lane, as ElementTangents::tangentOf gives tangents; overwritten.
