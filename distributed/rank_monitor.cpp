@@ -78,7 +78,7 @@ bool RankMonitor::renew(NodeVectorsView x, bool newWeights, double wanted) {
   NodalBound& weights = certificate_.weights();
   if (newWeights) {
     weights.reset();
-    weights.evaluate(x, policy_.sweeps, NodalBound::Start::rootOfStiffness, policy_.leastGain);
+    weights.evaluate(x, policy_.sweeps, NodalBound::Start::rows, policy_.leastGain);
     ++cost_.rebuilds;
   } else {
     weights.evaluate(x, 0);

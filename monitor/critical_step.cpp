@@ -4,18 +4,20 @@
 #include <cmath>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/monitor/bounds/exchange_bound.h>
 #include <ringwatch/monitor/bounds/lowest_mode.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/bounds/top_mode.h>
+#include <ringwatch/monitor/critical_step_tiers.h>
 
 namespace ringwatch {
 namespace {
 
 // Tangent products for the top mode and for a direction of negative stiffness; sweeps of the nodal bound, which gain
 // little after.
-constexpr int products = 20, searchProducts = 48, sweeps = 12;
+constexpr int products = 20, searchProducts = 48, firstSweeps = 1, sweeps = 12;
 
 }  // namespace
 
@@ -28,21 +30,38 @@ void requireProof(const StepRule& rule) {
 
 CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& limit,
                           const std::optional<LanczosOptions>& lanczos, std::int64_t* evaluations) {
+  return criticalStepInTiers(body, x, limit, lanczos, evaluations, {});
+}
+
+CriticalStep criticalStepInTiers(const Body& body, NodeVectorsView x, const StepRule& limit,
+                                 const std::optional<LanczosOptions>& lanczos, std::int64_t* evaluations,
+                                 const BracketListener& listener) {
   requireProof(limit);
   body.checkNodal("x", x);
-  ReducedRing ring(body);
-  NodeVectors mode;
-  const TopMode top = findTopMode(ring, body, x, mode, products, products, true);
-  const LowerBound lower = top.lower();
-  NodalBound weights(body);
-  UpperBound upper = weights.evaluate(x, sweeps, NodalBound::Start::rootOfStiffness);
-  if (!std::isfinite(upper.value))
-    throw NumericalError("the tangent is not finite at these positions: there is no critical step");
-  std::string_view safeBy = "nodal-bound";
   const auto count = [&](std::int64_t spent) {
     if (evaluations) *evaluations += spent;
   };
-  count(static_cast<std::int64_t>(body.mesh().elementCount()) + weights.evaluations());
+  const auto tell = [&](UpperBound upper, double optimistic) {
+    if (listener && std::isfinite(upper.value)) listener(safeStep(upper, limit), optimistic);
+  };
+  NodalBound weights(body);
+  UpperBound upper = weights.evaluate(x, firstSweeps);
+  count(weights.evaluations());
+  if (!std::isfinite(upper.value))
+    throw NumericalError("the tangent is not finite at these positions: there is no critical step");
+  tell(upper, infinity);
+  ReducedRing ring(body);
+  NodeVectors mode;
+  const TopMode top = findTopMode(ring, body, x, mode, products, products, true);
+  count(static_cast<std::int64_t>(body.mesh().elementCount()));
+  const LowerBound lower = top.lower();
+  // Of the quotient it is known what dashpots give, which can say more of the step than a higher eigenvalue.
+  const double optimistic = std::min(optimisticStep(lower, limit), optimisticStep(top.quotient, limit));
+  tell(upper, optimistic);
+  upper.value = std::min(upper.value, weights.evaluate(x, sweeps - firstSweeps).value);
+  count(weights.evaluations());
+  tell(upper, optimistic);
+  std::string_view safeBy = "nodal-bound";
   if (ExchangePolicy::worth(body, upper, lower)) {
     const ExchangeBound exchange = exchangeUpperBound(body, x, weights, lower);
     count(exchange.decompositions);
@@ -51,8 +70,6 @@ CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& l
       safeBy = "exchange-bound";
     }
   }
-  // Of the quotient it is known what dashpots give, which can say more of the step than a higher eigenvalue.
-  const double optimistic = std::min(optimisticStep(lower, limit), optimisticStep(top.quotient, limit));
   CriticalStep step{safeStep(upper, limit), optimistic,         ring.last().highestElement, safeBy,
                     top.method(),           ring.last().lowest, ring.last().lowestElement};
   if (body.discreteForces() && lower.value > 0 && mode.squaredNorm() > 0) {

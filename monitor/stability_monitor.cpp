@@ -98,9 +98,12 @@ struct StabilityMonitor::Impl {
       }
       if (!hadABracket && bracketed) {
         hadABracket = true;
-        // A step that is certified without it needs no better proof.
-        certified = h && bracket->last() && *h <= bracket->last()->safe;
-        if (!certified && static_cast<std::int64_t>(body.mesh().elementCount()) <= options.firstObservationElements)
+        // Where no step is chosen a narrow bracket is enough: what is left to gain is worth less than it costs. A step
+        // that is chosen hangs on it while it lies between the sides.
+        const std::optional<CriticalStep>& known = bracket->last();
+        const bool wanted = known && (h ? *h > known->safe && *h <= known->optimistic
+                                        : known->optimistic > (1 + options.width) * known->safe);
+        if (wanted && static_cast<std::int64_t>(body.mesh().elementCount()) <= options.firstObservationElements)
           bracket->proveFromScratch(x, options.limit);
       }
       if (bracketed) {

@@ -319,7 +319,7 @@ struct TangentBracket::Impl {
   /// elements' weights are not tight, by exchange between elements.
   void fromScratch(LowerBound lower, Upper& upper) {
     if (upper.value.value > wide * lower.value)
-      for (const NodalBound::Start start : {NodalBound::Start::rootOfStiffness, NodalBound::Start::stiffness}) {
+      for (const NodalBound::Start start : {NodalBound::Start::rows, NodalBound::Start::diagonal}) {
         auto other = std::make_unique<NodalBound>(*source);
         const UpperBound value = other->evaluate(noPositions, freshSweeps, start);
         if (value.value < upper.value.value) {

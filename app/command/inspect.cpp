@@ -25,6 +25,7 @@
 #include <ringwatch/meshes/quality.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/certificate_file.h>
+#include <ringwatch/monitor/critical_step_tiers.h>
 #include <ringwatch/monitor/exact_step.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/stability_monitor.h>
@@ -477,7 +478,12 @@ void reportMesh(const Subject& subject, const InspectOptions& options,
 CriticalStep reportBracket(const Subject& subject, const InspectOptions& options, InspectResult& result) {
   std::optional<LanczosOptions> lanczos;
   if (options.lanczos) lanczos.emplace().eta = *options.lanczos;
-  const CriticalStep step = criticalStep(subject.body, subject.x, subject.rule, lanczos);
+  ProgressLine progress(true);
+  const CriticalStep step =
+      criticalStepInTiers(subject.body, subject.x, subject.rule, lanczos, nullptr, [&](double safe, double optimistic) {
+        progress.announce(fmt::format("critical step: proven so far {:.6g} to {:.6g} s", safe, optimistic));
+      });
+  progress.clear();
   Json& json = result.json["critical_step"];
   std::string& text = result.text;
   json = Json{{"safe", step.safe}, {"optimistic", step.optimistic}};

@@ -206,7 +206,7 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
     }
   });
 #pragma unroll 1
-  for (int a = 0; a < n; ++a) weights[a] = startWeight(weights[a], true);
+  for (int a = 0; a < n; ++a) weights[a] = squareRoot(sizeOf(weights[a]));
   normaliseWeights(weights, n);
   Bound::storeWeights(view, blockIdx.x, static_cast<int>(threadIdx.x), weights);
 }

@@ -13,6 +13,7 @@
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/monitor/bounds/nodal_weights.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
+#include <ringwatch/monitor/small/packed_cholesky.h>
 
 namespace ringwatch {
 namespace {
@@ -150,10 +151,14 @@ void NodalBound::evaluateAll(NodeVectorsView x, const Start* start) {
     if (start) {
       Symmetric3<P> weights[maxElementNodes];
       for (int a = 0; a < n; ++a) {
+        if (*start == Start::rows) {
+          weights[a] = sizeOfRows(K, size, a);
+          continue;
+        }
         Symmetric3<P> k;
         for (int r = 0; r < 3; ++r)
           for (int c = r; c < 3; ++c) k(r, c) = K[(3 * a + r) * size + 3 * a + c];
-        weights[a] = startWeight(k, *start == Start::rootOfStiffness);
+        weights[a] = sizeOf(k);
       }
       normaliseWeights(weights, n);
       for (int a = 0; a < n; ++a) store(weights[a], stored[a]);
@@ -196,6 +201,33 @@ void NodalBound::completeSums() {
     for (int c = 0; c < 6; ++c) sums_[i / lanes].m[c].set(i % lanes, sums(c, i));
 }
 
+Symmetric3<P> NodalBound::sumOfElements(std::int64_t pack) const {
+  Symmetric3<P> sum = Symmetric3<P>::diagonal(P(0.0));
+  const std::int32_t *next[lanes], *end[lanes];
+  std::ptrdiff_t most = 0;
+  for (int lane = 0; lane < lanes; ++lane) {
+    const auto node = static_cast<std::size_t>(std::min<std::int64_t>(pack * lanes + lane, source_->nodeCount()));
+    next[lane] = incidence_.data() + incidenceBegin_[node];
+    end[lane] = incidence_.data() + incidenceBegin_[std::min<std::size_t>(node + 1, incidenceBegin_.size() - 1)];
+    most = std::max(most, end[lane] - next[lane]);
+  }
+  StoredFactor stored{};
+  for (; most > 0; --most) {
+    P value(0.0);
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (next[lane] == end[lane]) continue;
+      std::int32_t block = 0;
+      while (*next[lane] >= firstOfBlock_[block + 1]) ++block;
+      const std::int32_t place = *next[lane]++ - firstOfBlock_[block];
+      const StoredFactor& from = weights_[block][place / lanes];
+      for (int c = 0; c < 6; ++c) stored.m[c][lane] = from.m[c][place % lanes];
+      value.set(lane, values_[block][place / lanes / source_->tangents()[block]->nodesPerElement()][place % lanes]);
+    }
+    sum = sum + value * productOf(load(stored));
+  }
+  return sum;
+}
+
 double NodalBound::sumAtNodes() {
   const std::int32_t nodes = source_->nodeCount();
   const auto hasChanged = [&](std::int64_t pack) {
@@ -206,33 +238,22 @@ double NodalBound::sumAtNodes() {
       0, sums_.size(), source_->threads(),
       [&](std::int64_t pack) {
         if (!hasChanged(pack)) return;
-        Symmetric3<P> S;
-        for (P& entry : S.m) entry = P(0.0);
+        Symmetric3<P> S = sumOfElements(pack);
         for (int lane = 0; lane < lanes; ++lane) {
           const auto node = static_cast<std::int32_t>(pack) * lanes + lane;
           if (node >= nodes) continue;
-          double sum[6] = {0, 0, 0, 0, 0, 0};
-          if (!outside_.empty())
+          const auto add = [&](const Eigen::Matrix3d& other) {
             for (int r = 0; r < 3; ++r)
-              for (int c = r; c < 3; ++c) sum[Symmetric3<P>::index(r, c)] = outside_[node](r, c);
-          if (!majorants_.empty()) {
-            const Eigen::Matrix3d own = majorantAt(node);
-            for (int r = 0; r < 3; ++r)
-              for (int c = r; c < 3; ++c) sum[Symmetric3<P>::index(r, c)] += own(r, c);
-          }
-          for (const Incidence at : incidences(node)) {
-            const std::size_t block = at.block;
-            const int l = at.place % lanes;
-            const Symmetric3<double> D = symmetricOf(factor(at));
-            const double value = values_[block][at.place / lanes / source_->tangents()[block]->nodesPerElement()][l];
-            for (int c = 0; c < 6; ++c) sum[c] += value * D.m[c];
-          }
+              for (int c = r; c < 3; ++c) S(r, c).set(lane, S(r, c)[lane] + other(r, c));
+          };
+          if (!outside_.empty()) add(outside_[node]);
+          if (!majorants_.empty()) add(majorantAt(node));
           const double inverseMass = 1 / source_->lumpedMass()[node];
           // Constrained components leave the problem: their rows and columns count nothing.
           const double free[3] = {freeFactor(*source_, node, 0), freeFactor(*source_, node, 1),
                                   freeFactor(*source_, node, 2)};
           const double keep[6] = {free[0], free[1], free[2], free[1] * free[2], free[0] * free[2], free[0] * free[1]};
-          for (int c = 0; c < 6; ++c) S.m[c].set(lane, keep[c] == 0 ? 0.0 : inverseMass * sum[c]);
+          for (int c = 0; c < 6; ++c) S.m[c].set(lane, keep[c] == 0 ? 0.0 : inverseMass * S.m[c][lane]);
         }
         sums_[pack] = S;
       },
@@ -417,6 +438,31 @@ void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, Nod
   source_->tangents()[b]->tangentOf(elements, x.data(), reinterpret_cast<double*>(K), reinterpret_cast<double*>(T));
   const ElementMatrices tangents{K, T, values};
   weightedLargest(b, elements, {&tangents, 1});
+}
+
+void NodalBound::proveAtMost(std::int32_t b, const std::int32_t* elements, NodeVectorsView x, const double* limits,
+                             bool* proven) const {
+  const ElementTangents& block = *source_->tangents()[b];
+  const int n = block.nodesPerElement(), size = 3 * n;
+  P K[9 * maxElementNodes * maxElementNodes], T[maxElementNodes], free[3 * maxElementNodes];
+  block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K), reinterpret_cast<double*>(T));
+  if (findFree(*source_, block, elements, free)) scaleSymmetric(K, size, free);
+  StoredFactor gathered[maxElementNodes];
+  gather(b, elements, gathered);
+  const P limit = P::load(limits), count(static_cast<double>(n));
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j <= i; ++j) K[i * size + j] = -K[i * size + j];
+  for (int a = 0; a < n; ++a) {
+    const Symmetric3<P> D = productOf(load(gathered[a]));
+    for (int r = 0; r < 3; ++r) {
+      P* row = K + (3 * a + r) * size + 3 * a;
+      for (int c = 0; c < r; ++c) row[c] += limit * D(r, c);
+      const P own = limit * D(r, r);
+      row[r] += own - (P(pivotTestRounding) * (own + math::abs(row[r])) + count * T[a]);
+    }
+  }
+  const P definite = pivotsArePositive(K, size);
+  for (int lane = 0; lane < lanes; ++lane) proven[lane] = elements[lane] >= 0 && definite[lane] > 0;
 }
 
 void NodalBound::weightedLargest(std::int32_t b, const std::int32_t* elements,

@@ -28,19 +28,21 @@ class RestOfBody {
 /// 3×3 weights D_(e,a), one for each element and node, and l_e = max(0, lambda_max(D_e⁻¹ K_e)):
 ///   K_e ≼ l_e D_e,  so that  lambda_max(M⁻¹K) <= max_i lambda_max(S_i),  S_i = (1/m_i) Σ_(e∋i) l_e D_(e,a(i)).
 /// True for every symmetric K_e, indefinite ones included. Discrete forces of the source count in S_i by their
-/// majorants (DiscreteForces::majorants). Good weights make it tight: they start at (K_aa)^½ or K_aa and are swept, D_a
+/// majorants (DiscreteForces::majorants). Good weights make it tight: they start at ((K_e²)_aa)^½ and are swept, D_a
 /// ← R_i D_a R_i with R_i = (S_i/t)^-½, t the bound. Weights are kept from call to call. Theorem 1,
 /// docs/theory/eigenvalue_bounds.md.
 class NodalBound {
  public:
-  /// Weights to start from. The root wins on irregular meshes, the stiffness itself on regular ones.
-  enum class Start { rootOfStiffness, stiffness };
+  /// Weights to start from: ((K²)_aa)^½, or |K_aa|. What sweeps can reach depends on it, since they multiply the
+  /// weights of all elements at a node by the same matrix. The rows win on nearly all meshes; |K_aa| on some regular
+  /// ones.
+  enum class Start { rows, diagonal };
 
   explicit NodalBound(const TangentSource& source);
 
   /// The bound at x, as the source reads it: the best of up to `sweeps` + 1 evaluations. From scratch when nothing is
   /// kept. It ends when two sweeps lowered the bound by no more than leastGain, relative, or to `enough`.
-  UpperBound evaluate(NodeVectorsView x, int sweeps, Start start = Start::rootOfStiffness, double leastGain = 0,
+  UpperBound evaluate(NodeVectorsView x, int sweeps, Start start = Start::rows, double leastGain = 0,
                       UpperBound enough = {0});
   /// Elements that are not in the source and share nodes with it, by their Σ l_e D_e at each node (N of them, N/m):
   /// they count in every sum and thus in the bound, and are not swept.
@@ -121,6 +123,11 @@ class NodalBound {
   void setWeights(ElementRef e, std::span<const Eigen::Matrix3d> weights);
   /// l_e at x of any elements of a group, one a lane (-1: none): values[lane].
   void elementValues(std::int32_t block, const std::int32_t* elements, NodeVectorsView x, double* values) const;
+  /// Whether l_e of such elements is proven to be at most limits[lane] > 0, N/m: by one factorisation, which takes a
+  /// fraction of the time of l_e and loses nothing but rounding. False where it is not, and in lanes without an
+  /// element. Theorem 106, docs/theory/eigenvalue_bounds.md.
+  void proveAtMost(std::int32_t block, const std::int32_t* elements, NodeVectorsView x, const double* limits,
+                   bool* proven) const;
   /// Symmetric matrices of elements, one a lane, as ElementTangents::tangentOf gives tangents; overwritten.
   struct ElementMatrices {
     NativePack* matrices;
@@ -163,6 +170,8 @@ class NodalBound {
   void prepareSums();
   /// l_e of all elements; weights start from scratch unless `start` is nullptr.
   void evaluateAll(NodeVectorsView x, const Start* start);
+  /// Σ l_e D_(e,a(i)) of a pack of nodes, N/m; zero beyond the last one.
+  Symmetric3<Pack> sumOfElements(std::int64_t pack) const;
   /// The sums of the nodes that have changed, and the largest of all.
   double sumAtNodes();
   /// Has the sums of the other parts in place of those that are not whole here.

@@ -25,18 +25,23 @@ IncrementalNodalBound::IncrementalNodalBound(const Body& body, const RebuildPoli
       refreshes_(policy.refreshes),
       lowerings_(policy.lowerings) {}
 
-void IncrementalNodalBound::rebuild(NodeVectorsView x, double wanted) {
+void IncrementalNodalBound::sweep(NodeVectorsView x, int sweeps, UpperBound enough) {
   NodalBound& weights = state_.weights();
-  state_.renewMajorants(x);
-  weights.reset();  // weights that are swept along get stuck at a front that moves through the mesh
-  weights.evaluate(x, policy_.sweeps, NodalBound::Start::rootOfStiffness, policy_.leastGain,
-                   {policy_.enoughOfWanted * wanted});
-  endedEarly_ = weights.last() <= policy_.enoughOfWanted * wanted;
-  tight_ = endedEarly_ ? 0 : static_cast<double>(weights.last());
+  weights.evaluate(x, sweeps, NodalBound::Start::rows, policy_.leastGain, enough);
   state_.statistics().evaluated += weights.evaluations();
   state_.statistics().work[WorkOn::sweeps] += WorkAccount::ofEvaluation(body_) *
                                               static_cast<double>(weights.evaluations()) /
                                               static_cast<double>(body_.mesh().elementCount());
+}
+
+void IncrementalNodalBound::rebuild(NodeVectorsView x, UpperBound enough, int leastSweeps) {
+  NodalBound& weights = state_.weights();
+  state_.renewMajorants(x);
+  weights.reset();  // weights that are swept along get stuck at a front that moves through the mesh
+  if (leastSweeps > 0) sweep(x, leastSweeps, {0});
+  if (leastSweeps == 0 || weights.last() > enough.value) sweep(x, policy_.sweeps - leastSweeps, enough);
+  endedEarly_ = weights.last() <= enough.value;
+  tight_ = endedEarly_ ? 0 : static_cast<double>(weights.last());
   ++state_.statistics().rebuilds;
   sinceRebuild_ = -state_.statistics().work.total();
   rebuilds_.restart();
@@ -197,9 +202,14 @@ UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* eval
   // A proof that is lost already has no ceiling; where means are short it is won again when there are some for it.
   const double wanted = ceiling;
   if (started_ && certifiedEigenvalue() > ceiling) ceiling = infinity;
+  const bool first = !started_;
   const Outcome outcome = started_ ? follow(x, true, ceiling, evaluation) : Outcome::tooManyViolations;
   if (outcome == Outcome::tooManyViolations) {
-    rebuild(x);
+    // A first proof of the step that is taken is enough to begin with.
+    if (first && !limited() && std::isfinite(ceiling))
+      rebuild(x, {policy_.enoughOfCeiling * ceiling / (1 + policy_.slack)}, policy_.firstSweeps);
+    else
+      rebuild(x);
     start(x, state_.weights().last() * (1 + policy_.slack));
   } else if (outcome == Outcome::notFinite) {
     start(x, std::numeric_limits<double>::quiet_NaN());
@@ -254,7 +264,7 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
   }
   // From scratch, but not at every step while it keeps failing.
   if (!sweep && !rebuilds_.due()) return false;
-  rebuild(x, sweep ? 0 : sigma);
+  rebuild(x, {sweep ? 0 : policy_.enoughOfWanted * sigma});
   const double tight = state_.weights().last();
   const bool proven = tight <= sigma * (1 - policy_.proofMargin);
   rebuilds_.tried(proven);
@@ -297,7 +307,7 @@ bool IncrementalNodalBound::tightenBound(NodeVectorsView x, LowerBound lower, do
     return true;
   }
   const double risen = certifiedEigenvalue() / (tightOverLower_ * (1 + policy_.slack) * lower.value);
-  const bool drifted = risen > policy_.drifted;
+  const bool drifted = endedEarly_ || risen > policy_.drifted;
   const bool rebuilding =
       rebuilds_.due(drifted ? 0 : policy_.updatesOfChange) && affords(WorkAccount::ofRebuild(body_));
   const bool refreshing =

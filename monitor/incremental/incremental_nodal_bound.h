@@ -55,6 +55,9 @@ class IncrementalNodalBound {
   /// early; else 0.
   double takeTight() { return std::exchange(tight_, 0); }
 
+  /// Whether the sweeps of the last rebuild were ended early: it proves no more than was wanted.
+  bool endedEarly() const { return endedEarly_; }
+
   double certifiedEigenvalue() const { return state_.certifiedEigenvalue(); }
   const NodalBound& weights() const { return state_.weights(); }
   /// What the last update() or certify() took.
@@ -111,8 +114,9 @@ class IncrementalNodalBound {
   void refresh(NodeVectorsView x, double wanted);
   /// Ends the proof when masses or free components have changed.
   void followBody();
-  /// Weights from scratch, no better than they need to be for the eigenvalue that is wanted; 0 for as good as can be.
-  void rebuild(NodeVectorsView x, double wanted = 0);
+  /// Weights from scratch, swept at least so often, until their bound is `enough`; {0} for as good as can be.
+  void rebuild(NodeVectorsView x, UpperBound enough = {0}, int leastSweeps = 0);
+  void sweep(NodeVectorsView x, int sweeps, UpperBound enough);
   /// Builds the certificate for an eigenvalue, with the weights that were evaluated at x. newWeights: since allowances
   /// were distributed last.
   void start(NodeVectorsView x, double certifiedEigenvalue, bool newWeights = true);

@@ -411,7 +411,8 @@ LowerBound RunBracket::startMode(NodeVectorsView x) {
     addTopOfRing(mode_);
   }
   statistics_.evaluated += static_cast<std::int64_t>(elements.size());
-  const LowerBound quotient = rayleighLowerBound(body_, x, mode_, policy_.firstProducts);
+  const int products = nodal_.endedEarly() ? policy_.productsOfEarlyEnd : policy_.firstProducts;
+  const LowerBound quotient = rayleighLowerBound(body_, x, mode_, products);
   method_ = quotient.value > highest ? "rayleigh-quotient" : "reduced-1-ring";
   return followMode(x, higher({highest}, quotient));
 }

@@ -28,8 +28,9 @@ struct BracketPolicy {
   double widening = 0.03, narrowing = 0.01, mostSlack = 1.5;
 
   // The top mode, by Lanczos.
-  /// Tangent products: at the first evaluation, at a restart from the highest ring, and when the mode is followed.
-  int firstProducts = 20, restartProducts = 8, productsOfFollowing = 3;
+  /// Tangent products: at the first evaluation, where the other side's was ended early too (a rebuild follows, and a
+  /// restart with it), at a restart from the highest ring, and when the mode is followed.
+  int firstProducts = 20, productsOfEarlyEnd = 8, restartProducts = 8, productsOfFollowing = 3;
   /// Nodes of the region in which the mode is followed at every observation. When the region is chosen its bound is
   /// compared with the whole mode's: it is doubled while it holds less by more than lostInRegion, and halved for the
   /// next time when it holds all but a quarter of that. Local modes need few nodes, those of regular grids many. Each

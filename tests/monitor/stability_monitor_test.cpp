@@ -10,6 +10,7 @@
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/critical_step_tiers.h>
 #include <ringwatch/monitor/energy_balance.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <tests/monitor/monitor_cases.h>
@@ -49,7 +50,9 @@ TEST(StabilityMonitor, ChecksAStepByTheBracket) {
   for (const Subdivision& subdivision : test::allSubdivisions()) {
     const Body body = test::boxBody(subdivision, "stvk");
     const NodeVectors& X = body.mesh().X;
-    StabilityMonitor first(body, {});
+    MonitorOptions options;
+    options.firstObservationElements = 0;  // a step between the sides would get a better proof
+    StabilityMonitor first(body, options);
     const CriticalStep step = *first.observe(0, 0, X, noVelocity(body), std::nullopt).bracket;
     const double exact = 2 / std::sqrt(globalFrequency(body, X).lambda);
     EXPECT_LE(step.safe, exact) << subdivision.name;
@@ -62,7 +65,7 @@ TEST(StabilityMonitor, ChecksAStepByTheBracket) {
                  {0.5 * (step.safe + exact), Verdict::notCertified},
                  {1.01 * step.optimistic, Verdict::violated}};
     for (const auto& c : cases) {
-      StabilityMonitor monitor(body, {});
+      StabilityMonitor monitor(body, options);
       const MonitorReport& report = monitor.observe(7, 0.25, X, noVelocity(body), c.h);
       EXPECT_EQ(report.step, 7);
       EXPECT_EQ(report.time, 0.25);
@@ -95,14 +98,68 @@ TEST(StabilityMonitor, TakesTheBestProofWhereItDecides) {
   // Certified without it.
   const MonitorReport cheap = observed(10000, 0.9 * kept);
   EXPECT_EQ(cheap.verdict, Verdict::certified);
-  EXPECT_EQ(cheap.bracket->safe, kept);
+  EXPECT_LE(cheap.bracket->safe, kept);
   // It certifies.
   EXPECT_EQ(observed(0, between).verdict, Verdict::notCertified);
   const MonitorReport decided = observed(10000, between);
   EXPECT_EQ(decided.verdict, Verdict::certified);
   EXPECT_EQ(decided.bracket->safe, best.safe);
   EXPECT_GT(decided.elementsRefreshed, cheap.elementsRefreshed);
-  EXPECT_EQ(observed(10000, std::nullopt).bracket->safe, best.safe);
+  // There is nothing to decide: a step that is proven unstable, and none that is chosen, in a narrow bracket.
+  EXPECT_LT(observed(10000, 1.01 * best.optimistic).bracket->safe, best.safe);
+  const CriticalStep narrow = *observed(10000, std::nullopt).bracket;
+  EXPECT_EQ(narrow.safe, kept);
+  EXPECT_LE(narrow.optimistic, 1.05 * narrow.safe);
+}
+
+TEST(StabilityMonitor, BeginsWithAFirstProofAndNarrowsInTheRun) {
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
+    const Body body = test::boxBody(subdivision, "stvk", {6, 3, 3});
+    const NodeVectors& X = body.mesh().X;
+    const double exact = 2 / std::sqrt(DenseTangent(body, X).largest());
+    StabilityMonitor chosen(body, {}), open(body, {});
+    const MonitorReport first = chosen.observe(0, 0, X, noVelocity(body), 0.5 * exact);
+    const MonitorReport best = open.observe(0, 0, X, noVelocity(body), std::nullopt);
+    EXPECT_EQ(first.verdict, Verdict::certified) << subdivision.name;
+    EXPECT_LE(first.bracket->safe, exact) << subdivision.name;
+    EXPECT_GE(first.bracket->optimistic, exact * (1 - 1e-9)) << subdivision.name;
+    EXPECT_GE(first.bracket->safe, 0.78 * exact) << subdivision.name;
+    EXPECT_LE(3 * first.elementsRefreshed, 2 * best.elementsRefreshed) << subdivision.name;
+    MonitorReport later;
+    for (int i = 1; i <= 50; ++i) later = chosen.observe(i, 0, X, noVelocity(body), 0.5 * exact);
+    EXPECT_LE(later.bracket->safe, exact) << subdivision.name;
+    EXPECT_GE(later.bracket->safe, 0.93 * later.bracket->optimistic) << subdivision.name;
+    // A step that this does not prove gets all there is at once.
+    const MonitorReport close =
+        StabilityMonitor(body, {}).observe(0, 0, X, noVelocity(body), 0.99 * best.bracket->safe);
+    EXPECT_EQ(close.verdict, Verdict::certified) << subdivision.name;
+  }
+}
+
+TEST(CriticalStep, TellsWhatIsProvenSoFar) {
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
+    const Body body = test::boxBody(subdivision, "neo-hookean");
+    for (const test::NamedState& state : test::deformedStates(body.mesh().X, 4)) {
+      const double exact = 2 / std::sqrt(DenseTangent(body, state.x).largest());
+      double safe = 0, optimistic = infinity;
+      int told = 0;
+      const auto listen = [&](double nowSafe, double nowOptimistic) {
+        EXPECT_LE(nowSafe, exact * (1 + 1e-9)) << subdivision.name << ", " << state.name;
+        EXPECT_GE(nowOptimistic, exact * (1 - 1e-9)) << subdivision.name << ", " << state.name;
+        EXPECT_GE(nowSafe, safe) << subdivision.name << ", " << state.name;
+        EXPECT_LE(nowOptimistic, optimistic) << subdivision.name << ", " << state.name;
+        safe = nowSafe;
+        optimistic = nowOptimistic;
+        ++told;
+      };
+      const CriticalStep step = criticalStepInTiers(body, state.x, 2, std::nullopt, nullptr, listen);
+      EXPECT_GE(told, 2) << subdivision.name;
+      EXPECT_GE(step.safe, safe) << subdivision.name << ", " << state.name;
+      EXPECT_EQ(step.optimistic, optimistic) << subdivision.name << ", " << state.name;
+      const CriticalStep same = criticalStep(body, state.x, 2);
+      EXPECT_EQ(step.safe, same.safe);
+    }
+  }
 }
 
 TEST(StabilityMonitor, ReportsAViolationOnceWhenItBegins) {
