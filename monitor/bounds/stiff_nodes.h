@@ -8,8 +8,8 @@
 namespace ringwatch {
 
 /// Where the highest eigenvalue of M⁻¹K(x) may be: the nodes whose own 3×3 block of it has the longest diagonal, the
-/// longest first, no two of them in one element. An estimate that proves nothing, from one tangent of every element,
-/// which costs a fraction of all reduced rings. Springs, contact and the nodes of rigid bodies are left out.
+/// longest first, no two of them in one element. A guess, from one tangent of every element, which costs a fraction of
+/// all reduced rings. Springs, contact and the nodes of rigid bodies are left out.
 class StiffNodes {
  public:
   /// Both must outlive the search; `incidences` knows the elements at each node.

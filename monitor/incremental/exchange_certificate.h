@@ -38,8 +38,8 @@ struct ExchangeRoomPolicy {
 /// matrix G_e for each element, at least zero, which add up to at most σ; a rotation R_i for each node; and for each
 /// element a ball |F_q - F0_q| <= r in which its tangent is at most G_e in its nodes' frames. What its balls do not
 /// prove an LDLᵀ factorisation does: no eigenvalues. G_e is stored in whole numbers of 16 bits whose sum is exact.
-/// Tangents of elements that damp are those of K + f C (Theorem 96). At the nodes of discrete forces their majorants at
-/// the very state are added to the sums (Theorem 95), so that contact comes and goes at no cost but that of its nodes.
+/// Tangents of elements that damp are those of K + f C (Theorem 83). At the nodes of discrete forces their majorants at
+/// the very state are added to the sums (Theorem 82), so that contact comes and goes at no cost but that of its nodes.
 class ExchangeCertificate {
  public:
   /// weights: of the body, by reference; only which elements are at a node is read, but by share().

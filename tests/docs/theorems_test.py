@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Holds the docstrings to docs/theory/: a header that states a bound names its theorem, and every theorem that the sources name exists.
+The lists of docs/theory/README.md have every theorem.
 
 usage: theorems_test.py SOURCE_DIR
 """
@@ -45,11 +46,25 @@ def cited(numbers):
     return found
 
 
+def faults_of_lists(source, pages):
+    """What the two tables of the README get wrong: the theorems of each page, and a line on each theorem."""
+    text, faults = (source / "docs/theory/README.md").read_text(encoding="utf-8"), []
+    for page, listed in re.findall(r"^\| \[(\w+\.md)\]\(\1\) \| .* \| (\d.*) \|$", text, re.M):
+        own = {number for number, of in pages.items() if of.endswith("/" + page)}
+        if cited(listed) != own:
+            faults.append(f"docs/theory/README.md: {page} has the theorems {sorted(own)}, not {listed}")
+    lines = [int(number) for number in re.findall(r"^\| \[(\d+)\]\(\w+\.md#theorem-\1-", text, re.M)]
+    if lines != sorted(pages):
+        faults.append(f"docs/theory/README.md: lines of the theorems {sorted(set(pages) ^ set(lines)) or lines} are missing, doubled or out of order")
+    return faults
+
+
 def main():
     source = pathlib.Path(sys.argv[1])
     pages, faults, citations = theorems(source), [], 0
     if sorted(pages) != list(range(1, len(pages) + 1)):
         faults.append(f"docs/theory: theorems are not numbered 1 to {len(pages)}: {sorted(pages)}")
+    faults += faults_of_lists(source, pages)
     folders = [line.split(":")[0].strip() for line in (source / "cmake/layers.txt").read_text(encoding="utf-8").splitlines()]
     folders = sorted(folder for folder in folders if folder and (source / folder).is_dir())
     for path in sorted(p for folder in folders for p in (source / folder).rglob("*") if p.suffix in (".h", ".cpp", ".cuh", ".cu")):
