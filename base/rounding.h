@@ -47,9 +47,6 @@ inline constexpr double modulusRounding = 1e-12;
 /// and sums, relative to the sums of the sizes of what they are summed from.
 inline constexpr double givenScalingRounding = 4e-15, givenSumRounding = 1e-12;
 
-/// Pivots that prove an element's value to be below a limit, relative to the diagonal: Theorem 84.
-inline constexpr double pivotTestRounding = 1e-12;
-
 // Along a run.
 /// Kept free of every allowance for the rounding of the sums that it was computed from, relative.
 inline constexpr double allowanceRounding = 1e-12;

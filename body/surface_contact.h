@@ -70,7 +70,7 @@ SurfaceContact surfaceContact(const Mesh& mesh, std::vector<std::int32_t> nodes,
 /// Where the nodes of a SurfaceContact touch. It keeps what it found last, lists of the triangles that are near, of a
 /// bounding-volume hierarchy, which serve until nodes have moved some way against those near them, and of each pair in
 /// them how far it was apart, so that it is looked at again when it can count. What is found does not depend on any of
-/// that: Theorems 56, 65 and 91, docs/theory/discrete_forces.md. One thread at a time.
+/// that: Theorems 56, 65 and 90, docs/theory/discrete_forces.md. One thread at a time.
 class SurfaceSearch {
  public:
   /// Throws InputError for rows, penalties and dampings that are not one a node, and constants that are negative.

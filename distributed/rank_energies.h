@@ -16,7 +16,7 @@ struct RankEnergies {
 RankEnergies energiesOf(Ranks& ranks, const RankBody& part, NodeVectorsView x, NodeVectorsView v);
 
 /// EnergyBalance for the ranks: works are summed along the run at each owned node by itself, and over nodes exactly
-/// (Theorem 85, docs/theory/distribution.md).
+/// (Theorem 84, docs/theory/distribution.md).
 class RankEnergyBalance {
  public:
   /// moving: motion is prescribed at some time of the run. Both must outlive the balance.

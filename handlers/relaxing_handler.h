@@ -28,7 +28,7 @@ constexpr OptionInfo energyLimitOption(std::span<const std::string_view> variant
 /// passes. What such elements do to the energy is counted exactly (HandledWork). Where they would have added more than
 /// `energy_limit` of the largest energy of the body, which crowded elements do that are softer than their law, where a
 /// step would end at det F <= 0 in an element of a law that has no energy there, and where a pass is not finite, they
-/// are those of Imex from there on, by its nonlinear equations and default options: Theorem 86,
+/// are those of Imex from there on, by its nonlinear equations and default options: Theorem 85,
 /// docs/theory/handlers.md. Bodies that come of cuts go on with it.
 class RelaxingHandler : public Handler {
  public:

@@ -17,7 +17,7 @@ namespace ringwatch {
 /// motion that strains its elements ever more of it would. Where a later choice does not prove h, steps are n of
 /// h/n of the base scheme, h/n half of what the nodal bound proves, and explicitBody() has masses that are larger by
 /// the limit at h/n over that at h (n² without damping), so that its proof at h is that of the body at h/n:
-/// Theorem 87. A step that would end at det F <= 0 in a critical element of a law that has no energy there is taken in
+/// Theorem 86. A step that would end at det F <= 0 in a critical element of a law that has no energy there is taken in
 /// twice as many parts, and so on.
 class MassScaling final : public Handler {
  public:

@@ -13,7 +13,6 @@
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/monitor/bounds/nodal_weights.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
-#include <ringwatch/monitor/small/packed_cholesky.h>
 
 namespace ringwatch {
 namespace {
@@ -438,31 +437,6 @@ void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, Nod
   source_->tangents()[b]->tangentOf(elements, x.data(), reinterpret_cast<double*>(K), reinterpret_cast<double*>(T));
   const ElementMatrices tangents{K, T, values};
   weightedLargest(b, elements, {&tangents, 1});
-}
-
-void NodalBound::proveAtMost(std::int32_t b, const std::int32_t* elements, NodeVectorsView x, const double* limits,
-                             bool* proven) const {
-  const ElementTangents& block = *source_->tangents()[b];
-  const int n = block.nodesPerElement(), size = 3 * n;
-  P K[9 * maxElementNodes * maxElementNodes], T[maxElementNodes], free[3 * maxElementNodes];
-  block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K), reinterpret_cast<double*>(T));
-  if (findFree(*source_, block, elements, free)) scaleSymmetric(K, size, free);
-  StoredFactor gathered[maxElementNodes];
-  gather(b, elements, gathered);
-  const P limit = P::load(limits), count(static_cast<double>(n));
-  for (int i = 0; i < size; ++i)
-    for (int j = 0; j <= i; ++j) K[i * size + j] = -K[i * size + j];
-  for (int a = 0; a < n; ++a) {
-    const Symmetric3<P> D = productOf(load(gathered[a]));
-    for (int r = 0; r < 3; ++r) {
-      P* row = K + (3 * a + r) * size + 3 * a;
-      for (int c = 0; c < r; ++c) row[c] += limit * D(r, c);
-      const P own = limit * D(r, r);
-      row[r] += own - (P(pivotTestRounding) * (own + math::abs(row[r])) + count * T[a]);
-    }
-  }
-  const P definite = pivotsArePositive(K, size);
-  for (int lane = 0; lane < lanes; ++lane) proven[lane] = elements[lane] >= 0 && definite[lane] > 0;
 }
 
 void NodalBound::weightedLargest(std::int32_t b, const std::int32_t* elements,

@@ -123,11 +123,6 @@ class NodalBound {
   void setWeights(ElementRef e, std::span<const Eigen::Matrix3d> weights);
   /// l_e at x of any elements of a group, one a lane (-1: none): values[lane].
   void elementValues(std::int32_t block, const std::int32_t* elements, NodeVectorsView x, double* values) const;
-  /// Whether l_e of such elements is proven to be at most limits[lane] > 0, N/m: by one factorisation, which takes a
-  /// fraction of the time of l_e and loses nothing but rounding. False where it is not, and in lanes without an
-  /// element. Theorem 84, docs/theory/eigenvalue_bounds.md.
-  void proveAtMost(std::int32_t block, const std::int32_t* elements, NodeVectorsView x, const double* limits,
-                   bool* proven) const;
   /// Symmetric matrices of elements, one a lane, as ElementTangents::tangentOf gives tangents; overwritten.
   struct ElementMatrices {
     NativePack* matrices;

@@ -109,7 +109,7 @@ TEST(MassScaling, DividesStepsWhereElementsHaveStiffened) {
   const double part = h / parts;
   EXPECT_LE(denseHighest(body, stretched), 1 / (part * part));
   EXPECT_GE(denseHighest(body, stretched), 0.25 / (part * part));
-  // The proof for the masses that a monitor gets is one for the parts: Theorem 87.
+  // The proof for the masses that a monitor gets is one for the parts: Theorem 86.
   EXPECT_NEAR(denseHighest(handler.explicitBody(), stretched) * parts * parts, denseHighest(body, stretched),
               1e-9 * denseHighest(body, stretched));
   BodySystem system(body);

@@ -92,60 +92,6 @@ TEST(NodalBound, IsTheLargestNodalValueOfASweep) {
   EXPECT_EQ(value, most);
 }
 
-/// lambda_max(D⁻¹ K) of an element without its constrained components, densely.
-double denseValue(const Body& body, const NodalBound& bound, ElementRef e, const NodeVectors& x) {
-  Eigen::MatrixXd K = body.elementTangent(e, x), D = Eigen::MatrixXd::Zero(K.rows(), K.cols());
-  int a = 0;
-  for (const std::int32_t node : body.blocks()[e.block]->nodesOf(e.element)) {
-    D.block<3, 3>(3 * a, 3 * a) = bound.weight(bound.incidenceOf(e, a));
-    for (int c = 0; c < 3; ++c)
-      if (body.constraints().isConstrained(node, c)) {
-        K.row(3 * a + c).setZero();
-        K.col(3 * a + c).setZero();
-      }
-    ++a;
-  }
-  const Eigen::MatrixXd L = D.llt().matrixL();
-  const Eigen::MatrixXd half = L.triangularView<Eigen::Lower>().solve(K);
-  const Eigen::MatrixXd scaled = L.triangularView<Eigen::Lower>().solve(half.transpose());
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
-}
-
-TEST(NodalBound, ProvesValuesBelowALimitAndNoOthers) {
-  for (const Subdivision& subdivision : test::allSubdivisions())
-    for (const LawInfo& law : allLaws())
-      for (const Hold hold : {Hold::nothing, Hold::components}) {
-        Body body = test::boxBody(subdivision, law.name);
-        test::holdBody(body, hold);
-        NodalBound bound(body);
-        bound.evaluate(body.mesh().X, 2);  // the weights are of another state
-        for (const test::NamedState& state : test::deformedStates(body.mesh().X, 5))
-          for (std::size_t b = 0; b < body.blocks().size(); ++b) {
-            std::int32_t elements[lanes];
-            double dense[lanes], limits[lanes];
-            bool proven[lanes];
-            double size = 0;
-            for (int lane = 0; lane < lanes; ++lane) {
-              const std::int32_t e = lane < body.blocks()[b]->elementCount() ? lane : -1;
-              elements[lane] = e;
-              dense[lane] = e < 0 ? 1 : denseValue(body, bound, {b, e}, state.x);
-              size = std::max(size, dense[lane]);
-            }
-            if (!std::isfinite(size)) continue;
-            // Rounding is relative to the tangent's size, of which little may be left where components are held.
-            constexpr double margin = 1e-9;
-            for (const bool below : {false, true}) {
-              for (int lane = 0; lane < lanes; ++lane) limits[lane] = dense[lane] + (below ? -margin : margin) * size;
-              bound.proveAtMost(static_cast<std::int32_t>(b), elements, state.x, limits, proven);
-              for (int lane = 0; lane < lanes; ++lane)
-                EXPECT_EQ(proven[lane], elements[lane] >= 0 && !below)
-                    << subdivision.name << ", " << law.name << ", " << state.name << ", " << test::holdName(hold)
-                    << ", block " << b << ", lane " << lane << ": " << dense[lane] << ", largest " << size;
-            }
-          }
-      }
-}
-
 TEST(NodalBound, StartsFromScratchAfterReset) {
   const Body body = test::boxBody(test::allSubdivisions()[0], "stvk");
   const NodeVectors& X = body.mesh().X;
