@@ -38,8 +38,8 @@ void run(const std::string& folder) {
       StepEvaluation evaluation;
       const double h = 1e-4;
       for (int step = 0; step <= 100; ++step) {
-        bool stops = false;
-        const MonitorReport& report = monitor.observe(step, state.time, state.x, state.v, h, evaluation, stops,
+        int asked = 0;
+        const MonitorReport& report = monitor.observe(step, state.time, state.x, state.v, h, evaluation, asked,
                                                       [&] { stepper.takeForce(state, evaluation.internalForce); });
         if (step % 50 == 0) {
           const NodeVectors x = gathered(ranks, part, state.x);
