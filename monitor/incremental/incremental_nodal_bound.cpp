@@ -170,7 +170,7 @@ void IncrementalNodalBound::beginCounting() {
   state_.statistics() = {};
 }
 
-void IncrementalNodalBound::refresh(NodeVectorsView x, double wanted) {
+void IncrementalNodalBound::refresh(NodeVectorsView x, double wanted, bool holds) {
   state_.renewMajorants(x);
   const bool turned = state_.rotateWithBody(x, policy_);
   NodalBound& weights = state_.weights();
@@ -179,7 +179,7 @@ void IncrementalNodalBound::refresh(NodeVectorsView x, double wanted) {
   state_.statistics().work[WorkOn::sweeps] += WorkAccount::ofEvaluation(body_);
   ++state_.statistics().refreshes;
   const double tight = weights.last();
-  const double sigma = std::min(tight * (1 + policy_.slack), certifiedEigenvalue());
+  const double found = tight * (1 + policy_.slack), sigma = holds ? std::min(found, certifiedEigenvalue()) : found;
   start(x, tight <= wanted * (1 - policy_.proofMargin) ? wanted : sigma, turned);
 }
 
@@ -219,7 +219,7 @@ UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* eval
     const double work = WorkAccount::ofEvaluation(body_) + WorkAccount::ofDistribution(body_, false);
     if (certifiedEigenvalue() > wanted && refreshes_.due() && account_->affordsForProof(work)) {
       const double before = state_.statistics().work.total();
-      refresh(x, wanted);
+      refresh(x, wanted, true);
       refreshes_.tried(certifiedEigenvalue() <= wanted);
       ofProof_ = state_.statistics().work.total() - before;
     }
@@ -227,7 +227,7 @@ UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* eval
   }
   // What had been proven of the step is worth more than the account has.
   if (certifiedEigenvalue() > ceiling && refreshes_.due()) {
-    refresh(x, ceiling);
+    refresh(x, ceiling, true);
     refreshes_.tried(certifiedEigenvalue() <= ceiling);
   }
   if (certifiedEigenvalue() > ceiling && rebuilds_.due()) {
@@ -244,7 +244,8 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
   rebuilds_.tick();
   refreshes_.tick();
   lowerings_.tick();
-  bool sweep = false;
+  // What is certified holds at x as well; it held until now, but no more: today's values cost less than new weights.
+  bool sweep = false, holds = false, lost = false;
   if (started_ && certifiedEigenvalue() <= sigma) {
     const Outcome outcome = follow(x, false, certifiedEigenvalue(), evaluation);
     // Weights that ended early have cost as much since as those would that did not: so at most twice the least is
@@ -252,18 +253,19 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
     sweep = outcome == Outcome::held && endedEarly_ && sinceRebuild_ >= WorkAccount::ofRebuild(body_);
     if (outcome == Outcome::held && !sweep) return true;
     // A certificate that was refused holds for a larger eigenvalue.
-    started_ = outcome == Outcome::refused;
+    started_ = holds = outcome == Outcome::refused;
+    lost = outcome == Outcome::tooManyViolations;
     if (outcome == Outcome::notFinite) return false;
   } else if (evaluation) {
     body_.evaluate(x, *evaluation, workspace_);
   }
-  if (started_ && refreshes_.due()) {
-    refresh(x, sigma);
+  if (lost || (started_ && refreshes_.due())) {
+    refresh(x, sigma, holds);
     refreshes_.tried(certifiedEigenvalue() <= sigma);
     if (certifiedEigenvalue() <= sigma) return true;
   }
-  // From scratch, but not at every step while it keeps failing.
-  if (!sweep && !rebuilds_.due()) return false;
+  // From scratch, but not at every step while it keeps failing. Weights that ended early cost little.
+  if (!sweep && !rebuilds_.due() && !(lost && endedEarly_)) return false;
   rebuild(x, {sweep ? 0 : policy_.enoughOfWanted * sigma});
   const double tight = state_.weights().last();
   const bool proven = tight <= sigma * (1 - policy_.proofMargin);
@@ -318,7 +320,7 @@ bool IncrementalNodalBound::tightenBound(NodeVectorsView x, LowerBound lower, do
   beginCounting();
   const double before = certifiedEigenvalue();
   if (!rebuilding) {
-    refresh(x, 0);
+    refresh(x, 0, true);
     refreshes_.tried(certifiedEigenvalue() <= (1 - policy_.helpfulRefresh) * before);
     return true;
   }

@@ -335,7 +335,7 @@ picture = false
 )");
   EXPECT_EQ(call("run halves.toml --out halves").status, 0);
   const Json summary = json("halves/summary.json");
-  EXPECT_EQ(summary["handler"]["handled_elements"], 96);  // the stiff half: six a cell
+  EXPECT_EQ(summary["handler"]["handled_elements"], 48);  // the stiff half: eight cells of six
   EXPECT_EQ(summary["certified_steps"], 10);
 }
 

@@ -162,8 +162,11 @@ TEST_F(Inspect, TakesAFrameOfARun) {
 TEST_F(Inspect, TakesAFrameOfADampedRun) {
   folder_.write("tiny.toml", tiny);
   ASSERT_EQ(call("run tiny.toml --out r --set integrator.step=auto --set damping.stiffness=1e-3").status, 0);
-  EXPECT_NEAR(table("r/history.csv").number(0, "safe_s") / report("r --frame 1")["critical_step"]["safe"].get<double>(),
-              1, 1e-9);
+  // The frame's bracket is the narrower one: a run begins with the proof that is enough for it.
+  const Json step = report("r --frame 1")["critical_step"];
+  const Table history = table("r/history.csv");
+  EXPECT_NEAR(history.number(0, "optimistic_s") / step["optimistic"].get<double>(), 1, 2e-5);
+  EXPECT_LE(history.number(0, "safe_s"), step["safe"].get<double>());
 }
 
 TEST_F(Inspect, HoldsSingleComponents) {
@@ -198,7 +201,8 @@ TEST_F(Inspect, TakesQuadratureRules) {
   ASSERT_EQ(call("run rules.toml --out plain --set material.rules=[]" + hexahedra).status, 0);
   EXPECT_GT(std::abs(table("r/history.csv").number(0, "safe_s") / table("plain/history.csv").number(0, "safe_s") - 1),
             1e-4);
-  EXPECT_NEAR(report("r --frame 1")["critical_step"]["safe"].get<double>() / table("r/history.csv").number(0, "safe_s"),
+  EXPECT_NEAR(report("r --frame 1")["critical_step"]["optimistic"].get<double>() /
+                  table("r/history.csv").number(0, "optimistic_s"),
               1, 1e-9);
   expectRefused(std::string("inspect bar.msh --rule hex8=selectiv") + material, "did you mean \"selective\"?");
   expectRefused(std::string("inspect bar.msh --rule hex=selective") + material, "elements are tet4, hex8");
