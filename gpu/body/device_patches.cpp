@@ -172,6 +172,7 @@ DevicePlan planPatches(const Mesh& mesh) {
       throw InputError(joinText("block ", b, ": elements of type ", element.name, " are not on the device; it has ",
                                 known, ": use device = \"cpu\""));
     }
+    plan.blocks[b].block = b;
     plan.blocks[b].threads = patchThreads(element.nodes);
     cut(mesh, mesh.blocks[b], plan.blocks[b], local, nodes, nodeBegin);
     plan.patchCount += static_cast<std::int32_t>(plan.blocks[b].patches.size());
