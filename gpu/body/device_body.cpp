@@ -512,6 +512,8 @@ void DeviceBody<R>::synchronize() const {
   impl_->synchronize();
 }
 
+template struct DevicePart<double>;
+template struct DevicePart<float>;
 template class DeviceBody<double>;
 template class DeviceBody<float>;
 

@@ -75,6 +75,9 @@ struct DevicePart {
   double h = 0;
 };
 
+extern template struct DevicePart<double>;
+extern template struct DevicePart<float>;
+
 template <class R>
 struct DeviceBody<R>::Impl {
   using Part = DevicePart<R>;

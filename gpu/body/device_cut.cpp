@@ -1,7 +1,9 @@
 #include <ringwatch/gpu/body/device_cut.h>
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
+
+#include <ringwatch/base/parallel.h>
 
 namespace ringwatch {
 namespace {
@@ -59,7 +61,7 @@ class PartPlanner {
   bool isBorder(std::int32_t node) const {
     return node >= whole_.interiorCount && atBorder_[node - whole_.interiorCount];
   }
-  /// Calls with every entry of the lists of nodes of this part's patches: visit(block, its patch, node).
+  /// Calls visit(node) for all nodes of this part's patches, one after the other.
   template <class Visit>
   void forEachNode(const Visit& visit) const {
     std::size_t patch = 0;
@@ -207,9 +209,10 @@ std::vector<DevicePlan> cutPlan(const DevicePlan& whole, const std::vector<std::
   for (std::int32_t s = 0; s < whole.sharedCount(); ++s)
     for (std::int32_t i = whole.slotBegin[s] + 1; i < whole.slotBegin[s + 1]; ++i)
       if (owners.partOf(whole.slot[i]) != owners.partOf(whole.slot[whole.slotBegin[s]])) atBorder[s] = true;
-  std::vector<DevicePlan> plans;
-  for (std::size_t part = 0; part < parts; ++part)
-    plans.push_back(PartPlanner(whole, partOfPatch, owners, atBorder, static_cast<std::int32_t>(part)).plan(parts));
+  std::vector<DevicePlan> plans(parts);
+  parallelFor(0, static_cast<std::int64_t>(parts), 0, [&](std::int64_t part) {
+    plans[part] = PartPlanner(whole, partOfPatch, owners, atBorder, static_cast<std::int32_t>(part)).plan(parts);
+  });
   return plans;
 }
 
