@@ -12,6 +12,9 @@
 namespace ringwatch {
 namespace {
 
+/// Nodes that a thread takes at least, where vectors are put in the device's order.
+constexpr std::int64_t nodesOfThread = 10000;
+
 /// J⁻¹ and w det J of every quadrature point, as BlockView::geometry has them.
 template <class R>
 std::vector<R> tabulateGeometry(const Mesh& mesh, const MeshBlock& block, const QuadratureRule& rule,
@@ -221,10 +224,13 @@ void DevicePart<R>::makeNodes(const DeviceBodyInput& input, const DevicePlan& pl
 template <class R>
 void DevicePart<R>::uploadPositions(const NodeVectors& x) {
   std::vector<Row4<R>> rows(meshNode.size());
-  for (std::size_t at = 0; at < rows.size(); ++at) {
-    const Eigen::Vector3d d = x.col(meshNode[at]) - X.col(at);
-    rows[at] = {static_cast<R>(d[0]), static_cast<R>(d[1]), static_cast<R>(d[2]), inverseMass[at]};
-  }
+  parallelFor(
+      0, nodeCount, 0,
+      [&](std::int64_t at) {
+        const Eigen::Vector3d d = x.col(meshNode[at]) - X.col(at);
+        rows[at] = {static_cast<R>(d[0]), static_cast<R>(d[1]), static_cast<R>(d[2]), inverseMass[at]};
+      },
+      nodesOfThread);
   stream.synchronize();
   u.upload(rows);
 }
@@ -233,8 +239,13 @@ template <class R>
 void DevicePart<R>::uploadVectors(const NodeVectors& values, DeviceVector<R>& to) {
   const std::size_t count = nodeCount;
   std::vector<R> ordered(3 * count);
-  for (std::size_t at = 0; at < count; ++at)
-    for (std::size_t c = 0; c < 3; ++c) ordered[c * count + at] = static_cast<R>(values(c, meshNode[at]));
+  parallelFor(
+      0, nodeCount, 0,
+      [&](std::int64_t at) {
+        for (std::size_t c = 0; c < 3; ++c)
+          ordered[c * count + static_cast<std::size_t>(at)] = static_cast<R>(values(c, meshNode[at]));
+      },
+      nodesOfThread);
   stream.synchronize();
   to.upload(ordered);
 }
@@ -243,15 +254,21 @@ template <class R>
 void DevicePart<R>::takeRows(const DeviceVector<Row4<R>>& from, NodeVectors& to) const {
   stream.synchronize();
   const std::vector<Row4<R>> rows = from.download();
-  for (std::size_t at = 0; at < rows.size(); ++at)
-    to.col(meshNode[at]) << static_cast<double>(rows[at].x), static_cast<double>(rows[at].y),
-        static_cast<double>(rows[at].z);
+  parallelFor(
+      0, nodeCount, 0,
+      [&](std::int64_t at) {
+        to.col(meshNode[at]) << static_cast<double>(rows[at].x), static_cast<double>(rows[at].y),
+            static_cast<double>(rows[at].z);
+      },
+      nodesOfThread);
 }
 
 template <class R>
 void DevicePart<R>::takePositions(NodeVectors& to) const {
   takeRows(u, to);
-  for (std::size_t at = 0; at < meshNode.size(); ++at) to.col(meshNode[at]) = X.col(at) + to.col(meshNode[at]);
+  parallelFor(
+      0, nodeCount, 0, [&](std::int64_t at) { to.col(meshNode[at]) = X.col(at) + to.col(meshNode[at]); },
+      nodesOfThread);
 }
 
 template <class R>
@@ -259,8 +276,13 @@ void DevicePart<R>::takeVelocities(NodeVectors& to) const {
   stream.synchronize();
   const std::vector<R> ordered = v.download();
   const std::size_t count = nodeCount;
-  for (std::size_t at = 0; at < count; ++at)
-    for (std::size_t c = 0; c < 3; ++c) to(c, meshNode[at]) = static_cast<double>(ordered[c * count + at]);
+  parallelFor(
+      0, nodeCount, 0,
+      [&](std::int64_t at) {
+        for (std::size_t c = 0; c < 3; ++c)
+          to(c, meshNode[at]) = static_cast<double>(ordered[c * count + static_cast<std::size_t>(at)]);
+      },
+      nodesOfThread);
 }
 
 template <class R>
