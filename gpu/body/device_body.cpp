@@ -433,7 +433,10 @@ DeviceBody<R>::DeviceBody(const DeviceBodyInput& input, const DevicePlan* plan, 
   setPositions(input.mesh->X);
 }
 template <class R>
-DeviceBody<R>::~DeviceBody() = default;
+DeviceBody<R>::~DeviceBody() {
+  // Devices may still wait for each other's copies.
+  for (const auto& part : impl_->parts) cudaStreamSynchronize(part->stream);
+}
 
 template <class R>
 std::int32_t DeviceBody<R>::nodeCount() const {
