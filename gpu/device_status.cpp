@@ -6,14 +6,19 @@
 
 namespace ringwatch {
 
-DeviceStatus deviceStatus() {
+DeviceStatus deviceStatus(int device) {
   DeviceStatus status;
-  int count = 0;
+  int count = 0, before = 0;
   cudaDeviceProp properties{};
   cudaError_t error = cudaGetDeviceCount(&count);
   if (error == cudaSuccess && count == 0) error = cudaErrorNoDevice;
-  if (error == cudaSuccess) error = cudaGetDeviceProperties(&properties, 0);
-  if (error == cudaSuccess) error = cudaMemGetInfo(&status.freeMemory, &status.totalMemory);
+  if (error == cudaSuccess) error = cudaGetDeviceProperties(&properties, device);
+  if (error == cudaSuccess) error = cudaGetDevice(&before);
+  if (error == cudaSuccess) error = cudaSetDevice(device);
+  if (error == cudaSuccess) {
+    error = cudaMemGetInfo(&status.freeMemory, &status.totalMemory);
+    cudaSetDevice(before);
+  }
   if (error != cudaSuccess) {
     status.text = std::string("no GPU can be used: ") + cudaGetErrorString(error);
     return status;
@@ -24,6 +29,19 @@ DeviceStatus deviceStatus() {
   return status;
 }
 
+int deviceCount() {
+  int count = 0;
+  return cudaGetDeviceCount(&count) == cudaSuccess ? count : 0;
+}
+
+void requireDevices(const std::vector<int>& devices) {
+  const int count = deviceCount();
+  for (const int device : devices)
+    if (device < 0 || device >= count)
+      throw InputError(
+          joinText("GPU ", device, ": this machine has ", count, count == 1 ? " GPU" : " GPUs", ", counted from 0"));
+}
+
 void requireDeviceMemory(std::size_t bytes) {
   std::size_t free = 0, total = 0;
   checkCuda(cudaMemGetInfo(&free, &total), "cudaMemGetInfo");
@@ -32,7 +50,7 @@ void requireDeviceMemory(std::size_t bytes) {
   };
   if (bytes > free)
     throw InputError(joinText("the body needs ", mebibytes(bytes), " of device memory and ", mebibytes(free), " of ",
-                              mebibytes(total), " are free: use a smaller mesh or device = \"cpu\""));
+                              mebibytes(total), " are free: use a smaller mesh, more GPUs or device = \"cpu\""));
 }
 
 }  // namespace ringwatch

@@ -1,12 +1,15 @@
 #include <ringwatch/app/run/device_stepper.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <ringwatch/gpu/certificate/device_certificate.h>
 #include <ringwatch/gpu/device_status.h>
+#include <ringwatch/gpu/device_stream.h>
 #include <ringwatch/gpu/imex/device_imex.h>
 #include <ringwatch/gpu/rings/device_rings.h>
 #include <ringwatch/handlers/imex/imex.h>
@@ -16,13 +19,15 @@ namespace {
 
 class DeviceStepper final : public Stepper {
  public:
-  DeviceStepper(const Body& body, const State& state, const HandlerOptions& options, bool rings)
-      : body_(body), options_(options), device_(body), certificate_(device_) {
+  DeviceStepper(const Body& body, const State& state, const HandlerOptions& options, bool rings,
+                const std::vector<int>& devices)
+      : current_(devices.front()), body_(body), options_(options), device_(body, devices), certificate_(device_) {
     device_.setPositions(state.x);
     device_.setVelocities(state.v);
     const auto& blocks = body.mesh().blocks;
-    if (rings && std::all_of(blocks.begin(), blocks.end(),
-                             [](const MeshBlock& block) { return block.type == elementTypeOf<Tet4>; }))
+    if (rings && device_.devices().size() == 1 && std::all_of(blocks.begin(), blocks.end(), [](const MeshBlock& block) {
+          return block.type == elementTypeOf<Tet4>;
+        }))
       rings_.emplace(device_);
   }
 
@@ -68,7 +73,9 @@ class DeviceStepper final : public Stepper {
     return ofHandler;
   }
   std::string note() const override {
-    std::string text = fmt::format("the steps were taken on {}", deviceStatus().text);
+    std::vector<std::string> names;
+    for (const int device : device_.devices()) names.push_back(deviceStatus(device).text);
+    std::string text = fmt::format("the steps were taken on {}", fmt::join(names, " and "));
     if (watched_ > 0)
       text += fmt::format("; its certificate proved {} of {} steps, {} elements were evaluated for it", certified_,
                           watched_, evaluated_);
@@ -103,6 +110,7 @@ class DeviceStepper final : public Stepper {
   /// Calls of explicitSteps() from an attempt in vain to the next: a bound from scratch is spent on one of so many.
   static constexpr std::int64_t callsBetweenAttempts = 16;
 
+  OnDevice current_;  // while there are steps to take
   const Body& body_;
   const HandlerOptions& options_;
   DeviceBody<double> device_;
@@ -121,8 +129,13 @@ std::string whyNoDevice() {
   return status.available ? "" : status.text;
 }
 std::unique_ptr<Stepper> makeDeviceStepper(const Body& body, const State& state, const HandlerOptions& options,
-                                           bool rings) {
-  return std::make_unique<DeviceStepper>(body, state, options, rings);
+                                           bool rings, std::vector<int> devices) {
+  if (devices.empty()) {
+    devices.resize(static_cast<std::size_t>(deviceCount()));
+    std::iota(devices.begin(), devices.end(), 0);
+  }
+  requireDevices(devices);
+  return std::make_unique<DeviceStepper>(body, state, options, rings, devices);
 }
 
 }  // namespace ringwatch

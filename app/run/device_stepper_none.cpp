@@ -5,7 +5,7 @@
 namespace ringwatch {
 
 std::string whyNoDevice() { return "this build has no CUDA (RINGWATCH_WITH_CUDA, preset \"cuda\")"; }
-std::unique_ptr<Stepper> makeDeviceStepper(const Body&, const State&, const HandlerOptions&, bool) {
+std::unique_ptr<Stepper> makeDeviceStepper(const Body&, const State&, const HandlerOptions&, bool, std::vector<int>) {
   throw InputError(whyNoDevice());
 }
 

@@ -67,7 +67,7 @@ std::unique_ptr<Stepper> RunScheme::onDevice(double h) {
       const MetricInfo* metric = findMetric(scene_.metric);
       std::unique_ptr<Stepper> stepper =
           makeDeviceStepper(body_, sceneInitialState(scene_, *system_), scene_.handlerOptions,
-                            metric != nullptr && metric->runsOnGpu && !handler_);
+                            metric != nullptr && metric->runsOnGpu && !handler_, scene_.devices);
       if (handler_) stepper->handle(handler_->elements(), h);
       return stepper;
     } catch (const InputError& fault) {

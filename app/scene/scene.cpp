@@ -330,9 +330,29 @@ void readHandlerSection(const SceneTable& handler, const SceneTable& integrator,
   checkDampingOfHandler(*findHandler(scene.handler), handler, damping, scene);
 }
 
+std::vector<int> readDevices(const SceneTable& integrator) {
+  std::vector<int> devices;
+  for (const double number : integrator.get<std::vector<double>>("devices")) {
+    if (number != std::floor(number) || number > 1e6)
+      fail(integrator.at("devices").origin, "integrator.devices",
+           fmt::format("{} is not the number of a GPU: they are counted from 0", number));
+    const auto device = static_cast<int>(number);
+    if (std::find(devices.begin(), devices.end(), device) != devices.end())
+      fail(integrator.at("devices").origin, "integrator.devices", fmt::format("GPU {} is named twice", device));
+    devices.push_back(device);
+  }
+  return devices;
+}
+
 void readDevice(const SceneTable& integrator, Scene& scene) {
   scene.device = integrator.named("device", runDeviceNames);
-  if (scene.device == RunDevice::cpu) return;
+  scene.devices = readDevices(integrator);
+  if (scene.device == RunDevice::cpu) {
+    if (scene.devices != std::vector<int>{0})
+      fail(integrator.at("devices").origin, "integrator.devices",
+           "the steps are taken on the CPU; set integrator.device = \"cuda\" or \"auto\"");
+    return;
+  }
   scene.deviceOrigin = integrator.at("device").origin + ": integrator.device";
   const HandlerInfo* info = findHandler(scene.handler);
   const bool onGpu = integratorCatalog().find(scene.method)->runsOnGpu && !scene.damping.any() &&
@@ -344,6 +364,8 @@ void readDevice(const SceneTable& integrator, Scene& scene) {
                                  namesWhere(handlers, [](const HandlerInfo& one) { return one.forGpu != nullptr; }));
   } else if (info && !scene.step) {
     scene.noDevice = "a GPU takes handlers in steps of one size, not with integrator.step = \"auto\"";
+  } else if (info && scene.devices.size() != 1) {
+    scene.noDevice = "a handler takes one GPU, so integrator.devices must name one";
   } else if (info) {
     scene.noDevice = info->forGpu(scene.handlerOptions.own);
   }

@@ -220,6 +220,7 @@ struct Scene {
   std::string elementDampingOrigin;  // of the first key by which elements damp, for messages
   RunDevice device = RunDevice::cpu;
   std::string deviceOrigin;  // "scene.toml:9: integrator.device", for messages
+  std::vector<int> devices;  // GPUs, by number; empty: all
   std::string noDevice;      // why this scene cannot run on a GPU; "" when it can
   double safety = 0;         // share of the safe step that "auto" and "reduce-step" take
 

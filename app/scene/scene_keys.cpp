@@ -305,6 +305,13 @@ void addIntegrator(std::vector<SceneKey>& all) {
            .help = "where the steps are taken; \"auto\" takes a GPU if there is one. Symplectic Euler without damping, "
                    "alone or with imex; the state comes back at every observation of the monitor and every row of the "
                    "history"},
+          {.key = "devices",
+           .type = T::numbers,
+           .fallback = "[0]",
+           .range = notNegative,
+           .help =
+               "GPUs that share the steps, by CUDA's numbers; [] takes all of the machine. The results are those of "
+               "one, to the last bit. Handlers take one"},
           {.key = "safety",
            .type = T::number,
            .fallback = "0.95",

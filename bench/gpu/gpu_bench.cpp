@@ -4,6 +4,7 @@
 ///
 ///   ringwatch_bench_gpu [FILTER]         only cases whose names contain FILTER
 ///   ringwatch_bench_gpu --mesh FILE      a mesh of elements about 1 m wide
+///   ringwatch_bench_gpu --devices 0,1 [FILTER]   steps on several GPUs against the first of them
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,7 +12,9 @@
 #include <functional>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <random>
+#include <sstream>
 #include <string>
 
 #include <Eigen/LU>
@@ -161,6 +164,7 @@ struct Case {
   int cells;
   int split;
   bool shuffled;
+  bool forSeveral = false;  // too large for most single GPUs
 };
 
 /// Least bytes of one force evaluation with this plan: everything that is stored for it once.
@@ -181,10 +185,14 @@ double forceBytes(const DevicePlan& plan, const Mesh& mesh, const DeviceBodyInpu
 }
 
 /// Checked steps of a body that is pulled slowly and vibrates, at 0.9 of the step that its bound at rest allows. Every
-/// batch starts from rest, so that all of them, checked and plain, run through the same motion.
+/// batch starts from rest, so that all of them, checked and plain, run through the same motion. The seconds of a plain
+/// step and of a checked one; nothing where there was no certificate for all of them.
+struct StepTimes {
+  double plain = 0, checked = 0;
+};
 template <class Report>
-void measureCertificate(const std::string& name, DeviceBody<double>& body, const Mesh& mesh, double noise,
-                        const Report& report) {
+std::optional<StepTimes> measureCertificate(const std::string& name, DeviceBody<double>& body, const Mesh& mesh,
+                                            double noise, const Report& report) {
   std::mt19937 generator(4);
   std::uniform_real_distribution<double> uniform(-noise, noise);  // m/s
   NodeVectors v = 0.2 / mesh.X.maxCoeff() * mesh.X;
@@ -201,7 +209,7 @@ void measureCertificate(const std::string& name, DeviceBody<double>& body, const
   const double scratch = seconds() - start, h = 0.9 * 2 / std::sqrt(bound), sigma = 4 / (h * h);
   if (!certificate.certify(sigma)) {
     std::printf("%-34s the certificate could not be had\n", name.c_str());
-    return;
+    return {};
   }
   start = seconds();
   if (!certificate.renew()) std::printf("%-34s the certificate could not be renewed\n", name.c_str());
@@ -244,6 +252,8 @@ void measureCertificate(const std::string& name, DeviceBody<double>& body, const
       static_cast<long long>(steps), h,
       static_cast<double>(evaluated) / static_cast<double>(checked) / static_cast<double>(body.elementCount()),
       scratch * 1e3, renewal * 1e3, bound);
+  if (!certified) return {};
+  return StepTimes{time[0], time[1]};
 }
 
 /// All reduced rings of a body of tetrahedra at its positions: assembly and eigenvalues.
@@ -331,15 +341,54 @@ Mesh meshOf(const Case& c) {
   return mesh;
 }
 
-void runCase(const Case& c, const Mesh& mesh) {
-  const double start = seconds();
-  const DevicePlan plan = planPatches(mesh);
-  const double planTime = seconds() - start;
+DeviceBodyInput inputOf(const Case& c, const Mesh& mesh) {
   DeviceBodyInput input;
   input.mesh = &mesh;
   input.materials.assign(mesh.blocks.size(), makeMaterial(c.law, 30e3, 0.3, 1000));
   for (const MeshBlock& block : mesh.blocks) input.rules.push_back(&elementInfo(block.type).rules.front());
   input.lumpedMass = lumpedMassOf(mesh, 1000);
+  return input;
+}
+
+/// Steps and checked steps on the first of the devices, then on all of them: how many times faster, whether the bits
+/// are the same, and what is sent.
+void runOnDevices(const Case& c, const Mesh& mesh, const std::vector<int>& devices) {
+  double start = seconds();
+  const DevicePlan plan = planPatches(mesh);
+  const DeviceBodyInput input = inputOf(c, mesh);
+  std::printf("%s: %zu elements, %d patches, planned in %.1f s\n", c.name.c_str(), mesh.elementCount(), plan.patchCount,
+              seconds() - start);
+  std::optional<StepTimes> one;
+  NodeVectors x;
+  for (const std::vector<int>& on : {std::vector<int>{devices.front()}, devices}) {
+    if (on.size() == 1 && c.forSeveral) continue;
+    start = seconds();
+    DeviceBody<double> body(input, &plan, on);
+    const std::string name = c.name + " on " + std::to_string(on.size());
+    std::printf("%-34s set up in %.1f s, %.1f GB, %.2f MB exchanged a step\n", name.c_str(), seconds() - start,
+                static_cast<double>(body.bytes()) * 1e-9, static_cast<double>(body.bytesExchanged()) * 1e-6);
+    const std::optional<StepTimes> times =
+        measureCertificate(name, body, mesh, 0.1, [](const char*, double, double) {});
+    if (!times) continue;
+    const auto elements = static_cast<double>(body.elementCount());
+    std::printf("%-34s step %.1f us, %.2f G/s; step + certificate %.1f us, %.2f G/s", name.c_str(), times->plain * 1e6,
+                elements / times->plain * 1e-9, times->checked * 1e6, elements / times->checked * 1e-9);
+    const NodeVectors now = body.positions();
+    if (one)
+      std::printf("; %.3f and %.3f times one; positions after all steps %s", one->plain / times->plain,
+                  one->checked / times->checked, (now.array() == x.array()).all() ? "have the same bits" : "DIFFER");
+    std::printf("\n");
+    std::fflush(stdout);
+    one = times;
+    x = now;
+  }
+}
+
+void runCase(const Case& c, const Mesh& mesh) {
+  const double start = seconds();
+  const DevicePlan plan = planPatches(mesh);
+  const double planTime = seconds() - start;
+  const DeviceBodyInput input = inputOf(c, mesh);
   std::size_t nodes = 0, rows = 0;
   for (const DeviceBlockPlan& block : plan.blocks) {
     nodes += block.nodes.size();
@@ -358,8 +407,9 @@ void runCase(const Case& c, const Mesh& mesh) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool ofFile = argc > 2 && std::string(argv[1]) == "--mesh";
-  filter = argc > 1 && !ofFile ? argv[1] : "";
+  const bool ofFile = argc > 2 && std::string(argv[1]) == "--mesh",
+             onSeveral = argc > 2 && std::string(argv[1]) == "--devices";
+  filter = onSeveral ? (argc > 3 ? argv[3] : "") : argc > 1 && !ofFile ? argv[1] : "";
   const DeviceStatus status = deviceStatus();
   std::printf("%s\n", status.text.c_str());
   if (!status.available) return 1;
@@ -383,9 +433,18 @@ int main(int argc, char** argv) {
       {"wedge6 stvk 2M", "wedge6", "stvk", 100, 0, false},
       {"pyramid5 stvk 6M", "pyramid5", "stvk", 100, 0, false},
       {"tet4 stvk 20M", "tet4", "stvk", 160, 5, false},
+      {"tet4 stvk 200M", "tet4", "stvk", 342, 5, false, true},
   };
+  if (onSeveral) {
+    std::vector<int> devices;
+    std::stringstream list(argv[2]);
+    for (std::string number; std::getline(list, number, ',');) devices.push_back(std::stoi(number));
+    for (const Case& c : cases)
+      if (wanted(c.name)) runOnDevices(c, meshOf(c), devices);
+    return 0;
+  }
   for (const Case& c : cases)
-    if (wanted(c.name)) runCase(c, meshOf(c));
+    if (wanted(c.name) && !c.forSeveral) runCase(c, meshOf(c));
   bench::measureImex(filter);
   return 0;
 }

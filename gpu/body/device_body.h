@@ -24,12 +24,15 @@ struct DeviceBodyInput {
   static DeviceBodyInput of(const Body& body);
 };
 
-/// A body whose state lives on a CUDA device: positions, velocities and everything the kernels need. Mass, constraints
-/// and loads are those it was made with. R: double, or float, which computes forces to about 1e-6
-/// of the stresses' size: state is kept as displacements, so that this does not depend on the size of the body.
+/// A body whose state lives on a CUDA device, or on several of one host: positions, velocities and everything the
+/// kernels need. Mass, constraints and loads are those it was made with. R: double, or float, which computes forces to
+/// about 1e-6 of the stresses' size: state is kept as displacements, so that this does not depend on the size of the
+/// body.
 ///
 /// Forces are summed within a patch of elements in shared memory; nodes of several patches get a slot for each, summed
-/// in the order of the patches. So every result is the same, to the last bit, in every run.
+/// in the order of the patches. So every result is the same, to the last bit, in every run, and on any number of
+/// devices: patches are shared out to them, and slots of nodes at patches of several devices are sent to all of these
+/// (cutPlan).
 ///
 /// Calls that return numbers wait for the device; step() and compute…() return at once. Nodal arrays are 3×N in the
 /// mesh's numbering. Every call may throw DeviceError.
@@ -37,18 +40,26 @@ template <class R>
 class DeviceBody {
  public:
   /// Throws InputError for elements or rules that the device does not have, for a mass that is not positive, and, with
-  /// the need and what is free, when the device has too little memory: before anything is allocated. plan: of the
-  /// mesh, when it is at hand.
-  explicit DeviceBody(const DeviceBodyInput& input, const DevicePlan* plan = nullptr);
-  explicit DeviceBody(const Body& body) : DeviceBody(DeviceBodyInput::of(body)) {}
+  /// the need and what is free, when a device has too little memory: before anything is allocated on it. plan: of the
+  /// mesh, when it is at hand. devices: numbers as CUDA has them, one for each part of the body, of which at most as
+  /// many are made as there are patches; a number may come again, for several parts on one device. None: the current
+  /// one.
+  explicit DeviceBody(const DeviceBodyInput& input, const DevicePlan* plan = nullptr,
+                      const std::vector<int>& devices = {});
+  explicit DeviceBody(const Body& body, const std::vector<int>& devices = {})
+      : DeviceBody(DeviceBodyInput::of(body), nullptr, devices) {}
   ~DeviceBody();
   DeviceBody(const DeviceBody&) = delete;
   DeviceBody& operator=(const DeviceBody&) = delete;
 
   std::int32_t nodeCount() const;
   std::int64_t elementCount() const;
-  /// Memory that it takes on the device, bytes.
+  /// Memory that it takes on all devices, bytes.
   std::size_t bytes() const;
+  /// The device of each part.
+  std::vector<int> devices() const;
+  /// Bytes that the devices send each other in a step; 0 on one.
+  std::size_t bytesExchanged() const;
 
   /// Positions, m, and velocities, m/s. At the start: at rest in the reference configuration, constrained components
   /// already moving.
@@ -65,7 +76,8 @@ class DeviceBody {
   double strainEnergy();
   double kineticEnergy();
 
-  /// `count` steps of symplectic Euler of h seconds each, as CUDA graphs: nothing is copied, nothing waits.
+  /// `count` steps of symplectic Euler of h seconds each: nothing is copied to the host, nothing waits. On one device
+  /// they are CUDA graphs.
   void step(double h, std::int64_t count = 1);
   /// Steps taken so far.
   std::int64_t steps() const;

@@ -1,57 +1,15 @@
 #pragma once
-#include <cuda_runtime_api.h>
-
 #include <ringwatch/gpu/body/device_body.h>
 #include <ringwatch/gpu/body/patch_operations.h>
+#include <ringwatch/gpu/body/slot_exchange.h>
+#include <ringwatch/gpu/device_stream.h>
 #include <ringwatch/gpu/device_vector.h>
 
 namespace ringwatch {
 
-/// A stream that destroys itself.
-class DeviceStream {
- public:
-  DeviceStream() { checkCuda(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "cudaStreamCreate"); }
-  ~DeviceStream() { cudaStreamDestroy(stream_); }
-  DeviceStream(const DeviceStream&) = delete;
-  DeviceStream& operator=(const DeviceStream&) = delete;
-  operator cudaStream_t() const { return stream_; }  // NOLINT(google-explicit-constructor): it is one
-  void synchronize() const { checkCuda(cudaStreamSynchronize(stream_), "the device's work"); }
-
- private:
-  cudaStream_t stream_ = nullptr;
-};
-
-/// Work put into a stream, captured to be launched as a whole.
-class DeviceGraph {
- public:
-  /// Captures what enqueue() puts into the stream.
-  template <class Enqueue>
-  DeviceGraph(cudaStream_t stream, const Enqueue& enqueue) {
-    checkCuda(cudaStreamBeginCapture(stream, cudaStreamCaptureModeThreadLocal), "begin of a graph");
-    cudaGraph_t graph = nullptr;
-    try {
-      enqueue();
-    } catch (...) {
-      cudaStreamEndCapture(stream, &graph);
-      cudaGraphDestroy(graph);
-      throw;
-    }
-    checkCuda(cudaStreamEndCapture(stream, &graph), "end of a graph");
-    const cudaError_t status = cudaGraphInstantiate(&executable_, graph, 0);
-    cudaGraphDestroy(graph);
-    checkCuda(status, "cudaGraphInstantiate");
-  }
-  ~DeviceGraph() { cudaGraphExecDestroy(executable_); }
-  DeviceGraph(const DeviceGraph&) = delete;
-  DeviceGraph& operator=(const DeviceGraph&) = delete;
-  void launch(cudaStream_t stream) const { checkCuda(cudaGraphLaunch(executable_, stream), "cudaGraphLaunch"); }
-
- private:
-  cudaGraphExec_t executable_ = nullptr;
-};
-
+/// What of a body is on one device: all of it, or a part that cutPlan has made. Calls need that device to be current.
 template <class R>
-struct DeviceBody<R>::Impl {
+struct DevicePart {
   struct Block {
     ElementType type;
     std::size_t lawIndex = 0;
@@ -67,15 +25,17 @@ struct DeviceBody<R>::Impl {
     DeviceVector<R> geometry;
   };
 
-  Impl(const DeviceBodyInput& input, const DevicePlan& plan);
+  DevicePart(const DeviceBodyInput& input, DevicePlan plan, int device);
   /// geometry: of the block's points, as tabulateGeometry makes it.
-  void addBlock(const DeviceBodyInput& input, const DeviceBlockPlan& from, std::size_t b, std::int32_t firstPatch,
+  void addBlock(const DeviceBodyInput& input, const DeviceBlockPlan& from, std::int32_t firstPatch,
                 const std::vector<R>& geometry);
   void makeNodes(const DeviceBodyInput& input, const DevicePlan& plan);
+  /// From and to nodal arrays in the mesh's numbering; only this part's nodes are read and written.
+  void uploadPositions(const NodeVectors& x);
   void uploadVectors(const NodeVectors& values, DeviceVector<R>& to);
-  NodeVectors toMesh(const std::vector<Row4<R>>& rows) const;
-  void enqueueForce(typename PatchOperations<R>::Launch PatchOperations<R>::*which, const R* direction, Row4<R>* to);
-  void enqueueStep();
+  void takeRows(const DeviceVector<Row4<R>>& rows, NodeVectors& to) const;
+  void takePositions(NodeVectors& to) const;
+  void takeVelocities(NodeVectors& to) const;
   void setStep(double h);
   /// Puts `count` repetitions into the stream, as graphs of `bunch` and of one, which are captured at the first call.
   template <class Enqueue>
@@ -96,9 +56,13 @@ struct DeviceBody<R>::Impl {
   std::int64_t elementCount = 0;
   std::int32_t patchCount = 0;
   std::size_t bytes = 0;
-  std::vector<std::int32_t> deviceNode;
-  std::vector<R> inverseMass;  // by device node
-  NodeVectors X;               // reference positions, by mesh node
+  int device = 0;
+  std::vector<std::int32_t> deviceNode, meshNode;  // of the part's nodes, each by the other; -1: not in this part
+  std::vector<R> inverseMass;                      // by device node
+  NodeVectors X;                                   // reference positions, by device node
+  std::size_t borderBlocks = 0;
+  std::vector<std::int32_t> wholePatch;
+  std::vector<SlotLists> exchanges;
   DeviceStream stream;
   std::vector<Block> blocks;
   NodeView<R> nodes;
@@ -109,6 +73,77 @@ struct DeviceBody<R>::Impl {
   DeviceVector<double> partial, sum;
   DeviceVector<DeviceClock> clock;
   double h = 0;
+};
+
+extern template struct DevicePart<double>;
+extern template struct DevicePart<float>;
+
+template <class R>
+struct DeviceBody<R>::Impl {
+  using Part = DevicePart<R>;
+
+  Impl(const DeviceBodyInput& input, const DevicePlan& plan, std::vector<int> devices);
+
+  /// The part of a body that is on one device alone, the current one. Throws InputError for another body: `what` does
+  /// not run on several.
+  Part& only(const char* what);
+  /// Puts work on all patches into the streams of all parts: launch(part, number of the block) for each block, those at
+  /// the border first, so that their slots travel while others are computed; beside(part) before and finish(part) after
+  /// what is received is there.
+  template <class Launch, class Beside, class Finish>
+  void enqueue(SlotExchange& slots, const Launch& launch, const Beside& beside, const Finish& finish) {
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const OnDevice here(parts[p]->device);
+      for (std::size_t b = 0; b < parts[p]->borderBlocks; ++b) launch(p, b);
+      slots.pack(p);
+    }
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const OnDevice here(parts[p]->device);
+      for (std::size_t b = parts[p]->borderBlocks; b < parts[p]->blocks.size(); ++b) launch(p, b);
+      beside(p);
+      slots.await(p);
+      finish(p);
+      slots.release(p);
+    }
+  }
+  /// The same for an operation of the patches, with the body's own slots.
+  template <class Finish>
+  void enqueueForce(typename PatchOperations<R>::Launch PatchOperations<R>::*which, const Finish& finish);
+  void enqueueStep();
+  /// Calls f(part) with the part's device as the current one.
+  template <class F>
+  void forEachPart(const F& f) const {
+    for (const std::unique_ptr<Part>& part : parts) {
+      const OnDevice here(part->device);
+      f(*part);
+    }
+  }
+  void setStep(double h);
+  void synchronize() const;
+  void requireNodes(const NodeVectors& values, const char* what) const;
+  /// What lies in the parts' results, in the mesh's numbering.
+  NodeVectors results() const;
+  /// Σ, in the order of the whole plan, of what the parts have for each patch.
+  double sumOfPatches();
+  double kineticEnergy();
+
+  /// Puts `count` repetitions into the streams: on one device as graphs, on several one by one.
+  template <class Enqueue>
+  void repeat(std::int64_t count, std::unique_ptr<DeviceGraph> (&graphs)[2], const Enqueue& enqueue) {
+    if (parts.size() > 1) {
+      for (; count > 0; --count) enqueue();
+      return;
+    }
+    const OnDevice here(parts.front()->device);
+    parts.front()->repeat(count, graphs, enqueue);
+  }
+
+  std::int32_t nodeCount = 0;
+  std::int64_t elementCount = 0;
+  std::int32_t patchCount = 0;
+  std::vector<std::int32_t> wholeNode;  // device number in the whole plan, by mesh node
+  std::vector<std::unique_ptr<Part>> parts;
+  std::unique_ptr<SlotExchange> exchange;  // of the parts' slots
   std::unique_ptr<DeviceGraph> stepGraphs[2];
 };
 

@@ -70,11 +70,12 @@ std::vector<Centroid> orderedCentroids(const Mesh& mesh, const MeshBlock& block,
 /// Nodes of a patch with the number of its elements at each.
 struct LocalNode {
   std::int32_t node;
-  std::int32_t valence;
+  std::int16_t valence;
+  std::int16_t first;  // number in the patch in the order in which its elements name them
 };
 
 /// Cuts the ordered elements into patches of at most `threads` elements and patchNodeLimit nodes: fills plan.elements
-/// and lists the nodes of each patch.
+/// and plan.corners, and lists the nodes of each patch, in the order in which its elements name them.
 void cut(const Mesh& mesh, const MeshBlock& block, DeviceBlockPlan& plan, std::vector<std::int32_t>& local,
          std::vector<LocalNode>& nodes, std::vector<std::size_t>& nodeBegin) {
   const int n = block.nodesPerElement();
@@ -94,38 +95,47 @@ void cut(const Mesh& mesh, const MeshBlock& block, DeviceBlockPlan& plan, std::v
         std::int32_t& at = local[node];
         if (at < 0) {
           at = static_cast<std::int32_t>(nodes.size() - begin);
-          nodes.push_back({node, 0});
+          nodes.push_back({node, 0, static_cast<std::int16_t>(at)});
         }
         ++nodes[begin + static_cast<std::size_t>(at)].valence;
+        plan.corners.push_back(static_cast<std::uint16_t>(at));
       }
     }
     plan.elements.resize(plan.elements.size() + static_cast<std::size_t>(plan.threads - taken), -1);
+    plan.corners.resize(plan.elements.size() * static_cast<std::size_t>(n), 0);
     plan.patches.push_back({taken, 0});
     for (std::size_t i = begin; i < nodes.size(); ++i) local[nodes[i].node] = -1;
     nodeBegin.push_back(nodes.size());
   }
 }
 
-/// The corners of each local node, in rows of 32 nodes.
-void listCorners(const MeshBlock& block, std::size_t p, const std::vector<std::int32_t>& local, DeviceBlockPlan& plan) {
-  const int n = block.nodesPerElement(), threads = plan.threads;
+/// What is made of a patch by itself, so that patches can be made side by side.
+struct PatchLists {
+  std::vector<std::uint16_t> rows;
+  std::vector<std::int32_t> groupEnd;  // rows up to the end of each group
+};
+
+/// Numbers a patch's corners by its nodes as they are sorted, and lists those of each node in rows of 32 nodes.
+PatchLists listCorners(const LocalNode* nodes, std::size_t p, int n, DeviceBlockPlan& plan) {
+  const int threads = plan.threads;
   const std::size_t nodeCount = plan.patches[p].nodeCount;
+  std::array<std::uint16_t, patchNodeLimit> number{};  // by first
+  for (std::size_t i = 0; i < nodeCount; ++i) number[nodes[i].first] = static_cast<std::uint16_t>(i);
   std::vector<std::vector<std::uint16_t>> cornersOf(nodeCount);
   for (int a = 0; a < n; ++a)
     for (int t = 0; t < plan.patches[p].elementCount; ++t) {
       const std::size_t at = p * static_cast<std::size_t>(threads) + static_cast<std::size_t>(t);
-      const std::int32_t node = block.element(plan.elements[at])[a];
-      const std::int32_t i = local[node];
-      plan.corners[at * static_cast<std::size_t>(n) + static_cast<std::size_t>(a)] = static_cast<std::uint16_t>(i);
-      cornersOf[i].push_back(static_cast<std::uint16_t>(a * threads + t));
+      std::uint16_t& corner = plan.corners[at * static_cast<std::size_t>(n) + static_cast<std::size_t>(a)];
+      corner = number[corner];
+      cornersOf[corner].push_back(static_cast<std::uint16_t>(a * threads + t));
     }
-  const auto begin = plan.rows.size();
+  PatchLists lists;
   for (std::size_t first = 0; first < static_cast<std::size_t>(plan.nodeCapacity); first += group) {
     fillRows(cornersOf, std::min(first, nodeCount), std::min(nodeCount, first + group),
-             static_cast<std::uint16_t>(n * threads), plan.rows);
-    plan.groupRow.push_back(plan.rows.size() / group);
+             static_cast<std::uint16_t>(n * threads), lists.rows);
+    lists.groupEnd.push_back(static_cast<std::int32_t>(lists.rows.size() / group));
   }
-  plan.rowCapacity = std::max(plan.rowCapacity, static_cast<int>((plan.rows.size() - begin) / group));
+  return lists;
 }
 
 }  // namespace
@@ -172,6 +182,7 @@ DevicePlan planPatches(const Mesh& mesh) {
       throw InputError(joinText("block ", b, ": elements of type ", element.name, " are not on the device; it has ",
                                 known, ": use device = \"cpu\""));
     }
+    plan.blocks[b].block = b;
     plan.blocks[b].threads = patchThreads(element.nodes);
     cut(mesh, mesh.blocks[b], plan.blocks[b], local, nodes, nodeBegin);
     plan.patchCount += static_cast<std::int32_t>(plan.blocks[b].patches.size());
@@ -184,15 +195,15 @@ DevicePlan planPatches(const Mesh& mesh) {
   const auto deviceOf = [&](std::int32_t node) -> std::int32_t& { return plan.deviceNode[node]; };
   const auto shared = [&](const LocalNode& node) { return patchesAt[node.node] > 1; };
   std::int32_t sharedCount = 0;
-  for (std::size_t p = 0; p + 1 < nodeBegin.size(); ++p) {
-    const auto begin = nodes.begin() + static_cast<std::ptrdiff_t>(nodeBegin[p]),
-               end = nodes.begin() + static_cast<std::ptrdiff_t>(nodeBegin[p + 1]);
-    for (auto i = begin; i != end; ++i)
-      if (shared(*i) && deviceOf(i->node) < 0) deviceOf(i->node) = sharedCount++;
-    std::stable_sort(begin, end, [](const LocalNode& a, const LocalNode& b) { return a.valence > b.valence; });
-    for (auto i = begin; i != end; ++i)
-      if (!shared(*i)) deviceOf(i->node) = plan.interiorCount++;
-  }
+  for (const LocalNode& node : nodes)
+    if (shared(node) && deviceOf(node.node) < 0) deviceOf(node.node) = sharedCount++;
+  parallelFor(0, plan.patchCount, 0, [&](std::int64_t p) {
+    std::stable_sort(nodes.begin() + static_cast<std::ptrdiff_t>(nodeBegin[p]),
+                     nodes.begin() + static_cast<std::ptrdiff_t>(nodeBegin[p + 1]),
+                     [](const LocalNode& a, const LocalNode& b) { return a.valence > b.valence; });
+  });
+  for (const LocalNode& node : nodes)
+    if (!shared(node)) deviceOf(node.node) = plan.interiorCount++;
   for (std::size_t i = 0; i < patchesAt.size(); ++i) {
     if (patchesAt[i] == 0) plan.deviceNode[i] = sharedCount++;  // of no element: shared by none
     if (patchesAt[i] != 1) plan.deviceNode[i] += plan.interiorCount;
@@ -202,8 +213,7 @@ DevicePlan planPatches(const Mesh& mesh) {
   plan.slotBegin.assign(static_cast<std::size_t>(sharedCount) + 1, 0);
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     DeviceBlockPlan& block = plan.blocks[b];
-    const std::size_t n = mesh.blocks[b].nodesPerElement();
-    block.corners.assign(block.elements.size() * n, 0);
+    const int n = mesh.blocks[b].nodesPerElement();
     block.groupRow.push_back(0);
     block.firstSlot = plan.slotCount;
     std::size_t most = 0;
@@ -211,16 +221,28 @@ DevicePlan planPatches(const Mesh& mesh) {
       most = std::max(most, nodeBegin[p + own + 1] - nodeBegin[p + own]);
     block.nodeCapacity = static_cast<int>((most + group - 1) / group * group);
     block.nodes.assign(block.patches.size() * static_cast<std::size_t>(block.nodeCapacity), -1);
-    for (std::size_t own = 0; own < block.patches.size(); ++own, ++p) {
-      block.patches[own].nodeCount = static_cast<std::int32_t>(nodeBegin[p + 1] - nodeBegin[p]);
-      for (std::size_t i = 0; i < nodeBegin[p + 1] - nodeBegin[p]; ++i) {
-        const LocalNode& node = nodes[nodeBegin[p] + i];
-        local[node.node] = static_cast<std::int32_t>(i);
-        block.nodes[own * static_cast<std::size_t>(block.nodeCapacity) + i] = deviceOf(node.node);
-        if (shared(node)) ++plan.slotBegin[static_cast<std::size_t>(deviceOf(node.node) - plan.interiorCount) + 1];
-      }
-      listCorners(mesh.blocks[b], own, local, block);
+    std::vector<PatchLists> lists(block.patches.size());
+    parallelFor(0, static_cast<std::int64_t>(block.patches.size()), 0, [&](std::int64_t own) {
+      const LocalNode* from = nodes.data() + nodeBegin[p + static_cast<std::size_t>(own)];
+      const std::size_t count =
+          nodeBegin[p + static_cast<std::size_t>(own) + 1] - nodeBegin[p + static_cast<std::size_t>(own)];
+      block.patches[own].nodeCount = static_cast<std::int32_t>(count);
+      for (std::size_t i = 0; i < count; ++i)
+        block.nodes[static_cast<std::size_t>(own) * static_cast<std::size_t>(block.nodeCapacity) + i] =
+            deviceOf(from[i].node);
+      lists[own] = listCorners(from, static_cast<std::size_t>(own), n, block);
+    });
+    for (PatchLists& own : lists) {
+      const std::int32_t before = block.groupRow.back();
+      for (const std::int32_t end : own.groupEnd) block.groupRow.push_back(before + end);
+      block.rows.insert(block.rows.end(), own.rows.begin(), own.rows.end());
+      block.rowCapacity = std::max(block.rowCapacity, block.groupRow.back() - before);
+      own = {};
     }
+    for (std::size_t i = nodeBegin[p]; i < nodeBegin[p + block.patches.size()]; ++i)
+      if (shared(nodes[i]))
+        ++plan.slotBegin[static_cast<std::size_t>(deviceOf(nodes[i].node) - plan.interiorCount) + 1];
+    p += block.patches.size();
     plan.slotCount += static_cast<std::int32_t>(block.nodes.size());
   }
   std::partial_sum(plan.slotBegin.begin(), plan.slotBegin.end(), plan.slotBegin.begin());

@@ -13,11 +13,13 @@
 namespace ringwatch {
 namespace {
 constexpr RebuildPolicy policy;
+constexpr CertificateFlags noFlags{0, -1, 0, 0};
 }  // namespace
 
-DeviceCertificate::Impl::Impl(DeviceBody<double>& deviceBody) : body(deviceBody.impl()) {
+DeviceCertificate::Impl::Part::Part(DevicePart<double>& of) : body(of) {
   const std::size_t count = body.nodeCount;
-  std::size_t need = (body.slots.size() * 6 + count * 13) * sizeof(double);
+  std::size_t need = (body.slots.size() * 6 + count * 13) * sizeof(double) +
+                     SlotExchange::bytesOnDevice(body.exchanges, 6 * sizeof(double));
   const auto capacityOf = [](const auto& from) {
     // When more elements leave at once than this, evaluating them one by one is no longer worth it.
     return static_cast<std::size_t>(std::max(4096, from.view.patchCount * from.threads / 16));
@@ -29,7 +31,7 @@ DeviceCertificate::Impl::Impl(DeviceBody<double>& deviceBody) : body(deviceBody.
             capacityOf(from) * (9 * points * sizeof(double) + 4);
   }
   requireDeviceMemory(need);
-  flags = DeviceVector<CertificateFlags>(std::vector<CertificateFlags>{{0, -1, 0, 0}});
+  flags = DeviceVector<CertificateFlags>(std::vector<CertificateFlags>{noFlags});
   for (const auto& from : body.blocks) {
     Block& block = blocks.emplace_back();
     const std::size_t places = static_cast<std::size_t>(from.view.patchCount) * static_cast<std::size_t>(from.threads),
@@ -70,75 +72,119 @@ DeviceCertificate::Impl::Impl(DeviceBody<double>& deviceBody) : body(deviceBody.
   boundBits = DeviceVector<unsigned long long>(1);
   nodeSums.fill(0);
   sums = {slots.data(), nodeSums.data(), factors.data(), nodal.data(), boundBits.data()};
-  checkCuda(cudaStreamCreateWithFlags(&side, cudaStreamNonBlocking), "cudaStreamCreate");
-  checkCuda(cudaEventCreateWithFlags(&forked, cudaEventDisableTiming), "cudaEventCreate");
-  checkCuda(cudaEventCreateWithFlags(&joined, cudaEventDisableTiming), "cudaEventCreate");
+}
+
+DeviceCertificate::Impl::Impl(DeviceBody<double>& deviceBody) : body(deviceBody.impl()) {
+  std::vector<SlotExchange::Part> ends;
+  body.forEachPart([&](DevicePart<double>& part) {
+    parts.push_back(std::make_unique<Part>(part));
+    ends.push_back({part.device, part.stream, parts.back()->slots.data(), &part.exchanges});
+  });
+  exchange = std::make_unique<SlotExchange>(ends, 6 * sizeof(double));
 }
 
 void DeviceCertificate::Impl::launch(CertificateOperations::Launch CertificateOperations::*which, double forSigma) {
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    if (body.blocks[b].view.patchCount > 0)
-      (blocks[b].operations.*
-       which)({body.blocks[b].view, body.nodes, body.blocks[b].law, blocks[b].view, sums, forSigma, body.stream});
+  for (const auto& part : parts) {
+    const OnDevice here(part->body.device);
+    for (std::size_t b = 0; b < part->blocks.size(); ++b)
+      if (part->body.blocks[b].view.patchCount > 0)
+        (part->blocks[b].operations.*which)(part->arguments(b, forSigma, part->body.stream));
+  }
+}
+
+double DeviceCertificate::Impl::boundOf(DeviceVector<double> Block::*values) {
+  const auto gather = [&](std::size_t p, std::size_t b) {
+    Part& part = *parts[p];
+    launchGatherWeights(part.body.blocks[b].view, part.body.nodes, part.blocks[b].view, part.sums,
+                        part.blocks[b].elementNodes, (part.blocks[b].*values).data(), part.body.stream);
+  };
+  const auto bound = [&](std::size_t p) {
+    launchBoundNodes(parts[p]->body.nodes, parts[p]->sums, parts[p]->body.stream);
+  };
+  body.enqueue(
+      *exchange, gather, [](std::size_t) {}, bound);
+  // As bits these numbers, none of which is negative, order as they do themselves, and NaN lies above all.
+  unsigned long long largest = 0;
+  for (const auto& part : parts) {
+    const OnDevice here(part->body.device);
+    part->body.stream.synchronize();
+    largest = std::max(largest, part->boundBits.download().front());
+  }
+  return std::bit_cast<double>(largest);
 }
 
 double DeviceCertificate::Impl::evaluate() {
   launch(&CertificateOperations::evaluate, 0);
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    launchGatherWeights(body.blocks[b].view, body.nodes, blocks[b].view, sums, blocks[b].elementNodes,
-                        blocks[b].value.data(), body.stream);
-  launchBoundNodes(body.nodes, sums, body.stream);
-  body.stream.synchronize();
-  return std::bit_cast<double>(boundBits.download().front());
+  tight = boundOf(&Block::value);
+  return tight;
 }
 
 void DeviceCertificate::Impl::distribute(double forSigma) {
   sigma = forSigma;
   launch(&CertificateOperations::distribute, sigma);
-  body.stream.synchronize();
-  flags.upload(std::vector<CertificateFlags>{{0, -1, 0, 0}});
-  for (Block& block : blocks) block.counters.fill(0);
+  for (const auto& part : parts) {
+    const OnDevice here(part->body.device);
+    part->body.stream.synchronize();
+    part->flags.upload(std::vector<CertificateFlags>{noFlags});
+    for (Block& block : part->blocks) block.counters.fill(0);
+  }
   certified = true;
 }
 
 double DeviceCertificate::Impl::verify() {
   evaluate();
   double excess = -1;
-  for (Block& block : blocks) {
-    const std::vector<double> value = block.value.download(), allowance = block.allowance.download();
-    for (std::size_t place = 0; place < value.size(); ++place) {  // without an element: zero
-      if (std::isnan(value[place])) return infinity;
-      if (value[place] > 0) excess = std::max(excess, value[place] / allowance[place] - 1);
+  for (const auto& part : parts)
+    for (const Block& block : part->blocks) {
+      const std::vector<double> value = block.value.download(), allowance = block.allowance.download();
+      for (std::size_t place = 0; place < value.size(); ++place) {  // without an element: zero
+        if (std::isnan(value[place])) return infinity;
+        if (value[place] > 0) excess = std::max(excess, value[place] / allowance[place] - 1);
+      }
     }
-  }
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    launchGatherWeights(body.blocks[b].view, body.nodes, blocks[b].view, sums, blocks[b].elementNodes,
-                        blocks[b].allowance.data(), body.stream);
-  launchBoundNodes(body.nodes, sums, body.stream);
-  body.stream.synchronize();
-  return std::max(excess, std::bit_cast<double>(boundBits.download().front()) / sigma - 1);
+  return std::max(excess, boundOf(&Block::allowance) / sigma - 1);
 }
 
 void DeviceCertificate::Impl::enqueueStep() {
-  launch(&CertificateOperations::step, sigma);
+  const auto step = [&](std::size_t p, std::size_t b) {
+    if (parts[p]->body.blocks[b].view.patchCount > 0)
+      parts[p]->blocks[b].operations.step(parts[p]->arguments(b, sigma, parts[p]->body.stream));
+  };
   // What has left is evaluated beside the step of the shared nodes: it needs no positions, only what was noted.
-  checkCuda(cudaEventRecord(forked, body.stream), "cudaEventRecord");
-  checkCuda(cudaStreamWaitEvent(side, forked, 0), "cudaStreamWaitEvent");
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    if (body.blocks[b].view.patchCount > 0)
-      blocks[b].operations.refresh(
-          {body.blocks[b].view, body.nodes, body.blocks[b].law, blocks[b].view, sums, sigma, side});
-  checkCuda(cudaEventRecord(joined, side), "cudaEventRecord");
-  launchFinishStep<double>(body.nodes, body.stream);
-  checkCuda(cudaStreamWaitEvent(body.stream, joined, 0), "cudaStreamWaitEvent");
+  const auto refresh = [&](std::size_t p) {
+    Part& part = *parts[p];
+    part.forked.record(part.body.stream);
+    part.forked.holdUp(part.side);
+    for (std::size_t b = 0; b < part.blocks.size(); ++b)
+      if (part.body.blocks[b].view.patchCount > 0)
+        part.blocks[b].operations.refresh(part.arguments(b, sigma, part.side));
+    part.joined.record(part.side);
+  };
+  const auto finish = [&](std::size_t p) {
+    Part& part = *parts[p];
+    launchFinishStep<double>(part.body.nodes, part.body.stream);
+    part.joined.holdUp(part.body.stream);
+  };
+  body.enqueue(*body.exchange, step, refresh, finish);
+}
+
+CertificateFlags DeviceCertificate::Impl::flags() const {
+  CertificateFlags all = noFlags;
+  for (const auto& part : parts) {
+    const OnDevice here(part->body.device);
+    part->body.stream.synchronize();
+    const CertificateFlags own = part->flags.download().front();
+    all.checked = std::max(all.checked, own.checked);
+    if (own.lostAt >= 0) all.lostAt = all.lostAt < 0 ? own.lostAt : std::min(all.lostAt, own.lostAt);
+    all.evaluated += own.evaluated;
+    all.nearlyLost |= own.nearlyLost;
+  }
+  return all;
 }
 
 DeviceCertificate::DeviceCertificate(DeviceBody<double>& body) : impl_(std::make_unique<Impl>(body)) {}
 DeviceCertificate::~DeviceCertificate() {
-  cudaStreamSynchronize(impl_->body.stream);
-  cudaStreamDestroy(impl_->side);
-  cudaEventDestroy(impl_->forked);
-  cudaEventDestroy(impl_->joined);
+  for (const auto& part : impl_->parts) cudaStreamSynchronize(part->body.stream);
 }
 
 UpperBound DeviceCertificate::bound(int sweeps) {
@@ -151,7 +197,10 @@ UpperBound DeviceCertificate::bound(int sweeps) {
     if (!impl_->started) return {std::numeric_limits<double>::quiet_NaN()};
     best = std::min(best, bound);
     if (sweep == sweeps || !(bound > 0)) break;
-    launchSweepFactors(impl_->body.nodes, impl_->sums, bound, impl_->body.stream);
+    for (const auto& part : impl_->parts) {
+      const OnDevice here(part->body.device);
+      launchSweepFactors(part->body.nodes, part->sums, bound, part->body.stream);
+    }
     impl_->launch(&CertificateOperations::sweep, 0);
   }
   return {best};
@@ -163,8 +212,7 @@ bool DeviceCertificate::certify(double sigma) {
   double tight = impl_->started ? impl_->evaluate() : infinity;
   if (!(tight <= sigma * (1 - policy.proofMargin))) {
     bound(policy.sweeps);
-    // Allowances need the values and sums of the last weights, which the last evaluation left.
-    tight = std::bit_cast<double>(impl_->boundBits.download().front());
+    tight = impl_->tight;  // allowances need the values and sums of the last weights, which the last evaluation left
   }
   if (!impl_->started || !(tight <= sigma * (1 - policy.proofMargin))) return false;
   impl_->distribute(sigma);
@@ -178,8 +226,7 @@ void DeviceCertificate::step(double h, std::int64_t count) {
 }
 
 DeviceCertificate::Status DeviceCertificate::status() const {
-  impl_->body.stream.synchronize();
-  const CertificateFlags flags = impl_->flags.download().front();
+  const CertificateFlags flags = impl_->flags();
   return {impl_->certified && flags.lostAt < 0, flags.lostAt, flags.checked, static_cast<std::int64_t>(flags.evaluated),
           flags.nearlyLost != 0};
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <span>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/gpu/body/device_body_impl.h>
@@ -13,32 +13,23 @@
 namespace ringwatch {
 
 struct DeviceMonitor::Impl {
-  Impl(const Body& body, double limitOfScheme) : limit(limitOfScheme), device(body), certificate(device) {
-    const auto& inside = device.impl();
-    const std::size_t count = inside.nodeCount;
-    std::vector<std::int32_t> nodes(count);
-    std::vector<double> rest(3 * count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t at = inside.deviceNode[i];
-      nodes[at] = static_cast<std::int32_t>(i);
-      for (std::size_t c = 0; c < 3; ++c) rest[3 * at + c] = inside.X(c, i);
-    }
-    meshNode = DeviceVector<std::int32_t>(nodes);
-    reference = DeviceVector<double>(rest);
-    checkCuda(cudaEventCreateWithFlags(&reached, cudaEventDisableTiming), "cudaEventCreate");
-  }
-  ~Impl() { cudaEventDestroy(reached); }
+  Impl(const Body& body, double limitOfScheme)
+      : limit(limitOfScheme),
+        device(body),
+        part(device.impl().only("a monitor of positions on a device")),
+        certificate(device),
+        meshNode(part.meshNode),
+        reference(std::span<const double>(part.X.data(), static_cast<std::size_t>(part.X.size()))) {}
 
-  void take(const double* x) {
-    launchTakePositions(device.impl().nodes, meshNode.data(), reference.data(), x, device.impl().stream);
-  }
+  void take(const double* x) { launchTakePositions(part.nodes, meshNode.data(), reference.data(), x, part.stream); }
 
   double limit;
   DeviceBody<double> device;
+  DevicePart<double>& part;  // all of it
   DeviceCertificate certificate;
   DeviceVector<std::int32_t> meshNode;
   DeviceVector<double> reference;
-  cudaEvent_t reached = nullptr;
+  DeviceEvent reached;
   double sigma = 0;  // rad²/s², for which the certificate is; 0: there is none
   double step = 0;   // s, that it stands for
   std::int64_t evaluated = 0;
@@ -53,11 +44,11 @@ DeviceMonitor::~DeviceMonitor() = default;
 
 std::int32_t DeviceMonitor::nodeCount() const { return impl_->device.nodeCount(); }
 std::uintptr_t DeviceMonitor::stream() const {
-  return reinterpret_cast<std::uintptr_t>(static_cast<cudaStream_t>(impl_->device.impl().stream));
+  return reinterpret_cast<std::uintptr_t>(static_cast<cudaStream_t>(impl_->part.stream));
 }
 void DeviceMonitor::waitFor(std::uintptr_t other) {
-  checkCuda(cudaEventRecord(impl_->reached, reinterpret_cast<cudaStream_t>(other)), "cudaEventRecord");
-  checkCuda(cudaStreamWaitEvent(impl_->device.impl().stream, impl_->reached, 0), "cudaStreamWaitEvent");
+  impl_->reached.record(reinterpret_cast<cudaStream_t>(other));
+  impl_->reached.holdUp(impl_->part.stream);
 }
 
 DeviceMonitor::Report DeviceMonitor::observe(const double* x, std::optional<double> h) {

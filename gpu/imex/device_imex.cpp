@@ -39,7 +39,7 @@ std::size_t lanesOf(const ImexPlan& plan) { return 32 * static_cast<std::size_t>
 std::size_t valuesOf(const ImexPlan& plan) { return 96 * static_cast<std::size_t>(plan.rowBegin.back()); }
 
 /// Bytes that the plan takes on the device.
-std::size_t bytesOf(const ImexPlan& plan, const DeviceBody<double>::Impl& body) {
+std::size_t bytesOf(const ImexPlan& plan, const DevicePart<double>& body) {
   std::size_t need = sizeof(double) * (laneVectors * lanesOf(plan) + valuesOf(plan) + 3 * lanesOf(plan)) +
                      sizeof(std::int32_t) * (plan.node.size() + plan.column.size() + plan.rowBegin.size() +
                                              plan.slice.size() + plan.first.size() + plan.contributions.size()) +
@@ -56,18 +56,9 @@ std::size_t bytesOf(const ImexPlan& plan, const DeviceBody<double>::Impl& body) 
 
 }  // namespace
 
-DeviceImex::Impl::Side::Side() {
-  checkCuda(cudaEventCreateWithFlags(&forked, cudaEventDisableTiming), "cudaEventCreate");
-  checkCuda(cudaEventCreateWithFlags(&joined, cudaEventDisableTiming), "cudaEventCreate");
-}
-DeviceImex::Impl::Side::~Side() {
-  cudaEventDestroy(forked);
-  cudaEventDestroy(joined);
-}
-
 DeviceImex::Impl::Impl(DeviceBody<double>& deviceBody, const Mesh& mesh,
                        const std::vector<std::vector<ElementRef>>& wanted, double h, const DeviceImexOptions& options)
-    : body(deviceBody.impl()) {
+    : whole(deviceBody.impl()), body(whole.only("imex")) {
   check(options, h, wanted);
   for (const auto& elements : wanted) {
     firstElement.push_back(elements.front());
@@ -164,7 +155,7 @@ void DeviceImex::Impl::makeView(const ImexPlan& plan, const ImexTeams& who, cons
 void DeviceImex::Impl::makeBlocks(const ImexPlan& plan) {
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
     const ImexPlan::Elements& from = plan.blocks[b];
-    const DeviceBody<double>::Impl::Block& own = body.blocks[b];
+    const DevicePart<double>::Block& own = body.blocks[b];
     const std::size_t count = from.count(), n = static_cast<std::size_t>(own.elementNodes);
     std::vector<std::int32_t> placeOf(own.elementCount), place;
     for (std::size_t i = 0; i < own.elements.size(); ++i)
@@ -195,17 +186,17 @@ void DeviceImex::Impl::makeBlocks(const ImexPlan& plan) {
 void DeviceImex::Impl::enqueueStep() {
   launchKeepNodes(view, body.nodes, body.stream);
   // The matrices are made beside the explicit step: both need the positions before it, which are kept.
-  checkCuda(cudaEventRecord(side.forked, body.stream), "cudaEventRecord");
-  checkCuda(cudaStreamWaitEvent(side.stream, side.forked, 0), "cudaStreamWaitEvent");
+  side.forked.record(body.stream);
+  side.forked.holdUp(side.stream);
   for (std::size_t b = 0; b < blocks.size(); ++b)
     if (blocks[b].view.count > 0) {
       blocks[b].operations.rotateTangents(body.blocks[b].view, body.blocks[b].law, blocks[b].view, view, side.stream);
       launchRotateBlocks(blocks[b].view, side.stream);
     }
   launchAssembleClusters(view, body.nodes, side.stream);
-  checkCuda(cudaEventRecord(side.joined, side.stream), "cudaEventRecord");
-  body.enqueueStep();
-  checkCuda(cudaStreamWaitEvent(body.stream, side.joined, 0), "cudaStreamWaitEvent");
+  side.joined.record(side.stream);
+  whole.enqueueStep();
+  side.joined.holdUp(body.stream);
   launchSolveClusters(view, body.nodes, body.stream);
 }
 

@@ -15,12 +15,8 @@ struct DeviceImex::Impl {
   };
   /// A stream beside the body's, and the points at which they meet.
   struct Side {
-    Side();
-    ~Side();
-    Side(const Side&) = delete;
-    Side& operator=(const Side&) = delete;
     DeviceStream stream;
-    cudaEvent_t forked = nullptr, joined = nullptr;
+    DeviceEvent forked, joined;
   };
 
   Impl(DeviceBody<double>& deviceBody, const Mesh& mesh, const std::vector<std::vector<ElementRef>>& clusters, double h,
@@ -36,7 +32,8 @@ struct DeviceImex::Impl {
     body.repeat(count, graphs, [this] { enqueueStep(); });
   }
 
-  DeviceBody<double>::Impl& body;
+  DeviceBody<double>::Impl& whole;
+  DevicePart<double>& body;  // all of it
   std::size_t bytes = 0;
   std::vector<ElementRef> firstElement;  // of each cluster
   std::vector<std::size_t> clusterSize;  // elements

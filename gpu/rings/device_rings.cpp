@@ -7,7 +7,7 @@
 
 namespace ringwatch {
 
-DeviceRings::Impl::Impl(DeviceBody<double>& deviceBody) : body(deviceBody.impl()) {
+DeviceRings::Impl::Impl(DeviceBody<double>& deviceBody) : body(deviceBody.impl().only("reduced rings")) {
   std::vector<std::vector<DevicePatch>> patches;
   std::vector<std::vector<std::uint16_t>> corners;
   std::vector<std::vector<std::int32_t>> nodes;

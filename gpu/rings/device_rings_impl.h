@@ -19,7 +19,7 @@ struct DeviceRings::Impl {
 
   explicit Impl(DeviceBody<double>& deviceBody);
 
-  DeviceBody<double>::Impl& body;
+  DevicePart<double>& body;
   std::vector<Block> blocks;
   RingView view;
   DeviceVector<double> pair, slots;

@@ -187,6 +187,13 @@ TEST_F(Program, TakesAGpuOnlyWhereThereIsOne) {
   expectRefused(cuda + "g --set handler.method=imex --set integrator.step=1e-3 --set handler.solver=cholesky",
                 "by conjugate gradients, not by");
   expectRefused("run tiny.toml --set integrator.device=gpu --out g", "must be one of cpu, cuda, auto");
+  expectRefused(cuda + "g --set integrator.devices=[0,1.5]", "integrator.devices: 1.5 is not the number of a GPU");
+  expectRefused(cuda + "g --set integrator.devices=[1,1]", "integrator.devices: GPU 1 is named twice");
+  expectRefused(cuda + "g --set integrator.devices=[0,1] --set handler.method=imex --set integrator.step=1e-3",
+                "a handler takes one GPU");
+  expectRefused("run tiny.toml --set integrator.devices=[0,1] --out g",
+                "integrator.devices: the steps are taken on the CPU; set integrator.device");
+  if (reason.empty()) expectRefused(cuda + "g --set integrator.devices=[999]", "GPU 999: this machine has");
   EXPECT_FALSE(exists("g"));
   EXPECT_EQ(call("run tiny.toml --out auto --set integrator.device=auto --set monitor.every=3").status, 0);
   const std::string notes = json("auto/summary.json")["notes"].dump();

@@ -38,6 +38,14 @@ inline Mesh bar(const std::string& element, std::array<int, 3> cells, double jit
   return generateBar(options);
 }
 
+/// Blocks of all elements.
+inline Mesh mixedBar() {
+  BarOptions options;
+  options.cells = {16, 6, 6};
+  options.size = {4, 1.5, 1.5};
+  return generateMixedBar(options);
+}
+
 /// The first `count` elements of a mesh of one block, without the nodes that they do not have.
 inline Mesh firstElements(const Mesh& mesh, std::size_t count) {
   Mesh part;
