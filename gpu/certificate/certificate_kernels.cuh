@@ -86,6 +86,18 @@ struct ElementBound {
 #pragma unroll
     for (int i = 0; i < size * size; ++i) K[i] = 0;
   }
+  /// The lower triangle of the element's tangent at the displacements of its nodes.
+  static __device__ __forceinline__ void tangentAt(const ElementView<Element, double>& element,
+                                                   const NodeView<double>& nodes, const std::int32_t* own,
+                                                   const Law& law, const Table& table, int points, double* K) {
+    clear(K);
+    forEachPoint(element, points, [&](int q, const Matrix3<double>& J1, double weight) {
+      const Matrix3<double> F = deformationGradient<Element>(element, MeshDisplacements{nodes.u, own}, table, q, J1);
+      double g[n][3];
+      Operators::shapeGradients(J1, table.dN[q], g);
+      addTangent(law, F, weight, g, K);
+    });
+  }
   static __device__ __forceinline__ void loadWeights(const CertificateView& view, std::size_t patch, int thread,
                                                      Symmetric3<double> (&weights)[n]) {
     const double* from = view.weights + patch * 6 * n * threads + thread;
@@ -111,15 +123,19 @@ struct ElementBound {
       for (int a = 0; a < n; ++a) bits |= static_cast<unsigned>(nodes.constrained[own[corners.node[a]]]) << (3 * a);
     return bits;
   }
+  /// Makes constrained rows and columns of K's lower triangle zero.
+  static __device__ __forceinline__ void constrain(double* K, unsigned constrained) {
+    if (constrained == 0) return;
+#pragma unroll
+    for (int i = 0; i < size; ++i)
+#pragma unroll
+      for (int j = 0; j <= i; ++j)
+        if ((constrained >> i & 1U) != 0 || (constrained >> j & 1U) != 0) K[i * size + j] = 0;
+  }
   /// max(0, lambda_max(D⁻¹ K)) without constrained rows and columns, rounded up; K's lower triangle is destroyed.
   static __device__ __forceinline__ double largest(double* K, const Symmetric3<double> (&weights)[n],
                                                    unsigned constrained) {
-    if (constrained != 0)
-#pragma unroll
-      for (int i = 0; i < size; ++i)
-#pragma unroll
-        for (int j = 0; j <= i; ++j)
-          if ((constrained >> i & 1U) != 0 || (constrained >> j & 1U) != 0) K[i * size + j] = 0;
+    constrain(K, constrained);
     double w[n][6], work[4 * size];
 #pragma unroll
     for (int a = 0; a < n; ++a) invertFactor(factorOf(weights[a]), w[a]);
@@ -184,29 +200,15 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
   if (static_cast<int>(threadIdx.x) >= block.patches[blockIdx.x].elementCount) return;
   const std::int32_t* own = block.nodes + static_cast<std::size_t>(blockIdx.x) * block.nodeCapacity;
   const ElementView<Element, double> element(block);
-  const unsigned constrained = Bound::constrainedOf(nodes, own, element.corners);
-  Symmetric3<double> weights[n];
-#pragma unroll
-  for (int a = 0; a < n; ++a) weights[a] = Symmetric3<double>::diagonal(0);
-  forEachPoint(element, block.pointCount, [&](int q, const Matrix3<double>& J1, double weight) {
-    const Matrix3<double> F = deformationGradient<Element>(element, MeshDisplacements{nodes.u, own}, table, q, J1);
-    double g[n][3];
-    Bound::Operators::shapeGradients(J1, table.dN[q], g);
-    const auto blocks = nodeBlocksOf(law.linearize(F), weight);
-#pragma unroll
-    for (int a = 0; a < n; ++a) {
-      const auto node = blocks.node(g[a]);
-      const Matrix3<double> k = blocks(node, node);
-#pragma unroll
-      for (int i = 0; i < 3; ++i)
-#pragma unroll
-        for (int j = i; j < 3; ++j)
-          if ((constrained >> (3 * a + i) & 1U) == 0 && (constrained >> (3 * a + j) & 1U) == 0)
-            weights[a](i, j) += k(i, j);
-    }
-  });
+  double K[Bound::size * Bound::size];
+  Bound::tangentAt(element, nodes, own, law, table, block.pointCount, K);
+  Bound::constrain(K, Bound::constrainedOf(nodes, own, element.corners));
 #pragma unroll 1
-  for (int a = 0; a < n; ++a) weights[a] = squareRoot(sizeOf(weights[a]));
+  for (int i = 0; i < Bound::size; ++i)
+    for (int j = 0; j < i; ++j) K[j * Bound::size + i] = K[i * Bound::size + j];
+  Symmetric3<double> weights[n];
+#pragma unroll 1
+  for (int a = 0; a < n; ++a) weights[a] = sizeOfRows(K, Bound::size, a);
   normaliseWeights(weights, n);
   Bound::storeWeights(view, blockIdx.x, static_cast<int>(threadIdx.x), weights);
 }
@@ -225,13 +227,7 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
   const std::int32_t* own = block.nodes + static_cast<std::size_t>(blockIdx.x) * block.nodeCapacity;
   const ElementView<Element, double> element(block);
   double K[Bound::size * Bound::size];
-  Bound::clear(K);
-  forEachPoint(element, block.pointCount, [&](int q, const Matrix3<double>& J1, double weight) {
-    const Matrix3<double> F = deformationGradient<Element>(element, MeshDisplacements{nodes.u, own}, table, q, J1);
-    double g[n][3];
-    Bound::Operators::shapeGradients(J1, table.dN[q], g);
-    Bound::addTangent(law, F, weight, g, K);
-  });
+  Bound::tangentAt(element, nodes, own, law, table, block.pointCount, K);
   Symmetric3<double> weights[n];
   Bound::loadWeights(view, blockIdx.x, static_cast<int>(threadIdx.x), weights);
   view.value[place] = Bound::largest(K, weights, Bound::constrainedOf(nodes, own, element.corners));
