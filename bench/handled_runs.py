@@ -3,7 +3,7 @@
 
     bench/handled_runs.py PROGRAM [--out DIR] [--jobs N] [--steps 10000] [--seconds S]
         [--longest S] [--bodies NAME …] [--laws NAME …] [--loads NAME …] [--factors N …] [--handlers NAME …]
-        [--most-rise SHARE] [--most-fall SHARE]
+        [--method symplectic-euler] [--most-rise SHARE] [--most-fall SHARE]
 
 PROGRAM is `ringwatch`; nothing else is needed. Every body is run with every law and load, in steps of so many times its
 critical step at rest, by every handler, with on_violation = "handle"; and by the plain scheme at a half of its critical
@@ -11,7 +11,9 @@ step, which is what they are compared with. A run is *lost* when it does not com
 by more than a tenth of the largest energy, or goes off for good; *wrongly told* when it is lost and its exit status is 0
 or its verdict "certified".
 
-rise, fall: the largest error of the energy balance over the largest energy. momentum: of bodies that nothing holds, the
+rise, fall: the largest error of the energy balance over the largest energy. By symplectic-euler velocities are half a step
+behind positions, and the energy of both swings by a share of the first order of the step; with --method verlet both are
+of one time. momentum: of bodies that nothing holds, the
 largest change of what the load leaves as it is, over its size: angular momentum where they spin, linear momentum across
 the fall where they are dropped. error: over the time of the plain run, the motion of the middle and of the high end
 against the low end, means over nodes: the root mean square of its difference to the plain run over that of the plain run;
@@ -191,7 +193,7 @@ def toml(value):
     return json.dumps(value)
 
 
-def scene(mesh, cuts, law, load, handler, step, end, extent):
+def scene(mesh, cuts, law, load, handler, method, step, end, extent):
     """The text of a scene. extent: of the body along x."""
     low, high = extent
     place = {"LOW_THIRD": f"{low + (high - low) / 3:g}", "HIGH_THIRD": f"{high - (high - low) / 3:g}",
@@ -200,7 +202,7 @@ def scene(mesh, cuts, law, load, handler, step, end, extent):
     sections = {
         "mesh": {"file": str(mesh)},
         "material": {"model": law, "young": YOUNG, "poisson": POISSON, "density": DENSITY},
-        "integrator": {"method": "symplectic-euler", "step": step, "end": end},
+        "integrator": {"method": method, "step": step, "end": end},
         "monitor": {"mode": "threshold", "on_violation": "handle" if handler else "warn"},
         "output": {"picture": False, "history_every": 20, "probe_every": PROBE_EVERY},
     }
@@ -464,6 +466,7 @@ def main():
     parser.add_argument("--steps", type=int, default=10000)
     parser.add_argument("--seconds", type=float, help="begin no run after so long; tables are of those that were made")
     parser.add_argument("--longest", type=float, default=200, help="seconds of a run; it is lost then")
+    parser.add_argument("--method", default="symplectic-euler", choices=["symplectic-euler", "verlet"])
     parser.add_argument("--most-rise", type=float, help="of the energy balance over the largest energy")
     parser.add_argument("--most-fall", type=float, help="the same, downwards")
     parser.add_argument("--bodies", nargs="+")
@@ -497,7 +500,8 @@ def main():
                         end = options.steps * step
                         cases.append({"id": str(len(cases)), "body": body, "law": law, "load": load, "factor": factor,
                                       "handler": handler, "step": step, "end": end,
-                                      "text": scene(file, cuts, law, load, HANDLERS[handler], step, end, extent)})
+                                      "text": scene(file, cuts, law, load, HANDLERS[handler], options.method, step, end,
+                                                    extent)})
         random.Random(1).shuffle(cases)
         first = (0.5, *FACTORS[:2])
         cases.sort(key=lambda case: case["factor"] not in first)

@@ -39,6 +39,15 @@ void HandledWork::begin(NodeVectorsView x, const NodeVectors& a) {
   countSupports();
 }
 
+void HandledWork::beginAndAdd(NodeVectorsView x, NodeVectors& a) {
+  take(x, a);
+  part_.internalForce(x_, force_, workspace_);
+  NodeVectors own = force_ * part_.lumpedMass().cwiseInverse().asDiagonal();
+  part_.constraints().clearConstrained(own);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) a.col(nodes_[i]) -= own.col(static_cast<Eigen::Index>(i));
+  if (part_.constraints().moving()) countSupports();
+}
+
 void HandledWork::beginWithAll(NodeVectorsView x, const NodeVectors& a) {
   take(x, a);
   part_.internalForce(x_, force_, workspace_);

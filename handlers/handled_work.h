@@ -27,7 +27,9 @@ class HandledWork {
   /// A step from positions x (3×N of the whole, m) begins: a is the acceleration (m/s²) by all forces but the elements'
   /// own.
   void begin(NodeVectorsView x, const NodeVectors& a);
-  /// The same where a has the elements' own forces too.
+  /// The same, and adds the elements' own forces to a.
+  void beginAndAdd(NodeVectorsView x, NodeVectors& a);
+  /// The same where a has the elements' own forces already.
   void beginWithAll(NodeVectorsView x, const NodeVectors& a);
   /// The step takes the acceleration a from velocities v (m/s).
   void end(const NodeVectors& v, const NodeVectors& a);

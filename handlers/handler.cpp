@@ -228,11 +228,18 @@ std::optional<Body::LeastDeterminant> Handler::leastDeterminantOfChosen(const No
 
 void Handler::detach(const ElementFlags& chosen, const Eigen::VectorXd& mass) {
   const ElementFlags left = complement(chosen);
+  inverseMass_ = body_.lumpedMass().cwiseInverse();
   numbers_ = elementNumbers(left);
   if (mass.size() == 0)
     explicitPart_.emplace(body_, left);
   else
     explicitPart_.emplace(partWithMass(left, mass));
+}
+
+void Handler::explicitAcceleration(const NodeVectors& x, NodeVectors& a) {
+  explicitBody().internalForce(x, explicitForce_, explicitWorkspace_);
+  a = (body_.externalForce() - explicitForce_) * inverseMass_.asDiagonal();
+  body_.constraints().clearConstrained(a);
 }
 
 Body Handler::partWithMass(const ElementFlags& elements, const Eigen::VectorXd& mass) const {

@@ -163,6 +163,8 @@ class Handler : public Integrator {
   std::optional<Body::LeastDeterminant> leastDeterminantOfChosen(const NodeVectors& x) const;
   /// Leaves the chosen elements out of explicitBody(); with mass (kg, N numbers > 0), that is its lumped mass.
   void detach(const ElementFlags& chosen, const Eigen::VectorXd& mass = {});
+  /// The acceleration at x (3×N, m) by loads and the elements of explicitBody(), m/s², of the lumped mass of the body.
+  void explicitAcceleration(const NodeVectors& x, NodeVectors& a);
   /// explicitBody() is the body itself again.
   void attachAll() { explicitPart_.reset(); }
   /// Some elements of the body with another lumped mass, kg, N numbers > 0; without loads.
@@ -205,6 +207,9 @@ class Handler : public Integrator {
   std::optional<HandledWork> work_;
   double dissipatedBefore_ = 0;  // J, with the choices before
   std::optional<Body> explicitPart_;
+  Eigen::VectorXd inverseMass_;  // of the body
+  NodeVectors explicitForce_;
+  Body::Workspace explicitWorkspace_;
   std::vector<std::vector<std::int32_t>> numbers_;  // [block][element of the part]: number in the body
 };
 

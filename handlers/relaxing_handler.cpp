@@ -21,9 +21,7 @@ class RelaxingHandler::Relaxed final : public SecondOrderSystem {
   Relaxed(RelaxingHandler& owner, double h) : owner_(owner), h_(h) {}
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
     RelaxingHandler& o = owner_;
-    o.explicitBody().internalForce(x, o.force_, o.workspace_);
-    a = (o.body_.externalForce() - o.force_) * o.inverseMass_.asDiagonal();
-    o.body_.constraints().clearConstrained(a);
+    o.explicitAcceleration(x, a);
     o.work().begin(x, a);
     std::string reason = o.relax(x, v, h_, a);
     if (fault.empty()) fault = std::move(reason);
@@ -60,7 +58,6 @@ void RelaxingHandler::take(const NodeVectors& x, double h, const ElementFlags& c
     implicit_->prepareAs(*this, x);
   } else {
     takeRelaxed(h, chosen);
-    inverseMass_ = body_.lumpedMass().cwiseInverse();
     countWork(h);
   }
   detach(chosen);

@@ -76,8 +76,6 @@ class RelaxingHandler : public Handler {
   std::unique_ptr<Imex> implicit_;  // once the passes were given up
   std::int64_t implicitSteps_ = 0;
   std::string news_;
-  Eigen::VectorXd inverseMass_;
-  NodeVectors force_;
   Body::Workspace workspace_;
 };
 

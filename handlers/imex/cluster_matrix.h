@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct UpperBlocks {
 
   std::int32_t rows() const { return static_cast<std::int32_t>(rowBegin.size()) - 1; }
   Eigen::Matrix3d block(std::int32_t k) const;
+  void set(std::size_t k, const Eigen::Matrix3d& B) {
+    std::copy_n(B.data(), 8, eight.data() + 8 * k);
+    ninth[k] = B(2, 2);
+  }
 };
 
 /// Tolerances of the rotation of an element against the one that its matrix was made with. docs/handlers.md and

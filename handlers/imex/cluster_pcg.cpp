@@ -58,6 +58,23 @@ struct RowSum<float> {
 };
 #endif
 
+/// A row of blocks, from place `begin` to `end`, times v.
+template <class S>
+RINGWATCH_INLINE auto rowTimes(const S* blocks, const std::int32_t* columns, std::int32_t begin, std::int32_t last,
+                               const AlignedVector<S>& v) {
+  constexpr std::size_t stride = 12;
+  RowSum<S> even, odd;
+  const std::int32_t *column = columns + begin, *end = columns + last;
+  const S* block = blocks + stride * static_cast<std::size_t>(begin);
+  for (; column + 1 < end; column += 2, block += 2 * stride) {
+    even.add(block, v.data() + column[0]);
+    odd.add(block + stride, v.data() + column[1]);
+  }
+  if (column < end) even.add(block, v.data() + column[0]);
+  even.add(odd);
+  return even.value();
+}
+
 template <class Row>
 RINGWATCH_INLINE auto total(Row r) {
   return r[0] + r[1] + r[2];
@@ -151,16 +168,7 @@ typename ClusterPcg<S>::Result ClusterPcg<S>::solve(const Eigen::VectorXd& right
   const std::size_t rows = order_.size();
   const auto rowOf = [](AlignedVector<S>& v, std::size_t i) -> Row& { return reinterpret_cast<Row&>(v[4 * i]); };
   const auto timesBlocks = [&](const AlignedVector<S>& v, std::size_t t) {  // row order_[t]
-    RowSum<S> even, odd;
-    const std::int32_t *column = column_.data() + rowBegin_[t], *end = column_.data() + rowBegin_[t + 1];
-    const S* block = blocks_.data() + stride * static_cast<std::size_t>(rowBegin_[t]);
-    for (; column + 1 < end; column += 2, block += 2 * stride) {
-      even.add(block, v.data() + column[0]);
-      odd.add(block + stride, v.data() + column[1]);
-    }
-    if (column < end) even.add(block, v.data() + column[0]);
-    even.add(odd);
-    return even.value();
+    return rowTimes<S>(blocks_.data(), column_.data(), rowBegin_[t], rowBegin_[t + 1], v);
   };
   const auto precondition = [&](std::size_t i, const AlignedVector<S>& r) {
     RowSum<S> sum;
@@ -229,6 +237,20 @@ typename ClusterPcg<S>::Result ClusterPcg<S>::solve(const Eigen::VectorXd& right
   for (std::size_t i = 0; i < rows; ++i)
     for (std::size_t c = 0; c < 3; ++c) u[3 * i + c] += unit * static_cast<double>(u_[4 * i + c]);
   return {true, iteration};
+}
+
+template <class S>
+void ClusterPcg<S>::multiply(const Eigen::VectorXd& u, Eigen::VectorXd& product) {
+  const std::size_t rows = order_.size();
+  const double largest = u.cwiseAbs().maxCoeff(), unit = largest > 0 ? largest : 1;
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t c = 0; c < 3; ++c) p_[4 * i + c] = static_cast<S>(u[3 * i + c] / unit);
+  product.resize(u.size());
+  for (std::size_t t = 0; t < rows; ++t) {
+    const auto row = rowTimes<S>(blocks_.data(), column_.data(), rowBegin_[t], rowBegin_[t + 1], p_);
+    for (int c = 0; c < 3; ++c)
+      product[3 * order_[t] + static_cast<std::size_t>(c)] = unit / scale_ * static_cast<double>(row[c]);
+  }
 }
 
 template class ClusterPcg<float>;

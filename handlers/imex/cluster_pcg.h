@@ -28,6 +28,9 @@ class ClusterPcg {
   /// preconditioner's norm. Constrained components of right and u must be zero.
   Result solve(const Eigen::VectorXd& right, Eigen::VectorXd& u, double tolerance, int mostIterations);
 
+  /// product = A u. Constrained components of u must be zero.
+  void multiply(const Eigen::VectorXd& u, Eigen::VectorXd& product);
+
  private:
   static constexpr std::size_t stride = 12;  // numbers of a block: three columns of four
   void invert(const UpperBlocks& A, std::int32_t row);

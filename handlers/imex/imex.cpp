@@ -49,19 +49,29 @@ Options linearSolver(Options own) {
 
 class Imex::Corrected final : public SecondOrderSystem {
  public:
-  /// first: the acceleration by the inner system that is asked for first; empty when it is not known.
+  /// inner: that of the body, asked where it damps; else the explicit and the handled elements are evaluated apart.
+  /// first: its acceleration that is asked for first; empty when it is not known.
   Corrected(Imex& owner, SecondOrderSystem& inner, const ImplicitScheme& scheme, NodeVectors& first)
       : owner_(owner), inner_(inner), h_(scheme.h), c_(scheme.c()), first_(first) {}
   void acceleration(double time, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
-    if (first_.cols() > 0) {
-      a.swap(first_);
-      first_.resize(3, 0);
+    if (inner_.velocityDependent()) {
+      if (first_.cols() > 0) {
+        a.swap(first_);
+        first_.resize(3, 0);
+      } else {
+        inner_.acceleration(time, x, v, a);
+      }
+      owner_.work().beginWithAll(x, a);
     } else {
-      inner_.acceleration(time, x, v, a);
+      owner_.explicitAcceleration(x, a);
+      if (owner_.nonlinear_)
+        owner_.work().begin(x, a);
+      else
+        owner_.work().beginAndAdd(x, a);
     }
-    if (owner_.nonlinear_) {
+    if (owner_.nonlinear_)
       forEachCluster(owner_.newtonClusters_, x, v, a, [&](NewtonCluster& cluster) -> std::string_view {
-        switch (cluster.solve(x, a, v, owner_.others_)) {
+        switch (cluster.solve(x, a, v)) {
           case NewtonCluster::Outcome::solved:
             return {};
           case NewtonCluster::Outcome::noEnergy:
@@ -71,14 +81,11 @@ class Imex::Corrected final : public SecondOrderSystem {
         }
         return "Newton's method did not converge";
       });
-      owner_.work().begin(x, owner_.others_);
-    } else {
-      owner_.work().beginWithAll(x, a);
+    else
       forEachCluster(owner_.clusters_, x, v, a, [&](ImplicitCluster& cluster) -> std::string_view {
         if (!cluster.follow(x)) return "the implicit matrix is not positive definite or not finite";
         return cluster.solve(a, v, c_) ? "" : "conjugate gradients did not converge";
       });
-    }
     owner_.work().end(v, a);
   }
   int threads() const override { return owner_.body_.threads(); }
@@ -145,12 +152,13 @@ void Imex::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
       add(newtonClusters_.emplace_back(body_, std::move(elements), scheme, cluster_.tolerance, cluster_.iterations));
     else
       add(clusters_.emplace_back(body_, std::move(elements), scheme.w(), x, cluster_));
-  others_.resize(3, body_.nodeCount());
   countWork(h);
   detach(chosen);
 }
 
 StepStatus Imex::handledStep(SecondOrderSystem& system, State& state, double h) {
+  if (system.velocityDependent() && nonlinear_)
+    throw InputError("imex: the solver \"newton\" works without damping, and the system has some");
   // With u = a + c v the damping force needs no product of its own: (M + w K̂) u = M (a₀ + c v).
   NodeVectors first(3, 0);
   if (handledBeginsWithAcceleration()) first.swap(state.a);

@@ -16,8 +16,8 @@ std::string imexForGpu(Options& own);
 /// linearly implicit, the first step of Newton's method with K̂ for their tangent: in the two-step form, with the
 /// internal force f(x) of all elements and K̂ of the handled ones,
 ///   (M + beta h² K̂) a_n = f_ext - f(x_n) - α h K̂ v_(n-½),   v_(n+½) = v_(n-½) + h a_n,   x_(n+1) = x_n + h v_(n+½).
-/// One force of all elements a step, one more of the handled ones for what they dissipate, and a solve on their nodes
-/// alone, cluster by cluster.
+/// One force of each element a step, with `newton` more of the handled ones, and a solve on their nodes alone, cluster
+/// by cluster.
 ///
 /// Stable, for a frozen tangent K(x) = K_E + K_I, when K_E + K_I ≼ (4/h²) M + (1 + α²) K̂: with the quotients a of
 /// h² K(x) and b of h² K̂ over M at an eigenvector of the recursion,
@@ -62,9 +62,11 @@ class Imex final : public Handler {
 
  protected:
   void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
+  /// system: that of the body. Without damping its forces are evaluated by the handler, those of the explicit and those
+  /// of the handled elements: a system that counts or splits forces sees none.
   StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
   bool handledBeginsWithAcceleration() const override {
-    return base_->beginsWithAcceleration() && baseAcceleration_.cols() == 0;
+    return options_.damping.any() && base_->beginsWithAcceleration() && baseAcceleration_.cols() == 0;
   }
 
  private:
@@ -78,8 +80,7 @@ class Imex final : public Handler {
   ClusterOptions cluster_;
   std::vector<ImplicitCluster> clusters_;  // one of the two is empty
   std::vector<NewtonCluster> newtonClusters_;
-  std::vector<bool> freeOfTorque_;          // by cluster: angular momentum is kept
-  NodeVectors others_ = NodeVectors(3, 0);  // acceleration by all but the handled elements, at their nodes, m/s²
+  std::vector<bool> freeOfTorque_;                        // by cluster: angular momentum is kept
   std::int64_t stallsBefore_ = 0, eulerStepsBefore_ = 0;  // of clusters of the choices before
   std::vector<std::string_view> failed_;                  // by cluster
 };

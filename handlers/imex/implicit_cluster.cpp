@@ -235,11 +235,13 @@ bool ImplicitCluster::solve(NodeVectors& a, const NodeVectors& v, double c) {
 
 void ImplicitCluster::subtractProduct(const Eigen::VectorXd& p) {
   const UpperBlocks& blocks = matrix_->blocks();
+  std::vector<std::uint8_t> counts(nodes_.size());
+  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = !p.segment<3>(3 * static_cast<Eigen::Index>(i)).isZero(0);
   for (std::int32_t i = 0; i < blocks.rows(); ++i)
     for (std::int32_t k = blocks.rowBegin[i]; k < blocks.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
       const std::int32_t j = blocks.column[k];
+      if (!counts[i] && !counts[j]) continue;
       const auto pi = p.segment<3>(component(i, 0)), pj = p.segment<3>(component(j, 0));
-      if (pi.isZero(0) && pj.isZero(0)) continue;
       const Eigen::Matrix3d block = blocks.block(k);
       right_.segment<3>(component(i, 0)) -= block * pj;
       if (i != j) right_.segment<3>(component(j, 0)) -= block.transpose() * pi;

@@ -8,6 +8,8 @@
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/body/nodes_of.h>
 #include <ringwatch/body/sub_body.h>
+#include <ringwatch/handlers/angular_momentum.h>
+#include <ringwatch/handlers/selection/rotation_of.h>
 
 namespace ringwatch {
 namespace {
@@ -29,6 +31,19 @@ constexpr int mostPoorSteps = 3;
 constexpr double rounding = 1e-14;
 /// The preconditioner is made again when a system takes that many times the products of the first one solved with it.
 constexpr double staleness = 1.5;
+/// A step by the kept tangent is to leave no more of the gradient's norm, or it is not kept any longer.
+constexpr double mostLeft = 0.5;
+/// So many steps beyond the first of each search, in all, are worth a new tangent.
+constexpr int mostFurtherSteps = 8;
+/// Single precision solves to no less, as a share of the right-hand side.
+constexpr double leastReduction = 1e-4;
+/// A search ends without another look at its gradient where what the kept tangent has left over of gradients says that
+/// it is there: the largest share of late, of which this much counts at the next look. One search looks after so many
+/// that did not.
+constexpr double remembered = 0.3;
+constexpr int mostUnseen = 9;
+
+constexpr double implicitEuler = 1;  // the dissipation that makes it that
 
 Eigen::VectorXd massOf(const Body& body, const std::vector<std::int32_t>& nodes) {
   Eigen::VectorXd mass(nodes.size());
@@ -52,10 +67,10 @@ NewtonCluster::NewtonCluster(const Body& body, std::vector<ElementRef> elements,
     for (int c = 0; c < 3; ++c) anyConstrained_[c] = anyConstrained_[c] || part_.constraints().isConstrained(i, c);
   const auto n = static_cast<Eigen::Index>(nodes_.size());
   inverses_.resize(nodes_.size());
+  turns_ = isFreeOfTorque(body, elements_, nodes_);
   for (NodeVectors* vectors :
-       {&x_, &others_, &wanted_, &moved_, &target_, &u_, &gradient_, &direction_, &residual_, &z_, &p_, &product_})
+       {&x_, &others_, &shape_, &moved_, &target_, &u_, &gradient_, &direction_, &residual_, &z_, &p_, &product_})
     vectors->setZero(3, n);
-  evaluation_.wantsEnergy = true;
   for (const auto& block : part_.blocks()) {
     if (block->layout().batchCount() > 0) endsAnywhere_ = endsAnywhere_ && block->material().info().definedInverted;
     double volumes[lanes];
@@ -74,14 +89,16 @@ double NewtonCluster::kinetic(const NodeVectors& u) const {
   return 0.5 * sum;
 }
 
-bool NewtonCluster::evaluate() {
+bool NewtonCluster::evaluate(bool wantsPotential) {
+  // Where a law has no energy its force may be finite.
+  hasPotential_ = evaluation_.wantsEnergy = wantsPotential || !endsAnywhere_;
   moved_ = x_ + w_ * u_;
   part_.evaluate(moved_, evaluation_, workspace_);
-  potential_ = kinetic(u_) + evaluation_.strainEnergy / w_;
+  if (hasPotential_) potential_ = kinetic(u_) + evaluation_.strainEnergy / w_;
   gradient_ = evaluation_.internalForce;
   for (Eigen::Index i = 0; i < u_.cols(); ++i) gradient_.col(i) += part_.lumpedMass()[i] * (u_.col(i) - target_.col(i));
   clearConstrained(gradient_);
-  return std::isfinite(potential_) && gradient_.allFinite();
+  return (!hasPotential_ || std::isfinite(potential_)) && gradient_.allFinite();
 }
 
 template <class Visit>
@@ -102,14 +119,16 @@ void NewtonCluster::setMomentum(NodeVectors& vectors, const Eigen::Vector3d& mom
     if (!anyConstrained_[c]) vectors.row(c).array() += (momentum[c] - vectors.row(c).dot(part_.lumpedMass())) / mass;
 }
 
-void NewtonCluster::refreshPreconditioner() {
+void NewtonCluster::refreshTangent() {
   part_.assembleBlocks(moved_, blocks_);
+  if (!kept_) layOutKept();
+  std::size_t k = 0;
   for (std::int32_t i = 0; i < part_.nodeCount(); ++i) {
-    const auto begin = blocks_.column.begin() + blocks_.rowBegin[i],
-               end = blocks_.column.begin() + blocks_.rowBegin[i + 1];
-    const auto own = std::lower_bound(begin, end, i) - blocks_.column.begin();
     const Eigen::Matrix3d inertia = part_.lumpedMass()[i] * Eigen::Matrix3d::Identity();
-    Eigen::Matrix3d block = inertia + w_ * blocks_.block[own];
+    // The diagonal is the first of the row.
+    Eigen::Matrix3d block = inertia + w_ * blocks_.block[placeOfKept_[k]];
+    for (const std::size_t end = matrix_.rowBegin[static_cast<std::size_t>(i) + 1]; k < end; ++k)
+      matrix_.set(k, matrix_.column[k] == i ? block : Eigen::Matrix3d(w_ * blocks_.block[placeOfKept_[k]]));
     for (int c = 0; c < 3; ++c)
       if (part_.constraints().isConstrained(i, c)) {
         block.row(c).setZero();
@@ -120,12 +139,64 @@ void NewtonCluster::refreshPreconditioner() {
     const bool definite = block(0, 0) > 0 && block.topLeftCorner<2, 2>().determinant() > 0 && block.determinant() > 0;
     inverses_[i] = definite ? Eigen::Matrix3d(block.inverse()) : Eigen::Matrix3d(inertia.inverse());
   }
+  std::vector<std::uint8_t> all(nodes_.size(), 1);
+  kept_->refresh(matrix_, all);
+  shape_ = moved_;
+  frame_.setIdentity();
   stale_ = false;
-  productsOfFirst_ = 0;
+  productsOfFirst_ = furtherSteps_ = 0;
+  leftOver_ = 1;
+}
+
+void NewtonCluster::layOutKept() {
+  matrix_.rowBegin.assign(1, 0);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    for (std::int64_t k = blocks_.rowBegin[i]; k < blocks_.rowBegin[i + 1]; ++k)
+      if (blocks_.column[k] >= static_cast<std::int32_t>(i)) {
+        matrix_.column.push_back(blocks_.column[k]);
+        placeOfKept_.push_back(k);
+      }
+    matrix_.rowBegin.push_back(static_cast<std::int32_t>(matrix_.column.size()));
+  }
+  matrix_.eight.resize(8 * matrix_.column.size());
+  matrix_.ninth.resize(matrix_.column.size());
+  std::vector<std::uint8_t> constrained(3 * nodes_.size(), 0);
+  forEachConstrained([&](std::int32_t i, int c) { constrained[3 * i + c] = 1; });
+  kept_.emplace(matrix_, std::move(constrained), part_.lumpedMass().mean());
+}
+
+void NewtonCluster::turnTangent() {
+  if (!turns_ || !kept_) return;
+  const Eigen::VectorXd& mass = part_.lumpedMass();
+  const Eigen::Vector3d centre = shape_ * mass / mass.sum();
+  frame_ = rotationOf(x_ * mass.asDiagonal() * (shape_.colwise() - centre).transpose());
 }
 
 void NewtonCluster::precondition(const NodeVectors& r, NodeVectors& z) const {
+  if (turns_) {
+    for (Eigen::Index i = 0; i < r.cols(); ++i) {
+      const Eigen::Vector3d back = inverses_[i] * (frame_.transpose() * r.col(i));
+      z.col(i).noalias() = frame_ * back;
+    }
+    return;
+  }
   for (Eigen::Index i = 0; i < r.cols(); ++i) z.col(i).noalias() = inverses_[i] * r.col(i);
+}
+
+double NewtonCluster::squaredNorm(const NodeVectors& r) {
+  precondition(r, z_);
+  return inner(r, z_);
+}
+
+bool NewtonCluster::findKeptDirection(double reduction) {
+  right_ = -(frame_.transpose() * gradient_).reshaped();
+  solution_.setZero(right_.size());
+  const auto [converged, products] = kept_->solve(right_, solution_, reduction, mostProducts_);
+  products_ += products;
+  if (!converged) return false;
+  direction_.noalias() = frame_ * solution_.reshaped(3, direction_.cols());
+  setMomentum(direction_, Eigen::Vector3d::Zero());
+  return direction_.allFinite();
 }
 
 void NewtonCluster::findDirection(double reduction) {
@@ -163,14 +234,16 @@ void NewtonCluster::findDirection(double reduction) {
 }
 
 NewtonCluster::Progress NewtonCluster::searchAlong() {
-  const double slope = inner(gradient_, direction_), before = potential_;
+  const double slope = inner(gradient_, direction_);
   if (!(slope < 0)) return Progress::none;
+  if (!hasPotential_) evaluate(true);
+  const double before = potential_;
   before_ = u_;
   const double noise = rounding * (std::abs(before) + stiffness_ / w_);
   double share = 1;
   for (int k = 0; k < mostHalvings; ++k, share *= 0.5) {
     u_ = before_ + share * direction_;
-    if (!evaluate()) continue;
+    if (!evaluate(true)) continue;
     if (potential_ <= before + sufficientDecrease * share * slope)
       return share < leastShare || before - potential_ <= noise ? Progress::poor : Progress::good;
     // Within rounding of the potential the gradient decides.
@@ -178,53 +251,60 @@ NewtonCluster::Progress NewtonCluster::searchAlong() {
       return Progress::poor;
   }
   u_ = before_;
-  evaluate();
+  evaluate(true);
   return Progress::none;
 }
 
-bool NewtonCluster::begin(const NodeVectors& guess) {
+bool NewtonCluster::begin(const NodeVectors& guess, bool wantsPotential) {
   u_ = guess;
-  forEachConstrained([&](std::int32_t i, int k) { u_(k, i) = wanted_(k, i); });
-  // Where the centre of mass goes is known.
-  setMomentum(u_, wanted_ * part_.lumpedMass());
-  return evaluate();
+  forEachConstrained([&](std::int32_t i, int k) { u_(k, i) = target_(k, i); });
+  // Where the centre of mass goes is known: the elements' forces add up to nothing.
+  setMomentum(u_, target_ * part_.lumpedMass());
+  return evaluate(wantsPotential);
 }
 
-NewtonCluster::Outcome NewtonCluster::search(const ImplicitScheme& scheme, const NodeVectors& a, const NodeVectors& v) {
-  if (w_ != scheme.w()) {  // solutions and preconditioner are of another equation
+bool NewtonCluster::beginSearch(bool endsThere) {
+  if (last_[1].cols() > 0 && begin(2 * last_[0] - last_[1], endsThere)) {
+    if (unseen_ == 0) {
+      // The gradient at u = 0 is minus what the matrix makes of the solution, and all but that of the guess.
+      NodeVectors free = u_;
+      clearConstrained(free);
+      solution_ = (frame_.transpose() * free).reshaped();
+      kept_->multiply(solution_, right_);
+      scale_ = squaredNorm(frame_ * right_.reshaped(3, free.cols()));
+    }
+    if (endsThere ? potential_ <= potentialAtRest() : squaredNorm(gradient_) <= scale_) return true;
+  }
+  unseen_ = 0;
+  if (!begin(NodeVectors::Zero(3, u_.cols()), true)) return false;
+  if (stale_) refreshTangent();
+  scale_ = squaredNorm(gradient_);
+  return true;
+}
+
+double NewtonCluster::potentialAtRest() {
+  bool moves = false;
+  forEachConstrained([&](std::int32_t i, int k) { moves = moves || target_(k, i) != 0; });
+  // Where nodes are moved nothing rests.
+  return moves ? infinity : kinetic(NodeVectors::Zero(3, u_.cols())) + part_.energy(x_, workspace_) / w_;
+}
+
+NewtonCluster::Outcome NewtonCluster::search(const ImplicitScheme& scheme, const NodeVectors& v) {
+  if (w_ != scheme.w()) {  // solutions and tangent are of another equation
     last_ = {};
     stale_ = true;
   }
   w_ = scheme.w();
   c_ = scheme.c();
-  const auto n = static_cast<Eigen::Index>(nodes_.size());
-  for (Eigen::Index i = 0; i < n; ++i) {
-    wanted_.col(i) = a.col(nodes_[i]) + c_ * v.col(nodes_[i]);
-    target_.col(i) = others_.col(i) + c_ * v.col(nodes_[i]);
-  }
-  // What the tolerance is a share of: the gradient at u = 0, where nodes that are moved have moved already.
-  const NodeVectors rest = NodeVectors::Zero(3, n);
-  bool moves = false;
-  forEachConstrained([&](std::int32_t i, int k) { moves = moves || wanted_(k, i) != 0; });
-  NodeVectors right(3, n);
-  if (moves) {
-    if (!begin(rest)) return Outcome::noEnergy;
-    right = gradient_;
-  } else {
-    for (Eigen::Index i = 0; i < n; ++i) right.col(i) = part_.lumpedMass()[i] * wanted_.col(i);
-  }
-  // A guess must not begin above where the elements rest: Theorem 61 hangs on it.
-  const double atRest = moves ? infinity : kinetic(rest) + energyAtStep_ / w_;
-  const bool extrapolated = last_[1].cols() > 0 && begin(2 * last_[0] - last_[1]) && potential_ <= atRest;
-  // Where nodes are moved and there is no guess, the search stands at rest already.
-  if (!extrapolated && (!moves || last_[1].cols() > 0) && !begin(rest)) return Outcome::noEnergy;
-
-  if (stale_) refreshPreconditioner();
-  precondition(right, z_);
-  const double goal = tolerance_ * tolerance_ * inner(right, z_);
+  for (Eigen::Index i = 0; i < u_.cols(); ++i) target_.col(i) = others_.col(i) + c_ * v.col(nodes_[i]);
+  turnTangent();
+  const bool endsThere = scheme.dissipation == implicitEuler;
+  if (!beginSearch(endsThere)) return Outcome::noEnergy;
+  if (stale_) refreshTangent();
+  const double goal = tolerance_ * tolerance_ * scale_;
+  bool keptServes = true, fresh = false;
   for (int k = 0, poorSteps = 0;; ++k) {
-    precondition(gradient_, z_);
-    const double norm = inner(gradient_, z_);
+    const double norm = squaredNorm(gradient_);
     if (!(norm > goal)) break;
     if (k == mostIterations) {
       last_ = {};
@@ -232,8 +312,34 @@ NewtonCluster::Outcome NewtonCluster::search(const ImplicitScheme& scheme, const
       return Outcome::notConverged;
     }
     ++iterations_;
-    if (k > 0 && stale_) refreshPreconditioner();
-    findDirection(std::min(mostReduction, 0.5 * std::sqrt(goal / norm)));
+    const double wanted = std::sqrt(goal / norm);
+    if (keptServes) {
+      if (k > 0) ++furtherSteps_;
+      const double reduction = std::clamp(0.25 * wanted, leastReduction, mostReduction);
+      before_ = u_;
+      if (findKeptDirection(reduction)) {
+        u_ += direction_;
+        if (!endsThere && unseen_ < mostUnseen && reduction + leftOver_ <= wanted) {
+          ++unseen_;
+          break;
+        }
+        unseen_ = 0;
+        const double potential = potential_;
+        if (evaluate(endsThere) && (!endsThere || potential_ <= potential)) {
+          const double left = std::sqrt(squaredNorm(gradient_) / norm);
+          leftOver_ = std::max(left, remembered * leftOver_);
+          if (left <= mostLeft) continue;
+        }
+        u_ = before_;
+        evaluate(true);
+      }
+      // One that is made here is tried once.
+      keptServes = !fresh;
+      fresh = true;
+      refreshTangent();
+      if (keptServes) continue;
+    }
+    findDirection(std::min(mostReduction, 0.5 * wanted));
     const Progress progress = searchAlong();
     poorSteps = progress == Progress::good ? 0 : poorSteps + 1;
     if (progress == Progress::none || poorSteps == mostPoorSteps) {
@@ -242,7 +348,9 @@ NewtonCluster::Outcome NewtonCluster::search(const ImplicitScheme& scheme, const
       stale_ = true;
       break;
     }
+    if (stale_) refreshTangent();
   }
+  stale_ = stale_ || furtherSteps_ > mostFurtherSteps;
   last_[1].swap(last_[0]);
   last_[0] = u_;
   return Outcome::solved;
@@ -257,23 +365,17 @@ bool NewtonCluster::endsWithoutEnergy(const NodeVectors& v) {
   return !(part_.leastDeterminant(moved_).value > 0);
 }
 
-NewtonCluster::Outcome NewtonCluster::solve(NodeVectorsView x, NodeVectors& a, const NodeVectors& v,
-                                            NodeVectors& others) {
+NewtonCluster::Outcome NewtonCluster::solve(NodeVectorsView x, NodeVectors& a, const NodeVectors& v) {
   const auto n = static_cast<Eigen::Index>(nodes_.size());
-  for (Eigen::Index i = 0; i < n; ++i) x_.col(i) = x.col(nodes_[i]);
-  // The force at x; it is part of a already.
-  part_.evaluate(x_, evaluation_, workspace_);
-  energyAtStep_ = evaluation_.strainEnergy;
   for (Eigen::Index i = 0; i < n; ++i) {
-    others_.col(i) = a.col(nodes_[i]) + evaluation_.internalForce.col(i) / part_.lumpedMass()[i];
-    others.col(nodes_[i]) = others_.col(i);
+    x_.col(i) = x.col(nodes_[i]);
+    others_.col(i) = a.col(nodes_[i]);
   }
-  if (!others_.allFinite()) return Outcome::noEnergy;
-  Outcome outcome = search(scheme_, a, v);
-  constexpr double implicitEuler = 1;
+  if (!x_.allFinite() || !others_.allFinite()) return Outcome::noEnergy;
+  Outcome outcome = search(scheme_, v);
   if (scheme_.dissipation != implicitEuler && (outcome != Outcome::solved || endsWithoutEnergy(v))) {
     ++eulerSteps_;
-    outcome = search({scheme_.h, implicitEuler}, a, v);
+    outcome = search({scheme_.h, implicitEuler}, v);
   }
   if (outcome != Outcome::solved) return outcome;
   for (Eigen::Index i = 0; i < n; ++i) {

@@ -186,8 +186,8 @@ ElementFlags LocalTimeStepping::choose(const NodeVectors& x, double h, const Ele
     ElementFlags left = complement(noElements(body_.mesh()));
     for (std::size_t k = 0; k < levels.size(); ++k) {
       Level& level = levels[k];
-      ElementFlags finer =
-          finerThan(level, left, x, k == 0 && !keep.empty() ? keep : noElements(body_.mesh()), evaluations);
+      // Level 0 has the limit of the whole choice, in every plan.
+      ElementFlags finer = finerThan(level, left, x, k == 0 ? chosen : noElements(body_.mesh()), evaluations);
       if (k == 0) chosen = finer;
       level.elements = left;
       for (const ElementRef e : chosenElements(finer)) level.elements[e.block][e.element] = false;
@@ -223,8 +223,6 @@ void LocalTimeStepping::take(const NodeVectors& x, double h, const ElementFlags&
   constexpr double lag = 1.1;
   const double weight = lag * (levels_.size() == 1 ? topWeight(h) : 1);
   filter_.emplace(body_, std::move(fine), implicit_, weight * step * step / ceiling, x, cluster_);
-  coarse_.emplace(body_, complement(chosen));
-  inverseMass_ = body_.lumpedMass().cwiseInverse();
   detach(chosen, massBeside(chosen, levels_.front().massShare));
 
   std::vector<std::int32_t> position(body_.nodeCount(), -1);
@@ -273,9 +271,7 @@ void LocalTimeStepping::addStrainVelocity(const NodeVectors& x, const NodeVector
 }
 
 void LocalTimeStepping::averagedAcceleration(const NodeVectors& x, const NodeVectors& v, double h, NodeVectors& a) {
-  coarse_->internalForce(x, force_, workspace_);
-  a = (body_.externalForce() - force_) * inverseMass_.asDiagonal();
-  body_.constraints().clearConstrained(a);
+  explicitAcceleration(x, a);
   work().begin(x, a);
   const auto& nodes = filter_->nodes();
   const Eigen::Index n = nodes.size();

@@ -122,7 +122,6 @@ class LocalTimeStepping final : public Handler {
   ClusterOptions cluster_;
   std::vector<Level> levels_;
   ElementFlags implicit_;
-  std::optional<Body> coarse_;  // the elements of level 0
   std::optional<LevelFilter> filter_;
   std::vector<LevelWatch> watches_;  // of the finer levels that have elements; made at the first observation
   /// Fine elements that share nodes.
@@ -134,9 +133,7 @@ class LocalTimeStepping final : public Handler {
   std::vector<FineCluster> fineClusters_;
   double idealShare_ = 0;  // Σ max(1, h/h_e) over Σ h/h_min
   double smallest_ = 0;    // h/h_min
-  Eigen::VectorXd inverseMass_;
-  NodeVectors force_, fineX_, fineA_;
-  Body::Workspace workspace_;
+  NodeVectors fineX_, fineA_;
   std::string fault_;
 };
 

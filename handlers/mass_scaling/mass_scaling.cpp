@@ -56,10 +56,12 @@ void MassScaling::divideSteps(const NodeVectors& x, double h) {
   NodalBound bound(body_);
   const double lambda = bound.evaluate(x, sweeps).value;
   noteSelectionCost({static_cast<std::int64_t>(body_.mesh().elementCount()), bound.evaluations()});
-  // A choice that was not asked for has a reason, even where the step is proven at this state.
-  const bool asked = asksForChoice() || h != dividedFor_;
+  // A choice that was not asked for has a reason, even where the step is proven at this state. Once it had one the
+  // whole step, which takes all of what is proven, is not tried again: while elements stiffen and soften it feeds
+  // energy.
+  const bool otherStep = h != dividedFor_, asked = asksForChoice() || otherStep;
   int parts = 1;
-  if (!asked || !(lambda <= allowedLambda(h)))
+  if (!otherStep || !(lambda <= allowedLambda(h)))
     while (parts < mostParts && !(lambda <= shareOfProven * shareOfProven * allowedLambda(h / parts))) ++parts;
   proven_ = lambda <= allowedLambda(h / parts);
   if (lastPart_ == 0) lastPart_ = dividedFor_;

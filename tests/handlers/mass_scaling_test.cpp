@@ -124,7 +124,7 @@ TEST(MassScaling, DividesStepsWhereElementsHaveStiffened) {
   for (int k = 0; k < parts; ++k) euler->step(system, alone, part);
   EXPECT_LE((divided.x - alone.x).norm(), 1e-14 * alone.x.norm());
   EXPECT_LE((divided.v - alone.v).norm(), 1e-12 * alone.v.norm());
-  // After a while it asks whether fewer do, and at rest they do.
+  // After a while it asks whether fewer do, and at rest two do: one, of all that is proven, is not tried again.
   int steps = 1;
   while (!handler.asksForChoice()) {
     ASSERT_TRUE(handler.step(system, divided, h).done);
@@ -132,8 +132,7 @@ TEST(MassScaling, DividesStepsWhereElementsHaveStiffened) {
   }
   EXPECT_GE(steps * parts, 500);
   handler.prepare(X, h);
-  EXPECT_EQ(handler.parts(), 1);
-  EXPECT_EQ(&handler.explicitBody(), &body);
+  EXPECT_EQ(handler.parts(), 2);
 }
 
 // Velocities of symplectic Euler are those half a step ago. With a step that changes, a body that falls stays on its

@@ -4,7 +4,10 @@
 
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include <ringwatch/base/eigen_instances.h>
+#include <ringwatch/base/error.h>
 #include <ringwatch/handlers/imex/imex.h>
 #include <ringwatch/handlers/imex/newton_cluster.h>
 #include <ringwatch/materials/registry.h>
@@ -17,21 +20,12 @@ using test::criticalStepOf;
 using test::everyElement;
 using test::flat;
 
-NodeVectors accelerationAt(const Body& body, const NodeVectors& x) {
-  Body::Workspace workspace;
-  NodeVectors f;
-  body.internalForce(x, f, workspace);
-  NodeVectors a = body.externalForce() - f;
-  for (Eigen::Index i = 0; i < a.cols(); ++i) a.col(i) /= body.lumpedMass()[i];
-  return a;
-}
-
 class NewtonOfLaw : public ::testing::TestWithParam<std::string_view> {};
 INSTANTIATE_TEST_SUITE_P(All, NewtonOfLaw,
                          ::testing::Values("linear", "stvk", "corotational", "neo-hookean", "stable-neo-hookean"),
                          [](const auto& test) { return test::testName(test.param); });
 
-// M a = M a0 + f(x) - f(x + alpha h v + beta h² a), computed anew from forces of the whole body.
+// M a = M ã - f(x + alpha h v + beta h² a), computed anew from forces of the whole body.
 TEST_P(NewtonOfLaw, SolvesItsEquation) {
   Body body = test::sliverBody(GetParam());
   const std::int32_t moved = test::nodeNearest(body.mesh(), {0.118, 0.02, 0.02});
@@ -46,26 +40,17 @@ TEST_P(NewtonOfLaw, SolvesItsEquation) {
       const NodeVectors x = body.mesh().X + random.nodeVectors(body.nodeCount(), 1e-5);
       NodeVectors v = random.nodeVectors(body.nodeCount(), 0.01);
       body.constraints().imposeVelocity(v);
-      NodeVectors a = accelerationAt(body, x), start = a;
-      for (std::int32_t i = 0; i < body.nodeCount(); ++i)
-        for (int component = 0; component < 3; ++component)
-          if (body.constraints().isConstrained(i, component)) a(component, i) = start(component, i) = 0;
+      NodeVectors others = random.nodeVectors(body.nodeCount(), 1);
+      body.constraints().clearConstrained(others);
+      NodeVectors a = others;
       NewtonCluster cluster(body, everyElement(body), k, 1e-10, 2000);
-      NodeVectors others = a;
-      ASSERT_EQ(cluster.solve(x, a, v, others), NewtonCluster::Outcome::solved);
-      // All elements are the cluster's, and there is no load.
-      for (std::int32_t i = 0; i < body.nodeCount(); ++i)
-        for (int component = 0; component < 3; ++component)
-          if (!body.constraints().isConstrained(i, component)) {
-            EXPECT_NEAR(others(component, i), 0, 1e-9 * start.cwiseAbs().maxCoeff());
-          }
+      ASSERT_EQ(cluster.solve(x, a, v), NewtonCluster::Outcome::solved);
       NodeVectors before, after;
       body.internalForce(x, before, workspace);
       body.internalForce(x + alpha * k.h * v + k.w() * a, after, workspace);
-      NodeVectors residual = before - after, scale = before;
+      NodeVectors residual = -after, scale = before;
       for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
-        residual.col(i) += body.lumpedMass()[i] * (start.col(i) - a.col(i));
-        scale.col(i) = body.lumpedMass()[i] * start.col(i);
+        residual.col(i) += body.lumpedMass()[i] * (others.col(i) - a.col(i));
         for (int component = 0; component < 3; ++component)
           if (body.constraints().isConstrained(i, component)) {
             residual(component, i) = 0;
@@ -84,13 +69,13 @@ TEST(NewtonCluster, NeverInvertsALawThatHasNoEnergyThere) {
   const ImplicitScheme k{20 * criticalStepOf(body), 1};
   NewtonCluster cluster(body, everyElement(body), k, 1e-6, 2000);
   // Both ends of the bar fly through each other.
-  NodeVectors x = body.mesh().X, v = NodeVectors::Zero(3, body.nodeCount()), others = v;
+  NodeVectors x = body.mesh().X, v = NodeVectors::Zero(3, body.nodeCount());
   for (Eigen::Index i = 0; i < v.cols(); ++i) v(0, i) = x(0, i) < 0.1 ? 8 : -8;
   double least = 1, ballisticLeast = 1;
   for (int step = 0; step < 400; ++step) {
     ballisticLeast = std::min(ballisticLeast, body.leastDeterminant(x + k.h * v).value);
-    NodeVectors a = accelerationAt(body, x);
-    ASSERT_EQ(cluster.solve(x, a, v, others), NewtonCluster::Outcome::solved) << step;
+    NodeVectors a = NodeVectors::Zero(3, body.nodeCount());
+    ASSERT_EQ(cluster.solve(x, a, v), NewtonCluster::Outcome::solved) << step;
     v += k.h * a;
     x += k.h * v;
     least = std::min(least, body.leastDeterminant(x).value);
@@ -105,12 +90,12 @@ TEST(NewtonCluster, TakesImplicitEulerWhereTheStepWouldInvert) {
     Body body = test::sliverBody("neo-hookean", 0.98, false);
     const ImplicitScheme k{20 * criticalStepOf(body), alpha};
     NewtonCluster cluster(body, everyElement(body), k, 1e-6, 2000);
-    NodeVectors x = body.mesh().X, v = NodeVectors::Zero(3, body.nodeCount()), others = v;
+    NodeVectors x = body.mesh().X, v = NodeVectors::Zero(3, body.nodeCount());
     for (Eigen::Index i = 0; i < v.cols(); ++i) v(0, i) = x(0, i) < 0.1 ? 8 : -8;
     std::int64_t eulerSteps = 0;
     for (int step = 0; step < 400; ++step) {
-      NodeVectors a = accelerationAt(body, x);
-      ASSERT_EQ(cluster.solve(x, a, v, others), NewtonCluster::Outcome::solved) << step;
+      NodeVectors a = NodeVectors::Zero(3, body.nodeCount());
+      ASSERT_EQ(cluster.solve(x, a, v), NewtonCluster::Outcome::solved) << step;
       v += k.h * a;
       x += k.h * v;
       ASSERT_GT(body.leastDeterminant(x).value, 0) << step;
@@ -130,6 +115,47 @@ TEST(NewtonCluster, TakesImplicitEulerWhereTheStepWouldInvert) {
   }
 }
 
+// A tangent is kept from step to step and turned with the cluster, and most searches end with a step by it at whose end
+// nothing is evaluated: the equation holds there as well.
+TEST(NewtonCluster, SolvesItsEquationByATangentThatIsKept) {
+  for (const std::string_view law : {"stvk", "corotational", "stable-neo-hookean"}) {
+    Body body = test::sliverBody(law, 0.98, false);
+    const ImplicitScheme k{5 * criticalStepOf(body), 0.1};
+    NewtonCluster cluster(body, everyElement(body), k, 5e-4, 200);
+    const Eigen::Vector3d centre(0.1, 0.02, 0.02);
+    NodeVectors x = body.mesh().X, v(3, body.nodeCount());
+    for (Eigen::Index i = 0; i < v.cols(); ++i) v.col(i) = Eigen::Vector3d(0, 5, 10).cross(x.col(i) - centre);
+    Body::Workspace workspace;
+    NodeVectors force;
+    double worst = 0;
+    constexpr int steps = 300;
+    for (int step = 0; step < steps; ++step) {
+      NodeVectors a = NodeVectors::Zero(3, body.nodeCount());
+      ASSERT_EQ(cluster.solve(x, a, v), NewtonCluster::Outcome::solved) << step;
+      body.internalForce(x + 0.1 * k.h * v + k.w() * a, force, workspace);
+      const NodeVectors inertia = a * body.lumpedMass().asDiagonal();
+      const NodeVectors start = (a + k.c() * v) * body.lumpedMass().asDiagonal();
+      worst = std::max(worst, (inertia + force).norm() / start.norm());
+      v += k.h * a;
+      x += k.h * v;
+    }
+    // By the norm of the forces, which is not the one that the tolerance is for.
+    EXPECT_LE(worst, 0.015) << law;
+    EXPECT_LE(cluster.iterations(), 1.2 * steps) << law;
+  }
+}
+
+TEST(NewtonCluster, RefusesASystemWithDamping) {
+  Body body = test::sliverBody("corotational", 0.95);
+  auto handler = makeHandler("imex", body, makeIntegrator("symplectic-euler"), {});
+  const double h = 3 * criticalStepOf(body);
+  handler->prepare(body.mesh().X, h);
+  ASSERT_FALSE(handler->elements().empty());
+  BodySystem system(body, {1, 0});
+  State state = system.initialState();
+  EXPECT_THROW(handler->step(system, state, h), InputError);
+}
+
 TEST(NewtonCluster, SaysWhereALawHasNoEnergy) {
   Body body = test::sliverBody("neo-hookean");
   NodeVectors x = body.mesh().X;
@@ -137,8 +163,7 @@ TEST(NewtonCluster, SaysWhereALawHasNoEnergy) {
   NodeVectors a = NodeVectors::Ones(3, body.nodeCount());
   const NodeVectors v = NodeVectors::Zero(3, body.nodeCount()), before = a;
   NewtonCluster cluster(body, everyElement(body), {1e-3, 0}, 1e-6, 200);
-  NodeVectors others = a;
-  EXPECT_EQ(cluster.solve(x, a, v, others), NewtonCluster::Outcome::noEnergy);
+  EXPECT_EQ(cluster.solve(x, a, v), NewtonCluster::Outcome::noEnergy);
   EXPECT_EQ(a, before);
 }
 
