@@ -152,9 +152,6 @@ void Body::setElementDamping(const std::vector<DampingConstants>& ofBlocks) {
     if (own.hourglassViscosity > 0 && !rule.uniformStrain)
       throw InputError(joinText("element damping: hourglass viscosity goes with a rule of uniform strain; ",
                                 blocks_[b]->element().name, " has the rule ", rule.name));
-    if (rule.uniformStrain && (own.bulk() || own.viscous()))
-      throw InputError(joinText("element damping: bulk viscosity and viscous stresses do not go with the rule ",
-                                rule.name, " of ", blocks_[b]->element().name, "; choose another rule"));
   }
   damping_ = std::make_unique<ElementDamping>();
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
