@@ -284,7 +284,7 @@ class RankRun {
     balance_->record(state_.x, evaluation_.internalForce);
     if (damped()) {
       system_->ofBody().dampingForce(state_.x, state_.v, dampingForce_);
-      balance_->recordDamping(state_.time, state_.x, state_.v, dampingForce_);
+      balance_->recordDamping(state_.time, state_.v, dampingForce_);
     }
     if (wanted) energies_ = energiesNow();
   }
