@@ -114,18 +114,22 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
   setElements(tangentsOfBlocks(), whole.lumpedMass());
 }
 
-void Body::tie(std::string name, std::vector<std::int32_t> nodes) {
+void Body::tie(std::string name, std::vector<std::int32_t> nodes, RigidGuide guide) {
   if (damping_) throw InputError(joinText("rigid body ", name, ": elements damp already; tie nodes before"));
-  constraints().tie(RigidBody(std::move(name), std::move(nodes), mesh_.X, lumpedMass()));
+  constraints().tie(RigidBody(std::move(name), std::move(nodes), mesh_.X, lumpedMass(), std::move(guide)));
   wrapRigidBlocks();
   replaceElements(tangentsOfBlocks());
 }
 
 void Body::wrapRigidBlocks() {
-  if (constraints().rigidBodies().empty()) return;
   std::vector<std::int32_t> bodyOf(mesh_.nodeCount(), -1);
-  for (std::size_t r = 0; r < constraints().rigidBodies().size(); ++r)
-    for (const std::int32_t node : constraints().rigidBodies()[r].nodes()) bodyOf[node] = static_cast<std::int32_t>(r);
+  std::int32_t count = 0;
+  for (const std::vector<RigidBody>* bodies : {&constraints().rigidBodies(), &constraints().prescribedBodies()})
+    for (const RigidBody& body : *bodies) {
+      for (const std::int32_t node : body.nodes()) bodyOf[node] = count;
+      ++count;
+    }
+  if (count == 0) return;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     bool rigid = blocks_[b]->elementCount() > 0;
     for (std::int32_t e = 0; rigid && e < blocks_[b]->elementCount(); ++e) {
@@ -152,9 +156,6 @@ void Body::setElementDamping(const std::vector<DampingConstants>& ofBlocks) {
     if (own.hourglassViscosity > 0 && !rule.uniformStrain)
       throw InputError(joinText("element damping: hourglass viscosity goes with a rule of uniform strain; ",
                                 blocks_[b]->element().name, " has the rule ", rule.name));
-    if (rule.uniformStrain && (own.bulk() || own.viscous()))
-      throw InputError(joinText("element damping: bulk viscosity and viscous stresses do not go with the rule ",
-                                rule.name, " of ", blocks_[b]->element().name, "; choose another rule"));
   }
   damping_ = std::make_unique<ElementDamping>();
   for (std::size_t b = 0; b < blocks_.size(); ++b) {

@@ -76,7 +76,7 @@ class Body : public TangentSource {
   /// Ties nodes, ascending, to a rigid body of their lumped masses, from now on. Blocks all of whose elements lie
   /// within rigid bodies have neither forces nor stiffness then (RigidBlock). Before elements damp; throws InputError
   /// after, and as RigidBody and Constraints::tie do.
-  void tie(std::string name, std::vector<std::int32_t> nodes);
+  void tie(std::string name, std::vector<std::int32_t> nodes, RigidGuide guide = {});
 
   /// Lets elements damp, by constants for each block; tangents are those of K + f C from now on, f of
   /// ElementDamping::setFactor, 0 at first. Once, before anything keeps a reference to the blocks. Throws InputError

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -53,25 +54,57 @@ class Constraints {
     moving_ = moving_ || velocity != 0;
   }
 
-  /// Ties nodes to a rigid body. Throws InputError for a node of another one, and for one whose motion is prescribed.
+  /// Ties nodes to a rigid body. Those of a body whose guide leaves nothing free follow their constraints instead,
+  /// which they must have. Throws InputError for a node of another body, for one whose motion is prescribed, and for
+  /// one of a body without freedom whose motion is not.
   void tie(RigidBody body) {
+    const int free = body.guide().all() ? 0 : 3;
     for (const std::int32_t node : body.nodes())
-      if (freeComponents(node) < 3 || isTied(node))
+      if (freeComponents(node) != free || isTied(node))
         throw InputError(joinText("rigid body ", body.name(), ": node ", node,
-                                  isTied(node) ? " is of another rigid body" : " has a prescribed motion"));
+                                  isTied(node) ? " is of another rigid body"
+                                  : free == 0  ? " has no prescribed motion"
+                                               : " has a prescribed motion"));
+    if (free == 0) {
+      prescribedBodies_.push_back(std::move(body));
+      return;
+    }
     tied_.resize(constrained_.size() / 3, 0);
     for (const std::int32_t node : body.nodes()) tied_[static_cast<std::size_t>(node)] = 1;
+    moving_ = moving_ || body.guide().moves();
     rigidBodies_.push_back(std::move(body));
     version_.add();
   }
+  /// Those with nodes that are tied.
   const std::vector<RigidBody>& rigidBodies() const { return rigidBodies_; }
+  /// Those of which nothing is free.
+  const std::vector<RigidBody>& prescribedBodies() const { return prescribedBodies_; }
+  /// One of either, by its name.
+  const RigidBody& rigidBody(const std::string& name) const {
+    for (const std::vector<RigidBody>* bodies : {&rigidBodies_, &prescribedBodies_})
+      for (const RigidBody& body : *bodies)
+        if (body.name() == name) return body;
+    throw InputError(joinText("there is no rigid body ", name));
+  }
+  /// RigidBody::guideAt of the tied one with a name.
+  void guide(const std::string& name, const Eigen::Vector3d& velocity, const Eigen::Vector3d& angularVelocity) {
+    for (RigidBody& body : rigidBodies_)
+      if (body.name() == name) body.guideAt(velocity, angularVelocity);
+    moving_ = moving_ || !velocity.isZero(0) || !angularVelocity.isZero(0);
+  }
   bool isTied(std::int32_t node) const { return !tied_.empty() && tied_[static_cast<std::size_t>(node)] != 0; }
-  /// RigidBody::project of all: velocities at x become those of rigid motions where nodes are tied. Both 3×N.
+  /// RigidBody::project of all: velocities at x become those of motions that are free where nodes are tied. Both 3×N.
   void projectTied(NodeVectorsView x, NodeVectors& v) const {
     for (const RigidBody& body : rigidBodies_) body.project(x, v);
   }
+  /// RigidBody::impose of all.
+  void imposeTied(NodeVectorsView x, NodeVectors& v) const {
+    for (const RigidBody& body : rigidBodies_) body.impose(x, v);
+  }
 
+  /// Whether single components are constrained.
   bool any() const { return !components_.empty(); }
+  /// Whether components or rigid bodies are moved.
   bool moving() const { return moving_; }
   bool isConstrained(std::int32_t node, int component) const {
     return constrained_[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(component)] != 0;
@@ -101,7 +134,7 @@ class Constraints {
   std::vector<std::int64_t> components_;   // those that are set
   NodeVectors velocity_;
   std::vector<std::uint8_t> tied_;  // a flag for every node; empty without rigid bodies
-  std::vector<RigidBody> rigidBodies_;
+  std::vector<RigidBody> rigidBodies_, prescribedBodies_;
   bool moving_ = false;
   ChangeCount version_;
 };

@@ -8,6 +8,7 @@
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/matrix3.h>
 #include <ringwatch/base/rounding.h>
+#include <ringwatch/body/uniform_strain_geometry.h>
 #include <ringwatch/elements/registry.h>
 
 namespace ringwatch {
@@ -34,38 +35,38 @@ RINGWATCH_INLINE void subtractFirst(int n, P (*x)[3]) {
 
 RINGWATCH_INLINE P dot(const P (&a)[3], const P (&b)[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// A quadrature point of any elements, one a lane: J⁻¹, w det J, and F.
-struct Point {
-  Matrix3<P> inverseJacobian, F;
-  P weight;
-  /// ∂N_a/∂X, of the row of a table of ∂N_a/∂ξ.
-  RINGWATCH_INLINE void gradient(const double* dN, P (&g)[3]) const {
-    for (int j = 0; j < 3; ++j)
-      g[j] = P(dN[0]) * inverseJacobian(0, j) + P(dN[1]) * inverseJacobian(1, j) + P(dN[2]) * inverseJacobian(2, j);
-  }
-};
-/// stored(i): number i of the point, as in `geometry_`; dN: of all nodes, row by row; edges: of the n nodes.
-template <class Stored>
-RINGWATCH_INLINE Point pointOf(int n, const P (*edges)[3], const double* dN, const Stored& stored) {
-  Point point;
-  for (int i = 0; i < 9; ++i) point.inverseJacobian.m[i] = stored(i);
-  point.weight = stored(9);
-  Matrix3<P> D = Matrix3<P>::zero();
-  for (int a = 1; a < n; ++a)
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) D(i, j) += edges[a][i] * P(dN[3 * a + j]);
-  point.F = D * point.inverseJacobian;
-  return point;
-}
-
-/// Whether volumes and their derivatives go by modes (volumeGradientOfHexahedron).
-bool goesByModes(const ElementInfo& element) { return element.type == elementTypeOf<Hex8>; }
-
 /// The first n rows of an array.
 template <int n, class Entry>
 RINGWATCH_INLINE Entry (&rowsOf(Entry (*rows)[3]))[n][3] {
   return *reinterpret_cast<Entry(*)[n][3]>(rows);
 }
+
+using Means = UniformStrainGeometry<Hex8>;
+
+/// Σ_a x_a ⊗ ∂N_a/∂ξ of edges, by the row of a point in a table of ∂N_a/∂ξ.
+RINGWATCH_INLINE Matrix3<P> naturalGradient(int n, const P (*edges)[3], const double* dN) {
+  Matrix3<P> D = Matrix3<P>::zero();
+  for (int a = 1; a < n; ++a)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) D(i, j) += edges[a][i] * P(dN[3 * a + j]);
+  return D;
+}
+
+/// F̄ of edges.
+RINGWATCH_INLINE Matrix3<P> meanDeformation(const Means::Stored& at, const P (*edges)[3]) {
+  P q[Means::vectors][3];
+  return Means::deformation(at, rowsOf<8>(edges), q);
+}
+/// V T g_a at the nodes: the forces of a first Piola-Kirchhoff stress T.
+RINGWATCH_INLINE void meanForces(const Means::Stored& at, const Matrix3<P>& T, P (*force)[3]) {
+  P none[Means::vectors][3];
+  for (auto& row : none)
+    for (P& entry : row) entry = P(0.0);
+  Means::forces(at, T, none, rowsOf<8>(force));
+}
+
+/// Whether volumes and their derivatives go by modes (volumeGradientOfHexahedron).
+bool goesByModes(const ElementInfo& element) { return element.type == elementTypeOf<Hex8>; }
 
 /// s of the forces s w of bulk viscosity, by the sizes of the elements, V and V̇. coefficient(ε̇). BulkViscosity::factor
 /// has the coefficient that forces have.
@@ -117,6 +118,11 @@ RINGWATCH_INLINE P addBulkAlone(std::int32_t first, std::int32_t last, const std
 
 }  // namespace
 
+struct DampedBlock::Point {
+  Matrix3<P> inverseJacobian, F;  // the first not of rules of uniform strain
+  P weight;
+};
+
 DampedBlock::DampedBlock(const Mesh& mesh, const MeshBlock& block, std::unique_ptr<ElementBlock> inner,
                          const DampingConstants& constants, const std::vector<double>& masses,
                          std::shared_ptr<const double> factor, const DampedBlock* whole,
@@ -126,7 +132,7 @@ DampedBlock::DampedBlock(const Mesh& mesh, const MeshBlock& block, std::unique_p
       factor_(std::move(factor)),
       points_(static_cast<int>(rule().points.size())),
       whole_(whole) {
-  fill(mesh, masses);
+  fill(mesh, block, masses);
   if (!constants_.bulk()) {
     whole_ = nullptr;
     return;
@@ -142,7 +148,7 @@ DampedBlock::DampedBlock(const Mesh& mesh, const MeshBlock& block, std::unique_p
         layout().elements[place] < 0 ? 0 : whole_->layout().batchOfElement[elements[layout().elements[place]]];
 }
 
-void DampedBlock::fill(const Mesh& mesh, const std::vector<double>& masses) {
+void DampedBlock::fill(const Mesh& mesh, const MeshBlock& meshBlock, const std::vector<double>& masses) {
   const int n = nodesPerElement();
   const std::size_t batches = layout().batchCount();
   for (const QuadraturePoint& point : rule().points) {
@@ -157,22 +163,22 @@ void DampedBlock::fill(const Mesh& mesh, const std::vector<double>& masses) {
     tableNorm_.push_back(std::sqrt(square));
   }
   sizes_.resize(batches * sizeCount);
-  if (constants_.viscous()) geometry_.resize(batches * numbersOf(points_));
+  if (rule().uniformStrain && (constants_.bulk() || constants_.viscous()))
+    means_ = std::make_shared<const Means>(inner(), mesh, meshBlock, 0);
+  else if (constants_.viscous())
+    geometry_.resize(batches * numbersOf(points_));
   if (constants_.massProportional > 0) masses_.resize(batches * static_cast<std::size_t>(n));
   if (constants_.hourglassViscosity > 0) fillHourglass();
   for (std::size_t batch = 0; batch < batches; ++batch) {
     const std::int32_t* elements = layout().elements.data() + batch * lanes;
     P edges[maxElementNodes][3], w[maxElementNodes][3], volume, extent(0.0);
     loadEdges(mesh.X.data(), elements, edges);
-    if (isSimplex())
-      volumeGradient<true>(edges, volume, w);
-    else
-      volumeGradient<false>(edges, volume, w);
+    volumeGradient(elements, edges, volume, w);
     for (int a = 1; a < n; ++a) extent += dot(edges[a], edges[a]);
     P* sizes = sizes_.data() + batch * sizeCount;
     for (int lane = 0; lane < lanes; ++lane) {
       const bool none = elements[lane] < 0;
-      sizes[0].set(lane, volume[lane]);
+      sizes[0].set(lane, none ? 1 : volume[lane]);  // no division by zero
       sizes[1].set(lane, none ? 0 : std::cbrt(volume[lane]));
       if (!masses_.empty())
         for (int a = 0; a < n; ++a)
@@ -184,10 +190,7 @@ void DampedBlock::fill(const Mesh& mesh, const std::vector<double>& masses) {
     if (geometry_.empty()) continue;
     geometry_[(batch + 1) * numbersOf(points_) - 1] = math::sqrt(extent);
     for (int q = 0; q < points_; ++q) {
-      Matrix3<P> J = Matrix3<P>::zero();
-      for (int a = 1; a < n; ++a)
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j) J(i, j) += edges[a][i] * P(shapeTable(q, a)[j]);
+      const Matrix3<P> J = naturalGradient(n, edges, shapeTable(q, 0));
       const P det = determinant(J);
       const Matrix3<P> inverse = (P(1.0) / det) * transpose(cofactor(J));
       P* point = geometry_.data() + batch * numbersOf(points_) + static_cast<std::size_t>(q) * stride;
@@ -217,23 +220,30 @@ void DampedBlock::fillHourglass() {
 
 void DampedBlock::forgetRates() { std::fill(coefficients_.begin(), coefficients_.end(), constants_.linearBulk); }
 
+const DampedBlock::Mean* DampedBlock::meanOf(std::int32_t batch) const { return means_ ? &means_->of(batch) : nullptr; }
+const DampedBlock::Mean* DampedBlock::meanOf(const std::int32_t* elements, Mean& at) const {
+  if (!means_) return nullptr;
+  means_->gather(elements, at);
+  return &at;
+}
+
 template <bool simplex>
-RINGWATCH_INLINE void DampedBlock::volumeGradient(const P (*edges)[3], P& volume, P (*w)[3]) const {
+RINGWATCH_INLINE void DampedBlock::volumeGradient(const Mean* mean, const P (*edges)[3], P& volume, P (*w)[3]) const {
   if constexpr (simplex) {
     volumeGradientOfTetrahedron(rowsOf<4>(edges), volume, rowsOf<4>(w));
   } else {
+    if (mean) {  // V₀ det F̄
+      const Matrix3<P> F = meanDeformation(*mean, edges), C = cofactor(F);
+      volume = mean->volume * (C(0, 0) * F(0, 0) + C(0, 1) * F(0, 1) + C(0, 2) * F(0, 2));
+      return meanForces(*mean, C, w);
+    }
     if (goesByModes(element())) return volumeGradientOfHexahedron(rowsOf<8>(edges), volume, rowsOf<8>(w));
     const int n = nodesPerElement();
     volume = P(0.0);
     for (int a = 0; a < n; ++a)
       for (int i = 0; i < 3; ++i) w[a][i] = P(0.0);
     for (int q = 0; q < points_; ++q) {
-      Matrix3<P> D = Matrix3<P>::zero();
-      for (int a = 1; a < n; ++a) {
-        const double* dN = shapeTable(q, a);
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j) D(i, j) += edges[a][i] * P(dN[j]);
-      }
+      const Matrix3<P> D = naturalGradient(n, edges, shapeTable(q, 0));
       const Matrix3<P> own = P(weights_[q]) * cofactor(D);
       volume += own(0, 0) * D(0, 0) + own(0, 1) * D(0, 1) + own(0, 2) * D(0, 2);
       for (int a = 0; a < n; ++a) {
@@ -244,13 +254,19 @@ RINGWATCH_INLINE void DampedBlock::volumeGradient(const P (*edges)[3], P& volume
   }
 }
 
+void DampedBlock::volumeGradient(const std::int32_t* elements, const P (*edges)[3], P& volume, P (*w)[3]) const {
+  Mean at;
+  if (isSimplex())
+    volumeGradient<true>(nullptr, edges, volume, w);
+  else
+    volumeGradient<false>(meanOf(elements, at), edges, volume, w);
+}
+
 void DampedBlock::volumeGradient(std::int32_t batch, const double* x, double* volume, double* gradient) const {
   P edges[maxElementNodes][3], w[maxElementNodes][3], V;
-  loadEdges(x, layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes, edges);
-  if (isSimplex())
-    volumeGradient<true>(edges, V, w);
-  else
-    volumeGradient<false>(edges, V, w);
+  const std::int32_t* elements = layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
+  loadEdges(x, elements, edges);
+  volumeGradient(elements, edges, V, w);
   V.store(volume);
   for (int a = 0; a < nodesPerElement(); ++a)
     for (int i = 0; i < 3; ++i) w[a][i].store(gradient + (3 * a + i) * lanes);
@@ -269,6 +285,16 @@ DampedBlock::P DampedBlock::add(std::int32_t first, std::int32_t last, const dou
              byMass = constants_.massProportional > 0;
   const P eta(factor * constants_.shearViscosity),
       lambda(factor * (constants_.volumeViscosity - 2.0 / 3 * constants_.shearViscosity));
+  // F S at a point of this weight; its power is added.
+  const auto viscousStress = [&](const Matrix3<P>& F, const Matrix3<P>& dF, const P& weight) {
+    const Matrix3<P> half = transposeTimes(F, dF);
+    // 2 η Ė = η (FᵀḞ + ḞᵀF), λ tr(Ė) = λ tr(FᵀḞ).
+    Matrix3<P> S = eta * (half + transpose(half));
+    const P mean = lambda * trace(half);
+    for (int i = 0; i < 3; ++i) S(i, i) += mean;
+    power += weight * innerProduct(S, half);
+    return F * S;
+  };
   for (std::int32_t batch = first; batch < last; ++batch) {
     const std::uint16_t* local = layout().localNodes.data() + static_cast<std::ptrdiff_t>(batch) * n * lanes;
     P x[most][3], v[most][3], force[most][3];
@@ -305,7 +331,7 @@ DampedBlock::P DampedBlock::add(std::int32_t first, std::int32_t last, const dou
     if (bulk) {
       const P* sizes = sizes_.data() + static_cast<std::ptrdiff_t>(batch) * sizeCount;
       P w[most][3], volume;
-      volumeGradient<simplex>(x, volume, w);
+      volumeGradient<simplex>(meanOf(batch), x, volume, w);
       P rate = dot(w[1], v[1]);
       for (int a = 2; a < n; ++a) rate += dot(w[a], v[a]);
       const P s = bulkFactorOf(sizes, P(factor * impedance), volume, rate, [&](const P& relative) {
@@ -315,26 +341,21 @@ DampedBlock::P DampedBlock::add(std::int32_t first, std::int32_t last, const dou
       for (int a = 0; a < n; ++a)
         for (int i = 0; i < 3; ++i) force[a][i] += s * w[a][i];
     }
-    if (viscous) {
+    if (viscous && means_) {
+      const Mean& at = *meanOf(batch);
+      const Matrix3<P> F = meanDeformation(at, x);
+      P stressed[most][3];
+      meanForces(at, viscousStress(F, meanDeformation(at, v), at.volume), stressed);
+      for (int a = 0; a < n; ++a)
+        for (int i = 0; i < 3; ++i) force[a][i] += stressed[a][i];
+    } else if (viscous) {
       const P* point = geometry_.data() + static_cast<std::size_t>(batch) * numbersOf(points_);
       for (int q = 0; q < points_; ++q, point += stride) {
-        Matrix3<P> D = Matrix3<P>::zero(), dD = D, J1;
-        for (int a = 1; a < n; ++a) {
-          const double* dN = shapeTable(q, a);
-          for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) {
-              D(i, j) += x[a][i] * P(dN[j]);
-              dD(i, j) += v[a][i] * P(dN[j]);
-            }
-        }
+        Matrix3<P> J1;
         for (int i = 0; i < 9; ++i) J1.m[i] = point[i];
-        const Matrix3<P> F = D * J1, half = transposeTimes(F, dD * J1);
-        // 2 η Ė = η (FᵀḞ + ḞᵀF), λ tr(Ė) = λ tr(FᵀḞ).
-        Matrix3<P> S = eta * (half + transpose(half));
-        const P mean = lambda * trace(half);
-        for (int i = 0; i < 3; ++i) S(i, i) += mean;
-        power += point[9] * innerProduct(S, half);
-        const Matrix3<P> T = timesTranspose(point[9] * (F * S), J1);
+        const Matrix3<P> F = naturalGradient(n, x, shapeTable(q, 0)) * J1,
+                         dF = naturalGradient(n, v, shapeTable(q, 0)) * J1;
+        const Matrix3<P> T = timesTranspose(point[9] * viscousStress(F, dF, point[9]), J1);
         for (int a = 0; a < n; ++a) {
           const double* dN = shapeTable(q, a);
           for (int i = 0; i < 3; ++i) force[a][i] += T(i, 0) * P(dN[0]) + T(i, 1) * P(dN[1]) + T(i, 2) * P(dN[2]);
@@ -350,7 +371,7 @@ DampedBlock::P DampedBlock::add(std::int32_t first, std::int32_t last, const dou
 template <class Coefficient>
 DampedBlock::P DampedBlock::addAny(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
                                    double factor, double* slots, Parts parts, const Coefficient& coefficient) const {
-  if (!constants_.besideBulk() && (isSimplex() || goesByModes(element()))) {
+  if (!constants_.besideBulk() && (isSimplex() || (goesByModes(element()) && !means_))) {
     const double speed = material().waveSpeed();
     const P slowness(1 / speed);
     const auto alone = [&]<int n>(std::integral_constant<int, n>) {
@@ -438,7 +459,7 @@ void DampedBlock::followBatches(const Patch& patch, const double* rows, const do
     for (int a = 0; a < n; ++a) loadRows(vRows, local + a * lanes, v[a]);
     subtractFirst(n, x);
     subtractFirst(n, v);
-    volumeGradient<simplex>(x, volume, w);
+    volumeGradient<simplex>(meanOf(batch), x, volume, w);
     P rate = dot(w[1], v[1]);
     for (int a = 2; a < n; ++a) rate += dot(w[a], v[a]);
     rate = rate / math::max(volume, P(leastVolumeShare) * sizes[0]);
@@ -504,6 +525,31 @@ DampedBlock::P DampedBlock::coefficientOf(const std::int32_t* elements) const {
   return r;
 }
 
+DampedBlock::Point DampedBlock::pointOf(int q, const std::int32_t* elements, const P (*edges)[3],
+                                        P (*gradient)[3]) const {
+  const int n = nodesPerElement();
+  Point point;
+  Mean at;
+  if (meanOf(elements, at)) {
+    const Means::Vectors own = Means::vectorsOf(at);
+    for (int a = 0; a < n; ++a) std::copy_n(own.g[a], 3, gradient[a]);
+    point.F = meanDeformation(at, edges);
+    point.weight = at.volume;
+    return point;
+  }
+  const std::size_t first = static_cast<std::size_t>(q) * stride, perBatch = numbersOf(points_);
+  for (std::size_t i = 0; i < 9; ++i) point.inverseJacobian.m[i] = gather(geometry_, perBatch, first + i, elements);
+  point.weight = gather(geometry_, perBatch, first + 9, elements);
+  point.F = naturalGradient(n, edges, shapeTable(q, 0)) * point.inverseJacobian;
+  for (int a = 0; a < n; ++a) {
+    const double* dN = shapeTable(q, a);
+    for (int j = 0; j < 3; ++j)
+      gradient[a][j] = P(dN[0]) * point.inverseJacobian(0, j) + P(dN[1]) * point.inverseJacobian(1, j) +
+                       P(dN[2]) * point.inverseJacobian(2, j);
+  }
+  return point;
+}
+
 /// s of f C = s w wᵀ, N/m⁵.
 DampedBlock::P DampedBlock::bulkFactor(const Sizes& sizes, const P& volume, const std::int32_t* elements) const {
   const P inverse = P(1.0) / math::max(volume, sizes.leastVolume);
@@ -518,10 +564,7 @@ void DampedBlock::addTangent(const std::int32_t* elements, const double* x, doub
   loadEdges(x, elements, edges);
   if (constants_.bulk()) {
     P w[maxElementNodes][3], volume;
-    if (isSimplex())
-      volumeGradient<true>(edges, volume, w);
-    else
-      volumeGradient<false>(edges, volume, w);
+    volumeGradient(elements, edges, volume, w);
     const P s = bulkFactor(sizesOf(elements), volume, elements);
     for (int i = 0; i < size; ++i) {
       const P row = s * w[i / 3][i % 3];
@@ -532,17 +575,12 @@ void DampedBlock::addTangent(const std::int32_t* elements, const double* x, doub
     const double eta = *factor_ * constants_.shearViscosity,
                  lambda = *factor_ * (constants_.volumeViscosity - 2.0 / 3 * constants_.shearViscosity);
     for (int q = 0; q < points_; ++q) {
-      const std::size_t at = static_cast<std::size_t>(q) * stride, perBatch = numbersOf(points_);
-      const Point point = pointOf(n, edges, shapeTable(q, 0), [&](int i) {
-        return gather(geometry_, perBatch, at + static_cast<std::size_t>(i), elements);
-      });
+      P g[maxElementNodes][3], h[maxElementNodes][3];  // ∂N_a/∂X and F ∂N_a/∂X
+      const Point point = pointOf(q, elements, edges, g);
       const Matrix3<P>& F = point.F;
       const Matrix3<P> B = timesTranspose(F, F);
-      P g[maxElementNodes][3], h[maxElementNodes][3];  // ∂N_a/∂X and F ∂N_a/∂X
-      for (int a = 0; a < n; ++a) {
-        point.gradient(shapeTable(q, a), g[a]);
+      for (int a = 0; a < n; ++a)
         for (int i = 0; i < 3; ++i) h[a][i] = F(i, 0) * g[a][0] + F(i, 1) * g[a][1] + F(i, 2) * g[a][2];
-      }
       const P ofEta = P(eta) * point.weight, ofLambda = P(lambda) * point.weight;
       for (int a = 0; a < n; ++a)
         for (int b = a; b < n; ++b) {
@@ -587,27 +625,30 @@ void DampedBlock::roundingOf(const std::int32_t* elements, const P (*edges)[3], 
   P square(0.0);
   for (int a = 1; a < n; ++a) square += dot(edges[a], edges[a]);
   const P edge = math::sqrt(square);
+  Mean at;
+  const bool mean = meanOf(elements, at) != nullptr;
+  Means::Vectors vectors;
+  if (mean) vectors = Means::vectorsOf(at);
   for (int a = 0; a < n; ++a) T[a] = P(0.0);
   if (constants_.bulk()) {
     P w[maxElementNodes][3], volume;
-    if (isSimplex())
-      volumeGradient<true>(edges, volume, w);
-    else
-      volumeGradient<false>(edges, volume, w);
+    volumeGradient(elements, edges, volume, w);
     // What ∂V/∂x_a and V err by.
     P ofGradient(0.0), ofVolume(0.0);
-    if (goesByModes(element())) {
+    if (mean) {  // Theorem 111
+      const P F = norm(meanDeformation(at, edges)), error = Means::gradientError(vectors, edge);
+      ofGradient = at.volume * vectors.norm * (P(3.0) * F * error + P(32 * u) * F * F);
+      ofVolume = at.volume * F * F * (P(2.0) * error + P(16 * u) * F);
+    } else if (goesByModes(element())) {
       ofGradient = P(8 * u) * square;
       ofVolume = P(16 * u) * square * edge;
     }
     for (int q = 0; !goesByModes(element()) && q < points_; ++q) {
-      Matrix3<P> D = Matrix3<P>::zero();
+      const Matrix3<P> D = naturalGradient(n, edges, shapeTable(q, 0));
       double largest = 0;
       for (int a = 0; a < n; ++a) {
         const double* dN = shapeTable(q, a);
         largest = std::max(largest, std::hypot(dN[0], dN[1], dN[2]));
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j) D(i, j) += edges[a][i] * P(dN[j]);
       }
       const P d = norm(D), error = P(u * (n + 4) * tableNorm_[q]) * edge;
       ofGradient += P(weights_[q] * largest) * (P(2.0) * error + P(u * (12 + points_)) * d) * d;
@@ -625,11 +666,15 @@ void DampedBlock::roundingOf(const std::int32_t* elements, const P (*edges)[3], 
   if (constants_.viscous()) {
     const double lambda = constants_.volumeViscosity - 2.0 / 3 * constants_.shearViscosity;
     const P modulus(*factor_ * (std::max(lambda, 0.0) + 2 * constants_.shearViscosity + std::max(-3 * lambda, 0.0)));
-    for (int q = 0; q < points_; ++q) {
-      const std::size_t at = static_cast<std::size_t>(q) * stride, perBatch = numbersOf(points_);
-      const Point point = pointOf(n, edges, shapeTable(q, 0), [&](int i) {
-        return gather(geometry_, perBatch, at + static_cast<std::size_t>(i), elements);
-      });
+    if (mean) {  // as of a law with this modulus
+      const P F = norm(meanDeformation(at, edges)), error = Means::gradientError(vectors, edge);
+      const P law = modulus * (P(2.0) * F * error + error * error + P(40 * u) * F * F);
+      const P all = Means::tangentError(at, vectors, {modulus * F * F, law});
+      for (int a = 0; a < n; ++a) T[a] += all;
+    }
+    for (int q = 0; !mean && q < points_; ++q) {
+      P g[maxElementNodes][3];
+      const Point point = pointOf(q, elements, edges, g);
       const P F = norm(point.F), inverse = norm(point.inverseJacobian),
               condition = P(tableNorm_[q]) * inverse * sizes.extent;
       const P error =
@@ -637,9 +682,7 @@ void DampedBlock::roundingOf(const std::int32_t* elements, const P (*edges)[3], 
       const P law = modulus * (P(2.0) * F * error + error * error + P(40 * u) * F * F);
       const P all = law + (P(shapeRounding * u) * condition + P(productRounding * u)) * modulus * F * F;
       for (int a = 0; a < n; ++a) {
-        P g[3];
-        point.gradient(shapeTable(q, a), g);
-        const P g2 = dot(g, g);
+        const P g2 = dot(g[a], g[a]);
         const P own = P(2.0) * point.weight * all * (g2 + g2 + P(1.0) / (sizes.extent * sizes.extent));
         T[a] += select(point.weight > P(0.0), own, P(0.0));
       }
@@ -694,10 +737,7 @@ void DampedBlock::deformationOf(const std::int32_t* elements, const double* x, d
   if (constants_.bulk()) {
     P edges[maxElementNodes][3], w[maxElementNodes][3];
     loadEdges(x, elements, edges);
-    if (isSimplex())
-      volumeGradient<true>(edges, volume, w);
-    else
-      volumeGradient<false>(edges, volume, w);
+    volumeGradient(elements, edges, volume, w);
     sizes = sizesOf(elements);
     s = bulkFactor(sizes, volume, elements);
   }

@@ -7,6 +7,9 @@
 
 namespace ringwatch {
 
+template <class Element>
+class UniformStrainGeometry;
+
 /// What damps the elements of a block. With F the deformation gradient, ρ the density and V the volume of an element
 /// as it is, ρ₀ and V₀ at rest, c = √(M/ρ₀) the speed of pressure waves at rest (Material::waveSpeed):
 ///
@@ -19,9 +22,10 @@ namespace ringwatch {
 ///   E = (FᵀF - I)/2 Green's strain, at the quadrature points: objective.
 /// - Mass-proportional: massProportional · m v, m the element's lumped mass.
 /// - Hourglass viscosity, of rules of uniform strain: (hourglassViscosity / 4) ρ₀ c V₀^⅔ Σ_α γ_α γ_αᵀ v with the
-/// hourglass
-///   vectors γ_α at rest (elements/hourglass.h), Flanagan & Belytschko's with the coefficient of LS-DYNA (Theory
-///   Manual, "Hourglass control").
+///   hourglass vectors γ_α at rest (elements/hourglass.h), Flanagan & Belytschko's with the coefficient of LS-DYNA
+///   (Theory Manual, "Hourglass control").
+///
+/// Rules of uniform strain have the mean deformation gradient F̄ for F, and V₀ det F̄ for V.
 ///
 /// The damping forces have a symmetric positive semidefinite derivative C by the velocities, Theorem 57
 /// (docs/theory/element_damping.md).
@@ -104,8 +108,18 @@ class DampedBlock final : public WrappedBlock {
   struct Sizes {
     P strength, time, leastVolume, restVolume, extent;
   };
+  /// Of elements of uniform strain: what their mean gradients are made of.
+  using Mean = Hex8::Hourglass::Geometry<P>;
+  /// V and ∂V/∂x by the rule. mean: nullptr but of uniform strain.
   template <bool simplex>
-  void volumeGradient(const P (*edges)[3], P& volume, P (*w)[3]) const;
+  void volumeGradient(const Mean* mean, const P (*edges)[3], P& volume, P (*w)[3]) const;
+  void volumeGradient(const std::int32_t* elements, const P (*edges)[3], P& volume, P (*w)[3]) const;
+  const Mean* meanOf(std::int32_t batch) const;
+  /// Of any elements, one a lane, into `at`.
+  const Mean* meanOf(const std::int32_t* elements, Mean& at) const;
+  /// Of Kelvin-Voigt stresses: deformation gradient and weight at a point of any elements, and ∂N_a/∂X.
+  struct Point;
+  Point pointOf(int q, const std::int32_t* elements, const P (*edges)[3], P (*gradient)[3]) const;
   enum class Parts { all, besideBulk };
   // These return the power, lane by lane.
   template <bool simplex, class Coefficient>
@@ -118,7 +132,7 @@ class DampedBlock final : public WrappedBlock {
               Parts parts) const;
   template <bool simplex>
   void followBatches(const Patch& patch, const double* rows, const double* vRows);
-  void fill(const Mesh& mesh, const std::vector<double>& masses);
+  void fill(const Mesh& mesh, const MeshBlock& meshBlock, const std::vector<double>& masses);
   void fillHourglass();
   bool isSimplex() const { return element().constantGradient; }
   const double* shapeTable(int q, int a) const {
@@ -139,9 +153,10 @@ class DampedBlock final : public WrappedBlock {
   std::vector<double> weights_, tableNorm_;  // [q]
   AlignedVector<P> sizes_;                   // [batch][5], as Sizes
   AlignedVector<P> geometry_;                // J⁻¹ row by row, w det J: [batch][q][10]; with Kelvin-Voigt
-  AlignedVector<P> masses_;                  // [batch][a], kg; with mass-proportional damping
-  AlignedVector<P> hourglass_;               // γ, then c, kg/s, and c times its rounding: [batch][34]
-  AlignedVector<double> coefficients_;       // by place; with bulk viscosity, of a block that is no part
+  std::shared_ptr<const UniformStrainGeometry<Hex8>> means_;  // of rules of uniform strain with bulk or Kelvin-Voigt
+  AlignedVector<P> masses_;                                   // [batch][a], kg; with mass-proportional damping
+  AlignedVector<P> hourglass_;                                // γ, then c, kg/s, and c times its rounding: [batch][34]
+  AlignedVector<double> coefficients_;  // by place; with bulk viscosity, of a block that is no part
   const DampedBlock* whole_ = nullptr;
   std::vector<std::int32_t> placeInWhole_;
 };

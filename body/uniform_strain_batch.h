@@ -115,6 +115,7 @@ class UniformStrainBatch final : public ElementBlock {
   }
   void volumeBatch(std::int32_t batch, double* volumes) const override { geometry_.of(batch).volume.store(volumes); }
   bool goesByDirections() const override { return false; }
+  bool addsBulkViscosity() const override { return true; }
 
   void stressBatch(std::int32_t batch, const double* x, double* stress, double* F) const override {
     const Stored& at = geometry_.of(batch);
@@ -140,7 +141,9 @@ class UniformStrainBatch final : public ElementBlock {
       const Matrix3<P> F = Geometry::deformation(at, position, q);
       if constexpr (wantsForce) {
         P force[n][3];
-        Geometry::forces(at, law.stress(F), q, force);
+        Matrix3<P> stress = law.stress(F);
+        if (evaluation.bulk) addBulkViscosity(*evaluation.bulk, batch, at, F, stress);
+        Geometry::forces(at, stress, q, force);
         geometry_.addToSlots(evaluation.slots, batch, force);
       }
       if (evaluation.energy) addEnergy(at, F, q, evaluation.energy);
@@ -150,6 +153,15 @@ class UniformStrainBatch final : public ElementBlock {
         evaluation.visitor->visit(batch, gradient);
       }
     }
+  }
+  /// Its forces are s ∂V/∂x_a = s V₀ cof F̄ g_a: those of the stress s cof F̄.
+  [[gnu::noinline]] void addBulkViscosity(const BulkViscosity& bulk, std::int32_t batch, const Stored& at,
+                                          const Matrix3<P>& F, Matrix3<P>& stress) const {
+    P v[n][3], q[vectors][3];
+    geometry_.loadEdges(bulk.velocities, batch, v);
+    const Matrix3<P> C = cofactor(F), dF = Geometry::deformation(at, v, q);
+    const P volume = at.volume * (C(0, 0) * F(0, 0) + C(0, 1) * F(0, 1) + C(0, 2) * F(0, 2));
+    stress = stress + bulk.factor(batch, volume, at.volume * innerProduct(C, dF)) * C;
   }
   [[gnu::noinline]] void addEnergy(const Stored& at, const Matrix3<P>& F, const P (&q)[vectors][3],
                                    double* energy) const {

@@ -100,12 +100,13 @@ class BodySystem final : public DifferentiableSystem {
   }
 
   const Body& body() const { return body_; }
-  /// The body at rest in the reference configuration, constrained components already moving.
+  /// The body at rest in the reference configuration, what is constrained or guided already moving.
   State initialState() const {
     State state;
     state.x = body_.mesh().X;
     state.v = NodeVectors::Zero(3, state.x.cols());
     body_.constraints().imposeVelocity(state.v);
+    body_.constraints().imposeTied(state.x, state.v);
     return state;
   }
 

@@ -1,6 +1,9 @@
 #include <ringwatch/monitor/energy_balance.h>
 
 #include <algorithm>
+#include <utility>
+
+#include <Eigen/Geometry>
 
 namespace ringwatch {
 
@@ -39,13 +42,51 @@ void EnergyBalance::record(const NodeVectors& x, const NodeVectors& internalForc
     }
   }
   if (!constraints.moving()) return;
+  recordGuided(x, internalForce);
   supported_.clear();
   for (const std::int64_t i : constraints.components()) supported_.push_back({x.data()[i], internalForce.data()[i]});
 }
 
-void EnergyBalance::recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce, double inForce) {
+void EnergyBalance::recordGuided(const NodeVectors& x, const NodeVectors& internalForce) {
+  using Eigen::Vector3d, Eigen::Matrix3d;
+  std::vector<Guided> before = std::move(guided_);
+  guided_.clear();
+  for (const RigidBody& body : body_.constraints().rigidBodies()) {
+    const RigidGuide& guide = body.guide();
+    const std::size_t r = guided_.size();
+    Guided& own = guided_.emplace_back(Guided{});
+    if (!guide.any()) continue;
+    const Vector3d point = body.point(x);
+    const Matrix3d rotation = body.rotation(x);
+    const RigidBody::Load inside = body.loadAbout(point, x, internalForce),
+                          outside = body.loadAbout(point, x, body_.externalForce());
+    Vector3d::Map(own.point.data()) = point;
+    Matrix3d::Map(own.rotation.data()) = rotation;
+    Vector3d::Map(own.force.data()) = inside.force - outside.force;
+    Vector3d::Map(own.torque.data()) = inside.torque - outside.torque;
+    if (r >= before.size()) continue;
+    const Guided& last = before[r];
+    for (std::size_t c = 0; c < 3; ++c)
+      if (guide.components[c]) prescribedWork_ += 0.5 * (last.force[c] + own.force[c]) * (own.point[c] - last.point[c]);
+    if (guide.turning != RigidGuide::Turning::prescribed) continue;
+    const Eigen::AngleAxisd turned(Matrix3d(rotation * Matrix3d::Map(last.rotation.data()).transpose()));
+    prescribedWork_ +=
+        0.5 * turned.angle() * turned.axis().dot(Vector3d::Map(last.torque.data()) + Vector3d::Map(own.torque.data()));
+  }
+}
+
+void EnergyBalance::recordDamping(double time, const NodeVectors& x, const NodeVectors& v,
+                                  const NodeVectors& dampingForce, double inForce) {
+  const Constraints& constraints = body_.constraints();
   DampingPower now{time, dot(dampingForce, v, body_.threads()) + inForce, 0};
-  if (body_.constraints().moving()) now.atSupports = dot(dampingForce, body_.constraints().velocity(), body_.threads());
+  if (constraints.moving()) {
+    now.atSupports = dot(dampingForce, constraints.velocity(), body_.threads());
+    for (const RigidBody& body : constraints.rigidBodies()) {
+      if (!body.guide().moves()) continue;
+      const RigidBody::Load load = body.loadAbout(body.point(x), x, dampingForce);
+      now.atSupports += load.force.dot(body.guide().velocity) + load.torque.dot(body.guide().angularVelocity);
+    }
+  }
   if (damping_) {
     const double half = 0.5 * (time - damping_->time);
     dissipated_ += half * (damping_->all + now.all);

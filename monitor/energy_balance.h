@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -20,9 +21,10 @@ struct Energies {
 double roundingEnergy(const Body& body);
 
 /// The energy balance of a run. Prescribed motion does work ∫ f · dx, f the internal force at moved nodes, summed by
-/// the trapezoidal rule; dead forces do f · (x - x at the start). Damping takes ∫ v · C v dt, by the same rule; what of
-/// it acts at moved nodes their support has to bring up, as work of its own. Moving obstacles do work on the nodes that
-/// they touch, of which what goes through damping and friction is dissipated by their velocity against the nodes.
+/// the trapezoidal rule, and along the guide of a rigid body that of the forces on it; dead forces do f · (x - x at the
+/// start). Damping takes ∫ v · C v dt, by the same rule; what of it acts at moved nodes their support has to bring up,
+/// as work of its own. Moving obstacles do work on the nodes that they touch, of which what goes through damping and
+/// friction is dissipated by their velocity against the nodes.
 class EnergyBalance {
  public:
   explicit EnergyBalance(const Body& body) : body_(body) {}
@@ -30,10 +32,11 @@ class EnergyBalance {
   /// Adds a state with its internal force (3×N, N), which is read only where motion is prescribed. Call it at every
   /// step then, else whenever wanted; the first call is the start.
   void record(const NodeVectors& x, const NodeVectors& internalForce);
-  /// Adds a time (s) with velocities v (3×N, m/s) and the damping force C v (3×N, N) there. Call it at every step of a
-  /// damped run. inForce: power, W, of damping that is part of the internal force of record(), and of the work at
-  /// supports with it.
-  void recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce, double inForce = 0);
+  /// Adds a time (s) with positions x, velocities v (3×N, m and m/s) and the damping force C v (3×N, N) there. Call it
+  /// at every step of a damped run. inForce: power, W, of damping that is part of the internal force of record(), and
+  /// of the work at supports with it.
+  void recordDamping(double time, const NodeVectors& x, const NodeVectors& v, const NodeVectors& dampingForce,
+                     double inForce = 0);
   /// Adds a time (s) with the power of moving obstacles there. Call it at every step of a run with them, as
   /// recordDamping.
   void recordObstacles(double time, const DiscreteForces::ObstaclePower& power);
@@ -46,10 +49,12 @@ class EnergyBalance {
   template <class Archive>
   void archive(Archive& a) {
     a(started_, hasReference_, prescribedWork_, dissipated_, referenceEnergy_, damping_, obstacles_, firstX_,
-      supported_);
+      supported_, guided_);
   }
 
  private:
+  void recordGuided(const NodeVectors& x, const NodeVectors& internalForce);
+
   const Body& body_;
   bool started_ = false, hasReference_ = false;
   double prescribedWork_ = 0, dissipated_ = 0, referenceEnergy_ = 0;
@@ -68,6 +73,13 @@ class EnergyBalance {
     double x, force;
   };
   std::vector<Supported> supported_;
+  /// Of the rigid bodies, in the order of Constraints::rigidBodies(), at the last record: the point of the guide, m,
+  /// the rotation, and force and torque about the point that resist, N and N m.
+  struct Guided {
+    std::array<double, 3> point, force, torque;
+    std::array<double, 9> rotation;
+  };
+  std::vector<Guided> guided_;
   StepEvaluation own_;
   Body::Workspace workspace_;
 };

@@ -112,8 +112,10 @@ Json materialsJson(const Scene& scene, const Body& body, const RunResult& result
 
 Json rigidBodiesJson(const Body& body) {
   Json json = Json::array();
-  for (const RigidBody& rigid : body.constraints().rigidBodies())
-    json.push_back({{"name", rigid.name()}, {"nodes", rigid.nodes().size()}, {"mass", rigid.mass()}});
+  for (const std::vector<RigidBody>* bodies :
+       {&body.constraints().rigidBodies(), &body.constraints().prescribedBodies()})
+    for (const RigidBody& rigid : *bodies)
+      json.push_back({{"name", rigid.name()}, {"nodes", rigid.nodes().size()}, {"mass", rigid.mass()}});
   return json;
 }
 

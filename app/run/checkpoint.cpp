@@ -213,18 +213,29 @@ std::vector<double> prescribedVelocities(const Constraints& constraints) {
   std::vector<double> velocities;
   if (constraints.moving())
     for (const std::int64_t i : constraints.components()) velocities.push_back(constraints.velocity().data()[i]);
+  if (constraints.moving())
+    for (const RigidBody& body : constraints.rigidBodies()) {
+      const RigidGuide& guide = body.guide();
+      velocities.insert(velocities.end(), guide.velocity.begin(), guide.velocity.end());
+      velocities.insert(velocities.end(), guide.angularVelocity.begin(), guide.angularVelocity.end());
+    }
   return velocities;
 }
 
 void resumeMotion(Constraints& constraints, const std::vector<double>& velocities) {
   const std::vector<std::int64_t> components = constraints.components();
-  if (velocities.size() != components.size()) return;  // nothing has moved
+  const std::vector<RigidBody>& bodies = constraints.rigidBodies();
+  if (velocities.size() != components.size() + 6 * bodies.size()) return;  // nothing has moved
   const auto move = [&](std::size_t k, double velocity) {
     constraints.move(static_cast<std::int32_t>(components[k] / 3), static_cast<int>(components[k] % 3), velocity);
   };
   // What has moved once counts as moving, also where it rests now.
   if (!components.empty()) move(0, 1);
   for (std::size_t k = 0; k < components.size(); ++k) move(k, velocities[k]);
+  for (std::size_t r = 0; r < bodies.size(); ++r) {
+    const double* own = velocities.data() + components.size() + 6 * r;
+    constraints.guide(bodies[r].name(), Eigen::Vector3d(own), Eigen::Vector3d(own + 3));
+  }
 }
 
 }  // namespace ringwatch

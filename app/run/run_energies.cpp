@@ -14,7 +14,7 @@ void RunEnergies::record(const State& state, const StepEvaluation& evaluation, B
   balance_->record(state.x, evaluation.internalForce);
   if (damped()) {
     system.dampingForceBesideElements(state.x, state.v, dampingForce_);
-    balance_->recordDamping(state.time, state.v, dampingForce_,
+    balance_->recordDamping(state.time, state.x, state.v, dampingForce_,
                             dampingPower ? *dampingPower : system.elementDampingPower(state.x, state.v));
   }
   if (scene_.movesObstacles())

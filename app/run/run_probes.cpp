@@ -1,6 +1,7 @@
 #include <ringwatch/app/run/run_probes.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -49,6 +50,15 @@ Eigen::Vector3d prescribedAcceleration(const Scene::Move& move, const Eigen::Vec
   return (move.displacement(X, time + h) - 2 * move.displacement(X, time) + before) / (h * h);
 }
 
+/// The angular acceleration of one, rad/s².
+Eigen::Vector3d prescribedTurning(const Scene::Move& move, double time, double h) {
+  if (!move.changes()) return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d before =
+      time > h ? move.turned(time - h)
+               : Eigen::Vector3d((time - h) * (move.table ? move.table->at(0) : 1) * move.angularVelocity);
+  return (move.turned(time + h) - 2 * move.turned(time) + before) / (h * h);
+}
+
 }  // namespace
 
 RunProbes::RunProbes(const Scene& scene, const Body& body, const StepRule& rule)
@@ -58,6 +68,9 @@ RunProbes::RunProbes(const Scene& scene, const Body& body, const StepRule& rule)
     reacts_ = reacts_ || probe.quantity.kind == Quantity::reaction;
     forced_ = forced_ || (probe.quantity.ofRigidBodies() && probe.quantity.needsForce());
   }
+  const auto guides = [](const auto& section) { return Scene::guides(section); };
+  if (scene.reactions && (std::ranges::any_of(scene.fixes, guides) || std::ranges::any_of(scene.moves, guides)))
+    forced_ = true;
   follow();
 }
 
@@ -107,8 +120,9 @@ void RunProbes::follow() {
             by = section;
       ++section;
     };
-    for (const Scene::Fix& fix : scene_.fixes) hold(fix.nodes, fix.components);
-    for (const Scene::Move& move : scene_.moves) hold(move.nodes, move.components);
+    constexpr std::array<bool, 3> none{};  // of a rigid body with some freedom the support is not that of its nodes
+    for (const Scene::Fix& fix : scene_.fixes) hold(fix.nodes, Scene::guides(fix) ? none : fix.components);
+    for (const Scene::Move& move : scene_.moves) hold(move.nodes, Scene::guides(move) ? none : move.components);
   }
   nameColumns();
 }
@@ -166,6 +180,27 @@ void RunProbes::react(const State& state, double h, const NodeVectors& internalF
       ofSections_[section][c] += force;
     }
   }
+  if (!forced_) return;
+  std::size_t section = 0;
+  const auto addGuided = [&](const auto& sections) {
+    for (const auto& one : sections) {
+      if (Scene::guides(one))
+        ofSections_[section] = supportOf(body_.constraints().rigidBody(one.guide->body), state, h).force;
+      ++section;
+    }
+  };
+  addGuided(scene_.fixes);
+  addGuided(scene_.moves);
+}
+
+RigidBody::Load RunProbes::supportOf(const RigidBody& rigid, const State& state, double h) const {
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero(), turning = acceleration;
+  for (const Scene::Move& move : scene_.moves)
+    if (move.guide && move.guide->body == rigid.name()) {
+      acceleration = prescribedAcceleration(move, move.point, state.time, h);
+      turning = prescribedTurning(move, state.time, h);
+    }
+  return rigid.support(state.x, state.v, force_, acceleration, turning);
 }
 
 const MetricValues& RunProbes::metric(const std::string& name, NodeVectorsView x) {
@@ -177,7 +212,7 @@ const MetricValues& RunProbes::metric(const std::string& name, NodeVectorsView x
   return *known;
 }
 
-void RunProbes::addValues(const Scene::Probe& probe, const Target& target, const State& state,
+void RunProbes::addValues(const Scene::Probe& probe, const Target& target, const State& state, double h,
                           std::vector<double>& values) {
   const auto eachComponent = [&](const auto& of) {
     Reduced reduced[3]{Reduced(probe.as), Reduced(probe.as), Reduced(probe.as)};
@@ -187,7 +222,7 @@ void RunProbes::addValues(const Scene::Probe& probe, const Target& target, const
     }
     for (const Reduced& one : reduced) values.push_back(one.value());
   };
-  if (probe.quantity.ofRigidBodies()) return addOfRigidBody(probe, state, values);
+  if (probe.quantity.ofRigidBodies()) return addOfRigidBody(probe, state, h, values);
   switch (probe.quantity.kind) {
     case Quantity::displacement:
       return eachComponent([&](std::int32_t i) { return state.x.col(i) - body_.mesh().X.col(i); });
@@ -238,12 +273,14 @@ void RunProbes::addValues(const Scene::Probe& probe, const Target& target, const
   }
 }
 
-void RunProbes::addOfRigidBody(const Scene::Probe& probe, const State& state, std::vector<double>& values) const {
-  const RigidBody& rigid = body_.constraints().rigidBodies()[probe.rigid];
+void RunProbes::addOfRigidBody(const Scene::Probe& probe, const State& state, double h,
+                               std::vector<double>& values) const {
+  const RigidBody& rigid = body_.constraints().rigidBody(scene_.rigids[probe.rigid].name);
   const auto add = [&](const Eigen::Vector3d& value) { values.insert(values.end(), value.begin(), value.end()); };
   if (probe.quantity.needsForce()) {
-    const RigidBody::Load load = rigid.load(state.x, force_);
-    return add(probe.quantity.kind == Quantity::force ? load.force : load.torque);
+    const RigidBody::Load load = probe.quantity.ofSupports() ? supportOf(rigid, state, h) : rigid.load(state.x, force_);
+    const bool force = probe.quantity.kind == Quantity::force || probe.quantity.kind == Quantity::supportForce;
+    return add(force ? load.force : load.torque);
   }
   const RigidBody::Motion motion = rigid.motion(state.x, state.v);
   if (probe.quantity.kind == Quantity::centre) return add(motion.centre);
@@ -259,7 +296,6 @@ std::string RunProbes::row(std::int64_t k, const State& state, double h, const N
   bodyVersion_ = body_.version();
   evaluated_.clear();
   strain_.clear();
-  if (reacts_) react(state, h, internalForce, system);
   if (forced_) {
     force_ = body_.externalForce() - internalForce;
     if (system.velocityDependent()) {
@@ -267,8 +303,9 @@ std::string RunProbes::row(std::int64_t k, const State& state, double h, const N
       force_ -= dampingForce_;
     }
   }
+  if (reacts_) react(state, h, internalForce, system);
   std::vector<double> values;
-  for (std::size_t i = 0; i < targets_.size(); ++i) addValues(scene_.probes[i], targets_[i], state, values);
+  for (std::size_t i = 0; i < targets_.size(); ++i) addValues(scene_.probes[i], targets_[i], state, h, values);
   if (scene_.reactions)
     for (const Eigen::Vector3d& force : ofSections_) values.insert(values.end(), {force[0], force[1], force[2]});
   std::string line = fmt::format("{},{}", k, state.time);

@@ -48,9 +48,12 @@ class RunProbes {
   void nameColumns();
   /// The reactions at all nodes and, by [[fix]] and then [[move]], at each section's.
   void react(const State& state, double h, const NodeVectors& internalForce, BodySystem& system);
-  void addValues(const Scene::Probe& probe, const Target& target, const State& state, std::vector<double>& values);
+  void addValues(const Scene::Probe& probe, const Target& target, const State& state, double h,
+                 std::vector<double>& values);
   /// Force, or torque about its centre, on a rigid body, as of the forces that were summed for the row.
-  void addOfRigidBody(const Scene::Probe& probe, const State& state, std::vector<double>& values) const;
+  void addOfRigidBody(const Scene::Probe& probe, const State& state, double h, std::vector<double>& values) const;
+  /// What holds or moves a rigid body puts on it, of the forces that were summed for a row before a step of h seconds.
+  RigidBody::Load supportOf(const RigidBody& rigid, const State& state, double h) const;
   const MetricValues& metric(const std::string& name, NodeVectorsView x);
 
   const Scene& scene_;

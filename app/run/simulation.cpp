@@ -49,7 +49,9 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
   if (body.elementDamping() && body.elementDamping()->dependsOnRates())
     result.notes.emplace_back(
         "quadratic bulk viscosity: it counts with its derivative at the velocities of each observed state");
-  if (!scene.rigids.empty())
+  if (std::ranges::any_of(body.constraints().rigidBodies(), [](const RigidBody& rigid) {
+        return rigid.guide().turning != RigidGuide::Turning::prescribed;
+      }))
     result.notes.emplace_back(
         "rigid bodies: their nodes' forces turn with them, which adds a stiffness that is not in the bracket");
   if (!scene.pressures.empty())

@@ -38,7 +38,7 @@ TimedLoads::TimedLoads(const Scene& scene, Body& body) : scene_(scene), body_(bo
     for (std::size_t i = 0; i < nodes_.size(); ++i) placeOf_[nodes_[i]] = static_cast<std::int32_t>(i);
   }
   for (const Scene::Move& move : scene.moves)
-    if (move.changes()) motions_.push_back({move.nodes.nodesOf(body.mesh()), &move});
+    if (move.changes()) motions_.push_back({move.nodes.nodesOf(body.mesh()), &move, Scene::guides(move)});
 }
 
 TimedLoads::TimedLoads(const TimedLoads& whole, Body& part, std::span<const std::int32_t> globalNodes)
@@ -54,7 +54,7 @@ TimedLoads::TimedLoads(const TimedLoads& whole, Body& part, std::span<const std:
     for (std::size_t f = 0; f < forces_.size(); ++f) forces_[f].values.push_back(whole.forces_[f].values[i]);
   }
   for (const Motion& motion : whole.motions_) {
-    Motion& own = motions_.emplace_back(Motion{{}, motion.move});
+    Motion& own = motions_.emplace_back(Motion{{}, motion.move, motion.guided});
     for (const std::int32_t node : motion.nodes)
       if (const auto found = localOf.find(node); found != localOf.end()) own.nodes.push_back(found->second);
   }
@@ -88,11 +88,16 @@ void TimedLoads::addEnergyScale(double h, const std::vector<double>& pressing, c
     if (!pressing.empty()) force += pressing[i];
     add(nodes_[i], 0.5 * h * h * force * force / body_.lumpedMass()[nodes_[i]]);
   }
-  for (const Motion& motion : motions_)
+  for (const Motion& motion : motions_) {
+    // A rigid body turns about its own point, a motion of nodes about the one that it names.
+    Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+    if (motion.guided)
+      shift = motion.move->point - body_.constraints().rigidBody(motion.move->guide->body).point(body_.mesh().X);
     for (const std::int32_t node : motion.nodes) {
-      const double speed = motion.move->largestSpeed(body_.mesh().X.col(node));
+      const double speed = motion.move->largestSpeed(body_.mesh().X.col(node) + shift);
       add(node, 0.5 * body_.lumpedMass()[node] * speed * speed);
     }
+  }
 }
 
 void TimedLoads::begin(const NodeVectors& x) {
@@ -146,6 +151,10 @@ void TimedLoads::setVelocities(State& state, double h, const AddAtNode& add) { f
 template <class Add>
 void TimedLoads::followVelocities(State& state, double h, const Add& add) {
   for (const Motion& motion : motions_) {
+    if (motion.guided) {
+      guide(motion, state, h, add);
+      continue;
+    }
     for (const std::int32_t node : motion.nodes) {
       const Eigen::Vector3d velocity = motion.move->meanVelocity(body_.mesh().X.col(node), state.time, h);
       for (int c = 0; c < 3; ++c) {
@@ -156,6 +165,22 @@ void TimedLoads::followVelocities(State& state, double h, const Add& add) {
         body_.constraints().move(node, c, velocity[c]);
       }
     }
+  }
+}
+
+template <class Add>
+void TimedLoads::guide(const Motion& motion, State& state, double h, const Add& add) {
+  const Scene::Move& move = *motion.move;
+  const RigidBody& rigid = body_.constraints().rigidBody(move.guide->body);
+  body_.constraints().guide(move.guide->body, move.meanVelocity(move.point, state.time, h),
+                            (move.turned(state.time + h) - move.turned(state.time)) / h);
+  std::vector<Eigen::Vector3d> before;
+  for (const std::int32_t node : rigid.nodes()) before.emplace_back(state.v.col(node));
+  rigid.impose(state.x, state.v);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const std::int32_t node = rigid.nodes()[k];
+    const Eigen::Vector3d now = state.v.col(node);
+    add(node, 0.5 * body_.lumpedMass()[node] * (now - before[k]).dot(now + before[k]));
   }
 }
 

@@ -68,7 +68,11 @@ class TimedLoads {
   struct Motion {
     std::vector<std::int32_t> nodes;
     const Scene::Move* move;
+    bool guided;  // of a rigid body with some freedom
   };
+  template <class Add>
+  void guide(const Motion& motion, State& state, double h, const Add& add);
+
   const Scene& scene_;
   Body& body_;
   std::vector<std::int32_t> nodes_;        // loaded, ascending

@@ -56,6 +56,10 @@ std::vector<ProbeQuantity> makeQuantities() {
   addRigid(Quantity::force, "force", "N",
            "of elements, springs, contact, damping and loads at its nodes, which accelerates it");
   addRigid(Quantity::torque, "torque", "N m", "of these forces about its centre of mass");
+  addRigid(Quantity::supportForce, "support_force", "N",
+           "what the [[fix]] or [[move]] that names it puts on it, at the components that it holds");
+  addRigid(Quantity::supportTorque, "support_torque", "N m",
+           "the same about the point that is held or moved, its centre of mass where none is named");
   return all;
 }
 

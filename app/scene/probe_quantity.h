@@ -34,7 +34,9 @@ struct ProbeQuantity {
     centreVelocity,
     angularVelocity,
     force,
-    torque
+    torque,
+    supportForce,
+    supportTorque
   };
 
   Kind kind;
@@ -47,7 +49,9 @@ struct ProbeQuantity {
   bool ofNodes() const { return kind < Kind::energy; }
   bool ofRigidBodies() const { return kind >= Kind::centre; }
   /// Whether it takes the internal force of the state.
-  bool needsForce() const { return kind == Kind::reaction || kind == Kind::force || kind == Kind::torque; }
+  bool needsForce() const { return kind == Kind::reaction || kind >= Kind::force; }
+  /// Whether it is of what holds or moves a rigid body.
+  bool ofSupports() const { return kind >= Kind::supportForce; }
 };
 /// Every quantity: those of nodes, energies and steps of elements, all stress measures, and those of rigid bodies.
 const std::vector<ProbeQuantity>& allProbeQuantities();

@@ -418,20 +418,30 @@ void readInitialSection(const SceneTable& section, Scene& scene) {
       {selectionOf(section), given("velocity"), given("angular_velocity"), vectorOf(section.at("point").value)});
 }
 
-Scene::Move moveOf(const SceneTable& section, NodeSelection nodes, Scene& scene) {
+/// The nodes that a [[fix]] or [[move]] takes: those of a rigid body where it names one, whose guide follows.
+NodeSelection takenNodes(const SceneTable& section, const Scene& scene, std::optional<Scene::Guide>& guide) {
+  NodeSelection nodes;
+  guide = guideOf(section, componentsOf(section), scene, nodes);
+  return guide ? nodes : selectionOf(section);
+}
+
+Scene::Move moveOf(const SceneTable& section, Scene& scene) {
+  std::optional<Scene::Guide> guide;
+  NodeSelection nodes = takenNodes(section, scene, guide);
   const bool way = section.given("displacement");
   if (!section.given("velocity") && !section.given("angular_velocity") && !way)
     fail(section.origin, "move.velocity", "missing; give velocity (m/s), angular_velocity (rad/s) or displacement (m)");
   for (const char* other : {"velocity", "angular_velocity"})
     if (way && section.given(other))
       fail(section.at(other).origin, fmt::format("move.{}", other), "displacement is given too; give one of them");
-  if (section.given("point") && !section.given("angular_velocity"))
+  if (!guide && section.given("point") && !section.given("angular_velocity"))
     fail(section.at("point").origin, "move.point", "there is no angular_velocity for it");
   const auto given = [&](const char* key) {
     return section.given(key) ? vectorOf(section.at(key).value) : Eigen::Vector3d(0, 0, 0);
   };
   Scene::Move move{std::move(nodes),        componentsOf(section),     given("velocity"),
                    tableOf(section, scene), given("angular_velocity"), vectorOf(section.at("point").value)};
+  move.guide = std::move(guide);
   // Its direction changes with time, as with a table.
   if (move.rotates() && scene.timed.empty()) {
     scene.timed = section.where("angular_velocity");
@@ -453,12 +463,18 @@ Scene::Move moveOf(const SceneTable& section, NodeSelection nodes, Scene& scene)
 }
 
 void readLoadSection(const SceneTable& section, Scene& scene) {
-  NodeSelection nodes = selectionOf(section);
+  if (section.name == "move") {
+    scene.moves.push_back(moveOf(section, scene));
+    return;
+  }
   if (section.name == "fix") {
-    scene.fixes.push_back({std::move(nodes), componentsOf(section)});
-  } else if (section.name == "move") {
-    scene.moves.push_back(moveOf(section, std::move(nodes), scene));
-  } else if (section.name == "pressure") {
+    Scene::Fix fix{{}, componentsOf(section)};
+    fix.nodes = takenNodes(section, scene, fix.guide);
+    scene.fixes.push_back(std::move(fix));
+    return;
+  }
+  NodeSelection nodes = selectionOf(section);
+  if (section.name == "pressure") {
     scene.pressures.push_back({std::move(nodes), section.get<double>("pressure"), tableOf(section, scene),
                                section.origin + ": [[pressure]]"});
     if (scene.timed.empty()) {
@@ -646,6 +662,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
   readIntegratorSection(section("integrator"), section("monitor"), section("damping"), scene);
   readHandlerSection(section("handler"), section("integrator"), section("monitor"), section("damping"), scene);
   readDevice(section("integrator"), scene);
+  readRigidSections(sections, scene);
   for (const SceneTable& s : sections)
     if (s.name == "fix" || s.name == "move" || s.name == "force" || s.name == "pressure") readLoadSection(s, scene);
 
@@ -662,7 +679,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
   checkTimedLoads(scene);
   readDiscreteSections(sections, scene);
   checkElementDamping(scene);
-  readRigidSections(sections, scene);
+  checkRigidBodies(scene);
 
   const SceneTable& output = section("output");
   if (output.given("every")) {

@@ -68,9 +68,17 @@ inline constexpr auto cutPositionsNames = nameTable<CutPositions>({
 
 /// A validated description of a run. SI units.
 struct Scene {
+  /// How a [[fix]] or [[move]] of a rigid body takes it.
+  struct Guide {
+    std::string body;
+    bool turns = false;                              // it turns freely
+    Eigen::Vector3d axis = Eigen::Vector3d::Zero();  // about this one alone; zero: about all
+    std::optional<Eigen::Vector3d> point;            // m, at rest; empty: its centre of mass
+  };
   struct Fix {
     NodeSelection nodes;
     std::array<bool, 3> components;
+    std::optional<Guide> guide = {};  // of a rigid body, whose nodes these are
   };
   struct Move {
     NodeSelection nodes;
@@ -82,6 +90,7 @@ struct Scene {
 
     /// m, whose factor is the table, in place of both velocities; the factor begins at 0
     std::optional<Eigen::Vector3d> way = {};
+    std::optional<Guide> guide = {};  // of a rigid body, whose nodes these are
 
     bool rotates() const { return !angularVelocity.isZero(0); }
     /// Whether the velocity changes with time.
@@ -90,6 +99,8 @@ struct Scene {
     Eigen::Vector3d displacement(const Eigen::Vector3d& X, double time) const;
     /// Its velocity at time zero, m/s.
     Eigen::Vector3d velocityAtStart(const Eigen::Vector3d& X) const;
+    /// By how much it has turned at a time, radians, about the direction of the angular velocity.
+    Eigen::Vector3d turned(double time) const;
     /// Its mean velocity over [time, time + h], m/s, which brings it to its place at the end.
     Eigen::Vector3d meanVelocity(const Eigen::Vector3d& X, double time, double h) const;
     /// An upper bound of its speed, m/s, but for expressions, which are asked at some times.
@@ -274,6 +285,12 @@ struct Scene {
   }
   /// Whether some element has a rule of uniform strain.
   bool hasUniformStrain() const;
+  /// Whether a [[fix]] or [[move]] takes a rigid body and leaves it some freedom, so that its nodes are tied.
+  template <class Section>
+  static bool guides(const Section& section) {
+    const std::array<bool, 3>& held = section.components;
+    return section.guide && (section.guide->turns || !(held[0] && held[1] && held[2]));
+  }
   /// Whether anything but dashpots and contact damps.
   bool damps() const { return damping.any() || hasElementDamping(); }
   /// Why its runs have no checkpoints, "" where they have: the scene's integrator, handler, cuts or GPU.

@@ -186,6 +186,7 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
   addPointMasses(scene, *body);
   PrescribedMotions prescribed(body->nodeCount());
   for (const Scene::Fix& fix : scene.fixes) {
+    if (Scene::guides(fix)) continue;  // tieRigidBodies has them
     const std::vector<std::int32_t> nodes = fix.nodes.nodesOf(body->mesh());
     prescribed.add(fix.nodes.origin, nodes, fix.components, Eigen::Vector3d::Zero());
     for (std::int32_t node : nodes)
@@ -193,6 +194,7 @@ Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
         if (fix.components[c]) body->constraints().fix(node, c);
   }
   for (const Scene::Move& move : scene.moves) {
+    if (Scene::guides(move)) continue;
     const std::vector<std::int32_t> nodes = move.nodes.nodesOf(body->mesh());
     prescribed.add(move.nodes.origin, nodes, move.components, move.velocity, move.table,
                    move.rotates() ? "a rotation"

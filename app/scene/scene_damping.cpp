@@ -46,13 +46,6 @@ DampingConstants dampingOf(const SceneTable& material, const Options& lawParamet
 void checkElementDamping(Scene& scene) {
   if (!scene.hasElementDamping()) return;
   const std::string& origin = scene.elementDampingOrigin;
-  const bool strains = std::ranges::any_of(
-      scene.materials, [](const SceneMaterial& one) { return one.damping.bulk() || one.damping.viscous(); });
-  if (scene.hasUniformStrain() && (strains || scene.linearBulkViscosity > 0 || scene.quadraticBulkViscosity > 0))
-    throw InputError(
-        fmt::format("{}: bulk viscosity and viscous stresses do not go with rules of uniform strain; choose "
-                    "another rule, or hourglass_viscosity alone",
-                    origin));
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
   const auto takes = [](const IntegratorInfo& one) { return one.highestModeBinds; };
   if (!takes(info))

@@ -69,10 +69,10 @@ constexpr std::array<SceneSection, 21> sections{{
 constexpr std::array<SceneAlternative, 31> alternatives{{
     {"mesh", "file", "generate"},
     {"material", "where", "set", SceneAlternative::Need::oneOfMany},
-    {"fix", "where", "set"},
+    {"fix", "where", "set", SceneAlternative::Need::one, "rigid"},
     {"initial", "where", "set"},
     {"initial", "velocity", "angular_velocity", SceneAlternative::Need::any},
-    {"move", "where", "set"},
+    {"move", "where", "set", SceneAlternative::Need::one, "rigid"},
     {"move", "velocity", "angular_velocity", SceneAlternative::Need::any, "displacement"},
     {"move", "displacement", "velocity", SceneAlternative::Need::atMostOne},
     {"move", "displacement", "angular_velocity", SceneAlternative::Need::atMostOne},
@@ -466,6 +466,21 @@ void addNodes(std::vector<SceneKey>& all, std::string_view section) {
       });
 }
 
+/// How a [[rigid]] is held or moved.
+void addGuide(std::vector<SceneKey>& all, std::string_view section) {
+  add(all, section,
+      {
+          {.key = "rigid",
+           .type = T::text,
+           .help = "name of a [[rigid]], instead of where: its centre of mass and its turning"},
+          {.key = "turns",
+           .type = T::boolean,
+           .fallback = "false",
+           .help = "with rigid: the body turns freely; without, its turning is held or follows angular_velocity"},
+          {.key = "axis", .type = T::vector, .help = "with turns: it turns about an axis of this direction alone"},
+      });
+}
+
 /// what: that the table scales.
 void addTable(std::vector<SceneKey>& all, std::string_view section, std::string_view what) {
   add(all, section,
@@ -494,12 +509,17 @@ void addTable(std::vector<SceneKey>& all, std::string_view section, std::string_
 
 void addMotionAndLoads(std::vector<SceneKey>& all) {
   addNodes(all, "fix");
+  addGuide(all, "fix");
   add(all, "fix",
       {
           {.key = "components",
            .type = T::text,
            .fallback = "\"xyz\"",
            .help = "components that are held, any of x, y, z"},
+          {.key = "point",
+           .type = T::vector,
+           .unit = "m",
+           .help = "with rigid and turns: the point that is held, with all components; without, the centre of mass"},
       });
   addNodes(all, "initial");
   add(all, "initial",
@@ -512,6 +532,7 @@ void addMotionAndLoads(std::vector<SceneKey>& all) {
           {.key = "point", .type = T::vector, .unit = "m", .fallback = "[0.0, 0.0, 0.0]", .help = "on the axis"},
       });
   addNodes(all, "move");
+  addGuide(all, "move");
   addTable(all, "move", "velocity or displacement");
   add(all, "move",
       {
@@ -781,7 +802,8 @@ void addProbe(std::vector<SceneKey>& all) {
            .help = "the elements of the material with this number, counted from 0, instead of where"},
           {.key = "rigid",
            .type = T::text,
-           .help = "name of the [[rigid]] of centre, rotation, centre_velocity, angular_velocity, force and torque; "
+           .help = "name of the [[rigid]] of centre, rotation, centre_velocity, angular_velocity, force, torque, "
+                   "support_force and support_torque; "
                    "without, the only one"},
           {.key = "as",
            .type = T::text,

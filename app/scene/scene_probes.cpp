@@ -85,6 +85,14 @@ Scene::Probe probeOf(const SceneTable& section, const Scene& scene) {
     fail(section.at("rigid").origin, "probe.rigid",
          fmt::format("\"{}\" is of no rigid body; give where or set", probe.quantity.name));
   if (probe.quantity.ofRigidBodies()) probe.rigid = rigidOf(section, scene, probe.quantity.name);
+  if (probe.quantity.ofSupports()) {
+    const std::string& name = scene.rigids[probe.rigid].name;
+    const auto takes = [&](const auto& one) { return one.guide && one.guide->body == name; };
+    if (std::ranges::none_of(scene.fixes, takes) && std::ranges::none_of(scene.moves, takes))
+      fail(section.at("what").origin, "probe.what",
+           fmt::format("\"{}\": {} is neither held nor moved; a [[fix]] or [[move]] with rigid = {} is missing",
+                       probe.quantity.name, inQuotes(name), inQuotes(name)));
+  }
   if (section.given("metric") && probe.quantity.kind != ProbeQuantity::Kind::step)
     fail(section.at("metric").origin, "probe.metric",
          fmt::format("goes with what = \"step\" alone, not with \"{}\"", probe.quantity.name));

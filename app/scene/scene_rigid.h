@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <optional>
 #include <vector>
 
 #include <ringwatch/app/scene/scene.h>
@@ -6,14 +8,21 @@
 
 namespace ringwatch {
 
-/// Reads the [[rigid]] of a scene, after all that they do not go with. Throws InputError.
+/// Reads the [[rigid]] of a scene, before what names them. Throws InputError.
 void readRigidSections(const std::vector<SceneTable>& sections, Scene& scene);
+/// Throws InputError for what rigid bodies do not go with, when all of it is read.
+void checkRigidBodies(Scene& scene);
+/// How a [[fix]] or [[move]] takes the rigid body that it names, and the nodes of that; empty where it names none.
+/// Throws InputError for a body that there is not or that another section takes, and for keys that do not fit.
+std::optional<Scene::Guide> guideOf(const SceneTable& section, const std::array<bool, 3>& components,
+                                    const Scene& scene, NodeSelection& nodes);
 /// Splits the blocks of a mesh so that elements within one rigid body of the scene are in blocks of their own; element
 /// sets follow. materials: of the blocks, or one of all; they follow too. Nothing changes without rigid bodies. Throws
 /// InputError where nothing else is left.
 void splitRigidBlocks(const Scene& scene, Mesh& mesh, std::vector<Material>& materials);
-/// Ties the nodes of a body, whose motions are prescribed already, to the scene's rigid bodies. Throws InputError for
-/// selections without nodes, for nodes with a prescribed motion or in two rigid bodies, and as RigidBody does.
+/// Ties the nodes of a body, whose motions are prescribed already but for those of rigid bodies with some freedom, to
+/// the scene's rigid bodies. Throws InputError for selections without nodes, for nodes with a prescribed motion or in
+/// two rigid bodies, and as RigidBody does.
 void tieRigidBodies(const Scene& scene, Body& body);
 
 }  // namespace ringwatch

@@ -24,6 +24,8 @@ Eigen::Vector3d Scene::Move::displacement(const Eigen::Vector3d& X, double time)
   return u + turn * (X - point) - (X - point);
 }
 
+Eigen::Vector3d Scene::Move::turned(double time) const { return integral(table, time) * angularVelocity; }
+
 Eigen::Vector3d Scene::Move::meanVelocity(const Eigen::Vector3d& X, double time, double h) const {
   // Exact without a rotation, where positions would cancel.
   if (!way && !rotates()) return (table ? table->mean(time, h) : 1) * velocity;
@@ -48,7 +50,7 @@ State sceneInitialState(const Scene& scene, const BodySystem& system) {
       state.v.col(node) += initial.velocity + initial.angularVelocity.cross(arm);
     }
   system.body().constraints().imposeVelocity(state.v);
-  system.body().constraints().projectTied(state.x, state.v);
+  system.body().constraints().imposeTied(state.x, state.v);
   return state;
 }
 

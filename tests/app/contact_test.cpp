@@ -395,7 +395,7 @@ TEST_F(Contact, ExamplesThatBlowUpAreNamedBeforeTheirEnergies) {
   for (const auto& [name, key, touching] :
        {Example{"rubber_block", "contact.0.penalty=3e6", 20}, Example{"pressed_block", "contact.1.penalty=2e5", 20},
         Example{"hammered_bar", "contact.0.penalty=1e6", 20}, Example{"rolling_ring", "contact.0.penalty=4e6", 5},
-        Example{"pressed_gear", "contact.1.penalty=2e6", 15}}) {
+        Example{"pressed_gear", "contact.1.penalty=2e6", 15}, Example{"punched_block", "contact.0.penalty=3e5", 40}}) {
     SCOPED_TRACE(name);
     const std::string run = "run '" RINGWATCH_EXAMPLES "/" + std::string(name) + ".toml' --quiet --out ";
     ASSERT_EQ(call(run + name).status, 0);

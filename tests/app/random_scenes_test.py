@@ -125,6 +125,12 @@ class Drawn:
             self.add("mass_damping", where="x < 0.05", rate=20.0)
         if self.chance(0.2):
             self.add("rigid", name="head", where=self.one_of("x > 0.12", "z > 0.08", "x < 0.03"))
+            if self.chance(0.3):
+                self.add("fix", rigid="head", components=self.one_of("xyz", "xz", "y"), turns=self.one_of(True, False),
+                         axis=[0, 1.0, 0.3] if self.chance(0.3) else None)
+            elif self.chance(0.4):
+                self.add("move", rigid="head", velocity=[self.one_of(1.0, -2.0), 0, 0], components=self.one_of("xyz", "x"),
+                         factor="sin(2*pi*100*t)" if self.chance(0.4) else None, **self.one_of({}, {"turns": True}, {"angular_velocity": [0, 0, 5.0]}))
         if self.chance(0.2):
             self.add("spring", where="x > 0.08", stiffness=self.one_of(100.0, 1e4), damping=0.5 if self.chance(0.4) else None)
         if self.chance(0.4):
@@ -154,7 +160,12 @@ class Drawn:
         if integrator["method"] not in ONE_FORCE and not self.chance(0.1):
             integrator["method"] = self.one_of(*ONE_FORCE)
         if "rigid" in self.tables:
-            self.remove("fix", "move", "cut")
+            self.remove("cut")
+            for name in ("fix", "move"):  # of nodes
+                guides = [table for table in self.tables.get(name, []) if "rigid" in table]
+                self.remove(name)
+                if guides:
+                    self.tables[name] = guides
 
     def fit_handler(self, integrator, monitor):
         self.remove(*NOT_WITH_HANDLERS)

@@ -74,7 +74,9 @@ Body randomBody(test::Random& random) {
                                      test::young * power(random, -contrast, contrast), poissons[random.index(5)],
                                      test::density * power(random, -contrast, contrast)));
   }
-  Body body(std::move(mesh), materials, test::onThreads(1));
+  BodyOptions options = test::onThreads(1);
+  if (random.index(3) == 0) options.rules["hex8"] = "uniform-strain";
+  Body body(std::move(mesh), materials, options);
   for (auto masses = random.index(4); masses > 0; --masses) {
     const auto node = static_cast<std::int32_t>(random.index(body.nodeCount()));
     body.addNodalMass(node, body.lumpedMass()[node] * power(random, -2, 4));
@@ -108,6 +110,7 @@ void addDamping(Body& body, test::Random& random) {
     if (random.index(3) == 0) own.shearViscosity = time * modulus * random.uniform(0, 1);
     if (random.index(3) == 0) own.volumeViscosity = time * modulus * random.uniform(0, 1);
     if (random.index(3) == 0) own.massProportional = random.uniform(0, 1) / time;
+    if (block->rule().uniformStrain && random.index(2)) own.hourglassViscosity = power(random, -2, 0);
     constants.push_back(own);
   }
   body.setElementDamping(constants);

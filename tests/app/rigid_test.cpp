@@ -235,7 +235,7 @@ TEST_F(Rigid, RefusesWhatItDoesNotGoWith) {
   refused(base, "--set integrator.method=rk4", "\"rk4\" takes no rigid bodies");
   refused(base + "[handler]\nmethod = \"imex\"\n", "", "handlers take no rigid bodies");
   refused(base + "[[fix]]\nwhere = \"x > 0.12 - 1e-6\"\n", "",
-          "rigid.where: 9 of its 45 nodes have a motion that a [[fix]] or [[move]] prescribes");
+          "rigid.where: 9 of its 45 nodes have a motion that a [[fix]] or [[move]] prescribes, the first is");
   refused(base + "[[rigid]]\nname = \"tip\"\nwhere = \"x > 0.11\"\n", "",
           "probe.rigid: there are several; name one of head, tip");
   std::string named = base;
@@ -256,6 +256,180 @@ TEST_F(Rigid, RefusesWhatItDoesNotGoWith) {
   folder_.write("scene.toml", base);
   expectRefused("compare scene.toml --integrators verlet", "compare takes no rigid bodies");
   expectRefused("scale-mass scene.toml --step 3e-4", "a plan at the start of a run takes no rigid bodies");
+}
+
+/// The bar with the rigid head, and what holds or moves the head.
+std::string guided(const std::string& section) {
+  std::string scene(headed);
+  scene.insert(scene.find("[output]"), section);
+  return scene;
+}
+
+// Moved as a whole a rigid body is nodes that are moved, whose support is the sum of their reactions.
+TEST_F(Rigid, MovedAsAWholeItIsNodesThatAreMoved) {
+  const std::string motion =
+      "velocity = [-0.1, 0.03, 0]\nangular_velocity = [2, 0, 1]\npoint = [0.1, 0, 0]\n"
+      "times = [0, 0.1, 0.2]\nfactors = [0, 1, 0.5]\nramp = \"smooth\"\n";
+  const std::string probes =
+      "[[probe]]\nname = \"by\"\nwhat = \"support_force\"\n[[probe]]\nname = \"about\"\n"
+      "what = \"support_torque\"\n[[probe]]\nname = \"nodes\"\nwhat = \"reaction\"\n"
+      "where = \"x > 0.08 - 1e-6\"\n";
+  folder_.write("rigid.toml", guided("[[move]]\nrigid = \"head\"\n" + motion + probes) + "reactions = true\n");
+  std::string nodes(headed);
+  nodes.erase(nodes.find("[[rigid]]"), nodes.find("[output]") - nodes.find("[[rigid]]"));
+  folder_.write("nodes.toml", nodes + "[[move]]\nwhere = \"x > 0.08 - 1e-6\"\n" + motion);
+  for (const char* name : {"rigid", "nodes"}) {
+    const Outcome outcome = call(std::string("run ") + name + ".toml --out " + name);
+    ASSERT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  }
+  const Json summary = json("rigid/summary.json");
+  EXPECT_EQ(summary["rigid_bodies"][0]["name"], "head");
+  EXPECT_EQ(summary["verdict"], "certified");
+  EXPECT_TRUE(summary["notes"].empty()) << summary["notes"].dump();
+  const Table a = table("rigid/history.csv"), b = table("nodes/history.csv"), values = table("rigid/probes.csv");
+  ASSERT_EQ(a.rows.size(), b.rows.size());
+  double work = 0, error = 0;
+  for (std::size_t i = 0; i < a.rows.size(); ++i) {
+    work = std::max(work, std::abs(a.number(i, "external_work_J")));
+    error = std::max(error, std::abs(a.number(i, "balance_error_J")));
+    EXPECT_NEAR(a.number(i, "safe_s"), b.number(i, "safe_s"), 0.02 * b.number(i, "safe_s"));
+    EXPECT_NEAR(a.number(i, "strain_J"), b.number(i, "strain_J"), 1e-8 * work + 1e-15);
+    EXPECT_NEAR(a.number(i, "external_work_J"), b.number(i, "external_work_J"), 1e-8 * work + 1e-15);
+    for (const char* axis : {"x", "y", "z"}) {
+      const double force = values.number(i, std::string("by.support_force_") + axis + "_N");
+      EXPECT_NEAR(values.number(i, std::string("nodes.reaction_") + axis + "_N"), force, 3.6e-5);
+      EXPECT_NEAR(values.number(i, std::string("move.0.reaction_") + axis + "_N"), force, 3.6e-5);
+    }
+  }
+  EXPECT_LT(error, 1e-6 * work);
+  EXPECT_NEAR(values.number(values.rows.size() - 1, "turn.rotation_x_rad"), 2 * (0.05 + 0.075), 2e-3);
+}
+
+// On an axle the head turns about it alone, and the bar twists it back and forth.
+TEST_F(Rigid, TurnsOnAnAxle) {
+  folder_.write("scene.toml",
+                guided("[[fix]]\nrigid = \"head\"\nturns = true\naxis = [1, 0, 0]\npoint = [0, 0.012, 0.01]\n"
+                       "[[probe]]\nname = \"hold\"\nwhat = \"support_force\"\n[[probe]]\nname = \"bend\"\n"
+                       "what = \"support_torque\"\n[[initial]]\nwhere = \"x > 0.08 - 1e-6\"\n"
+                       "angular_velocity = [4, 0, 0]\npoint = [0, 0.012, 0.01]\n") +
+                    "reactions = true\n");
+  const Outcome outcome = call("run scene.toml --out r --set integrator.end=1");
+  ASSERT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  EXPECT_EQ(json("r/summary.json")["verdict"], "certified");
+  const Table values = table("r/probes.csv"), history = table("r/history.csv");
+  const double mass = json("r/summary.json")["rigid_bodies"][0]["mass"];
+  int back = 0;
+  double energy = 0, error = 0, holds = 0;
+  for (std::size_t i = 0; i < values.rows.size(); ++i) {
+    const auto at = [&](const char* column) { return values.number(i, column); };
+    EXPECT_NEAR(at("head.centre_x_m"), values.number(0, "head.centre_x_m"), 1e-14);
+    EXPECT_NEAR(std::hypot(at("head.centre_y_m") - 0.012, at("head.centre_z_m") - 0.01), 0.002, 3e-15);
+    EXPECT_NEAR(at("turn.rotation_y_rad"), 0, 1e-12);
+    EXPECT_NEAR(at("bend.support_torque_x_N m"), 0, 1e-12);
+    if (i > 0) back += values.number(i - 1, "spin.angular_velocity_x_rad/s") * at("spin.angular_velocity_x_rad/s") < 0;
+    EXPECT_NEAR(at("fix.1.reaction_y_N"), at("hold.support_force_y_N"), 1e-15);
+    holds = std::max(holds, std::abs(at("hold.support_force_y_N")));
+    energy = std::max(energy, history.number(i, "kinetic_J"));
+    error = std::max(error, std::abs(history.number(i, "balance_error_J")));
+    EXPECT_LE(history.number(i, "safe_s"), history.number(i, "optimistic_s"));
+  }
+  EXPECT_GT(back, 2);
+  // At the start it holds the centre on its circle, 2 mm around the point, as nothing is strained yet.
+  EXPECT_NEAR(values.number(0, "hold.support_force_y_N"), 4 * 4 * mass * 0.002, 0.02 * 16 * mass * 0.002);
+  EXPECT_GT(holds, 0);
+  EXPECT_LT(error, 2e-4 * energy);
+}
+
+// Pushed along x by a table, free across and to turn: work is counted, and a run that is stopped goes on bit by bit.
+TEST_F(Rigid, PushedInOneDirectionItsWorkIsCounted) {
+  folder_.write("scene.toml",
+                guided("[[move]]\nrigid = \"head\"\nturns = true\ncomponents = \"x\"\ndisplacement = [-0.01, 0, 0]\n"
+                       "factor = \"sin(2*pi*8*t)^2\"\n[[probe]]\nname = \"push\"\nwhat = \"support_force\"\n"
+                       "[[force]]\nwhere = \"x > 0.08 - 1e-6\"\nacceleration = [3, 0, -9.81]\n") +
+                    "reactions = true\ncheckpoint_every = 0.03\n");
+  ASSERT_EQ(call("run scene.toml --out whole --set monitor.every=5").status, 0);
+  const Table values = table("whole/probes.csv"), history = table("whole/history.csv");
+  const double first = values.number(0, "head.centre_x_m"),
+               mass = json("whole/summary.json")["rigid_bodies"][0]["mass"];
+  double work = 0, error = 0, drop = 0;
+  for (std::size_t i = 1; i + 1 < values.rows.size(); ++i) {  // at the start nothing moved before: half of it
+    const double t = values.number(i, "time_s");
+    EXPECT_NEAR(values.number(i, "head.centre_x_m") - first,
+                -0.01 * std::pow(std::sin(2 * std::numbers::pi * 8 * t), 2), 3.2e-15);
+    EXPECT_EQ(values.number(i, "push.support_force_y_N"), 0);
+    EXPECT_EQ(values.number(i, "push.support_force_z_N"), 0);
+    EXPECT_EQ(values.number(i, "move.0.reaction_x_N"), values.number(i, "push.support_force_x_N"));
+    // Newton's second law along x, with the exact acceleration.
+    const double w = 4 * std::numbers::pi * 8, a = -0.01 * 0.5 * w * w * std::cos(w * t);
+    EXPECT_NEAR(values.number(i, "push.support_force_x_N") + values.number(i, "pull.force_x_N"), mass * a,
+                1e-4 * mass * 0.005 * w * w);
+    work = std::max(work, std::abs(history.number(i, "external_work_J")));
+    error = std::max(error, std::abs(history.number(i, "balance_error_J")));
+    drop = std::max(drop, std::abs(values.number(i, "turn.rotation_y_rad")));
+  }
+  EXPECT_GT(drop, 0.01);
+  EXPECT_LT(error, 3.8e-5 * work);
+  const std::string line = "'" + executable() + "' run scene.toml --out part --set monitor.every=5 --quiet & p=$!; " +
+                           "while [ ! -f part/checkpoint.bin ]; do sleep 0.01; done; kill -9 $p; wait $p";
+  shell(line);
+  ASSERT_TRUE(exists("part/checkpoint.bin"));
+  ASSERT_EQ(call("run --resume part --threads 2").status, 0);
+  for (const char* file : {"/history.csv", "/probes.csv"})
+    EXPECT_EQ(folder_.read("whole" + std::string(file)), folder_.read("part" + std::string(file))) << file;
+}
+
+// A body that is turned at a rate while gravity lets it fall, and one held against turning.
+TEST_F(Rigid, TurnedAtARateWhileItFalls) {
+  const std::string gravity = "[[force]]\nwhere = \"x > 0.08 - 1e-6\"\nacceleration = [0, 0, -9.81]\n";
+  folder_.write("turned.toml", guided("[[move]]\nrigid = \"head\"\ncomponents = \"xy\"\n"
+                                      "angular_velocity = [0, 0, 2]\n" +
+                                      gravity));
+  folder_.write("upright.toml", guided("[[fix]]\nrigid = \"head\"\ncomponents = \"xy\"\n" + gravity));
+  for (const char* name : {"turned", "upright"}) {
+    const Outcome outcome = call(std::string("run ") + name + ".toml --set integrator.end=0.1 --out " + name);
+    ASSERT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+    const Table values = table(std::string(name) + "/probes.csv"), history = table(std::string(name) + "/history.csv");
+    const std::size_t last = values.rows.size() - 1;
+    EXPECT_NEAR(values.number(last, "turn.rotation_z_rad"), name[0] == 't' ? 2 * values.number(last, "time_s") : 0,
+                1e-12);
+    EXPECT_NEAR(values.number(last, "turn.rotation_y_rad"), 0, 1e-12);
+    EXPECT_NEAR(values.number(last, "head.centre_x_m"), values.number(0, "head.centre_x_m"), 1e-14);
+    EXPECT_LT(values.number(last, "head.centre_z_m"), values.number(0, "head.centre_z_m") - 1e-4);
+    double energy = 0, error = 0;
+    for (std::size_t i = 0; i < history.rows.size(); ++i) {
+      energy = std::max(energy, history.number(i, "kinetic_J") + history.number(i, "strain_J"));
+      error = std::max(error, std::abs(history.number(i, "balance_error_J")));
+    }
+    EXPECT_LT(error, 8.7e-6 * energy) << name;
+  }
+}
+
+TEST_F(Rigid, RefusesGuidesThatDoNotFit) {
+  const auto refused = [&](const std::string& section, const std::string& what) {
+    folder_.write("bad.toml", guided(section));
+    expectRefused("run bad.toml --out bad", what);
+    EXPECT_FALSE(exists("bad/history.csv"));
+  };
+  refused("[[fix]]\nrigid = \"haed\"\n", "fix.rigid: unknown rigid body \"haed\"; did you mean \"head\"?");
+  refused("[[fix]]\nrigid = \"head\"\nwhere = \"x > 0\"\n", "fix.where: rigid is given too");
+  refused("[[fix]]\nwhere = \"x > 0.115\"\nturns = true\n", "fix.turns: goes with rigid");
+  refused("[[move]]\nwhere = \"x > 0.115\"\nvelocity = [1, 0, 0]\naxis = [1, 0, 0]\n", "move.axis: goes with rigid");
+  refused("[[fix]]\nwhere = \"x > 0.115\"\npoint = [0, 0, 0]\n", "fix.point: goes with rigid and turns = true");
+  refused("[[fix]]\nrigid = \"head\"\naxis = [1, 0, 0]\n", "fix.axis: goes with turns = true");
+  refused("[[fix]]\nrigid = \"head\"\nturns = true\naxis = [0, 0, 0]\n", "fix.axis: has no direction");
+  refused("[[fix]]\nrigid = \"head\"\npoint = [0, 0, 0]\n", "fix.point: goes with turns = true");
+  refused("[[fix]]\nrigid = \"head\"\nturns = true\ncomponents = \"x\"\npoint = [0, 0, 0]\n",
+          "fix.point: goes with all three components");
+  refused("[[fix]]\nrigid = \"head\"\n[[move]]\nrigid = \"head\"\nvelocity = [1, 0, 0]\n",
+          "move.rigid: \"head\" is held or moved by ");
+  refused("[[move]]\nrigid = \"head\"\nangular_velocity = [1, 0, 0]\nturns = true\n",
+          "move.turns: the body turns as angular_velocity says");
+  refused("[[move]]\nrigid = \"head\"\nvelocity = [1, 0, 0]\nturns = true\npoint = [0, 0, 0]\n",
+          "move.point: what turns about a moving point");
+  refused("[[move]]\nrigid = \"head\"\n", "move.velocity: missing");
+  refused("[[probe]]\nname = \"s\"\nwhat = \"support_force\"\n", "\"head\" is neither held nor moved");
+  folder_.write("none.toml", std::string(test::tiny) + "[[fix]]\nrigid = \"head\"\n");
+  expectRefused("run none.toml --out bad", "names a [[rigid]]; there is none");
 }
 
 // Damping by node set: of all nodes it is Rayleigh's mass damping.
