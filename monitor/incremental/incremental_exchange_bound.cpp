@@ -7,8 +7,8 @@
 namespace ringwatch {
 namespace {
 
-/// Of an element's matrix, of the usual cost, until its share is definite, whole and proven.
-constexpr double factorisations = 3;
+/// Of an element's matrix, of the cost of one along a run, until its share is definite, whole and proven.
+constexpr double factorisations = 0.8;
 
 bool hasTetrahedraAlone(const Body& body) {
   return std::all_of(body.blocks().begin(), body.blocks().end(),
@@ -45,6 +45,33 @@ UpperBound IncrementalExchangeBound::update(NodeVectorsView x, UpperBound nodal)
   charge(WorkOn::repairs, WorkAccount::ofExchange(body_, 0, static_cast<double>(certificate_.factored())));
   serves_ = certificate_.certifiedEigenvalue() < nodal.value;
   return {certificate_.certifiedEigenvalue()};
+}
+
+bool IncrementalExchangeBound::certify(NodeVectorsView x, double sigma, StepEvaluation* evaluation) {
+  certificate_.follow(x, policy_.mostRaise, policy_.leastPart, evaluation);
+  evaluated_ = certificate_.factored();
+  charge(WorkOn::tests, certificate_.workOfTests());
+  charge(WorkOn::repairs, WorkAccount::ofExchange(body_, 0, static_cast<double>(evaluated_)));
+  serves_ = proves(sigma);
+  return serves_;
+}
+
+double IncrementalExchangeBound::workOfProof() const {
+  if (ExchangeCertificate::bytes(body_) > policy_.mostBytes) return infinity;
+  return WorkAccount::ofShares(body_, policy_.expected);
+}
+
+bool IncrementalExchangeBound::proveFor(NodeVectorsView x, double sigma, NodeVectorsView mode, LowerBound lower,
+                                        bool free) {
+  if (!(lower.value > 0) || !(lower.value < sigma)) return false;
+  const ExchangeWork work = certificate_.share(x, mode, lower, policy_.iterations, sigma);
+  first_ = false;
+  if (!free)
+    charge(WorkOn::sweeps, WorkAccount::ofShares(body_, static_cast<double>(work.decompositions) /
+                                                            static_cast<double>(body_.mesh().elementCount())));
+  evaluated_ += certificate_.factored();
+  serves_ = proves(sigma);
+  return serves_;
 }
 
 UpperBound IncrementalExchangeBound::narrow(NodeVectorsView x, UpperBound nodal, double tight, NodeVectorsView mode,

@@ -50,6 +50,16 @@ class IncrementalExchangeBound {
   /// weights' best bound if known, else 0; width: of the bracket, in the step. Returns as update() does.
   UpperBound narrow(NodeVectorsView x, UpperBound nodal, double tight, NodeVectorsView mode, LowerBound lower,
                     double width);
+  /// Threshold mode: whether shares prove `sigma` (rad²/s²) at x; they do not where they did not at the positions
+  /// before. Unless nullptr, `evaluation` is filled in at x in any case.
+  bool certify(NodeVectorsView x, double sigma, StepEvaluation* evaluation);
+  /// Whether shares proved `sigma` at the positions of the last call.
+  bool proves(double sigma) const { return certificate_.certifiedEigenvalue() <= sigma; }
+  /// Makes shares at x that prove `sigma`, with as much room for motion as that leaves, and returns whether they do.
+  /// mode, lower: at x, of the tracked mode. free: it is of the first proof, and is not paid for.
+  bool proveFor(NodeVectorsView x, double sigma, NodeVectorsView mode, LowerBound lower, bool free);
+  /// What proveFor() takes; infinite where memory does not allow it.
+  double workOfProof() const;
   /// The state has no tangent: what is kept is of none that can come back.
   void forget();
 
