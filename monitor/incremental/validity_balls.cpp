@@ -94,6 +94,12 @@ RINGWATCH_INLINE P squaredDistance(const double* F, const std::int16_t* referenc
   return sums[0] + sums[1] + sums[2];
 }
 
+/// Whether elements are inside their balls, and not at the edge; false where a number is not one.
+RINGWATCH_INLINE P::Mask isInside(const P& distance2, const P& radius) {
+  const P allowed = P(1 - ValidityBalls::edgeFraction) * radius;
+  return (radius >= P(0.0)) & (distance2 <= allowed * allowed);
+}
+
 /// Half the diagonal of a box.
 template <class V>
 double halfDiagonal(const V& most, const V& least) {
@@ -195,9 +201,9 @@ class ValidityBalls::BallCheck final : public GradientVisitor {
     const P distance = up * singlePrecisionRoot(distance2);
     const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(batch) * lanes;
     const P inverseNorm = RoundedDown<Bfloat16>::load(balls_.inverseGradientNorm_.data() + place);
-    const P radius = RoundedDown<Bfloat16>::load(balls_.radius_.data() + place), margin = radius - distance;
-    const auto inside = margin >= P(edgeFraction) * radius;
-    const P left = select(inside, margin * inverseNorm, P(infinity));
+    const P radius = RoundedDown<Bfloat16>::load(balls_.radius_.data() + place);
+    const auto inside = isInside(distance2, radius);
+    const P left = select(inside, (radius - distance) * inverseNorm, P(infinity));
     balls_.left_[static_cast<std::size_t>(batch)] = least(left) * (1 - groupMarginRounding) - moved_;
     // 1/γ is rounded down by at most 1/64.
     if (wantsLeverArm_)
@@ -248,8 +254,7 @@ class ValidityBalls::DirectCheck final : public GradientVisitor {
       F += 9 * lanes;
     }
     const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(batch) * lanes;
-    const P radius = RoundedDown<Bfloat16>::load(balls_.radius_.data() + place), allowed = P(1 - edgeFraction) * radius;
-    const auto inside = (radius >= P(0.0)) & (distance2 <= allowed * allowed);
+    const auto inside = isInside(distance2, RoundedDown<Bfloat16>::load(balls_.radius_.data() + place));
     if (!allOf(inside)) balls_.addOutside(batch, inside, outside_);
   }
 
