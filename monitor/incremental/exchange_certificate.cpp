@@ -223,10 +223,9 @@ ExchangeWork ExchangeCertificate::share(NodeVectorsView x, NodeVectorsView mode,
     weights.emplace(weights_).evaluate(x, 0);  // along a run values are not kept
   ExchangeWork work{};
   const std::vector<Eigen::Matrix3d> majorants = majorantsToCome(x, withRoom);
-  const ExchangeShares shares =
-      roomyExchangeShares(body_, x, weights ? *weights : weights_, goesOn ? &present : nullptr, room,
-                          body_.discreteForces() ? &majorants : nullptr, aim * withRoom, narrow * withRoom,
-                          mostIterations, work);
+  const ExchangeShares shares = roomyExchangeShares(
+      body_, x, weights ? *weights : weights_, goesOn ? &present : nullptr, room,
+      body_.discreteForces() ? &majorants : nullptr, aim * withRoom, narrow * withRoom, mostIterations, work);
   beside_ = 0;
   holds_ = std::isfinite(shares.upper.value);
   version_ = body_.version();

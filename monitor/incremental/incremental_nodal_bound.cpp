@@ -175,7 +175,6 @@ void IncrementalNodalBound::rest(std::span<const ExchangeCertificate::Seen> seen
   nearLimit_.clear();
   for (const ExchangeCertificate::Seen& element : seen)
     state_.note(element.element, element.determinant, element.negative);
-  state_.statistics().evaluated = static_cast<std::int64_t>(seen.size());
 }
 
 void IncrementalNodalBound::refresh(NodeVectorsView x, double wanted) {

@@ -51,8 +51,8 @@ class IncrementalNodalBound {
   /// for a smaller value serves too.
   bool certify(NodeVectorsView x, double sigma, StepEvaluation* evaluation = nullptr);
 
-  /// At an observation that something else proves alone: nothing is evaluated. seen: the elements that it looked at. What
-  /// is kept is of the positions of the last update or certify, from which the next one goes on.
+  /// At an observation that something else proves alone: nothing is evaluated. seen: the elements that it looked at.
+  /// What is kept is of the positions of the last update or certify, from which the next one goes on.
   void rest(std::span<const ExchangeCertificate::Seen> seen);
   /// While something else proves more: elements are evaluated only where nothing else helps, as without means.
   void spare(bool spared) { spared_ = spared; }

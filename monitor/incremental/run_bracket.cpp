@@ -76,16 +76,29 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   const double sigma = nodal_.certifiedEigenvalue();  // that allowances belong to
   const double ceiling = h ? limit.lambdaFor(*h) : infinity;
   adaptSlack();
-  nodal_.spare(exchange_.serves());
-  UpperBound nodal = nodal_.update(x, evaluation, ceiling);
+  UpperBound nodal{infinity}, upper{infinity};
+  // Where means are short the weights rest while shares prove more than they did, and the step.
+  bool rests = account_.limited() && exchange_.serves() && !uncertified_;
+  if (rests) {
+    upper = exchange_.update(x, nodal, evaluation);
+    evaluation = nullptr;
+    rests = upper.value < std::min(sigma, ceiling);
+  }
+  if (rests) {
+    nodal_.rest(exchange_.certificate().seen());
+    finite_ = true;
+  } else {
+    nodal_.spare(exchange_.serves());
+    nodal = nodal_.update(x, evaluation, ceiling);
+    finite_ = std::isfinite(nodal.value);
+  }
   statistics_ = nodal_.statistics();
   bracketed_ = true;
-  finite_ = std::isfinite(nodal.value);
   if (!finite_) {
     forget();
     return step_;
   }
-  UpperBound upper{std::min(nodal.value, exchange_.update(x, nodal).value)};
+  if (!rests) upper.value = std::min(nodal.value, exchange_.update(x, nodal).value);
   uncertified_ = h && *h > safeStep(upper, limit);
   method_ = "rayleigh-quotient";
   LowerBound lower{0};
@@ -110,10 +123,12 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     restart_.tried(regionBound_.value > (1 + policy_.helpfulRestart) * before);
   }
   searchUnderCompression(x);
-  nodal_.relaxBound(lower, width_, ceiling);
-  nodal.value = std::max(nodal.value, nodal_.certifiedEigenvalue());
+  if (!rests) {
+    nodal_.relaxBound(lower, width_, ceiling);
+    nodal.value = std::max(nodal.value, nodal_.certifiedEigenvalue());
+  }
   upper.value = std::min(nodal.value, exchange_.narrow(x, nodal, nodal_.takeTight(), mode_, lower, width_).value);
-  if (upper.value > nodal_.highest(lower, width_) && nodal_.tightenBound(x, lower, width_)) {
+  if (!rests && upper.value > nodal_.highest(lower, width_) && nodal_.tightenBound(x, lower, width_)) {
     statistics_.evaluated += nodal_.statistics().evaluated;
     nodal = nodal_.update(x);
     upper.value = std::min(upper.value, nodal.value);
@@ -149,8 +164,8 @@ bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, Ste
     evaluation = nullptr;
     nodal_.rest(exchange_.certificate().seen());
     statistics_ = nodal_.statistics();
+    before = statistics_.evaluated = exchange_.evaluated();
     if (proven) return certified();
-    before = statistics_.evaluated;
   }
   // What is certified goes beyond the budget no more than the purse for proofs does.
   if (cheapest_.due() && (!observed_ || account_.affordsForProof(0))) {

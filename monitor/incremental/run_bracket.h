@@ -133,10 +133,10 @@ class RunBracket {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(slack_, account_, spent_, observed_, atShares_, uncertified_, nodal_, exchange_, local_, localNodes_, regionBound_, own_,
-      ownBefore_, softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_, sharpening_,
-      sharpeningRestart_, searchesNext_, wholeMode_, restart_, search_, examination_, lowest_, nextCompressed_, least_,
-      searchedAt_, step_, best_, bestAt_);
+    a(slack_, account_, spent_, observed_, atShares_, uncertified_, nodal_, exchange_, local_, localNodes_,
+      regionBound_, own_, ownBefore_, softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_,
+      sharpening_, sharpeningRestart_, searchesNext_, wholeMode_, restart_, search_, examination_, lowest_,
+      nextCompressed_, least_, searchedAt_, step_, best_, bestAt_);
     archiveVersion(a, bestVersion_, body_.version());
   }
 

@@ -538,8 +538,8 @@ double ValidityBalls::workOf(const Motion& motion, std::size_t p) const {
   if (motion.fitted) work += workOfFit;
   if (motion.kept) work += workOfKeeping * nodes;
   if (motion.clustered)
-    work += workOfClusterNode * static_cast<double>(clusters_[patchClusters_[p + 1] - 1].nodeEnd -
-                                                    clusters_[patchClusters_[p]].nodeBegin);
+    work += workOfClusterNode *
+            static_cast<double>(clusters_[patchClusters_[p + 1] - 1].nodeEnd - clusters_[patchClusters_[p]].nodeBegin);
   return work;
 }
 

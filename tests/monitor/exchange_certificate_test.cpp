@@ -476,9 +476,8 @@ TEST(ExchangeCertificate, SeesEveryInversionInThresholdMode) {
         x.col(0) += 0.025 * step * across;
         monitor.observe(step, step, x, v, h);
         const bool inverted = !(body.leastDeterminant(x).value > 0);
-        const auto told = std::count_if(monitor.events().begin(), monitor.events().end(), [](const MonitorEvent& event) {
-          return event.kind == EventKind::inverted;
-        });
+        const auto told = std::count_if(monitor.events().begin(), monitor.events().end(),
+                                        [](const MonitorEvent& event) { return event.kind == EventKind::inverted; });
         EXPECT_EQ(told, inverted) << subdivision.name << ", " << law.name << ", " << step;
         if (inverted) break;
       }
