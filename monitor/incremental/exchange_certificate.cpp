@@ -147,7 +147,8 @@ void ExchangeCertificate::store(const ExchangeShares& shares) {
   scale_ = 1;
 }
 
-ExchangeWork ExchangeCertificate::share(NodeVectorsView x, NodeVectorsView mode, LowerBound lower, int mostIterations) {
+ExchangeWork ExchangeCertificate::share(NodeVectorsView x, NodeVectorsView mode, LowerBound lower, int mostIterations,
+                                        double wanted) {
   const bool goesOn = hasShares() && version_ == body_.version();
   room_ = policy_.room;
   const ExchangeRoom room = [&](std::size_t b, const std::int32_t* elements, NativePack* K, NativePack* T) {
@@ -206,6 +207,13 @@ ExchangeWork ExchangeCertificate::share(NodeVectorsView x, NodeVectorsView mode,
   // It is linear in the room, but for a little.
   const double cost = without > 0 && std::isfinite(with / without) ? std::max(0.0, with / without - 1) : 0;
   room_ = policy_.room * std::min(1.0, policy_.mostCost / std::max(cost, 1e-6));
+  double narrow = policy_.narrow, aim = policy_.aim;
+  if (const double left = wanted * (1 - policy_.margin) / (policy_.narrowForProof * lower.value) - 1;
+      left * policy_.room > room_ * cost) {
+    room_ = std::min(policy_.room * left / std::max(cost, 1e-6), policy_.mostRoom);
+    narrow = wanted * (1 - policy_.margin) / (lower.value * (1 + cost * room_ / policy_.room));
+    aim = std::sqrt(narrow);
+  }
   const double withRoom = lower.value * (1 + cost * room_ / policy_.room);
   ExchangeShares present;
   std::optional<NodalBound> weights;
@@ -215,10 +223,9 @@ ExchangeWork ExchangeCertificate::share(NodeVectorsView x, NodeVectorsView mode,
     weights.emplace(weights_).evaluate(x, 0);  // along a run values are not kept
   ExchangeWork work{};
   const std::vector<Eigen::Matrix3d> majorants = majorantsToCome(x, withRoom);
-  const ExchangeShares shares =
-      roomyExchangeShares(body_, x, weights ? *weights : weights_, goesOn ? &present : nullptr, room,
-                          body_.discreteForces() ? &majorants : nullptr, policy_.aim * withRoom,
-                          policy_.narrow * withRoom, mostIterations, work);
+  const ExchangeShares shares = roomyExchangeShares(
+      body_, x, weights ? *weights : weights_, goesOn ? &present : nullptr, room,
+      body_.discreteForces() ? &majorants : nullptr, aim * withRoom, narrow * withRoom, mostIterations, work);
   beside_ = 0;
   holds_ = std::isfinite(shares.upper.value);
   version_ = body_.version();
@@ -238,26 +245,31 @@ ExchangeWork ExchangeCertificate::share(NodeVectorsView x, NodeVectorsView mode,
   for (std::int32_t b = 0; b < static_cast<std::int32_t>(blocks_.size()); ++b)
     for (std::int32_t e = 0; e < body_.blocks()[b]->elementCount(); ++e) all.push_back({b, e});
   factored_ = 0;
+  seenElements_.clear();
   // A share that is not definite could not be raised.
   const double raise = sharesAreDefinite() ? renew(x, all, ExchangeRoomPolicy::parts[0]) : infinity;
   holds_ = std::isfinite(raise);
   scale_ = holds_ ? raise : 1;
+  seenElements_ = {};  // of all
   for (BlockData& data : blocks_) data.balls.invalidateAll();
   addDiscreteForces(x);
   return work;
 }
 
-void ExchangeCertificate::follow(NodeVectorsView x, double mostRaise, double leastPart) {
+void ExchangeCertificate::follow(NodeVectorsView x, double mostRaise, double leastPart, StepEvaluation* evaluation) {
   factored_ = 0;
   workOfTests_ = 0;
   beside_ = 0;
-  if (!holds_) return;
-  if (version_ != body_.version() || dampingFactor_ != dampingFactorOf(body_)) {
+  seenElements_.clear();
+  if (holds_ && (version_ != body_.version() || dampingFactor_ != dampingFactorOf(body_))) {
     holds_ = false;
     unit_ = 0;
+  }
+  if (!holds_) {
+    if (evaluation) body_.evaluate(x, *evaluation, workspace_);
     return;
   }
-  std::vector<ElementRef> outside = elementsOutsideBall(x);
+  std::vector<ElementRef> outside = elementsOutsideBall(x, evaluation);
   if (!outside.empty()) proveAnew(x, outside, mostRaise, leastPart);
   addDiscreteForces(x);
 }
@@ -367,6 +379,7 @@ double ExchangeCertificate::renew(NodeVectorsView x, const std::vector<ElementRe
     const std::size_t place = placeOf(elements[i]);
     data.balls.setRadius(place, proofs[i].radius, proofs[i].fromStored);
     if (data.rates) data.counted[place] = data.rates->coefficient(place);
+    seenElements_.push_back({elements[i], proofs[i].determinant, proofs[i].negative});
   }
   return raise;
 }
@@ -487,6 +500,8 @@ void ExchangeCertificate::provePack(NodeVectorsView x, std::int32_t b, const std
     const TangentDrift& drift = with.drift[lane];
     Proof& proof = proofs[lane];
     proof.raise = raise[lane];
+    proof.determinant = drift.determinant;
+    proof.negative = drift.law.negative;
     proof.fromStored =
         blocks_[b].balls.setReferenceGradient(placeOf({b, elements[lane]}), with.F.data(), points, lane) +
         drift.gradientRounding;
@@ -555,7 +570,7 @@ std::vector<ElementRef> ExchangeCertificate::turnFrames(NodeVectorsView x, const
   return weights_.elementsAt(turned);
 }
 
-std::vector<ElementRef> ExchangeCertificate::elementsOutsideBall(NodeVectorsView x) {
+std::vector<ElementRef> ExchangeCertificate::elementsOutsideBall(NodeVectorsView x, StepEvaluation* evaluation) {
   class Check final : public PatchVisitor {
    public:
     explicit Check(ExchangeCertificate& certificate) : certificate_(certificate) {
@@ -572,10 +587,12 @@ std::vector<ElementRef> ExchangeCertificate::elementsOutsideBall(NodeVectorsView
     ExchangeCertificate& certificate_;
   };
   Check check(*this);
-  StepEvaluation evaluation;
-  evaluation.wantsForce = false;
-  evaluation.visitor = &check;
-  body_.evaluate(x, evaluation, workspace_);
+  StepEvaluation checkOnly;
+  checkOnly.wantsForce = false;
+  StepEvaluation& asked = evaluation ? *evaluation : checkOnly;
+  asked.visitor = &check;
+  body_.evaluate(x, asked, workspace_);
+  asked.visitor = nullptr;
   std::vector<ElementRef> result;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     workOfTests_ += blocks_[b].balls.workOfCheck();

@@ -29,6 +29,9 @@ struct ExchangeRoomPolicy {
   double leastRotation = 0.003;
   /// Upper over lower eigenvalue, both with room, that iterations aim for and end at.
   double aim = 1.01, narrow = 1.03;
+  /// Where a proof of an eigenvalue is enough: the most room, what iterations end at, which is reached in a few, and
+  /// the part of the eigenvalue that is left for raises.
+  double mostRoom = 0.15, narrowForProof = 1.08, margin = 0.03;
   /// Contact that has come and gone since the last shares were made, or is nearer than this share of the distance
   /// between nodes, has room in the next ones, up to this share of the eigenvalue at its nodes.
   double near = 0.5, mostReserved = 0.3;
@@ -56,15 +59,24 @@ class ExchangeCertificate {
   /// The part of it that discrete forces have no part in.
   double ofElements() const { return holds_ ? sigma_ * scale_ : std::numeric_limits<double>::infinity(); }
   /// Shares at x from the weights, which were evaluated there, or from the present shares. mode: 3×N, a guess of the
-  /// top mode; lower: a lower bound at x. Both are only aimed by.
-  ExchangeWork share(NodeVectorsView x, NodeVectorsView mode, LowerBound lower, int mostIterations);
+  /// top mode; lower: a lower bound at x. Both are only aimed by. wanted: an eigenvalue whose proof is enough, rad²/s²:
+  /// shares get as much room as it leaves them; 0 for none.
+  ExchangeWork share(NodeVectorsView x, NodeVectorsView mode, LowerBound lower, int mostIterations, double wanted = 0);
   /// From the positions of the last call to x: what has left its ball is proven anew, and the eigenvalue raised where
   /// that needs it. Ends the proof where a raise above mostRaise would be needed, or the body has changed.
-  /// leastPart: of the room, that every ball is to have; more room costs a raise, and less is proven anew.
-  void follow(NodeVectorsView x, double mostRaise, double leastPart = 0.25);
+  /// leastPart: of the room, that every ball is to have; more room costs a raise, and less is proven anew. Unless
+  /// nullptr, `evaluation` is filled in at x by the pass that tests the balls; its visitor is not used.
+  void follow(NodeVectorsView x, double mostRaise, double leastPart = 0.25, StepEvaluation* evaluation = nullptr);
   void forget() { holds_ = false; }
   /// Of the last share() or follow(): elements that were factored, and the work of testing balls, WorkAccount's units.
   std::int64_t factored() const { return factored_; }
+  /// The elements that the last follow() factored, with det F and -lambda_min(∂P/∂F) at most: an element that inverts
+  /// is among them.
+  struct Seen {
+    ElementRef element;
+    double determinant, negative;
+  };
+  const std::vector<Seen>& seen() const { return seenElements_; }
   double workOfTests() const { return workOfTests_; }
 
   /// The largest eigenvalue of A_e - G_e in frames over certifiedEigenvalue(), and by how much the sum at a node
@@ -97,6 +109,7 @@ class ExchangeCertificate {
   /// What a proof came to: the raise that it needs (1: none, infinity: more than any that is tried), and the ball.
   struct Proof {
     double raise = std::numeric_limits<double>::infinity(), radius = -1, fromStored = 0;
+    double determinant = std::numeric_limits<double>::infinity(), negative = 0;
   };
   /// Memory for shares: none before there are some.
   void makeBlocks();
@@ -111,7 +124,7 @@ class ExchangeCertificate {
   void proveAnew(NodeVectorsView x, std::vector<ElementRef>& outside, double mostRaise, double leastPart);
   /// Proves elements at x and gives them their balls; returns the raise that they need.
   double renew(NodeVectorsView x, const std::vector<ElementRef>& elements, double leastPart);
-  std::vector<ElementRef> elementsOutsideBall(NodeVectorsView x);
+  std::vector<ElementRef> elementsOutsideBall(NodeVectorsView x, StepEvaluation* evaluation);
   /// Turns the frames of the elements' nodes with their surroundings, and returns all elements at those that turned.
   std::vector<ElementRef> turnFrames(NodeVectorsView x, const std::vector<ElementRef>& elements);
   /// The rotations of nodes' surroundings since the reference configuration: of the mean of their elements' gradients.
@@ -138,6 +151,7 @@ class ExchangeCertificate {
   double dampingFactor_ = 0;                      // of elements, that the proof is for
   std::int64_t factored_ = 0;
   double workOfTests_ = 0;
+  std::vector<Seen> seenElements_;
   // At the nodes of discrete forces: sums of G_e, without scale_; the largest majorants since shares were made; those
   // at x, and where they are not zero.
   std::vector<Eigen::Matrix3d> sums_, seen_, majorants_;

@@ -7,8 +7,8 @@
 namespace ringwatch {
 namespace {
 
-/// Of an element's matrix, of the usual cost, until its share is definite, whole and proven.
-constexpr double factorisations = 3;
+/// Of an element's matrix, of the cost of one along a run, until its share is definite, whole and proven.
+constexpr double factorisations = 0.8;
 
 bool hasTetrahedraAlone(const Body& body) {
   return std::all_of(body.blocks().begin(), body.blocks().end(),
@@ -19,7 +19,10 @@ bool hasTetrahedraAlone(const Body& body) {
 
 IncrementalExchangeBound::IncrementalExchangeBound(const Body& body, const NodalBound& weights, WorkAccount& account,
                                                    const ExchangeRunPolicy& policy)
-    : body_(body), account_(account), policy_(policy), certificate_(body, weights) {}
+    : body_(body),
+      account_(account),
+      policy_(policy),
+      certificate_(body, weights, account.limited() ? policy.roomInShortage : ExchangeRoomPolicy{}) {}
 
 void IncrementalExchangeBound::charge(WorkOn what, double work) {
   Work own;
@@ -28,18 +31,22 @@ void IncrementalExchangeBound::charge(WorkOn what, double work) {
   spent_ += own;
 }
 
-UpperBound IncrementalExchangeBound::update(NodeVectorsView x, UpperBound nodal) {
+UpperBound IncrementalExchangeBound::update(NodeVectorsView x, UpperBound nodal, StepEvaluation* evaluation) {
   serves_ = false;
   evaluated_ = 0;
   if (!account_.limited()) earned_ = std::min(earned_ + policy_.mostShare * account_.force(), 2 * expected_);
   const bool useless = certificate_.ofElements() > policy_.useless * nodal.value;
-  if (!certificate_.holds() || useless) return {infinity};
+  if (!certificate_.holds() || useless) {
+    if (evaluation) body_.evaluate(x, *evaluation, workspace_);
+    return {infinity};
+  }
   // The proof goes on whatever the account has, and takes less where that is little.
   const bool nothing = !account_.affords(0), plenty = !account_.limited() || account_.affords(expected_);
   certificate_.follow(x, policy_.mostRaise,
                       nothing  ? policy_.partInShortage
                       : plenty ? policy_.leastPart
-                               : policy_.part);
+                               : policy_.part,
+                      evaluation);
   evaluated_ = certificate_.factored();
   charge(WorkOn::tests, certificate_.workOfTests());
   charge(WorkOn::repairs, WorkAccount::ofExchange(body_, 0, static_cast<double>(certificate_.factored())));
@@ -47,12 +54,39 @@ UpperBound IncrementalExchangeBound::update(NodeVectorsView x, UpperBound nodal)
   return {certificate_.certifiedEigenvalue()};
 }
 
+bool IncrementalExchangeBound::certify(NodeVectorsView x, double sigma, StepEvaluation* evaluation) {
+  certificate_.follow(x, policy_.mostRaise, policy_.leastPart, evaluation);
+  evaluated_ = certificate_.factored();
+  charge(WorkOn::tests, certificate_.workOfTests());
+  charge(WorkOn::repairs, WorkAccount::ofExchange(body_, 0, static_cast<double>(evaluated_)));
+  serves_ = proves(sigma);
+  return serves_;
+}
+
+double IncrementalExchangeBound::workOfProof() const {
+  if (ExchangeCertificate::bytes(body_) > policy_.mostBytes) return infinity;
+  return WorkAccount::ofShares(body_, policy_.expected);
+}
+
+bool IncrementalExchangeBound::proveFor(NodeVectorsView x, double sigma, NodeVectorsView mode, LowerBound lower,
+                                        bool free) {
+  if (!(lower.value > 0) || !(lower.value < sigma)) return false;
+  const ExchangeWork work = certificate_.share(x, mode, lower, policy_.iterations, sigma);
+  first_ = false;
+  if (!free)
+    charge(WorkOn::sweeps, WorkAccount::ofShares(body_, static_cast<double>(work.decompositions) /
+                                                            static_cast<double>(body_.mesh().elementCount())));
+  evaluated_ += certificate_.factored();
+  serves_ = proves(sigma);
+  return serves_;
+}
+
 UpperBound IncrementalExchangeBound::narrow(NodeVectorsView x, UpperBound nodal, double tight, NodeVectorsView mode,
                                             LowerBound lower, double width) {
   const UpperBound own{serves_ ? certificate_.certifiedEigenvalue() : infinity};
   if (!(lower.value > 0)) return own;
   if (tight > 0) {
-    const double loose = hasTetrahedraAlone(body_) ? policy_.looseOfTetrahedra : policy_.loose;
+    const double loose = hasTetrahedraAlone(body_) || account_.limited() ? policy_.looser : policy_.loose;
     worth_ = tight > loose * lower.value && ExchangeCertificate::bytes(body_) <= policy_.mostBytes;
   }
   if (!worth_) return own;

@@ -8,9 +8,9 @@ namespace ringwatch {
 /// When the exchange bound is worth its cost along a run. No constant here bears on what is proven.
 struct ExchangeRunPolicy {
   /// Eigenvalue of the best weights over the lower one from which weights of single elements count as loose: 3 % of the
-  /// step. In bodies of linear tetrahedra alone 5 %: their weights are followed at a fraction of the cost, and with
-  /// five a cell and jitter, 3.5 % off, they stay within 5 % without help.
-  double loose = 1.06, looseOfTetrahedra = 1.1;
+  /// step. In bodies of linear tetrahedra alone, and where there is a limit to the work, 5 %: weights are followed at a
+  /// fraction of the cost, and with five a cell and jitter, 3.5 % off, they stay within 5 % without help.
+  double loose = 1.06, looser = 1.1;
   /// Memory that making shares may take, bytes.
   std::int64_t mostBytes = 1LL << 30;
   /// Elements up to which the first shares are made at the first evaluation, as the best proof from scratch is.
@@ -22,6 +22,8 @@ struct ExchangeRunPolicy {
   /// Part of the room that balls are to have: with means for new shares, without, and where nothing is left. More room
   /// costs a raise, and less is proven anew more often.
   double leastPart = 0.25, part = 0.7, partInShortage = 1.5;
+  /// The room that shares have where there is a limit to the work: elements leave larger balls less often.
+  ExchangeRoomPolicy roomInShortage{.room = 0.04, .mostCost = 0.06};
   /// Largest raise of the certified eigenvalue at once; what needs more has lost its proof.
   double mostRaise = 1.15;
   /// The certified eigenvalue above the one of the weights from which it is not followed.
@@ -42,14 +44,25 @@ class IncrementalExchangeBound {
   IncrementalExchangeBound(const Body& body, const NodalBound& weights, WorkAccount& account,
                            const ExchangeRunPolicy& policy = {});
 
-  /// Proven at x; infinite where nothing is. nodal: what the weights prove there.
-  UpperBound update(NodeVectorsView x, UpperBound nodal);
+  /// Proven at x; infinite where nothing is. nodal: what the weights prove there. Unless nullptr, `evaluation` is
+  /// filled in at x in any case.
+  UpperBound update(NodeVectorsView x, UpperBound nodal, StepEvaluation* evaluation = nullptr);
   /// Whether the last update gave the better proof.
   bool serves() const { return serves_; }
   /// Makes shares at x where that is wanted and can be afforded. lower, mode: at x, of the tracked mode; tight: the
   /// weights' best bound if known, else 0; width: of the bracket, in the step. Returns as update() does.
   UpperBound narrow(NodeVectorsView x, UpperBound nodal, double tight, NodeVectorsView mode, LowerBound lower,
                     double width);
+  /// Threshold mode: whether shares prove `sigma` (rad²/s²) at x; they do not where they did not at the positions
+  /// before. Unless nullptr, `evaluation` is filled in at x in any case.
+  bool certify(NodeVectorsView x, double sigma, StepEvaluation* evaluation);
+  /// Whether shares proved `sigma` at the positions of the last call.
+  bool proves(double sigma) const { return certificate_.certifiedEigenvalue() <= sigma; }
+  /// Makes shares at x that prove `sigma`, with as much room for motion as that leaves, and returns whether they do.
+  /// mode, lower: at x, of the tracked mode. free: it is of the first proof, and is not paid for.
+  bool proveFor(NodeVectorsView x, double sigma, NodeVectorsView mode, LowerBound lower, bool free);
+  /// What proveFor() takes; infinite where memory does not allow it.
+  double workOfProof() const;
   /// The state has no tangent: what is kept is of none that can come back.
   void forget();
 
@@ -71,6 +84,7 @@ class IncrementalExchangeBound {
   WorkAccount& account_;
   ExchangeRunPolicy policy_;
   ExchangeCertificate certificate_;
+  Body::Workspace workspace_;
   bool worth_ = false, serves_ = false, first_ = true;
   double achieved_ = 0;               // by the last shares: certified over lower eigenvalue
   double expected_ = 0, earned_ = 0;  // work of making shares; of it, without a limit

@@ -170,6 +170,13 @@ void IncrementalNodalBound::beginCounting() {
   state_.statistics() = {};
 }
 
+void IncrementalNodalBound::rest(std::span<const ExchangeCertificate::Seen> seen) {
+  beginCounting();
+  nearLimit_.clear();
+  for (const ExchangeCertificate::Seen& element : seen)
+    state_.note(element.element, element.determinant, element.negative);
+}
+
 void IncrementalNodalBound::refresh(NodeVectorsView x, double wanted, bool holds) {
   state_.renewMajorants(x);
   const bool turned = state_.rotateWithBody(x, policy_);
@@ -248,6 +255,7 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
   bool sweep = false, holds = false, lost = false;
   if (started_ && certifiedEigenvalue() <= sigma) {
     const Outcome outcome = follow(x, false, certifiedEigenvalue(), evaluation);
+    ofProof_ = state_.statistics().work[WorkOn::evaluations] + state_.statistics().work[WorkOn::repairs];
     // Weights that ended early have cost as much since as those would that did not: so at most twice the least is
     // spent.
     sweep = outcome == Outcome::held && endedEarly_ && sinceRebuild_ >= WorkAccount::ofRebuild(body_);

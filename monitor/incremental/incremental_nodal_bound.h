@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -6,6 +7,7 @@
 #include <ringwatch/base/backoff.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/incremental/exchange_certificate.h>
 #include <ringwatch/monitor/incremental/rebuild_policy.h>
 #include <ringwatch/monitor/incremental/run_certificate.h>
 #include <ringwatch/monitor/incremental/work_account.h>
@@ -49,6 +51,9 @@ class IncrementalNodalBound {
   /// for a smaller value serves too.
   bool certify(NodeVectorsView x, double sigma, StepEvaluation* evaluation = nullptr);
 
+  /// At an observation that something else proves alone: nothing is evaluated. seen: the elements that it looked at.
+  /// What is kept is of the positions of the last update or certify, from which the next one goes on.
+  void rest(std::span<const ExchangeCertificate::Seen> seen);
   /// While something else proves more: elements are evaluated only where nothing else helps, as without means.
   void spare(bool spared) { spared_ = spared; }
   /// The bound of the best weights, where they have been made anew since the last call and their sweeps were not ended

@@ -76,16 +76,29 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   const double sigma = nodal_.certifiedEigenvalue();  // that allowances belong to
   const double ceiling = h ? limit.lambdaFor(*h) : infinity;
   adaptSlack();
-  nodal_.spare(exchange_.serves());
-  UpperBound nodal = nodal_.update(x, evaluation, ceiling);
+  UpperBound nodal{infinity}, upper{infinity};
+  // Where means are short the weights rest while shares prove more than they did, and the step.
+  bool rests = account_.limited() && exchange_.serves() && !uncertified_;
+  if (rests) {
+    upper = exchange_.update(x, nodal, evaluation);
+    evaluation = nullptr;
+    rests = upper.value < std::min(sigma, ceiling);
+  }
+  if (rests) {
+    nodal_.rest(exchange_.certificate().seen());
+    finite_ = true;
+  } else {
+    nodal_.spare(exchange_.serves());
+    nodal = nodal_.update(x, evaluation, ceiling);
+    finite_ = std::isfinite(nodal.value);
+  }
   statistics_ = nodal_.statistics();
   bracketed_ = true;
-  finite_ = std::isfinite(nodal.value);
   if (!finite_) {
     forget();
     return step_;
   }
-  UpperBound upper{std::min(nodal.value, exchange_.update(x, nodal).value)};
+  if (!rests) upper.value = std::min(nodal.value, exchange_.update(x, nodal).value);
   uncertified_ = h && *h > safeStep(upper, limit);
   method_ = "rayleigh-quotient";
   LowerBound lower{0};
@@ -110,10 +123,12 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     restart_.tried(regionBound_.value > (1 + policy_.helpfulRestart) * before);
   }
   searchUnderCompression(x);
-  nodal_.relaxBound(lower, width_, ceiling);
-  nodal.value = std::max(nodal.value, nodal_.certifiedEigenvalue());
+  if (!rests) {
+    nodal_.relaxBound(lower, width_, ceiling);
+    nodal.value = std::max(nodal.value, nodal_.certifiedEigenvalue());
+  }
   upper.value = std::min(nodal.value, exchange_.narrow(x, nodal, nodal_.takeTight(), mode_, lower, width_).value);
-  if (upper.value > nodal_.highest(lower, width_) && nodal_.tightenBound(x, lower, width_)) {
+  if (!rests && upper.value > nodal_.highest(lower, width_) && nodal_.tightenBound(x, lower, width_)) {
     statistics_.evaluated += nodal_.statistics().evaluated;
     nodal = nodal_.update(x);
     upper.value = std::min(upper.value, nodal.value);
@@ -135,29 +150,60 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
 
 bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, StepEvaluation* evaluation) {
   account_.earn();
+  const double sigma = limit.lambdaFor(h);
   std::int64_t before = 0;
-  if (cheapest_.due()) {
+  const auto certified = [&] {
+    bracketed_ = false;
+    finite_ = true;
+    searchUnderCompression(x);
+    observed_ = true;
+    return true;
+  };
+  if (exchange_.proves(sigma)) {
+    const bool proven = exchange_.certify(x, sigma, evaluation);
+    evaluation = nullptr;
+    nodal_.rest(exchange_.certificate().seen());
+    statistics_ = nodal_.statistics();
+    before = statistics_.evaluated = exchange_.evaluated();
+    if (proven) return certified();
+  }
+  // What is certified goes beyond the budget no more than the purse for proofs does.
+  if (cheapest_.due() && (!observed_ || account_.affordsForProof(0))) {
     nodal_.spare(false);
-    const bool certified = nodal_.certify(x, limit.lambdaFor(h), evaluation);
+    const bool proven = nodal_.certify(x, sigma, evaluation);
     evaluation = nullptr;
     statistics_ = nodal_.statistics();
     bracketed_ = false;
-    if (certified) {
-      searchUnderCompression(x);
-      observed_ = true;
-      return true;
-    }
-    before = statistics_.evaluated;
+    if (proveByShares(x, sigma) || proven) return certified();
+    before += statistics_.evaluated;
   }
   follow(x, limit, h, evaluation);
   observed_ = true;
   statistics_.evaluated += before;
-  const bool certified = step_ && h <= step_->safe;
-  if (certified)
+  const bool safe = step_ && h <= step_->safe;
+  if (safe)
     cheapest_.tick();
   else
     cheapest_.restart();
-  return certified;
+  return safe;
+}
+
+bool RunBracket::proveByShares(NodeVectorsView x, double sigma) {
+  const double work = exchange_.workOfProof();
+  const bool wanted = observed_ ? workOfProofs() - atShares_ >= work
+                                : nodal_.weights().last() > policy_.hardlyProven * sigma && work < infinity;
+  const bool first = mode_.size() == 0;
+  if (!wanted || (first && nodal_.highestElements(1).empty())) return false;
+  const LowerBound lower = first ? startMode(x) : refreshMode(x, policy_.productsOfFollowing);
+  const bool byShares = exchange_.proveFor(x, sigma, mode_, lower, !observed_);
+  statistics_.evaluated += exchange_.evaluated();
+  atShares_ = workOfProofs();
+  return byShares;
+}
+
+double RunBracket::workOfProofs() const {
+  const Work all = spent();
+  return all.total() - all[WorkOn::tests] - all[WorkOn::searches];
 }
 
 void RunBracket::proveFromScratch(NodeVectorsView x, const StepRule& limit) {

@@ -76,6 +76,10 @@ struct BracketPolicy {
   /// the cheapest way again; refreshes for a step that is not certified between two restarts from all reduced rings.
   int firstGap = 10;
 
+  /// The bound of the first weights over the eigenvalue that a given step allows from which they leave too little room,
+  /// so that shares are made at once: 5 % of the step.
+  double hardlyProven = 0.9;
+
   /// Where means are short and the step is not certified, the mode is searched among so many of the stiffest nodes, in
   /// regions of so many nodes, by turns with being followed.
   std::size_t stiffNodes = 3, nodesAround = 24;
@@ -129,16 +133,22 @@ class RunBracket {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(slack_, account_, spent_, observed_, uncertified_, nodal_, exchange_, local_, localNodes_, regionBound_, own_,
-      ownBefore_, softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_, sharpening_,
-      sharpeningRestart_, searchesNext_, wholeMode_, restart_, search_, examination_, lowest_, nextCompressed_, least_,
-      searchedAt_, step_, best_, bestAt_);
+    a(slack_, account_, spent_, observed_, atShares_, uncertified_, nodal_, exchange_, local_, localNodes_,
+      regionBound_, own_, ownBefore_, softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_,
+      sharpening_, sharpeningRestart_, searchesNext_, wholeMode_, restart_, search_, examination_, lowest_,
+      nextCompressed_, least_, searchedAt_, step_, best_, bestAt_);
     archiveVersion(a, bestVersion_, body_.version());
   }
 
  private:
   const std::optional<CriticalStep>& follow(NodeVectorsView x, const StepRule& limit, std::optional<double> h,
                                             StepEvaluation* evaluation);
+  /// Threshold mode: proves sigma by shares, where the weights do not, or hardly, at the first observation, and later
+  /// once all has taken as much work since shares were made last as making some does: so at most about twice the least
+  /// is spent.
+  bool proveByShares(NodeVectorsView x, double sigma);
+  /// All work but that of tests and of searches for negative stiffness, which no proof saves.
+  double workOfProofs() const;
   /// Sets the slack to what can be paid for: elements leave larger balls less often.
   void adaptSlack();
   /// The state has no tangent: nothing that is known of the modes can be carried over it.
@@ -185,6 +195,7 @@ class RunBracket {
   WorkAccount account_;
   Work spent_;                // on the lower side and on searches
   bool observed_ = false;     // once: what comes is paid for
+  double atShares_ = 0;       // workOfProofs() when shares were made last in threshold mode
   bool uncertified_ = false;  // the step, by the upper side: the lower one may take what there is for the verdict
   IncrementalNodalBound nodal_;
   IncrementalExchangeBound exchange_;

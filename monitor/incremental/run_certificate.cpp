@@ -251,15 +251,15 @@ void RunCertificate::raiseToValues(const std::vector<ElementRef>& elements, doub
   statistics_.raises += elements.empty() ? 0 : 1;
 }
 
-void RunCertificate::note(ElementRef e, const TangentDrift& drift) {
+void RunCertificate::note(ElementRef e, double determinant, double negative) {
   const Material& material = body().blocks()[e.block]->material();
-  if (drift.determinant < statistics_.leastDeterminant && !material.info().allowsInversion) {
-    statistics_.leastDeterminant = drift.determinant;
+  if (determinant < statistics_.leastDeterminant && !material.info().allowsInversion) {
+    statistics_.leastDeterminant = determinant;
     statistics_.leastDeterminantElement = e;
   }
   const double modulus = material.restModulus();
   RoundedUp<Bfloat16>& compression = of(e).compression[placeOf(e)];
-  compression = drift.law.negative / modulus;
+  compression = negative / modulus;
   mostCompression_ = std::max(mostCompression_, static_cast<double>(compression));
 }
 

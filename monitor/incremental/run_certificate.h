@@ -110,6 +110,8 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   const Eigen::Quaternionf& frame(std::int32_t node) const { return frames_[node]; }
   void setFrame(std::int32_t node, const Eigen::Quaternionf& frame) { frames_[node] = frame; }
 
+  /// What has been found of an element elsewhere, at the positions at hand: det F, and -lambda_min(∂P/∂F) at most.
+  void note(ElementRef e, double determinant, double negative);
   /// Elements whose -lambda_min(∂P/∂F) over λ+2μ was above `least` when last evaluated, most first.
   std::vector<ElementRef> compressedElements(double least) const;
   /// The largest of these since allowances were distributed.
@@ -161,7 +163,7 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   BlockData& of(ElementRef e) { return blocks_[e.block]; }
   const BlockData& of(ElementRef e) const { return blocks_[e.block]; }
   Reference store(const EvaluatedPack& pack, int lane, bool withStrainNorm);
-  void note(ElementRef e, const TangentDrift& drift);
+  void note(ElementRef e, const TangentDrift& drift) { note(e, drift.determinant, drift.law.negative); }
 
   int elementsOfFrame_ = RebuildPolicy{}.elementsOfFrame;
   std::vector<BlockData> blocks_;

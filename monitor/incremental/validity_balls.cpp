@@ -31,9 +31,15 @@ constexpr std::int32_t longestGapOfFits = 64;  // checks
 /// Motions are from the positions at hand where they have used up this share of what is left on average. Each test at
 /// other positions loses the motion to there twice; but there motions that go to and fro do not add up.
 constexpr double mostMotion = 0.3;
-/// Work of a check, in WorkAccount's units: of going through a node, of fitting a motion, of a cluster's node, of
-/// keeping a node's position, and of testing an element at a quadrature point.
-constexpr double workOfNode = 0.4, workOfFit = 300, workOfClusterNode = 0.3, workOfKeeping = 0.25, workOfTest = 1;
+/// Work of a check, in WorkAccount's units: of a node in any case, of going through it, of fitting a motion, of a
+/// cluster's node, of keeping a node's position, and of testing an element at a quadrature point, directly or for what
+/// is left of its ball.
+constexpr double workOfPass = 0.15, workOfNode = 0.6, workOfFit = 300, workOfClusterNode = 0.3, workOfKeeping = 0.5,
+                 workOfDirect = 0.5, workOfTest = 0.8;
+/// Checks that the mean work of looking is over, and direct ones in a row: the fewest and the most. They double when
+/// looking again does not pay for as long as they lasted.
+constexpr double looksOfMean = 8;
+constexpr std::int32_t fewestDirect = 16, mostDirect = 256;
 
 typedef double Row4 __attribute__((vector_size(32)));
 typedef float Floats16 __attribute__((vector_size(64)));
@@ -75,6 +81,23 @@ Eigen::Matrix3d fittedMotion(const TrackedNodes& tracked) {
   second += 1e-6 * second.trace() * Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d A = second.ldlt().solve(mixed.transpose()).transpose();
   return A.allFinite() ? A : Eigen::Matrix3d::Zero();
+}
+
+/// |F - F0|² of the elements of a batch at a point.
+RINGWATCH_INLINE P squaredDistance(const double* F, const std::int16_t* reference) {
+  P sums[3] = {P(0.0), P(0.0), P(0.0)};
+  for (int i = 0; i < 9; ++i) {
+    const P d = P::load(F + i * lanes) -
+                P(ValidityBalls::entryUnit) * detail::packOf(detail::loadShorts(reference + i * lanes));
+    sums[i % 3] += d * d;
+  }
+  return sums[0] + sums[1] + sums[2];
+}
+
+/// Whether elements are inside their balls, and not at the edge; false where a number is not one.
+RINGWATCH_INLINE P::Mask isInside(const P& distance2, const P& radius) {
+  const P allowed = P(1 - ValidityBalls::edgeFraction) * radius;
+  return (radius >= P(0.0)) & (distance2 <= allowed * allowed);
 }
 
 /// Half the diagonal of a box.
@@ -162,12 +185,7 @@ class ValidityBalls::BallCheck final : public GradientVisitor {
         balls_.referenceGradient_.data() + static_cast<std::ptrdiff_t>(batch) * balls_.points_ * 9 * lanes;
     P distance2(0.0), size2(0.0);
     for (int q = 0; q < balls_.points_; ++q) {
-      P d2(0.0);
-      for (int i = 0; i < 9; ++i) {
-        const P d = P::load(F + i * lanes) -
-                    P(entryUnit) * P(__builtin_convertvector(detail::loadShorts(reference + i * lanes), P::Values));
-        d2 += d * d;
-      }
+      const P d2 = squaredDistance(F, reference);
       // A NaN fails the comparison inside max and would pass unseen: keep it.
       distance2 = select(d2 <= distance2, distance2, d2);
       if (wantsLeverArm_) {
@@ -183,20 +201,14 @@ class ValidityBalls::BallCheck final : public GradientVisitor {
     const P distance = up * singlePrecisionRoot(distance2);
     const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(batch) * lanes;
     const P inverseNorm = RoundedDown<Bfloat16>::load(balls_.inverseGradientNorm_.data() + place);
-    const P radius = RoundedDown<Bfloat16>::load(balls_.radius_.data() + place), margin = radius - distance;
-    const auto inside = margin >= P(edgeFraction) * radius;
-    const P left = select(inside, margin * inverseNorm, P(infinity));
+    const P radius = RoundedDown<Bfloat16>::load(balls_.radius_.data() + place);
+    const auto inside = isInside(distance2, radius);
+    const P left = select(inside, (radius - distance) * inverseNorm, P(infinity));
     balls_.left_[static_cast<std::size_t>(batch)] = least(left) * (1 - groupMarginRounding) - moved_;
     // 1/γ is rounded down by at most 1/64.
     if (wantsLeverArm_)
       leverArm_ = math::max(leverArm_, P(1 + 1.0 / 64) * up * singlePrecisionRoot(size2) * inverseNorm);
-    if (allOf(inside)) return;
-    const P flags = select(inside, P(1.0), P(0.0));
-    for (int lane = 0; lane < lanes; ++lane) {
-      // Lanes without an element never leave, but for positions whose squares overflow.
-      const std::int32_t element = balls_.block_->layout().elements[place + lane];
-      if (flags[lane] == 0 && element >= 0) outside_.push_back(element);
-    }
+    if (!allOf(inside)) balls_.addOutside(batch, inside, outside_);
   }
   /// What has to be taken from what is left, m.
   void setMoved(double moved) { moved_ = moved; }
@@ -209,7 +221,7 @@ class ValidityBalls::BallCheck final : public GradientVisitor {
 
  private:
   static P singlePrecisionRoot(P a) {  // to 1e-7
-    auto values = __builtin_convertvector(a.v, detail::NativeFloats);
+    auto values = detail::singlesOf(a);
     for (int lane = 0; lane < lanes; ++lane) values[lane] = std::sqrt(values[lane]);
     return detail::packOf(values);
   }
@@ -224,6 +236,31 @@ class ValidityBalls::BallCheck final : public GradientVisitor {
   std::vector<std::int32_t>& outside_;
   P leverArm_ = P(0.0);
   double moved_ = 0;
+};
+
+/// Whether batches are in their balls, and nothing else: no root, and no margin.
+class ValidityBalls::DirectCheck final : public GradientVisitor {
+ public:
+  DirectCheck(const ValidityBalls& balls, std::vector<std::int32_t>& outside) : balls_(balls), outside_(outside) {}
+
+  void visit(std::int32_t batch, const double* F) override {
+    const std::int16_t* reference =
+        balls_.referenceGradient_.data() + static_cast<std::ptrdiff_t>(batch) * balls_.points_ * 9 * lanes;
+    P distance2(0.0);
+    for (int q = 0; q < balls_.points_; ++q) {
+      const P d2 = squaredDistance(F, reference);
+      distance2 = select(d2 <= distance2, distance2, d2);  // a NaN stays
+      reference += 9 * lanes;
+      F += 9 * lanes;
+    }
+    const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(batch) * lanes;
+    const auto inside = isInside(distance2, RoundedDown<Bfloat16>::load(balls_.radius_.data() + place));
+    if (!allOf(inside)) balls_.addOutside(batch, inside, outside_);
+  }
+
+ private:
+  const ValidityBalls& balls_;
+  std::vector<std::int32_t>& outside_;
 };
 
 ValidityBalls::ValidityBalls(const ElementBlock& block)
@@ -346,6 +383,15 @@ void ValidityBalls::ballChanged(std::size_t place, double distance) {
   motion.leastLeft = std::min(motion.leastLeft, left_[batch]);
 }
 
+void ValidityBalls::addOutside(std::int32_t batch, const P::Mask& inside, std::vector<std::int32_t>& outside) const {
+  const P flags = select(inside, P(1.0), P(0.0));
+  for (int lane = 0; lane < lanes; ++lane) {
+    // Lanes without an element never leave, but for positions whose squares overflow.
+    const std::int32_t element = block_->layout().elements[static_cast<std::ptrdiff_t>(batch) * lanes + lane];
+    if (flags[lane] == 0 && element >= 0) outside.push_back(element);
+  }
+}
+
 void ValidityBalls::checkPatch(const PatchPass& pass, std::vector<std::int32_t>& outside) {
   const std::int32_t p = pass.index();
   const Patch& patch = pass.patch();
@@ -353,11 +399,21 @@ void ValidityBalls::checkPatch(const PatchPass& pass, std::vector<std::int32_t>&
   const auto left = left_.begin() + patch.batchBegin, end = left_.begin() + patch.batchEnd;
   motion.tested = motion.asked = 0;
   motion.fitted = motion.clustered = motion.kept = false;
+  motion.wasDirect = motion.direct > 0;
+  if (motion.wasDirect) {
+    --motion.direct;
+    motion.testAll = true;  // once it is looked at again
+    motion.tested = patch.batchEnd - patch.batchBegin;
+    DirectCheck check(*this, outside);
+    pass.run(patch.batchBegin, patch.batchEnd, &check);
+    return;
+  }
   if (!motion.testAll) {
     Residuals residuals;
     motion.moved = move(motion, patch, pass.rows(), residuals);
     if (motion.moved < motion.leastLeft) {  // not where both are infinite
       pass.run(patch.batchBegin, patch.batchEnd);
+      chooseCheck(motion, static_cast<std::size_t>(p));
       return;
     }
     motion.testAll = !(motion.leverArm + motion.moved <= mostLeverArm * motion.testedLeverArm);  // a NaN among them
@@ -375,6 +431,7 @@ void ValidityBalls::checkPatch(const PatchPass& pass, std::vector<std::int32_t>&
   motion.testAll = false;
   motion.leastLeft = *std::min_element(left, end);
   if (motion.kept) keepPositions(motion, patch, pass.rows());
+  chooseCheck(motion, static_cast<std::size_t>(p));
 }
 
 double ValidityBalls::move(Motion& motion, const Patch& patch, const double* rows, Residuals& residuals) const {
@@ -472,20 +529,43 @@ void ValidityBalls::testMarked(const Motion& motion, const PatchPass& pass, Ball
   }
 }
 
+double ValidityBalls::workOf(const Motion& motion, std::size_t p) const {
+  const Patch& patch = block_->layout().patches[p];
+  const double nodes = patch.nodeEnd - patch.nodeBegin;
+  double work = workOfPass * nodes;
+  if (motion.wasDirect) return work + workOfDirectCheck(patch);
+  work += workOfNode * nodes * motion.asked + workOfTest * (motion.tested * lanes * points_);
+  if (motion.fitted) work += workOfFit;
+  if (motion.kept) work += workOfKeeping * nodes;
+  if (motion.clustered)
+    work += workOfClusterNode *
+            static_cast<double>(clusters_[patchClusters_[p + 1] - 1].nodeEnd - clusters_[patchClusters_[p]].nodeBegin);
+  return work;
+}
+
+double ValidityBalls::workOfDirectCheck(const Patch& patch) const {
+  return workOfDirect * ((patch.batchEnd - patch.batchBegin) * lanes * points_);
+}
+
 double ValidityBalls::workOfCheck() const {
   double work = 0;
-  for (std::size_t p = 0; p < motions_.size(); ++p) {
-    const Motion& motion = motions_[p];
-    const Patch& patch = block_->layout().patches[p];
-    const double nodes = patch.nodeEnd - patch.nodeBegin;
-    work += workOfNode * nodes * motion.asked + workOfTest * (motion.tested * lanes * points_);
-    if (motion.fitted) work += workOfFit;
-    if (motion.kept) work += workOfKeeping * nodes;
-    if (motion.clustered)
-      work += workOfClusterNode * static_cast<double>(clusters_[patchClusters_[p + 1] - 1].nodeEnd -
-                                                      clusters_[patchClusters_[p]].nodeBegin);
-  }
+  for (std::size_t p = 0; p < motions_.size(); ++p) work += workOf(motions_[p], p);
   return work;
+}
+
+void ValidityBalls::chooseCheck(Motion& motion, std::size_t p) const {
+  const Patch& patch = block_->layout().patches[p];
+  const double nodes = patch.nodeEnd - patch.nodeBegin, direct = workOfPass * nodes + workOfDirectCheck(patch);
+  motion.meanWork += (workOf(motion, p) - motion.meanWork) / looksOfMean;
+  ++motion.looks;
+  // Beginning to look costs a test of all elements, which counts as well.
+  if (!(motion.meanWork > direct)) return;
+  const bool soon = motion.looks < motion.gapOfDirect;
+  motion.direct = motion.gapOfDirect =
+      std::clamp(soon ? 2 * motion.gapOfDirect : motion.gapOfDirect / 2, fewestDirect, mostDirect);
+  motion.looks = 0;
+  motion.meanWork = 0;
+  motion.testAll = true;
 }
 
 std::size_t ValidityBalls::testedBatches() const {

@@ -20,7 +20,8 @@ namespace ringwatch {
 ///   |ΔF| <= γ C,   C = |A| max |F|/γ + max |ρ - ρ'|,   γ = Σ_a |∂N_a/∂X|
 /// (Theorem 19, docs/theory/incremental_certificate.md; the code takes half the diagonal of a box of all ρ). What was
 /// left of a batch's balls when it was tested, over γ, is used up by motions C of its patch or, where that would be too
-/// much, of the few batches around it: only then it is tested again (Theorem 70). Stored numbers are rounded to the
+/// much, of the few batches around it: only then it is tested again (Theorem 70). Where elements tremble so much that
+/// this costs more than testing all of them, a patch is tested directly for a while. Stored numbers are rounded to the
 /// safe side.
 class ValidityBalls {
  public:
@@ -77,6 +78,7 @@ class ValidityBalls {
 
  private:
   class BallCheck;
+  class DirectCheck;
   /// The motion of a patch since `before_`, which its batches are tested by.
   struct Motion {
     template <class Archive>
@@ -95,10 +97,14 @@ class ValidityBalls {
     std::int32_t checks = 0;                           // since `before_`
     std::int32_t checksSinceFit = 0, gapOfFits = 1;
     // At the last check: batches tested, times that nodes were gone through, whether a motion was fitted, clusters were
-    // asked, and positions kept.
+    // asked, positions kept, and whether it was direct.
     std::int32_t tested = 0, asked = 0;
-    bool fitted = false, clustered = false, kept = false;
+    bool fitted = false, clustered = false, kept = false, wasDirect = false;
     bool testAll = true;  // at the next one
+    // Checks that are still to be direct, and were the last time; others in a row since then, and the work of one of
+    // these, on average.
+    std::int32_t direct = 0, gapOfDirect = 0, looks = 0;
+    double meanWork = 0;
   };
   /// Batches that move together.
   struct Cluster {
@@ -120,8 +126,15 @@ class ValidityBalls {
   void moveClusters(Motion& motion, std::int32_t patch, const Residuals& residuals);
   /// Has what a test of the batch reads brought into the cache: few batches of a patch are tested, here and there.
   void prefetch(std::int32_t batch) const;
+  /// Appends the elements of a batch that are not inside.
+  void addOutside(std::int32_t batch, const NativePack::Mask& inside, std::vector<std::int32_t>& outside) const;
   /// Runs the batches of a patch; those that are marked are tested.
   void testMarked(const Motion& motion, const PatchPass& pass, BallCheck& check) const;
+  /// The work of the last check of a patch, and of a direct one.
+  double workOf(const Motion& motion, std::size_t patch) const;
+  double workOfDirectCheck(const Patch& patch) const;
+  /// Has the next checks of a patch be direct, if looking at its nodes has cost more of late.
+  void chooseCheck(Motion& motion, std::size_t patch) const;
   /// Keeps the positions at hand as those that motions are from.
   void keepPositions(Motion& motion, const Patch& patch, const double* rows);
 

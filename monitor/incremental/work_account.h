@@ -87,10 +87,15 @@ class WorkAccount {
     const double size = 3.0 * block.nodesPerElement();
     return size * size * size / 14;
   }
-  /// Decompositions and factorisations of so many elements' matrices, for the exchange bound.
+  /// Decompositions and factorisations of so many elements' matrices, with their tangents, for the exchange bound.
   static double ofExchange(const Body& body, double decompositions, double factorisations) {
     const double evaluations = ofEvaluation(body) / elements(body);
     return (evaluationsOfDecomposition * decompositions + evaluationsOfFactorisation * factorisations) * evaluations;
+  }
+  /// Making shares that prove a given eigenvalue, by so many decompositions an element: matrices of all elements are
+  /// gone through in memory many times beside those.
+  static double ofShares(const Body& body, double decompositions) {
+    return (evaluationsOfShares + evaluationsOfIteration * decompositions) * ofEvaluation(body);
   }
   /// The work of all elements, or of some.
   static double ofForce(const Body& body) {
@@ -185,7 +190,8 @@ class WorkAccount {
   // As measured on an EPYC of AVX-512. evaluationsOfRebuild: 6 to 14 of them, with their strain norms.
   static constexpr double evaluationsOfTangent = 0.25, evaluationsOfRebuild = 12, forcesOfGrowth = 3,
                           forcesOfProduct = 1.6;
-  static constexpr double evaluationsOfDecomposition = 1.5, evaluationsOfFactorisation = 0.4;
+  static constexpr double evaluationsOfDecomposition = 1.5, evaluationsOfFactorisation = 1.5;
+  static constexpr double evaluationsOfShares = 14, evaluationsOfIteration = 2.5;
   static constexpr double unitsOfMove = 2.2, shareByDirections = 0.4;
   static constexpr double productsKept = 12;
   static constexpr double leastIncome = 2000, shareOfMode = 0.3, shareOfSearches = 0.1, forcesOfCredit = 0.5,

@@ -406,5 +406,85 @@ TEST(ExchangeCertificate, HasTheSameBitsForAnyThreadsAndWhenItGoesOnFromBytes) {
   }
 }
 
+/// A regular bar in threshold mode at 0.95 of its critical step, where weights prove nothing: it trembles, and is then
+/// stretched until the step is too large. What is said at each observation, in 1 for certified, and elements refreshed.
+struct Rested {
+  std::vector<double> said;
+  std::int64_t refreshed = 0;  // while it trembles, after the first observation
+};
+Rested restedOnShares(const Subdivision& subdivision, std::string_view law, double budget, int threads,
+                      int savedAt = -1) {
+  constexpr int trembling = 100, steps = 300, sampleEvery = 10;
+  const Body body = barBody(subdivision, law, 0, threads);
+  const NodeVectors& X = body.mesh().X;
+  const double h = 0.95 * 2 / std::sqrt(DenseTangent(body, X).largest());
+  MonitorOptions options;
+  options.mode = MonitorMode::threshold;
+  options.budget = budget;
+  std::optional<StabilityMonitor> monitor(std::in_place, body, options);
+  const NodeVectors v = NodeVectors::Zero(3, body.nodeCount());
+  Rested result;
+  for (int k = 0; k < steps; ++k) {
+    const double stretch = 1 + 5e-4 * std::max(0, k - trembling);
+    NodeVectors x = Eigen::Vector3d(stretch, 1, 1).asDiagonal() * X;
+    for (Eigen::Index i = 0; i < x.cols(); ++i) x(1, i) += 2e-5 * std::sin(300 * X(0, i) + 0.7 * k);
+    const MonitorReport& report = monitor->observe(k, k, x, v, h);
+    result.said.push_back(report.verdict == Verdict::certified ? 1 : report.bracket ? report.bracket->safe : 0);
+    if (k > 0 && k < trembling) result.refreshed += report.elementsRefreshed;
+    if (k < trembling) {
+      EXPECT_EQ(report.verdict, Verdict::certified) << subdivision.name << ", " << law << ", " << k;
+    }
+    if (k % sampleEvery == 0 && report.verdict == Verdict::certified) {
+      EXPECT_LE(h, 2 / std::sqrt(DenseTangent(body, x).largest()) * (1 + 1e-10)) << subdivision.name << ", " << k;
+    }
+    if (k == savedAt) {
+      const std::string saved = monitor->save();
+      monitor.emplace(body, options);
+      monitor->load(saved);
+    }
+  }
+  return result;
+}
+
+TEST(ExchangeCertificate, ThresholdModeRestsOnSharesWhereWeightsDoNotProveTheStep) {
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
+    if (subdivision.name != "tet4_6" && subdivision.name != "hex8") continue;
+    for (const char* law : {"stvk", "neo-hookean", "corotational"})
+      for (const double budget : {infinity, 0.1}) {
+        const Rested one = restedOnShares(subdivision, law, budget, 1);
+        EXPECT_EQ(one.refreshed, 0) << subdivision.name << ", " << law;
+        EXPECT_EQ(one.said, restedOnShares(subdivision, law, budget, 3, 50).said) << subdivision.name << ", " << law;
+        EXPECT_EQ(one.said, restedOnShares(subdivision, law, budget, 2, 220).said) << subdivision.name << ", " << law;
+      }
+  }
+}
+
+TEST(ExchangeCertificate, SeesEveryInversionInThresholdMode) {
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
+    if (subdivision.name != "tet4_6" && subdivision.name != "hex8") continue;
+    for (const LawInfo& law : allLaws()) {
+      if (law.allowsInversion) continue;
+      const Body body = barBody(subdivision, law.name, 0, 1);
+      const NodeVectors& X = body.mesh().X;
+      MonitorOptions options;
+      options.mode = MonitorMode::threshold;
+      StabilityMonitor monitor(body, options);
+      const double h = 0.95 * 2 / std::sqrt(DenseTangent(body, X).largest());
+      const NodeVectors v = NodeVectors::Zero(3, body.nodeCount());
+      const Eigen::Vector3d across = (X.rowwise().mean() - X.col(0)) * 1.7;
+      for (int step = 0; step <= 40; ++step) {
+        NodeVectors x = X;
+        x.col(0) += 0.025 * step * across;
+        monitor.observe(step, step, x, v, h);
+        const bool inverted = !(body.leastDeterminant(x).value > 0);
+        const auto told = std::count_if(monitor.events().begin(), monitor.events().end(),
+                                        [](const MonitorEvent& event) { return event.kind == EventKind::inverted; });
+        EXPECT_EQ(told, inverted) << subdivision.name << ", " << law.name << ", " << step;
+        if (inverted) break;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ringwatch
