@@ -635,7 +635,7 @@ void DampedBlock::roundingOf(const std::int32_t* elements, const P (*edges)[3], 
     volumeGradient(elements, edges, volume, w);
     // What ∂V/∂x_a and V err by.
     P ofGradient(0.0), ofVolume(0.0);
-    if (mean) {  // Theorem 111
+    if (mean) {  // Theorem 92
       const P F = norm(meanDeformation(at, edges)), error = Means::gradientError(vectors, edge);
       ofGradient = at.volume * vectors.norm * (P(3.0) * F * error + P(32 * u) * F * F);
       ofVolume = at.volume * F * F * (P(2.0) * error + P(16 * u) * F);

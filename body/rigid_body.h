@@ -91,7 +91,7 @@ class RigidBody {
 
   /// Its nodes after h seconds of motion without forces, with the momenta of the velocities v + kick · a, and its
   /// velocities there: the discrete Moser-Veselov equation (Theorem 63, docs/theory/rigid_bodies.md), what is
-  /// prescribed as it is now (Theorem 110). kick: s. One column a node, in the order of nodes(). False where it would
+  /// prescribed as it is now (Theorem 91). kick: s. One column a node, in the order of nodes(). False where it would
   /// turn by more than a right angle or so, for which the equation has no solution; then nothing is written.
   bool drift(NodeVectorsView x, NodeVectorsView v, double kick, NodeVectorsView a, double h, NodeVectors& positions,
              NodeVectors& velocities) const;

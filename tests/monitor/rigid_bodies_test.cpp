@@ -153,7 +153,7 @@ const std::vector<RigidGuide> guides{
     {.components = {true, true, true}, .turning = RigidGuide::Turning::free, .point = Eigen::Vector3d(0.03, 0, 0)},
     {.turning = RigidGuide::Turning::prescribed}};
 
-// Theorem 110: what a guide takes is taken from the motions on both sides.
+// Theorem 91: what a guide takes is taken from the motions on both sides.
 TEST(RigidBracket, HoldsTheDenseEigenvalueOfGuidedBodies) {
   double widest = 0, changes = 0;
   for (const char* element : {"tet4", "hex8"})
