@@ -358,6 +358,7 @@ void runOnDevices(const Case& c, const Mesh& mesh, const std::vector<int>& devic
   const DeviceBodyInput input = inputOf(c, mesh);
   std::printf("%s: %zu elements, %d patches, planned in %.1f s\n", c.name.c_str(), mesh.elementCount(), plan.patchCount,
               seconds() - start);
+  std::fflush(stdout);
   std::optional<StepTimes> one;
   NodeVectors x;
   for (const std::vector<int>& on : {std::vector<int>{devices.front()}, devices}) {
@@ -367,6 +368,7 @@ void runOnDevices(const Case& c, const Mesh& mesh, const std::vector<int>& devic
     const std::string name = c.name + " on " + std::to_string(on.size());
     std::printf("%-34s set up in %.1f s, %.1f GB, %.2f MB exchanged a step\n", name.c_str(), seconds() - start,
                 static_cast<double>(body.bytes()) * 1e-9, static_cast<double>(body.bytesExchanged()) * 1e-6);
+    std::fflush(stdout);
     const std::optional<StepTimes> times =
         measureCertificate(name, body, mesh, 0.1, [](const char*, double, double) {});
     if (!times) continue;
