@@ -258,12 +258,18 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
     ofProof_ = state_.statistics().work[WorkOn::evaluations] + state_.statistics().work[WorkOn::repairs];
     // Weights that ended early have cost as much since as those would that did not: so at most twice the least is
     // spent.
-    sweep = outcome == Outcome::held && endedEarly_ && sinceRebuild_ >= WorkAccount::ofRebuild(body_);
+    const bool lost = outcome == Outcome::tooManyViolations;
+    sweep = endedEarly_ && (lost || (outcome == Outcome::held && sinceRebuild_ >= WorkAccount::ofRebuild(body_)));
     if (outcome == Outcome::held && !sweep) return true;
     // A certificate that was refused holds for a larger eigenvalue.
     started_ = holds = outcome == Outcome::refused;
     lost = outcome == Outcome::tooManyViolations;
     if (outcome == Outcome::notFinite) return false;
+    // What is lost at many elements at once the weights that there are may prove again.
+    if (lost && refreshes_.due()) {
+      state_.setCertifiedEigenvalue(infinity);
+      started_ = true;
+    }
   } else if (evaluation) {
     body_.evaluate(x, *evaluation, workspace_);
   }

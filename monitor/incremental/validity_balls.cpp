@@ -38,7 +38,7 @@ constexpr double workOfPass = 0.15, workOfNode = 0.6, workOfFit = 300, workOfClu
                  workOfDirect = 0.5, workOfTest = 0.8;
 /// Checks that the mean work of looking is over, and direct ones in a row: the fewest and the most. They double when
 /// looking again does not pay for as long as they lasted.
-constexpr double looksOfMean = 8;
+constexpr double looksOfMean = 16;
 constexpr std::int32_t fewestDirect = 16, mostDirect = 256;
 
 typedef double Row4 __attribute__((vector_size(32)));

@@ -84,7 +84,7 @@ class ValidityBalls {
     template <class Archive>
     void archive(Archive& a) {
       a(leastLeft, moved, leverArm, testedLeverArm, rounding, centre, rate, checks, checksSinceFit, gapOfFits, tested,
-        asked, fitted, clustered, testAll, kept);
+        asked, fitted, clustered, testAll, kept, wasDirect, direct, gapOfDirect, looks, meanWork);
     }
 
     double leastLeft = 0;                              // of its batches, m
