@@ -177,7 +177,7 @@ void IncrementalNodalBound::rest(std::span<const ExchangeCertificate::Seen> seen
     state_.note(element.element, element.determinant, element.negative);
 }
 
-void IncrementalNodalBound::refresh(NodeVectorsView x, double wanted, bool holds) {
+void IncrementalNodalBound::refresh(NodeVectorsView x, double wanted) {
   state_.renewMajorants(x);
   const bool turned = state_.rotateWithBody(x, policy_);
   NodalBound& weights = state_.weights();
@@ -186,7 +186,7 @@ void IncrementalNodalBound::refresh(NodeVectorsView x, double wanted, bool holds
   state_.statistics().work[WorkOn::sweeps] += WorkAccount::ofEvaluation(body_);
   ++state_.statistics().refreshes;
   const double tight = weights.last();
-  const double found = tight * (1 + policy_.slack), sigma = holds ? std::min(found, certifiedEigenvalue()) : found;
+  const double sigma = std::min(tight * (1 + policy_.slack), certifiedEigenvalue());
   start(x, tight <= wanted * (1 - policy_.proofMargin) ? wanted : sigma, turned);
 }
 
@@ -226,7 +226,7 @@ UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* eval
     const double work = WorkAccount::ofEvaluation(body_) + WorkAccount::ofDistribution(body_, false);
     if (certifiedEigenvalue() > wanted && refreshes_.due() && account_->affordsForProof(work)) {
       const double before = state_.statistics().work.total();
-      refresh(x, wanted, true);
+      refresh(x, wanted);
       refreshes_.tried(certifiedEigenvalue() <= wanted);
       ofProof_ = state_.statistics().work.total() - before;
     }
@@ -234,7 +234,7 @@ UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* eval
   }
   // What had been proven of the step is worth more than the account has.
   if (certifiedEigenvalue() > ceiling && refreshes_.due()) {
-    refresh(x, ceiling, true);
+    refresh(x, ceiling);
     refreshes_.tried(certifiedEigenvalue() <= ceiling);
   }
   if (certifiedEigenvalue() > ceiling && rebuilds_.due()) {
@@ -251,8 +251,7 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
   rebuilds_.tick();
   refreshes_.tick();
   lowerings_.tick();
-  // What is certified holds at x as well; it held until now, but no more: today's values cost less than new weights.
-  bool sweep = false, holds = false, lost = false;
+  bool sweep = false;
   if (started_ && certifiedEigenvalue() <= sigma) {
     const Outcome outcome = follow(x, false, certifiedEigenvalue(), evaluation);
     ofProof_ = state_.statistics().work[WorkOn::evaluations] + state_.statistics().work[WorkOn::repairs];
@@ -262,8 +261,7 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
     sweep = endedEarly_ && (lost || (outcome == Outcome::held && sinceRebuild_ >= WorkAccount::ofRebuild(body_)));
     if (outcome == Outcome::held && !sweep) return true;
     // A certificate that was refused holds for a larger eigenvalue.
-    started_ = holds = outcome == Outcome::refused;
-    lost = outcome == Outcome::tooManyViolations;
+    started_ = outcome == Outcome::refused;
     if (outcome == Outcome::notFinite) return false;
     // What is lost at many elements at once the weights that there are may prove again.
     if (lost && refreshes_.due()) {
@@ -273,13 +271,13 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
   } else if (evaluation) {
     body_.evaluate(x, *evaluation, workspace_);
   }
-  if (lost || (started_ && refreshes_.due())) {
-    refresh(x, sigma, holds);
+  if (started_ && refreshes_.due()) {
+    refresh(x, sigma);
     refreshes_.tried(certifiedEigenvalue() <= sigma);
     if (certifiedEigenvalue() <= sigma) return true;
   }
-  // From scratch, but not at every step while it keeps failing. Weights that ended early cost little.
-  if (!sweep && !rebuilds_.due() && !(lost && endedEarly_)) return false;
+  // From scratch, but not at every step while it keeps failing.
+  if (!sweep && !rebuilds_.due()) return false;
   rebuild(x, {sweep ? 0 : policy_.enoughOfWanted * sigma});
   const double tight = state_.weights().last();
   const bool proven = tight <= sigma * (1 - policy_.proofMargin);
@@ -334,7 +332,7 @@ bool IncrementalNodalBound::tightenBound(NodeVectorsView x, LowerBound lower, do
   beginCounting();
   const double before = certifiedEigenvalue();
   if (!rebuilding) {
-    refresh(x, 0, true);
+    refresh(x, 0);
     refreshes_.tried(certifiedEigenvalue() <= (1 - policy_.helpfulRefresh) * before);
     return true;
   }

@@ -115,8 +115,8 @@ class IncrementalNodalBound {
   /// Takes from the account what the statistics count, and begins to count again.
   void beginCounting();
   /// Builds the certificate again at x with the weights that there are, turned with the body: for the wanted eigenvalue
-  /// if they prove it; else not above that of now, where that holds at x.
-  void refresh(NodeVectorsView x, double wanted, bool holds);
+  /// if they prove it, else not above that of now.
+  void refresh(NodeVectorsView x, double wanted);
   /// Ends the proof when masses or free components have changed.
   void followBody();
   /// Weights from scratch, swept at least so often, until their bound is `enough`; {0} for as good as can be.
