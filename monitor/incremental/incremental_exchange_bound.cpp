@@ -111,7 +111,8 @@ UpperBound IncrementalExchangeBound::narrow(NodeVectorsView x, UpperBound nodal,
   const bool ended = certificate_.holds() && work.iterations < mostIterations;
   achieved_ = ended ? certificate_.certifiedEigenvalue() / lower.value : 0;
   serves_ = certificate_.certifiedEigenvalue() < nodal.value;
-  return {certificate_.certifiedEigenvalue()};
+  // What the shares before have proven at x stays proven, also where new ones cannot be made.
+  return {std::min(own.value, certificate_.certifiedEigenvalue())};
 }
 
 void IncrementalExchangeBound::forget() {

@@ -445,6 +445,21 @@ void tryOne(test::Random& random, const std::string& what, Tally& tally) {
   }
 }
 
+/// A body by a seed of its own, so that it can be tried again alone.
+void tryBody(std::uint64_t seed, std::uint64_t body, Tally& tally) {
+  test::Random random(seed * 1000000007ULL + body);
+  tryOne(random, joinText("seed ", seed, ", body ", body), tally);
+}
+
+// With a budget, bodies whose shares of the exchange bound cannot be made again while the weights rest.
+TEST(RandomTrials, SharesThatCannotBeMadeAgainLeaveABracket) {
+  Tally tally;
+  tryBody(2, 1030, tally);
+  tryBody(6, 3251, tally);
+  EXPECT_GT(tally.alongRuns, 20);
+  EXPECT_EQ(tally.wrong, 0);
+}
+
 TEST(RandomTrials, BracketsHoldTheExactStep) {
   const char *asked = std::getenv("RINGWATCH_STATE_CHECKS"), *seed = std::getenv("RINGWATCH_SEED"),
              *from = std::getenv("RINGWATCH_FIRST_BODY");  // to try one again
@@ -453,10 +468,7 @@ TEST(RandomTrials, BracketsHoldTheExactStep) {
   Tally tally;
   for (std::uint64_t body = from ? std::strtoull(from, nullptr, 10) : 0; tally.trials < wanted && tally.wrong < 5;
        ++body) {
-    // Each body by a seed of its own, so that it can be tried again alone.
-    const std::uint64_t own = first * 1000000007ULL + body;
-    test::Random random(own);
-    tryOne(random, joinText("seed ", first, ", body ", body), tally);
+    tryBody(first, body, tally);
     ASSERT_LT(tally.skipped, 100 + tally.states);
   }
   EXPECT_EQ(tally.wrong, 0);

@@ -353,8 +353,8 @@ TEST_F(Program, DampingShortensTheStepAndIsInTheEnergyBalance) {
   EXPECT_EQ(summary["scene"]["damping"]["stiffness"], 2e-3);
   EXPECT_EQ(summary["verdict"], "certified");
   // By the closed form, from the same bound: h = 4/(c + sqrt(c^2 + 4 lambda)), c = alpha + beta lambda.
-  const double lambda = std::pow(2 / plain.number(0, "safe_s"), 2), c = 1 + 2e-3 * lambda;
-  EXPECT_NEAR(damped.number(0, "safe_s") * (c + std::sqrt(c * c + 4 * lambda)) / 4, 1, 1e-9);
+  const double lambda = std::pow(2 / plain.number(0, "optimistic_s"), 2), c = 1 + 2e-3 * lambda;
+  EXPECT_NEAR(damped.number(0, "optimistic_s") * (c + std::sqrt(c * c + 4 * lambda)) / 4, 1, 1e-9);
   double before = 0, most = 0;
   for (std::size_t i = 0; i < damped.rows.size(); ++i) {
     EXPECT_GE(damped.number(i, "dissipated_J"), before);

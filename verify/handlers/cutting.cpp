@@ -172,7 +172,7 @@ void addCutting(StudyEffort effort, StudyReport& report) {
     // the full form 0.052 and 0.14; Verlet 0.0033 and 1.2e-4.
     const bool full = effort == StudyEffort::full, passes = !handler.empty() && findHandler(handler)->relaxes;
     const double loss = handler.empty() ? (full ? 3.4e-4 : 0.009)
-                        : passes        ? (full ? 0.35 : 0.06)
+                        : passes        ? (full ? 0.35 : 0.05)
                                         : (full ? 0.12 : 0.04);
     if (!addsMass)
       checkAtLeast(report, what + ": energy after four cuts / start", kept ? cutRun.energy() / start : std::nan(""), 1,

@@ -92,10 +92,11 @@ HandlerOptions linearWithDissipation(double dissipation, Selection selection = S
   options.own.set("solver", Imex::linear);
   return options;
 }
-constexpr Allowed noGrowth{1e-12};  // of the energy of a scheme that loses some at every step
+// The energy swings by a share of the step with explicit elements close to their limit: 2.8e-5 to 3.3e-5 of it.
+constexpr Allowed swing{9e-5};
 // Conjugate gradients to 2e-3, the default, err at random: over 48 flights of 100 000 steps the energy grew by 1e-5 to
 // 2.4e-3.
-constexpr Allowed loosely{3e-5, 7e-3};
+constexpr Allowed loosely{9e-5, 7e-3};
 constexpr Allowed solved{4e-12, 2e-11};       // momentum after solves: 2.6e-13 to 1.9e-12 by build
 constexpr Allowed exchanged{2e-14, 1.5e-13};  // momentum that nodes exchange
 constexpr Allowed turned{2e-14, 5e-12};       // the same of angular momentum
@@ -118,19 +119,19 @@ std::vector<Variant> allVariants() {
       {.name = "imex, dissipation 0.3",
        .handler = "imex",
        .options = linearWithDissipation(0.3),
-       .barError = 9e-4,
+       .barError = 4e-4,
        .cubeError = 0.03,
-       .drift = AllowedDrift{noGrowth, solved, solved}},
+       .drift = AllowedDrift{swing, solved, solved}},
       {.name = "imex, implicit Euler",
        .handler = "imex",
        .options = linearWithDissipation(1),
-       .barError = 3e-3,
+       .barError = 9e-4,
        .cubeError = 0.08,
-       .drift = AllowedDrift{noGrowth, solved, solved}},
+       .drift = AllowedDrift{swing, solved, solved}},
       {.name = "imex, cg",
        .handler = "imex",
        .options = {.own = {{"solver", "cg"}}},
-       .barError = 6.5e-4,
+       .barError = 4e-4,
        .cubeError = 0.011,
        .drift = AllowedDrift{loosely, solved, solved},
        .flights = 24},
@@ -150,7 +151,7 @@ std::vector<Variant> allVariants() {
       {.name = "local-time-stepping",
        .handler = "local-time-stepping",
        .options = withDissipation(0.1),
-       .barError = 3e-4,
+       .barError = 8e-4,
        .cubeError = 0.012,
        .drift = AllowedDrift{3.5e-5, exchanged, turned}},
       {.name = "local-time-stepping, no dissipation",
@@ -169,15 +170,15 @@ std::vector<Variant> allVariants() {
       {.name = "fe-pbd",
        .handler = "fe-pbd",
        .options = {},
-       .barError = 2.9e-3,
+       .barError = 9e-4,
        .cubeError = {},
-       .drift = AllowedDrift{noGrowth, exchanged, turned}},
+       .drift = AllowedDrift{swing, exchanged, turned}},
       {.name = "fe-pbd, three passes",
        .handler = "fe-pbd",
        .options = {.own = {{"passes", 3}}},
-       .barError = 3e-3,
+       .barError = 8e-4,
        .cubeError = {},
-       .drift = AllowedDrift{noGrowth, exchanged, turned}},
+       .drift = AllowedDrift{swing, exchanged, turned}},
       {.name = "fe-pbd, rigid",
        .handler = "fe-pbd",
        .options = {.own = {{"variant", "rigid"}}},
@@ -187,9 +188,9 @@ std::vector<Variant> allVariants() {
       {.name = "modal-filter",
        .handler = "modal-filter",
        .options = {},
-       .barError = 1.4e-3,
+       .barError = 7e-4,
        .cubeError = {},
-       .drift = AllowedDrift{noGrowth, exchanged, turned}},
+       .drift = AllowedDrift{swing, exchanged, turned}},
       {.name = "mass-scaling", .handler = "mass-scaling", .options = {}, .barError = {}, .cubeError = {}, .drift = {}}};
 }
 
