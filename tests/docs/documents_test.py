@@ -60,8 +60,6 @@ NOT_RUN = {
     "scripts/setup": "installs packages",
     "scripts/gpu": "needs a GPU machine",
     "compute-sanitizer": "needs a GPU machine",
-    "build/gpu/bin/ringwatch_test_gpu": "needs a GPU machine",
-    "build/gpu/bin/ringwatch_bench_gpu": "needs a GPU machine",
     "RINGWATCH_ROUNDING_TRIALS=200": "measures for minutes",
     "RINGWATCH_TAMPERED_CERTIFICATES=100000": "tries for minutes; the tests try some hundreds",
     "RINGWATCH_ELEMENT_CHECKS=10000000": "tries for hours; the tests try some thousands",
