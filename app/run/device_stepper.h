@@ -16,6 +16,6 @@ std::string whyNoDevice();
 /// the GPUs that share them; empty: all. Handlers take one. Throws InputError for what the GPU does not have, or with
 /// need and free memory when it has too little of it.
 std::unique_ptr<Stepper> makeDeviceStepper(const Body& body, const State& state, const HandlerOptions& options,
-                                           bool rings, std::vector<int> devices);
+                                           bool rings, const std::vector<int>& devices);
 
 }  // namespace ringwatch

@@ -129,7 +129,8 @@ std::string whyNoDevice() {
   return status.available ? "" : status.text;
 }
 std::unique_ptr<Stepper> makeDeviceStepper(const Body& body, const State& state, const HandlerOptions& options,
-                                           bool rings, std::vector<int> devices) {
+                                           bool rings, const std::vector<int>& asked) {
+  std::vector<int> devices = asked;
   if (devices.empty()) {
     devices.resize(static_cast<std::size_t>(deviceCount()));
     std::iota(devices.begin(), devices.end(), 0);

@@ -73,7 +73,7 @@ ImplicitCluster::~ImplicitCluster() = default;
 
 ImplicitCluster::ImplicitCluster(const Body& body, std::vector<ElementRef> elements, double w, const NodeVectors& x,
                                  const ClusterOptions& options)
-    : body_(body), w_(w), options_(options), elements_(std::move(elements)) {
+    : w_(w), options_(options), elements_(std::move(elements)) {
   const NodeVectors& X = body.mesh().X;
   nodes_ = nodesOfElements(body, elements_);
 

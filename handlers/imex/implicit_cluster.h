@@ -129,7 +129,6 @@ class ImplicitCluster {
   void subtractProduct(const Eigen::VectorXd& p);
   void addTranslation();
 
-  const Body& body_;
   double w_;
   ClusterOptions options_;
   std::vector<ElementRef> elements_;
