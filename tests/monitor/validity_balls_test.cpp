@@ -31,6 +31,13 @@ struct Checked final : PatchVisitor {
     }
     return now * reference.inverse();
   }
+  /// The same for all elements, told to the balls.
+  void setBalls(const NodeVectors& x, double radius) {
+    for (std::int32_t e = 0; e < block.elementCount(); ++e) {
+      setBall(e, x, radius);
+      balls.ballChanged(placeOf(e));
+    }
+  }
   void setBall(std::int32_t e, const NodeVectors& x, double radius) {
     std::int32_t elements[lanes];
     std::fill(elements, elements + lanes, -1);
@@ -157,10 +164,7 @@ TEST(ValidityBalls, TremblingElementsAreTestedDirectlyUntilTheyRest) {
   Checked checked(body);
   NodeVectors x = body.mesh().X;
   EXPECT_EQ(checked.check(x).size(), checked.block.elementCount());
-  for (std::int32_t e = 0; e < checked.block.elementCount(); ++e) {
-    checked.setBall(e, x, 0.1);
-    checked.balls.ballChanged(checked.placeOf(e));
-  }
+  checked.setBalls(x, 0.1);
   Random random(7);
   const std::size_t all = checked.balls.batchCount();
   std::size_t tested = 0;
@@ -191,10 +195,7 @@ TEST(ValidityBalls, AGroupWithoutMarginOrWithNaNIsVisited) {
   Checked checked(body);
   NodeVectors x = body.mesh().X;
   EXPECT_EQ(checked.check(x).size(), checked.block.elementCount());
-  for (std::int32_t e = 0; e < checked.block.elementCount(); ++e) {
-    checked.setBall(e, x, 0.1);
-    checked.balls.ballChanged(checked.placeOf(e));
-  }
+  checked.setBalls(x, 0.1);
   EXPECT_TRUE(checked.check(x).empty());
   // A ball that is too small for any motion of its group.
   checked.setBall(7, x, 1e-6);
@@ -220,10 +221,7 @@ TEST(ValidityBalls, AGroupThatSkipsIsVisitedWhenOneCoordinateIsNotANumber) {
   const Body body(generateBar(options), makeMaterial("stvk", 1e4, 0.3, 1000), {{}, Lumping::rowSum, 1});
   Checked checked(body);
   NodeVectors x = body.mesh().X;
-  for (std::int32_t e = 0; e < checked.block.elementCount(); ++e) {
-    checked.setBall(e, x, 0.1);
-    checked.balls.ballChanged(checked.placeOf(e));
-  }
+  checked.setBalls(x, 0.1);
   for (int waiting = 0; waiting < 40; ++waiting) EXPECT_TRUE(checked.check(x).empty());
   ASSERT_EQ(checked.balls.testedBatches(), 0U);
   x(1, checked.block.nodesOf(9)[2]) = std::numeric_limits<double>::quiet_NaN();
