@@ -1,6 +1,7 @@
 // Runs that are stopped and resumed: history and frames have the bits of the run that was not stopped.
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <random>
@@ -381,13 +382,7 @@ TEST_F(Checkpoints, LeaveTheMotionAlone) {
 }
 
 TEST_F(Checkpoints, NeedTheirHistoryAndFrames) {
-  // Killed behind its first checkpoint.
-  ASSERT_NE(shell("'" + executable() +
-                  "' run scene.toml --out part --quiet & p=$!; while [ ! -e part/checkpoint.bin ] && "
-                  "kill -0 $p; do sleep 0.01; done; kill -9 $p; wait $p")
-                .status,
-            0);
-  ASSERT_TRUE(exists("part/checkpoint.bin"));
+  ASSERT_EQ(stopRun("", hasCheckpoint, "KILL").status, 128 + SIGKILL);
   const std::string history = folder_.read("part/history.csv");
   folder_.write("part/history.csv", history.substr(0, 300));
   folder_.write("part/certificates/step_99999999.certificate", "of a longer run");

@@ -1,6 +1,7 @@
 // Damping of elements in scenes: limits in closed form and by running the recursion, a shock that rings less, the
 // energy balance, and what is refused.
 #include <cmath>
+#include <csignal>
 #include <map>
 #include <string>
 #include <vector>
@@ -407,11 +408,7 @@ picture = false
 TEST_F(DampedScene, ResumesBitByBit) {
   const std::string text = sceneOf("shear_viscosity = 1", "bulk_viscosity = true") + "checkpoint_every = 0.02\n";
   run(text, "--set integrator.end=0.4");
-  // Killed as soon as there is a checkpoint.
-  shell("'" + executable() +
-        "' run scene.toml --out part --set integrator.end=0.4 --quiet & p=$!; while [ ! -e part/checkpoint.bin ]; do "
-        "sleep 0.01; done; kill -KILL $p; wait $p 2>/dev/null");
-  ASSERT_TRUE(exists("part/checkpoint.bin"));
+  ASSERT_EQ(stopRun("--set integrator.end=0.4", hasCheckpoint, "KILL").status, 128 + SIGKILL);
   const Outcome resumed = call("run --resume part");
   EXPECT_EQ(resumed.status, 0) << resumed.err;
   EXPECT_EQ(folder_.read("part/history.csv"), folder_.read("r/history.csv"));
@@ -420,11 +417,9 @@ TEST_F(DampedScene, ResumesBitByBit) {
 // The coefficients of quadratic bulk viscosity that count depend on all velocities since the monitor began.
 TEST_F(DampedScene, ResumesBitByBitFromASignal) {
   for (const std::string method : {"symplectic-euler", "verlet"}) {
-    run(sceneOf("shear_viscosity = 1", "bulk_viscosity = true", method), "--set integrator.end=0.4");
-    shell("rm -rf part; '" + executable() +
-          "' run scene.toml --out part --set integrator.end=0.4 --quiet & p=$!; until [ $(wc -l < part/history.csv "
-          "2>/dev/null || echo 0) -gt 10 ]; do sleep 0.01; done; kill -TERM $p; wait $p 2>/dev/null");
-    ASSERT_TRUE(exists("part/checkpoint.bin")) << method;
+    run(sceneOf("shear_viscosity = 1", "bulk_viscosity = true", method), "--set integrator.end=1.5");
+    const Outcome stopped = stopRun("--set integrator.end=1.5", hasTenRows, "TERM");
+    ASSERT_EQ(stopped.status, 4) << method << stopped.err;
     const Outcome resumed = call("run --resume part");
     EXPECT_EQ(resumed.status, 0) << resumed.err;
     EXPECT_EQ(folder_.read("part/history.csv"), folder_.read("r/history.csv")) << method;

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -39,6 +40,16 @@ Outcome Program::shell(const std::string& line) {
 Outcome Program::call(const std::string& arguments, const std::string& environment) {
   const Outcome outcome = shell(environment + " '" + executable() + "' " + arguments);
   expectValid(arguments, outcome);
+  return outcome;
+}
+
+Outcome Program::stopRun(const std::string& options, const std::string& ready, const std::string& signal) {
+  constexpr int ended = 0, terminatedWhileItEnded = 128 + SIGTERM;
+  Outcome outcome{};
+  for (int tries = 0; tries < 20 && (outcome.status == ended || outcome.status == terminatedWhileItEnded); ++tries)
+    outcome = shell("rm -rf part; '" + executable() + "' run scene.toml --out part --quiet " + options +
+                    " & p=$!; while kill -0 $p && ! { " + ready + "; } 2>/dev/null; do sleep 0.002; done; kill -" +
+                    signal + " $p; wait $p");
   return outcome;
 }
 

@@ -39,6 +39,12 @@ class Program : public ::testing::Test {
   Outcome call(const std::string& arguments, const std::string& environment = "");
   /// The executable that is called.
   virtual std::string executable() const;
+  static constexpr const char *hasCheckpoint = "[ -e part/checkpoint.bin ]",
+                              *hasTenRows = "[ $(wc -l < part/history.csv) -gt 10 ]";
+  /// A run of scene.toml into the folder part that the signal (TERM, KILL) reached once `ready`, a condition of the
+  /// shell, held. One that ended before, as on a loaded machine, is run again. Rows are in the file four times a
+  /// second.
+  Outcome stopRun(const std::string& options, const std::string& ready, const std::string& signal);
   void expectRefused(const Outcome& outcome, const std::string& what);
   void expectRefused(const std::string& arguments, const std::string& what) {
     SCOPED_TRACE(arguments);

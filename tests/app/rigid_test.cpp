@@ -1,5 +1,6 @@
 // Runs with rigid bodies, and damping by node set.
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <numbers>
 #include <string>
@@ -182,11 +183,7 @@ TEST_F(Rigid, ResumesBitByBit) {
                     "checkpoint_every = 0.03\nevery = 0.04\n[[initial]]\nwhere = \"x > 0.08 - 1e-6\"\n"
                     "velocity = [0.1, 0.4, 0]\nangular_velocity = [9, 3, 5]\npoint = [0.1, 0.01, 0.01]\n");
   ASSERT_EQ(call("run scene.toml --out whole").status, 0);
-  // Stopped by its own end of time, the checkpoint of before is left.
-  const std::string line = "'" + executable() + "' run scene.toml --out part --quiet & p=$!; " +
-                           "while [ ! -f part/checkpoint.bin ]; do sleep 0.01; done; kill -9 $p; wait $p";
-  shell(line);
-  ASSERT_TRUE(exists("part/checkpoint.bin"));
+  ASSERT_EQ(stopRun("", hasCheckpoint, "KILL").status, 128 + SIGKILL);
   ASSERT_EQ(call("run --resume part --threads 2").status, 0);
   for (const char* file : {"/history.csv", "/probes.csv", "/run.pvd"})
     EXPECT_EQ(folder_.read("whole" + std::string(file)), folder_.read("part" + std::string(file))) << file;
@@ -369,10 +366,7 @@ TEST_F(Rigid, PushedInOneDirectionItsWorkIsCounted) {
   }
   EXPECT_GT(drop, 0.01);
   EXPECT_LT(error, 3.8e-5 * work);
-  const std::string line = "'" + executable() + "' run scene.toml --out part --set monitor.every=5 --quiet & p=$!; " +
-                           "while [ ! -f part/checkpoint.bin ]; do sleep 0.01; done; kill -9 $p; wait $p";
-  shell(line);
-  ASSERT_TRUE(exists("part/checkpoint.bin"));
+  ASSERT_EQ(stopRun("--set monitor.every=5", hasCheckpoint, "KILL").status, 128 + SIGKILL);
   ASSERT_EQ(call("run --resume part --threads 2").status, 0);
   for (const char* file : {"/history.csv", "/probes.csv"})
     EXPECT_EQ(folder_.read("whole" + std::string(file)), folder_.read("part" + std::string(file))) << file;
