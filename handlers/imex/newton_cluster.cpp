@@ -289,6 +289,27 @@ double NewtonCluster::potentialAtRest() {
   return moves ? infinity : kinetic(NodeVectors::Zero(3, u_.cols())) + part_.energy(x_, workspace_) / w_;
 }
 
+NewtonCluster::KeptStep NewtonCluster::stepByKept(double norm, double wanted, bool endsThere) {
+  const double reduction = std::clamp(0.25 * wanted, leastReduction, mostReduction);
+  before_ = u_;
+  if (!findKeptDirection(reduction)) return KeptStep::failed;
+  u_ += direction_;
+  if (!endsThere && unseen_ < mostUnseen && reduction + leftOver_ <= wanted) {
+    ++unseen_;
+    return KeptStep::atTolerance;
+  }
+  unseen_ = 0;
+  const double potential = potential_;
+  if (evaluate(endsThere) && (!endsThere || potential_ <= potential)) {
+    const double left = std::sqrt(squaredNorm(gradient_) / norm);
+    leftOver_ = std::max(left, remembered * leftOver_);
+    if (left <= mostLeft) return KeptStep::descended;
+  }
+  u_ = before_;
+  evaluate(true);
+  return KeptStep::failed;
+}
+
 NewtonCluster::Outcome NewtonCluster::search(const ImplicitScheme& scheme, const NodeVectors& v) {
   if (w_ != scheme.w()) {  // solutions and tangent are of another equation
     last_ = {};
@@ -315,24 +336,9 @@ NewtonCluster::Outcome NewtonCluster::search(const ImplicitScheme& scheme, const
     const double wanted = std::sqrt(goal / norm);
     if (keptServes) {
       if (k > 0) ++furtherSteps_;
-      const double reduction = std::clamp(0.25 * wanted, leastReduction, mostReduction);
-      before_ = u_;
-      if (findKeptDirection(reduction)) {
-        u_ += direction_;
-        if (!endsThere && unseen_ < mostUnseen && reduction + leftOver_ <= wanted) {
-          ++unseen_;
-          break;
-        }
-        unseen_ = 0;
-        const double potential = potential_;
-        if (evaluate(endsThere) && (!endsThere || potential_ <= potential)) {
-          const double left = std::sqrt(squaredNorm(gradient_) / norm);
-          leftOver_ = std::max(left, remembered * leftOver_);
-          if (left <= mostLeft) continue;
-        }
-        u_ = before_;
-        evaluate(true);
-      }
+      const KeptStep step = stepByKept(norm, wanted, endsThere);
+      if (step == KeptStep::atTolerance) break;
+      if (step == KeptStep::descended) continue;
       // One that is made here is tried once.
       keptServes = !fresh;
       fresh = true;

@@ -95,6 +95,11 @@ class NewtonCluster {
   void findDirection(double reduction);
   /// The same with the tangent that is kept; false where that gives none.
   bool findKeptDirection(double reduction);
+  enum class KeptStep { failed, descended, atTolerance };
+  /// A step of the search by the tangent that is kept. It is at its tolerance unseen where `wanted`, of the gradient's
+  /// norm, is more than such steps leave; it has failed, and u_ is as before, where it does not halve the gradient.
+  /// norm: of the gradient, squared.
+  KeptStep stepByKept(double norm, double wanted, bool endsThere);
   enum class Progress { none, poor, good };
   /// Takes a share of the direction that lowers Φ, if one does.
   Progress searchAlong();
