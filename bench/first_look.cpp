@@ -75,6 +75,7 @@ void measure(const std::string& element, int perCell, double jitter, double coun
   const auto observe = [&](const std::string& name, MonitorMode mode, std::optional<double> h) {
     MonitorOptions options;
     options.mode = mode;
+    options.steps = 1000;
     const double begin = cpuSeconds();
     StabilityMonitor monitor(body, options);
     const MonitorReport report = monitor.observe(0, 0, X, still, h);

@@ -42,8 +42,11 @@ struct MonitorOptions {
   /// What the bracket may take after the first observation, for both sides and for searches, as a share of a step's own
   /// work, counted (WorkAccount); 0: the tests of balls and one bound from below; from 100 on: no limit. When it is
   /// used up the proof stays and the bracket becomes wider. As much again may go to the proof that h is stable, and,
-  /// while there is none, to telling whether h is proven unstable: in small bodies up to 2.5 steps' work.
-  double budget = std::numeric_limits<double>::infinity();
+  /// while there is none, to telling whether h is proven unstable: in small bodies up to six steps' work.
+  double budget = 0.1;
+  /// Of the run, as far as known: with a budget the first observation goes beyond the proof of h where all of it takes
+  /// no more than the budget of so many steps. What it leaves out follows in the run, when there are means for it.
+  std::int64_t steps = 0;
   double energyTolerance = 0.1;  ///< balance error over the largest energy so far that is reported
   int clearObservations = 20;    ///< observations in a row without it that end an event; see EventTracker
   /// Where the step that is chosen lies between the sides of the first bracket, or none is chosen and the bracket is

@@ -239,7 +239,8 @@ struct Scene {
   double margin = 0;
   MonitorMode mode = MonitorMode::bracket;
   std::int64_t every = 1;
-  double budget = std::numeric_limits<double>::infinity();  // MonitorOptions::budget
+  double budget = 0;         // MonitorOptions::budget
+  bool budgetGiven = false;  // by a key of the scene
   OnViolation onViolation = OnViolation::stop;
   double energyTolerance = 0;
   bool requireCertified = false;             // a step that is not certified makes the run fail

@@ -386,12 +386,13 @@ void addMonitor(std::vector<SceneKey>& all) {
            .help = "steps between evaluations"},
           {.key = "budget",
            .type = T::number,
+           .fallback = "0.1",
            .range = notNegative,
            .help =
                "what the bracket may take after its first observation, as a share of a step's own work, counted; as "
                "much again for the proof that the step is stable, and, while there is none, as much again, in small "
-               "bodies up to 2.5 steps' work, for telling whether it is proven unstable; when it is used up the proof "
-               "stays and the bracket becomes wider; without it, and from 100 on, no limit"},
+               "bodies up to six steps' work, for telling whether it is proven unstable; when it is used up the proof "
+               "stays and the bracket becomes wider; from 100 on there is no limit"},
           {.key = "certificates",
            .type = T::integer,
            .unit = "observations",

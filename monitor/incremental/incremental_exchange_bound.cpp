@@ -96,7 +96,8 @@ UpperBound IncrementalExchangeBound::narrow(NodeVectorsView x, UpperBound nodal,
   if (!(present > wanted * lower.value)) return own;
   const auto count = static_cast<double>(body_.mesh().elementCount());
   if (expected_ == 0) expected_ = WorkAccount::ofExchange(body_, policy_.expected * count, factorisations * count);
-  const bool free = first_ && static_cast<std::int64_t>(body_.mesh().elementCount()) <= policy_.atOnce;
+  const bool free = first_ && static_cast<std::int64_t>(body_.mesh().elementCount()) <= policy_.atOnce &&
+                    account_.affordsAtStart(expected_);
   if (!free && !(account_.limited() ? account_.affords(expected_) : earned_ >= expected_)) return own;
   const bool again = certificate_.hasShares();
   const int mostIterations = free ? policy_.firstIterations : policy_.iterations;

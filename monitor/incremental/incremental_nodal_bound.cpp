@@ -212,8 +212,8 @@ UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* eval
   const bool first = !started_;
   const Outcome outcome = started_ ? follow(x, true, ceiling, evaluation) : Outcome::tooManyViolations;
   if (outcome == Outcome::tooManyViolations) {
-    // A first proof of the step that is taken is enough to begin with.
-    if (first && !limited() && std::isfinite(ceiling))
+    // A first proof of the step that is taken is enough to begin with, unless there are means for all of it.
+    if (first && std::isfinite(ceiling) && !(limited() && account_->affordsAtStart(WorkAccount::ofRebuild(body_))))
       rebuild(x, {policy_.enoughOfCeiling * ceiling / (1 + policy_.slack)}, policy_.firstSweeps);
     else
       rebuild(x);

@@ -13,12 +13,12 @@
 
 namespace ringwatch {
 
-RunBracket::RunBracket(const Body& body, double width, double budget, const BracketPolicy& policy)
+RunBracket::RunBracket(const Body& body, double width, double budget, std::int64_t steps, const BracketPolicy& policy)
     : body_(body),
       policy_(policy),
       width_(width),
       slack_(policy.slackOfWidth * width),
-      account_(body, budget),
+      account_(body, budget, steps),
       nodal_(body, {.slack = policy.slackOfWidth * width}, &account_),
       exchange_(body, nodal_.weights(), account_),
       local_(body, nodal_.weights(), policy.localProducts, policy.localGap),
@@ -191,7 +191,8 @@ bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, Ste
 bool RunBracket::proveByShares(NodeVectorsView x, double sigma) {
   const double work = exchange_.workOfProof();
   const bool wanted = observed_ ? workOfProofs() - atShares_ >= work
-                                : nodal_.weights().last() > policy_.hardlyProven * sigma && work < infinity;
+                                : nodal_.weights().last() > policy_.hardlyProven * sigma && work < infinity &&
+                                      account_.affordsAtStart(work);
   const bool first = mode_.size() == 0;
   if (!wanted || (first && nodal_.highestElements(1).empty())) return false;
   const LowerBound lower = first ? startMode(x) : refreshMode(x, policy_.productsOfFollowing);
@@ -242,18 +243,18 @@ void RunBracket::sharpen(NodeVectorsView x, const StepRule& limit, double h) {
   uncertified_ = true;
   sharpening_.tick();
   LowerBound lower = local_.last();
+  const bool urgent = h > (1 - policy_.close) * step_->optimistic;
+  if (!urgent && !sharpening_.due()) return;
   if (account_.limited()) {
     // The mode is searched and followed by turns: one that moves from place to place needs the one, one that is spread
     // out the other.
     const int products = policy_.productsOfFollowing;
     const double work = searchesNext_ ? WorkAccount::ofDiagonal(body_) : WorkAccount::ofProducts(body_, products + 1);
-    if (!sharpening_.due() || !account_.affordsForVerdict(work)) return;
+    if (!account_.affordsForVerdict(work)) return;
     sharpening_.tried(true);
     lower = searchesNext_ ? boundWhereItIsStiff(x, lower) : refreshMode(x, products);
     searchesNext_ = !searchesNext_;
   } else {
-    const bool urgent = h > (1 - policy_.close) * step_->optimistic;
-    if (!urgent && !sharpening_.due()) return;
     sharpening_.tried(true);
     const bool fromRings = sharpeningRestart_.due();
     if (fromRings) sharpeningRestart_.tried(true);

@@ -3,10 +3,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <span>
 #include <string_view>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/body/body.h>
 
 namespace ringwatch {
@@ -53,10 +55,11 @@ struct Work {
 /// a fifth one, of a tenth as much, for directions of negative stiffness.
 class WorkAccount {
  public:
-  /// share: of a step's work; from `noLimit` on there is no limit.
-  WorkAccount(const Body& body, double share)
+  /// share: of a step's work; from `noLimit` on there is no limit. steps: of the run, as far as known.
+  explicit WorkAccount(const Body& body, double share, std::int64_t steps = 0)
       : share_(share),
         force_(ofForce(body)),
+        atStart_(share < noLimit ? share * static_cast<double>(steps) * force_ : infinity),
         // A body of a few elements could not afford to look at one of them.
         income_(share >= noLimit ? 0
                 : share > 0      ? std::max(share * force_, leastIncome)
@@ -70,6 +73,8 @@ class WorkAccount {
 
   static constexpr double noLimit = 100;
   bool limited() const { return share_ < noLimit; }
+  /// Whether the first observation may take so much at once: no more than all steps of the run earn.
+  bool affordsAtStart(double work) const { return work <= atStart_; }
   /// A step's own work.
   double force() const { return force_; }
   /// What a step earns for the lower side.
@@ -201,8 +206,8 @@ class WorkAccount {
   // mostOwedOfEvaluation: a few rounds of these.
   /// Units a step, no more than some of its own forces: a body of a few thousand elements is searched once in ten steps
   /// then.
-  static constexpr double leastForVerdict = 20000, forcesForVerdict = 2.5;
-  double share_, force_, income_, evaluation_, rebuild_, mostForVerdict_, mostForSearches_;
+  static constexpr double leastForVerdict = 20000, forcesForVerdict = 6;
+  double share_, force_, atStart_, income_, evaluation_, rebuild_, mostForVerdict_, mostForSearches_;
   double balance_, mode_ = 0, proof_ = 0, verdict_, searches_ = 0;
   double asked_ = 0, askedSince_ = 0;  // in a step, on average; in the last one
 };

@@ -94,7 +94,8 @@ class Monitor:
         margin: float = 0.1,
         every: int = 1,
         width: float = 0.05,
-        budget: float = math.inf,
+        budget: float = 0.1,
+        steps: int = 0,
         first_observation_elements: int = 10000,
     ) -> None: ...
     def observe(

@@ -270,27 +270,27 @@ TEST(DiscreteForces, ContactThatBeginsIsNamedAtOnce) {
     contact.damping.assign(body.nodeCount(), 0);
     forces.add(std::move(contact));
     body.setDiscreteForces(std::move(forces));
-    MonitorOptions options;
-    options.limit = 2.0;
-    StabilityMonitor monitor(body, options);
     const double h = 0.8 * 2 / std::sqrt(DenseTangent(body, X).largest());  // certified along a run
     const NodeVectors v = NodeVectors::Zero(3, X.cols());
-    for (int step = 0; step <= touches; ++step) {
-      const NodeVectors x = X.colwise() - Eigen::Vector3d(0, 0, step * fall);
-      const MonitorReport& report = monitor.observe(step, step, x, v, h);
-      if (step < touches) {
-        EXPECT_EQ(report.verdict, Verdict::certified) << subdivision.name << step;
-        continue;
+    for (const double budget : {infinity, 0.1}) {
+      StabilityMonitor monitor(body, {.budget = budget});
+      for (int step = 0; step <= touches; ++step) {
+        const NodeVectors x = X.colwise() - Eigen::Vector3d(0, 0, step * fall);
+        const MonitorReport& report = monitor.observe(step, step, x, v, h);
+        if (step < touches) {
+          EXPECT_EQ(report.verdict, Verdict::certified) << subdivision.name << step;
+          continue;
+        }
+        const double critical = 2 / std::sqrt(DenseTangent(body, x).largest());
+        ASSERT_LT(critical, 0.9 * h) << subdivision.name;
+        EXPECT_EQ(report.verdict, Verdict::violated) << subdivision.name;
+        ASSERT_TRUE(report.bracket.has_value());
+        EXPECT_GE(report.bracket->optimistic, critical * (1 - exact)) << subdivision.name;
+        EXPECT_LE(report.bracket->optimistic, (budget == infinity ? 1.1 : 1.3) * critical) << subdivision.name;
+        ASSERT_EQ(report.newEvents.size(), 1U) << subdivision.name;
+        EXPECT_EQ(report.newEvents[0].kind, EventKind::violated);
+        EXPECT_GT(report.newEvents[0].discreteShare, 0.5) << subdivision.name;
       }
-      const double critical = 2 / std::sqrt(DenseTangent(body, x).largest());
-      ASSERT_LT(critical, 0.9 * h) << subdivision.name;
-      EXPECT_EQ(report.verdict, Verdict::violated) << subdivision.name;
-      ASSERT_TRUE(report.bracket.has_value());
-      EXPECT_GE(report.bracket->optimistic, critical * (1 - exact)) << subdivision.name;
-      EXPECT_LE(report.bracket->optimistic, 1.1 * critical) << subdivision.name;
-      ASSERT_EQ(report.newEvents.size(), 1U) << subdivision.name;
-      EXPECT_EQ(report.newEvents[0].kind, EventKind::violated);
-      EXPECT_GT(report.newEvents[0].discreteShare, 0.5) << subdivision.name;
     }
   }
 }

@@ -307,12 +307,13 @@ void addBeside(Body& body, const Beside& beside, bool hourglass) {
     body.elementDamping()->setFactor(factor);
   }
 }
+const MonitorOptions withoutLimit{.budget = infinity};
 Pulled pulled(const Subdivision& subdivision, std::string_view law, int threads, int savedAt = -1,
               const Beside& beside = {}, double jitter = 0) {
   Body body = barBody(subdivision, law, jitter, threads);
   addBeside(body, beside, subdivision.name == onePoint);
   const NodeVectors& X = body.mesh().X;
-  std::optional<StabilityMonitor> monitor(std::in_place, body, MonitorOptions{});
+  std::optional<StabilityMonitor> monitor(std::in_place, body, withoutLimit);
   const NodeVectors v = NodeVectors::Zero(3, body.nodeCount());
   Pulled result{};
   std::vector<double> widths;
@@ -336,7 +337,7 @@ Pulled pulled(const Subdivision& subdivision, std::string_view law, int threads,
     by += report.bracket->safeBy == "incremental-exchange-bound";
     if (k == savedAt) {
       const std::string saved = monitor->save();
-      monitor.emplace(body, MonitorOptions{});
+      monitor.emplace(body, withoutLimit);
       monitor->load(saved);
     }
     if (k % sampleEvery != 0) continue;

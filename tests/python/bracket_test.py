@@ -87,7 +87,7 @@ def test_a_run_by_hand_is_the_programs(tmp_path: pathlib.Path) -> None:
         assert report.verdict == result.history["verdict"][step]
 
 
-@pytest.mark.parametrize("budget", [[], [0.1]])
+@pytest.mark.parametrize("budget", [[], [0.3], [100.0]])
 @pytest.mark.parametrize("law", LAWS)
 def test_monitor_is_that_of_cpp(tmp_path: pathlib.Path, law: str, budget: Any) -> None:
     bar(element="hex8" if law == "corotational" else "tet4").save(tmp_path / "bar.msh")

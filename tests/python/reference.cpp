@@ -7,7 +7,6 @@
 // The bar is stretched along x: step k has x = X (1 + k / 4096).
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <string_view>
 
 #include <time.h>
@@ -62,7 +61,7 @@ int main(int argc, char** argv) {
   const Body body(loadMesh(argv[2]), makeMaterial(argv[3], 30e3, 0.3, 1000), {{}, Lumping::rowSum, 1});
   const int count = std::atoi(argv[4]);
   if (std::string_view(argv[1]) == "observe")
-    observe(body, count, argc > 5 ? std::atof(argv[5]) : std::numeric_limits<double>::infinity());
+    observe(body, count, argc > 5 ? std::atof(argv[5]) : MonitorOptions{}.budget);
   else
     measure(body, count);
   return 0;

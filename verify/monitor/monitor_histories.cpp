@@ -69,6 +69,7 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
   SymplecticEuler integrator;
   MonitorOptions options;
   options.limit = limit;
+  options.budget = infinity;
   StabilityMonitor monitor(body, options);
   EnergyBalance balance(body);
   StepEvaluation evaluation;
