@@ -70,11 +70,13 @@ int run(const std::string& kind, double tets, int steps) {
 
   // Steps without the certificate, then with it.
   Body::Workspace workspace;
-  std::vector<double> plain(steps), certified(steps), waits(steps);
+  std::vector<double> plain(steps), certified(steps);
   const auto takePlain = [&] {
+    evaluation.arrival = halo.arrival();
     part->body().evaluate(state.x, evaluation, workspace);
+    evaluation.arrival = nullptr;
     stepper.takeForce(state, evaluation.internalForce);
-    stepper.step(state, h);
+    stepper.beginStep(state, h);
   };
   for (int k = 0; k < 5; ++k) takePlain();
   for (int k = 0; k < steps; ++k) {
@@ -89,9 +91,17 @@ int run(const std::string& kind, double tets, int steps) {
     const double began = now();
     const MonitorReport& report = monitor.observe(k + 1, state.time, state.x, state.v, h, evaluation, asked, meanwhile);
     proven &= report.verdict == Verdict::certified;
-    stepper.step(state, h);
+    stepper.beginStep(state, h);
     certified[k] = now() - began;
   }
+  halo.finish();
+  const Halo::Traffic& sent = halo.traffic();
+  std::vector<ExactSum> bytes(2);
+  bytes[0].add(static_cast<double>(sent.received - sentBefore.received));
+  bytes[1].add(static_cast<double>(sent.hidden - sentBefore.hidden));
+  ranks.sum(bytes);
+  std::vector<double> waited{(sent.waited - sentBefore.waited) / steps};
+  ranks.largest(waited);
   ranks.largest(plain);
   ranks.largest(certified);
   const RankEnergies energies = energiesOf(ranks, *part, state.x, state.v);
@@ -106,12 +116,14 @@ int run(const std::string& kind, double tets, int steps) {
   const Quartiles p = quartilesOf(plain), c = quartilesOf(certified);
   std::printf(
       "{\"kind\": \"%s\", \"ranks\": %d, \"elements\": %lld, \"most_elements\": %.0f, \"computed_twice\": %.4f, "
-      "\"most_ghosts\": %.0f, \"bytes_sent\": %.0f, \"evaluated\": %.1f, \"set_up\": %.3g, "
+      "\"most_ghosts\": %.0f, \"bytes_sent\": %.0f, \"hidden\": %.4f, \"waited\": %.3g, \"evaluated\": %.1f, "
+      "\"set_up\": %.3g, "
       "\"step\": [%.6g, %.6g, %.6g], \"certified_step\": [%.6g, %.6g, %.6g], \"certified\": %s, \"strain\": "
       "\"%a\"}\n",
       kind.c_str(), ranks.size(), static_cast<long long>(elements), most[0],
-      held[0].value() / static_cast<double>(elements) - 1, most[1], most[2], most[3], setUp[0], p.low, p.median, p.high,
-      c.low, c.median, c.high, proven ? "true" : "false", energies.strain);
+      held[0].value() / static_cast<double>(elements) - 1, most[1], most[2],
+      bytes[0].value() > 0 ? bytes[1].value() / bytes[0].value() : 0, waited[0], most[3], setUp[0], p.low, p.median,
+      p.high, c.low, c.median, c.high, proven ? "true" : "false", energies.strain);
   return proven ? 0 : 1;
 }
 

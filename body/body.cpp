@@ -338,6 +338,22 @@ void Body::addBodyForce(const Eigen::Vector3d& acceleration) {
   externalForce_ += acceleration * lumpedMass().transpose();
 }
 
+template <class PassPatch>
+void Body::passAll(NodeArrival* arrival, const PassPatch& passPatch) const {
+  const auto count = static_cast<std::int64_t>(patches().size());
+  if (!arrival) return parallelFor(0, count, threads(), passPatch);
+  const std::span<const std::int64_t> without = arrival->patchesWithout(), with = arrival->patchesWith();
+  constexpr std::int64_t pieces = 4;  // with a call between them, without which some messages would not move
+  const auto early = static_cast<std::int64_t>(without.size());
+  for (std::int64_t piece = 0; piece < pieces; ++piece) {
+    parallelFor(early * piece / pieces, early * (piece + 1) / pieces, threads(),
+                [&](std::int64_t i) { passPatch(without[i]); });
+    arrival->progress();
+  }
+  arrival->complete();
+  parallelFor(0, static_cast<std::int64_t>(with.size()), threads(), [&](std::int64_t i) { passPatch(with[i]); });
+}
+
 void Body::pass(NodeVectorsView x, PatchVisitor* visitor, Wanted wanted, Workspace& workspace,
                 const NodeRangeVisitor& visit) const {
   NodeVectors* const force = wanted.force;
@@ -373,7 +389,7 @@ void Body::pass(NodeVectorsView x, PatchVisitor* visitor, Wanted wanted, Workspa
     if (wanted.energy) workspace.energies[p] = sumOf(energies);
     if (damps) workspace.powers[p] = sumOf(powers);
   };
-  parallelFor(0, patches().size(), threads(), passPatch);
+  passAll(wanted.arrival, passPatch);
   const DiscreteForces* discrete = discreteForces();
   if (force) sumSlots(*force, workspace.slots.data(), discrete ? nullptr : visit);
   if (energy) *energy = sumOf(workspace.energies);
@@ -389,7 +405,8 @@ void Body::evaluate(NodeVectorsView x, StepEvaluation& evaluation, Workspace& wo
   const auto begin = std::chrono::steady_clock::now();
   pass(x, evaluation.visitor,
        {evaluation.wantsForce ? &evaluation.internalForce : nullptr,
-        evaluation.wantsEnergy ? &evaluation.strainEnergy : nullptr, evaluation.velocities, &evaluation.dampingPower},
+        evaluation.wantsEnergy ? &evaluation.strainEnergy : nullptr, evaluation.velocities, &evaluation.dampingPower,
+        evaluation.arrival},
        workspace, nullptr);
   evaluation.wallTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,22 @@ struct BodyOptions {
   HourglassControl hourglassControl = {};  // of rules of uniform strain
 };
 
+/// Values at some nodes that come from elsewhere while a pass over the elements runs: other processes own these nodes.
+/// The pass goes over the patches without such nodes first. Sums at nodes keep their order, and so their bits.
+class NodeArrival {
+ public:
+  /// Patches without such a node and those with one, each ascending, counted over all blocks.
+  virtual std::span<const std::int64_t> patchesWithout() const = 0;
+  virtual std::span<const std::int64_t> patchesWith() const = 0;
+  /// Lets what is under way make progress; called now and then, by the thread that has called the pass.
+  virtual void progress() = 0;
+  /// Waits until the values are there.
+  virtual void complete() = 0;
+
+ protected:
+  ~NodeArrival() = default;
+};
+
 /// What one pass over the elements of a body is asked for, and what it found. What is not asked for is not computed.
 struct StepEvaluation {
   bool wantsForce = true;
@@ -39,10 +56,11 @@ struct StepEvaluation {
   /// 3×N, m/s, or nullptr. Where elements damp and the force is wanted, their damping force at these is part of
   /// internalForce.
   const NodeVectors* velocities = nullptr;
-  NodeVectors internalForce;  ///< ∂(strain energy)/∂x, 3×N, N
-  double dampingPower = 0;    ///< W, that the damping in internalForce takes
-  double strainEnergy = 0;    ///< J, of elements and discrete forces
-  double wallTime = 0;        ///< s, of the pass
+  NodeArrival* arrival = nullptr;  ///< completes the positions while the pass runs
+  NodeVectors internalForce;       ///< ∂(strain energy)/∂x, 3×N, N
+  double dampingPower = 0;         ///< W, that the damping in internalForce takes
+  double strainEnergy = 0;         ///< J, of elements and discrete forces
+  double wallTime = 0;             ///< s, of the pass
 };
 
 /// Mesh + material + density made computable: a source of tangents at any positions, and their forces and energies.
@@ -138,7 +156,11 @@ class Body : public TangentSource {
     double* energy = nullptr;
     const NodeVectors* velocities = nullptr;
     double* dampingPower = nullptr;
+    NodeArrival* arrival = nullptr;
   };
+  /// Calls passPatch for all patches, in parallel.
+  template <class PassPatch>
+  void passAll(NodeArrival* arrival, const PassPatch& passPatch) const;
   void pass(NodeVectorsView x, PatchVisitor* visitor, Wanted wanted, Workspace& workspace,
             const NodeRangeVisitor& visit) const;
   Mesh mesh_;

@@ -5,6 +5,9 @@
 namespace ringwatch {
 
 Halo::~Halo() {
+  // The vectors may be gone already.
+  if (underWay_)
+    MPI_Waitall(static_cast<int>(underWay_->requests.size()), underWay_->requests.data(), MPI_STATUSES_IGNORE);
   for (auto& [numbers, channel] : channels_)
     for (MPI_Request& request : channel.requests) MPI_Request_free(&request);
 }
@@ -37,6 +40,12 @@ Halo::Channel& Halo::channelOf(int numbers) {
 }
 
 void Halo::exchange(std::initializer_list<Field> fields) {
+  begin(fields);
+  finish();
+}
+
+void Halo::begin(std::initializer_list<Field> fields) {
+  finish();
   int numbers = 0;
   for (const Field& field : fields) numbers += field.numbers;
   Channel& channel = channelOf(numbers);
@@ -50,13 +59,40 @@ void Halo::exchange(std::initializer_list<Field> fields) {
   MPI_Startall(static_cast<int>(channel.requests.size()), channel.requests.data());
   traffic_.messages += static_cast<std::int64_t>(part_.neighbours().size());
   traffic_.bytes += static_cast<std::int64_t>(channel.sent.size() * sizeof(double));
+  traffic_.received += static_cast<std::int64_t>(channel.received.size() * sizeof(double));
+  underWay_ = &channel;
+  fields_ = fields;
+}
+
+/// Receives and sends take turns in the requests.
+void Halo::countArrived() {
+  if (!underWay_) return;
+  std::vector<MPI_Request>& requests = underWay_->requests;
+  arrived_.resize(requests.size());
+  int count = 0;
+  MPI_Testsome(static_cast<int>(requests.size()), requests.data(), &count, arrived_.data(), MPI_STATUSES_IGNORE);
+  if (count == MPI_UNDEFINED) return;  // all had come before
+  int numbers = 0;
+  for (const Field& field : fields_) numbers += field.numbers;
+  for (int i = 0; i < count; ++i)
+    if (arrived_[i] % 2 == 0)
+      traffic_.hidden += static_cast<std::int64_t>(sizeof(double)) * numbers *
+                         part_.neighbours()[static_cast<std::size_t>(arrived_[i] / 2)].receivedCount;
+}
+
+void Halo::finish() {
+  if (!underWay_) return;
+  Channel& channel = *underWay_;
+  const double began = MPI_Wtime();
   MPI_Waitall(static_cast<int>(channel.requests.size()), channel.requests.data(), MPI_STATUSES_IGNORE);
+  traffic_.waited += MPI_Wtime() - began;
   const double* from = channel.received.data();
   for (std::int32_t node = part_.ownedNodes(); node < part_.ownedNodes() + part_.ghostNodes(); ++node)
-    for (const Field& field : fields) {
+    for (const Field& field : fields_) {
       std::copy_n(from, field.numbers, field.data + static_cast<std::ptrdiff_t>(node) * field.numbers);
       from += field.numbers;
     }
+  underWay_ = nullptr;
 }
 
 }  // namespace ringwatch

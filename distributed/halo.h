@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,7 +13,7 @@ namespace ringwatch {
 
 /// Gives ghosts the values of their owners: a message to each neighbour and one from it. Collective. Both arguments
 /// must outlive it.
-class Halo {
+class Halo final : private NodeArrival {
  public:
   Halo(Ranks& ranks, const RankBody& part) : ranks_(ranks), part_(part) {}
   ~Halo();
@@ -26,9 +27,22 @@ class Halo {
   /// Six numbers a node.
   void exchange(Eigen::Matrix<double, 6, Eigen::Dynamic>& values) { exchange({{values.data(), 6}}); }
 
-  /// What this rank has sent: messages, and bytes of their contents.
+  /// Sends the owners' values and comes back; ghosts have them after finish(). Until then the vectors must stay where
+  /// they are, and their ghosts are not to be written. One exchange is under way at a time: another one finishes it.
+  void begin(NodeVectors& vectors) { begin({{vectors.data(), 3}}); }
+  void begin(NodeVectors& first, NodeVectors& second) { begin({{first.data(), 3}, {second.data(), 3}}); }
+  /// Waits for what is under way, if anything is.
+  void finish();
+  /// For StepEvaluation::arrival: a pass of the part's body at positions whose exchange is under way finishes it behind
+  /// the elements that need no ghost. nullptr where nothing is under way.
+  NodeArrival* arrival() { return underWay_ ? this : nullptr; }
+
+  /// What this rank has sent: messages, and bytes of their contents; and what it has received.
   struct Traffic {
     std::int64_t exchanges = 0, messages = 0, bytes = 0;
+    std::int64_t received = 0;  // bytes
+    std::int64_t hidden = 0;    // bytes of these that had come, behind work, when they were waited for
+    double waited = 0;          // s, until the rest had come
   };
   const Traffic& traffic() const { return traffic_; }
   /// Nodes that this rank sends in an exchange, counted once for each rank that has one as a ghost.
@@ -46,10 +60,19 @@ class Halo {
   };
   Channel& channelOf(int numbers);
   void exchange(std::initializer_list<Field> fields);
+  void begin(std::initializer_list<Field> fields);
+  void countArrived();
+  std::span<const std::int64_t> patchesWithout() const override { return part_.patchesOfOwned(); }
+  std::span<const std::int64_t> patchesWith() const override { return part_.patchesWithGhosts(); }
+  void progress() override { countArrived(); }
+  void complete() override { finish(); }
 
   Ranks& ranks_;
   const RankBody& part_;
   std::map<int, Channel> channels_;
+  Channel* underWay_ = nullptr;
+  std::vector<Field> fields_;  // of the exchange under way
+  std::vector<int> arrived_;   // for MPI_Testsome
   Traffic traffic_;
 };
 

@@ -99,6 +99,14 @@ RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int 
                                       layOutPart(mesh.nodeCount(), from.nodesPerElement(), mesh.blocks[b].connectivity,
                                                  from.layout(), globalElements_[b])));
   }
+  std::int64_t patches = 0;
+  for (const auto& block : blocks)
+    for (const Patch& patch : block->layout().patches) {
+      const auto begin = block->layout().nodes.begin();
+      const bool owned = std::all_of(begin + patch.nodeBegin, begin + patch.nodeEnd,
+                                     [this](std::int32_t node) { return node < owned_; });
+      (owned ? patchesOfOwned_ : patchesWithGhosts_).push_back(patches++);
+    }
   body_ = std::make_unique<Body>(std::move(mesh), std::move(blocks), std::move(mass), threads);
   for (std::int32_t i = 0; i < body_->nodeCount(); ++i) {
     const std::int32_t node = globalNodes_[i];

@@ -46,6 +46,9 @@ class RankBody {
   };
   /// By rank.
   const std::vector<Neighbour>& neighbours() const { return neighbours_; }
+  /// Patches of the body, counted over all blocks, ascending: those whose nodes are all owned, and those with a ghost.
+  const std::vector<std::int64_t>& patchesOfOwned() const { return patchesOfOwned_; }
+  const std::vector<std::int64_t>& patchesWithGhosts() const { return patchesWithGhosts_; }
 
  private:
   std::unique_ptr<Body> body_;  // blocks refer to the mesh's arrays
@@ -56,6 +59,7 @@ class RankBody {
   std::vector<std::int32_t> globalNodes_;
   std::vector<std::vector<std::int32_t>> globalElements_;  // [block], ascending
   std::vector<Neighbour> neighbours_;
+  std::vector<std::int64_t> patchesOfOwned_, patchesWithGhosts_;
 };
 
 }  // namespace ringwatch

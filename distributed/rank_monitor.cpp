@@ -17,6 +17,8 @@ namespace {
 
 /// Tangent products of the first search of the top mode, and of later ones from the vector that is kept.
 constexpr int coldProducts = 40, warmProducts = 10;
+/// Of a bracket that is all that is wanted: sweeps of the weights, tangent products.
+constexpr int inspectionSweeps = 24, inspectionProducts = 120;
 /// The certified eigenvalue above the last renewal's from which all elements are evaluated again: 2.5 % of the step.
 constexpr double mostRaised = 1.05;
 /// Left below the eigenvalue of a step that is to be proven, so that rounding does not make it less than the step.
@@ -158,10 +160,12 @@ const MonitorReport& RankMonitor::observe(std::int64_t step, double time, NodeVe
   const bool due = observations_++ % options_.every == 0 || unknown_;
   const bool checks = due && started_;
   Found found;
+  evaluation.arrival = halo_.arrival();
   if (checks)
     found = checkElements(x, evaluation);
   else
     body.evaluate(x, evaluation, workspace_);
+  evaluation.arrival = nullptr;
   enum : std::size_t { need, notFinite, tangentNotFinite, inverted, wish };
   std::array<double, 5> told{found.need, finiteHere ? 0.0 : 1.0, found.finite ? 0.0 : 1.0,
                              -std::min(certificate_.statistics().leastDeterminant, 1e300), static_cast<double>(asked)};
@@ -184,7 +188,7 @@ const MonitorReport& RankMonitor::observe(std::int64_t step, double time, NodeVe
     report_.evaluatedAt = step;
     refreshes_.tick();
     rebuilds_.tick();
-    const double wanted = h ? options_.limit.lambdaFor(*h) : 0;
+    const double wanted = h ? lambdaFor(*h) : 0;
     if (started_ && (told[tangentNotFinite] != 0 || std::isnan(told[need]))) started_ = false;
     bool renewed = false;
     if (!started_) {
@@ -263,7 +267,7 @@ const MonitorReport& RankMonitor::observeEnergies(const Energies& energies) {
 const MonitorReport& RankMonitor::prove(NodeVectorsView x, double h) {
   report_.bracket.reset();
   report_.certified = 0;
-  if (renew(x, true, options_.limit.lambdaFor(h))) {
+  if (renew(x, true, lambdaFor(h))) {
     report_.certified = certifiedStep();
     setBracket();
   }
@@ -273,14 +277,49 @@ const MonitorReport& RankMonitor::prove(NodeVectorsView x, double h) {
   return report_;
 }
 
+void RankMonitor::setParts(int n) {
+  parts_ = n;
+  unknown_ = true;
+}
+
+RankMonitor::Bound RankMonitor::boundFromScratch(NodeVectorsView x, int sweeps) {
+  NodalBound weights(part_.body());
+  weights.setRest(this);
+  const UpperBound highest = weights.evaluate(x, sweeps);
+  ExactSum evaluations;  // small whole numbers
+  evaluations.add(static_cast<double>(weights.evaluations()));
+  ranks_.sum({&evaluations, 1});
+  return {highest, static_cast<std::int64_t>(evaluations.value())};
+}
+
+CriticalStep RankMonitor::bracketFromScratch(NodeVectorsView x) {
+  NodalBound& weights = certificate_.weights();
+  weights.reset();
+  started_ = false;
+  const UpperBound highest = weights.evaluate(x, inspectionSweeps);
+  if (!std::isfinite(highest.value)) return bracketOf(std::numeric_limits<double>::quiet_NaN());
+  nameControlling(weights.last());
+  mode_.reset();
+  mode_.find(x, inspectionProducts);
+  lower_ = mode_.bound(x);
+  CriticalStep bracket = bracketOf(parts_ * safeStep(highest, options_.limit));
+  bracket.safeBy = "nodal-bound";
+  return bracket;
+}
+
 void RankMonitor::setBracket() {
+  const CriticalStep bracket = bracketOf(certifiedStep());
+  if (bracket.isBracket()) report_.bracket = bracket;
+}
+
+CriticalStep RankMonitor::bracketOf(double safe) const {
   CriticalStep bracket{};
-  bracket.safe = certifiedStep();
-  bracket.optimistic = optimisticStep(lower_, options_.limit);
+  bracket.safe = safe;
+  bracket.optimistic = parts_ * optimisticStep(lower_, options_.limit);
   bracket.controlling = bracket.lowestRingElement = controlling_;
   bracket.safeBy = "incremental-nodal-bound";
   bracket.optimisticBy = "rayleigh-quotient";
-  if (bracket.isBracket()) report_.bracket = bracket;
+  return bracket;
 }
 
 double RankMonitor::verify(NodeVectorsView x) {

@@ -36,7 +36,8 @@ class RankMonitor final : private RestOfBody {
   /// All references must outlive the monitor. Throws InputError for the mode `metric` and a rule that is not proven.
   RankMonitor(Ranks& ranks, Halo& halo, const RankBody& part, const RankMonitorOptions& options);
 
-  /// As StabilityMonitor::observe; x has ghosts as their owners have them. `meanwhile`, unless empty, is called once
+  /// As StabilityMonitor::observe; x has ghosts as their owners have them, or gets them from an exchange under way on
+  /// the halo, which ends behind the elements that need no ghost. `meanwhile`, unless empty, is called once
   /// `evaluation` is filled in, while the ranks tell each other whether all elements are inside their allowances: it
   /// may do what needs no other rank. asked: what is asked of this rank from outside, 0 for nothing; becomes the
   /// largest of all ranks, so that all know it at the same state. report.elementsRefreshed is of this rank, which
@@ -49,6 +50,19 @@ class RankMonitor final : private RestOfBody {
   const MonitorReport& observeEnergies(const Energies& energies);
   /// The bracket at the state observed last, x, from scratch, in the report, which is fresh then; for steps of h, s.
   const MonitorReport& prove(NodeVectorsView x, double h);
+  /// Both sides at x, by new weights, more sweeps and more tangent products than an observation takes. The next
+  /// observation begins anew. A bracket that is none where the tangent is not finite.
+  CriticalStep bracketFromScratch(NodeVectorsView x);
+  /// Steps of h are taken as n of h/n from now on: brackets and what is certified are of such steps, n times those of a
+  /// part. The next observation is a fresh one, whatever options.every.
+  void setParts(int n);
+  /// The block nodal bound at x with weights of its own, by so many sweeps, and the evaluations of elements that it
+  /// took on all ranks.
+  struct Bound {
+    UpperBound highest;
+    std::int64_t evaluations;
+  };
+  Bound boundFromScratch(NodeVectorsView x, int sweeps);
   const std::vector<MonitorEvent>& events() const { return tracker_.events(); }
   /// Whether positions and velocities of all ranks were finite at the last observation.
   bool stateIsFinite() const { return finite_; }
@@ -83,9 +97,15 @@ class RankMonitor final : private RestOfBody {
   bool renew(NodeVectorsView x, bool newWeights, double wanted);
   void nameControlling(double bound);
   /// s, of the certified eigenvalue.
-  double certifiedStep() const { return safeStep(UpperBound{certificate_.certifiedEigenvalue()}, options_.limit); }
+  double certifiedStep() const {
+    return parts_ * safeStep(UpperBound{certificate_.certifiedEigenvalue()}, options_.limit);
+  }
+  /// rad²/s², that steps of h are stable for.
+  double lambdaFor(double h) const { return options_.limit.lambdaFor(h / parts_); }
   /// Both sides, in the report.
   void setBracket();
+  /// The bracket with that safe side, s.
+  CriticalStep bracketOf(double safe) const;
   ElementRef firstOf(bool mine, ElementRef local);
   void present(MonitorEvent event);
 
@@ -107,6 +127,7 @@ class RankMonitor final : private RestOfBody {
   Backoff refreshes_, rebuilds_;
   Cost cost_;
   std::int64_t observations_ = 0;
+  int parts_ = 1;  // of a step
   bool unknown_ = false, finite_ = true;
 };
 

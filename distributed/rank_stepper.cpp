@@ -20,15 +20,24 @@ void RankStepper::takeForce(State& state, const NodeVectors& internalForce) {
   ringwatch::complete(system_, state);
 }
 
-StepStatus RankStepper::step(State& state, double h) {
+StepStatus RankStepper::beginStep(State& state, double h) {
   StepStatus status = integrator_.advance(system_, state, h);
   if (system_.velocityDependent())
-    halo_.exchange(state.x, state.v);
+    halo_.begin(state.x, state.v);
   else
-    halo_.exchange(state.x);
+    halo_.begin(state.x);
   return status;
 }
 
-void RankStepper::complete(State& state) { ringwatch::complete(system_, state); }
+StepStatus RankStepper::step(State& state, double h) {
+  StepStatus status = beginStep(state, h);
+  halo_.finish();
+  return status;
+}
+
+void RankStepper::complete(State& state) {
+  halo_.finish();
+  ringwatch::complete(system_, state);
+}
 
 }  // namespace ringwatch

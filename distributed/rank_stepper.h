@@ -18,7 +18,10 @@ class RankStepper {
   void takeForce(State& state, const NodeVectors& internalForce);
   /// Advances the state by h seconds; its velocity may lag. Ghosts are where their owners have them then.
   StepStatus step(State& state, double h);
-  /// Ends the lag of the state's velocity.
+  /// The same, and comes back while the exchange is under way: RankMonitor::observe, a pass with Halo::arrival() and
+  /// Halo::finish() end it. Until then the state must stay where it is.
+  StepStatus beginStep(State& state, double h);
+  /// Ends the lag of the state's velocity, and the exchange.
   void complete(State& state);
 
  private:

@@ -40,8 +40,9 @@ int run() {
     if (ranks.rank() == 0 && step % 50 == 0)
       std::printf("step %d: h = %.3g s, critical step between %.17g and %.17g s: %s\n", step, h, report.bracket->safe,
                   report.bracket->optimistic, std::string(verdictName(report.verdict)).c_str());
-    stepper.step(state, h);
+    stepper.beginStep(state, h);
   }
+  halo.finish();
   const RankEnergies energies = energiesOf(ranks, part, state.x, state.v);
   const NodeVectors x = gathered(ranks, part, state.x);
   if (ranks.rank() == 0)

@@ -137,18 +137,17 @@ const CertifiedSelection* Handler::certificate() const {
   return options_.selection == Selection::certified ? &selection_.last() : nullptr;
 }
 
-double Handler::allowedLambda(double h) const {
-  const auto [alpha, beta] = options_.damping;
-  if (!options_.damping.any()) {
-    const double omega = (1 - margin()) * base_->info().imaginaryLimit / h;
+double largestEigenvalueFor(double h, double margin, double limit, const RayleighDamping& damping) {
+  if (!damping.any()) {
+    const double omega = (1 - margin) * limit / h;
     return omega * omega;
   }
-  const double room = 1 - 0.5 * h * alpha;
+  const double room = 1 - 0.5 * h * damping.alpha;
   if (!(room > 0))
-    throw InputError(
-        joinText("step ", h, " s: mass-proportional damping of ", alpha, " 1/s needs a step below ", 2 / alpha, " s"));
-  const double withMargin = 1 - margin();
-  return withMargin * withMargin * room / (0.25 * h * h + 0.5 * h * beta);
+    throw InputError(joinText("step ", h, " s: mass-proportional damping of ", damping.alpha,
+                              " 1/s needs a step below ", 2 / damping.alpha, " s"));
+  const double withMargin = 1 - margin;
+  return withMargin * withMargin * room / (0.25 * h * h + 0.5 * h * damping.beta);
 }
 
 namespace {

@@ -58,6 +58,11 @@ struct HandlerInfo {
   bool takes(Selection selection) const;
 };
 
+/// The highest frequency squared, rad²/s², for which a scheme with a limit of h·omega is stable at a step of h/(1 -
+/// margin): ((1 - margin) limit/h)², and with Rayleigh damping (1 - margin)² (1 - alpha h/2)/(h²/4 + beta h/2) (Theorem
+/// 47, docs/theory/discrete_forces.md). Throws InputError where mass damping alone needs a smaller step.
+double largestEigenvalueFor(double h, double margin, double limit, const RayleighDamping& damping);
+
 /// The margin where none is given: the largest of those that the body's laws need.
 double marginFor(const HandlerInfo& info, const Body& body);
 
@@ -169,10 +174,11 @@ class Handler : public Integrator {
   void attachAll() { explicitPart_.reset(); }
   /// Some elements of the body with another lumped mass, kg, N numbers > 0; without loads.
   Body partWithMass(const ElementFlags& elements, const Eigen::VectorXd& mass) const;
-  /// The highest frequency squared that is left to the explicit part, rad²/s²: ((1 - margin) limit/h)², and with
-  /// Rayleigh damping (1 - margin)² (1 - alpha h/2)/(h²/4 + beta h/2) (Theorem 47, docs/theory/discrete_forces.md).
-  /// Throws InputError where mass damping alone needs a smaller step.
-  double allowedLambda(double h) const;
+  /// The highest frequency squared that is left to the explicit part, rad²/s²: largestEigenvalueFor() its margin and
+  /// scheme.
+  double allowedLambda(double h) const {
+    return largestEigenvalueFor(h, margin(), base_->info().imaginaryLimit, options_.damping);
+  }
   double margin() const { return *options_.margin; }
   /// The bound behind a certified choice; none with other selections.
   const CertifiedSelection* certificate() const;

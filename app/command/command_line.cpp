@@ -236,6 +236,16 @@ struct ReportCommand {
   }
 };
 
+/// launch.h reads it, before this program is the one that it asks for.
+void declareRanks(CLI::App& command, std::string& wanted) {
+  command
+      .add_option("--ranks", wanted,
+                  "whether processes that a launcher such as mpirun has started share the work: auto (where there are "
+                  "several), yes or no (each does it alone); see docs/cluster.md")
+      ->type_name("WHEN")
+      ->check(CLI::IsMember({"auto", "yes", "no"}));
+}
+
 struct RunCommand {
   std::string scene, folder, resumed;
   std::vector<std::string> overrides;
@@ -265,13 +275,7 @@ struct RunCommand {
         ->add_option("--threads", threads,
                      "threads (default: as many as the mesh has work for); results do not depend on it")
         ->check(CLI::Range(0, 4096));
-    command
-        ->add_option(
-            "--ranks", ranksWanted,
-            "whether processes that a launcher such as mpirun has started share the run: auto (where there are "
-            "several), yes or no (each runs it alone); see docs/cluster.md")
-        ->type_name("WHEN")
-        ->check(CLI::IsMember({"auto", "yes", "no"}));
+    declareRanks(*command, ranksWanted);
     command->add_flag("--require-certified", requireCertified,
                       "exit with status 1 unless every step was certified; as monitor.require_certified = true");
     command->add_flag("--report", report, "also write report.html there, as ringwatch report does");
@@ -461,6 +465,8 @@ struct InspectCommand {
   InspectOptions options;
   JsonOption json;
   std::string picture, vtu, lumping, certificate, page, typed, stretch;
+  std::string ranksWanted = "auto";
+  const RankProgram* ranks = nullptr;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
@@ -540,6 +546,7 @@ struct InspectCommand {
     command->add_option("--report", page, pageHelp)->type_name("FILE");
     command->add_option("--threads", options.threads, "threads (default: as many as the mesh has work for)")
         ->check(CLI::Range(0, 4096));
+    declareRanks(*command, ranksWanted);
     command->footer(std::string(unitsText) + "\n" + seeTopics("laws | integrators | metrics | formats") +
                     exitStatusHint);
   }
@@ -557,8 +564,9 @@ struct InspectCommand {
         whole.json = withProvenance(std::move(whole.json), typed, "");
         written = reportText(neededReportWriters().ofInspection(whole, page));
       };
-    InspectResult result = inspectMesh(options);
+    InspectResult result = ranks ? ranks->inspect(options) : inspectMesh(options);
     result.text += written;
+    if (ranks && !ranks->speaks()) return result.status;
     json.write(result.json, result.text);
     return result.failure.empty() ? result.status : complain(result.failure, ExitStatus::unstable);
   }
@@ -973,6 +981,7 @@ ExitStatus dispatch(int argc, char** argv, const RankProgram* ranks) {
   RunCommand run;
   run.ranks = ranks;
   InspectCommand inspect;
+  inspect.ranks = ranks;
   AuditCommand audit;
   SuggestCommand suggest;
   ScaleMassCommand scaleMass;

@@ -35,7 +35,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<std::string> metricsWanted(const std::vector<std::string>& asked) {
+std::vector<std::string> metricsWanted(const std::vector<std::string>& asked, bool usual) {
+  if (asked.empty() && !usual) return {};
   if (asked.empty()) return {"single-element", "pressure-wave", "reduced-1-ring"};
   std::vector<std::string> known;
   for (const MetricInfo& info : allMetrics()) known.emplace_back(info.name);
@@ -480,9 +481,12 @@ CriticalStep reportBracket(const Subject& subject, const InspectOptions& options
   if (options.lanczos) lanczos.emplace().eta = *options.lanczos;
   ProgressLine progress(true);
   const CriticalStep step =
-      criticalStepInTiers(subject.body, subject.x, subject.rule, lanczos, nullptr, [&](double safe, double optimistic) {
-        progress.announce(fmt::format("critical step: proven so far {:.6g} to {:.6g} s", safe, optimistic));
-      });
+      options.bracket
+          ? options.bracket(subject.body, subject.x, subject.rule)
+          : criticalStepInTiers(
+                subject.body, subject.x, subject.rule, lanczos, nullptr, [&](double safe, double optimistic) {
+                  progress.announce(fmt::format("critical step: proven so far {:.6g} to {:.6g} s", safe, optimistic));
+                });
   progress.clear();
   Json& json = result.json["critical_step"];
   std::string& text = result.text;
@@ -599,7 +603,7 @@ void reportHandlerChoice(const Subject& subject, double h, const CriticalStep& s
 }  // namespace
 
 InspectResult inspectMesh(const InspectOptions& options) {
-  const std::vector<std::string> wanted = metricsWanted(options.metrics);
+  const std::vector<std::string> wanted = metricsWanted(options.metrics, !options.bracket);
   checkOptions(options);
   const Subject subject = subjectOf(options);
   const auto quality = meshQuality(subject.body.mesh());
@@ -620,7 +624,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
       if (progress.due()) progress.show(fmt::format("{}: {:.0f} %", name, 100 * done), done);
     }));
   }
-  reportMetrics(metrics, subject.rule, globalStep, result.json["critical_step"], result.text);
+  if (!metrics.empty()) reportMetrics(metrics, subject.rule, globalStep, result.json["critical_step"], result.text);
   reportControllingElement(subject.body.mesh(), step.controlling,
                            quality[step.controlling.block][step.controlling.element], result);
   if (options.step) reportStep(subject, metrics, step, *options.step, result);

@@ -58,7 +58,9 @@ struct InspectOptions {
   std::optional<std::filesystem::path> picture;  // of the distribution, .svg or .png
   std::optional<std::filesystem::path> vtu;
   std::optional<std::filesystem::path> certificate;  // a proof that ringwatch-check can check
-  std::function<void(const Inspection&)> page;       // told of all that was found, to make a page of it
+  /// The bracket in place of criticalStep(); metrics are reported where they are asked for then.
+  std::function<CriticalStep(const Body& body, const NodeVectors& x, const StepRule& rule)> bracket;
+  std::function<void(const Inspection&)> page;  // told of all that was found, to make a page of it
   int threads = 0;
 };
 

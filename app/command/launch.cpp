@@ -46,7 +46,8 @@ RanksWanted ranksWantedBy(int argc, char** argv) {
 }
 
 bool runsOnRanks(int argc, char** argv) {
-  if (argc < 2 || std::string_view(argv[1]) != "run") return false;
+  const std::string_view command(argc < 2 ? "" : argv[1]);
+  if (command != "run" && command != "inspect") return false;
   const RanksWanted wanted = ranksWantedBy(argc, argv);
   if (wanted != RanksWanted::automatic) return wanted == RanksWanted::yes;
   const std::optional<Launch> launch = launchOf([](const char* variable) { return std::getenv(variable); });

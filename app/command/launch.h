@@ -14,15 +14,15 @@ struct Launch {
 /// Intel MPI) and of Slurm's srun with PMI2 or PMIx. Empty where none of them started this process.
 std::optional<Launch> launchOf(const std::function<const char*(const char* variable)>& environment);
 
-/// Values of `ringwatch run --ranks`.
+/// Values of --ranks.
 enum class RanksWanted {
   automatic,  ///< where a launcher has started several processes
   yes,
   no
 };
-/// What the arguments of `ringwatch run` say; automatic where they say nothing, or nothing that is known.
+/// What the arguments of a command say; automatic where they say nothing, or nothing that is known.
 RanksWanted ranksWantedBy(int argc, char** argv);
-/// Whether a run with these arguments shares its scene among processes.
+/// Whether `ringwatch run` or `ringwatch inspect` with these arguments is shared among processes.
 bool runsOnRanks(int argc, char** argv);
 
 }  // namespace ringwatch

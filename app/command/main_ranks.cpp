@@ -9,6 +9,7 @@
 #include <ringwatch/app/command/launch.h>
 #include <ringwatch/app/command/rank_program.h>
 #include <ringwatch/app/command/verify.h>
+#include <ringwatch/app/ranks/rank_inspect.h>
 #include <ringwatch/app/ranks/rank_run.h>
 #include <ringwatch/app/report/run_report.h>
 
@@ -26,6 +27,7 @@ class MpiProgram final : public RankProgram {
   ExitStatus run(const RankRunRequest& request, const std::function<void(const std::string&)>& print) const override {
     return runSceneOnRanks(ranks_, request, print);
   }
+  InspectResult inspect(const InspectOptions& options) const override { return inspectOnRanks(ranks_, options); }
 
  private:
   Ranks& ranks_;

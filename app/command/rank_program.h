@@ -22,6 +22,9 @@ struct RankRunRequest {
   std::atomic<bool>* checkpoint;       // the run writes one after the step in which it becomes true
 };
 
+struct InspectOptions;
+struct InspectResult;
+
 /// The processes of a program that share a run.
 class RankProgram {
  public:
@@ -32,6 +35,9 @@ class RankProgram {
   /// process. Throws InputError or NumericalError on the process that speaks where the run cannot begin, and the others
   /// return its status. A fault of one process later ends all of them.
   virtual ExitStatus run(const RankRunRequest& request, const std::function<void(const std::string&)>& print) const = 0;
+  /// inspectMesh() with a bracket that the processes find together; every process gets the same. Throws as run() does,
+  /// and InputError for an option that one process alone can do.
+  virtual InspectResult inspect(const InspectOptions& options) const = 0;
 };
 
 }  // namespace ringwatch

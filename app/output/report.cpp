@@ -204,6 +204,18 @@ std::string discreteText(const Scene& scene, const Body& body, const RunResult& 
   return text + "\n";
 }
 
+Json trafficJson(const RunResult& result) {
+  if (!result.traffic) return nullptr;
+  const RunResult::Traffic& traffic = *result.traffic;
+  return {{"ranks", traffic.ranks},
+          {"exchanges", traffic.exchanges},
+          {"messages", traffic.messages},
+          {"bytes", traffic.bytes},
+          {"bytes_by_model", traffic.bytesByModel},
+          {"hidden", traffic.hidden ? Json(*traffic.hidden) : Json()},
+          {"waited", traffic.waited}};
+}
+
 Json momentJson(const std::optional<RunResult::Moment>& moment) {
   if (!moment) return nullptr;
   return Json{{"step", moment->step}, {"time", moment->time}};
@@ -304,6 +316,7 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
         {"force", result.forceTime},
         {"monitor", result.monitorTime},
         {"output", result.outputTime}}},
+      {"traffic", trafficJson(result)},
       {"frames", result.frames},
       {"files", result.files},
       {"notes", result.notes}};

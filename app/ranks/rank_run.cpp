@@ -1,9 +1,7 @@
 #include <ringwatch/app/ranks/rank_run.h>
 
-#include <omp.h>
-#include <unistd.h>
-
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -21,7 +19,9 @@
 #include <ringwatch/app/command/provenance.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/ranks/rank_frames.h>
+#include <ringwatch/app/ranks/rank_mass_scaling.h>
 #include <ringwatch/app/ranks/rank_scene.h>
+#include <ringwatch/app/ranks/rank_threads.h>
 #include <ringwatch/app/ranks/together.h>
 #include <ringwatch/app/run/checkpoint.h>
 #include <ringwatch/app/run/energy_runaway.h>
@@ -47,15 +47,6 @@ namespace {
 
 /// What is asked of a run from outside, as RankMonitor::observe takes it.
 enum Wish : int { nothing = 0, checkpointWish = 1, endWish = 2 };
-
-/// Threads of a rank: those that are free where ranks share a machine. A launcher that binds its processes, and
-/// OMP_NUM_THREADS, have said it already.
-int threadsOfRank(const Ranks& ranks, int requested, const Mesh& part) {
-  int most = omp_get_max_threads();
-  const bool told = std::getenv("OMP_NUM_THREADS") != nullptr || omp_get_num_procs() < ::sysconf(_SC_NPROCESSORS_ONLN);
-  if (!told) most = std::max(1, most / ranks.onThisMachine());
-  return requested > 0 ? requested : std::min(most, threadsThatPay(0, part));
-}
 
 /// A line of progress now and then, where no terminal shows one: launchers hand on standard error through a pipe.
 class ProgressLog {
@@ -151,15 +142,12 @@ class RankRun {
       all = sceneInitialState(scene_, BodySystem(*whole_, scene_.damping));
       if (saved) all = saved->state;
       allLoads.emplace(scene_, *whole_);
+      if (!scene_.handler.empty()) scaling_ = std::make_unique<RankMassScaling>(scene_, *whole_, *scene_.step);
     });
-    std::vector<std::int32_t> parts(whole_->mesh().elementCount());
+    const Partition partition = cutTogether(ranks_, whole_->mesh());
     together(ranks_, [&] {
-      if (first()) parts = partitionMesh(whole_->mesh(), ranks_.size()).ofElement;
-    });
-    ranks_.share(parts.data(), parts.size() * sizeof parts[0], 0);
-    together(ranks_, [&] {
-      part_ = std::make_unique<RankBody>(*whole_, partitionOf(whole_->mesh(), std::move(parts), ranks_.size()),
-                                         ranks_.rank(), threadsOfRank(ranks_, request_.threads, whole_->mesh()));
+      part_ = std::make_unique<RankBody>(*whole_, partition, ranks_.rank(),
+                                         threadsOfRank(ranks_, request_.threads, whole_->mesh()));
       loads_.emplace(*allLoads, part_->body(), part_->globalNodes());
       state_.time = all.time;
       state_.x.resize(3, part_->body().nodeCount());
@@ -174,6 +162,7 @@ class RankRun {
       stepper_ = std::make_unique<RankStepper>(*halo_, *system_, *integrator_);
       steps_.emplace(scene_);
       recorder_.emplace(scene_, result_);
+      if (scaling_) scaling_->begin(ranks_, *halo_, *part_, *system_, *integrator_, first());
       if (first())
         recorder_->follow(whole_->mesh());
       else
@@ -230,6 +219,9 @@ class RankRun {
         return end(ExitReason::end, "end time reached");
       const bool rowDue = k % scene_.historyEvery == 0;
       MonitorReport report = observe(k, rowDue);
+      if (scaling_ && scene_.onViolation == OnViolation::handle && monitor_->stateIsFinite() &&
+          scaling_->wantsChoice(report))
+        report = chooseAgain(k, rowDue);
       if (monitor_->stateIsFinite() && checkpointDue()) {
         writeCheckpointAndGoOn();
         report = observe(k, rowDue);
@@ -247,11 +239,27 @@ class RankRun {
       if (loads_->any() && k == 0) runaway_->setScale(energyScale());
       if (energies_) runaway_->check(*energies_, k, state_.time);
       record(report, rowDue);
-      if (report.verdict == Verdict::violated && scene_.onViolation == OnViolation::stop)
+      if (report.verdict == Verdict::violated &&
+          (scene_.onViolation == OnViolation::stop || scene_.onViolation == OnViolation::handle))
         return end(ExitReason::violated, fmt::format("stopped before step {}, which is violated", k));
       takeStep(report);
       showProgress(report);
     }
+  }
+
+  /// The handler divides steps anew, and what was observed is no event of a step that is taken.
+  MonitorReport chooseAgain(std::int64_t k, bool rowDue) {
+    {
+      const Stopwatch measured(result_.monitorTime);
+      scaling_->choose(*monitor_, state_.x, steps_->step());
+    }
+    const std::string events = eventsBefore_;
+    const int wish = wish_;
+    resumeEvents(events);
+    MonitorReport report = observe(k, rowDue);
+    eventsBefore_ = events;
+    wish_ = std::max(wish, wish_);
+    return report;
   }
 
   MonitorReport observe(std::int64_t k, bool rowDue) {
@@ -352,6 +360,7 @@ class RankRun {
       row.bracket = report.bracket;
       row.energies = energies_;
       row.elementsRefreshed = static_cast<std::int64_t>(refreshed.value());
+      row.handledElements = scaling_ ? scaling_->handledElements() : 0;
       row.verdict = report.verdict;
       output_->writeRow(row);
     }
@@ -381,7 +390,10 @@ class RankRun {
   void takeStep(const MonitorReport& report) {
     const Stopwatch force(result_.forceTime);
     if (loads_->any()) loads_->setVelocities(state_, steps_->step(), toBalance());
-    stepper_->step(state_, steps_->step());
+    if (scaling_ && !scaling_->stepsAsBase())
+      scaling_->step(state_, steps_->step());
+    else
+      stepper_->beginStep(state_, steps_->step());
     recorder_->countSteps(1, steps_->step());
     recorder_->countVerdict(report, 1, freshReports_ <= 1);
     lastVerdict_ = report.verdict;
@@ -485,6 +497,7 @@ class RankRun {
 
   void resume(const Checkpoint& saved) {
     resumeResult(saved.parts.at("result"), result_);
+    resumedAt_ = result_.steps;
     before_ = energiesOfJson(saved.parts.at("before"));
     runaway_->resume(saved.parts.at("runaway"));
     steps_->resume(saved.parts.at("steps"));
@@ -522,8 +535,35 @@ class RankRun {
         if (known.kind == told.event.kind && known.step == told.event.step) told.event.end = known.end;
     if (first()) recorder_->noteWhatIsNotCertified(whole_->mesh());
     result_.runaway = runaway_->moment();
+    if (scaling_) result_.handler = scaling_->handling();
+    countTraffic();
     const Stopwatch measured(result_.outputTime);
     output_->finish(result_, scene_.frameInterval ? stateOfFrame() : State(), last);
+  }
+
+  /// Of all ranks, in the result. Collective.
+  void countTraffic() {
+    const Halo::Traffic& own = halo_->traffic();
+    enum : std::size_t { messages, bytes, received, hidden, ghosts, count };
+    std::array<ExactSum, count> sums;  // whole numbers
+    sums[messages].add(static_cast<double>(own.messages));
+    sums[bytes].add(static_cast<double>(own.bytes));
+    sums[received].add(static_cast<double>(own.received));
+    sums[hidden].add(static_cast<double>(own.hidden));
+    sums[ghosts].add(static_cast<double>(part_->ghostNodes()));
+    ranks_.sum(sums);
+    double waited = own.waited;
+    ranks_.largest({&waited, 1});
+    RunResult::Traffic& all = result_.traffic.emplace();
+    all.ranks = ranks_.size();
+    all.exchanges = own.exchanges;
+    all.messages = static_cast<std::int64_t>(sums[messages].value());
+    all.bytes = static_cast<std::int64_t>(sums[bytes].value());
+    const std::int64_t numbers = system_->velocityDependent() ? 6 : 3;
+    all.bytesByModel = static_cast<std::int64_t>(sums[ghosts].value()) * numbers *
+                       static_cast<std::int64_t>(sizeof(double)) * (result_.steps - resumedAt_);
+    if (sums[received].value() > 0) all.hidden = sums[hidden].value() / sums[received].value();
+    all.waited = waited;
   }
 
   void writeSummary() {
@@ -548,6 +588,7 @@ class RankRun {
   std::unique_ptr<Halo> halo_;
   std::unique_ptr<RankSystem> system_;
   std::unique_ptr<RankStepper> stepper_;
+  std::unique_ptr<RankMassScaling> scaling_;  // nullptr without a handler
   std::unique_ptr<RankMonitor> monitor_;
   std::unique_ptr<RankEnergyBalance> balance_;
   std::optional<StepPolicy> steps_;
@@ -564,6 +605,7 @@ class RankRun {
   std::optional<Energies> energies_;  // of the state, where a row is due
   Verdict lastVerdict_ = Verdict::notCertified;
   std::int64_t freshReports_ = 0, checkpoints_ = 0;
+  std::int64_t resumedAt_ = 0;  // step
   int wish_ = nothing;
   bool moving_ = false;      // motion is prescribed at some time
   bool knownToAll_ = false;  // a fault is being told by together()

@@ -1,5 +1,8 @@
 #include <ringwatch/app/ranks/together.h>
 
+#include <utility>
+#include <vector>
+
 #include <fmt/format.h>
 
 namespace ringwatch {
@@ -19,6 +22,15 @@ void requireNoFault(Ranks& ranks, const RankFault& own) {
   if (ranks.rank() != 0) throw OtherRankFailed{static_cast<ExitStatus>(status)};
   if (static_cast<ExitStatus>(status) == ExitStatus::unstable) throw NumericalError(text);
   throw InputError(text);
+}
+
+Partition cutTogether(Ranks& ranks, const Mesh& mesh) {
+  std::vector<std::int32_t> parts(mesh.elementCount());
+  together(ranks, [&] {
+    if (ranks.rank() == 0) parts = partitionMesh(mesh, ranks.size()).ofElement;
+  });
+  ranks.share(parts.data(), parts.size() * sizeof parts[0], 0);
+  return partitionOf(mesh, std::move(parts), ranks.size());
 }
 
 }  // namespace ringwatch

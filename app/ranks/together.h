@@ -5,6 +5,7 @@
 
 #include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/distributed/partition.h>
 #include <ringwatch/distributed/ranks.h>
 
 namespace ringwatch {
@@ -19,6 +20,9 @@ struct RankFault {
   ExitStatus status = ExitStatus::done;
   std::string text;
 };
+
+/// Cuts a mesh that all ranks have: the first one does, and tells the others. Throws as together(). Collective.
+Partition cutTogether(Ranks& ranks, const Mesh& mesh);
 
 /// Throws on all ranks where the work of one has failed: on the first rank the fault of the first that failed, with the
 /// name of that one unless all have failed, and OtherRankFailed on the others. Collective.

@@ -128,6 +128,15 @@ struct RunResult {
   };
   std::optional<Discrete> discrete;
   double forceTime = 0, monitorTime = 0, outputTime = 0, wallTime = 0;  // s
+  /// What ranks have told each other, since the run began or was resumed: sums over them.
+  struct Traffic {
+    int ranks = 1;
+    std::int64_t exchanges = 0, messages = 0, bytes = 0;  // exchanges: of each rank
+    std::int64_t bytesByModel = 0;                        // of the steps: 24 or 48 a ghost node
+    std::optional<double> hidden;                         // share of the bytes that had come behind work; empty of none
+    double waited = 0;                                    // s, for the others, of the rank that waited longest
+  };
+  std::optional<Traffic> traffic;  // empty of one process
   std::size_t frames = 0;
   std::vector<std::string> files;  // written, relative to the folder
   std::vector<std::string> notes;

@@ -16,17 +16,6 @@ namespace {
 
 constexpr int reportedFrequencies = 3;
 
-/// Parts that a step is divided into at most. What needs more is not proven.
-constexpr int mostParts = 1000;
-/// A part of a divided step is that share of what is proven at most: elements that stiffen at speed have room before
-/// the next choice.
-constexpr double shareOfProven = 0.5;
-/// Sweeps of the weights of the bound that says how many.
-constexpr int sweeps = 12;
-/// Parts after which fewer are tried, twice as many after each try in vain. A choice costs as much as some forty
-/// forces.
-constexpr std::int64_t leastPatience = 512;
-
 /// Square root of a positive semidefinite matrix with a floor under its eigenvalues, so that it can be inverted.
 Eigen::Matrix3d flooredRoot(const Eigen::Matrix3d& A) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(A);
@@ -48,62 +37,29 @@ ElementFlags MassScaling::choose(const NodeVectors& x, double h, const ElementFl
     return keep;
   }
   begun_ = true;
-  dividedFor_ = h;
+  division_.begin(h);
   return Handler::choose(x, h, keep);
 }
 
 void MassScaling::divideSteps(const NodeVectors& x, double h) {
   NodalBound bound(body_);
-  const double lambda = bound.evaluate(x, sweeps).value;
+  const UpperBound lambda = bound.evaluate(x, StepDivision::sweeps);
   noteSelectionCost({static_cast<std::int64_t>(body_.mesh().elementCount()), bound.evaluations()});
-  // A choice that was not asked for has a reason, even where the step is proven at this state. Once it had one the
-  // whole step, which takes all of what is proven, is not tried again: while elements stiffen and soften it feeds
-  // energy.
-  const bool otherStep = h != dividedFor_, asked = asksForChoice() || otherStep;
-  int parts = 1;
-  if (!otherStep || !(lambda <= allowedLambda(h)))
-    while (parts < mostParts && !(lambda <= shareOfProven * shareOfProven * allowedLambda(h / parts))) ++parts;
-  proven_ = lambda <= allowedLambda(h / parts);
-  if (lastPart_ == 0) lastPart_ = dividedFor_;
-  dividedFor_ = h;
-  if (!asked || parts >= parts_) patience_ = std::max(2 * patience_, leastPatience);
-  partsSinceChoice_ = 0;
-  parts_ = parts;
-  largestParts_ = std::max(largestParts_, parts);
-  if (parts == 1)
+  division_.choose(lambda, h, limit());
+  if (parts() == 1)
     attachAll();
   else
-    detach(noElements(body_.mesh()), body_.lumpedMass() * (allowedLambda(h / parts) / allowedLambda(h)));
+    detach(noElements(body_.mesh()), body_.lumpedMass() * (allowedLambda(h / parts()) / allowedLambda(h)));
+}
+
+StepDivision::Limit MassScaling::limit() const {
+  return [margin = margin(), limit = base_->info().imaginaryLimit, damping = options_.damping](double h) {
+    return largestEigenvalueFor(h, margin, limit, damping);
+  };
 }
 
 StepStatus MassScaling::handledStep(SecondOrderSystem& system, State& state, double h) {
-  before_ = state;
-  for (int parts = parts_;; parts *= 2) {
-    if (StepStatus status = dividedStep(system, state, h, parts); !status.done) {
-      state = before_;
-      return status;
-    }
-    if (2 * parts > mostParts || !endsWithoutEnergy(state.x)) {
-      lastPart_ = h / parts;
-      partsSinceChoice_ += parts;
-      dividedSteps_ += parts > 1 ? 1 : 0;
-      largestParts_ = std::max(largestParts_, parts);
-      return {};
-    }
-    state = before_;
-    base_->reset();
-  }
-}
-
-StepStatus MassScaling::dividedStep(SecondOrderSystem& system, State& state, double h, int parts) {
-  const double part = h / parts;
-  // Where velocities are half a step behind they are by half a step of another size.
-  if (part != lastPart_ && lastPart_ > 0 && !base_->info().reversible)
-    state.v += 0.5 * (lastPart_ - part) * accelerationOf(system, state);
-  for (int k = 0; k < parts; ++k)
-    if (StepStatus status = base_->step(system, state, part); !status.done) return status;
-  state.time = before_.time + h;
-  return {};
+  return division_.take(*base_, system, state, h, [this](const NodeVectors& x) { return endsWithoutEnergy(x); });
 }
 
 bool MassScaling::endsWithoutEnergy(const NodeVectors& x) const {
@@ -155,11 +111,11 @@ void MassScaling::take(const NodeVectors& x, double h, const ElementFlags& chose
   x_ = x;
 }
 
-std::vector<HandlerFigure> MassScaling::figures() const {
+std::vector<HandlerFigure> MassScaling::figuresWith(const StepDivision& division) const {
   std::vector<HandlerFigure> result{{"added_mass_kg", added_.sum()},
                                     {"added_mass_percent", 100 * added_.sum() / ownMass_.sum()},
-                                    {"divided_steps", static_cast<double>(dividedSteps_)},
-                                    {"most_parts", static_cast<double>(largestParts_)}};
+                                    {"divided_steps", static_cast<double>(division.dividedSteps())},
+                                    {"most_parts", static_cast<double>(division.largestParts())}};
   if (x_.size() == 0) return result;
   const auto toHertz = [](double lambda) { return std::sqrt(lambda) / (2 * std::numbers::pi); };
   const std::vector<double> before = lowestEigenvalues(body_, x_, ownMass_, reportedFrequencies),

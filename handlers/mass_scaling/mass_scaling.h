@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <ringwatch/handlers/handler.h>
+#include <ringwatch/handlers/mass_scaling/step_division.h>
 
 namespace ringwatch {
 
@@ -33,35 +34,36 @@ class MassScaling final : public Handler {
 
   /// Added mass, kg and % of the body's own, steps that were divided and the largest n, and the lowest elastic
   /// frequencies with and without it, Hz, at the positions where the mass was added.
-  std::vector<HandlerFigure> figures() const override;
-  bool certified() const override { return Handler::certified() && proven_; }
+  std::vector<HandlerFigure> figures() const override { return figuresWith(division_); }
+  bool certified() const override { return Handler::certified() && division_.proven(); }
   /// A while after a choice, where steps are divided.
-  bool asksForChoice() const override { return parts_ > 1 && partsSinceChoice_ >= patience_; }
+  bool asksForChoice() const override { return division_.asksForChoice(); }
   /// n, of the steps of h/n that the last choice asked for.
-  int parts() const { return parts_; }
+  int parts() const { return division_.parts(); }
+  /// For a run that takes its steps elsewhere: how it begins to divide them, what a step is allowed, and whether the
+  /// handled elements have an energy where they are inverted.
+  const StepDivision& division() const { return division_; }
+  StepDivision::Limit limit() const;
+  bool allHaveEnergy() const { return allHaveEnergy_; }
+  /// figures(), where `division` has divided the steps.
+  std::vector<HandlerFigure> figuresWith(const StepDivision& division) const;
 
  protected:
   ElementFlags choose(const NodeVectors& x, double h, const ElementFlags& keep) override;
   void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
   StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
-  bool stepsAsBase() const override { return parts_ == 1 && largestParts_ == 1 && allHaveEnergy_; }
+  bool stepsAsBase() const override { return division_.neverDivided() && allHaveEnergy_; }
   bool handledBeginsWithAcceleration() const override { return base_->beginsWithAcceleration(); }
 
  private:
   void divideSteps(const NodeVectors& x, double h);
-  StepStatus dividedStep(SecondOrderSystem& system, State& state, double h, int parts);
   bool endsWithoutEnergy(const NodeVectors& x) const;
 
   Eigen::VectorXd ownMass_, added_;  // kg, by node
   NodeVectors x_;                    // where mass was added, m
-  State before_;                     // the step that is being taken
   bool begun_ = false;               // the first choice was made
   bool allHaveEnergy_ = true;        // handled elements, inverted ones too
-  bool proven_ = true;               // the last choice found an n
-  int parts_ = 1, largestParts_ = 1;
-  double dividedFor_ = 0;  // s, the step of the last choice
-  double lastPart_ = 0;    // s, of the last step; 0 before any was divided
-  std::int64_t partsSinceChoice_ = 0, patience_ = 0, dividedSteps_ = 0;
+  StepDivision division_;
 };
 
 }  // namespace ringwatch

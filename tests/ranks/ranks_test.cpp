@@ -13,6 +13,7 @@
 #include <ringwatch/app/command/launch.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <tests/app/program.h>
 
@@ -83,6 +84,12 @@ std::string richScene(const std::string& element = "tet4", const std::string& me
   return replaced(replaced(rich, "ELEMENT", element), "METHOD", method);
 }
 
+/// What handlers take: loads and motions without tables of time.
+std::string withoutTables(const std::string& scene) {
+  return replaced(replaced(scene, "factor = \"sin(100*t)\"\n", ""), "times = [0, 0.01, 0.02]\nfactors = [0, 1, 0.5]\n",
+                  "");
+}
+
 class RanksProgram : public test::Program {
  protected:
   static std::string mpirun(int ranks) {
@@ -90,8 +97,9 @@ class RanksProgram : public test::Program {
            std::to_string(ranks) + " ";
   }
   /// As users call it; one rank is asked for, as one process is no run on ranks.
-  Outcome onRanks(int ranks, const std::string& arguments) {
-    return shell(mpirun(ranks) + "'" RINGWATCH_PROGRAM "' run " + arguments + (ranks == 1 ? " --ranks yes" : ""));
+  Outcome onRanks(int ranks, const std::string& arguments, const std::string& command = "run") {
+    return shell(mpirun(ranks) + "'" RINGWATCH_PROGRAM "' " + command + " " + arguments +
+                 (ranks == 1 ? " --ranks yes" : ""));
   }
   /// What the program has said, without what mpirun says of exit statuses.
   static std::vector<std::string> linesOf(const std::string& text) {
@@ -111,10 +119,10 @@ class RanksProgram : public test::Program {
     EXPECT_THAT(lines[0], HasSubstr(what));
     EXPECT_FALSE(exists("refused"));
   }
-  /// All of summary.json but times, where it comes from and what names the program's threads.
+  /// All of summary.json but times, what ranks have sent, where it comes from and what names the program's threads.
   Json summaryOf(const std::string& folder) const {
     Json summary = json(folder + "/summary.json");
-    for (const char* key : {"wall_time", "provenance"}) summary.erase(key);
+    for (const char* key : {"wall_time", "provenance", "traffic"}) summary.erase(key);
     return summary;
   }
   /// Positions at the nodes of a frame, and these less a point field, by the numbers of the nodes; of one file or of
@@ -203,6 +211,96 @@ TEST_F(RanksProgram, ChoosesItsSteps) {
   }
 }
 
+/// Mass scaling adds what it adds on one process, and its steps are the same until one is divided. Where the elements
+/// stiffen, all ranks divide steps alike.
+TEST_F(RanksProgram, ScalesMass) {
+  for (const auto& [element, method] : {std::pair{"tet4", "symplectic-euler"}, {"hex8", "verlet"}}) {
+    SCOPED_TRACE(element);
+    const std::string scene = withoutTables(richScene(element, method));
+    folder_.write("mild.toml", scene);
+    folder_.write("hard.toml", replaced(scene, "velocity = [0.2, 0, 0]", "velocity = [2, 0, 0]"));
+    const std::string settings =
+        " --set handler.method=mass-scaling --set handler.margin=0.02 --set monitor.on_violation=handle "
+        "--set integrator.step=1.2e-3 --set output.every=0.005";
+    ASSERT_EQ(call("run mild.toml --out alone" + settings).status, 0);
+    for (const bool mild : {true, false}) {
+      SCOPED_TRACE(mild ? "mild" : "hard");
+      Json first;
+      for (const int ranks : {1, 2, 4}) {
+        const std::string out = "on" + std::to_string(ranks);
+        const Outcome outcome = onRanks(ranks, std::string(mild ? "mild" : "hard") + ".toml --out " + out + settings);
+        ASSERT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+        if (ranks == 1) first = summaryOf("on1");
+        EXPECT_EQ(summaryOf(out), first) << ranks;
+        EXPECT_EQ(folder_.read(out + "/history.csv"), folder_.read("on1/history.csv")) << ranks;
+      }
+      EXPECT_GT(first["handler"]["added_mass_kg"], 0);
+      EXPECT_EQ(first["verdict"], "certified");
+      if (!mild) {
+        EXPECT_GT(first["handler"]["divided_steps"], 0);
+        continue;
+      }
+      EXPECT_EQ(first["handler"]["divided_steps"], 0);
+      EXPECT_EQ(first["handler"], json("alone/summary.json")["handler"]);
+      EXPECT_EQ(first["mass"], json("alone/summary.json")["mass"]);
+      for (const char* field : {"displacement", "velocity"})
+        EXPECT_TRUE(pointField("on4/frames/frame_000004", field) == pointField("alone/frames/frame_000004.vtu", field))
+            << field;
+    }
+  }
+}
+
+/// The bracket of a mesh and the element that holds it down are those of one rank, and hold the critical step.
+TEST_F(RanksProgram, Inspects) {
+  BarOptions options;
+  options.cells = {8, 3, 3};
+  options.element = "tet4";
+  options.jitter = 0.2;
+  writeMesh(generateBar(options), folder_.path() / "bar.msh");
+  const std::string arguments = "bar.msh --young 1e6 --poisson 0.3 --density 1000 --fix 'x < 1e-6'";
+  ASSERT_EQ(call("inspect " + arguments + " --global --json alone.json").status, 0);
+  const double exact = json("alone.json")["critical_step"]["global"];
+  for (const int ranks : {1, 2, 3, 4}) {
+    SCOPED_TRACE(ranks);
+    const std::string file = "on" + std::to_string(ranks) + ".json";
+    const Outcome outcome = onRanks(ranks, arguments + " --json " + file, "inspect");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(folder_.read(file), folder_.read("on1.json"));
+    EXPECT_THAT(outcome.out, HasSubstr("controlling element"));
+    const Json found = json(file);
+    EXPECT_LE(found["critical_step"]["safe"], exact);
+    EXPECT_GE(found["critical_step"]["optimistic"], exact);
+    EXPECT_GE(found["critical_step"]["safe"], 0.8 * exact);
+    EXPECT_LE(found["critical_step"]["optimistic"], 1.01 * exact);
+    EXPECT_EQ(found["mesh"], json("alone.json")["mesh"]);
+    EXPECT_EQ(found["quality"], json("alone.json")["quality"]);
+  }
+  for (const auto& [more, what] : {std::pair{"--global", "--global: is not distributed over ranks"},
+                                   {"--metric all", "--metric: is not distributed over ranks"},
+                                   {"--fix 'y <'", "--fix"}}) {
+    const Outcome refused = onRanks(2, arguments + " " + more, "inspect");
+    EXPECT_EQ(refused.status, 2);
+    ASSERT_EQ(linesOf(refused.err).size(), 1u) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr(what));
+  }
+  EXPECT_EQ(onRanks(2, "missing.msh --young 1e6 --poisson 0.3 --density 1000", "inspect").status, 2);
+}
+
+/// The exchange is counted: what the model says of the steps, and more for the monitor and the frames.
+TEST_F(RanksProgram, CountsItsTraffic) {
+  folder_.write("scene.toml", richScene());
+  ASSERT_EQ(onRanks(3, "scene.toml --out three").status, 0);
+  const Json traffic = json("three/summary.json")["traffic"];
+  EXPECT_EQ(traffic["ranks"], 3);
+  EXPECT_GT(traffic["bytes_by_model"], 0);
+  EXPECT_GE(traffic["bytes"], traffic["bytes_by_model"]);
+  EXPECT_GE(traffic["exchanges"], json("three/summary.json")["steps"]);
+  EXPECT_GE(traffic["hidden"], 0);
+  EXPECT_LE(traffic["hidden"], 1);
+  ASSERT_EQ(call("run scene.toml --out alone").status, 0);
+  EXPECT_TRUE(json("alone/summary.json")["traffic"].is_null());
+}
+
 /// All ranks end with one status, and events name the elements of the mesh.
 TEST_F(RanksProgram, TellsOfAnUnstableStep) {
   folder_.write("scene.toml", richScene());
@@ -228,12 +326,11 @@ TEST_F(RanksProgram, TellsOfAnUnstableStep) {
 }
 
 TEST_F(RanksProgram, RefusesByOneLine) {
-  const std::string timed = "factor = \"sin(100*t)\"\n", table = "times = [0, 0.01, 0.02]\nfactors = [0, 1, 0.5]\n";
-  const std::string plain = replaced(replaced(richScene(), timed, ""), table, "");
+  const std::string plain = withoutTables(richScene());
   folder_.write("scene.toml", replaced(plain, "[damping]\nmass = 2\n", ""));
   for (const auto& [setting, what] : {std::pair{"integrator.method=rk4", "\"rk4\" is not distributed over ranks"},
                                       {"damping.stiffness=1e-6", "stiffness-proportional damping"},
-                                      {"handler.method=imex", "handlers are not distributed"},
+                                      {"handler.method=imex", "\"imex\" is not distributed over ranks: it moves"},
                                       {"monitor.metric=reduced-1-ring", "metrics are not distributed"},
                                       {"monitor.mode=metric", "is not distributed over ranks"},
                                       {"monitor.certificates=5", "files of proofs"},
