@@ -294,7 +294,9 @@ double IncrementalNodalBound::withRoom(LowerBound lower, double width, double sh
 
 double IncrementalNodalBound::highest(LowerBound lower, double width) {
   if (tightOverLower_ == 0 && lower.value > 0) tightOverLower_ = state_.weights().last() / lower.value;
-  return withRoom(lower, width, 1);
+  // Weights that ended early say nothing of what others would give, once there are means for these.
+  const bool forAll = limited() && endedEarly_ && rebuilds_.due() && affords(WorkAccount::ofRebuild(body_));
+  return forAll ? above(lower, width) : withRoom(lower, width, 1);
 }
 
 void IncrementalNodalBound::relaxBound(LowerBound lower, double width, double ceiling) {
