@@ -100,6 +100,12 @@ RINGWATCH_INLINE P::Mask isInside(const P& distance2, const P& radius) {
   return (radius >= P(0.0)) & (distance2 <= allowed * allowed);
 }
 
+/// Has the cache lines of some bytes fetched.
+RINGWATCH_INLINE void prefetchBytes(const void* from, std::size_t bytes) {
+  constexpr std::size_t line = 64;  // bytes
+  for (std::size_t at = 0; at < bytes; at += line) __builtin_prefetch(static_cast<const char*>(from) + at);
+}
+
 /// Half the diagonal of a box.
 template <class V>
 double halfDiagonal(const V& most, const V& least) {
@@ -238,16 +244,19 @@ class ValidityBalls::BallCheck final : public GradientVisitor {
   double moved_ = 0;
 };
 
-/// Whether batches are in their balls, and nothing else: no root, and no margin.
+/// Whether batches are in their balls, and nothing else: no root, and no margin. For batches that are run in turn: what
+/// the next one is compared with is fetched meanwhile.
 class ValidityBalls::DirectCheck final : public GradientVisitor {
  public:
   DirectCheck(const ValidityBalls& balls, std::vector<std::int32_t>& outside) : balls_(balls), outside_(outside) {}
 
   void visit(std::int32_t batch, const double* F) override {
-    const std::int16_t* reference =
-        balls_.referenceGradient_.data() + static_cast<std::ptrdiff_t>(batch) * balls_.points_ * 9 * lanes;
+    const std::ptrdiff_t entries = static_cast<std::ptrdiff_t>(balls_.points_) * 9 * lanes;
+    const std::ptrdiff_t toNext = static_cast<std::size_t>(batch) + 1 < balls_.batchCount() ? entries : 0;
+    const std::int16_t* reference = balls_.referenceGradient_.data() + batch * entries;
     P distance2(0.0);
     for (int q = 0; q < balls_.points_; ++q) {
+      prefetchBytes(reference + toNext, 9 * lanes * sizeof *reference);
       const P d2 = squaredDistance(F, reference);
       distance2 = select(d2 <= distance2, distance2, d2);  // a NaN stays
       reference += 9 * lanes;
@@ -495,11 +504,8 @@ void ValidityBalls::moveClusters(Motion& motion, std::int32_t patch, const Resid
 }
 
 void ValidityBalls::prefetch(std::int32_t batch) const {
-  constexpr std::size_t line = 64;  // bytes
-  const std::size_t bytes = static_cast<std::size_t>(points_) * 9 * lanes * sizeof(std::int16_t);
-  const char* const reference =
-      reinterpret_cast<const char*>(referenceGradient_.data()) + static_cast<std::size_t>(batch) * bytes;
-  for (std::size_t at = 0; at < bytes; at += line) __builtin_prefetch(reference + at);
+  const std::ptrdiff_t entries = static_cast<std::ptrdiff_t>(points_) * 9 * lanes;
+  prefetchBytes(referenceGradient_.data() + batch * entries, static_cast<std::size_t>(entries) * sizeof(std::int16_t));
   __builtin_prefetch(radius_.data() + static_cast<std::ptrdiff_t>(batch) * lanes);
   __builtin_prefetch(inverseGradientNorm_.data() + static_cast<std::ptrdiff_t>(batch) * lanes);
 }
