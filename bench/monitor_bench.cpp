@@ -169,6 +169,7 @@ void watchedRun(benchmark::State& state, const Case& c, int split, double jitter
   options.mode = watch.mode;
   options.budget = watch.budget;
   options.steps = 1000;
+  options.workInAdvance = 0;
   if (watch.mode == MonitorMode::metric) options.metric = "reduced-1-ring";
   const double h = pull.h * 2 / std::sqrt(globalFrequency(body, body.mesh().X, 1e-6).lambda);
   // Fierz 2013 evaluates only now and then; so does a metric here, for it costs the same at every observation.

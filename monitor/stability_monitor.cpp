@@ -15,7 +15,8 @@ namespace ringwatch {
 struct StabilityMonitor::Impl {
   Impl(const Body& b, const MonitorOptions& o)
       : body(b), options(o), tracker(o.clearObservations), energies(roundingEnergy(b)), bodyVersion(b.version()) {
-    if (o.mode != MonitorMode::metric) bracket.emplace(b, o.width, o.budget * o.every, o.steps / o.every);
+    if (o.mode != MonitorMode::metric)
+      bracket.emplace(b, o.width, o.budget * o.every, o.steps / o.every, o.workInAdvance);
     if (!o.metric.empty() && !o.metricElsewhere) metric = makeMetricEvaluator(o.metric, b);
   }
   /// The metric's highest value at x, rad²/s².
@@ -148,6 +149,8 @@ StabilityMonitor::StabilityMonitor(const Body& body, const MonitorOptions& optio
     throw InputError(joinText("margin = ", options.margin, ": must be >= 0 and < 1"));
   if (options.every < 1) throw InputError(joinText("every = ", options.every, ": must be >= 1"));
   if (!(options.budget >= 0)) throw InputError(joinText("budget = ", options.budget, ": must be >= 0"));
+  if (!(options.workInAdvance >= 0))
+    throw InputError(joinText("workInAdvance = ", options.workInAdvance, ": must be >= 0"));
   if (options.steps < 0) throw InputError(joinText("steps = ", options.steps, ": must be >= 0"));
   if (options.clearObservations < 1)
     throw InputError(joinText("clearObservations = ", options.clearObservations, ": must be >= 1"));

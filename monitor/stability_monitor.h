@@ -47,6 +47,9 @@ struct MonitorOptions {
   /// Of the run, as far as known: with a budget the first observation goes beyond the proof of h where all of it takes
   /// no more than the budget of so many steps. What it leaves out follows in the run, when there are means for it.
   std::int64_t steps = 0;
+  /// Before so much is taken there is no limit in bodies of up to some 8000 tetrahedra or 1000 hexahedra, whose
+  /// brackets would be wide for the sake of milliseconds; units of WorkAccount: some 0.3 s.
+  double workInAdvance = 5e7;
   double energyTolerance = 0.1;  ///< balance error over the largest energy so far that is reported
   int clearObservations = 20;    ///< observations in a row without it that end an event; see EventTracker
   /// Where the step that is chosen lies between the sides of the first bracket, or none is chosen and the bracket is

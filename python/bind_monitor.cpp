@@ -23,8 +23,9 @@ struct HeldMonitor {
 };
 
 std::unique_ptr<HeldMonitor> monitorOf(std::shared_ptr<HeldBody> body, double limit, const std::string& mode,
-                                       const std::string& metric, double margin, int every, double width, double budget,
-                                       std::int64_t steps, std::int64_t firstObservationElements) {
+                                       const std::string& metric, double margin, int every, double width,
+                                       std::optional<double> budget, std::int64_t steps,
+                                       std::int64_t firstObservationElements) {
   MonitorOptions options;
   options.limit = limit;
   options.mode = monitorModeNames.valueOf("mode", mode);
@@ -32,7 +33,10 @@ std::unique_ptr<HeldMonitor> monitorOf(std::shared_ptr<HeldBody> body, double li
   options.margin = margin;
   options.every = every;
   options.width = width;
-  options.budget = budget;
+  if (budget) {
+    options.budget = *budget;
+    options.workInAdvance = 0;
+  }
   options.steps = steps;
   options.firstObservationElements = firstObservationElements;
   HeldBody& held = *body;
@@ -108,7 +112,7 @@ void bindMonitor(py::module_& module) {
       "of the bracket, relative, that is aimed at. budget: what the bracket may take after the first observation, as a "
       "share of a "
       "step's own\nwork, counted; when it is used up the proof stays and the bracket becomes wider; from 100 on there "
-      "is no limit. steps: of the "
+      "is no limit;\nNone: 0.1, and in small bodies no limit before it has taken some 0.3 s in all. steps: of the "
       "run,\nas far as known: the first observation goes beyond the proof of h where all of it takes no more than the "
       "budget of so many. "
       "first_observation_elements: bodies of up to this many elements\nget "
@@ -116,7 +120,7 @@ void bindMonitor(py::module_& module) {
       "best proof there is at the first observation, where h is None or not certified without it. Raises InputError.")
       .def(py::init(&monitorOf), py::arg("body"), py::arg("limit") = 2.0, py::kw_only(), py::arg("mode") = "bracket",
            py::arg("metric") = "", py::arg("margin") = usual.margin, py::arg("every") = usual.every,
-           py::arg("width") = usual.width, py::arg("budget") = usual.budget, py::arg("steps") = usual.steps,
+           py::arg("width") = usual.width, py::arg("budget") = py::none(), py::arg("steps") = usual.steps,
            py::arg("first_observation_elements") = usual.firstObservationElements)
       .def("observe", &observe, py::arg("step"), py::arg("time"), py::arg("x"), py::arg("v"), py::arg("h") = py::none(),
            py::kw_only(), py::arg("force") = false, py::arg("energy") = false,

@@ -31,6 +31,7 @@ void RunWatch::begin(Handler* handler, std::function<double(NodeVectorsView)> me
   wanted.every =
       everyState_ ? static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max())) : 1;
   wanted.budget = scene_.budget;
+  if (scene_.budgetGiven) wanted.workInAdvance = 0;
   if (scene_.step)
     wanted.steps = static_cast<std::int64_t>(std::ceil(scene_.end / *scene_.step)) / (everyState_ ? 1 : scene_.every);
   wanted.energyTolerance = scene_.energyTolerance;

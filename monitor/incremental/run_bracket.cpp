@@ -13,12 +13,13 @@
 
 namespace ringwatch {
 
-RunBracket::RunBracket(const Body& body, double width, double budget, std::int64_t steps, const BracketPolicy& policy)
+RunBracket::RunBracket(const Body& body, double width, double budget, std::int64_t steps, double inAdvance,
+                       const BracketPolicy& policy)
     : body_(body),
       policy_(policy),
       width_(width),
       slack_(policy.slackOfWidth * width),
-      account_(body, budget, steps),
+      account_(body, budget, steps, inAdvance),
       nodal_(body, {.slack = policy.slackOfWidth * width}, &account_),
       exchange_(body, nodal_.weights(), account_),
       local_(body, nodal_.weights(), policy.localProducts, policy.localGap),

@@ -55,8 +55,9 @@ struct Work {
 /// a fifth one, of a tenth as much, for directions of negative stiffness.
 class WorkAccount {
  public:
-  /// share: of a step's work; from `noLimit` on there is no limit. steps: of the run, as far as known.
-  explicit WorkAccount(const Body& body, double share, std::int64_t steps = 0)
+  /// share: of a step's work; from `noLimit` on there is no limit. steps: of the run, as far as known. inAdvance: work
+  /// before which there is no limit either, for bodies of which some rebuilds take no more.
+  explicit WorkAccount(const Body& body, double share, std::int64_t steps = 0, double inAdvance = 0)
       : share_(share),
         force_(ofForce(body)),
         atStart_(share < noLimit ? share * static_cast<double>(steps) * force_ : infinity),
@@ -66,13 +67,14 @@ class WorkAccount {
                                  : 0),
         evaluation_(ofEvaluation(body)),
         rebuild_(ofRebuild(body)),
+        advance_(rebuildsInAdvance * rebuild_ <= inAdvance ? inAdvance : 0),
         mostForVerdict_(income_ > 0 ? 2 * ofDiagonal(body) + ofProducts(body, productsKept) : 0),
         mostForSearches_(income_ > 0 ? 2 * ofProducts(body, productsKept) : 0),
         balance_(stepsInAdvance * (1 - shareOfMode) * income_),
         verdict_(mostForVerdict_) {}
 
   static constexpr double noLimit = 100;
-  bool limited() const { return share_ < noLimit; }
+  bool limited() const { return share_ < noLimit && !(advance_ > 0); }
   /// Whether the first observation may take so much at once: no more than all steps of the run earn.
   bool affordsAtStart(double work) const { return work <= atStart_; }
   /// A step's own work.
@@ -161,16 +163,17 @@ class WorkAccount {
   void ballsGrow() { asked_ = std::min(asked_, (1 - shareOfMode) * income_); }
   /// Tests of balls count for no more than a part of an income: what is left keeps the bracket narrow.
   void spend(const Work& work) {
+    takeInAdvance(work.total());
     const double tests = std::min(work[WorkOn::tests], mostOfTests * income_);
     balance_ = std::max(balance_ - (work.total() - work[WorkOn::tests]) - tests, -mostOwed());
     askedSince_ += mostOfTests * work[WorkOn::tests] + work[WorkOn::evaluations] + work[WorkOn::repairs];
   }
   /// What was asked for in vain.
   void refuse(double work) { askedSince_ += work; }
-  void spendOnProof(double work) { proof_ = std::max(proof_ - work, -mostOwed()); }
-  void spendOnMode(double work) { mode_ = std::max(mode_ - work, -mostOwed()); }
-  void spendOnVerdict(double work) { verdict_ = std::max(verdict_ - work, -mostOwed()); }
-  void spendOnSearches(double work) { searches_ = std::max(searches_ - work, -mostOwed()); }
+  void spendOnProof(double work) { take(proof_, work); }
+  void spendOnMode(double work) { take(mode_, work); }
+  void spendOnVerdict(double work) { take(verdict_, work); }
+  void spendOnSearches(double work) { take(searches_, work); }
   bool affordsForSearches(double work) const { return has(searches_, work); }
   bool affords(double work) const { return has(balance_, work); }
   bool affordsForProof(double work) const { return has(proof_, work); }
@@ -180,6 +183,11 @@ class WorkAccount {
   double credit() const { return income_ > 0 ? forcesOfCredit * force_ + leastIncome : 0; }
 
  private:
+  void takeInAdvance(double work) { advance_ = std::max(advance_ - work, 0.0); }
+  void take(double& purse, double work) {
+    takeInAdvance(work);
+    purse = std::max(purse - work, -mostOwed());
+  }
   /// Nothing is paid from no income, not even what costs nothing now.
   bool has(double purse, double work) const { return !limited() || (income_ > 0 && purse >= work); }
   /// What is owed beyond that is forgiven: it would stop all that makes a bound narrower for the rest of a run.
@@ -201,13 +209,13 @@ class WorkAccount {
   static constexpr double productsKept = 12;
   static constexpr double leastIncome = 2000, shareOfMode = 0.3, shareOfSearches = 0.1, forcesOfCredit = 0.5,
                           mostOfTests = 0.5, mostOwedOfEvaluation = 0.1;
-  static constexpr double stepsOfMean = 32, stepsInAdvance = 100;
+  static constexpr double stepsOfMean = 32, stepsInAdvance = 100, rebuildsInAdvance = 4;
   // stepsInAdvance: of income, so that the first elements that leave their balls can be evaluated.
   // mostOwedOfEvaluation: a few rounds of these.
   /// Units a step, no more than some of its own forces: a body of a few thousand elements is searched once in ten steps
   /// then.
   static constexpr double leastForVerdict = 20000, forcesForVerdict = 6;
-  double share_, force_, atStart_, income_, evaluation_, rebuild_, mostForVerdict_, mostForSearches_;
+  double share_, force_, atStart_, income_, evaluation_, rebuild_, advance_, mostForVerdict_, mostForSearches_;
   double balance_, mode_ = 0, proof_ = 0, verdict_, searches_ = 0;
   double asked_ = 0, askedSince_ = 0;  // in a step, on average; in the last one
 };

@@ -1,4 +1,3 @@
-import math
 import os
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -94,7 +93,7 @@ class Monitor:
         margin: float = 0.1,
         every: int = 1,
         width: float = 0.05,
-        budget: float = 0.1,
+        budget: float | None = None,
         steps: int = 0,
         first_observation_elements: int = 10000,
     ) -> None: ...

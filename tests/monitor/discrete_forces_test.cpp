@@ -273,7 +273,7 @@ TEST(DiscreteForces, ContactThatBeginsIsNamedAtOnce) {
     const double h = 0.8 * 2 / std::sqrt(DenseTangent(body, X).largest());  // certified along a run
     const NodeVectors v = NodeVectors::Zero(3, X.cols());
     for (const double budget : {infinity, 0.1}) {
-      StabilityMonitor monitor(body, {.budget = budget});
+      StabilityMonitor monitor(body, {.budget = budget, .workInAdvance = 0});
       for (int step = 0; step <= touches; ++step) {
         const NodeVectors x = X.colwise() - Eigen::Vector3d(0, 0, step * fall);
         const MonitorReport& report = monitor.observe(step, step, x, v, h);

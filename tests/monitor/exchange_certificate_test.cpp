@@ -422,6 +422,7 @@ Rested restedOnShares(const Subdivision& subdivision, std::string_view law, doub
   MonitorOptions options;
   options.mode = MonitorMode::threshold;
   options.budget = budget;
+  options.workInAdvance = 0;
   std::optional<StabilityMonitor> monitor(std::in_place, body, options);
   const NodeVectors v = NodeVectors::Zero(3, body.nodeCount());
   Rested result;

@@ -22,6 +22,7 @@ std::vector<SavedCase> savedCases() {
       {"little budget", {}, 0.9}, {"metric", {}, 0.8},    {"every third", {}, 1.2}};
   cases[1].options.mode = cases[2].options.mode = MonitorMode::threshold;
   cases[3].options.budget = 0.05;
+  cases[3].options.workInAdvance = 0;
   cases[4].options.mode = MonitorMode::metric;
   cases[4].options.metric = "reduced-1-ring";
   cases[5].options.every = 3;

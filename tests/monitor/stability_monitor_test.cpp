@@ -147,7 +147,7 @@ TEST(StabilityMonitor, BeginsWithAFirstProofWhereTheRunIsShort) {
       const NodeVectors& X = body.mesh().X;
       const double exact = 2 / std::sqrt(DenseTangent(body, X).largest());
       const auto evaluated = [&](double budget, std::int64_t steps) {
-        StabilityMonitor monitor(body, {.mode = mode, .budget = budget, .steps = steps});
+        StabilityMonitor monitor(body, {.mode = mode, .budget = budget, .steps = steps, .workInAdvance = 0});
         const MonitorReport& first = monitor.observe(0, 0, X, noVelocity(body), 0.5 * exact);
         EXPECT_EQ(first.verdict, Verdict::certified) << subdivision.name;
         return first.elementsRefreshed;
@@ -159,6 +159,22 @@ TEST(StabilityMonitor, BeginsWithAFirstProofWhereTheRunIsShort) {
         EXPECT_LE(3 * inAShortRun, 2 * inALongOne) << subdivision.name;
       }
     }
+}
+
+// Weights that ended early do not tell how narrow the bracket can be.
+TEST(StabilityMonitor, NarrowsInTheRunOnceThereAreMeansForIt) {
+  for (const Subdivision& subdivision : test::allSubdivisions()) {
+    const Body body = test::boxBody(subdivision, "stvk", {6, 3, 3});
+    const NodeVectors& X = body.mesh().X;
+    const double exact = 2 / std::sqrt(DenseTangent(body, X).largest());
+    StabilityMonitor monitor(body, {.budget = 10, .workInAdvance = 0});
+    const double first = monitor.observe(0, 0, X, noVelocity(body), 0.5 * exact).bracket->safe;
+    double later = 0;
+    for (int i = 1; i <= 200; ++i) later = monitor.observe(i, 0, X, noVelocity(body), 0.5 * exact).bracket->safe;
+    EXPECT_LE(later, exact) << subdivision.name;
+    EXPECT_GE(later, 0.9 * exact) << subdivision.name;
+    EXPECT_GE(later, 1.05 * first) << subdivision.name;
+  }
 }
 
 TEST(CriticalStep, TellsWhatIsProvenSoFar) {
@@ -763,6 +779,7 @@ TEST(StabilityMonitor, RefusesBadOptions) {
       {"limit", "nan", "", [nan](MonitorOptions& o) { o.limit = nan; }},
       {"budget", "nan", ">= 0", [nan](MonitorOptions& o) { o.budget = nan; }},
       {"budget", "-1", ">= 0", [](MonitorOptions& o) { o.budget = -1; }},
+      {"workInAdvance", "nan", ">= 0", [nan](MonitorOptions& o) { o.workInAdvance = nan; }},
       {"steps", "-1", ">= 0", [](MonitorOptions& o) { o.steps = -1; }},
       {"energyTolerance", "nan", "> 0", [nan](MonitorOptions& o) { o.energyTolerance = nan; }},
       {"energyTolerance", "-1", "> 0", [](MonitorOptions& o) { o.energyTolerance = -1; }},
@@ -889,7 +906,7 @@ TEST_P(MonitoredRun, SaysViolatedOnTimeAndNeverTooEarly) {
 // become too large.
 TEST_P(MonitoredRun, WithAStepThatBecomesTooLargeIsToldInTime) {
   const Body body = pulledBar();
-  for (const MonitorOptions& options : {unlimited, MonitorOptions{}}) {
+  for (const MonitorOptions& options : {unlimited, MonitorOptions{.workInAdvance = 0}}) {
     BodySystem system(body);
     SymplecticEuler integrator;
     State state = system.initialState();

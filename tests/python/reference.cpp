@@ -24,8 +24,8 @@ NodeVectors stretched(const Mesh& mesh, int k) {
   return x;
 }
 
-void observe(const Body& body, int steps, double budget) {
-  StabilityMonitor monitor(body, {.limit = 2.0, .budget = budget});
+void observe(const Body& body, int steps, const MonitorOptions& options) {
+  StabilityMonitor monitor(body, options);
   const NodeVectors v = NodeVectors::Zero(3, body.nodeCount());
   for (int k = 0; k < steps; ++k) {
     const MonitorReport& report = monitor.observe(k, 1e-3 * k, stretched(body.mesh(), k), v, 1e-4);
@@ -61,7 +61,8 @@ int main(int argc, char** argv) {
   const Body body(loadMesh(argv[2]), makeMaterial(argv[3], 30e3, 0.3, 1000), {{}, Lumping::rowSum, 1});
   const int count = std::atoi(argv[4]);
   if (std::string_view(argv[1]) == "observe")
-    observe(body, count, argc > 5 ? std::atof(argv[5]) : MonitorOptions{}.budget);
+    observe(body, count,
+            argc > 5 ? MonitorOptions{.budget = std::atof(argv[5]), .workInAdvance = 0} : MonitorOptions{});
   else
     measure(body, count);
   return 0;

@@ -22,6 +22,7 @@ Crossing follow(const detail::History& history, double budget) {
   MonitorOptions options;
   options.limit = limit;
   options.budget = budget;
+  options.workInAdvance = 0;
   StabilityMonitor monitor(history.body, options);
   StepEvaluation evaluation;
   Crossing crossing;
