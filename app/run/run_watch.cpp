@@ -32,8 +32,10 @@ void RunWatch::begin(Handler* handler, std::function<double(NodeVectorsView)> me
       everyState_ ? static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max())) : 1;
   wanted.budget = scene_.budget;
   if (scene_.budgetGiven) wanted.workInAdvance = 0;
+  constexpr double endless = 1e15;  // steps
   if (scene_.step)
-    wanted.steps = static_cast<std::int64_t>(std::ceil(scene_.end / *scene_.step)) / (everyState_ ? 1 : scene_.every);
+    wanted.steps = static_cast<std::int64_t>(std::min(std::ceil(scene_.end / *scene_.step), endless)) /
+                   (everyState_ ? 1 : scene_.every);
   wanted.energyTolerance = scene_.energyTolerance;
   if (monitored_) wanted.firstObservationElements = 0;  // too dear at every choice of a handler
   monitored_ = true;

@@ -244,18 +244,18 @@ void RunBracket::sharpen(NodeVectorsView x, const StepRule& limit, double h) {
   uncertified_ = true;
   sharpening_.tick();
   LowerBound lower = local_.last();
-  const bool urgent = h > (1 - policy_.close) * step_->optimistic;
-  if (!urgent && !sharpening_.due()) return;
   if (account_.limited()) {
     // The mode is searched and followed by turns: one that moves from place to place needs the one, one that is spread
     // out the other.
     const int products = policy_.productsOfFollowing;
     const double work = searchesNext_ ? WorkAccount::ofDiagonal(body_) : WorkAccount::ofProducts(body_, products + 1);
-    if (!account_.affordsForVerdict(work)) return;
+    if (!sharpening_.due() || !account_.affordsForVerdict(work)) return;
     sharpening_.tried(true);
     lower = searchesNext_ ? boundWhereItIsStiff(x, lower) : refreshMode(x, products);
     searchesNext_ = !searchesNext_;
   } else {
+    const bool urgent = h > (1 - policy_.close) * step_->optimistic;
+    if (!urgent && !sharpening_.due()) return;
     sharpening_.tried(true);
     const bool fromRings = sharpeningRestart_.due();
     if (fromRings) sharpeningRestart_.tried(true);
