@@ -30,8 +30,10 @@ void RunWatch::begin(Handler* handler, std::function<double(NodeVectorsView)> me
   // Where not every state is seen, the monitor is asked only where it is to evaluate.
   wanted.every =
       everyState_ ? static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max())) : 1;
-  wanted.budget = scene_.budget;
-  if (scene_.budgetGiven) wanted.workInAdvance = 0;
+  if (scene_.budgetGiven) {
+    wanted.budget = scene_.budget;
+    wanted.workInAdvance = 0;
+  }
   constexpr double endless = 1e15;  // steps
   if (scene_.step)
     wanted.steps = static_cast<std::int64_t>(std::min(std::ceil(scene_.end / *scene_.step), endless)) /

@@ -239,7 +239,7 @@ struct Scene {
   double margin = 0;
   MonitorMode mode = MonitorMode::bracket;
   std::int64_t every = 1;
-  double budget = 0;         // MonitorOptions::budget
+  double budget = 0;         // MonitorOptions::budget, where it is given
   bool budgetGiven = false;  // by a key of the scene
   OnViolation onViolation = OnViolation::stop;
   double energyTolerance = 0;

@@ -8,7 +8,6 @@
 #include <span>
 #include <string_view>
 
-#include <ringwatch/base/infinity.h>
 #include <ringwatch/body/body.h>
 
 namespace ringwatch {
@@ -60,7 +59,7 @@ class WorkAccount {
   explicit WorkAccount(const Body& body, double share, std::int64_t steps = 0, double inAdvance = 0)
       : share_(share),
         force_(ofForce(body)),
-        atStart_(share < noLimit ? share * static_cast<double>(steps) * force_ : infinity),
+        atStart_(share < noLimit ? share * static_cast<double>(steps) * force_ : 0),
         // A body of a few elements could not afford to look at one of them.
         income_(share >= noLimit ? 0
                 : share > 0      ? std::max(share * force_, leastIncome)
@@ -76,7 +75,7 @@ class WorkAccount {
   static constexpr double noLimit = 100;
   bool limited() const { return share_ < noLimit && !(advance_ > 0); }
   /// Whether the first observation may take so much at once: no more than all steps of the run earn.
-  bool affordsAtStart(double work) const { return work <= atStart_; }
+  bool affordsAtStart(double work) const { return !limited() || work <= atStart_; }
   /// A step's own work.
   double force() const { return force_; }
   /// What a step earns for the lower side.

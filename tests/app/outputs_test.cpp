@@ -88,6 +88,7 @@ TEST_F(Outputs, SummariesHaveTheKeysThatHelpExplains) {
     } else {
       // An object that is null nowhere is seen by its keys.
       const std::string name(field.name);
+      if (name.starts_with("traffic.")) continue;  // of runs on ranks: tests/ranks/ranks_test.cpp
       EXPECT_TRUE(seen.contains(name) ||
                   (field.type == FieldType::object &&
                    std::ranges::any_of(seen, [&](const std::string& key) { return key.starts_with(name + "."); })))
