@@ -554,7 +554,7 @@ class RankRun {
     ranks_.sum(sums);
     double waited = own.waited;
     ranks_.largest({&waited, 1});
-    RunResult::Traffic& all = result_.traffic.emplace();
+    RunResult::Traffic all;
     all.ranks = ranks_.size();
     all.exchanges = own.exchanges;
     all.messages = static_cast<std::int64_t>(sums[messages].value());
@@ -564,6 +564,7 @@ class RankRun {
                        static_cast<std::int64_t>(sizeof(double)) * (result_.steps - resumedAt_);
     if (sums[received].value() > 0) all.hidden = sums[hidden].value() / sums[received].value();
     all.waited = waited;
+    result_.traffic = all;
   }
 
   void writeSummary() {
