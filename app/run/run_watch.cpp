@@ -30,8 +30,8 @@ void RunWatch::begin(Handler* handler, std::function<double(NodeVectorsView)> me
   // Where not every state is seen, the monitor is asked only where it is to evaluate.
   wanted.every =
       everyState_ ? static_cast<int>(std::min<std::int64_t>(scene_.every, std::numeric_limits<int>::max())) : 1;
-  if (scene_.budgetGiven) {
-    wanted.budget = scene_.budget;
+  if (scene_.budget) {
+    wanted.budget = *scene_.budget;
     wanted.workInAdvance = 0;
   }
   constexpr double endless = 1e15;  // steps

@@ -176,8 +176,7 @@ void readIntegratorSection(const SceneTable& integrator, const SceneTable& monit
   if (scene.metric == "none") scene.metric.clear();
   scene.margin = monitor.get<double>("margin");
   scene.every = monitor.get<std::int64_t>("every");
-  scene.budgetGiven = monitor.given("budget");
-  if (scene.budgetGiven) scene.budget = monitor.get<double>("budget");
+  if (monitor.given("budget")) scene.budget = monitor.get<double>("budget");
   scene.energyTolerance = monitor.get<double>("energy_tolerance");
   scene.requireCertified = monitor.get<bool>("require_certified");
   if (monitor.given("certificates")) scene.certificates = monitor.get<std::int64_t>("certificates");

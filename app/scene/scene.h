@@ -239,8 +239,7 @@ struct Scene {
   double margin = 0;
   MonitorMode mode = MonitorMode::bracket;
   std::int64_t every = 1;
-  double budget = 0;         // MonitorOptions::budget, where it is given
-  bool budgetGiven = false;  // by a key of the scene
+  std::optional<double> budget;  // MonitorOptions::budget; empty for the usual one
   OnViolation onViolation = OnViolation::stop;
   double energyTolerance = 0;
   bool requireCertified = false;             // a step that is not certified makes the run fail
