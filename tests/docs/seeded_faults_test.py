@@ -86,7 +86,10 @@ class SeededFaults(unittest.TestCase):
     def test_spelling(self):
         if not shutil.which("hunspell"):
             self.skipTest("hunspell is missing")
-        self.expect("spelling", "docs/monitor.md:21: obervation", "docs/monitor.md", "at every observation |", "at every obervation |")
+        right, wrong = "at every observation |", "at every obervation |"
+        lines = (SOURCE / "docs/monitor.md").read_text(encoding="utf-8").splitlines()
+        number = next(at for at, line in enumerate(lines, 1) if right in line)
+        self.expect("spelling", f"docs/monitor.md:{number}: obervation", "docs/monitor.md", right, wrong)
 
     def test_theorems(self):
         self.expect("theorems", "there is no Theorem 99", "monitor/exact_step.h", "Theorem 8,", "Theorem 99,")
