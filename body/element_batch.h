@@ -33,6 +33,9 @@ class ElementBatch final : public ElementBlock {
       if constexpr (hasVolumeGradient<Element>)
         if (evaluation.slots && evaluation.bulk)
           return evaluate<Force::damped, decltype(operators)>(first, last, rows, evaluation);
+      if constexpr (hasEnergyAlongStress)
+        if (evaluation.slots && evaluation.energy)
+          return evaluate<Force::elasticWithEnergy, decltype(operators)>(first, last, rows, evaluation);
       if (evaluation.slots)
         evaluate<Force::elastic, decltype(operators)>(first, last, rows, evaluation);
       else
@@ -221,17 +224,19 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  /// Forces are the same to the last bit whatever else is asked for: beside them, energies and visitors read the
-  /// deformation gradients from memory, so that nothing but the force is compiled into its loop. Bulk viscosity is
-  /// compiled into a loop of its own.
-  enum class Force { none, elastic, damped };
+  /// Forces are the same to the last bit whatever else is asked for: beside them, visitors read the deformation gradients
+  /// from memory, so that nothing but the force is compiled into its loop. So do energies, but of laws that declare
+  /// `energyAlongStress`: a loop of their own has both, without more rounding. Bulk viscosity has a loop of its own too.
+  static constexpr bool hasEnergyAlongStress = requires { requires LawType::energyAlongStress; };
+  enum class Force { none, elastic, elasticWithEnergy, damped };
   template <Force wanted, class By>
   void evaluate(std::int32_t first, std::int32_t last, const double* rows, const BatchEvaluation& evaluation) const {
     constexpr bool wantsForce = wanted != Force::none, damped = wanted == Force::damped;
+    constexpr bool alongForce = wanted == Force::elasticWithEnergy;
     const LawType law = law_;
     [[maybe_unused]] BulkViscosity bulk{};
     if constexpr (damped) bulk = *evaluation.bulk;
-    const bool stores = evaluation.visitor || (wantsForce && evaluation.energy);
+    const bool stores = evaluation.visitor || (wantsForce && !alongForce && evaluation.energy);
     alignas(64) double gradients[9 * Geometry::maxPoints * lanes];
     for (std::int32_t batch = first; batch < last; ++batch) {
       P position[n][3], force[n][3];
@@ -248,6 +253,7 @@ class ElementBatch final : public ElementBlock {
           for (int i = 0; i < 9; ++i) F.m[i].store(gradients + (9 * q + i) * lanes);
         if constexpr (!wantsForce)
           if (evaluation.energy) energy += Geometry::weight(point) * law.energy(F);
+        if constexpr (alongForce) energy += Geometry::weight(point) * law.energy(F);
         if constexpr (wantsForce) {
           Matrix3<P> T = timesTranspose(Geometry::weight(point) * law.stress(F), J1);
           if constexpr (damped && Element::constantGradient) bulk.addTo(batch, geometry_.localNodes(batch), D, T);
@@ -264,7 +270,7 @@ class ElementBatch final : public ElementBlock {
         }
       if constexpr (wantsForce) geometry_.addToSlots(evaluation.slots, batch, force);
       if (evaluation.energy) {
-        if constexpr (wantsForce) energy = energyOf(batch, gradients);
+        if constexpr (wantsForce && !alongForce) energy = energyOf(batch, gradients);
         addEnergy(batch, energy, position, evaluation.energy);
       }
       if (evaluation.visitor) evaluation.visitor->visit(batch, gradients);

@@ -21,6 +21,7 @@ namespace ringwatch {
 template <class Own, bool hasPowers, bool hasSecond>
 struct IsochoricLaw {
   static constexpr bool objective = true, isotropic = true, tangentIsConstant = false, tangentStiffens = true;
+  static constexpr bool energyAlongStress = true;
   static constexpr bool definedInverted = false, allowsInversion = false;
   double c10, c20, c30, c01;  // Pa
   double bulk;                // K, Pa

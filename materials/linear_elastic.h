@@ -18,6 +18,7 @@ struct LinearElastic {
   static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
   static constexpr bool objective = false, isotropic = true, tangentIsConstant = true;
   static constexpr bool tangentStiffens = false;
+  static constexpr bool energyAlongStress = true;
   static constexpr bool definedInverted = true, allowsInversion = false;
   Lame constants;
 

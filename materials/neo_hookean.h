@@ -20,6 +20,7 @@ struct NeoHookean {
   static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
   static constexpr bool objective = true, isotropic = true, tangentIsConstant = false;
   static constexpr bool tangentStiffens = true;
+  static constexpr bool energyAlongStress = true;
   static constexpr bool definedInverted = false, allowsInversion = false;
   Lame constants;
 

@@ -18,6 +18,7 @@ struct StVenantKirchhoff {
   static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
   static constexpr bool objective = true, isotropic = true, tangentIsConstant = false;
   static constexpr bool tangentStiffens = true;
+  static constexpr bool energyAlongStress = true;
   static constexpr bool definedInverted = true, allowsInversion = false;
   Lame constants;
 

@@ -21,6 +21,7 @@ struct StableNeoHookean {
   static constexpr std::span<const OptionInfo> parameters = youngAndPoisson;
   static constexpr bool objective = true, isotropic = true, tangentIsConstant = false;
   static constexpr bool tangentStiffens = true;
+  static constexpr bool energyAlongStress = true;
   static constexpr bool definedInverted = true, allowsInversion = true;
   Lame constants;
 
