@@ -37,19 +37,23 @@ void parallelParts(std::int64_t count, int threads, std::int64_t grain, const Lo
   for (std::int64_t part = 0; part < n; ++part) body(count * part / n, count * (part + 1) / n);
 }
 
-/// Sum of term(begin, end) over ranges of [0, count). The ranges have one length and are added in their order, so that
-/// the sum has the same bits for any number of threads.
-template <class Term>
-double parallelSum(std::int64_t count, int threads, const Term& term) {
+/// Sum of term(begin, end) over ranges of [0, count), added to `zero`. The ranges have one length and are added in
+/// their order, so that the sum has the same bits for any number of threads.
+template <class Sum, class Term>
+Sum parallelSum(std::int64_t count, int threads, Sum zero, const Term& term) {
   constexpr std::int64_t length = 1024;
   const std::int64_t ranges = (count + length - 1) / length;
-  std::vector<double> sums(ranges);
+  if (ranges == 1) return zero + term(std::int64_t{0}, count);
+  std::vector<Sum> sums(ranges, zero);
   parallelFor(
       0, ranges, threads,
       [&](std::int64_t range) { sums[range] = term(range * length, std::min(count, (range + 1) * length)); }, 2);
-  double sum = 0;
-  for (const double part : sums) sum += part;
-  return sum;
+  for (const Sum& part : sums) zero += part;
+  return zero;
+}
+template <class Term>
+double parallelSum(std::int64_t count, int threads, const Term& term) {
+  return parallelSum(count, threads, 0.0, term);
 }
 
 }  // namespace ringwatch

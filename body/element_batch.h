@@ -224,9 +224,10 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  /// Forces are the same to the last bit whatever else is asked for: beside them, visitors read the deformation gradients
-  /// from memory, so that nothing but the force is compiled into its loop. So do energies, but of laws that declare
-  /// `energyAlongStress`: a loop of their own has both, without more rounding. Bulk viscosity has a loop of its own too.
+  /// Forces are the same to the last bit whatever else is asked for: beside them, visitors read the deformation
+  /// gradients from memory, so that nothing but the force is compiled into its loop. So do energies, but of laws that
+  /// declare `energyAlongStress`: a loop of their own has both, without more rounding. Bulk viscosity has a loop of its
+  /// own too.
   static constexpr bool hasEnergyAlongStress = requires { requires LawType::energyAlongStress; };
   enum class Force { none, elastic, elasticWithEnergy, damped };
   template <Force wanted, class By>

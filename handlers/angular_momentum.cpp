@@ -5,6 +5,9 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <ringwatch/base/parallel.h>
+#include <ringwatch/integrators/integrator.h>
+
 namespace ringwatch {
 
 bool isFreeOfTorque(const Body& body, std::span<const ElementRef> elements, std::span<const std::int32_t> nodes) {
@@ -20,27 +23,38 @@ void keepAngularMomentum(const Body& body, std::span<const std::int32_t> nodes, 
   const auto endOf = [&](std::int32_t node) -> Eigen::Vector3d {
     return x.col(node) + h * (v.col(node) + h * a.col(node));
   };
-  double whole = 0;
-  Eigen::Vector3d start = Eigen::Vector3d::Zero(), end = start;
-  for (const std::int32_t node : nodes) {
-    whole += mass[node];
-    start += mass[node] * x.col(node);
-    end += mass[node] * endOf(node);
-  }
-  start /= whole;
-  end /= whole;
+  const auto count = static_cast<std::int64_t>(nodes.size());
+  const auto sum = [&](auto zero, const auto& term) {
+    return parallelSum(count, body.threads(), zero, [&](std::int64_t begin, std::int64_t end) {
+      auto part = zero;
+      for (std::int64_t i = begin; i < end; ++i) part += term(nodes[static_cast<std::size_t>(i)], i);
+      return part;
+    });
+  };
+  typedef Eigen::Matrix<double, 7, 1> Vector7;
+  const Vector7 centres = sum(Vector7(Vector7::Zero()), [&](std::int32_t node, std::int64_t) -> Vector7 {
+    Vector7 own;
+    own << mass[node], mass[node] * x.col(node), mass[node] * endOf(node);
+    return own;
+  });
+  const Eigen::Vector3d start = centres.segment<3>(1) / centres[0], end = centres.tail<3>() / centres[0];
   // Σ m r × (w × s) = Σ m ((r·s) 1 - s rᵀ) w, r and s from the centres of mass.
-  Eigen::Vector3d torque = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const std::int32_t node = nodes[i];
+  typedef Eigen::Matrix<double, 3, 4> Matrix34;
+  const Matrix34 moments = sum(Matrix34(Matrix34::Zero()), [&](std::int32_t node, std::int64_t i) -> Matrix34 {
     const Eigen::Vector3d r = x.col(node) - start, s = endOf(node) - end;
-    torque += mass[node] * r.cross(Eigen::Vector3d(a.col(node) - before.col(i)));
-    inertia += mass[node] * (r.dot(s) * Eigen::Matrix3d::Identity() - s * r.transpose());
-  }
-  const Eigen::Vector3d turn = inertia.inverse() * torque;
+    Matrix34 own;
+    own << mass[node] * r.cross(Eigen::Vector3d(a.col(node) - before.col(i))),
+        mass[node] * (r.dot(s) * Eigen::Matrix3d::Identity() - s * r.transpose());
+    return own;
+  });
+  const Eigen::Vector3d turn = moments.rightCols<3>().inverse() * moments.col(0);
   if (!turn.allFinite()) return;  // positions that are not finite, of which the step fails
-  for (const std::int32_t node : nodes) a.col(node) -= turn.cross(Eigen::Vector3d(endOf(node) - end));
+  parallelParts(count, body.threads(), nodesOfAThread, [&](std::int64_t begin, std::int64_t last) {
+    for (std::int64_t i = begin; i < last; ++i) {
+      const std::int32_t node = nodes[static_cast<std::size_t>(i)];
+      a.col(node) -= turn.cross(Eigen::Vector3d(endOf(node) - end));
+    }
+  });
 }
 
 void keepMomenta(const Body& body, const Eigen::VectorXd& massBefore, NodeVectorsView x, NodeVectors& v) {

@@ -5,6 +5,7 @@
 #include <ringwatch/base/parallel.h>
 #include <ringwatch/body/nodes_of.h>
 #include <ringwatch/body/sub_body.h>
+#include <ringwatch/integrators/integrator.h>
 
 namespace ringwatch {
 namespace {
@@ -25,11 +26,18 @@ HandledWork::HandledWork(const Body& body, std::span<const ElementRef> elements,
   for (NodeVectors* vectors : {&x_, &others_, &force_}) vectors->setZero(3, n);
 }
 
+template <class Visit>
+void HandledWork::forEachNode(const Visit& visit) const {
+  parallelParts(nodes_.size(), part_.threads(), nodesOfAThread, [&](std::int64_t begin, std::int64_t end) {
+    for (Eigen::Index i = begin; i < end; ++i) visit(i, nodes_[static_cast<std::size_t>(i)]);
+  });
+}
+
 void HandledWork::take(NodeVectorsView x, const NodeVectors& a) {
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    x_.col(i) = x.col(nodes_[i]);
-    others_.col(i) = a.col(nodes_[i]);
-  }
+  forEachNode([&](Eigen::Index i, std::int32_t node) {
+    x_.col(i) = x.col(node);
+    others_.col(i) = a.col(node);
+  });
 }
 
 void HandledWork::begin(NodeVectorsView x, const NodeVectors& a) {
@@ -42,16 +50,15 @@ void HandledWork::begin(NodeVectorsView x, const NodeVectors& a) {
 void HandledWork::beginAndAdd(NodeVectorsView x, NodeVectors& a) {
   take(x, a);
   part_.internalForce(x_, force_, workspace_);
-  NodeVectors own = force_ * part_.lumpedMass().cwiseInverse().asDiagonal();
-  part_.constraints().clearConstrained(own);
-  for (std::size_t i = 0; i < nodes_.size(); ++i) a.col(nodes_[i]) -= own.col(static_cast<Eigen::Index>(i));
   if (part_.constraints().moving()) countSupports();
+  part_.constraints().clearConstrained(force_);
+  forEachNode([&](Eigen::Index i, std::int32_t node) { a.col(node) -= force_.col(i) / part_.lumpedMass()[i]; });
 }
 
 void HandledWork::beginWithAll(NodeVectorsView x, const NodeVectors& a) {
   take(x, a);
   part_.internalForce(x_, force_, workspace_);
-  others_ += force_ * part_.lumpedMass().cwiseInverse().asDiagonal();
+  forEachNode([&](Eigen::Index i, std::int32_t) { others_.col(i) += force_.col(i) / part_.lumpedMass()[i]; });
   if (part_.constraints().moving()) countSupports();
 }
 

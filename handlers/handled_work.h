@@ -41,6 +41,9 @@ class HandledWork {
   double dissipated() const;
 
  private:
+  /// Calls visit(i, node) for all of nodes_, which must treat each alone.
+  template <class Visit>
+  void forEachNode(const Visit& visit) const;
   void take(NodeVectorsView x, const NodeVectors& a);
   void countSupports();
   double energyAt(const NodeVectors& x) const;

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/parallel.h>
 
 namespace ringwatch {
 
@@ -237,7 +238,11 @@ void Handler::detach(const ElementFlags& chosen, const Eigen::VectorXd& mass) {
 
 void Handler::explicitAcceleration(const NodeVectors& x, NodeVectors& a) {
   explicitBody().internalForce(x, explicitForce_, explicitWorkspace_);
-  a = (body_.externalForce() - explicitForce_) * inverseMass_.asDiagonal();
+  a.resize(3, x.cols());
+  parallelParts(x.cols(), body_.threads(), nodesOfAThread, [&](std::int64_t begin, std::int64_t end) {
+    for (Eigen::Index i = begin; i < end; ++i)
+      a.col(i) = (body_.externalForce().col(i) - explicitForce_.col(i)) * inverseMass_[i];
+  });
   body_.constraints().clearConstrained(a);
 }
 

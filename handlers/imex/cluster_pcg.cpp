@@ -10,6 +10,7 @@
 #endif
 
 #include <ringwatch/base/matrix3.h>
+#include <ringwatch/base/parallel.h>
 
 namespace ringwatch {
 namespace {
@@ -75,6 +76,9 @@ RINGWATCH_INLINE auto rowTimes(const S* blocks, const std::int32_t* columns, std
   return even.value();
 }
 
+/// Rows that are worth another thread, at least: some 50 µs of a product.
+constexpr std::int64_t rowsOfAThread = 1024;
+
 template <class Row>
 RINGWATCH_INLINE auto total(Row r) {
   return r[0] + r[1] + r[2];
@@ -83,8 +87,8 @@ RINGWATCH_INLINE auto total(Row r) {
 }  // namespace
 
 template <class S>
-ClusterPcg<S>::ClusterPcg(const UpperBlocks& A, std::vector<std::uint8_t> constrained, double mass)
-    : scale_(1 / mass), constrained_(std::move(constrained)) {
+ClusterPcg<S>::ClusterPcg(const UpperBlocks& A, std::vector<std::uint8_t> constrained, double mass, int threads)
+    : scale_(1 / mass), threads_(threads), constrained_(std::move(constrained)) {
   const std::size_t rows = A.rows();
   std::vector<std::vector<std::int32_t>> above(rows);  // upper blocks whose transpose is in the row
   for (std::size_t i = 0; i < rows; ++i)
@@ -123,8 +127,9 @@ ClusterPcg<S>::ClusterPcg(const UpperBlocks& A, std::vector<std::uint8_t> constr
 template <class S>
 void ClusterPcg<S>::refresh(const UpperBlocks& A, std::vector<std::uint8_t>& changed) {
   using Eights = std::conditional_t<sizeof(S) == sizeof(float), Float8, Double8>;
-  for (std::size_t i = 0; i < changed.size(); ++i) {
-    if (!changed[i]) continue;
+  // A block belongs to the row that has it in the upper half, so that each place has one writer.
+  const auto copyRow = [&](std::size_t i) {
+    if (!changed[i]) return;
     changed[i] = 0;
     for (std::int32_t k = A.rowBegin[i]; k < A.rowBegin[i + 1]; ++k) {
       const std::size_t at = k;
@@ -141,7 +146,10 @@ void ClusterPcg<S>::refresh(const UpperBlocks& A, std::vector<std::uint8_t>& cha
             __builtin_shufflevector(eight, ninth, 6, 7, 8, 9, 9, 9, 9, 9));
     }
     invert(A, i);
-  }
+  };
+  parallelParts(changed.size(), threads_, rowsOfAThread, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t i = begin; i < end; ++i) copyRow(i);
+  });
 }
 
 template <class S>
@@ -187,70 +195,82 @@ typename ClusterPcg<S>::Result ClusterPcg<S>::solve(const Eigen::VectorXd& right
   const double unit = largest * scale_;
   const bool guessed = start > 0 && std::isfinite(start);
   if (!guessed) u.setZero();
-  for (std::size_t i = 0; i < rows; ++i)
+  const auto forRows = [&](const auto& visit) {
+    parallelParts(rows, threads_, rowsOfAThread, [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t i = begin; i < end; ++i) visit(static_cast<std::size_t>(i));
+    });
+  };
+  const auto sumOfRows = [&](const auto& visit) {  // visit adds to a row and returns what is to be summed
+    return total(parallelSum(rows, threads_, Row{}, [&](std::int64_t begin, std::int64_t end) {
+      Row sum{};
+      for (std::int64_t i = begin; i < end; ++i) sum += visit(static_cast<std::size_t>(i));
+      return sum;
+    }));
+  };
+  forRows([&](std::size_t i) {
     for (std::size_t c = 0; c < 3; ++c) {
       const Eigen::Index d = 3 * i + c;
       r_[4 * i + c] = static_cast<S>(right[d] / largest);
       p_[4 * i + c] = static_cast<S>(u[d] / unit);
     }
-  Row norm{}, gammas{};
-  for (std::size_t t = 0; t < rows; ++t) {
+  });
+  const auto norm = sumOfRows([&](std::size_t t) -> Row { return rowOf(r_, order_[t]) * precondition(order_[t], r_); });
+  S gamma = sumOfRows([&](std::size_t t) -> Row {
     const std::size_t i = order_[t];
     Row& r = rowOf(r_, i);
-    norm += r * precondition(i, r_);
     if (guessed) r -= timesBlocks(p_, t);
     const Row z = precondition(i, r_);
-    gammas += r * z;
     rowOf(z_, i) = z;
     rowOf(u_, i) = Row{};
-  }
-  const auto goal = static_cast<S>(tolerance * tolerance) * total(norm);
-  S gamma = total(gammas), beta = 0;
-  // One thread has the whole cluster, so nothing is gained by Fierz 2013's form with one synchronisation an iteration
-  // (Chronopoulos & Gear 1989), which needs one product more.
+    return r * z;
+  });
+  const auto goal = static_cast<S>(tolerance * tolerance) * norm;
+  S beta = 0;
+  // Nothing is gained by Fierz 2013's form with one synchronisation an iteration (Chronopoulos & Gear 1989), which
+  // needs one product more.
   int iteration = 0;
   for (; gamma > goal; ++iteration) {
     if (iteration == mostIterations) return {false, iteration};
-    for (std::size_t j = 0; j < 4 * rows; ++j) p_[j] = z_[j] + beta * p_[j];
-    Row deltas{};
-    for (std::size_t t = 0; t < rows; ++t) {
-      const Row q = timesBlocks(p_, t);
-      rowOf(q_, order_[t]) = q;
-      deltas += q * rowOf(p_, order_[t]);
-    }
-    const S alpha = gamma / total(deltas);
-    for (std::size_t j = 0; j < 4 * rows; ++j) {
-      u_[j] += alpha * p_[j];
-      r_[j] -= alpha * q_[j];
-    }
-    gammas = Row{};
-    for (std::size_t i = 0; i < rows; ++i) {
+    forRows([&](std::size_t i) { rowOf(p_, i) = rowOf(z_, i) + beta * rowOf(p_, i); });
+    const S alpha = gamma / sumOfRows([&](std::size_t t) -> Row {
+                      const Row q = timesBlocks(p_, t);
+                      rowOf(q_, order_[t]) = q;
+                      return q * rowOf(p_, order_[t]);
+                    });
+    const S before = gamma;
+    gamma = sumOfRows([&](std::size_t i) -> Row {
+      rowOf(u_, i) += alpha * rowOf(p_, i);
+      rowOf(r_, i) -= alpha * rowOf(q_, i);
       const Row z = precondition(i, r_);
       rowOf(z_, i) = z;
-      gammas += rowOf(r_, i) * z;
-    }
-    const S before = gamma;
-    gamma = total(gammas);
+      return rowOf(r_, i) * z;
+    });
     beta = gamma / before;
   }
   if (!(gamma <= goal)) return {false, iteration};  // not a number
-  for (std::size_t i = 0; i < rows; ++i)
+  forRows([&](std::size_t i) {
     for (std::size_t c = 0; c < 3; ++c) u[3 * i + c] += unit * static_cast<double>(u_[4 * i + c]);
+  });
   return {true, iteration};
 }
 
 template <class S>
 void ClusterPcg<S>::multiply(const Eigen::VectorXd& u, Eigen::VectorXd& product) {
-  const std::size_t rows = order_.size();
   const double largest = u.cwiseAbs().maxCoeff(), unit = largest > 0 ? largest : 1;
-  for (std::size_t i = 0; i < rows; ++i)
+  const auto forRows = [&](const auto& visit) {
+    parallelParts(order_.size(), threads_, rowsOfAThread, [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t i = begin; i < end; ++i) visit(static_cast<std::size_t>(i));
+    });
+  };
+  forRows([&](std::size_t i) {
     for (std::size_t c = 0; c < 3; ++c) p_[4 * i + c] = static_cast<S>(u[3 * i + c] / unit);
+  });
   product.resize(u.size());
-  for (std::size_t t = 0; t < rows; ++t) {
+  forRows([&](std::size_t t) {
     const auto row = rowTimes<S>(blocks_.data(), column_.data(), rowBegin_[t], rowBegin_[t + 1], p_);
     for (int c = 0; c < 3; ++c)
       product[3 * order_[t] + static_cast<std::size_t>(c)] = unit / scale_ * static_cast<double>(row[c]);
-  }
+  });
 }
 
 template class ClusterPcg<float>;

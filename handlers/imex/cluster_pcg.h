@@ -15,8 +15,9 @@ namespace ringwatch {
 template <class S>
 class ClusterPcg {
  public:
-  /// constrained: [3 * row + component]. mass: what to divide the matrix by, kg.
-  ClusterPcg(const UpperBlocks& A, std::vector<std::uint8_t> constrained, double mass);
+  /// constrained: [3 * row + component]. mass: what to divide the matrix by, kg. Results have the same bits for any
+  /// number of threads.
+  ClusterPcg(const UpperBlocks& A, std::vector<std::uint8_t> constrained, double mass, int threads = 1);
 
   /// Copies the rows that have changed and clears their marks.
   void refresh(const UpperBlocks& A, std::vector<std::uint8_t>& changed);
@@ -36,6 +37,7 @@ class ClusterPcg {
   void invert(const UpperBlocks& A, std::int32_t row);
 
   double scale_;
+  int threads_;
   std::vector<std::uint8_t> constrained_;
   std::vector<std::size_t> order_;                 // of the rows in what follows
   std::vector<std::int32_t> rowBegin_, column_;    // of all blocks; four times the column

@@ -94,13 +94,14 @@ class Imex::Corrected final : public SecondOrderSystem {
   std::string fault;
 
  private:
-  /// Has all clusters solved, side by side; solve tells what went wrong, "" for nothing.
+  /// Has all clusters solved, large ones by all threads, the others side by side; solve tells what went wrong, "" for
+  /// nothing.
   template <class Cluster, class Solve>
   void forEachCluster(std::vector<Cluster>& clusters, const NodeVectors& x, const NodeVectors& v, NodeVectors& a,
                       const Solve& solve) {
     auto& failed = owner_.failed_;
     failed.assign(clusters.size(), {});
-    parallelFor(0, clusters.size(), owner_.body_.threads(), [&](std::int64_t k) {
+    const auto visit = [&](std::int64_t k) {
       const auto& nodes = clusters[k].nodes();
       if (!owner_.freeOfTorque_[k]) {
         failed[k] = solve(clusters[k]);
@@ -109,7 +110,14 @@ class Imex::Corrected final : public SecondOrderSystem {
       const NodeVectors before = a(Eigen::all, nodes);
       failed[k] = solve(clusters[k]);
       if (failed[k].empty()) keepAngularMomentum(owner_.body_, nodes, x, v, h_, before, a);
-    });
+    };
+    std::vector<std::int64_t> others;
+    for (std::size_t k = 0; k < clusters.size(); ++k)
+      if (takesAllThreads(clusters[k]))
+        visit(static_cast<std::int64_t>(k));
+      else
+        others.push_back(static_cast<std::int64_t>(k));
+    parallelFor(0, others.size(), owner_.body_.threads(), [&](std::int64_t i) { visit(others[i]); });
     for (std::size_t k = 0; k < clusters.size() && fault.empty(); ++k)
       if (!failed[k].empty()) {
         const ElementRef first = clusters[k].elements().front();
@@ -117,6 +125,9 @@ class Imex::Corrected final : public SecondOrderSystem {
                          first.block, ":", first.element);
       }
   }
+
+  static bool takesAllThreads(const NewtonCluster& cluster) { return cluster.threads() != 1; }
+  static bool takesAllThreads(const ImplicitCluster&) { return false; }
 
   Imex& owner_;
   SecondOrderSystem& inner_;

@@ -6,10 +6,12 @@
 #include <Eigen/LU>
 
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/parallel.h>
 #include <ringwatch/body/nodes_of.h>
 #include <ringwatch/body/sub_body.h>
 #include <ringwatch/handlers/angular_momentum.h>
 #include <ringwatch/handlers/selection/rotation_of.h>
+#include <ringwatch/meshes/all_finite.h>
 
 namespace ringwatch {
 namespace {
@@ -43,6 +45,11 @@ constexpr double leastReduction = 1e-4;
 constexpr double remembered = 0.3;
 constexpr int mostUnseen = 9;
 
+/// Nodes of a cluster that all threads solve together, at least.
+constexpr std::size_t nodesOfALargeCluster = 2048;
+/// Nodes that are worth another thread in a loop that does little with each.
+constexpr std::int64_t nodesOfAPart = 4096;
+
 constexpr double implicitEuler = 1;  // the dissipation that makes it that
 
 Eigen::VectorXd massOf(const Body& body, const std::vector<std::int32_t>& nodes) {
@@ -51,7 +58,9 @@ Eigen::VectorXd massOf(const Body& body, const std::vector<std::int32_t>& nodes)
   return mass;
 }
 
-double inner(const NodeVectors& a, const NodeVectors& b) { return a.cwiseProduct(b).sum(); }
+int threadsFor(const Body& body, const std::vector<std::int32_t>& nodes) {
+  return nodes.size() < nodesOfALargeCluster ? 1 : body.threads();
+}
 
 }  // namespace
 
@@ -62,7 +71,7 @@ NewtonCluster::NewtonCluster(const Body& body, std::vector<ElementRef> elements,
       mostProducts_(mostProducts),
       elements_(std::move(elements)),
       nodes_(nodesOfElements(body, elements_)),
-      part_(subBody(body, elements_, nodes_, massOf(body, nodes_), 1)) {
+      part_(subBody(body, elements_, nodes_, massOf(body, nodes_), threadsFor(body, nodes_))) {
   for (std::int32_t i = 0; i < part_.nodeCount(); ++i)
     for (int c = 0; c < 3; ++c) anyConstrained_[c] = anyConstrained_[c] || part_.constraints().isConstrained(i, c);
   const auto n = static_cast<Eigen::Index>(nodes_.size());
@@ -83,22 +92,39 @@ NewtonCluster::NewtonCluster(const Body& body, std::vector<ElementRef> elements,
   }
 }
 
+template <class Visit>
+void NewtonCluster::forEachNode(const Visit& visit) const {
+  parallelParts(x_.cols(), threads(), nodesOfAPart, [&](std::int64_t begin, std::int64_t end) {
+    for (Eigen::Index i = begin; i < end; ++i) visit(i);
+  });
+}
+
+double NewtonCluster::inner(const NodeVectors& a, const NodeVectors& b) const {
+  return parallelSum(a.cols(), threads(), [&](Eigen::Index begin, Eigen::Index end) {
+    return a.middleCols(begin, end - begin).cwiseProduct(b.middleCols(begin, end - begin)).sum();
+  });
+}
+
 double NewtonCluster::kinetic(const NodeVectors& u) const {
-  double sum = 0;
-  for (Eigen::Index i = 0; i < u.cols(); ++i) sum += part_.lumpedMass()[i] * (u.col(i) - target_.col(i)).squaredNorm();
-  return 0.5 * sum;
+  return 0.5 * parallelSum(u.cols(), threads(), [&](Eigen::Index begin, Eigen::Index end) {
+           double sum = 0;
+           for (Eigen::Index i = begin; i < end; ++i)
+             sum += part_.lumpedMass()[i] * (u.col(i) - target_.col(i)).squaredNorm();
+           return sum;
+         });
 }
 
 bool NewtonCluster::evaluate(bool wantsPotential) {
   // Where a law has no energy its force may be finite.
   hasPotential_ = evaluation_.wantsEnergy = wantsPotential || !endsAnywhere_;
-  moved_ = x_ + w_ * u_;
+  forEachNode([&](Eigen::Index i) { moved_.col(i) = x_.col(i) + w_ * u_.col(i); });
   part_.evaluate(moved_, evaluation_, workspace_);
   if (hasPotential_) potential_ = kinetic(u_) + evaluation_.strainEnergy / w_;
-  gradient_ = evaluation_.internalForce;
-  for (Eigen::Index i = 0; i < u_.cols(); ++i) gradient_.col(i) += part_.lumpedMass()[i] * (u_.col(i) - target_.col(i));
+  forEachNode([&](Eigen::Index i) {
+    gradient_.col(i) = evaluation_.internalForce.col(i) + part_.lumpedMass()[i] * (u_.col(i) - target_.col(i));
+  });
   clearConstrained(gradient_);
-  return (!hasPotential_ || std::isfinite(potential_)) && gradient_.allFinite();
+  return (!hasPotential_ || std::isfinite(potential_)) && allFinite(gradient_, threads());
 }
 
 template <class Visit>
@@ -113,17 +139,27 @@ void NewtonCluster::clearConstrained(NodeVectors& vectors) const {
   forEachConstrained([&](std::int32_t i, int c) { vectors(c, i) = 0; });
 }
 
+Eigen::Vector3d NewtonCluster::momentumOf(const NodeVectors& v) const {
+  return parallelSum(v.cols(), threads(), Eigen::Vector3d(0, 0, 0), [&](Eigen::Index begin, Eigen::Index end) {
+    return Eigen::Vector3d(v.middleCols(begin, end - begin) * part_.lumpedMass().segment(begin, end - begin));
+  });
+}
+
 void NewtonCluster::setMomentum(NodeVectors& vectors, const Eigen::Vector3d& momentum) const {
-  const double mass = part_.lumpedMass().sum();
+  if (anyConstrained_[0] && anyConstrained_[1] && anyConstrained_[2]) return;
+  const Eigen::Vector3d lacking = momentum - momentumOf(vectors);
+  Eigen::Vector3d all = lacking / part_.lumpedMass().sum();
   for (int c = 0; c < 3; ++c)
-    if (!anyConstrained_[c]) vectors.row(c).array() += (momentum[c] - vectors.row(c).dot(part_.lumpedMass())) / mass;
+    if (anyConstrained_[c]) all[c] = 0;
+  forEachNode([&](Eigen::Index i) { vectors.col(i) += all; });
 }
 
 void NewtonCluster::refreshTangent() {
   part_.assembleBlocks(moved_, blocks_);
   if (!kept_) layOutKept();
-  std::size_t k = 0;
-  for (std::int32_t i = 0; i < part_.nodeCount(); ++i) {
+  forEachNode([&](Eigen::Index node) {
+    const auto i = static_cast<std::int32_t>(node);
+    std::size_t k = matrix_.rowBegin[static_cast<std::size_t>(i)];
     const Eigen::Matrix3d inertia = part_.lumpedMass()[i] * Eigen::Matrix3d::Identity();
     // The diagonal is the first of the row.
     Eigen::Matrix3d block = inertia + w_ * blocks_.block[placeOfKept_[k]];
@@ -138,7 +174,7 @@ void NewtonCluster::refreshTangent() {
     // An indefinite block preconditions nothing.
     const bool definite = block(0, 0) > 0 && block.topLeftCorner<2, 2>().determinant() > 0 && block.determinant() > 0;
     inverses_[i] = definite ? Eigen::Matrix3d(block.inverse()) : Eigen::Matrix3d(inertia.inverse());
-  }
+  });
   std::vector<std::uint8_t> all(nodes_.size(), 1);
   kept_->refresh(matrix_, all);
   shape_ = moved_;
@@ -162,25 +198,30 @@ void NewtonCluster::layOutKept() {
   matrix_.ninth.resize(matrix_.column.size());
   std::vector<std::uint8_t> constrained(3 * nodes_.size(), 0);
   forEachConstrained([&](std::int32_t i, int c) { constrained[3 * i + c] = 1; });
-  kept_.emplace(matrix_, std::move(constrained), part_.lumpedMass().mean());
+  kept_.emplace(matrix_, std::move(constrained), part_.lumpedMass().mean(), threads());
 }
 
 void NewtonCluster::turnTangent() {
   if (!turns_ || !kept_) return;
   const Eigen::VectorXd& mass = part_.lumpedMass();
-  const Eigen::Vector3d centre = shape_ * mass / mass.sum();
-  frame_ = rotationOf(x_ * mass.asDiagonal() * (shape_.colwise() - centre).transpose());
+  const Eigen::Vector3d centre = momentumOf(shape_) / mass.sum();
+  const Eigen::Matrix3d none = Eigen::Matrix3d::Zero();
+  frame_ = rotationOf(parallelSum(x_.cols(), threads(), none, [&](Eigen::Index begin, Eigen::Index end) {
+    Eigen::Matrix3d sum = none;
+    for (Eigen::Index i = begin; i < end; ++i) sum += mass[i] * x_.col(i) * (shape_.col(i) - centre).transpose();
+    return sum;
+  }));
 }
 
 void NewtonCluster::precondition(const NodeVectors& r, NodeVectors& z) const {
-  if (turns_) {
-    for (Eigen::Index i = 0; i < r.cols(); ++i) {
-      const Eigen::Vector3d back = inverses_[i] * (frame_.transpose() * r.col(i));
-      z.col(i).noalias() = frame_ * back;
+  forEachNode([&](Eigen::Index i) {
+    if (!turns_) {
+      z.col(i).noalias() = inverses_[i] * r.col(i);
+      return;
     }
-    return;
-  }
-  for (Eigen::Index i = 0; i < r.cols(); ++i) z.col(i).noalias() = inverses_[i] * r.col(i);
+    const Eigen::Vector3d back = inverses_[i] * (frame_.transpose() * r.col(i));
+    z.col(i).noalias() = frame_ * back;
+  });
 }
 
 double NewtonCluster::squaredNorm(const NodeVectors& r) {
@@ -188,15 +229,20 @@ double NewtonCluster::squaredNorm(const NodeVectors& r) {
   return inner(r, z_);
 }
 
+void NewtonCluster::turnBack(const NodeVectors& vectors, double factor, Eigen::VectorXd& turned) const {
+  turned.resize(vectors.size());
+  forEachNode([&](Eigen::Index i) { turned.segment<3>(3 * i) = factor * (frame_.transpose() * vectors.col(i)); });
+}
+
 bool NewtonCluster::findKeptDirection(double reduction) {
-  right_ = -(frame_.transpose() * gradient_).reshaped();
+  turnBack(gradient_, -1, right_);
   solution_.setZero(right_.size());
   const auto [converged, products] = kept_->solve(right_, solution_, reduction, mostProducts_);
   products_ += products;
   if (!converged) return false;
-  direction_.noalias() = frame_ * solution_.reshaped(3, direction_.cols());
+  forEachNode([&](Eigen::Index i) { direction_.col(i).noalias() = frame_ * solution_.segment<3>(3 * i); });
   setMomentum(direction_, Eigen::Vector3d::Zero());
-  return direction_.allFinite();
+  return allFinite(direction_, threads());
 }
 
 void NewtonCluster::findDirection(double reduction) {
@@ -209,8 +255,7 @@ void NewtonCluster::findDirection(double reduction) {
   int products = 0;
   while (rho > goal && products < mostProducts_) {
     part_.tangentProduct(moved_, p_, product_, workspace_);
-    product_ *= w_;
-    for (Eigen::Index i = 0; i < p_.cols(); ++i) product_.col(i) += part_.lumpedMass()[i] * p_.col(i);
+    forEachNode([&](Eigen::Index i) { product_.col(i) = w_ * product_.col(i) + part_.lumpedMass()[i] * p_.col(i); });
     clearConstrained(product_);
     ++products;
     const double curvature = inner(p_, product_);
@@ -219,11 +264,13 @@ void NewtonCluster::findDirection(double reduction) {
       break;
     }
     const double alpha = rho / curvature;
-    direction_ += alpha * p_;
-    residual_ -= alpha * product_;
+    forEachNode([&](Eigen::Index i) {
+      direction_.col(i) += alpha * p_.col(i);
+      residual_.col(i) -= alpha * product_.col(i);
+    });
     precondition(residual_, z_);
     const double next = inner(residual_, z_);
-    p_ = z_ + next / rho * p_;
+    forEachNode([&](Eigen::Index i) { p_.col(i) = z_.col(i) + next / rho * p_.col(i); });
     rho = next;
   }
   // The elements' forces add up to nothing, so that no step of Newton's method moves the centre of mass.
@@ -255,28 +302,34 @@ NewtonCluster::Progress NewtonCluster::searchAlong() {
   return Progress::none;
 }
 
-bool NewtonCluster::begin(const NodeVectors& guess, bool wantsPotential) {
-  u_ = guess;
+bool NewtonCluster::beginAsBefore(bool wantsPotential) {
+  forEachNode([&](Eigen::Index i) { u_.col(i) = 2 * last_[0].col(i) - last_[1].col(i); });
+  return begin(wantsPotential);
+}
+
+bool NewtonCluster::begin(bool wantsPotential) {
   forEachConstrained([&](std::int32_t i, int k) { u_(k, i) = target_(k, i); });
   // Where the centre of mass goes is known: the elements' forces add up to nothing.
-  setMomentum(u_, target_ * part_.lumpedMass());
+  setMomentum(u_, momentumOf(target_));
   return evaluate(wantsPotential);
 }
 
 bool NewtonCluster::beginSearch(bool endsThere) {
-  if (last_[1].cols() > 0 && begin(2 * last_[0] - last_[1], endsThere)) {
+  if (last_[1].cols() > 0 && beginAsBefore(endsThere)) {
     if (unseen_ == 0) {
       // The gradient at u = 0 is minus what the matrix makes of the solution, and all but that of the guess.
-      NodeVectors free = u_;
-      clearConstrained(free);
-      solution_ = (frame_.transpose() * free).reshaped();
+      p_ = u_;
+      clearConstrained(p_);
+      turnBack(p_, 1, solution_);
       kept_->multiply(solution_, right_);
-      scale_ = squaredNorm(frame_ * right_.reshaped(3, free.cols()));
+      forEachNode([&](Eigen::Index i) { p_.col(i).noalias() = frame_ * right_.segment<3>(3 * i); });
+      scale_ = squaredNorm(p_);
     }
     if (endsThere ? potential_ <= potentialAtRest() : squaredNorm(gradient_) <= scale_) return true;
   }
   unseen_ = 0;
-  if (!begin(NodeVectors::Zero(3, u_.cols()), true)) return false;
+  u_.setZero();
+  if (!begin(true)) return false;
   if (stale_) refreshTangent();
   scale_ = squaredNorm(gradient_);
   return true;
@@ -317,7 +370,7 @@ NewtonCluster::Outcome NewtonCluster::search(const ImplicitScheme& scheme, const
   }
   w_ = scheme.w();
   c_ = scheme.c();
-  for (Eigen::Index i = 0; i < u_.cols(); ++i) target_.col(i) = others_.col(i) + c_ * v.col(nodes_[i]);
+  forEachNode([&](Eigen::Index i) { target_.col(i) = others_.col(i) + c_ * v.col(nodes_[i]); });
   turnTangent();
   const bool endsThere = scheme.dissipation == implicitEuler;
   if (!beginSearch(endsThere)) return Outcome::noEnergy;
@@ -365,30 +418,29 @@ NewtonCluster::Outcome NewtonCluster::search(const ImplicitScheme& scheme, const
 bool NewtonCluster::endsWithoutEnergy(const NodeVectors& v) {
   if (endsAnywhere_) return false;
   const double h = scheme_.h;
-  for (Eigen::Index i = 0; i < u_.cols(); ++i)
-    moved_.col(i) = x_.col(i) + h * ((1 - c_ * h) * v.col(nodes_[i]) + h * u_.col(i));
+  forEachNode(
+      [&](Eigen::Index i) { moved_.col(i) = x_.col(i) + h * ((1 - c_ * h) * v.col(nodes_[i]) + h * u_.col(i)); });
   forEachConstrained([&](std::int32_t i, int k) { moved_(k, i) = x_(k, i) + h * v(k, nodes_[i]); });
   return !(part_.leastDeterminant(moved_).value > 0);
 }
 
 NewtonCluster::Outcome NewtonCluster::solve(NodeVectorsView x, NodeVectors& a, const NodeVectors& v) {
-  const auto n = static_cast<Eigen::Index>(nodes_.size());
-  for (Eigen::Index i = 0; i < n; ++i) {
+  forEachNode([&](Eigen::Index i) {
     x_.col(i) = x.col(nodes_[i]);
     others_.col(i) = a.col(nodes_[i]);
-  }
-  if (!x_.allFinite() || !others_.allFinite()) return Outcome::noEnergy;
+  });
+  if (!allFinite(x_, threads()) || !allFinite(others_, threads())) return Outcome::noEnergy;
   Outcome outcome = search(scheme_, v);
   if (scheme_.dissipation != implicitEuler && (outcome != Outcome::solved || endsWithoutEnergy(v))) {
     ++eulerSteps_;
     outcome = search({scheme_.h, implicitEuler}, v);
   }
   if (outcome != Outcome::solved) return outcome;
-  for (Eigen::Index i = 0; i < n; ++i) {
+  forEachNode([&](Eigen::Index i) {
     const std::int32_t node = nodes_[i];
     for (int k = 0; k < 3; ++k)
       if (!part_.constraints().isConstrained(static_cast<std::int32_t>(i), k)) a(k, node) = u_(k, i) - c_ * v(k, node);
-  }
+  });
   return Outcome::solved;
 }
 

@@ -46,6 +46,8 @@ class NewtonCluster {
 
   const std::vector<std::int32_t>& nodes() const { return nodes_; }
   const std::vector<ElementRef>& elements() const { return elements_; }
+  /// That solve() takes: one, or those of the body in clusters that are large enough. Results have the same bits.
+  int threads() const { return part_.threads(); }
 
   enum class Outcome { solved, noEnergy, notConverged };
   /// Solves for a' over the free components of the cluster's nodes and writes it into a (3×N, m/s²), where the
@@ -74,10 +76,14 @@ class NewtonCluster {
   bool beginSearch(bool endsThere);
   /// Φ at u = 0.
   double potentialAtRest();
-  /// Begins at a guess, with the motion of the centre of mass and of constrained components as it will be.
-  bool begin(const NodeVectors& guess, bool wantsPotential);
+  /// Begins at u_, with the motion of the centre of mass and of constrained components as it will be.
+  bool begin(bool wantsPotential);
+  /// Begins at the last two solutions, extrapolated.
+  bool beginAsBefore(bool wantsPotential);
   /// Whether the step by u_ ends where a law has no energy.
   bool endsWithoutEnergy(const NodeVectors& v);
+  /// Σ m v.
+  Eigen::Vector3d momentumOf(const NodeVectors& v) const;
   /// Adds a translation to vectors in components that no node has constrained, so that their momentum is `momentum`.
   void setMomentum(NodeVectors& vectors, const Eigen::Vector3d& momentum) const;
   /// Keeps the tangent at the positions of u_.
@@ -85,11 +91,18 @@ class NewtonCluster {
   void layOutKept();
   /// Turns it as the cluster has turned since.
   void turnTangent();
+  /// The vectors, times a factor, in the frame of the tangent that is kept.
+  void turnBack(const NodeVectors& vectors, double factor, Eigen::VectorXd& turned) const;
   void precondition(const NodeVectors& r, NodeVectors& z) const;
   /// In the preconditioner's norm.
   double squaredNorm(const NodeVectors& r);
   template <class Visit>
   void forEachConstrained(const Visit& visit) const;
+  /// Calls visit(node) for all of nodes_, which must treat each alone.
+  template <class Visit>
+  void forEachNode(const Visit& visit) const;
+  /// Σ a·b.
+  double inner(const NodeVectors& a, const NodeVectors& b) const;
   void clearConstrained(NodeVectors& vectors) const;
   /// A direction of descent: (M + w K) p = -gradient to a share of its norm, or to where its curvature is negative.
   void findDirection(double reduction);

@@ -222,11 +222,14 @@ TEST_F(Probes, EnergiesOfPartsAddUpToThoseOfTheHistory) {
   const Table found = run(busy), history = table("r/history.csv");
   ASSERT_EQ(found.rows.size(), history.rows.size());
   double kinetic = 0, strain = 0;
+  // Energies of parts are summed in a loop of their own, that of the history in the one of the force. Their laws take
+  // them as differences of terms of the size of modulus × volume, 4 J here; measured: 1.9e-17 J.
+  constexpr double rounding = 5.7e-17;
   for (std::size_t i = 0; i < found.rows.size(); ++i)
     for (const std::string kind : {"kinetic", "strain"}) {
       const double total = history.number(i, kind + "_J");
       EXPECT_NEAR(found.number(i, "part0.energy_" + kind + "_J") + found.number(i, "part1.energy_" + kind + "_J"),
-                  total, 2.3e-15 * total);
+                  total, 2.3e-15 * total + rounding);
       (kind == "kinetic" ? kinetic : strain) = std::max(kind == "kinetic" ? kinetic : strain, total);
     }
   EXPECT_GT(kinetic, 1e-6);

@@ -11,6 +11,7 @@
 #include <ringwatch/handlers/imex/imex.h>
 #include <ringwatch/handlers/imex/newton_cluster.h>
 #include <ringwatch/materials/registry.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <tests/handlers/handler_cases.h>
 
 namespace ringwatch {
@@ -143,6 +144,35 @@ TEST(NewtonCluster, SolvesItsEquationByATangentThatIsKept) {
     EXPECT_LE(worst, 0.015) << law;
     EXPECT_LE(cluster.iterations(), 1.2 * steps) << law;
   }
+}
+
+// More than 2048 nodes: all threads share the cluster.
+TEST(NewtonCluster, GivesTheSameBitsForAnyNumberOfThreadsInALargeCluster) {
+  BarOptions bar;
+  bar.cells = {20, 12, 12};
+  bar.size = {0.2, 0.12, 0.12};
+  bar.split = 6;
+  bar.jitter = 0.2;
+  NodeVectors ends[2];
+  for (int k = 0; k < 2; ++k) {
+    const Body body(generateBar(bar), makeMaterial("stvk", test::young, test::poisson, test::density),
+                    {{}, Lumping::rowSum, k == 0 ? 1 : 3});
+    const ImplicitScheme scheme{8 / std::sqrt(globalFrequency(body, body.mesh().X, 1e-3).lambda), 0.1};
+    NewtonCluster cluster(body, everyElement(body), scheme, 5e-4, 200);
+    ASSERT_GT(cluster.nodes().size(), 2048U);
+    EXPECT_EQ(cluster.threads(), body.threads());
+    NodeVectors x = body.mesh().X, v(3, body.nodeCount());
+    for (Eigen::Index i = 0; i < v.cols(); ++i) v.col(i) = Eigen::Vector3d(0, 5, 10).cross(x.col(i));
+    for (int step = 0; step < 10; ++step) {
+      NodeVectors a = NodeVectors::Zero(3, body.nodeCount());
+      ASSERT_EQ(cluster.solve(x, a, v), NewtonCluster::Outcome::solved) << step;
+      v += scheme.h * a;
+      x += scheme.h * v;
+    }
+    EXPECT_GT(cluster.products(), 20);
+    ends[k] = x;
+  }
+  EXPECT_EQ(ends[0], ends[1]);
 }
 
 TEST(NewtonCluster, RefusesASystemWithDamping) {
