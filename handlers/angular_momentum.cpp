@@ -49,12 +49,11 @@ void keepAngularMomentum(const Body& body, std::span<const std::int32_t> nodes, 
   });
   const Eigen::Vector3d turn = moments.rightCols<3>().inverse() * moments.col(0);
   if (!turn.allFinite()) return;  // positions that are not finite, of which the step fails
-  parallelParts(count, body.threads(), nodesOfAThread, [&](std::int64_t begin, std::int64_t last) {
-    for (std::int64_t i = begin; i < last; ++i) {
-      const std::int32_t node = nodes[static_cast<std::size_t>(i)];
-      a.col(node) -= turn.cross(Eigen::Vector3d(endOf(node) - end));
-    }
-  });
+  const auto turnNode = [&](std::int64_t i) {
+    const std::int32_t node = nodes[static_cast<std::size_t>(i)];
+    a.col(node) -= turn.cross(Eigen::Vector3d(endOf(node) - end));
+  };
+  parallelFor(0, count, body.threads(), turnNode, nodesOfAThread);
 }
 
 void keepMomenta(const Body& body, const Eigen::VectorXd& massBefore, NodeVectorsView x, NodeVectors& v) {

@@ -28,9 +28,9 @@ HandledWork::HandledWork(const Body& body, std::span<const ElementRef> elements,
 
 template <class Visit>
 void HandledWork::forEachNode(const Visit& visit) const {
-  parallelParts(nodes_.size(), part_.threads(), nodesOfAThread, [&](std::int64_t begin, std::int64_t end) {
-    for (Eigen::Index i = begin; i < end; ++i) visit(i, nodes_[static_cast<std::size_t>(i)]);
-  });
+  parallelFor(
+      0, nodes_.size(), part_.threads(), [&](Eigen::Index i) { visit(i, nodes_[static_cast<std::size_t>(i)]); },
+      nodesOfAThread);
 }
 
 void HandledWork::take(NodeVectorsView x, const NodeVectors& a) {

@@ -239,10 +239,10 @@ void Handler::detach(const ElementFlags& chosen, const Eigen::VectorXd& mass) {
 void Handler::explicitAcceleration(const NodeVectors& x, NodeVectors& a) {
   explicitBody().internalForce(x, explicitForce_, explicitWorkspace_);
   a.resize(3, x.cols());
-  parallelParts(x.cols(), body_.threads(), nodesOfAThread, [&](std::int64_t begin, std::int64_t end) {
-    for (Eigen::Index i = begin; i < end; ++i)
-      a.col(i) = (body_.externalForce().col(i) - explicitForce_.col(i)) * inverseMass_[i];
-  });
+  const auto accelerate = [&](Eigen::Index i) {
+    a.col(i) = (body_.externalForce().col(i) - explicitForce_.col(i)) * inverseMass_[i];
+  };
+  parallelFor(0, x.cols(), body_.threads(), accelerate, nodesOfAThread);
   body_.constraints().clearConstrained(a);
 }
 

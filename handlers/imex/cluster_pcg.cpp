@@ -147,9 +147,7 @@ void ClusterPcg<S>::refresh(const UpperBlocks& A, std::vector<std::uint8_t>& cha
     }
     invert(A, i);
   };
-  parallelParts(changed.size(), threads_, rowsOfAThread, [&](std::int64_t begin, std::int64_t end) {
-    for (std::int64_t i = begin; i < end; ++i) copyRow(i);
-  });
+  parallelFor(0, changed.size(), threads_, copyRow, rowsOfAThread);
 }
 
 template <class S>
@@ -195,11 +193,7 @@ typename ClusterPcg<S>::Result ClusterPcg<S>::solve(const Eigen::VectorXd& right
   const double unit = largest * scale_;
   const bool guessed = start > 0 && std::isfinite(start);
   if (!guessed) u.setZero();
-  const auto forRows = [&](const auto& visit) {
-    parallelParts(rows, threads_, rowsOfAThread, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t i = begin; i < end; ++i) visit(static_cast<std::size_t>(i));
-    });
-  };
+  const auto forRows = [&](const auto& visit) { parallelFor(0, rows, threads_, visit, rowsOfAThread); };
   const auto sumOfRows = [&](const auto& visit) {  // visit adds to a row and returns what is to be summed
     return total(parallelSum(rows, threads_, Row{}, [&](std::int64_t begin, std::int64_t end) {
       Row sum{};
@@ -257,11 +251,7 @@ typename ClusterPcg<S>::Result ClusterPcg<S>::solve(const Eigen::VectorXd& right
 template <class S>
 void ClusterPcg<S>::multiply(const Eigen::VectorXd& u, Eigen::VectorXd& product) {
   const double largest = u.cwiseAbs().maxCoeff(), unit = largest > 0 ? largest : 1;
-  const auto forRows = [&](const auto& visit) {
-    parallelParts(order_.size(), threads_, rowsOfAThread, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t i = begin; i < end; ++i) visit(static_cast<std::size_t>(i));
-    });
-  };
+  const auto forRows = [&](const auto& visit) { parallelFor(0, order_.size(), threads_, visit, rowsOfAThread); };
   forRows([&](std::size_t i) {
     for (std::size_t c = 0; c < 3; ++c) p_[4 * i + c] = static_cast<S>(u[3 * i + c] / unit);
   });

@@ -111,13 +111,11 @@ class Imex::Corrected final : public SecondOrderSystem {
       failed[k] = solve(clusters[k]);
       if (failed[k].empty()) keepAngularMomentum(owner_.body_, nodes, x, v, h_, before, a);
     };
-    std::vector<std::int64_t> others;
     for (std::size_t k = 0; k < clusters.size(); ++k)
-      if (takesAllThreads(clusters[k]))
-        visit(static_cast<std::int64_t>(k));
-      else
-        others.push_back(static_cast<std::int64_t>(k));
-    parallelFor(0, others.size(), owner_.body_.threads(), [&](std::int64_t i) { visit(others[i]); });
+      if (takesAllThreads(clusters[k])) visit(static_cast<std::int64_t>(k));
+    parallelFor(0, clusters.size(), owner_.body_.threads(), [&](std::int64_t k) {
+      if (!takesAllThreads(clusters[k])) visit(k);
+    });
     for (std::size_t k = 0; k < clusters.size() && fault.empty(); ++k)
       if (!failed[k].empty()) {
         const ElementRef first = clusters[k].elements().front();

@@ -94,9 +94,7 @@ NewtonCluster::NewtonCluster(const Body& body, std::vector<ElementRef> elements,
 
 template <class Visit>
 void NewtonCluster::forEachNode(const Visit& visit) const {
-  parallelParts(x_.cols(), threads(), nodesOfAPart, [&](std::int64_t begin, std::int64_t end) {
-    for (Eigen::Index i = begin; i < end; ++i) visit(i);
-  });
+  parallelFor(0, x_.cols(), threads(), visit, nodesOfAPart);
 }
 
 double NewtonCluster::inner(const NodeVectors& a, const NodeVectors& b) const {
@@ -139,7 +137,7 @@ void NewtonCluster::clearConstrained(NodeVectors& vectors) const {
   forEachConstrained([&](std::int32_t i, int c) { vectors(c, i) = 0; });
 }
 
-Eigen::Vector3d NewtonCluster::momentumOf(const NodeVectors& v) const {
+Eigen::Vector3d NewtonCluster::weightedByMass(const NodeVectors& v) const {
   return parallelSum(v.cols(), threads(), Eigen::Vector3d(0, 0, 0), [&](Eigen::Index begin, Eigen::Index end) {
     return Eigen::Vector3d(v.middleCols(begin, end - begin) * part_.lumpedMass().segment(begin, end - begin));
   });
@@ -147,7 +145,7 @@ Eigen::Vector3d NewtonCluster::momentumOf(const NodeVectors& v) const {
 
 void NewtonCluster::setMomentum(NodeVectors& vectors, const Eigen::Vector3d& momentum) const {
   if (anyConstrained_[0] && anyConstrained_[1] && anyConstrained_[2]) return;
-  const Eigen::Vector3d lacking = momentum - momentumOf(vectors);
+  const Eigen::Vector3d lacking = momentum - weightedByMass(vectors);
   Eigen::Vector3d all = lacking / part_.lumpedMass().sum();
   for (int c = 0; c < 3; ++c)
     if (anyConstrained_[c]) all[c] = 0;
@@ -204,7 +202,7 @@ void NewtonCluster::layOutKept() {
 void NewtonCluster::turnTangent() {
   if (!turns_ || !kept_) return;
   const Eigen::VectorXd& mass = part_.lumpedMass();
-  const Eigen::Vector3d centre = momentumOf(shape_) / mass.sum();
+  const Eigen::Vector3d centre = weightedByMass(shape_) / mass.sum();
   const Eigen::Matrix3d none = Eigen::Matrix3d::Zero();
   frame_ = rotationOf(parallelSum(x_.cols(), threads(), none, [&](Eigen::Index begin, Eigen::Index end) {
     Eigen::Matrix3d sum = none;
@@ -310,7 +308,7 @@ bool NewtonCluster::beginAsBefore(bool wantsPotential) {
 bool NewtonCluster::begin(bool wantsPotential) {
   forEachConstrained([&](std::int32_t i, int k) { u_(k, i) = target_(k, i); });
   // Where the centre of mass goes is known: the elements' forces add up to nothing.
-  setMomentum(u_, momentumOf(target_));
+  setMomentum(u_, weightedByMass(target_));
   return evaluate(wantsPotential);
 }
 

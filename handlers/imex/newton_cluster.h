@@ -82,8 +82,8 @@ class NewtonCluster {
   bool beginAsBefore(bool wantsPotential);
   /// Whether the step by u_ ends where a law has no energy.
   bool endsWithoutEnergy(const NodeVectors& v);
-  /// Σ m v.
-  Eigen::Vector3d momentumOf(const NodeVectors& v) const;
+  /// Σ m v: of velocities the momentum.
+  Eigen::Vector3d weightedByMass(const NodeVectors& v) const;
   /// Adds a translation to vectors in components that no node has constrained, so that their momentum is `momentum`.
   void setMomentum(NodeVectors& vectors, const Eigen::Vector3d& momentum) const;
   /// Keeps the tangent at the positions of u_.
