@@ -95,7 +95,12 @@ requires(sizeof(Mask) > 8) RINGWATCH_INLINE bool anyOf(Mask mask) {
   return any;
 }
 template <class Mask>
-requires(sizeof(Mask) > 8) RINGWATCH_INLINE bool allOf(Mask mask) { return !anyOf(Mask(mask == 0)); }
+requires(sizeof(Mask) > 8) RINGWATCH_INLINE bool allOf(Mask mask) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Mask) == 64) return _mm512_testn_epi32_mask((__m512i)mask, (__m512i)mask) == 0;
+#endif
+  return !anyOf(Mask(mask == 0));
+}
 
 namespace math {
 template <class T, int W>

@@ -56,13 +56,11 @@ inline constexpr double majorantRounding = 1e-12;
 inline constexpr double directionRounding = 1e-9;
 /// Kept free of a validity radius for the rounding of its own computation, relative.
 inline constexpr double radiusRounding = 1e-6;
-/// Roots in single precision, rounded up, relative.
-inline constexpr double singleRootRounding = 1e-6;
 /// Of a distance that is the root of a sum of nine squares, relative.
 inline constexpr double distanceRounding = 1e-15;
-/// Of the positions of a group: stored in single precision relative to the largest coordinate, √3/2²⁴, and their
-/// differences, relative to the coordinates; of the group's margin.
-inline constexpr double storedPositionRounding = 1.1e-7, positionRounding = 1e-15, groupMarginRounding = 1e-9;
+/// Kept free of a validity ball for the rounding of the distances that are compared with it, and of a ball about the
+/// centre of a batch, so that an element which is inside that one is inside its own by any rounding: relative.
+inline constexpr double ballRounding = 1e-9, commonBallRounding = 1e-6;
 /// The ball test on a GPU, in single precision: relative to the radius, and absolute, times 1 + |F|.
 inline constexpr double deviceBallRounding = 1e-5, deviceGradientRounding = 1e-6;
 

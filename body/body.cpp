@@ -385,7 +385,7 @@ void Body::pass(NodeVectorsView x, PatchVisitor* visitor, Wanted wanted, Workspa
     if (visitor)
       visitor->visitPatch(blockIndex, own);
     else
-      own.run(patch.batchBegin, patch.batchEnd);
+      own.run();
     if (wanted.energy) workspace.energies[p] = sumOf(energies);
     if (damps) workspace.powers[p] = sumOf(powers);
   };

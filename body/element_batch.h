@@ -113,9 +113,6 @@ class ElementBatch final : public ElementBlock {
   void laplacianOf(const std::int32_t* elements, double* L, double* rounding) const override {
     geometry_.laplacianOf(elements, L, rounding);
   }
-  void gradientNormBatch(std::int32_t batch, double* norms) const override {
-    geometry_.gradientNormBatch(batch, norms);
-  }
   void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const override {
     geometry_.minimumDeterminantBatch(batch, x, determinants);
   }
@@ -237,7 +234,8 @@ class ElementBatch final : public ElementBlock {
     const LawType law = law_;
     [[maybe_unused]] BulkViscosity bulk{};
     if constexpr (damped) bulk = *evaluation.bulk;
-    const bool stores = evaluation.visitor || (wantsForce && !alongForce && evaluation.energy);
+    const bool stores = wantsForce ? !alongForce && evaluation.energy : evaluation.visitor != nullptr;
+    const BatchBalls* const balls = evaluation.balls;
     alignas(64) double gradients[9 * Geometry::maxPoints * lanes];
     for (std::int32_t batch = first; batch < last; ++batch) {
       P position[n][3], force[n][3];
@@ -247,11 +245,14 @@ class ElementBatch final : public ElementBlock {
       const P* point = geometry_.pointsOf(batch);
       const P* ahead = geometry_.pointsOf(geometry_.ahead(batch));
       [[maybe_unused]] P energy(0.0);
+      BatchBalls::OfBatch ball;
+      if (balls) ball.start(*balls, batch, geometry_.pointCount());
       for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride, ahead += Geometry::stride) {
         Geometry::template prefetch<Geometry::stride>(ahead);
         const Matrix3<P> J1 = Geometry::inverseJacobian(point), D = x(q), F = D * J1;
         if (stores)
           for (int i = 0; i < 9; ++i) F.m[i].store(gradients + (9 * q + i) * lanes);
+        if (balls) ball.add(F);
         if constexpr (!wantsForce)
           if (evaluation.energy) energy += Geometry::weight(point) * law.energy(F);
         if constexpr (alongForce) energy += Geometry::weight(point) * law.energy(F);
@@ -274,7 +275,9 @@ class ElementBatch final : public ElementBlock {
         if constexpr (wantsForce && !alongForce) energy = energyOf(batch, gradients);
         addEnergy(batch, energy, position, evaluation.energy);
       }
-      if (evaluation.visitor) evaluation.visitor->visit(batch, gradients);
+      if (balls) balls->left[batch] = ball.left();
+      if constexpr (!wantsForce)
+        if (evaluation.visitor) evaluation.visitor->visit(batch, gradients);
     }
   }
 

@@ -9,6 +9,7 @@
 
 #include <ringwatch/base/aligned.h>
 #include <ringwatch/base/pack.h>
+#include <ringwatch/body/batch_balls.h>
 #include <ringwatch/body/bulk_viscosity.h>
 #include <ringwatch/body/element_operators.h>
 #include <ringwatch/body/element_tangents.h>
@@ -18,7 +19,7 @@
 
 namespace ringwatch {
 
-/// Sees the deformation gradients of elements while a pass computes with them.
+/// Sees the deformation gradients of elements.
 class GradientVisitor {
  public:
   /// F[(q * 9 + i) * lanes + lane] of the elements of a batch at the quadrature points q, row by row.
@@ -32,7 +33,8 @@ class GradientVisitor {
 struct BatchEvaluation {
   double* slots = nullptr;             ///< the internal force, N, is added into the slots of the patch
   double* energy = nullptr;            ///< strain energy, J, is added lane by lane: energy[lanes]
-  GradientVisitor* visitor = nullptr;  ///< sees the deformation gradients
+  GradientVisitor* visitor = nullptr;  ///< sees the deformation gradients, in a pass without forces
+  const BatchBalls* balls = nullptr;   ///< the deformation gradients are compared with them
   /// Rows of the velocities, of a block whose elements damp: their damping force is added to the internal force.
   const double* velocities = nullptr;
   double* dampingPower = nullptr;       ///< with velocities: of that force, W, is added lane by lane: power[lanes]
@@ -73,8 +75,6 @@ class ElementBlock : public ElementTangents {
   /// Deformation gradients at positions x of any elements, one a lane (-1: none), F[(q * 9 + i) * lanes + lane] row by
   /// row, q the quadrature point, and how fast the tangent can grow from there, drift[lane].
   virtual void deformationOf(const std::int32_t* elements, const double* x, double* F, TangentDrift* drift) const = 0;
-  /// max_q Σ_a |∂N_a/∂X| of the elements of a batch, 1/m: norms[lane].
-  virtual void gradientNormBatch(std::int32_t batch, double* norms) const = 0;
   /// Least determinant of F over the quadrature points of each element of a batch: determinants[lane].
   virtual void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const = 0;
 
@@ -119,7 +119,7 @@ class ElementBlock : public ElementTangents {
   HourglassControl hourglassControl_;
 };
 
-/// A patch in a pass over a body. A visitor runs its batches, each once and in ascending order.
+/// A patch in a pass over a body. A visitor runs it, once.
 class PatchPass {
  public:
   /// all: what is wanted of every batch.
@@ -130,12 +130,16 @@ class PatchPass {
   const Patch& patch() const { return block_.layout().patches[patch_]; }
   /// Positions of the patch's nodes, as ElementBlock::gatherRows gives them.
   const double* rows() const { return rows_; }
-  /// Computes what is wanted of batches [first, last); the visitor sees their deformation gradients.
-  void run(std::int32_t first, std::int32_t last, GradientVisitor* visitor = nullptr) const {
-    if (!all_.slots && !all_.energy && !visitor) return;
+  /// Computes what is wanted of all batches, and compares their deformation gradients with balls.
+  void run(const BatchBalls* balls = nullptr) const {
+    if (!all_.slots && !all_.energy && !balls) return;
     BatchEvaluation own = all_;
-    own.visitor = visitor;
-    block_.evaluateBatches(first, last, rows_, own);
+    own.balls = balls;
+    block_.evaluateBatches(patch().batchBegin, patch().batchEnd, rows_, own);
+  }
+  /// The visitor sees the deformation gradients of a batch.
+  void visit(std::int32_t batch, GradientVisitor& visitor) const {
+    block_.evaluateBatches(batch, batch + 1, rows_, {.visitor = &visitor});
   }
 
  private:

@@ -16,7 +16,7 @@ std::vector<std::vector<double>> strainEnergyOfElements(const Body& body, NodeVe
       block.gatherRows(patch, x.data(), rows);
       for (std::int32_t batch = patch.batchBegin; batch < patch.batchEnd; ++batch) {
         alignas(64) double ofLanes[lanes] = {};
-        block.evaluateBatches(batch, batch + 1, rows, {nullptr, ofLanes, nullptr});
+        block.evaluateBatches(batch, batch + 1, rows, {.energy = ofLanes});
         for (int lane = 0; lane < lanes; ++lane)
           if (const std::int32_t e = layout.elements[batch * lanes + lane]; e >= 0) own[e] = ofLanes[lane];
       }

@@ -9,7 +9,7 @@ template <class... Es>
 constexpr auto everyFunction(TypeList<Es...>) {
   return std::tuple_cat(std::make_tuple(
       &ElementGeometry<Es>::fill, &ElementGeometry<Es>::meanGradients, &ElementGeometry<Es>::gatherPoints,
-      &ElementGeometry<Es>::gatherExtents, &ElementGeometry<Es>::laplacianOf, &ElementGeometry<Es>::gradientNormBatch,
+      &ElementGeometry<Es>::gatherExtents, &ElementGeometry<Es>::laplacianOf,
       &ElementGeometry<Es>::minimumDeterminantBatch, &ElementGeometry<Es>::volumeBatch)...);
 }
 [[gnu::used]] constexpr auto instances = everyFunction(Elements{});

@@ -118,7 +118,6 @@ class ElementGeometry : public ElementNodes<Element::nodes> {
 
   /// See the functions of the same names in ElementBlock.
   void laplacianOf(const std::int32_t* elements, double* L, double* rounding) const;
-  void gradientNormBatch(std::int32_t batch, double* norms) const;
   void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const;
   void volumeBatch(std::int32_t batch, double* volumes) const;
 

@@ -117,19 +117,6 @@ void ElementGeometry<Element>::laplacianOf(const std::int32_t* elements, double*
 }
 
 template <class Element>
-void ElementGeometry<Element>::gradientNormBatch(std::int32_t batch, double* norms) const {
-  const P* point = pointsOf(batch);
-  P largest(0.0);
-  for (int q = 0; q < pointCount(); ++q, point += stride) {
-    P g[n][3], sum(0.0);
-    Operators::shapeGradients(inverseJacobian(point), shapeTable(q), g);
-    for (int a = 0; a < n; ++a) sum += math::sqrt(g[a][0] * g[a][0] + g[a][1] * g[a][1] + g[a][2] * g[a][2]);
-    largest = math::max(largest, sum);
-  }
-  largest.store(norms);
-}
-
-template <class Element>
 void ElementGeometry<Element>::minimumDeterminantBatch(std::int32_t batch, const double* x,
                                                        double* determinants) const {
   P edges[n][3];

@@ -16,7 +16,8 @@ class RigidBlock final : public WrappedBlock {
 
   void evaluateBatches(std::int32_t first, std::int32_t last, const double* rows,
                        const BatchEvaluation& evaluation) const override {
-    if (evaluation.visitor) inner().evaluateBatches(first, last, rows, {nullptr, nullptr, evaluation.visitor});
+    if (evaluation.visitor || evaluation.balls)
+      inner().evaluateBatches(first, last, rows, {.visitor = evaluation.visitor, .balls = evaluation.balls});
   }
   void tangentProductBatches(std::int32_t, std::int32_t, const double*, const double*, double*) const override {}
   void tangentBatch(std::int32_t, const double*, double* K, double* rounding) const override { clear(K, rounding); }

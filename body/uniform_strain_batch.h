@@ -103,12 +103,6 @@ class UniformStrainBatch final : public ElementBlock {
     out.rounding = Geometry::hourglassError(at, own);
     return true;
   }
-  void gradientNormBatch(std::int32_t batch, double* norms) const override {
-    const Vectors own = Geometry::vectorsOf(geometry_.of(batch));
-    P sum(0.0);
-    for (const auto& g : own.g) sum += math::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    sum.store(norms);
-  }
   void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const override {
     P position[n][3];
     determinant(deformationAt(geometry_.elementsOf(batch), geometry_.of(batch), x, position)).store(determinants);
@@ -147,6 +141,12 @@ class UniformStrainBatch final : public ElementBlock {
         geometry_.addToSlots(evaluation.slots, batch, force);
       }
       if (evaluation.energy) addEnergy(at, F, q, evaluation.energy);
+      if (evaluation.balls) {
+        BatchBalls::OfBatch ball;
+        ball.start(*evaluation.balls, batch, 1);
+        ball.add(F);
+        evaluation.balls->left[batch] = ball.left();
+      }
       if (evaluation.visitor) {
         alignas(64) double gradient[9 * lanes];
         for (int i = 0; i < 9; ++i) F.m[i].store(gradient + i * lanes);

@@ -10,7 +10,6 @@ namespace ringwatch {
 /// forces is the inner block's.
 class WrappedBlock : public ElementBlock {
  public:
-  void gradientNormBatch(std::int32_t batch, double* norms) const final { inner_->gradientNormBatch(batch, norms); }
   void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const final {
     inner_->minimumDeterminantBatch(batch, x, determinants);
   }

@@ -49,8 +49,6 @@ double RankMonitor::largest(double own) {
 
 RankMonitor::Found RankMonitor::checkElements(NodeVectorsView x, StepEvaluation& evaluation) {
   Found found;
-  // Groups that skip a check together differ from part to part.
-  certificate_.visitEveryElement();
   std::vector<ElementRef> outside = certificate_.elementsOutsideBall(x, &evaluation);
   std::vector<ElementRef> evaluated;
   for (const RunCertificate::Leaver& leaver : certificate_.growBalls(x, outside)) evaluated.push_back(leaver.element);

@@ -251,7 +251,6 @@ ExchangeWork ExchangeCertificate::share(NodeVectorsView x, NodeVectorsView mode,
   holds_ = std::isfinite(raise);
   scale_ = holds_ ? raise : 1;
   seenElements_ = {};  // of all
-  for (BlockData& data : blocks_) data.balls.invalidateAll();
   addDiscreteForces(x);
   return work;
 }
@@ -288,7 +287,6 @@ void ExchangeCertificate::proveAnew(NodeVectorsView x, std::vector<ElementRef>& 
   }
   holds_ = raise <= mostRaise;
   if (holds_) scale_ *= raise;
-  for (const ElementRef e : outside) blocks_[e.block].balls.ballChanged(placeOf(e));
 }
 
 void ExchangeCertificate::addDiscreteForces(NodeVectorsView x) {

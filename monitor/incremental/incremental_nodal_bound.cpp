@@ -69,7 +69,6 @@ IncrementalNodalBound::Outcome IncrementalNodalBound::follow(NodeVectorsView x, 
   const double evaluations = work[WorkOn::evaluations] - before[WorkOn::evaluations];
   work[WorkOn::evaluations] -= evaluations;
   work[WorkOn::repairs] += evaluations;
-  if (outcome != Outcome::tooManyViolations) state_.ballsChanged(changed);
   return outcome;
 }
 

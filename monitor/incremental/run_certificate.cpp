@@ -19,6 +19,9 @@ namespace {
 /// A strain norm at or below it belongs to an element without any free component.
 constexpr double nothingFree = 1e-200;
 
+/// A ball that grows becomes larger by this part than the element needs, which would leave it again at once.
+constexpr double roomOfGrownBall = 1.0 / 3;
+
 /// Whether A - B has no row whose diagonal and sizes beside it sum to more than nothing, by which A ≼ B: cheaper than
 /// an eigenvalue.
 bool diagonallyBelow(const Eigen::Matrix3d& A, const Eigen::Matrix3d& B) {
@@ -199,7 +202,7 @@ void RunCertificate::reduceBesideDiscreteForces() {
 std::vector<RunCertificate::Leaver> RunCertificate::growBalls(NodeVectorsView x,
                                                               const std::vector<ElementRef>& elements) {
   struct Need {
-    double distance, allowance;
+    double allowance;
     TangentDrift drift;
   };
   std::vector<Need> needs(elements.size());
@@ -212,20 +215,17 @@ std::vector<RunCertificate::Leaver> RunCertificate::growBalls(NodeVectorsView x,
       const std::size_t place = placeOf({b, pack[lane]});
       const double distance = blocks_[b].balls.distance(place, F.data(), lane);
       // It has to be inside a radius that is stored with 8 bits, and not at its edge.
-      const double radius = (1 + 1.0 / 64) * distance / (1 - ValidityBalls::edgeFraction) + ValidityBalls::storageError;
+      const double radius = (1 + 1.0 / 64) * (1 + roomOfGrownBall) * distance + ValidityBalls::storageError;
       // The growth is that of the damping that counted when it was last evaluated.
       const double allowance = blocks_[b].rateHasRisen(place) ? infinity : blocks_[b].growth(place).at(radius);
-      needs[index[lane]] = {distance, allowance, drift[lane]};
+      needs[index[lane]] = {allowance, drift[lane]};
     }
   });
   std::vector<Leaver> grown, others;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     note(elements[i], needs[i].drift);
     const double own = allowance(elements[i]), need = needs[i].allowance * (1 + radiusRounding);
-    const Leaver leaver{elements[i], needs[i].distance,
-                        need <= own                  ? 1
-                        : own > 0 && need < infinity ? need / own
-                                                     : infinity};
+    const Leaver leaver{elements[i], need <= own ? 1 : own > 0 && need < infinity ? need / own : infinity};
     (leaver.need <= 1 ? grown : others).push_back(leaver);
   }
   statistics_.work[WorkOn::tests] += WorkAccount::ofGrowth(body(), elements);
@@ -237,10 +237,7 @@ std::vector<RunCertificate::Leaver> RunCertificate::growBalls(NodeVectorsView x,
 }
 
 void RunCertificate::growBalls(std::span<const Leaver> leavers) {
-  for (const Leaver& leaver : leavers) {
-    fitBall(leaver.element);
-    of(leaver.element).balls.ballChanged(placeOf(leaver.element), leaver.distance);
-  }
+  for (const Leaver& leaver : leavers) fitBall(leaver.element);
 }
 
 void RunCertificate::raiseToValues(const std::vector<ElementRef>& elements, double share) {
@@ -261,10 +258,6 @@ void RunCertificate::note(ElementRef e, double determinant, double negative) {
   RoundedUp<Bfloat16>& compression = of(e).compression[placeOf(e)];
   compression = negative / modulus;
   mostCompression_ = std::max(mostCompression_, static_cast<double>(compression));
-}
-
-void RunCertificate::ballsChanged(const std::vector<ElementRef>& elements) {
-  for (const ElementRef e : elements) of(e).balls.ballChanged(placeOf(e));
 }
 
 std::vector<ElementRef> RunCertificate::elementsOutsideBall(NodeVectorsView x, StepEvaluation* evaluation) {
@@ -350,7 +343,6 @@ void RunCertificate::distributeAllowances(NodeVectorsView x, bool newWeights) {
     for (std::size_t i = 0; i < drifts.size(); ++i)
       if (block.layout().elements[i] >= 0) note({b, block.layout().elements[i]}, drifts[i]);
     statistics_.evaluated += newWeights ? block.elementCount() : 0;
-    data.balls.invalidateAll();
   }
   weights().releaseSums();
   statistics_.work[WorkOn::sweeps] += WorkAccount::ofDistribution(body(), newWeights);
@@ -376,8 +368,6 @@ void RunCertificate::moveTo(double sigma) {
               validityRadius(data.growthOfPack(first), NativePack(infinity), RoundedDown<float>::load(own)));
         },
         256);
-    // Balls that have grown let groups skip as long as the smaller ones did.
-    if (factor < 1) data.balls.invalidateAll();
   }
   // What discrete forces take does not shrink with the rest.
   if (factor < 1) reduceBesideDiscreteForces();

@@ -46,7 +46,7 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   /// needs by Theorem 16: infinity where only an evaluation helps.
   struct Leaver {
     ElementRef element;
-    double distance, need;
+    double need;
   };
   /// Gives elements that have left their balls the balls that their allowances have room for, and
   /// returns those for which that is not enough, the neediest first. Evaluates no element. x: the positions of the last
@@ -65,8 +65,6 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   void setBall(ElementRef e, const Reference& reference);
   /// The ball around the reference gradients that there are, for an allowance that has changed.
   void fitBall(ElementRef e);
-  /// Call it for elements that got new balls at the positions of the last elementsOutsideBall.
-  void ballsChanged(const std::vector<ElementRef>& elements);
   /// Whether the sum at a node is above what the certified eigenvalue allows there, or may be by rounding.
   bool exceeds(std::int32_t node) const;
   /// Takes the majorants of discrete forces at x, with room. Allowances have to be distributed after it.
@@ -80,13 +78,8 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   double leastForDiscreteForces() const;
   /// Raises the certified eigenvalue to what nodes need, and a share more.
   void raiseForNodes(const std::vector<std::int32_t>& nodes, double share);
-  /// The next elementsOutsideBall visits every element: which ones it finds depends on each of them alone then, and not
-  /// on what lies beside it in groups that skip together.
-  void visitEveryElement() {
-    for (BlockData& data : blocks_) data.balls.invalidateAll();
-  }
-  /// Elements that may have left their balls at x. Unless nullptr, `evaluation` is filled in by the same pass; its
-  /// visitor is not used.
+  /// The elements that are outside their balls at x: each by its own numbers alone. Unless nullptr, `evaluation` is
+  /// filled in by the same pass; its visitor is not used.
   std::vector<ElementRef> elementsOutsideBall(NodeVectorsView x, StepEvaluation* evaluation);
 
   /// Gives every element the largest allowance that its nodes have room for below the certified eigenvalue, in

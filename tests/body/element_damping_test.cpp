@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/body/sub_body.h>
 #include <tests/support/body_cases.h>
@@ -229,8 +230,20 @@ TEST(ElementDamping, ProductsFormsAndPartsAgreeWithTheMatrix) {
 TEST(ElementDamping, OnePassHasTheForcesOfTwoAndTheirPower) {
   class SeesAll final : public PatchVisitor {
    public:
+    // By turns of batches with a common centre and with centres of their own.
     void visitPatch(std::size_t, const PatchPass& pass) override {
-      pass.run(pass.patch().batchBegin, pass.patch().batchEnd);
+      constexpr std::size_t mostPoints = 64;
+      const auto batches = static_cast<std::size_t>(pass.patch().batchEnd);
+      const std::vector<double> centre(9 * batches);
+      const std::vector<RoundedDown<Bfloat16>> radius(batches * lanes, infinity);
+      const std::vector<std::int16_t> ownCentre(9 * batches * mostPoints * lanes);
+      std::vector<std::uint8_t> byOwn(batches), left(batches, 1);
+      for (std::size_t batch = 0; batch < batches; ++batch) byOwn[batch] = batch % 2;
+      const BatchBalls balls{centre.data(), radius.data(), byOwn.data(), ownCentre.data(), 1,
+                             radius.data(), left.data()};
+      pass.run(&balls);
+      for (auto batch = static_cast<std::size_t>(pass.patch().batchBegin); batch < batches; ++batch)
+        EXPECT_EQ(left[batch], 0);
     }
   } visitor;
   for (const test::BodyCase& c : test::allBodyCases())

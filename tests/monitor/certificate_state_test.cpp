@@ -135,7 +135,6 @@ TEST(RunCertificate, RaisesToTheValuesOfElements) {
   state.evaluate(x, outside, false, now);
   ASSERT_GT(state.verify(x), rounding);
   state.raiseToValues(outside, 0.03);
-  state.ballsChanged(outside);
   EXPECT_LE(state.verify(x), rounding);
   EXPECT_TRUE(state.elementsOutsideBall(x, nullptr).empty());
 }
