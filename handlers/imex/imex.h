@@ -23,7 +23,8 @@ std::string imexForGpu(Options& own);
 /// h² K(x) and b of h² K̂ over M at an eigenvector of the recursion,
 ///   (1 + beta b) z² - (2 - a + (2 beta - α) b) z + 1 + (beta - α) b = 0,
 /// whose roots have |z| <= 1 for 0 <= a <= 4 + (1 + α²) b. With K_E ≼ (4/h²) M, which the certified selection proves,
-/// it holds whenever K_I ≼ (1 + α²) K̂, which is assumed, and with `newton`, where K̂ is K_I, is so. Theorems 34 and 61,
+/// it holds whenever K_I ≼ (1 + α²) K̂, which is assumed, up to a limit on the energy that the elements add
+/// (EnergyLimitedHandler), and with `newton`, where K̂ is K_I, is so. Theorems 34 and 61,
 /// docs/theory/handlers.md. With Rayleigh damping the damping force is that of all elements at v_(n-½), and h/2 beta_K
 /// is added to beta h² on the left: Theorem 64. Not with `newton`.
 class Imex final : public EnergyLimitedHandler {

@@ -40,7 +40,8 @@ double marginOfLocalTimeStepping(std::string_view law);
 ///
 /// explicitBody() has the elements of level 0 on M_1/4: its critical step is h where the proof for level 0 ends. Finer
 /// levels are proven where they are chosen, with the margin, and watched by uncertifiedPart(); a step whose averaged
-/// force outgrows the force fails.
+/// force outgrows the force fails. What the elements add to the energy while their tangents change within steps has a
+/// limit (EnergyLimitedHandler).
 class LocalTimeStepping final : public EnergyLimitedHandler {
  public:
   static constexpr std::array<std::string_view, 2> variants{"stabilised", "plain"};
