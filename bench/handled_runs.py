@@ -315,7 +315,7 @@ def run(program, folder, case, longest):
                     "rise": rise, "fall": fall, "dissipated": dissipated, "certified": summary["certified_steps"],
                     "handled": handler.get("handled_elements", 0), "selections": handler.get("selections", ""),
                     "added_mass": handler.get("added_mass_percent", ""),
-                    "implicit": handler.get("implicit_steps", ""), "parts": handler.get("most_parts", ""),
+                    "implicit": handler.get("implicit_steps", handler.get("nonlinear_steps", "")), "parts": handler.get("most_parts", ""),
                     "energy_balance": "energy-balance" in kinds,
                     "inverted": "inverted" in kinds, "indefinite": "indefinite" in kinds,
                     "reason": "" if done_whole else str(summary.get("exit_text") or "")[:300],

@@ -436,7 +436,7 @@ void addHandler(std::vector<SceneKey>& all) {
            .type = T::number,
            .range = share,
            .help = "elements are chosen as for a step of step/(1 - margin), so that the explicit part may stiffen; "
-                   "without, 0.1, and 0.3 for local-time-stepping with stvk"},
+                   "without, 0.1, 0.15 for mass-scaling, and 0.3 for local-time-stepping with stvk"},
           {.key = "step",
            .type = T::number,
            .unit = "s",

@@ -28,7 +28,7 @@ class FePbd final : public RelaxingHandler {
                  .fallback = "0",
                  .help = "over the handled elements in a step; more make crowded ones less soft; 0: 1",
                  .onlyWith = {"variant", std::span(variants).first<1>()}},
-      energyLimitOption(std::span(variants).first<1>())};
+      energyLimitOption({"variant", std::span(variants).first<1>()})};
   static constexpr HandlerInfo description{.name = "fe-pbd",
                                            .help = "moves the nodes of critical tetrahedra towards goal shapes",
                                            .options = table,

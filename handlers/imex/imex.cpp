@@ -18,7 +18,11 @@ std::string imexForGpu(Options& own) {
   const OptionValue* momentum = own.find("momentum");
   if (momentum && *momentum == OptionValue(momentumChoices[0]))
     return "a GPU does not keep angular momentum: momentum must be \"free\"";
+  const OptionValue* limit = own.find("energy_limit");
+  if (limit && *limit != OptionValue(0))
+    return "a GPU does not limit the energy that handled elements add: energy_limit must be 0";
   own.set("momentum", momentumChoices[1]);
+  own.set("energy_limit", 0);
   own.set("solver", clusterSolverNames.nameOf(ClusterSolver::conjugateGradients));
   if (!own.find("tolerance") || own.automatic("tolerance")) own.set("tolerance", 1e-8);
   return {};
@@ -30,13 +34,15 @@ namespace {
 /// default dissipation takes, at 5e-4 a thirtieth.
 constexpr double newtonTolerance = 5e-4;
 
+bool hasNonlinearLaw(const Body& body) {
+  return std::ranges::any_of(body.blocks(),
+                             [](const auto& block) { return block->material().lawName() != LinearElastic::name; });
+}
+
 /// Whether the equations of the handled elements are to be nonlinear. They are linear where all laws are, and with
 /// damping.
 bool isNonlinear(const Body& body, std::string_view solver, bool damped) {
-  if (solver != "auto") return solver == Imex::newton;
-  return !damped && std::ranges::any_of(body.blocks(), [](const auto& block) {
-    return block->material().lawName() != LinearElastic::name;
-  });
+  return solver == "auto" ? !damped && hasNonlinearLaw(body) : solver == Imex::newton;
 }
 
 /// The options with the solver of linear clusters.
@@ -134,7 +140,7 @@ class Imex::Corrected final : public SecondOrderSystem {
 };
 
 Imex::Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
-    : Handler(description, body, std::move(base), std::move(options)),
+    : EnergyLimitedHandler(description, body, std::move(base), std::move(options)),
       dissipation_(options_.own.number("dissipation")),
       nonlinear_(isNonlinear(body, options_.own.text("solver"), options_.damping.any())),
       keepsMomentum_(ringwatch::keepsMomentum(options_.own)),
@@ -142,9 +148,10 @@ Imex::Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
   if (nonlinear_ && options_.own.automatic("tolerance")) cluster_.tolerance = newtonTolerance;
   if (nonlinear_ && options_.damping.any())
     throw InputError("imex: the solver \"newton\" works without damping; take another");
+  if (!nonlinear_ && !options_.damping.any() && hasNonlinearLaw(body)) limitEnergy(options_.own.number("energy_limit"));
 }
 
-void Imex::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
+void Imex::takeOwn(const NodeVectors& x, double h, const ElementFlags& chosen) {
   const ImplicitScheme scheme = schemeOf(h);
   for (const NewtonCluster& cluster : newtonClusters_) {
     stallsBefore_ += cluster.stalls();
@@ -165,7 +172,7 @@ void Imex::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
   detach(chosen);
 }
 
-StepStatus Imex::handledStep(SecondOrderSystem& system, State& state, double h) {
+StepStatus Imex::ownStep(SecondOrderSystem& system, State& state, double h) {
   if (system.velocityDependent() && nonlinear_)
     throw InputError("imex: the solver \"newton\" works without damping, and the system has some");
   // With u = a + c v the damping force needs no product of its own: (M + w K̂) u = M (a₀ + c v).
@@ -176,6 +183,12 @@ StepStatus Imex::handledStep(SecondOrderSystem& system, State& state, double h) 
 }
 
 std::vector<HandlerFigure> Imex::figures() const {
+  std::vector<HandlerFigure> result = imex() ? imex()->figures() : figuresOfClusters();
+  if (!nonlinear_) result.push_back({"nonlinear_steps", static_cast<double>(imexSteps()), true});
+  return result;
+}
+
+std::vector<HandlerFigure> Imex::figuresOfClusters() const {
   const auto largestOf = [](const auto& clusters) {
     std::size_t largest = 0;
     for (const auto& cluster : clusters) largest = std::max(largest, cluster.nodes().size());

@@ -1,5 +1,5 @@
 #pragma once
-#include <ringwatch/handlers/handler.h>
+#include <ringwatch/handlers/energy_limited_handler.h>
 #include <ringwatch/handlers/imex/implicit_cluster.h>
 #include <ringwatch/handlers/imex/newton_cluster.h>
 
@@ -23,14 +23,16 @@ std::string imexForGpu(Options& own);
 /// h² K(x) and b of h² K̂ over M at an eigenvector of the recursion,
 ///   (1 + beta b) z² - (2 - a + (2 beta - α) b) z + 1 + (beta - α) b = 0,
 /// whose roots have |z| <= 1 for 0 <= a <= 4 + (1 + α²) b. With K_E ≼ (4/h²) M, which the certified selection proves,
-/// it holds whenever K_I ≼ (1 + α²) K̂, which is assumed, and with `newton`, where K̂ is K_I, is so. Theorems 34 and 61,
+/// it holds whenever K_I ≼ (1 + α²) K̂, which is assumed, up to a limit on the energy that the elements add
+/// (EnergyLimitedHandler), and with `newton`, where K̂ is K_I, is so. Theorems 34 and 61,
 /// docs/theory/handlers.md. With Rayleigh damping the damping force is that of all elements at v_(n-½), and h/2 beta_K
 /// is added to beta h² on the left: Theorem 64. Not with `newton`.
-class Imex final : public Handler {
+class Imex final : public EnergyLimitedHandler {
  public:
   static constexpr std::string_view newton = "newton", linear = "linear";
   static constexpr std::array<std::string_view, 5> solvers{"auto", newton, linear, "cholesky", "cg"};
   static constexpr std::array<std::string_view, 4> solversWithTolerance{"auto", newton, linear, "cg"};
+  static constexpr std::array<std::string_view, 3> linearSolvers{linear, "cholesky", "cg"};
   static constexpr std::array table{
       OptionInfo{.name = "dissipation",
                  .range = {0, 1, true, true},
@@ -47,6 +49,7 @@ class Imex final : public Handler {
       withSolvers(solverToleranceOption, solversWithTolerance),
       withSolvers(solverIterationsOption, solversWithTolerance),
       momentumOption,
+      energyLimitOption({"solver", linearSolvers}),
       onFailureOption};
   static constexpr HandlerInfo description{.name = "imex",
                                            .help = "implicit where the step is too large, explicit elsewhere",
@@ -56,15 +59,15 @@ class Imex final : public Handler {
                                            .forGpu = imexForGpu};
   Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
-  /// Nonlinear equations prove what linear ones assume: Theorem 61.
-  bool provesHandledPart() const override { return nonlinear_; }
   const std::vector<ImplicitCluster>& clusters() const { return clusters_; }
 
  protected:
-  void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
+  void takeOwn(const NodeVectors& x, double h, const ElementFlags& chosen) override;
   /// system: that of the body. Without damping its forces are evaluated by the handler, those of the explicit and those
   /// of the handled elements: a system that counts or splits forces sees none.
-  StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
+  StepStatus ownStep(SecondOrderSystem& system, State& state, double h) override;
+  /// Nonlinear equations prove what linear ones assume: Theorem 61.
+  bool provesOwnPart() const override { return nonlinear_; }
   bool handledBeginsWithAcceleration() const override {
     return options_.damping.any() && base_->beginsWithAcceleration() && baseAcceleration_.cols() == 0;
   }
@@ -73,6 +76,7 @@ class Imex final : public Handler {
   /// The base scheme's view: the acceleration that the implicit elements allow.
   class Corrected;
 
+  std::vector<HandlerFigure> figuresOfClusters() const;
   ImplicitScheme schemeOf(double h) const { return {h, dissipation_, options_.damping.beta}; }
 
   double dissipation_;

@@ -249,6 +249,9 @@ void ImplicitCluster::subtractProduct(const Eigen::VectorXd& p) {
 }
 
 bool ImplicitCluster::solveByConjugateGradients() {
+  // Without the translation, which K̂ takes no part in: fast bodies and those that fall would else be solved to a
+  // tolerance of that.
+  const Eigen::Vector3d translation = takeTranslation();
   auto& [gradients, before] = *iterative_;
   if (before[1].size() > 0)
     u_ = 2 * before[0] - before[1];
@@ -265,23 +268,28 @@ bool ImplicitCluster::solveByConjugateGradients() {
     before = {};  // another start next time
     return false;
   }
-  addTranslation();
   before[1].swap(before[0]);
   before[0] = u_;
+  // The sum of M u over the nodes is that of the right-hand side.
+  right_ -= u_.cwiseProduct(mass_);
+  const Eigen::Vector3d missing = takeTranslation();
+  for (Eigen::Index d = 0; d < u_.size(); ++d) u_[d] += translation[d % 3] + missing[d % 3];
   return true;
 }
 
-void ImplicitCluster::addTranslation() {
-  // K̂ takes no part in translations, so that the sum of M u over the nodes is that of the right-hand side.
+Eigen::Vector3d ImplicitCluster::takeTranslation() {
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
   for (int c = 0; c < 3; ++c) {
     if (anyConstrained_[c]) continue;
-    double missing = 0, mass = 0;
+    double sum = 0, mass = 0;
     for (Eigen::Index d = c; d < mass_.size(); d += 3) {
-      missing += right_[d] - mass_[d] * u_[d];
+      sum += right_[d];
       mass += mass_[d];
     }
-    for (Eigen::Index d = c; d < mass_.size(); d += 3) u_[d] += missing / mass;
+    translation[c] = sum / mass;
+    for (Eigen::Index d = c; d < mass_.size(); d += 3) right_[d] -= mass_[d] * translation[c];
   }
+  return translation;
 }
 
 Eigen::MatrixXd ImplicitCluster::matrix() const {

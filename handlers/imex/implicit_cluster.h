@@ -127,7 +127,8 @@ class ImplicitCluster {
   bool factor();
   bool solveByConjugateGradients();
   void subtractProduct(const Eigen::VectorXd& p);
-  void addTranslation();
+  /// Takes the translation, m/s², out of right_, but along directions that a node is held in.
+  Eigen::Vector3d takeTranslation();
 
   double w_;
   ClusterOptions options_;

@@ -55,12 +55,15 @@ class LocalTimeStepping::Averaged final : public SecondOrderSystem {
 };
 
 LocalTimeStepping::LocalTimeStepping(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
-    : Handler(description, body, std::move(base), std::move(options)),
+    : EnergyLimitedHandler(description, body, std::move(base), std::move(options)),
       stabilised_(options_.own.text("variant") == variants[0]),
       levelLimit_(options_.own.integer("levels")),
       dissipation_(options_.own.number("dissipation")),
       keepsMomentum_(keepsMomentum(options_.own)),
-      cluster_(clusterOptionsOf(options_.own)) {}
+      cluster_(clusterOptionsOf(options_.own)) {
+  // Imex takes over without damping alone.
+  if (!options_.damping.any()) limitEnergy(options_.own.number("energy_limit"));
+}
 
 double LocalTimeStepping::deepest(double h) const { return std::pow(4.0, levelLimit_) * allowedLambda(h); }
 
@@ -163,7 +166,7 @@ ElementFlags LocalTimeStepping::choose(const NodeVectors& x, double h, const Ele
   levels_.clear();
   watches_.clear();
   ElementFlags chosen = Handler::choose(x, h, keep);
-  if (chosenElements(chosen).empty()) return chosen;
+  if (imex() || chosenElements(chosen).empty()) return chosen;
   ReducedRing rings(body_);
   std::vector<std::vector<double>> lambdas = rings.evaluate(x).largest;
   idealShare_ = smallest_ = 0;
@@ -211,7 +214,7 @@ ElementFlags LocalTimeStepping::choose(const NodeVectors& x, double h, const Ele
   }
 }
 
-void LocalTimeStepping::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
+void LocalTimeStepping::takeOwn(const NodeVectors& x, double h, const ElementFlags& chosen) {
   std::vector<FineLevel> fine;
   for (std::size_t k = 1; k < levels_.size(); ++k)
     fine.push_back({levels_[k].elements, levels_[k].filter, h / levels_[k - 1].substeps});
@@ -295,12 +298,18 @@ void LocalTimeStepping::averagedAcceleration(const NodeVectors& x, const NodeVec
   body_.constraints().clearConstrained(a);
 }
 
-StepStatus LocalTimeStepping::handledStep(SecondOrderSystem& system, State& state, double h) {
+StepStatus LocalTimeStepping::ownStep(SecondOrderSystem& system, State& state, double h) {
   if (system.velocityDependent() && options_.damping.alpha == 0)
     throw InputError("local-time-stepping: the system has damping that the handler was not made for");
   Averaged averaged(*this, h);
   fault_.clear();
   return baseStep(averaged, state, h, fault_);
+}
+
+void LocalTimeStepping::giveUp() {
+  EnergyLimitedHandler::giveUp();
+  levels_.clear();
+  watches_.clear();
 }
 
 std::string LocalTimeStepping::uncertifiedPart(const NodeVectors& x) {
@@ -330,7 +339,7 @@ std::int64_t LocalTimeStepping::evaluations() const {
 }
 
 std::vector<HandlerFigure> LocalTimeStepping::figures() const {
-  std::vector<HandlerFigure> result;
+  std::vector<HandlerFigure> result{{"implicit_steps", static_cast<double>(imexSteps())}};
   if (levels_.empty()) return result;
   for (const Level& level : levels_)
     result.push_back({joinText("elements_at_step_over_", level.substeps),

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include <ringwatch/handlers/handler.h>
+#include <ringwatch/handlers/energy_limited_handler.h>
 #include <ringwatch/handlers/local_time_stepping/level_filter.h>
 #include <ringwatch/handlers/local_time_stepping/level_watch.h>
 
@@ -40,8 +40,9 @@ double marginOfLocalTimeStepping(std::string_view law);
 ///
 /// explicitBody() has the elements of level 0 on M_1/4: its critical step is h where the proof for level 0 ends. Finer
 /// levels are proven where they are chosen, with the margin, and watched by uncertifiedPart(); a step whose averaged
-/// force outgrows the force fails.
-class LocalTimeStepping final : public Handler {
+/// force outgrows the force fails. What the elements add to the energy while their tangents change within steps has a
+/// limit (EnergyLimitedHandler).
+class LocalTimeStepping final : public EnergyLimitedHandler {
  public:
   static constexpr std::array<std::string_view, 2> variants{"stabilised", "plain"};
   static constexpr std::array table{
@@ -59,6 +60,7 @@ class LocalTimeStepping final : public Handler {
       solverToleranceOption,
       solverIterationsOption,
       momentumOption,
+      energyLimitOption(),
       onFailureOption};
   // Levels split the mass of a node, and the bound by single elements needs each to have its own.
   static constexpr std::array selections{Selection::certified, Selection::fierzRing};
@@ -71,10 +73,6 @@ class LocalTimeStepping final : public Handler {
                                            .marginOfLaw = marginOfLocalTimeStepping};
   LocalTimeStepping(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
-  /// All levels are proven and watched; implicit elements are not.
-  bool provesHandledPart() const override {
-    return stabilised_ && options_.selection == Selection::certified && chosenElements(implicit_).empty();
-  }
   /// A finer level whose tangent is above what its filter takes. Of implicit elements nothing is said.
   std::string uncertifiedPart(const NodeVectors& x) override;
 
@@ -95,10 +93,15 @@ class LocalTimeStepping final : public Handler {
 
  protected:
   ElementFlags choose(const NodeVectors& x, double h, const ElementFlags& keep) override;
-  void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
+  void takeOwn(const NodeVectors& x, double h, const ElementFlags& chosen) override;
   /// system: that of the body. Its forces are evaluated level by level, thus by the handler: a system that counts or
   /// splits forces sees none.
-  StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
+  StepStatus ownStep(SecondOrderSystem& system, State& state, double h) override;
+  /// All levels are proven and watched; implicit elements are not.
+  bool provesOwnPart() const override {
+    return stabilised_ && options_.selection == Selection::certified && chosenElements(implicit_).empty();
+  }
+  void giveUp() override;
 
  private:
   class Averaged;

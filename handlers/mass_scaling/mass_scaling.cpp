@@ -26,6 +26,8 @@ Eigen::Matrix3d flooredRoot(const Eigen::Matrix3d& A) {
 
 }  // namespace
 
+double marginOfMassScaling(std::string_view) { return 0.15; }
+
 MassScaling::MassScaling(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
     : Handler(description, body, std::move(base), std::move(options)),
       ownMass_(body.lumpedMass()),

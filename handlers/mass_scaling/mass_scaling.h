@@ -7,6 +7,10 @@
 
 namespace ringwatch {
 
+/// HandlerInfo::marginOfLaw of `mass-scaling`, for every law: the whole body takes the step there, and near the limit
+/// elements that stiffen and soften feed energy. Measured: docs/handlers.md.
+double marginOfMassScaling(std::string_view law);
+
 /// Mass scaling, the baseline of commercial codes: point masses at the nodes of the critical elements until the
 /// certified bound of the whole body meets the step. With the explicit part below Σ_rest and D_e = (K_aa)^½ for each
 /// critical element (which minimises the trace of l_e D_e for a single stiff mode),
@@ -29,7 +33,8 @@ class MassScaling final : public Handler {
                                            .selections = selections,
                                            .addsMass = true,
                                            .takesMassDamping = true,
-                                           .takesStiffnessDamping = true};
+                                           .takesStiffnessDamping = true,
+                                           .marginOfLaw = marginOfMassScaling};
   MassScaling(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
 
   /// Added mass, kg and % of the body's own, steps that were divided and the largest n, and the lowest elastic

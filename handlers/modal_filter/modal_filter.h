@@ -41,7 +41,7 @@ class ModalFilter final : public RelaxingHandler {
                  .fallback = "0",
                  .help = "over the handled elements in a step; more make crowded ones less soft; 0: 1",
                  .onlyWith = {"variant", compliantAlone}},
-      energyLimitOption(compliantAlone),
+      energyLimitOption({"variant", compliantAlone}),
       OptionInfo{.name = "tolerance",
                  .range = {0, 1, false, true},
                  .automatic = true,

@@ -226,7 +226,7 @@ TEST_F(HandledProgram, KeepsTheResultWhereAChoiceCannotBeMade) {
                 "[mesh]\nfile = \"flat.msh\"\n[material]\nmodel = \"neo-hookean\"\nyoung = 30e3\npoisson = 0.3\n"
                 "density = 1000\n[integrator]\nmethod = \"symplectic-euler\"\nstep = 4.9e-4\nend = 0.1\n[[initial]]\n"
                 "where = \"x < 0.11995\"\nvelocity = [0.5, 0, 0]\n[monitor]\non_violation = \"handle\"\n"
-                "[handler]\nmethod = \"local-time-stepping\"\n");
+                "[handler]\nmethod = \"local-time-stepping\"\nenergy_limit = 0\n");
   const Outcome outcome = call("run flat.toml --out flat");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.out, HasSubstr("the handler cannot choose again"));
@@ -242,7 +242,7 @@ TEST_F(HandledProgram, SaysFromWhenOnRelaxedElementsAreImplicit) {
       call("run slivers.toml --out all --set handler.margin=0.7 --set integrator.end=0.3 --set integrator.step=" +
            number(10 * critical_));
   const Json summary = json("all/summary.json");
-  EXPECT_THAT(summary["notes"].dump(), HasSubstr("they are implicit from here on"));
+  EXPECT_THAT(summary["notes"].dump(), HasSubstr("imex takes them from here on"));
   EXPECT_GT(summary["handler"]["implicit_steps"].get<double>(), 0.5 * summary["steps"].get<double>());
   EXPECT_THAT(summary["events"].dump(), Not(HasSubstr("energy-balance"))) << outcome.out;
 }
@@ -272,7 +272,7 @@ TEST_F(HandledProgram, KeepsItsEnergyInLongRuns) {
 }
 
 TEST_F(HandledProgram, SaysWhenConjugateGradientsDoNotConverge) {
-  write("[handler]\nmethod = \"imex\"\nsolver = \"cg\"\niterations = 2\n");
+  write("[handler]\nmethod = \"imex\"\nsolver = \"cg\"\niterations = 2\nenergy_limit = 0\n");
   const Outcome stopped = call("run slivers.toml --out stopped");
   EXPECT_EQ(stopped.status, 1);
   EXPECT_EQ(json("stopped/summary.json")["exit_reason"], "step-failed");

@@ -48,7 +48,7 @@ TEST_P(EveryHandler, IsPlainExplicitWhereTheStepIsFine) {
     for (const char* base : {"symplectic-euler", "verlet"}) {
       Body body = test::sliverBody("corotational");
       body.addBodyForce({0, 0, -1});
-      const double h = 0.8 * test::criticalStepOf(body);
+      const double h = 0.75 * test::criticalStepOf(body);
       const auto handler = GetParam().make(body, makeIntegrator(base), options);
       handler->prepare(body.mesh().X, h);
       EXPECT_TRUE(handler->elements().empty());

@@ -205,6 +205,28 @@ TEST_P(ImplicitClusterSolve, LeavesTheResidualThatIsAllowedAndNoMomentum) {
   }
 }
 
+// Conjugate gradients solve what strains the cluster: how fast it moves, and falls, is nothing to them.
+TEST(ImplicitCluster, SolvesAFastBodyAsWellAsOneAtRest) {
+  const Body body = boxOf("tet4", "corotational", {5, 4, 4}, 0.1);
+  const NodeVectors& X = body.mesh().X;
+  const double w = wOf(body, Eigen::MatrixXd(body.assembleTangent(X))), rate = 40;
+  test::Random random(6);
+  const NodeVectors a0 = random.nodeVectors(X.cols(), 3), v0 = random.nodeVectors(X.cols(), 1e-3);
+  const auto solved = [&](double speed, ClusterSolver solver) {
+    ImplicitCluster cluster(body, everyElement(body), w, X, optionsOf(solver, 1e-3));
+    NodeVectors a = a0, v = v0;
+    a.row(2).array() -= 10;
+    v.row(2).array() -= speed;
+    EXPECT_TRUE(cluster.solve(a, v, rate));
+    return a;
+  };
+  const NodeVectors exact = solved(0, ClusterSolver::cholesky);
+  for (const double speed : {0.0, 1e3}) {
+    const NodeVectors error = solved(speed, ClusterSolver::conjugateGradients) - exact;
+    EXPECT_LE(error.norm(), 3e-3 * a0.norm()) << speed;
+  }
+}
+
 // Why K̂ needs no stiffening for the corotational law: see cluster_matrix.cpp.
 TEST(ImplicitCluster, CorotationalTangentsDoNotExceedThatAtRest) {
   test::Random random(8);

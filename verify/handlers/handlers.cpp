@@ -131,7 +131,7 @@ std::vector<Variant> allVariants() {
       {.name = "imex, cg",
        .handler = "imex",
        .options = {.own = {{"solver", "cg"}}},
-       .barError = 4e-4,
+       .barError = 3.6e-4,
        .cubeError = 0.011,
        .drift = AllowedDrift{loosely, solved, solved},
        .flights = 24},

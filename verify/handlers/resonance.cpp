@@ -130,6 +130,7 @@ void addResonance(StudyEffort effort, StudyReport& report) {
           Body body = bar(std::max(1.0, wanted * wanted / slope), graded);
           HandlerOptions options;
           options.own = {{"variant", variant.stabilised ? "stabilised" : "plain"},
+                         {"energy_limit", 0},
                          {"dissipation", variant.dissipation}};
           const auto handler = makeHandler("local-time-stepping", body, makeIntegrator("symplectic-euler"), options);
           handler->prepare(body.mesh().X, h);
