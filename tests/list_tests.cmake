@@ -3,8 +3,8 @@
 # own gtest_discover_tests cannot: it puts the C++ type into the names of typed tests, and its labels are one at a time.
 # A case that says so is skipped, and so is one whose program is built without VTK (meshes/formats/vtu_writer.cpp), however it ends.
 # Suites that make a costly result once for all their cases are TOGETHER: one slow test each, FOLDER.Suite.
-# With N > 0 there are N slow tests instead, FOLDER.shard_K, of an N-th of the cases each: under a sanitizer a process
-# takes longer to start than most cases take.
+# With N > 0 there are N tests of the fast cases instead, FOLDER.fast_K, and N of the slow ones, FOLDER.slow_K, of an N-th
+# of them each: under a sanitizer a process takes longer to start than most cases take. GTEST_FILTER chooses other cases.
 cmake_minimum_required(VERSION 3.25)
 cmake_path(GET OUTPUT PARENT_PATH folder)
 function(write_test name filter speed)
@@ -40,10 +40,23 @@ endfunction()
 file(WRITE ${OUTPUT} "")
 if(SHARDS GREATER 0)
   math(EXPR last "${SHARDS} - 1")
-  foreach(shard RANGE ${last})
-    file(APPEND ${OUTPUT} "add_test([=[${FOLDER}.shard_${shard}]=] ${PROGRAM} --gtest_brief=1)\n"
-      "set_tests_properties([=[${FOLDER}.shard_${shard}]=] PROPERTIES LABELS \"${FOLDER};slow\" WORKING_DIRECTORY ${folder}"
-      " ENVIRONMENT \"GTEST_TOTAL_SHARDS=${SHARDS};GTEST_SHARD_INDEX=${shard}\")\n")
+  foreach(speed IN ITEMS fast slow)
+    set(filter "${SLOW}")
+    if(speed STREQUAL fast)
+      set(filter "-${SLOW}")
+    endif()
+    execute_process(COMMAND ${PROGRAM} --gtest_list_tests --gtest_filter=${filter} OUTPUT_VARIABLE listed
+      TIMEOUT 60 COMMAND_ERROR_IS_FATAL ANY)
+    if(filter STREQUAL "" OR NOT listed MATCHES "\n  ")
+      continue()
+    endif()
+    foreach(shard RANGE ${last})
+      set(name "[=[${FOLDER}.${speed}_${shard}]=]")
+      file(APPEND ${OUTPUT}
+        "add_test(${name} sh -c [=[exec \"${PROGRAM}\" --gtest_brief=1 --gtest_filter=\"\${GTEST_FILTER:-${filter}}\"]=])\n"
+        "set_tests_properties(${name} PROPERTIES LABELS \"${FOLDER};${speed}\" WORKING_DIRECTORY ${folder}"
+        " ENVIRONMENT \"GTEST_TOTAL_SHARDS=${SHARDS};GTEST_SHARD_INDEX=${shard}\")\n")
+    endforeach()
   endforeach()
   return()
 endif()

@@ -265,7 +265,8 @@ TEST(ElementDamping, OnePassHasTheForcesOfTwoAndTheirPower) {
       evaluation.visitor = &visitor;
       body.evaluate(x, evaluation, workspace);
       EXPECT_EQ(evaluation.internalForce, both) << test::bodyCaseName(c);
-      EXPECT_EQ(evaluation.strainEnergy, body.energy(x, workspace)) << test::bodyCaseName(c);
+      const double energy = body.energy(x, workspace);
+      EXPECT_NEAR(evaluation.strainEnergy, energy, 9e-16 * energy) << test::bodyCaseName(c);  // loops of their own
       EXPECT_NEAR(evaluation.dampingPower, power, 2e-15 * power) << test::bodyCaseName(c);
       evaluation.velocities = nullptr;
       body.evaluate(x, evaluation, workspace);

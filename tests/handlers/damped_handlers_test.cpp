@@ -90,7 +90,7 @@ TEST(DampedHandlers, DampAsTheBodyDoes) {
   for (const auto& [handler, damping] : {std::pair<const char*, RayleighDamping>{"imex", {20, 0}},
                                          {"imex", {5, 2e-4}},
                                          {"local-time-stepping", {20, 0}}}) {
-    const auto run = [&](bool handled, const RayleighDamping& own) {
+    const auto run = [&, handler = handler](bool handled, const RayleighDamping& own) {
       Body body = test::sliverBody("corotational", 0.95);
       body.addBodyForce({0, 0, -2});
       const double critical = test::criticalStepOf(body);

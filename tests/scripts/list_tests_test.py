@@ -4,6 +4,7 @@ Cases that skip themselves, or that a build without VTK cannot run, are skipped 
 
 usage: list_tests_test.py CMAKE CTEST
 """
+import os
 import pathlib
 import subprocess
 import sys
@@ -13,7 +14,8 @@ import tempfile
 PROGRAM = """#!/usr/bin/env python3
 import fnmatch, os, sys
 CASES = ["Plain.First", "Plain.Second", "All/Typed.Holds/tet4", "Costly.One", "Costly.Two"]
-if "--gtest_brief=1" in sys.argv:  # runs a share of all
+if "--gtest_brief=1" in sys.argv:  # runs a share of the fast or of the slow ones, or what GTEST_FILTER chooses
+    print("filter", sys.argv[2])
     sys.exit(os.environ["GTEST_TOTAL_SHARDS"] != "3" or os.environ["GTEST_SHARD_INDEX"] == "1")
 if "--gtest_list_tests" not in sys.argv:  # runs a case
     print({"Plain.First": "fine", "Plain.Second": "wrong", "All/Typed.Holds/tet4": "[  SKIPPED ] All/Typed.Holds/tet4"}.get(
@@ -75,11 +77,23 @@ def main():
             run, text = listing(cmake, folder, slow, together)
             expect(run.returncode != 0 and what in run.stderr and text is None,
                    f"{slow} {together}: status {run.returncode}, {run.stderr}")
-        run, text = listing(cmake, folder, "Plain.*", "Costly", 3)
-        expect(run.returncode == 0 and text.count("add_test(") == 3, f"{run.stderr}{text}")
-        ran = subprocess.run([sys.argv[2], "--test-dir", str(folder)], capture_output=True, text=True).stdout
-        results = [(line.split()[3], "Passed" in line) for line in ran.splitlines() if " Test #" in line]
-        expect(results == [("plain.shard_0", True), ("plain.shard_1", False), ("plain.shard_2", True)], ran)
+        def shares(environment={}):
+            ran = subprocess.run([sys.argv[2], "--test-dir", str(folder), "--verbose"], capture_output=True, text=True,
+                                 env=os.environ | environment).stdout
+            return ([(line.split()[3], "Passed" in line) for line in ran.splitlines() if " Test #" in line],
+                    [line.partition("--gtest_filter=")[2] for line in ran.splitlines() if ": filter " in line])
+        run, text = listing(cmake, folder, "Plain.*:Costly.*", "Costly", 3)
+        expect(run.returncode == 0 and text.count('LABELS "plain;fast"') == 3 and text.count('LABELS "plain;slow"') == 3,
+               f"{run.stderr}{text}")
+        results, filters = shares()
+        expect(results == [(f"plain.{speed}_{k}", k != 1) for speed in ("fast", "slow") for k in range(3)], results)
+        expect(filters == ["-Plain.*:Costly.*"] * 3 + ["Plain.*:Costly.*"] * 3, filters)
+        _, filters = shares({"GTEST_FILTER": "Plain.First"})
+        expect(filters == ["Plain.First"] * 6, filters)
+        # A program whose cases are all fast, or all slow, has no tests of the others.
+        for slow, speed in [("", "fast"), ("*", "slow")]:
+            run, text = listing(cmake, folder, slow, shards=3)
+            expect(run.returncode == 0 and shares()[0] == [(f"plain.{speed}_{k}", k != 1) for k in range(3)], f"{run.stderr}{text}")
     print("cases are listed once; patterns without a case are refused")
 
 
