@@ -221,10 +221,11 @@ class ElementBatch final : public ElementBlock {
     }
   }
 
-  /// Forces are the same to the last bit whatever else is asked for: beside them, visitors read the deformation
-  /// gradients from memory, so that nothing but the force is compiled into its loop. So do energies, but of laws that
-  /// declare `energyAlongStress`: a loop of their own has both, without more rounding. That holds as GCC compiles it;
-  /// Clang 14 rounds the stress of three laws otherwise beside the energy. Bulk viscosity has a loop of its own too.
+  /// Forces are the same to the last bit whatever else is asked for. Energies read the deformation gradients from
+  /// memory, so that the force's loop has no products but its own, but of laws that declare `energyAlongStress`: a loop
+  /// of their own has both, without more rounding. The comparison with balls takes nothing but F from it. That holds as
+  /// GCC compiles it; Clang 14 rounds the stress of three laws otherwise beside the energy. Bulk viscosity has a loop
+  /// of its own too.
 #ifdef __clang__
   static constexpr bool hasEnergyAlongStress = false;
 #else
