@@ -67,9 +67,10 @@ struct BracketPolicy {
   Backoff::Gaps searches{.first = 160, .last = 2560, .factor = 2};
 
   /// Observations of a step that is not certified between two refreshes of the whole mode, which find a mode that has
-  /// moved on: with a gap of 5 the hanging ball of `verify monitor` learns 4 steps too late that it is unstable. A step
-  /// within `close` of the optimistic side has one at every observation: the verdict hangs on it.
-  int sharpenGap = 3;
+  /// moved on: with a gap of 3 and little to spend the hanging ball of `verify monitor` learns 21 steps too late that
+  /// it is unstable. A step within `close` of the optimistic side has one at every observation: the verdict hangs on
+  /// it.
+  int sharpenGap = 2;
   double close = 0.02;
 
   /// Evaluations between two examinations of compressed rings, and of a step that is certified before it is tested in
