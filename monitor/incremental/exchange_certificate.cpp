@@ -133,7 +133,8 @@ void ExchangeCertificate::store(const ExchangeShares& shares) {
           if (at < 0) continue;
           for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t j = 0; j <= i; ++j) {
-              const double value = shares.unitOfEntries() * entry[(3 * a + i) * (3 * a + i + 1) / 2 + 3 * a + j];
+              const std::size_t row = 3 * a + i, index = row * (row + 1) / 2 + 3 * a + j;
+              const double value = shares.unitOfEntries() * entry[index];
               sums_[at](i, j) += value;
               if (j < i) sums_[at](j, i) += value;
             }

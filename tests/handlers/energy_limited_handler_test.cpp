@@ -21,7 +21,7 @@ struct Scheme {
   const char* steps;  // the figure that counts those that imex has taken
   double rate;        // 1/s, at which it adds energy to a bar that is drawn out
   Options own = {};
-  Scheme with(Options more) const {
+  Scheme with(const Options& more) const {
     Scheme result = *this;
     for (const auto& [name, value] : more) result.own.set(name, value);
     return result;
