@@ -246,6 +246,12 @@ TEST(ElementDamping, OnePassHasTheForcesOfTwoAndTheirPower) {
         EXPECT_EQ(left[batch], 0);
     }
   } visitor;
+  // The two energies come of loops of their own, which Clang 14 rounds otherwise (3.2e-16 measured) and GCC alike.
+#ifdef __clang__
+  constexpr double energyRounding = 9e-16;
+#else
+  constexpr double energyRounding = 0;
+#endif
   for (const test::BodyCase& c : test::allBodyCases())
     for (const DampingConstants& constants : {DampingConstants{0.06, 1.2, 0, 0, 0}, {0.06, 0, 0, 0, 0}, all}) {
       const Body body = damped(c, constants, {2, 1, 1});
@@ -266,7 +272,7 @@ TEST(ElementDamping, OnePassHasTheForcesOfTwoAndTheirPower) {
       body.evaluate(x, evaluation, workspace);
       EXPECT_EQ(evaluation.internalForce, both) << test::bodyCaseName(c);
       const double energy = body.energy(x, workspace);
-      EXPECT_NEAR(evaluation.strainEnergy, energy, 9e-16 * energy) << test::bodyCaseName(c);  // loops of their own
+      EXPECT_NEAR(evaluation.strainEnergy, energy, energyRounding * energy) << test::bodyCaseName(c);
       EXPECT_NEAR(evaluation.dampingPower, power, 2e-15 * power) << test::bodyCaseName(c);
       evaluation.velocities = nullptr;
       body.evaluate(x, evaluation, workspace);
