@@ -41,14 +41,16 @@ struct MonitorOptions {
   double width = 0.05;  ///< of the bracket, relative to the step, that the proven side is steered to
   /// What the bracket may take after the first observation, for both sides and for searches, as a share of a step's own
   /// work, counted (WorkAccount); 0: the tests of balls and one bound from below; from 100 on: no limit. When it is
-  /// used up the proof stays and the bracket becomes wider. As much again may go to the proof that h is stable, and,
-  /// while there is none, to telling whether h is proven unstable: in small bodies up to six steps' work.
+  /// used up the proof stays and the bracket becomes wider. Three tenths of it more may go to the proof that h is
+  /// stable, and half of it, while there is none, to telling whether h is proven unstable: in small bodies up to six
+  /// steps' work.
   double budget = 0.1;
   /// Of the run, as far as known: with a budget the first observation goes beyond the proof of h where all of it takes
-  /// no more than the budget of so many steps. What it leaves out follows in the run, when there are means for it.
+  /// no more than three tenths of the budget of so many steps. What it leaves out follows in the run, when there are
+  /// means for it.
   std::int64_t steps = 0;
   /// Before so much is taken there is no limit in bodies of up to some 8000 tetrahedra or 1000 hexahedra, whose
-  /// brackets would be wide for the sake of milliseconds; units of WorkAccount: some 0.3 s.
+  /// brackets would be wide for the sake of milliseconds; units of WorkAccount: some 0.2 s.
   double workInAdvance = 5e7;
   double energyTolerance = 0.1;  ///< balance error over the largest energy so far that is reported
   int clearObservations = 20;    ///< observations in a row without it that end an event; see EventTracker

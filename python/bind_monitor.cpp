@@ -112,9 +112,10 @@ void bindMonitor(py::module_& module) {
       "of the bracket, relative, that is aimed at. budget: what the bracket may take after the first observation, as a "
       "share of a "
       "step's own\nwork, counted; when it is used up the proof stays and the bracket becomes wider; from 100 on there "
-      "is no limit;\nNone: 0.1, and in small bodies no limit before it has taken some 0.3 s in all. steps: of the "
-      "run,\nas far as known: the first observation goes beyond the proof of h where all of it takes no more than the "
-      "budget of so many. "
+      "is no limit;\nNone: 0.1, and in small bodies no limit before it has taken some 0.2 s in all. steps: of the "
+      "run,\nas far as known: the first observation goes beyond the proof of h where all of it takes no more than "
+      "three "
+      "tenths of the budget of so many. "
       "first_observation_elements: bodies of up to this many elements\nget "
       "the "
       "best proof there is at the first observation, where h is None or not certified without it. Raises InputError.")

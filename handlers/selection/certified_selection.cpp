@@ -75,7 +75,7 @@ class Greedy {
     numbers_ = elementNumbers(left);
     changed_ = kept_ = false;
     // Where nothing need leave, any weights do.
-    const UpperBound enough{chosenElements(chosen_).empty() ? lambda_ * (1 - selectionRounding) : 0};
+    const SweepTarget enough{chosenElements(chosen_).empty() ? lambda_ * (1 - selectionRounding) : 0};
     const double value = bound_->evaluate(x_, sweeps, NodalBound::Start::rows, 0, enough).value;
     evaluations_ += bound_->evaluations();
     if (std::isnan(value))

@@ -358,7 +358,8 @@ Eigen::Matrix3d NodalBound::majorantAt(std::int32_t node) const {
   return place < 0 ? Eigen::Matrix3d(Eigen::Matrix3d::Zero()) : majorants_[place];
 }
 
-UpperBound NodalBound::evaluate(NodeVectorsView x, int sweeps, Start start, double leastGain, UpperBound enough) {
+UpperBound NodalBound::evaluate(NodeVectorsView x, int sweeps, Start start, double leastGain,
+                                const SweepTarget& enough) {
   evaluations_ = 0;
   prepareSums();
   if (source_->discreteForces() && !keepsMajorants_) source_->discreteForces()->majorants(x, false, majorants_);
@@ -373,7 +374,11 @@ UpperBound NodalBound::evaluate(NodeVectorsView x, int sweeps, Start start, doub
       return {bound};
     }
     best = std::min(best, bound);
-    if (done == sweeps || !(bound > enough.value) || (leastGain > 0 && bound >= (1 - leastGain) * before[0])) break;
+    const auto gainsNoMoreThan = [&](double gain) { return bound >= (1 - gain) * before[0]; };
+    const bool isEnough =
+        bound <= enough.ample || (bound <= enough.value && (static_cast<double>(evaluations_) >= enough.evaluations ||
+                                                            gainsNoMoreThan(enough.leastGain)));
+    if (done == sweeps || isEnough || (leastGain > 0 && gainsNoMoreThan(leastGain))) break;
     before[0] = before[1];
     before[1] = bound;
     sweep(x, bound);

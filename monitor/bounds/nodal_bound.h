@@ -24,6 +24,12 @@ class RestOfBody {
   virtual bool counts(ElementRef element) const = 0;
 };
 
+/// A nodal bound that is enough, rad²/s². Below it sweeps go on while they have taken fewer evaluations and two of them
+/// gain more than leastGain, but not below one that is ample.
+struct SweepTarget {
+  double value = 0, evaluations = 0, leastGain = 0, ample = 0;
+};
+
 /// The block nodal bound, a proven upper bound of the highest eigenvalue of M⁻¹K. For any symmetric positive definite
 /// 3×3 weights D_(e,a), one for each element and node, and l_e = max(0, lambda_max(D_e⁻¹ K_e)):
 ///   K_e ≼ l_e D_e,  so that  lambda_max(M⁻¹K) <= max_i lambda_max(S_i),  S_i = (1/m_i) Σ_(e∋i) l_e D_(e,a(i)).
@@ -41,9 +47,9 @@ class NodalBound {
   explicit NodalBound(const TangentSource& source);
 
   /// The bound at x, as the source reads it: the best of up to `sweeps` + 1 evaluations. From scratch when nothing is
-  /// kept. It ends when two sweeps lowered the bound by no more than leastGain, relative, or to `enough`.
+  /// kept. It ends when two sweeps lowered the bound by no more than leastGain, relative, or to what is enough.
   UpperBound evaluate(NodeVectorsView x, int sweeps, Start start = Start::rows, double leastGain = 0,
-                      UpperBound enough = {0});
+                      const SweepTarget& enough = {});
   /// Elements that are not in the source and share nodes with it, by their Σ l_e D_e at each node (N of them, N/m):
   /// they count in every sum and thus in the bound, and are not swept.
   void setOutside(std::vector<Eigen::Matrix3d> sums) { outside_ = std::move(sums); }

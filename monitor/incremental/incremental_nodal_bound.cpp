@@ -25,25 +25,28 @@ IncrementalNodalBound::IncrementalNodalBound(const Body& body, const RebuildPoli
       refreshes_(policy.refreshes),
       lowerings_(policy.lowerings) {}
 
-void IncrementalNodalBound::sweep(NodeVectorsView x, int sweeps, UpperBound enough) {
-  NodalBound& weights = state_.weights();
-  weights.evaluate(x, sweeps, NodalBound::Start::rows, policy_.leastGain, enough);
-  state_.statistics().evaluated += weights.evaluations();
-  state_.statistics().work[WorkOn::sweeps] += WorkAccount::ofEvaluation(body_) *
-                                              static_cast<double>(weights.evaluations()) /
-                                              static_cast<double>(body_.mesh().elementCount());
+double IncrementalNodalBound::workOfOne() const {
+  return WorkAccount::ofEvaluation(body_) / static_cast<double>(body_.mesh().elementCount());
 }
 
-void IncrementalNodalBound::rebuild(NodeVectorsView x, UpperBound enough, int leastSweeps) {
+SweepTarget IncrementalNodalBound::firstTarget(double most, double ample) const {
+  const double evaluations = policy_.forcesOfFirstSweeps * WorkAccount::ofForce(body_) / workOfOne();
+  // One sweep at least: weights that were not swept are a third off.
+  const double leastEvaluations = static_cast<double>(body_.mesh().elementCount()) + 1;
+  return {policy_.enoughOfCeiling * most, std::max(evaluations, leastEvaluations), policy_.leastGainAtFirst, ample};
+}
+
+void IncrementalNodalBound::rebuild(NodeVectorsView x, const SweepTarget& enough) {
   NodalBound& weights = state_.weights();
   state_.renewMajorants(x);
   weights.reset();  // weights that are swept along get stuck at a front that moves through the mesh
-  if (leastSweeps > 0) sweep(x, leastSweeps, {0});
-  if (leastSweeps == 0 || weights.last() > enough.value) sweep(x, policy_.sweeps - leastSweeps, enough);
-  endedEarly_ = weights.last() <= enough.value;
+  weights.evaluate(x, policy_.sweeps, NodalBound::Start::rows, policy_.leastGain, enough);
+  state_.statistics().evaluated += weights.evaluations();
+  state_.statistics().work[WorkOn::sweeps] += workOfOne() * static_cast<double>(weights.evaluations());
+  endedEarly_ = weights.last() <= std::max(enough.value, enough.ample);
   tight_ = endedEarly_ ? 0 : static_cast<double>(weights.last());
   ++state_.statistics().rebuilds;
-  sinceRebuild_ = -state_.statistics().work.total();
+  sinceRebuild_ = -state_.statistics().work.besideTests();
   rebuilds_.restart();
   tightOverLower_ = 0;
 }
@@ -156,7 +159,6 @@ IncrementalNodalBound::Outcome IncrementalNodalBound::mend(NodeVectorsView x, bo
 }
 
 void IncrementalNodalBound::beginCounting() {
-  const double work = state_.statistics().work.total();
   if (account_) {
     Work others = state_.statistics().work;
     others[WorkOn::sweeps] -= ofProof_;
@@ -165,7 +167,7 @@ void IncrementalNodalBound::beginCounting() {
   }
   ofProof_ = 0;
   spent_ += state_.statistics().work;
-  sinceRebuild_ += work;
+  sinceRebuild_ += state_.statistics().work.besideTests();
   state_.statistics() = {};
 }
 
@@ -213,7 +215,7 @@ UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* eval
   if (outcome == Outcome::tooManyViolations) {
     // A first proof of the step that is taken is enough to begin with, unless there are means for all of it.
     if (first && std::isfinite(ceiling) && !(limited() && account_->affordsAtStart(WorkAccount::ofRebuild(body_))))
-      rebuild(x, {policy_.enoughOfCeiling * ceiling / (1 + policy_.slack)}, policy_.firstSweeps);
+      rebuild(x, firstTarget(ceiling / (1 + policy_.slack), 0));
     else
       rebuild(x);
     start(x, state_.weights().last() * (1 + policy_.slack));
@@ -223,11 +225,12 @@ UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* eval
   if (outcome != Outcome::held) return {certifiedEigenvalue()};
   if (limited()) {
     const double work = WorkAccount::ofEvaluation(body_) + WorkAccount::ofDistribution(body_, false);
-    if (certifiedEigenvalue() > wanted && refreshes_.due() && account_->affordsForProof(work)) {
+    const bool ofWidth = affords(work);  // what is saved for the width will do too
+    if (certifiedEigenvalue() > wanted && refreshes_.due() && (ofWidth || account_->affordsForProof(work))) {
       const double before = state_.statistics().work.total();
       refresh(x, wanted);
       refreshes_.tried(certifiedEigenvalue() <= wanted);
-      ofProof_ = state_.statistics().work.total() - before;
+      if (!ofWidth) ofProof_ = state_.statistics().work.total() - before;
     }
     return {certifiedEigenvalue()};
   }
@@ -253,7 +256,8 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
   bool sweep = false;
   if (started_ && certifiedEigenvalue() <= sigma) {
     const Outcome outcome = follow(x, false, certifiedEigenvalue(), evaluation);
-    ofProof_ = state_.statistics().work[WorkOn::evaluations] + state_.statistics().work[WorkOn::repairs];
+    if (!affords(0))
+      ofProof_ = state_.statistics().work[WorkOn::evaluations] + state_.statistics().work[WorkOn::repairs];
     // Weights that ended early have cost as much since as those would that did not: so at most twice the least is
     // spent.
     const bool lost = outcome == Outcome::tooManyViolations;
@@ -277,10 +281,12 @@ bool IncrementalNodalBound::certify(NodeVectorsView x, double sigma, StepEvaluat
   }
   // From scratch, but not at every step while it keeps failing.
   if (!sweep && !rebuilds_.due()) return false;
-  rebuild(x, {sweep ? 0 : policy_.enoughOfWanted * sigma});
+  const double ample = policy_.enoughOfWanted * sigma;
+  rebuild(x, sweep ? SweepTarget{} : limited() ? firstTarget(sigma, ample) : SweepTarget{.ample = ample});
   const double tight = state_.weights().last();
   const bool proven = tight <= sigma * (1 - policy_.proofMargin);
   rebuilds_.tried(proven);
+  if (sweep && proven) rebuilds_.reset();  // it was not for a proof that keeps failing
   // What was found serves update() in any case.
   start(x, proven ? sigma : tight * (1 + policy_.slack));
   return proven;
@@ -318,6 +324,7 @@ bool IncrementalNodalBound::tightenBound(NodeVectorsView x, LowerBound lower, do
   if (target < (1 - policy_.leastLowering) * certifiedEigenvalue() && lowerings_.due() &&
       affords(WorkAccount::ofLowering(body_))) {
     lowerings_.tried(lowerings_.since() >= policy_.soon);
+    beginCounting();
     state_.moveTo(target);
     return true;
   }

@@ -67,9 +67,14 @@ class IncrementalNodalBound {
   const NodalBound& weights() const { return state_.weights(); }
   /// What the last update() or certify() took.
   const UpdateStatistics& statistics() const { return state_.statistics(); }
-  /// Elements whose -lambda_min(∂P/∂F) over λ+2μ was above `least` when last evaluated, most first. Only elements under
-  /// compression can make the tangent indefinite.
-  std::vector<ElementRef> compressedElements(double least) const { return state_.compressedElements(least); }
+  /// RunCertificate::mostCompressed and compressedByTurns. Only elements under compression can make the tangent
+  /// indefinite.
+  std::vector<ElementRef> mostCompressed(double least, std::size_t count) const {
+    return state_.mostCompressed(least, count);
+  }
+  std::vector<ElementRef> compressedByTurns(double least, std::size_t count, std::size_t& next) const {
+    return state_.compressedByTurns(least, count, next);
+  }
   /// The largest -lambda_min(∂P/∂F) over λ+2μ of an element since the certificate was built.
   double mostCompression() const { return state_.mostCompression(); }
   /// An element's exact value over its allowance, which is about the bound at its highest node over the certified
@@ -106,7 +111,7 @@ class IncrementalNodalBound {
  private:
   /// Whether the account, less what the statistics count, has so much.
   bool affords(double work) const {
-    return !spared_ && (!account_ || account_->affords(state_.statistics().work.total() - ofProof_ + work));
+    return !spared_ && (!account_ || account_->affords(state_.statistics().work.besideTests() - ofProof_ + work));
   }
   bool limited() const { return account_ && (spared_ || account_->limited()); }
   /// An eigenvalue that leaves a share of the width above the lower bound; where means are short, of the slack above
@@ -119,9 +124,12 @@ class IncrementalNodalBound {
   void refresh(NodeVectorsView x, double wanted);
   /// Ends the proof when masses or free components have changed.
   void followBody();
-  /// Weights from scratch, swept at least so often, until their bound is `enough`; {0} for as good as can be.
-  void rebuild(NodeVectorsView x, UpperBound enough = {0}, int leastSweeps = 0);
-  void sweep(NodeVectorsView x, int sweeps, UpperBound enough);
+  /// The mean work of evaluating an element among all.
+  double workOfOne() const;
+  /// What first weights are swept to where an eigenvalue `most` is to be proven, and a smaller one is ample.
+  SweepTarget firstTarget(double most, double ample) const;
+  /// Weights from scratch, swept until their bound is enough, or as good as can be.
+  void rebuild(NodeVectorsView x, const SweepTarget& enough = {});
   /// Builds the certificate for an eigenvalue, with the weights that were evaluated at x. newWeights: since allowances
   /// were distributed last.
   void start(NodeVectorsView x, double certifiedEigenvalue, bool newWeights = true);
@@ -143,7 +151,7 @@ class IncrementalNodalBound {
   RebuildPolicy policy_;
   WorkAccount* account_;
   Work spent_;
-  double sinceRebuild_ = 0;  // work
+  double sinceRebuild_ = 0;  // work but that of tests
   double ofProof_ = 0;       // of what the statistics count, for the step that is taken alone
   RunCertificate state_;
   Body::Workspace workspace_;

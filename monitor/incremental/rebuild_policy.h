@@ -19,11 +19,11 @@ struct RebuildPolicy {
   /// Or at this share of the eigenvalue that is wanted, since what is left is room enough for a long way: 0.7 of the
   /// step.
   double enoughOfWanted = 0.5;
-  /// The first weights where a step is taken and there is no limit to the work: so many sweeps, and no more if the
-  /// certified eigenvalue is then at most this share of what the step allows. A rebuild follows in the run where the
-  /// bracket is too wide.
-  int firstSweeps = 1;
-  double enoughOfCeiling = 0.9;
+  /// The first weights where a step is taken: once the certified eigenvalue is at most this share of what the step
+  /// allows, sweeps go on, one at least, until they have taken as much work as so many forces, or two gain less than
+  /// leastGainAtFirst. Where few elements stand in the way, as on jittered meshes, that is a second or third sweep. A
+  /// rebuild follows in the run where the bracket is too wide.
+  double enoughOfCeiling = 0.9, forcesOfFirstSweeps = 40, leastGainAtFirst = 0.05;
   /// Updates between rebuilds that may not help. A rebuild costs as much as 150 to 400 steps.
   Backoff::Gaps rebuilds{.first = 40, .last = 10240, .factor = 4};
   /// Share of all elements over their allowances from which a rebuild is cheaper than local updates, each of which

@@ -59,7 +59,7 @@ void RunBracket::charge(WorkOn what, double work) {
   if (!observed_) return;  // the first proof is free
   if (what == WorkOn::searches)
     account_.spendOnSearches(work);
-  else if (uncertified_ && account_.affordsForVerdict(work))
+  else if (forVerdict_)
     account_.spendOnVerdict(work);
   else
     account_.spendOnMode(work);
@@ -67,7 +67,7 @@ void RunBracket::charge(WorkOn what, double work) {
 }
 
 bool RunBracket::affords(double work) const {
-  return !observed_ || account_.affordsForMode(work) || (uncertified_ && account_.affordsForVerdict(work));
+  return !observed_ || account_.affordsForMode(work) || (forVerdict_ && account_.affordsForVerdict(work));
 }
 
 bool RunBracket::affordsSearch(double work) const { return !observed_ || account_.affordsForSearches(work); }
@@ -113,7 +113,10 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
       wholeMode_.tried(regionBound_.value > (1 + policy_.leastGain) * lower.value);
       lower = higher(lower, whole);
     }
-    lower = boundWhereItTouches(x, boundWhereItRose(x, sigma, lower));
+    lower = boundWhereItRose(x, sigma, lower);
+    forVerdict_ = uncertified_;
+    lower = boundWhereItTouches(x, lower);
+    forVerdict_ = false;
   }
   // A bracket that is too wide is either side's fault: bound it from below again before moving the upper side.
   const bool wide = upper.value > nodal_.highest(lower, width_);
@@ -168,8 +171,8 @@ bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, Ste
     before = statistics_.evaluated = exchange_.evaluated();
     if (proven) return certified();
   }
-  // What is certified goes beyond the budget no more than the purse for proofs does.
-  if (cheapest_.due() && (!observed_ || account_.affordsForProof(0))) {
+  // What is certified goes beyond the budget no more than the means for proofs do.
+  if (cheapest_.due() && (!observed_ || account_.affords(0) || account_.affordsForProof(0))) {
     nodal_.spare(false);
     const bool proven = nodal_.certify(x, sigma, evaluation);
     evaluation = nullptr;
@@ -251,7 +254,9 @@ void RunBracket::sharpen(NodeVectorsView x, const StepRule& limit, double h) {
     const double work = searchesNext_ ? WorkAccount::ofDiagonal(body_) : WorkAccount::ofProducts(body_, products + 1);
     if (!sharpening_.due() || !account_.affordsForVerdict(work)) return;
     sharpening_.tried(true);
+    forVerdict_ = true;
     lower = searchesNext_ ? boundWhereItIsStiff(x, lower) : refreshMode(x, products);
+    forVerdict_ = false;
     searchesNext_ = !searchesNext_;
   } else {
     const bool urgent = h > (1 - policy_.close) * step_->optimistic;
@@ -293,14 +298,16 @@ void RunBracket::forget() {
 void RunBracket::searchUnderCompression(NodeVectorsView x) {
   const double compression = nodal_.mostCompression();
   search_.tick();
-  const bool grown = compression > policy_.growthOfCompression * searchedAt_ && search_.since() >= policy_.searchGap;
+  const double growth = account_.limited() ? policy_.growthInShortage : policy_.growthOfCompression;
+  const bool grown = compression > growth * searchedAt_ && search_.since() >= policy_.searchGap;
   // What may be an event soon is searched whatever the account has.
-  const bool may = (grown && compression > policy_.compressed) ||
-                   affordsSearch(WorkAccount::ofProducts(body_, policy_.laterSearch + 1));
+  const int later = account_.limited() ? policy_.searchInShortage : policy_.laterSearch;
+  const bool may =
+      (grown && compression > policy_.compressed) || affordsSearch(WorkAccount::ofProducts(body_, later + 1));
   const bool search = compression > policy_.slightlyCompressed && (grown || search_.due()) && may;
   if (search) {
     const bool wide = !softest_.found() && affordsSearch(WorkAccount::ofProducts(body_, policy_.firstSearch + 1));
-    const int products = wide ? policy_.firstSearch : policy_.laterSearch;
+    const int products = wide ? policy_.firstSearch : later;
     charge(WorkOn::searches, WorkAccount::ofProducts(body_, products + 1));
     least_ = softest_.find(x, products);
     search_.tried(grown);
@@ -311,14 +318,14 @@ void RunBracket::searchUnderCompression(NodeVectorsView x) {
   examination_.tick();
   if (!examination_.due() && !search) return;
   examination_.tried(true);
-  const std::vector<ElementRef> all = nodal_.compressedElements(policy_.compressed);
   // The lowest so far, the most compressed ones, and others by turns: one at least, and more as far as means go.
   std::vector<ElementRef> chosen;
-  for (std::size_t i = 0; i < all.size() && i < policy_.compressedRings; ++i) {
-    chosen.push_back(all[i]);
-    chosen.push_back(all[nextCompressed_++ % all.size()]);
+  if (lowest_.value < 0) chosen.push_back(lowest_.element);
+  for (const ElementRef e : nodal_.mostCompressed(policy_.compressed, policy_.compressedRings)) {
+    chosen.push_back(e);
+    for (const ElementRef other : nodal_.compressedByTurns(policy_.compressed, 1, nextCompressed_))
+      chosen.push_back(other);
   }
-  if (lowest_.value < 0) chosen.insert(chosen.begin(), lowest_.element);
   lowest_ = {0, {}};
   if (least_.value < 0) lowest_ = {least_.value, least_.element};
   bool first = true;
@@ -350,25 +357,29 @@ LowerBound RunBracket::boundWhereItRose(NodeVectorsView x, double sigma, LowerBo
 }
 
 LowerBound RunBracket::boundWhereItIsStiff(NodeVectorsView x, LowerBound lower) {
+  if (!searchStiffNodes(x, policy_.stiffNodes, lower)) return lower;
+  local_.choose(mode_, localNodes_);
+  return higher(lower, boundOfRegion(x));
+}
+
+bool RunBracket::searchStiffNodes(NodeVectorsView x, std::size_t nodes, LowerBound& lower) {
   charge(WorkOn::mode, WorkAccount::ofDiagonal(body_));
   bool jumped = false;
   NodeVectors start = NodeVectors::Zero(3, body_.nodeCount());
-  for (const std::int32_t node : stiff_.find(x, policy_.stiffNodes)) {
+  for (const std::int32_t node : stiff_.find(x, nodes)) {
     if (local_.holds(node)) continue;
     start.setZero();
     start.col(node) = stiff_.diagonalAt(node).cwiseMax(0).cwiseSqrt();
     scout_.choose(start, policy_.nodesAround);
     const LowerBound bound = scout_.evaluate(x);
-    if (scout_.part()) charge(WorkOn::mode, WorkAccount::ofProducts(*scout_.part(), scout_.products()));
+    if (scout_.part()) charge(WorkOn::mode, WorkAccount::ofRegion(*scout_.part(), scout_.products()));
     if (!(bound.value > lower.value)) continue;
     lower = bound;
     mode_ = scout_.mode();
     jumped = true;
   }
-  if (!jumped) return lower;
-  method_ = "rayleigh-quotient";
-  local_.choose(mode_, localNodes_);
-  return higher(lower, boundOfRegion(x));
+  if (jumped) method_ = "rayleigh-quotient";
+  return jumped;
 }
 
 LowerBound RunBracket::boundWhereItTouches(NodeVectorsView x, LowerBound lower) {
@@ -425,15 +436,15 @@ double RunBracket::workOfRestart() const {
 LowerBound RunBracket::boundOfRegion(NodeVectorsView x) {
   const Body* part = local_.part();
   const LowerBound lower =
-      local_.evaluate(x, !part || affords(WorkAccount::ofProducts(*part, local_.productsOfImproving())));
-  if (local_.part()) charge(WorkOn::mode, WorkAccount::ofProducts(*local_.part(), local_.products()));
+      local_.evaluate(x, !part || affords(WorkAccount::ofRegion(*part, local_.productsOfImproving())));
+  if (local_.part()) charge(WorkOn::mode, WorkAccount::ofRegion(*local_.part(), local_.products()));
   return lower;
 }
 
 bool RunBracket::regionIsDear() const {
   const Body* part = local_.part();
   return part && account_.limited() &&
-         WorkAccount::ofProducts(*part, 2) >
+         WorkAccount::ofRegion(*part, 2) >
              policy_.shareOfRegion * (account_.incomeForMode() + (uncertified_ ? account_.incomeForVerdict() : 0));
 }
 
@@ -449,20 +460,22 @@ LowerBound RunBracket::restartMode(NodeVectorsView x) {
 LowerBound RunBracket::startMode(NodeVectorsView x) {
   const std::vector<ElementRef> elements = nodal_.highestElements(policy_.highestRings);
   mode_ = NodeVectors::Zero(3, body_.nodeCount());
-  double highest = 0;
+  LowerBound highest{0};
+  method_ = "reduced-1-ring";
   for (const ElementRef e : elements) {
     if (!decomposeRing(x, e)) continue;
     const double value = topOfRing();
-    if (!(value > highest)) continue;
-    highest = value;
+    if (!(value > highest.value)) continue;
+    highest = {value};
     mode_.setZero();
     addTopOfRing(mode_);
   }
   statistics_.evaluated += static_cast<std::int64_t>(elements.size());
+  if (nodal_.endedEarly()) searchStiffNodes(x, policy_.firstStiffNodes, highest);
   const int products = nodal_.endedEarly() ? policy_.productsOfEarlyEnd : policy_.firstProducts;
   const LowerBound quotient = rayleighLowerBound(body_, x, mode_, products);
-  method_ = quotient.value > highest ? "rayleigh-quotient" : "reduced-1-ring";
-  return followMode(x, higher({highest}, quotient));
+  if (quotient.value > highest.value) method_ = "rayleigh-quotient";
+  return followMode(x, higher(highest, quotient));
 }
 
 double RunBracket::topOfRing() const {

@@ -58,11 +58,11 @@ struct BracketPolicy {
   /// direction is searched in the whole body.
   double compressed = 0.05, slightlyCompressed = 1e-3;
   std::size_t compressedRings = 16;
-  /// Tangent products of the first search and of the others.
-  int firstSearch = 48, laterSearch = 12;
-  /// Growth of compression since the last search that asks for one, after searchGap evaluations; else they become more
-  /// and more seldom.
-  double growthOfCompression = 1.5;
+  /// Tangent products of the first search, of the others, and of these where means are short.
+  int firstSearch = 48, laterSearch = 12, searchInShortage = 6;
+  /// Growth of compression since the last search that asks for one, after searchGap evaluations, also where means are
+  /// short; else searches become more and more seldom.
+  double growthOfCompression = 1.5, growthInShortage = 2;
   int searchGap = 40;
   Backoff::Gaps searches{.first = 160, .last = 2560, .factor = 2};
 
@@ -82,8 +82,8 @@ struct BracketPolicy {
   double hardlyProven = 0.9;
 
   /// Where means are short and the step is not certified, the mode is searched among so many of the stiffest nodes, in
-  /// regions of so many nodes, by turns with being followed.
-  std::size_t stiffNodes = 3, nodesAround = 24;
+  /// regions of so many nodes, by turns with being followed; at the first evaluation that is ended early, among more.
+  std::size_t stiffNodes = 2, firstStiffNodes = 8, nodesAround = 24;
 };
 
 /// Keeps both sides of the bracket along a run: the incremental nodal bound from above, Rayleigh quotients of the
@@ -165,6 +165,9 @@ class RunBracket {
   LowerBound boundWhereItTouches(NodeVectorsView x, LowerBound lower);
   /// Searches the mode around the stiffest nodes of the body, and follows it where it is highest.
   LowerBound boundWhereItIsStiff(NodeVectorsView x, LowerBound lower);
+  /// Searches around so many of them; whether the bound is above `lower`, which it then becomes. The tracked mode then
+  /// has its top.
+  bool searchStiffNodes(NodeVectorsView x, std::size_t nodes, LowerBound& lower);
   /// Examines the reduced ring of an element: whether its bound is above what is known, `lower`, which it then becomes.
   /// The tracked mode then has its top.
   bool examineRing(NodeVectorsView x, ElementRef e, LowerBound& lower);
@@ -175,7 +178,7 @@ class RunBracket {
   /// Starts the mode again from the highest of all rings.
   LowerBound restartMode(NodeVectorsView x);
   /// Starts the mode at the first evaluation, when the nodal bound is of these positions: from the highest of the rings
-  /// where that bound is highest.
+  /// where that bound is highest, or, where its weights were ended early and say little of that, of the stiffest nodes.
   LowerBound startMode(NodeVectorsView x);
   /// The highest eigenvalue, rounded down, of the ring that was decomposed last, and that one's vector.
   double topOfRing() const;
@@ -198,7 +201,8 @@ class RunBracket {
   Work spent_;                // on the lower side and on searches
   bool observed_ = false;     // once: what comes is paid for
   double atShares_ = 0;       // workOfProofs() when shares were made last in threshold mode
-  bool uncertified_ = false;  // the step, by the upper side: the lower one may take what there is for the verdict
+  bool uncertified_ = false;  // the step, by the upper side
+  bool forVerdict_ = false;   // what is done now is for the verdict
   IncrementalNodalBound nodal_;
   IncrementalExchangeBound exchange_;
   LocalMode local_, scout_;

@@ -228,7 +228,7 @@ std::vector<RunCertificate::Leaver> RunCertificate::growBalls(NodeVectorsView x,
     const Leaver leaver{elements[i], need <= own ? 1 : own > 0 && need < infinity ? need / own : infinity};
     (leaver.need <= 1 ? grown : others).push_back(leaver);
   }
-  statistics_.work[WorkOn::tests] += WorkAccount::ofGrowth(body(), elements);
+  statistics_.work[WorkOn::evaluations] += WorkAccount::ofGrowth(body(), elements);
   growBalls(grown);
   std::sort(others.begin(), others.end(), [](const Leaver& a, const Leaver& other) {
     return a.need != other.need ? a.need > other.need : a.element < other.element;
@@ -442,19 +442,40 @@ struct Ranked {
 };
 }  // namespace
 
-std::vector<ElementRef> RunCertificate::compressedElements(double least) const {
-  if (!(mostCompression_ > least)) return {};
-  std::vector<Ranked> found;
+std::vector<ElementRef> RunCertificate::mostCompressed(double least, std::size_t count) const {
+  if (!(mostCompression_ > least) || count == 0) return {};
+  const auto before = [](const Ranked& a, const Ranked& other) {
+    return a.key != other.key ? a.key > other.key : a.element < other.element;
+  };
+  std::vector<Ranked> found;  // a heap, the last of them in front
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     for (std::size_t place = 0; place < blocks_[b].compression.size(); ++place) {
-      const double compression = blocks_[b].compression[place];
-      if (compression > least) found.push_back({compression, {b, body().blocks()[b]->layout().elements[place]}});
+      const Ranked entry{blocks_[b].compression[place], {b, body().blocks()[b]->layout().elements[place]}};
+      if (!(entry.key > least) || (found.size() == count && !before(entry, found.front()))) continue;
+      if (found.size() == count) {
+        std::pop_heap(found.begin(), found.end(), before);
+        found.pop_back();
+      }
+      found.push_back(entry);
+      std::push_heap(found.begin(), found.end(), before);
     }
-  std::sort(found.begin(), found.end(), [](const Ranked& a, const Ranked& other) {
-    return a.key != other.key ? a.key > other.key : a.element < other.element;
-  });
+  std::sort_heap(found.begin(), found.end(), before);
   std::vector<ElementRef> result;
   for (const Ranked& entry : found) result.push_back(entry.element);
+  return result;
+}
+
+std::vector<ElementRef> RunCertificate::compressedByTurns(double least, std::size_t count, std::size_t& next) const {
+  std::vector<ElementRef> result;
+  if (!(mostCompression_ > least)) return result;
+  std::size_t places = 0;
+  for (const BlockData& data : blocks_) places += data.compression.size();
+  for (std::size_t seen = 0; seen < places && result.size() < count; ++seen) {
+    std::size_t place = next++ % places, b = 0;
+    while (place >= blocks_[b].compression.size()) place -= blocks_[b++].compression.size();
+    if (blocks_[b].compression[place] > least) result.push_back({b, body().blocks()[b]->layout().elements[place]});
+  }
+  next %= places;
   return result;
 }
 

@@ -105,8 +105,11 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
 
   /// What has been found of an element elsewhere, at the positions at hand: det F, and -lambda_min(∂P/∂F) at most.
   void note(ElementRef e, double determinant, double negative);
-  /// Elements whose -lambda_min(∂P/∂F) over λ+2μ was above `least` when last evaluated, most first.
-  std::vector<ElementRef> compressedElements(double least) const;
+  /// The `count` elements whose -lambda_min(∂P/∂F) over λ+2μ was highest when last evaluated, of those above `least`:
+  /// most first.
+  std::vector<ElementRef> mostCompressed(double least, std::size_t count) const;
+  /// As many of these as come next in memory, from place `next` of all blocks on, which goes on behind them.
+  std::vector<ElementRef> compressedByTurns(double least, std::size_t count, std::size_t& next) const;
   /// The largest of these since allowances were distributed.
   double mostCompression() const { return mostCompression_; }
   /// The elements that hold most of the bound by the last values at the `count` nodes where it is highest.

@@ -21,7 +21,7 @@ constexpr double leastAroundCentre = 0.01;
 constexpr std::uint8_t checksByOwn = 16;
 /// Work of a check, in WorkAccount's units: of comparing an element at a quadrature point with its batch's centre, more
 /// with its own gradient, and of looking at it again, a new centre included.
-constexpr double workOfCommonTest = 0.15, workOfOwnTest = 0.3, workOfVisit = 2;
+constexpr double workOfCommonTest = 0.3, workOfOwnTest = 0.3, workOfVisit = 2;
 
 /// An entry of the stored reference gradients of a batch.
 RINGWATCH_INLINE P storedEntry(const std::int16_t* units) {

@@ -114,6 +114,7 @@ TEST(IncrementalNodalBound, KeepsAProofBelowItsCeilingWhenItMaySpendSomething) {
       IncrementalNodalBound bound(body, {}, &account);
       const double ceiling = 1.5 * bound.update(X).value;
       bool kept = true;
+      std::int64_t evaluated = 0;
       // To and fro, so that hardly anything of the debt is needed at the end.
       for (int step = 0; step <= 200; ++step) {
         account.earn();
@@ -121,13 +122,15 @@ TEST(IncrementalNodalBound, KeepsAProofBelowItsCeilingWhenItMaySpendSomething) {
         const NodeVectors x = Eigen::Vector3d(stretch, 1, 1).asDiagonal() * X;
         const double most = asked ? ceiling : infinity;
         kept = bound.update(x, nullptr, most).value <= ceiling && kept;
+        evaluated += bound.statistics().evaluated;
         ASSERT_LE(bound.verify(x), 1e-9);
       }
       if (asked || share == 0) {
         EXPECT_EQ(kept, asked && share > 0);
       }
       if (share == 0) {
-        EXPECT_EQ(bound.spent()[WorkOn::evaluations] + bound.spent()[WorkOn::repairs], 0);
+        EXPECT_EQ(evaluated, 0);
+        EXPECT_EQ(bound.spent()[WorkOn::repairs], 0);
       }
     }
 }
@@ -137,10 +140,11 @@ TEST(WorkAccount, EarnsSpendsAndForgives) {
                   makeMaterial("stvk", test::young, 0.3, test::density), test::onThreads(1));
   const auto elements = static_cast<double>(body.mesh().elementCount());
   ASSERT_EQ(body.blocks()[0]->nodesPerElement(), 4);
-  const double evaluation = 1728.0 / 14 * elements, force = 4 * elements;
+  const double evaluation = 1728.0 / 26 * elements, force = 3.2 * elements;
   EXPECT_NEAR(WorkAccount::ofEvaluation(body), evaluation, 1e-12 * evaluation);
-  EXPECT_EQ(WorkAccount::ofForce(body), force);
-  EXPECT_NEAR(WorkAccount::ofEvaluation(body, std::vector<ElementRef>{{0, 0}, {0, 1}}), 2 * 1728.0 / 14, 1e-10);
+  EXPECT_NEAR(WorkAccount::ofForce(body), force, 1e-12 * force);
+  // Single elements are fetched: 120 units.
+  EXPECT_NEAR(WorkAccount::ofEvaluation(body, std::vector<ElementRef>{{0, 0}, {0, 1}}), 2 * (1728.0 / 26 + 120), 1e-10);
   WorkAccount account(body, 0.5);
   EXPECT_TRUE(account.limited());
   // A hundred steps' share of the proven side is there in advance.
@@ -149,15 +153,16 @@ TEST(WorkAccount, EarnsSpendsAndForgives) {
   EXPECT_FALSE(account.affordsForMode(1));
   EXPECT_FALSE(account.affordsForProof(1));
   account.earn();
-  // An income is divided between the sides, and the proof has its own.
+  // An income is divided between the sides, and the proof has three tenths of it more.
   EXPECT_TRUE(account.affords(35.34 * force));
   EXPECT_FALSE(account.affords(35.36 * force));
   EXPECT_TRUE(account.affordsForMode(0.14 * force));
   EXPECT_FALSE(account.affordsForMode(0.16 * force));
-  EXPECT_TRUE(account.affordsForProof(0.49 * force));
-  EXPECT_FALSE(account.affordsForProof(0.51 * force));
-  // The verdict begins with all that it may keep and earns 20 000 units here; searches earn a tenth of the budget.
-  const double keptForVerdict = 2 * WorkAccount::ofDiagonal(body) + WorkAccount::ofProducts(body, 12);
+  EXPECT_TRUE(account.affordsForProof(0.149 * force));
+  EXPECT_FALSE(account.affordsForProof(0.151 * force));
+  // The verdict begins with all that it may keep and earns 20 000 units here; searches earn a twentieth of the budget.
+  const double keptForVerdict =
+      2 * WorkAccount::ofDiagonal(body) + WorkAccount::ofProducts(body, 12) + WorkAccount::ofRing(*body.blocks()[0]);
   EXPECT_TRUE(account.affordsForVerdict(0.99 * keptForVerdict));
   EXPECT_FALSE(account.affordsForVerdict(1.01 * keptForVerdict));
   account.spendOnVerdict(keptForVerdict);
@@ -165,24 +170,32 @@ TEST(WorkAccount, EarnsSpendsAndForgives) {
   later.earn();
   EXPECT_TRUE(later.affordsForVerdict(19900));
   EXPECT_FALSE(later.affordsForVerdict(20100));
-  EXPECT_TRUE(later.affordsForSearches(0.099 * force));
-  EXPECT_FALSE(later.affordsForSearches(0.101 * force));
-  later.spendOnSearches(0.1 * force);
+  EXPECT_TRUE(later.affordsForSearches(0.049 * force));
+  EXPECT_FALSE(later.affordsForSearches(0.051 * force));
+  later.spendOnSearches(0.05 * force);
   EXPECT_FALSE(later.affordsForSearches(1));
-  // Of tests no more than half of an income counts.
-  Work tests;
-  tests[WorkOn::tests] = force;
-  account.spend(tests);
-  EXPECT_TRUE(account.affords(35.09 * force));
-  EXPECT_FALSE(account.affords(35.11 * force));
+  // Tests come off the next income, of which three tenths are left in any case.
+  for (const double share : {0.2, 1.0}) {
+    WorkAccount tested = account;
+    Work tests;
+    tests[WorkOn::tests] = share * force;
+    tested.spend(tests);
+    EXPECT_TRUE(tested.affords(35.34 * force));
+    tested.earn();
+    const double left = 35.35 + 0.7 * std::max(0.5 - share, 0.15);
+    EXPECT_TRUE(tested.affords((left - 0.01) * force)) << share;
+    EXPECT_FALSE(tested.affords((left + 0.01) * force)) << share;
+    tested.earn();
+    EXPECT_TRUE(tested.affords((left + 0.34) * force)) << share;
+  }
   for (int step = 0; step < 100000; ++step) account.earn();
   EXPECT_TRUE(account.affords(WorkAccount::ofRebuild(body)));
-  EXPECT_FALSE(account.affords(2 * WorkAccount::ofRebuild(body)));
+  EXPECT_FALSE(account.affords(2.01 * WorkAccount::ofRebuild(body)));
   Work much;
   much[WorkOn::sweeps] = 100 * WorkAccount::ofRebuild(body);
   account.spend(much);
-  EXPECT_TRUE(account.affords(-0.101 * evaluation));
-  EXPECT_FALSE(account.affords(-0.099 * evaluation));
+  EXPECT_TRUE(account.affords(-0.201 * evaluation));
+  EXPECT_FALSE(account.affords(-0.199 * evaluation));
   WorkAccount nothing(body, 0);
   nothing.earn();
   EXPECT_TRUE(nothing.limited());
