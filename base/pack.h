@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include <ringwatch/base/math.h>
 #if defined(__AVX__)
@@ -15,11 +16,12 @@ namespace detail {
 // GCC refuses vector_size that depends on a template parameter, so there is a table of specialisations.
 template <class T, int Width>
 struct VectorType;
-#define RINGWATCH_VECTOR_TYPE(T, I, Width)                            \
-  template <>                                                         \
-  struct VectorType<T, Width> {                                       \
-    typedef T Values __attribute__((vector_size(sizeof(T) * Width))); \
-    typedef I Mask __attribute__((vector_size(sizeof(I) * Width)));   \
+#define RINGWATCH_VECTOR_TYPE(T, I, Width)                                                \
+  template <>                                                                             \
+  struct VectorType<T, Width> {                                                           \
+    typedef T Values __attribute__((vector_size(sizeof(T) * Width)));                     \
+    typedef I Mask __attribute__((vector_size(sizeof(I) * Width)));                       \
+    typedef std::make_unsigned_t<I> Bits __attribute__((vector_size(sizeof(I) * Width))); \
   };
 RINGWATCH_VECTOR_TYPE(double, std::int64_t, 2)
 RINGWATCH_VECTOR_TYPE(double, std::int64_t, 4)
@@ -36,6 +38,7 @@ template <class T, int Width>
 struct Pack {
   using Values = typename detail::VectorType<T, Width>::Values;
   using Mask = typename detail::VectorType<T, Width>::Mask;
+  using Bits = typename detail::VectorType<T, Width>::Bits;
   static constexpr int width = Width;
   Values v;
 
@@ -118,17 +121,17 @@ RINGWATCH_INLINE Pack<T, W> sqrt(Pack<T, W> a) {
   return r;
 }
 /// Within a unit in the last place. Through the C library, lane after lane, a force of wedges with a law of ln det F
-/// takes fifteen times as long.
+/// takes twelve times as long.
 template <int W>
 RINGWATCH_INLINE Pack<double, W> log(Pack<double, W> a) {
   using P = Pack<double, W>;
-  using Bits = typename P::Mask;
+  using Bits = typename P::Bits;
   constexpr double infinite = std::numeric_limits<double>::infinity(), leastNormal = 0x1p-1022;
   constexpr int raised = 54;  // powers of two, so that what is below the normal numbers is one of them
   // a = 2^k m with m from √½ to √2.
   const auto isTiny = a < P(leastNormal);
   const P normal = select(isTiny, P(0x1p54) * a, a);
-  constexpr std::int64_t bitsOfRoot = 0x3fe6a09e667f3bcd, mantissa = 0x000fffffffffffff, bias = 1024;
+  constexpr std::uint64_t bitsOfRoot = 0x3fe6a09e667f3bcd, mantissa = 0x000fffffffffffff, bias = 1024;
   Bits bits;
   std::memcpy(&bits, &normal.v, sizeof bits);
   bits -= bitsOfRoot;
@@ -160,7 +163,7 @@ RINGWATCH_INLINE Pack<float, W> log(Pack<float, W> a) {
 template <int W>
 RINGWATCH_INLINE Pack<double, W> cbrt(Pack<double, W> a) {
   using P = Pack<double, W>;
-  using Bits = typename P::Mask;
+  using Bits = typename P::Bits;
   const P size(a.v < 0 ? -a.v : a.v);
   // Away from both ends of the range.
   const auto isTiny = size<P(0x1p-1000), isHuge = size> P(0x1p1000);
@@ -169,7 +172,7 @@ RINGWATCH_INLINE Pack<double, W> cbrt(Pack<double, W> a) {
   // line between powers of two is above the logarithm on average, is 4 % off.
   constexpr int dropped = 20;  // of the bits, so that the others are a number below 2^52
   constexpr double unit = 1LL << (52 - dropped), third = (1023 * 2.0 / 3 - 0.033) * unit, integers = 0x1p52;
-  constexpr std::int64_t exponentOfIntegers = 0x4330000000000000, belowIntegers = 0x000fffffffffffff;
+  constexpr std::uint64_t exponentOfIntegers = 0x4330000000000000, belowIntegers = 0x000fffffffffffff;
   Bits bits;
   std::memcpy(&bits, &of.v, sizeof bits);
   bits = ((bits >> dropped) & belowIntegers) | exponentOfIntegers;
