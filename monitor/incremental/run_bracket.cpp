@@ -38,7 +38,7 @@ RunBracket::RunBracket(const Body& body, double width, double budget, std::int64
 
 const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const StepRule& limit,
                                                         std::optional<double> h, StepEvaluation* evaluation) {
-  account_.earn();
+  account_.earn(uncertified_);
   follow(x, limit, h, evaluation);
   observed_ = true;
   return step_;
@@ -153,7 +153,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
 }
 
 bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, StepEvaluation* evaluation) {
-  account_.earn();
+  account_.earn(uncertified_);
   const double sigma = limit.lambdaFor(h);
   std::int64_t before = 0;
   const auto certified = [&] {

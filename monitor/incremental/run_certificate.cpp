@@ -283,6 +283,7 @@ std::vector<ElementRef> RunCertificate::elementsOutsideBall(NodeVectorsView x, S
   asked.visitor = &check;
   body().evaluate(x, asked, workspace_);
   asked.visitor = nullptr;
+  statistics_.work[WorkOn::tests] += WorkAccount::ofNodes(body());
   for (const BlockData& data : blocks_) statistics_.work[WorkOn::tests] += data.balls.workOfCheck();
   std::vector<ElementRef> outside;
   for (std::size_t b = 0; b < blocks_.size(); ++b)
@@ -450,6 +451,13 @@ std::vector<ElementRef> RunCertificate::mostCompressed(double least, std::size_t
   std::vector<Ranked> found;  // a heap, the last of them in front
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     for (std::size_t place = 0; place < blocks_[b].compression.size(); ++place) {
+      // Most batches have none.
+      const double enough = found.size() == count ? found.front().key : least;
+      if (place % lanes == 0 &&
+          !anyOf(RoundedUp<Bfloat16>::load(blocks_[b].compression.data() + place) >= NativePack(enough))) {
+        place += lanes - 1;
+        continue;
+      }
       const Ranked entry{blocks_[b].compression[place], {b, body().blocks()[b]->layout().elements[place]}};
       if (!(entry.key > least) || (found.size() == count && !before(entry, found.front()))) continue;
       if (found.size() == count) {

@@ -49,12 +49,12 @@ struct Work {
 /// which is the highest eigenvalue of a 3n×3n matrix: a tet4 21 forces, a hex8 21, a hex20 38. Single elements along a
 /// run are read from all over memory, and take more.
 ///
-/// Tests of validity balls, which no observation can do without, come off the income first; a part of it is there for
-/// the rest in any case. That goes to two purses, one for each side of the bracket, so that neither starves the other;
-/// what one cannot keep the other gets. A third one, of a part of the income more, is for nothing but the proof that
-/// the step which is taken is stable (Theorem 14, docs/theory/incremental_certificate.md); a fourth one, of half as
-/// much again as the income and more in small bodies, for telling, while there is no such proof, whether it is proven
-/// unstable (Theorem 8, docs/theory/rings_and_rayleigh.md); a fifth one for directions of negative stiffness.
+/// Tests of validity balls and of all numbers for being finite, which no observation can do without, come off the
+/// income first; a part of it is there for the rest in any case. That is divided, so that nothing starves the rest: for
+/// the lower side of the bracket; for nothing but the proof that the step which is taken is stable (Theorem 14,
+/// docs/theory/incremental_certificate.md); for directions of negative stiffness; while there is no such proof, for
+/// telling whether the step is proven unstable (Theorem 8, docs/theory/rings_and_rayleigh.md), in small bodies more
+/// than the budget has for it; and for the upper side what is left, and what the others cannot keep.
 class WorkAccount {
  public:
   /// share: of a step's work; from `noLimit` on there is no limit. steps: of the run, as far as known. inAdvance: work
@@ -74,7 +74,7 @@ class WorkAccount {
         mostForSearches_(income_ > 0 ? 2 * ofProducts(body, productsKept) : 0),
         besideTests_(income_),
         balance_(stepsInAdvance * (1 - shareOfMode) * income_),
-        verdict_(mostForVerdict_) {}
+        verdict_(income_ > 0 ? ofDiagonal(body) + ofDearestRing(body) : 0) {}
 
   static constexpr double noLimit = 100;
   bool limited() const { return share_ < noLimit && !(advance_ > 0); }
@@ -86,7 +86,8 @@ class WorkAccount {
   double incomeForMode() const { return shareOfMode * besideTests_; }
   /// And for telling whether a step that is not certified is proven unstable.
   double incomeForVerdict() const {
-    return income_ > 0 ? std::max(shareOfVerdict * income_, std::min(forcesForVerdict * force_, leastForVerdict)) : 0;
+    return income_ > 0 ? std::max(shareOfVerdict * besideTests_, std::min(forcesForVerdict * force_, leastForVerdict))
+                       : 0;
   }
 
   static double ofForce(const ElementBlock& block) {
@@ -141,6 +142,8 @@ class WorkAccount {
   static double ofProducts(const Body& body, int products) { return forcesOfProduct * products * ofForce(body); }
   /// The same of a region of a body, whose vectors are gathered and few.
   static double ofRegion(const Body& part, int products) { return dearerInRegion * ofProducts(part, products); }
+  /// Reading positions and velocities of all nodes, for what is not a number.
+  static double ofNodes(const Body& body) { return unitsOfNode * body.nodeCount(); }
   /// The diagonal of the tangents of all elements.
   static double ofDiagonal(const Body& body) { return evaluationsOfTangent * ofEvaluation(body); }
   /// A reduced ring, with its eigenvectors and the tangents of the elements around; all of them together, without.
@@ -156,18 +159,16 @@ class WorkAccount {
   static double ofAllRings(const Body& body) { return 1.6 * ofEvaluation(body); }
 
   /// A step's income. No more is kept than two rebuilds cost; for the lower side, than all reduced rings twice and some
-  /// products do.
-  void earn() {
+  /// products do. seeksVerdict: the step that is taken is not certified.
+  void earn(bool seeksVerdict = false) {
     besideTests_ = std::max(income_ - testsSince_, leastBesideTests * income_);
     testsSince_ = 0;
-    const double mostOfMode = 4 * evaluation_ + productsKept * forcesOfProduct * force_;
-    mode_ += incomeForMode();
-    balance_ += incomeForProvenSide() + std::max(mode_ - mostOfMode, 0.0);
-    mode_ = std::min(mode_, mostOfMode);
+    balance_ += incomeForProvenSide(seeksVerdict);
+    save(mode_, incomeForMode(), 4 * evaluation_ + productsKept * forcesOfProduct * force_);
+    save(proof_, shareOfProof * besideTests_, 6 * evaluation_);
+    save(searches_, shareOfSearches * besideTests_, mostForSearches_);
+    if (seeksVerdict) verdict_ = std::min(verdict_ + incomeForVerdict(), mostForVerdict_);
     balance_ = std::min(balance_, 2 * rebuild_);
-    proof_ = std::min(proof_ + shareOfProof * income_, 6 * evaluation_);
-    verdict_ = std::min(verdict_ + incomeForVerdict(), mostForVerdict_);
-    searches_ = std::min(searches_ + shareOfSearches * income_, mostForSearches_);
     asked_ += (askedSince_ - asked_) / stepsOfMean;
     askedSince_ = 0;
   }
@@ -197,7 +198,15 @@ class WorkAccount {
   double credit() const { return income_ > 0 ? forcesOfCredit * force_ + leastIncome : 0; }
 
  private:
-  double incomeForProvenSide() const { return (1 - shareOfMode) * besideTests_; }
+  double incomeForProvenSide(bool seeksVerdict = false) const {
+    return (1 - shareOfMode - shareOfProof - shareOfSearches - (seeksVerdict ? shareOfVerdict : 0)) * besideTests_;
+  }
+  /// Into a purse, and what it does not keep to the proven side.
+  void save(double& purse, double income, double most) {
+    purse += income;
+    balance_ += std::max(purse - most, 0.0);
+    purse = std::min(purse, most);
+  }
   void takeInAdvance(double work) { advance_ = std::max(advance_ - work, 0.0); }
   void take(double& purse, double work) {
     takeInAdvance(work);
@@ -226,17 +235,17 @@ class WorkAccount {
                           unitsOfEigenvectors = 1.2;
   static constexpr double evaluationsOfDecomposition = 2.8, evaluationsOfFactorisation = 2.8;
   static constexpr double evaluationsOfShares = 26, evaluationsOfIteration = 4.7;
-  static constexpr double unitsOfMove = 1.6;
+  static constexpr double unitsOfMove = 1.6, unitsOfNode = 0.25;
   static constexpr double productsKept = 12;
-  static constexpr double leastIncome = 2000, leastBesideTests = 0.3, shareOfMode = 0.3, shareOfProof = 0.3,
-                          shareOfVerdict = 0.5, shareOfSearches = 0.05, shareAtStart = 0.3, forcesOfCredit = 0.5,
+  static constexpr double leastIncome = 2000, leastBesideTests = 0.2, shareOfMode = 0.3, shareOfProof = 0.15,
+                          shareOfVerdict = 0.25, shareOfSearches = 0.1, shareAtStart = 0.3, forcesOfCredit = 0.5,
                           mostOwedOfEvaluation = 0.2;
   static constexpr double stepsOfMean = 32, stepsInAdvance = 100, rebuildsInAdvance = 7.5;
   // stepsInAdvance: of income, so that the first elements that leave their balls can be evaluated.
   // mostOwedOfEvaluation: a few rounds of these.
   /// Units a step, no more than some of its own forces: a body of a few thousand elements is searched once in ten steps
   /// then.
-  static constexpr double leastForVerdict = 20000, forcesForVerdict = 6;
+  static constexpr double leastForVerdict = 10000, forcesForVerdict = 6;
   double share_, force_, atStart_, income_, evaluation_, rebuild_, advance_, mostForVerdict_, mostForSearches_;
   double besideTests_, testsSince_ = 0;  // what a step earns but for tests; of tests, since
   double balance_, mode_ = 0, proof_ = 0, verdict_, searches_ = 0;

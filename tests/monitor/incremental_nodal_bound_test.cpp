@@ -153,40 +153,45 @@ TEST(WorkAccount, EarnsSpendsAndForgives) {
   EXPECT_FALSE(account.affordsForMode(1));
   EXPECT_FALSE(account.affordsForProof(1));
   account.earn();
-  // An income is divided between the sides, and the proof has three tenths of it more.
-  EXPECT_TRUE(account.affords(35.34 * force));
-  EXPECT_FALSE(account.affords(35.36 * force));
-  EXPECT_TRUE(account.affordsForMode(0.14 * force));
-  EXPECT_FALSE(account.affordsForMode(0.16 * force));
-  EXPECT_TRUE(account.affordsForProof(0.149 * force));
-  EXPECT_FALSE(account.affordsForProof(0.151 * force));
-  // The verdict begins with all that it may keep and earns 20 000 units here; searches earn a twentieth of the budget.
-  const double keptForVerdict =
-      2 * WorkAccount::ofDiagonal(body) + WorkAccount::ofProducts(body, 12) + WorkAccount::ofRing(*body.blocks()[0]);
-  EXPECT_TRUE(account.affordsForVerdict(0.99 * keptForVerdict));
-  EXPECT_FALSE(account.affordsForVerdict(1.01 * keptForVerdict));
-  account.spendOnVerdict(keptForVerdict);
+  // Of an income the upper side has 45 %, the lower one 30, the proof 15 and searches 10.
+  EXPECT_TRUE(account.affords(35.224 * force));
+  EXPECT_FALSE(account.affords(35.226 * force));
+  EXPECT_TRUE(account.affordsForMode(0.149 * force));
+  EXPECT_FALSE(account.affordsForMode(0.151 * force));
+  EXPECT_TRUE(account.affordsForProof(0.074 * force));
+  EXPECT_FALSE(account.affordsForProof(0.076 * force));
+  EXPECT_TRUE(account.affordsForSearches(0.049 * force));
+  EXPECT_FALSE(account.affordsForSearches(0.051 * force));
+  // The verdict begins with what a search takes; where it is sought it earns 10 000 units here, and the upper side
+  // less.
+  const double search = WorkAccount::ofDiagonal(body) + WorkAccount::ofRing(*body.blocks()[0]);
+  EXPECT_TRUE(account.affordsForVerdict(0.99 * search));
+  EXPECT_FALSE(account.affordsForVerdict(1.01 * search));
+  account.spendOnVerdict(search);
   WorkAccount later = account;
   later.earn();
-  EXPECT_TRUE(later.affordsForVerdict(19900));
-  EXPECT_FALSE(later.affordsForVerdict(20100));
-  EXPECT_TRUE(later.affordsForSearches(0.049 * force));
-  EXPECT_FALSE(later.affordsForSearches(0.051 * force));
-  later.spendOnSearches(0.05 * force);
+  EXPECT_FALSE(later.affordsForVerdict(1));
+  EXPECT_TRUE(later.affords(35.449 * force));
+  later.earn(true);
+  EXPECT_TRUE(later.affordsForVerdict(9900));
+  EXPECT_FALSE(later.affordsForVerdict(10100));
+  EXPECT_TRUE(later.affords(35.549 * force));
+  EXPECT_FALSE(later.affords(35.551 * force));
+  later.spendOnSearches(0.151 * force);
   EXPECT_FALSE(later.affordsForSearches(1));
-  // Tests come off the next income, of which three tenths are left in any case.
+  // Tests come off the next income, of which a fifth is left in any case.
   for (const double share : {0.2, 1.0}) {
     WorkAccount tested = account;
     Work tests;
     tests[WorkOn::tests] = share * force;
     tested.spend(tests);
-    EXPECT_TRUE(tested.affords(35.34 * force));
+    EXPECT_TRUE(tested.affords(35.224 * force));
     tested.earn();
-    const double left = 35.35 + 0.7 * std::max(0.5 - share, 0.15);
-    EXPECT_TRUE(tested.affords((left - 0.01) * force)) << share;
-    EXPECT_FALSE(tested.affords((left + 0.01) * force)) << share;
+    const double left = 35.225 + 0.45 * std::max(0.5 - share, 0.1);
+    EXPECT_TRUE(tested.affords((left - 0.001) * force)) << share;
+    EXPECT_FALSE(tested.affords((left + 0.001) * force)) << share;
     tested.earn();
-    EXPECT_TRUE(tested.affords((left + 0.34) * force)) << share;
+    EXPECT_TRUE(tested.affords((left + 0.224) * force)) << share;
   }
   for (int step = 0; step < 100000; ++step) account.earn();
   EXPECT_TRUE(account.affords(WorkAccount::ofRebuild(body)));
