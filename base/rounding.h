@@ -61,6 +61,10 @@ inline constexpr double distanceRounding = 1e-15;
 /// Kept free of a validity ball for the rounding of the distances that are compared with it, and of a ball about the
 /// centre of a batch, so that an element which is inside that one is inside its own by any rounding: relative.
 inline constexpr double ballRounding = 1e-9, commonBallRounding = 1e-6;
+/// Of 2 tr E + 3 - 2C:F + |C|², by which distances from a centre C are compared, 2 tr E + 3 = |F|², over |C|² + r² + 3,
+/// r the radius. Where |F| <= 2 (|C| + r) the sizes of its 33 products and differences add up to 17 (|C|² + r²) + 6 at
+/// most and err by less than 33 · 2⁻⁵³ of that, 6.3e-14; beyond, the square of the distance exceeds r² by |F|²/4.
+inline constexpr double commonSquareRounding = 1e-13;
 /// The ball test on a GPU, in single precision: relative to the radius, and absolute, times 1 + |F|.
 inline constexpr double deviceBallRounding = 1e-5, deviceGradientRounding = 1e-6;
 

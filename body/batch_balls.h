@@ -12,13 +12,15 @@ namespace ringwatch {
 /// points of an element, in the Frobenius norm. The elements of a batch have one C, or each a C of its own at every
 /// point.
 struct BatchBalls {
-  const double* centre;                 ///< C of each batch, [batch][9], row by row
-  const RoundedDown<Bfloat16>* radius;  ///< s of each element about it, [batch][lane]; < 0: nothing is inside
+  const double* centre;                 ///< C of each batch, row by row, and |C|²: [batch][10]
+  const RoundedDown<Bfloat16>* square;  ///< s² of each element about it, [batch][lane]; < 0: nothing is inside
   const std::uint8_t* byOwn;            ///< [batch]: not zero where elements have a C each
   const std::int16_t* ownCentre;        ///< these, [batch][point][9][lane], as multiples of
   double unit;
   const RoundedDown<Bfloat16>* ownRadius;  ///< s about them, [batch][lane]
   std::uint8_t* left;                      ///< [batch]: becomes whether an element of it is not inside
+
+  static constexpr std::ptrdiff_t centreSize = 10;
 
   /// The comparison for a batch, point by point; what is not a number is not inside.
   class OfBatch {
@@ -28,13 +30,16 @@ struct BatchBalls {
     }
     RINGWATCH_INLINE void start(const BatchBalls& balls, std::int32_t batch, int points, bool byOwn) {
       const std::ptrdiff_t first = batch;
-      centre_ = balls.centre + 9 * first;
+      centre_ = balls.centre + centreSize * first;
       own_ = byOwn ? balls.ownCentre + 9 * nativeWidth * first * points : nullptr;
       unit_ = balls.unit;
-      const NativePack radius =
-          NativePack(1 - ballRounding) *
-          RoundedDown<Bfloat16>::load((byOwn ? balls.ownRadius : balls.radius) + first * nativeWidth);
-      square_ = radius * math::abs(radius);
+      if (byOwn) {
+        const NativePack radius =
+            NativePack(1 - ballRounding) * RoundedDown<Bfloat16>::load(balls.ownRadius + first * nativeWidth);
+        square_ = radius * math::abs(radius);
+      } else {
+        square_ = RoundedDown<Bfloat16>::load(balls.square + first * nativeWidth);
+      }
       inside_ = square_ >= NativePack(0.0);
     }
     RINGWATCH_INLINE void add(const Matrix3<NativePack>& F) {
@@ -47,10 +52,20 @@ struct BatchBalls {
       }
       inside_ = inside_ & (sums[0] + sums[1] + sums[2] <= square_);
     }
+    /// The same in half the operations where tr E = (|F|² - 3)/2 is known: |F - C|² <= s² as
+    /// tr E - C:F <= (s² - |C|² - 3)/2.
+    RINGWATCH_INLINE void add(const Matrix3<NativePack>& F, const NativePack& traceOfStrain) {
+      if (own_) return add(F);
+      NativePack sums[3] = {traceOfStrain, NativePack(0.0), NativePack(0.0)};
+      for (int i = 0; i < 9; ++i) sums[i % 3] -= F.m[i] * NativePack(centre_[i]);
+      inside_ =
+          inside_ & (sums[0] + sums[1] + sums[2] <= NativePack(0.5) * (square_ - NativePack(centre_[9] + dimensions)));
+    }
     RINGWATCH_INLINE NativePack::Mask inside() const { return inside_; }
     RINGWATCH_INLINE bool left() const { return !allOf(inside_); }
 
    private:
+    static constexpr double dimensions = 3;  // tr I
     RINGWATCH_INLINE static void addSquare(const NativePack& d, NativePack& sum) { sum += d * d; }
 
     const double* centre_;

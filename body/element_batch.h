@@ -223,14 +223,18 @@ class ElementBatch final : public ElementBlock {
 
   /// Forces are the same to the last bit whatever else is asked for. Energies read the deformation gradients from
   /// memory, so that the force's loop has no products but its own, but of laws that declare `energyAlongStress`: a loop
-  /// of their own has both, without more rounding. The comparison with balls takes nothing but F from it. That holds as
-  /// GCC compiles it; Clang 14 rounds the stress of three laws otherwise beside the energy. Bulk viscosity has a loop
-  /// of its own too.
+  /// of their own has both, without more rounding. The comparison with balls takes nothing but F from it, and the trace
+  /// of the strain, a sum. That holds as GCC compiles it; Clang 14 rounds the stress of three laws otherwise beside the
+  /// energy. Bulk viscosity has a loop of its own too.
 #ifdef __clang__
   static constexpr bool hasEnergyAlongStress = false;
 #else
   static constexpr bool hasEnergyAlongStress = requires { requires LawType::energyAlongStress; };
 #endif
+  /// Of laws whose stress has the trace of the Green strain: it serves the comparison with balls.
+  static constexpr bool sharesStrain = requires(const LawType law, const Matrix3<P> F, P traceOfStrain) {
+    law.stress(F, traceOfStrain);
+  };
   enum class Force { none, elastic, elasticWithEnergy, damped };
   template <Force wanted, class By>
   void evaluate(std::int32_t first, std::int32_t last, const double* rows, const BatchEvaluation& evaluation) const {
@@ -257,12 +261,21 @@ class ElementBatch final : public ElementBlock {
         const Matrix3<P> J1 = Geometry::inverseJacobian(point), D = x(q), F = D * J1;
         if (stores)
           for (int i = 0; i < 9; ++i) F.m[i].store(gradients + (9 * q + i) * lanes);
-        if (balls) ball.add(F);
+        if constexpr (!sharesStrain || !wantsForce)
+          if (balls) ball.add(F);
         if constexpr (!wantsForce)
           if (evaluation.energy) energy += Geometry::weight(point) * law.energy(F);
         if constexpr (alongForce) energy += Geometry::weight(point) * law.energy(F);
         if constexpr (wantsForce) {
-          Matrix3<P> T = timesTranspose(Geometry::weight(point) * law.stress(F), J1);
+          Matrix3<P> stress;
+          if constexpr (sharesStrain) {
+            P traceOfStrain;
+            stress = law.stress(F, traceOfStrain);
+            if (balls) ball.add(F, traceOfStrain);
+          } else {
+            stress = law.stress(F);
+          }
+          Matrix3<P> T = timesTranspose(Geometry::weight(point) * stress, J1);
           if constexpr (damped && Element::constantGradient) bulk.addTo(batch, geometry_.localNodes(batch), D, T);
           forces.add(q, T);
         }

@@ -38,6 +38,13 @@ struct StVenantKirchhoff {
   RINGWATCH_INLINE Matrix3<S> stress(const Matrix3<S>& F) const {
     return F * secondStress(greenStrain(F));
   }
+  /// The same and tr E, which it has in any case.
+  template <class S>
+  RINGWATCH_INLINE Matrix3<S> stress(const Matrix3<S>& F, S& traceOfStrain) const {
+    const Matrix3<S> E = greenStrain(F);
+    traceOfStrain = trace(E);
+    return F * secondStress(E);
+  }
   /// dF ↦ dP = ∂P/∂F : dF, exact.
   template <class S>
   struct Linearization {

@@ -12,8 +12,9 @@ namespace {
 
 using P = NativePack;
 std::ptrdiff_t firstOf(std::int32_t batch) { return static_cast<std::ptrdiff_t>(batch) * lanes; }
-/// A radius that is not limited is stored as this one: infinity means that an element is never outside.
-constexpr double largestRadius = 1e30;
+/// A radius that is not limited is stored as this one, whose square single precision has too: infinity means that an
+/// element is never outside.
+constexpr double largestRadius = 1e15;
 /// Smaller ones count no more than this where a centre is chosen.
 constexpr double smallestRadius = 1e-6;
 /// No ball about the centre of a batch that is smaller than this part of the element's own is worth its test.
@@ -22,7 +23,7 @@ constexpr double leastAroundCentre = 0.01;
 constexpr std::uint8_t checksByOwn = 16;
 /// Work of a check, in WorkAccount's units: of comparing an element at a quadrature point with its batch's centre, more
 /// with its own gradient, and of looking at it again, a new centre included.
-constexpr double workOfBatch = 0.12, workOfCommonTest = 0.15, workOfOwnTest = 0.3, workOfVisit = 2;
+constexpr double workOfCommonTest = 0.13, workOfOwnTest = 0.3, workOfVisit = 2;
 
 /// An entry of the stored reference gradients of a batch.
 RINGWATCH_INLINE P storedEntry(const std::int16_t* units) {
@@ -50,12 +51,21 @@ RINGWATCH_INLINE void storeRadii(const P& radii, RoundedDown<Bfloat16>* to) {
     if (!(radii[lane] >= 0)) to[lane] = -1.0;
 }
 
-/// The radius about the centre of a batch where the element's own has changed and its reference gradient has not.
+/// The squared radius about a centre C that a batch is compared with: less what rounding can add to |F|² - 2C:F + |C|²,
+/// of which |F|² may be 2 tr E + 3, where that is no more than it.
 template <class S>
-RINGWATCH_INLINE S movedAroundCentre(const S& aroundCentre, const S& before, const S& now) {
-  const S moved = (aroundCentre + (now - before)) * S(1 - commonBallRounding);
-  const auto has = (aroundCentre >= S(0.0)) & (before < S(infinity)) & (moved >= S(leastAroundCentre) * now);
-  return select(has, moved, S(-1.0));
+RINGWATCH_INLINE S comparedSquare(const S& radius, double squareOfCentre) {
+  const S kept = radius * S(1 - commonBallRounding);
+  return kept * kept * S(1 - commonSquareRounding) - S(commonSquareRounding * (squareOfCentre + 3));
+}
+
+/// The squared radius about the centre of a batch where the element's own has changed and its reference gradient has
+/// not.
+template <class S>
+RINGWATCH_INLINE S movedSquare(const S& square, const S& before, const S& now, double squareOfCentre) {
+  const S moved = math::sqrt(math::max(square, S(0.0))) + (now - before);
+  const auto has = (square >= S(0.0)) & (before < S(infinity)) & (moved >= S(leastAroundCentre) * now);
+  return select(has, comparedSquare(moved, squareOfCentre), S(-1.0));
 }
 
 }  // namespace
@@ -99,12 +109,12 @@ ValidityBalls::ValidityBalls(const ElementBlock& block)
   radius_.assign(batches * lanes, -1);
   for (std::size_t place = 0; place < radius_.size(); ++place)
     if (layout.elements[place] < 0) radius_[place] = infinity;
-  centre_.assign(9 * batches, 0);
-  aroundCentre_.assign(batches * lanes, -1);
+  centre_.assign(BatchBalls::centreSize * batches, 0);
+  squareAroundCentre_.assign(batches * lanes, -1);
 }
 
 double ValidityBalls::setReferenceGradient(std::size_t place, const double* F0, int points, int lane) {
-  aroundCentre_[place] = -1;
+  squareAroundCentre_[place] = -1;
   double farthest2 = 0;
   for (int q = 0; q < points; ++q) {
     std::int16_t* target =
@@ -132,20 +142,20 @@ void ValidityBalls::addReferenceGradient(std::size_t place, double (&sum)[9]) co
 void ValidityBalls::setRadius(std::size_t place, double aroundF0, double fromStored) {
   const double before = radius_[place], own = std::min(aroundF0, largestRadius) - fromStored;
   radius_[place] = own >= 0 ? own : -1.0;
-  const double around = aroundCentre_[place], now = radius_[place];
-  aroundCentre_[place] = movedAroundCentre(around, before, now);
+  const double square = squareAroundCentre_[place], now = radius_[place];
+  squareAroundCentre_[place] = movedSquare(square, before, now, squareOfCentre(place / lanes));
 }
 
 void ValidityBalls::setRadii(std::int32_t batch, NativePack aroundF0) {
   const std::ptrdiff_t first = firstOf(batch);
   RoundedDown<Bfloat16>* const at = radius_.data() + first;
-  RoundedDown<Bfloat16>* const around = aroundCentre_.data() + first;
+  RoundedDown<Bfloat16>* const squares = squareAroundCentre_.data() + first;
   const P before = RoundedDown<Bfloat16>::load(at), own = math::min(aroundF0, P(largestRadius)) - P(storageError);
   const auto moves = (before >= P(0.0)) & (before < P(infinity));
   storeRadii(select(moves, own, before), at);
-  const P aroundBefore = RoundedDown<Bfloat16>::load(around);
-  storeRadii(select(moves, movedAroundCentre(aroundBefore, before, RoundedDown<Bfloat16>::load(at)), aroundBefore),
-             around);
+  const P square = RoundedDown<Bfloat16>::load(squares);
+  const P moved = movedSquare(square, before, RoundedDown<Bfloat16>::load(at), squareOfCentre(batch));
+  storeRadii(select(moves, moved, square), squares);
 }
 
 void ValidityBalls::setNeverOutside(std::size_t place) { radius_[place] = infinity; }
@@ -173,12 +183,15 @@ bool ValidityBalls::moveCentre(std::int32_t batch, const double* F, const P::Mas
   const P least(smallestRadius), size = math::max(radius, least);
   const P weight = select(counts, least * least / (size * size), P(0.0));
   const double sumOfWeights = points_ * sumOverLanes(weight);
-  double* const centre = centre_.data() + 9 * static_cast<std::ptrdiff_t>(batch);
+  double* const centre = centre_.data() + BatchBalls::centreSize * batch;
+  double squareOfCentre = 0;
   for (int i = 0; i < 9; ++i) {
     P sum(0.0);
     for (int q = 0; q < points_; ++q) sum += select(counts, P::load(F + (9 * q + i) * lanes), P(0.0));
     centre[i] = sumOfWeights > 0 ? sumOverLanes(sum * weight) / sumOfWeights : 0;
+    squareOfCentre += centre[i] * centre[i];
   }
+  centre[9] = squareOfCentre;
   const std::int16_t* reference = referenceOf(batch);
   P farthest2(0.0);
   for (int q = 0; q < points_; ++q) {
@@ -189,18 +202,20 @@ bool ValidityBalls::moveCentre(std::int32_t batch, const double* F, const P::Mas
     }
     farthest2 = math::max(farthest2, distance2);
   }
-  const P around = (radius - math::sqrt(farthest2)) * P(1 - commonBallRounding);
-  RoundedDown<Bfloat16>* const stored = aroundCentre_.data() + firstOf(batch);
-  storeRadii(select((radius >= P(0.0)) & (around >= P(leastAroundCentre) * radius), around, P(-1.0)), stored);
-  const P now = RoundedDown<Bfloat16>::load(stored);
-  auto inside = now >= P(0.0);
+  const P around = radius - math::sqrt(farthest2);
+  RoundedDown<Bfloat16>* const squares = squareAroundCentre_.data() + firstOf(batch);
+  storeRadii(select((radius >= P(0.0)) & (around >= P(leastAroundCentre) * radius),
+                    comparedSquare(around, squareOfCentre), P(-1.0)),
+             squares);
+  const P square = RoundedDown<Bfloat16>::load(squares);
+  auto inside = square >= P(0.0);
   for (int q = 0; q < points_; ++q) {
     P distance2(0.0);
     for (int i = 0; i < 9; ++i, F += lanes) {
       const P d = P::load(F) - P(centre[i]);
       distance2 += d * d;
     }
-    inside = inside & (distance2 <= now * now);
+    inside = inside & (distance2 <= square);
   }
   return !anyOf(of & (inside == 0));
 }
@@ -225,9 +240,9 @@ double ValidityBalls::workOfCheck() const {
   const auto count = [](const std::vector<std::uint8_t>& of) {
     return static_cast<double>(std::count_if(of.begin(), of.end(), [](std::uint8_t one) { return one != 0; }));
   };
-  const double atPoints =
-      workOfCommonTest * static_cast<double>(batchCount()) + workOfOwnTest * count(byOwn_) + workOfVisit * count(left_);
-  return (workOfBatch * static_cast<double>(batchCount()) + points_ * atPoints) * lanes;
+  return (workOfCommonTest * static_cast<double>(batchCount()) + workOfOwnTest * count(byOwn_) +
+          workOfVisit * count(left_)) *
+         lanes * points_;
 }
 
 std::size_t ValidityBalls::testedBatches() const {

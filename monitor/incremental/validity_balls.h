@@ -57,7 +57,7 @@ class ValidityBalls {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(referenceGradient_, radius_, centre_, aroundCentre_, byOwn_);
+    a(referenceGradient_, radius_, centre_, squareAroundCentre_, byOwn_);
   }
 
  private:
@@ -65,10 +65,12 @@ class ValidityBalls {
   const std::int16_t* referenceOf(std::int32_t batch) const {
     return referenceGradient_.data() + static_cast<std::ptrdiff_t>(batch) * points_ * 9 * lanes;
   }
+  double squareOfCentre(std::size_t batch) const { return centre_[BatchBalls::centreSize * batch + 9]; }
   /// As a pass compares with them.
   BatchBalls balls() {
-    return {centre_.data(), aroundCentre_.data(), byOwn_.data(), referenceGradient_.data(),
-            entryUnit,      radius_.data(),       left_.data()};
+    return {
+        centre_.data(), squareAroundCentre_.data(), byOwn_.data(), referenceGradient_.data(), entryUnit, radius_.data(),
+        left_.data()};
   }
   /// Gives the batch the mean of the gradients of the elements `of` as its centre, those with small balls first.
   /// Whether these are inside by it.
@@ -78,9 +80,9 @@ class ValidityBalls {
   int points_;
   AlignedVector<std::int16_t> referenceGradient_;  // [batch][q][9][lane], in units
   AlignedVector<RoundedDown<Bfloat16>> radius_;    // [batch][lane]
-  std::vector<double> centre_;                     // [batch][9]
-  /// s of the elements, [batch][lane]; < 0: there is none.
-  AlignedVector<RoundedDown<Bfloat16>> aroundCentre_;
+  std::vector<double> centre_;                     // [batch], as BatchBalls has it
+  /// s² of the elements, [batch][lane]; < 0: there is none.
+  AlignedVector<RoundedDown<Bfloat16>> squareAroundCentre_;
   // [batch]: checks in which its elements are still compared with their own gradients, before its centre is moved again
   std::vector<std::uint8_t> byOwn_;
   std::vector<std::uint8_t> left_;  // [batch]: whether the last check looked at it again

@@ -74,7 +74,9 @@ class WorkAccount {
         mostForSearches_(income_ > 0 ? 2 * ofProducts(body, productsKept) : 0),
         besideTests_(income_),
         balance_(stepsInAdvance * (1 - shareOfMode) * income_),
-        verdict_(income_ > 0 ? ofDiagonal(body) + ofDearestRing(body) : 0) {}
+        verdict_(income_ > 0
+                     ? std::max(ofDiagonal(body) + ofDearestRing(body), std::min(mostForVerdict_, verdictAtStart))
+                     : 0) {}
 
   static constexpr double noLimit = 100;
   bool limited() const { return share_ < noLimit && !(advance_ > 0); }
@@ -245,7 +247,10 @@ class WorkAccount {
   // mostOwedOfEvaluation: a few rounds of these.
   /// Units a step, no more than some of its own forces: a body of a few thousand elements is searched once in ten steps
   /// then.
-  static constexpr double leastForVerdict = 10000, forcesForVerdict = 6;
+  static constexpr double leastForVerdict = 14000, forcesForVerdict = 6;
+  /// Units: all that small bodies may keep, so that a first contact that is too stiff is seen at once; larger ones
+  /// begin with a search.
+  static constexpr double verdictAtStart = 1e6;
   double share_, force_, atStart_, income_, evaluation_, rebuild_, advance_, mostForVerdict_, mostForSearches_;
   double besideTests_, testsSince_ = 0;  // what a step earns but for tests; of tests, since
   double balance_, mode_ = 0, proof_ = 0, verdict_, searches_ = 0;

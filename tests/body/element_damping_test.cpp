@@ -234,7 +234,7 @@ TEST(ElementDamping, OnePassHasTheForcesOfTwoAndTheirPower) {
     void visitPatch(std::size_t, const PatchPass& pass) override {
       constexpr std::size_t mostPoints = 64;
       const auto batches = static_cast<std::size_t>(pass.patch().batchEnd);
-      const std::vector<double> centre(9 * batches);
+      const std::vector<double> centre(BatchBalls::centreSize * batches);
       const std::vector<RoundedDown<Bfloat16>> radius(batches * lanes, infinity);
       const std::vector<std::int16_t> ownCentre(9 * batches * mostPoints * lanes);
       std::vector<std::uint8_t> byOwn(batches), left(batches, 1);

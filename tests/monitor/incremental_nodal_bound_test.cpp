@@ -162,19 +162,20 @@ TEST(WorkAccount, EarnsSpendsAndForgives) {
   EXPECT_FALSE(account.affordsForProof(0.076 * force));
   EXPECT_TRUE(account.affordsForSearches(0.049 * force));
   EXPECT_FALSE(account.affordsForSearches(0.051 * force));
-  // The verdict begins with what a search takes; where it is sought it earns 10 000 units here, and the upper side
-  // less.
-  const double search = WorkAccount::ofDiagonal(body) + WorkAccount::ofRing(*body.blocks()[0]);
-  EXPECT_TRUE(account.affordsForVerdict(0.99 * search));
-  EXPECT_FALSE(account.affordsForVerdict(1.01 * search));
-  account.spendOnVerdict(search);
+  // The verdict begins with all that it keeps, as the body is small; where it is sought it earns 14 000 units here, and
+  // the upper side less.
+  const double kept =
+      2 * WorkAccount::ofDiagonal(body) + WorkAccount::ofProducts(body, 12) + WorkAccount::ofRing(*body.blocks()[0]);
+  EXPECT_TRUE(account.affordsForVerdict(0.99 * kept));
+  EXPECT_FALSE(account.affordsForVerdict(1.01 * kept));
+  account.spendOnVerdict(kept);
   WorkAccount later = account;
   later.earn();
   EXPECT_FALSE(later.affordsForVerdict(1));
   EXPECT_TRUE(later.affords(35.449 * force));
   later.earn(true);
-  EXPECT_TRUE(later.affordsForVerdict(9900));
-  EXPECT_FALSE(later.affordsForVerdict(10100));
+  EXPECT_TRUE(later.affordsForVerdict(13900));
+  EXPECT_FALSE(later.affordsForVerdict(14100));
   EXPECT_TRUE(later.affords(35.549 * force));
   EXPECT_FALSE(later.affords(35.551 * force));
   later.spendOnSearches(0.151 * force);

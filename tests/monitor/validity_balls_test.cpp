@@ -88,6 +88,30 @@ Body longBar() {
   return {generateBar(options), makeMaterial("stvk", 1e4, 0.3, 1000), {{}, Lumping::rowSum, 1}};
 }
 
+// What cancels in |F|² - 2C:F + |C|² does not hide that an element has left a small ball of a large gradient.
+TEST(ValidityBalls, FindsWhatIsBarelyOutsideWhereMuchCancels) {
+  const Body body = longBar();
+  const NodeVectors& X = body.mesh().X;
+  Random random(77);
+  for (const double size : {0.05, 1.0, 6.0})
+    for (const auto& [radius, withForce] :
+         std::vector<std::pair<double, bool>>{{2e-3, false}, {2e-3, true}, {0.02, true}, {0.5, false}, {0.5, true}}) {
+      Checked checked(body);
+      const auto check = [&](const NodeVectors& x) { return withForce ? checked.checkWithForce(x) : checked.check(x); };
+      const Eigen::Matrix3d F0 = size * random.rotation();
+      const Eigen::Matrix3d direction = random.matrix(1).normalized();
+      checked.setBalls(F0 * X, radius);
+      const std::set<std::int32_t> none = check(F0 * X);
+      EXPECT_TRUE(none.empty()) << size << ", " << radius;
+      // Beside this comparison a ball loses what storing its centre and its radius does.
+      const double inside = (radius - ValidityBalls::storageError) * (1 - radiusBits) - ValidityBalls::storageError;
+      const Eigen::Matrix3d near = F0 + 0.99 * inside * direction, far = F0 + 1.000001 * radius * direction;
+      EXPECT_TRUE(check(near * X).empty()) << size << ", " << radius;
+      EXPECT_EQ(check(far * X).size(), static_cast<std::size_t>(checked.block.elementCount()))
+          << size << ", " << radius;
+    }
+}
+
 TEST(ValidityBalls, FindsTheElementsThatLeaveAndComparesFewWithTheirOwn) {
   const Body body = longBar();
   const NodeVectors& X = body.mesh().X;
