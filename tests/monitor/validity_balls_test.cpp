@@ -97,7 +97,9 @@ TEST(ValidityBalls, FindsWhatIsBarelyOutsideWhereMuchCancels) {
     for (const auto& [radius, withForce] :
          std::vector<std::pair<double, bool>>{{2e-3, false}, {2e-3, true}, {0.02, true}, {0.5, false}, {0.5, true}}) {
       Checked checked(body);
-      const auto check = [&](const NodeVectors& x) { return withForce ? checked.checkWithForce(x) : checked.check(x); };
+      const auto check = [&, force = withForce](const NodeVectors& x) {
+        return force ? checked.checkWithForce(x) : checked.check(x);
+      };
       const Eigen::Matrix3d F0 = size * random.rotation();
       const Eigen::Matrix3d direction = random.matrix(1).normalized();
       checked.setBalls(F0 * X, radius);
