@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view anyMark = "ringwatch checkpoint", mark = "ringwatch checkpoint 4\n";
+constexpr std::string_view anyMark = "ringwatch checkpoint", mark = "ringwatch checkpoint 5\n";
 constexpr int format = 5;  // of the file, the mark's too; any change of what is in it counts
 
 /// FNV-1a, 64 bits (Fowler, Noll, Vo): finds damage and changes, resists no forgery.
