@@ -12,7 +12,7 @@ namespace ringwatch {
 /// points of an element, in the Frobenius norm. The elements of a batch have one C, or each a C of its own at every
 /// point.
 struct BatchBalls {
-  const double* centre;                 ///< C of each batch, row by row, and |C|²: [batch][10]
+  const double* centre;                 ///< C of each batch, row by row, and |C|²: [batch][centreSize]
   const RoundedDown<Bfloat16>* square;  ///< s² of each element about it, [batch][lane]; < 0: nothing is inside
   const std::uint8_t* byOwn;            ///< [batch]: not zero where elements have a C each
   const std::int16_t* ownCentre;        ///< these, [batch][point][9][lane], as multiples of
@@ -20,7 +20,8 @@ struct BatchBalls {
   const RoundedDown<Bfloat16>* ownRadius;  ///< s about them, [batch][lane]
   std::uint8_t* left;                      ///< [batch]: becomes whether an element of it is not inside
 
-  static constexpr std::ptrdiff_t centreSize = 10;
+  static constexpr std::ptrdiff_t centreSize = 10, placeOfSquare = 9;  // |C|² stands behind C
+  static constexpr double dimensions = 3;                              // tr I
 
   /// The comparison for a batch, point by point; what is not a number is not inside.
   class OfBatch {
@@ -58,14 +59,13 @@ struct BatchBalls {
       if (own_) return add(F);
       NativePack sums[3] = {traceOfStrain, NativePack(0.0), NativePack(0.0)};
       for (int i = 0; i < 9; ++i) sums[i % 3] -= F.m[i] * NativePack(centre_[i]);
-      inside_ =
-          inside_ & (sums[0] + sums[1] + sums[2] <= NativePack(0.5) * (square_ - NativePack(centre_[9] + dimensions)));
+      inside_ = inside_ & (sums[0] + sums[1] + sums[2] <=
+                           NativePack(0.5) * (square_ - NativePack(centre_[placeOfSquare] + dimensions)));
     }
     RINGWATCH_INLINE NativePack::Mask inside() const { return inside_; }
     RINGWATCH_INLINE bool left() const { return !allOf(inside_); }
 
    private:
-    static constexpr double dimensions = 3;  // tr I
     RINGWATCH_INLINE static void addSquare(const NativePack& d, NativePack& sum) { sum += d * d; }
 
     const double* centre_;

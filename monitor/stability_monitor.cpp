@@ -122,7 +122,7 @@ struct StabilityMonitor::Impl {
       const UpdateStatistics& statistics = bracket->statistics();
       report.elementsRefreshed = statistics.evaluated;
       unknown = !bracket->finite();
-      // An element that inverts leaves its ball first, so the elements evaluated are all that can have inverted. Where
+      // An element that inverts leaves its ball first, so those looked at are all that can be inverted. Where
       // the tangent is not finite the evaluation has ended early.
       const Body::LeastDeterminant least =
           unknown ? body.leastDeterminant(x, Body::Among::whereInversionIsAnError)

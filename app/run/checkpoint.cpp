@@ -17,8 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view anyMark = "ringwatch checkpoint", mark = "ringwatch checkpoint 5\n";
-constexpr int format = 5;  // of the file, the mark's too; any change of what is in it counts
+constexpr int format = 6;  // of the file; any change of what is in it counts
+constexpr std::string_view anyMark = "ringwatch checkpoint";
+const std::string mark = fmt::format("{} {}\n", anyMark, format);
 
 /// FNV-1a, 64 bits (Fowler, Noll, Vo): finds damage and changes, resists no forgery.
 class Hash {

@@ -22,6 +22,10 @@ constexpr double nothingFree = 1e-200;
 /// A ball that grows becomes larger by this part than the element needs, which would leave it again at once.
 constexpr double roomOfGrownBall = 1.0 / 3;
 
+/// A ball that inversion ends is moved where what the element can have grown to leaves it at least this part of the way
+/// to inversion; else an evaluation leaves it more.
+constexpr double leastOfMovedBall = 0.5;
+
 /// Whether A - B has no row whose diagonal and sizes beside it sum to more than nothing, by which A ≼ B: cheaper than
 /// an eigenvalue.
 bool diagonallyBelow(const Eigen::Matrix3d& A, const Eigen::Matrix3d& B) {
@@ -35,8 +39,9 @@ RunCertificate::RunCertificate(const Body& body) : CertificateState(body) {
   for (const auto& block : body.blocks()) {
     const std::size_t places = block->layout().elements.size();
     const std::vector<RoundedUp<Bfloat16>> none(places);
+    const std::vector<RoundedDown<Bfloat16>> nothingKnown(places, -1);
     blocks_.push_back({ValidityBalls(*block), std::vector<RoundedUp<float>>(places), none, none, none, none,
-                       std::vector<RoundedDown<Bfloat16>>(places, -1)});
+                       nothingKnown, nothingKnown});
     if (!body.elementDamping()) continue;
     const DampedBlock* damped = body.elementDamping()->blocks()[blocks_.size() - 1];
     if (!damped || !damped->dependsOnRates()) continue;
@@ -62,16 +67,27 @@ void RunCertificate::setBall(ElementRef e, const Reference& reference) {
   data.value[place] = growth.value;
   data.linear[place] = growth.linear;
   data.quadratic[place] = growth.quadratic;
-  data.growthRadius[place] =
-      std::isfinite(reference.fromStored) ? std::min(growth.radius, reference.drift.inversionDistance) : -1;
-  data.balls.setRadius(place, validityRadius(growth, reference.drift.inversionDistance, allowance(e)),
+  data.growthRadius[place] = std::isfinite(reference.fromStored) ? growth.radius : -1;
+  const bool invertible = body().blocks()[e.block]->material().info().allowsInversion;
+  data.inversionDistance[place] = invertible ? infinity : reference.drift.inversionDistance;
+  data.balls.setRadius(place, validityRadius(growth, data.inversionDistance[place], allowance(e)),
                        reference.fromStored);
 }
 
 void RunCertificate::fitBall(ElementRef e) {
   BlockData& data = of(e);
   const std::size_t place = placeOf(e);
-  data.balls.setRadius(place, validityRadius(data.growth(place), infinity, allowance(e)), ValidityBalls::storageError);
+  data.balls.setRadius(place, validityRadius(data.growth(place), data.inversionDistance[place], allowance(e)),
+                       ValidityBalls::storageError);
+}
+
+bool RunCertificate::moveBall(ElementRef e, const double* F, int lane, const TangentDrift& drift, double value) {
+  const double radius = validityRadius(growthOf(drift.law, value, strainNorm(e)), infinity, allowance(e));
+  if (!(radius >= leastOfMovedBall * drift.inversionDistance)) return false;
+  const auto points = static_cast<int>(body().blocks()[e.block]->rule().points.size());
+  const double fromStored = of(e).balls.setReferenceGradient(placeOf(e), F, points, lane);
+  setBall(e, {value, drift, fromStored + drift.gradientRounding});
+  return true;
 }
 
 void RunCertificate::evaluate(NodeVectorsView x, const std::vector<ElementRef>& elements, bool withStrainNorm,
@@ -217,14 +233,20 @@ std::vector<RunCertificate::Leaver> RunCertificate::growBalls(NodeVectorsView x,
       // It has to be inside a radius that is stored with 8 bits, and not at its edge.
       const double radius = (1 + 1.0 / 64) * (1 + roomOfGrownBall) * distance + ValidityBalls::storageError;
       // The growth is that of the damping that counted when it was last evaluated.
-      const double allowance = blocks_[b].rateHasRisen(place) ? infinity : blocks_[b].growth(place).at(radius);
-      needs[index[lane]] = {allowance, drift[lane]};
+      const TangentGrowth growth = blocks_[b].growth(place);
+      double need = (1 + radiusRounding) * (blocks_[b].rateHasRisen(place) ? infinity : growth.at(radius));
+      const bool inversionEndsBall = radius > blocks_[b].inversionDistance[place] && drift[lane].determinant > 0;
+      const double here = (1 + radiusRounding) * growth.at(distance + drift[lane].gradientRounding);
+      if (inversionEndsBall && need <= allowance({b, pack[lane]}) &&
+          !moveBall({b, pack[lane]}, F.data(), lane, drift[lane], here))
+        need = infinity;
+      needs[index[lane]] = {need, drift[lane]};
     }
   });
   std::vector<Leaver> grown, others;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     note(elements[i], needs[i].drift);
-    const double own = allowance(elements[i]), need = needs[i].allowance * (1 + radiusRounding);
+    const double own = allowance(elements[i]), need = needs[i].allowance;
     const Leaver leaver{elements[i], need <= own ? 1 : own > 0 && need < infinity ? need / own : infinity};
     (leaver.need <= 1 ? grown : others).push_back(leaver);
   }
@@ -364,9 +386,10 @@ void RunCertificate::moveTo(double sigma) {
           const auto first = static_cast<std::size_t>(batch) * lanes;
           RoundedDown<float>* const own = allowances(b).data() + first;
           RoundedDown<float>::store(RoundedDown<float>::load(own) * NativePack(factor), own);
-          data.balls.setRadii(
-              static_cast<std::int32_t>(batch),
-              validityRadius(data.growthOfPack(first), NativePack(infinity), RoundedDown<float>::load(own)));
+          data.balls.setRadii(static_cast<std::int32_t>(batch),
+                              validityRadius(data.growthOfPack(first),
+                                             RoundedDown<Bfloat16>::load(data.inversionDistance.data() + first),
+                                             RoundedDown<float>::load(own)));
         },
         256);
   }

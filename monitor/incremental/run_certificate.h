@@ -18,8 +18,8 @@ struct UpdateStatistics {
   int localUpdates = 0, raises = 0, refreshes = 0, rebuilds = 0;
   Work work;  ///< WorkAccount's units
   double leastDeterminant =
-      std::numeric_limits<double>::infinity();  ///< det F of the elements evaluated whose law does not allow inversion;
-                                                ///< no other of them can be <= 0
+      std::numeric_limits<double>::infinity();  ///< det F of the elements outside their balls whose law does not allow
+                                                ///< inversion; no other of them can be <= 0
   ElementRef leastDeterminantElement;
 };
 
@@ -31,7 +31,7 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
  public:
   explicit RunCertificate(const Body& body);
 
-  /// l_e where it was evaluated last, N/m.
+  /// l_e at the reference gradient, N/m, or what it is below.
   double value(ElementRef e) const { return static_cast<double>(of(e).value[placeOf(e)]); }
   double strainNorm(ElementRef e) const { return static_cast<double>(of(e).strainNorm[placeOf(e)]); }
   void setStrainNorm(ElementRef e, double norm) { of(e).strainNorm[placeOf(e)] = norm; }
@@ -48,9 +48,9 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
     ElementRef element;
     double need;
   };
-  /// Gives elements that have left their balls the balls that their allowances have room for, and
-  /// returns those for which that is not enough, the neediest first. Evaluates no element. x: the positions of the last
-  /// elementsOutsideBall.
+  /// Gives elements that have left their balls the balls that their allowances have room for, about their gradients at
+  /// x where inversion ended them, and returns those for which that is not enough, the neediest first. Evaluates no
+  /// element. Inverted ones stay outside. x: the positions of the last elementsOutsideBall.
   std::vector<Leaver> growBalls(NodeVectorsView x, const std::vector<ElementRef>& elements);
   /// The same for leavers once their needs are served by a raise.
   void growBalls(std::span<const Leaver> leavers);
@@ -122,21 +122,22 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   void archive(Archive& a) {
     CertificateState::archive(a);
     for (BlockData& b : blocks_)
-      a(b.balls, b.value, b.strainNorm, b.compression, b.linear, b.quadratic, b.growthRadius, b.counted);
+      a(b.balls, b.value, b.strainNorm, b.compression, b.linear, b.quadratic, b.growthRadius, b.inversionDistance,
+        b.counted);
     a(frames_, mostCompression_, statistics_);
   }
 
  private:
   /// What is known of the elements of a block, by place. compression: -lambda_min(∂P/∂F) / (λ+2μ) at the reference
-  /// gradient, at most. linear, quadratic, growthRadius: TangentGrowth's, the radius ending before an inversion; < 0:
-  /// there is no reference gradient.
+  /// gradient, at most. linear, quadratic, growthRadius: TangentGrowth's; < 0: there is no reference gradient.
+  /// inversionDistance: TangentDrift's, infinity where the law is made for inversion.
   /// rates: the block where its damping depends on velocities, else nullptr; counted: its coefficients of the elements
   /// when they were last evaluated.
   struct BlockData {
     ValidityBalls balls;
     std::vector<RoundedUp<float>> value;
     std::vector<RoundedUp<Bfloat16>> strainNorm, compression, linear, quadratic;
-    std::vector<RoundedDown<Bfloat16>> growthRadius;
+    std::vector<RoundedDown<Bfloat16>> growthRadius, inversionDistance;
     const DampedBlock* rates = nullptr;
     std::vector<double> counted = {};
     bool rateHasRisen(std::size_t place) const { return rates && rates->coefficient(place) > counted[place]; }
@@ -158,6 +159,9 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   std::vector<double> sumsAt(const std::vector<std::int32_t>& nodes) const;
   BlockData& of(ElementRef e) { return blocks_[e.block]; }
   const BlockData& of(ElementRef e) const { return blocks_[e.block]; }
+  /// Moves the ball of an element to its gradients F[(q * 9 + i) * lanes + lane], with a bound of its l_e there. False,
+  /// and nothing is changed, where little would be left of it.
+  bool moveBall(ElementRef e, const double* F, int lane, const TangentDrift& drift, double value);
   Reference store(const EvaluatedPack& pack, int lane, bool withStrainNorm);
   void note(ElementRef e, const TangentDrift& drift) { note(e, drift.determinant, drift.law.negative); }
 

@@ -56,7 +56,8 @@ RINGWATCH_INLINE void storeRadii(const P& radii, RoundedDown<Bfloat16>* to) {
 template <class S>
 RINGWATCH_INLINE S comparedSquare(const S& radius, double squareOfCentre) {
   const S kept = radius * S(1 - commonBallRounding);
-  return kept * kept * S(1 - commonSquareRounding) - S(commonSquareRounding * (squareOfCentre + 3));
+  return kept * kept * S(1 - commonSquareRounding) -
+         S(commonSquareRounding * (squareOfCentre + BatchBalls::dimensions));
 }
 
 /// The squared radius about the centre of a batch where the element's own has changed and its reference gradient has
@@ -191,7 +192,7 @@ bool ValidityBalls::moveCentre(std::int32_t batch, const double* F, const P::Mas
     centre[i] = sumOfWeights > 0 ? sumOverLanes(sum * weight) / sumOfWeights : 0;
     squareOfCentre += centre[i] * centre[i];
   }
-  centre[9] = squareOfCentre;
+  centre[BatchBalls::placeOfSquare] = squareOfCentre;
   const std::int16_t* reference = referenceOf(batch);
   P farthest2(0.0);
   for (int q = 0; q < points_; ++q) {

@@ -65,7 +65,9 @@ class ValidityBalls {
   const std::int16_t* referenceOf(std::int32_t batch) const {
     return referenceGradient_.data() + static_cast<std::ptrdiff_t>(batch) * points_ * 9 * lanes;
   }
-  double squareOfCentre(std::size_t batch) const { return centre_[BatchBalls::centreSize * batch + 9]; }
+  double squareOfCentre(std::size_t batch) const {
+    return centre_[BatchBalls::centreSize * batch + BatchBalls::placeOfSquare];
+  }
   /// As a pass compares with them.
   BatchBalls balls() {
     return {
