@@ -1,5 +1,7 @@
 // Metrics and bracket of the critical step, ns an element, each with how far its step is from the true one, and dense
 // eigenvalues element by element as the baseline; then what a monitor costs along a run, over the step it watches.
+#include <malloc.h>
+
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -136,6 +138,12 @@ Mesh makeBar(const Case& c, int elementsPerCell, double jitter) {
   return generateBar(options);
 }
 
+/// Bytes that are allocated.
+double heapInUse() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd);
+}
+
 /// A bar pulled at one end by `rate` of its length a second, which turns by `turn` rad/s to begin with, watched at
 /// every step in the pass that computes the force; what that takes more than the same run without a monitor, by turns
 /// of some steps each, over the latter's time. h: of the critical step at rest.
@@ -144,6 +152,7 @@ struct Pull {
   double rate;
   double h;
   double turn = 0;
+  int steps = 1000;
 };
 struct Watch {
   std::string name;
@@ -171,21 +180,28 @@ void watchedRun(benchmark::State& state, const Case& c, int split, double jitter
   MonitorOptions options;
   options.mode = watch.mode;
   options.budget = watch.budget;
-  options.steps = 1000;
+  options.steps = pull.steps;
   options.workInAdvance = 0;
   if (watch.mode == MonitorMode::metric) options.metric = "reduced-1-ring";
   const double h = pull.h * 2 / std::sqrt(globalFrequency(body, body.mesh().X, 1e-6).lambda);
   // Fierz 2013 evaluates only now and then; so does a metric here, for it costs the same at every observation.
-  const int steps = watch.mode == MonitorMode::metric ? 20 : 1000;
+  const int steps = watch.mode == MonitorMode::metric ? 20 : pull.steps;
   double stepTime = 0, watchTime = 0, startTime = 0, refreshed = 0, certified = 0;
   std::vector<double> width;
   Work spent;
   std::optional<CriticalStep> lastBracket;
   NodeVectors lastPositions;
   for (auto _ : state) {
-    StabilityMonitor monitor(body, options);
     State at = system.initialState(), plain = at;
     StepEvaluation evaluation;
+    {
+      Body::Workspace workspace;
+      body.evaluate(at.x, evaluation, workspace);
+    }
+    system.complete(at, evaluation);
+    plainIntegrator.step(plainSystem, plain, h);
+    const double heap = heapInUse();
+    StabilityMonitor monitor(body, options);
     stepTime = watchTime = refreshed = certified = 0;
     width.clear();
     spent = {};
@@ -215,6 +231,7 @@ void watchedRun(benchmark::State& state, const Case& c, int split, double jitter
       if (step > 0) stepTime += cpuSeconds() - begin;
     }
     watchTime -= stepTime;
+    state.counters["bytes"] = (heapInUse() - heap) / static_cast<double>(body.mesh().elementCount());
     state.SetIterationTime(stepTime + watchTime + startTime);
     if (!at.x.allFinite()) {
       state.SkipWithError("the run is lost: positions are not finite");
@@ -286,8 +303,10 @@ void addRunsOfTables() {
   const Pull slow{"slow", 0.1, 0.5}, fast{"fast", 0.8, 0.5};
   for (const auto& [element, cut] : {std::pair{"tet4", 5}, {"tet4", 6}, {"hex8", 1}, {"wedge6", 2}, {"pyramid5", 6}}) {
     const Case large{element, 100000, "stvk", 1};
-    for (const Pull& pull : {slow, fast, Pull{"twist", 0, 0.5, 1.5}, Pull{"compression", -0.3, 0.5}})
+    for (const Pull& pull :
+         {slow, Pull{"slower", 0.01, 0.5, 0, 10000}, fast, Pull{"twist", 0, 0.5, 1.5}, Pull{"compression", -0.3, 0.5}})
       add(large, cut, tableJitter, usual, pull);
+    add(large, cut, tableJitter, {"bracket_0", MonitorMode::bracket, 0}, slow);
     add(large, cut, tableJitter, {"bracket_0.3", MonitorMode::bracket, 0.3}, fast);
     add(large, cut, tableJitter, {"threshold", MonitorMode::threshold, 0.1}, {"slow_close", 0.1, 0.8});
     for (const char* law : {"stvk", "neo-hookean", "corotational"})

@@ -2,7 +2,7 @@
 """What the monitor costs along runs with a budget of 0.1, and how wide the bracket is.
 
 Jittered bars of 100 000 elements and jittered and regular ones of 20 000, five times as long as wide, of cubes of 1 cm, are pulled, pushed or turned
-at one end from rest for 1000 steps. Prints two Markdown tables. Cost is the time of the monitor at all observations but the first over that
+at one end from rest for 1000 steps, or slower for 10 000. Prints two Markdown tables. Cost is the time of the monitor at all observations but the first over that
 of the steps alone, taken by turns in one run; in brackets the same counted (WorkAccount). Width is safe over optimistic less 1, in
 size, %: median, worst. Beside them stand figures without a limit, from before. At the last step: how far the safe and the optimistic side
 lie from those from scratch, %, and the width of these.
@@ -24,6 +24,8 @@ MESHES = {
 # How a row is watched and moved.
 RUNS = {
     "slow pull": ("bracket_0.1", "slow"),
+    "pull ten times slower, 10 000 steps": ("bracket_0.1", "slower"),
+    "slow pull, budget 0": ("bracket_0", "slow"),
     "fast pull": ("bracket_0.1", "fast"),
     "twist": ("bracket_0.1", "twist"),
     "compression": ("bracket_0.1", "compression"),
